@@ -14,15 +14,16 @@ namespace {
 /// One of every kind of element.
 const std::string kSeed = R"--({ "mbgen": 1, /* a comment */
 "parameters": { "k": { "value": 3, "tunable": true }, "c": 2 }, "inputs": { "u": { "default": 7 } },
+"hardpoints": { "H": [0, "c", 1] },
 "bodies": {
   "ground": { "points": { "A": [0, 0, 0], "T": [0, 0, 2] } },
   "arm": { "mass": "k", "inertia": [1, 1, 1], "points": { "A": [0, 0, 0], "B": [1, 0, 0] } },
   "tip": { "mass": 1, "inertia": [1, 1, 1, 0.1, 0, 0], "points": { "B": [0, -1, 0] },
-           "pose": { "rotation": [ { "axis": "z", "angle": { "deg": 90 } } ] } } },
+           "pose": { "rotation": [ { "axis": { "from": "H", "to": [0, 2, 2] }, "angle": { "deg": 90 } } ] } } },
 "joints": { "pin": { "type": "revolute", "from": "ground.A", "to": "arm.A", "axis": "y" },
             "ball": { "type": "spherical", "sequence": "zxy", "from": "arm.B", "to": "tip.B" } },
 "rods": { "r": { "from": "ground.T", "to": "tip.B" } },
-"springs": { "s": { "from": "ground.T", "to": "arm.B", "stiffness": { "table": [[0, 0], [1, 1]] },
+"springs": { "s": { "from": "ground.H", "to": "arm.B", "stiffness": { "table": [[0, 0], [1, 1]] },
                   "force": "length*rate" } },
 "air_springs": { "a": { "from": "ground.T", "to": "arm.B", "pressure": 6e5, "area": 0.01, "volume": 0.01 } },
 "joint_springs": { "j": { "joint": "pin", "relative_to": "ball_rx", "stiffness": "k^2" } },

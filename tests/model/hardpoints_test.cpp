@@ -203,6 +203,26 @@ TEST_F(PlacedHardpoints, OfTheModelAreSeenInside) {
   expect_near(values(model.hardpoints[3].position), {2, -1, 3}, "left_knee");
 }
 
+// One mechanism, and a table of hardpoints for each axle, which includes it.
+TEST_F(PlacedHardpoints, OfAnIncludingFileServeTheIncludedOne) {
+  write("corner.json", R"({ "bodies": { "ground": {}, "arm": { "mass": 1, "inertia": [1, 1, 1], "com": "ball" } },
+    "joints": { "arm": { "type": "revolute", "from": "ground.rear", "to": "arm.rear",
+                         "axis": { "from": "rear", "to": "front" } } } })");
+  write("front.json", R"({ "include": ["corner.json"],
+    "hardpoints": { "rear": [1, 0.3, 0.2], "front": [1.5, 0.3, 0.2], "ball": [1.2, 0.7, 0.2] } })");
+  write("back.json", R"({ "include": ["corner.json"],
+    "hardpoints": { "rear": [-2, 0.3, 0.2], "front": [-2, 0.3, 1.2], "ball": [-2, 0.8, 0.2] } })");
+  const Model model = read_file(write("car.json", R"({ "mbgen": 1, "instances": {
+    "fl": { "file": "front.json" }, "fr": { "file": "front.json", "mirror": "xz" }, "bl": { "file": "back.json" } } })"));
+  ASSERT_EQ(model.joints.size(), 3u);
+  EXPECT_EQ(centre_of(model, "fl_arm"), (Vector3{1.2, 0.7, 0.2}));
+  EXPECT_EQ(centre_of(model, "fr_arm"), (Vector3{1.2, -0.7, 0.2}));
+  EXPECT_EQ(centre_of(model, "bl_arm"), (Vector3{-2, 0.8, 0.2}));
+  EXPECT_EQ(model.joints[0].axis, (Vector3{1, 0, 0}));
+  EXPECT_EQ(model.joints[1].axis, (Vector3{-1, 0, 0}));  // equal coordinates are mirrored motions
+  EXPECT_EQ(model.joints[2].axis, (Vector3{0, 0, 1}));
+}
+
 TEST(AxesByPoints, AreUnitVectorsInTheFrameOfTheBody) {
   const auto freedoms = [](const std::string& rotation, const std::string& joint) {
     return read(posed_arm(rotation, joint)).joints.at(0).freedoms;
@@ -235,6 +255,21 @@ TEST(AxesByPoints, TurnAboutTheLineWhereverItStandsInTheList) {
   const double c = std::cos(0.5), s = std::sin(0.5), d = std::cos(0.4), e = std::sin(0.4);
   const Matrix3 expected = {c, -s * d, s * e, s, c * d, -c * e, 0, e, d};
   for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(model.bodies.at(1).pose.rotation[i], expected[i], kRounding) << i;
+}
+
+TEST(AxesByPoints, TurnTyresAndWheelsAlike) {
+  const Model model = read(R"({ "mbgen": 1, "hardpoints": { "hub": [0, 0.75, 0.31], "cap": [0, 0.95, 0.31] },
+    "bodies": { "ground": {}, "wheel": { "mass": 18, "com": "hub", "inertia": [0.6, 0.6, 0.6],
+      "pose": { "origin": "hub", "rotation": { "axis": "x", "angle": 0.3 } } } },
+    "joints": { "wheel": { "type": "revolute", "from": "ground.hub", "to": "wheel.hub",
+                           "axis": { "from": "hub", "to": "wheel.cap" }, "axis_to": { "from": "hub", "to": "cap" } } },
+    "tyre_data": { "d": { "model": "pac2002", "coefficients": { "UNLOADED_RADIUS": 0.31, "FNOMIN": 4e3 } } },
+    "tyres": { "t": { "centre": "wheel.hub", "axis": { "from": "hub", "to": "cap" }, "data": "d", "stiffness": 2e5 } } })");
+  ASSERT_EQ(model.tyres.size(), 1u);
+  expect_near(model.joints.at(0).axis, {0, 1, 0}, "joint");
+  expect_near(model.tyres[0].axis, {0, 1, 0}, "tyre");
+  EXPECT_TRUE(model.notes.empty()) << to_text(model.notes);
+  EXPECT_EQ(values(model.bodies[1].com), (Vector3{0, 0, 0}));
 }
 
 /// A direction of the table in the frame of `from`, which is the global one.
