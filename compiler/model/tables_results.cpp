@@ -204,7 +204,7 @@ std::vector<ObjectKind> object_kinds() {
       kind<Pose>("pose", "a frame in the global frame"),
       kind<RotationFields>("rotation", "a rotation about an axis"),
       kind<JointFields>("joint", "a joint"),
-      kind<Rod>("rod", "a bar with a spherical joint at each end"),
+      kind<RodFields>("rod", "a bar with a spherical joint at each end"),
       kind<PointSpring>("spring", "spring and damper between two points"),
       kind<JointSpring>("joint_spring", "spring and damper on a coordinate or a difference of two"),
       kind<JointFriction>("friction", "friction on a coordinate"),

@@ -50,6 +50,7 @@ struct Loop {
   ClosureKind kind = ClosureKind::spherical;
   int joint = -1;           ///< index into Model::joints, or -1
   int rod = -1;             ///< index into Model::rods, or -1
+  int length = -1;          ///< of a rod that a motion makes longer: tree index of the coordinate of its length
   int body_from = kGround;  ///< tree indices of the two closed bodies, kGround for ground
   int body_to = kGround;
   int ancestor = kGround;         ///< lowest common ancestor (tree index)
