@@ -31,7 +31,7 @@ struct Moment {
 
 std::string crane(const std::string& length) {
   return R"({ "mbgen": 1, "gravity": [0, 0, -10],
-    "inputs": { "way": { "default": 0.9, "derivative": "speed" }, "speed": { "derivative": "gain" }, "gain": {} },
+    "inputs": { "way": { "default": 0.9, "derivative": "speed" }, "speed": { "derivative": "gain" }, "gain": { "default": 1.9 } },
     "bodies": {
       "ground": { "points": { "O": [0, 0, 0], "foot": [0.6, 0, -0.8] } },
       "boom": { "mass": 10, "com": [1.5, 0, 0], "inertia": [2, 2, 2], "points": { "O": [0, 0, 0], "eye": [1, 0, 0] } } },
