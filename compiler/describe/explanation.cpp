@@ -123,6 +123,12 @@ std::string cuts_explanation(const Compilation& c) {
     std::vector<std::string> names;
     for (const Rod& rod : c.model.rods) names.push_back(rod.name);
     text += paragraph(fmt::format("Each rod is one equation, the distance of its ends: {}.", listed(names)));
+    std::vector<std::string> driven;
+    for (const Loop& loop : c.topology.loops)
+      if (loop.length >= 0)
+        driven.push_back(
+            fmt::format("{} by {}", loop.name, c.topology.bodies[static_cast<std::size_t>(loop.length)].coordinate));
+    if (!driven.empty()) text += paragraph(fmt::format("Motions change the length of: {}.", listed(driven)));
   }
   for (const Coupling& coupling : c.model.couplings)
     text += paragraph(fmt::format("{} couples coordinates, one equation: {} stays 0.", coupling.name,

@@ -172,6 +172,13 @@ constexpr bool is_one_of(ClosureKind kind, std::initializer_list<ClosureKind> ki
   return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
+/// Length of a rod; loop: of the rod.
+template <class T>
+T length_of(const System<T>& system, const Loop& loop) {
+  const T& length = system.constants.rods[loop.rod].length;
+  return loop.length < 0 ? length : length + system.z(loop.length);
+}
+
 /// The rows of a cut joint (53), (54), between ends of a kind for which such rows are defined. axes: the joint's triad
 /// on both bodies, base frame axes. The turn of a homokinetic joint: x1 . y2 = y1 . x2 says that `to` is turned against
 /// `from` about a line across the shaft, so that the shafts lie like mirror images about the plane between them.
@@ -224,8 +231,13 @@ std::vector<Row<T>> loop_rows(System<T>& system, const Kinematics<T>& k, const R
   const auto heading = system.scribe.within(OwnerKind::loop, index_in(system.topology.loops, loop));
   if (loop.kind == ClosureKind::rod) {
     const RodConstants<T>& rod = system.constants.rods[loop.rod];
-    return {
-        distance(loop_end(system, k, motion, rod.from, frame), loop_end(system, k, motion, rod.to, frame), rod.length)};
+    const T length = length_of(system, loop);
+    Row<T> row =
+        distance(loop_end(system, k, motion, rod.from, frame), loop_end(system, k, motion, rod.to, frame), length);
+    // Its own coordinate has a constant entry in the Jacobian, and the square of its rate here.
+    if (loop.length >= 0)
+      row.acceleration = row.acceleration - system.zd(loop.length) * system.zd(loop.length) / length;
+    return {row};
   }
   const Joint& joint = system.model.joints[loop.joint];
   const auto end = [&](const Attachment& at) { return loop_end(system, k, motion, place_of(system, at), frame); };
@@ -255,8 +267,9 @@ SparseClosure<T> sparse_closure(System<T>& system, const Kinematics<T>& k, const
       SparseRow<T> entries;
       for (int j : loop.joints) {
         const bool moves_from = on_path(system.topology, loop.body_from, j);
-        entries.push_back(static_cast<int>(column_of(j)),
-                          moves_from ? dot(k.column[j], row.wrench_from) : -dot(k.column[j], row.wrench_to));
+        entries.push_back(static_cast<int>(column_of(j)), j == loop.length ? T(-1.0)
+                                                          : moves_from     ? dot(k.column[j], row.wrench_from)
+                                                                           : -dot(k.column[j], row.wrench_to));
         system.scribe.name(entries.values.back(), "J_", loop.name, "_", system.topology.bodies[j].coordinate);
       }
       result.residual.push_back(row.residual);

@@ -104,7 +104,13 @@ std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionU
   const auto end = [&](const Place<T>& place) { return near_end(work, unit, velocity, bias, place); };
   if (loop.kind == ClosureKind::rod) {
     const RodConstants<T>& rod = system.constants.rods[loop.rod];
-    return {distance(end(rod.from), end(rod.to), rod.length, by)};
+    const T length = length_of(system, loop);
+    NearRow<T> row = distance(end(rod.from), end(rod.to), length, by);
+    if (loop.length >= 0) {
+      const T square = system.zd(loop.length) * system.zd(loop.length);
+      row.acceleration = row.acceleration - (by == Columns::rates ? square / length : square);
+    }
+    return {row};
   }
   const Joint& joint = system.model.joints[loop.joint];
   const auto at = [&](const Attachment& a) { return end(place_of(system, a)); };
@@ -159,6 +165,9 @@ SparseClosure<T> near_closure(const RecursionWork<T>& work, const RecursionUnit&
       std::map<int, T> columns;
       detail::add_columns(work, unit, loop, loop.body_from, row.force, row.moment_from, 1.0, by, columns);
       detail::add_columns(work, unit, loop, loop.body_to, row.force, row.moment_to, -1.0, by, columns);
+      if (loop.length >= 0)
+        columns[static_cast<int>(unit.column(loop.length))] =
+            by == Columns::rates ? T(-1.0) : -detail::length_of(work.system, loop);
       SparseRow<T> entries;
       for (const auto& [column, value] : columns) entries.push_back(column, value);
       result.jacobian.push_back(std::move(entries));

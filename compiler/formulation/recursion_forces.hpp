@@ -122,7 +122,7 @@ std::vector<T> row_lengths(const System<T>& system, const LoopBlock& block) {
   std::vector<T> lengths;
   for (int l : block.loops) {
     const Loop& loop = system.topology.loops[l];
-    lengths.insert(lengths.end(), loop.equations, loop.rod < 0 ? T(1.0) : system.constants.rods[loop.rod].length);
+    lengths.insert(lengths.end(), loop.equations, loop.rod < 0 ? T(1.0) : length_of(system, loop));
   }
   return lengths;
 }

@@ -120,7 +120,9 @@ struct Rod {
   Where where;
   Attachment from, to;
   Quantity mass;                   ///< kg, uniform along the rod; zero is massless
-  std::optional<Quantity> length;  ///< m; without it the reference distance
+  std::optional<Quantity> length;  ///< m; without it the reference distance; with a drive the length where that is zero
+  /// index into Model::joints: slide whose driven coordinate is added to the length; -1 where the length is constant
+  int drive = -1;
 };
 
 /// How pictures show a body or a part of it; it has no effect on the motion. A box has its edges along the axes of the

@@ -73,6 +73,11 @@ struct JointFields : Joint {
   std::optional<bool> marked_cut;
 };
 
+/// A rod with its length as written, which may be a function of time and inputs.
+struct RodFields : Rod {
+  std::optional<Quantity> written_length;
+};
+
 struct AirSpringFields : AirSpring {
   Law written_volume;
 };

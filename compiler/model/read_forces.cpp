@@ -1,4 +1,4 @@
-// Rods, couplings, and force elements but tyres.
+// Couplings, and force elements but tyres.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,18 +9,6 @@
 
 namespace mbgen::reading {
 namespace {
-
-/// Complains when both ends are on one body. Result: the distance of the ends at the reference, NaN when there is none.
-double check_ends(Reader& reader, const Value& value, const Attachment& from, const Attachment& to) {
-  if (from.body < 0 || to.body < 0) return kUnreadable;
-  if (from.body == to.body) {
-    report(reader, *find(value, "to"),
-           "both ends are on body " + in_quotes(reader.model.bodies[static_cast<std::size_t>(to.body)].name));
-    return kUnreadable;
-  }
-  const Vector3 a = reference_position(reader.model, from), b = reference_position(reader.model, to);
-  return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
-}
 
 /// Degrees are for rotations.
 void check_degrees(Reader& reader, const Value& value, std::string_view key, const CoordinateReference& coordinate) {
@@ -51,17 +39,15 @@ bool has_any(const Value& value, std::initializer_list<std::string_view> keys) {
 
 }  // namespace
 
-void read_rods(Reader& reader, const Entries& entries) {
-  constexpr double kSmallestLength = 1e-6;  // m
-  for (const Entry& entry : entries) {
-    reader.names.rods.emplace(entry.name, static_cast<int>(reader.names.rods.size()));
+double check_ends(Reader& reader, const Value& value, const Attachment& from, const Attachment& to) {
+  if (from.body < 0 || to.body < 0) return kUnreadable;
+  if (from.body == to.body) {
+    report(reader, *find(value, "to"),
+           "both ends are on body " + in_quotes(reader.model.bodies[static_cast<std::size_t>(to.body)].name));
+    return kUnreadable;
   }
-  read_list(reader, entries, reader.model.rods, [](Reader& r, const Value& value, const Rod& rod) {
-    const double distance = check_ends(r, value, rod.from, rod.to);
-    if (distance < kSmallestLength) {
-      report(r, *find(value, "to"), fmt::format("ends of a rod must be apart, the distance is {:.6g} m", distance));
-    }
-  });
+  const Vector3 a = reference_position(reader.model, from), b = reference_position(reader.model, to);
+  return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 }
 
 void read_couplings(Reader& reader, const Entries& entries) {

@@ -280,6 +280,11 @@ void check_coordinates(Reader& reader, const Entry& entry, const Joint& joint) {
 
 }  // namespace
 
+void add_coordinates(Reader& reader, const Entry& entry, const Joint& joint, int index) {
+  check_coordinates(reader, entry, joint);
+  name_coordinates(reader, entry, joint, index);
+}
+
 void read_joints(Reader& reader, const Entries& entries) {
   for (const Entry& entry : entries) {
     const InScope in_scope(reader, entry.scope);
@@ -302,8 +307,7 @@ void read_joints(Reader& reader, const Entries& entries) {
     if (named) {
       joint.freedoms = freedoms_of(joint);
       resolve_axes(reader, joint, index);
-      check_coordinates(reader, entry, joint);
-      name_coordinates(reader, entry, joint, index);
+      add_coordinates(reader, entry, joint, index);
     } else {
       reader.names.unreadable_joints.push_back(entry.name);
       if (entry.written != entry.name) reader.names.unreadable_joints.push_back(entry.written);

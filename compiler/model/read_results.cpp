@@ -268,7 +268,10 @@ void read_motions(Reader& reader, const Entries& entries) {
   for (const Entry& entry : entries) {
     std::vector<MotionFields> one;
     read_list(reader, {entry}, one, resolve_motion);
-    reader.names.motions.emplace(entry.name, static_cast<int>(reader.model.motions.size()));
+    const int index = static_cast<int>(reader.model.motions.size());
+    if (!reader.names.motions.emplace(entry.name, index).second)
+      report(reader, entry.place, fmt::format("name {} is that of the motion of a rod's length", in_quotes(entry.name)),
+             "rename the motion");
     reader.model.motions.push_back(one.front());
   }
 }

@@ -287,6 +287,10 @@ RigidGroup rigid_group(const Model& model, const std::vector<int>& groups, int g
 void place_on_wheel(Reader& reader, const Value& value, const std::vector<int>& groups, TyreFields& tyre);
 void read_rods(Reader& reader, const Entries& entries);
 void read_couplings(Reader& reader, const Entries& entries);
+/// Names the coordinates of a joint: tells its scope, and those that enclose it, and complains where a name is taken.
+void add_coordinates(Reader& reader, const Entry& entry, const Joint& joint, int index);
+/// Complains when both ends are on one body. Result: the distance of the ends at the reference, NaN when there is none.
+double check_ends(Reader& reader, const Value& value, const Attachment& from, const Attachment& to);
 void read_springs(Reader& reader, const Entries& entries);
 void read_joint_springs(Reader& reader, const Entries& entries);
 void read_frictions(Reader& reader, const Entries& entries);

@@ -321,22 +321,26 @@ std::span<const Field<JointFields>> fields<JointFields>() {
 }
 
 template <>
-std::span<const Field<Rod>> fields<Rod>() {
+std::span<const Field<RodFields>> fields<RodFields>() {
+  using F = RodFields;
   static const std::array table = {
-      field<Rod, &Rod::from>({.name = "from", .shape = Shape::attachment, .doc = "one end", .need = Need::required}),
-      field<Rod, &Rod::to>(
+      field<F, &F::from>({.name = "from", .shape = Shape::attachment, .doc = "one end", .need = Need::required}),
+      field<F, &F::to>(
           {.name = "to", .shape = Shape::attachment, .doc = "other end, on another body", .need = Need::required}),
-      field<Rod, &Rod::mass>({.name = "mass",
-                              .doc = "mass, uniform along the rod",
-                              .unit = "kg",
-                              .fallback = 0,
-                              .bound = Bound::not_negative,
-                              .depends = Depends::parameters}),
-      field<Rod, &Rod::length>({.name = "length",
-                                .doc = "length; default: the distance of the ends at the reference",
-                                .unit = "m",
-                                .bound = Bound::positive,
-                                .depends = Depends::parameters}),
+      field<F, &F::mass>({.name = "mass",
+                          .doc = "mass, uniform along the rod",
+                          .unit = "kg",
+                          .fallback = 0,
+                          .bound = Bound::not_negative,
+                          .depends = Depends::parameters}),
+      field<F, &F::written_length>(
+          {.name = "length",
+           .doc = "length; over t or inputs the rod is an actuator without mass, and its length less that at the "
+                  "reference is the driven coordinate of the rod's name and _length; default: the distance of the ends "
+                  "at the reference",
+           .unit = "m",
+           .bound = Bound::positive,
+           .depends = Depends::motion}),
   };
   return table;
 }

@@ -132,7 +132,7 @@ std::vector<ObjectKind> object_kinds() {
       kind<RotationFields>("rotation", "a rotation about an axis"),
       kind<AxisFields>("axis_by_points", "an axis from one point to another, of any distance"),
       kind<JointFields>("joint", "a joint"),
-      kind<Rod>("rod", "a bar with a spherical joint at each end"),
+      kind<RodFields>("rod", "a bar with a spherical joint at each end"),
       kind<Coupling>("coupling", "a relation between coordinates"),
       kind<PointSpring>("spring", "spring and damper between two points"),
       kind<JointSpring>("joint_spring", "spring and damper on a coordinate or a difference of two"),

@@ -198,10 +198,20 @@ Json links_json(const Model& model, double size) {
   return links;
 }
 
+/// Whether a joint is a thing at a place: not one that lets all go or holds directions alone, nor the length of a rod.
+bool has_mark(const Model& model, const Joint& joint) {
+  if (joint.type == JointType::free || joint.type == JointType::fixed || joint.type == JointType::parallel_axes ||
+      joint.type == JointType::orientation)
+    return false;
+  return std::none_of(model.rods.begin(), model.rods.end(), [&](const Rod& rod) {
+    return rod.drive >= 0 && &model.joints[static_cast<std::size_t>(rod.drive)] == &joint;
+  });
+}
+
 Json joints_json(const Model& model, double size) {
   Json joints = Json::array();
   for (const Joint& joint : model.joints) {
-    if (joint.type == JointType::free || joint.type == JointType::fixed) continue;
+    if (!has_mark(model, joint)) continue;
     joints.push_back({{"name", joint.name},
                       {"kind", name_of(joint.type)},
                       {"body", joint.from.body},

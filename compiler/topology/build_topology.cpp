@@ -151,6 +151,7 @@ void add_loop(Topology& topology, Loop loop) {
     const std::vector<int> path = path_to(topology, end, loop.ancestor);
     loop.joints.insert(loop.joints.end(), path.begin(), path.end());
   }
+  if (loop.length >= 0) loop.joints.push_back(loop.length);
   std::sort(loop.joints.begin(), loop.joints.end());
   topology.loops.push_back(std::move(loop));
 }
@@ -204,6 +205,7 @@ void find_loops(Topology& topology, const Model& model, const SpanningTree& tree
     loop.name = rod.name;
     loop.kind = ClosureKind::rod;
     loop.rod = static_cast<int>(r);
+    if (rod.drive >= 0) loop.length = tree_coordinate(topology, {rod.drive, 0});
     loop.body_from = topology.tree_body[rod.from.body];
     loop.body_to = topology.tree_body[rod.to.body];
     loop.rows = {std::string(kRodRow.name)};

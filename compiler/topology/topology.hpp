@@ -52,6 +52,7 @@ struct Loop {
   int joint = -1;           ///< index into Model::joints, or -1
   int rod = -1;             ///< index into Model::rods, or -1
   int coupling = -1;        ///< index into Model::couplings, or -1
+  int length = -1;          ///< of a rod that a motion makes longer: tree index of the coordinate of its length
   int body_from = kGround;  ///< tree indices of the two closed bodies, kGround for ground; of a coupling those that its
   int body_to = kGround;    ///< first and last coordinates move
   int ancestor = kGround;   ///< lowest common ancestor (tree index), of a coupling: that of the bodies they move on

@@ -58,6 +58,14 @@ void add_joint(const PartJoint& joint, const std::vector<Moving>& bodies, std::v
   add_directions(joint.type, from, to, on_from, on_to, rows);
 }
 
+/// A rod whose length is given over time, with its rates.
+Row driven_distance(const End& from, const End& to, const Jet<double>& length) {
+  Row row = distance(from, to, length.value);
+  row.rate = length.first;
+  row.bias += length.first * length.first / length.value + length.second;
+  return row;
+}
+
 /// A massless rod keeps its length; a massive one is a body with a spherical joint at each end, and does not spin.
 void add_rod(const PartRod& rod, int ground, const std::vector<Moving>& bodies, std::vector<Row>& rows) {
   const End from = end_of(bodies, rod.from), to = end_of(bodies, rod.to);
@@ -168,7 +176,15 @@ using namespace cartesian;
 std::vector<Row> CartesianMechanism::equations_at(const std::vector<Moving>& bodies, const Values& values) const {
   std::vector<Row> rows;
   for (const PartJoint& joint : parts.joints) add_joint(joint, bodies, rows);
-  for (const PartRod& rod : parts.rods) add_rod(rod, parts.ground(), bodies, rows);
+  for (const PartRod& rod : parts.rods) {
+    if (rod.motion < 0) {
+      add_rod(rod, parts.ground(), bodies, rows);
+      continue;
+    }
+    const Jet<double> more = evaluate_motion<double>(model, model.motions[rod.motion], values);
+    rows.push_back(driven_distance(end_of(bodies, rod.from), end_of(bodies, rod.to),
+                                   {rod.length + more.value, more.first, more.second}));
+  }
   for (const Motion& motion : model.motions) {
     const Jet<double> wanted = evaluate_motion<double>(model, motion, values);
     Row row = coordinates_of(motion.joint.joint, bodies, *values.z)[motion.joint.component].row;

@@ -68,6 +68,10 @@ std::vector<double> CartesianSystem::driving_forces(const Eigen::VectorXd& lambd
   std::vector<double> result;
   for (std::size_t k = 0; k < mechanism_->model.motions.size(); ++k)
     result.push_back(-lambda[mechanism_->first.motions + static_cast<int>(k)]);
+  // What makes a rod longer pushes against its tension.
+  for (std::size_t r = 0; r < mechanism_->parts.rods.size(); ++r)
+    if (const int motion = mechanism_->parts.rods[r].motion; motion >= 0)
+      result[motion] -= lambda[mechanism_->first.rods[r]];
   return result;
 }
 
@@ -113,7 +117,7 @@ std::vector<Vector3d> CartesianSystem::rod_forces(const CartesianState& state, c
       on_to.push_back(-lambda.segment<3>(first + 3));
     } else {
       const Vector3d gap = end_of(bodies, rod.from).position - end_of(bodies, rod.to).position;
-      on_to.push_back(lambda[first] / rod.length * gap);
+      on_to.push_back(lambda[first] / (rod.motion < 0 ? rod.length : gap.norm()) * gap);
     }
   }
   return on_to;

@@ -100,7 +100,11 @@ PartLine line_of(const Parts& parts, const Attachment& from, const Attachment& t
 
 PartRod rod_of(const Parts& parts, const Rod& rod, const Values& value) {
   const PartLine line = line_of(parts, rod.from, rod.to, value);
-  return {line.from, line.to, rod.length ? value(*rod.length) : line.reference, value(rod.mass), -1};
+  PartRod part{line.from, line.to, rod.length ? value(*rod.length) : line.reference, value(rod.mass), -1, -1};
+  const std::vector<Motion>& motions = value.model.motions;
+  for (std::size_t k = 0; k < motions.size(); ++k)
+    if (rod.drive >= 0 && motions[k].joint.joint == rod.drive) part.motion = static_cast<int>(k);
+  return part;
 }
 
 bool is_zero(const Quantity& quantity) { return quantity.expression < 0 && quantity.value == 0; }

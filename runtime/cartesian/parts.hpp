@@ -42,7 +42,8 @@ struct PartJoint {
 struct PartRod {
   Place from, to;
   double length = 0, mass = 0;
-  int body = -1;  ///< index into Parts::bodies, -1 for a massless rod
+  int body = -1;    ///< index into Parts::bodies, -1 for a massless rod
+  int motion = -1;  ///< index into Model::motions: what it adds to the length; -1 for a constant length
 };
 
 /// An element between two points, with its length at the reference configuration.

@@ -30,18 +30,19 @@ inline Mechanism load_without_tyres(const std::string& relative) {
   return analysed_model(without_tyres(*model));
 }
 
-/// Models of all_models() whose joints Simbody has: all but homokinetic ones.
+/// Models of all_models() without homokinetic joints and rods that change their length, which Simbody has not.
 inline std::vector<std::string> models_in_simbody() {
   std::vector<std::string> paths = all_models();
   std::erase_if(paths, [](const std::string& path) {
     const Result<Model> model = read_model_file(source_path(path));
-    return model &&
-           std::ranges::any_of(model->joints, [](const Joint& joint) { return joint.type == JointType::homokinetic; });
+    const auto is_homokinetic = [](const Joint& joint) { return joint.type == JointType::homokinetic; };
+    const auto is_driven = [](const Rod& rod) { return rod.drive >= 0; };
+    return model && (std::ranges::any_of(model->joints, is_homokinetic) || std::ranges::any_of(model->rods, is_driven));
   });
   return paths;
 }
 
-/// Requires: no tyres, and no homokinetic joints.
+/// Requires: no tyres, and nothing that Simbody has not.
 inline foreign::SimbodyMechanism in_simbody(const Mechanism& m) {
   const Result<foreign::ForceElements> elements = foreign::force_elements_of(m.model, m.topology);
   if (!elements) throw std::runtime_error(to_text(elements.problems()));

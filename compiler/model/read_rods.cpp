@@ -1,0 +1,131 @@
+// Rods, and the driven coordinates of those whose length is a function of time or of inputs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/model/raw.hpp"
+#include "compiler/model/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+constexpr double kSmallestLength = 1e-6;  // m
+constexpr std::string_view kDriveSuffix = "_length";
+
+/// Whether a value changes while a solver runs, but for its tunable parameters.
+bool moves(const Model& model, const Quantity& quantity) {
+  if (quantity.expression < 0) return false;
+  const std::vector<ExpressionNode>& nodes = model.expressions[static_cast<std::size_t>(quantity.expression)].nodes;
+  return std::any_of(nodes.begin(), nodes.end(), [](const ExpressionNode& node) {
+    return node.kind == ExpressionNode::Kind::time || node.kind == ExpressionNode::Kind::input;
+  });
+}
+
+/// The quantity less a constant, as an expression of its own.
+Quantity less(Model& model, const Quantity& quantity, double constant) {
+  Expression expression = model.expressions[static_cast<std::size_t>(quantity.expression)];
+  expression.text = fmt::format("({}) - {}", expression.text, constant);
+  const int value = static_cast<int>(expression.nodes.size()) - 1;
+  ExpressionNode number, difference;
+  number.number = constant;
+  difference.kind = ExpressionNode::Kind::call;
+  difference.function = Function::subtract;
+  difference.first = value;
+  difference.second = value + 1;
+  expression.nodes.push_back(number);
+  expression.nodes.push_back(difference);
+  Quantity result = quantity.value - constant;
+  result.expression = static_cast<int>(model.expressions.size());
+  model.expressions.push_back(std::move(expression));
+  return result;
+}
+
+/// Whether the names of the drive's body, joint and motion are free.
+bool has_free_names(Reader& reader, const Entry& entry, const std::string& name) {
+  const Names& names = reader.names;
+  const bool is_taken = names.bodies.contains(name) || names.joints.contains(name) || names.rods.contains(name);
+  if (is_taken)
+    report(reader, entry.place,
+           fmt::format("the length of rod {} is the coordinate {}, and another element has this name",
+                       in_quotes(entry.name), in_quotes(name)),
+           "rename one of them");
+  if (!is_taken && !is_valid_name(name))
+    report(reader, entry.place, "invalid name " + in_quotes(name) + " of the coordinate of the rod's length",
+           kNameRule);
+  return !is_taken && is_valid_name(name);
+}
+
+/// A slide without mass from the rod's first end, along the rod at the reference; its coordinate is what the length has
+/// more than there, and a motion drives it.
+void add_drive(Reader& reader, const Entry& entry, const Quantity& length, double distance, Rod& rod) {
+  Model& model = reader.model;
+  Entry named = entry;
+  named.written += kDriveSuffix;
+  named.name = full_name(current_scope(reader).visible.front(), named.written);
+  if (!has_free_names(reader, entry, named.name)) return;
+  const Body& base = model.bodies[static_cast<std::size_t>(rod.from.body)];
+  Body slide;
+  slide.name = named.name;
+  slide.where = rod.where;
+  slide.pose = base.pose;
+  slide.points = {base.points[static_cast<std::size_t>(rod.from.point)]};
+  const int body = static_cast<int>(model.bodies.size());
+  const Vector3 a = reference_position(model, rod.from), b = reference_position(model, rod.to);
+  Joint joint;
+  joint.name = named.name;
+  joint.where = rod.where;
+  joint.type = JointType::prismatic;
+  joint.from = rod.from;
+  joint.to = {body, 0};
+  for (std::size_t i = 0; i < 3; ++i) joint.axis[i] = (b[i] - a[i]) / distance;
+  joint.freedoms = {{named.name, FreedomKind::prismatic, joint.axis}};
+  model.bodies.push_back(std::move(slide));
+  reader.names.bodies.emplace(named.name, body);
+  reader.names.body_scopes.push_back(entry.scope);
+  rod.drive = static_cast<int>(model.joints.size());
+  rod.length = distance;
+  add_coordinates(reader, named, joint, rod.drive);
+  reader.names.joints.emplace(named.name, rod.drive);
+  model.joints.push_back(std::move(joint));
+  Motion motion;
+  motion.name = named.name;
+  motion.where = rod.where;
+  motion.joint = {rod.drive, 0};
+  motion.position = less(model, length, distance);
+  reader.names.motions.emplace(named.name, static_cast<int>(model.motions.size()));
+  model.motions.push_back(std::move(motion));
+}
+
+bool is_massless(const Rod& rod) { return rod.mass.expression < 0 && rod.mass.value == 0; }
+
+}  // namespace
+
+void read_rods(Reader& reader, const Entries& entries) {
+  for (const Entry& entry : entries) {
+    reader.names.rods.emplace(entry.name, static_cast<int>(reader.names.rods.size()));
+  }
+  for (const Entry& entry : entries) {
+    double distance = kUnreadable;
+    std::vector<RodFields> one;
+    read_list(reader, {entry}, one, [&](Reader& r, const Value& value, const RodFields& rod) {
+      distance = check_ends(r, value, rod.from, rod.to);
+      if (distance < kSmallestLength)
+        report(r, *find(value, "to"), fmt::format("ends of a rod must be apart, the distance is {:.6g} m", distance));
+      if (rod.written_length && moves(r.model, *rod.written_length) && !is_massless(rod))
+        report(r, *find(value, "mass"), "a rod whose length changes has no mass",
+               "leave out \"mass\", or give it to the bodies at its ends");
+    });
+    Rod& rod = one.front();
+    const std::optional<Quantity>& length = one.front().written_length;
+    if (!length || !moves(reader.model, *length)) {
+      rod.length = length;
+    } else if (distance >= kSmallestLength) {
+      const InScope in_scope(reader, entry.scope);
+      add_drive(reader, entry, *length, distance, rod);
+    }
+    reader.model.rods.push_back(rod);
+  }
+}
+
+}  // namespace mbgen::reading
