@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compiler/model/document.hpp"
+#include "compiler/model/fields.hpp"
 #include "compiler/model/model.hpp"
 
 namespace mbgen::reading {
@@ -170,5 +171,59 @@ struct InitialFields {
   bool equilibrium = false;
   const Value *positions = nullptr, *velocities = nullptr;
 };
+
+// The tables, declared before a reader asks for one.
+template <>
+std::span<const Field<FileFields>> fields<FileFields>();
+template <>
+std::span<const Field<InstanceFields>> fields<InstanceFields>();
+template <>
+std::span<const Field<ParameterFields>> fields<ParameterFields>();
+template <>
+std::span<const Field<InputFields>> fields<InputFields>();
+template <>
+std::span<const Field<BodyFields>> fields<BodyFields>();
+template <>
+std::span<const Field<Pose>> fields<Pose>();
+template <>
+std::span<const Field<RotationFields>> fields<RotationFields>();
+template <>
+std::span<const Field<AxisFields>> fields<AxisFields>();
+template <>
+std::span<const Field<JointFields>> fields<JointFields>();
+template <>
+std::span<const Field<RodFields>> fields<RodFields>();
+template <>
+std::span<const Field<Coupling>> fields<Coupling>();
+template <>
+std::span<const Field<PointSpring>> fields<PointSpring>();
+template <>
+std::span<const Field<JointSpring>> fields<JointSpring>();
+template <>
+std::span<const Field<JointFriction>> fields<JointFriction>();
+template <>
+std::span<const Field<AirSpringFields>> fields<AirSpringFields>();
+template <>
+std::span<const Field<AppliedForce>> fields<AppliedForce>();
+template <>
+std::span<const Field<JointForce>> fields<JointForce>();
+template <>
+std::span<const Field<TyreDataFields>> fields<TyreDataFields>();
+template <>
+std::span<const Field<TyreFields>> fields<TyreFields>();
+template <>
+std::span<const Field<MotionFields>> fields<MotionFields>();
+template <>
+std::span<const Field<OutputFields>> fields<OutputFields>();
+template <>
+std::span<const Field<ShapeFields>> fields<ShapeFields>();
+template <>
+std::span<const Field<InitialFields>> fields<InitialFields>();
+template <>
+std::span<const Field<InitialValueFields>> fields<InitialValueFields>();
+template <>
+std::span<const Field<SolverSettings>> fields<SolverSettings>();
+template <>
+std::span<const Field<TableFields>> fields<TableFields>();
 
 }  // namespace mbgen::reading

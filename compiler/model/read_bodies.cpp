@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/model/hardpoints.hpp"
 #include "compiler/model/named_functions.hpp"
 #include "compiler/model/presentation.hpp"
 #include "compiler/model/raw.hpp"

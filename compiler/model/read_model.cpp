@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "compiler/model/hardpoints.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/model/read_text.hpp"
 #include "compiler/model/reader.hpp"

@@ -113,7 +113,9 @@ TEST(Orientation, RotationVectorsAreAxisTimesAngle) {
       EXPECT_NEAR(found.x, angle * direction[0], 4e-16 + 1e-15 * angle) << angle;
       EXPECT_NEAR(found.y, angle * direction[1], 4e-16 + 1e-15 * angle) << angle;
       EXPECT_NEAR(found.z, angle * direction[2], 4e-16 + 1e-15 * angle) << angle;
-      if (direction[0] == 1) EXPECT_NEAR(found.x, angle, 1e-15 * angle) << "small angles keep their digits";
+      if (direction[0] == 1) {
+        EXPECT_NEAR(found.x, angle, 1e-15 * angle) << "small angles keep their digits";
+      }
     }
   const Vector<double> half = rotation_vector(rotation<double>({0.6, -0.64, 0.48}, kPi));
   EXPECT_NEAR(norm(half), kPi, 1e-15);

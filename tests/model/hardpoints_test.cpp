@@ -323,7 +323,10 @@ TEST(JointCoordinates, AreThoseOfTheModelReference) {
     }
   }
   const auto schema = nlohmann::json::parse(model_schema());
-  EXPECT_EQ(nlohmann::json(types).size(), schema["$defs"]["joint"]["properties"]["type"]["enum"].size());
+  const std::size_t all = schema["$defs"]["joint"]["properties"]["type"]["enum"].size();
+  std::size_t without_coordinates = 0;
+  for (std::size_t t = 0; t < all; ++t) without_coordinates += closes_only(static_cast<JointType>(t)) ? 1 : 0;
+  EXPECT_EQ(types.size() + without_coordinates, all);
 }
 
 // The parser knows the functions of the table and no others, and the schema and the message for an unknown one name

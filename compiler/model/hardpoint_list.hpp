@@ -1,0 +1,30 @@
+#pragma once
+// The hardpoints of a model in the making. Inside the model room.
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/model/document.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/model/names.hpp"
+
+namespace mbgen::reading {
+
+struct Hardpoint {
+  std::string name;          ///< in the model
+  std::size_t scope = 0;     ///< that defines it
+  Place place;               ///< of its key
+  Vector3Quantity position;  ///< m, axes of its scope, reference configuration
+  bool is_used = false;
+};
+
+struct Hardpoints {
+  std::vector<Hardpoint> list;
+  NameMap<int> names;  ///< as the model knows them
+  /// Body and hardpoint -> the point of the body that stands there, index into Body::points.
+  std::map<std::pair<int, int>, int> points;
+};
+
+}  // namespace mbgen::reading
