@@ -1,7 +1,6 @@
 // Axes by two points: from one to the other.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "compiler/decimal/decimal.hpp"
@@ -13,7 +12,6 @@ namespace mbgen::reading {
 namespace {
 
 constexpr double kNearest = 1e-6;  ///< m: nearer points have no direction, hardpoint tables leave micrometres
-constexpr double kRest = 1e-15;    ///< of the largest coordinate: what turning leaves of a component that is zero
 constexpr Vector3 kNowhere = {kUnreadable, kUnreadable, kUnreadable};
 
 /// One end of an axis in the axes of the current scope: constants, a hardpoint, or a point of a body.
@@ -38,16 +36,6 @@ Vector3 read_end(Reader& reader, const Value& value) {
   return constant_position(reader, value, "point " + in_quotes(value.text), position_here(reader, 0, in_model));
 }
 
-/// A unit vector without the rests of zeros: a rest would give coordinates other names and the equations more terms.
-/// size: of the numbers that it comes from, over its own length.
-Vector3 direction_of(Vector3 vector, double size) {
-  for (int i = 0; i < 2; ++i) {
-    const double length = norm(vector);
-    for (double& component : vector) component = std::abs(component) < kRest * size * length ? 0.0 : component / length;
-  }
-  return vector;
-}
-
 /// What a message calls the ends.
 std::string ends_text(const AxisFields& axis) {
   const bool are_named = axis.from->kind == Value::Kind::text && axis.to->kind == Value::Kind::text;
@@ -62,19 +50,15 @@ void read_axis_by_points(Reader& reader, const Value& value, Vector3& target) {
   if (!read_fields(reader, value, axis) || !axis.from || !axis.to) return;
   const Vector3 from = read_end(reader, *axis.from), to = read_end(reader, *axis.to);
   if (std::isnan(from[0] + from[1] + from[2] + to[0] + to[1] + to[2])) return;
-  double largest = 0;
   Vector3 difference{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    difference[i] = decimal_sum(to[i], -from[i]);
-    largest = std::max({largest, std::abs(from[i]), std::abs(to[i])});
-  }
+  for (std::size_t i = 0; i < 3; ++i) difference[i] = decimal_sum(to[i], -from[i]);
   const double length = norm(difference);
   if (length < kNearest) {
     report(reader, value, fmt::format("axis has no direction, {} are {:.3g} m apart", ends_text(axis), length),
            "name two points at different places");
     return;
   }
-  target = direction_of(difference, 1 + largest / length);
+  for (std::size_t i = 0; i < 3; ++i) target[i] = difference[i] / length;
 }
 
 void turn_axis_by_points(const Reader& reader, const Value* written, int body, Vector3& axis) {
@@ -86,7 +70,9 @@ void turn_axis_by_points(const Reader& reader, const Value* written, int body, V
 
 void turn_axis_by_points(const Value& written, const Matrix3& rotation, Vector3& axis) {
   if (written.kind != Value::Kind::object || std::isnan(axis[0])) return;
-  axis = direction_of(rotated(without_rest(transposed(rotation)), axis), 2);
+  axis = rotated(without_rest(transposed(rotation)), axis);
+  // A rest of turning would give coordinates other names and the equations more terms.
+  for (double& component : axis) component = without_rounding(component, 1);
 }
 
 }  // namespace mbgen::reading

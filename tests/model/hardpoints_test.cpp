@@ -157,7 +157,7 @@ TEST_F(PlacedHardpoints, AreWhereTheNumbersOfTheInstanceAre) {
     const auto read_as = [&](const std::string& file) {
       return read_file(
           write("car.json", fmt::format(R"({{ "mbgen": 1, "bodies": {{ "ground": {{ "points": {{ "O": [0, 0, 0] }} }},
-        "car": {{ "pose": {{ "origin": [0, 0, 0.5] }}, "points": {{ "O": [0, 0, -0.5] }} }} }},
+        "car": {{ "pose": {{ "origin": [0, 0, 0.5], "rotation": {{ "axis": "z", "angle": 0.4 }} }}, "points": {{ "O": [0, 0, -0.5] }} }} }},
       "joints": {{ "car": {{ "type": "free", "from": "ground.O", "to": "car.O" }} }},
       "instances": {{ "left": {{ "file": "{}", "connect": {{ "chassis": "car" }} {} }} }},
       "outputs": {{ "ball": {{ "point": "left_arm.ball", "axis": "x" }}, "on_car": {{ "point": "car.left_ball", "axis": "x" }} }} }})",
@@ -231,19 +231,29 @@ TEST(AxesByPoints, AreUnitVectorsInTheFrameOfTheBody) {
   EXPECT_EQ(along.at(0).axis, (Vector3{0, 0, 1}));
   const auto skew = freedoms("[]", R"("type": "prismatic", "axis": { "from": [1, 1, 1], "to": [1, 4, 5] })");
   expect_near(skew.at(0).axis, {0, 0.6, 0.8}, "3, 4, 5");
-  // What lies along an axis of the turned frame is called by its letter, though turning it left a rest.
-  const std::string turned = R"([{ "axis": "z", "angle": 0.3 }, { "axis": "x", "angle": -1.1 }])";
-  const Model model = read(R"({ "mbgen": 1, "hardpoints": { "hub": [0.3, 0.2, 0.1] },
-    "bodies": { "ground": {}, "base": { "pose": { "rotation": )" +
-                           turned + R"( }, "points": { "out": [0, 2, 0] } },
-      "arm": { "mass": 1, "inertia": [1, 1, 1] } },
-    "joints": { "base": { "type": "fixed", "from": "ground.hub", "to": "base.hub" },
-      "arm": { "type": "cylindrical", "from": "base.hub", "to": "arm.hub",
-               "axis": { "from": [0, 0, 0], "to": "base.out" } } } })");
-  ASSERT_EQ(model.joints.size(), 2u);
-  EXPECT_EQ(model.joints[1].freedoms[0].name, "arm_ty");
-  expect_near(model.joints[1].freedoms[0].axis,
-              {-std::sin(0.3) * std::cos(1.1), std::cos(0.3) * std::cos(1.1), -std::sin(1.1)}, "y of the turned base");
+  const auto short_one =
+      freedoms("[]", R"("type": "prismatic", "axis": { "from": [0.4, 0, 0.1], "to": [0.41, 0, 0.11] })");
+  EXPECT_EQ(short_one.at(0).axis[0], short_one.at(0).axis[2]) << "as 0.01 and 0.01";
+}
+
+// What lies along an axis of a turned frame is called by its letter, though turning there and back leaves a rest.
+TEST(AxesByPoints, AlongAnAxisOfATurnedFrameHaveItsLetter) {
+  for (int i = 1; i <= 20; ++i) {
+    const double about_z = 0.3 * i, about_x = -1.1 * i;
+    const Model model = read(fmt::format(R"({{ "mbgen": 1, "hardpoints": {{ "hub": [0.3, 0.2, 0.1] }},
+    "bodies": {{ "ground": {{}}, "arm": {{ "mass": 1, "inertia": [1, 1, 1] }},
+      "base": {{ "points": {{ "out": [0, 0.7, 0] }},
+        "pose": {{ "rotation": [{{ "axis": "z", "angle": {} }}, {{ "axis": "x", "angle": {} }}] }} }} }},
+    "joints": {{ "base": {{ "type": "fixed", "from": "ground.hub", "to": "base.hub" }},
+      "arm": {{ "type": "cylindrical", "from": "base.hub", "to": "arm.hub",
+               "axis": {{ "from": [0, 0, 0], "to": "base.out" }} }} }} }})",
+                                         about_z, about_x));
+    ASSERT_EQ(model.joints.size(), 2u);
+    EXPECT_EQ(model.joints[1].freedoms[0].name, "arm_ty") << i;
+    expect_near(model.joints[1].freedoms[0].axis,
+                {-std::sin(about_z) * std::cos(about_x), std::cos(about_z) * std::cos(about_x), std::sin(about_x)},
+                "y of the turned base");
+  }
 }
 
 TEST(AxesByPoints, TurnAboutTheLineWhereverItStandsInTheList) {
