@@ -117,7 +117,8 @@ class MotionOutputs {
 
   void add_wheel(int tyre) {
     using What = WheelOutput::What;
-    WheelOutput source{.tyre = tyre, .vehicle = body(), .side = below(2) == 0 ? 1.0 : -1.0, .lower = point()};
+    WheelOutput source{
+        .tyre = tyre, .vehicle = body(), .side = below(2) == 0 ? 1.0 : -1.0, .lower = point(), .upper = {}};
     const auto upper = point_askew_from(source.lower);
     if (upper) source.upper = *upper;
     for (const What what : {What::toe, What::camber, What::steer_angle, What::caster, What::kingpin_inclination}) {
