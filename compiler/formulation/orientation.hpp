@@ -39,8 +39,8 @@ Quaternion<T> select(const T& condition, const Quaternion<T>& a, const Quaternio
 
 /// Angle of one turn of the sequence r = R_i(first) R_j(second) R_k(third), rad: each about the axes that the turns
 /// before it left. The second is in [-pi/2, pi/2], or in [0, pi] where the third axis is the first one; the others are
-/// in [-pi, pi]. In a singular position only a sum of first and third is determined: the first is any angle there, and the
-/// three make up r as everywhere.
+/// in [-pi, pi]. In a singular position only a sum of first and third is determined: the first is any angle there, and
+/// the three make up r as everywhere.
 template <class T>
 T angle_of_turn(const Matrix<T>& r, const std::array<int, 3>& sequence, int turn) {
   using detail::entry, detail::kTiny;

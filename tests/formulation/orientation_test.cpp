@@ -9,8 +9,6 @@
 #include <numbers>
 #include <random>
 
-#include "compiler/program/program.hpp"
-
 namespace mbgen {
 namespace {
 
@@ -120,29 +118,6 @@ TEST(Orientation, RotationVectorsAreAxisTimesAngle) {
   const Vector<double> half = rotation_vector(rotation<double>({0.6, -0.64, 0.48}, kPi));
   EXPECT_NEAR(norm(half), kPi, 1e-15);
   EXPECT_NEAR(std::abs(dot(half, Vector<double>{0.6, -0.64, 0.48})), kPi, 1e-15);
-}
-
-// Linearisation and directional derivatives pass through these programs, often at the reference configuration.
-TEST(Orientation, DerivativesAreFiniteAtNoRotation) {
-  for (const Sequence& sequence : all_sequences()) {
-    ProgramBuilder builder("outputs");
-    Matrix<Expr> r = identity<Expr>();
-    for (int turn = 0; turn < 3; ++turn)
-      r = r * rotation<Expr>(kAxes[turn], Expr(builder, builder.input(Array::z, turn)));
-    const Vector<Expr> vector = rotation_vector(r);
-    const Expr values[] = {angle_of_turn(r, sequence, 0),
-                           angle_of_turn(r, sequence, 1),
-                           angle_of_turn(r, sequence, 2),
-                           vector.x,
-                           vector.y,
-                           vector.z};
-    for (int i = 0; i < 6; ++i) builder.output(Array::y, i, values[i].value(builder));
-    const int seeds[] = {0, 1, 2};
-    const Program program = differentiate(builder.finish(), seeds);
-    std::vector<double> inputs(program.inputs.size());
-    for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = program.inputs[i].group == Array::z ? 0.0 : 0.7;
-    for (const double value : interpret(program, inputs)) EXPECT_TRUE(std::isfinite(value));
-  }
 }
 
 }  // namespace

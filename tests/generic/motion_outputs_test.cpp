@@ -254,10 +254,8 @@ TEST(MotionOutputs, EnergiesOfAllAreThoseOfTheEnergyBalance) {
       EXPECT_NEAR(outputs.y[6], outputs.kinetic_energy, 1e-11 * (1 + outputs.kinetic_energy));
       // What is fixed to ground has no part in the balance, and is constant.
       const double constant = outputs.y[7] - outputs.potential_energy;
-      if (!is_first) {
-        EXPECT_NEAR(constant, difference, 1e-11 * (1 + std::abs(outputs.y[7])));
-      }
-      difference = constant;
+      if (is_first) difference = constant;
+      EXPECT_NEAR(constant, difference, 1e-11 * (1 + std::abs(outputs.y[7])));
       is_first = false;
     }
   }

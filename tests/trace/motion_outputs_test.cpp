@@ -1,5 +1,6 @@
 // Programs of outputs of motions, energies and wheels, interpreted, against the formulation at double.
 
+#include "compiler/formulation/orientation.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/trace/given_state.hpp"
 #include "tests/support/motion_outputs_support.hpp"
@@ -43,6 +44,30 @@ TEST(MotionOutputs, OfEveryModelAreThoseOfTheGenericRuntimeInBothForms) {
         EXPECT_LT(motion_difference(m.model, run(program, m, state, tau, derivative.zdd), expected), 1e-10);
       }
     }
+  }
+}
+
+// Linearisation and directional derivatives pass through these programs, often at the reference configuration.
+TEST(MotionOutputs, DerivativesOfAnglesAreFiniteAtNoRotation) {
+  constexpr Vector3 kAxes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const std::array<int, 3>& sequence : {std::array{2, 1, 0}, std::array{2, 0, 2}, std::array{0, 1, 0}}) {
+    ProgramBuilder builder("outputs");
+    Matrix<Expr> r = identity<Expr>();
+    for (int turn = 0; turn < 3; ++turn)
+      r = r * rotation<Expr>(kAxes[turn], Expr(builder, builder.input(Array::z, turn)));
+    const Vector<Expr> vector = rotation_vector(r);
+    const Expr values[] = {angle_of_turn(r, sequence, 0),
+                           angle_of_turn(r, sequence, 1),
+                           angle_of_turn(r, sequence, 2),
+                           vector.x,
+                           vector.y,
+                           vector.z};
+    for (int i = 0; i < 6; ++i) builder.output(Array::y, i, values[i].value(builder));
+    const int seeds[] = {0, 1, 2};
+    const Program program = differentiate(builder.finish(), seeds);
+    std::vector<double> inputs(program.inputs.size());
+    for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = program.inputs[i].group == Array::z ? 0.0 : 0.7;
+    for (const double value : interpret(program, inputs)) EXPECT_TRUE(std::isfinite(value));
   }
 }
 
