@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler/model/named_functions.hpp"
+#include "compiler/model/positions.hpp"
 #include "compiler/model/presentation.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"

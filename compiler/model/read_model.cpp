@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "compiler/model/model.hpp"
+#include "compiler/model/positions.hpp"
 #include "compiler/model/read_text.hpp"
 #include "compiler/model/reader.hpp"
 

@@ -1,5 +1,5 @@
-// Hardpoints and the points of bodies that stand at them.
-#include "compiler/model/hardpoints.hpp"
+// Hardpoints, and the points of bodies that stand at them.
+#include "compiler/model/positions.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "compiler/decimal/decimal.hpp"
-#include "compiler/model/reader.hpp"
 
 namespace mbgen::reading {
 namespace {
