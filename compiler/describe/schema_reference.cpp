@@ -112,8 +112,8 @@ configuration, those of a subsystem in the subsystem's axes. Where coordinates o
 them into its frame. A point of a body is written `body.point`; where the body has no such point, `body.hardpoint`
 is the point that the body has there.
 
-An *axis* is a letter, `"-y"`, a vector of any length, or goes `{"from": position, "to": position}`. A letter or a
-vector counts in the frame that the field names. Two points are in global axes, as hardpoints are.
+An *axis* is a letter, `"-y"`, a vector of any length, or [two points](#axis_by_points) `{"from": "a", "to": "b"}`.
+A letter or a vector counts in the frame that the field names, points are in global axes as hardpoints are.
 
 )text";
 
