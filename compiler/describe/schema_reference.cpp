@@ -108,12 +108,12 @@ Units are SI. An angle is in radians, or `{"deg": number}`. Comments are allowed
 [expression](#expressions).
 
 A *position* is three numbers, or the name of a hardpoint. Hardpoints stand in global axes at the reference
-configuration, those of a subsystem in the subsystem's axes; where coordinates of a body are meant, mbgen turns them into
-its frame. A point of a body is written `body.point`; where the body has no such point, `body.hardpoint` is the point
-that the body has there.
+configuration, those of a subsystem in the subsystem's axes. Where coordinates of a body are meant, mbgen turns
+them into its frame. A point of a body is written `body.point`; where the body has no such point, `body.hardpoint`
+is the point that the body has there.
 
-An *axis* is a letter, `"-y"`, a vector of any length, or goes `{"from": position, "to": position}`. A letter or a vector
-counts in the frame that the field names. Two points are in global axes, as hardpoints are.
+An *axis* is a letter, `"-y"`, a vector of any length, or [two points](#axis_by_points) `{"from": "a", "to": "b"}`.
+A letter or a vector counts in the frame that the field names, points are in global axes as hardpoints are.
 
 )text";
 
@@ -121,10 +121,10 @@ counts in the frame that the field names. Two points are in global axes, as hard
 std::string expressions_text() {
   std::string text = R"text(## Expressions
 
-`+ - * / ^`, brackets, numbers, `pi`, names and functions: `"2*k*sin(pi*t)"`. `^` comes first and takes a sign behind it:
-`-x^2` is `-(x^2)`, `2^-1` is 0.5. Names are parameters, of a parameter those above it. Where forces, motions and outputs
-are meant, names are `t` and inputs too. Where forces and outputs are meant, names are `z.COORDINATE`, a position, and
-`zd.COORDINATE`, its velocity, and those that the field lists.
+`+ - * / ^`, brackets, numbers, `pi`, names and functions: `"2*k*sin(pi*t)"`. `^` comes first and takes a sign
+behind it: `-x^2` is `-(x^2)`, `2^-1` is 0.5. Names are parameters; a parameter takes those above it. Forces, motions
+and outputs take `t` and inputs too. Forces and outputs take `z.COORDINATE`, a position, and `zd.COORDINATE`, its
+velocity, and the names that the field lists.
 
 | function | value |
 |---|---|
@@ -149,9 +149,9 @@ std::string quoted_names(std::string_view names) {
 std::string coordinates_text() {
   std::string text = R"text(## Coordinates of joints
 
-A joint with one freedom has one coordinate, of the name of the joint. A joint with several has these, in the order in
-which they act from the body at `from` to the body at `to`. Each direction is in the frame of `from`, turned by the
-coordinates before it. Positions are in m and rad.
+A joint with one freedom has one coordinate, of the name of the joint. A joint with several has these, in the order
+in which they act from the body at `from` to the body at `to`. Each direction is in the frame of `from`, turned by
+the coordinates before it. Positions are in m and rad.
 
 | joint | for example | coordinates of joint `NAME` | directions |
 |---|---|---|---|
@@ -161,9 +161,10 @@ coordinates before it. Positions are in m and rad.
                         row.names.empty() ? "none" : quoted_names(row.names), row.directions);
   }
   return text + R"text(
-A letter counts with either sign: `"-x"` gives the names of `"x"`. Of a planar joint with another normal, `e` is the axis
-of the frame that is farthest from the normal, projected on the plane and made a unit vector. Names of coordinates stand
-in `initial`, `motions`, `joint_springs`, `frictions`, `joint_forces`, outputs, and with `z.` and `zd.` in expressions.
+A letter counts with either sign: `"-x"` gives the names of `"x"`. Of a planar joint with another normal, `e` is the
+axis of the frame that is farthest from the normal, projected on the plane and made a unit vector. Names of coordinates
+stand in `initial`, `motions`, `joint_springs`, `frictions`, `joint_forces`, outputs, and with `z.` and `zd.` in
+expressions.
 
 )text";
 }

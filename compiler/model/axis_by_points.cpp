@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compiler/decimal/decimal.hpp"
-#include "compiler/model/hardpoints.hpp"
+#include "compiler/model/positions.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/model/hardpoints.hpp"
 #include "compiler/model/named_functions.hpp"
+#include "compiler/model/positions.hpp"
 #include "compiler/model/presentation.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"

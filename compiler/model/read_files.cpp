@@ -7,7 +7,6 @@
 #include <optional>
 #include <system_error>
 
-#include "compiler/model/hardpoints.hpp"
 #include "compiler/model/read_text.hpp"
 #include "compiler/model/reader.hpp"
 

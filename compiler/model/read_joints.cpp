@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "compiler/model/hardpoints.hpp"
+#include "compiler/model/positions.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "compiler/model/hardpoints.hpp"
 #include "compiler/model/model.hpp"
+#include "compiler/model/positions.hpp"
 #include "compiler/model/read_text.hpp"
 #include "compiler/model/reader.hpp"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/model/positions.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 #include "compiler/model/tir_file.hpp"

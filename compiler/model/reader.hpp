@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "compiler/model/fields.hpp"
-#include "compiler/model/hardpoint_list.hpp"
+#include "compiler/model/hardpoints.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/model/names.hpp"
 #include "compiler/model/scopes.hpp"

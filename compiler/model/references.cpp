@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "compiler/model/csv_table.hpp"
-#include "compiler/model/hardpoints.hpp"
+#include "compiler/model/positions.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 

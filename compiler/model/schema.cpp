@@ -78,9 +78,8 @@ Json shape_of(const FieldInfo& info) {
       return number;
     case Shape::vector:
     case Shape::quantity_vector:
-      return reference("vector");
     case Shape::position:
-      return reference("position");
+      return reference(info.shape == Shape::position ? "position" : "vector");
     case Shape::place:
       return either(reference("position"), reference("attachment"));
     case Shape::inertia:
@@ -104,9 +103,8 @@ Json shape_of(const FieldInfo& info) {
     case Shape::parameters:
       return map_of(either(reference("angle"), reference(info.of)));
     case Shape::points:
-      return map_of(reference("vector"));
     case Shape::positions:
-      return map_of(reference("position"));
+      return map_of(reference(info.shape == Shape::points ? "vector" : "position"));
     case Shape::values:
       return map_of(either(reference("angle"), reference(info.of)));
     case Shape::overrides:

@@ -130,7 +130,7 @@ std::vector<ObjectKind> object_kinds() {
       kind<BodyFields>("body", "a rigid body"),
       kind<Pose>("pose", "a frame in the global frame"),
       kind<RotationFields>("rotation", "a rotation about an axis"),
-      kind<AxisFields>("axis_by_points", "an axis from one point to another, of any distance"),
+      kind<AxisFields>("axis_by_points", "an axis from one point to another"),
       kind<JointFields>("joint", "a joint"),
       kind<RodFields>("rod", "a bar with a spherical joint at each end"),
       kind<Coupling>("coupling", "a relation between coordinates"),

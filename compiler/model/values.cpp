@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "compiler/model/evaluate.hpp"
-#include "compiler/model/hardpoints.hpp"
+#include "compiler/model/positions.hpp"
 #include "compiler/model/reader.hpp"
 
 namespace mbgen::reading {

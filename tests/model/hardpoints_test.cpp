@@ -157,10 +157,12 @@ TEST_F(PlacedHardpoints, AreWhereTheNumbersOfTheInstanceAre) {
     const auto read_as = [&](const std::string& file) {
       return read_file(
           write("car.json", fmt::format(R"({{ "mbgen": 1, "bodies": {{ "ground": {{ "points": {{ "O": [0, 0, 0] }} }},
-        "car": {{ "pose": {{ "origin": [0, 0, 0.5], "rotation": {{ "axis": "z", "angle": 0.4 }} }}, "points": {{ "O": [0, 0, -0.5] }} }} }},
+        "car": {{ "points": {{ "O": [0, 0, -0.5] }},
+                  "pose": {{ "origin": [0, 0, 0.5], "rotation": {{ "axis": "z", "angle": 0.4 }} }} }} }},
       "joints": {{ "car": {{ "type": "free", "from": "ground.O", "to": "car.O" }} }},
       "instances": {{ "left": {{ "file": "{}", "connect": {{ "chassis": "car" }} {} }} }},
-      "outputs": {{ "ball": {{ "point": "left_arm.ball", "axis": "x" }}, "on_car": {{ "point": "car.left_ball", "axis": "x" }} }} }})",
+      "outputs": {{ "ball": {{ "point": "left_arm.ball", "axis": "x" }},
+                     "on_car": {{ "point": "car.left_ball", "axis": "x" }} }} }})",
                                         file, placing)));
     };
     const Model words = read_as("words.json"), numbers = read_as("numbers.json");
@@ -213,7 +215,8 @@ TEST_F(PlacedHardpoints, OfAnIncludingFileServeTheIncludedOne) {
   write("back.json", R"({ "include": ["corner.json"],
     "hardpoints": { "rear": [-2, 0.3, 0.2], "front": [-2, 0.3, 1.2], "ball": [-2, 0.8, 0.2] } })");
   const Model model = read_file(write("car.json", R"({ "mbgen": 1, "instances": {
-    "fl": { "file": "front.json" }, "fr": { "file": "front.json", "mirror": "xz" }, "bl": { "file": "back.json" } } })"));
+    "fl": { "file": "front.json" }, "fr": { "file": "front.json", "mirror": "xz" },
+    "bl": { "file": "back.json" } } })"));
   ASSERT_EQ(model.joints.size(), 3u);
   EXPECT_EQ(centre_of(model, "fl_arm"), (Vector3{1.2, 0.7, 0.2}));
   EXPECT_EQ(centre_of(model, "fr_arm"), (Vector3{1.2, -0.7, 0.2}));
@@ -274,7 +277,8 @@ TEST(AxesByPoints, TurnTyresAndWheelsAlike) {
     "joints": { "wheel": { "type": "revolute", "from": "ground.hub", "to": "wheel.hub",
                            "axis": { "from": "hub", "to": "wheel.cap" }, "axis_to": { "from": "hub", "to": "cap" } } },
     "tyre_data": { "d": { "model": "pac2002", "coefficients": { "UNLOADED_RADIUS": 0.31, "FNOMIN": 4e3 } } },
-    "tyres": { "t": { "centre": "wheel.hub", "axis": { "from": "hub", "to": "cap" }, "data": "d", "stiffness": 2e5 } } })");
+    "tyres": { "t": { "centre": "wheel.hub", "axis": { "from": "hub", "to": "cap" }, "data": "d",
+                     "stiffness": 2e5 } } })");
   ASSERT_EQ(model.tyres.size(), 1u);
   expect_near(model.joints.at(0).axis, {0, 1, 0}, "joint");
   expect_near(model.tyres[0].axis, {0, 1, 0}, "tyre");

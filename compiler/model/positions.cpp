@@ -1,5 +1,5 @@
-// Hardpoints and the points of bodies that stand at them.
-#include "compiler/model/hardpoints.hpp"
+// Hardpoints, and the points of bodies that stand at them.
+#include "compiler/model/positions.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "compiler/decimal/decimal.hpp"
-#include "compiler/model/reader.hpp"
 
 namespace mbgen::reading {
 namespace {
@@ -87,6 +86,7 @@ void read_hardpoints(Reader& reader, const Entries& entries) {
 }
 
 void finish_hardpoints(Reader& reader) {
+  constexpr std::size_t kMostListed = 8;
   std::map<std::size_t, std::vector<const Hardpoint*>> unused;  // per scope: one note for a table of many
   for (const Hardpoint& hardpoint : reader.hardpoints.list) {
     reader.model.hardpoints.push_back({hardpoint.name, between(reader, hardpoint.position, hardpoint.scope, 0)});
@@ -95,10 +95,11 @@ void finish_hardpoints(Reader& reader) {
   for (const auto& [scope, list] : unused) {
     const InScope in_scope(reader, scope);
     std::string names;
-    for (const Hardpoint* hardpoint : list) {
+    for (std::size_t i = 0; i < std::min(list.size(), kMostListed); ++i) {
       names += names.empty() ? "" : ", ";
-      names += in_quotes(name_from_inside(hardpoint->name, current_scope(reader).visible));
+      names += in_quotes(name_from_inside(list[i]->name, current_scope(reader).visible));
     }
+    if (list.size() > kMostListed) names += fmt::format(" and {} more", list.size() - kMostListed);
     const bool several = list.size() > 1;
     note(reader, list.front()->place, fmt::format("nothing uses hardpoint{} {}", several ? "s" : "", names),
          fmt::format("a joint, rod or spring attaches a body to one by \"body.{}\"",
