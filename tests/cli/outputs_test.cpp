@@ -14,7 +14,7 @@ TEST_F(CommandLine, EnginesAgreeOnEveryOutputOfMotions) {
     return table(engine + ".csv");
   };
   const Table generic = table_of("generic");
-  EXPECT_NEAR(generic.at(0, "spin"), 30, 1e-9);
+  EXPECT_NEAR(generic.at(0, "spin [rad/s]"), 30, 1e-9);
   for (const char* engine : {"generated", "augmented", "maggi"}) {
     SCOPED_TRACE(engine);
     expect_same_motion(generic, table_of(engine), 1e-9);
