@@ -66,8 +66,7 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
     ShapedProgram shaped = in_lanes(scalar);
     shaped.shape.constants = &constants;
     const Schedule order = schedule(*shaped.program, {.order = ValueOrder::fewest_alive});
-    programs.push_back({{"program", program_text(*shaped.program, order, shaped.shape)},
-                        {"constructs", shaped.role == Role::derived_constants}});
+    programs.push_back({{"program", program_text(*shaped.program, order, shaped.shape)}});
     if (shaped.role != Role::outputs && shaped.role != Role::derived_constants)
       members.push_back(system_member(shaped, "lanes::" + shaped.shape.result + "Of<Row>", "lanes::"));
   }

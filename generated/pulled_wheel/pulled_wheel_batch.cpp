@@ -35,8 +35,6 @@ struct Parameters {
 /// c_knuckle_z, [4] m_knuckle_2, [5] I_knuckle_yy.
 struct Tuned : Parameters {
   Lanes derived[7];
-  Tuned() noexcept : Tuned(Parameters{}) {}
-  Tuned(const Parameters& parameters) noexcept;
 };
 struct Inputs {
 };
@@ -139,10 +137,6 @@ void compute_derived_constants(const Parameters& parameters, Tuned& __restrict r
   // operations of step 1: poses and axes b: 15 add, 6 multiply, 1 divide
   // operations of step 8: elimination from the leaves to the root (63), upper: 1 add
   // operations of step 9: outputs, energies, power: 1 add, 1 multiply
-}
-
-Tuned::Tuned(const Parameters& parameters) noexcept : Parameters(parameters) {
-  compute_derived_constants(parameters, *this);
 }
 
 /// Result of compute_accelerations.
@@ -756,13 +750,14 @@ using mbgen::load_row;
 using mbgen::batch_detail::load_rows;
 using mbgen::batch_detail::store_rows;
 
+/// Made in place: clang copies structs of this size by memcpy.
 mbgen::ParametersOf<System> in_lanes([[maybe_unused]] const Parameters& batch) noexcept {
   mbgen::ParametersOf<System> values;
   for ([[maybe_unused]] int g = 0; g < kGroups; ++g) {
-    lanes::Parameters group;
+    [[maybe_unused]] lanes::Tuned& group = values.group[g];
     group.k = load_group<Lanes>(batch.k, g);
     group.ballast = load_group<Lanes>(batch.ballast, g);
-    values.group[g] = group;
+    lanes::compute_derived_constants(group, group);
   }
   return values;
 }
