@@ -288,20 +288,11 @@ class ExpressionParser {
   int stand_in() { return push_number(1); }
 
   int forbidden(std::size_t start, const std::string& what) {
-    switch (scope_.depends) {
-      case Depends::nothing:
-        fail(start, "must be constant, depends on " + what);
-        break;
-      case Depends::parameters:
-        fail(start, "may depend on parameters only, depends on " + what);
-        break;
-      case Depends::positions:
-        fail(start, "may depend on positions of coordinates and on parameters only, depends on " + what);
-        break;
-      default:
-        fail(start, "may depend on t, parameters and inputs only, depends on " + what);
-        break;
-    }
+    static constexpr const char* kLimits[] = {
+        "must be constant", "may depend on parameters only",
+        "may depend on positions of coordinates and on parameters only",
+        "may depend on t, parameters and inputs only"};  // in the order of Depends
+    fail(start, fmt::format("{}, depends on {}", kLimits[static_cast<std::size_t>(scope_.depends)], what));
     return stand_in();
   }
 
