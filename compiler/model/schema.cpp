@@ -100,11 +100,10 @@ Json shape_of(const FieldInfo& info) {
       return reference(info.of);
     case Shape::map:
       return map_of(reference(info.of));
-    case Shape::parameters:
-      return map_of(either(reference("angle"), reference(info.of)));
     case Shape::points:
     case Shape::positions:
       return map_of(reference(info.shape == Shape::points ? "vector" : "position"));
+    case Shape::parameters:
     case Shape::values:
       return map_of(either(reference("angle"), reference(info.of)));
     case Shape::overrides:

@@ -144,6 +144,36 @@ void exchange(const Case& c) {
   require(events <= 2, "events without need");
 }
 
+/// Outputs, then derivatives.
+std::vector<Unknown> unknowns_of(const Description& description) {
+  std::vector<Unknown> unknowns = description.outputs;
+  unknowns.insert(unknowns.end(), description.derivatives.begin(), description.derivatives.end());
+  return unknowns;
+}
+
+std::vector<unsigned> references_of(const std::vector<Unknown>& unknowns) {
+  std::vector<unsigned> references;
+  for (const Unknown& unknown : unknowns) references.push_back(unknown.reference);
+  return references;
+}
+
+/// What directional derivatives are asked by.
+struct Knowns {
+  std::vector<unsigned> all;      ///< the states first
+  std::set<unsigned> parameters;  ///< those of them that are tunable
+};
+
+/// FMI 2 knows parameters at the initialisation only.
+Knowns knowns_of(const Description& description, bool with_parameters) {
+  Knowns knowns{description.states(), {}};
+  for (const Variable& variable : description.variables) {
+    const bool is_tuned = with_parameters && variable.variability == "tunable";
+    if (is_tuned) knowns.parameters.insert(variable.reference);
+    if (is_tuned || variable.causality == "input") knowns.all.push_back(variable.reference);
+  }
+  return knowns;
+}
+
 /// Directional derivatives against central differences of the FMU itself; what is no dependency must not matter.
 template <class Unit>
 void differentiate(const Case& c) {
@@ -155,23 +185,16 @@ void differentiate(const Case& c) {
   require(unit.states(x) == kOk, "states");
   // Away from the start, where much is zero.
   for (int i = 0; i < 20; ++i) integrate(c, unit, i * c.description.step, c.description.step, x);
-  std::vector<unsigned> knowns = states, unknowns;
-  std::set<unsigned> parameters;
-  for (const Variable& variable : c.description.variables) {
-    // FMI 2 knows parameters at the initialisation only.
-    const bool is_tuned = Unit::kVersion == 3 && variable.variability == "tunable";
-    if (is_tuned) parameters.insert(variable.reference);
-    if (is_tuned || variable.causality == "input") knowns.push_back(variable.reference);
-  }
+  const Knowns given = knowns_of(c.description, Unit::kVersion == 3);
+  const std::vector<unsigned>& knowns = given.all;
   const auto set_known = [&](unsigned known, double value) {
-    const bool is_tuned = parameters.count(known) != 0;
+    const bool is_tuned = given.parameters.count(known) != 0;
     require(!is_tuned || unit.enter_event() == kOk, "event mode");
     require(unit.set({known}, {value}) == kOk, "a known");
     require(!is_tuned || unit.enter_continuous() == kOk, "continuous time");
   };
-  std::vector<Unknown> all = c.description.outputs;
-  all.insert(all.end(), c.description.derivatives.begin(), c.description.derivatives.end());
-  for (const Unknown& unknown : all) unknowns.push_back(unknown.reference);
+  const std::vector<Unknown> all = unknowns_of(c.description);
+  const std::vector<unsigned> unknowns = references_of(all);
   const Row here = values(unit, unknowns);
   int zeros = 0, others = 0;
   for (std::size_t k = 0; k < knowns.size(); ++k) {

@@ -60,6 +60,24 @@ Groups interpreted(const Compilation& compilation, const GenericState& state, co
   return evaluate(programs.accelerations, given);
 }
 
+/// A state near the reference, as a solver's table has it, and joint forces.
+struct Guess {
+  std::vector<double> state, tau;
+};
+
+Guess any_guess(const SolverTable& table, std::mt19937& random) {
+  std::uniform_real_distribution<double> number(-1, 1);
+  const int n = table.coordinates;
+  Guess guess{std::vector<double>(table.state_size, 0.0), std::vector<double>(n)};
+  for (int i = 0; i < n; ++i) {
+    guess.state[i] = 0.2 * number(random);
+    guess.state[n + i] = 2 * number(random);
+    guess.tau[i] = 100 * number(random);
+  }
+  for (int i = 0; i < table.auxiliary_states; ++i) guess.state[2 * n + i] = 0.01 * number(random);
+  return guess;
+}
+
 class Golden : public testing::TestWithParam<std::string> {};
 
 TEST_P(Golden, agreesWithTheGenericRuntime) {
@@ -81,17 +99,10 @@ TEST_P(Golden, agreesWithTheGenericRuntime) {
   ASSERT_EQ(n, compilation->topology.size());
   const int slips = table.auxiliary_states;
   std::mt19937 random(2012);
-  std::uniform_real_distribution<double> number(-1, 1);
   int compared = 0, frozen = 0;
   for (int attempt = 0; attempt < 2 * kStates && compared < kStates; ++attempt) {
-    std::vector<double> state(table.state_size, 0.0), tau(n), derivative(table.derivative_size),
-        position(table.closure_equations + 1), velocity = position;
-    for (int i = 0; i < n; ++i) {
-      state[i] = 0.2 * number(random);
-      state[n + i] = 2 * number(random);
-      tau[i] = 100 * number(random);
-    }
-    for (int i = 0; i < slips; ++i) state[2 * n + i] = 0.01 * number(random);
+    auto [state, tau] = any_guess(table, random);
+    std::vector<double> derivative(table.derivative_size), position(table.closure_equations + 1), velocity = position;
     // A guess that far from the reference need not lead to a closed position.
     if (!table.project(table.default_parameters, table.default_inputs, state.data()).ok()) continue;
     ++compared;
