@@ -30,6 +30,15 @@ double size_of(const NumericSystem& numbers, const LoopBlock& block, const Block
   return size < kSmallest ? 1.0 : size;
 }
 
+/// Largest derivative of a relation in all configurations, 1 where it has none: the model gives its factors any size.
+double largest_slope(const PartView& view, Eigen::Index row) {
+  double largest = 0;
+  for (const Eigen::MatrixXd& jacobian : view.jacobians)
+    for (Eigen::Index c = 0; c < jacobian.cols(); ++c)
+      largest = std::max(largest, std::abs(jacobian(row, c)) * view.column_scale[static_cast<std::size_t>(c)]);
+  return largest > 0 ? largest : 1.0;
+}
+
 }  // namespace
 
 bool contains(const std::vector<int>& values, int value) {
@@ -78,15 +87,6 @@ std::size_t PartView::best() const {
   for (std::size_t s = 1; s < jacobians.size(); ++s)
     if (margin(s) > margin(best)) best = s;
   return best;
-}
-
-/// Largest derivative of a relation in all configurations, 1 where it has none: the model gives its factors any size.
-double largest_slope(const PartView& view, Eigen::Index row) {
-  double largest = 0;
-  for (const Eigen::MatrixXd& jacobian : view.jacobians)
-    for (Eigen::Index c = 0; c < jacobian.cols(); ++c)
-      largest = std::max(largest, std::abs(jacobian(row, c)) * view.column_scale[static_cast<std::size_t>(c)]);
-  return largest > 0 ? largest : 1.0;
 }
 
 PartView view(const NumericSystem& numbers, std::size_t b, const BlockPart& part,

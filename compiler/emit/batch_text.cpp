@@ -86,7 +86,7 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
                         {"advances", inputs_have_derivatives(context.model.inputs)},
                         {"initial", context.options.initial.has_value()},
                         {"outputs_take_multipliers", outputs_take_multipliers(context.programs)}};
-  values.merge(tuned_values(context.programs));
+  values.merge(tuned_values(context.programs, false));
   values.merge(system_values(context, members, "Lanes"));
   return fill_template("batch.cpp.in", values);
 }

@@ -100,7 +100,7 @@ std::string banner_text(const Model& model, const std::string& mark) {
          ". Change the model, not this file.";
 }
 
-FrameValues tuned_values(const Programs& programs) {
+FrameValues tuned_values(const Programs& programs, bool constructs) {
   const int count = derived_constant_count(programs);
   std::string named;
   for (int k = 0; const std::string& name : derived_constant_names(programs)) {
@@ -114,7 +114,9 @@ FrameValues tuned_values(const Programs& programs) {
       "a "
       "step.{}{}",
       count, named, named.empty() ? "" : ".");
-  return {{"derived", count > 0 ? std::to_string(count) : ""}, {"tuned_comment", wrapped_words(comment, "/// ")}};
+  return {{"derived", count > 0 ? std::to_string(count) : ""},
+          {"constructs", constructs},
+          {"tuned_comment", wrapped_words(comment, "/// ")}};
 }
 
 std::string interface_text(const EmitContext& context) {
@@ -150,7 +152,7 @@ std::string interface_text(const EmitContext& context) {
                         {"auxiliary_size", size_text(context.layout.auxiliary_states)},
                         {"multiplier_size", size_text(context.layout.equations)},
                         {"drive_size", size_text(context.layout.drives)}};
-  values.merge(tuned_values(context.programs));
+  values.merge(tuned_values(context.programs, true));
   return fill_template("solver.hpp.in", values);
 }
 

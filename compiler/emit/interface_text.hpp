@@ -30,7 +30,7 @@ FrameRows name_rows(const std::vector<std::string>& names);
 FrameRows member_rows(const std::vector<NumberMember>& members);
 
 /// Values of tuned.in, struct Tuned: the tunable parameters with the constants that follow from them, which every
-/// function of a solver takes.
-FrameValues tuned_values(const Programs& programs);
+/// function of a solver takes. constructs: whether it makes itself of parameters.
+FrameValues tuned_values(const Programs& programs, bool constructs);
 
 }  // namespace mbgen

@@ -17,49 +17,28 @@ struct CouplingEquation {
   T acceleration{0.0};      ///< second time derivative at zero joint accelerations
 };
 
-namespace detail {
-
-/// Positions that move at given rates, parameters that stand still. rate_of: of a tree coordinate.
-template <class T, class RateOf>
-struct RelationEnvironment {
-  const Environment<T>& environment;
-  RateOf rate_of;
-
-  Jet<T> parameter(int index) const { return Jet<T>(environment.parameter(index)); }
-  Jet<T> position(const CoordinateReference& c) const {
-    return {environment.position(c), rate_of(tree_coordinate(*environment.topology, c)), T(0.0)};
-  }
-  // read_model refuses the others in a relation.
-  Jet<T> input(int) const { return {}; }
-  Jet<T> time() const { return {}; }
-  Jet<T> velocity(const CoordinateReference&) const { return {}; }
-  Jet<T> local(int) const { return {}; }
-};
-
-template <class T, class RateOf>
-Jet<T> relation_along(const System<T>& system, const Loop& loop, RateOf rate_of) {
-  const Model& model = system.model;
-  return evaluate<Jet<T>>(model.expressions[model.couplings[loop.coupling].relation.expression],
-                          RelationEnvironment<T, RateOf>{system.environment, rate_of});
-}
-
-}  // namespace detail
-
 /// The equation of a loop of kind coupling at the positions and velocities of the system. Cost: the relation once for
 /// each of its coordinates and once more.
 template <class T>
 CouplingEquation<T> coupling_equation(const System<T>& system, const Loop& loop) {
   const auto heading = system.scribe.within(OwnerKind::loop, index_in(system.topology.loops, loop));
-  CouplingEquation<T> equation;
-  for (const CoordinateReference& coordinate : system.model.couplings[loop.coupling].coordinates) {
+  const Coupling& coupling = system.model.couplings[loop.coupling];
+  std::vector<int> joints;
+  std::vector<T> positions;
+  std::vector<Jet<T>> moving;
+  for (const CoordinateReference& coordinate : coupling.coordinates) {
     const int joint = tree_coordinate(system.topology, coordinate);
-    T& slope = equation.slopes[joint];
-    slope = detail::relation_along(system, loop, [&](int j) { return T(j == joint ? 1.0 : 0.0); }).first;
-    system.scribe.name(slope, "J_", loop.name, "_", system.topology.bodies[joint].coordinate);
+    joints.push_back(joint);
+    positions.push_back(system.z(joint));
+    moving.emplace_back(system.z(joint), system.zd(joint), T(0.0));
   }
-  const Jet<T> moved = detail::relation_along(system, loop, [&](int j) { return system.zd(j); });
-  equation.residual = moved.value;
-  equation.acceleration = moved.second;
+  const std::vector<T> slopes = relation_slopes(system.model, coupling, positions, system.environment);
+  const Jet<T> moved = evaluate_relation(system.model, coupling, moving, system.environment);
+  CouplingEquation<T> equation{moved.value, {}, moved.second};
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    system.scribe.name(slopes[i], "J_", loop.name, "_", system.topology.bodies[joints[i]].coordinate);
+    equation.slopes[joints[i]] = slopes[i];
+  }
   return equation;
 }
 

@@ -20,12 +20,12 @@ namespace detail {
 constexpr double kTiny = 1e-30;
 
 template <class T>
-const T& entry(const Vector<T>& v, int row) {
-  return row == 0 ? v.x : row == 1 ? v.y : v.z;
+const T& component(const Vector<T>& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 template <class T>
 const T& entry(const Matrix<T>& m, int row, int column) {
-  return entry(column == 0 ? m.x : column == 1 ? m.y : m.z, row);
+  return component(column == 0 ? m.x : column == 1 ? m.y : m.z, row);
 }
 
 template <class T>

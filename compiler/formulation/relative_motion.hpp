@@ -7,11 +7,6 @@
 
 namespace mbgen::detail {
 
-template <class T>
-T component(const Vector<T>& v, int axis) {
-  return entry(v, axis);
-}
-
 /// Tree index of a body of the model, kGround for none.
 template <class T>
 int tree_body(const System<T>& system, int body) {

@@ -2,6 +2,8 @@
 // A value with its first and second time derivatives, so that a motion gives position, velocity and acceleration at
 // once.
 
+#include <algorithm>
+
 #include "compiler/model/evaluate.hpp"
 #include "compiler/model/model.hpp"
 
@@ -176,6 +178,46 @@ struct MotionEnvironment {
   int derivative_of(int index) const { return inputs[static_cast<std::size_t>(index)].derivative; }
   T value_or_zero(int index) const { return index < 0 ? T(0.0) : environment.input(index); }
 };
+
+/// Coordinates that move as they are told while parameters stand still: what the relation of a coupling sees.
+template <class T, class Environment>
+struct RelationEnvironment {
+  const std::vector<CoordinateReference>& coordinates;
+  const std::vector<Jet<T>>& positions;  ///< of the coordinates, in their order
+  const Environment& environment;        ///< of T: parameter(i)
+
+  Jet<T> parameter(int index) const { return Jet<T>(environment.parameter(index)); }
+  Jet<T> position(const CoordinateReference& c) const {
+    return positions[static_cast<std::size_t>(std::ranges::find(coordinates, c) - coordinates.begin())];
+  }
+  // read_model refuses inputs, time, velocities and locals in a relation.
+  Jet<T> input(int) const { return {}; }
+  Jet<T> time() const { return {}; }
+  Jet<T> velocity(const CoordinateReference&) const { return {}; }
+  Jet<T> local(int) const { return {}; }
+};
+
+/// The relation of a coupling and its derivatives while its coordinates move. positions: in their order.
+template <class T, class Environment>
+Jet<T> evaluate_relation(const Model& model, const Coupling& coupling, const std::vector<Jet<T>>& positions,
+                         const Environment& environment) {
+  return evaluate<Jet<T>>(coupling.relation, model.expressions,
+                          RelationEnvironment<T, Environment>{coupling.coordinates, positions, environment});
+}
+
+/// Derivative of the relation by each of its coordinates, in their order.
+template <class T, class Environment>
+std::vector<T> relation_slopes(const Model& model, const Coupling& coupling, const std::vector<T>& positions,
+                               const Environment& environment) {
+  std::vector<Jet<T>> moving(positions.begin(), positions.end());
+  std::vector<T> slopes;
+  for (Jet<T>& position : moving) {
+    position.first = T(1.0);
+    slopes.push_back(evaluate_relation(model, coupling, moving, environment).first);
+    position.first = T(0.0);
+  }
+  return slopes;
+}
 
 /// Position, velocity and acceleration that a motion prescribes. environment: of T, as for evaluate.
 template <class T, class Environment>

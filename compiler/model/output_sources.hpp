@@ -16,6 +16,9 @@ namespace mbgen::reading {
 constexpr std::array<std::string_view, 11> kOutputSources = {
     "expression", "point", "points", "body", "bodies", "joint", "tyre", "spring", "motion", "reaction", "multiplier"};
 
+/// Of a point or a coordinate.
+constexpr std::array kMotionQuantities = {Quantities::position, Quantities::velocity, Quantities::acceleration};
+
 /// The source of an output and the unit it has by itself.
 struct Resolved {
   decltype(Output::source) source;

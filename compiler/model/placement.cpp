@@ -86,36 +86,6 @@ int add_multiple(Expression& sum, double factor, const Expression& term) {
                       : add_call(sum, Function::multiply, value, add_number(sum, factor));
 }
 
-/// constant + sum of factors * quantities.
-Quantity combination(Reader& reader, const Vector3& factors, const Vector3Quantity& quantities, double constant) {
-  std::vector<Expression>& expressions = reader.model.expressions;
-  Quantity result(constant);
-  double number = constant;  // what does not depend on parameters
-  Expression sum;
-  int total = -1;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Quantity& quantity = quantities[i];
-    if (factors[i] == 0) continue;
-    const double product = factors[i] * quantity.value;
-    result.value = result.value == 0 ? product + 0.0 : result.value + product;
-    if (quantity.expression < 0) {
-      number = number == 0 ? product + 0.0 : number + product;
-      continue;
-    }
-    if (factors[i] == 1 && constant == 0 && std::count(factors.begin(), factors.end(), 0.0) == 2) return quantity;
-    const int term = add_multiple(sum, factors[i], expressions[static_cast<std::size_t>(quantity.expression)]);
-    total = total < 0 ? term : add_call(sum, Function::add, total, term);
-  }
-  if (total < 0) return result;
-  if (number != 0) {
-    sum.text += fmt::format(" + {}", number);
-    add_call(sum, Function::add, total, add_number(sum, number));
-  }
-  expressions.push_back(std::move(sum));
-  result.expression = static_cast<int>(expressions.size()) - 1;
-  return result;
-}
-
 /// Sign that a rotation about `axis` (a displacement along it) gets, beside the effect of the flip on the axis.
 double sense(const Scope& scope, const Vector3& axis, FreedomKind kind) {
   const double mirrored = kind == FreedomKind::revolute ? handedness(scope.placement) : 1;
@@ -161,6 +131,35 @@ void check_connections(Reader& reader, const Scope& scope) {
 }
 
 }  // namespace
+
+Quantity combination(Reader& reader, const Vector3& factors, const Vector3Quantity& quantities, double constant) {
+  std::vector<Expression>& expressions = reader.model.expressions;
+  Quantity result(constant);
+  double number = constant;  // what does not depend on parameters
+  Expression sum;
+  int total = -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Quantity& quantity = quantities[i];
+    if (factors[i] == 0) continue;
+    const double product = factors[i] * quantity.value;
+    result.value = result.value == 0 ? product + 0.0 : result.value + product;
+    if (quantity.expression < 0) {
+      number = number == 0 ? product + 0.0 : number + product;
+      continue;
+    }
+    if (factors[i] == 1 && constant == 0 && std::count(factors.begin(), factors.end(), 0.0) == 2) return quantity;
+    const int term = add_multiple(sum, factors[i], expressions[static_cast<std::size_t>(quantity.expression)]);
+    total = total < 0 ? term : add_call(sum, Function::add, total, term);
+  }
+  if (total < 0) return result;
+  if (number != 0) {
+    sum.text += fmt::format(" + {}", number);
+    add_call(sum, Function::add, total, add_number(sum, number));
+  }
+  expressions.push_back(std::move(sum));
+  result.expression = static_cast<int>(expressions.size()) - 1;
+  return result;
+}
 
 Matrix3 without_rest(const Matrix3& rotation) {
   constexpr double kRest = 1e-15;

@@ -8,7 +8,6 @@
 namespace mbgen::reading {
 namespace {
 
-constexpr std::array kPointQuantities = {Quantities::position, Quantities::velocity, Quantities::acceleration};
 constexpr std::array kBodyQuantities = {Quantities::angle,
                                         Quantities::rotation_vector,
                                         Quantities::quaternion,
@@ -175,7 +174,7 @@ const char* motion_unit(bool rotation, Quantities quantity) {
 }
 
 Resolved point_output(Reader& reader, const Value& value, const OutputFields& output) {
-  const Quantities quantity = quantity_of(reader, value, output, kPointQuantities, "point");
+  const Quantities quantity = quantity_of(reader, value, output, kMotionQuantities, "point");
   require(reader, value, "axis", "point");
   if (quantity == Quantities::position) refuse(reader, value, "observer", "position");
   PointOutput point;

@@ -57,7 +57,6 @@ int source_of(Reader& reader, const Value& value) {
   return source;
 }
 
-constexpr std::array kMotionQuantities = {Quantities::position, Quantities::velocity, Quantities::acceleration};
 constexpr std::array kTyreQuantities = {Quantities::load,
                                         Quantities::longitudinal_force,
                                         Quantities::lateral_force,
@@ -120,47 +119,46 @@ Resolved motion_output(Reader& reader, const Value& value) {
   return {DriveOutput{motion}, joint.joint >= 0 && is_rotation(reader.model, joint) ? "N m" : "N"};
 }
 
-/// A joint or a rod by its name; both -1 with a complaint.
+/// A joint, a rod or a coupling by its name; all -1 with a complaint.
 struct Connection {
-  int joint = -1, rod = -1;
+  int joint = -1, rod = -1, coupling = -1;
 };
 
-/// A coupling that a multiplier names, -1 when there is none of this name; with a complaint where it is another's, too.
-int find_coupling(Reader& reader, const Value& value, const std::string& name) {
-  const Value& written = *find(value, "multiplier");
-  const Visibility& visible = current_scope(reader).visible;
-  const auto found = find_visible(reader.names.couplings, name, visible);
-  if (written.kind != Value::Kind::text || found == reader.names.couplings.end()) return -1;
-  const bool is_joint = find_visible(reader.names.joints, name, visible) != reader.names.joints.end();
-  const bool is_rod = find_visible(reader.names.rods, name, visible) != reader.names.rods.end();
-  if (is_joint || is_rod)
-    report(reader, written, fmt::format("{} is a coupling and a {}", in_quotes(name), is_joint ? "joint" : "rod"),
-           "rename one of them");
-  return found->second;
-}
-
-Connection find_connection(Reader& reader, const Value& value, std::string_view key, const std::string& name) {
-  if (find(value, key)->kind != Value::Kind::text) return {};
-  const Visibility& visible = current_scope(reader).visible;
-  const auto joint = find_visible(reader.names.joints, name, visible),
-             rod = find_visible(reader.names.rods, name, visible);
-  const bool is_joint = joint != reader.names.joints.end(), is_rod = rod != reader.names.rods.end();
-  if (is_joint && is_rod) {
-    report(reader, *find(value, key), in_quotes(name) + " is a joint and a rod", "rename one of them");
-    return {};
+/// couplings: whether the name may be that of a coupling.
+Connection find_connection(Reader& reader, const Value& value, std::string_view key, const std::string& name,
+                           bool couplings) {
+  struct Kind {
+    std::string_view what;
+    const NameMap<int>& names;
+    int Connection::*index;
+  };
+  const Kind kinds[] = {{"coupling", reader.names.couplings, &Connection::coupling},
+                        {"joint", reader.names.joints, &Connection::joint},
+                        {"rod", reader.names.rods, &Connection::rod}};
+  const Value& written = *find(value, key);
+  if (written.kind != Value::Kind::text) return {};
+  Connection connection;
+  std::vector<std::string> found;
+  NameMap<int> known;
+  for (const Kind& kind : std::span(kinds).subspan(couplings ? 0 : 1)) {
+    known.insert(kind.names.begin(), kind.names.end());
+    const auto element = find_visible(kind.names, name, current_scope(reader).visible);
+    if (element == kind.names.end()) continue;
+    connection.*kind.index = element->second;
+    found.push_back(fmt::format("a {}", kind.what));
   }
-  if (is_joint) return {joint->second, -1};
-  if (is_rod) return {-1, rod->second};
-  NameMap<int> known = reader.names.joints;
-  known.insert(reader.names.rods.begin(), reader.names.rods.end());
-  report(reader, *find(value, key), "unknown joint or rod " + in_quotes(name), suggestion(reader, name, known));
+  if (found.size() == 1) return connection;
+  if (found.empty())
+    report(reader, written, "unknown joint or rod " + in_quotes(name), suggestion(reader, name, known));
+  else
+    report(reader, written, fmt::format("{} is {}", in_quotes(name), fmt::join(found, " and ")), "rename one of them");
   return {};
 }
 
 Resolved reaction_output(Reader& reader, const Value& value, const OutputFields& output) {
   const Quantities quantity = quantity_of(reader, value, output, kReactionQuantities, "reaction");
   require(reader, value, "axis", "reaction");
-  const Connection connection = find_connection(reader, value, "reaction", *output.reaction);
+  const Connection connection = find_connection(reader, value, "reaction", *output.reaction, false);
   const bool is_force = quantity == Quantities::force;
   ReactionOutput reaction;
   reaction.what = is_force ? ReactionOutput::What::force : ReactionOutput::What::moment;
@@ -202,22 +200,24 @@ int equation_of(Reader& reader, const Value& value, const Value* written, std::s
 
 Resolved multiplier_output(Reader& reader, const Value& value, const OutputFields& output) {
   const std::string& name = *output.multiplier;
-  if (const int coupling = find_coupling(reader, value, name); coupling >= 0) {
-    const int equation = equation_of(reader, value, output.equation, {&kCouplingRow, 1}, "coupling " + in_quotes(name));
-    return {MultiplierOutput{-1, -1, equation, coupling}, std::string(kCouplingRow.unit)};
-  }
-  const Connection connection = find_connection(reader, value, "multiplier", name);
-  MultiplierOutput multiplier{connection.joint, connection.rod, 0};
+  const Connection connection = find_connection(reader, value, "multiplier", name, true);
+  MultiplierOutput multiplier{connection.joint, connection.rod, 0, connection.coupling};
   const auto& unreadable = reader.names.unreadable_joints;
-  const bool unknown = std::find(unreadable.begin(), unreadable.end(), name) != unreadable.end();
-  if (unknown || (connection.joint < 0 && connection.rod < 0)) return {multiplier, ""};
-  std::span<const ClosureRow> rows(&kRodRow, 1);
-  if (connection.joint >= 0) rows = closure_rows(reader.model.joints[static_cast<std::size_t>(connection.joint)].type);
-  if (rows.empty()) {
-    report(reader, *find(value, "multiplier"), fmt::format("joint {} is free and closes nothing", in_quotes(name)));
-    return {multiplier, ""};
+  if (std::find(unreadable.begin(), unreadable.end(), name) != unreadable.end()) return {multiplier, ""};
+  std::span<const ClosureRow> rows;
+  std::string of;
+  if (connection.coupling >= 0) {
+    rows = {&kCouplingRow, 1};
+    of = "coupling " + in_quotes(name);
+  } else if (connection.rod >= 0) {
+    rows = {&kRodRow, 1};
+    of = "rod " + in_quotes(name);
+  } else if (connection.joint >= 0) {
+    rows = closure_rows(reader.model.joints[static_cast<std::size_t>(connection.joint)].type);
+    of = "joint " + in_quotes(name);
+    if (rows.empty()) report(reader, *find(value, "multiplier"), of + " is free and closes nothing");
   }
-  const std::string of = (connection.rod >= 0 ? "rod " : "joint ") + in_quotes(name);
+  if (rows.empty()) return {multiplier, ""};
   multiplier.equation = equation_of(reader, value, output.equation, rows, of);
   return {multiplier, std::string(rows[static_cast<std::size_t>(multiplier.equation)].unit)};
 }

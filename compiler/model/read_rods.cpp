@@ -22,25 +22,6 @@ bool moves(const Model& model, const Quantity& quantity) {
   });
 }
 
-/// The quantity less a constant, as an expression of its own.
-Quantity less(Model& model, const Quantity& quantity, double constant) {
-  Expression expression = model.expressions[static_cast<std::size_t>(quantity.expression)];
-  expression.text = fmt::format("({}) - {}", expression.text, constant);
-  const int value = static_cast<int>(expression.nodes.size()) - 1;
-  ExpressionNode number, difference;
-  number.number = constant;
-  difference.kind = ExpressionNode::Kind::call;
-  difference.function = Function::subtract;
-  difference.first = value;
-  difference.second = value + 1;
-  expression.nodes.push_back(number);
-  expression.nodes.push_back(difference);
-  Quantity result = quantity.value - constant;
-  result.expression = static_cast<int>(model.expressions.size());
-  model.expressions.push_back(std::move(expression));
-  return result;
-}
-
 /// Whether the names of the drive's body, joint and motion are free.
 bool has_free_names(Reader& reader, const Entry& entry, const std::string& name) {
   const Names& names = reader.names;
@@ -92,7 +73,7 @@ void add_drive(Reader& reader, const Entry& entry, const Quantity& length, doubl
   motion.name = named.name;
   motion.where = rod.where;
   motion.joint = {rod.drive, 0};
-  motion.position = less(model, length, distance);
+  motion.position = combination(reader, {1, 0, 0}, {length, 0.0, 0.0}, -distance);
   reader.names.motions.emplace(named.name, static_cast<int>(model.motions.size()));
   model.motions.push_back(std::move(motion));
 }

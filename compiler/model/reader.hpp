@@ -101,8 +101,12 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Pose&
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<std::array<double, 2>>& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, const Value*& target);
 
+/// constant + sum of factors * quantities, as an expression of its own where one of them is an expression.
+Quantity combination(Reader& reader, const Vector3& factors, const Vector3Quantity& quantities, double constant);
 /// factor * quantity.
-Quantity scaled(Reader& reader, double factor, const Quantity& quantity);
+inline Quantity scaled(Reader& reader, double factor, const Quantity& quantity) {
+  return combination(reader, {factor, 0, 0}, {quantity, 0.0, 0.0}, 0);
+}
 
 /// Index into info.words, or -1.
 int read_word(Reader& reader, const Value& value, const FieldInfo& info);

@@ -141,24 +141,6 @@ void read_axis(Reader& reader, const Value& value, const FieldInfo& info, Vector
 
 }  // namespace
 
-Quantity scaled(Reader& reader, double factor, const Quantity& quantity) {
-  Quantity result(factor * quantity.value);
-  if (quantity.expression < 0) return result;
-  Expression expression = reader.model.expressions[static_cast<std::size_t>(quantity.expression)];
-  expression.text = fmt::format("{}*({})", factor, expression.text);
-  const int argument = static_cast<int>(expression.nodes.size()) - 1;
-  ExpressionNode number, call;
-  number.number = factor;
-  call.kind = ExpressionNode::Kind::call;
-  call.function = Function::multiply;
-  call.first = argument;
-  call.second = argument + 1;
-  expression.nodes.insert(expression.nodes.end(), {number, call});
-  reader.model.expressions.push_back(std::move(expression));
-  result.expression = static_cast<int>(reader.model.expressions.size()) - 1;
-  return result;
-}
-
 void report(Reader& reader, Place place, std::string message, std::string hint) {
   reader.problems.push_back({place, std::move(message), std::move(hint), current_scope(reader).path});
 }

@@ -165,18 +165,16 @@ Loop coupling_loop(const Topology& topology, const Model& model, std::size_t ind
   loop.coupling = static_cast<int>(index);
   loop.rows = {std::string(kCouplingRow.name)};
   loop.equations = 1;
+  std::vector<int> coupled;
+  for (const CoordinateReference& c : coupling.coordinates) coupled.push_back(tree_coordinate(topology, c));
+  loop.body_from = coupled.front();
+  loop.body_to = coupled.back();
+  loop.ancestor = topology.bodies[coupled.front()].parent;
+  for (const int joint : coupled)
+    loop.ancestor = lowest_common_ancestor(topology, loop.ancestor, topology.bodies[joint].parent);
   std::set<int> joints;
-  bool is_first = true;
-  for (const CoordinateReference& coordinate : coupling.coordinates) {
-    const int joint = tree_coordinate(topology, coordinate);
-    const int base = topology.bodies[joint].parent;
-    loop.ancestor = is_first ? base : lowest_common_ancestor(topology, loop.ancestor, base);
-    if (is_first) loop.body_from = joint;
-    loop.body_to = joint;
-    is_first = false;
-  }
-  for (const CoordinateReference& coordinate : coupling.coordinates) {
-    const std::vector<int> path = path_to(topology, tree_coordinate(topology, coordinate), loop.ancestor);
+  for (const int joint : coupled) {
+    const std::vector<int> path = path_to(topology, joint, loop.ancestor);
     joints.insert(path.begin(), path.end());
   }
   loop.joints.assign(joints.begin(), joints.end());

@@ -104,23 +104,6 @@ int row_count(JointType type) {
   return 0;
 }
 
-/// Coordinates of a coupling read off the bodies, moving at given rates, as its relation sees them.
-struct CoupledValues {
-  const Values& values;
-  const std::vector<CoordinateReference>& names;
-  std::vector<Jet<double>> positions;  ///< in the order of `names`
-
-  Jet<double> parameter(int i) const { return Jet<double>(values.parameter(i)); }
-  Jet<double> position(const CoordinateReference& c) const {
-    return positions[static_cast<std::size_t>(std::find(names.begin(), names.end(), c) - names.begin())];
-  }
-  // read_model refuses the others in a relation.
-  Jet<double> input(int) const { return {}; }
-  Jet<double> time() const { return {}; }
-  Jet<double> velocity(const CoordinateReference&) const { return {}; }
-  Jet<double> local(int) const { return {}; }
-};
-
 /// Sum of the coordinates' rows by the slopes of the relation; the first one's bodies are its ends.
 Row coupling_row(const std::vector<CoupledCoordinate>& coupled, const Jet<double>& relation) {
   Row row{coupled[0].coordinate.row.from,
@@ -197,10 +180,9 @@ std::vector<Row> CartesianMechanism::equations_at(const std::vector<Moving>& bod
   }
   for (const Coupling& coupling : model.couplings) {
     const std::vector<CoupledCoordinate> coupled = coupled_coordinates(coupling, bodies, values);
-    CoupledValues moving{values, coupling.coordinates, {}};
-    for (const auto& [coordinate, slope] : coupled)
-      moving.positions.emplace_back(coordinate.row.residual, coordinate.zd, 0.0);
-    rows.push_back(coupling_row(coupled, evaluate<Jet<double>>(coupling.relation, model.expressions, moving)));
+    std::vector<Jet<double>> moving;
+    for (const auto& [coordinate, slope] : coupled) moving.emplace_back(coordinate.row.residual, coordinate.zd, 0.0);
+    rows.push_back(coupling_row(coupled, evaluate_relation(model, coupling, moving, values)));
   }
   return rows;
 }
@@ -214,13 +196,10 @@ std::vector<CoupledCoordinate> CartesianMechanism::coupled_coordinates(const Cou
     for (JointCoordinate& coordinate : coordinates_of(c.joint, bodies, *values.z))
       if (coordinate.index == index) coupled.push_back({std::move(coordinate), 0});
   }
-  CoupledValues moving{values, coupling.coordinates, {}};
-  for (const CoupledCoordinate& one : coupled) moving.positions.emplace_back(one.coordinate.row.residual);
-  for (std::size_t i = 0; i < coupled.size(); ++i) {
-    moving.positions[i].first = 1;
-    coupled[i].slope = evaluate<Jet<double>>(coupling.relation, model.expressions, moving).first;
-    moving.positions[i].first = 0;
-  }
+  std::vector<double> positions;
+  for (const CoupledCoordinate& one : coupled) positions.push_back(one.coordinate.row.residual);
+  const std::vector<double> slopes = relation_slopes(model, coupling, positions, values);
+  for (std::size_t i = 0; i < coupled.size(); ++i) coupled[i].slope = slopes[i];
   return coupled;
 }
 

@@ -1,10 +1,8 @@
 // Files: large, deep, empty, missing, byte order marks, includes and how they merge.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "tests/support/model_support.hpp"
 
@@ -13,25 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A directory of its own for each test, gone afterwards.
-class Files : public testing::Test {
- protected:
-  Files() : directory_(fs::temp_directory_path() / ("mbgen_model_test_" + std::to_string(getpid()))) {
-    fs::create_directories(directory_);
-  }
-  ~Files() override { fs::remove_all(directory_); }
-  std::string write(const std::string& name, const std::string& text) {
-    std::ofstream(directory_ / name, std::ios::binary) << text;
-    return (directory_ / name).string();
-  }
-  Model read_file(const std::string& path) {
-    const Result<Model> result = read_model_file(path);
-    if (result) return *result;
-    ADD_FAILURE() << to_text(result.problems());
-    return {};
-  }
-  fs::path directory_;
-};
+using Files = ModelFiles;
 
 TEST_F(Files, MissingFileAndDirectoryAreNamed) {
   EXPECT_EQ(to_text(read_model_file("no/such.json").problems()), "no/such.json: cannot read file, it does not exist\n");

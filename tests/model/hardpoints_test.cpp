@@ -1,11 +1,8 @@
 // Hardpoints and axes by points, against the same models in numbers, and the tables of names that documents show.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -16,8 +13,6 @@
 
 namespace mbgen::hardpoints_test {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kRounding = 2e-15;  // a few operations on numbers of order 1
 
@@ -111,25 +106,7 @@ TEST(Hardpoints, OfParametersMoveWithThem) {
   EXPECT_LT(on_arm[2].expression, 0) << "what is constant stays a number";
 }
 
-/// A directory of its own for each test, gone afterwards.
-class PlacedHardpoints : public testing::Test {
- protected:
-  PlacedHardpoints() : directory_(fs::temp_directory_path() / fmt::format("mbgen_hardpoints_{}", getpid())) {
-    fs::create_directories(directory_);
-  }
-  ~PlacedHardpoints() override { fs::remove_all(directory_); }
-  std::string write(const std::string& name, const std::string& text) {
-    std::ofstream(directory_ / name, std::ios::binary) << text;
-    return (directory_ / name).string();
-  }
-  Model read_file(const std::string& path) {
-    const Result<Model> result = read_model_file(path);
-    if (result) return *result;
-    ADD_FAILURE() << to_text(result.problems());
-    return {};
-  }
-  fs::path directory_;
-};
+using PlacedHardpoints = ModelFiles;
 
 /// An arm of a suspension, in hardpoints or in numbers; its hinge is skew, its frame turned.
 std::string arm(bool in_hardpoints) {

@@ -2,7 +2,10 @@
 // Helpers of the model tests: models from text, and small models to vary.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "compiler/model/model.hpp"
@@ -16,6 +19,26 @@ inline Model read(const std::string& text) {
   ADD_FAILURE() << to_text(result.problems());
   return {};
 }
+
+/// Model files in a directory of their own for each test, gone afterwards.
+class ModelFiles : public ::testing::Test {
+ protected:
+  ModelFiles() : directory_(std::filesystem::temp_directory_path() / ("mbgen_model_test_" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(directory_);
+  }
+  ~ModelFiles() override { std::filesystem::remove_all(directory_); }
+  std::string write(const std::string& name, const std::string& text) {
+    std::ofstream(directory_ / name, std::ios::binary) << text;
+    return (directory_ / name).string();
+  }
+  Model read_file(const std::string& path) {
+    const Result<Model> result = read_model_file(path);
+    if (result) return *result;
+    ADD_FAILURE() << to_text(result.problems());
+    return {};
+  }
+  std::filesystem::path directory_;
+};
 
 /// Every message of a text that is no model; empty when it is one.
 inline std::string messages(const std::string& text) {

@@ -85,20 +85,9 @@ ClosureKind kind_of(mbgen::ClosureKind kind) {
   return ClosureKind::rod;
 }
 
-/// Positions as its relation sees them, at default parameters.
-struct RelationValues {
+struct DefaultParameters {
   const Model& model;
-  const std::vector<CoordinateReference>& names;
-  std::vector<Jet<double>> positions;
-
-  Jet<double> parameter(int i) const { return Jet<double>(model.parameters[i].value); }
-  Jet<double> position(const CoordinateReference& c) const {
-    return positions[std::find(names.begin(), names.end(), c) - names.begin()];
-  }
-  Jet<double> input(int) const { return {}; }
-  Jet<double> time() const { return {}; }
-  Jet<double> velocity(const CoordinateReference&) const { return {}; }
-  Jet<double> local(int) const { return {}; }
+  double parameter(int i) const { return model.parameters[i].value; }
 };
 
 /// Derivatives along one direction give those by two coordinates: 2 f_ij = f_(i+j)(i+j) - f_ii - f_jj.
@@ -108,9 +97,9 @@ ReferenceRelation relation_of(const Model& model, const Topology& topology, cons
     relation.coordinates.push_back(tree_coordinate(topology, c));
   relation.derivative = [&model, &coupling](const std::vector<double>& at, const std::vector<int>& by) {
     const auto along = [&](const std::vector<int>& moved) {
-      RelationValues values{model, coupling.coordinates, {at.begin(), at.end()}};
-      for (const int i : moved) values.positions[i].first = 1;
-      return evaluate<Jet<double>>(coupling.relation, model.expressions, values);
+      std::vector<Jet<double>> positions(at.begin(), at.end());
+      for (const int i : moved) positions[i].first = 1;
+      return evaluate_relation(model, coupling, positions, DefaultParameters{model});
     };
     if (by.size() < 2) return by.empty() ? along({}).value : along(by).first;
     if (by[0] == by[1]) return along({by[0]}).second;
