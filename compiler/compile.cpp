@@ -114,21 +114,6 @@ Result<Compilation> compile(const std::string& path, const CompileOptions& optio
   return compile(std::move(*model), options);
 }
 
-long count_operations_of(const Compilation& c, Form form) {
-  if (form == c.programs.form) return count_operations(c.programs.accelerations).total();
-  if (!is_worth_writing(form, c.topology, c.analysis)) return 0;
-  return count_operations(optimise(trace_accelerations(c.model, c.topology, c.analysis, form))).total();
-}
-
-std::vector<Saving> count_savings(const Compilation& c) {
-  std::vector<Saving> savings;
-  if (c.programs.form != Form::recursive) return savings;
-  const long with = count_operations(c.programs.accelerations).total();
-  for (const auto& [name, program] : trace_without(c.model, c.topology, c.analysis))
-    savings.push_back({name, count_operations(optimise(program)).total(), with});
-  return savings;
-}
-
 std::vector<EmittedFile> emit(const Compilation& c, const EmitOptions& options) {
   return emit(c.emitted, c.model, c.topology, c.analysis, options);
 }

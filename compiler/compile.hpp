@@ -67,19 +67,6 @@ Result<Compilation> compile(Model model, const CompileOptions& options = {});
 /// Reads and compiles the model of a file. Fails: as the first stage that fails.
 Result<Compilation> compile(const std::string& path, const CompileOptions& options = {});
 
-/// Operations that a decision about the accelerations saves.
-struct Saving {
-  std::string name;
-  long without = 0, with = 0;
-};
-
-/// Operations of the accelerations in a form; 0 for a form that grows so far beyond the other one that it is not
-/// traced.
-long count_operations_of(const Compilation& compilation, Form form);
-
-/// Operations that each treatment of the recursive form saves: traces the accelerations again without it.
-std::vector<Saving> count_savings(const Compilation& compilation);
-
 /// The files of the specialised solver, see emit.
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options = {});
 

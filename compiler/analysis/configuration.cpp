@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "compiler/algebra/dense.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "mbgen/newton.hpp"
 
 namespace mbgen {
@@ -31,7 +32,7 @@ double largest(const Eigen::VectorXd& v) {
 NumericSystem::NumericSystem(const Model& model, const Topology& topology)
     : layout_(choose_layout(model, topology)), system_{model, topology, layout_, default_environment(model, topology),
                                                        {},    {},       scribe_} {
-  system_.x.assign(2 * model.tyres.size(), 0.0);
+  system_.x.assign(static_cast<std::size_t>(auxiliary_state_count(model)), 0.0);
   system_.constants = make_constants(model, topology, system_.environment, Origins::of_joints);
 }
 

@@ -16,6 +16,7 @@
 #include "compiler/cli/html_report.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/describe/notes.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/report/report.hpp"
 #include "compiler/study/operating_point.hpp"
 

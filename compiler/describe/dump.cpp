@@ -10,7 +10,7 @@
 #include "compiler/compile.hpp"
 #include "compiler/describe/dump_model.hpp"
 #include "compiler/describe/names.hpp"
-#include "compiler/emit/titles.hpp"
+#include "compiler/solver/titles.hpp"
 
 namespace mbgen {
 namespace {

@@ -11,9 +11,10 @@
 
 #include "compiler/analysis/configuration.hpp"
 #include "compiler/analysis/symmetry.hpp"
+#include "compiler/describe/counts.hpp"
 #include "compiler/describe/names.hpp"
 #include "compiler/describe/notes.hpp"
-#include "compiler/emit/titles.hpp"
+#include "compiler/solver/titles.hpp"
 
 namespace mbgen {
 namespace {

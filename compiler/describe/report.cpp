@@ -4,7 +4,7 @@
 
 #include "compiler/describe/names.hpp"
 #include "compiler/describe/notes.hpp"
-#include "compiler/emit/titles.hpp"
+#include "compiler/solver/titles.hpp"
 
 namespace mbgen {
 namespace {

@@ -5,15 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "compiler/compile.hpp"
+#include "compiler/describe/counts.hpp"
 
 namespace mbgen {
-
-/// Operations of the accelerations: of each form, and the savings of decisions.
-struct Counts {
-  long operations_of_form[2] = {0, 0};  ///< by Form, 0 for none
-  std::vector<Saving> savings;
-};
 
 /// Counts, loop blocks, path matrix, coordinates and operations. Bodies and joints are counted as the paper does: a
 /// joint of several freedoms is a chain of joints of one freedom with massless bodies between them; ground is a body.

@@ -1,14 +1,12 @@
-#include "compiler/emit/batch_text.hpp"
-
 // The batch interface: the solver's programs once more, on vectors.
 
-#include "compiler/emit/frame.hpp"
+#include "compiler/emit/context_values.hpp"
 #include "compiler/emit/input_text.hpp"
-#include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/program_text.hpp"
-#include "compiler/emit/solver_text.hpp"
+#include "compiler/emit/system_values.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/texts.hpp"
 #include "compiler/model/inputs.hpp"
 
 namespace mbgen {
@@ -44,17 +42,12 @@ ShapedProgram in_lanes(ShapedProgram shaped) {
 }  // namespace
 
 std::string batch_interface_text(const EmitContext& context) {
-  return fill_template("batch.hpp.in", {{"banner", banner_text(context.model, "//")},
-                                        {"solver", context.names.solver},
-                                        {"lanes", context.options.lanes},
-                                        {"alignment", kLaneBytes * context.options.lanes},
-                                        {"parameters", default_rows(parameter_members(context), context.options.lanes)},
-                                        {"inputs", default_rows(input_members(context), context.options.lanes)},
-                                        {"outputs", member_rows(output_members(context))},
-                                        {"initial", context.options.initial.has_value()},
-                                        {"auxiliary_size", size_text(context.layout.auxiliary_states)},
-                                        {"multiplier_size", size_text(context.layout.equations)},
-                                        {"drive_size", size_text(context.layout.drives)}});
+  const int lanes = context.options.lanes;
+  return fill_template(context, "batch.hpp.in",
+                       {{"alignment", kLaneBytes * lanes},
+                        {"parameters", default_rows(parameter_members(context), lanes)},
+                        {"inputs", default_rows(input_members(context), lanes)},
+                        {"outputs", member_rows(output_members(context))}});
 }
 
 std::string batch_text(const EmitContext& context, const std::vector<ShapedProgram>& scalars) {
@@ -70,25 +63,17 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
     if (shaped.role != Role::outputs && shaped.role != Role::derived_constants)
       members.push_back(system_member(shaped, "lanes::" + shaped.shape.result + "Of<Row>", "lanes::"));
   }
-  FrameValues values = {{"banner", banner_text(context.model, "//")},
-                        {"solver", context.names.solver},
-                        {"parameters", name_rows(context.names.parameters)},
+  FrameValues values = {{"parameters", name_rows(context.names.parameters)},
                         {"has_inputs", !context.names.inputs.empty()},
                         {"inputs", name_rows(context.names.inputs)},
                         {"outputs", name_rows(names_of(output_members(context)))},
-                        {"auxiliary_size", size_text(context.layout.auxiliary_states)},
-                        {"multiplier_size", size_text(context.layout.equations)},
-                        {"drive_size", size_text(context.layout.drives)},
                         {"constants", constants.declarations("double")},
                         {"programs", programs},
                         {"projection", false},
-                        {"later_inputs", later_inputs(context.model, context.names, "double")},
-                        {"advances", inputs_have_derivatives(context.model.inputs)},
-                        {"initial", context.options.initial.has_value()},
-                        {"outputs_take_multipliers", outputs_take_multipliers(context.programs)}};
+                        {"later_inputs", later_inputs(context.model, context.names, "double")}};
   values.merge(tuned_values(context.programs, false));
   values.merge(system_values(context, members, "Lanes"));
-  return fill_template("batch.cpp.in", values);
+  return fill_template(context, "batch.cpp.in", values);
 }
 
 }  // namespace mbgen

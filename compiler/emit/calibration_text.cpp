@@ -1,12 +1,11 @@
-#include "compiler/emit/calibration_text.hpp"
-
 #include <algorithm>
 #include <map>
 
-#include "compiler/emit/c_interface_text.hpp"
-#include "compiler/emit/frame.hpp"
+#include "compiler/emit/context_values.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/texts.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 
 namespace mbgen {
 namespace {
@@ -180,24 +179,22 @@ bool is_ascii(const std::string& text) {
 std::string calibration_text(const EmitContext& context) {
   const CalibrationNumberSets sets = numbers_of(context);
   const std::map<std::string, std::string> methods = methods_of(context, sets);
-  const std::string text =
-      fill_template("calibration.a2l.in", {{"banner", c_banner_text(context.model)},
-                                           {"solver", context.names.solver},
-                                           {"prefix", prefix_of(context)},
-                                           {"title", a2l_string(context.model.name)},
-                                           {"hash", a2l_string(context.model.hash)},
-                                           {"version", a2l_string(kMbgenVersion)},
-                                           {"number_kind", context.options.scalar == "float" ? "Floats" : "Doubles"},
-                                           {"number_type", type_of(context.options.scalar).name},
-                                           {"methods", method_rows(methods)},
-                                           {"structures", structure_rows(sets, methods)}});
+  const std::string text = fill_template(context, "calibration.a2l.in",
+                                         {{"banner", c_banner_text(context.model)},
+                                          {"prefix", prefix_of(context)},
+                                          {"title", a2l_string(context.model.name)},
+                                          {"hash", a2l_string(context.model.hash)},
+                                          {"version", a2l_string(kMbgenVersion)},
+                                          {"number_kind", context.options.scalar == "float" ? "Floats" : "Doubles"},
+                                          {"number_type", type_of(context.options.scalar).name},
+                                          {"methods", method_rows(methods)},
+                                          {"structures", structure_rows(sets, methods)}});
   return is_ascii(text) ? text : kByteOrderMark + text;
 }
 
 std::string calibration_header_text(const EmitContext& context) {
-  return fill_template("calibration.h.in", {{"banner", c_banner_text(context.model)},
-                                            {"solver", context.names.solver},
-                                            {"guard", guard_of(context.names.solver)}});
+  return fill_template(context, "calibration.h.in",
+                       {{"banner", c_banner_text(context.model)}, {"guard", guard_of(context.names.solver)}});
 }
 
 }  // namespace mbgen

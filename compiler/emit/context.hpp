@@ -3,9 +3,11 @@
 
 #include <utility>
 
-#include "compiler/emit/layout.hpp"
 #include "compiler/emit/names.hpp"
 #include "compiler/emit/options.hpp"
+#include "compiler/solver/layout.hpp"
+#include "compiler/solver/programs.hpp"
+#include "compiler/solver/titles.hpp"
 
 namespace mbgen {
 
@@ -19,7 +21,8 @@ struct EmitContext {
         analysis(decisions),
         options(std::move(chosen)),
         names(solver_names(model, topology)),
-        layout(solver_layout(model, topology, analysis)) {}
+        layout(solver_layout(model, topology, analysis)),
+        titles(titles_of(programs.form, model, topology)) {}
 
   const Programs& programs;
   const Model& model;
@@ -28,6 +31,7 @@ struct EmitContext {
   EmitOptions options;
   SolverNames names;
   SolverLayout layout;
+  Titles titles;
 };
 
 }  // namespace mbgen

@@ -1,11 +1,9 @@
-#include "compiler/emit/directional_text.hpp"
-
 #include <algorithm>
 
-#include "compiler/emit/frame.hpp"
+#include "compiler/emit/context_values.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
-#include "compiler/emit/titles.hpp"
+#include "compiler/emit/texts.hpp"
 #include "compiler/passes/passes.hpp"
 
 namespace mbgen {
@@ -13,16 +11,8 @@ namespace {
 
 /// What struct Direction holds, in this order.
 std::vector<DirectionGroup> direction_groups(const EmitContext& context) {
-  const SolverLayout& layout = context.layout;
-  return {{Array::z, layout.coordinates},
-          {Array::zd, layout.coordinates},
-          {Array::x, layout.auxiliary_states},
-          {Array::t, 1},
-          {Array::in, static_cast<int>(context.names.inputs.size())},
-          {Array::par, static_cast<int>(context.names.parameters.size())},
-          {Array::zdd, layout.coordinates},
-          {Array::lambda, layout.equations},
-          {Array::drive, layout.drives}};
+  using enum Array;
+  return direction_of(context.layout, {z, zd, x, t, in, par, zdd, lambda, drive});
 }
 
 /// Texts of the entries of struct Direction.
@@ -63,8 +53,8 @@ ProgramShape shape_along(const EmitContext& context, const std::string& function
       {"parameters", "const Tuned& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
   shape.arguments.insert(shape.arguments.end(), arguments.begin(), arguments.end());
   shape.arguments.push_back({"direction", "const Direction& direction"});
-  shape.inputs = input_places(context.programs, context.layout, context.names);
-  shape.titles = titles_of(context.programs.form, context.model, context.topology);
+  shape.inputs = input_places(context);
+  shape.titles = context.titles;
   GroupPlace& seed = shape.inputs[Array::seed];
   seed.argument = "direction";
   seed.texts = direction_texts(direction_groups(context));
@@ -73,17 +63,7 @@ ProgramShape shape_along(const EmitContext& context, const std::string& function
 
 }  // namespace
 
-std::string directional_header_text(const EmitContext& context) {
-  return fill_template("directional.hpp.in",
-                       {{"banner", banner_text(context.model, "//")},
-                        {"solver", context.names.solver},
-                        {"auxiliary_size", size_text(context.layout.auxiliary_states)},
-                        {"input_size", size_text(static_cast<int>(context.names.inputs.size()))},
-                        {"parameter_size", size_text(static_cast<int>(context.names.parameters.size()))},
-                        {"multiplier_size", size_text(context.layout.equations)},
-                        {"drive_size", size_text(context.layout.drives)},
-                        {"block_size", size_text(static_cast<int>(context.layout.blocks.size()))}});
-}
+std::string directional_header_text(const EmitContext& context) { return fill_template(context, "directional.hpp.in"); }
 
 std::string directional_source_text(const EmitContext& context, const Programs& programs) {
   const SolverLayout& layout = context.layout;
@@ -122,9 +102,7 @@ std::string directional_source_text(const EmitContext& context, const Programs& 
     const Program lean = remove_dead_values(derived);
     text += program_text(lean, schedule(lean, schedule_options(*shape, context.options.roll_above)), *shape) + "\n";
   }
-  return fill_template(
-      "directional.cpp.in",
-      {{"banner", banner_text(context.model, "//")}, {"solver", context.names.solver}, {"programs", text}});
+  return fill_template(context, "directional.cpp.in", {{"programs", text}});
 }
 
 }  // namespace mbgen

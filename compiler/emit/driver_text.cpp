@@ -1,11 +1,10 @@
 #include "compiler/emit/driver_text.hpp"
 
-#include "compiler/emit/frame.hpp"
-#include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/context_values.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/program_text.hpp"
+#include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
-#include "compiler/emit/titles.hpp"
 
 namespace mbgen {
 namespace {
@@ -42,9 +41,7 @@ EmittedFile emit_driver(const Model& model, int lanes) { return driver(model, la
 
 EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, const Topology& topology,
                                 const Analysis& analysis, int lanes) {
-  const SolverNames names = solver_names(model, topology);
-  const ShapedProgram clocked = clocked_accelerations(programs, solver_layout(model, topology, analysis), names,
-                                                      titles_of(programs.form, model, topology));
+  const ShapedProgram clocked = clocked_accelerations(EmitContext(programs, model, topology, analysis, {}));
   return driver(model, lanes, program_text(*clocked.program, clocked.schedule, clocked.shape));
 }
 

@@ -5,17 +5,11 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "compiler/emit/batch_text.hpp"
-#include "compiler/emit/c_interface_text.hpp"
-#include "compiler/emit/calibration_text.hpp"
+#include "compiler/emit/context_values.hpp"
 #include "compiler/emit/cost_sheet.hpp"
 #include "compiler/emit/embedded.hpp"
-#include "compiler/emit/frame.hpp"
-#include "compiler/emit/interface_text.hpp"
-#include "compiler/emit/manifest_text.hpp"
-#include "compiler/emit/solver_text.hpp"
 #include "compiler/emit/text.hpp"
-#include "compiler/emit/titles.hpp"
+#include "compiler/emit/texts.hpp"
 
 namespace mbgen {
 namespace {
@@ -45,13 +39,12 @@ std::string cmake_flags(CompilerFamily family) {
 
 /// `CMakeLists.txt`.
 std::string build_text(const EmitContext& context) {
-  return fill_template("CMakeLists.txt.in", {{"banner", banner_text(context.model, "#")},
-                                             {"solver", context.names.solver},
-                                             {"lanes", context.options.lanes > 0},
-                                             {"c_interface", context.options.c_interface},
-                                             {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
-                                             {"x86_flags", joined(lane_flags_of_gnu_on_x86(), " ")},
-                                             {"clang_flags", cmake_flags(CompilerFamily::clang)}});
+  return fill_template(context, "CMakeLists.txt.in",
+                       {{"banner", banner_text(context.model, "#")},
+                        {"c_interface", context.options.c_interface},
+                        {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
+                        {"x86_flags", joined(lane_flags_of_gnu_on_x86(), " ")},
+                        {"clang_flags", cmake_flags(CompilerFamily::clang)}});
 }
 
 }  // namespace
@@ -60,9 +53,7 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
                               const Analysis& analysis, const EmitOptions& options) {
   const EmitContext context(programs, model, topology, analysis, options);
   const std::string& name = context.names.solver;
-  const std::vector<ShapedProgram> solver =
-      shaped_programs(programs, context.layout, context.names, titles_of(programs.form, model, topology),
-                      options.scalar, options.roll_above);
+  const std::vector<ShapedProgram> solver = shaped_programs(context);
   const nlohmann::ordered_json manifest = manifest_json(context, solver);
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
                                     solver_file(context, solver, false),

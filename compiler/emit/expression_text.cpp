@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "compiler/emit/layout.hpp"
+#include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {

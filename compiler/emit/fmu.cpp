@@ -4,17 +4,12 @@
 
 #include <limits>
 
-#include "compiler/emit/directional_text.hpp"
+#include "compiler/emit/context_values.hpp"
 #include "compiler/emit/emit.hpp"
-#include "compiler/emit/fmu_description.hpp"
-#include "compiler/emit/fmu_documentation.hpp"
-#include "compiler/emit/fmu_nominals.hpp"
-#include "compiler/emit/frame.hpp"
-#include "compiler/emit/input_text.hpp"
+#include "compiler/emit/fmu_variables.hpp"
 #include "compiler/emit/mapped.hpp"
-#include "compiler/emit/solver_text.hpp"
 #include "compiler/emit/text.hpp"
-#include "compiler/emit/titles.hpp"
+#include "compiler/emit/texts.hpp"
 #include "compiler/model/inputs.hpp"
 
 namespace mbgen {
@@ -77,14 +72,10 @@ std::string names_text(const FmuLayout& fmu) {
 std::string model_text(const EmitContext& context, const FmuLayout& fmu, const InitialState& initial) {
   const SolverLayout& layout = context.layout;
   return fill_template(
-      "fmu_model.hpp.in",
-      {{"banner", banner_text(context.model, "//")},
-       {"solver", context.names.solver},
-       {"token", fmu_token(context.model)},
+      context, "fmu_model.hpp.in",
+      {{"token", fmu_token(context.model)},
        {"step_size", number_text(context.model.solver.step)},
        {"output_count", output_members(context).size()},
-       {"multiplier_size", size_text(layout.equations)},
-       {"drive_size", size_text(layout.drives)},
        {"has_closure", fmt::format("{}", layout.has_closure)},
        {"takes_multipliers", fmt::format("{}", outputs_take_multipliers(context.programs))},
        {"velocity_count", fmu.independent.size()},
@@ -114,8 +105,7 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
 }
 
 std::string entry_points(const EmitContext& context, FmiVersion version) {
-  return fill_template(version == FmiVersion::two ? "fmi2.cpp.in" : "fmi3.cpp.in",
-                       {{"banner", banner_text(context.model, "//")}, {"solver", context.names.solver}});
+  return fill_template(context, version == FmiVersion::two ? "fmi2.cpp.in" : "fmi3.cpp.in");
 }
 
 /// A file of templates/ as it is.
@@ -133,15 +123,11 @@ FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model
                   const Analysis& analysis, const InitialState& initial, FmiVersion version) {
   const EmitContext context(emitted, model, topology, analysis, {.initial = initial});
   const std::string& solver = context.names.solver;
-  const std::vector<ShapedProgram> shaped =
-      shaped_programs(emitted, context.layout, context.names, titles_of(emitted.form, model, topology),
-                      context.options.scalar, context.options.roll_above);
-  FmuLayout fmu = fmu_layout(context, programs, initial, version);
-  add_nominals(context, initial, fmu);
+  const FmuLayout fmu = fmu_layout(context, programs, initial, version);
   const std::string functions = version == FmiVersion::two ? "_fmi2.cpp" : "_fmi3.cpp";
 
   std::vector<EmittedFile> sources = {{solver + ".hpp", interface_text(context)},
-                                      solver_file(context, shaped, true),
+                                      solver_file(context, shaped_programs(context), true),
                                       {solver + "_directional.hpp", directional_header_text(context)},
                                       {solver + "_directional.cpp", directional_source_text(context, programs)},
                                       {solver + "_fmu.hpp", model_text(context, fmu, initial)},

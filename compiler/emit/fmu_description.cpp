@@ -1,10 +1,10 @@
-#include "compiler/emit/fmu_description.hpp"
-
 #include <fmt/format.h>
 
-#include "compiler/emit/frame.hpp"
+#include "compiler/emit/context_values.hpp"
+#include "compiler/emit/fmu_variables.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/texts.hpp"
 #include "compiler/model/unit_exponents.hpp"
 
 namespace mbgen {
@@ -120,18 +120,7 @@ FrameRows file_rows(const std::vector<std::string>& sources) {
 
 }  // namespace
 
-std::string xml_text(std::string_view text) {
-  std::string result;
-  for (const char c : comment_text(text)) {
-    const char* escaped = c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : nullptr;
-    result += escaped == nullptr ? std::string(1, c) : escaped;
-  }
-  return result;
-}
-
 std::string fmu_token(const Model& model) { return fmt::format("mbgen-{}-{}", kMbgenVersion, model.hash); }
-
-std::string number_or_none(const std::optional<double>& number) { return number ? number_text(*number) : ""; }
 
 std::string model_description(const EmitContext& context, const FmuLayout& fmu, FmiVersion version,
                               const std::vector<std::string>& sources) {
@@ -140,31 +129,29 @@ std::string model_description(const EmitContext& context, const FmuLayout& fmu, 
   for (std::size_t i = 0; i < fmu.variables.size(); ++i) {
     variables.push_back(variable_values(fmu.variables[i], i, version));
   }
-  return fill_template("fmi_description.xml.in", {{"two", version == FmiVersion::two},
-                                                  {"three", version == FmiVersion::three},
-                                                  {"about", attributes({{"description", model.about.description},
-                                                                        {"author", model.about.author},
-                                                                        {"version", model.about.version},
-                                                                        {"copyright", model.about.copyright},
-                                                                        {"license", model.about.licence}})},
-                                                  {"tolerance", number_text(model.solver.tolerance)},
-                                                  {"model", xml_text(model.name)},
-                                                  {"solver", context.names.solver},
-                                                  {"token", fmu_token(model)},
-                                                  {"version", kMbgenVersion},
-                                                  {"units", unit_definitions(fmu)},
-                                                  {"stop", number_text(model.solver.duration)},
-                                                  {"step", number_text(model.solver.step)},
-                                                  {"variables", variables},
-                                                  {"structure", structure(fmu, version)},
-                                                  {"sources", file_rows(sources)}});
+  return fill_template(context, "fmi_description.xml.in",
+                       {{"two", version == FmiVersion::two},
+                        {"three", version == FmiVersion::three},
+                        {"about", attributes({{"description", model.about.description},
+                                              {"author", model.about.author},
+                                              {"version", model.about.version},
+                                              {"copyright", model.about.copyright},
+                                              {"license", model.about.licence}})},
+                        {"tolerance", number_text(model.solver.tolerance)},
+                        {"model", xml_text(model.name)},
+                        {"token", fmu_token(model)},
+                        {"units", unit_definitions(fmu)},
+                        {"stop", number_text(model.solver.duration)},
+                        {"step", number_text(model.solver.step)},
+                        {"variables", variables},
+                        {"structure", structure(fmu, version)},
+                        {"sources", file_rows(sources)}});
 }
 
 std::string build_description(const EmitContext& context, FmiVersion version, const std::vector<std::string>& sources) {
-  return fill_template("fmi_build.xml.in", {{"two", version == FmiVersion::two},
-                                            {"three", version == FmiVersion::three},
-                                            {"solver", context.names.solver},
-                                            {"sources", file_rows(sources)}});
+  return fill_template(
+      context, "fmi_build.xml.in",
+      {{"two", version == FmiVersion::two}, {"three", version == FmiVersion::three}, {"sources", file_rows(sources)}});
 }
 
 }  // namespace mbgen

@@ -1,8 +1,8 @@
-#include "compiler/emit/fmu_documentation.hpp"
-
-#include "compiler/emit/frame.hpp"
+#include "compiler/emit/context_values.hpp"
+#include "compiler/emit/fmu_variables.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/texts.hpp"
 
 namespace mbgen {
 namespace {
@@ -21,10 +21,8 @@ FrameRows table_rows(const std::vector<Cells>& rows) {
 /// Author and so on, what the model says of itself.
 std::vector<Cells> about_cells(const About& about) {
   std::vector<Cells> rows;
-  for (const auto& [name, value] : {std::pair{"author", &about.author},
-                                    {"version", &about.version},
-                                    {"copyright", &about.copyright},
-                                    {"licence", &about.licence}}) {
+  for (const auto& [name, value] :
+       {std::pair{"author", &about.author}, {"copyright", &about.copyright}, {"licence", &about.licence}}) {
     if (!value->empty()) rows.push_back({name, *value});
   }
   return rows;
@@ -88,7 +86,7 @@ void add_terminal(const FmuLayout& fmu, const char* name, Causality causality, F
 std::string documentation(const EmitContext& context, const FmuLayout& fmu, FmiVersion version) {
   const Model& model = context.model;
   const std::vector<Cells> about = about_cells(model.about);
-  return fill_template("fmu_documentation.html.in",
+  return fill_template(context, "fmu_documentation.html.in",
                        {{"name", xml_text(model.name)},
                         {"fmi", static_cast<int>(version)},
                         {"version", kMbgenVersion},

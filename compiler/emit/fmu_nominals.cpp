@@ -1,11 +1,11 @@
 // Sizes of the continuous states of an FMU, by which importers weigh their errors.
 
-#include "compiler/emit/fmu_nominals.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "compiler/emit/fmu_variables.hpp"
 
 namespace mbgen {
 namespace {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
-#include "compiler/emit/input_text.hpp"
+#include "compiler/model/auxiliary_states.hpp"
+#include "compiler/model/inputs.hpp"
 
 namespace mbgen {
 namespace {
@@ -11,56 +13,31 @@ namespace {
 using Causality = FmuVariable::Causality;
 using Start = FmuVariable::Start;
 
-/// First value reference of every group of slots.
-struct References {
-  int par = 1, in = 0, y = 0, z = 0, zd = 0, zdd = 0, x = 0, xd = 0, q = 0, qd = 0, qdd = 0, start = 0;
-};
-
-References references(const EmitContext& context, int chosen) {
-  References first;
-  first.in = first.par + static_cast<int>(context.names.parameters.size());
-  first.y = first.in + static_cast<int>(context.names.inputs.size());
-  first.z = first.y + static_cast<int>(output_members(context).size());
-  first.zd = first.z + context.layout.coordinates;
-  first.zdd = first.zd + context.layout.coordinates;
-  first.x = first.zdd + context.layout.coordinates;
-  first.xd = first.x + context.layout.auxiliary_states;
-  first.q = first.xd + context.layout.auxiliary_states;
-  first.qd = first.q + chosen;
-  first.qdd = first.qd + chosen;
-  first.start = first.qdd + chosen;
-  return first;
-}
-
-bool contains(const std::vector<int>& list, int value) {
-  return std::find(list.begin(), list.end(), value) != list.end();
-}
-
 constexpr const char* kTime = "time";
 
-/// What the model says of it, or else what it is.
-std::string described(const std::string& description, const std::string& otherwise) {
-  return description.empty() ? otherwise : description;
-}
+bool contains(const std::vector<int>& list, int value) { return std::ranges::find(list, value) != list.end(); }
 
-FmuVariable given_variable(const std::string& name, const std::string& unit, const std::string& what,
+/// A variable that the model describes, or else `what`.
+FmuVariable given_variable(Slot slot, const std::string& name, const std::string& unit, const std::string& what,
                            Causality causality, Start start, double value, const Presentation& shown) {
-  return {name, unit, described(shown.description, what), causality, start, value, -1, shown};
+  return {slot, name, unit, shown.description.empty() ? what : shown.description, causality, start, value, -1, shown};
 }
 
 void add_given(const EmitContext& context, FmuLayout& fmu) {
   const Model& model = context.model;
-  fmu.variables.push_back({kTime, "s", "time", Causality::independent, Start::none});
+  fmu.variables.push_back({{Array::t, 0}, kTime, "s", "time", Causality::independent, Start::none});
+  int tunable = 0;
   for (const Parameter& parameter : model.parameters) {
     if (!parameter.tunable) continue;
-    fmu.variables.push_back(given_variable(fmu_parameter_name(parameter.name), parameter.unit, "tunable parameter",
-                                           Causality::parameter, Start::exact, parameter.value, parameter.shown));
+    fmu.variables.push_back(given_variable({Array::par, tunable++}, fmu_parameter_name(parameter.name), parameter.unit,
+                                           "tunable parameter", Causality::parameter, Start::exact, parameter.value,
+                                           parameter.shown));
   }
   const int first_input = static_cast<int>(fmu.variables.size());
-  for (const Input& input : model.inputs) {
+  for (int i = 0; const Input& input : model.inputs) {
     const std::string rate = input.derivative < 0 ? "" : ", goes on by " + model.inputs[input.derivative].name;
-    fmu.variables.push_back(given_variable(fmu_input_name(input.name), input.unit, "input" + rate, Causality::input,
-                                           Start::none, input.default_value, input.shown));
+    fmu.variables.push_back(given_variable({Array::in, i++}, fmu_input_name(input.name), input.unit, "input" + rate,
+                                           Causality::input, Start::none, input.default_value, input.shown));
   }
   // Importers are told which inputs belong together; a derivative that inputs share is that of none.
   for (const std::vector<int>& row : input_rows(model.inputs)) {
@@ -71,103 +48,107 @@ void add_given(const EmitContext& context, FmuLayout& fmu) {
 }
 
 void add_outputs(const EmitContext& context, FmuLayout& fmu) {
-  for (const Output& output : context.model.outputs) {
-    fmu.variables.push_back(given_variable(fmu_output_name(context.model, output.name), output.unit,
+  for (int i = 0; const Output& output : context.model.outputs) {
+    fmu.variables.push_back(given_variable({Array::y, i++}, fmu_output_name(context.model, output.name), output.unit,
                                            "output of the model", Causality::output, Start::calculated, 0,
                                            output.shown));
   }
-  fmu.variables.push_back({"energy.kinetic", "J", "kinetic energy", Causality::output, Start::calculated});
-  fmu.variables.push_back(
-      {"energy.potential", "J", "potential energy of gravity", Causality::output, Start::calculated});
-  fmu.variables.push_back(
-      {"power.applied", "W", "power of all applied forces but gravity", Causality::output, Start::calculated});
+  const auto add = [&](Slot slot, const char* name, const char* unit, const char* description) {
+    fmu.variables.push_back({slot, name, unit, description, Causality::output, Start::calculated});
+  };
+  add({Array::energy, 0}, "energy.kinetic", "J", "kinetic energy");
+  add({Array::energy, 1}, "energy.potential", "J", "potential energy of gravity");
+  add({Array::power, 0}, "power.applied", "W", "power of all applied forces but gravity");
 }
 
-/// Angles are shown in degrees.
-Presentation shown_as(FreedomKind kind, const char* per) {
-  Presentation shown;
-  if (kind == FreedomKind::revolute) shown.display_unit = std::string("deg") + per;
-  return shown;
-}
-
-/// Value references of the parameters that a velocity follows from at the start.
-std::set<int> acting_at_start(const InitialState& initial, const References& first, int coordinate) {
-  std::set<int> result;
-  for (std::size_t i = 0; i < initial.parameters.size(); ++i) {
-    if (initial.parameters[i].zd[static_cast<std::size_t>(coordinate)] != 0)
-      result.insert(first.start + static_cast<int>(i));
-  }
-  return result;
+/// Whether a velocity follows from this parameter at the start.
+bool acts_on(const StartParameter& parameter, int coordinate) {
+  return parameter.zd[static_cast<std::size_t>(coordinate)] != 0;
 }
 
 void add_start_parameters(const EmitContext& context, const InitialState& initial, FmuLayout& fmu) {
   for (const StartParameter& one : initial.parameters) {
     const Parameter& parameter = context.model.parameters[static_cast<std::size_t>(one.parameter)];
-    fmu.variables.push_back(given_variable(fmu_parameter_name(parameter.name), parameter.unit, "parameter of the start",
-                                           Causality::parameter, Start::exact, parameter.value, parameter.shown));
+    fmu.variables.push_back(given_variable({Array::par, -1}, fmu_parameter_name(parameter.name), parameter.unit,
+                                           "parameter of the start", Causality::parameter, Start::exact,
+                                           parameter.value, parameter.shown));
     fmu.variables.back().is_fixed = true;
   }
 }
 
-void add_motion(const EmitContext& context, const InitialState& initial, const References& first, FmuLayout& fmu) {
-  const auto& bodies = context.topology.bodies;
-  const auto unit = [&](std::size_t i, const char* per) { return unit_of(bodies[i].kind) + std::string(per); };
-  const auto is_given = [&](int c) {
-    return contains(fmu.independent, c) && acting_at_start(initial, first, c).empty();
-  };
-  const auto of_joint = [&](std::size_t i) {
-    const int joint = bodies[i].joint;
-    const std::string& text = joint < 0 ? "" : context.model.joints[static_cast<std::size_t>(joint)].description;
-    return text.empty() ? "" : ": " + text;
-  };
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const int c = static_cast<int>(i);
-    const Start start = contains(fmu.independent, c) ? Start::exact
-                        : contains(fmu.undriven, c)  ? Start::approx
-                                                     : Start::calculated;
-    const std::string kind = start == Start::exact    ? "independent coordinate"
-                             : start == Start::approx ? "coordinate that its loop decides"
-                                                      : "driven coordinate";
-    fmu.variables.push_back({"z." + bodies[i].coordinate, unit(i, ""), kind + of_joint(i), Causality::local, start,
-                             initial.z[i], -1, shown_as(bodies[i].kind, "")});
-  }
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const int c = static_cast<int>(i);
-    fmu.variables.push_back({"zd." + bodies[i].coordinate, unit(i, "/s"), "velocity of the coordinate" + of_joint(i),
-                             Causality::local, is_given(c) ? Start::exact : Start::calculated, initial.zd[i],
-                             first.z + c, shown_as(bodies[i].kind, "/s")});
-  }
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const int c = static_cast<int>(i);
-    fmu.variables.push_back({"zdd." + bodies[i].coordinate, unit(i, "/s^2"),
-                             "acceleration of the coordinate" + of_joint(i), Causality::local, Start::calculated, 0,
-                             first.zd + c, shown_as(bodies[i].kind, "/s^2")});
+/// Coordinates and their derivatives, and the same of the states of loop blocks.
+struct MotionGroup {
+  Array array;
+  const char *per, *prefix, *description, *chosen_prefix, *chosen_description;
+};
+
+constexpr MotionGroup kMotionGroups[] = {
+    {Array::z, "", "z.", "", "q.", "state of a loop"},
+    {Array::zd, "/s", "zd.", "velocity of the coordinate", "qd.", "velocity of the state of a loop"},
+    {Array::zdd, "/s^2", "zdd.", "acceleration of the coordinate", "qdd.", "acceleration of the state of a loop"}};
+
+/// One number of a motion, shown in degrees where it is of an angle. before: variables of a group.
+FmuVariable moving(const FmuLayout& fmu, const TreeBody& body, const MotionGroup& group, int coordinate, int before) {
+  FmuVariable variable{{group.array, coordinate}, group.prefix + body.coordinate, unit_of(body.kind)};
+  variable.unit += group.per;
+  if (group.array != Array::z) variable.derivative_of = static_cast<int>(fmu.variables.size()) - before;
+  return variable;
+}
+
+Start start_of(const FmuLayout& fmu, const InitialState& initial, Array array, int c) {
+  const auto acts = [&](const StartParameter& parameter) { return acts_on(parameter, c); };
+  const bool is_independent = contains(fmu.independent, c);
+  if (array == Array::z && !is_independent) return contains(fmu.undriven, c) ? Start::approx : Start::calculated;
+  const bool is_given = array == Array::z || (array == Array::zd && std::ranges::none_of(initial.parameters, acts));
+  return is_independent && is_given ? Start::exact : Start::calculated;
+}
+
+void add_motion(const EmitContext& context, const InitialState& initial, FmuLayout& fmu) {
+  for (const MotionGroup& group : kMotionGroups) {
+    for (int c = 0; const TreeBody& body : context.topology.bodies) {
+      FmuVariable variable = moving(fmu, body, group, c, context.layout.coordinates);
+      variable.start = start_of(fmu, initial, group.array, c);
+      variable.description = group.array != Array::z           ? group.description
+                             : variable.start == Start::exact  ? "independent coordinate"
+                             : variable.start == Start::approx ? "coordinate that its loop decides"
+                                                               : "driven coordinate";
+      if (body.joint >= 0) {
+        const std::string& text = context.model.joints[static_cast<std::size_t>(body.joint)].description;
+        if (!text.empty()) variable.description += ": " + text;
+      }
+      if (group.array != Array::zdd) variable.value = (group.array == Array::z ? initial.z : initial.zd)[c];
+      if (body.kind == FreedomKind::revolute) variable.shown.display_unit = std::string("deg") + group.per;
+      fmu.variables.push_back(std::move(variable));
+      ++c;
+    }
   }
   const std::vector<std::string> names = auxiliary_state_names(context.model);
-  for (std::size_t i = 0; i < names.size(); ++i)
-    fmu.variables.push_back({"x." + names[i], "m", "auxiliary state", Causality::local, Start::exact, initial.x[i]});
-  for (std::size_t i = 0; i < names.size(); ++i)
-    fmu.variables.push_back({"xd." + names[i], "m/s", "rate of the auxiliary state", Causality::local,
-                             Start::calculated, 0, first.x + static_cast<int>(i)});
+  const int count = static_cast<int>(names.size());
+  for (int i = 0; i < count; ++i)
+    fmu.variables.push_back(
+        {{Array::x, i}, "x." + names[i], "m", "auxiliary state", Causality::local, Start::exact, initial.x[i]});
+  for (int i = 0; i < count; ++i)
+    fmu.variables.push_back({{Array::xd, i},
+                             "xd." + names[i],
+                             "m/s",
+                             "rate of the auxiliary state",
+                             Causality::local,
+                             Start::calculated,
+                             0,
+                             static_cast<int>(fmu.variables.size()) - count});
 }
 
 /// The states of loop blocks, each named after its coordinate at the start.
-void add_chosen(const EmitContext& context, const References& first, FmuLayout& fmu) {
-  struct Kind {
-    const char *prefix, *per, *description;
-    int first, derivative_of;
-  };
-  const Kind kinds[] = {{"q.", "", "state of a loop", first.q, -1},
-                        {"qd.", "/s", "velocity of the state of a loop", first.qd, first.q},
-                        {"qdd.", "/s^2", "acceleration of the state of a loop", first.qdd, first.qd}};
-  for (const Kind& kind : kinds) {
-    for (std::size_t i = 0; i < fmu.chosen.size(); ++i) {
-      const TreeBody& body = context.topology.bodies[fmu.independent[fmu.chosen[i]]];
-      FmuVariable variable{kind.prefix + body.coordinate, unit_of(body.kind) + std::string(kind.per),
-                           std::string(kind.description) + ": of this coordinate, until an event chooses another one",
-                           Causality::local, Start::calculated};
-      if (kind.derivative_of >= 0) variable.derivative_of = kind.derivative_of + static_cast<int>(i);
-      variable.reinit = kind.first != first.qdd;
+void add_chosen(const EmitContext& context, FmuLayout& fmu) {
+  for (const MotionGroup& group : kMotionGroups) {
+    for (const int place : fmu.chosen) {
+      const int coordinate = fmu.independent[place];
+      const TreeBody& body = context.topology.bodies[coordinate];
+      FmuVariable variable = moving(fmu, body, group, coordinate, static_cast<int>(fmu.chosen.size()));
+      variable.name = group.chosen_prefix + body.coordinate;
+      variable.description =
+          std::string(group.chosen_description) + ": of this coordinate, until an event chooses another one";
+      variable.reinit = group.array != Array::zdd;
       fmu.variables.push_back(std::move(variable));
     }
   }
@@ -234,21 +215,30 @@ void share_in_blocks(const FmuLayout& fmu, SlotGroup group, Knowns& knowns) {
   }
 }
 
-/// Knowns of every value reference.
-std::vector<std::set<int>> dependencies(const EmitContext& context, const Programs& programs, const References& first,
-                                        const FmuLayout& fmu) {
-  Knowns knowns;
-  knowns[{Array::t, 0}] = {0};
-  for (int i = first.par; i < first.in; ++i) knowns[{Array::par, i - first.par}] = {i};
-  for (int i = first.in; i < first.y; ++i) knowns[{Array::in, i - first.in}] = {i};
-  for (int i = first.x; i < first.xd; ++i) knowns[{Array::x, i - first.x}] = {i};
-  for (const int i : fmu.independent) {
-    knowns[{Array::z, i}] = {first.z + i};
-    knowns[{Array::zd, i}] = {first.zd + i};
+/// Value references of the numbers of programs: of each itself, and of the state in its place where an event may choose
+/// another coordinate.
+struct References {
+  std::map<Slot, int> own, state;
+};
+
+References references_of(const FmuLayout& fmu) {
+  References references;
+  for (int i = 0; const FmuVariable& variable : fmu.variables) {
+    references.own.try_emplace(variable.slot, i);
+    references.state[variable.slot] = i++;
   }
-  for (std::size_t k = 0; k < fmu.chosen.size(); ++k) {
-    knowns[{Array::z, fmu.independent[fmu.chosen[k]]}] = {first.q + static_cast<int>(k)};
-    knowns[{Array::zd, fmu.independent[fmu.chosen[k]]}] = {first.qd + static_cast<int>(k)};
+  return references;
+}
+
+/// What all numbers of the programs depend on.
+Knowns dependencies(const EmitContext& context, const Programs& programs, const References& references,
+                    const FmuLayout& fmu) {
+  Knowns knowns;
+  for (const auto& [slot, reference] : references.state) {
+    const Array array = slot.group.array;
+    const bool is_given = array == Array::t || array == Array::par || array == Array::in || array == Array::x;
+    const bool is_state = (array == Array::z || array == Array::zd) && contains(fmu.independent, slot.index);
+    if (is_given || is_state) knowns[slot] = {reference};
   }
   if (context.layout.has_closure) close_positions(context, programs, fmu, knowns);
   share_in_blocks(fmu, Array::z, knowns);
@@ -256,82 +246,54 @@ std::vector<std::set<int>> dependencies(const EmitContext& context, const Progra
   knowns.merge(reached(programs.accelerations, knowns));
   share_in_blocks(fmu, Array::zdd, knowns);
   if (context.layout.has_closure) knowns.merge(reached(programs.multipliers, knowns));
-  const Knowns results = reached(programs.outputs, knowns);
-
-  std::vector<std::set<int>> all(fmu.variables.size());
-  const auto take = [&](const Knowns& from, Array group, int index, int reference) {
-    const auto found = from.find({group, index});
-    if (found != from.end()) all[static_cast<std::size_t>(reference)] = found->second;
-  };
-  const int outputs = static_cast<int>(context.names.outputs.size());
-  for (int i = 0; i < outputs; ++i) take(results, Array::y, i, first.y + i);
-  take(results, Array::energy, 0, first.y + outputs);
-  take(results, Array::energy, 1, first.y + outputs + 1);
-  take(results, Array::power, 0, first.y + outputs + 2);
-  for (int i = 0; i < context.layout.coordinates; ++i) {
-    take(knowns, Array::z, i, first.z + i);
-    take(knowns, Array::zd, i, first.zd + i);
-    take(knowns, Array::zdd, i, first.zdd + i);
-  }
-  for (int i = 0; i < context.layout.auxiliary_states; ++i) take(knowns, Array::xd, i, first.xd + i);
-  for (std::size_t k = 0; k < fmu.chosen.size(); ++k) {
-    const int place = static_cast<int>(k), coordinate = fmu.independent[fmu.chosen[k]];
-    take(knowns, Array::z, coordinate, first.q + place);
-    take(knowns, Array::zd, coordinate, first.qd + place);
-    take(knowns, Array::zdd, coordinate, first.qdd + place);
-  }
-  return all;
+  knowns.merge(reached(programs.outputs, knowns));
+  return knowns;
 }
 
-/// Velocities that follow from parameters at the start are no knowns there: those parameters are.
-void take_start(const InitialState& initial, const References& first, FmuUnknown& unknown) {
-  for (int c = 0; c < first.zdd - first.zd; ++c) {
-    const std::set<int> acting = acting_at_start(initial, first, c);
-    if (acting.empty() || unknown.dependencies.erase(first.zd + c) == 0) continue;
-    unknown.dependencies.insert(acting.begin(), acting.end());
-  }
-}
-
-/// What a state depends on at the initialisation: the start values of the coordinate that it is of then.
-std::set<int> at_start(const References& first, const FmuLayout& fmu, const std::set<int>& dependencies) {
+/// What a variable depends on at the initialisation: on start values of coordinates in place of states, and on the
+/// parameters that velocities follow from there in place of these.
+std::set<int> at_start(const FmuLayout& fmu, const References& references, const InitialState& initial,
+                       const std::set<int>& dependencies) {
+  const int first_parameter = static_cast<int>(fmu.variables.size() - initial.parameters.size());
   std::set<int> result;
   for (const int known : dependencies) {
-    const bool is_q = known >= first.q && known < first.qd, is_qd = known >= first.qd && known < first.qdd;
-    const int place = known - (is_q ? first.q : first.qd);
-    result.insert(is_q || is_qd ? (is_q ? first.z : first.zd) + fmu.independent[fmu.chosen[place]] : known);
+    const Slot& slot = fmu.variables[static_cast<std::size_t>(known)].slot;
+    std::set<int> acting;
+    for (int i = 0; const StartParameter& parameter : initial.parameters) {
+      if (slot.group == Array::zd && acts_on(parameter, slot.index)) acting.insert(first_parameter + i);
+      ++i;
+    }
+    if (acting.empty()) acting = {references.own.at(slot)};
+    result.merge(acting);
   }
   return result;
 }
 
-void add_structure(const References& first, const InitialState& initial_state,
-                   const std::vector<std::set<int>>& dependencies, FmiVersion version, FmuLayout& fmu) {
+void add_structure(const InitialState& initial_state, const References& references, Knowns knowns, FmiVersion version,
+                   FmuLayout& fmu) {
+  const auto is_parameter = [&](int known) {
+    return fmu.variables[static_cast<std::size_t>(known)].causality == Causality::parameter;
+  };
   const auto add = [&](int variable, std::vector<FmuUnknown>& unknowns) {
-    FmuUnknown unknown{variable, dependencies[static_cast<std::size_t>(variable)]};
-    if (version == FmiVersion::two)
-      std::erase_if(unknown.dependencies, [&](int known) { return known >= first.par && known < first.in; });
+    FmuUnknown unknown{variable, knowns[fmu.variables[static_cast<std::size_t>(variable)].slot]};
+    if (version == FmiVersion::two) std::erase_if(unknown.dependencies, is_parameter);
     unknowns.push_back(std::move(unknown));
   };
-  std::vector<int> rates, accelerations, initial;
-  for (std::size_t i = 0, k = 0; i < fmu.independent.size(); ++i) {
-    const bool is_chosen = k < fmu.chosen.size() && fmu.chosen[k] == static_cast<int>(i);
-    rates.push_back(is_chosen ? first.qd + static_cast<int>(k) : first.zd + fmu.independent[i]);
-    accelerations.push_back(is_chosen ? first.qdd + static_cast<int>(k) : first.zdd + fmu.independent[i]);
-    if (is_chosen) initial.push_back(first.q + static_cast<int>(k++));
-  }
-  for (int i = first.y; i < first.z; ++i) add(i, fmu.outputs);
-  for (const int i : rates) add(i, fmu.derivatives);
-  for (const int i : accelerations) add(i, fmu.derivatives);
-  for (int i = first.xd; i < first.q; ++i) add(i, fmu.derivatives);
+  for (int i = 0; i < static_cast<int>(fmu.variables.size()); ++i)
+    if (fmu.variables[i].causality == Causality::output) add(i, fmu.outputs);
+  for (const Array array : {Array::zd, Array::zdd})
+    for (const int i : fmu.independent) add(references.state.at({array, i}), fmu.derivatives);
+  for (int i = 0; references.own.contains({Array::xd, i}); ++i) add(references.own.at({Array::xd, i}), fmu.derivatives);
+
+  std::set<int> initial;
+  for (const int place : fmu.chosen) initial.insert(references.state.at({Array::z, fmu.independent[place]}));
   for (const std::vector<FmuUnknown>* unknowns : {&fmu.outputs, &fmu.derivatives}) {
-    for (const FmuUnknown& unknown : *unknowns) initial.push_back(unknown.variable);
+    for (const FmuUnknown& unknown : *unknowns) initial.insert(unknown.variable);
   }
-  std::sort(initial.begin(), initial.end());
-  for (const int variable : initial) {
-    if (fmu.variables[static_cast<std::size_t>(variable)].start != Start::calculated) continue;
-    const std::set<int>& known = dependencies[static_cast<std::size_t>(variable)];
-    FmuUnknown unknown{variable, at_start(first, fmu, known)};
-    take_start(initial_state, first, unknown);
-    fmu.initial_unknowns.push_back(std::move(unknown));
+  for (const int i : initial) {
+    const FmuVariable& variable = fmu.variables[static_cast<std::size_t>(i)];
+    if (variable.start != Start::calculated) continue;
+    fmu.initial_unknowns.push_back({i, at_start(fmu, references, initial_state, knowns[variable.slot])});
   }
 }
 
@@ -368,13 +330,14 @@ FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const
   fmu.independent = free_coordinates(context.topology, context.analysis);
   std::sort(fmu.independent.begin(), fmu.independent.end());
   find_chosen(context, fmu);
-  const References first = references(context, static_cast<int>(fmu.chosen.size()));
   add_given(context, fmu);
   add_outputs(context, fmu);
-  add_motion(context, initial, first, fmu);
-  add_chosen(context, first, fmu);
+  add_motion(context, initial, fmu);
+  add_chosen(context, fmu);
   add_start_parameters(context, initial, fmu);
-  add_structure(first, initial, dependencies(context, programs, first, fmu), version, fmu);
+  const References references = references_of(fmu);
+  add_structure(initial, references, dependencies(context, programs, references, fmu), version, fmu);
+  add_nominals(context, initial, fmu);
   return fmu;
 }
 

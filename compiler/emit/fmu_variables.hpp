@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/context.hpp"
 
 namespace mbgen {
 
@@ -15,6 +15,7 @@ namespace mbgen {
 struct FmuVariable {
   enum class Causality { independent, parameter, input, output, local };
   enum class Start { none, exact, approx, calculated };
+  Slot slot;  ///< number of the programs that it shows; of a state in place of a coordinate, that coordinate's
   std::string name, unit, description;
   Causality causality = Causality::local;
   Start start = Start::calculated;
@@ -53,5 +54,9 @@ std::string fmu_output_name(const Model& model, const std::string& name);
 /// outputs and derivatives depend on; FMI 2 knows them at the initialisation only.
 FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const InitialState& initial,
                      FmiVersion version);
+
+/// Nominal values of the continuous states: 1 rad or the extent of the model, as much per second, or what they start
+/// with where that is more; a tenth of a tyre's radius for its slips. They stay whatever coordinates are chosen.
+void add_nominals(const EmitContext& context, const InitialState& initial, FmuLayout& fmu);
 
 }  // namespace mbgen

@@ -35,7 +35,8 @@ std::string without_lines_of_tags(std::string_view frame) {
 /// Fills the sections of a frame, from outside to inside.
 class FrameFiller {
  public:
-  explicit FrameFiller(std::string_view frame_name) : frame_name_(frame_name) {}
+  FrameFiller(std::string_view frame_name, const FrameValues& common)
+      : frame_name_(frame_name), open_rows_({&common}) {}
 
   /// Text with its names replaced by values of the row, or of the rows that are open around it.
   std::string fill(std::string_view text, const FrameValues& row) {
@@ -120,8 +121,9 @@ class FrameFiller {
 
 }  // namespace
 
-std::string fill_frame(std::string_view frame_name, std::string_view frame, const FrameValues& values) {
-  FrameFiller filler(frame_name);
+std::string fill_frame(std::string_view frame_name, std::string_view frame, const FrameValues& values,
+                       const FrameValues& common) {
+  FrameFiller filler(frame_name, common);
   std::string text = filler.fill(without_lines_of_tags(frame), values);
   filler.check_used(values);
   return text;
@@ -145,8 +147,8 @@ std::vector<std::string> words_of(const std::string& name) {
   return words;
 }
 
-std::string fill_template(const std::string& name, const FrameValues& values) {
-  return fill_frame("templates/" + name, template_text(name), values);
+std::string fill_template(const std::string& name, const FrameValues& values, const FrameValues& common) {
+  return fill_frame("templates/" + name, template_text(name), values, common);
 }
 
 }  // namespace mbgen

@@ -34,8 +34,9 @@ struct FrameValue {
 /// row. {{~name}} is as {{#name}} where each row is one statement on a line, broken where that is too long. {{>name}}
 /// is another frame of templates/, with the same values. A line that holds nothing but such tags leaves no line. Fails:
 /// throws std::logic_error when a name has no value, rows stand for a text, a value is not used, or a section does not
-/// end.
-std::string fill_frame(std::string_view frame_name, std::string_view frame, const FrameValues& values);
+/// end. common: values that the frame may name or not, behind the others.
+std::string fill_frame(std::string_view frame_name, std::string_view frame, const FrameValues& values,
+                       const FrameValues& common = {});
 
 /// The embedded file of this name under templates/. Fails: throws std::logic_error when there is none.
 std::string_view template_text(const std::string& name);
@@ -44,6 +45,6 @@ std::string_view template_text(const std::string& name);
 std::vector<std::string> words_of(const std::string& name);
 
 /// The embedded frame of this name (under templates/), filled.
-std::string fill_template(const std::string& name, const FrameValues& values);
+std::string fill_template(const std::string& name, const FrameValues& values, const FrameValues& common = {});
 
 }  // namespace mbgen

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/emit/layout.hpp"
+#include "compiler/emit/shapes.hpp"
 
 namespace mbgen {
 

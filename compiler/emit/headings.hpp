@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compiler/emit/function_text.hpp"
-#include "compiler/emit/layout.hpp"
+#include "compiler/emit/shapes.hpp"
 #include "compiler/passes/schedule.hpp"
 
 namespace mbgen {

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/inputs.hpp"
@@ -23,24 +21,6 @@ std::string polynomial(const Model& model, const SolverNames& names, int input, 
 }
 
 }  // namespace
-
-std::vector<std::vector<int>> input_rows(const std::vector<Input>& inputs) {
-  std::vector<int> users(inputs.size(), 0);
-  for (const Input& input : inputs) {
-    if (input.derivative >= 0) ++users[static_cast<std::size_t>(input.derivative)];
-  }
-  std::vector<std::vector<int>> rows;
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (users[i] > 0 || inputs[i].derivative < 0) continue;
-    std::vector<int> row;
-    for (int next = static_cast<int>(i); next >= 0; next = inputs[static_cast<std::size_t>(next)].derivative) {
-      row.push_back(next);
-    }
-    const auto is_shared = [&](int input) { return users[static_cast<std::size_t>(input)] > 1; };
-    if (std::none_of(row.begin(), row.end(), is_shared)) rows.push_back(std::move(row));
-  }
-  return rows;
-}
 
 FrameRows later_inputs(const Model& model, const SolverNames& names, const std::string& scalar) {
   FrameRows rows;

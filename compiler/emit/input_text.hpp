@@ -10,10 +10,6 @@
 
 namespace mbgen {
 
-/// Inputs with their derivatives, each row from an input that is no derivative to the last one; those that share a
-/// derivative are left out, as no rate can follow several values.
-std::vector<std::vector<int>> input_rows(const std::vector<Input>& inputs);
-
 /// Each input dt seconds after `inputs`: `member`, `value`. scalar: type of the inputs.
 FrameRows later_inputs(const Model& model, const SolverNames& names, const std::string& scalar);
 

@@ -1,9 +1,8 @@
-#include "compiler/emit/legend.hpp"
-
 #include <fmt/format.h>
 
 #include "compiler/emit/frame.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/texts.hpp"
 
 namespace mbgen {
 namespace {

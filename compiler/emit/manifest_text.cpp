@@ -1,8 +1,7 @@
-#include "compiler/emit/manifest_text.hpp"
-
 #include <nlohmann/json.hpp>
 
 #include "compiler/emit/cost_sheet.hpp"
+#include "compiler/emit/texts.hpp"
 
 namespace mbgen {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "compiler/emit/layout.hpp"
+#include "compiler/emit/shapes.hpp"
 #include "compiler/program/program.hpp"
 
 namespace mbgen {

@@ -75,6 +75,8 @@ std::string number_text(double value, const std::string& scalar) {
   return shortest_text(static_cast<float>(value)) + "f";
 }
 
+std::string number_or_none(const std::optional<double>& number) { return number ? number_text(*number) : ""; }
+
 std::string size_text(int size) { return std::to_string(std::max(size, 1)); }
 
 std::string string_literal(std::string_view text) {
@@ -105,6 +107,15 @@ std::string comment_text(std::string_view text) {
       text, [&](std::string_view character) { result += character; }, [&](std::string_view) { result += ' '; });
   // Both would join the next line to the comment.
   if (result.ends_with('\\') || result.ends_with("?\?/")) result += '.';
+  return result;
+}
+
+std::string xml_text(std::string_view text) {
+  std::string result;
+  for (const char c : comment_text(text)) {
+    const char* escaped = c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : nullptr;
+    result += escaped == nullptr ? std::string(1, c) : escaped;
+  }
   return result;
 }
 

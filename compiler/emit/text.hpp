@@ -1,6 +1,7 @@
 #pragma once
 // Pieces of text that every emitted file is made of.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,9 @@ std::string number_text(double value);
 /// above.
 std::string number_text(double value, const std::string& scalar);
 
+/// A number, "" for none.
+std::string number_or_none(const std::optional<double>& number);
+
 /// Size of a member array: C++ has no empty ones.
 std::string size_text(int size);
 
@@ -28,6 +32,9 @@ std::string string_literal(std::string_view text);
 /// Text on one line for a comment: control characters and bytes that are no UTF-8 become spaces, and a backslash at the
 /// end is followed by a full stop.
 std::string comment_text(std::string_view text);
+
+/// A text between tags of XML or as the value of an attribute.
+std::string xml_text(std::string_view text);
 
 /// All texts, with a separator between them.
 std::string joined(const std::vector<std::string>& texts, std::string_view separator);

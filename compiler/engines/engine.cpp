@@ -8,6 +8,7 @@
 
 #include "compiler/base/user_error.hpp"
 #include "compiler/describe/names.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 
 namespace mbgen {
 namespace {

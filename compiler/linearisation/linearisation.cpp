@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "compiler/linearisation/groups.hpp"
+#include "compiler/model/auxiliary_states.hpp"
+#include "compiler/solver/layout.hpp"
 #include "mbgen/blocks.hpp"
 
 namespace mbgen {
@@ -163,15 +165,10 @@ Diagnostic singular(const Model& model, const Topology& topology, int block) {
 
 Result<LinearSystem> linearise(const Model& model, const Topology& topology, const Analysis& analysis,
                                const Programs& programs, const OperatingPoint& point) {
-  const int n = topology.size(), outputs = static_cast<int>(model.outputs.size()),
-            inputs = static_cast<int>(model.inputs.size());
-  const std::vector<DirectionGroup> groups = {{Array::z, n},
-                                              {Array::zd, n},
-                                              {Array::x, auxiliary_state_count(model)},
-                                              {Array::in, inputs},
-                                              {Array::zdd, n},
-                                              {Array::lambda, equation_count(topology)},
-                                              {Array::drive, static_cast<int>(model.motions.size())}};
+  using enum Array;
+  const SolverLayout layout = solver_layout(model, topology, analysis);
+  const int outputs = layout.outputs, inputs = layout.inputs;
+  const std::vector<DirectionGroup> groups = direction_of(layout, {z, zd, x, in, zdd, lambda, drive});
   const DifferentiatedPrograms all = differentiated(programs, groups);
   Derivatives derivatives(all, groups, known_at(model, topology, point), outputs);
   if (const std::optional<int> block = derivatives.solve()) return singular(model, topology, *block);
@@ -183,7 +180,7 @@ Result<LinearSystem> linearise(const Model& model, const Topology& topology, con
   system.B.resize(size, inputs);
   system.C.resize(outputs, size);
   system.D.resize(outputs, inputs);
-  system.coordinates.resize(n, size);
+  system.coordinates.resize(layout.coordinates, size);
   system.drift = rates_of(system.states, derivatives.known());
   constexpr Array kGroups[] = {Array::z, Array::zd, Array::x};
   for (Eigen::Index j = 0; j < size; ++j) {

@@ -15,4 +15,8 @@ std::vector<double> advanced_inputs(const std::vector<Input>& inputs, const std:
 /// Whether any input has a derivative.
 bool inputs_have_derivatives(const std::vector<Input>& inputs);
 
+/// Inputs with their derivatives, each row from an input that is no derivative to the last one; those that share a
+/// derivative are left out, as no rate can follow several values.
+std::vector<std::vector<int>> input_rows(const std::vector<Input>& inputs);
+
 }  // namespace mbgen

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <variant>
 
+#include "compiler/model/auxiliary_states.hpp"
 #include "runtime/generic/generic.hpp"
 
 namespace mbgen {
@@ -70,7 +71,8 @@ std::vector<Column> element_forces(const ReportSource& source, const std::vector
   }
   if (forces.empty()) return forces;
   const GenericSolver solver(model, source.topology, source.analysis);
-  const std::size_t count = positions.size(), tyre_states = 2 * model.tyres.size();
+  const std::size_t count = positions.size();
+  const auto tyre_states = static_cast<std::size_t>(auxiliary_state_count(model));
   GenericState state{std::vector<double>(count), std::vector<double>(count), std::vector<double>(tyre_states), 0};
   // No force of a spring depends on accelerations, joint forces or the states of tyres.
   const GenericDerivative none{std::vector<double>(count), std::vector<double>(tyre_states)};

@@ -46,10 +46,7 @@ const char* name_of(Role role);
 /// Programs that a model does not need are empty.
 struct Programs {
   Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, derived_constants;
-  Form form = Form::recursive;                         ///< of `accelerations` and `accelerations_chosen`
-  std::vector<std::string> free_direction_coordinate;  ///< per index of `inertia`: coordinate that names the direction
-  std::vector<int> free_directions_of_block;           ///< per block: f
-  std::vector<int> residual_equation_of;               ///< per block: first index of its equations in `residual`
+  Form form = Form::recursive;  ///< of `accelerations` and `accelerations_chosen`
 };
 
 Program& program_of(Programs& programs, Role role);

@@ -9,6 +9,7 @@
 #include "compiler/base/assignments.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/engines/engine.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/study/equilibrium_trouble.hpp"
 #include "compiler/study/initial_state.hpp"
 #include "compiler/study/result_file.hpp"

@@ -1,3 +1,4 @@
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/study/initial_state.hpp"
 
 namespace mbgen {

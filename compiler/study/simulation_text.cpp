@@ -11,6 +11,7 @@
 #include "compiler/base/json_text.hpp"
 #include "compiler/base/number.hpp"
 #include "compiler/describe/names.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/study/input_table.hpp"
 
 namespace mbgen {

@@ -1,7 +1,6 @@
-#include "compiler/trace/closure_programs.hpp"
-
 #include <optional>
 
+#include "compiler/trace/each_program.hpp"
 #include "compiler/trace/tracing.hpp"
 
 namespace mbgen {

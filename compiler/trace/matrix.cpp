@@ -1,5 +1,4 @@
-#include "compiler/trace/matrix.hpp"
-
+#include "compiler/trace/each_program.hpp"
 #include "compiler/trace/tracing.hpp"
 
 namespace mbgen {
@@ -70,15 +69,21 @@ void trace_solution(Tracing& tracing, const Kinematics<Expr>& k, const Inertias<
   tracing.outputs(Array::xd, forces.xd);
 }
 
+/// Projection of a joint outside all blocks: free, or prescribed by a motion.
+GroupProjection<Expr> single_projection(const Tracing& tracing, int joint) {
+  for (const Drive<Expr>& d : tracing.drive)
+    if (d.coordinate == joint) return {{{}}, {d.acceleration}};
+  return {{{Expr(1.0)}}, {Expr(0.0)}};
+}
+
 /// Projections of all joint groups.
-std::vector<GroupProjection<Expr>> group_projections(Tracing& tracing, Partition partition,
-                                                     const FrozenBlocks& blocks) {
+std::vector<GroupProjection<Expr>> group_projections(Tracing& tracing, const FrozenBlocks& blocks) {
   std::vector<GroupProjection<Expr>> projections;
   for (const JointGroup& group : tracing.system.topology.groups)
     if (group.block < 0)
       projections.push_back(single_projection(tracing, group.joints[0]));
-    else if (partition == Partition::chosen)
-      projections.push_back(chosen_projection(tracing, static_cast<std::size_t>(group.block)));
+    else if (tracing.role == Role::accelerations_chosen)
+      projections.push_back(tracing.chosen_projection(static_cast<std::size_t>(group.block)));
     else
       projections.push_back({blocks.rz[group.block], blocks.zdd_star[group.block]});
   return projections;
@@ -86,10 +91,9 @@ std::vector<GroupProjection<Expr>> group_projections(Tracing& tracing, Partition
 
 }  // namespace
 
-Program trace_matrix_accelerations(const Model& model, const Topology& topology, const Analysis& analysis,
-                                   Partition partition) {
-  const bool is_frozen = partition == Partition::frozen;
-  Tracing tracing(role_of(partition), model, topology, analysis, Form::matrix);
+Program trace_matrix_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Role role) {
+  const bool is_frozen = role == Role::accelerations;
+  Tracing tracing(role, model, topology, analysis, Form::matrix);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = tracing.poses();
   const Inertias<Expr> m = tracing.in(Step::inertias, [&] { return inertias(system, k); });
@@ -101,7 +105,7 @@ Program trace_matrix_accelerations(const Model& model, const Topology& topology,
   const Velocities<Expr> v = tracing.in(Step::velocities, [&] { return velocities(system, k); });
   const AppliedForces<Expr> forces = tracing.in(Step::forces, [&] { return applied_forces(system, k, v); });
   if (is_frozen) frozen_bias(tracing, k, blocks);
-  trace_solution(tracing, k, m, v, forces, group_projections(tracing, partition, blocks));
+  trace_solution(tracing, k, m, v, forces, group_projections(tracing, blocks));
   for (std::size_t b = 0; b < blocks.factors.size(); ++b) tracing.output_pivot(b, blocks.factors[b].quality);
   return tracing.builder.finish_in_canonical_order();
 }

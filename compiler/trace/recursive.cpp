@@ -1,21 +1,20 @@
-#include "compiler/trace/recursive.hpp"
-
 #include <algorithm>
 #include <utility>
 
+#include "compiler/trace/each_program.hpp"
 #include "compiler/trace/tracing.hpp"
 
 namespace mbgen {
 namespace {
 
 /// Projections of the blocks: over their frozen partitions, or inputs of the program.
-std::vector<BlockProjection<Expr>> block_projections(Tracing& tracing, Partition partition) {
+std::vector<BlockProjection<Expr>> block_projections(Tracing& tracing) {
   std::vector<BlockProjection<Expr>> projections;
   for (std::size_t b = 0; b < tracing.analysis.blocks.size(); ++b) {
-    if (partition == Partition::frozen)
+    if (tracing.role == Role::accelerations)
       projections.emplace_back(tracing.analysis.blocks[b].quasi);
     else
-      projections.emplace_back(chosen_projection(tracing, b));
+      projections.emplace_back(tracing.chosen_projection(b));
   }
   return projections;
 }
@@ -36,9 +35,9 @@ void output_inertia(Tracing& tracing, const std::vector<DirectionInertia<Expr>>&
 
 }  // namespace
 
-Program trace_recursive_accelerations(const Model& model, const Topology& topology, const Analysis& analysis,
-                                      Partition partition, RecursionChoices choices) {
-  Tracing tracing(role_of(partition), model, topology, analysis, Form::recursive, choices);
+Program trace_recursive_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Role role,
+                                      RecursionChoices choices) {
+  Tracing tracing(role, model, topology, analysis, Form::recursive, choices);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = tracing.poses();
   const Velocities<Expr> v =
@@ -46,18 +45,18 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
   const AppliedForces<Expr> forces = tracing.in(Step::forces, [&] { return applied_forces(system, k, v); });
   const RecursiveSolution<Expr> solution =
       recursive_accelerations(system, tracing.recursion, k, forces, tracing.drive,
-                              tracing.inputs(Array::tau, tracing.size()), block_projections(tracing, partition));
+                              tracing.inputs(Array::tau, tracing.size()), block_projections(tracing));
   output_inertia(tracing, solution.inertia);
   tracing.outputs(Array::zdd, solution.zdd);
   tracing.outputs(Array::xd, forces.xd);
-  for (std::size_t b = 0; partition == Partition::frozen && b < topology.blocks.size(); ++b)
+  for (std::size_t b = 0; role == Role::accelerations && b < topology.blocks.size(); ++b)
     tracing.output_pivot(b, solution.quality[b]);
   return tracing.builder.finish_in_canonical_order();
 }
 
 CheapestRecursion cheapest_recursion(const Model& model, const Topology& topology, const Analysis& analysis) {
   const auto traced = [&](RecursionChoices choices) {
-    return CheapestRecursion{trace_recursive_accelerations(model, topology, analysis, Partition::frozen, choices),
+    return CheapestRecursion{trace_recursive_accelerations(model, topology, analysis, Role::accelerations, choices),
                              choices};
   };
   CheapestRecursion cheapest = traced({});

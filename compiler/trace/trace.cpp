@@ -1,9 +1,6 @@
 #include "compiler/trace/trace.hpp"
 
-#include "compiler/trace/closure_programs.hpp"
-#include "compiler/trace/given_state.hpp"
-#include "compiler/trace/matrix.hpp"
-#include "compiler/trace/recursive.hpp"
+#include "compiler/trace/each_program.hpp"
 
 namespace mbgen {
 namespace {
@@ -13,16 +10,16 @@ void trace_all_accelerations(const Model& model, const Topology& topology, const
                              Programs& programs) {
   const bool chooses = !topology.loops.empty() && chooses_again(topology);
   if (programs.form == Form::matrix) {
-    programs.accelerations = trace_matrix_accelerations(model, topology, analysis, Partition::frozen);
+    programs.accelerations = trace_matrix_accelerations(model, topology, analysis, Role::accelerations);
     if (chooses)
-      programs.accelerations_chosen = trace_matrix_accelerations(model, topology, analysis, Partition::chosen);
+      programs.accelerations_chosen = trace_matrix_accelerations(model, topology, analysis, Role::accelerations_chosen);
     return;
   }
   auto [program, choices] = cheapest_recursion(model, topology, analysis);
   programs.accelerations = std::move(program);
   if (chooses)
     programs.accelerations_chosen =
-        trace_recursive_accelerations(model, topology, analysis, Partition::chosen, choices);
+        trace_recursive_accelerations(model, topology, analysis, Role::accelerations_chosen, choices);
 }
 
 }  // namespace
@@ -38,22 +35,8 @@ Form form_of(const Topology& topology, const Analysis& analysis) {
 }
 
 Program trace_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
-  return form == Form::matrix ? trace_matrix_accelerations(model, topology, analysis, Partition::frozen)
+  return form == Form::matrix ? trace_matrix_accelerations(model, topology, analysis, Role::accelerations)
                               : cheapest_recursion(model, topology, analysis).program;
-}
-
-std::vector<std::pair<std::string, Program>> trace_without(const Model& model, const Topology& topology,
-                                                           const Analysis& analysis) {
-  const std::pair<const char*, RecursionChoices> treatments[] = {
-      {"rotors held by their base", {.rotors = false}},
-      {"bodies of blocks held by the body below", {.subtrees = false}},
-      {"bodies seen from their centres of mass", {.centres = false}},
-      {"arms turn with their base", {.arms = false}},
-  };
-  std::vector<std::pair<std::string, Program>> programs;
-  for (const auto& [name, without] : treatments)
-    programs.emplace_back(name, trace_recursive_accelerations(model, topology, analysis, Partition::frozen, without));
-  return programs;
 }
 
 Programs trace(const Model& model, const Topology& topology, const Analysis& analysis, std::optional<Form> form) {
@@ -64,14 +47,6 @@ Programs trace(const Model& model, const Topology& topology, const Analysis& ana
   if (!topology.loops.empty()) programs.closure_terms = trace_closure_terms(model, topology, analysis, programs.form);
   programs.multipliers = trace_multipliers(model, topology, analysis, programs.form);
   programs.outputs = trace_outputs(model, topology, analysis, programs.form);
-  for (int i : free_coordinates(topology, analysis))
-    programs.free_direction_coordinate.push_back(topology.bodies[i].coordinate);
-  int equation = 0;
-  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
-    programs.free_directions_of_block.push_back(static_cast<int>(analysis.blocks[b].independent.size()));
-    programs.residual_equation_of.push_back(equation);
-    equation += topology.blocks[b].equations;
-  }
   return programs;
 }
 

@@ -3,22 +3,14 @@
 // decisions stay in the runtime kernels that call them.
 
 #include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/solver/programs.hpp"
 #include "compiler/topology/topology.hpp"
-#include "compiler/trace/auxiliary_states.hpp"
 #include "compiler/trace/block_program.hpp"
 
 namespace mbgen {
-
-/// The recursive program without one treatment each, with its name.
-std::vector<std::pair<std::string, Program>> trace_without(const Model& model, const Topology& topology,
-                                                           const Analysis& analysis);
 
 /// Whether a form does not grow far beyond the other one, see kMostMoreOfAForm.
 bool is_worth_writing(Form form, const Topology& topology, const Analysis& analysis);

@@ -7,8 +7,8 @@
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/formulation/formulation.hpp"
 #include "compiler/formulation/recursion_units.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/solver/programs.hpp"
-#include "compiler/trace/auxiliary_states.hpp"
 #include "compiler/trace/scribe.hpp"
 
 namespace mbgen {
@@ -19,7 +19,8 @@ class Tracing {
   /// choices: of the recursive form.
   Tracing(Role role, const Model& model, const Topology& topology, const Analysis& analysis, Form form,
           RecursionChoices choices = {})
-      : builder(name_of(role)),
+      : role(role),
+        builder(name_of(role)),
         scribe{builder},
         form(form),
         recursion(form == Form::recursive ? plan_recursion(model, topology, analysis.driven, choices) : Recursion{}),
@@ -27,7 +28,7 @@ class Tracing {
         analysis(analysis),
         system{model, topology, layout, environment(model, topology), {}, {}, scribe} {
     const auto step = scribe.step(Step::inertias);
-    for (int i = 0; i < auxiliary_state_count(model); ++i) system.x.push_back(input(Array::x, i));
+    system.x = inputs(Array::x, auxiliary_state_count(model));
     system.constants = make_constants(model, topology, system.environment);
     name_constants(scribe, model, topology, system.constants);
     drive = drives(system);
@@ -45,9 +46,9 @@ class Tracing {
   }
 
   Expr input(SlotGroup group, int index) { return {builder, builder.input(group, index)}; }
-  std::vector<Expr> inputs(SlotGroup group, int count) {
+  std::vector<Expr> inputs(SlotGroup group, int count, int first = 0) {
     std::vector<Expr> values;
-    for (int i = 0; i < count; ++i) values.push_back(input(group, i));
+    for (int i = first; i < first + count; ++i) values.push_back(input(group, i));
     return values;
   }
   void output(SlotGroup group, int index, const Expr& value) { builder.output(group, index, value.value(builder)); }
@@ -69,6 +70,16 @@ class Tracing {
     return values;
   }
 
+  /// The projection of a block over a partition chosen at run time: inputs of the program.
+  GroupProjection<Expr> chosen_projection(std::size_t block) {
+    const int free = static_cast<int>(analysis.blocks[block].independent.size());
+    const int columns = static_cast<int>(system.topology.blocks[block].joints.size());
+    GroupProjection<Expr> chosen{{}, inputs(of_block(Array::zdd_star, block), columns)};
+    for (int c = 0; c < columns; ++c) chosen.rz.push_back(inputs(of_block(Array::Rz, block), free, c * free));
+    return chosen;
+  }
+
+  const Role role;
   ProgramBuilder builder;
   Scribe<Expr> scribe;
   Form form;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "compiler/compile.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "tests/emit/emit_support.hpp"
 #include "tests/support/compiled_solver.hpp"
 

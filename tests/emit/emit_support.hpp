@@ -59,7 +59,6 @@ inline Example two_sliders() {
     builder.output(Array::inertia, i, builder.constant(1));
   }
   example.programs.accelerations = builder.finish_in_canonical_order();
-  example.programs.free_direction_coordinate = {"x", "y"};
   return example;
 }
 
@@ -240,9 +239,6 @@ inline Example bead_on_circle() {
   programs.closure_terms = bead_closure_terms();
   programs.multipliers = bead_multipliers();
   programs.outputs = bead_outputs();
-  programs.free_direction_coordinate = {"y"};
-  programs.free_directions_of_block = {1};
-  programs.residual_equation_of = {0};
   return example;
 }
 
@@ -340,8 +336,6 @@ inline Example driven_bead() {
   example.programs.closure = closure.finish();
   example.programs.closure_terms = terms.finish();
   example.programs.multipliers = bead_multipliers(1);
-  example.programs.free_direction_coordinate = {};
-  example.programs.free_directions_of_block = {0};
   return example;
 }
 

@@ -15,11 +15,10 @@ namespace {
 
 ProgramShape bead_shape() {
   const Example example = bead_on_circle();
-  const SolverLayout layout = solver_layout(example.model, example.topology, example.analysis);
-  const std::vector<ShapedProgram> shaped = shaped_programs(
-      example.programs, layout, solver_names(example.model, example.topology), {}, "double", kRollAbove);
-  ProgramShape shape = shaped.front().shape;
+  const EmitContext context(example.programs, example.model, example.topology, example.analysis, {});
+  ProgramShape shape = shaped_programs(context).front().shape;
   shape.order = ValueOrder::by_section;
+  shape.titles = {};
   return shape;
 }
 

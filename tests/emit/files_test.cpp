@@ -140,12 +140,6 @@ TEST(EmittedFiles, manifestCountsTheOperationsOfEverySection) {
   EXPECT_GT(total, 10);
 }
 
-TEST(EmittedFiles, refuseResidualsInAnotherOrder) {
-  Example example = bead_on_circle();
-  example.programs.residual_equation_of = {1};
-  EXPECT_THROW(emit(example), std::logic_error);
-}
-
 TEST(Version, isThatOfTheProject) {
   std::ifstream file(MBGEN_SOURCE_DIR "/CMakeLists.txt");
   std::stringstream text;

@@ -7,7 +7,7 @@
 
 #include "compiler/compile.hpp"
 #include "compiler/linearisation/groups.hpp"
-#include "compiler/trace/recursive.hpp"
+#include "compiler/trace/each_program.hpp"
 #include "mbgen/blocks.hpp"
 #include "runtime/generic/generic.hpp"
 #include "tests/support/compiled_solver.hpp"

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "compiler/compile.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "tests/support/mechanism_support.hpp"
 #include "tests/support/model_support.hpp"
 

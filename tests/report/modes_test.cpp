@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "compiler/compile.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/report/places.hpp"
 #include "compiler/report/scene.hpp"
 #include "tests/report/report_support.hpp"

@@ -2,7 +2,7 @@
 
 #include "compiler/formulation/orientation.hpp"
 #include "compiler/passes/passes.hpp"
-#include "compiler/trace/given_state.hpp"
+#include "compiler/trace/each_program.hpp"
 #include "tests/support/motion_outputs_support.hpp"
 
 namespace mbgen {

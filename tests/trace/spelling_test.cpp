@@ -1,7 +1,7 @@
 // A ball is the same mechanism whether one joint of the model or three single ones make it.
 
 #include "compiler/passes/passes.hpp"
-#include "compiler/trace/recursive.hpp"
+#include "compiler/trace/each_program.hpp"
 #include "tests/support/recursion_support.hpp"
 #include "tests/support/spelling_support.hpp"
 

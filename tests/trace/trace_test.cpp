@@ -5,7 +5,7 @@
 #include <map>
 
 #include "compiler/passes/passes.hpp"
-#include "compiler/trace/recursive.hpp"
+#include "compiler/trace/each_program.hpp"
 #include "runtime/generic/block_factors.hpp"
 #include "tests/support/recursion_support.hpp"
 #include "tests/support/reference_support.hpp"
@@ -135,7 +135,7 @@ TEST(Trace, TheChosenPartitionAtDoubleEqualsItsProgram) {
     SCOPED_TRACE(path);
     const Mechanism m = load(path);
     const Program terms = trace(m.model, m.topology, m.analysis).closure_terms;
-    const Program program = trace_recursive_accelerations(m.model, m.topology, m.analysis, Partition::chosen);
+    const Program program = trace_recursive_accelerations(m.model, m.topology, m.analysis, Role::accelerations_chosen);
     for (const GenericState& state : random_states(m, 3)) {
       const std::vector<double> tau = random_tau(m, 19);
       const auto projections = pivoted_projections(m, run(terms, m, slots_of(state, tau)));

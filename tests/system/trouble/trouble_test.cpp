@@ -11,6 +11,7 @@
 #include <numbers>
 #include <random>
 
+#include "compiler/model/auxiliary_states.hpp"
 #include "solvers.hpp"
 
 namespace mbgen::trouble {

@@ -1,4 +1,4 @@
-#include "compiler/trace/auxiliary_states.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 
 namespace mbgen {
 

@@ -1,4 +1,4 @@
-#include "compiler/emit/titles.hpp"
+#include "compiler/solver/titles.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The file that people read first: the interface of a solver.
+// Values of frames that several files have.
 
 #include <string>
 #include <vector>
@@ -9,11 +9,21 @@
 
 namespace mbgen {
 
+/// The embedded frame of this name, filled with the values, and where it names others with the solver's names, sizes
+/// and choices, which every frame may name: context_values.cpp lists them.
+std::string fill_template(const EmitContext& context, const std::string& name, const FrameValues& values = {});
+
 /// First lines of every emitted file, each after `mark` ("//" or "#"): model, content hash, command, mbgen version.
 std::string banner_text(const Model& model, const std::string& mark);
 
-/// `<model>.hpp`.
-std::string interface_text(const EmitContext& context);
+/// banner_text as one comment of C.
+std::string c_banner_text(const Model& model);
+
+/// Text on one line for a comment of C.
+std::string c_comment_text(const std::string& text);
+
+/// FOUR_BAR_, for macros.
+std::string guard_of(const std::string& solver);
 
 /// Members of struct Parameters or Inputs or Outputs: name, value ("" for none), unit.
 struct NumberMember {

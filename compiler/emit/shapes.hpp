@@ -1,38 +1,16 @@
 #pragma once
-// Sizes of a solver, and where each slot of its programs lives in emitted code.
+// The shape of a program's text: its function, and where each slot lives in emitted code.
 
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "compiler/analysis/analysis.hpp"
+#include "compiler/emit/context.hpp"
 #include "compiler/emit/local_names.hpp"
-#include "compiler/emit/names.hpp"
-#include "compiler/model/model.hpp"
-#include "compiler/passes/roll.hpp"
 #include "compiler/passes/schedule.hpp"
-#include "compiler/program/program.hpp"
-#include "compiler/topology/topology.hpp"
-#include "compiler/trace/trace.hpp"
 
 namespace mbgen {
-
-/// Sizes and places of one loop block in the flat arrays of the solver; see BlockLayout of mbgen/solver.hpp.
-struct BlockPlaces {
-  int equations = 0, coordinates = 0, rank = 0, free = 0;
-  int first_equation = 0, first_coordinate = 0, first_jacobian = 0, first_projection = 0;
-};
-
-struct SolverLayout {
-  int coordinates = 0, auxiliary_states = 0, equations = 0, drives = 0;
-  int block_coordinates = 0, jacobian_entries = 0, projection_entries = 0;
-  bool has_closure = false;   ///< loops or motions
-  bool chooses_again = true;  ///< another partition at run time; see analysis.hpp
-  std::vector<BlockPlaces> blocks;
-};
-
-SolverLayout solver_layout(const Model& model, const Topology& topology, const Analysis& analysis);
 
 /// Where the slots of one group live.
 struct GroupPlace {
@@ -48,7 +26,7 @@ struct GroupPlace {
 using Places = std::map<SlotGroup, GroupPlace>;
 
 /// Inputs that every program may use; a program's signature lists those it gets.
-Places input_places(const Programs& programs, const SolverLayout& layout, const SolverNames& names);
+Places input_places(const EmitContext& context);
 
 /// A struct member that holds an array: name, size, comment.
 struct ArrayMember {
@@ -109,13 +87,10 @@ bool is_number(const std::string& scalar);
 /// Whether the program of the outputs looks at multipliers or driving forces.
 bool outputs_take_multipliers(const Programs& programs);
 
-/// The programs of a solver; programs of closures are left out when there is nothing to close. scalar: double or float.
-std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,
-                                           const SolverNames& names, const Titles& titles, const std::string& scalar,
-                                           std::size_t roll_above);
+/// The programs of a solver; programs of closures are left out when there is nothing to close.
+std::vector<ShapedProgram> shaped_programs(const EmitContext& context);
 
 /// The program of accelerations once more, with a clock that is told the end of each step.
-ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout& layout, const SolverNames& names,
-                                    const Titles& titles);
+ShapedProgram clocked_accelerations(const EmitContext& context);
 
 }  // namespace mbgen

@@ -1,0 +1,241 @@
+#include "compiler/emit/shapes.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "compiler/emit/mapped.hpp"
+#include "compiler/emit/text.hpp"
+
+namespace mbgen {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+/// The arrays that are members of a result, each with its comment.
+constexpr std::pair<Array, const char*> kMembers[] = {
+    {Array::zd, "consistent velocities"},
+    {Array::zdd, "accelerations"},
+    {Array::dz, "Newton correction; driven coordinates go to their motions"},
+    {Array::driven_acceleration, "of driven coordinates, by their motions; no others"},
+    {Array::xd, "rates of the auxiliary states"},
+    {Array::lambda, "multipliers, loop after loop"},
+    {Array::drive, "generalised driving forces"},
+    {Array::residual, "of every closure equation, block after block, then of every motion"},
+    {Array::pivot, "smallest pivot of each block over its reference"},
+    {Array::inertia, "pivots of the final equations"},
+    {Array::Phi, "residuals"},
+    {Array::c, "right-hand side of the accelerations"},
+    {Array::rate, "Jacobian times velocities"},
+    {Array::missing, "what multipliers and drives must provide, block after block"},
+    {Array::Jz, "Jacobian of each block, row by row"}};
+
+/// One number a coordinate, at the coordinate's name.
+bool is_by_coordinate(Array array) {
+  using enum Array;
+  return array == z || array == zd || array == zdd || array == dz || array == driven_acceleration || array == tau;
+}
+
+Texts indexed(const std::string& array, int size, int first = 0) {
+  Texts texts;
+  for (int i = 0; i < size; ++i) texts.push_back(array + "[" + std::to_string(first + i) + "]");
+  return texts;
+}
+
+Texts around(const std::string& before, const std::vector<std::string>& names, const std::string& after = "") {
+  return mapped(names, [&](const std::string& name) { return before + name + after; });
+}
+
+/// The value of an output that the program does not give. A block of rank zero has no pivot to watch.
+std::string missing_value(Array array) {
+  if (array == Array::driven_acceleration) return "";
+  return array == Array::pivot || array == Array::inertia ? "1.0" : "0.0";
+}
+
+/// Adds where an array lives in the struct of an argument, by coordinates or by number.
+void add_array(Places& places, const std::string& argument, Array array, const EmitContext& context) {
+  const std::string name = array == Array::tau ? "tau" : argument + "." + name_of(array);
+  if (share_of({}, array)) {
+    for (std::size_t b = 0; b < context.layout.blocks.size(); ++b) {
+      const ArrayShare share = *share_of(context.layout.blocks[b], array);
+      places[of_block(array, b)] = {argument, indexed(name, share.size, share.first), {}, "0.0", name, share.first};
+    }
+    return;
+  }
+  GroupPlace& place = places[array] = {argument, {}, {}, missing_value(array), name, 0};
+  if (!is_by_coordinate(array)) {
+    const bool is_derived = array == Array::derived;
+    place.texts = indexed(name, is_derived ? derived_constant_count(context.programs) : size_of(context.layout, array));
+    return;
+  }
+  place.texts = around(name + "[Coordinate::", context.names.coordinates, "]");
+  if (argument != "result") place.locals = around(std::string(name_of(array)) + "_", context.names.coordinates);
+}
+
+/// The arguments of a program that takes an array, beside parameters, inputs and state.
+constexpr std::tuple<Array, const char*, const char*> kArguments[] = {
+    {Array::tau, "tau", "const double* tau"},
+    {Array::zdd, "derivative", "const Derivative& derivative"},
+    {Array::lambda, "multipliers", "const Multipliers& multipliers"},
+    {Array::Rz, "projection", "const Projection& projection"}};
+
+/// A program as its text names it.
+struct ShapeRow {
+  Role role;
+  const char *function, *result, *title;
+};
+
+/// In the order of the file.
+constexpr ShapeRow kShapes[] = {
+    {Role::derived_constants, "derived_constants", "Tuned", "Constants that follow from tunable parameters."},
+    {Role::accelerations, "accelerations", "Accelerations",
+     "All accelerations with the frozen partition of the loop blocks."},
+    {Role::closure, "closure", "Closure", "One Newton step of the frozen partition, and consistent velocities."},
+    {Role::multipliers, "multipliers", "ConstraintForces",
+     "Multipliers of the closures and generalised driving forces, at given accelerations."},
+    {Role::closure_terms, "closure_terms", "ClosureTerms",
+     "Closure equations and their derivatives, for the pivoting factorisation."},
+    {Role::accelerations_chosen, "chosen_accelerations", "ChosenAccelerations",
+     "All accelerations with a partition chosen at run time."},
+    {Role::outputs, "outputs", "Outputs", "Outputs, energies and power, at given accelerations."}};
+
+/// Whether a solver has the program: those of closures are left out when there is nothing to close.
+bool is_written(Role role, const EmitContext& context) {
+  const SolverLayout& layout = context.layout;
+  if (role == Role::derived_constants) return derived_constant_count(context.programs) > 0;
+  if (role == Role::closure || role == Role::multipliers) return layout.has_closure;
+  if (role == Role::closure_terms) return !layout.blocks.empty();
+  return role != Role::accelerations_chosen || (!layout.blocks.empty() && layout.chooses_again);
+}
+
+ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
+  const ProgramSpec& spec = program_specs()[static_cast<std::size_t>(row.role)];
+  ProgramShape shape;
+  shape.title = row.title;
+  shape.function = std::string("compute_") + row.function;
+  shape.result = row.result;
+  shape.titles = context.titles;
+  shape.inputs = input_places(context);
+  shape.arguments = {
+      {"parameters", "const Tuned& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
+  if (row.role == Role::derived_constants) {
+    shape.arguments = {{"parameters", "const Parameters& parameters"}};
+    shape.inputs.erase(Array::derived);
+  }
+  for (const auto& [array, name, declaration] : kArguments)
+    if (std::ranges::count(spec.inputs, array) > 0 &&
+        (array != Array::lambda || outputs_take_multipliers(context.programs)))
+      shape.arguments.emplace_back(name, declaration);
+  if (row.role == Role::outputs) {
+    shape.outputs = {{Array::y, {"result", around("result.", context.names.outputs)}},
+                     {Array::energy, {"result", {"result.kinetic_energy", "result.potential_energy"}}},
+                     {Array::power, {"result", {"result.applied_power"}}}};
+    return shape;
+  }
+  for (const Array array : spec.outputs) {
+    if (array == (context.layout.chooses_again ? Array::rate : Array::Jz)) continue;
+    for (const auto& [member, comment] : kMembers)
+      if (member == array) shape.members.push_back({name_of(array), size_of(context.layout, array), comment});
+    add_array(shape.outputs, "result", array, context);
+  }
+  return shape;
+}
+
+/// The shape with floats in place of doubles. The time stays one, and is narrowed where a program looks at it.
+void take_floats(ProgramShape& shape) {
+  shape.scalar = "float";
+  for (auto& [name, declaration] : shape.arguments) {
+    if (name == "tau") declaration = "const float* tau";
+  }
+  shape.inputs[Array::t].texts = {"static_cast<float>(state.t)"};
+  for (auto& [group, place] : shape.outputs) {
+    if (!place.missing.empty()) place.missing += "f";
+  }
+}
+
+/// The programs whose time counts, unless they are so short that registers and cache hold most of them. All others, and
+/// the matrix form, keep the order of the steps of the method: a person reads them from top to bottom.
+ValueOrder order_of(Form form, const ShapedProgram& shaped) {
+  const bool runs_in_every_step = shaped.role == Role::accelerations || shaped.role == Role::closure;
+  const bool is_long = shaped.program->nodes.size() > kLargestPart;
+  return form == Form::recursive && runs_in_every_step && is_long ? ValueOrder::fewest_alive : ValueOrder::by_section;
+}
+
+}  // namespace
+
+Places input_places(const EmitContext& context) {
+  Places places;
+  for (const Array array : {Array::z, Array::zd, Array::x}) add_array(places, "state", array, context);
+  for (const Array array : {Array::lambda, Array::drive}) add_array(places, "multipliers", array, context);
+  for (const Array array : {Array::Rz, Array::zdd_star}) add_array(places, "projection", array, context);
+  add_array(places, "tau", Array::tau, context);
+  add_array(places, "derivative", Array::zdd, context);
+  add_array(places, "parameters", Array::derived, context);
+  places[Array::derived].locals = derived_constant_names(context.programs);
+  places[Array::derived].local_tells_more = true;
+  places[Array::t] = {"state", {"state.t"}};
+  places[Array::in] = {"inputs", around("inputs.", context.names.inputs)};
+  places[Array::par] = {"parameters", around("parameters.", context.names.parameters)};
+  return places;
+}
+
+std::string constant_text(const Program& program, const Node& node, const ProgramShape& shape) {
+  if (node.label >= 0 && shape.constants != nullptr) return shape.constants->text(program, node);
+  return number_text(node.constant, shape.scalar);
+}
+
+int derived_constant_count(const Programs& programs) {
+  return static_cast<int>(programs.derived_constants.outputs.size());
+}
+
+std::vector<std::string> derived_constant_names(const Programs& programs) {
+  const Program& program = programs.derived_constants;
+  std::vector<std::string> names(program.outputs.size()), taken;
+  for (const OutputValue& output : program.outputs) {
+    const Node& node = program.nodes[output.value];
+    if (node.op != Op::constant && node.label >= 0)
+      names[static_cast<std::size_t>(output.slot.index)] = identifier(program.labels[node.label], taken);
+  }
+  return names;
+}
+
+ScheduleOptions schedule_options(const ProgramShape& shape, std::size_t roll_above) {
+  ScheduleOptions options{shape.clock.empty() ? Division::cheapest : Division::by_section, shape.order, roll_above};
+  for (const Places* places : {&shape.inputs, &shape.outputs})
+    for (const auto& [group, place] : *places)
+      if (!place.array.empty()) options.indexed.insert(group);
+  return options;
+}
+
+bool is_number(const std::string& scalar) { return scalar == "double" || scalar == "float"; }
+
+std::vector<ShapedProgram> shaped_programs(const EmitContext& context) {
+  std::vector<ShapedProgram> all;
+  for (const ShapeRow& row : kShapes) {
+    if (!is_written(row.role, context)) continue;
+    ShapedProgram shaped{&program_of(context.programs, row.role), row.role, shape_of(row, context)};
+    if (context.options.scalar == "float") take_floats(shaped.shape);
+    shaped.shape.order = order_of(context.programs.form, shaped);
+    shaped.schedule = schedule(*shaped.program, schedule_options(shaped.shape, context.options.roll_above));
+    all.push_back(std::move(shaped));
+  }
+  return all;
+}
+
+ShapedProgram clocked_accelerations(const EmitContext& context) {
+  const Program& program = context.programs.accelerations;
+  ProgramShape shape = shape_of(*std::ranges::find(kShapes, Role::accelerations, &ShapeRow::role), context);
+  shape.title = "All accelerations, step by step against the clock.";
+  shape.function = "compute_clocked_accelerations";
+  shape.result = "ClockedAccelerations";
+  shape.clock = "clock";
+  shape.arguments.push_back({"clock", "mbgen::StepClock& clock"});
+  return {&program, Role::accelerations, shape, schedule(program, schedule_options(shape, kRollAbove))};
+}
+
+bool outputs_take_multipliers(const Programs& programs) {
+  return std::any_of(programs.outputs.inputs.begin(), programs.outputs.inputs.end(),
+                     [](const Slot& slot) { return slot.group == Array::lambda || slot.group == Array::drive; });
+}
+
+}  // namespace mbgen

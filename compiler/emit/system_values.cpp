@@ -1,0 +1,128 @@
+#include "compiler/emit/system_values.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "compiler/emit/mapped.hpp"
+#include "compiler/emit/text.hpp"
+
+namespace mbgen {
+namespace {
+
+using Items = std::vector<std::string>;
+
+/// A static table of System.
+std::string table(const std::string& type, const std::string& name, Items items, const std::string& filler = "0") {
+  return array_text("  static constexpr " + type + " " + name, std::move(items), filler);
+}
+
+template <class Number>
+Items items_of(const std::vector<Number>& numbers) {
+  return mapped(numbers, [](Number number) { return std::to_string(static_cast<int>(number)); });
+}
+
+std::string braces(const std::vector<int>& numbers) { return fmt::format("{{{}}}", fmt::join(numbers, ", ")); }
+
+/// Block and place of every free direction: the q-th direction of its block.
+Items free_direction_items(const EmitContext& context) {
+  std::vector<int> directions_of(context.layout.blocks.size(), 0);
+  Items items;
+  for (const int coordinate : free_coordinates(context.topology, context.analysis)) {
+    const int block = context.topology.groups[context.topology.group_of[coordinate]].block;
+    items.push_back(braces({coordinate, block, block < 0 ? 0 : directions_of[block]++}));
+  }
+  return items;
+}
+
+/// Place of each equation, block after block, in the order of Topology::loops.
+std::vector<int> multiplier_places(const Topology& topology) {
+  std::vector<int> first, places;
+  int next = 0;
+  for (const Loop& loop : topology.loops) {
+    first.push_back(next);
+    next += loop.equations;
+  }
+  for (const LoopBlock& block : topology.blocks) {
+    for (const int loop : block.loops) {
+      for (int e = 0; e < topology.loops[loop].equations; ++e) places.push_back(first[loop] + e);
+    }
+  }
+  return places;
+}
+
+std::vector<int> drive_coordinates(const EmitContext& context) {
+  return mapped(context.model.motions,
+                [&](const Motion& motion) { return tree_coordinate(context.topology, motion.joint); });
+}
+
+/// Where each parameter or input is in its struct, to name one that is not finite.
+std::string member_table(const std::string& scalar, const std::string& structure, const std::string& name,
+                         const Items& members) {
+  return table(scalar, structure + "::*" + name, member_places(structure, members), "nullptr");
+}
+
+/// Sum of all parameters and inputs: not finite when one of them is not.
+std::string argument_sum(const SolverNames& names, const std::string& scalar) {
+  Items terms;
+  for (const std::string& name : names.parameters) terms.push_back("parameters." + name);
+  for (const std::string& name : names.inputs) terms.push_back("inputs." + name);
+  if (terms.empty()) terms.push_back(is_number(scalar) ? number_text(0, scalar) : scalar + "{}");
+  return wrapped_statement("    return " + joined(terms, " + ") + ";");
+}
+
+}  // namespace
+
+FrameValues system_member(const ShapedProgram& shaped, const std::string& type, const std::string& scope) {
+  const std::string& function = shaped.shape.function;
+  const bool is_called = shaped.role != Role::outputs && shaped.role != Role::derived_constants;
+  return {{"result", shaped.shape.members.empty() ? "" : shaped.shape.result},
+          {"type", type},
+          {"name", function.substr(std::string_view("compute_").size())},
+          {"function", is_called ? scope + function : ""}};
+}
+
+FrameValues system_values(const EmitContext& context, const FrameRows& members, const std::string& scalar) {
+  const SolverLayout& layout = context.layout;
+  const SolverNames& names = context.names;
+  Items blocks;
+  std::vector<int> coordinates;
+  std::vector<bool> block_driven, redundant(layout.equations, false);
+  for (std::size_t b = 0; b < layout.blocks.size(); ++b) {
+    const BlockPlaces& p = layout.blocks[b];
+    blocks.push_back(fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}}}", p.equations, p.coordinates, p.rank, p.free,
+                                 p.first_equation, p.first_coordinate, p.first_jacobian, p.first_projection,
+                                 number_text(context.analysis.blocks[b].typical_pivot)));
+    for (const int joint : context.topology.blocks[b].joints) {
+      coordinates.push_back(joint);
+      block_driven.push_back(context.analysis.driven[joint]);
+    }
+    for (const int e : context.analysis.blocks[b].redundant_equations) redundant[p.first_equation + e] = true;
+  }
+  // What only closures or loops ask for is left out without them, so that nothing is unused; lanes leave the choice of
+  // coordinates at run time to the solver of one instance.
+  return {{"blocks", blocks.size()},
+          {"free_directions", layout.free_directions},
+          {"number", context.options.scalar},
+          {"tolerance", number_text(context.model.solver.closure_tolerance, context.options.scalar)},
+          {"alone", is_number(scalar)},
+          {"frozen_only", !layout.chooses_again},
+          {"block_coordinates", blocks.empty() ? "" : std::to_string(layout.block_coordinates)},
+          {"free_direction_table",
+           table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}")},
+          {"parameter_members", member_table(scalar, "Parameters", "kParameterMember", names.parameters)},
+          {"input_members", member_table(scalar, "Inputs", "kInputMember", names.inputs)},
+          {"driven", table("unsigned char", "kDriven", items_of(context.analysis.driven))},
+          {"redundant", table("unsigned char", "kRedundant", items_of(redundant))},
+          {"drive_coordinate", table("int", "kDriveCoordinate", items_of(drive_coordinates(context)))},
+          {"block_layout", table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0, 0.0}")},
+          {"block_coordinate", table("int", "kBlockCoordinate", items_of(coordinates))},
+          {"block_driven", table("unsigned char", "kBlockDriven", items_of(block_driven))},
+          {"multiplier_place", table("int", "kMultiplierPlace", items_of(multiplier_places(context.topology)))},
+          {"members", members},
+          {"scalar", scalar},
+          {"parameters_argument", names.parameters.empty() ? "/*parameters*/" : "parameters"},
+          {"inputs_argument", names.inputs.empty() ? "/*inputs*/" : "inputs"},
+          {"sum", argument_sum(names, scalar)}};
+}
+
+}  // namespace mbgen

@@ -1,0 +1,74 @@
+#pragma once
+// The emitted files: a function each.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "compiler/emit/shapes.hpp"
+
+namespace mbgen {
+
+struct FmuLayout;
+
+/// `<model>.hpp`: the interface, which people read first.
+std::string interface_text(const EmitContext& context);
+
+/// `<model>.cpp`. for_importers: with the functions that an FMU asks for besides.
+EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, bool for_importers);
+
+/// The legend below its banner: tree, loops and names, for whoever reads the file beside the equations.
+std::string legend_text(const EmitContext& context);
+
+/// The manifest: sizes, names, loop blocks, operation counts of every section of every program, worst case.
+nlohmann::ordered_json manifest_json(const EmitContext& context, const std::vector<ShapedProgram>& programs);
+
+/// `<model>.json`.
+std::string manifest_text(const nlohmann::ordered_json& manifest);
+
+/// `<model>_batch.hpp`: many instances in lanes. Requires: context.lanes > 0, as for the next.
+std::string batch_interface_text(const EmitContext& context);
+
+/// `<model>_batch.cpp`. scalars: the solver's programs. Loops over subsystems are of numbers: here all code is
+/// straight.
+std::string batch_text(const EmitContext& context, const std::vector<ShapedProgram>& scalars);
+
+/// `<model>_c.h`, C99.
+std::string c_header_text(const EmitContext& context);
+
+/// `<model>_c.cpp`. Requires: context.initial.
+std::string c_source_text(const EmitContext& context);
+
+/// `<model>.py`: ctypes and numpy over the shared library, nothing to compile.
+std::string python_text(const EmitContext& context);
+
+/// `<model>.a2l`: parameters as characteristics; inputs, outputs and state as measurements; each with its unit and its
+/// place in a structure of the C interface. Source: ASAM MCD-2 MC (ASAP2), version 1.6.
+std::string calibration_text(const EmitContext& context);
+
+/// `<model>_a2l.h`, C99: the symbols that it links to.
+std::string calibration_header_text(const EmitContext& context);
+
+/// `<model>_directional.hpp` of an FMU: its programs differentiated along a direction.
+std::string directional_header_text(const EmitContext& context);
+
+/// `<model>_directional.cpp`. programs: after the passes, not contracted; context.programs is not looked at.
+std::string directional_source_text(const EmitContext& context, const Programs& programs);
+
+/// `modelDescription.xml`. sources: files to compile, relative to `sources/`.
+std::string model_description(const EmitContext& context, const FmuLayout& fmu, FmiVersion version,
+                              const std::vector<std::string>& sources);
+
+/// Token that an importer must give back to instantiate: of the model's content and mbgen's version.
+std::string fmu_token(const Model& model);
+
+/// `sources/buildDescription.xml`, as FMI 3 has it; importers take it from units of FMI 2, too.
+std::string build_description(const EmitContext& context, FmiVersion version, const std::vector<std::string>& sources);
+
+/// `documentation/index.html`: the model's description, its variables, bodies and joints.
+std::string documentation(const EmitContext& context, const FmuLayout& fmu, FmiVersion version);
+
+/// `terminalsAndIcons/terminalsAndIcons.xml` of FMI 3: a bus of the inputs, one of the outputs, and the icon.
+std::string terminals_and_icons(const FmuLayout& fmu);
+
+}  // namespace mbgen

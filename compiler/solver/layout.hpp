@@ -1,0 +1,48 @@
+#pragma once
+// Sizes of a solver: how many numbers each array of its programs holds, and which of them are a loop block's.
+
+#include <initializer_list>
+#include <optional>
+#include <vector>
+
+#include "compiler/analysis/analysis.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/program/program.hpp"
+#include "compiler/topology/topology.hpp"
+
+namespace mbgen {
+
+/// Sizes and places of one loop block in the flat arrays of the solver; see BlockLayout of mbgen/solver.hpp.
+struct BlockPlaces {
+  int equations = 0, coordinates = 0, rank = 0, free = 0;
+  int first_equation = 0, first_coordinate = 0, first_jacobian = 0, first_projection = 0;
+};
+
+struct SolverLayout {
+  int coordinates = 0, auxiliary_states = 0, equations = 0, drives = 0;
+  int inputs = 0, parameters = 0, outputs = 0;  ///< of the model; the tunable parameters only
+  int free_directions = 0;
+  int block_coordinates = 0, jacobian_entries = 0, projection_entries = 0;
+  bool has_closure = false;   ///< loops or motions
+  bool chooses_again = true;  ///< another partition at run time; see analysis.hpp
+  std::vector<BlockPlaces> blocks;
+};
+
+SolverLayout solver_layout(const Model& model, const Topology& topology, const Analysis& analysis);
+
+/// Size of an array that its spec names, over all loop blocks where each has its share. Requires: neither `derived` nor
+/// `seed`, which programs decide.
+int size_of(const SolverLayout& layout, Array array);
+
+/// The first number and how many.
+struct ArrayShare {
+  int first = 0, size = 0;
+};
+
+/// The share of a loop block in a flat array; none of an array that has no shares.
+std::optional<ArrayShare> share_of(const BlockPlaces& block, Array array);
+
+/// A direction that holds these arrays one after another.
+std::vector<DirectionGroup> direction_of(const SolverLayout& layout, std::initializer_list<Array> arrays);
+
+}  // namespace mbgen

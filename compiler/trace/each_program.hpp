@@ -1,0 +1,41 @@
+#pragma once
+// The programs of a solver one by one, each in the frames and by the rows of a form. Inside the trace room, and for
+// whoever counts what a choice costs.
+
+#include "compiler/analysis/analysis.hpp"
+#include "compiler/formulation/recursion_units.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/solver/programs.hpp"
+#include "compiler/topology/topology.hpp"
+
+namespace mbgen {
+
+/// The nine steps of the paper. role: accelerations, or accelerations_chosen with the projections of the loop blocks as
+/// inputs.
+Program trace_matrix_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Role role);
+
+/// The same by recursion.
+Program trace_recursive_accelerations(const Model& model, const Topology& topology, const Analysis& analysis,
+                                      Role role = Role::accelerations, RecursionChoices choices = {});
+
+/// The frozen program with the reference points of the blocks' bodies that take fewer operations, and these choices.
+struct CheapestRecursion {
+  Program program;
+  RecursionChoices choices;
+};
+CheapestRecursion cheapest_recursion(const Model& model, const Topology& topology, const Analysis& analysis);
+
+/// Newton correction of positions and consistent velocities by the frozen factors (60), (61).
+Program trace_closure(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
+
+/// Residuals, Jacobian and acceleration right-hand side of every block.
+Program trace_closure_terms(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
+
+/// Multipliers and driving forces in the frozen order (theory.md section 4).
+Program trace_multipliers(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
+
+/// Outputs of the model and its energies. Multipliers come from outside, so that they are right where the frozen
+/// partition is not; without loops there are none, and the driving forces are what is missing.
+Program trace_outputs(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
+
+}  // namespace mbgen
