@@ -9,7 +9,6 @@
 
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/emit/emit.hpp"
-#include "compiler/emit/fmu.hpp"
 #include "compiler/linearisation/linearisation.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/solver/programs.hpp"

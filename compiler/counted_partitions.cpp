@@ -8,7 +8,7 @@
 #include "compiler/analysis/block_structure.hpp"
 #include "compiler/analysis/sampling.hpp"
 #include "compiler/passes/passes.hpp"
-#include "compiler/trace/trace.hpp"
+#include "compiler/trace/each_program.hpp"
 
 namespace mbgen {
 namespace {

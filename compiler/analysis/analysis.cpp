@@ -14,6 +14,7 @@
 #include "compiler/analysis/quasi_partition.hpp"
 #include "compiler/analysis/redundant_residuals.hpp"
 #include "compiler/analysis/sampling.hpp"
+#include "compiler/model/box.hpp"
 
 namespace mbgen {
 namespace {
@@ -177,22 +178,14 @@ void complete_certificates(NumericSystem& numbers, const std::vector<Configurati
 
 /// Diagonal of the box around all joints and centres of mass at the reference, m.
 double extent_of(const Model& model) {
-  Vector3 low{}, high{};
-  bool is_first = true;
-  const auto add = [&](const Vector3& at) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = is_first ? at[i] : std::min(low[i], at[i]);
-      high[i] = is_first ? at[i] : std::max(high[i], at[i]);
-    }
-    is_first = false;
-  };
-  for (const Joint& joint : model.joints) add(reference_position(model, joint.to));
+  Box box;
+  for (const Joint& joint : model.joints) box.add(reference_position(model, joint.to));
   for (const Body& body : model.bodies) {
     Vector3 at = body.pose.origin;
     for (std::size_t i = 0; i < 9; ++i) at[i / 3] += body.pose.rotation[i] * body.com[i % 3].value;
-    if (body.mass.value > 0) add(at);
+    if (body.mass.value > 0) box.add(at);
   }
-  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  return box.diagonal();
 }
 
 /// Per tree joint: inertia, from rounding alone, of a motion of all its bodies that has none.

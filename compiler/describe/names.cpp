@@ -1,7 +1,5 @@
 #include "compiler/describe/names.hpp"
 
-#include <numeric>
-
 namespace mbgen {
 
 const char* name_of(SolverSettings::Integrator integrator) {
@@ -10,29 +8,6 @@ const char* name_of(SolverSettings::Integrator integrator) {
 
 const char* name_of(Stabilisation stabilisation) {
   return stabilisation == Stabilisation::projection ? "projection" : "baumgarte";
-}
-
-std::string body_name(const Topology& topology, int body) {
-  return body == kGround ? "ground" : topology.bodies[body].name;
-}
-
-std::vector<std::string> coordinate_names(const Topology& topology, const std::vector<int>& joints) {
-  std::vector<std::string> names;
-  for (const int joint : joints) names.push_back(topology.bodies[joint].coordinate);
-  return names;
-}
-
-std::vector<std::string> coordinate_names(const Topology& topology) {
-  std::vector<int> all(static_cast<std::size_t>(topology.size()));
-  std::iota(all.begin(), all.end(), 0);
-  return coordinate_names(topology, all);
-}
-
-std::vector<std::string> local_names(const Topology& topology, const LoopBlock& block,
-                                     const std::vector<int>& columns) {
-  std::vector<std::string> names;
-  for (const int column : columns) names.push_back(topology.bodies[block.joints[column]].coordinate);
-  return names;
 }
 
 }  // namespace mbgen

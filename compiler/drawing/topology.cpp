@@ -9,6 +9,7 @@
 
 #include "compiler/drawing/drawing.hpp"
 #include "compiler/drawing/svg.hpp"
+#include "compiler/topology/names.hpp"
 
 namespace mbgen {
 namespace {
@@ -291,7 +292,7 @@ std::string legend(Sheet& sheet) {
     y += kLegendLine;
     const LoopBlock& block = sheet.topology.blocks[b];
     const BlockAnalysis& decided = sheet.analysis.blocks[b];
-    const char* base = block.base == kGround ? "ground" : sheet.topology.bodies[block.base].name.c_str();
+    const std::string base = body_name(sheet.topology, block.base);
     text += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"20\" height=\"12\" fill=\"{}\" stroke=\"{}\"/>\n",
                         svg::number(kMargin), svg::number(y - 6), colours_of(static_cast<int>(b)).ground,
                         colours_of(static_cast<int>(b)).line);

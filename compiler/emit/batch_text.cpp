@@ -1,9 +1,7 @@
 // The batch interface: the solver's programs once more, on vectors.
 
 #include "compiler/emit/context_values.hpp"
-#include "compiler/emit/input_text.hpp"
 #include "compiler/emit/mapped.hpp"
-#include "compiler/emit/program_text.hpp"
 #include "compiler/emit/system_values.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
@@ -69,8 +67,7 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
                         {"outputs", name_rows(names_of(output_members(context)))},
                         {"constants", constants.declarations("double")},
                         {"programs", programs},
-                        {"projection", false},
-                        {"later_inputs", later_inputs(context.model, context.names, "double")}};
+                        {"projection", false}};
   values.merge(tuned_values(context.programs, false));
   values.merge(system_values(context, members, "Lanes"));
   return fill_template(context, "batch.cpp.in", values);

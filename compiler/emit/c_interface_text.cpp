@@ -5,6 +5,7 @@
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
 #include "compiler/model/inputs.hpp"
+#include "compiler/topology/names.hpp"
 #include "mbgen/status.hpp"
 
 namespace mbgen {
@@ -82,7 +83,7 @@ std::string python_text(const EmitContext& context) {
                         {"parameters", member_rows(parameter_members(context))},
                         {"inputs", member_rows(input_members(context))},
                         {"outputs", member_rows(output_members(context))},
-                        {"coordinate_names", python_list(mapped(context.topology.bodies, &TreeBody::coordinate))}});
+                        {"coordinate_names", python_list(coordinate_names(context.topology))}});
 }
 
 }  // namespace mbgen

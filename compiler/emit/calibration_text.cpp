@@ -36,11 +36,11 @@ struct CalibrationNumber {
   CalibrationType type;
 };
 
-using CalibrationNumbers = std::vector<CalibrationNumber>;
-
-/// The numbers of a file, by the structure that holds them.
-struct CalibrationNumberSets {
-  CalibrationNumbers parameters, inputs, outputs, state;
+/// A structure with its numbers, and the kinds of the lists that name them.
+struct CalibrationStructure {
+  std::string name;  ///< "parameters"
+  const char *content, *in_group, *in_function;
+  std::vector<CalibrationNumber> numbers = {};
 };
 
 /// What every name of the file begins with.
@@ -62,75 +62,79 @@ std::string a2l_string(const std::string& text) {
   return quoted + "\"";
 }
 
-/// Adds the next number of a structure. group: part of the name between the solver's and the number's.
-void add_number(const EmitContext& context, const std::string& structure, const std::string& group,
-                const std::string& name, const std::string& text, const std::string& unit, CalibrationNumbers& numbers,
-                int place) {
-  numbers.push_back({prefix_of(context) + "." + group + name, text, unit, context.names.solver + "_a2l_" + structure,
-                     type_of(context.options.scalar).bytes * place, type_of(context.options.scalar)});
+/// Adds a number to a structure. path: its name behind the solver's; place: among numbers of its size.
+void add_number(const EmitContext& context, const std::string& path, const std::string& text, const std::string& unit,
+                int place, CalibrationStructure& structure) {
+  const CalibrationType type = type_of(context.options.scalar);
+  structure.numbers.push_back({prefix_of(context) + "." + path, text, unit,
+                               context.names.solver + "_a2l_" + structure.name, type.bytes * place, type});
 }
 
-/// Members of a structure of named numbers; texts: what the model calls them, for those that it names.
-CalibrationNumbers members_of(const EmitContext& context, const std::string& structure,
-                              const std::vector<NumberMember>& members, const std::vector<std::string>& texts) {
-  CalibrationNumbers numbers;
+/// Adds named numbers; texts: what the model calls them, for those that it names.
+void add_members(const EmitContext& context, const std::vector<NumberMember>& members,
+                 const std::vector<std::string>& texts, CalibrationStructure& structure) {
   for (std::size_t i = 0; i < members.size(); ++i) {
+    const auto& [name, value, unit] = members[i];
     const bool is_of_model = i < texts.size();
     // Units of the energies go on in words.
-    const std::string unit = is_of_model ? members[i].unit : members[i].unit.substr(0, members[i].unit.find(','));
-    add_number(context, structure, structure + ".", members[i].name, is_of_model ? texts[i] : members[i].name, unit,
-               numbers, static_cast<int>(i));
+    add_number(context, structure.name + "." + name, is_of_model ? texts[i] : name,
+               is_of_model ? unit : unit.substr(0, unit.find(',')), static_cast<int>(i), structure);
   }
-  return numbers;
 }
 
-CalibrationNumbers state_numbers(const EmitContext& context) {
-  const Topology& topology = context.topology;
+void add_state(const EmitContext& context, CalibrationStructure& structure) {
   const int coordinates = std::max(context.layout.coordinates, 1);
   const int auxiliary = std::max(context.layout.auxiliary_states, 1);
-  CalibrationNumbers numbers;
   for (const bool is_rate : {false, true}) {
-    for (std::size_t i = 0; i < topology.bodies.size(); ++i) {
-      const std::string unit = unit_of(topology.bodies[i].kind);
-      add_number(context, "state", is_rate ? "zd." : "z.", context.names.coordinates[i],
-                 (is_rate ? "velocity of " : "") + topology.bodies[i].coordinate, is_rate ? unit + "/s" : unit, numbers,
-                 static_cast<int>(i) + (is_rate ? coordinates : 0));
+    for (int i = 0; const TreeBody& body : context.topology.bodies) {
+      add_number(context, (is_rate ? "zd." : "z.") + context.names.coordinates[i],
+                 (is_rate ? "velocity of " : "") + body.coordinate,
+                 unit_of(body.kind) + std::string(is_rate ? "/s" : ""), i + (is_rate ? coordinates : 0), structure);
+      ++i;
     }
   }
-  std::vector<std::string> taken;
-  const std::vector<std::string> names = auxiliary_state_names(context.model);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    add_number(context, "state", "x.", identifier(names[i], taken), names[i], "m", numbers,
-               2 * coordinates + static_cast<int>(i));
-  }
-  add_number(context, "state", "", "t", "time", "s", numbers, 2 * coordinates + auxiliary);
-  CalibrationNumber& time = numbers.back();
+  UniqueNames unique;
+  for (int place = 2 * coordinates; const std::string& name : auxiliary_state_names(context.model))
+    add_number(context, "x." + unique.identifier(name), name, "m", place++, structure);
+  add_number(context, "t", "time", "s", 2 * coordinates + auxiliary, structure);
+  CalibrationNumber& time = structure.numbers.back();
   time.type = type_of("double");
   time.offset = (time.offset + kTimeBytes - 1) / kTimeBytes * kTimeBytes;  // as compilers align it
-  return numbers;
 }
 
-CalibrationNumberSets numbers_of(const EmitContext& context) {
+/// The structures that hold numbers.
+std::vector<CalibrationStructure> structures_of(const EmitContext& context) {
   const Model& model = context.model;
-  return {members_of(context, "parameters", parameter_members(context), names_of(tunable_parameters(model))),
-          members_of(context, "inputs", input_members(context), names_of(model.inputs)),
-          members_of(context, "outputs", output_members(context), names_of(model.outputs)), state_numbers(context)};
+  CalibrationStructure parameters{"parameters", "tunable parameters", "REF_CHARACTERISTIC", "DEF_CHARACTERISTIC"};
+  CalibrationStructure inputs{"inputs", "inputs", "REF_MEASUREMENT", "IN_MEASUREMENT"};
+  CalibrationStructure outputs{"outputs", "outputs", "REF_MEASUREMENT", "OUT_MEASUREMENT"};
+  CalibrationStructure state{"state", "coordinates, velocities, auxiliary states, time", "REF_MEASUREMENT",
+                             "LOC_MEASUREMENT"};
+  add_members(context, parameter_members(context), names_of(tunable_parameters(model)), parameters);
+  add_members(context, input_members(context), names_of(model.inputs), inputs);
+  add_members(context, output_members(context), names_of(model.outputs), outputs);
+  add_state(context, state);
+  std::vector<CalibrationStructure> all = {parameters, inputs, outputs, state};
+  std::erase_if(all, [](const CalibrationStructure& structure) { return structure.numbers.empty(); });
+  return all;
 }
+
+using Methods = std::map<std::string, std::string>;
 
 /// Name of the conversion of each unit.
-std::map<std::string, std::string> methods_of(const EmitContext& context, const CalibrationNumberSets& sets) {
-  std::map<std::string, std::string> methods = {{"", "NO_COMPU_METHOD"}};
-  std::vector<std::string> taken;
-  for (const CalibrationNumbers* numbers : {&sets.parameters, &sets.inputs, &sets.outputs, &sets.state}) {
-    for (const CalibrationNumber& number : *numbers) {
-      if (methods.count(number.unit)) continue;
-      methods[number.unit] = prefix_of(context) + ".unit." + identifier(number.unit.substr(0, kLongestPart), taken);
+Methods methods_of(const EmitContext& context, const std::vector<CalibrationStructure>& structures) {
+  Methods methods = {{"", "NO_COMPU_METHOD"}};
+  UniqueNames unique;
+  for (const CalibrationStructure& structure : structures) {
+    for (const CalibrationNumber& number : structure.numbers) {
+      if (methods.contains(number.unit)) continue;
+      methods[number.unit] = prefix_of(context) + ".unit." + unique.identifier(number.unit.substr(0, kLongestPart));
     }
   }
   return methods;
 }
 
-FrameRows method_rows(const std::map<std::string, std::string>& methods) {
+FrameRows method_rows(const Methods& methods) {
   FrameRows rows;
   for (const auto& [unit, name] : methods) {
     if (!unit.empty()) rows.push_back({{"name", name}, {"unit", a2l_string(unit)}});
@@ -138,7 +142,7 @@ FrameRows method_rows(const std::map<std::string, std::string>& methods) {
   return rows;
 }
 
-FrameRows number_rows(const CalibrationNumbers& numbers, const std::map<std::string, std::string>& methods) {
+FrameRows number_rows(const std::vector<CalibrationNumber>& numbers, const Methods& methods) {
   return mapped(numbers, [&](const CalibrationNumber& number) {
     return FrameValues{{"name", number.name},
                        {"text", a2l_string(number.text)},
@@ -150,24 +154,15 @@ FrameRows number_rows(const CalibrationNumbers& numbers, const std::map<std::str
   });
 }
 
-/// The structures that hold numbers. in_group, in_function: kinds of the lists of their names.
-FrameRows structure_rows(const CalibrationNumberSets& sets, const std::map<std::string, std::string>& methods) {
-  FrameRows rows;
-  const auto add = [&](const char* name, const char* content, const char* in_group, const char* in_function,
-                       const CalibrationNumbers& numbers) {
-    if (numbers.empty()) return;
-    rows.push_back({{"structure", name},
-                    {"content", content},
-                    {"in_group", in_group},
-                    {"in_function", in_function},
-                    {"are_characteristics", &numbers == &sets.parameters},
-                    {"numbers", number_rows(numbers, methods)}});
-  };
-  add("parameters", "tunable parameters", "REF_CHARACTERISTIC", "DEF_CHARACTERISTIC", sets.parameters);
-  add("inputs", "inputs", "REF_MEASUREMENT", "IN_MEASUREMENT", sets.inputs);
-  add("outputs", "outputs", "REF_MEASUREMENT", "OUT_MEASUREMENT", sets.outputs);
-  add("state", "coordinates, velocities, auxiliary states, time", "REF_MEASUREMENT", "LOC_MEASUREMENT", sets.state);
-  return rows;
+FrameRows structure_rows(const std::vector<CalibrationStructure>& structures, const Methods& methods) {
+  return mapped(structures, [&](const CalibrationStructure& structure) {
+    return FrameValues{{"structure", structure.name},
+                       {"content", structure.content},
+                       {"in_group", structure.in_group},
+                       {"in_function", structure.in_function},
+                       {"are_characteristics", structure.name == "parameters"},
+                       {"numbers", number_rows(structure.numbers, methods)}};
+  });
 }
 
 bool is_ascii(const std::string& text) {
@@ -177,8 +172,8 @@ bool is_ascii(const std::string& text) {
 }  // namespace
 
 std::string calibration_text(const EmitContext& context) {
-  const CalibrationNumberSets sets = numbers_of(context);
-  const std::map<std::string, std::string> methods = methods_of(context, sets);
+  const std::vector<CalibrationStructure> structures = structures_of(context);
+  const Methods methods = methods_of(context, structures);
   const std::string text = fill_template(context, "calibration.a2l.in",
                                          {{"banner", c_banner_text(context.model)},
                                           {"prefix", prefix_of(context)},
@@ -188,7 +183,7 @@ std::string calibration_text(const EmitContext& context) {
                                           {"number_kind", context.options.scalar == "float" ? "Floats" : "Doubles"},
                                           {"number_type", type_of(context.options.scalar).name},
                                           {"methods", method_rows(methods)},
-                                          {"structures", structure_rows(sets, methods)}});
+                                          {"structures", structure_rows(structures, methods)}});
   return is_ascii(text) ? text : kByteOrderMark + text;
 }
 

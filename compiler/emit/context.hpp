@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "compiler/emit/files.hpp"
 #include "compiler/emit/names.hpp"
-#include "compiler/emit/options.hpp"
 #include "compiler/solver/layout.hpp"
 #include "compiler/solver/programs.hpp"
 #include "compiler/solver/titles.hpp"

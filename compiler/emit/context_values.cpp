@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
@@ -81,8 +79,8 @@ std::string c_comment_text(const std::string& text) { return apart(comment_text(
 
 std::string guard_of(const std::string& solver) {
   std::string guard = solver + "_";
-  std::transform(guard.begin(), guard.end(), guard.begin(),
-                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  for (char& c : guard)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
   return guard;
 }
 
@@ -131,10 +129,8 @@ FrameValues tuned_values(const Programs& programs, bool constructs) {
   }
   const std::string comment = fmt::format(
       "Tunable parameters with the {} constants that follow from them. Functions take plain Parameters as well, and "
-      "then "
-      "work these out each time: keep one of these, and assign Parameters to it where they change, at the boundary of "
-      "a "
-      "step.{}{}",
+      "then work these out each time: keep one of these, and assign Parameters to it where they change, at the "
+      "boundary of a step.{}{}",
       count, named, named.empty() ? "" : ".");
   return {{"constructs", constructs}, {"tuned_comment", wrapped_words(comment, "/// ")}};
 }

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "compiler/emit/mapped.hpp"
 #include "mbgen/worst_case.hpp"
 
 namespace mbgen {
@@ -11,8 +12,8 @@ namespace {
 
 using CostJson = nlohmann::ordered_json;
 
-constexpr int kTitleWidth = 70;
-constexpr int kBoundWidth = 30;
+constexpr int kTitleWidth = 70, kKindCell = 8;
+constexpr int kBoundWidth = 30, kBoundCell = 15;
 constexpr const char* kKinds[] = {"add", "multiply", "divide", "sqrt", "trigonometric", "other", "total"};
 constexpr const char* kKindTitles[] = {"+ -", "*", "/", "sqrt", "trig", "other", "+ - * /"};
 constexpr const char* kCalls[] = {"accelerations", "closures", "factorisations", "operations"};
@@ -56,27 +57,29 @@ CostJson calls_json(const EmitContext& context, const CostJson& programs) {
   return calls;
 }
 
-std::string operation_row(const std::string& title, const CostJson& count) {
-  std::string row = fmt::format("  {:<{}}", title, kTitleWidth);
-  for (const char* kind : kKinds) row += fmt::format("{:>8}", count[kind].get<long>());
-  return row + "\n";
+/// A line of a table: a title and cells of one width.
+template <class Cells>
+std::string row(const std::string& title, int title_width, const Cells& cells, int cell_width) {
+  std::string text = fmt::format("  {:<{}}", title, title_width);
+  for (const auto& cell : cells) text += fmt::format("{:>{}}", cell, cell_width);
+  return text + "\n";
+}
+
+/// The numbers of these keys.
+template <std::size_t count>
+std::vector<long> numbers_at(const CostJson& json, const char* const (&keys)[count]) {
+  return mapped(keys, [&](const char* key) { return json[key].get<long>(); });
 }
 
 std::string bounds_text(const CostJson& worst) {
-  std::string text = fmt::format("\n  {:<{}}", "At most, in one call", kBoundWidth);
-  for (const char* title : kCalls) text += fmt::format("{:>15}", title);
-  text += "\n";
-  for (const CostJson& call : worst["calls"]) {
-    text += fmt::format("  {:<{}}",
-                        fmt::format("{}, {}", call["function"].get<std::string>(), call["case"].get<std::string>()),
-                        kBoundWidth);
-    for (const char* title : kCalls) text += fmt::format("{:>15}", call[title].get<long>());
-    text += "\n";
-  }
+  std::string text = "\n" + row("At most, in one call", kBoundWidth, kCalls, kBoundCell);
+  for (const CostJson& call : worst["calls"])
+    text += row(fmt::format("{}, {}", call["function"].get<std::string>(), call["case"].get<std::string>()),
+                kBoundWidth, numbers_at(call, kCalls), kBoundCell);
   if (!worst.contains("newton_iterations")) return text;
   text += fmt::format(
-      "\n  A step projects: Newton, at most {} times, with one evaluation of the closures before each iteration and "
-      "one\n"
+      "\n"
+      "  A step projects: Newton, at most {} times, with one evaluation of the closures before each iteration and one\n"
       "  after the last. Worst is a step that meets a singular position in every stage: at most {} spacings are "
       "tried,\n"
       "  then {} states around it evaluated.\n",
@@ -112,21 +115,21 @@ CostJson worst_case_json(const EmitContext& context, const CostJson& programs) {
 
 std::string operations_table(const std::string& title, const CostJson& sections, const CostJson& total,
                              const char* section_key) {
-  std::string text = fmt::format("\n  {:<{}}", title, kTitleWidth);
-  for (const char* kind : kKindTitles) text += fmt::format("{:>8}", kind);
-  text += "\n";
-  for (const CostJson& section : sections) text += operation_row(section[section_key].get<std::string>(), section);
-  return text + operation_row("total", total);
+  const auto counts = [](const std::string& name, const CostJson& json) {
+    return row(name, kTitleWidth, numbers_at(json, kKinds), kKindCell);
+  };
+  std::string text = "\n" + row(title, kTitleWidth, kKindTitles, kKindCell);
+  for (const CostJson& section : sections) text += counts(section[section_key].get<std::string>(), section);
+  return text + counts("total", total);
 }
 
 std::string cost_text(const CostJson& manifest, const std::string& banner) {
   std::string text = banner + "\n";
-  for (const auto& [name, program] : manifest["programs"].items()) {
+  for (const auto& [name, program] : manifest["programs"].items())
     text += operations_table("Operations of " + name, program["sections"], program["operations"], "title");
-  }
   return text + bounds_text(manifest["worst_case"]) +
-         "\n  Operations are those of the programs above; sums over coordinates and the elimination itself come on "
-         "top.\n"
+         "\n"
+         "  Operations are those of the programs above; sums over coordinates and the elimination itself come on top.\n"
          "  Bytes, stack and microseconds on a machine: mbgen generate --measure.\n";
 }
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "compiler/emit/context_values.hpp"
-#include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
 #include "compiler/passes/passes.hpp"
@@ -35,29 +34,33 @@ Program along(const Program& program, const std::vector<DirectionGroup>& groups)
   return contract(optimise(derived));
 }
 
-GroupPlace member_place(const std::string& array, int size, int first = 0, const std::string& missing = "0.0") {
-  GroupPlace place{"result", {}, {}, missing, "result." + array, first};
-  for (int i = 0; i < size; ++i) place.texts.push_back(place.array + "[" + std::to_string(first + i) + "]");
-  return place;
-}
+/// A program along a direction as its text names it.
+struct AlongRow {
+  Role role;
+  const char *function, *result;
+  std::vector<Array> arrays;  ///< of its spec: their derivatives are asked for, and the pivots themselves
+};
 
-using Argument = std::pair<std::string, std::string>;
-
-ProgramShape shape_along(const EmitContext& context, const std::string& function, const std::string& result,
-                         const std::vector<Argument>& arguments) {
+ProgramShape shape_along(const EmitContext& context, const AlongRow& row) {
   ProgramShape shape;
   shape.title = "Derivatives along a direction.";
-  shape.function = function;
-  shape.result = result;
-  shape.arguments = {
-      {"parameters", "const Tuned& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
-  shape.arguments.insert(shape.arguments.end(), arguments.begin(), arguments.end());
-  shape.arguments.push_back({"direction", "const Direction& direction"});
-  shape.inputs = input_places(context);
+  shape.function = row.function;
+  shape.result = row.result;
   shape.titles = context.titles;
-  GroupPlace& seed = shape.inputs[Array::seed];
-  seed.argument = "direction";
-  seed.texts = direction_texts(direction_groups(context));
+  shape.arguments = arguments_of(row.role, true);
+  shape.arguments.emplace_back("direction", "const Direction& direction");
+  shape.inputs = input_places(context);
+  shape.inputs[Array::seed] = {"direction", direction_texts(direction_groups(context))};
+  int first = 0;
+  for (const Array array : row.arrays) {
+    // Outputs, energies and power stand in one array.
+    const bool is_pivot = array == Array::pivot, is_joined = row.role == Role::outputs;
+    const std::string name = std::string("result.") + (is_joined ? "y" : name_of(array));
+    const int size = size_of(context.layout, array);
+    shape.outputs[is_pivot ? SlotGroup(array) : derivative_of(array)] = {
+        "result", indexed(name, size, first), {}, is_pivot ? "1.0" : "0.0", name, first};
+    if (is_joined) first += size;
+  }
   return shape;
 }
 
@@ -66,41 +69,20 @@ ProgramShape shape_along(const EmitContext& context, const std::string& function
 std::string directional_header_text(const EmitContext& context) { return fill_template(context, "directional.hpp.in"); }
 
 std::string directional_source_text(const EmitContext& context, const Programs& programs) {
-  const SolverLayout& layout = context.layout;
-  const std::vector<DirectionGroup> groups = direction_groups(context);
-  const Argument tau{"tau", "const double* tau"}, derivative{"derivative", "const Derivative& derivative"},
-      multipliers{"multipliers", "const Multipliers& multipliers"};
-  const int outputs = static_cast<int>(context.names.outputs.size());
-  const GroupPlace pivot = member_place("pivot", static_cast<int>(layout.blocks.size()), 0, "1.0");
-
-  ProgramShape closure = shape_along(context, "closure_along", "ClosureAlong", {});
-  closure.outputs = {{derivative_of(Array::dz), member_place("dz", layout.coordinates)},
-                     {derivative_of(Array::zd), member_place("zd", layout.coordinates)},
-                     {Array::pivot, pivot}};
-  ProgramShape accelerations = shape_along(context, "accelerations_along", "AccelerationsAlong", {tau});
-  accelerations.outputs = {{derivative_of(Array::zdd), member_place("zdd", layout.coordinates)},
-                           {derivative_of(Array::xd), member_place("xd", layout.auxiliary_states)},
-                           {Array::pivot, pivot}};
-  ProgramShape forces = shape_along(context, "multipliers_along", "MultipliersAlong", {tau, derivative});
-  forces.outputs = {{derivative_of(Array::lambda), member_place("lambda", layout.equations)},
-                    {derivative_of(Array::drive), member_place("drive", layout.drives)}};
-  ProgramShape results = shape_along(context, "outputs_along", "OutputsAlong", {tau, derivative, multipliers});
-  results.outputs = {{derivative_of(Array::y), member_place("y", outputs)},
-                     {derivative_of(Array::energy), member_place("y", 2, outputs)},
-                     {derivative_of(Array::power), member_place("y", 1, outputs + 2)}};
-
-  const std::pair<const Program*, const ProgramShape*> all[] = {{&programs.closure, &closure},
-                                                                {&programs.accelerations, &accelerations},
-                                                                {&programs.multipliers, &forces},
-                                                                {&programs.outputs, &results}};
+  using enum Array;
+  const AlongRow rows[] = {{Role::closure, "closure_along", "ClosureAlong", {dz, zd, pivot}},
+                           {Role::accelerations, "accelerations_along", "AccelerationsAlong", {zdd, xd, pivot}},
+                           {Role::multipliers, "multipliers_along", "MultipliersAlong", {lambda, drive}},
+                           {Role::outputs, "outputs_along", "OutputsAlong", {y, energy, power}}};
   std::string text;
-  for (const auto& [program, shape] : all) {
-    Program derived = along(*program, groups);
+  for (const AlongRow& row : rows) {
+    const ProgramShape shape = shape_along(context, row);
+    Program derived = along(program_of(programs, row.role), direction_groups(context));
     // What the shape has no place for is not asked for: pivots of the multipliers, what they are made of.
-    const Places& wanted = shape->outputs;
-    std::erase_if(derived.outputs, [&](const OutputValue& output) { return !wanted.contains(output.slot.group); });
+    std::erase_if(derived.outputs,
+                  [&](const OutputValue& output) { return !shape.outputs.contains(output.slot.group); });
     const Program lean = remove_dead_values(derived);
-    text += program_text(lean, schedule(lean, schedule_options(*shape, context.options.roll_above)), *shape) + "\n";
+    text += program_text(lean, schedule(lean, schedule_options(shape, context.options.roll_above)), shape) + "\n";
   }
   return fill_template(context, "directional.cpp.in", {{"programs", text}});
 }

@@ -1,10 +1,11 @@
-#include "compiler/emit/driver_text.hpp"
+// The driver of a compiled solver.
 
 #include "compiler/emit/context_values.hpp"
+#include "compiler/emit/emit.hpp"
 #include "compiler/emit/mapped.hpp"
-#include "compiler/emit/program_text.hpp"
 #include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/texts.hpp"
 
 namespace mbgen {
 namespace {

@@ -22,9 +22,7 @@ void add_included_headers(std::string_view text, std::vector<EmittedFile>& files
   for (std::size_t at = text.find(kInclude); at != std::string_view::npos; at = text.find(kInclude, at + 1)) {
     const std::size_t start = text.find('"', at) + 1;
     const std::string_view path = text.substr(start, text.find('"', start) - start);
-    const bool known =
-        std::any_of(files.begin(), files.end(), [&](const EmittedFile& file) { return file.path == path; });
-    if (known) continue;
+    if (std::ranges::count(files, path, &EmittedFile::path) > 0) continue;
     for (const EmbeddedFile& file : embedded_files()) {
       if (file.path.substr(0, kRuntime.size()) != kRuntime || file.path.substr(kRuntime.size()) != path) continue;
       files.push_back({std::string(path), std::string(file.text)});
@@ -87,17 +85,16 @@ void add_runtime_headers(std::vector<EmittedFile>& files) {
 }
 
 std::optional<double> beyond_single_precision(const Programs& programs, const Model& model) {
-  std::vector<double> numbers;
-  for (const Program* program : all_programs(programs)) {
-    for (const Node& node : program->nodes) {
-      if (node.op == Op::constant) numbers.push_back(node.constant);
-    }
-  }
-  for (const Parameter& parameter : model.parameters) numbers.push_back(parameter.tunable ? parameter.value : 0);
-  for (const Input& input : model.inputs) numbers.push_back(input.default_value);
-  for (const double number : numbers) {
-    if (std::isfinite(number) && std::abs(number) > std::numeric_limits<float>::max()) return number;
-  }
+  const auto is_beyond = [](double number) {
+    return std::isfinite(number) && std::abs(number) > std::numeric_limits<float>::max();
+  };
+  for (const Program* program : all_programs(programs))
+    for (const Node& node : program->nodes)
+      if (node.op == Op::constant && is_beyond(node.constant)) return node.constant;
+  for (const Parameter& parameter : model.parameters)
+    if (parameter.tunable && is_beyond(parameter.value)) return parameter.value;
+  for (const Input& input : model.inputs)
+    if (is_beyond(input.default_value)) return input.default_value;
   return {};
 }
 

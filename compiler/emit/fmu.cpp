@@ -1,4 +1,4 @@
-#include "compiler/emit/fmu.hpp"
+// The files of a Functional Mock-up Unit.
 
 #include <fmt/format.h>
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/emit/fmu_variables.hpp"
+#include "compiler/model/box.hpp"
 
 namespace mbgen {
 namespace {
@@ -15,17 +16,11 @@ constexpr double kSlipOfRadius = 0.1;
 
 /// Diagonal of the box that holds all points of a model at its reference, m.
 double extent_of(const Model& model) {
-  Vector3 least{HUGE_VAL, HUGE_VAL, HUGE_VAL}, most{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    for (std::size_t p = 0; p < model.bodies[b].points.size(); ++p) {
-      const Vector3 at = reference_position(model, {static_cast<int>(b), static_cast<int>(p)});
-      for (std::size_t i = 0; i < 3; ++i) {
-        least[i] = std::min(least[i], at[i]);
-        most[i] = std::max(most[i], at[i]);
-      }
-    }
-  }
-  return most[0] < least[0] ? 0 : std::hypot(most[0] - least[0], most[1] - least[1], most[2] - least[2]);
+  Box box;
+  for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b)
+    for (int p = 0; p < static_cast<int>(model.bodies[b].points.size()); ++p)
+      box.add(reference_position(model, {b, p}));
+  return box.diagonal();
 }
 
 /// One digit of it; 1 where no size is known.

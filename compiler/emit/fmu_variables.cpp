@@ -17,27 +17,28 @@ constexpr const char* kTime = "time";
 
 bool contains(const std::vector<int>& list, int value) { return std::ranges::find(list, value) != list.end(); }
 
-/// A variable that the model describes, or else `what`.
-FmuVariable given_variable(Slot slot, const std::string& name, const std::string& unit, const std::string& what,
-                           Causality causality, Start start, double value, const Presentation& shown) {
-  return {slot, name, unit, shown.description.empty() ? what : shown.description, causality, start, value, -1, shown};
+/// Adds a parameter, an input or an output of the model. what: it is, where the model does not describe it.
+template <class Given>
+FmuVariable& add_given(Slot slot, const Given& given, const std::string& name, const std::string& what,
+                       Causality causality, Start start, FmuLayout& fmu) {
+  const Presentation& shown = given.shown;
+  fmu.variables.push_back(
+      {slot, name, given.unit, shown.description.empty() ? what : shown.description, causality, start, 0, -1, shown});
+  return fmu.variables.back();
 }
 
-void add_given(const EmitContext& context, FmuLayout& fmu) {
+void add_parameters_and_inputs(const EmitContext& context, FmuLayout& fmu) {
   const Model& model = context.model;
   fmu.variables.push_back({{Array::t, 0}, kTime, "s", "time", Causality::independent, Start::none});
-  int tunable = 0;
-  for (const Parameter& parameter : model.parameters) {
-    if (!parameter.tunable) continue;
-    fmu.variables.push_back(given_variable({Array::par, tunable++}, fmu_parameter_name(parameter.name), parameter.unit,
-                                           "tunable parameter", Causality::parameter, Start::exact, parameter.value,
-                                           parameter.shown));
-  }
+  for (int i = 0; const Parameter& parameter : tunable_parameters(model))
+    add_given({Array::par, i++}, parameter, fmu_parameter_name(parameter.name), "tunable parameter",
+              Causality::parameter, Start::exact, fmu)
+        .value = parameter.value;
   const int first_input = static_cast<int>(fmu.variables.size());
   for (int i = 0; const Input& input : model.inputs) {
     const std::string rate = input.derivative < 0 ? "" : ", goes on by " + model.inputs[input.derivative].name;
-    fmu.variables.push_back(given_variable({Array::in, i++}, fmu_input_name(input.name), input.unit, "input" + rate,
-                                           Causality::input, Start::none, input.default_value, input.shown));
+    add_given({Array::in, i++}, input, fmu_input_name(input.name), "input" + rate, Causality::input, Start::none, fmu)
+        .value = input.default_value;
   }
   // Importers are told which inputs belong together; a derivative that inputs share is that of none.
   for (const std::vector<int>& row : input_rows(model.inputs)) {
@@ -48,11 +49,9 @@ void add_given(const EmitContext& context, FmuLayout& fmu) {
 }
 
 void add_outputs(const EmitContext& context, FmuLayout& fmu) {
-  for (int i = 0; const Output& output : context.model.outputs) {
-    fmu.variables.push_back(given_variable({Array::y, i++}, fmu_output_name(context.model, output.name), output.unit,
-                                           "output of the model", Causality::output, Start::calculated, 0,
-                                           output.shown));
-  }
+  for (int i = 0; const Output& output : context.model.outputs)
+    add_given({Array::y, i++}, output, fmu_output_name(context.model, output.name), "output of the model",
+              Causality::output, Start::calculated, fmu);
   const auto add = [&](Slot slot, const char* name, const char* unit, const char* description) {
     fmu.variables.push_back({slot, name, unit, description, Causality::output, Start::calculated});
   };
@@ -69,10 +68,10 @@ bool acts_on(const StartParameter& parameter, int coordinate) {
 void add_start_parameters(const EmitContext& context, const InitialState& initial, FmuLayout& fmu) {
   for (const StartParameter& one : initial.parameters) {
     const Parameter& parameter = context.model.parameters[static_cast<std::size_t>(one.parameter)];
-    fmu.variables.push_back(given_variable({Array::par, -1}, fmu_parameter_name(parameter.name), parameter.unit,
-                                           "parameter of the start", Causality::parameter, Start::exact,
-                                           parameter.value, parameter.shown));
-    fmu.variables.back().is_fixed = true;
+    FmuVariable& variable = add_given({Array::par, -1}, parameter, fmu_parameter_name(parameter.name),
+                                      "parameter of the start", Causality::parameter, Start::exact, fmu);
+    variable.value = parameter.value;
+    variable.is_fixed = true;
   }
 }
 
@@ -89,7 +88,8 @@ constexpr MotionGroup kMotionGroups[] = {
 
 /// One number of a motion, shown in degrees where it is of an angle. before: variables of a group.
 FmuVariable moving(const FmuLayout& fmu, const TreeBody& body, const MotionGroup& group, int coordinate, int before) {
-  FmuVariable variable{{group.array, coordinate}, group.prefix + body.coordinate, unit_of(body.kind)};
+  FmuVariable variable{
+      {group.array, coordinate}, group.prefix + body.coordinate, unit_of(body.kind), group.description};
   variable.unit += group.per;
   if (group.array != Array::z) variable.derivative_of = static_cast<int>(fmu.variables.size()) - before;
   return variable;
@@ -108,10 +108,10 @@ void add_motion(const EmitContext& context, const InitialState& initial, FmuLayo
     for (int c = 0; const TreeBody& body : context.topology.bodies) {
       FmuVariable variable = moving(fmu, body, group, c, context.layout.coordinates);
       variable.start = start_of(fmu, initial, group.array, c);
-      variable.description = group.array != Array::z           ? group.description
-                             : variable.start == Start::exact  ? "independent coordinate"
-                             : variable.start == Start::approx ? "coordinate that its loop decides"
-                                                               : "driven coordinate";
+      if (group.array == Array::z)
+        variable.description = variable.start == Start::exact    ? "independent coordinate"
+                               : variable.start == Start::approx ? "coordinate that its loop decides"
+                                                                 : "driven coordinate";
       if (body.joint >= 0) {
         const std::string& text = context.model.joints[static_cast<std::size_t>(body.joint)].description;
         if (!text.empty()) variable.description += ": " + text;
@@ -127,15 +127,11 @@ void add_motion(const EmitContext& context, const InitialState& initial, FmuLayo
   for (int i = 0; i < count; ++i)
     fmu.variables.push_back(
         {{Array::x, i}, "x." + names[i], "m", "auxiliary state", Causality::local, Start::exact, initial.x[i]});
-  for (int i = 0; i < count; ++i)
-    fmu.variables.push_back({{Array::xd, i},
-                             "xd." + names[i],
-                             "m/s",
-                             "rate of the auxiliary state",
-                             Causality::local,
-                             Start::calculated,
-                             0,
-                             static_cast<int>(fmu.variables.size()) - count});
+  for (int i = 0; i < count; ++i) {
+    FmuVariable rate{{Array::xd, i}, "xd." + names[i], "m/s", "rate of the auxiliary state"};
+    rate.derivative_of = static_cast<int>(fmu.variables.size()) - count;
+    fmu.variables.push_back(std::move(rate));
+  }
 }
 
 /// The states of loop blocks, each named after its coordinate at the start.
@@ -330,7 +326,7 @@ FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const
   fmu.independent = free_coordinates(context.topology, context.analysis);
   std::sort(fmu.independent.begin(), fmu.independent.end());
   find_chosen(context, fmu);
-  add_given(context, fmu);
+  add_parameters_and_inputs(context, fmu);
   add_outputs(context, fmu);
   add_motion(context, initial, fmu);
   add_chosen(context, fmu);

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include "compiler/emit/context_values.hpp"
-#include "compiler/emit/input_text.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/inputs.hpp"
+#include "compiler/topology/names.hpp"
 
 namespace mbgen {
 namespace {
@@ -21,11 +21,9 @@ FrameRows tables(const EmitContext& context) {
   const Model& model = context.model;
   const std::vector<Parameter> parameters = tunable_parameters(model);
   const auto& bodies = context.topology.bodies;
-  std::vector<std::string> block_names;
-  for (std::size_t b = 0; b < context.topology.blocks.size(); ++b)
-    block_names.push_back(block_title(context.topology, static_cast<int>(b)));
+  const auto block_name = [&](const LoopBlock& block) { return joined(loop_names(context.topology, block), ", "); };
   const std::pair<const char*, std::vector<std::string>> all[] = {
-      {"kCoordinateNames", mapped(bodies, &TreeBody::coordinate)},
+      {"kCoordinateNames", coordinate_names(context.topology)},
       {"kCoordinateUnits", mapped(bodies, [](const TreeBody& body) { return std::string(unit_of(body.kind)); })},
       {"kAuxiliaryStateNames", auxiliary_state_names(model)},
       {"kBodyNames", names_of(model.bodies)},
@@ -35,7 +33,7 @@ FrameRows tables(const EmitContext& context) {
       {"kOutputUnits", mapped(model.outputs, &Output::unit)},
       {"kParameterNames", names_of(parameters)},
       {"kParameterUnits", mapped(parameters, &Parameter::unit)},
-      {"kLoopBlockNames", block_names}};
+      {"kLoopBlockNames", mapped(context.topology.blocks, block_name)}};
   return mapped(all, [](const auto& named) {
     std::vector<std::string> literals = mapped(named.second, string_literal);
     if (literals.empty()) literals.push_back("\"\"");
@@ -48,6 +46,16 @@ FrameRows default_rows(const std::vector<NumberMember>& members) {
   return mapped(members, [](const NumberMember& member) {
     return FrameValues{{"member", member.name}, {"value", member.value}, {"unit", comment_text(member.unit)}};
   });
+}
+
+/// The items of kInputRows; empty where no rates can be made.
+std::string input_rows_text(const Model& model, const SolverNames& names) {
+  std::vector<std::string> rows;
+  for (const std::vector<int>& row : input_rows(model.inputs)) {
+    const auto member = [&](int input) { return "&Inputs::" + names.inputs[static_cast<std::size_t>(input)]; };
+    rows.push_back(fmt::format("    {{{}, {{{}}}}}", row.size(), joined(mapped(row, member), ", ")));
+  }
+  return inputs_have_derivatives(model.inputs) ? joined(rows, ",\n") : "";
 }
 
 }  // namespace

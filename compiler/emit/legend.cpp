@@ -3,6 +3,7 @@
 #include "compiler/emit/frame.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
+#include "compiler/topology/names.hpp"
 
 namespace mbgen {
 namespace {
@@ -11,26 +12,19 @@ std::string line(const std::string& words, const std::string& indent = "") {
   return wrapped_words(comment_text(words), "// " + indent) + "\n";
 }
 
-std::string body_text(const Topology& topology, int body) {
-  return body == kGround ? "ground" : topology.bodies[static_cast<std::size_t>(body)].name;
-}
-
 std::string tree_text(const EmitContext& context) {
   const Topology& topology = context.topology;
   std::string text = line("Tree, each body with its coordinate, on the body before it:");
   for (const TreeBody& body : topology.bodies) {
     text += line(fmt::format("{}: {}, {}, on {}", body.name, body.coordinate, name_of(body.kind),
-                             body_text(topology, body.parent)),
+                             body_name(topology, body.parent)),
                  "  ");
   }
   return text;
 }
 
 std::string coordinates_of(const Topology& topology, const LoopBlock& block, const std::vector<int>& columns) {
-  std::string text;
-  for (const int c : columns)
-    text += (text.empty() ? "" : ", ") + topology.bodies[static_cast<std::size_t>(block.joints[c])].coordinate;
-  return text.empty() ? "none" : text;
+  return columns.empty() ? "none" : joined(local_names(topology, block, columns), ", ");
 }
 
 std::string loops_text(const EmitContext& context) {
@@ -38,11 +32,11 @@ std::string loops_text(const EmitContext& context) {
   std::string text;
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const LoopBlock& block = topology.blocks[b];
-    text += line(fmt::format("Loop block {}, on {}:", b, body_text(topology, block.base)));
+    text += line(fmt::format("Loop block {}, on {}:", b, body_name(topology, block.base)));
     for (const int l : block.loops) {
       const Loop& loop = topology.loops[static_cast<std::size_t>(l)];
       text += line(fmt::format("{}: {} between {} and {}", loop.name, name_of(loop.kind),
-                               body_text(topology, loop.body_from), body_text(topology, loop.body_to)),
+                               body_name(topology, loop.body_from), body_name(topology, loop.body_to)),
                    "  ");
     }
     const BlockAnalysis& found = context.analysis.blocks[b];

@@ -2,22 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "compiler/emit/names.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
 
-std::string UniqueNames::unique(const std::string& base) {
-  std::string candidate = base;
-  for (int& number = next_number_.try_emplace(base, 2).first->second; !taken_.insert(candidate).second; ++number) {
-    candidate = numbered(base, number);
-  }
-  return candidate;
-}
-
 std::string LocalNames::of_value(ValueId value) {
   const Node& node = program_.nodes[value];
-  if (node.label >= 0) return unique(identifier_base(program_.labels[node.label]));
+  if (node.label >= 0) return identifier(program_.labels[node.label]);
   const int step = number_of(node.section.step);
   std::string candidate;
   do {
@@ -28,7 +19,7 @@ std::string LocalNames::of_value(ValueId value) {
 
 ConstantNames::Entry& ConstantNames::entry_of(const NamedConstant& constant) {
   const auto [found, is_new] = index_.try_emplace({constant.name, constant.value}, entries_.size());
-  if (is_new) entries_.push_back({names_.unique(identifier_base(constant.name)), constant});
+  if (is_new) entries_.push_back({names_.identifier(constant.name), constant});
   return entries_[found->second];
 }
 

@@ -3,27 +3,13 @@
 
 #include <map>
 #include <string>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
+#include "compiler/emit/names.hpp"
 #include "compiler/solver/programs.hpp"
 
 namespace mbgen {
-
-/// Gives every name once.
-class UniqueNames {
- public:
-  /// Keeps a name for something else. Result: whether it was free.
-  bool reserve(const std::string& name) { return taken_.insert(name).second; }
-  /// `base`, or `base` with a number.
-  std::string unique(const std::string& base);
-
- private:
-  std::unordered_set<std::string> taken_;
-  std::unordered_map<std::string, int> next_number_;  ///< by base
-};
 
 /// Unique names for the values of a program.
 class LocalNames : public UniqueNames {

@@ -2,6 +2,7 @@
 
 #include "compiler/emit/cost_sheet.hpp"
 #include "compiler/emit/texts.hpp"
+#include "compiler/topology/names.hpp"
 
 namespace mbgen {
 namespace {
@@ -40,12 +41,9 @@ Json blocks_json(const EmitContext& context) {
   Json blocks = Json::array();
   for (std::size_t b = 0; b < context.layout.blocks.size(); ++b) {
     const LoopBlock& block = context.topology.blocks[b];
-    Json loops = Json::array(), coordinates = Json::array();
-    for (const int loop : block.loops) loops.push_back(context.topology.loops[loop].name);
-    for (const int joint : block.joints) coordinates.push_back(context.topology.bodies[joint].coordinate);
     blocks.push_back({{"name", context.names.loop_blocks[b]},
-                      {"loops", loops},
-                      {"coordinates", coordinates},
+                      {"loops", loop_names(context.topology, block)},
+                      {"coordinates", coordinate_names(context.topology, block.joints)},
                       {"equations", block.equations},
                       {"rank", context.analysis.blocks[b].rank},
                       {"redundant_equations", context.analysis.blocks[b].redundant_names}});

@@ -1,10 +1,10 @@
 #include "compiler/emit/names.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <iterator>
 
 #include "compiler/emit/mapped.hpp"
-#include "compiler/emit/reserved_names.hpp"
 
 namespace mbgen {
 namespace {
@@ -28,14 +28,11 @@ std::string sanitised(const std::string& name) {
   return result;
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-std::vector<std::string> identifiers(const std::vector<std::string>& names, std::vector<std::string> taken = {}) {
-  std::vector<std::string> result;
-  for (const std::string& name : names) result.push_back(identifier(name, taken));
-  return result;
+std::vector<std::string> identifiers(const std::vector<std::string>& names,
+                                     const std::vector<std::string>& taken = {}) {
+  UniqueNames unique;
+  for (const std::string& name : taken) unique.reserve(name);
+  return mapped(names, [&](const std::string& name) { return unique.identifier(name); });
 }
 
 }  // namespace
@@ -52,15 +49,11 @@ std::string identifier_base(const std::string& name) {
   return base;
 }
 
-std::string numbered(const std::string& base, int number) {
-  return base + (base.back() == '_' ? "" : "_") + std::to_string(number);
-}
-
-std::string identifier(const std::string& name, std::vector<std::string>& taken) {
-  const std::string base = identifier_base(name);
+std::string UniqueNames::unique(const std::string& base) {
   std::string candidate = base;
-  for (int number = 2; contains(taken, candidate); ++number) candidate = numbered(base, number);
-  taken.push_back(candidate);
+  for (int& number = next_number_.try_emplace(base, 2).first->second; !taken_.insert(candidate).second; ++number) {
+    candidate = fmt::format("{}{}{}", base, base.back() == '_' ? "" : "_", number);
+  }
   return candidate;
 }
 
@@ -86,12 +79,6 @@ SolverNames solver_names(const Model& model, const Topology& topology) {
   names.coordinates = identifiers(mapped(topology.bodies, &TreeBody::coordinate));
   names.loop_blocks = identifiers(mapped(topology.blocks, first_loop));
   return names;
-}
-
-std::string block_title(const Topology& topology, int block) {
-  std::string title;
-  for (const int loop : topology.blocks[block].loops) title += (title.empty() ? "" : ", ") + topology.loops[loop].name;
-  return title;
 }
 
 }  // namespace mbgen

@@ -2,6 +2,9 @@
 // Names of the model as C++ identifiers.
 
 #include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "compiler/model/model.hpp"
@@ -29,22 +32,36 @@ std::vector<Parameter> tunable_parameters(const Model& model);
 /// A name as an identifier that is no keyword: letters, digits, single underscores. Not unique.
 std::string identifier_base(const std::string& name);
 
-/// The identifier for the second, third, .. use of a base: "crank_2"; "class_2" for "class_".
-std::string numbered(const std::string& base, int number);
+/// Names that no identifier may have: keywords, names of emitted code, and names that are or may be macros, as every
+/// UPPER_CASE name with an underscore.
+bool is_reserved(std::string_view name);
+
+/// Names that the solver's namespace and build target may not have besides: `main`, functions and types that C headers
+/// declare in the global namespace, targets that CMake keeps for itself.
+bool is_reserved_for_solvers(std::string_view name);
+
+/// Gives every name once.
+class UniqueNames {
+ public:
+  /// Keeps a name for something else. Result: whether it was free.
+  bool reserve(const std::string& name) { return taken_.insert(name).second; }
+  /// `base`, or `base` with a number: "crank_2"; "class_2" for "class_".
+  std::string unique(const std::string& base);
+  /// The same of identifier_base.
+  std::string identifier(const std::string& name) { return unique(identifier_base(name)); }
+
+ private:
+  std::unordered_set<std::string> taken_;
+  std::unordered_map<std::string, int> next_number_;  ///< by base
+};
 
 /// Name of the emitted files and of the namespace: the identifier of the model's name.
 std::string solver_name(const Model& model);
-
-/// C++ identifier for a model name: unique within `taken`, no keyword, ASCII. Adds the result to `taken`.
-std::string identifier(const std::string& name, std::vector<std::string>& taken);
 
 /// Names that a model alone decides; coordinates and loop_blocks stay empty.
 SolverNames model_names(const Model& model);
 
 /// All names.
 SolverNames solver_names(const Model& model, const Topology& topology);
-
-/// Loops of a block as people read them: "front_left, front_right".
-std::string block_title(const Topology& topology, int block);
 
 }  // namespace mbgen

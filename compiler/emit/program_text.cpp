@@ -1,5 +1,3 @@
-#include "compiler/emit/program_text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "compiler/emit/headings.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/texts.hpp"
 #include "compiler/emit/value_texts.hpp"
 
 namespace mbgen {

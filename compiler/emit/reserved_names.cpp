@@ -1,4 +1,4 @@
-#include "compiler/emit/reserved_names.hpp"
+// Names that emitted code cannot give to elements of the model.
 
 #include <algorithm>
 #include <set>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/emit/frame.hpp"
+#include "compiler/emit/names.hpp"
 
 namespace mbgen {
 namespace {

@@ -36,12 +36,6 @@ bool is_by_coordinate(Array array) {
   return array == z || array == zd || array == zdd || array == dz || array == driven_acceleration || array == tau;
 }
 
-Texts indexed(const std::string& array, int size, int first = 0) {
-  Texts texts;
-  for (int i = 0; i < size; ++i) texts.push_back(array + "[" + std::to_string(first + i) + "]");
-  return texts;
-}
-
 Texts around(const std::string& before, const std::vector<std::string>& names, const std::string& after = "") {
   return mapped(names, [&](const std::string& name) { return before + name + after; });
 }
@@ -109,30 +103,21 @@ bool is_written(Role role, const EmitContext& context) {
 }
 
 ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
-  const ProgramSpec& spec = program_specs()[static_cast<std::size_t>(row.role)];
   ProgramShape shape;
   shape.title = row.title;
   shape.function = std::string("compute_") + row.function;
   shape.result = row.result;
   shape.titles = context.titles;
   shape.inputs = input_places(context);
-  shape.arguments = {
-      {"parameters", "const Tuned& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
-  if (row.role == Role::derived_constants) {
-    shape.arguments = {{"parameters", "const Parameters& parameters"}};
-    shape.inputs.erase(Array::derived);
-  }
-  for (const auto& [array, name, declaration] : kArguments)
-    if (std::ranges::count(spec.inputs, array) > 0 &&
-        (array != Array::lambda || outputs_take_multipliers(context.programs)))
-      shape.arguments.emplace_back(name, declaration);
+  shape.arguments = arguments_of(row.role, outputs_take_multipliers(context.programs));
+  if (row.role == Role::derived_constants) shape.inputs.erase(Array::derived);
   if (row.role == Role::outputs) {
     shape.outputs = {{Array::y, {"result", around("result.", context.names.outputs)}},
                      {Array::energy, {"result", {"result.kinetic_energy", "result.potential_energy"}}},
                      {Array::power, {"result", {"result.applied_power"}}}};
     return shape;
   }
-  for (const Array array : spec.outputs) {
+  for (const Array array : spec_of(row.role).outputs) {
     if (array == (context.layout.chooses_again ? Array::rate : Array::Jz)) continue;
     for (const auto& [member, comment] : kMembers)
       if (member == array) shape.members.push_back({name_of(array), size_of(context.layout, array), comment});
@@ -163,6 +148,22 @@ ValueOrder order_of(Form form, const ShapedProgram& shaped) {
 
 }  // namespace
 
+std::vector<std::string> indexed(const std::string& array, int size, int first) {
+  Texts texts;
+  for (int i = 0; i < size; ++i) texts.push_back(array + "[" + std::to_string(first + i) + "]");
+  return texts;
+}
+
+Arguments arguments_of(Role role, bool with_multipliers) {
+  if (role == Role::derived_constants) return {{"parameters", "const Parameters& parameters"}};
+  Arguments arguments = {
+      {"parameters", "const Tuned& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
+  for (const auto& [array, name, declaration] : kArguments)
+    if (std::ranges::count(spec_of(role).inputs, array) > 0 && (array != Array::lambda || with_multipliers))
+      arguments.emplace_back(name, declaration);
+  return arguments;
+}
+
 Places input_places(const EmitContext& context) {
   Places places;
   for (const Array array : {Array::z, Array::zd, Array::x}) add_array(places, "state", array, context);
@@ -190,11 +191,12 @@ int derived_constant_count(const Programs& programs) {
 
 std::vector<std::string> derived_constant_names(const Programs& programs) {
   const Program& program = programs.derived_constants;
-  std::vector<std::string> names(program.outputs.size()), taken;
+  std::vector<std::string> names(program.outputs.size());
+  UniqueNames unique;
   for (const OutputValue& output : program.outputs) {
     const Node& node = program.nodes[output.value];
     if (node.op != Op::constant && node.label >= 0)
-      names[static_cast<std::size_t>(output.slot.index)] = identifier(program.labels[node.label], taken);
+      names[static_cast<std::size_t>(output.slot.index)] = unique.identifier(program.labels[node.label]);
   }
   return names;
 }

@@ -25,6 +25,9 @@ struct GroupPlace {
 
 using Places = std::map<SlotGroup, GroupPlace>;
 
+/// The places of an array from `first` on: "result.y[3]", ...
+std::vector<std::string> indexed(const std::string& array, int size, int first = 0);
+
 /// Inputs that every program may use; a program's signature lists those it gets.
 Places input_places(const EmitContext& context);
 
@@ -35,13 +38,19 @@ struct ArrayMember {
   std::string comment;
 };
 
+/// Arguments of a function: name, declaration; in order.
+using Arguments = std::vector<std::pair<std::string, std::string>>;
+
+/// The arguments of a program by its spec. with_multipliers: where its spec has them.
+Arguments arguments_of(Role role, bool with_multipliers);
+
 /// Everything about one program but its values.
 struct ProgramShape {
-  std::string title;                                           ///< sentence for the comment
-  std::string function;                                        ///< "compute_accelerations"
-  std::string result;                                          ///< name of the result struct
-  std::vector<ArrayMember> members;                            ///< of the result struct
-  std::vector<std::pair<std::string, std::string>> arguments;  ///< name, declaration; in order
+  std::string title;                 ///< sentence for the comment
+  std::string function;              ///< "compute_accelerations"
+  std::string result;                ///< name of the result struct
+  std::vector<ArrayMember> members;  ///< of the result struct
+  Arguments arguments;
   Places inputs, outputs;
   Titles titles = {};             ///< of sections and owners
   std::string scalar = "double";  ///< type of every value: double, float, or a vector of doubles

@@ -1,9 +1,7 @@
 #include <array>
 
 #include "compiler/emit/context_values.hpp"
-#include "compiler/emit/input_text.hpp"
 #include "compiler/emit/mapped.hpp"
-#include "compiler/emit/program_text.hpp"
 #include "compiler/emit/system_values.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
@@ -75,7 +73,6 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
       {"hot", hot},
       {"rare", rare},
       {"projection", has_projection ? size_text(context.layout.projection_entries) : ""},
-      {"later_inputs", later_inputs(context.model, context.names, context.options.scalar)},
       {"inputs_now", advances ? "now" : "inputs"},
       {"since_start", context.options.scalar == "float" ? "static_cast<float>(state.t - start)" : "state.t - start"},
       {"start", context.options.initial ? start_rows(*context.options.initial, context.options.scalar) : FrameRows{}}};

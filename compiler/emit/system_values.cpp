@@ -1,7 +1,6 @@
 #include "compiler/emit/system_values.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
@@ -21,15 +20,13 @@ Items items_of(const std::vector<Number>& numbers) {
   return mapped(numbers, [](Number number) { return std::to_string(static_cast<int>(number)); });
 }
 
-std::string braces(const std::vector<int>& numbers) { return fmt::format("{{{}}}", fmt::join(numbers, ", ")); }
-
 /// Block and place of every free direction: the q-th direction of its block.
 Items free_direction_items(const EmitContext& context) {
   std::vector<int> directions_of(context.layout.blocks.size(), 0);
   Items items;
   for (const int coordinate : free_coordinates(context.topology, context.analysis)) {
     const int block = context.topology.groups[context.topology.group_of[coordinate]].block;
-    items.push_back(braces({coordinate, block, block < 0 ? 0 : directions_of[block]++}));
+    items.push_back(fmt::format("{{{}, {}, {}}}", coordinate, block, block < 0 ? 0 : directions_of[block]++));
   }
   return items;
 }
@@ -68,6 +65,26 @@ std::string argument_sum(const SolverNames& names, const std::string& scalar) {
   for (const std::string& name : names.inputs) terms.push_back("inputs." + name);
   if (terms.empty()) terms.push_back(is_number(scalar) ? number_text(0, scalar) : scalar + "{}");
   return wrapped_statement("    return " + joined(terms, " + ") + ";");
+}
+
+/// Taylor polynomial of an input by Horner's rule: `inputs.a + dt * (inputs.b + dt / 2.0 * inputs.c)`.
+std::string polynomial(const Model& model, const SolverNames& names, int input, int order, const std::string& scalar) {
+  const std::string value = "inputs." + names.inputs[input];
+  const int rate = model.inputs[input].derivative;
+  if (rate < 0) return value;
+  const std::string factor = order == 1 ? "dt" : "dt / " + number_text(order, scalar);
+  const std::string rest = polynomial(model, names, rate, order + 1, scalar);
+  const bool is_last = model.inputs[rate].derivative < 0;
+  return fmt::format("{} + {} * {}", value, factor, is_last ? rest : fmt::format("({})", rest));
+}
+
+/// Each input dt seconds after `inputs`: `member`, `value`. scalar: type of the inputs.
+FrameRows later_inputs(const Model& model, const SolverNames& names, const std::string& scalar) {
+  FrameRows rows;
+  for (std::size_t i = 0; i < names.inputs.size(); ++i) {
+    rows.push_back({{"member", names.inputs[i]}, {"value", polynomial(model, names, static_cast<int>(i), 1, scalar)}});
+  }
+  return rows;
 }
 
 }  // namespace
@@ -119,6 +136,7 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
           {"block_driven", table("unsigned char", "kBlockDriven", items_of(block_driven))},
           {"multiplier_place", table("int", "kMultiplierPlace", items_of(multiplier_places(context.topology)))},
           {"members", members},
+          {"later_inputs", later_inputs(context.model, names, context.options.scalar)},
           {"scalar", scalar},
           {"parameters_argument", names.parameters.empty() ? "/*parameters*/" : "parameters"},
           {"inputs_argument", names.inputs.empty() ? "/*inputs*/" : "inputs"},

@@ -197,7 +197,7 @@ std::string ValueTexts::name_of(ValueId v) {
   const Node& first = program_.nodes[v];
   const Node& last = program_.nodes[schedule_.order[unit.last() - unit.period + facts(v).offset]];
   if (!unit.is_loop() || first.label < 0 || last.label < 0) return names_.of_value(v);
-  return names_.unique(identifier_base(common_label(program_.labels[first.label], program_.labels[last.label])));
+  return names_.identifier(common_label(program_.labels[first.label], program_.labels[last.label]));
 }
 
 std::vector<std::string> ValueTexts::output_texts(ValueId v, PartText& part) {

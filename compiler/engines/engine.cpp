@@ -40,12 +40,6 @@ std::vector<std::string> names_where(const std::function<bool(const Maker&)>& co
   return names;
 }
 
-std::string loop_names(const Topology& topology, const LoopBlock& block) {
-  std::vector<std::string> names;
-  for (const int loop : block.loops) names.push_back(topology.loops[loop].name);
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
 /// Names of everything that a status may be about.
 std::vector<std::string> names_of(const Compilation& compilation, Subject subject) {
   const Model& model = compilation.model;
@@ -55,7 +49,8 @@ std::vector<std::string> names_of(const Compilation& compilation, Subject subjec
     case Subject::coordinate:
       return coordinate_names(topology);
     case Subject::loop_block:
-      for (const LoopBlock& block : topology.blocks) names.push_back(loop_names(topology, block));
+      for (const LoopBlock& block : topology.blocks)
+        names.push_back(fmt::format("{}", fmt::join(loop_names(topology, block), ", ")));
       return names;
     case Subject::input:
       for (const Input& input : model.inputs) names.push_back(input.name);

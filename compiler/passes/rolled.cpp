@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "compiler/passes/kinds.hpp"
-#include "compiler/passes/orders.hpp"
+#include "compiler/passes/scheduled_program.hpp"
 
 namespace mbgen {
 namespace {

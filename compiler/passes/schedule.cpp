@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "compiler/passes/kinds.hpp"
-#include "compiler/passes/orders.hpp"
 
 namespace mbgen {
 namespace {

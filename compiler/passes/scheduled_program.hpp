@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/passes/array_calls.hpp"
+#include "compiler/passes/roll.hpp"
 #include "compiler/program/program.hpp"
 
 namespace mbgen {
@@ -80,5 +81,12 @@ enum class Division {
   cheapest,   ///< where the fewest values cross
   by_section  ///< at every end of a section, and inside long ones where the fewest values cross
 };
+
+/// Inside the room, straight code: order, parts, calls and one unit a part; no facts of values.
+Schedule straight_schedule(const Program& program, Division division, ValueOrder order);
+
+/// Inside the room, code with loops: order, parts, units with their stored values, and the places and operands of
+/// values.
+Schedule rolled_schedule(const Program& program, const Rolling& rolling);
 
 }  // namespace mbgen

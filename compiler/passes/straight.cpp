@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "compiler/passes/kinds.hpp"
-#include "compiler/passes/orders.hpp"
 #include "compiler/passes/passes.hpp"
+#include "compiler/passes/scheduled_program.hpp"
 
 namespace mbgen {
 namespace {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "compiler/model/box.hpp"
+
 namespace mbgen {
 
 Vector3 values(const Vector3Quantity& vector) { return {vector[0].value, vector[1].value, vector[2].value}; }
@@ -62,17 +64,11 @@ std::vector<Attachment> spring_ends(const Model& model) {
 /// The places without ends of springs that are far from all others. springs: how many stand first.
 std::vector<BodyPlace> without_far_hooks(const Model& model, std::vector<BodyPlace> places, std::size_t springs) {
   const auto global = [&](const BodyPlace& place) { return to_global(model.bodies[place.body].pose, place.at); };
-  Vector3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  for (std::size_t p = springs; p < places.size(); ++p) {
-    const Vector3 at = global(places[p]);
-    for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], at[i] - places[p].margin);
-      high[i] = std::max(high[i], at[i] + places[p].margin);
-    }
-  }
-  const double size = distance(low, high);
-  if (!(size > 0) || low[0] > high[0]) return places;
-  const Vector3 centre = {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2};
+  Box box;
+  for (std::size_t p = springs; p < places.size(); ++p) box.add(global(places[p]), places[p].margin);
+  const double size = box.diagonal();
+  if (!(size > 0)) return places;
+  const Vector3 centre = box.centre();
   const auto is_far = [&](const BodyPlace& place) {
     return place.body == model.ground && distance(global(place), centre) > kFarAway * size;
   };

@@ -9,6 +9,7 @@
 #include "compiler/report/motion.hpp"
 #include "compiler/report/page.hpp"
 #include "compiler/report/scene.hpp"
+#include "compiler/topology/names.hpp"
 
 namespace mbgen {
 namespace {
@@ -47,17 +48,12 @@ Json blocks_json(const Topology& topology, const Analysis& analysis) {
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const LoopBlock& block = topology.blocks[b];
     const BlockAnalysis& decided = analysis.blocks[b];
-    Json loops = Json::array(), independent = Json::array();
-    for (const int loop : block.loops) loops.push_back(topology.loops[loop].name);
-    for (const int column : decided.independent) {
-      independent.push_back(topology.bodies[block.joints[column]].coordinate);
-    }
-    blocks.push_back({{"base", block.base == kGround ? "ground" : topology.bodies[block.base].name},
+    blocks.push_back({{"base", body_name(topology, block.base)},
                       {"coordinates", block.joints.size()},
                       {"equations", block.equations},
                       {"rank", decided.rank},
-                      {"loops", loops},
-                      {"independent", independent},
+                      {"loops", loop_names(topology, block)},
+                      {"independent", local_names(topology, block, decided.independent)},
                       {"redundant", decided.redundant_names}});
   }
   return blocks;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "compiler/model/box.hpp"
 #include "compiler/report/places.hpp"
 
 namespace mbgen {
@@ -27,29 +28,18 @@ constexpr double kBracket = 0.0044;
 constexpr double kRod = 0.0022, kDamper = 0.0032, kSpring = 0.0075, kSpringSlimness = 0.075, kJoint = 0.0022;
 
 /// Box around all shapes, at the reference.
-struct Extent {
-  Vector3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  bool empty() const { return low[0] > high[0]; }
-  void add(const Vector3& point, double margin = 0) {
-    for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], point[i] - margin);
-      high[i] = std::max(high[i], point[i] + margin);
-    }
-  }
-};
-
-Extent extent_of(const Model& model) {
-  Extent extent;
+Box extent_of(const Model& model) {
+  Box extent;
   for (const BodyPlace& place : drawn_places(model)) {
     extent.add(to_global(model.bodies[place.body].pose, place.at), place.margin);
   }
-  if (extent.empty()) extent.add({0, 0, 0}, 1);
+  if (extent.is_empty()) extent.add({0, 0, 0}, 1);
   return extent;
 }
 
-double size_of(const Extent& extent) {
+double size_of(const Box& extent) {
   constexpr double kLeastSize = 1e-3;
-  return std::max(kLeastSize, distance(extent.low, extent.high));
+  return std::max(kLeastSize, extent.diagonal());
 }
 
 std::string colour_text(const DisplayShape& shape) {
@@ -241,10 +231,10 @@ int body_to_follow(const Model& model) {
 double model_size(const Model& model) { return size_of(extent_of(model)); }
 
 Json scene_json(const Model& model) {
-  const Extent extent = extent_of(model);
+  const Box extent = extent_of(model);
   const double size = size_of(extent);
-  Vector3 centre{}, up = values(model.gravity);
-  for (int i = 0; i < 3; ++i) centre[i] = (extent.low[i] + extent.high[i]) / 2;
+  const Vector3 centre = extent.centre();
+  Vector3 up = values(model.gravity);
   const double gravity = std::hypot(up[0], up[1], up[2]);
   for (double& component : up) component = gravity > 0 ? -component / gravity : 0;
   if (!(gravity > 0)) up = {0, 0, 1};

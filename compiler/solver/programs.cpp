@@ -39,7 +39,9 @@ const std::vector<ProgramSpec>& program_specs() {
   return kSpecs;
 }
 
-const char* name_of(Role role) { return program_specs()[static_cast<std::size_t>(role)].name; }
+const ProgramSpec& spec_of(Role role) { return program_specs()[static_cast<std::size_t>(role)]; }
+
+const char* name_of(Role role) { return spec_of(role).name; }
 
 Program& program_of(Programs& programs, Role role) { return programs.*kMembers[static_cast<std::size_t>(role)]; }
 

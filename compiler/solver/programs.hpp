@@ -41,6 +41,7 @@ struct ProgramSpec {
 /// One spec a role, in the order of the roles. No emitted program takes or gives an array that its spec does not have.
 const std::vector<ProgramSpec>& program_specs();
 
+const ProgramSpec& spec_of(Role role);
 const char* name_of(Role role);
 
 /// Programs that a model does not need are empty.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "compiler/topology/names.hpp"
+
 namespace mbgen {
 namespace {
 
@@ -44,9 +46,8 @@ std::string section_title(Form form, const Topology& topology, const Section& se
 
 std::string tree_body_title(const Topology& topology, std::size_t i) {
   const TreeBody& body = topology.bodies[i];
-  const std::string base =
-      body.parent == kGround ? "ground" : topology.bodies[static_cast<std::size_t>(body.parent)].name;
-  return fmt::format("{}: {}, {}, {}", body.name, body.coordinate, name_of(body.kind), base);
+  return fmt::format("{}: {}, {}, {}", body.name, body.coordinate, name_of(body.kind),
+                     body_name(topology, body.parent));
 }
 
 template <auto elements>

@@ -68,14 +68,6 @@ double real_time_factor(const SimulationRecord& record, double seconds) {
   return seconds > 0 ? simulated / seconds : 0;
 }
 
-std::vector<std::string> loop_names(const Compilation& compilation, std::size_t block) {
-  std::vector<std::string> names;
-  for (const int loop : compilation.topology.blocks[block].loops) {
-    names.push_back(compilation.topology.loops[loop].name);
-  }
-  return names;
-}
-
 bool met_something(const BlockEvents& block) { return block.chosen_again > 0 || block.near_singular > 0; }
 
 /// Notices of the loop blocks, a line or two for each of them.
@@ -85,7 +77,8 @@ std::string blocks_text(const SimulationRecord& record) {
     const BlockEvents& block = record.summary.blocks[b];
     if (!met_something(block)) continue;
     text += fmt::format("  loops {}: coordinates chosen again in {} steps, near a singular position in {} steps\n",
-                        fmt::join(loop_names(record.compilation, b), ", "), block.chosen_again, block.near_singular);
+                        fmt::join(loop_names(record.compilation.topology, record.compilation.topology.blocks[b]), ", "),
+                        block.chosen_again, block.near_singular);
     if (block.singular_met == 0) continue;
     text += fmt::format("    singular positions passed: {}, at t = {:.6g}{} s\n", block.singular_met,
                         fmt::join(block.singular_times, ", "),
@@ -99,7 +92,7 @@ Json blocks_json(const SimulationRecord& record) {
   for (std::size_t b = 0; b < record.summary.blocks.size(); ++b) {
     const BlockEvents& block = record.summary.blocks[b];
     if (!met_something(block)) continue;
-    blocks.push_back({{"loops", loop_names(record.compilation, b)},
+    blocks.push_back({{"loops", loop_names(record.compilation.topology, record.compilation.topology.blocks[b])},
                       {"chosen_again_steps", block.chosen_again},
                       {"near_singular_steps", block.near_singular},
                       {"singular_positions", block.singular_met},

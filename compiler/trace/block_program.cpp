@@ -1,7 +1,6 @@
-#include "compiler/trace/block_program.hpp"
-
 #include <algorithm>
 
+#include "compiler/trace/each_program.hpp"
 #include "compiler/trace/tracing.hpp"
 
 namespace mbgen {

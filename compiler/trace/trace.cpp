@@ -1,28 +1,10 @@
 #include "compiler/trace/trace.hpp"
 
+#include <utility>
+
 #include "compiler/trace/each_program.hpp"
 
 namespace mbgen {
-namespace {
-
-/// The frozen and the chosen partition in one form, so that both are the same equations.
-void trace_all_accelerations(const Model& model, const Topology& topology, const Analysis& analysis,
-                             Programs& programs) {
-  const bool chooses = !topology.loops.empty() && chooses_again(topology);
-  if (programs.form == Form::matrix) {
-    programs.accelerations = trace_matrix_accelerations(model, topology, analysis, Role::accelerations);
-    if (chooses)
-      programs.accelerations_chosen = trace_matrix_accelerations(model, topology, analysis, Role::accelerations_chosen);
-    return;
-  }
-  auto [program, choices] = cheapest_recursion(model, topology, analysis);
-  programs.accelerations = std::move(program);
-  if (chooses)
-    programs.accelerations_chosen =
-        trace_recursive_accelerations(model, topology, analysis, Role::accelerations_chosen, choices);
-}
-
-}  // namespace
 
 bool is_worth_writing(Form form, const Topology& topology, const Analysis& analysis) {
   const LeastOperations least = least_operations(topology, analysis);
@@ -42,7 +24,19 @@ Program trace_accelerations(const Model& model, const Topology& topology, const 
 Programs trace(const Model& model, const Topology& topology, const Analysis& analysis, std::optional<Form> form) {
   Programs programs;
   programs.form = form.value_or(form_of(topology, analysis));
-  trace_all_accelerations(model, topology, analysis, programs);
+  const bool chooses = !topology.loops.empty() && chooses_again(topology);
+  // The frozen and the chosen partition are in one form, so that both are the same equations.
+  if (programs.form == Form::matrix) {
+    programs.accelerations = trace_matrix_accelerations(model, topology, analysis, Role::accelerations);
+    if (chooses)
+      programs.accelerations_chosen = trace_matrix_accelerations(model, topology, analysis, Role::accelerations_chosen);
+  } else {
+    auto [program, choices] = cheapest_recursion(model, topology, analysis);
+    programs.accelerations = std::move(program);
+    if (chooses)
+      programs.accelerations_chosen =
+          trace_recursive_accelerations(model, topology, analysis, Role::accelerations_chosen, choices);
+  }
   programs.closure = trace_closure(model, topology, analysis, programs.form);
   if (!topology.loops.empty()) programs.closure_terms = trace_closure_terms(model, topology, analysis, programs.form);
   programs.multipliers = trace_multipliers(model, topology, analysis, programs.form);

@@ -8,7 +8,6 @@
 #include "compiler/model/model.hpp"
 #include "compiler/solver/programs.hpp"
 #include "compiler/topology/topology.hpp"
-#include "compiler/trace/block_program.hpp"
 
 namespace mbgen {
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "compiler/emit/names.hpp"
-#include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/texts.hpp"
 #include "tests/emit/emit_support.hpp"
 
 namespace mbgen::test {

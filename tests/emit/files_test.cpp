@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "compiler/emit/program_text.hpp"
+#include "compiler/emit/texts.hpp"
 #include "tests/emit/emit_support.hpp"
 
 namespace mbgen::test {

@@ -31,13 +31,13 @@ TEST(EmittedNumbers, areShortestAndReadBackExactly) {
 }
 
 TEST(EmittedNames, areIdentifiersAndUnique) {
-  std::vector<std::string> taken;
+  UniqueNames unique;
   const std::pair<const char*, const char*> expected[] = {
       {"crank", "crank"},  {"crank", "crank_2"}, {"crank", "crank_3"}, {"crank_2", "crank_2_2"},
       {"class", "class_"}, {"class", "class_2"}, {"4bar", "n_4bar"},   {"Rüder", "R_der"},
       {"", "unnamed"},     {"__x", "x"},         {"a__b-c", "a_b_c"},  {"M_PI", "M_PI_"},
       {"gamma", "gamma_"}, {"std", "std_"},      {"_", "unnamed_2"},   {"Index", "Index_"}};
-  for (const auto& [name, result] : expected) EXPECT_EQ(identifier(name, taken), result) << name;
+  for (const auto& [name, result] : expected) EXPECT_EQ(unique.identifier(name), result) << name;
 }
 
 TEST(EmittedNames, ofOutputsLeaveRoomForTheEnergies) {
