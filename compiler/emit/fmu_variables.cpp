@@ -17,14 +17,13 @@ constexpr const char* kTime = "time";
 
 bool contains(const std::vector<int>& list, int value) { return std::ranges::find(list, value) != list.end(); }
 
-/// Adds a parameter, an input or an output of the model. what: it is, where the model does not describe it.
+/// Adds a parameter, an input or an output of the model. what: its description, where the model gives none.
 template <class Given>
-FmuVariable& add_given(Slot slot, const Given& given, const std::string& name, const std::string& what,
-                       Causality causality, Start start, FmuLayout& fmu) {
-  const Presentation& shown = given.shown;
+void add_given(Slot slot, const Given& given, const std::string& name, const std::string& what, Causality causality,
+               Start start, double value, FmuLayout& fmu) {
+  const std::string& description = given.shown.description;
   fmu.variables.push_back(
-      {slot, name, given.unit, shown.description.empty() ? what : shown.description, causality, start, 0, -1, shown});
-  return fmu.variables.back();
+      {slot, name, given.unit, description.empty() ? what : description, causality, start, value, -1, given.shown});
 }
 
 void add_parameters_and_inputs(const EmitContext& context, FmuLayout& fmu) {
@@ -32,13 +31,12 @@ void add_parameters_and_inputs(const EmitContext& context, FmuLayout& fmu) {
   fmu.variables.push_back({{Array::t, 0}, kTime, "s", "time", Causality::independent, Start::none});
   for (int i = 0; const Parameter& parameter : tunable_parameters(model))
     add_given({Array::par, i++}, parameter, fmu_parameter_name(parameter.name), "tunable parameter",
-              Causality::parameter, Start::exact, fmu)
-        .value = parameter.value;
+              Causality::parameter, Start::exact, parameter.value, fmu);
   const int first_input = static_cast<int>(fmu.variables.size());
   for (int i = 0; const Input& input : model.inputs) {
     const std::string rate = input.derivative < 0 ? "" : ", goes on by " + model.inputs[input.derivative].name;
-    add_given({Array::in, i++}, input, fmu_input_name(input.name), "input" + rate, Causality::input, Start::none, fmu)
-        .value = input.default_value;
+    add_given({Array::in, i++}, input, fmu_input_name(input.name), "input" + rate, Causality::input, Start::none,
+              input.default_value, fmu);
   }
   // Importers are told which inputs belong together; a derivative that inputs share is that of none.
   for (const std::vector<int>& row : input_rows(model.inputs)) {
@@ -51,7 +49,7 @@ void add_parameters_and_inputs(const EmitContext& context, FmuLayout& fmu) {
 void add_outputs(const EmitContext& context, FmuLayout& fmu) {
   for (int i = 0; const Output& output : context.model.outputs)
     add_given({Array::y, i++}, output, fmu_output_name(context.model, output.name), "output of the model",
-              Causality::output, Start::calculated, fmu);
+              Causality::output, Start::calculated, 0, fmu);
   const auto add = [&](Slot slot, const char* name, const char* unit, const char* description) {
     fmu.variables.push_back({slot, name, unit, description, Causality::output, Start::calculated});
   };
@@ -68,10 +66,9 @@ bool acts_on(const StartParameter& parameter, int coordinate) {
 void add_start_parameters(const EmitContext& context, const InitialState& initial, FmuLayout& fmu) {
   for (const StartParameter& one : initial.parameters) {
     const Parameter& parameter = context.model.parameters[static_cast<std::size_t>(one.parameter)];
-    FmuVariable& variable = add_given({Array::par, -1}, parameter, fmu_parameter_name(parameter.name),
-                                      "parameter of the start", Causality::parameter, Start::exact, fmu);
-    variable.value = parameter.value;
-    variable.is_fixed = true;
+    add_given({Array::par, -1}, parameter, fmu_parameter_name(parameter.name), "parameter of the start",
+              Causality::parameter, Start::exact, parameter.value, fmu);
+    fmu.variables.back().is_fixed = true;
   }
 }
 
