@@ -10,8 +10,6 @@
 namespace mbgen {
 namespace {
 
-/// AVX-512 addresses vectors by multiples of their size: so many after a pointer take one byte, the others four.
-constexpr std::size_t kReachedByOneByte = 128;
 /// Values between two calls of mbgen::read_back(): docs/use/batch.md.
 constexpr std::size_t kReadBackAfter = 64;
 constexpr int kLaneBytes = 8;
@@ -28,7 +26,6 @@ FrameRows default_rows(const std::vector<NumberMember>& members, int lanes) {
 /// The program on vectors: a sibling of the scalar function, with the same name and arguments.
 ShapedProgram in_lanes(ShapedProgram shaped) {
   shaped.shape.scalar = "Lanes";
-  shaped.shape.most_crossing = kReachedByOneByte;
   shaped.shape.read_back_after = kReadBackAfter;
   shaped.shape.in_groups = shaped.role != Role::derived_constants;
   for (auto& [name, declaration] : shaped.shape.arguments) {
@@ -56,7 +53,7 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
       continue;  // of lanes that are alone
     ShapedProgram shaped = in_lanes(scalar);
     shaped.shape.constants = &constants;
-    const Schedule order = schedule(*shaped.program, {.order = ValueOrder::fewest_alive});
+    const Schedule order = schedule(*shaped.program, {.order = ValueOrder::fewest_alive, .shares_places = true});
     programs.push_back({{"program", program_text(*shaped.program, order, shaped.shape)}});
     if (shaped.role != Role::outputs && shaped.role != Role::derived_constants)
       members.push_back(system_member(shaped, "lanes::" + shaped.shape.result + "Of<Row>", "lanes::"));

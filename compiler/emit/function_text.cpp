@@ -7,9 +7,9 @@
 namespace mbgen {
 namespace {
 
-/// The type of such an argument: AccelerationsWork of "work", AccelerationsWork2 of "work2".
+/// The type of such an argument: AccelerationsWork1 of "w1".
 std::string work_type(const ProgramShape& shape, const CrossingStruct& work) {
-  return shape.result + "W" + work.argument.substr(1);
+  return shape.result + "Work" + work.argument.substr(1);
 }
 
 /// An argument of a function or of one of its parts.
@@ -82,10 +82,24 @@ std::string declaration(const ProgramShape& shape, const std::set<std::string>& 
   return wrapped_statement("void " + shape.function + "(" + whole_parameters(shape, used) + ") noexcept" + end);
 }
 
+/// Members of such a struct: values by themselves, those that share a place in unions, and arrays.
+std::string member_declarations(const std::string& scalar, const CrossingStruct& work) {
+  std::string unions;
+  std::vector<std::string> alone;
+  for (const std::vector<std::string>& names : work.places) {
+    if (names.size() == 1)
+      alone.push_back(names[0]);
+    else
+      unions += wrapped_statement("  union { " + scalar + " " + joined(names, ", ") + "; };") + "\n";
+  }
+  alone.insert(alone.end(), work.arrays.begin(), work.arrays.end());
+  return (alone.empty() ? "" : "  " + scalar + "\n" + wrapped_list(alone, 6) + ";\n") + unions;
+}
+
 FrameRows work_rows(const ProgramShape& shape, const CrossingStructs& crossing) {
   return mapped(crossing, [&](const CrossingStruct& work) {
     return FrameValues{
-        {"type", work_type(shape, work)}, {"argument", work.argument}, {"values", wrapped_list(work.members, 6)}};
+        {"type", work_type(shape, work)}, {"argument", work.argument}, {"values", member_declarations(shape.scalar, work)}};
   });
 }
 

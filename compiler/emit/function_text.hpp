@@ -12,9 +12,9 @@ namespace mbgen {
 
 /// A struct of values that cross the parts of a program: an argument of the parts, and its members.
 struct CrossingStruct {
-  std::string argument;              ///< "work", "work2", ...
-  std::vector<std::string> members;  ///< declarators: "s3_12", "sines[22]"
-  std::size_t values = 0;
+  std::string argument;                               ///< "w1", "w2", ...
+  std::vector<std::vector<std::string>> places = {};  ///< names of the values that are there, one after the other
+  std::vector<std::string> arrays = {};               ///< declarators: "sines[22]"
 };
 
 using CrossingStructs = std::vector<CrossingStruct>;
@@ -24,7 +24,7 @@ struct PartText {
   std::string body;
   std::string indent = "  ";          ///< of the lines that come next
   std::set<std::string> arguments;    ///< names that the body uses, those of `crossing` and "result" among them
-  std::vector<std::string> sections;  ///< titles, in order
+  std::vector<std::string> sections;  ///< titles, each once, in the order of their first lines
   std::optional<int> ended_step;      ///< number of the step that ends with this part
 };
 

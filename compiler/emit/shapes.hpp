@@ -58,8 +58,6 @@ struct ProgramShape {
   bool in_groups = false;
   /// Argument that is told the end of every section by its number, "" for none: then the parts follow the sections.
   std::string clock;
-  /// Largest number of values in one struct of values that cross parts, 0: all in one.
-  std::size_t most_crossing = 0;
   /// Names of the model's numbers in the file that this goes into, null: numbers are written as such.
   ConstantNames* constants = nullptr;
   /// Values after which mbgen::read_back() is called, 0: never.

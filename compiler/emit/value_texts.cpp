@@ -40,8 +40,8 @@ ValueTexts::ValueTexts(const Program& program, const Schedule& schedule, const P
       tables_(names_) {
   for (const OutputValue& output : program.outputs) outputs_[output.value].push_back(output.slot);
   reserve_names();
+  declare_crossing();
   name_calls();
-  if (schedule.has_loops()) crossing_ = {{"work", {fmt::format("value[{}]", std::max(schedule.stored, 1))}, 0}};
 }
 
 // --- names that are given before the first line is written ---
@@ -54,28 +54,40 @@ void ValueTexts::reserve_names() {
   for (const auto& [group, place] : shape_.inputs) {
     for (const std::string& local : place.locals) names_.reserve(local);
   }
-  for (const char* name : {"work", "result", "fma", "fms", "fnma"}) names_.reserve(name);
+  for (const char* name : {"result", "fma", "fms", "fnma"}) names_.reserve(name);
   if (schedule_.has_loops()) names_.reserve("k");
+}
+
+CrossingStruct& ValueTexts::add_crossing() {
+  return crossing_.emplace_back(CrossingStruct{names_.unique(fmt::format("w{}", crossing_.size() + 1))});
+}
+
+void ValueTexts::declare_crossing() {
+  if (schedule_.has_loops()) add_crossing().arrays = {fmt::format("value[{}]", std::max(schedule_.stored, 1))};
+  const auto places = static_cast<std::size_t>(schedule_.places);
+  for (std::size_t first = 0; first < places; first += kPlacesTogether)
+    add_crossing().places.resize(std::min(places - first, kPlacesTogether));
 }
 
 void ValueTexts::name_calls() {
   const std::vector<ArrayCall>& calls = schedule_.calls.calls;
-  std::vector<bool> crosses(calls.size(), false);
-  for (const ValueId v : schedule_.order) {
-    if (facts(v).crosses && place_in_call(v).call >= 0) crosses[place_in_call(v).call] = true;
-  }
+  std::set<int> crossing_calls;
+  for (const ValueId v : schedule_.order)
+    if (facts(v).crosses) crossing_calls.insert(place_in_call(v).call);
+  crossing_calls.erase(-1);
+  if (!crossing_calls.empty()) add_crossing();
   for (std::size_t c = 0; c < calls.size(); ++c) {
     CallNames names = names_of_call(calls[c].op);
     names.arguments = names_.unique(names.arguments);
     if (!names.exponents.empty()) names.exponents = names_.unique(names.exponents);
     for (std::string& array : names.results) {
       array = names_.unique(array);
-      const std::size_t size = calls[c].arguments.size();
-      const std::string declared = fmt::format("{}[{}]", array, size);
-      if (crosses[c]) {
-        const std::string argument = add_crossing(declared, size);
-        names.work.insert(argument);
-        array = argument + "." + array;
+      const std::string declared = fmt::format("{}[{}]", array, calls[c].arguments.size());
+      if (crossing_calls.contains(static_cast<int>(c))) {
+        CrossingStruct& home = crossing_.back();
+        home.arrays.push_back(declared);
+        names.work.insert(home.argument);
+        array = home.argument + "." + array;
       } else {
         names.declaration += (names.declaration.empty() ? shape_.scalar + " " : ", ") + declared;
       }
@@ -86,26 +98,19 @@ void ValueTexts::name_calls() {
 
 // --- places in memory ---
 
-std::string ValueTexts::add_crossing(const std::string& member, std::size_t values) {
-  const bool has_room =
-      !crossing_.empty() && (shape_.most_crossing == 0 || crossing_.back().values + values <= shape_.most_crossing);
-  if (!has_room) crossing_.push_back({crossing_.empty() ? "work" : names_.unique("work"), {}, 0});
-  CrossingStruct& home = crossing_.back();
-  home.members.push_back(member);
-  home.values += values;
-  return home.argument;
-}
-
 std::string ValueTexts::crossing_place(ValueId v, const std::string& name, PartText& part) {
-  const std::string argument = work_of_[v] = add_crossing(name, 1);
-  part.arguments.insert(argument);
-  return argument + "." + name;
+  const auto place = static_cast<std::size_t>(facts(v).place);
+  CrossingStruct& home = crossing_[place / kPlacesTogether];
+  home.places[place % kPlacesTogether].push_back(name);
+  work_of_[v] = home.argument;
+  part.arguments.insert(home.argument);
+  return home.argument + "." + name;
 }
 
 std::string ValueTexts::stored_place(const Slices& values, PartText& part) {
-  part.arguments.insert("work");
+  part.arguments.insert(crossing_[0].argument);
   const auto index = [&](ValueId v) { return schedule_.index_of(v); };
-  return "work.value[" + tables_.index(mapped(values, index)) + "]";
+  return crossing_[0].argument + ".value[" + tables_.index(mapped(values, index)) + "]";
 }
 
 const GroupPlace& ValueTexts::place_of(const Places& places, const Slot& slot) const {

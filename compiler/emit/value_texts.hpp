@@ -17,7 +17,7 @@ namespace mbgen {
 struct CallNames {
   std::string function, arguments, exponents;  ///< exponents: of powers, else empty
   std::vector<std::string> results;
-  std::string declaration;     ///< of the results, empty when they are members of `work`
+  std::string declaration;     ///< of the results, empty when they cross parts
   std::set<std::string> work;  ///< arguments whose members they are
 };
 
@@ -53,7 +53,7 @@ class ValueTexts {
 
   /// The label that the value has in all slices, or that of its section and a number.
   std::string name_of(ValueId v);
-  /// A new member of `work` for a value that crosses parts, in programs without loops.
+  /// The place in memory of a value that crosses parts, in programs without loops.
   std::string crossing_place(ValueId v, const std::string& name, PartText& part);
   /// The place of values in the array of a program with loops.
   std::string stored_place(const Slices& values, PartText& part);
@@ -70,10 +70,12 @@ class ValueTexts {
 
  private:
   void reserve_names();
-  /// Where the calls for many arguments leave their results: in `work` when another part needs one of them.
+  /// Where the calls for many arguments leave their results: in a struct when another part needs one of them.
   void name_calls();
-  /// Declares a member of `work`. Result: the argument that holds it.
-  std::string add_crossing(const std::string& member, std::size_t values);
+  /// One more struct of values that cross parts.
+  CrossingStruct& add_crossing();
+  /// The structs of single values, or that of a program with loops.
+  void declare_crossing();
   Phrase input_phrase(const Slices& values, PartText& part);
   /// A value in memory that this part reads often, by a name of its own.
   Phrase copied(ValueId v, const std::string& local, const std::string& place, PartText& part);

@@ -1,6 +1,7 @@
 #include "compiler/passes/schedule.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "compiler/passes/kinds.hpp"
 
@@ -45,6 +46,37 @@ void find_uses(const Program& program, Schedule& schedule) {
       ScheduledValue& value = schedule.value[schedule.order[i]];
       value.crosses = unit.stored[value.offset] >= 0;
     }
+}
+
+/// Gives the values that cross parts their places: short addresses go to those that are read most.
+void place_crossing(Schedule& schedule, bool shares) {
+  std::vector<std::size_t> last_part(schedule.value.size(), 0);
+  for (const ScheduledUnit& unit : schedule.units)
+    for (std::size_t i = unit.first; i < unit.last(); ++i)
+      for (const ValueId operand : schedule.value[schedule.order[i]].operands)
+        if (operand != kNoValue) last_part[operand] = unit.part;
+  struct Place {
+    std::vector<ValueId> values;  ///< one after the other
+    int users = 0;
+  };
+  std::vector<Place> places;
+  for (const ValueId v : schedule.order) {
+    const ScheduledValue& value = schedule.value[v];
+    if (!value.crosses || schedule.calls.place[v].call >= 0) continue;
+    const std::size_t part = schedule.units[static_cast<std::size_t>(value.unit)].part;
+    const auto is_free = [&](const Place& place) { return shares && last_part[place.values.back()] < part; };
+    auto place = std::ranges::find_if(places, is_free);
+    if (place == places.end()) place = places.insert(places.end(), Place{});
+    place->values.push_back(v);
+    place->users += value.users;
+  }
+  for (std::size_t first = 0; first < places.size(); first += kPlacesTogether)
+    std::ranges::stable_sort(places.begin() + first, places.begin() + std::min(first + kPlacesTogether, places.size()),
+                             std::greater{}, &Place::users);
+  for (const Place& place : places) {
+    for (const ValueId v : place.values) schedule.value[v].place = schedule.places;
+    ++schedule.places;
+  }
 }
 
 /// Sines beside the cosines of the same angles, in all slices of a unit.
@@ -108,6 +140,7 @@ Schedule schedule(const Program& program, const ScheduleOptions& options) {
     result = rolled_schedule(program, rolling);
   }
   find_uses(program, result);
+  if (!result.has_loops()) place_crossing(result, options.shares_places);
   find_partners(program, result);
   settle_slices(program, result);
   return result;

@@ -17,6 +17,7 @@ struct ScheduleOptions {
   /// Operations and outputs, together, above which equal subsystems become loops when that saves half of the text.
   std::size_t roll_above = std::numeric_limits<std::size_t>::max();
   std::set<SlotGroup> indexed = {};  ///< groups whose slots are an array in the text, see roll
+  bool shares_places = false;        ///< a value that crosses parts takes the place of one that no later part needs
 };
 
 /// Schedules a program.

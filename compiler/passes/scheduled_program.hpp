@@ -13,8 +13,12 @@ namespace mbgen {
 
 /// Values of a part: one function holds at least the first and at most the second number, unless the program is
 /// smaller. g++ takes 251 s for 22 000 statements in one function and 2 s in parts of this size, which run no slower.
-constexpr std::size_t kSmallestPart = 400;
-constexpr std::size_t kLargestPart = 800;
+constexpr std::size_t kSmallestPart = 250;
+constexpr std::size_t kLargestPart = 500;
+
+/// Places of values that cross parts in one struct. AVX-512 addresses numbers and vectors by multiples of their size: so
+/// many after a pointer take one byte, the others four.
+constexpr std::size_t kPlacesTogether = 128;
 
 /// Half-open range of places in Schedule::order.
 struct PlaceRange {
@@ -42,6 +46,7 @@ struct ScheduledValue {
   int users = 0;                                                     ///< operands that are this value
   ValueId user = kNoValue;                                           ///< the last of them
   bool crosses = false;        ///< used where no local variable of its part is seen
+  int place = -1;              ///< of one that crosses parts, without loops and calls: see Schedule::places
   bool is_inlined = false;     ///< only its one user needs to know it: part of that user's expression
   ValueId partner = kNoValue;  ///< sine or cosine of the same angle beside this one, which no larger call computes
 };
@@ -60,6 +65,8 @@ struct Schedule {
   std::vector<ScheduledValue> value;  ///< per value of the program
   ArrayCalls calls;                   ///< elementary functions in lanes
   int stored = 0;                     ///< size of the array of values that cross, of programs with loops
+  int places = 0;                     ///< for the others that cross, in each struct those that are read
+                                      ///< most first: the sixteen first are the cheapest to address
 
   bool has_loops() const { return loops() > 0; }
   std::size_t loops() const;

@@ -152,9 +152,8 @@ using Accelerations = AccelerationsOf<Lanes>;
 /// Part 1 of compute_accelerations: step 1: poses and axes b; step 5: applied forces Q (48); step
 /// 9: accelerations from the root to the leaves (63), (62); step 2: closure Jacobian Phi_z and its
 /// factors (60), upper; step 4: velocities; step 8: elimination from the leaves to the root (63),
-/// upper; step 5: applied forces Q (48); step 8: elimination from the leaves to the root (63); step
-/// 6: c and dRz/dt zd (62), upper; step 3: Rz (61), upper; step 7: inertias of the bodies and
-/// forces on joints, upper; step 8: elimination from the leaves to the root (63), upper.
+/// upper; step 8: elimination from the leaves to the root (63); step 6: c and dRz/dt zd (62),
+/// upper; step 3: Rz (61), upper; step 7: inertias of the bodies and forces on joints, upper.
 [[gnu::noinline]] void compute_accelerations_1(const Tuned& parameters, const State& state,
     const Lanes* tau, Accelerations& __restrict result) noexcept {
   // Results that need no operation.
@@ -409,8 +408,7 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
 
 /// Part 1 of compute_multipliers: step 1: poses and axes b; step 5: applied forces Q (48); step 4:
 /// velocities; step 9: multipliers of the closures and driving forces; step 7: inertias of the
-/// bodies and forces on joints; step 5: applied forces Q (48); step 7: inertias of the bodies and
-/// forces on joints; step 9: multipliers of the closures and driving forces.
+/// bodies and forces on joints.
 [[gnu::noinline]] void compute_multipliers_1(const Tuned& parameters, const State& state,
     const Lanes* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
   // --- step 1: poses and axes b ---
@@ -573,8 +571,8 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
 }
 
 /// Part 1 of compute_outputs: step 1: poses and axes b; step 5: applied forces Q (48); step 9:
-/// outputs, energies, power; step 4: velocities; step 5: applied forces Q (48); step 7: inertias of
-/// the bodies and forces on joints.
+/// outputs, energies, power; step 4: velocities; step 7: inertias of the bodies and forces on
+/// joints.
 [[gnu::noinline]] void compute_outputs_1(const Tuned& parameters, const State& state,
     const Lanes* tau, const Multipliers& multipliers, Outputs& __restrict result) noexcept {
   // Results that need no operation.

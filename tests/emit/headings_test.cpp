@@ -38,8 +38,8 @@ class CommittedHeadings : public testing::TestWithParam<const char*> {};
 
 // A copy of a result that a call for many angles left in an array is a reading of it, and stands where it is read.
 TEST_P(CommittedHeadings, namedValuesStandUnderTheirBody) {
-  static const std::regex kValue(R"(  (?:const double |work\d*\.)(\w+) = (.*))");
-  static const std::regex kReading(R"((?:work\d*\.)?(?:sines|cosines)\w*\[\d+\];)");
+  static const std::regex kValue(R"(  (?:const double |w\d+\.)(\w+) = (.*))");
+  static const std::regex kReading(R"((?:w\d+\.)?(?:sines|cosines)\w*\[\d+\];)");
   const std::string name = GetParam(),
                     path = std::string(MBGEN_SOURCE_DIR) + "/generated/" + name + "/" + name + ".cpp";
   const auto coordinates = coordinates_of_bodies(path);

@@ -60,8 +60,7 @@ template <std::size_t N, class Real = double, class Several, class One>
   if constexpr (N == 1) {
     one(0);
   } else {
-    for (std::size_t i = 0; i + width <= N; i += width) several(i);
-    if constexpr (N % width != 0) several(N - width);
+    for (std::size_t i = 0; i < N; i += width) several(i + width <= N ? i : N - width);
   }
 }
 
