@@ -131,7 +131,7 @@ typename System::Mask accept(const typename System::Closure& closure, const type
 /// Lanes in which every block is hardly corrected, see is_slight of closure.hpp.
 template <class System>
 typename System::Mask is_slight(const typename System::State& state, const typename System::Closure& closure) noexcept {
-  constexpr double limit = kSlightCorrection * System::kClosureTolerance;
+  constexpr double limit = kSlightCorrection<double> * System::kClosureTolerance;
   typename System::Mask slight = every_lane<System>();
   for (int i = 0; i < System::kCoordinates; ++i) {
     slight &= (mbgen::abs(closure.dz[i]) <= limit) & (mbgen::abs(closure.zd[i] - state.zd[i]) <= limit);

@@ -87,7 +87,7 @@ constexpr RealOf<System> closure_tolerance() noexcept {
 /// True when block b is hardly corrected: then it does not matter by which coordinates. A NaN is not slight.
 template <class System>
 bool is_slight(int b, const typename System::State& state, const typename System::Closure& closure) noexcept {
-  constexpr RealOf<System> limit = kSlightCorrection * closure_tolerance<System>();
+  constexpr RealOf<System> limit = kSlightCorrection<RealOf<System>> * closure_tolerance<System>();
   const BlockLayout& block = System::kBlockLayout[b];
   bool slight = true;
   for (int c = block.first_coordinate; c < block.first_coordinate + block.coordinates; ++c) {
