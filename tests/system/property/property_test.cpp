@@ -53,6 +53,7 @@ constexpr NamedFamily kFamilies[] = {
     {Family::by_equations, "by_equations"},
     {Family::planar_loops, "planar_loops"},
     {Family::rods, "rods"},
+    {Family::actuators, "actuators"},
     {Family::massless_links, "massless_links"},
     {Family::floating, "floating"},
     {Family::coupled, "coupled"},
