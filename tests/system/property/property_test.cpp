@@ -127,6 +127,16 @@ TEST(Locked, OnesOfOtherSeedsThatWereRefusedAreAccepted) {
   }
 }
 
+/// Two bodies, one on the other, that rods hold in place on a body that moves: their inertia is carried along.
+TEST(Locked, InertiaOfABlockWithoutFreedomIsCarriedAlong) {
+  const RandomMechanism random = random_mechanism(Family::actuators, 112);
+  const Result<Mechanism> m = understood(random);
+  ASSERT_TRUE(m);
+  EXPECT_GT(m->analysis.degrees_of_freedom, 0);
+  const Complaint engines = properties()[0].violated(random, *m);
+  EXPECT_FALSE(engines) << *engines;
+}
+
 /// Joints whose axes share a direction, as many as there are of one.
 int most_parallel(const Model& model) {
   int most = 0;
