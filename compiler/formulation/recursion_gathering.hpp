@@ -17,6 +17,7 @@ Spatial<T> needed_in(const CompositeBody<T>& c, const Vector<T>& a, const Vector
 /// Composite inertia of the bodies of a block that move on one of its bodies, about the origin of that body.
 template <class T>
 struct SubtreeInertia {
+  bool is_empty = true;
   PseudoInertia<T> inertia;
   Spatial<T> needed;
   std::vector<Spatial<T>> momentum;  ///< per free direction: of their motion against this body
@@ -127,6 +128,7 @@ void gather_in_subtree(RecursionState<T>& s, BlockGathering<T>& g, const JointSt
   const Spatial<T> momentum = whole * b, seen_below = shifted(offset, momentum);
   const T half = T(0.5) * dot(b, momentum);
   SubtreeInertia<T>& subtree = g.subtree[below];
+  subtree.is_empty = false;
   subtree.inertia = subtree.inertia + shifted(offset, whole);
   subtree.needed = subtree.needed + shifted(offset, needed);
   subtree.momentum.resize(g.equations.size());
@@ -137,7 +139,7 @@ void gather_in_subtree(RecursionState<T>& s, BlockGathering<T>& g, const JointSt
     for (std::size_t d = 0; d <= q; ++d)
       g.equations.mass[q][d] = g.equations.mass[q][d] + (rate[q] * coupled[d] + rate[d] * coupled[q]);
     subtree.momentum[q] = subtree.momentum[q] + rate[q] * seen_below;
-    if (!g.subtree[i].momentum.empty())
+    if (!g.subtree[i].is_empty)
       subtree.momentum[q] = subtree.momentum[q] + shifted(offset, g.subtree[i].momentum[q]);
     g.equations.force[q] = g.equations.force[q] - rate[q] * dot(b, needed);
   }
@@ -171,7 +173,7 @@ void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
   if (s.work.own(i))
     body = {rotated(axes, body.rigid), rotated(axes, body.above), rotated(axes, body.reduced),
             rotated(axes, body.needed)};
-  const bool is_bare = subtree.momentum.empty() && !is_zero(s.constant[i].mass) && !bears_units(s, i);
+  const bool is_bare = subtree.is_empty && !is_zero(s.constant[i].mass) && !bears_units(s, i);
   if (s.work.recursion.choices.centres && is_bare) {
     const PseudoInertia<T>& constant = s.constant[i];
     const Vector<T> com = (T(1.0) / constant.mass) * constant.moment;

@@ -69,6 +69,38 @@ TEST_F(CommandLine, JudgesFindTheReactionsOfTheCoach) {
 
 INSTANTIATE_TEST_SUITE_P(Paper, JudgesOnVehicles, ::testing::Values("coach", "truck"));
 
+/// Robots whose platform stands on several legs, free and driven, one of them with redundant equations.
+class JudgesOnParallelRobots : public CommandLine, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(JudgesOnParallelRobots, MoveAndAccelerateAsTheGeneratedCodeDoes) {
+  const std::string model = kSource + "/" + GetParam();
+  for (const char* engine : {"generated", "augmented"}) {
+    const Outcome run =
+        mbgen(fmt::format("simulate {} --duration 0.1 --step 5e-4 --every 40 --integrator rk4 --engine {} --out {}.csv",
+                          model, engine, engine));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  const Table motion = table("generated.csv");
+  expect_same_motion(table("augmented.csv"), motion, 1e-8);
+  Json states = {{"states", Json::array()}};
+  for (const std::vector<double>& row : motion.rows) {
+    Json state = {{"z", Json::array()}, {"zd", Json::array()}, {"t", row[0]}};
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      if (motion.names[c].starts_with("z.")) state["z"].push_back(row[c]);
+      if (motion.names[c].starts_with("zd.")) state["zd"].push_back(row[c]);
+    }
+    states["states"].push_back(state);
+  }
+  write("states.json", states.dump());
+  const std::string evaluate = "evaluate " + model + " --states states.json --engine ";
+  EXPECT_LT(worst_error(json_of(evaluate + "generated"), json_of(evaluate + "augmented")), 1e-8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Parallel, JudgesOnParallelRobots,
+                         ::testing::Values("tests/data/models/stewart.json", "models/delta.json",
+                                           "models/agile_eye.json", "models/tripteron.json"),
+                         [](const auto& info) { return std::to_string(info.index); });
+
 /// A slider-crank at its dead centre, along a direction of the x-z plane. Only the piston has mass, and the crank
 /// cannot move it: crank 1, connecting rod -1/3, so the big end -4/3.
 std::string dead_centre(double x, double z) {

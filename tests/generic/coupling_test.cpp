@@ -174,6 +174,37 @@ TEST(Screw, TurnsWhileItFalls) {
   EXPECT_NEAR(nut.zdd("screw_rz"), k * nut.zdd("screw_tz"), 1e-10);
 }
 
+/// A screw jack under 5000 N, turned at `speed` rad/s: friction of 0.12 on a thread of 6 mm a turn and 14 mm of radius.
+Coupled screw_jack(double speed) {
+  return Coupled(R"json({ "mbgen": 1, "name": "jack", "gravity": [0, 0, -10],
+    "parameters": { "lead": 0.006, "radius": 0.014, "mu": 0.12, "load": 5000, "speed": )json" +
+                 std::to_string(speed) + R"json(, "lean": "atan(lead/(2*pi*radius))" },
+    "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
+      "screw": { "mass": 3, "inertia": [0.01, 0.01, 3e-4], "points": { "O": [0, 0, 0] } },
+      "table": { "mass": "load/10", "inertia": [1, 1, 1], "points": { "O": [0, 0, 0] } } },
+    "joints": { "screw": { "type": "revolute", "from": "ground.O", "to": "screw.O", "axis": "z" },
+      "table": { "type": "prismatic", "from": "ground.O", "to": "table.O", "axis": "z" } },
+    "couplings": { "thread": { "relation": "z.table - lead/(2*pi)*z.screw" } },
+    "joint_forces": { "rubbing": { "joint": "screw",
+      "force": "-mu*radius*load*tanh(zd.screw/0.01)/(cos(lean)*(cos(lean) - mu*sin(lean)*tanh(zd.screw/0.01)))" } },
+    "motions": { "motor": { "joint": "screw", "angle": "speed*t" } },
+    "outputs": { "torque": { "motion": "motor" }, "thrust": { "multiplier": "thread" } } })json");
+}
+
+// Statics of a wedge of the angle of the thread and of the angle of friction.
+TEST(ScrewJack, HasTheEfficiencyOfAWedge) {
+  const double slope = 0.006 / (2 * M_PI * 0.014), lean = std::atan(slope), rubbing = std::atan(0.12);
+  Coupled up = screw_jack(2), down = screw_jack(-2);
+  up.solve();
+  EXPECT_NEAR(up.output(1), -5000, 1e-9);
+  EXPECT_NEAR(up.output(0), 5000 * 0.014 * std::tan(lean + rubbing), 1e-11);
+  EXPECT_NEAR(5000 * up.zd("table") / (up.output(0) * up.zd("screw")), std::tan(lean) / std::tan(lean + rubbing),
+              1e-14);
+  down.solve();
+  EXPECT_NEAR(down.output(0), 5000 * 0.014 * std::tan(lean - rubbing), 1e-11);
+  EXPECT_LT(down.output(0), 0) << "it holds its load";
+}
+
 // A cam lifts its follower by h (1 - cos a): (J + m h'^2) a'' = T - m (g + h'' a'^2) h'.
 TEST(Cam, LiftsItsFollower) {
   const double inertia = 0.05, mass = 0.4, h = 0.02, torque = 0.3;

@@ -128,9 +128,32 @@ typename System::Mask accept(const typename System::Closure& closure, const type
   return (largest_residual<System>(closure, 1) <= kRedundantTolerance<double>)&is_finite(total);
 }
 
+/// Lanes in which every block is hardly corrected, see is_slight of closure.hpp.
+template <class System>
+typename System::Mask is_slight(const typename System::State& state, const typename System::Closure& closure) noexcept {
+  constexpr double limit = kSlightCorrection<double> * System::kClosureTolerance;
+  typename System::Mask slight = every_lane<System>();
+  for (int i = 0; i < System::kCoordinates; ++i) {
+    slight &= (mbgen::abs(closure.dz[i]) <= limit) & (mbgen::abs(closure.zd[i] - state.zd[i]) <= limit);
+  }
+  return slight;
+}
+
+/// Lanes that the frozen partition corrects as the scalar solver does, see is_watched and is_replaced of closure.hpp.
+template <class System, solver_detail::Correction correction>
+typename System::Mask frozen_serves(const typename System::State& state,
+                                    const typename System::Closure& closure) noexcept {
+  const typename System::Mask far = pivots_reach<System>(closure.pivot, kNearSingular<double>);
+  if constexpr (correction == solver_detail::Correction::in_steps && kChoosesAgain<System>) {
+    const typename System::Mask fair = pivots_reach<System>(closure.pivot, kFairPivot<double>);
+    if (bits_of(far & ~fair) != 0) return far & (fair | is_slight<System>(state, closure));
+  }
+  return far;
+}
+
 /// Newton on z and t of `trial`, far from singular positions; at the end its velocities are consistent. wanted: lanes
 /// that matter. Result: the lanes that came through.
-template <class System>
+template <class System, solver_detail::Correction correction>
 typename System::Mask close_lanes(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
                                   const typename System::Mask& wanted, typename System::State& trial) noexcept {
   using Row = typename System::Row;
@@ -140,7 +163,7 @@ typename System::Mask close_lanes(const ParametersOf<System>& parameters, const 
   Row previous = Row{} + std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration <= kNewtonIterations && bits_of(open) != 0; ++iteration) {
     run_groups(System::closure, closure, parameters, inputs, trial);
-    open &= pivots_reach<System>(closure.pivot, kNearSingular<double>);
+    open &= frozen_serves<System, correction>(trial, closure);
     const Row misfit = largest_residual<System>(closure, 0);
     const Row driven = largest_driven_step<System>(closure);
     const Row size = choose(driven > misfit, driven, misfit);
@@ -189,13 +212,13 @@ typename System::Mask accelerate_lanes(const ParametersOf<System>& parameters, c
 }
 
 /// Closes every loop from the state as a guess, as project_state. Result: the good lanes.
-template <class System>
+template <class System, solver_detail::Correction correction = solver_detail::Correction::of_dependents>
 typename System::Mask project_lanes(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
                                     typename System::State& state) noexcept {
   using namespace batch_detail;
   const typename System::Mask finite = arguments_are_finite<System>(parameters, inputs, state, nullptr);
   static_assert(System::kHasClosure || System::kEquations == 0);  // else clang++ sees a constant that nobody uses
-  if constexpr (System::kHasClosure) return close_lanes<System>(parameters, inputs, finite, state);
+  if constexpr (System::kHasClosure) return close_lanes<System, correction>(parameters, inputs, finite, state);
   return finite;
 }
 
@@ -205,7 +228,8 @@ typename System::Mask project_lanes_in_motion(const ParametersOf<System>& parame
                                               typename System::State& state) noexcept {
   typename System::State guess;
   integrator_detail::copy_state(state, guess);
-  const typename System::Mask good = project_lanes<System>(parameters, inputs, state);
+  constexpr auto in_steps = solver_detail::Correction::in_steps;
+  const typename System::Mask good = project_lanes<System, in_steps>(parameters, inputs, state);
   return good & batch_detail::stayed_near<System>(guess, state);
 }
 

@@ -60,6 +60,14 @@ template <class Real>
 inline constexpr Real kPivotThreshold = 0.02;
 template <>
 inline constexpr float kPivotThreshold<float> = 0.1f;
+/// Smallest pivot of a block, over its median, from which the frozen partition serves to correct the drift of a step:
+/// the cosine of an eighth of a turn, where of two coordinates the other one becomes the better pivot. Where the pivot
+/// is smaller, a correction of dependents alone moves the mechanism along its free directions by more than the drift.
+template <class Real>
+inline constexpr Real kFairPivot = Real(0.7);
+/// Corrections below this many closure tolerances are slight: so much the closures may be open.
+template <class Real>
+inline constexpr Real kSlightCorrection = Real(8);
 /// Smallest pivot of full pivoting, over its typical value, below which a block is near a singular position: Jacobians
 /// change much within one step there. Not below kPivotThreshold.
 template <class Real>

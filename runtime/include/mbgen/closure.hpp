@@ -14,6 +14,7 @@ namespace solver_detail {
 /// Which of all corrections of a block is taken.
 enum class Correction {
   of_dependents,  ///< independent coordinates and velocities stay; frozen partition where it is good
+  in_steps,       ///< of dependents where the frozen choice is a fair one, else the shortest
   shortest        ///< least sum of squares, which does not depend on a choice of coordinates
 };
 
@@ -39,20 +40,22 @@ struct CorrectionWork {
   Real solution[System::kBlockCoordinates];
 };
 
-/// dz and zd of block b by its factors. Driven coordinates take the position and velocity of their motions.
+/// dz and zd of block b by its factors: of dependents, or else the shortest. Driven coordinates take the position and
+/// velocity of their motions.
 template <class System, Correction correction>
 void correct_block(int b, const LoopFactorsOf<RealOf<System>>& loop, const typename System::ClosureTerms& terms,
                    const typename System::State& state, CorrectionWork<System>& work,
                    typename System::Closure& closure) noexcept {
   const BlockLayout& block = System::kBlockLayout[b];
   const int* coordinate = System::kBlockCoordinate + block.first_coordinate;
+  constexpr bool is_shortest = correction != Correction::of_dependents;
   const auto shortened = [&] {
-    if constexpr (correction == Correction::shortest) {
+    if constexpr (is_shortest) {
       shorten(loop.coordinates, block.free, work.projection.Rz + block.first_projection, work.gram, work.along,
               work.solution);
     }
   };
-  if constexpr (correction == Correction::shortest) {
+  if constexpr (is_shortest) {
     free_directions(loop, System::kBlockDriven + block.first_coordinate, work.projection.Rz + block.first_projection,
                     work.factors.work);
   }
@@ -74,26 +77,65 @@ void correct_block(int b, const LoopFactorsOf<RealOf<System>>& loop, const typen
   for (int c = 0; c < block.coordinates; ++c) closure.zd[coordinate[c]] = state.zd[coordinate[c]] + work.solution[c];
 }
 
-/// Replaces dz and zd of the blocks whose frozen partition is bad at this position, or of all of them for the shortest
-/// correction, by the corrections of a pivoted one. The status may be a notice. Fails: loop_singular.
+/// Largest residual that ends Newton: the model's, as far as the precision has it.
+template <class System>
+constexpr RealOf<System> closure_tolerance() noexcept {
+  constexpr RealOf<System> least = kLeastClosureTolerance<RealOf<System>>;
+  return System::kClosureTolerance > least ? System::kClosureTolerance : least;
+}
+
+/// True when block b is hardly corrected: then it does not matter by which coordinates. A NaN is not slight.
+template <class System>
+bool is_slight(int b, const typename System::State& state, const typename System::Closure& closure) noexcept {
+  constexpr RealOf<System> limit = kSlightCorrection<RealOf<System>> * closure_tolerance<System>();
+  const BlockLayout& block = System::kBlockLayout[b];
+  bool slight = true;
+  for (int c = block.first_coordinate; c < block.first_coordinate + block.coordinates; ++c) {
+    const int i = System::kBlockCoordinate[c];
+    slight = slight && std::abs(closure.dz[i]) <= limit && std::abs(closure.zd[i] - state.zd[i]) <= limit;
+  }
+  return slight;
+}
+
+/// True when a pivoted correction is to be taken in place of the one by the frozen partition.
+template <class System, Correction correction>
+bool is_replaced(int b, const typename System::State& state, const typename System::Closure& closure) noexcept {
+  using Real = RealOf<System>;
+  if (correction == Correction::shortest || !(closure.pivot[b] >= kPivotThreshold<Real>)) return true;
+  if (correction == Correction::of_dependents || System::kBlockLayout[b].free == 0) return false;
+  return closure.pivot[b] < kFairPivot<Real> && !is_slight<System>(b, state, closure);
+}
+
+/// True when block b may be near a singular position, or is to be looked at in any case.
+template <class System, Correction correction>
+bool is_watched(int b, const typename System::Closure& closure) noexcept {
+  return correction == Correction::shortest || !(closure.pivot[b] >= kNearSingular<RealOf<System>>);
+}
+
+/// Replaces dz and zd of the blocks whose frozen partition is not good enough at this position, or of all of them for
+/// the shortest correction, by the corrections of a pivoted one. The status may be a notice. Fails: loop_singular.
 template <class System, Correction correction>
 Status correct_closure(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                        const typename System::State& state, typename System::Closure& closure) noexcept {
-  constexpr bool of_all = correction == Correction::shortest;
-  if (!of_all && is_far<System>(closure.pivot)) return {};
+  bool serves = true;
+  for (int b = 0; b < System::kBlocks; ++b) {
+    serves =
+        serves && !is_watched<System, correction>(b, closure) && !is_replaced<System, correction>(b, state, closure);
+  }
+  if (serves) return {};
   typename System::ClosureTerms terms;
   System::closure_terms(parameters, inputs, state, terms);
   CorrectionWork<System> work;
   Status notice;
   for (int b = 0; b < System::kBlocks; ++b) {
-    if (!of_all && closure.pivot[b] >= kNearSingular<RealOf<System>>) continue;
+    const bool watched = is_watched<System, correction>(b, closure);
+    const bool replaced = is_replaced<System, correction>(b, state, closure);
+    if (!watched && !replaced) continue;
     const BlockLayout& block = System::kBlockLayout[b];
     const LoopFactorsOf<RealOf<System>> loop = work.factors.factors_of(b, terms);
     if (loop.rank < block.rank) return {Code::loop_singular, b};
-    notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), closure.pivot[b]));
-    if (of_all || !(closure.pivot[b] >= kPivotThreshold<RealOf<System>>)) {
-      correct_block<System, correction>(b, loop, terms, state, work, closure);
-    }
+    if (watched) notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), closure.pivot[b]));
+    if (replaced) correct_block<System, correction>(b, loop, terms, state, work, closure);
   }
   return notice;
 }
@@ -177,13 +219,6 @@ Status accept(const typename System::Closure& closure, typename System::State& t
   return bad < 0 ? Status{} : Status{Code::not_a_number, bad};
 }
 
-/// Largest residual that ends Newton: the model's, as far as the precision has it.
-template <class System>
-constexpr RealOf<System> closure_tolerance() noexcept {
-  constexpr RealOf<System> least = kLeastClosureTolerance<RealOf<System>>;
-  return System::kClosureTolerance > least ? System::kClosureTolerance : least;
-}
-
 /// Newton on z of `trial`; at the end its velocities are consistent. The status may be a notice.
 /// correct: replaces corrections of the frozen partition where another one is to be taken. ends_at_tolerance: false
 /// where Newton goes on while it gains: near a singular position a small residual says little about the coordinates.
@@ -226,7 +261,7 @@ Status close_loops(const typename System::Parameters& parameters, const typename
       return frozen_status<System>(closure.pivot);
     }
   };
-  return close_loops<System>(parameters, inputs, trial, correction == Correction::of_dependents, correct);
+  return close_loops<System>(parameters, inputs, trial, correction != Correction::shortest, correct);
 }
 
 /// Adds Phi_z zd to the values per equation.

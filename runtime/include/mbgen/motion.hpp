@@ -63,13 +63,14 @@ Status solve_motion(const typename System::Parameters& parameters, const typenam
   return status;
 }
 
-/// project_state from a good guess. Gives notices.
+/// project_state from a good guess, by the shortest corrections where those of dependents alone would take the
+/// mechanism along its free directions. Gives notices.
 /// Fails: as project_state; loop_not_closed also when a coordinate would move by more than kLargestCorrection.
 template <class System>
 Status project_motion(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                       typename System::State& state) noexcept {
   using namespace solver_detail;
-  return solver_detail::project<System, Correction::of_dependents>(parameters, inputs, state);
+  return solver_detail::project<System, Correction::in_steps>(parameters, inputs, state);
 }
 
 /// The same with the shortest corrections, as far as rounding lets them go: a smooth function of the guess.

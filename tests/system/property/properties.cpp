@@ -52,7 +52,7 @@ using ByName = std::map<std::string, double>;
 
 std::vector<double> interpreted(const Program& program, const GenericState& state, const std::vector<double>& tau) {
   const std::map<SlotGroup, std::vector<double>> given{
-      {Array::z, state.z}, {Array::zd, state.zd}, {Array::tau, tau}, {Array::t, {0.0}}};
+      {Array::z, state.z}, {Array::zd, state.zd}, {Array::tau, tau}, {Array::t, {state.t}}};
   std::vector<double> inputs;
   for (const Slot& slot : program.inputs) inputs.push_back(given.at(slot.group).at(slot.index));
   const std::vector<double> values = interpret(program, inputs);
@@ -216,6 +216,7 @@ Complaint drifts(const Mechanism& m, const std::string& what,
 
 /// Nothing dissipates.
 Complaint energy_drifts(const RandomMechanism& random, const Mechanism& m) {
+  if (is_driven(random)) return {};
   return drifts(m, "energy", [&](const GenericOutputs& start, const GenericOutputs& end) {
     return std::abs(energy_of(random, end) - energy_of(random, start)) / (1 + start.kinetic_energy);
   });

@@ -53,6 +53,7 @@ constexpr NamedFamily kFamilies[] = {
     {Family::by_equations, "by_equations"},
     {Family::planar_loops, "planar_loops"},
     {Family::rods, "rods"},
+    {Family::actuators, "actuators"},
     {Family::massless_links, "massless_links"},
     {Family::floating, "floating"},
     {Family::coupled, "coupled"},
@@ -124,6 +125,16 @@ TEST(Locked, OnesOfOtherSeedsThatWereRefusedAreAccepted) {
     const Result<Mechanism> m = understood(random_mechanism(Family::locked, seed));
     EXPECT_TRUE(m) << "seed " << seed << ": " << to_text(m ? Diagnostics{} : m.problems());
   }
+}
+
+/// Two bodies, one on the other, that rods hold in place on a body that moves: their inertia is carried along.
+TEST(Locked, InertiaOfABlockWithoutFreedomIsCarriedAlong) {
+  const RandomMechanism random = random_mechanism(Family::actuators, 112);
+  const Result<Mechanism> m = understood(random);
+  ASSERT_TRUE(m);
+  EXPECT_GT(m->analysis.degrees_of_freedom, 0);
+  const Complaint engines = properties()[0].violated(random, *m);
+  EXPECT_FALSE(engines) << *engines;
 }
 
 /// Joints whose axes share a direction, as many as there are of one.

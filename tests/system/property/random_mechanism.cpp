@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "tests/system/property/symmetric_mechanisms.hpp"
@@ -97,6 +98,16 @@ void add_rods(Workshop& shop) {
   for (int k = 0; k < wanted; ++k) {
     const int from = dice.upto(shop.size()) - 1, to = dice.upto(shop.size() - 1);
     if (from != to) shop.add_rod(from, to, dice.chance(0.5) ? dice.between(0.2, 2) : 0);
+  }
+}
+
+/// Rods, of which every other one changes its length.
+void add_actuators(Workshop& shop) {
+  add_rods(shop);
+  std::vector<RandomLink>& links = shop.mechanism().links;
+  for (std::size_t k = 0; k < links.size(); k += 2) {
+    links[k].mass = 0;
+    links[k].stroke = shop.dice().between(0.02, 0.06);
   }
 }
 
@@ -267,6 +278,9 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
     case Family::planar_loops:
       add_four_bars(shop);
       break;
+    case Family::actuators:
+      add_actuators(shop);
+      break;
     case Family::rods:
       add_rods(shop);
       break;
@@ -306,7 +320,19 @@ void add_axes(const RandomJoint& joint, nlohmann::ordered_json& entry) {
   if (joint.type == "homokinetic") entry["axis2"] = plus(joint.axis, times(0.4, across(joint.axis)));
 }
 
+/// Of an actuator: at zero that of the reference.
+std::string length_over_time(const RandomLink& link) {
+  const Point way = plus(link.end, times(-1, link.start));
+  char text[80];
+  std::snprintf(text, sizeof text, "%.17g + %.17g*sin(3*t)", std::hypot(way[0], way[1], way[2]), link.stroke);
+  return text;
+}
+
 }  // namespace
+
+bool is_driven(const RandomMechanism& mechanism) {
+  return std::ranges::any_of(mechanism.links, [](const RandomLink& link) { return link.stroke > 0; });
+}
 
 std::string model_text(const RandomMechanism& mechanism) {
   using Json = nlohmann::ordered_json;
@@ -340,6 +366,7 @@ std::string model_text(const RandomMechanism& mechanism) {
       springs[link.name] = entry;
     } else {
       if (link.mass > 0) entry["mass"] = link.mass;
+      if (link.stroke > 0) entry["length"] = length_over_time(link);
       rods[link.name] = entry;
     }
   }

@@ -45,6 +45,7 @@ struct RandomLink {
   Point start{}, end{};
   double mass = 0;
   double stiffness = 0;
+  double stroke = 0;  ///< m, of a rod that is an actuator
 };
 
 /// A relation between the coordinates of plain joints that holds at the reference.
@@ -53,7 +54,7 @@ struct RandomRelation {
   std::vector<std::string> joints;
 };
 
-/// All points in global axes at the reference; no damping, no motions.
+/// All points in global axes at the reference; no damping, no motions but those of actuators.
 struct RandomMechanism {
   std::uint64_t seed = 0;
   Point gravity{0, 0, -9.81};
@@ -70,6 +71,7 @@ enum class Family {
   closed_chain,    ///< by a spherical joint or another one, to a body or to ground
   planar_loops,    ///< four-bars with redundant equations, on a moving base
   rods,            ///< with and without mass, several in one block
+  actuators,       ///< rods without mass whose lengths are given over time, and others
   massless_links,  ///< between massive bodies
   floating,        ///< a free base without gravity
   coupled,         ///< trees and chains of four with relations between two or three coordinates, linear or not
@@ -89,6 +91,9 @@ RandomMechanism random_bricard(std::uint64_t seed);
 
 /// The model file. Outputs: velocity of each body's centre of mass (x, y, z), then the length of each spring.
 std::string model_text(const RandomMechanism& mechanism);
+
+/// True where an actuator does work.
+bool is_driven(const RandomMechanism& mechanism);
 
 /// Smaller or simpler mechanisms, the smallest first.
 std::vector<RandomMechanism> simpler(const RandomMechanism& mechanism);
