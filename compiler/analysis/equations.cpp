@@ -87,6 +87,14 @@ std::vector<Row> rows_of(ClosureKind kind, const detail::Triad& triad) {
       rows = point_rows();
       rows.push_back({"turn of one shaft against the other", ResidualUnit::one});
       return rows;
+    case ClosureKind::rolling_disc:
+      return {{"height over the plane"}, {"slip along the rolling direction"}, {"slip across the rolling direction"}};
+    case ClosureKind::rolling_ball:
+      return {{"height over the plane"},
+              {fmt::format("slip along {}", direction_text(triad.first))},
+              {fmt::format("slip along {}", direction_text(triad.second))}};
+    case ClosureKind::knife_edge:
+      return {{"slip across the blade"}};
     case ClosureKind::rod:
       return {{"length of the rod"}};
     case ClosureKind::coupling:
