@@ -25,8 +25,8 @@ std::string counts_text(const Json& report) {
       {"constraint_equations", "constraint equations"},
       {"independent_equations", "independent equations"},
       {"velocity_equations", "  of velocities alone"},
+      {"position_freedoms", "freedoms of positions"},
       {"degrees_of_freedom", "degrees of freedom"},
-      {"position_freedoms", "  of positions"},
       {"driven_coordinates", "  of these driven by motions"}};
   for (const auto& [key, title] : rows)
     if (report.contains(key)) text += fmt::format("  {:<32}{:>6}\n", title, report[key].get<long>());
