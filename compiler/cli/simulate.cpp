@@ -59,7 +59,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
   progress.clear();
   run.verdict = judge_step(compilation, choice.integrator, settings, run.summary,
                            modes_near(compilation, start.state, inputs.at(0)));
-  for (std::string& warning : contacts.warnings()) run.verdict.warnings.push_back(std::move(warning));
+  judge_contacts(contacts, run.verdict);
   return run;
 }
 

@@ -23,10 +23,15 @@ MovingVector<T> cross(const MovingVector<T>& a, const MovingVector<T>& b) {
   return {cross(a.value, b.value), cross(a.rate, b.value) + cross(a.value, b.rate)};
 }
 
-/// The unit vector along a vector.
+/// Length of axle x normal, or of blade x normal, below which their direction is lost: a disc lies flat.
+constexpr double kLeastLean = 1e-4;
+
+/// The unit vector along a vector; it shrinks where that is shorter than kLeastLean, so that the pivots of its rows
+/// tell.
 template <class T>
 MovingVector<T> unit(const MovingVector<T>& v) {
-  const T scale = T(1.0) / norm(v.value);
+  using std::max;
+  const T scale = T(1.0) / max(norm(v.value), T(kLeastLean));
   const Vector<T> direction = scale * v.value;
   return {direction, scale * (v.rate - dot(direction, v.rate) * direction)};
 }

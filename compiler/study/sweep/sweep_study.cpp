@@ -178,7 +178,7 @@ CaseResult measured(const Study& study, const Compilation& compilation, const En
   }
   StepVerdict verdict = judge_step(compilation, study.choice.integrator, study.settings, summary,
                                    modes_near(compilation, start, inputs.at(0)));
-  for (std::string& warning : contacts.warnings()) verdict.warnings.push_back(std::move(warning));
+  judge_contacts(contacts, verdict);
   if (!verdict.failure.empty()) return failed(study, verdict.failure);
   CaseResult result{"ok", evaluate(study.metrics, compilation.model.parameters, recorder.points()),
                     summary.energy.relative_error()};
