@@ -235,8 +235,8 @@ TEST_P(EveryModelWithLoops, ClosureAccelerationIsTheSecondDerivativeOfTheResidua
   }
 }
 
-// At constant joint velocities, that no equation holds, the rate of Phi_z zd is -c: for rows of velocities, too.
-TEST_P(EveryModelWithLoops, ClosureAccelerationIsTheRateOfTheVelocityEquations) {
+// Rows of velocities have no residual: at constant joint velocities, which need not hold them, their rate is -c.
+TEST_P(EveryModelWithLoops, ClosureAccelerationIsTheRateOfRowsOfVelocities) {
   const Mechanism m = load(GetParam());
   Numbers numbers{m};
   for (const GenericState& state : random_states(m, 1)) {
@@ -258,10 +258,9 @@ TEST_P(EveryModelWithLoops, ClosureAccelerationIsTheRateOfTheVelocityEquations) 
     std::size_t e = 0;
     for (const LoopBlock& block : m.topology.blocks) {
       const std::vector<double> c = closure(system, k, block, relative_motion(system, k, block)).acceleration;
-      for (const double term : c) {
-        EXPECT_NEAR(-term, (ahead[e] - behind[e]) / 2e-5, 1e-6 * (1 + largest_absolute(c))) << e;
-        ++e;
-      }
+      const std::vector<bool> wanted = of_velocities(m, block);
+      for (std::size_t row = 0; row < c.size(); ++row, ++e)
+        if (wanted[row]) EXPECT_NEAR(-c[row], (ahead[e] - behind[e]) / 2e-5, 1e-6 * (1 + largest_absolute(c))) << e;
     }
   }
 }
