@@ -9,7 +9,7 @@
 namespace mbgen {
 
 /// Unit of a closure equation's residual.
-enum class ResidualUnit { metre, one, of_relation };  // of rows of velocities the unit of their integral
+enum class ResidualUnit { metre, one, of_relation };
 
 /// One closure equation of a block, in the order of the block's rows.
 struct ClosureEquation {
