@@ -3,6 +3,7 @@
 // holds a rim or a ball on its plane. An end is one of the two kinds of loop ends; `at(end, place)` is the same body
 // there.
 
+#include <algorithm>
 #include <vector>
 
 #include "compiler/formulation/vector.hpp"
