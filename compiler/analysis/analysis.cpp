@@ -11,6 +11,7 @@
 #include "compiler/analysis/freedom_walk.hpp"
 #include "compiler/analysis/large_block.hpp"
 #include "compiler/analysis/partition.hpp"
+#include "compiler/analysis/position_rank.hpp"
 #include "compiler/analysis/quasi_partition.hpp"
 #include "compiler/analysis/redundant_residuals.hpp"
 #include "compiler/analysis/sampling.hpp"
@@ -278,9 +279,12 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
   Findings found;
   for (const LoopBlock& block : topology.blocks) found.equations.push_back(closure_equations(model, topology, block));
   found.other_modes = stay_on_branch(numbers, found.equations, configurations);
+  int held = 0;
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     analysis.blocks.push_back(analyse_block(numbers, b, configurations, analysis, found));
     analysis.independent_equations += analysis.blocks.back().rank;
+    if (found.problems.empty())
+      held += position_rank(numbers, b, found.views.back(), analysis.blocks.back().rank, configurations);
   }
   if (!found.problems.empty()) return found.problems;
   set_quasi_partitions(numbers, configurations, analysis);
@@ -292,6 +296,7 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
       }));
   analysis.ranks = ranks_together(found.views, configurations);
   analysis.degrees_of_freedom = topology.size() - analysis.independent_equations;
+  analysis.position_freedoms = topology.size() - held;
   Diagnostics problems;
   for (int i : without_inertia(numbers, model, topology, analysis, configurations)) {
     const Joint& joint = model.joints[topology.bodies[i].joint];

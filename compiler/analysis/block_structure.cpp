@@ -80,6 +80,7 @@ std::string structure_of(const System<double>& system, int block) {
       const Joint& joint = system.model.joints[loop.joint];
       structure.add(place_of(system, joint.from));
       structure.add(place_of(system, joint.to));
+      if (joint.radius) structure.add({value_of(system.model, *joint.radius, system.environment)});
     }
   }
   return std::move(structure).text();

@@ -36,6 +36,17 @@ void add_twist(const detail::Triad& triad, std::vector<Row>& rows) {
   rows.push_back({fmt::format("turn about {}", direction_text(triad.axis)), ResidualUnit::one});
 }
 
+/// Rows of rolling and blades, on a plane across the axis of the triad.
+std::vector<Row> rows_of_rolling(ClosureKind kind, const detail::Triad& triad) {
+  if (kind == ClosureKind::knife_edge) return {{"slip across the blade"}};
+  const Row height{"height over the plane"};
+  if (kind == ClosureKind::rolling_disc)
+    return {height, {"slip along the rolling direction"}, {"slip across the rolling direction"}};
+  return {height,
+          {fmt::format("slip along {}", direction_text(triad.first))},
+          {fmt::format("slip along {}", direction_text(triad.second))}};
+}
+
 /// Rows of a cut joint in the order of the formulation's joint_rows.
 std::vector<Row> rows_of(ClosureKind kind, const detail::Triad& triad) {
   const auto across = [&] {
@@ -87,6 +98,10 @@ std::vector<Row> rows_of(ClosureKind kind, const detail::Triad& triad) {
       rows = point_rows();
       rows.push_back({"turn of one shaft against the other", ResidualUnit::one});
       return rows;
+    case ClosureKind::rolling_disc:
+    case ClosureKind::rolling_ball:
+    case ClosureKind::knife_edge:
+      return rows_of_rolling(kind, triad);
     case ClosureKind::rod:
       return {{"length of the rod"}};
     case ClosureKind::coupling:

@@ -80,8 +80,11 @@ struct BlockAnalysis : LoopPartition {
 struct Analysis {
   int closed_configurations = 0;  ///< how many were found and used
   int independent_equations = 0;
-  std::vector<RankCount> ranks;       ///< of all blocks together in these configurations, highest first
-  int degrees_of_freedom = 0;         ///< coordinates less independent equations (driven coordinates are still counted)
+  std::vector<RankCount> ranks;  ///< of all blocks together in these configurations, highest first
+  int degrees_of_freedom = 0;    ///< coordinates less independent equations (driven coordinates are still counted)
+  /// coordinates less independent equations of positions: more than the degrees of freedom, those of velocities, where
+  /// bodies roll or slide on blades
+  int position_freedoms = 0;
   std::vector<BlockAnalysis> blocks;  ///< one per Topology::blocks
   std::vector<bool> driven;           ///< per tree coordinate
   std::vector<int> motion_of;         ///< per tree coordinate: index into Model::motions or -1

@@ -172,6 +172,17 @@ void pack(const fs::path& scratch, const fs::path& content, std::vector<std::str
                               read_text(scratch / "zip.log")));
 }
 
+/// The states of an FMU are independent coordinates, of which there are too few where velocities alone are held.
+void refuse_rolling(const Compilation& compilation) {
+  const Loop* rolling = rolling_loop(compilation.topology);
+  if (!rolling) return;
+  const std::string message = fmt::format(
+      "no FMU is written: {} \"{}\" holds velocities alone, so that more positions are free than velocities",
+      name_of(rolling->kind), rolling->name);
+  const std::string hint = "use the generated solver by its C interface, or put a tyre in place of the rolling contact";
+  throw UserError(to_text({{where_of(compilation.model, *rolling), message, hint, {}}}));
+}
+
 int run(const ExportOptions& options) {
   if (is_standard_output(options.file))
     throw UserError("--out: an FMU is no text for standard output, name a file\n  hint: a file of this name is ./-\n");
@@ -180,6 +191,7 @@ int run(const ExportOptions& options) {
   require_other_file(options.file, compilation.model.files);
   print_notes(compilation.model.notes);
   print_notes(renamed_notes(compilation.model));
+  refuse_rolling(compilation);
   const FmiVersion version = options.version == 2 ? FmiVersion::two : FmiVersion::three;
   const FmuFiles files = emit_fmu(compilation, default_initial_state(compilation), version);
 

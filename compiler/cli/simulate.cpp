@@ -14,6 +14,7 @@
 #include "compiler/describe/names.hpp"
 #include "compiler/describe/notes.hpp"
 #include "compiler/engines/engine_arguments.hpp"
+#include "compiler/study/contact_watch.hpp"
 #include "compiler/study/initial_state.hpp"
 #include "compiler/study/motion_table.hpp"
 #include "compiler/study/simulation.hpp"
@@ -41,20 +42,24 @@ struct Run {
 };
 
 Run compute(const Compilation& compilation, const EngineChoice& choice, const InputsOverTime& inputs,
-            const SimulationSettings& settings, MotionTable& table) {
+            SimulationSettings settings, MotionTable& table) {
   const Engine engine = make_engine(compilation, choice);
   const Start start = initial_start(compilation, inputs.at(0));
   print_notes(start_notes(compilation, start));
   Progress progress(settings.steps);
+  ContactWatch contacts(compilation);
+  settings.has_multipliers = contacts.needs_multipliers();
   Run run;
   run.moved = start.moved;
   run.summary = simulate(engine, start.state, inputs, settings, [&](const Sample& sample) {
+    contacts.add(sample);
     table.add(sample);
     progress.show(sample.step);
   });
   progress.clear();
   run.verdict = judge_step(compilation, choice.integrator, settings, run.summary,
                            modes_near(compilation, start.state, inputs.at(0)));
+  judge_contacts(contacts, run.verdict);
   return run;
 }
 

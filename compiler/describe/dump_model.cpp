@@ -63,6 +63,7 @@ class ModelText {
     const char* marks[] = {"", ", marked cut", ", marked tree"};
     std::string text = fmt::format("  {}: {} from {} to {}{}\n", joint.name, name_of(joint.type),
                                    attachment(joint.from), attachment(joint.to), marks[static_cast<int>(joint.cut)]);
+    if (joint.radius) text += fmt::format("    radius {}\n", quantity(*joint.radius));
     for (const Freedom& freedom : joint.freedoms) {
       text += fmt::format("    {}: {} ({})\n", freedom.name, name_of(freedom.kind), fmt::join(freedom.axis, ", "));
     }

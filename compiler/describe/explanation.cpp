@@ -70,6 +70,12 @@ std::string overview_text(const Compilation& c) {
             ? "all independent"
             : fmt::format("of which {} are independent", c.analysis.independent_equations),
         counted(c.analysis.degrees_of_freedom, "freedom"), c.analysis.degrees_of_freedom == 1 ? "remains" : "remain");
+    if (c.analysis.position_freedoms != c.analysis.degrees_of_freedom)
+      words += fmt::format(
+          " That is how many velocities are free; of positions there are {} freedoms, since {} of velocities alone: "
+          "rolling and blades hold no position, and a motion may come back elsewhere.",
+          c.analysis.position_freedoms,
+          counted(c.analysis.position_freedoms - c.analysis.degrees_of_freedom, "equation is one", "equations are"));
   }
   if (!c.model.motions.empty()) {
     std::vector<std::string> names;
@@ -177,6 +183,7 @@ std::string cause_of(const Compilation& c, const Loop& loop) {
                        axes.slides.empty() ? "" : " and its slides lie across them");
   }
   if (loop.kind == ClosureKind::coupling) return "other couplings or loops hold this relation already";
+  if (is_rolling(loop.kind)) return "other joints or wheels hold this velocity already";
   if (loop.kind == ClosureKind::rod) return "other loops hold the ends of the rod at this distance already";
   return "its joints do not let it move in the directions that these equations forbid, or other loops "
          "forbid it "

@@ -132,6 +132,10 @@ Json make_report(const Compilation& compilation, const Counts& counts) {
   report["constraint_equations"] = equation_count(topology);
   report["independent_equations"] = analysis.independent_equations;
   report["degrees_of_freedom"] = analysis.degrees_of_freedom;
+  if (rolling_loop(topology)) {
+    report["position_freedoms"] = analysis.position_freedoms;
+    report["velocity_equations"] = analysis.position_freedoms - analysis.degrees_of_freedom;
+  }
   report["driven_coordinates"] = model.motions.size();
   report["closed_configurations"] = analysis.closed_configurations;
   report["ranks"] = report_ranks(analysis.ranks);

@@ -24,9 +24,12 @@ std::string counts_text(const Json& report) {
       {"relative_coordinates", "relative coordinates"},
       {"constraint_equations", "constraint equations"},
       {"independent_equations", "independent equations"},
+      {"velocity_equations", "  of velocities alone"},
+      {"position_freedoms", "freedoms of positions"},
       {"degrees_of_freedom", "degrees of freedom"},
       {"driven_coordinates", "  of these driven by motions"}};
-  for (const auto& [key, title] : rows) text += fmt::format("  {:<32}{:>6}\n", title, report[key].get<long>());
+  for (const auto& [key, title] : rows)
+    if (report.contains(key)) text += fmt::format("  {:<32}{:>6}\n", title, report[key].get<long>());
   return text;
 }
 

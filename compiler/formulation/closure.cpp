@@ -39,7 +39,9 @@ Triad bent(const Triad& t, const Vector3& axis) {
 
 Triad triad_on_to(const Joint& joint) {
   if (joint.type == JointType::homokinetic) return bent(triad(joint.axis), joint.second_axis);
-  return triad(joint.type == JointType::universal ? joint.second_axis : joint.axis);
+  const bool has_second = joint.type == JointType::universal || joint.type == JointType::rolling_disc ||
+                          joint.type == JointType::knife_edge;
+  return triad(has_second ? joint.second_axis : joint.axis);
 }
 
 }  // namespace detail

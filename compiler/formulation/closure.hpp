@@ -5,6 +5,7 @@
 
 #include "compiler/formulation/coupling.hpp"
 #include "compiler/formulation/motion.hpp"
+#include "compiler/formulation/rolling.hpp"
 
 namespace mbgen {
 
@@ -149,6 +150,17 @@ Row<T> in_plane(const LoopEnd<T>& from, const LoopEnd<T>& to, const Vector<T>& a
               dot(a, from.acceleration.at(from.place) - to.acceleration.at(to.place)) + (twice + twice)};
 }
 
+/// The body of an end at another place, base frame; the velocity and acceleration of its point there.
+template <class T>
+LoopEnd<T> at(LoopEnd<T> end, const Vector<T>& place) {
+  end.place = place;
+  return end;
+}
+template <class T>
+Vector<T> point_velocity(const LoopEnd<T>& end) {
+  return velocity_at(end.velocity, end.place);
+}
+
 /// Half the difference of two rows.
 template <class T>
 Row<T> half_difference(const Row<T>& a, const Row<T>& b) {
@@ -177,6 +189,12 @@ template <class T>
 T length_of(const System<T>& system, const Loop& loop) {
   const T& length = system.constants.rods[loop.rod].length;
   return loop.length < 0 ? length : length + system.z(loop.length);
+}
+
+/// Radius of a disc or ball, zero of others.
+template <class T>
+T radius_of(const System<T>& system, const Joint& joint) {
+  return joint.radius ? value_of(system.model, *joint.radius, system.environment) : T(0.0);
 }
 
 /// The rows of a cut joint (53), (54), between ends of a kind for which such rows are defined. axes: the joint's triad
@@ -242,8 +260,10 @@ std::vector<Row<T>> loop_rows(System<T>& system, const Kinematics<T>& k, const R
   const Joint& joint = system.model.joints[loop.joint];
   const auto end = [&](const Attachment& at) { return loop_end(system, k, motion, place_of(system, at), frame); };
   const LoopEnd<T> from = end(joint.from), to = end(joint.to);
-  return joint_rows(loop.kind, from, to, triad_on(system, k, from.body, frame, triad(joint.axis)),
-                    triad_on(system, k, to.body, frame, triad_on_to(joint)));
+  const Matrix<T> on_from = triad_on(system, k, from.body, frame, triad(joint.axis));
+  const Matrix<T> on_to = triad_on(system, k, to.body, frame, triad_on_to(joint));
+  if (is_rolling(loop.kind)) return rolling_rows(loop.kind, from, to, on_from, on_to, radius_of(system, joint));
+  return joint_rows(loop.kind, from, to, on_from, on_to);
 }
 
 }  // namespace detail

@@ -56,6 +56,18 @@ NearRow<T> perpendicular(const NearEnd<T>& from, const NearEnd<T>& to, const Vec
       {}, moment, moment, dot(from.bias.gradient * a, b) + dot(a, to.bias.gradient * b) + (twice + twice), dot(a, b)};
 }
 
+/// As of a LoopEnd.
+template <class T>
+NearEnd<T> at(NearEnd<T> end, const Vector<T>& place) {
+  end.arm = end.arm + (place - end.place);
+  end.place = place;
+  return end;
+}
+template <class T>
+Vector<T> point_velocity(const NearEnd<T>& end) {
+  return end.point_velocity();
+}
+
 /// Half the difference of two rows.
 template <class T>
 NearRow<T> half_difference(const NearRow<T>& a, const NearRow<T>& b) {
@@ -119,7 +131,9 @@ std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionU
     const Matrix<T> axes = body == unit.base ? identity<T>() : work.k.orientation[body];
     return Matrix<T>{axes * constant<T>(t.first), axes * constant<T>(t.second), axes * constant<T>(t.axis)};
   };
-  return joint_rows(loop.kind, from, to, triad_at(from.body, triad(joint.axis)), triad_at(to.body, triad_on_to(joint)));
+  const Matrix<T> on_from = triad_at(from.body, triad(joint.axis)), on_to = triad_at(to.body, triad_on_to(joint));
+  if (is_rolling(loop.kind)) return rolling_rows(loop.kind, from, to, on_from, on_to, radius_of(system, joint));
+  return joint_rows(loop.kind, from, to, on_from, on_to);
 }
 
 /// Adds sign times the columns of a wrench about the origin of `body` to a row. by: what columns stand for.

@@ -155,6 +155,14 @@ Diagnostic problem(const Model& model, std::string message, std::string hint) {
   return {Where{model.file, 0, 0, ""}, std::move(message), std::move(hint), ""};
 }
 
+/// States are independent coordinates, of which there are too few where velocities alone are held.
+Diagnostic no_rolling(const Model& model, const Loop& loop) {
+  return {where_of(model, loop),
+          std::string("cannot be linearised: ") + name_of(loop.kind) + " " + quoted(loop.name) +
+              " holds velocities alone, so that more positions are free than velocities",
+          "simulate with small deviations, or put a tyre in place of the rolling contact", ""};
+}
+
 Diagnostic singular(const Model& model, const Topology& topology, int block) {
   const Loop& loop = topology.loops[topology.blocks[static_cast<std::size_t>(block)].loops.front()];
   return problem(model, "cannot be linearised here: loop " + quoted(loop.name) + " is singular at this position",
@@ -165,6 +173,7 @@ Diagnostic singular(const Model& model, const Topology& topology, int block) {
 
 Result<LinearSystem> linearise(const Model& model, const Topology& topology, const Analysis& analysis,
                                const Programs& programs, const OperatingPoint& point) {
+  if (const Loop* rolling = rolling_loop(topology)) return no_rolling(model, *rolling);
   using enum Array;
   const SolverLayout layout = solver_layout(model, topology, analysis);
   const int outputs = layout.outputs, inputs = layout.inputs;

@@ -52,12 +52,18 @@ enum class JointType {
   point_on_line,   ///< the point of `to` on a line of `from`
   point_on_plane,  ///< the point of `to` in a plane of `from`
   parallel_axes,
-  orientation,  ///< no turn between the bodies
-  homokinetic   ///< two shafts that meet in a point and turn alike at any bend
+  orientation,   ///< no turn between the bodies
+  homokinetic,   ///< two shafts that meet in a point and turn alike at any bend
+  rolling_disc,  ///< the rim of a disc rolls on a plane of `from` without slip
+  rolling_ball,  ///< likewise a ball
+  knife_edge     ///< a blade on a plane of `from`: its point does not move across it
 };
 
 /// Types that are equations only: without coordinates, and never in the tree.
 constexpr bool closes_only(JointType type) { return type >= JointType::point_on_line; }
+
+/// Types with equations of velocities alone (nonholonomic): rolling and blades.
+constexpr bool holds_velocities(JointType type) { return type >= JointType::rolling_disc; }
 
 enum class FreedomKind { revolute, prismatic };
 
@@ -90,10 +96,13 @@ struct Joint {
   JointType type = JointType::revolute;
   Attachment from, to;
   /// unit, GLOBAL axes at the reference configuration; of a planar joint or point_on_plane the normal, of a universal
-  /// one the first axis, of a homokinetic one the shaft of `from`
+  /// one the first axis, of a homokinetic one the shaft of `from`; of rolling and knife_edge the normal of the plane
+  /// through the point of `from`, to the side of the disc or ball
   Vector3 axis{0, 0, 1};
-  /// universal: second axis, perpendicular to the first; homokinetic: the shaft of `to`; GLOBAL axes at the reference
+  /// universal: second axis, perpendicular to the first; homokinetic: the shaft of `to`; rolling_disc: the axle, on
+  /// `to`; knife_edge: the line of the blade, on `to`; GLOBAL axes at the reference
   Vector3 second_axis{0, 0, 1};
+  std::optional<Quantity> radius;  ///< m, of a rolling_disc or rolling_ball, about the point of `to`
   CutMark cut = CutMark::automatic;
   std::vector<Freedom> freedoms;  ///< empty for fixed, and where closes_only
   std::string description = {};
@@ -102,6 +111,7 @@ struct Joint {
 /// One equation of a closed loop: its name, and the unit of its multiplier.
 struct ClosureRow {
   std::string_view name, unit;
+  bool of_velocities = false;  ///< no function of positions has this rate (nonholonomic)
 };
 
 /// The equations that a cut joint of this type closes, in their order; none for a free one. Source: theory.md

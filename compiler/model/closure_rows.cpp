@@ -11,6 +11,8 @@ std::span<const ClosureRow> closure_rows(JointType type) {
   static constexpr ClosureRow kAlong[] = {
       {"across_1", "N"}, {"across_2", "N"}, {"axis_1", "N m"}, {"axis_2", "N m"}, {"twist", "N m"}};
   static constexpr ClosureRow kPlanar[] = {{"plane", "N"}, {"axis_1", "N m"}, {"axis_2", "N m"}};
+  static constexpr ClosureRow kDisc[] = {{"normal", "N"}, {"longitudinal", "N", true}, {"lateral", "N", true}};
+  static constexpr ClosureRow kBall[] = {{"normal", "N"}, {"tangent_1", "N", true}, {"tangent_2", "N", true}};
   const std::span<const ClosureRow> point(kPoint), along(kAlong);
   switch (type) {
     case JointType::spherical:
@@ -37,6 +39,12 @@ std::span<const ClosureRow> closure_rows(JointType type) {
       return point.last(3);
     case JointType::homokinetic:
       return kHomokinetic;
+    case JointType::rolling_disc:
+      return kDisc;
+    case JointType::rolling_ball:
+      return kBall;
+    case JointType::knife_edge:
+      return std::span<const ClosureRow>(kDisc).last(1);
     case JointType::free:
       break;
   }

@@ -33,6 +33,12 @@ const char* name_of(JointType type) {
       return "orientation";
     case JointType::homokinetic:
       return "homokinetic";
+    case JointType::rolling_disc:
+      return "rolling_disc";
+    case JointType::rolling_ball:
+      return "rolling_ball";
+    case JointType::knife_edge:
+      return "knife_edge";
   }
   return "unknown";
 }

@@ -14,13 +14,22 @@ namespace {
 
 constexpr double kClosureTolerance = 1e-6;  ///< m: what a hardpoint table with micrometres leaves
 constexpr double kAngleTolerance = 1e-6;    ///< rad
+constexpr double kLeastLean = 1e-3;         ///< sine of the angle of an axle or blade against the normal of its plane
 constexpr std::string_view kLetters = "xyz";
 
 bool has_axis(JointType type) {
   return type == JointType::revolute || type == JointType::prismatic || type == JointType::cylindrical ||
          type == JointType::universal || type == JointType::planar || type == JointType::point_on_line ||
-         type == JointType::point_on_plane || type == JointType::parallel_axes || type == JointType::homokinetic;
+         type == JointType::point_on_plane || type == JointType::parallel_axes || type == JointType::homokinetic ||
+         holds_velocities(type);
 }
+
+/// Whether the type needs a second axis; a homokinetic joint may have one.
+bool has_second_axis(JointType type) {
+  return type == JointType::universal || type == JointType::rolling_disc || type == JointType::knife_edge;
+}
+
+bool has_radius(JointType type) { return type == JointType::rolling_disc || type == JointType::rolling_ball; }
 
 /// Whether the axis of `to` is the axis of `from` in all positions.
 bool shares_axis(JointType type) {
@@ -113,6 +122,9 @@ std::vector<Freedom> freedoms_of(const JointFields& joint) {
     case JointType::parallel_axes:
     case JointType::orientation:
     case JointType::homokinetic:
+    case JointType::rolling_disc:
+    case JointType::rolling_ball:
+    case JointType::knife_edge:
       break;
   }
   return freedoms;
@@ -133,7 +145,8 @@ bool check_fields(Reader& reader, const Value& value, const JointFields& joint) 
     }
   };
   need("axis", has_axis(joint.type));
-  if (joint.type != JointType::homokinetic) need("axis2", joint.type == JointType::universal);
+  if (joint.type != JointType::homokinetic) need("axis2", has_second_axis(joint.type));
+  if (!has_radius(joint.type)) need("radius", false);
   if (!shares_axis(joint.type)) need("axis_to", false);
   if (!has_sequence(joint.type)) need("sequence", false);
   if (closes_only(joint.type) && joint.marked_cut == false) {
@@ -156,10 +169,23 @@ bool check_sequence(Reader& reader, const Value& value, const JointFields& joint
   return false;
 }
 
+/// angle: of the axle or blade against the normal of the plane, rad.
+void check_axis_on_plane(Reader& reader, const Value& value, const JointFields& joint, double angle) {
+  if (std::sin(angle) >= kLeastLean) return;
+  const bool is_disc = joint.type == JointType::rolling_disc;
+  report(reader, *find(value, "axis2"),
+         fmt::format("{} stands on the plane at right angles: {}", is_disc ? "the axle of the disc" : "the blade",
+                     is_disc ? "a disc that lies flat has no point of contact" : "it has no direction across"),
+         is_disc ? "\"axis\" is the normal of the plane, \"axis2\" the axle: tilt one, or place the body on its rim"
+                 : "\"axis\" is the normal of the plane, \"axis2\" the line of the blade");
+}
+
 void check_axes(Reader& reader, const Value& value, const JointFields& joint) {
   if (joint.written_axis && joint.axis2) {
     const double angle = angle_between(*joint.written_axis, *joint.axis2);
-    if (joint.type == JointType::homokinetic) {
+    if (holds_velocities(joint.type)) {
+      check_axis_on_plane(reader, value, joint, angle);
+    } else if (joint.type == JointType::homokinetic) {
       if (angle > std::numbers::pi / 2 - kAngleTolerance) {
         report(reader, *find(value, "axis2"),
                fmt::format("shafts of a homokinetic joint must bend by less than 90 deg, the angle is {:.6g} deg",
@@ -197,7 +223,40 @@ void check_place(Reader& reader, const Value& value, const JointFields& joint, c
                      attachment_text(reader.model, joint.from)));
 }
 
-void check_closure(Reader& reader, const Value& value, const JointFields& joint) {
+/// The rim of a disc, or a ball, touches the plane at the reference; a radius that is not given follows from that.
+/// gap: from the point of `from` to the centre, m.
+void settle_radius(Reader& reader, const Value& value, JointFields& joint, const Vector3& gap) {
+  const bool is_disc = joint.type == JointType::rolling_disc;
+  if (!joint.written_axis || (is_disc && !joint.axis2)) return;
+  const Vector3 normal = placed_axis(reader, joint.from.body, *joint.written_axis, FreedomKind::prismatic);
+  const double lean = is_disc ? std::sin(angle_between(*joint.written_axis, *joint.axis2)) : 1.0;
+  const double height = dot(gap, normal);
+  if (std::isnan(height) || std::isnan(lean) || lean < kLeastLean) return;  // these have their messages
+  const char* what = is_disc ? "disc" : "ball";
+  if (height < -kClosureTolerance) {
+    report(reader, *find(value, "axis"),
+           fmt::format("the {} is behind the plane: its centre {} is {:.6g} m on the other side of the normal", what,
+                       attachment_text(reader.model, joint.to), -height),
+           "\"axis\" is the normal of the plane to the side of the " + std::string(what) + ": reverse it");
+    return;
+  }
+  if (!joint.radius) {
+    if (height > kClosureTolerance)
+      joint.radius = Quantity{height / lean};
+    else
+      report(reader, *find(value, "to"), fmt::format("the centre of the {} lies in the plane", what),
+             "place the body where it touches the plane by its rim or surface, or give \"radius\"");
+    return;
+  }
+  const double above = height - joint.radius->value * lean;
+  if (std::abs(above) <= kClosureTolerance || std::isnan(above)) return;
+  report(reader, *find(value, "to"),
+         fmt::format("joint does not close at the reference: the {} of radius {:.6g} m is {:.6g} m {} the plane", what,
+                     joint.radius->value, std::abs(above), above > 0 ? "above" : "below"),
+         "move the body or the plane, or leave out \"radius\", which then follows from them");
+}
+
+void check_closure(Reader& reader, const Value& value, JointFields& joint) {
   if (joint.from.body < 0 || joint.to.body < 0) return;
   if (joint.from.body == joint.to.body) {
     report(reader, *find(value, "to"),
@@ -205,12 +264,14 @@ void check_closure(Reader& reader, const Value& value, const JointFields& joint)
     return;
   }
   if (joint.type == JointType::parallel_axes || joint.type == JointType::orientation) return;
+  if (joint.type == JointType::knife_edge) return;
   const Vector3 a = reference_position(reader.model, joint.from), b = reference_position(reader.model, joint.to);
   const Vector3 gap{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
   if (joint.type == JointType::point_on_line || joint.type == JointType::point_on_plane) {
     if (joint.written_axis) check_place(reader, value, joint, gap);
     return;
   }
+  if (has_radius(joint.type)) return settle_radius(reader, value, joint, gap);
   const double distance = std::hypot(gap[0], gap[1], gap[2]);
   if (distance > kClosureTolerance) {
     report(reader, *find(value, "to"),
@@ -238,7 +299,9 @@ void resolve_axes(Reader& reader, JointFields& joint, int index) {
     return placed_axis(reader, joint.from.body, axis, of);
   };
   if (joint.written_axis) joint.axis = global(*joint.written_axis, kind);
-  if (joint.axis2) joint.second_axis = global(*joint.axis2, kind);
+  // An axle is one that a body turns about: mirrored wheels roll forward alike.
+  if (joint.axis2)
+    joint.second_axis = global(*joint.axis2, joint.type == JointType::rolling_disc ? FreedomKind::revolute : kind);
   if (joint.type == JointType::homokinetic) {
     if (!joint.axis2) joint.second_axis = joint.axis;
     // A mirrored instance may turn round one of two shafts.

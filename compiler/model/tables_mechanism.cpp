@@ -12,9 +12,10 @@ namespace {
 constexpr std::array<std::string_view, 3> kShapeKinds = {"box", "cylinder", "sphere"};
 
 /// In the order of JointType.
-constexpr std::array<std::string_view, 13> kJointTypes = {
-    "revolute", "prismatic",     "cylindrical",    "universal",     "spherical",   "planar",     "free",
-    "fixed",    "point_on_line", "point_on_plane", "parallel_axes", "orientation", "homokinetic"};
+constexpr std::array<std::string_view, 16> kJointTypes = {
+    "revolute",    "prismatic",    "cylindrical",   "universal",      "spherical",     "planar",
+    "free",        "fixed",        "point_on_line", "point_on_plane", "parallel_axes", "orientation",
+    "homokinetic", "rolling_disc", "rolling_ball",  "knife_edge"};
 
 /// In the order of Mirror.
 constexpr std::array<std::string_view, 3> kMirrors = {"xz", "yz", "xy"};
@@ -289,13 +290,15 @@ std::span<const Field<JointFields>> fields<JointFields>() {
                         .shape = Shape::attachment,
                         .doc =
                             "point of the moved body, at the same place at the reference; on the line or in the plane "
-                            "of a point_on_line or point_on_plane",
+                            "of a point_on_line or point_on_plane; centre of a rolling_disc or rolling_ball, point of "
+                            "a knife_edge",
                         .need = Need::required}),
       field<F, &F::written_axis>(
           {.name = "axis",
            .shape = Shape::axis,
            .doc = "axis in the frame of `from`; of a planar joint or a point_on_plane the normal, of a "
-                  "point_on_line the line, of a homokinetic joint the shaft",
+                  "point_on_line the line, of a homokinetic joint the shaft; of a rolling_disc, rolling_ball or "
+                  "knife_edge the normal of the plane through the point of `from`, to the side of the disc or ball",
            .by_points = true}),
       field<F, &F::axis_to>({.name = "axis_to",
                              .shape = Shape::axis,
@@ -305,8 +308,16 @@ std::span<const Field<JointFields>> fields<JointFields>() {
           {.name = "axis2",
            .shape = Shape::axis,
            .doc = "second axis of a universal joint, perpendicular to the first, in the frame of `from`; of a "
-                  "homokinetic joint the shaft of `to`, likewise; default: `axis`",
+                  "homokinetic joint the shaft of `to`, likewise; default: `axis`; of a rolling_disc its axle, of a "
+                  "knife_edge the line of the blade, both of `to` and likewise in the frame of `from`",
            .by_points = true}),
+      field<F, &F::radius>({.name = "radius",
+                            .doc =
+                                "radius of a rolling_disc or rolling_ball; default: by it the plane is touched at the "
+                                "reference",
+                            .unit = "m",
+                            .bound = Bound::positive,
+                            .depends = Depends::parameters}),
       field<F, &F::sequence>({.name = "sequence",
                               .shape = Shape::text,
                               .doc = "order of the rotations of a spherical or free joint: x, y, z in any order",

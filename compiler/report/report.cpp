@@ -72,6 +72,7 @@ Json model_json(const Model& model, const Topology& topology, const Analysis& an
           {"equations", equation_count(topology)},
           {"independent_equations", analysis.independent_equations},
           {"degrees_of_freedom", analysis.degrees_of_freedom},
+          {"position_freedoms", analysis.position_freedoms},
           {"driven", model.motions.size()},
           {"blocks", blocks_json(topology, analysis)}};
 }

@@ -206,6 +206,8 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
   engine.set_inputs(inputs.at(state.t));
   for (sample.step = 0;; ++sample.step) {
     summary.status = observe(engine, settings.step, sample, at, derivative);
+    if (summary.status.ok() && settings.has_multipliers)
+      summary.status = engine.multipliers(at, derivative, sample.multipliers);
     if (!summary.status.ok()) break;
     collector.add(sample, inputs.at(sample.state.t), summary);
     summary.last = sample.state;

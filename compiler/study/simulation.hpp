@@ -11,7 +11,8 @@ namespace mbgen {
 
 struct SimulationSettings {
   long steps = 0;
-  double step = 0;  ///< s
+  double step = 0;               ///< s
+  bool has_multipliers = false;  ///< the samples are to have them
 };
 
 /// One point of the motion.
@@ -20,6 +21,7 @@ struct Sample {
   GenericState state;
   GenericOutputs outputs;
   Residuals residuals;
+  std::vector<double> multipliers;  ///< in the order of Topology::loops, where the settings ask for them
 };
 
 /// Smallest, largest and last value of one output.

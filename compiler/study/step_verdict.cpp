@@ -248,6 +248,7 @@ double growth_of_step(Integrator integrator, std::complex<double> z) {
 
 std::vector<Mode> modes_near(const Compilation& compilation, const GenericState& state,
                              const std::vector<double>& inputs) {
+  if (rolling_loop(compilation.topology)) return {};  // more positions are free than these coordinates tell
   const std::size_t free = free_coordinates(compilation.topology, compilation.analysis).size();
   if (2 * free + state.x.size() > kMostStatesForModes) return {};
   Nearby nearby(compilation, inputs);

@@ -10,8 +10,8 @@
 namespace mbgen {
 
 /// The modes of small motions about a state by central differences of its accelerations, see modes(); none for a model
-/// of more than kMostStatesForModes states, at a singular position, and where no acceleration is to be had. inputs: of
-/// the model, at that time. Cost: two evaluations of the generic runtime a state.
+/// of more than kMostStatesForModes states or with rolling, at a singular position, and where no acceleration is to be
+/// had. inputs: of the model, at that time. Cost: two evaluations of the generic runtime a state.
 std::vector<Mode> modes_near(const Compilation& compilation, const GenericState& state,
                              const std::vector<double>& inputs);
 constexpr int kMostStatesForModes = 200;

@@ -37,6 +37,12 @@ ClosureKind closure_kind(JointType type) {
       return ClosureKind::orientation;
     case JointType::homokinetic:
       return ClosureKind::homokinetic;
+    case JointType::rolling_disc:
+      return ClosureKind::rolling_disc;
+    case JointType::rolling_ball:
+      return ClosureKind::rolling_ball;
+    case JointType::knife_edge:
+      return ClosureKind::knife_edge;
     case JointType::spherical:
     case JointType::free:
       break;

@@ -32,6 +32,12 @@ const char* name_of(ClosureKind kind) {
       return "orientation";
     case ClosureKind::homokinetic:
       return "homokinetic";
+    case ClosureKind::rolling_disc:
+      return "rolling_disc";
+    case ClosureKind::rolling_ball:
+      return "rolling_ball";
+    case ClosureKind::knife_edge:
+      return "knife_edge";
   }
   return "unknown";
 }
@@ -69,6 +75,16 @@ std::vector<int> path_to(const Topology& topology, int i, int base) {
 const Where& where_of(const Model& model, const Loop& loop) {
   if (loop.coupling >= 0) return model.couplings[loop.coupling].where;
   return loop.rod >= 0 ? model.rods[loop.rod].where : model.joints[loop.joint].where;
+}
+
+bool holds_velocity_alone(const Model& model, const Loop& loop, int row) {
+  return loop.joint >= 0 && closure_rows(model.joints[loop.joint].type)[static_cast<std::size_t>(row)].of_velocities;
+}
+
+const Loop* rolling_loop(const Topology& topology) {
+  for (const Loop& loop : topology.loops)
+    if (is_rolling(loop.kind)) return &loop;
+  return nullptr;
 }
 
 int equation_count(const Topology& topology) {

@@ -39,11 +39,17 @@ enum class ClosureKind {
   parallel_axes,
   orientation,
   homokinetic,
-  coupling
+  coupling,
+  rolling_disc,
+  rolling_ball,
+  knife_edge
 };
 
 /// As the model format writes them.
 const char* name_of(ClosureKind kind);
+
+/// Kinds with rows that hold velocities alone (nonholonomic).
+constexpr bool is_rolling(ClosureKind kind) { return kind >= ClosureKind::rolling_disc; }
 
 /// A closure: a cut joint, a rod or a coupling. A cut joint of type free closes nothing and is not listed.
 struct Loop {
@@ -125,6 +131,12 @@ int tree_coordinate(const Topology& topology, const CoordinateReference& referen
 
 /// Where the model writes the joint, rod or coupling that closes a loop.
 const Where& where_of(const Model& model, const Loop& loop);
+
+/// Rows of a loop that hold velocities alone (nonholonomic), in their order: they are never open.
+bool holds_velocity_alone(const Model& model, const Loop& loop, int row);
+
+/// The first loop that has such rows, or null.
+const Loop* rolling_loop(const Topology& topology);
 
 /// Number of equations of all loops, redundant ones too.
 int equation_count(const Topology& topology);

@@ -38,6 +38,10 @@ void add_joint(const PartJoint& joint, const std::vector<Moving>& bodies, std::v
   const End from = end_of(bodies, joint.from), to = end_of(bodies, joint.to);
   const Eigen::Matrix3d on_from = bodies[from.body].axes * joint.triad_from;
   const Eigen::Matrix3d on_to = bodies[to.body].axes * joint.triad_to;
+  if (holds_velocities(joint.type)) {
+    for (Row& row : rolling(joint.type, from, to, on_from, on_to, joint.radius)) rows.push_back(std::move(row));
+    return;
+  }
   switch (joint.type) {
     case JointType::prismatic:
     case JointType::cylindrical:
@@ -92,11 +96,14 @@ int row_count(JointType type) {
     case JointType::spherical:
     case JointType::planar:
     case JointType::orientation:
+    case JointType::rolling_disc:
+    case JointType::rolling_ball:
       return 3;
     case JointType::point_on_line:
     case JointType::parallel_axes:
       return 2;
     case JointType::point_on_plane:
+    case JointType::knife_edge:
       return 1;
     case JointType::free:
       break;

@@ -82,7 +82,10 @@ PartJoint joint_of(const Parts& parts, const Joint& joint, bool cut, const std::
   part.to = cut ? place_of(parts, joint.to, value)
                 : place_at(parts, joint.to.body, written(joint.from, value) + tuned(joint.to, value));
   part.triad_from = triad_on(parts, part.from, joint.axis);
-  part.triad_to = triad_on(parts, part.to, joint.type == JointType::universal ? joint.second_axis : joint.axis);
+  const bool has_second = joint.type == JointType::universal || joint.type == JointType::rolling_disc ||
+                          joint.type == JointType::knife_edge;
+  part.triad_to = triad_on(parts, part.to, has_second ? joint.second_axis : joint.axis);
+  if (joint.radius) part.radius = value(*joint.radius);
   if (joint.type == JointType::homokinetic) {
     const auto bend = Eigen::Quaterniond::FromTwoVectors(vector_of(joint.axis), vector_of(joint.second_axis));
     part.triad_to = parts.bodies[part.to.body].axes.transpose() * bend * triad(vector_of(joint.axis));

@@ -37,6 +37,7 @@ struct PartJoint {
   Place from, to;
   Eigen::Matrix3d triad_from, triad_to;  ///< columns: two perpendiculars and the axis, body axes of either body
   std::vector<PartFreedom> freedoms;     ///< translations first; empty for cut joints, which have no coordinates
+  double radius = 0;                     ///< m, of a rolling disc or ball
 };
 
 struct PartRod {

@@ -1,6 +1,7 @@
 #include "runtime/cartesian/rows.hpp"
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace mbgen::cartesian {
 
@@ -54,6 +55,53 @@ Row equal_turns(const End& from, const End& to, const Eigen::Matrix3d& on_from, 
   const Vector6d half = wrench(Vector3d::Zero(), 0.5 * (shaft_from + shaft_to));
   const double second = 0.5 * (from.spin - to.spin).dot(from.spin.cross(shaft_from) + to.spin.cross(shaft_to));
   return {from.body, to.body, half, -half, -2 * turn.w() * turn.z(), 0, -second};
+}
+
+Row no_slip(const End& from, const End& to, const RollingContact& contact, const Vector3d& direction,
+            const Vector3d& direction_rate) {
+  // From the centres of mass, whose velocities do not depend on where the contact is.
+  const auto arm = [&](const End& end) { return Vector3d(contact.place - end.position + end.arm); };
+  const auto centre = [](const End& end) { return Vector3d(end.velocity - end.spin.cross(end.arm)); };
+  const auto velocity = [&](const End& end) { return Vector3d(centre(end) + end.spin.cross(arm(end))); };
+  const auto with_arm = [&](const End& end) { return Vector3d(end.spin.cross(contact.rate - centre(end))); };
+  return {from.body,
+          to.body,
+          wrench(direction, arm(from).cross(direction)),
+          -wrench(direction, arm(to).cross(direction)),
+          0,
+          0,
+          -direction_rate.dot(velocity(from) - velocity(to)) - direction.dot(with_arm(from) - with_arm(to))};
+}
+
+std::vector<Row> rolling(JointType type, const End& from, const End& to, const Eigen::Matrix3d& on_from,
+                         const Eigen::Matrix3d& on_to, double radius) {
+  const Vector3d normal = on_from.col(2), normal_rate = from.spin.cross(normal);
+  const Vector3d axle = on_to.col(2), axle_rate = to.spin.cross(axle);
+  const double lean = normal.dot(axle), lean_rate = normal_rate.dot(axle) + normal.dot(axle_rate);
+  const double share = 1 / std::sqrt(1 - lean * lean), share_rate = share * share * share * lean * lean_rate;
+  const Vector3d ahead = axle.cross(normal), ahead_rate = axle_rate.cross(normal) + axle.cross(normal_rate);
+  const Vector3d forward = share * ahead, forward_rate = share_rate * ahead + share * ahead_rate;
+  const Vector3d left = normal.cross(forward), left_rate = normal_rate.cross(forward) + normal.cross(forward_rate);
+  if (type == JointType::knife_edge) {  // normal x blade is behind
+    return {no_slip(from, to, {to.position, to.velocity}, -forward, -forward_rate)};
+  }
+  if (type == JointType::rolling_ball) {
+    const RollingContact contact{to.position - radius * normal, to.velocity - radius * normal_rate};
+    const auto fixed = [&](int k) {
+      return no_slip(from, to, contact, on_from.col(k), from.spin.cross(on_from.col(k)));
+    };
+    std::vector<Row> rows{fixed(2), fixed(0), fixed(1)};
+    rows[0].residual = normal.dot(from.position - to.position) + radius;
+    return rows;
+  }
+  // The normal less its part along the axle points away from the lowest point of the rim.
+  const Vector3d up = normal - lean * axle, up_rate = normal_rate - lean_rate * axle - lean * axle_rate;
+  const RollingContact contact{to.position - radius * share * up,
+                               to.velocity - radius * (share_rate * up + share * up_rate)};
+  std::vector<Row> rows{no_slip(from, to, contact, normal, normal_rate),
+                        no_slip(from, to, contact, forward, forward_rate), no_slip(from, to, contact, left, left_rate)};
+  rows[0].residual = normal.dot(from.position - to.position) + radius / share;
+  return rows;
 }
 
 Row distance(const End& from, const End& to, double length) {

@@ -51,6 +51,20 @@ Row in_plane(const End& from, const End& to, const Eigen::Vector3d& a);
 /// At velocity level, the relative spin lies in the plane that bisects them.
 Row equal_turns(const End& from, const End& to, const Eigen::Matrix3d& on_from, const Eigen::Matrix3d& on_to);
 
+/// A place on the plane of `from` that touches a disc, ball or blade of `to` and moves over both, global axes.
+struct RollingContact {
+  Eigen::Vector3d place, rate;
+};
+
+/// Velocity of `from` less that of `to` along a direction, at their contact; no function of position has this rate.
+Row no_slip(const End& from, const End& to, const RollingContact& contact, const Eigen::Vector3d& direction,
+            const Eigen::Vector3d& direction_rate);
+
+/// Rows of a disc, ball or blade on the plane of `from` through its place. on_from: with the normal in the third
+/// column; on_to: likewise the axle or blade. Requires: a type that holds velocities.
+std::vector<Row> rolling(JointType type, const End& from, const End& to, const Eigen::Matrix3d& on_from,
+                         const Eigen::Matrix3d& on_to, double radius);
+
 /// (|r_from - r_to|^2 - length^2) / (2 length): residual in m, multiplier the tension of a massless rod in N.
 Row distance(const End& from, const End& to, double length);
 

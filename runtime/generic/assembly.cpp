@@ -36,7 +36,7 @@ struct MovableBlock {
   GenericState& state;
 };
 
-/// Residual and Jacobian of a block.
+/// Residual and Jacobian of a block: of positions without the rows that hold velocities alone.
 struct Closure {
   VectorXd residual;
   MatrixXd jacobian;
@@ -109,8 +109,20 @@ void set_block(const LoopBlock& block, const VectorXd& from, std::vector<double>
   for (std::size_t c = 0; c < block.joints.size(); ++c) values[block.joints[c]] = from[static_cast<Index>(c)];
 }
 
-/// The closure at block coordinates z, which the state takes over.
-Closure closure_at(const MovableBlock& m, const VectorXd& z) {
+/// Rows of a block that hold positions.
+std::vector<int> position_rows(const MovableBlock& m) {
+  std::vector<int> rows;
+  int next = 0;
+  for (const int l : m.block.loops) {
+    const Loop& loop = m.equations.topology.loops[l];
+    for (int row = 0; row < loop.equations; ++row, ++next)
+      if (!holds_velocity_alone(m.equations.model, loop, row)) rows.push_back(next);
+  }
+  return rows;
+}
+
+/// All rows of the closure at block coordinates z, which the state takes over.
+Closure all_rows_at(const MovableBlock& m, const VectorXd& z) {
   set_block(m.block, z, m.state.z);
   System<double>& system = m.equations.system(m.state);
   const BlockClosure<double> closed = closure(system, kinematics(system), m.block, m.equations.rest);
@@ -120,6 +132,13 @@ Closure closure_at(const MovableBlock& m, const VectorXd& z) {
     result.jacobian.row(static_cast<Index>(e)) =
         Eigen::Map<const Eigen::RowVectorXd>(closed.jacobian[e].data(), z.size());
   return result;
+}
+
+/// Its rows that hold positions.
+Closure closure_at(const MovableBlock& m, const VectorXd& z) {
+  const Closure all = all_rows_at(m, z);
+  const std::vector<int> rows = position_rows(m);
+  return {all.residual(rows), all.jacobian(rows, Eigen::all)};
 }
 
 /// Closes a block by its movable coordinates, or opens it as little as can be. Damping by the squared residual keeps
@@ -228,7 +247,7 @@ double assemble_block(const MovableBlock& m) {
 /// The block's velocities nearest to the wishes, with Phi_z zd = 0. Result: |Phi_z zd|.
 double set_velocities(const MovableBlock& m) {
   const Demand& demand = m.demand;
-  const MatrixXd jacobian = closure_at(m, of_block(m.block, m.state.z)).jacobian;
+  const MatrixXd jacobian = all_rows_at(m, of_block(m.block, m.state.z)).jacobian;
   const MatrixXd movable = jacobian(Eigen::all, demand.movable);
   VectorXd zd = demand.value;
   const VectorXd needed = least(movable, -jacobian(Eigen::all, demand.fixed) * demand.value(demand.fixed));

@@ -60,11 +60,12 @@ TEST_P(EveryModel, OnlyEquationsOfLoopsCanBeOpen) {
     else
       opening[loop] = std::max(opening[loop], std::abs(residual[e]));
   }
-  for (double gap : opening) EXPECT_GT(gap, 1e-5);
+  for (std::size_t l = 0; l < opening.size(); ++l)
+    if (!is_rolling(m.topology.loops[l].kind)) EXPECT_GT(opening[l], 1e-5);
   for (int e = first_motion; e < system.equations(); ++e) EXPECT_EQ(system.loop_of(e), -1);
 }
 
-// Only turns of a massive rod about its own axis are held by a rate without a residual: it is left out.
+// Only turns of a massive rod about its own axis and rolling are held by a rate without a residual: they are left out.
 TEST_P(EveryModel, JacobianIsTheDerivativeOfTheResiduals) {
   constexpr double kStep = 1e-5;  // its square is the truncation error
   const GenericState z = random_states(m, 1).at(0);
@@ -83,7 +84,13 @@ TEST_P(EveryModel, JacobianIsTheDerivativeOfTheResiduals) {
       return terms_at(moved, z).residual;
     };
     const VectorXd slope = (residual_after(kStep) - residual_after(-kStep)) / (2 * kStep);
-    EXPECT_LT(largest(slope - terms.jacobian * direction), 1e-8);
+    VectorXd error = slope - terms.jacobian * direction;
+    for (int e = 0, row = 0; e < error.size(); ++e) {
+      const int l = system.loop_of(e);
+      row = e > 0 && l == system.loop_of(e - 1) ? row + 1 : 0;
+      if (l >= 0 && holds_velocity_alone(m.model, m.topology.loops[l], row)) error[e] = 0;
+    }
+    EXPECT_LT(largest(error), 1e-8);
   }
 }
 

@@ -182,7 +182,8 @@ TEST_P(EveryClosedModel, IsNearestToWhatIsAsked) {
   }
   const Eigen::VectorXd multipliers = movable.transpose().completeOrthogonalDecomposition().solve(gradient);
   const double along_the_closures = (gradient - movable.transpose() * multipliers).lpNorm<Eigen::Infinity>();
-  EXPECT_GT(gradient.norm(), 1e-4);
+  // Where only velocities are held every wish is met.
+  if (m.analysis.position_freedoms < m.topology.size()) EXPECT_GT(gradient.norm(), 1e-4);
   EXPECT_LT(along_the_closures, 1e-6);
 }
 

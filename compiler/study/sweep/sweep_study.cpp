@@ -14,6 +14,7 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/describe/names.hpp"
 #include "compiler/engines/engine_arguments.hpp"
+#include "compiler/study/contact_watch.hpp"
 #include "compiler/study/initial_state.hpp"
 #include "compiler/study/simulation_arguments.hpp"
 #include "compiler/study/step_verdict.hpp"
@@ -164,14 +165,20 @@ CaseResult measured(const Study& study, const Compilation& compilation, const En
                     const InputsOverTime& inputs) {
   const GenericState start = initial_state(compilation, inputs.at(0));
   Recorder recorder(study, compilation, inputs);
-  const SimulationSummary summary =
-      simulate(engine, start, inputs, study.settings, [&](const Sample& sample) { recorder.add(sample); });
+  ContactWatch contacts(compilation);
+  SimulationSettings settings = study.settings;
+  settings.has_multipliers = contacts.needs_multipliers();
+  const SimulationSummary summary = simulate(engine, start, inputs, settings, [&](const Sample& sample) {
+    recorder.add(sample);
+    contacts.add(sample);
+  });
   if (!summary.status.ok()) {
     return failed(study,
                   fmt::format("stopped after t = {} s: {}", summary.end_time, describe(compilation, summary.status)));
   }
-  const StepVerdict verdict = judge_step(compilation, study.choice.integrator, study.settings, summary,
-                                         modes_near(compilation, start, inputs.at(0)));
+  StepVerdict verdict = judge_step(compilation, study.choice.integrator, study.settings, summary,
+                                   modes_near(compilation, start, inputs.at(0)));
+  judge_contacts(contacts, verdict);
   if (!verdict.failure.empty()) return failed(study, verdict.failure);
   CaseResult result{"ok", evaluate(study.metrics, compilation.model.parameters, recorder.points()),
                     summary.energy.relative_error()};

@@ -30,14 +30,27 @@ inline Mechanism load_without_tyres(const std::string& relative) {
   return analysed_model(without_tyres(*model));
 }
 
-/// Models of all_models() without homokinetic joints and rods that change their length, which Simbody has not.
+/// Whether discs or blades do not stay upright: Simbody's rows of no slip act at a place of a carriage.
+inline bool tilts(const Model& model) {
+  const auto needs_carriage = [](const Joint& joint) {
+    return joint.type == JointType::rolling_disc || joint.type == JointType::knife_edge;
+  };
+  const auto is_in_space = [](const Joint& joint) {
+    return joint.type == JointType::free || joint.type == JointType::spherical || joint.type == JointType::universal;
+  };
+  return std::ranges::any_of(model.joints, needs_carriage) && std::ranges::any_of(model.joints, is_in_space);
+}
+
+/// Models of all_models() without homokinetic joints, rods that change their length and discs that tilt, which Simbody
+/// has not.
 inline std::vector<std::string> models_in_simbody() {
   std::vector<std::string> paths = all_models();
   std::erase_if(paths, [](const std::string& path) {
     const Result<Model> model = read_model_file(source_path(path));
     const auto is_homokinetic = [](const Joint& joint) { return joint.type == JointType::homokinetic; };
     const auto is_driven = [](const Rod& rod) { return rod.drive >= 0; };
-    return model && (std::ranges::any_of(model->joints, is_homokinetic) || std::ranges::any_of(model->rods, is_driven));
+    return model && (tilts(*model) || std::ranges::any_of(model->joints, is_homokinetic) ||
+                     std::ranges::any_of(model->rods, is_driven));
   });
   return paths;
 }

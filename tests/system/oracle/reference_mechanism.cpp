@@ -79,6 +79,12 @@ ClosureKind kind_of(mbgen::ClosureKind kind) {
       return ClosureKind::orientation;
     case mbgen::ClosureKind::homokinetic:
       return ClosureKind::homokinetic;
+    case mbgen::ClosureKind::rolling_disc:
+      return ClosureKind::rolling_disc;
+    case mbgen::ClosureKind::rolling_ball:
+      return ClosureKind::rolling_ball;
+    case mbgen::ClosureKind::knife_edge:
+      return ClosureKind::knife_edge;
     case mbgen::ClosureKind::rod:
       break;
   }
@@ -132,7 +138,11 @@ ReferenceClosure closure_of(const Model& model, const Topology& topology, const 
   }
   const Joint& joint = model.joints[loop.joint];
   closure.axis = vector_of(joint.axis);
-  closure.second_axis = vector_of(joint.type == JointType::universal ? joint.second_axis : joint.axis);
+  const bool has_second = joint.type == JointType::universal || holds_velocities(joint.type);
+  closure.second_axis = vector_of(has_second ? joint.second_axis : joint.axis);
+  if (joint.radius) closure.radius = joint.radius->value;
+  if (joint.type == JointType::rolling_disc) closure.carriage = topology.bodies[loop.body_to].parent;
+  if (joint.type == JointType::knife_edge) closure.carriage = loop.body_to;
   return closure;
 }
 

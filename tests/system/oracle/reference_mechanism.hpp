@@ -31,7 +31,10 @@ enum class ClosureKind {
   parallel_axes,
   orientation,
   homokinetic,
-  coupling
+  coupling,
+  rolling_disc,
+  rolling_ball,
+  knife_edge
 };
 
 /// Mass of all that moves with a tree body. No mass: com is the pin.
@@ -72,7 +75,9 @@ struct ReferenceClosure {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();         ///< on `from`; of a universal joint the first
   Eigen::Vector3d second_axis = Eigen::Vector3d::UnitZ();  ///< on `to`; of other joints `axis`
   double length = 0, mass = 0;                             ///< of a rod, m and kg
-  ReferenceRelation relation = {};                         ///< of a coupling
+  double radius = 0;                                       ///< of a rolling disc or ball, m
+  int carriage = kGround;  ///< of a rolling disc in planar motion: tree body on which its contact does not move
+  ReferenceRelation relation = {};  ///< of a coupling
 };
 
 struct ReferenceMechanism {

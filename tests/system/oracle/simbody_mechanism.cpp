@@ -227,6 +227,20 @@ SimTK::Constraint coupler(SimbodySystem& s, const ReferenceRelation& relation) {
   return SimTK::Constraint::CoordinateCoupler(s.matter, new RelationFunction(relation, signs), bodies, places);
 }
 
+/// No slip of a disc or blade along some directions. In planar motion the place and the directions of the contact stay
+/// on its carriage; planar joints hold the height. NoSlip1D takes the acceleration of the material that is at the
+/// contact, which for a wheel that turns with its carriage is right forward but not to the side, where the carriage
+/// moves as the wheel does.
+std::vector<SimTK::Constraint> no_slip(SimbodySystem& s, const ReferenceClosure& c) {
+  const Vector3d forward = c.second_axis.cross(c.axis), left = c.axis.cross(forward);
+  const Vec3 contact = s.local(c.carriage, c.at_to - c.radius * c.axis);
+  const auto along = [&](const Vector3d& direction, int body) {
+    return SimTK::Constraint::NoSlip1D(s.body(c.carriage), contact, unit(direction), s.body(c.from), s.body(body));
+  };
+  if (c.kind == ClosureKind::knife_edge) return {along(-forward, c.to)};
+  return {along(forward, c.to), along(left, c.carriage)};
+}
+
 std::vector<SimTK::Constraint> constraints_of(SimbodySystem& s, const ReferenceClosure& c) {
   using SimTK::Constraint;
   if (c.kind == ClosureKind::coupling) return {coupler(s, c.relation)};
@@ -264,6 +278,12 @@ std::vector<SimTK::Constraint> constraints_of(SimbodySystem& s, const ReferenceC
       return {across(p.first), across(p.second)};
     case ClosureKind::orientation:
       return {Constraint::ConstantOrientation(from, Rotation(), to, Rotation())};
+    case ClosureKind::rolling_ball:
+      return {Constraint::SphereOnPlaneContact(from, Transform(Rotation(unit(c.axis), SimTK::ZAxis), at_from), to,
+                                               at_to, c.radius, true)};
+    case ClosureKind::rolling_disc:
+    case ClosureKind::knife_edge:
+      return no_slip(s, c);
     case ClosureKind::homokinetic:
       throw std::invalid_argument("Simbody has no homokinetic joint: " + c.name);
     case ClosureKind::coupling:

@@ -51,6 +51,7 @@ constexpr NamedFamily kFamilies[] = {
     {Family::deep_chain, "deep_chain"},
     {Family::closed_chain, "closed_chain"},
     {Family::by_equations, "by_equations"},
+    {Family::rolling, "rolling"},
     {Family::planar_loops, "planar_loops"},
     {Family::rods, "rods"},
     {Family::actuators, "actuators"},

@@ -65,6 +65,21 @@ void close_by_equations(Workshop& shop) {
   }
 }
 
+bool rolls(const std::string& type) { return type == "rolling_disc" || type == "rolling_ball" || type == "knife_edge"; }
+
+/// A free body with a tail on one or two contacts; at least two freedoms are left.
+void add_rolling(Workshop& shop) {
+  static constexpr const char* kTypes[] = {"rolling_disc", "rolling_ball", "knife_edge"};
+  Dice& dice = shop.dice();
+  const int base = dice.chance(0.5) ? kOnGround : shop.hang(plain_type(dice), kOnGround);
+  const int body = shop.hang("free", kOnGround);
+  const std::vector<int> tail = grow_chain(shop, 1 + dice.upto(1), body, false);
+  shop.add_joint(kTypes[dice.upto(2)], base, body, plus(shop.place_of(body), dice.point(0.1)), dice.axis(), true);
+  if (dice.chance(0.5))
+    shop.add_joint(kTypes[dice.upto(2)], kOnGround, tail.back(), plus(shop.place_of(tail.back()), dice.point(0.1)),
+                   dice.axis(), true);
+}
+
 /// Four-bars in the plane across `axis`, one after the other.
 void add_four_bars(Workshop& shop) {
   Dice& dice = shop.dice();
@@ -275,6 +290,9 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
     case Family::by_equations:
       close_by_equations(shop);
       break;
+    case Family::rolling:
+      add_rolling(shop);
+      break;
     case Family::planar_loops:
       add_four_bars(shop);
       break;
@@ -317,6 +335,8 @@ void add_axes(const RandomJoint& joint, nlohmann::ordered_json& entry) {
   static constexpr const char* kWithoutAxis[] = {"spherical", "free", "fixed", "orientation"};
   if (std::ranges::find(kWithoutAxis, joint.type) == std::end(kWithoutAxis)) entry["axis"] = joint.axis;
   if (joint.type == "universal") entry["axis2"] = across(joint.axis);
+  if (joint.type == "rolling_disc" || joint.type == "knife_edge")
+    entry["axis2"] = plus(across(joint.axis), times(0.3, joint.axis));
   if (joint.type == "homokinetic") entry["axis2"] = plus(joint.axis, times(0.4, across(joint.axis)));
 }
 
@@ -348,8 +368,8 @@ std::string model_text(const RandomMechanism& mechanism) {
   };
   Json joints = Json::object(), rods = Json::object(), springs = Json::object();
   for (const RandomJoint& joint : mechanism.joints) {
-    // A point on a line begins somewhere on it.
-    const Point shift = joint.type == "point_on_line" ? times(0.3, joint.axis) : Point{};
+    // A point on a line begins somewhere on it, a disc or ball stands on its plane.
+    const Point shift = joint.type == "point_on_line" || rolls(joint.type) ? times(0.3, joint.axis) : Point{};
     Json entry{{"type", joint.type},
                {"from", place(joint.name, "_from", joint.from, joint.at)},
                {"to", place(joint.name, "_to", joint.to, plus(joint.at, shift))}};

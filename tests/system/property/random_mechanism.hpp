@@ -80,6 +80,7 @@ enum class Family {
   mirror_halves,   ///< a left half and its mirror image on a base between them
   nearly_mirror_halves,  ///< the same, but for one number
   equal_legs,            ///< three equal legs, a third of a turn apart, under a platform
+  rolling,               ///< a free body with a tail, on discs, balls and blades that roll on ground or a moving body
   by_equations           ///< closed by joints that have no coordinates: points on lines and planes, directions, shafts
 };
 

@@ -119,7 +119,8 @@ RandomMechanism renumbered(RandomMechanism m, std::uint64_t seed) {
 
 bool has_plain_joints(const RandomMechanism& m) {
   return std::ranges::all_of(m.joints, [](const RandomJoint& joint) {
-    static constexpr const char* kPlainCuts[] = {"spherical", "point_on_line", "point_on_plane", "parallel_axes"};
+    static constexpr const char* kPlainCuts[] = {"spherical", "point_on_line", "point_on_plane", "parallel_axes",
+                                                 "rolling_ball"};
     return joint.type == "revolute" || joint.type == "prismatic" ||
            (joint.cut && std::ranges::find(kPlainCuts, joint.type) != std::end(kPlainCuts));
   });

@@ -30,8 +30,9 @@ function modelRows(model) {
     ["file", model.file], ["hash", model.hash], ["bodies with ground", model.bodies], ["joints", model.joints],
     ["rods", model.rods], ["springs and dampers", model.springs], ["tyres", model.tyres],
     ["relative coordinates", model.coordinates], ["loop equations", model.equations],
-    ["of which independent", model.independent_equations], ["degrees of freedom", model.degrees_of_freedom],
-    ["of which driven", model.driven],
+    ["of which independent", model.independent_equations],
+    ...(model.position_freedoms === model.degrees_of_freedom ? [] : [["freedoms of positions", model.position_freedoms]]),
+    ["degrees of freedom", model.degrees_of_freedom], ["of which driven", model.driven],
   ];
 }
 

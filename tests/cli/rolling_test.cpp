@@ -1,0 +1,57 @@
+// Rolling at the command line: freedoms of positions and of velocities, commands that refuse it, and motions that no
+// real contact has.
+
+#include "tests/support/cli_support.hpp"
+
+namespace mbgen::cli_test {
+namespace {
+
+/// A disc on its rim, that leans by 0.9 rad and is let go; gravity: along z.
+std::string falling_disc(const std::string& gravity, const std::string& spin) {
+  return R"({ "mbgen": 1, "name": "disc", "gravity": [0, 0, )" + gravity + R"(], "bodies": {
+      "ground": { "points": { "O": [0, 0, 0], "C": [0, 0, 0.3] } },
+      "disc": { "mass": 2, "pose": { "origin": [0, 0, 0.3] }, "inertia": [0.045, 0.09, 0.045],
+                "points": { "C": [0, 0, 0] } } },
+    "joints": {
+      "disc": { "type": "free", "from": "ground.C", "to": "disc.C", "sequence": "xyz" },
+      "contact": { "type": "rolling_disc", "from": "ground.O", "to": "disc.C", "axis": "z", "axis2": "y" } },
+    "initial": { "positions": { "disc_rx": 0.9 }, "velocities": { "disc_ry": )" +
+         spin + R"( } } })";
+}
+
+class Rolling : public CommandLine {};
+
+TEST_F(Rolling, FreedomsOfVelocitiesAreToldFromThoseOfPositions) {
+  write("disc.json", falling_disc("-9.81", "0"));
+  const Json report = json_of("inspect disc.json --json");
+  EXPECT_EQ(report["relative_coordinates"], 6);
+  EXPECT_EQ(report["velocity_equations"], 2);
+  EXPECT_EQ(report["degrees_of_freedom"], 3);
+  EXPECT_EQ(report["position_freedoms"], 5);
+  EXPECT_NE(mbgen("explain disc.json").out.find("of positions there are 5 freedoms"), std::string::npos);
+}
+
+TEST_F(Rolling, WhatNeedsAPositionForEachVelocityIsRefused) {
+  write("disc.json", falling_disc("-9.81", "0"));
+  for (const std::string command : {"linearize disc.json", "export disc.json --fmi 3 -o disc.fmu"}) {
+    const Outcome refused = mbgen(command);
+    EXPECT_EQ(refused.exit_code, 1) << command;
+    EXPECT_NE(refused.err.find("/joints/contact"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("more positions are free than velocities"), std::string::npos) << refused.err;
+  }
+}
+
+// The disc lies flat after 0.25 s, which a step goes over; upside down it hangs on its plane from the start.
+TEST_F(Rolling, NeitherFallsFlatNorLiftsOffUnseen) {
+  write("disc.json", falling_disc("-9.81", "0"));
+  const Outcome flat = mbgen("simulate disc.json --engine generic --duration 0.5 --out flat.csv");
+  EXPECT_EQ(flat.exit_code, 1);
+  EXPECT_NE(flat.err.find("\"contact\" fell flat before t = "), std::string::npos) << flat.err;
+  write("hanging.json", falling_disc("9.81", "20"));
+  const Outcome hanging = mbgen("simulate hanging.json --engine generic --duration 0.02 --out hanging.csv");
+  EXPECT_EQ(hanging.exit_code, 0) << hanging.err;
+  EXPECT_NE(hanging.err.find("rolling_disc \"contact\" pulls from t = 0 s on"), std::string::npos) << hanging.err;
+}
+
+}  // namespace
+}  // namespace mbgen::cli_test
