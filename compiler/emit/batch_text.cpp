@@ -47,6 +47,7 @@ std::string batch_interface_text(const EmitContext& context) {
   return fill_template("batch.hpp.in", {{"banner", banner_text(context.model, "//")},
                                         {"solver", context.names.solver},
                                         {"lanes", context.options.lanes},
+                                        {"balls", context.layout.balls > 0 ? std::to_string(context.layout.balls) : ""},
                                         {"alignment", kLaneBytes * context.options.lanes},
                                         {"parameters", default_rows(parameter_members(context), context.options.lanes)},
                                         {"inputs", default_rows(input_members(context), context.options.lanes)},

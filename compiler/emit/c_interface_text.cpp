@@ -105,6 +105,7 @@ std::string c_source_text(const EmitContext& context) {
        {"outputs", name_rows(names_of(output_members(context)))},
        {"parameter_table", array_text("constexpr " + context.options.scalar + " Parameters::*kParameterMembers",
                                       member_places("Parameters", context.names.parameters), "nullptr")},
+       {"balls", context.layout.balls > 0},
        {"advances", inputs_have_derivatives(context.model.inputs)},
        {"makes_rates", makes_rates},
        {"is_multistep", is_multistep},

@@ -81,6 +81,7 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
       {{"banner", banner_text(context.model, "//")},
        {"solver", context.names.solver},
        {"token", fmu_token(context.model)},
+       {"balls", layout.balls > 0},
        {"step_size", number_text(context.model.solver.step)},
        {"output_count", output_members(context).size()},
        {"multiplier_size", size_text(layout.equations)},

@@ -149,6 +149,7 @@ std::string interface_text(const EmitContext& context) {
                         {"input_rows", input_rows_text(context.model, names)},
                         {"initial", context.options.initial.has_value()},
                         {"scalar", context.options.scalar},
+                        {"balls", context.layout.balls > 0 ? std::to_string(context.layout.balls) : ""},
                         {"auxiliary_size", size_text(context.layout.auxiliary_states)},
                         {"multiplier_size", size_text(context.layout.equations)},
                         {"drive_size", size_text(context.layout.drives)}};

@@ -40,6 +40,7 @@ constexpr ArrayExtent kExtents[] = {
     {Array::dz, "Newton correction; driven coordinates go to their motions"},
     {Array::driven_acceleration, "of driven coordinates, by their motions; no others"},
     {Array::x, "", auxiliary_states},
+    {Array::charts, "", [](const Extents& e) { return e.layout.balls; }},
     {Array::xd, "rates of the auxiliary states", auxiliary_states},
     {Array::lambda, "multipliers, loop after loop", [](const Extents& e) { return e.layout.equations; }},
     {Array::drive, "generalised driving forces", [](const Extents& e) { return e.layout.drives; }},
@@ -139,11 +140,17 @@ bool is_written(Role role, const Programs& programs, const SolverLayout& layout)
   if (role == Role::derived_constants) return derived_constant_count(programs) > 0;
   if (role == Role::closure || role == Role::multipliers) return layout.has_closure;
   if (role == Role::closure_terms) return !layout.blocks.empty();
-  return role != Role::accelerations_chosen || (!layout.blocks.empty() && layout.chooses_again);
+  return role != Role::accelerations_chosen || ((!layout.blocks.empty() || layout.balls > 0) && layout.chooses_again);
 }
 
 Extents extents_of(const Programs& programs, const SolverLayout& layout, const SolverNames& names) {
   return {layout, names, static_cast<int>(programs.free_direction_coordinate.size()), derived_constant_count(programs)};
+}
+
+/// Whether the solver has the argument that holds an array.
+bool is_given(Array array, const Programs& programs, const SolverLayout& layout) {
+  if (array == Array::lambda) return outputs_take_multipliers(programs);
+  return array != Array::Rz || !layout.blocks.empty();
 }
 
 ProgramShape shape_of(const ShapeRow& row, const Programs& programs, const Extents& extents) {
@@ -160,7 +167,7 @@ ProgramShape shape_of(const ShapeRow& row, const Programs& programs, const Exten
     shape.inputs.erase(Array::derived);
   }
   for (const auto& [array, name, declaration] : kArguments)
-    if (std::ranges::count(spec.inputs, array) > 0 && (array != Array::lambda || outputs_take_multipliers(programs)))
+    if (std::ranges::count(spec.inputs, array) > 0 && is_given(array, programs, extents.layout))
       shape.arguments.emplace_back(name, declaration);
   for (const Array array : spec.outputs) {
     if (array == (extents.layout.chooses_again ? Array::rate : Array::Jz)) continue;
@@ -192,7 +199,7 @@ void take_floats(ProgramShape& shape) {
 Places input_places(const Programs& programs, const SolverLayout& layout, const SolverNames& names) {
   const Extents extents = extents_of(programs, layout, names);
   Places places;
-  for (const Array array : {Array::z, Array::zd, Array::x}) add_array(places, "state", array, extents);
+  for (const Array array : {Array::z, Array::zd, Array::x, Array::charts}) add_array(places, "state", array, extents);
   for (const Array array : {Array::lambda, Array::drive}) add_array(places, "multipliers", array, extents);
   for (const Array array : {Array::Rz, Array::zdd_star}) add_array(places, "projection", array, extents);
   add_array(places, "tau", Array::tau, extents);
@@ -210,6 +217,7 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
   SolverLayout layout;
   layout.coordinates = topology.size();
   layout.auxiliary_states = auxiliary_state_count(model);
+  layout.balls = static_cast<int>(topology.balls.size());
   layout.drives = static_cast<int>(model.motions.size());
   layout.has_closure = !topology.loops.empty() || !model.motions.empty();
   layout.chooses_again = chooses_again(topology);

@@ -8,6 +8,7 @@
 
 #include "compiler/base/user_error.hpp"
 #include "compiler/describe/names.hpp"
+#include "compiler/topology/poles.hpp"
 
 namespace mbgen {
 namespace {
@@ -69,6 +70,18 @@ std::vector<std::string> names_of(const Compilation& compilation, Subject subjec
   return names;
 }
 
+/// Why a ball has no other angles than those that lack an inertia, "" for other directions.
+std::string pole_text(const Compilation& compilation, Status status) {
+  if (status.code != Code::no_inertia) return "";
+  const TreeBody& body = compilation.topology.bodies[status.index];
+  for (const RealPole& pole : real_poles(compilation.model, compilation.topology)) {
+    if (pole.joint != body.joint || body.kind != FreedomKind::revolute) continue;
+    return fmt::format(", the angles of joint {} may be at their pole: {} is on {}, so that no others can be taken",
+                       compilation.model.joints[pole.joint].name, pole.user, pole.coordinate);
+  }
+  return "";
+}
+
 }  // namespace
 
 const std::vector<std::string>& engine_names() {
@@ -101,7 +114,8 @@ Engine make_engine(const Compilation& compilation, const EngineChoice& choice) {
 std::string describe(const Compilation& compilation, Status status) {
   const std::vector<std::string> names = names_of(compilation, subject_of(status.code));
   const bool is_named = status.index >= 0 && status.index < static_cast<int>(names.size());
-  return is_named ? fmt::format("{}: {}", text(status.code), names[status.index]) : text(status.code);
+  if (!is_named) return text(status.code);
+  return fmt::format("{}: {}{}", text(status.code), names[status.index], pole_text(compilation, status));
 }
 
 }  // namespace mbgen

@@ -19,7 +19,8 @@ struct Environment {
   std::vector<T> parameters;  ///< all, in model order
   std::vector<T> inputs;
   T t{0.0};
-  std::vector<T> z, zd;  ///< per tree coordinate
+  std::vector<T> z, zd;   ///< per tree coordinate
+  std::vector<T> charts;  ///< per ball of the topology, 0 or 1; empty: all 0
   std::vector<T> locals;
 
   T parameter(int i) const { return parameters[i]; }

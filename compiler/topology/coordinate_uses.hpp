@@ -14,6 +14,10 @@ struct CoordinateUse {
   std::string user;  ///< as people say it, for example "motion steer"
 };
 
+/// References that make the motion: motions, springs, frictions and forces on joints, couplings, expressions of
+/// anything but outputs.
+std::vector<CoordinateUse> coordinates_of_laws(const Model& model);
+
 /// Every reference of the model, in order: motions, forces on joints, expressions, initial values, outputs.
 std::vector<CoordinateUse> coordinate_uses(const Model& model);
 

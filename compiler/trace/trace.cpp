@@ -11,7 +11,7 @@ namespace {
 /// The frozen and the chosen partition in one form, so that both are the same equations.
 void trace_all_accelerations(const Model& model, const Topology& topology, const Analysis& analysis,
                              Programs& programs) {
-  const bool chooses = !topology.loops.empty() && chooses_again(topology);
+  const bool chooses = (!topology.loops.empty() || !topology.balls.empty()) && chooses_again(topology);
   if (programs.form == Form::matrix) {
     programs.accelerations = trace_matrix_accelerations(model, topology, analysis, Partition::frozen);
     if (chooses)

@@ -94,6 +94,7 @@ struct GenericEquations {
     at.environment.t = state.t;
     at.environment.z = state.z;
     at.environment.zd = state.zd;
+    at.environment.charts = state.charts;
     at.x = state.x;
     return at;
   }
