@@ -70,16 +70,19 @@ std::vector<std::string> names_of(const Compilation& compilation, Subject subjec
   return names;
 }
 
-/// Why a ball has no other angles than those that lack an inertia, "" for other directions.
+/// What lacks an inertia may be an angle at its pole: says so of balls, and why they have no other angles. "" for other
+/// directions.
 std::string pole_text(const Compilation& compilation, Status status) {
   if (status.code != Code::no_inertia) return "";
   const TreeBody& body = compilation.topology.bodies[status.index];
-  for (const RealPole& pole : real_poles(compilation.model, compilation.topology)) {
-    if (pole.joint != body.joint || body.kind != FreedomKind::revolute) continue;
-    return fmt::format(", the angles of joint {} may be at their pole: {} is on {}, so that no others can be taken",
-                       compilation.model.joints[pole.joint].name, pole.user, pole.coordinate);
-  }
-  return "";
+  const Joint& joint = compilation.model.joints[body.joint];
+  const bool is_ball = joint.type == JointType::spherical || joint.type == JointType::free;
+  if (!is_ball || body.kind != FreedomKind::revolute) return "";
+  const std::string pole = fmt::format(", the angles of joint {} may be at their pole", joint.name);
+  for (const RealPole& real : real_poles(compilation.model, compilation.topology))
+    if (real.joint == body.joint)
+      return pole + fmt::format(": {} is on {}, so that no others can be taken", real.user, real.coordinate);
+  return pole + ", where they have no accelerations";
 }
 
 }  // namespace

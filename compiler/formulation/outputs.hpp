@@ -74,15 +74,6 @@ T coordinate_output(const Topology& topology, const Coordinates<T>& users, const
   return output.what == CoordinateOutput::What::velocity ? users.zd[i] : users.zdd[i];
 }
 
-/// Values that an output's expression may refer to.
-template <class T>
-Environment<T> users_environment(const System<T>& system, const Coordinates<T>& users) {
-  Environment<T> environment = system.environment;
-  environment.z = users.z;
-  environment.zd = users.zd;
-  return environment;
-}
-
 template <class T>
 T spring_output(const SolvedState<T>& s, const SpringOutput& output) {
   const ElementState<T>& state =
@@ -130,10 +121,11 @@ struct OutputReader {
   System<T>& system;
   const SolvedState<T>& s;
   const Reactions<T>& reactions;
-  const Coordinates<T>& users;           ///< as the model counts them
-  const Environment<T>& of_expressions;  ///< the same for expressions
+  const Coordinates<T>& users;  ///< as the model counts them
 
-  T operator()(const ExpressionOutput& output) const { return value_of(system.model, output.value, of_expressions); }
+  T operator()(const ExpressionOutput& output) const {
+    return value_of(system.model, output.value, system.environment);
+  }
   T operator()(const PointOutput& output) const { return point_output(system, s, output); }
   T operator()(const CoordinateOutput& output) const { return coordinate_output(system.topology, users, output); }
   T operator()(const TyreOutput& output) const { return tyre_output(s.forces.tyres[output.tyre], output.what); }
@@ -154,9 +146,8 @@ template <class T>
 std::vector<T> output_values(System<T>& system, const SolvedState<T>& s) {
   Reactions<T> all_reactions;
   if (detail::asks_for_reactions(system.model)) all_reactions = reactions(system, s);
-  const Coordinates<T> users = users_coordinates(system, s.zdd);
-  const Environment<T> of_expressions = detail::users_environment(system, users);
-  const detail::OutputReader<T> read{system, s, all_reactions, users, of_expressions};
+  const Coordinates<T> users = users_coordinates(system.environment, s.zdd);
+  const detail::OutputReader<T> read{system, s, all_reactions, users};
   std::vector<T> values;
   for (const Output& output : system.model.outputs) {
     const auto heading = system.scribe.within(OwnerKind::output, index_in(system.model.outputs, output));

@@ -1,8 +1,12 @@
 #pragma once
-// Coordinates of balls as the model counts them, whichever chart the state is in: for outputs. The formulas of
-// runtime/include/mbgen/charts.hpp over T.
+// Coordinates of balls as the model counts them, whichever chart the state is in: for expressions and outputs. The
+// formulas of runtime/include/mbgen/charts.hpp over T.
 
-#include "compiler/formulation/kinematics.hpp"
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "compiler/formulation/constants.hpp"
 
 namespace mbgen {
 
@@ -56,10 +60,10 @@ UsersAngles<T> users_angles(const T (&z)[3], const T (&zd)[3], const T (&zdd)[3]
 
 /// All coordinates, those of balls in chart 1 counted as the model counts them. Finite in every position.
 template <class T>
-Coordinates<T> users_coordinates(const System<T>& system, const std::vector<T>& zdd) {
-  Coordinates<T> all{system.environment.z, system.environment.zd, zdd};
-  for (std::size_t b = 0; b < system.environment.charts.size(); ++b) {
-    const Ball& ball = system.topology.balls[b];
+Coordinates<T> users_coordinates(const Environment<T>& environment, const std::vector<T>& zdd) {
+  Coordinates<T> all{environment.z, environment.zd, zdd};
+  for (std::size_t b = 0; b < environment.charts.size(); ++b) {
+    const Ball& ball = environment.topology->balls[b];
     T z[3], rate[3], change[3];
     const T sign[3] = {T(1.0), T(1.0), T(ball.hand)};
     for (int k = 0; k < 3; ++k) {
@@ -69,7 +73,7 @@ Coordinates<T> users_coordinates(const System<T>& system, const std::vector<T>& 
       change[k] = sign[k] * all.zdd[i];
     }
     const detail::UsersAngles<T> users = detail::users_angles(z, rate, change);
-    const T is_other = system.environment.charts[b] - T(0.5);
+    const T is_other = environment.charts[b] - T(0.5);
     for (int k = 0; k < 3; ++k) {
       const int i = ball.coordinate[k];
       all.z[i] = select(is_other, sign[k] * users.z[k], all.z[i]);
@@ -78,6 +82,32 @@ Coordinates<T> users_coordinates(const System<T>& system, const std::vector<T>& 
     }
   }
   return all;
+}
+
+/// Whether an expression of the model looks at an angle of a ball with charts.
+inline bool looks_at_balls(const Model& model, const Topology& topology) {
+  using Kind = ExpressionNode::Kind;
+  const auto is_of_ball = [&](const ExpressionNode& node) {
+    if (node.kind != Kind::position && node.kind != Kind::velocity) return false;
+    const int i = tree_coordinate(topology, node.coordinate);
+    return std::any_of(topology.balls.begin(), topology.balls.end(), [i](const Ball& ball) {
+      return std::find(std::begin(ball.coordinate), std::end(ball.coordinate), i) != std::end(ball.coordinate);
+    });
+  };
+  return std::any_of(model.expressions.begin(), model.expressions.end(), [&](const Expression& expression) {
+    return std::any_of(expression.nodes.begin(), expression.nodes.end(), is_of_ball);
+  });
+}
+
+/// Gives expressions the coordinates as the model counts them, where one looks at balls.
+template <class T>
+void count_as_the_model(const Model& model, Environment<T>& environment) {
+  environment.users_z.clear();
+  environment.users_zd.clear();
+  if (environment.charts.empty() || !looks_at_balls(model, *environment.topology)) return;
+  Coordinates<T> users = users_coordinates(environment, std::vector<T>(environment.z.size(), T(0.0)));
+  environment.users_z = std::move(users.z);
+  environment.users_zd = std::move(users.zd);
 }
 
 }  // namespace mbgen

@@ -1,7 +1,5 @@
 #include "compiler/topology/coordinate_uses.hpp"
 
-#include <algorithm>
-
 namespace mbgen {
 namespace {
 
@@ -10,24 +8,14 @@ void add_elements(std::vector<CoordinateUse>& uses, const std::string& kind, con
   for (const auto& element : elements) uses.push_back({element.joint, kind + " " + element.name});
 }
 
-void add_expression(std::vector<CoordinateUse>& uses, const Expression& expression) {
-  using Kind = ExpressionNode::Kind;
-  for (const ExpressionNode& node : expression.nodes) {
-    if (node.kind != Kind::position && node.kind != Kind::velocity) continue;
-    uses.push_back({node.coordinate, "expression \"" + expression.text + "\""});
-  }
-}
-
 void add_expressions(std::vector<CoordinateUse>& uses, const Model& model) {
-  for (const Expression& expression : model.expressions) add_expression(uses, expression);
-}
-
-/// Whether an expression is the value of an output.
-bool is_output(const Model& model, std::size_t expression) {
-  return std::any_of(model.outputs.begin(), model.outputs.end(), [&](const Output& output) {
-    const auto* source = std::get_if<ExpressionOutput>(&output.source);
-    return source && source->value.expression == static_cast<int>(expression);
-  });
+  using Kind = ExpressionNode::Kind;
+  for (const Expression& expression : model.expressions) {
+    for (const ExpressionNode& node : expression.nodes) {
+      if (node.kind != Kind::position && node.kind != Kind::velocity) continue;
+      uses.push_back({node.coordinate, "expression \"" + expression.text + "\""});
+    }
+  }
 }
 
 void add_elements_of_laws(std::vector<CoordinateUse>& uses, const Model& model) {
@@ -48,8 +36,6 @@ std::vector<CoordinateUse> coordinates_of_laws(const Model& model) {
   for (const Coupling& coupling : model.couplings)
     for (const CoordinateReference& coordinate : coupling.coordinates)
       uses.push_back({coordinate, "coupling " + coupling.name});
-  for (std::size_t e = 0; e < model.expressions.size(); ++e)
-    if (!is_output(model, e)) add_expression(uses, model.expressions[e]);
   return uses;
 }
 

@@ -118,7 +118,7 @@ inline bool chooses_again(const LoopBlock& block) {
 Result<Topology> build_topology(const Model& model);
 
 /// Balls of spherical and free joints of the tree, whose charts may be changed: none of their angles is in a law of the
-/// model. With a motion, a force, a spring, a coupling or an expression on an angle the angle itself is
+/// model. With a motion, a force, a spring or a coupling on an angle the angle itself is
 /// meant; and none where a block keeps its frozen partition, see chooses_again.
 std::vector<Ball> find_balls(const Model& model, const Topology& topology);
 

@@ -93,6 +93,7 @@ class Tracing {
     e.z = inputs(Array::z, topology.size());
     e.zd = inputs(Array::zd, topology.size());
     if (takes_charts(role)) e.charts = inputs(Array::charts, static_cast<int>(topology.balls.size()));
+    count_as_the_model(model, e);
     return e;
   }
 };

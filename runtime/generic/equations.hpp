@@ -95,6 +95,7 @@ struct GenericEquations {
     at.environment.z = state.z;
     at.environment.zd = state.zd;
     at.environment.charts = state.charts;
+    count_as_the_model(model, at.environment);
     at.x = state.x;
     return at;
   }
