@@ -77,7 +77,7 @@ std::string pole_text(const Compilation& compilation, Status status) {
   const TreeBody& body = compilation.topology.bodies[status.index];
   const Joint& joint = compilation.model.joints[body.joint];
   const bool is_ball = joint.type == JointType::spherical || joint.type == JointType::free;
-  if (!is_ball || body.kind != FreedomKind::revolute) return "";
+  if (!is_ball) return "";
   const std::string pole = fmt::format(", the angles of joint {} may be at their pole", joint.name);
   for (const RealPole& real : real_poles(compilation.model, compilation.topology))
     if (real.joint == body.joint)

@@ -77,6 +77,7 @@ Matrix<T> before_ball(const System<T>& system, const T& chart, int first, const 
   const Matrix<T> quarter = quarter_turn<T>(system.topology.bodies[ball.coordinate[1]].axis);
   const Matrix<T> other = axes * (back ? transpose(quarter) : quarter);
   const T is_other = chart - T(0.5);
+  using mbgen::select;
   const auto chosen = [&](const Vector<T>& a, const Vector<T>& b) {
     return Vector<T>{select(is_other, a.x, b.x), select(is_other, a.y, b.y), select(is_other, a.z, b.z)};
   };

@@ -128,8 +128,8 @@ void read_orientation(Reader& reader, const Member& member, Initial& initial) {
     report(reader, member.value, "must have at most one of quaternion, rotation_vector");
     return;
   }
-  if (fields.quaternion && !(std::hypot(std::hypot((*fields.quaternion)[0], (*fields.quaternion)[1]),
-                                        std::hypot((*fields.quaternion)[2], (*fields.quaternion)[3])) > 0)) {
+  const auto is_zero = [](double part) { return part == 0; };
+  if (fields.quaternion && std::all_of(fields.quaternion->begin(), fields.quaternion->end(), is_zero)) {
     report(reader, *find(member.value, "quaternion"), "must not be zero");
     return;
   }
