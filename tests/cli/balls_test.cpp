@@ -16,11 +16,11 @@ const char* const kRodPendulum = R"({
     "arm": { "mass": 2, "com": [0, 0, -0.5], "inertia": [0.28, 0.3, 0.05],
       "points": { "O": [0, 0, 0], "B": [0.1, 0, -0.6], "tip": [0.3, 0.1, -1] } }
   },
-  "joints": { "ball": { "type": "spherical", "from": "ground.O", "to": "arm.O" } },
+  "joints": { "ball": { "type": "spherical", "from": "ground.O", "to": "arm.O", "sequence": "xzy" } },
   "rods": { "rod": { "from": "ground.A", "to": "arm.B", "mass": 0.3 } },
   "outputs": {
     "x": { "point": "arm.tip", "axis": "x" }, "y": { "point": "arm.tip", "axis": "y" },
-    "z": { "point": "arm.tip", "axis": "z" }, "pitch": { "joint": "ball_ry" }
+    "z": { "point": "arm.tip", "axis": "z" }, "pitch": { "joint": "ball_rz" }
   },
   "initial": { "velocities": { "ball_rx": 6, "ball_ry": 4, "ball_rz": 7 } }
 })";
