@@ -14,7 +14,7 @@ namespace mbgen {
 struct GenericState {
   std::vector<double> z, zd, x;
   double t = 0;
-  std::vector<double> charts;  ///< per ball of the topology, 0 or 1 (mbgen/charts.hpp); empty: all 0
+  std::vector<double> charts = {};  ///< per ball of the topology, 0 or 1 (mbgen/charts.hpp); empty: all 0
 };
 
 struct GenericDerivative {
