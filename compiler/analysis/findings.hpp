@@ -90,11 +90,4 @@ struct Analysis {
   std::vector<int> motion_of;         ///< per tree coordinate: index into Model::motions or -1
 };
 
-/// Entries of a block Jacobian up to which another partition is chosen at run time, by full pivoting of the dense
-/// matrix: 1 MB on the stack. A larger block keeps its frozen partition, and where that is bad it is singular.
-constexpr long kMostPivotedEntries = 131072;
-inline bool chooses_again(const LoopBlock& block) {
-  return static_cast<long>(block.equations) * static_cast<long>(block.joints.size()) <= kMostPivotedEntries;
-}
-
 }  // namespace mbgen

@@ -15,6 +15,7 @@
 #include "compiler/describe/names.hpp"
 #include "compiler/describe/notes.hpp"
 #include "compiler/solver/titles.hpp"
+#include "compiler/topology/poles.hpp"
 
 namespace mbgen {
 namespace {
@@ -279,6 +280,16 @@ std::string sides_explanation(const Compilation& c) {
   return text;
 }
 
+/// Balls whose angles are meant themselves, with the reason.
+std::string poles_explanation(const Compilation& c) {
+  std::string text;
+  for (const RealPole& pole : real_poles(c.model, c.topology))
+    text += paragraph(
+        fmt::format("Joint {} keeps its angles and their pole, where the second is a quarter turn: {} is on {}.",
+                    c.model.joints[static_cast<std::size_t>(pole.joint)].name, pole.user, pole.coordinate));
+  return text;
+}
+
 std::string freedoms_explanation(const Compilation& c) {
   std::string text = heading("Freedoms");
   const std::vector<int> free = free_coordinates(c.topology, c.analysis);
@@ -289,7 +300,7 @@ std::string freedoms_explanation(const Compilation& c) {
                         body.kind == FreedomKind::revolute ? "rotation" : "translation",
                         c.model.joints[static_cast<std::size_t>(body.joint)].name);
   }
-  return text;
+  return text + poles_explanation(c);
 }
 
 std::string operations_explanation(const Compilation& compilation) {

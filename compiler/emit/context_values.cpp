@@ -44,6 +44,7 @@ FrameValues context_values(const EmitContext& context) {
           {"outputs_take_multipliers", outputs_take_multipliers(context.programs)},
           {"derived", derived > 0 ? std::to_string(derived) : ""},
           {"has_closure", layout.has_closure},
+          {"balls", layout.balls > 0 ? std::to_string(layout.balls) : ""},
           {"coordinate_count", layout.coordinates},
           {"auxiliary_count", layout.auxiliary_states},
           {"parameter_count", layout.parameters},

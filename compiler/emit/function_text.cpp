@@ -82,7 +82,7 @@ std::string declaration(const ProgramShape& shape, const std::set<std::string>& 
   return wrapped_statement("void " + shape.function + "(" + whole_parameters(shape, used) + ") noexcept" + end);
 }
 
-/// Members of such a struct: values by themselves, those that share a place in unions, and arrays.
+/// Members of such a struct: values by themselves, then those that share a place in unions.
 std::string member_declarations(const std::string& scalar, const CrossingStruct& work) {
   std::string unions;
   std::vector<std::string> alone;
@@ -92,14 +92,14 @@ std::string member_declarations(const std::string& scalar, const CrossingStruct&
     else
       unions += wrapped_statement("  union { " + scalar + " " + joined(names, ", ") + "; };") + "\n";
   }
-  alone.insert(alone.end(), work.arrays.begin(), work.arrays.end());
   return (alone.empty() ? "" : "  " + scalar + "\n" + wrapped_list(alone, 6) + ";\n") + unions;
 }
 
 FrameRows work_rows(const ProgramShape& shape, const CrossingStructs& crossing) {
   return mapped(crossing, [&](const CrossingStruct& work) {
-    return FrameValues{
-        {"type", work_type(shape, work)}, {"argument", work.argument}, {"values", member_declarations(shape.scalar, work)}};
+    return FrameValues{{"type", work_type(shape, work)},
+                       {"argument", work.argument},
+                       {"values", member_declarations(shape.scalar, work)}};
   });
 }
 

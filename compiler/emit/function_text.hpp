@@ -12,9 +12,9 @@ namespace mbgen {
 
 /// A struct of values that cross the parts of a program: an argument of the parts, and its members.
 struct CrossingStruct {
-  std::string argument;                               ///< "w1", "w2", ...
-  std::vector<std::vector<std::string>> places = {};  ///< names of the values that are there, one after the other
-  std::vector<std::string> arrays = {};               ///< declarators: "sines[22]"
+  std::string argument;  ///< "w1", "w2", ...
+  /// Declarators of the members; those of values that follow one another at one place stand together.
+  std::vector<std::vector<std::string>> places = {};
 };
 
 using CrossingStructs = std::vector<CrossingStruct>;

@@ -26,14 +26,14 @@ class LocalNames : public UniqueNames {
 /// Identifiers of named constants, one table for all programs of a file.
 class ConstantNames {
  public:
-  /// The constants of all programs, in the order of the first: that of the model.
+  /// The constants of all programs, in the order of the first, and there of their first uses.
   explicit ConstantNames(const Programs& programs);
   /// The identifiers that a program may use: each stands for one value in the whole file, a second value of the same
   /// name gets a number.
   std::vector<std::string> identifiers(const Program& program);
   /// The constant as an expression: its identifier, or the negative of it.
   std::string text(const Program& program, const Node& node);
-  /// `constexpr double m_crank = 0.8;` for each constant that a text has used, in the order of the model; empty
+  /// `constexpr double m_crank = 0.8;` for each constant that a text has used; empty
   /// without any. scalar: double or float.
   std::string declarations(const std::string& scalar) const;
 

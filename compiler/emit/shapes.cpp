@@ -99,7 +99,7 @@ bool is_written(Role role, const EmitContext& context) {
   if (role == Role::derived_constants) return derived_constant_count(context.programs) > 0;
   if (role == Role::closure || role == Role::multipliers) return layout.has_closure;
   if (role == Role::closure_terms) return !layout.blocks.empty();
-  return role != Role::accelerations_chosen || (!layout.blocks.empty() && layout.chooses_again);
+  return role != Role::accelerations_chosen || ((!layout.blocks.empty() || layout.balls > 0) && layout.chooses_again);
 }
 
 ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
@@ -110,6 +110,8 @@ ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
   shape.titles = context.titles;
   shape.inputs = input_places(context);
   shape.arguments = arguments_of(row.role, outputs_take_multipliers(context.programs));
+  if (context.layout.blocks.empty())
+    std::erase_if(shape.arguments, [](const auto& argument) { return argument.first == "projection"; });
   if (row.role == Role::derived_constants) shape.inputs.erase(Array::derived);
   if (row.role == Role::outputs) {
     shape.outputs = {{Array::y, {"result", around("result.", context.names.outputs)}},
@@ -166,7 +168,7 @@ Arguments arguments_of(Role role, bool with_multipliers) {
 
 Places input_places(const EmitContext& context) {
   Places places;
-  for (const Array array : {Array::z, Array::zd, Array::x}) add_array(places, "state", array, context);
+  for (const Array array : {Array::z, Array::zd, Array::x, Array::charts}) add_array(places, "state", array, context);
   for (const Array array : {Array::lambda, Array::drive}) add_array(places, "multipliers", array, context);
   for (const Array array : {Array::Rz, Array::zdd_star}) add_array(places, "projection", array, context);
   add_array(places, "tau", Array::tau, context);

@@ -31,6 +31,13 @@ Items free_direction_items(const EmitContext& context) {
   return items;
 }
 
+/// Coordinates and hand of every ball that has charts.
+Items ball_items(const Topology& topology) {
+  return mapped(topology.balls, [](const Ball& ball) {
+    return fmt::format("{{{{{}}}, {}}}", fmt::join(ball.coordinate, ", "), ball.hand);
+  });
+}
+
 /// Place of each equation, block after block, in the order of Topology::loops.
 std::vector<int> multiplier_places(const Topology& topology) {
   std::vector<int> first, places;
@@ -123,6 +130,7 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
           {"tolerance", number_text(context.model.solver.closure_tolerance, context.options.scalar)},
           {"alone", is_number(scalar)},
           {"frozen_only", !layout.chooses_again},
+          {"ball_table", table("mbgen::Ball", "kBall", ball_items(context.topology))},
           {"block_coordinates", blocks.empty() ? "" : std::to_string(layout.block_coordinates)},
           {"free_direction_table",
            table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}")},

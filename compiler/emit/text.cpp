@@ -9,35 +9,10 @@
 #include <sstream>
 
 #include "compiler/emit/mapped.hpp"
+#include "compiler/model/characters.hpp"
 
 namespace mbgen {
 namespace {
-
-/// Bytes of the UTF-8 character that a text begins with, 0 when it begins with none. Requires: a text that is not
-/// empty.
-std::size_t character_size(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const std::size_t size = byte(0) < 0x80 ? 1 : byte(0) < 0xC2 ? 0 : byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 4;
-  if (size > text.size() || byte(0) > 0xF4) return 0;
-  for (std::size_t i = 1; i < size; ++i) {
-    if ((byte(i) & 0xC0u) != 0x80u) return 0;
-  }
-  // Characters that fewer bytes can write, surrogates, and what lies beyond U+10FFFF.
-  const bool refused = (byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xED && byte(1) > 0x9F) ||
-                       (byte(0) == 0xF0 && byte(1) < 0x90) || (byte(0) == 0xF4 && byte(1) > 0x8F);
-  return refused ? 0 : size;
-}
-
-/// Characters that have no place in code: control characters, ends of lines, and controls of the direction of writing,
-/// which make code look other than it is.
-bool is_control(std::string_view character) {
-  const auto last = static_cast<unsigned char>(character.back());
-  if (character.size() == 1) return last < 0x20 || last == 0x7f;
-  if (character.size() == 2) return (character[0] == '\xC2' && last < 0xA0) || character == "\xD8\x9C";
-  const std::string_view start = character.substr(0, 2);
-  if (start == "\xE2\x80") return last == 0x8E || last == 0x8F || (last >= 0xA8 && last <= 0xAE);
-  return start == "\xE2\x81" && last >= 0xA6 && last <= 0xA9;
-}
 
 /// Shortest decimal text that reads back as the same number.
 template <class Number>
@@ -49,21 +24,6 @@ std::string shortest_text(Number value) {
   std::string text(buffer, end);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
-}
-
-/// Gives every character of a text to `plain`, and what is none, or a control, to `other`.
-template <class Plain, class Other>
-void for_each_character(std::string_view text, Plain plain, Other other) {
-  while (!text.empty()) {
-    const std::size_t size = character_size(text);
-    const std::string_view character = text.substr(0, size == 0 ? 1 : size);
-    if (size == 0 || is_control(character)) {
-      other(character);
-    } else {
-      plain(character);
-    }
-    text.remove_prefix(character.size());
-  }
 }
 
 }  // namespace
@@ -81,30 +41,21 @@ std::string size_text(int size) { return std::to_string(std::max(size, 1)); }
 
 std::string string_literal(std::string_view text) {
   std::string literal = "\"";
-  const auto plain = [&](std::string_view character) {
+  for (const auto& [character, is_plain] : characters_of(text)) {
     // A second question mark could make a trigraph.
-    const bool escaped = character == "\"" || character == "\\" || (character == "?" && literal.back() == '?');
-    if (escaped) literal += '\\';
-    literal += character;
-  };
-  const auto other = [&](std::string_view character) {
-    for (const char c : character) {
-      const auto byte = static_cast<unsigned char>(c);
-      // Three octal digits: a hexadecimal escape would swallow the digits after it.
-      literal += '\\';
-      literal += static_cast<char>('0' + (byte >> 6));
-      literal += static_cast<char>('0' + ((byte >> 3) & 7));
-      literal += static_cast<char>('0' + (byte & 7));
-    }
-  };
-  for_each_character(text, plain, other);
+    const bool is_escaped = character == "\"" || character == "\\" || (character == "?" && literal.back() == '?');
+    if (is_escaped) literal += '\\';
+    if (is_plain) literal += character;
+    // Three octal digits: a hexadecimal escape would swallow the digits after it.
+    for (const char c : is_plain ? std::string_view() : character)
+      literal += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+  }
   return literal + "\"";
 }
 
 std::string comment_text(std::string_view text) {
   std::string result;
-  for_each_character(
-      text, [&](std::string_view character) { result += character; }, [&](std::string_view) { result += ' '; });
+  for (const auto& [character, is_plain] : characters_of(text)) result += is_plain ? character : " ";
   // Both would join the next line to the comment.
   if (result.ends_with('\\') || result.ends_with("?\?/")) result += '.';
   return result;

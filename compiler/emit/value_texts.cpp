@@ -63,7 +63,7 @@ CrossingStruct& ValueTexts::add_crossing() {
 }
 
 void ValueTexts::declare_crossing() {
-  if (schedule_.has_loops()) add_crossing().arrays = {fmt::format("value[{}]", std::max(schedule_.stored, 1))};
+  if (schedule_.has_loops()) add_crossing().places = {{fmt::format("value[{}]", std::max(schedule_.stored, 1))}};
   const auto places = static_cast<std::size_t>(schedule_.places);
   for (std::size_t first = 0; first < places; first += kPlacesTogether)
     add_crossing().places.resize(std::min(places - first, kPlacesTogether));
@@ -85,7 +85,7 @@ void ValueTexts::name_calls() {
       const std::string declared = fmt::format("{}[{}]", array, calls[c].arguments.size());
       if (crossing_calls.contains(static_cast<int>(c))) {
         CrossingStruct& home = crossing_.back();
-        home.arrays.push_back(declared);
+        home.places.push_back({declared});
         names.work.insert(home.argument);
         array = home.argument + "." + array;
       } else {
@@ -102,8 +102,7 @@ std::string ValueTexts::crossing_place(ValueId v, const std::string& name, PartT
   const auto place = static_cast<std::size_t>(facts(v).place);
   CrossingStruct& home = crossing_[place / kPlacesTogether];
   home.places[place % kPlacesTogether].push_back(name);
-  work_of_[v] = home.argument;
-  part.arguments.insert(home.argument);
+  part.arguments.insert(work_of_[v] = home.argument);
   return home.argument + "." + name;
 }
 
@@ -163,15 +162,12 @@ Phrase ValueTexts::result_phrase(ValueId v, PartText& part) {
 
 Phrase ValueTexts::constants_phrase(const Slices& values) {
   const Node& first = program_.nodes[values[0]];
-  std::vector<std::string> items;
-  bool same = true;
-  for (const ValueId v : values) {
-    const Node& node = program_.nodes[v];
-    same = same && node.constant == first.constant && node.label == first.label;
-    items.push_back(number_text(node.constant, shape_.scalar));
-  }
-  return same ? constant_phrase(constant_text(program_, first, shape_))
-              : Phrase{tables_.item(shape_.scalar, "kConstants", items), Binding::primary};
+  const auto text_of = [&](ValueId v) { return number_text(program_.nodes[v].constant, shape_.scalar); };
+  const auto is_first = [&](ValueId v) {
+    return program_.nodes[v].constant == first.constant && program_.nodes[v].label == first.label;
+  };
+  if (std::ranges::all_of(values, is_first)) return constant_phrase(constant_text(program_, first, shape_));
+  return {tables_.item(shape_.scalar, "kConstants", mapped(values, text_of)), Binding::primary};
 }
 
 Phrase ValueTexts::phrase_of(const ScheduledUnit& unit, const Slices& values, PartText& part) {

@@ -9,6 +9,7 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/describe/names.hpp"
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/topology/poles.hpp"
 
 namespace mbgen {
 namespace {
@@ -65,6 +66,21 @@ std::vector<std::string> names_of(const Compilation& compilation, Subject subjec
   return names;
 }
 
+/// What lacks an inertia may be an angle at its pole: says so of balls, and why they have no other angles. "" for other
+/// directions.
+std::string pole_text(const Compilation& compilation, Status status) {
+  if (status.code != Code::no_inertia) return "";
+  const TreeBody& body = compilation.topology.bodies[status.index];
+  const Joint& joint = compilation.model.joints[body.joint];
+  const bool is_ball = joint.type == JointType::spherical || joint.type == JointType::free;
+  if (!is_ball) return "";
+  const std::string pole = fmt::format(", the angles of joint {} may be at their pole", joint.name);
+  for (const RealPole& real : real_poles(compilation.model, compilation.topology))
+    if (real.joint == body.joint)
+      return pole + fmt::format(": {} is on {}, so that no others can be taken", real.user, real.coordinate);
+  return pole + ", where they have no accelerations";
+}
+
 }  // namespace
 
 const std::vector<std::string>& engine_names() {
@@ -97,7 +113,8 @@ Engine make_engine(const Compilation& compilation, const EngineChoice& choice) {
 std::string describe(const Compilation& compilation, Status status) {
   const std::vector<std::string> names = names_of(compilation, subject_of(status.code));
   const bool is_named = status.index >= 0 && status.index < static_cast<int>(names.size());
-  return is_named ? fmt::format("{}: {}", text(status.code), names[status.index]) : text(status.code);
+  if (!is_named) return text(status.code);
+  return fmt::format("{}: {}{}", text(status.code), names[status.index], pole_text(compilation, status));
 }
 
 }  // namespace mbgen

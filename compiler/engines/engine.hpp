@@ -34,6 +34,10 @@ struct Engine {
   std::string linear_algebra;  ///< library behind it, "" for code of its own
   int batch = 1;               ///< states that one call for accelerations takes
 
+  /// Balls of the model whose charts steps change, for settle_charts and in_users_angles; none of a judge, whose states
+  /// are in the angles of the model.
+  std::vector<Ball> balls;
+
   /// All accelerations. The derivative keeps its values unless the status is ok.
   std::function<Status(const LoadedState&, GenericDerivative&)> accelerations;
   /// Closes the loops, sets the driven coordinates, makes velocities consistent. The state is unchanged on failure.

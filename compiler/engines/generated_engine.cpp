@@ -23,7 +23,8 @@ void flatten(const GenericState& state, std::vector<double>& flat) {
   for (const std::vector<double>* part : {&state.z, &state.zd, &state.x}) {
     place = std::copy(part->begin(), part->end(), place);
   }
-  *place = state.t;
+  *place++ = state.t;
+  std::fill(std::copy(state.charts.begin(), state.charts.end(), place), flat.data() + flat.size(), 0.0);
 }
 
 void flatten(const GenericDerivative& derivative, std::vector<double>& flat) {
@@ -37,7 +38,8 @@ void unflatten(const std::vector<double>& flat, GenericState& state) {
     std::copy_n(place, part->size(), part->begin());
     place += part->size();
   }
-  state.t = *place;
+  state.t = *place++;
+  state.charts.assign(place, flat.data() + flat.size());
 }
 
 void unflatten(const LoadedSolver& solver, GenericDerivative& derivative) {
@@ -192,6 +194,7 @@ Engine make_generated_engine(const std::shared_ptr<const SolverTable>& table, co
   const std::shared_ptr<LoadedSolver> solver = prepared(table, compilation.model);
   Engine engine;
   engine.name = choice.name;
+  engine.balls = compilation.topology.balls;
   engine.form = name_of(compilation.programs.form);
   engine.batch = std::max(choice.lanes, 1);
   const auto evaluate = choice.lanes > 0 ? accelerations_in_lanes : accelerations;

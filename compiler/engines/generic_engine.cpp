@@ -29,12 +29,15 @@ struct GenericSystem {
     advance_inputs(state.t);
     return solver.project_nearest(state);
   }
+  bool leaves_charts(const GenericState& state) const noexcept { return mbgen::leaves_charts(balls, state); }
+  bool settle_charts(GenericState& state) const noexcept { return mbgen::settle_charts(balls, state); }
   void advance_inputs(double t) const {
     if (inputs_have_derivatives(model_inputs)) solver.set_inputs(advanced_inputs(model_inputs, inputs, t - start));
   }
 
   mutable GenericSolver solver;  // for its inputs, which advance during a step
   std::vector<Input> model_inputs;
+  std::vector<Ball> balls;
   std::vector<double> inputs;  // at the start of the step
   double start = 0;            // s, of the step
   AbmHistory<GenericSystem> history{};
@@ -98,9 +101,10 @@ std::array<double, kSteps> step_shares(const GenericSolver& solver, const std::v
 Engine make_generic_engine(const Compilation& compilation, const EngineChoice& choice) {
   const auto system = std::make_shared<GenericSystem>(
       GenericSystem{GenericSolver(compilation.model, compilation.topology, compilation.analysis, choice.algebra),
-                    compilation.model.inputs, input_values(compilation.model, {})});
+                    compilation.model.inputs, compilation.topology.balls, input_values(compilation.model, {})});
   Engine engine;
   engine.name = choice.name;
+  engine.balls = compilation.topology.balls;
   engine.form = "matrix";
   engine.linear_algebra = name_of(choice.algebra);
   engine.accelerations = [system](const LoadedState& at, GenericDerivative& derivative) {

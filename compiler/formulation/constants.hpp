@@ -19,14 +19,16 @@ struct Environment {
   std::vector<T> parameters;  ///< all, in model order
   std::vector<T> inputs;
   T t{0.0};
-  std::vector<T> z, zd;  ///< per tree coordinate
+  std::vector<T> z, zd;              ///< per tree coordinate
+  std::vector<T> charts;             ///< per ball of the topology, 0 or 1; empty: all 0
+  std::vector<T> users_z, users_zd;  ///< as the model counts them, for expressions; empty: z and zd
   std::vector<T> locals;
 
   T parameter(int i) const { return parameters[i]; }
   T input(int i) const { return inputs[i]; }
   T time() const { return t; }
-  T position(const CoordinateReference& c) const { return at(z, c); }
-  T velocity(const CoordinateReference& c) const { return at(zd, c); }
+  T position(const CoordinateReference& c) const { return at(users_z.empty() ? z : users_z, c); }
+  T velocity(const CoordinateReference& c) const { return at(users_zd.empty() ? zd : users_zd, c); }
   T local(int i) const { return locals[i]; }
 
  private:

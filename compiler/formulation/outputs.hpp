@@ -4,6 +4,7 @@
 #include "compiler/formulation/momentum.hpp"
 #include "compiler/formulation/reactions.hpp"
 #include "compiler/formulation/relative_motion.hpp"
+#include "compiler/formulation/users_angles.hpp"
 
 namespace mbgen {
 
@@ -66,11 +67,11 @@ T tyre_output(const TyreResult<T>& tyre, TyreOutput::What what) {
 }
 
 template <class T>
-T coordinate_output(const System<T>& system, const SolvedState<T>& s, const CoordinateOutput& output) {
-  const int i = tree_coordinate(system.topology, output.coordinate);
+T coordinate_output(const Topology& topology, const Coordinates<T>& users, const CoordinateOutput& output) {
+  const int i = tree_coordinate(topology, output.coordinate);
   if (i < 0) return T(0.0);
-  if (output.what == CoordinateOutput::What::position) return system.z(i);
-  return output.what == CoordinateOutput::What::velocity ? system.zd(i) : s.zdd[i];
+  if (output.what == CoordinateOutput::What::position) return users.z[i];
+  return output.what == CoordinateOutput::What::velocity ? users.zd[i] : users.zdd[i];
 }
 
 template <class T>
@@ -120,12 +121,13 @@ struct OutputReader {
   System<T>& system;
   const SolvedState<T>& s;
   const Reactions<T>& reactions;
+  const Coordinates<T>& users;  ///< as the model counts them
 
   T operator()(const ExpressionOutput& output) const {
     return value_of(system.model, output.value, system.environment);
   }
   T operator()(const PointOutput& output) const { return point_output(system, s, output); }
-  T operator()(const CoordinateOutput& output) const { return coordinate_output(system, s, output); }
+  T operator()(const CoordinateOutput& output) const { return coordinate_output(system.topology, users, output); }
   T operator()(const TyreOutput& output) const { return tyre_output(s.forces.tyres[output.tyre], output.what); }
   T operator()(const SpringOutput& output) const { return spring_output(s, output); }
   T operator()(const DriveOutput& output) const { return s.drive_forces[output.motion]; }
@@ -144,7 +146,8 @@ template <class T>
 std::vector<T> output_values(System<T>& system, const SolvedState<T>& s) {
   Reactions<T> all_reactions;
   if (detail::asks_for_reactions(system.model)) all_reactions = reactions(system, s);
-  const detail::OutputReader<T> read{system, s, all_reactions};
+  const Coordinates<T> users = users_coordinates(system.environment, s.zdd);
+  const detail::OutputReader<T> read{system, s, all_reactions, users};
   std::vector<T> values;
   for (const Output& output : system.model.outputs) {
     const auto heading = system.scribe.within(OwnerKind::output, index_in(system.model.outputs, output));

@@ -211,4 +211,12 @@ Matrix<T> rotation(const Vector3& axis, const T& angle) {
           {xz + sy, yz - sx, diagonal(axis[2])}};
 }
 
+/// Rotation by a quarter turn about a constant unit axis, without the rounding of its cosine.
+template <class T>
+Matrix<T> quarter_turn(const Vector3& a) {
+  return {{T(a[0] * a[0]), T(a[0] * a[1] + a[2]), T(a[0] * a[2] - a[1])},
+          {T(a[0] * a[1] - a[2]), T(a[1] * a[1]), T(a[1] * a[2] + a[0])},
+          {T(a[0] * a[2] + a[1]), T(a[1] * a[2] - a[0]), T(a[2] * a[2])}};
+}
+
 }  // namespace mbgen

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "compiler/import/assembly.hpp"
+#include "compiler/model/characters.hpp"
 
 namespace mbgen::importing {
 namespace {
@@ -69,17 +70,15 @@ std::string inertia_text(const Matrix3d& inertia) {
   return products == "0, 0, 0" ? fmt::format("[{}]", diagonal) : fmt::format("[{}, {}]", diagonal, products);
 }
 
-/// Lines of a comment, each after `indent`; control characters and broken UTF-8 of a robot's names are left out.
+/// Lines of a comment, each after `indent`; a question mark stands for a control character or broken UTF-8.
 std::string comment_text(const std::string& comment, std::string_view indent) {
   if (comment.empty()) return {};
   std::string text = fmt::format("{}// ", indent);
-  for (const char c : comment) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '\n') {
+  for (const auto& [character, is_plain] : characters_of(comment)) {
+    if (character == "\n")
       text += fmt::format("\n{}// ", indent);
-    } else {
-      text += byte < 0x20 || byte >= 0x7F ? '?' : c;
-    }
+    else
+      text += is_plain ? character : "?";
   }
   return text + "\n";
 }

@@ -39,7 +39,8 @@ Groups known_at(const Model& model, const Topology& topology, const OperatingPoi
                   {Array::t, {point.t}},
                   {Array::tau, std::vector<double>(static_cast<std::size_t>(topology.size()), 0.0)},
                   {Array::in, point.inputs},
-                  {Array::par, {}}};
+                  {Array::par, {}},
+                  {Array::charts, std::vector<double>(topology.balls.size(), 0.0)}};
   for (const Parameter& parameter : model.parameters) {
     if (parameter.tunable) known[Array::par].push_back(parameter.value);
   }
@@ -169,11 +170,26 @@ Diagnostic singular(const Model& model, const Topology& topology, int block) {
                  "linearise at a position near by");
 }
 
+/// The problem of a ball whose angles are near their pole, none where all are far.
+std::optional<Diagnostic> near_pole(const Model& model, const Topology& topology, const OperatingPoint& point) {
+  for (const Ball& ball : topology.balls) {
+    if (!leaves_chart(ball, 0.0, point.z.data())) continue;
+    const int joint = topology.bodies[static_cast<std::size_t>(ball.coordinate[0])].joint;
+    return problem(
+        model,
+        "cannot be linearised here: the angles of joint " + quoted(model.joints[static_cast<std::size_t>(joint)].name) +
+            " are near their pole",
+        "give the joint another \"sequence\", or linearise at a position in which its second angle is small");
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<LinearSystem> linearise(const Model& model, const Topology& topology, const Analysis& analysis,
                                const Programs& programs, const OperatingPoint& point) {
   if (const Loop* rolling = rolling_loop(topology)) return no_rolling(model, *rolling);
+  if (const auto pole = near_pole(model, topology, point)) return *pole;
   using enum Array;
   const SolverLayout layout = solver_layout(model, topology, analysis);
   const int outputs = layout.outputs, inputs = layout.inputs;

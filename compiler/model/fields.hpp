@@ -20,6 +20,7 @@ enum class Shape {
   word,             ///< one of FieldInfo::words
   quantity,         ///< number or expression
   vector,           ///< three constants
+  quaternion,       ///< four constants: w, x, y, z
   quantity_vector,  ///< three quantities
   position,         ///< three constants or quantities, or the name of a hardpoint
   place,            ///< a position, or "body.point"

@@ -167,9 +167,14 @@ struct InitialValueFields {
   bool locked = false;
 };
 
+struct OrientationFields {
+  std::optional<std::array<double, 4>> quaternion;
+  std::optional<Vector3> rotation_vector, angular_velocity;
+};
+
 struct InitialFields {
   bool equilibrium = false;
-  const Value *positions = nullptr, *velocities = nullptr;
+  const Value *positions = nullptr, *velocities = nullptr, *orientations = nullptr;
 };
 
 // The tables, declared before a reader asks for one.
@@ -221,6 +226,8 @@ template <>
 std::span<const Field<InitialFields>> fields<InitialFields>();
 template <>
 std::span<const Field<InitialValueFields>> fields<InitialValueFields>();
+template <>
+std::span<const Field<OrientationFields>> fields<OrientationFields>();
 template <>
 std::span<const Field<SolverSettings>> fields<SolverSettings>();
 template <>

@@ -114,10 +114,11 @@ void read_initial(Reader& reader, const std::vector<Part>& parts) {
   reader.folds_tunable = !reader.varied.empty();  // who varies parameters finds the initial state of each value
   for (const auto& [value, scope] : parts) {
     const InScope in_scope(reader, scope);
-    fields.positions = fields.velocities = nullptr;
+    fields.positions = fields.velocities = fields.orientations = nullptr;
     read_fields(reader, *value, fields);
     read_initial_values(reader, fields.positions, "positions", !balances, initial.positions);
     read_initial_values(reader, fields.velocities, "velocities", true, initial.velocities);
+    read_orientations(reader, fields.orientations, initial);
     if (scope != 0) fields.equilibrium = false;  // a question of the whole model
   }
   reader.folds_tunable = false;

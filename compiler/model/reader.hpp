@@ -91,6 +91,7 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Quantity& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Vector3& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Matrix3& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::array<double, 4>& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Vector3Quantity& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::array<Quantity, 6>& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Attachment& target);
@@ -312,6 +313,8 @@ struct Part {
 };
 /// Files from the innermost instance and include to the file asked for: the later value wins.
 void read_initial(Reader& reader, const std::vector<Part>& parts);
+/// Orientations of joints at the start, as values of their coordinates; they come after those that are there.
+void read_orientations(Reader& reader, const Value* values, Initial& initial);
 void read_solver(Reader& reader, const std::vector<Part>& parts);
 
 // Values that are allowed and likely not meant.

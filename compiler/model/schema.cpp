@@ -80,6 +80,8 @@ Json shape_of(const FieldInfo& info) {
     case Shape::quantity_vector:
     case Shape::position:
       return reference(info.shape == Shape::position ? "position" : "vector");
+    case Shape::quaternion:
+      return array_of(reference("quantity"), 4, 4);
     case Shape::place:
       return either(reference("position"), reference("attachment"));
     case Shape::inertia:

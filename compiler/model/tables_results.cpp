@@ -64,6 +64,29 @@ std::span<const Field<InitialValueFields>> fields<InitialValueFields>() {
 }
 
 template <>
+std::span<const Field<OrientationFields>> fields<OrientationFields>() {
+  using F = OrientationFields;
+  static const std::array table = {
+      field<F, &F::quaternion>({.name = "quaternion",
+                                .shape = Shape::quaternion,
+                                .doc = "w, x, y, z of the turn of `to` against `from`, of any length but zero",
+                                .depends = Depends::nothing}),
+      field<F, &F::rotation_vector>(
+          {.name = "rotation_vector",
+           .shape = Shape::vector,
+           .doc = "axis times angle of the turn of `to` against `from`, in the axes of `from`",
+           .unit = "rad",
+           .depends = Depends::nothing}),
+      field<F, &F::angular_velocity>({.name = "angular_velocity",
+                                      .shape = Shape::vector,
+                                      .doc = "of `to` against `from`, in the axes of `from`",
+                                      .unit = "rad/s",
+                                      .depends = Depends::nothing}),
+  };
+  return table;
+}
+
+template <>
 std::span<const Field<InitialFields>> fields<InitialFields>() {
   using F = InitialFields;
   static const std::array table = {
@@ -87,6 +110,12 @@ std::span<const Field<InitialFields>> fields<InitialFields>() {
                                 .depends = Depends::nothing,
                                 .angle = true,
                                 .of = "initial_value"}),
+      field<F, &F::orientations>({.name = "orientations",
+                                  .shape = Shape::map,
+                                  .doc =
+                                      "turns of spherical and free joints at the start, by joint, in place of angles "
+                                      "and their rates",
+                                  .of = "initial_orientation"}),
   };
   return table;
 }
@@ -152,6 +181,9 @@ std::vector<ObjectKind> object_kinds() {
       kind<InitialFields>("initial", "state at the start"),
       kind<InitialValueFields>("initial_value",
                                "a value at the start, and its weight where values do not fit together"),
+      kind<OrientationFields>("initial_orientation",
+                              "turn of a spherical or free joint at the start; at most one of quaternion and "
+                              "rotation_vector, without both the angles of positions hold"),
       kind<SolverSettings>("solver", "time integration"),
       kind<TableFields>("table", "a characteristic by points, exactly one of table and csv", {"table", "csv"}),
   };

@@ -244,6 +244,14 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Vecto
   }
 }
 
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::array<double, 4>& target) {
+  target.fill(kUnreadable);
+  if (value.kind != Value::Kind::array || value.items.size() != 4) {
+    return wrong_type(reader, value, "an array of 4 numbers (w, x, y, z)");
+  }
+  for (std::size_t i = 0; i < 4; ++i) read_value(reader, value.items[i], info, target[i]);
+}
+
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Vector3Quantity& target) {
   read_three(reader, value, info, target, wanted_of(info));
 }

@@ -3,8 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/passes/kinds.hpp"
 #include "compiler/passes/passes.hpp"
+#include "compiler/program/kinds.hpp"
+#include "compiler/program/rewrite.hpp"
 
 namespace mbgen {
 namespace {
@@ -58,23 +59,10 @@ ValueId contracted(ProgramBuilder& builder, const Program& program, const Node& 
 
 Program contract(const Program& program) {
   const std::vector<int> operands = contracted_operands(program);
-  ProgramBuilder builder = ProgramBuilder::like(program);
-  std::vector<ValueId> renamed;
-  renamed.reserve(program.nodes.size());
-  for (std::size_t i = 0; i < program.nodes.size(); ++i) {
-    const Node& node = program.nodes[i];
-    const int operand = operands[i];
-    if (operand < 0) {
-      renamed.push_back(builder.copy(program, node, renamed));
-      continue;
-    }
-    builder.set_origin(node);
-    const ValueId value = contracted(builder, program, node, operand, renamed);
-    if (node.label >= 0) builder.label(value, program.labels[static_cast<std::size_t>(node.label)]);
-    renamed.push_back(value);
-  }
-  for (const auto& [slot, value] : program.outputs) builder.output(slot.group, slot.index, renamed[value]);
-  return remove_dead_values(builder.finish());
+  return remove_dead_values(
+      rewritten(program, [&](ProgramBuilder& builder, ValueId v, std::span<const ValueId> renamed) {
+        return operands[v] < 0 ? kNoValue : contracted(builder, program, program.nodes[v], operands[v], renamed);
+      }));
 }
 
 }  // namespace mbgen

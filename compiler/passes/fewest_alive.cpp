@@ -2,8 +2,8 @@
 #include <queue>
 #include <utility>
 
-#include "compiler/passes/kinds.hpp"
 #include "compiler/passes/passes.hpp"
+#include "compiler/program/kinds.hpp"
 
 namespace mbgen {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "compiler/passes/kinds.hpp"
+#include "compiler/program/kinds.hpp"
 
 namespace mbgen {
 namespace {

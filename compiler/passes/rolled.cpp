@@ -2,8 +2,8 @@
 #include <tuple>
 #include <utility>
 
-#include "compiler/passes/kinds.hpp"
 #include "compiler/passes/scheduled_program.hpp"
+#include "compiler/program/kinds.hpp"
 
 namespace mbgen {
 namespace {
@@ -12,7 +12,7 @@ constexpr int kAdopted = 1 << 30;  // added to places that a loop gave to straig
 
 bool commutes(Op op) { return op == Op::add || op == Op::multiply; }
 
-/// One loop over slices, or a stretch of straight code of at most kSmallestPart values.
+/// One loop over slices, or a stretch of straight code of at most half a part.
 void add_unit(std::size_t first, std::size_t period, std::size_t count, Schedule& schedule) {
   const std::size_t part = schedule.parts.size() - 1;
   schedule.units.push_back(
@@ -20,7 +20,8 @@ void add_unit(std::size_t first, std::size_t period, std::size_t count, Schedule
 }
 
 void add_straight(std::size_t first, std::size_t last, Schedule& schedule) {
-  for (; first < last; first += kSmallestPart) add_unit(first, std::min(last - first, kSmallestPart), 1, schedule);
+  for (; first < last; first += kLargestPart / 2)
+    add_unit(first, std::min(last - first, kLargestPart / 2), 1, schedule);
 }
 
 /// Units in order, gathered into parts of at most kLargestPart written operations.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "compiler/passes/kinds.hpp"
+#include "compiler/program/kinds.hpp"
 
 namespace mbgen {
 namespace {
@@ -50,11 +50,7 @@ void find_uses(const Program& program, Schedule& schedule) {
 
 /// Gives the values that cross parts their places: short addresses go to those that are read most.
 void place_crossing(Schedule& schedule, bool shares) {
-  std::vector<std::size_t> last_part(schedule.value.size(), 0);
-  for (const ScheduledUnit& unit : schedule.units)
-    for (std::size_t i = unit.first; i < unit.last(); ++i)
-      for (const ValueId operand : schedule.value[schedule.order[i]].operands)
-        if (operand != kNoValue) last_part[operand] = unit.part;
+  const auto part_of = [&](ValueId v) { return schedule.units[static_cast<std::size_t>(schedule.value[v].unit)].part; };
   struct Place {
     std::vector<ValueId> values;  ///< one after the other
     int users = 0;
@@ -63,8 +59,9 @@ void place_crossing(Schedule& schedule, bool shares) {
   for (const ValueId v : schedule.order) {
     const ScheduledValue& value = schedule.value[v];
     if (!value.crosses || schedule.calls.place[v].call >= 0) continue;
-    const std::size_t part = schedule.units[static_cast<std::size_t>(value.unit)].part;
-    const auto is_free = [&](const Place& place) { return shares && last_part[place.values.back()] < part; };
+    const auto is_free = [&](const Place& place) {
+      return shares && part_of(schedule.value[place.values.back()].user) < part_of(v);
+    };
     auto place = std::ranges::find_if(places, is_free);
     if (place == places.end()) place = places.insert(places.end(), Place{});
     place->values.push_back(v);

@@ -11,13 +11,14 @@
 
 namespace mbgen {
 
-/// Values of a part: one function holds at least the first and at most the second number, unless the program is
-/// smaller. g++ takes 251 s for 22 000 statements in one function and 2 s in parts of this size, which run no slower.
-constexpr std::size_t kSmallestPart = 250;
-constexpr std::size_t kLargestPart = 500;
+/// Values of a part: one function holds at most so many, and at least half of that unless the program is smaller. g++
+/// takes 251 s for 22 000 statements in one function and 2 s in parts of this size, which run no slower. Where time
+/// counts, smaller ones take fewer bytes: registers are allotted better.
+constexpr std::size_t kLargestPart = 800;
+constexpr std::size_t kLargestHotPart = 500;
 
-/// Places of values that cross parts in one struct. AVX-512 addresses numbers and vectors by multiples of their size: so
-/// many after a pointer take one byte, the others four.
+/// Places of values that cross parts in one struct. AVX-512 addresses numbers and vectors by multiples of their size:
+/// so many after a pointer take one byte, the others four.
 constexpr std::size_t kPlacesTogether = 128;
 
 /// Half-open range of places in Schedule::order.

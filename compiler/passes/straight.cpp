@@ -3,9 +3,9 @@
 #include <map>
 #include <utility>
 
-#include "compiler/passes/kinds.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/passes/scheduled_program.hpp"
+#include "compiler/program/kinds.hpp"
 
 namespace mbgen {
 namespace {
@@ -85,16 +85,16 @@ std::vector<long> cut_costs(const Program& program, const std::vector<ValueId>& 
 }
 
 /// Cheapest division of a range by dynamic programming over the cuts.
-std::vector<PlaceRange> divide(PlaceRange range, const std::vector<long>& cost) {
-  const std::size_t size = range.last - range.first;
-  if (size <= kLargestPart) return {range};
+std::vector<PlaceRange> divide(PlaceRange range, const std::vector<long>& cost, std::size_t largest) {
+  const std::size_t size = range.last - range.first, smallest = largest / 2;
+  if (size <= largest) return {range};
   constexpr long kUnreachable = std::numeric_limits<long>::max();
   std::vector<long> best(size + 1, kUnreachable);
   std::vector<std::size_t> from(size + 1, 0);
   best[0] = 0;
-  for (std::size_t end = kSmallestPart; end <= size; ++end) {
-    const std::size_t earliest = end > kLargestPart ? end - kLargestPart : 0;
-    for (std::size_t start = earliest; start + kSmallestPart <= end; ++start) {
+  for (std::size_t end = smallest; end <= size; ++end) {
+    const std::size_t earliest = end > largest ? end - largest : 0;
+    for (std::size_t start = earliest; start + smallest <= end; ++start) {
       if (best[start] == kUnreachable) continue;
       const long total = best[start] + cost[range.first + start];
       if (total < best[end]) {
@@ -147,11 +147,12 @@ Schedule straight_schedule(const Program& program, Division division, ValueOrder
   result.calls = gather_calls(program, result.order);
   if (wanted == ValueOrder::fewest_alive) result.order = fewest_alive(program, bundles_of(result, partner));
   const std::vector<long> cost = cut_costs(program, result.order, partner, result.calls.place);
+  const std::size_t largest = wanted == ValueOrder::fewest_alive ? kLargestHotPart : kLargestPart;
   std::vector<PlaceRange> ranges;
   if (division == Division::by_section) ranges = section_ranges(program, result.order);
   if (ranges.empty()) ranges = {{0, result.order.size()}};
   for (const PlaceRange& range : ranges)
-    for (const PlaceRange& part : divide(range, cost)) {
+    for (const PlaceRange& part : divide(range, cost, largest)) {
       result.units.push_back({.first = part.first, .period = part.last - part.first, .part = result.parts.size()});
       result.parts.push_back(part);
     }

@@ -114,6 +114,22 @@ std::vector<ValueId> depth_first(const Program& program, std::span<const ValueId
   return order;
 }
 
+/// Named constants in the order of their first use: compilers name several in one expression in orders of their own.
+void order_constants(Program& program) {
+  std::vector<NamedConstant> constants;
+  std::vector<std::int32_t> place(program.constants.size(), -1);
+  for (Node& node : program.nodes) {
+    if (node.op != Op::constant || node.label < 0) continue;
+    const auto before = static_cast<std::size_t>(node.label);
+    if (place[before] < 0) {
+      place[before] = static_cast<std::int32_t>(constants.size());
+      constants.push_back(program.constants[before]);
+    }
+    node.label = place[before];
+  }
+  program.constants = std::move(constants);
+}
+
 }  // namespace
 
 Program in_canonical_order(const Program& program, std::span<const std::uint32_t> moments) {
@@ -128,6 +144,7 @@ Program in_canonical_order(const Program& program, std::span<const std::uint32_t
     order_operands(result.nodes, node.op, node.operands);
   }
   for (OutputValue& output : result.outputs) output.value = renumbered[output.value];
+  order_constants(result);
   return result;
 }
 

@@ -12,6 +12,7 @@ enum class Array : std::uint8_t {
   Phi,                  ///< residuals of a block
   Rz,                   ///< projection of a block, row by row
   c,                    ///< right-hand side of a block's accelerations: Phi_z zdd = c
+  charts,               ///< of balls, 0 or 1: mbgen/charts.hpp
   derived,              ///< constants that follow from tunable parameters
   drive,                ///< generalised driving force of a motion
   driven_acceleration,  ///< of driven coordinates, by their motions

@@ -11,6 +11,7 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
   SolverLayout layout;
   layout.coordinates = topology.size();
   layout.auxiliary_states = auxiliary_state_count(model);
+  layout.balls = static_cast<int>(topology.balls.size());
   layout.drives = static_cast<int>(model.motions.size());
   layout.inputs = static_cast<int>(model.inputs.size());
   layout.parameters = static_cast<int>(std::ranges::count_if(model.parameters, &Parameter::tunable));
@@ -50,6 +51,8 @@ int size_of(const SolverLayout& layout, Array array) {
     case x:
     case xd:
       return layout.auxiliary_states;
+    case charts:
+      return layout.balls;
     case Phi:
     case c:
     case rate:

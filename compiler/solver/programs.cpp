@@ -28,13 +28,19 @@ const std::vector<ProgramSpec>& program_specs() {
   static const std::vector<ProgramSpec> kSpecs = {
       {Role::accelerations, "accelerations", {z, zd, x, t, tau, in, par, derived}, {zdd, xd, pivot, inertia}},
       {Role::closure, "closure", {z, zd, t, in, par, derived}, {residual, dz, zd, pivot}},
-      {Role::closure_terms, "closure_terms", {z, zd, t, in, par, derived}, {Phi, Jz, rate, c, driven_acceleration}},
+      {Role::closure_terms,
+       "closure_terms",
+       {z, zd, t, in, par, derived, charts},
+       {Phi, Jz, rate, c, driven_acceleration}},
       {Role::accelerations_chosen,
        "accelerations_chosen",
-       {z, zd, x, t, tau, in, par, derived, Rz, zdd_star},
+       {z, zd, x, t, tau, in, par, derived, charts, Rz, zdd_star},
        {zdd, xd, inertia}},
-      {Role::multipliers, "multipliers", {z, zd, x, t, tau, in, par, derived, zdd}, {lambda, drive, missing, pivot}},
-      {Role::outputs, "outputs", {z, zd, x, t, tau, in, par, derived, zdd, lambda, drive}, {y, energy, power}},
+      {Role::multipliers,
+       "multipliers",
+       {z, zd, x, t, tau, in, par, derived, charts, zdd},
+       {lambda, drive, missing, pivot}},
+      {Role::outputs, "outputs", {z, zd, x, t, tau, in, par, derived, charts, zdd, lambda, drive}, {y, energy, power}},
       {Role::derived_constants, "derived_constants", {par}, {derived}}};
   return kSpecs;
 }

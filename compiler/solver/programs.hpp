@@ -25,7 +25,7 @@ enum class Role : std::uint8_t {
   accelerations,         ///< with the frozen partition of the loop blocks: the hot path
   closure,               ///< frozen Newton step and consistent velocities; only with loops or motions
   closure_terms,         ///< of every block, for the pivoting kernels; only with loops
-  accelerations_chosen,  ///< with any partition; only with loops, and where it is chosen again
+  accelerations_chosen,  ///< with any partition and charts; only with loops or balls, and where it is chosen again
   multipliers,           ///< at given accelerations; only with loops or motions
   outputs,               ///< at given accelerations and, where the model looks at them, multipliers
   derived_constants      ///< constants of the others that depend on tunable parameters; only with such constants

@@ -130,12 +130,14 @@ class Notices {
   std::vector<std::optional<double>> entered_;  ///< s, per block: when a singular position was entered that is not left
 };
 
-/// Fills in the values at the state of a sample, in a motion by steps of h seconds.
-Status observe(const Engine& engine, double h, Sample& sample, LoadedState& at, GenericDerivative& derivative) {
-  at.state = sample.state;
-  Status status = engine.accelerations_in_motion(sample.state, h, derivative);
+/// Fills in a sample at a state in a motion by steps of h seconds.
+Status observe(const Engine& engine, double h, const GenericState& state, Sample& sample, LoadedState& at,
+               GenericDerivative& derivative) {
+  at.state = state;
+  sample.state = in_users_angles(engine.balls, state);
+  Status status = engine.accelerations_in_motion(state, h, derivative);
   if (status.ok()) status = engine.outputs(at, derivative, sample.outputs);
-  if (status.ok()) status = engine.residuals(sample.state, sample.residuals);
+  if (status.ok()) status = engine.residuals(state, sample.residuals);
   return status;
 }
 
@@ -163,11 +165,10 @@ std::optional<double> power_before_row(const Engine& engine, const InputsOverTim
   if (!inputs.has_row(start, state.t)) return {};
   constexpr double kJustBefore = 1e-9;  // of a step
   Sample sample;
-  sample.state = state;
   LoadedState at{state, std::vector<double>(state.z.size(), 0.0)};
   GenericDerivative derivative;
   engine.set_inputs(inputs.at(state.t - kJustBefore * h));
-  const Status status = observe(engine, h, sample, at, derivative);
+  const Status status = observe(engine, h, state, sample, at, derivative);
   engine.set_inputs(inputs.at(state.t));
   return status.ok() ? std::optional(sample.outputs.applied_power) : std::nullopt;
 }
@@ -200,32 +201,35 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
   Collector collector(settings.step);
   Notices notices(settings.step);
   Sample sample;
-  sample.state = state;
+  GenericState moving = state;
   LoadedState at{state, std::vector<double>(state.z.size(), 0.0)};
   GenericDerivative derivative;
   engine.set_inputs(inputs.at(state.t));
   for (sample.step = 0;; ++sample.step) {
-    summary.status = observe(engine, settings.step, sample, at, derivative);
+    summary.status = observe(engine, settings.step, moving, sample, at, derivative);
+    // In the very pole the angles have no accelerations; everywhere else steps change charts by themselves.
+    if (!summary.status.ok() && sample.step == 0 && settle_charts(engine.balls, moving))
+      summary.status = observe(engine, settings.step, moving, sample, at, derivative);
     if (summary.status.ok() && settings.has_multipliers)
       summary.status = engine.multipliers(at, derivative, sample.multipliers);
     if (!summary.status.ok()) break;
-    collector.add(sample, inputs.at(sample.state.t), summary);
+    collector.add(sample, inputs.at(moving.t), summary);
     summary.last = sample.state;
     on_sample(sample);
     if (sample.step == settings.steps) break;
     const Clock::time_point before = Clock::now();
     const double end = time_after(state.t, static_cast<double>(sample.step + 1), settings.step);
-    summary.status = step(engine, inputs, settings.step, end, sample.state);
+    summary.status = step(engine, inputs, settings.step, end, moving);
     summary.solver_seconds += seconds_since(before);
     if (!summary.status.ok()) break;
-    notices.add(summary.status, sample.state.t, summary.blocks);
-    const auto power = power_before_row(engine, inputs, settings.step, summary.end_time, sample.state);
+    notices.add(summary.status, moving.t, summary.blocks);
+    const auto power = power_before_row(engine, inputs, settings.step, summary.end_time, moving);
     if (power) collector.add_before_jump(*power);
   }
   notices.finish(summary.end_time, summary.blocks);
   summary.wall_seconds = seconds_since(start);
   if (may_be_of_step(summary.status)) {
-    summary.passable_step = passable_step(engine, inputs, summary.last, settings.step);
+    summary.passable_step = passable_step(engine, inputs, moving, settings.step);
   }
   return summary;
 }

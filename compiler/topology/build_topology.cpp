@@ -312,6 +312,7 @@ Result<Topology> build_topology(const Model& model) {
   mark_massless(topology, model);
   find_blocks(topology, joint_leaders(topology));
   find_groups(topology);
+  topology.balls = find_balls(model, topology);
   return topology;
 }
 

@@ -18,10 +18,7 @@ void add_expressions(std::vector<CoordinateUse>& uses, const Model& model) {
   }
 }
 
-}  // namespace
-
-std::vector<CoordinateUse> coordinate_uses(const Model& model) {
-  std::vector<CoordinateUse> uses;
+void add_elements_of_laws(std::vector<CoordinateUse>& uses, const Model& model) {
   add_elements(uses, "motion", model.motions);
   add_elements(uses, "joint spring", model.joint_springs);
   for (const JointSpring& spring : model.joint_springs) {
@@ -29,6 +26,22 @@ std::vector<CoordinateUse> coordinate_uses(const Model& model) {
   }
   add_elements(uses, "friction", model.frictions);
   add_elements(uses, "joint force", model.joint_forces);
+}
+
+}  // namespace
+
+std::vector<CoordinateUse> coordinates_of_laws(const Model& model) {
+  std::vector<CoordinateUse> uses;
+  add_elements_of_laws(uses, model);
+  for (const Coupling& coupling : model.couplings)
+    for (const CoordinateReference& coordinate : coupling.coordinates)
+      uses.push_back({coordinate, "coupling " + coupling.name});
+  return uses;
+}
+
+std::vector<CoordinateUse> coordinate_uses(const Model& model) {
+  std::vector<CoordinateUse> uses;
+  add_elements_of_laws(uses, model);
   add_expressions(uses, model);
   for (const InitialValue& value : model.initial.positions) uses.push_back({value.coordinate, "an initial position"});
   for (const InitialValue& value : model.initial.velocities) uses.push_back({value.coordinate, "an initial velocity"});

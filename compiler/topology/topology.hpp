@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/model/model.hpp"
+#include "mbgen/ball.hpp"
 
 namespace mbgen {
 
@@ -102,9 +103,17 @@ struct Topology {
   std::vector<LoopBlock> blocks;
   std::vector<JointGroup> groups;        ///< parents before children
   std::vector<int> group_of;             ///< per tree joint
+  std::vector<Ball> balls;               ///< that have two charts, see find_balls
   std::vector<std::string> cut_reasons;  ///< per cut joint, why it was cut: "marked", or the rule that chose it
   int size() const { return static_cast<int>(bodies.size()); }
 };
+
+/// Entries of a block Jacobian up to which another partition is chosen at run time, by full pivoting of the dense
+/// matrix: 1 MB on the stack. A larger block keeps its frozen partition, and where that is bad it is singular.
+constexpr long kMostPivotedEntries = 131072;
+inline bool chooses_again(const LoopBlock& block) {
+  return static_cast<long>(block.equations) * static_cast<long>(block.joints.size()) <= kMostPivotedEntries;
+}
 
 /// Finds the tree, the cuts, the loops and the blocks.
 /// Fails: a body with no path to ground, joints marked "cut": false that form a cycle (two tree parents), a joint whose
@@ -113,6 +122,14 @@ struct Topology {
 /// each names the body or joint and its place.
 /// Source: theory.md sections 1 and 3.
 Result<Topology> build_topology(const Model& model);
+
+/// Balls of spherical and free joints of the tree, whose charts may be changed: none of their angles is in a law of the
+/// model. With a motion, a force, a spring or a coupling on an angle the angle itself is
+/// meant; and none where a block keeps its frozen partition, see chooses_again.
+std::vector<Ball> find_balls(const Model& model, const Topology& topology);
+
+/// Index of the ball that starts with a tree joint, or -1.
+int ball_from(const Topology& topology, int joint);
 
 /// True when joint j lies on the path from the root to body i, T_ij of (39). kGround is on no path.
 bool on_path(const Topology& topology, int i, int j);

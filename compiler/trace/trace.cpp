@@ -24,7 +24,7 @@ Program trace_accelerations(const Model& model, const Topology& topology, const 
 Programs trace(const Model& model, const Topology& topology, const Analysis& analysis, std::optional<Form> form) {
   Programs programs;
   programs.form = form.value_or(form_of(topology, analysis));
-  const bool chooses = !topology.loops.empty() && chooses_again(topology);
+  const bool chooses = (!topology.loops.empty() || !topology.balls.empty()) && chooses_again(topology);
   // The frozen and the chosen partition are in one form, so that both are the same equations.
   if (programs.form == Form::matrix) {
     programs.accelerations = trace_matrix_accelerations(model, topology, analysis, Role::accelerations);

@@ -26,7 +26,7 @@ class Tracing {
         recursion(form == Form::recursive ? plan_recursion(model, topology, analysis.driven, choices) : Recursion{}),
         layout(form == Form::recursive ? recursion.layout : choose_layout(model, topology)),
         analysis(analysis),
-        system{model, topology, layout, environment(model, topology), {}, {}, scribe} {
+        system{model, topology, layout, environment(role, model, topology), {}, {}, scribe} {
     const auto step = scribe.step(Step::inertias);
     system.x = inputs(Array::x, auxiliary_state_count(model));
     system.constants = make_constants(model, topology, system.environment);
@@ -90,7 +90,10 @@ class Tracing {
   std::vector<Drive<Expr>> drive;
 
  private:
-  Environment<Expr> environment(const Model& model, const Topology& topology) {
+  /// The programs of every step know the angles of the model alone: states with another chart go by the others.
+  static bool takes_charts(Role role) { return role != Role::accelerations && role != Role::closure; }
+
+  Environment<Expr> environment(Role role, const Model& model, const Topology& topology) {
     Environment<Expr> e;
     e.topology = &topology;
     int tunable = 0;
@@ -100,6 +103,8 @@ class Tracing {
     e.t = input(Array::t, 0);
     e.z = inputs(Array::z, topology.size());
     e.zd = inputs(Array::zd, topology.size());
+    if (takes_charts(role)) e.charts = inputs(Array::charts, static_cast<int>(topology.balls.size()));
+    count_as_the_model(model, e);
     return e;
   }
 };

@@ -115,6 +115,9 @@ struct State {
   double zd[kCoordinates];  ///< their velocities
   double x[1];  ///< auxiliary states, see kAuxiliaryStateNames
   double t;  ///< s
+  /// Charts of balls, changed by steps: where one is 1, z and zd of its ball are angles and rates of another
+  /// chart, see in_users_angles. Put 0 there where you write angles of the model.
+  double charts[4] = {};
 };
 
 /// Rates of a state that are not in the state itself.
@@ -155,6 +158,11 @@ State initial_state() noexcept;
 /// Fails: not_a_number, loop_not_closed, loop_singular.
 mbgen::Status assemble(const Tuned& parameters, const Inputs& inputs, State& state) noexcept;
 
+/// The state in the angles of the model, every chart 0; with its accelerations, where they are given. At
+/// the pole of a ball its rates are finite and mean nothing: go on with the state itself.
+State in_users_angles(const State& state) noexcept;
+State in_users_angles(const State& state, Derivative& derivative) noexcept;
+
 /// All accelerations at a consistent state. tau: generalised joint forces (N m or N) beside the
 /// forces of the model.
 /// Fails: not_a_number, loop_singular, no_inertia.
@@ -174,6 +182,8 @@ struct Dynamics {
   const Tuned& parameters;
   const Inputs& inputs;
   mbgen::Status derivative(const State& state, Derivative& derivative) const noexcept;
+  bool leaves_charts(const State& state) const noexcept;
+  bool settle_charts(State& state) const noexcept;
   mbgen::Status project(State& state) const noexcept;
   mbgen::Status project_nearest(State& state) const noexcept;
 };

@@ -76,37 +76,37 @@ struct OutputsOf {
 using Outputs = OutputsOf<Lanes>;
 
 // Numbers of the model.
+constexpr double p_ball_z = 0.02;
+constexpr double p_ball_x = -0.4;
+constexpr double p_lower_z = -0.25;
+constexpr double p_wheel_z = 0.04;
+constexpr double p_arm_seat_x = -0.25;
+constexpr double p_carriage_seat_x = -0.22;
+constexpr double p_arm_seat_z = 0.03;
+constexpr double l0_spring = 0.34132096331752027;
+constexpr double f0_spring = -3000.0;
+constexpr double k_tyre = 2e+05;
+constexpr double radius_tyre = 0.32;
+constexpr double p_pull_z = 0.5;
+constexpr double d_tyre = 500.0;
+constexpr double relaxation_x_tyre = 0.3;
+constexpr double relaxation_y_tyre = 0.6;
+constexpr double rolling_tyre = 0.007;
+constexpr double m_wheel = 18.0;
+constexpr double I_knuckle_zz = 0.26;
+constexpr double p_upper_to_z = 0.2;
+constexpr double p_upper_to_x = 0.03;
+constexpr double p_upper_from_z = -0.02;
+constexpr double p_upper_from_x = 0.05;
+constexpr double l_upper = 0.4201190307520001;
+constexpr double h_arm_x = -1.26;
+constexpr double h_arm_z = 0.07;
 constexpr double g_z = -9.81;
-constexpr double m_carriage = 320.0;
 constexpr double m_arm = 7.0;
 constexpr double c_arm_x = -0.18;
 constexpr double c_arm_z = 0.01;
 constexpr double I_arm_yy = 0.12;
-constexpr double I_knuckle_zz = 0.26;
-constexpr double m_wheel = 18.0;
-constexpr double p_upper_from_x = 0.05;
-constexpr double p_upper_from_z = -0.02;
-constexpr double p_upper_to_x = 0.03;
-constexpr double p_upper_to_z = 0.2;
-constexpr double l_upper = 0.4201190307520001;
-constexpr double p_pull_z = 0.5;
-constexpr double p_lower_z = -0.25;
-constexpr double p_ball_x = -0.4;
-constexpr double p_ball_z = 0.02;
-constexpr double p_wheel_z = 0.04;
-constexpr double p_arm_seat_x = -0.25;
-constexpr double p_arm_seat_z = 0.03;
-constexpr double p_carriage_seat_x = -0.22;
-constexpr double l0_spring = 0.34132096331752027;
-constexpr double f0_spring = -3000.0;
-constexpr double radius_tyre = 0.32;
-constexpr double k_tyre = 2e+05;
-constexpr double d_tyre = 500.0;
-constexpr double rolling_tyre = 0.007;
-constexpr double relaxation_x_tyre = 0.3;
-constexpr double relaxation_y_tyre = 0.6;
-constexpr double h_arm_x = -1.26;
-constexpr double h_arm_z = 0.07;
+constexpr double m_carriage = 320.0;
 
 /// Constants that follow from tunable parameters.
 void compute_derived_constants(const Parameters& parameters, Tuned& __restrict result) noexcept {

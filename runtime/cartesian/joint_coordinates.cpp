@@ -53,10 +53,41 @@ double angle_about(const Vector3d& axis, const Matrix3d& turn) {
                     first.dot(turn * first) + second.dot(turn * second));
 }
 
-/// Angles of a sequence whose product is `turn`, by Newton from a guess.
+/// Angles of three turns about axes that are square to each other, in every position; of the two triples that there are
+/// the one nearer to a guess.
+Angles ball_angles(const std::vector<Vector3d>& axes, const Matrix3d& turn, const Angles& guess) {
+  Matrix3d basis;
+  basis << axes[0], axes[1], axes[0].cross(axes[1]);
+  const Matrix3d m = basis.transpose() * turn * basis;
+  const double hand = axes[2].dot(basis.col(2)) > 0 ? 1 : -1;
+  const double first = m(1, 2) == 0 && m(2, 2) == 0 ? guess[0] : std::atan2(-m(1, 2), m(2, 2));
+  const Matrix3d left = AngleAxisd(-first, Vector3d::UnitX()) * m;
+  const double second = std::atan2(left(0, 2), left(2, 2)), third = hand * std::atan2(left(1, 0), left(1, 1));
+  Angles best(3);
+  double least = INFINITY;
+  for (const double half : {0.0, std::numbers::pi}) {
+    Angles other(3);
+    other << first + half, half > 0 ? half - second : second, third + half;
+    for (int k = 0; k < 3; ++k) other[k] = nearest_turn(other[k], guess[k]);
+    if (const double distance = (other - guess).norm(); distance < least) {
+      least = distance;
+      best = other;
+    }
+  }
+  return best;
+}
+
+bool are_square(const std::vector<Vector3d>& axes) {
+  constexpr double kSquare = 1e-12;
+  return axes.size() == 3 && std::abs(axes[0].dot(axes[1])) < kSquare && std::abs(axes[1].dot(axes[2])) < kSquare &&
+         std::abs(axes[0].dot(axes[2])) < kSquare;
+}
+
+/// Angles of a sequence whose product is `turn`, nearest to a guess: two by Newton.
 Angles sequence_angles(const std::vector<Vector3d>& axes, const Matrix3d& turn, Angles angles) {
   if (axes.size() == 1) angles[0] = nearest_turn(angle_about(axes[0], turn), angles[0]);
   if (axes.size() <= 1) return angles;
+  if (are_square(axes)) return ball_angles(axes, turn, angles);
   for (int step = 0; step < kSearchIterations; ++step) {
     const AngleAxisd error(Eigen::Quaterniond(turn * turned(axes, angles).transpose()));
     Angles change = rates_of(carried_axes(axes, angles)) * (error.angle() * error.axis());

@@ -94,6 +94,8 @@ struct GenericEquations {
     at.environment.t = state.t;
     at.environment.z = state.z;
     at.environment.zd = state.zd;
+    at.environment.charts = state.charts;
+    count_as_the_model(model, at.environment);
     at.x = state.x;
     return at;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "mbgen/charts.hpp"
 #include "mbgen/status.hpp"
 
 namespace mbgen {
@@ -13,6 +14,7 @@ namespace mbgen {
 struct GenericState {
   std::vector<double> z, zd, x;
   double t = 0;
+  std::vector<double> charts = {};  ///< per ball of the topology, 0 or 1 (mbgen/charts.hpp); empty: all 0
 };
 
 struct GenericDerivative {
@@ -24,6 +26,33 @@ struct GenericOutputs {
   std::vector<double> y;
   double kinetic_energy = 0, potential_energy = 0, applied_power = 0;
 };
+
+/// Whether a ball should be in its other chart.
+inline bool leaves_charts(const std::vector<Ball>& balls, const GenericState& state) {
+  for (std::size_t b = 0; b < balls.size(); ++b) {
+    if (leaves_chart(balls[b], state.charts.empty() ? 0.0 : state.charts[b], state.z.data())) return true;
+  }
+  return false;
+}
+
+/// Puts every ball into the chart that suits its position. Result: whether one was changed.
+inline bool settle_charts(const std::vector<Ball>& balls, GenericState& state) {
+  std::vector<double> charts = state.charts;
+  charts.resize(balls.size(), 0.0);
+  const int count = static_cast<int>(balls.size());
+  if (!settle_balls(balls.data(), count, charts.data(), state.z.data(), state.zd.data())) return false;
+  state.charts = std::move(charts);
+  return true;
+}
+
+/// The state as the model counts its coordinates: every ball in chart 0.
+inline GenericState in_users_angles(const std::vector<Ball>& balls, GenericState state) {
+  if (state.charts.empty()) return state;
+  to_users_angles<double>(balls.data(), static_cast<int>(balls.size()), state.charts.data(), state.z.data(),
+                          state.zd.data(), nullptr);
+  state.charts.clear();
+  return state;
+}
 
 /// Place of the first value that is not finite, or -1.
 inline int first_not_finite(const std::vector<double>& values) {

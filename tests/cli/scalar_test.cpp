@@ -11,7 +11,9 @@ namespace {
 /// in tables of the runtime, before a brace, are doubles.
 bool has_double_literal(const std::string& text) {
   for (std::size_t at = text.find('.'); at != std::string::npos; at = text.find('.', at + 1)) {
-    if (at == 0 || !std::isdigit(static_cast<unsigned char>(text[at - 1]))) continue;
+    std::size_t first = at;
+    while (first > 0 && (std::isalnum(static_cast<unsigned char>(text[first - 1])) || text[first - 1] == '_')) --first;
+    if (first == at || !std::isdigit(static_cast<unsigned char>(text[first]))) continue;  // a member of a struct
     std::size_t end = text.find_first_not_of("0123456789e", at + 1);
     if (text[end] == '-' || text[end] == '+') end = text.find_first_not_of("0123456789", end + 1);
     if (text[end - 1] != 'e' && text[end] != 'f' && text[end] != ';' && text[end] != '}') return true;

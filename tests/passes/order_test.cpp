@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "compiler/passes/kinds.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/passes/schedule.hpp"
+#include "compiler/program/kinds.hpp"
 #include "compiler/program/program.hpp"
 
 namespace mbgen {

@@ -20,6 +20,7 @@ std::vector<double> run(const Program& program, const Mechanism& m, const Generi
   for (const Input& input : m.model.inputs) given[Array::in].push_back(input.default_value);
   given[Array::lambda].resize(static_cast<std::size_t>(equation_count(m.topology)));  // no motion shows them
   given[Array::drive].resize(m.model.motions.size());
+  given[Array::charts].resize(m.topology.balls.size(), 0.0);
   std::vector<double> inputs;
   for (const Slot& slot : program.inputs) inputs.push_back(given.at(slot.group.array).at(slot.index));
   const std::vector<double> values = interpret(program, inputs);

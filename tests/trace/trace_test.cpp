@@ -22,6 +22,7 @@ Slots run(const Program& program, const Mechanism& m, Slots given) {
   for (const Parameter& p : m.model.parameters)
     if (p.tunable) given[Array::par].push_back(p.value);
   for (const Input& input : m.model.inputs) given[Array::in].push_back(input.default_value);
+  given[Array::charts].resize(m.topology.balls.size(), 0.0);
   std::vector<double> inputs;
   for (const Slot& slot : program.inputs) inputs.push_back(given.at(slot.group).at(slot.index));
   const std::vector<double> values = interpret(program, inputs);

@@ -63,6 +63,26 @@ typename System::Mask arguments_are_finite(const ParametersOf<System>& parameter
   return is_finite(total);
 }
 
+/// Lanes in which every ball is in the chart that the frozen programs know.
+template <class System>
+typename System::Mask in_users_chart([[maybe_unused]] const typename System::State& state) noexcept {
+  typename System::Mask good = every_lane<System>();
+  if constexpr (kBallCount < System >> 0) {
+    for (int b = 0; b < System::kBalls; ++b) good &= state.charts[b] <= 0.5;
+  }
+  return good;
+}
+
+/// Lanes whose balls are far from their poles as well: no chart changes at the start of a step.
+template <class System>
+typename System::Mask keeps_charts([[maybe_unused]] const typename System::State& state) noexcept {
+  typename System::Mask good = in_users_chart<System>(state);
+  if constexpr (kBallCount < System >> 0) {
+    for (const Ball& ball : System::kBall) good &= mbgen::abs(state.z[ball.coordinate[1]]) < ball_detail::kFarFromPole;
+  }
+  return good;
+}
+
 /// Lanes in which every block has at least this pivot over its reference.
 template <class System, class Row>
 typename System::Mask pivots_reach(const Row* pivot, double threshold) noexcept {
@@ -203,6 +223,7 @@ typename System::Mask accelerate_lanes(const ParametersOf<System>& parameters, c
   run_groups(System::accelerations, values, parameters, inputs, state, *forces);
   typename System::Mask good =
       arguments_are_finite<System>(parameters, inputs, state, forces) & pivots_reach<System>(values.pivot, least_pivot);
+  good &= in_users_chart<System>(state);
   for (int k = 0; k < System::kFreeDirections; ++k) good &= values.inertia[k] > 0.0;
   for (int i = 0; i < System::kCoordinates; ++i) derivative.zdd[i] = values.zdd[i];
   for (int i = 0; i < System::kAuxiliaryStates; ++i) derivative.xd[i] = values.xd[i];
@@ -218,7 +239,9 @@ typename System::Mask project_lanes(const ParametersOf<System>& parameters, cons
   using namespace batch_detail;
   const typename System::Mask finite = arguments_are_finite<System>(parameters, inputs, state, nullptr);
   static_assert(System::kHasClosure || System::kEquations == 0);  // else clang++ sees a constant that nobody uses
-  if constexpr (System::kHasClosure) return close_lanes<System, correction>(parameters, inputs, finite, state);
+  if constexpr (System::kHasClosure) {
+    return close_lanes<System, correction>(parameters, inputs, finite & in_users_chart<System>(state), state);
+  }
   return finite;
 }
 

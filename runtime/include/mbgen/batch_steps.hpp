@@ -69,7 +69,7 @@ template <class System>
 typename System::Mask step_lanes_rk4(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
                                      const typename System::State& state, double h,
                                      typename System::State& result) noexcept {
-  typename System::Mask good = batch_detail::every_lane<System>();
+  typename System::Mask good = batch_detail::keeps_charts<System>(state);
   const batch_detail::LaneDynamics<System> dynamics{parameters, inputs, state.t, good};
   integrator_detail::try_rk4<batch_detail::LaneStages>(dynamics, state, h, result);
   return good;
@@ -113,6 +113,7 @@ typename System::Mask step_rows_abm4(const ParametersOf<System>& parameters, con
   }
   typename System::Mask good{};
   for (int lane = 0; lane < System::kLanes; ++lane) good[lane] = known[lane] == most ? -1 : 0;
+  good &= keeps_charts<System>(state);
   const Dynamics dynamics{parameters, inputs, state.t, good};
   const integrator_detail::PastRates<Dynamics> past = {most > 0 ? &known_rates[0] : &start, &known_rates[1],
                                                        &known_rates[2], &known_rates[3]};

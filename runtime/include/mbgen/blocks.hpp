@@ -9,7 +9,9 @@
 //   sizes      kCoordinates kAuxiliaryStates kBlocks kEquations kDrives kBlockCoordinates kFreeDirections
 //   decisions  kHasClosure (loops or motions), kClosureTolerance; kFrozenOnly = true where a block is too large for
 //              another partition to be chosen at run time
-//   tables     kBlockLayout[block] kBlockCoordinate[] kBlockDriven[] kDriven[coordinate] kRedundant[equation]
+//              kBalls of balls with charts, where there are any; then State has charts[kBalls]
+//   tables     kBall[ball] kBlockLayout[block] kBlockCoordinate[] kBlockDriven[] kDriven[coordinate]
+//   kRedundant[equation]
 //              kFreeDirection[direction] kMultiplierPlace[equation] kDriveCoordinate[motion]; kParameterMember
 //              kInputMember, null in place of none
 //   programs   accelerations, argument_sum; with a closure: closure, multipliers; with loops: closure_terms,
@@ -21,8 +23,10 @@
 #include <type_traits>
 
 #include "mbgen/array_lanes.hpp"
+#include "mbgen/charts.hpp"
 #include "mbgen/loop.hpp"
 #include "mbgen/precision.hpp"
+#include "mbgen/states.hpp"
 #include "mbgen/status.hpp"
 
 namespace mbgen {
@@ -52,6 +56,22 @@ template <class System, class = void>
 inline constexpr bool kChoosesAgain = System::kBlocks > 0;
 template <class System>
 inline constexpr bool kChoosesAgain<System, std::void_t<decltype(System::kFrozenOnly)>> = !System::kFrozenOnly;
+
+/// Number of balls with charts.
+template <class System, class = void>
+inline constexpr int kBallCount = 0;
+template <class System>
+inline constexpr int kBallCount<System, std::void_t<decltype(System::kBalls)>> = System::kBalls;
+
+/// Whether a ball of a state is not in the angles of the model, which the frozen programs know alone.
+template <class System>
+bool in_other_chart([[maybe_unused]] const typename System::State& state) noexcept {
+  if constexpr (kBallCount < System >> 0) {
+    return any_other_chart(state.charts, System::kBalls);
+  } else {
+    return false;
+  }
+}
 
 /// Smallest pivot of a block, over its median in the analysed configurations, with which the frozen order is trusted.
 /// The analysis accepts ratios from 0.05; two digits of the answer are at stake here, where it is left. Accelerations
@@ -89,6 +109,7 @@ void copy_state(const typename System::State& from, typename System::State& to) 
   copy_array(from.zd, to.zd);
   copy_array(from.x, to.x);
   to.t = from.t;
+  integrator_detail::copy_charts(from, to, 0);
 }
 
 /// Sum of entries, in no order that counts: not finite when an entry is not.

@@ -140,6 +140,31 @@ Status correct_closure(const typename System::Parameters& parameters, const type
   return notice;
 }
 
+/// The closure of a state with a ball in its other chart: residuals and corrections of all blocks by closure_terms,
+/// which take charts. Of the frozen program driven coordinates alone are right. The status may be a notice. Fails:
+/// loop_singular.
+template <class System, Correction correction>
+Status correct_other_chart(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                           const typename System::State& state, typename System::Closure& closure) noexcept {
+  if constexpr (System::kBlocks > 0) {
+    typename System::ClosureTerms terms;
+    System::closure_terms(parameters, inputs, state, terms);
+    copy(terms.Phi, closure.residual, System::kEquations);
+    CorrectionWork<System> work;
+    Status notice;
+    for (int b = 0; b < System::kBlocks; ++b) {
+      const BlockLayout& block = System::kBlockLayout[b];
+      const LoopFactorsOf<RealOf<System>> loop = work.factors.factors_of(b, terms);
+      if (loop.rank < block.rank) return {Code::loop_singular, b};
+      notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), RealOf<System>(1)));
+      correct_block<System, correction>(b, loop, terms, state, work, closure);
+    }
+    return notice;
+  } else {
+    return {};
+  }
+}
+
 /// A residual and the equation that has it, -1 for none.
 template <class Real>
 struct Misfit {
@@ -255,6 +280,11 @@ template <class System, Correction correction>
 Status close_loops(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                    typename System::State& trial) noexcept {
   const auto correct = [&](typename System::Closure& closure) {
+    if constexpr (kBallCount < System >> 0) {
+      if (in_other_chart<System>(trial)) {
+        return correct_other_chart<System, correction>(parameters, inputs, trial, closure);
+      }
+    }
     if constexpr (kChoosesAgain<System>) {
       return correct_closure<System, correction>(parameters, inputs, trial, closure);
     } else {

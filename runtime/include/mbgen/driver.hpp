@@ -7,11 +7,11 @@
 namespace mbgen {
 
 /// Layout of SolverTable; a loaded library with another number was made by another mbgen.
-constexpr int kSolverTableLayout = 4;
+constexpr int kSolverTableLayout = 5;
 
 /// Sizes and functions of one generated solver. Arrays, all in SI units and in the order of the model:
 ///   parameters  the tunable ones                 inputs   all of them
-///   state       z[n] zd[n] x[nx] t               derivative   zdd[n] xd[nx]
+///   state       z[n] zd[n] x[nx] t charts[balls] derivative   zdd[n] xd[nx]
 ///   tau         n generalised joint forces beside the forces of the model
 /// Every function is re-entrant, allocates nothing and leaves its results untouched unless the status is ok. Steps give
 /// notices.
@@ -21,7 +21,7 @@ struct SolverTable {
   const char* hash;      ///< content hash of the model, 16 hex digits
   int coordinates;       ///< n
   int auxiliary_states;  ///< nx
-  int state_size;        ///< 2 n + nx + 1
+  int state_size;        ///< 2 n + nx + 1 and the number of balls with charts
   int derivative_size;   ///< n + nx
   int parameters;
   int inputs;

@@ -97,6 +97,18 @@ bool asks_for_solution(const Run<Model>& run, Place place) noexcept {
   }
 }
 
+/// Position (order 0), velocity or acceleration of a coordinate as the model counts it. state: of a run, or solved.
+template <class Model>
+double motion_of(const Core<Model>& core, const typename Model::State& state, int order, int coordinate) noexcept {
+  if (in_other_chart<Model>(state)) {
+    typename Model::State users = state;
+    typename Model::Derivative derivative = core.derivative;
+    take_users_angles<Model>(users, derivative);
+    return order == 0 ? users.z[coordinate] : order == 1 ? users.zd[coordinate] : derivative.zdd[coordinate];
+  }
+  return order == 0 ? state.z[coordinate] : order == 1 ? state.zd[coordinate] : core.derivative.zdd[coordinate];
+}
+
 template <class Model>
 double value_at(const Core<Model>& core, Place place) noexcept {
   const Run<Model>& run = core.run;
@@ -110,11 +122,11 @@ double value_at(const Core<Model>& core, Place place) noexcept {
     case Group::output:
       return core.outputs.*Model::kOutputMember[place.index];
     case Group::z:
-      return state.z[place.index];
+      return motion_of(core, state, 0, place.index);
     case Group::zd:
-      return state.zd[place.index];
+      return motion_of(core, state, 1, place.index);
     case Group::zdd:
-      return core.derivative.zdd[place.index];
+      return motion_of(core, core.solved, 2, place.index);
     case Group::x:
       return run.state.x[place.index];
     case Group::xd:
@@ -122,11 +134,11 @@ double value_at(const Core<Model>& core, Place place) noexcept {
     case Group::start:
       return run.start[place.index];
     case Group::q:
-      return state.z[chosen_coordinate(run, place.index)];
+      return motion_of(core, state, 0, chosen_coordinate(run, place.index));
     case Group::qd:
-      return state.zd[chosen_coordinate(run, place.index)];
+      return motion_of(core, state, 1, chosen_coordinate(run, place.index));
     case Group::qdd:
-      return core.derivative.zdd[chosen_coordinate(run, place.index)];
+      return motion_of(core, core.solved, 2, chosen_coordinate(run, place.index));
     default:
       return run.state.t;
   }
@@ -208,6 +220,10 @@ constexpr bool is_computed(Place place) noexcept {
 
 template <class Model>
 double& place_to_set(Run<Model>& run, Place place) noexcept {
+  if (place.group == Group::z || place.group == Group::zd || place.group == Group::q || place.group == Group::qd) {
+    typename Model::Derivative unused{};
+    take_users_angles<Model>(run.state, unused);
+  }
   switch (place.group) {
     case Group::parameter:
       return run.parameters.*Model::kParameterMember[place.index];

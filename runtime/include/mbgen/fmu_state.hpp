@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "mbgen/charts.hpp"
 #include "mbgen/status.hpp"
 
 namespace mbgen::fmu {
@@ -52,6 +53,26 @@ struct Choice {
   int coordinate[Model::kVelocityStates > 0 ? Model::kVelocityStates : 1] = {};
   double reference[Model::kLoopBlocks > 0 ? Model::kLoopBlocks : 1] = {};  ///< see choose_held in mbgen/held.hpp
 };
+
+/// Whether balls of the model have charts; importers see the angles of the model.
+template <class Model>
+inline constexpr bool kHasCharts = kChartsOf<typename Model::State> > 0;
+
+/// Whether a ball of a state is in its other chart.
+template <class Model>
+bool in_other_chart([[maybe_unused]] const typename Model::State& state) noexcept {
+  if constexpr (kHasCharts<Model>) return any_other_chart(state.charts, kChartsOf<typename Model::State>);
+  return false;
+}
+
+/// The state in the angles of the model, with the accelerations that go with it.
+template <class Model>
+void take_users_angles([[maybe_unused]] typename Model::State& state,
+                       [[maybe_unused]] typename Model::Derivative& derivative) noexcept {
+  if constexpr (kHasCharts<Model>) {
+    if (in_other_chart<Model>(state)) state = Model::in_users_angles(state, derivative);
+  }
+}
 
 /// Everything that a run consists of: the content of an FMU state.
 template <class Model>

@@ -6,11 +6,14 @@
 //   Derivative  members zdd, xd of the same sizes as zd, x
 //   Status derivative(const State&, Derivative&) const noexcept    gives the result its size where it has none
 //   Status project(State&) const noexcept                          closes loops, then makes velocities consistent
+//   bool leaves_charts(const State&) const noexcept                only where states have charts of balls (charts.hpp):
+//   bool settle_charts(State&) const noexcept                      whether one does not suit its position; puts each
+//                                                                  into the chart that does
 //   Status project_nearest(State&) const noexcept                  the same by the shortest corrections, near singular
 //                                                                  positions
 // They may give notices (status.hpp); near_singular and singular_met say how near a singular position the state is.
-// Every step integrates all of z, zd and x, then projects. When anything fails the state and the history stay as they
-// were. Steps allocate only by copies of the System's own types.
+// Every step settles charts, integrates all of z, zd and x, then projects. When anything fails the state and the
+// history stay as they were. Steps allocate only by copies of the System's own types.
 
 #include <cmath>
 
@@ -41,6 +44,12 @@ namespace integrator_detail {
 
 /// Times that differ by this part of a step are the same: who steps may keep the time as a multiple of the step.
 constexpr double kSameTime = 1e-6;
+
+/// Whether states of a System have balls with charts.
+template <class System, class = void>
+inline constexpr bool kHasCharts = false;
+template <class System>
+inline constexpr bool kHasCharts<System, std::void_t<decltype(&System::settle_charts)>> = true;
 
 inline Status check_step(double h) noexcept {
   return h > 0 && std::isfinite(h) ? Status{} : Status{Code::step_invalid, -1};
@@ -127,19 +136,14 @@ Status try_abm4(const System& system, const typename System::State& state, const
 
 }  // namespace integrator_detail
 
-/// One step of h seconds by the classical Runge-Kutta method, four evaluations, then projection. A step that comes near
-/// a singular position of a loop is taken with closed stages, see singular_step.hpp.
-/// Gives the most telling notice of the System's functions; singular_met when a singular position was passed.
-/// Fails: step_invalid; not_a_number when the result overflows; and as the system's functions.
-/// Source: W. Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichungen", 1901.
+namespace integrator_detail {
+
+/// One step by Runge-Kutta from a state with settled charts.
 template <class System>
-Status step_rk4(const System& system, typename System::State& state, double h) noexcept {
-  using namespace integrator_detail;
-  Status status = check_step(h);
-  if (!status.ok()) return status;
+Status settled_rk4(const System& system, typename System::State& state, double h) noexcept {
   typename System::State result;
   copy_state(state, result);
-  status = try_rk4<Plain>(system, state, h, result);
+  Status status = try_rk4<Plain>(system, state, h, result);
   if (asks_for_care(status)) {
     copy_state(state, result);
     status = try_rk4<Careful>(system, state, h, result);
@@ -148,16 +152,47 @@ Status step_rk4(const System& system, typename System::State& state, double h) n
   return status;
 }
 
-/// One step of h seconds by Adams-Bashforth-Moulton of order four, evaluated at the predicted and at the projected
-/// state: two evaluations a step. The first three steps, and those after a change of h or a jump of t, are by
-/// Runge-Kutta.
-/// Gives notices and fails as step_rk4.
-/// Source: L. F. Shampine, M. K. Gordon, Computer Solution of Ordinary Differential Equations, 1975 (PECE).
+/// Takes a step by `step` from the state with its charts settled; the state keeps its charts where the step fails.
+/// on_change: what is to be done before the step where a chart was changed.
+template <class System, class Step, class OnChange>
+Status with_settled_charts(const System& system, typename System::State& state, const Step& step,
+                           const OnChange& on_change) noexcept {
+  if constexpr (kHasCharts<System>) {
+    if (!system.leaves_charts(state)) return step(state);
+    typename System::State settled;
+    copy_state(state, settled);
+    system.settle_charts(settled);
+    on_change();
+    const Status status = step(settled);
+    if (status.ok()) copy_state(settled, state);
+    return status;
+  } else {
+    return step(state);
+  }
+}
+
+}  // namespace integrator_detail
+
+/// One step of h seconds by the classical Runge-Kutta method, four evaluations, then projection. A step that comes near
+/// a singular position of a loop is taken with closed stages, see singular_step.hpp.
+/// Gives the most telling notice of the System's functions; singular_met when a singular position was passed.
+/// Fails: step_invalid; not_a_number when the result overflows; and as the system's functions.
+/// Source: W. Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichungen", 1901.
 template <class System>
-Status step_abm4(const System& system, typename System::State& state, AbmHistory<System>& history, double h) noexcept {
+Status step_rk4(const System& system, typename System::State& state, double h) noexcept {
   using namespace integrator_detail;
-  Status status = check_step(h);
+  const Status status = check_step(h);
   if (!status.ok()) return status;
+  return with_settled_charts(
+      system, state, [&](typename System::State& settled) { return settled_rk4(system, settled, h); }, [] {});
+}
+
+namespace integrator_detail {
+
+/// One step by Adams-Bashforth-Moulton from a state with settled charts.
+template <class System>
+Status settled_abm4(const System& system, typename System::State& state, AbmHistory<System>& history,
+                    double h) noexcept {
   const bool goes_on = history.h == h && std::abs(history.t - state.t) <= kSameTime * h;
   const int known = goes_on ? history.count : 0;
   typename System::State result;
@@ -167,7 +202,7 @@ Status step_abm4(const System& system, typename System::State& state, AbmHistory
   if (known == 0) past[0] = &start;
   const int next = (history.newest + history.kRing - 1) % history.kRing;
   copy_state(state, result);
-  status = try_abm4<Plain>(system, state, past, known, h, result, start, history.rates[next]);
+  Status status = try_abm4<Plain>(system, state, past, known, h, result, start, history.rates[next]);
   if (asks_for_care(status)) {
     copy_state(state, result);
     status = try_abm4<Careful>(system, state, past, known, h, result, start, history.rates[next]);
@@ -181,6 +216,26 @@ Status step_abm4(const System& system, typename System::State& state, AbmHistory
   history.t = result.t;
   copy_state(result, state);
   return status;
+}
+
+}  // namespace integrator_detail
+
+/// One step of h seconds by Adams-Bashforth-Moulton of order four, evaluated at the predicted and at the projected
+/// state: two evaluations a step. The first three steps, and those after a change of h, a jump of t or a change of a
+/// chart, are by Runge-Kutta.
+/// Gives notices and fails as step_rk4.
+/// Source: L. F. Shampine, M. K. Gordon, Computer Solution of Ordinary Differential Equations, 1975 (PECE).
+template <class System>
+Status step_abm4(const System& system, typename System::State& state, AbmHistory<System>& history, double h) noexcept {
+  using namespace integrator_detail;
+  const Status status = check_step(h);
+  if (!status.ok()) return status;
+  const int known = history.count;
+  const Status stepped = with_settled_charts(
+      system, state, [&](typename System::State& settled) { return settled_abm4(system, settled, history, h); },
+      [&] { history.count = 0; });
+  if (!stepped.ok()) history.count = known;
+  return stepped;
 }
 
 /// Rates of a moving state, for outputs: at a singular position as the steps of h seconds see them.

@@ -47,6 +47,14 @@ void copy(const Container& from, Container& to) noexcept {
   to = from;
 }
 
+/// Charts of balls, where states have them.
+template <class State>
+auto copy_charts(const State& from, State& to, int) noexcept -> decltype(copy(from.charts, to.charts)) {
+  copy(from.charts, to.charts);
+}
+template <class State>
+void copy_charts(const State&, State&, long) noexcept {}
+
 /// Member by member: the copy of a large struct would be a call of memcpy, which a bare target may not have.
 template <class State>
 void copy_state(const State& from, State& to) noexcept {
@@ -54,6 +62,7 @@ void copy_state(const State& from, State& to) noexcept {
   copy(from.zd, to.zd);
   copy(from.x, to.x);
   to.t = from.t;
+  copy_charts(from, to, 0);
 }
 
 template <class System>

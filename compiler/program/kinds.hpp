@@ -1,5 +1,5 @@
 #pragma once
-// Kinds of values that passes tell apart. Inside the passes room.
+// Kinds of values, and those that the result needs.
 
 #include "compiler/program/program.hpp"
 

@@ -1,0 +1,30 @@
+#pragma once
+// A program in which some values take another form.
+
+#include <span>
+#include <vector>
+
+#include "compiler/program/program.hpp"
+
+namespace mbgen {
+
+/// rewrite(builder, v, renamed) appends another form of value v of `program`, or gives kNoValue for a copy. renamed:
+/// new value of each older one. The new value keeps section, owner and label.
+template <class Rewrite>
+Program rewritten(const Program& program, const Rewrite& rewrite) {
+  ProgramBuilder builder = ProgramBuilder::like(program);
+  std::vector<ValueId> renamed;
+  renamed.reserve(program.nodes.size());
+  for (ValueId v = 0; v < program.nodes.size(); ++v) {
+    const Node& node = program.nodes[v];
+    builder.set_origin(node);
+    const ValueId value = rewrite(builder, v, std::span<const ValueId>(renamed));
+    if (value != kNoValue && node.label >= 0)
+      builder.label(value, program.labels[static_cast<std::size_t>(node.label)]);
+    renamed.push_back(value != kNoValue ? value : builder.copy(program, node, renamed));
+  }
+  for (const auto& [slot, value] : program.outputs) builder.output(slot.group, slot.index, renamed[value]);
+  return builder.finish();
+}
+
+}  // namespace mbgen
