@@ -66,13 +66,10 @@ std::vector<Row> rows_of(ClosureKind kind, const detail::Triad& triad) {
       rows.push_back({"right angle between the two axes", ResidualUnit::one});
       return rows;
     case ClosureKind::prismatic:
-      rows = across();
-      add_tilts("axis tilt", triad, rows);
-      add_twist(triad, rows);
-      return rows;
     case ClosureKind::cylindrical:
       rows = across();
       add_tilts("axis tilt", triad, rows);
+      if (kind == ClosureKind::prismatic) add_twist(triad, rows);
       return rows;
     case ClosureKind::planar:
       rows = {{fmt::format("position along the normal {}", direction_text(triad.axis))}};

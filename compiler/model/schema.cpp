@@ -62,20 +62,18 @@ Json shared_definitions() {
 
 /// Allowed values of a field, without its description.
 Json shape_of(const FieldInfo& info) {
-  const Json number = reference(info.angle ? "angle" : "quantity");
   switch (info.shape) {
     case Shape::boolean:
-      return {{"type", "boolean"}};
     case Shape::text:
     case Shape::coordinate:
     case Shape::reference:
-      return {{"type", "string"}};
+      return {{"type", info.shape == Shape::boolean ? "boolean" : "string"}};
     case Shape::word:
       return {{"enum", info.words}};
     case Shape::number:
     case Shape::quantity:
     case Shape::force:
-      return number;
+      return reference(info.angle ? "angle" : "quantity");
     case Shape::vector:
     case Shape::quantity_vector:
     case Shape::position:
@@ -107,9 +105,9 @@ Json shape_of(const FieldInfo& info) {
       return map_of(reference(info.shape == Shape::points ? "vector" : "position"));
     case Shape::parameters:
     case Shape::values:
-      return map_of(either(reference("angle"), reference(info.of)));
     case Shape::overrides:
-      return map_of(reference("angle"));
+      return map_of(info.shape == Shape::overrides ? reference("angle")
+                                                   : either(reference("angle"), reference(info.of)));
     case Shape::names:
       return map_of({{"type", "string"}});
     case Shape::rotations:

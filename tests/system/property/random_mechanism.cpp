@@ -11,14 +11,6 @@
 namespace mbgen::testing {
 namespace {
 
-/// A direction across another.
-Point across(const Point& axis) {
-  Point result = std::abs(axis[0]) < 0.6 ? Point{0, -axis[2], axis[1]} : Point{-axis[1], axis[0], 0};
-  const double length = std::hypot(result[0], result[1], result[2]);
-  for (double& component : result) component /= length;
-  return result;
-}
-
 std::string any_type(Dice& dice) {
   static constexpr const char* kTypes[] = {"revolute",  "revolute",    "prismatic", "universal",
                                            "spherical", "cylindrical", "planar",    "fixed"};
@@ -64,8 +56,6 @@ void close_by_equations(Workshop& shop) {
     if (tries > 0 && dice.chance(0.5)) return;
   }
 }
-
-bool rolls(const std::string& type) { return type == "rolling_disc" || type == "rolling_ball" || type == "knife_edge"; }
 
 /// A free body with a tail on one or two contacts; at least two freedoms are left.
 void add_rolling(Workshop& shop) {
@@ -326,94 +316,6 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
   }
   if (shop.size() > 1 && dice.chance(0.5)) shop.add_spring(0, shop.size() - 1);
   return std::move(shop).made();
-}
-
-namespace {
-
-/// Axes as the joint's type wants them.
-void add_axes(const RandomJoint& joint, nlohmann::ordered_json& entry) {
-  static constexpr const char* kWithoutAxis[] = {"spherical", "free", "fixed", "orientation"};
-  if (std::ranges::find(kWithoutAxis, joint.type) == std::end(kWithoutAxis)) entry["axis"] = joint.axis;
-  if (joint.type == "universal") entry["axis2"] = across(joint.axis);
-  if (joint.type == "rolling_disc" || joint.type == "knife_edge")
-    entry["axis2"] = plus(across(joint.axis), times(0.3, joint.axis));
-  if (joint.type == "homokinetic") entry["axis2"] = plus(joint.axis, times(0.4, across(joint.axis)));
-}
-
-/// Of an actuator: at zero that of the reference.
-std::string length_over_time(const RandomLink& link) {
-  const Point way = plus(link.end, times(-1, link.start));
-  char text[80];
-  std::snprintf(text, sizeof text, "%.17g + %.17g*sin(3*t)", std::hypot(way[0], way[1], way[2]), link.stroke);
-  return text;
-}
-
-}  // namespace
-
-bool is_driven(const RandomMechanism& mechanism) {
-  return std::ranges::any_of(mechanism.links, [](const RandomLink& link) { return link.stroke > 0; });
-}
-
-std::string model_text(const RandomMechanism& mechanism) {
-  using Json = nlohmann::ordered_json;
-  Json model{{"mbgen", 1}, {"name", "random"}, {"gravity", mechanism.gravity}};
-  Json ground = Json::object();
-  std::vector<Json> points(mechanism.bodies.size() + 1, Json::object());
-  const auto name_of = [&](int body) {
-    return body == kOnGround ? std::string("ground") : mechanism.bodies[body].name;
-  };
-  const auto place = [&](const std::string& owner, const char* end, int body, const Point& at) {
-    points[body + 1][owner + end] = at;
-    return name_of(body) + "." + owner + end;
-  };
-  Json joints = Json::object(), rods = Json::object(), springs = Json::object();
-  for (const RandomJoint& joint : mechanism.joints) {
-    // A point on a line begins somewhere on it, a disc or ball stands on its plane.
-    const Point shift = joint.type == "point_on_line" || rolls(joint.type) ? times(0.3, joint.axis) : Point{};
-    Json entry{{"type", joint.type},
-               {"from", place(joint.name, "_from", joint.from, joint.at)},
-               {"to", place(joint.name, "_to", joint.to, plus(joint.at, shift))}};
-    add_axes(joint, entry);
-    if (joint.cut) entry["cut"] = true;
-    joints[joint.name] = entry;
-  }
-  for (const RandomLink& link : mechanism.links) {
-    Json entry{{"from", place(link.name, "_from", link.from, link.start)},
-               {"to", place(link.name, "_to", link.to, link.end)}};
-    if (link.stiffness > 0) {
-      entry["stiffness"] = link.stiffness;
-      entry["free_length"] = kFreeLength;
-      springs[link.name] = entry;
-    } else {
-      if (link.mass > 0) entry["mass"] = link.mass;
-      if (link.stroke > 0) entry["length"] = length_over_time(link);
-      rods[link.name] = entry;
-    }
-  }
-  Json bodies{{"ground", {{"points", points[0]}}}};
-  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const RandomBody& body = mechanism.bodies[b];
-    Json entry = Json::object();
-    if (body.mass > 0) entry = {{"mass", body.mass}, {"com", body.com}, {"inertia", body.inertia}};
-    Json named = points[b + 1];
-    named["com"] = body.com;
-    entry["points"] = named;
-    bodies[body.name] = entry;
-  }
-  model["bodies"] = bodies;
-  if (!joints.empty()) model["joints"] = joints;
-  if (!rods.empty()) model["rods"] = rods;
-  if (!springs.empty()) model["springs"] = springs;
-  for (const RandomRelation& relation : mechanism.relations)
-    model["couplings"][relation.name] = {{"relation", relation.text}};
-  Json outputs = Json::object();
-  for (const RandomBody& body : mechanism.bodies)
-    for (const char* letter : {"x", "y", "z"})
-      outputs[body.name + "_v" + letter] = {{"point", body.name + ".com"}, {"quantity", "velocity"}, {"axis", letter}};
-  for (const RandomLink& link : mechanism.links)
-    if (link.stiffness > 0) outputs[link.name + "_length"] = {{"spring", link.name}, {"quantity", "length"}};
-  if (!outputs.empty()) model["outputs"] = outputs;
-  return model.dump(2) + "\n";
 }
 
 }  // namespace mbgen::testing

@@ -2,6 +2,7 @@
 // Random mechanisms as values: made from a seed, transformed, shrunk and written as model files.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -19,6 +20,18 @@ inline Point plus(Point a, const Point& b) {
 inline Point times(double factor, Point a) {
   for (double& component : a) component *= factor;
   return a;
+}
+
+/// A direction across another.
+inline Point across(const Point& axis) {
+  Point result = std::abs(axis[0]) < 0.6 ? Point{0, -axis[2], axis[1]} : Point{-axis[1], axis[0], 0};
+  const double length = std::hypot(result[0], result[1], result[2]);
+  for (double& component : result) component /= length;
+  return result;
+}
+
+inline bool rolls(const std::string& type) {
+  return type == "rolling_disc" || type == "rolling_ball" || type == "knife_edge";
 }
 
 constexpr int kOnGround = -1;
