@@ -10,7 +10,8 @@ namespace mbgen::search_numbers {
 // What counts as zero, and as equal.
 constexpr double kStructuralZero = 1e-12;  ///< entries of rows scaled to largest entry 1: far above rounding, far below
                                            ///< any number that people type
-constexpr double kStillShare = 1e-10;      ///< Rz in rad or m: rounding grows by the condition of what was solved
+constexpr double kStillShare = 1e-7;       ///< Rz in rad or m: samples are closed to 1e-11, which grows by the
+                                           ///< condition of what was solved
 constexpr double kTie = 1e-9;              ///< values nearer than this are equal: the first is taken, so that every
                                            ///< compiler takes the same
 
@@ -18,10 +19,10 @@ constexpr double kTie = 1e-9;              ///< values nearer than this are equa
 constexpr double kFullRankShare = 1e-4;  ///< of the largest singular value: a sample whose weakest one is below is next
                                          ///< to a singular position and says nothing about others
 constexpr double kWorstQuantile = 0.2;   ///< of the samples: a partition may be bad in a fifth of them, where the
-                                        ///< monitor takes another one
-constexpr double kReferenceWeight = 5;  ///< motions start at the reference: where the condition there is below 1 / 5,
-                                        ///< the score falls in proportion
-constexpr double kScoreShare = 0.4;     ///< of the best score: below it a partition is not taken for its estimate
+                                         ///< monitor takes another one
+constexpr double kReferenceWeight = 5;   ///< motions start at the reference: where the condition there is below 1 / 5,
+                                         ///< the score falls in proportion
+constexpr double kScoreShare = 0.4;      ///< of the best score: below it a partition is not taken for its estimate
 constexpr double kListShare = 0.35;  ///< of the best score: below it none is counted; a little less than kScoreShare,
                                      ///< for a count is surer than an estimate
 

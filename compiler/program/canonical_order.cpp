@@ -114,19 +114,21 @@ std::vector<ValueId> depth_first(const Program& program, std::span<const ValueId
   return order;
 }
 
-/// Named constants in the order of their first use: compilers name several in one expression in orders of their own.
+/// Named constants in the order in which operations take them first: compilers name several in one expression in orders
+/// of their own.
 void order_constants(Program& program) {
   std::vector<NamedConstant> constants;
   std::vector<std::int32_t> place(program.constants.size(), -1);
-  for (Node& node : program.nodes) {
-    if (node.op != Op::constant || node.label < 0) continue;
-    const auto before = static_cast<std::size_t>(node.label);
-    if (place[before] < 0) {
-      place[before] = static_cast<std::int32_t>(constants.size());
-      constants.push_back(program.constants[before]);
-    }
-    node.label = place[before];
-  }
+  const auto meet = [&](const Node& node) {
+    if (node.op != Op::constant || node.label < 0 || place[static_cast<std::size_t>(node.label)] >= 0) return;
+    place[static_cast<std::size_t>(node.label)] = static_cast<std::int32_t>(constants.size());
+    constants.push_back(program.constants[static_cast<std::size_t>(node.label)]);
+  };
+  for (const Node& node : program.nodes)
+    for (int k = 0; k < arity(node.op); ++k) meet(program.nodes[node.operands[k]]);
+  for (const Node& node : program.nodes) meet(node);
+  for (Node& node : program.nodes)
+    if (node.op == Op::constant && node.label >= 0) node.label = place[static_cast<std::size_t>(node.label)];
   program.constants = std::move(constants);
 }
 
