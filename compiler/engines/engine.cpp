@@ -72,8 +72,7 @@ std::string pole_text(const Compilation& compilation, Status status) {
   if (status.code != Code::no_inertia) return "";
   const TreeBody& body = compilation.topology.bodies[status.index];
   const Joint& joint = compilation.model.joints[body.joint];
-  const bool is_ball = joint.type == JointType::spherical || joint.type == JointType::free;
-  if (!is_ball) return "";
+  if (!is_ball(joint.type)) return "";
   const std::string pole = fmt::format(", the angles of joint {} may be at their pole", joint.name);
   for (const RealPole& real : real_poles(compilation.model, compilation.topology))
     if (real.joint == body.joint)

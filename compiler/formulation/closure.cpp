@@ -39,9 +39,7 @@ Triad bent(const Triad& t, const Vector3& axis) {
 
 Triad triad_on_to(const Joint& joint) {
   if (joint.type == JointType::homokinetic) return bent(triad(joint.axis), joint.second_axis);
-  const bool has_second = joint.type == JointType::universal || joint.type == JointType::rolling_disc ||
-                          joint.type == JointType::knife_edge;
-  return triad(has_second ? joint.second_axis : joint.axis);
+  return triad(has_second_axis(joint.type) ? joint.second_axis : joint.axis);
 }
 
 }  // namespace detail

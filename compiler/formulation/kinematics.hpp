@@ -24,11 +24,8 @@ struct System {
   bool revolute(int i) const { return topology.bodies[i].kind == FreedomKind::revolute; }
   const T& z(int i) const { return environment.z[i]; }
   const T& zd(int i) const { return environment.zd[i]; }
-  /// Chart of the ball that starts with joint i, null where none does or all are in the chart of the model.
-  const T* chart(int i) const {
-    const int ball = environment.charts.empty() ? -1 : ball_from(topology, i);
-    return ball < 0 ? nullptr : &environment.charts[ball];
-  }
+  /// The ball that starts with joint i, -1 where none does or all are in the chart of the model.
+  int ball(int i) const { return environment.charts.empty() ? -1 : ball_from(topology, i); }
   /// The body whose motion body i adds to, seen in i's base frame: is it the base itself?
   bool on_base(int i) const { return topology.bodies[i].parent == layout.bodies[i].base; }
 };
@@ -72,11 +69,11 @@ Spatial<T> joint_column(bool revolute, const Vector<T>& axis, const Vector<T>& p
 /// Axes of the body before a ball, in chart 1 those that it starts from there: turned by a quarter about its second
 /// axis. back: the axes are seen from the other side of the ball, as rows of what the quarter turns.
 template <class T>
-Matrix<T> before_ball(const System<T>& system, const T& chart, int first, const Matrix<T>& axes, bool back = false) {
-  const Ball& ball = system.topology.balls[ball_from(system.topology, first)];
-  const Matrix<T> quarter = quarter_turn<T>(system.topology.bodies[ball.coordinate[1]].axis);
+Matrix<T> before_ball(const System<T>& system, int ball, const Matrix<T>& axes, bool back = false) {
+  const int second = system.topology.balls[ball].coordinate[1];
+  const Matrix<T> quarter = quarter_turn<T>(system.topology.bodies[second].axis);
   const Matrix<T> other = axes * (back ? transpose(quarter) : quarter);
-  const T is_other = chart - T(0.5);
+  const T is_other = system.environment.charts[ball] - T(0.5);
   using mbgen::select;
   const auto chosen = [&](const Vector<T>& a, const Vector<T>& b) {
     return Vector<T>{select(is_other, a.x, b.x), select(is_other, a.y, b.y), select(is_other, a.z, b.z)};
@@ -98,9 +95,9 @@ Turn<T> turn_of(const System<T>& system, const Kinematics<T>& k, const std::vect
   const TreeBody& body = system.topology.bodies[i];
   const Turn<T> below = system.on_base(i) ? Turn<T>{} : turns[body.parent];
   if (!system.revolute(i)) return below;
-  if (const T* chart = system.chart(i)) {
+  if (const int ball = system.ball(i); ball >= 0) {
     const Matrix<T> axes = system.on_base(i) ? identity<T>() : k.orientation[body.parent];
-    return {before_ball(system, *chart, i, axes), body.axis, system.z(i)};
+    return {before_ball(system, ball, axes), body.axis, system.z(i)};
   }
   const Vector3 opposite{-body.axis[0], -body.axis[1], -body.axis[2]};
   if (below.axis == body.axis) return {below.before, below.axis, below.angle + system.z(i)};
@@ -147,7 +144,7 @@ void own_chain(const System<T>& system, Kinematics<T>& k, int end) {
     k.column[i] = joint_column(system.revolute(i), k.axis[i], place);
     if (system.revolute(i)) {
       axes = axes * transpose(rotation(body.axis, system.z(i)));
-      if (const T* chart = system.chart(i)) axes = before_ball(system, *chart, i, axes, true);
+      if (const int ball = system.ball(i); ball >= 0) axes = before_ball(system, ball, axes, true);
     } else {
       place = place - system.z(i) * k.axis[i];
     }

@@ -62,6 +62,14 @@ enum class JointType {
 /// Types that are equations only: without coordinates, and never in the tree.
 constexpr bool closes_only(JointType type) { return type >= JointType::point_on_line; }
 
+/// Types that turn in every way: three angles of a sequence.
+constexpr bool is_ball(JointType type) { return type == JointType::spherical || type == JointType::free; }
+
+/// Types that need a second axis, on `to`; a homokinetic joint may have one.
+constexpr bool has_second_axis(JointType type) {
+  return type == JointType::universal || type == JointType::rolling_disc || type == JointType::knife_edge;
+}
+
 /// Types with equations of velocities alone (nonholonomic): rolling and blades.
 constexpr bool holds_velocities(JointType type) { return type >= JointType::rolling_disc; }
 

@@ -24,11 +24,6 @@ bool has_axis(JointType type) {
          holds_velocities(type);
 }
 
-/// Whether the type needs a second axis; a homokinetic joint may have one.
-bool has_second_axis(JointType type) {
-  return type == JointType::universal || type == JointType::rolling_disc || type == JointType::knife_edge;
-}
-
 bool has_radius(JointType type) { return type == JointType::rolling_disc || type == JointType::rolling_ball; }
 
 /// Whether the axis of `to` is the axis of `from` in all positions.
@@ -36,8 +31,6 @@ bool shares_axis(JointType type) {
   return type == JointType::revolute || type == JointType::prismatic || type == JointType::cylindrical ||
          type == JointType::planar || type == JointType::parallel_axes;
 }
-
-bool has_sequence(JointType type) { return type == JointType::spherical || type == JointType::free; }
 
 /// Index of the frame axis that a direction lies along, or -1 for a skew one.
 int letter_index(const Vector3& direction) {
@@ -148,7 +141,7 @@ bool check_fields(Reader& reader, const Value& value, const JointFields& joint) 
   if (joint.type != JointType::homokinetic) need("axis2", has_second_axis(joint.type));
   if (!has_radius(joint.type)) need("radius", false);
   if (!shares_axis(joint.type)) need("axis_to", false);
-  if (!has_sequence(joint.type)) need("sequence", false);
+  if (!is_ball(joint.type)) need("sequence", false);
   if (closes_only(joint.type) && joint.marked_cut == false) {
     report(reader, *find(value, "cut"),
            fmt::format("{} {} joint has no coordinates and always closes a loop", article, type), "leave out \"cut\"");
@@ -160,7 +153,7 @@ bool check_fields(Reader& reader, const Value& value, const JointFields& joint) 
 }
 
 bool check_sequence(Reader& reader, const Value& value, const JointFields& joint) {
-  if (!has_sequence(joint.type)) return true;
+  if (!is_ball(joint.type)) return true;
   std::string sorted = joint.sequence;
   std::sort(sorted.begin(), sorted.end());
   if (sorted == kLetters) return true;

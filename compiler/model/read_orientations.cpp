@@ -22,7 +22,7 @@ struct Turns {
 Turns turns_of(const Model& model, int joint) {
   Turns turns;
   const Joint& of = model.joints[static_cast<std::size_t>(joint)];
-  if (of.type != JointType::spherical && of.type != JointType::free) return turns;
+  if (!is_ball(of.type)) return turns;
   const Matrix3 to_body = transposed(model.bodies[static_cast<std::size_t>(of.from.body)].pose.rotation);
   for (std::size_t k = 0; k < of.freedoms.size(); ++k) {
     if (of.freedoms[k].kind != FreedomKind::revolute) continue;

@@ -14,8 +14,6 @@ double triple_product(const Vector3& a, const Vector3& b, const Vector3& c) {
   return c[0] * (a[1] * b[2] - a[2] * b[1]) + c[1] * (a[2] * b[0] - a[0] * b[2]) + c[2] * (a[0] * b[1] - a[1] * b[0]);
 }
 
-bool is_ball_joint(const Joint& joint) { return joint.type == JointType::spherical || joint.type == JointType::free; }
-
 /// The turns of a tree joint from its first one, which is `first`; empty where another number of them follow it.
 std::vector<int> turns_from(const Topology& topology, int first) {
   std::vector<int> turns;
@@ -41,7 +39,7 @@ std::vector<Ball> find_balls(const Model& model, const Topology& topology) {
     const TreeBody& body = topology.bodies[i];
     const bool is_first = body.kind == FreedomKind::revolute && (i == 0 || topology.bodies[i - 1].joint != body.joint ||
                                                                  topology.bodies[i - 1].kind != FreedomKind::revolute);
-    if (!is_first || !is_ball_joint(model.joints[body.joint])) continue;
+    if (!is_first || !is_ball(model.joints[body.joint].type)) continue;
     const std::vector<int> turns = turns_from(topology, i);
     if (turns.size() != 3 || std::any_of(turns.begin(), turns.end(), in_a_law)) continue;
     const double hand = triple_product(body.axis, topology.bodies[turns[1]].axis, topology.bodies[turns[2]].axis);
@@ -58,7 +56,7 @@ std::vector<RealPole> real_poles(const Model& model, const Topology& topology) {
     const int joint = use.coordinate.joint;
     const bool is_named =
         std::any_of(poles.begin(), poles.end(), [joint](const RealPole& pole) { return pole.joint == joint; });
-    if (is_ball_joint(model.joints[joint]) && !is_named)
+    if (is_ball(model.joints[joint].type) && !is_named)
       poles.push_back({joint, topology.bodies[i].coordinate, use.user});
   }
   return poles;

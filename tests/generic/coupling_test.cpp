@@ -12,17 +12,10 @@ namespace {
 using namespace mbgen::testing;
 
 /// A mechanism in a state that its couplings hold, with what acts there.
-class Coupled {
+class Coupled : public MechanismInState {
  public:
-  explicit Coupled(const std::string& model)
-      : m_(mechanism_of(model)), solver_(m_.model, m_.topology, m_.analysis), state_(reference_state(m_)) {
-    tau_.assign(state_.z.size(), 0.0);
-  }
+  explicit Coupled(const std::string& model) : MechanismInState(mechanism_of(model)), tau_(state_.z.size(), 0.0) {}
 
-  void set(const std::string& name, double position, double velocity) {
-    state_.z[index(name)] = position;
-    state_.zd[index(name)] = velocity;
-  }
   void push(const std::string& name, double force) { tau_[index(name)] = force; }
 
   /// Closes the couplings and solves the equations of motion, which a Cartesian judge solves, too.
@@ -37,24 +30,10 @@ class Coupled {
       EXPECT_NEAR(other.zdd[i], derivative_.zdd[i], 1e-10 * (1 + std::abs(derivative_.zdd[i])));
   }
 
-  double z(const std::string& name) const { return state_.z[index(name)]; }
-  double zd(const std::string& name) const { return state_.zd[index(name)]; }
-  double zdd(const std::string& name) const { return derivative_.zdd[index(name)]; }
   double output(std::size_t i) const { return outputs_.y[i]; }
   const GenericOutputs& outputs() const { return outputs_; }
-  const Analysis& analysis() const { return m_.analysis; }
-  const GenericSolver& solver() const { return solver_; }
-  GenericState& state() { return state_; }
 
  private:
-  std::size_t index(const std::string& name) const {
-    return static_cast<std::size_t>(find_coordinate(m_.topology, name));
-  }
-
-  Mechanism m_;
-  GenericSolver solver_;
-  GenericState state_;
-  GenericDerivative derivative_;
   GenericOutputs outputs_;
   std::vector<double> tau_;
 };

@@ -14,16 +14,10 @@ namespace {
 using namespace mbgen::testing;
 
 /// A mechanism in motion by the generic runtime.
-class Rolling {
+class Rolling : public MechanismInState {
  public:
-  explicit Rolling(Mechanism m) : m_(std::move(m)), solver_(m_.model, m_.topology, m_.analysis) {
-    state_ = reference_state(m_);
-  }
+  using MechanismInState::MechanismInState;
 
-  void set(const std::string& name, double position, double velocity) {
-    state_.z[index(name)] = position;
-    state_.zd[index(name)] = velocity;
-  }
   void project() { ASSERT_TRUE(solver_.project(state_).ok()); }
 
   /// Solves the equations of motion, which two Cartesian judges solve, too.
@@ -45,9 +39,6 @@ class Rolling {
       ASSERT_TRUE(step_rk4(dynamics, state_, step).ok()) << state_.t;
   }
 
-  double z(const std::string& name) const { return state_.z[index(name)]; }
-  double zd(const std::string& name) const { return state_.zd[index(name)]; }
-  double zdd(const std::string& name) const { return derivative_.zdd[index(name)]; }
   double lambda(std::size_t row) const { return lambda_[row]; }
   double energy() {
     const std::vector<double> no_tau(state_.z.size(), 0.0);
@@ -55,20 +46,9 @@ class Rolling {
     const GenericOutputs outputs = solver_.outputs(state_, no_tau, derivative_);
     return outputs.kinetic_energy + outputs.potential_energy;
   }
-  const Analysis& analysis() const { return m_.analysis; }
-  const GenericSolver& solver() const { return solver_; }
-  GenericState& state() { return state_; }
   int coordinate(const std::string& name) const { return static_cast<int>(index(name)); }
 
  private:
-  std::size_t index(const std::string& name) const {
-    return static_cast<std::size_t>(find_coordinate(m_.topology, name));
-  }
-
-  Mechanism m_;
-  GenericSolver solver_;
-  GenericState state_;
-  GenericDerivative derivative_;
   std::vector<double> lambda_;
 };
 

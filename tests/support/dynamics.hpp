@@ -3,6 +3,7 @@
 
 #include "mbgen/integrators.hpp"
 #include "runtime/generic/generic.hpp"
+#include "tests/support/mechanism_support.hpp"
 
 namespace mbgen::testing {
 
@@ -14,6 +15,34 @@ struct Dynamics {
   Status derivative(const State& state, Derivative& rates) const noexcept { return solver.solve_motion(state, rates); }
   Status project(State& state) const noexcept { return solver.project_motion(state); }
   Status project_nearest(State& state) const noexcept { return solver.project_nearest(state); }
+};
+
+/// A mechanism in a state of its own, at first that of its reference, and the generic runtime that moves it.
+class MechanismInState {
+ public:
+  explicit MechanismInState(Mechanism m)
+      : m_(std::move(m)), solver_(m_.model, m_.topology, m_.analysis), state_(reference_state(m_)) {}
+
+  void set(const std::string& name, double position, double velocity) {
+    state_.z[index(name)] = position;
+    state_.zd[index(name)] = velocity;
+  }
+  double z(const std::string& name) const { return state_.z[index(name)]; }
+  double zd(const std::string& name) const { return state_.zd[index(name)]; }
+  double zdd(const std::string& name) const { return derivative_.zdd[index(name)]; }
+  const Analysis& analysis() const { return m_.analysis; }
+  const GenericSolver& solver() const { return solver_; }
+  GenericState& state() { return state_; }
+
+ protected:
+  std::size_t index(const std::string& name) const {
+    return static_cast<std::size_t>(find_coordinate(m_.topology, name));
+  }
+
+  Mechanism m_;
+  GenericSolver solver_;
+  GenericState state_;
+  GenericDerivative derivative_;
 };
 
 }  // namespace mbgen::testing

@@ -67,7 +67,7 @@ typename System::Mask arguments_are_finite(const ParametersOf<System>& parameter
 template <class System>
 typename System::Mask in_users_chart([[maybe_unused]] const typename System::State& state) noexcept {
   typename System::Mask good = every_lane<System>();
-  if constexpr (kBallCount < System >> 0) {
+  if constexpr (kChartsOf < typename System::State >> 0) {
     for (int b = 0; b < System::kBalls; ++b) good &= state.charts[b] <= 0.5;
   }
   return good;
@@ -77,7 +77,7 @@ typename System::Mask in_users_chart([[maybe_unused]] const typename System::Sta
 template <class System>
 typename System::Mask keeps_charts([[maybe_unused]] const typename System::State& state) noexcept {
   typename System::Mask good = in_users_chart<System>(state);
-  if constexpr (kBallCount < System >> 0) {
+  if constexpr (kChartsOf < typename System::State >> 0) {
     for (const Ball& ball : System::kBall) good &= mbgen::abs(state.z[ball.coordinate[1]]) < ball_detail::kFarFromPole;
   }
   return good;

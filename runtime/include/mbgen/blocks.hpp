@@ -57,22 +57,6 @@ inline constexpr bool kChoosesAgain = System::kBlocks > 0;
 template <class System>
 inline constexpr bool kChoosesAgain<System, std::void_t<decltype(System::kFrozenOnly)>> = !System::kFrozenOnly;
 
-/// Number of balls with charts.
-template <class System, class = void>
-inline constexpr int kBallCount = 0;
-template <class System>
-inline constexpr int kBallCount<System, std::void_t<decltype(System::kBalls)>> = System::kBalls;
-
-/// Whether a ball of a state is not in the angles of the model, which the frozen programs know alone.
-template <class System>
-bool in_other_chart([[maybe_unused]] const typename System::State& state) noexcept {
-  if constexpr (kBallCount < System >> 0) {
-    return any_other_chart(state.charts, System::kBalls);
-  } else {
-    return false;
-  }
-}
-
 /// Smallest pivot of a block, over its median in the analysed configurations, with which the frozen order is trusted.
 /// The analysis accepts ratios from 0.05; two digits of the answer are at stake here, where it is left. Accelerations
 /// lose with the square of the pivot, and floats have no two digits to spare.

@@ -183,21 +183,24 @@ void to_users_angles(const Ball* balls, int count, const Real* charts, Real* z, 
   }
 }
 
-/// Whether a ball is in its other chart.
-template <class Real>
-bool any_other_chart(const Real* charts, int count) noexcept {
-  for (int b = 0; b < count; ++b) {
-    if (charts[b] > Real(0.5)) return true;
-  }
-  return false;
-}
-
 /// Number of charts that states have.
 template <class State, class = void>
 inline constexpr int kChartsOf = 0;
 template <class State>
 inline constexpr int kChartsOf<State, std::void_t<decltype(State::charts)>> =
     static_cast<int>(std::extent_v<decltype(State::charts)>);
+
+/// Whether a ball of a state is not in the angles of the model.
+template <class State>
+bool in_other_chart([[maybe_unused]] const State& state) noexcept {
+  if constexpr (kChartsOf < State >> 0) {
+    using Real = std::remove_extent_t<decltype(State::charts)>;
+    for (const Real chart : state.charts) {
+      if (chart > Real(0.5)) return true;
+    }
+  }
+  return false;
+}
 
 /// Charts from and to numbers that follow each other; none of a state without.
 template <class State>

@@ -280,8 +280,8 @@ template <class System, Correction correction>
 Status close_loops(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                    typename System::State& trial) noexcept {
   const auto correct = [&](typename System::Closure& closure) {
-    if constexpr (kBallCount < System >> 0) {
-      if (in_other_chart<System>(trial)) {
+    if constexpr (kChartsOf < typename System::State >> 0) {
+      if (in_other_chart(trial)) {
         return correct_other_chart<System, correction>(parameters, inputs, trial, closure);
       }
     }

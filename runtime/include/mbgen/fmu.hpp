@@ -100,7 +100,7 @@ bool asks_for_solution(const Run<Model>& run, Place place) noexcept {
 /// Position (order 0), velocity or acceleration of a coordinate as the model counts it. state: of a run, or solved.
 template <class Model>
 double motion_of(const Core<Model>& core, const typename Model::State& state, int order, int coordinate) noexcept {
-  if (in_other_chart<Model>(state)) {
+  if (in_other_chart(state)) {
     typename Model::State users = state;
     typename Model::Derivative derivative = core.derivative;
     take_users_angles<Model>(users, derivative);

@@ -138,7 +138,7 @@ Answer directional_derivative(Core<Model>& core, const unsigned* unknowns, unsig
   core.refusal.reason = "a loop has, or needs, other independent coordinates than at the start";
   if (!is_frozen_choice(core.run.choice) || !solve(core)) return Answer::discard;
   core.refusal.reason = "a ball joint is near the pole of its angles: no derivative by them there";
-  if (in_other_chart<Model>(core.solved)) return Answer::discard;
+  if (in_other_chart(core.solved)) return Answer::discard;
   typename Model::AccelerationsAlong rates;
   typename Model::OutputsAlong outputs;
   const Answer answer = complete(core, direction, rates, outputs);

@@ -58,19 +58,12 @@ struct Choice {
 template <class Model>
 inline constexpr bool kHasCharts = kChartsOf<typename Model::State> > 0;
 
-/// Whether a ball of a state is in its other chart.
-template <class Model>
-bool in_other_chart([[maybe_unused]] const typename Model::State& state) noexcept {
-  if constexpr (kHasCharts<Model>) return any_other_chart(state.charts, kChartsOf<typename Model::State>);
-  return false;
-}
-
 /// The state in the angles of the model, with the accelerations that go with it.
 template <class Model>
 void take_users_angles([[maybe_unused]] typename Model::State& state,
                        [[maybe_unused]] typename Model::Derivative& derivative) noexcept {
   if constexpr (kHasCharts<Model>) {
-    if (in_other_chart<Model>(state)) state = Model::in_users_angles(state, derivative);
+    if (in_other_chart(state)) state = Model::in_users_angles(state, derivative);
   }
 }
 

@@ -2,7 +2,6 @@
 // Accelerations and constraint forces of a generated solver: the frozen program where the pivot monitors are good, the
 // pivoting factorisation where one trips. `System` is described in blocks.hpp.
 
-#include <cstddef>
 #include <limits>
 
 #include "mbgen/blocks.hpp"
@@ -84,34 +83,30 @@ Status pivoted_accelerations(const typename System::Parameters& parameters, cons
   return delivered.ok() ? notice : delivered;
 }
 
+/// The same of a program for a known partition, when all its inertias are positive.
+template <class System, class Values>
+Status deliver_sound(const Values& values, typename System::Derivative& derivative) noexcept {
+  for (int k = 0; k < System::kFreeDirections; ++k) {
+    if (!(values.inertia[k] > 0)) return {Code::no_inertia, System::kFreeDirection[k].coordinate};
+  }
+  return deliver<System>(values, derivative);
+}
+
 /// Accelerations of a state with a ball in its other chart, by the program that takes charts; the status may be a
-/// notice. pivot: of the frozen partition, per block, which nobody looks at here: set to 1.
+/// notice. values: of the frozen program, whose pivots nobody looks at here: set to 1.
 template <class System>
 Status other_chart_accelerations(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                                  const typename System::State& state, const RealOf<System>* tau,
-                                 [[maybe_unused]] RealOf<System>* pivot,
+                                 [[maybe_unused]] typename System::Accelerations& values,
                                  typename System::Derivative& derivative) noexcept {
   if constexpr (System::kBlocks > 0) {
-    for (int b = 0; b < System::kBlocks; ++b) pivot[b] = 1;
-    return pivoted_accelerations<System>(parameters, inputs, state, tau, pivot, derivative);
+    for (int b = 0; b < System::kBlocks; ++b) values.pivot[b] = 1;
+    return pivoted_accelerations<System>(parameters, inputs, state, tau, values.pivot, derivative);
   } else {
-    typename System::ChosenAccelerations values;
-    System::chosen_accelerations(parameters, inputs, state, tau, values);
-    for (int k = 0; k < System::kFreeDirections; ++k) {
-      if (!(values.inertia[k] > 0)) return {Code::no_inertia, System::kFreeDirection[k].coordinate};
-    }
-    return deliver<System>(values, derivative);
+    typename System::ChosenAccelerations chosen;
+    System::chosen_accelerations(parameters, inputs, state, tau, chosen);
+    return deliver_sound<System>(chosen, derivative);
   }
-}
-
-/// Pivots of a program's result, null where it has none.
-template <class Values>
-auto pivots_of(Values& values, int) noexcept -> decltype(&values.pivot[0]) {
-  return values.pivot;
-}
-template <class Values>
-std::nullptr_t pivots_of(Values&, long) noexcept {
-  return nullptr;
 }
 
 /// Factors of block b for its multipliers: of redundant equations those left out of the frozen path get none, unless
@@ -171,9 +166,9 @@ Status evaluate(const typename System::Parameters& parameters, const typename Sy
                 typename System::Derivative& derivative) noexcept {
   const Status status = check_arguments<System>(parameters, inputs, state, tau);
   if (!status.ok()) return status;
-  if constexpr (kBallCount < System >> 0) {
-    if (in_other_chart<System>(state)) {
-      return other_chart_accelerations<System>(parameters, inputs, state, tau, pivots_of(values, 0), derivative);
+  if constexpr (kChartsOf < typename System::State >> 0) {
+    if (in_other_chart(state)) {
+      return other_chart_accelerations<System>(parameters, inputs, state, tau, values, derivative);
     }
   }
   System::accelerations(parameters, inputs, state, tau, values);
@@ -186,10 +181,7 @@ Status evaluate(const typename System::Parameters& parameters, const typename Sy
       return pivoted_accelerations<System>(parameters, inputs, state, tau, values.pivot, derivative);
     }
   }
-  for (int k = 0; k < System::kFreeDirections; ++k) {
-    if (!(values.inertia[k] > 0)) return {Code::no_inertia, System::kFreeDirection[k].coordinate};
-  }
-  return deliver<System>(values, derivative);
+  return deliver_sound<System>(values, derivative);
 }
 
 }  // namespace solver_detail
