@@ -142,11 +142,26 @@ ValueId ProgramBuilder::share_or_push(const Node& node) {
   const std::uint64_t hash = hash_of(node);
   const auto [begin, end] = shared_.equal_range(hash);
   for (auto candidate = begin; candidate != end; ++candidate) {
-    if (computes_same(program_.nodes[candidate->second], node)) return candidate->second;
+    if (!computes_same(program_.nodes[candidate->second], node)) continue;
+    const bool in_this_statement = moments_[candidate->second] == moment_;
+    if (in_this_statement && !std::ranges::equal(program_.nodes[candidate->second].operands, node.operands))
+      repeats_.push_back({candidate->second, node});
+    return candidate->second;
   }
   const ValueId value = push(node);
   shared_.emplace(hash, value);
   return value;
+}
+
+/// Of constants that are the same number the named one that comes first in the alphabet becomes the operand.
+static void take_first_names(const Node& again, Node& node, const Program& program) {
+  const auto name = [&](ValueId constant) {
+    const std::int32_t label = program.nodes[constant].label;
+    return std::pair(label < 0, label < 0 ? "" : program.constants[static_cast<std::size_t>(label)].name);
+  };
+  for (int k = 0; k < arity(node.op); ++k)
+    if (node.operands[k] != again.operands[k] && name(again.operands[k]) < name(node.operands[k]))
+      node.operands[k] = again.operands[k];
 }
 
 ValueId ProgramBuilder::push(const Node& node) {
@@ -211,7 +226,10 @@ Program ProgramBuilder::finish() {
 
 Program ProgramBuilder::finish_in_canonical_order() {
   const std::vector<std::uint32_t> moments = std::move(moments_);
-  return verified(in_canonical_order(finish(), moments));
+  const std::vector<std::pair<ValueId, Node>> repeats = std::move(repeats_);
+  Program program = finish();
+  for (const auto& [value, again] : repeats) take_first_names(again, program.nodes[value], program);
+  return verified(in_canonical_order(program, moments));
 }
 
 }  // namespace mbgen

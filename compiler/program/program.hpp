@@ -154,6 +154,9 @@ class ProgramBuilder {
   std::map<Slot, std::size_t> input_index_;
   std::vector<ValueId> input_value_;                        ///< per input, kNoValue before its first use
   std::unordered_multimap<std::uint64_t, ValueId> shared_;  ///< values by hash
+  /// Operations that their statement has made already, with constants of other names: compilers evaluate the operands
+  /// of an expression in orders of their own, so which of two is the first tells nothing.
+  std::vector<std::pair<ValueId, Node>> repeats_;
   std::set<Section> known_sections_;
   Section section_;
   Owner owner_;

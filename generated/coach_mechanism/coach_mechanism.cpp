@@ -11593,14 +11593,14 @@ struct OutputsWork3 {
   const double s9_204 = fma(p_diag_rod_left_from_x, w1.w_chassis_z, s9_38);
   const double s9_205 = fma(w1.w_rear_axle_z, s7_81, s9_43);
   const double s9_206 = fma(p_long_rod_left_from_y, w1.w_chassis_z, s9_44);
-  const double s9_207 = fma(p_long_rod_left_from_z, w1.w_chassis_x, s9_46);
+  const double s9_207 = fnma(p_long_rod_left_from_y, w1.w_chassis_x, s9_46);
   const double s9_208 = s9_206*fnma(w1.w_rear_axle_z, s7_82, s9_45);
   const double s9_209 = fma(s9_207, fma(w1.w_rear_axle_x, s7_82, s9_47), s9_208);
-  const double s9_210 = fnma(p_long_rod_left_from_z, w1.w_chassis_x, s9_46);
+  const double s9_210 = fma(p_long_rod_left_from_y, w1.w_chassis_x, s9_46);
   const double s9_211 = fma(s9_210, fma(w1.w_rear_axle_x, s7_62, s9_58), s9_209);
   const double s9_212 = fnma(p_long_rod_left_from_y, w1.w_chassis_z, s9_44);
   const double s9_213 = fma(fnma(w1.w_rear_axle_z, s7_62, s9_59), s9_212, s9_211);
-  const double s9_214 = fnma(p_long_rod_left_from_z, w1.w_chassis_x, s9_42);
+  const double s9_214 = fma(p_long_rod_left_from_y, w1.w_chassis_x, s9_42);
   const double s9_215 = fma(w1.w_bell_crank_z, w2.s7_44, w1.v_bell_crank_y);
   const double s9_216 = fma(w1.w_bell_crank_z, w2.s7_43, w1.v_bell_crank_x);
   const double s9_217 = s9_215*fnma(w1.w_carrier_right_x, s7_50, s9_60);
