@@ -2,6 +2,7 @@
 
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/emit.hpp"
+#include "compiler/emit/law_text.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
@@ -42,8 +43,11 @@ EmittedFile emit_driver(const Model& model, int lanes) { return driver(model, la
 
 EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, const Topology& topology,
                                 const Analysis& analysis, int lanes) {
-  const ShapedProgram clocked = clocked_accelerations(EmitContext(programs, model, topology, analysis, {}));
-  return driver(model, lanes, program_text(*clocked.program, clocked.schedule, clocked.shape));
+  const EmitContext context(programs, model, topology, analysis, {});
+  const ShapedProgram clocked = clocked_accelerations(context);
+  return driver(model, lanes,
+                law_texts(context, clocked.shape.scalar, nullptr) +
+                    program_text(*clocked.program, clocked.schedule, clocked.shape));
 }
 
 }  // namespace mbgen

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "compiler/emit/law_text.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 
@@ -120,11 +121,12 @@ ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
     return shape;
   }
   for (const Array array : spec_of(row.role).outputs) {
-    if (array == (context.layout.chooses_again ? Array::rate : Array::Jz)) continue;
+    if (array == Array::law_argument || array == (context.layout.chooses_again ? Array::rate : Array::Jz)) continue;
     for (const auto& [member, comment] : kMembers)
       if (member == array) shape.members.push_back({name_of(array), size_of(context.layout, array), comment});
     add_array(shape.outputs, "result", array, context);
   }
+  if (row.role == Role::accelerations) add_laws(context, shape);
   return shape;
 }
 

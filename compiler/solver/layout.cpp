@@ -85,6 +85,8 @@ int size_of(const SolverLayout& layout, Array array) {
     case power:
       return 1;
     case derived:
+    case law_argument:
+    case law_result:
     case seed:
       break;
   }

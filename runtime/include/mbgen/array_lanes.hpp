@@ -22,7 +22,8 @@ constexpr int kLanes = kVectorBytes / static_cast<int>(sizeof(Real));
 
 template <int W, class Real = double>
 struct Vector {
-  using Lanes __attribute__((vector_size(8 * W))) = double;
+  /// One type with LaneTypes of lanes.hpp: templates do not tell the two apart.
+  typedef double Lanes __attribute__((vector_size(8 * W), may_alias));
   /// Lanes where doubles stand: as little aligned as they are.
   using InArray __attribute__((vector_size(8 * W), aligned(8), may_alias)) = double;
 };
