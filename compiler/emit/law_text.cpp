@@ -8,20 +8,6 @@
 namespace mbgen {
 namespace {
 
-LawShape law_shape(const EmitContext& context, std::size_t k) {
-  const std::string number = k > 0 ? std::to_string(k + 1) : "";
-  return {"tyres" + number, "Tyres" + number, "compute_tyres" + number, "kTyreLanes" + number,
-          static_cast<int>(context.programs.laws[k].tyres.size())};
-}
-
-/// The place of every element's number of every quantity.
-GroupPlace places_of_elements(const LawShape& law, const std::vector<std::string>& quantities) {
-  GroupPlace place{law.argument, {}};
-  for (const std::string& quantity : quantities)
-    for (const std::string& text : indexed(law.argument + "." + quantity, law.elements)) place.texts.push_back(text);
-  return place;
-}
-
 /// The place of a quantity's numbers of the element k and those beside it. before, after: around the name of the array.
 GroupPlace places_of_lanes(const LawShape& law, const std::vector<std::string>& quantities, const std::string& before,
                            const std::string& after) {
@@ -78,16 +64,6 @@ std::string law_text(const EmitContext& context, std::size_t k, const std::strin
 }
 
 }  // namespace
-
-void add_laws(const EmitContext& context, ProgramShape& shape) {
-  for (std::size_t k = 0; k < context.programs.laws.size(); ++k) {
-    const SharedLaw& shared = context.programs.laws[k];
-    const LawShape law = law_shape(context, k);
-    shape.outputs[of_block(Array::law_argument, k)] = places_of_elements(law, shared.arguments);
-    shape.inputs[of_block(Array::law_result, k)] = places_of_elements(law, shared.results);
-    shape.laws.push_back(law);
-  }
-}
 
 std::string law_texts(const EmitContext& context, const std::string& scalar, ConstantNames* constants) {
   std::string text;

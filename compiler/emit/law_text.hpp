@@ -8,9 +8,6 @@
 
 namespace mbgen {
 
-/// Names the shared laws in the shape of the program around them.
-void add_laws(const EmitContext& context, ProgramShape& shape);
-
 /// The text of every shared law, to stand before the program around them; empty where there is none. Doubles go in
 /// vectors, an element in each lane; other numbers element by element: floats, which have no functions of vectors, and
 /// vectors of a batch, whose lanes are instances. scalar: type of the program around them. constants: as those of a

@@ -233,7 +233,7 @@ class ProgramWriter {
   }
 
   void write_plain_group(const GroupPlace& place, const std::map<int, std::string>& texts, PartText& part) {
-    part.arguments.insert("result");
+    part.arguments.insert(place.argument);
     std::map<std::string, std::size_t> times;
     for (const auto& [index, text] : texts) ++times[text];
     const auto most = std::ranges::max_element(times, {}, [](const auto& entry) { return entry.second; });

@@ -4,7 +4,6 @@
 #include <tuple>
 #include <utility>
 
-#include "compiler/emit/law_text.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 
@@ -103,6 +102,25 @@ bool is_written(Role role, const EmitContext& context) {
   return role != Role::accelerations_chosen || ((!layout.blocks.empty() || layout.balls > 0) && layout.chooses_again);
 }
 
+/// The place of every element's number of every quantity.
+GroupPlace places_of_elements(const LawShape& law, const std::vector<std::string>& quantities) {
+  GroupPlace place{law.argument, {}};
+  for (const std::string& quantity : quantities)
+    for (const std::string& text : indexed(law.argument + "." + quantity, law.elements)) place.texts.push_back(text);
+  return place;
+}
+
+/// Names the shared laws in the shape of the program around them.
+void add_laws(const EmitContext& context, ProgramShape& shape) {
+  for (std::size_t k = 0; k < context.programs.laws.size(); ++k) {
+    const SharedLaw& shared = context.programs.laws[k];
+    const LawShape law = law_shape(context, k);
+    shape.outputs[of_block(Array::law_argument, k)] = places_of_elements(law, shared.arguments);
+    shape.inputs[of_block(Array::law_result, k)] = places_of_elements(law, shared.results);
+    shape.laws.push_back(law);
+  }
+}
+
 ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
   ProgramShape shape;
   shape.title = row.title;
@@ -151,6 +169,12 @@ ValueOrder order_of(Form form, const ShapedProgram& shaped) {
 }
 
 }  // namespace
+
+LawShape law_shape(const EmitContext& context, std::size_t k) {
+  const std::string number = k > 0 ? std::to_string(k + 1) : "";
+  return {"tyres" + number, "Tyres" + number, "compute_tyres" + number, "kTyreLanes" + number,
+          static_cast<int>(context.programs.laws[k].tyres.size())};
+}
 
 std::vector<std::string> indexed(const std::string& array, int size, int first) {
   Texts texts;

@@ -47,6 +47,9 @@ struct LawShape {
   int elements = 0;
 };
 
+/// The names of law k of the emitted programs.
+LawShape law_shape(const EmitContext& context, std::size_t k);
+
 /// Arguments of a function: name, declaration; in order.
 using Arguments = std::vector<std::pair<std::string, std::string>>;
 

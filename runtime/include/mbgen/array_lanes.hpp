@@ -22,8 +22,7 @@ constexpr int kLanes = kVectorBytes / static_cast<int>(sizeof(Real));
 
 template <int W, class Real = double>
 struct Vector {
-  /// One type with LaneTypes of lanes.hpp: templates do not tell the two apart.
-  typedef double Lanes __attribute__((vector_size(8 * W), may_alias));
+  using Lanes __attribute__((vector_size(8 * W))) = double;
   /// Lanes where doubles stand: as little aligned as they are.
   using InArray __attribute__((vector_size(8 * W), aligned(8), may_alias)) = double;
 };
