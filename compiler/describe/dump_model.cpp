@@ -98,6 +98,29 @@ class ModelText {
     return text;
   }
 
+  std::string bushings() const {
+    std::string text;
+    for (const Bushing& bushing : model_.bushings) {
+      text += fmt::format("  {}: bushing, from {} to {}, axes ({}){}\n", bushing.name, attachment(bushing.from),
+                          attachment(bushing.to), fmt::join(bushing.axes, ", "),
+                          bushing.is_mirrored ? ", counts mirrored" : "");
+      for (std::size_t i = 0; i < bushing.freedoms.size(); ++i) {
+        const std::optional<BushingFreedom>& own = bushing.freedoms[i];
+        if (!own) continue;
+        text += fmt::format("    {}: stiffness {}, damping {}, preload {}", kBushingFreedomNames[i],
+                            law(own->stiffness), law(own->damping), quantity(own->preload));
+        if (own->force) text += fmt::format(", force {{{}}}", model_.expressions[*own->force].text);
+        if (own->maxwell_stiffness)
+          text +=
+              fmt::format(", Maxwell branch {}, {} s", quantity(*own->maxwell_stiffness), quantity(own->maxwell_time));
+        text += '\n';
+      }
+      if (bushing.stiffness) text += fmt::format("    stiffness {}\n", quantities(*bushing.stiffness));
+      if (bushing.damping) text += fmt::format("    damping {}\n", quantities(*bushing.damping));
+    }
+    return text;
+  }
+
   std::string forces() const {
     std::string text = "forces\n";
     for (const AppliedForce& force : model_.forces) {
@@ -199,6 +222,11 @@ class ModelText {
     return fmt::format("{} of {} {}", quantities[static_cast<int>(output.what)], is_air ? "air spring" : "spring",
                        is_air ? model_.air_springs[output.air_spring].name : model_.springs[output.point_spring].name);
   }
+  std::string source(const BushingOutput& output) const {
+    const char* quantities[] = {"force", "moment", "deflection", "rotation vector"};
+    return fmt::format("{} of bushing {}, {}", quantities[static_cast<int>(output.what)],
+                       model_.bushings[output.bushing].name, "xyz"[output.axis]);
+  }
   std::string source(const DriveOutput& output) const {
     return "driving force of motion " + model_.motions[output.motion].name;
   }
@@ -239,7 +267,7 @@ std::string dump_model(const Model& model) {
   for (const Body& body : model.bodies) text += describe.body(body);
   text += "joints\n";
   for (const Joint& joint : model.joints) text += describe.joint(joint);
-  text += describe.rods_and_springs() + describe.forces() + "motions\n";
+  text += describe.rods_and_springs() + describe.bushings() + describe.forces() + "motions\n";
   for (const Motion& motion : model.motions) {
     text += fmt::format("  {}: {} = {}\n", motion.name, describe.coordinate(motion.joint),
                         describe.quantity(motion.position));

@@ -2,6 +2,7 @@
 // Applied forces (step 5): force elements of the model as wrenches on bodies, generalised forces on coordinates, and
 // the rates of the tyres' deflection states. The laws themselves are templates of the runtime's headers.
 
+#include "compiler/formulation/bushings.hpp"
 #include "compiler/formulation/force_work.hpp"
 #include "compiler/formulation/tyre_road.hpp"
 #include "mbgen/forces.hpp"
@@ -130,6 +131,7 @@ AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const
   detail::joint_elements(work);
   detail::body_forces(work);
   detail::tyres(work);
+  detail::bushings(work);
   return forces;
 }
 

@@ -17,6 +17,14 @@ struct ElementState {
   T length{0.0}, rate{0.0}, force{0.0};  ///< m, m/s, N (tension positive)
 };
 
+/// A bushing's deflection and what acts on its `to` body at the point of `to`, in its axes on `from`, counted as its
+/// freedoms are.
+template <class T>
+struct BushingState {
+  Vector<T> deflection, rotation;  ///< m, rad
+  Vector<T> force, moment;         ///< N, N m
+};
+
 /// One force element's force and moment on one body of the model, in the frame that carries the body.
 template <class T>
 struct Action {
@@ -33,6 +41,7 @@ struct AppliedForces {
   std::vector<T> xd;               ///< rates of the auxiliary states
   std::vector<ElementState<T>> springs, air_springs;
   std::vector<TyreResult<T>> tyres;
+  std::vector<BushingState<T>> bushings;
   MotionPoint about = MotionPoint::frame_origin;  ///< point of the body that wrenches are about
 };
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/model/bushings.hpp"
 #include "compiler/model/elements.hpp"
 #include "compiler/model/outputs.hpp"
 
@@ -87,6 +88,7 @@ struct Model {
   std::vector<JointSpring> joint_springs;
   std::vector<JointFriction> frictions;
   std::vector<AirSpring> air_springs;
+  std::vector<Bushing> bushings;
   std::vector<AppliedForce> forces;
   std::vector<JointForce> joint_forces;
   std::vector<Tyre> tyres;

@@ -69,6 +69,9 @@ constexpr std::array kTyreQuantities = {Quantities::load,
                                         Quantities::caster,
                                         Quantities::kingpin_inclination};
 constexpr std::array kSpringQuantities = {Quantities::force, Quantities::length, Quantities::rate};
+/// In the order of BushingOutput::What.
+constexpr std::array kBushingQuantities = {Quantities::force, Quantities::moment, Quantities::deflection,
+                                           Quantities::rotation_vector};
 constexpr std::array kReactionQuantities = {Quantities::force, Quantities::moment};
 
 Resolved joint_output(Reader& reader, const Value& value, const OutputFields& output) {
@@ -110,6 +113,19 @@ Resolved spring_output(Reader& reader, const Value& value, const OutputFields& o
     spring.point_spring = find_element(reader, value, "spring", known);
   }
   return {spring, quantity == Quantities::force ? "N" : quantity == Quantities::length ? "m" : "m/s"};
+}
+
+Resolved bushing_output(Reader& reader, const Value& value, const OutputFields& output) {
+  const Quantities quantity = quantity_of(reader, value, output, kBushingQuantities, "bushing");
+  require(reader, value, "axis", "bushing");
+  const auto what = std::find(kBushingQuantities.begin(), kBushingQuantities.end(), quantity);
+  constexpr const char* kUnits[] = {"N", "N m", "m", "rad"};  // in the order of BushingOutput::What
+  const auto index = what - kBushingQuantities.begin();
+  BushingOutput bushing;
+  bushing.what = static_cast<BushingOutput::What>(index);
+  bushing.bushing = find_element(reader, value, "bushing", reader.names.bushings);
+  bushing.axis = static_cast<int>(output.axis.value_or(Letter::x));
+  return {bushing, kUnits[index]};
 }
 
 Resolved motion_output(Reader& reader, const Value& value) {
@@ -234,6 +250,7 @@ constexpr std::string_view kTaken[] = {
     "quantity",
     "quantity relative_to steering_axis",
     "quantity",
+    "quantity axis",
     "",
     "quantity axis frame end",
     "equation",
@@ -257,6 +274,7 @@ Resolved resolve_output(Reader& reader, const Value& value, const OutputFields& 
   if (name == "joint") return joint_output(reader, value, output);
   if (name == "tyre") return tyre_output(reader, value, output);
   if (name == "spring") return spring_output(reader, value, output);
+  if (name == "bushing") return bushing_output(reader, value, output);
   if (name == "reaction") return reaction_output(reader, value, output);
   if (name == "multiplier") return multiplier_output(reader, value, output);
   return motion_output(reader, value);

@@ -48,6 +48,7 @@ enum class OwnerKind : std::uint8_t {
   joint_force,
   force,
   tyre,
+  bushing,
   motion,
   output
 };

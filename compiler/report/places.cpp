@@ -58,6 +58,7 @@ std::vector<Attachment> spring_ends(const Model& model) {
   std::vector<Attachment> list;
   add_ends(model.springs, list);
   add_ends(model.air_springs, list);
+  add_ends(model.bushings, list);
   return list;
 }
 

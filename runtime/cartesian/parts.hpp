@@ -53,6 +53,12 @@ struct PartLine {
   double reference = 0;  ///< m
 };
 
+/// An element between two frames, whose axes agree at the reference configuration.
+struct PartFrames {
+  Place from, to;
+  Eigen::Matrix3d axes_from, axes_to;  ///< columns: its axes, in the axes of either body
+};
+
 struct PartTyre {
   Place centre;
   Eigen::Vector3d axis;  ///< spin axis, body axes
@@ -67,6 +73,7 @@ struct Parts {
   std::vector<PartLine> springs, air_springs;
   std::vector<Place> forces;
   std::vector<PartTyre> tyres;
+  std::vector<PartFrames> bushings;
   Eigen::Vector3d gravity;
   int ground() const { return static_cast<int>(bodies.size()) - 1; }
 };
