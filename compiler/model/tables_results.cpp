@@ -172,7 +172,8 @@ std::vector<ObjectKind> object_kinds() {
                           "what its fields give is added up"),
       kind<BushingFreedom>("bushing_freedom",
                            "one freedom of a bushing; its force acts against the deflection of `to`. A Maxwell branch, "
-                           "a spring and a damper in a row, is relaxed at the start"),
+                           "a spring and a damper in a row, is relaxed at the start",
+                           {}, {{"maxwell_stiffness", "maxwell_time"}, {"maxwell_time", "maxwell_stiffness"}}),
       kind<AppliedForce>("force", "force and torque on a body"),
       kind<JointForce>("joint_force", "generalised force on a coordinate"),
       kind<TyreDataFields>("tyre_data", "coefficients of a tyre"),
