@@ -171,7 +171,7 @@ class Balance {
     };
     act(applied.at.body, global(applied.force), point, global(applied.torque));
   }
-  /// A bushing's force and moment in its axes on `from`, both at the point of `to`.
+  /// A bushing's force and moment in its axes on `from`, counted as its freedoms are, both at the point of `to`.
   void press(const Bushing& bushing, const std::array<int, 3>& probe) {
     const Matrix3& pose = p.model.bodies[bushing.from.body].pose.rotation;
     Force force, moment;
@@ -182,8 +182,8 @@ class Balance {
         for (int row = 0; row < 3; ++row) component += pose[3 * row + k] * bushing.axes[3 * row + column];
         along = along + component * axis(bushing.from.body, k);
       }
-      force = force + y_[probe[1] + column] * along;
-      moment = moment + y_[probe[2] + column] * along;
+      force = force + bushing_sense(bushing, column) * y_[probe[1] + column] * along;
+      moment = moment + bushing_sense(bushing, 3 + column) * y_[probe[2] + column] * along;
     }
     act(bushing.to.body, force, at(probe[0]), moment);
     act(bushing.from.body, -force, at(probe[0]), -moment);

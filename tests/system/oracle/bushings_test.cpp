@@ -34,7 +34,7 @@ Mechanism pair(const std::string& joint) {
 
 /// The same with Simbody's own bushing.
 foreign::SimbodyMechanism with_linear_bushing(const Mechanism& m) {
-  foreign::ForceElements elements = foreign::force_elements_of(m.model, m.topology).value();
+  foreign::ForceElements elements = *foreign::force_elements_of(m.model, m.topology);
   elements.linear_frames.push_back({elements.frames.front(), kStiffness, kDamping});
   elements.frames.clear();
   return foreign::SimbodyMechanism(foreign::reference_mechanism(m.model, m.topology), elements);
