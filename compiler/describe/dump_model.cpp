@@ -121,6 +121,21 @@ class ModelText {
     return text;
   }
 
+  std::string bump_stops() const {
+    const char* sides[] = {"compression", "extension", "above", "below"};
+    std::string text;
+    for (const BumpStop& stop : model_.bump_stops) {
+      const std::string place = stop.is_on_joint() ? "on " + coordinate(stop.joint)
+                                                   : "from " + attachment(stop.from) + " to " + attachment(stop.to);
+      text += fmt::format("  {}: bump stop, {}, {}, clearance {}, stiffness {}, exponent {}, damping {}\n", stop.name,
+                          place, sides[static_cast<int>(stop.side)], quantity(stop.clearance), law(stop.stiffness),
+                          stop.exponent, quantity(stop.damping));
+      if (stop.axis) text += fmt::format("    along ({})\n", fmt::join(*stop.axis, ", "));
+      if (stop.force) text += fmt::format("    force {{{}}}\n", model_.expressions[*stop.force].text);
+    }
+    return text;
+  }
+
   std::string forces() const {
     std::string text = "forces\n";
     for (const AppliedForce& force : model_.forces) {
@@ -227,6 +242,11 @@ class ModelText {
     return fmt::format("{} of bushing {}, {}", quantities[static_cast<int>(output.what)],
                        model_.bushings[output.bushing].name, "xyz"[output.axis]);
   }
+  std::string source(const BumpStopOutput& output) const {
+    const char* quantities[] = {"force", "deflection", "rate"};
+    return fmt::format("{} of bump stop {}", quantities[static_cast<int>(output.what)],
+                       model_.bump_stops[output.stop].name);
+  }
   std::string source(const DriveOutput& output) const {
     return "driving force of motion " + model_.motions[output.motion].name;
   }
@@ -267,7 +287,7 @@ std::string dump_model(const Model& model) {
   for (const Body& body : model.bodies) text += describe.body(body);
   text += "joints\n";
   for (const Joint& joint : model.joints) text += describe.joint(joint);
-  text += describe.rods_and_springs() + describe.bushings() + describe.forces() + "motions\n";
+  text += describe.rods_and_springs() + describe.bushings() + describe.bump_stops() + describe.forces() + "motions\n";
   for (const Motion& motion : model.motions) {
     text += fmt::format("  {}: {} = {}\n", motion.name, describe.coordinate(motion.joint),
                         describe.quantity(motion.position));

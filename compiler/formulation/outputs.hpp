@@ -83,6 +83,12 @@ T spring_output(const SolvedState<T>& s, const SpringOutput& output) {
 }
 
 template <class T>
+T bump_stop_output(const BumpStopState<T>& stop, BumpStopOutput::What what) {
+  if (what == BumpStopOutput::What::force) return stop.force;
+  return what == BumpStopOutput::What::deflection ? stop.penetration : stop.rate;
+}
+
+template <class T>
 T bushing_output(const BushingState<T>& bushing, const BushingOutput& output) {
   switch (output.what) {
     case BushingOutput::What::force:
@@ -146,6 +152,9 @@ struct OutputReader {
   T operator()(const TyreOutput& output) const { return tyre_output(s.forces.tyres[output.tyre], output.what); }
   T operator()(const SpringOutput& output) const { return spring_output(s, output); }
   T operator()(const BushingOutput& output) const { return bushing_output(s.forces.bushings[output.bushing], output); }
+  T operator()(const BumpStopOutput& output) const {
+    return bump_stop_output(s.forces.bump_stops[output.stop], output.what);
+  }
   T operator()(const DriveOutput& output) const { return s.drive_forces[output.motion]; }
   T operator()(const ReactionOutput& output) const { return reaction_output(system, s.kinematics, reactions, output); }
   T operator()(const MultiplierOutput& output) const { return multiplier_output(system.topology, s, output); }

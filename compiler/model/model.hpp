@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/model/bump_stops.hpp"
 #include "compiler/model/bushings.hpp"
 #include "compiler/model/elements.hpp"
 #include "compiler/model/outputs.hpp"
@@ -89,6 +90,7 @@ struct Model {
   std::vector<JointFriction> frictions;
   std::vector<AirSpring> air_springs;
   std::vector<Bushing> bushings;
+  std::vector<BumpStop> bump_stops;
   std::vector<AppliedForce> forces;
   std::vector<JointForce> joint_forces;
   std::vector<Tyre> tyres;

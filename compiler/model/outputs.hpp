@@ -96,6 +96,11 @@ struct BushingOutput {
   int bushing = -1;  ///< index into Model::bushings
   int axis = 0;      ///< 0 x, 1 y, 2 z; of a mirrored bushing counted as its freedoms are
 };
+struct BumpStopOutput {
+  enum class What { force, deflection, rate };  ///< deflection: beyond the clearance, negative before
+  What what = What::force;
+  int stop = -1;  ///< index into Model::bump_stops
+};
 struct DriveOutput {
   int motion = -1;
 };  ///< generalised driving force of a motion
@@ -125,7 +130,8 @@ struct Output {
   Where where;
   std::string unit;
   std::variant<ExpressionOutput, PointOutput, CoordinateOutput, TyreOutput, SpringOutput, DriveOutput, ReactionOutput,
-               MultiplierOutput, RotationOutput, MomentumOutput, PointsOutput, WheelOutput, BushingOutput>
+               MultiplierOutput, RotationOutput, MomentumOutput, PointsOutput, WheelOutput, BushingOutput,
+               BumpStopOutput>
       source;
   Presentation shown = {};
 };

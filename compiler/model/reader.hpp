@@ -303,6 +303,7 @@ void read_joint_springs(Reader& reader, const Entries& entries);
 void read_frictions(Reader& reader, const Entries& entries);
 void read_air_springs(Reader& reader, const Entries& entries);
 void read_bushings(Reader& reader, const Entries& entries);
+void read_bump_stops(Reader& reader, const Entries& entries);
 void read_forces(Reader& reader, const Entries& entries);
 void read_joint_forces(Reader& reader, const Entries& entries);
 void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres);

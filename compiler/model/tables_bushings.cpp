@@ -18,7 +18,7 @@ FieldInfo matrix(std::string_view name, std::string_view doc, std::string_view u
 }
 
 /// Where a bushing is.
-auto frame_fields() {
+auto bushing_frame_fields() {
   using S = BushingFields;
   return std::array{
       field<S, &S::from>({.name = "from",
@@ -43,7 +43,7 @@ auto frame_fields() {
 }
 
 /// What it does.
-auto law_fields() {
+auto bushing_law_fields() {
   using S = BushingFields;
   return std::array{
       field<S, &S::radial>(freedom("radial", "laws of tx and of ty, each by itself")),
@@ -66,8 +66,8 @@ auto law_fields() {
 template <>
 std::span<const Field<BushingFields>> fields<BushingFields>() {
   static const auto table = [] {
-    const auto frame = frame_fields();
-    const auto laws = law_fields();
+    const auto frame = bushing_frame_fields();
+    const auto laws = bushing_law_fields();
     std::vector<Field<BushingFields>> all(frame.begin(), frame.end());
     all.insert(all.end(), laws.begin(), laws.end());
     return all;

@@ -79,6 +79,10 @@ auto source_fields() {
            .doc = "bushing; the output is its force or moment on `to` at its point, its deflection or its rotation "
                   "vector, in its axes on `from`",
            .of = "bushings"}),
+      field<F, &F::bump_stop>({.name = "bump_stop",
+                               .shape = Shape::reference,
+                               .doc = "force of a bump stop, its deflection beyond the clearance, or the rate of that",
+                               .of = "bump_stops"}),
       field<F, &F::motion>({.name = "motion",
                             .shape = Shape::reference,
                             .doc = "generalised force that drives a motion",
@@ -107,7 +111,8 @@ auto quantity_fields() {
                   "(kinetic_energy, potential_energy, momentum, angular_momentum), of the tyre (load, "
                   "longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip, toe, camber, "
                   "steer_angle, caster, kingpin_inclination), of the spring (force, length, rate), of the "
-                  "bushing (force, moment, deflection, rotation_vector) or of the reaction (force, moment); default: "
+                  "bushing (force, moment, deflection, rotation_vector), of the bump stop (force, deflection, "
+                  "rate) or of the reaction (force, moment); default: "
                   "the first of each",
            .words = kQuantities}),
       field<F, &F::axis>({.name = "axis",

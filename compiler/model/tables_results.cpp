@@ -174,6 +174,9 @@ std::vector<ObjectKind> object_kinds() {
                            "one freedom of a bushing; its force acts against the deflection of `to`. A Maxwell branch, "
                            "a spring and a damper in a row, is relaxed at the start",
                            {}, {{"maxwell_stiffness", "maxwell_time"}, {"maxwell_time", "maxwell_stiffness"}}),
+      kind<BumpStopFields>("bump_stop",
+                           "a stop that pushes when its clearance is used up, and never pulls; on the distance of two "
+                           "points or the way along an axis (from and to, or spring), or on a coordinate (joint)"),
       kind<AppliedForce>("force", "force and torque on a body"),
       kind<JointForce>("joint_force", "generalised force on a coordinate"),
       kind<TyreDataFields>("tyre_data", "coefficients of a tyre"),
@@ -182,7 +185,7 @@ std::vector<ObjectKind> object_kinds() {
       kind<MotionFields>("motion", "a driven coordinate; exactly one of angle and position", {"angle", "position"}),
       kind<OutputFields>("output",
                          "a result; exactly one of expression, point, points, body, bodies, joint, tyre, spring, "
-                         "bushing, motion, reaction and multiplier",
+                         "bushing, bump_stop, motion, reaction and multiplier",
                          {std::begin(kOutputSources), std::end(kOutputSources)}),
       kind<ShapeFields>("shape", "how a part of a body is drawn"),
       kind<InitialFields>("initial", "state at the start"),

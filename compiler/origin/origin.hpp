@@ -49,6 +49,7 @@ enum class OwnerKind : std::uint8_t {
   force,
   tyre,
   bushing,
+  bump_stop,
   motion,
   output
 };

@@ -56,7 +56,13 @@ bool depends_on_inputs(const Model& model, const Bushing& bushing) {
          std::any_of(bushing.freedoms.begin(), bushing.freedoms.end(), in_freedom);
 }
 
-/// The model with the forces of its springs and bushings as its only outputs.
+bool depends_on_inputs(const Model& model, const BumpStop& stop) {
+  return depends_on_inputs(model, stop.clearance.expression) || depends_on_inputs(model, stop.damping.expression) ||
+         (stop.stiffness && depends_on_inputs(model, *stop.stiffness)) ||
+         depends_on_inputs(model, stop.force.value_or(-1));
+}
+
+/// The model with the forces of its springs, bushings and bump stops as its only outputs.
 Model watched(Model model) {
   model.outputs.clear();
   for (std::size_t s = 0; s < model.springs.size(); ++s) {
@@ -78,6 +84,17 @@ Model watched(Model model) {
                                {},
                                "N",
                                BushingOutput{BushingOutput::What::force, static_cast<int>(b), axis}});
+  }
+  for (std::size_t s = 0; s < model.bump_stops.size(); ++s) {
+    const BumpStop& stop = model.bump_stops[s];
+    if (depends_on_inputs(model, stop)) continue;
+    const bool turns = stop.is_on_joint() && model.joints[static_cast<std::size_t>(stop.joint.joint)]
+                                                     .freedoms[static_cast<std::size_t>(stop.joint.component)]
+                                                     .kind == FreedomKind::revolute;
+    model.outputs.push_back({stop.name + ".force",
+                             {},
+                             turns ? "N m" : "N",
+                             BumpStopOutput{BumpStopOutput::What::force, static_cast<int>(s)}});
   }
   return model;
 }
@@ -103,7 +120,7 @@ std::vector<Column> element_forces(const ReportSource& source, const std::vector
   const std::size_t count = positions.size();
   const std::size_t auxiliary = extensions.size();
   GenericState state{std::vector<double>(count), std::vector<double>(count), std::vector<double>(auxiliary), 0};
-  // No force of a spring or bushing depends on accelerations or joint forces.
+  // No force of a spring, bushing or stop depends on accelerations or joint forces.
   const GenericDerivative none{std::vector<double>(count), std::vector<double>(auxiliary)};
   const std::vector<double> tau(count);
   for (const std::size_t row : rows) {

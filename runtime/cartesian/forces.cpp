@@ -2,6 +2,7 @@
 
 #include "mbgen/forces.hpp"
 
+#include "runtime/cartesian/bump_stops.hpp"
 #include "runtime/cartesian/bushings.hpp"
 #include "runtime/cartesian/laws.hpp"
 #include "runtime/cartesian/mechanism.hpp"
@@ -102,6 +103,7 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
     forces.xd.push_back(wheel.dv);
   }
   add_bushings(model, parts, bodies, x, values, forces);
+  add_bump_stops(model, parts, bodies, values, forces);
   add_joint_elements(model, values, forces.joints);
   return forces;
 }

@@ -1,9 +1,10 @@
-// Outputs of motions, energies, wheels and bushings from the poses and velocities of the bodies in global axes.
+// Outputs of motions, energies, wheels, bushings and stops from the poses and velocities of the bodies in global axes.
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
+#include "runtime/cartesian/bump_stops.hpp"
 #include "runtime/cartesian/bushings.hpp"
 #include "runtime/cartesian/mechanism.hpp"
 #include "runtime/cartesian/system.hpp"
@@ -139,6 +140,13 @@ class Instant {
     return -bushing_sense(bushing, place) * acts[output.axis];
   }
 
+  double value(const BumpStopOutput& output) const {
+    const StopAtWork stop =
+        stop_at_work(c_.model.bump_stops[output.stop], c_.parts.bump_stops[output.stop], bodies_, values_);
+    if (output.what == BumpStopOutput::What::force) return stop.force;
+    return output.what == BumpStopOutput::What::deflection ? stop.penetration : stop.rate;
+  }
+
  private:
   int index(int body) const { return body == kNoBody ? c_.parts.ground() : c_.parts.index_of[body]; }
   bool moves(int body) const { return index(body) != c_.parts.ground(); }
@@ -183,6 +191,7 @@ void CartesianSystem::motion_outputs(const CartesianState& state, const GenericS
     take(std::get_if<MomentumOutput>(&source));
     take(std::get_if<WheelOutput>(&source));
     take(std::get_if<BushingOutput>(&source));
+    take(std::get_if<BumpStopOutput>(&source));
   }
 }
 

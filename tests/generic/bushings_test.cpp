@@ -56,11 +56,11 @@ TEST(Bushings, MassHasItsSixFrequencies) {
                                       : 2.5,
                  period = 2 * std::numbers::pi * std::sqrt(kInertia[i] / kStiffness[i]);
     m.set(kCoordinates[i], amplitude, 0);
-    run(m, period / 3, 400);
-    EXPECT_NEAR(m.z(kCoordinates[i]), -0.5 * amplitude, 1e-8) << kCoordinates[i];
-    run(m, period * 2 / 3, 800);
-    EXPECT_NEAR(m.z(kCoordinates[i]), amplitude, 1e-8) << kCoordinates[i];
-    EXPECT_NEAR(m.zd(kCoordinates[i]), 0, 1e-6) << kCoordinates[i];
+    run(m, period / 3, 120);
+    EXPECT_NEAR(m.z(kCoordinates[i]), -0.5 * amplitude, 1e-6 * amplitude) << kCoordinates[i];
+    run(m, period * 2 / 3, 240);
+    EXPECT_NEAR(m.z(kCoordinates[i]), amplitude, 1e-6 * amplitude) << kCoordinates[i];
+    EXPECT_NEAR(m.zd(kCoordinates[i]), 0, 1e-4) << kCoordinates[i];
   }
 }
 
