@@ -2,6 +2,8 @@
 // Applied forces (step 5): force elements of the model as wrenches on bodies, generalised forces on coordinates, and
 // the rates of the tyres' deflection states. The laws themselves are templates of the runtime's headers.
 
+#include "compiler/formulation/bump_stops.hpp"
+#include "compiler/formulation/bushings.hpp"
 #include "compiler/formulation/force_work.hpp"
 #include "compiler/formulation/tyre_road.hpp"
 #include "mbgen/forces.hpp"
@@ -54,12 +56,6 @@ void air_springs(ForceWork<T>& work) {
           return -push;
         }));
   }
-}
-
-template <class T>
-void add_joint_force(ForceWork<T>& work, const CoordinateReference& reference, const T& force) {
-  const int i = tree_coordinate(work.system.topology, reference);
-  if (i >= 0) work.forces.joint[i] = work.forces.joint[i] + force;
 }
 
 template <class T>
@@ -130,6 +126,8 @@ AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const
   detail::joint_elements(work);
   detail::body_forces(work);
   detail::tyres(work);
+  detail::bushings(work);
+  detail::bump_stops(work);
   return forces;
 }
 

@@ -17,6 +17,20 @@ struct ElementState {
   T length{0.0}, rate{0.0}, force{0.0};  ///< m, m/s, N (tension positive)
 };
 
+/// A bushing's deflection and what acts on its `to` body at the point of `to`, in its axes on `from`, counted as its
+/// freedoms are.
+template <class T>
+struct BushingState {
+  Vector<T> deflection, rotation;  ///< m, rad
+  Vector<T> force, moment;         ///< N, N m
+};
+
+/// A bump stop's way beyond its clearance, the rate of that and the force against it.
+template <class T>
+struct BumpStopState {
+  T penetration{0.0}, rate{0.0}, force{0.0};  ///< m or rad, per second, N or N m
+};
+
 /// One force element's force and moment on one body of the model, in the frame that carries the body.
 template <class T>
 struct Action {
@@ -33,6 +47,8 @@ struct AppliedForces {
   std::vector<T> xd;               ///< rates of the auxiliary states
   std::vector<ElementState<T>> springs, air_springs;
   std::vector<TyreResult<T>> tyres;
+  std::vector<BushingState<T>> bushings;
+  std::vector<BumpStopState<T>> bump_stops;
   MotionPoint about = MotionPoint::frame_origin;  ///< point of the body that wrenches are about
 };
 
@@ -98,6 +114,13 @@ void act(ForceWork<T>& work, const Action<T>& action) {
   Spatial<T>& wrench = work.forces.wrench[body];
   wrench = wrench + force_at(action.force, action.point);
   wrench.angular = wrench.angular + action.moment;
+}
+
+/// Adds a generalised force on a coordinate.
+template <class T>
+void add_joint_force(ForceWork<T>& work, const CoordinateReference& reference, const T& force) {
+  const int i = tree_coordinate(work.system.topology, reference);
+  if (i >= 0) work.forces.joint[i] = work.forces.joint[i] + force;
 }
 
 /// Adds a force at a place of a body, given in the axes of a frame at or below the place's.

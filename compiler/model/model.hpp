@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/model/bump_stops.hpp"
+#include "compiler/model/bushings.hpp"
 #include "compiler/model/elements.hpp"
 #include "compiler/model/outputs.hpp"
 
@@ -87,6 +89,8 @@ struct Model {
   std::vector<JointSpring> joint_springs;
   std::vector<JointFriction> frictions;
   std::vector<AirSpring> air_springs;
+  std::vector<Bushing> bushings;
+  std::vector<BumpStop> bump_stops;
   std::vector<AppliedForce> forces;
   std::vector<JointForce> joint_forces;
   std::vector<Tyre> tyres;

@@ -259,6 +259,8 @@ Vector3Quantity transformed(Reader& reader, const Matrix3& matrix, const Vector3
 double handedness(const Placement& placement);
 /// A point of the current scope in the frame of its body.
 Vector3Quantity placed_point(Reader& reader, int body, const Vector3Quantity& written);
+/// A direction of the current scope in global axes, mirrored where the scope is. Requires: the body was read.
+Vector3 placed_direction(const Reader& reader, int body, const Vector3& written);
 /// An axis of the current scope in global axes, in the direction about which (along which) it counts positive: a
 /// mirrored rotation counts such that equal coordinates are mirrored motions, or keeps its direction.
 Vector3 placed_axis(const Reader& reader, int body, const Vector3& written, FreedomKind kind);
@@ -300,6 +302,8 @@ void read_springs(Reader& reader, const Entries& entries);
 void read_joint_springs(Reader& reader, const Entries& entries);
 void read_frictions(Reader& reader, const Entries& entries);
 void read_air_springs(Reader& reader, const Entries& entries);
+void read_bushings(Reader& reader, const Entries& entries);
+void read_bump_stops(Reader& reader, const Entries& entries);
 void read_forces(Reader& reader, const Entries& entries);
 void read_joint_forces(Reader& reader, const Entries& entries);
 void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres);
@@ -321,6 +325,8 @@ void read_solver(Reader& reader, const std::vector<Part>& parts);
 bool is_large_angle(double angle);
 /// Notes an angle of more than a turn, which likely was typed in degrees.
 void note_turns(Reader& reader, const Value& value, double angle);
+/// Notes on bushings that pull away from the reference or add energy.
+void note_bushings(Reader& reader);
 /// Notes on the whole model. Requires: it has no problems.
 void note_unlikely(Reader& reader);
 

@@ -84,6 +84,9 @@ Json shape_of(const FieldInfo& info) {
       return either(reference("position"), reference("attachment"));
     case Shape::inertia:
       return either(array_of(reference("quantity"), 3, 3), array_of(reference("quantity"), 6, 6));
+    case Shape::six_by_six:
+      return array_of(array_of(reference("quantity"), kBushingFreedoms, kBushingFreedoms), kBushingFreedoms,
+                      kBushingFreedoms);
     case Shape::axis:
       return info.by_points ? reference("axis") : either(letters(), reference("vector"));
     case Shape::attachment:

@@ -26,6 +26,8 @@ void add_elements_of_laws(std::vector<CoordinateUse>& uses, const Model& model) 
   }
   add_elements(uses, "friction", model.frictions);
   add_elements(uses, "joint force", model.joint_forces);
+  for (const BumpStop& stop : model.bump_stops)
+    if (stop.is_on_joint()) uses.push_back({stop.joint, "bump stop " + stop.name});
 }
 
 }  // namespace

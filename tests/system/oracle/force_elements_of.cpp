@@ -1,5 +1,6 @@
 #include "tests/system/oracle/force_elements_of.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -111,6 +112,78 @@ LineElement line_of(const SharedSource& source, const Spring& spring) {
           }};
 }
 
+/// A bushing without Maxwell branches, whose states no foreign solver has.
+FrameElement frames_of(const SharedSource& source, const Bushing& bushing) {
+  const ReferencePoint from = reference_point(source->model, source->topology, bushing.from.body, bushing.from.point);
+  const ReferencePoint to = reference_point(source->model, source->topology, bushing.to.body, bushing.to.point);
+  using Values = std::array<double, kBushingFreedoms>;
+  const auto forces = [source, &bushing](Values q, Values rate, const ForeignState& state) {
+    Values force{};
+    for (int i = 0; i < kBushingFreedoms; ++i) q[i] *= bushing_sense(bushing, i), rate[i] *= bushing_sense(bushing, i);
+    for (int i = 0; i < kBushingFreedoms; ++i) {
+      for (int j = 0; j < kBushingFreedoms; ++j) {
+        const int entry = kBushingFreedoms * i + j;
+        if (bushing.stiffness) force[i] += value_of(*source, state, (*bushing.stiffness)[entry]) * q[j];
+        if (bushing.damping) force[i] += value_of(*source, state, (*bushing.damping)[entry]) * rate[j];
+      }
+      const std::optional<BushingFreedom>& own = bushing.freedoms[i];
+      if (own)
+        force[i] += value_of(*source, state, own->preload) + value_of(*source, state, own->stiffness, q[i]) +
+                    value_of(*source, state, own->damping, rate[i]) +
+                    value_of(*source, state, own->force, q[i], rate[i]);
+    }
+    for (int i = 0; i < kBushingFreedoms; ++i) force[i] *= bushing_sense(bushing, i);
+    return force;
+  };
+  const Eigen::Matrix3d axes = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(bushing.axes.data());
+  return {bushing.name, from.body, to.body, from.place, to.place, axes, forces};
+}
+
+/// Force of a bump stop against its travel.
+double stop_force(const Source& source, const BumpStop& stop, double travel, double rate, const ForeignState& state) {
+  const double p = travel - value_of(source, state, stop.clearance);
+  if (p <= 0) return 0;
+  const bool is_table = stop.stiffness && std::holds_alternative<Table>(*stop.stiffness);
+  const double elastic = value_of(source, state, stop.stiffness, is_table ? p : std::pow(p, stop.exponent)) +
+                         value_of(source, state, stop.force, p, rate);
+  return std::max(0.0, elastic * (1 + value_of(source, state, stop.damping) * rate));
+}
+
+void add_stop(const SharedSource& source, const BumpStop& stop, ForceElements& elements) {
+  const double sign = stop.side == BumpStop::Side::compression || stop.side == BumpStop::Side::below ? -1 : 1;
+  if (stop.is_on_joint()) {
+    const int joint = tree_coordinate(source->topology, stop.joint);
+    elements.coordinates.push_back({stop.name, joint, [source, &stop, sign, joint](const ForeignState& state) {
+                                      return -sign * stop_force(*source, stop, sign * state.z[joint],
+                                                                sign * state.zd[joint], state);
+                                    }});
+    return;
+  }
+  const ReferencePoint from = reference_point(source->model, source->topology, stop.from.body, stop.from.point);
+  const ReferencePoint to = reference_point(source->model, source->topology, stop.to.body, stop.to.point);
+  if (!stop.axis) {
+    const double reference = (to.place - from.place).norm();
+    elements.lines.push_back({stop.name, from.body, to.body, from.place, to.place,
+                              [source, &stop, sign, reference](double length, double rate, const ForeignState& state) {
+                                return sign *
+                                       stop_force(*source, stop, sign * (length - reference), sign * rate, state);
+                              }});
+    return;
+  }
+  const Vector3d axis((*stop.axis)[0], (*stop.axis)[1], (*stop.axis)[2]);
+  const Perpendiculars across = perpendiculars(axis);
+  Eigen::Matrix3d axes;
+  axes << across.first, across.second, axis;
+  const double reference = axis.dot(to.place - from.place);
+  using Values = std::array<double, 6>;
+  elements.frames.push_back(
+      {stop.name, from.body, to.body, from.place, to.place, axes,
+       [source, &stop, sign, reference](const Values& q, const Values& rate, const ForeignState& state) -> Values {
+         const double way = sign * (q[2] - reference);
+         return {0, 0, sign * stop_force(*source, stop, way, sign * rate[2], state), 0, 0, 0};
+       }});
+}
+
 BodyLoad load_of(const SharedSource& source, const AppliedForce& applied) {
   const ReferencePoint at = reference_point(source->model, source->topology, applied.at.body, applied.at.point);
   const auto vector = [source, &applied, axes = at.axes](const Vector3Quantity& q) {
@@ -177,12 +250,19 @@ Result<ForceElements> force_elements_of(const Model& model, const Topology& topo
   Diagnostics unknown;
   for (const Tyre& tyre : model.tyres)
     unknown.push_back({tyre.where, "tyre " + quoted(tyre.name) + " has no form in a foreign solver", "", ""});
+  for (const Bushing& bushing : model.bushings)
+    for (int i = 0; i < kBushingFreedoms; ++i)
+      if (has_maxwell_branch(bushing, i))
+        unknown.push_back(
+            {bushing.where, "states of bushing " + quoted(bushing.name) + " have no form in a foreign solver", "", ""});
   if (!unknown.empty()) return unknown;
   const SharedSource source = std::make_shared<const Source>(Source{model, topology});
   const Model& kept = source->model;
   ForceElements elements;
   for (const PointSpring& spring : kept.springs) elements.lines.push_back(line_of(source, spring));
   for (const AirSpring& spring : kept.air_springs) elements.lines.push_back(line_of(source, spring));
+  for (const Bushing& bushing : kept.bushings) elements.frames.push_back(frames_of(source, bushing));
+  for (const BumpStop& stop : kept.bump_stops) add_stop(source, stop, elements);
   for (const AppliedForce& applied : kept.forces) elements.loads.push_back(load_of(source, applied));
   for (const JointSpring& spring : kept.joint_springs) add_joint_spring(source, spring, elements);
   for (const JointFriction& friction : kept.frictions) elements.coordinates.push_back(friction_of(source, friction));

@@ -7,9 +7,12 @@
 
 namespace mbgen::testing {
 
-/// The model without what no foreign engine has: tyres, with the outputs that ask for them.
+/// The model without what no foreign engine has: tyres, with the outputs that ask for them, and Maxwell branches.
 inline Model without_tyres(Model model) {
   model.tyres.clear();
+  for (Bushing& bushing : model.bushings)
+    for (std::optional<BushingFreedom>& own : bushing.freedoms)
+      if (own) own->maxwell_stiffness.reset();
   std::erase_if(model.outputs, [](const Output& output) { return std::holds_alternative<TyreOutput>(output.source); });
   return model;
 }

@@ -30,7 +30,14 @@ std::string length_over_time(const RandomLink& link) {
   return text;
 }
 
-/// Velocities of the centres of mass, lengths of the springs.
+Json bushing_entry(const RandomBushing& bushing, const std::string& from, const std::string& to) {
+  Json entry{{"from", from}, {"to", to}, {"axis", bushing.axis}, {"axis2", bushing.axis2}};
+  static constexpr const char* kFreedoms[] = {"tx", "ty", "tz", "rx", "ry", "rz"};
+  for (std::size_t i = 0; i < 6; ++i) entry[kFreedoms[i]]["stiffness"] = bushing.stiffness[i];
+  return entry;
+}
+
+/// Velocities of the centres of mass, lengths of the springs, deflections of the bushings.
 Json outputs_of(const RandomMechanism& mechanism) {
   Json outputs = Json::object();
   for (const RandomBody& body : mechanism.bodies)
@@ -38,6 +45,11 @@ Json outputs_of(const RandomMechanism& mechanism) {
       outputs[body.name + "_v" + letter] = {{"point", body.name + ".com"}, {"quantity", "velocity"}, {"axis", letter}};
   for (const RandomLink& link : mechanism.links)
     if (link.stiffness > 0) outputs[link.name + "_length"] = {{"spring", link.name}, {"quantity", "length"}};
+  for (const RandomBushing& bushing : mechanism.bushings)
+    for (const char* quantity : {"deflection", "rotation_vector"})
+      for (const char* letter : {"x", "y", "z"})
+        outputs[bushing.name + "_" + quantity + letter] = {
+            {"bushing", bushing.name}, {"quantity", quantity}, {"axis", letter}};
   return outputs;
 }
 
@@ -82,6 +94,10 @@ std::string model_text(const RandomMechanism& mechanism) {
       rods[link.name] = entry;
     }
   }
+  Json bushings = Json::object();
+  for (const RandomBushing& bushing : mechanism.bushings)
+    bushings[bushing.name] = bushing_entry(bushing, place(bushing.name, "_from", bushing.from, bushing.at),
+                                           place(bushing.name, "_to", bushing.to, bushing.at));
   Json bodies{{"ground", {{"points", points[0]}}}};
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
     const RandomBody& body = mechanism.bodies[b];
@@ -96,6 +112,7 @@ std::string model_text(const RandomMechanism& mechanism) {
   if (!joints.empty()) model["joints"] = joints;
   if (!rods.empty()) model["rods"] = rods;
   if (!springs.empty()) model["springs"] = springs;
+  if (!bushings.empty()) model["bushings"] = bushings;
   for (const RandomRelation& relation : mechanism.relations)
     model["couplings"][relation.name] = {{"relation", relation.text}};
   if (const Json outputs = outputs_of(mechanism); !outputs.empty()) model["outputs"] = outputs;

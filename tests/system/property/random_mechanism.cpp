@@ -315,6 +315,7 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
       break;
   }
   if (shop.size() > 1 && dice.chance(0.5)) shop.add_spring(0, shop.size() - 1);
+  if (shop.size() > 1 && dice.chance(0.3)) shop.add_bushing(dice.upto(shop.size() - 2), shop.size() - 1);
   return std::move(shop).made();
 }
 

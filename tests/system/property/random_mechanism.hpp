@@ -61,6 +61,14 @@ struct RandomLink {
   double stroke = 0;  ///< m, of a rod that is an actuator
 };
 
+/// A bushing of constant stiffnesses, N/m and N m/rad.
+struct RandomBushing {
+  std::string name;
+  int from = kOnGround, to = 0;
+  Point at{}, axis{0, 0, 1}, axis2{1, 0, 0};
+  std::array<double, 6> stiffness{};
+};
+
 /// A relation between the coordinates of plain joints that holds at the reference.
 struct RandomRelation {
   std::string name, text;
@@ -75,6 +83,7 @@ struct RandomMechanism {
   std::vector<RandomJoint> joints;
   std::vector<RandomLink> links;
   std::vector<RandomRelation> relations = {};
+  std::vector<RandomBushing> bushings = {};
 };
 
 /// Kinds of mechanisms that a seed may ask for.
@@ -103,7 +112,8 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed);
 /// one freedom. Source: R. Bricard, "Lecons de cinematique" II, 1927, the line-symmetric case.
 RandomMechanism random_bricard(std::uint64_t seed);
 
-/// The model file. Outputs: velocity of each body's centre of mass (x, y, z), then the length of each spring.
+/// The model file. Outputs: velocity of each body's centre of mass (x, y, z), then the length of each spring, then the
+/// six deflections of each bushing.
 std::string model_text(const RandomMechanism& mechanism);
 
 /// True where an actuator does work.
