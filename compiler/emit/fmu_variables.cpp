@@ -267,9 +267,14 @@ void add_structure(const InitialState& initial_state, const References& referenc
   const auto is_parameter = [&](int known) {
     return fmu.variables[static_cast<std::size_t>(known)].causality == Causality::parameter;
   };
+  const auto is_motion = [&](int known) {
+    const Array array = fmu.variables[static_cast<std::size_t>(known)].slot.group.array;
+    return array == Array::z || array == Array::zd || array == Array::x;
+  };
   const auto add = [&](int variable, std::vector<FmuUnknown>& unknowns) {
     FmuUnknown unknown{variable, knowns[fmu.variables[static_cast<std::size_t>(variable)].slot]};
     if (version == FmiVersion::two) std::erase_if(unknown.dependencies, is_parameter);
+    if (!fmu.has_states) std::erase_if(unknown.dependencies, is_motion);
     unknowns.push_back(std::move(unknown));
   };
   for (int i = 0; i < static_cast<int>(fmu.variables.size()); ++i)
@@ -281,6 +286,7 @@ void add_structure(const InitialState& initial_state, const References& referenc
   std::set<int> initial;
   for (const int place : fmu.chosen) initial.insert(references.state.at({Array::z, fmu.independent[place]}));
   for (const std::vector<FmuUnknown>* unknowns : {&fmu.outputs, &fmu.derivatives}) {
+    if (!fmu.has_states && unknowns == &fmu.derivatives) continue;
     for (const FmuUnknown& unknown : *unknowns) initial.insert(unknown.variable);
   }
   for (const int i : initial) {
@@ -297,7 +303,7 @@ void find_chosen(const EmitContext& context, FmuLayout& fmu) {
     fmu.block_of.push_back(context.layout.chooses_again && !context.analysis.driven[i] ? block : -1);
     if (!context.analysis.driven[i]) fmu.undriven.push_back(i);
   }
-  for (std::size_t i = 0; i < fmu.independent.size(); ++i) {
+  for (std::size_t i = 0; i < fmu.independent.size() && fmu.has_states; ++i) {
     if (fmu.block_of[fmu.independent[i]] >= 0) fmu.chosen.push_back(static_cast<int>(i));
   }
 }
@@ -320,6 +326,7 @@ std::string fmu_output_name(const Model& model, const std::string& name) {
 FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const InitialState& initial,
                      FmiVersion version) {
   FmuLayout fmu;
+  fmu.has_states = rolling_loop(context.topology) == nullptr;
   fmu.independent = free_coordinates(context.topology, context.analysis);
   std::sort(fmu.independent.begin(), fmu.independent.end());
   find_chosen(context, fmu);

@@ -347,8 +347,33 @@ void tune(const Case& c) {
   std::printf("  %d tunable parameters\n", tuned);
 }
 
+/// Bodies that roll have no states that an importer may integrate: the other interface and derivatives are refused.
+template <class Unit>
+void drive_alone(const Case& c) {
+  co_simulate<Unit>(c, 1, true);
+  co_simulate<Unit>(c, 3, false);
+  roll_back<Unit>(c);
+  tune<Unit>(c);
+  crowd<Unit>(c);
+  exceed<Unit>(c);
+  bool is_refused = false;
+  try {
+    const Unit exchanged(c.library, c.description, true);
+  } catch (const std::exception&) {
+    is_refused = says("co-simulation alone");
+  }
+  require(is_refused, "model exchange is refused");
+  Unit unit(c.library, c.description, false);
+  start(unit);
+  Row rates;
+  const unsigned output = c.description.outputs[0].reference;
+  require(unit.directional({output}, {output}, {1.0}, rates) == kError && says("no directional derivatives"),
+          "directional derivatives are refused");
+}
+
 template <class Unit>
 void drive(const Case& c) {
+  if (c.description.derivatives.empty()) return drive_alone<Unit>(c);
   co_simulate<Unit>(c, 1, true);
   co_simulate<Unit>(c, 3, false);
   roll_back<Unit>(c);

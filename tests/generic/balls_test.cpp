@@ -28,6 +28,7 @@ struct Moving {
   GenericSolver solver{m.model, m.topology, m.analysis};
   GenericState state;
   AbmHistory<Moving> history{};
+  mutable int evaluations = 0;
   int changes = 0;  ///< steps after which other charts are taken
   Status worst;     ///< the first that is not ok itself
 
@@ -43,11 +44,18 @@ struct Moving {
     values[static_cast<std::size_t>(tree_coordinate(m.topology, value.coordinate))] = value.value;
   }
 
-  Status derivative(const State& at, Derivative& rates) const noexcept { return solver.solve_motion(at, rates); }
+  Status derivative(const State& at, Derivative& rates) const noexcept {
+    ++evaluations;
+    return solver.solve_motion(at, rates);
+  }
   Status project(State& at) const noexcept { return solver.project_motion(at); }
   Status project_nearest(State& at) const noexcept { return solver.project_nearest(at); }
   bool leaves_charts(const State& at) const noexcept { return mbgen::leaves_charts(m.topology.balls, at); }
   bool settle_charts(State& at) const noexcept { return mbgen::settle_charts(m.topology.balls, at); }
+  void change_charts(const State& from, const State& to, std::vector<double>& z, std::vector<double>& zd,
+                     std::vector<double>& zdd) const noexcept {
+    mbgen::change_charts(m.topology.balls, from, to, z, zd, zdd);
+  }
 
   void go(int steps, double h, bool multistep = false) {
     for (int k = 0; k < steps; ++k) {
@@ -189,6 +197,33 @@ TEST(Racket, KeepsMomentumAndEnergyAsItFlips) {
       EXPECT_GT(flying.changes, 0) << sequence;
     }
   }
+}
+
+// The rates that the method of several steps remembers go over to the other angles: every step takes two evaluations,
+// and is as good as those far from any pole.
+TEST(Racket, TakesItsHistoryThroughPoles) {
+  constexpr int kSteps = 1000;
+  constexpr double kStep = 5e-3;
+  const std::string start = R"({ "velocities": { "float_rx": 1, "float_ry": 2.5, "float_rz": 1.5 } })";
+  int changes = 0;
+  double least = 1, most = 0;
+  for (const char* sequence : kSequences) {
+    Moving coarse(racket(sequence, start)), fine(racket(sequence, start));
+    coarse.go(3, kStep, true);
+    coarse.evaluations = 0;
+    coarse.go(kSteps - 3, kStep, true);
+    EXPECT_EQ(coarse.evaluations, 2 * (kSteps - 3)) << sequence;
+    fine.go(8 * kSteps, kStep / 8, true);
+    const std::vector<double> y = coarse.outputs(), reference = fine.outputs();
+    double error = 0;
+    for (std::size_t k = 0; k < y.size(); ++k) error = std::max(error, std::abs(y[k] - reference[k]));
+    least = std::min(least, error);
+    most = std::max(most, error);
+    changes += coarse.changes;
+  }
+  EXPECT_GT(changes, 10);
+  EXPECT_LT(most, 1e-5);
+  EXPECT_LT(most, 5 * least);
 }
 
 // A start in the pole itself, by a quaternion: a quarter about y is the pole of zyx.

@@ -6,6 +6,7 @@
 // that it accepted: every evaluation starts there, so that its result depends on nothing that was tried in between.
 
 #include <cmath>
+#include <type_traits>
 
 #include "mbgen/charts.hpp"
 #include "mbgen/status.hpp"
@@ -57,6 +58,12 @@ struct Choice {
 /// Whether balls of the model have charts; importers see the angles of the model.
 template <class Model>
 inline constexpr bool kHasCharts = kChartsOf<typename Model::State> > 0;
+
+/// Whether importers cannot integrate the model themselves.
+template <class Model, class = void>
+inline constexpr bool kCoSimulationAlone = false;
+template <class Model>
+inline constexpr bool kCoSimulationAlone<Model, std::void_t<decltype(Model::kCoSimulationAlone)>> = true;
 
 /// The state in the angles of the model, with the accelerations that go with it.
 template <class Model>
