@@ -57,6 +57,17 @@ TEST_F(Rolling, AnFmuOfItHasCoSimulationAlone) {
   }
 }
 
+// A plane is there to hold the height of a ball on it: nothing to note.
+TEST_F(Rolling, AHeightThatAContactHoldsIsMeant) {
+  write("marble.json", R"({ "mbgen": 1, "bodies": { "ground": { "points": { "O": [0, 0, 0], "C": [0, 0, 0.1] } },
+      "marble": { "mass": 1, "pose": { "origin": [0, 0, 0.1] }, "inertia": [0.004, 0.004, 0.004], "points": { "C": [0, 0, 0] } } },
+    "joints": { "marble": { "type": "free", "from": "ground.C", "to": "marble.C", "sequence": "zyx" },
+      "contact": { "type": "rolling_ball", "from": "ground.O", "to": "marble.C", "axis": "z" } } })");
+  const Outcome done = mbgen("check marble.json");
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ((done.out + done.err).find("never move"), std::string::npos) << done.out << done.err;
+}
+
 // The disc lies flat after 0.25 s, which a step goes over; upside down it hangs on its plane from the start.
 TEST_F(Rolling, NeitherFallsFlatNorLiftsOffUnseen) {
   write("disc.json", falling_disc("-9.81", "0"));

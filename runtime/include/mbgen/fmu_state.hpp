@@ -55,7 +55,8 @@ struct Choice {
   double reference[Model::kLoopBlocks > 0 ? Model::kLoopBlocks : 1] = {};  ///< see choose_held in mbgen/held.hpp
 };
 
-/// Whether balls of the model have charts; importers see the angles of the model.
+/// Whether balls of the model have charts. Importers see the angles of the model; of model exchange the states q and qd
+/// are the angles that a ball has now.
 template <class Model>
 inline constexpr bool kHasCharts = kChartsOf<typename Model::State> > 0;
 
