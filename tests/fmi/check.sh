@@ -35,7 +35,7 @@ duration_of() {
   case $1 in
     slider_crank) echo 0.02 ;;
     triple_rocker) echo 2 ;;
-    tumbling) echo 1 ;;
+    tumbling) echo 0.7 ;;
     *) echo 0.2 ;;
   esac
 }

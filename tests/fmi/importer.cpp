@@ -141,7 +141,7 @@ void exchange(const Case& c) {
   for (std::size_t i = steps / 2; i < steps; ++i) integrate(c, unit, static_cast<double>(i) * h, h, x);
   require(same_bits(x, last) && same_bits(end, values(unit, c.columns)), "bits after a rollback");
   require(unit.forget(state) == kOk && unit.terminate() == kOk, "end");
-  require(events <= 2, "events without need");
+  require(events <= 3, "events without need");  // those of the second half are met twice
 }
 
 /// Outputs, then derivatives.

@@ -13,7 +13,7 @@ namespace {
 
 using namespace mbgen::testing;
 
-Compilation compiled(const Result<Model>& model) {
+Compilation compilation_of(const Result<Model>& model) {
   if (!model) throw std::runtime_error(to_text(model.problems()));
   Result<Compilation> compilation = compile(*model);
   if (!compilation) throw std::runtime_error(to_text(compilation.problems()));
@@ -56,7 +56,7 @@ std::vector<std::string> states_of(const Compilation& c, const LinearSystem& sys
 // ((C + m r^2) C W^2 / A - m g r) / (A + m r^2) squared, and falls over where that is negative: W^2 < g / 3 r of a thin
 // one. All else stays: places, headings, turns, speeds, and the circles of a disc that leans.
 TEST(RollingDisc, WobblesAsRouthSays) {
-  const Compilation c = compiled(read_model_file(source_path("models/rolling_disc.json")));
+  const Compilation c = compilation_of(read_model_file(source_path("models/rolling_disc.json")));
   const double r = 0.3, m = 2, g = 9.81, across = m * r * r / 4, axial = m * r * r / 2;
   for (const double heading : {0.0, 1.1}) {
     for (const double spin : {0.0, 2.0, 3.2, 3.4, 8.0}) {
@@ -85,7 +85,7 @@ TEST(RollingDisc, WobblesAsRouthSays) {
 // A sleigh with its centre of mass a before the blade runs on where it goes ahead, and turns round where it goes back:
 // w' = -m a u / (J + m a^2) w.
 TEST(ChaplyginSleigh, TurnsRoundWhereItGoesBack) {
-  const Compilation c = compiled(read_model_file(source_path("models/chaplygin_sleigh.json")));
+  const Compilation c = compilation_of(read_model_file(source_path("models/chaplygin_sleigh.json")));
   for (const double speed : {5.0, -5.0}) {
     const LinearSystem system = system_at(c, {}, {{"sleigh_tx", speed}});
     EXPECT_EQ(system.states.size(), 5u);
@@ -131,7 +131,7 @@ std::string bicycle() {
 // J. P. Meijaard et al., "Linearized dynamics equations for the balance and steer of a bicycle", Proc. R. Soc. A 463,
 // 2007, table 2: at 5 m/s castering, weave, capsize; at rest two ways to fall.
 TEST(Bicycle, HasTheEigenvaluesOfTheBenchmark) {
-  const Compilation c = compiled(read_model(bicycle(), "bicycle.json"));
+  const Compilation c = compilation_of(read_model(bicycle(), "bicycle.json"));
   EXPECT_EQ(c.analysis.degrees_of_freedom, 3);
   EXPECT_EQ(c.analysis.position_freedoms, 7);
   const double v = 5;
