@@ -96,8 +96,14 @@ std::string model_text(const RandomMechanism& mechanism) {
   if (!joints.empty()) model["joints"] = joints;
   if (!rods.empty()) model["rods"] = rods;
   if (!springs.empty()) model["springs"] = springs;
-  for (const RandomRelation& relation : mechanism.relations)
-    model["couplings"][relation.name] = {{"relation", relation.text}};
+  for (const RandomRelation& relation : mechanism.relations) {
+    Json entry{{"relation", relation.text}};
+    if (!relation.points.empty()) {
+      const Json curve{{"table", relation.points}, {"interpolation", "spline"}, {"periodic", relation.periodic}};
+      entry = {{"joint", relation.joints[0]}, {"follows", relation.joints[1]}, {"curve", curve}};
+    }
+    model["couplings"][relation.name] = entry;
+  }
   if (const Json outputs = outputs_of(mechanism); !outputs.empty()) model["outputs"] = outputs;
   return model.dump(2) + "\n";
 }

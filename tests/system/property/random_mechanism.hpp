@@ -61,10 +61,13 @@ struct RandomLink {
   double stroke = 0;  ///< m, of a rod that is an actuator
 };
 
-/// A relation between the coordinates of plain joints that holds at the reference.
+/// A relation between the coordinates of plain joints that holds at the reference: an expression, or the first one as a
+/// spline over the second.
 struct RandomRelation {
   std::string name, text;
   std::vector<std::string> joints;
+  std::vector<std::array<double, 2>> points = {};  ///< of the spline
+  bool periodic = false;                           ///< the spline
 };
 
 /// All points in global axes at the reference; no damping, no motions but those of actuators.
