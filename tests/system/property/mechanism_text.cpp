@@ -44,7 +44,8 @@ Json outputs_of(const RandomMechanism& mechanism) {
 }  // namespace
 
 bool is_driven(const RandomMechanism& mechanism) {
-  return std::ranges::any_of(mechanism.links, [](const RandomLink& link) { return link.stroke > 0; });
+  return std::ranges::any_of(mechanism.links, [](const RandomLink& link) { return link.stroke > 0; }) ||
+         std::ranges::any_of(mechanism.joints, [](const RandomJoint& joint) { return joint.swing > 0; });
 }
 
 std::string model_text(const RandomMechanism& mechanism) {
@@ -96,6 +97,11 @@ std::string model_text(const RandomMechanism& mechanism) {
   if (!joints.empty()) model["joints"] = joints;
   if (!rods.empty()) model["rods"] = rods;
   if (!springs.empty()) model["springs"] = springs;
+  for (const RandomJoint& joint : mechanism.joints)
+    if (joint.swing > 0)
+      model["motions"][joint.name] = {
+          {"joint", joint.name},
+          {joint.type == "prismatic" ? "position" : "angle", std::to_string(joint.swing) + "*sin(3*t)"}};
   for (const RandomRelation& relation : mechanism.relations) {
     Json entry{{"relation", relation.text}};
     if (!relation.points.empty()) {

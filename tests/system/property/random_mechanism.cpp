@@ -162,6 +162,15 @@ void add_coupled(Workshop& shop) {
   if (dice.chance(0.3)) shop.add_rod(kOnGround, count - 1, dice.chance(0.5) ? 0.7 : 0);
 }
 
+/// A chain on ground, closed by a pin or slide that is driven where it is cut; up to two freedoms are left.
+void add_driven_cut(Workshop& shop) {
+  Dice& dice = shop.dice();
+  const std::vector<int> chain = grow_chain(shop, 6 + dice.upto(2), kOnGround, false);
+  const Point tip = plus(shop.place_of(chain.back()), dice.point(0.3));
+  shop.add_joint(dice.chance(0.6) ? "revolute" : "prismatic", kOnGround, chain.back(), tip, dice.axis(), true);
+  shop.mechanism().joints.back().swing = dice.between(0.02, 0.1);
+}
+
 /// Links without mass between revolute joints across one another.
 void add_massless_links(Workshop& shop) {
   Dice& dice = shop.dice();
@@ -319,6 +328,9 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
       break;
     case Family::coupled:
       add_coupled(shop);
+      break;
+    case Family::driven_cuts:
+      add_driven_cut(shop);
       break;
     case Family::tiny:
       if (dice.chance(0.8)) shop.hang(dice.chance(0.3) ? "free" : any_type(dice), kOnGround);

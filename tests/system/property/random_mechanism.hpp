@@ -49,6 +49,7 @@ struct RandomJoint {
   int from = kOnGround, to = 0;  ///< bodies
   Point at{}, axis{0, 0, 1};
   bool cut = false;
+  double swing = 0;  ///< rad or m, of one that a motion drives
 };
 
 /// A rod, or a spring where it has a stiffness.
@@ -70,7 +71,7 @@ struct RandomRelation {
   bool periodic = false;                           ///< the spline
 };
 
-/// All points in global axes at the reference; no damping, no motions but those of actuators.
+/// All points in global axes at the reference; no damping, no motions but those of actuators and of cut joints.
 struct RandomMechanism {
   std::uint64_t seed = 0;
   Point gravity{0, 0, -9.81};
@@ -97,7 +98,8 @@ enum class Family {
   nearly_mirror_halves,  ///< the same, but for one number
   equal_legs,            ///< three equal legs, a third of a turn apart, under a platform
   rolling,               ///< a free body with a tail, on discs, balls and blades that roll on ground or a moving body
-  by_equations           ///< closed by joints that have no coordinates: points on lines and planes, directions, shafts
+  by_equations,          ///< closed by joints that have no coordinates: points on lines and planes, directions, shafts
+  driven_cuts            ///< chains that a joint closes which is driven where it is cut
 };
 
 RandomMechanism random_mechanism(Family family, std::uint64_t seed);
@@ -109,7 +111,7 @@ RandomMechanism random_bricard(std::uint64_t seed);
 /// The model file. Outputs: velocity of each body's centre of mass (x, y, z), then the length of each spring.
 std::string model_text(const RandomMechanism& mechanism);
 
-/// True where an actuator does work.
+/// True where an actuator or a motion does work.
 bool is_driven(const RandomMechanism& mechanism);
 
 /// Smaller or simpler mechanisms, the smallest first.
