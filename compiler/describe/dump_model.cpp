@@ -37,11 +37,15 @@ class ModelText {
   std::string law(const std::optional<Law>& law) const {
     if (!law) return "none";
     if (const Quantity* factor = std::get_if<Quantity>(&*law)) return quantity(*factor);
-    const Table& table = std::get<Table>(*law);
+    return this->table(std::get<Table>(*law));
+  }
+
+  std::string table(const Table& table) const {
     std::vector<std::string> points;
     for (std::size_t i = 0; i < table.x.size(); ++i) points.push_back(fmt::format("{}: {}", table.x[i], table.y[i]));
-    const bool is_linear = table.interpolation == Table::Interpolation::linear;
-    return fmt::format("{} table [{}]", is_linear ? "linear" : "monotone cubic", fmt::join(points, ", "));
+    const char* kinds[] = {"linear", "monotone cubic", "spline"};
+    return fmt::format("{}{} table [{}]", table.periodic ? "periodic " : "",
+                       kinds[static_cast<int>(table.interpolation)], fmt::join(points, ", "));
   }
 
   std::string body(const Body& body) const {
@@ -77,7 +81,9 @@ class ModelText {
                           attachment(rod.to), quantity(rod.mass), rod.length ? quantity(*rod.length) : "as placed");
     }
     for (const Coupling& coupling : model_.couplings)
-      text += fmt::format("  {}: {} stays 0\n", coupling.name, quantity(coupling.relation));
+      text += coupling.curve ? fmt::format("  {}: {} = {} over {}\n", coupling.name, coordinate(*coupling.joint),
+                                           table(*coupling.curve), coordinate(*coupling.follows))
+                             : fmt::format("  {}: {} stays 0\n", coupling.name, quantity(coupling.relation));
     text += "springs\n";
     for (const PointSpring& spring : model_.springs) {
       text += fmt::format("  {}: from {} to {}, stiffness {}, damping {}, preload {}\n", spring.name,

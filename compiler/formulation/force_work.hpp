@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "compiler/formulation/motion.hpp"
-#include "mbgen/table.hpp"
+#include "compiler/model/curve.hpp"
 #include "mbgen/tyre.hpp"
 
 namespace mbgen {
@@ -82,13 +82,7 @@ struct ForceWork {
 template <class T>
 T law(const ForceWork<T>& work, const Law& law, const T& argument, const char* meaning, const std::string& element) {
   if (const Quantity* factor = std::get_if<Quantity>(&law)) return work.value(*factor, meaning, element) * argument;
-  const Table& table = std::get<Table>(law);
-  const int count = static_cast<int>(table.x.size());
-  if (table.interpolation == Table::Interpolation::linear)
-    return interpolate_linear(table.x.data(), table.y.data(), count, argument);
-  std::vector<double> slopes(table.x.size());
-  monotone_slopes(table.x.data(), table.y.data(), count, slopes.data());
-  return interpolate_monotone_cubic(table.x.data(), table.y.data(), slopes.data(), count, argument);
+  return value_along(std::get<Table>(law), argument);
 }
 
 template <class T>

@@ -34,6 +34,7 @@ enum class Shape {
   force,            ///< expression with FieldInfo::locals
   equation,         ///< number or name of a closure equation
   law,              ///< quantity or table
+  table,            ///< table
   table_points,     ///< [[x, y], ...]
   object,           ///< of kind FieldInfo::of
   map,              ///< name -> object of kind FieldInfo::of

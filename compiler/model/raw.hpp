@@ -52,6 +52,7 @@ struct TableFields {
   std::optional<std::string> csv;
   std::string x, y;  ///< columns of the CSV file
   Table::Interpolation interpolation = Table::Interpolation::linear;
+  bool periodic = false;
 };
 
 struct ParameterFields : Parameter, Presentation {

@@ -251,6 +251,11 @@ Resolved multiplier_output(Reader& reader, const Value& value, const OutputField
   }
   if (rows.empty()) return {multiplier, ""};
   multiplier.equation = equation_of(reader, value, output.equation, rows, of);
+  if (connection.coupling >= 0) {  // a curve is in units of its coordinate
+    const Coupling& coupling = reader.model.couplings[static_cast<std::size_t>(connection.coupling)];
+    if (coupling.curve && coupling.joint && coupling.joint->joint >= 0)
+      return {multiplier, is_rotation(reader.model, *coupling.joint) ? "N m" : "N"};
+  }
   return {multiplier, std::string(rows[static_cast<std::size_t>(multiplier.equation)].unit)};
 }
 
@@ -308,7 +313,10 @@ void read_motions(Reader& reader, const Entries& entries) {
     if (!reader.names.motions.emplace(entry.name, index).second)
       report(reader, entry.place, fmt::format("name {} is that of the motion of a rod's length", in_quotes(entry.name)),
              "rename the motion");
+    const int joint = one.front().joint.joint;
     reader.model.motions.push_back(one.front());
+    if (joint >= 0 && reader.model.joints[static_cast<std::size_t>(joint)].cut == CutMark::cut)
+      drive_at_cut(reader, entry, joint);
   }
 }
 

@@ -98,6 +98,7 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Attac
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<Attachment>& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, CoordinateReference& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Table& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Pose& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<std::array<double, 2>>& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, const Value*& target);
@@ -296,6 +297,9 @@ void read_rods(Reader& reader, const Entries& entries);
 void read_couplings(Reader& reader, const Entries& entries);
 /// Names the coordinates of a joint: tells its scope, and those that enclose it, and complains where a name is taken.
 void add_coordinates(Reader& reader, const Entry& entry, const Joint& joint, int index);
+/// Gives a joint that is marked cut, and that a motion drives, the coordinates that the motion needs: it moves a body
+/// without mass, and a fixed joint closes the loop. entry: of the motion.
+void drive_at_cut(Reader& reader, const Entry& entry, int joint);
 /// Complains when both ends are on one body. Result: the distance of the ends at the reference, NaN when there is none.
 double check_ends(Reader& reader, const Value& value, const Attachment& from, const Attachment& to);
 void read_springs(Reader& reader, const Entries& entries);

@@ -359,18 +359,6 @@ std::span<const Field<RodFields>> fields<RodFields>() {
 }
 
 template <>
-std::span<const Field<Coupling>> fields<Coupling>() {
-  static const std::array table = {
-      field<Coupling, &Coupling::relation>(
-          {.name = "relation",
-           .doc = "expression over positions of coordinates, z.NAME, and parameters; it stays zero",
-           .need = Need::required,
-           .depends = Depends::positions}),
-  };
-  return table;
-}
-
-template <>
 std::span<const Field<ShapeFields>> fields<ShapeFields>() {
   using F = ShapeFields;
   static const std::array table = {

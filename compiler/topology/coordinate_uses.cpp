@@ -45,6 +45,9 @@ std::vector<CoordinateUse> coordinate_uses(const Model& model) {
   std::vector<CoordinateUse> uses;
   add_elements_of_laws(uses, model);
   add_expressions(uses, model);
+  for (const Coupling& coupling : model.couplings)
+    for (const CoordinateReference& coordinate : coupling.coordinates)
+      if (coupling.curve) uses.push_back({coordinate, "coupling " + coupling.name});
   for (const InitialValue& value : model.initial.positions) uses.push_back({value.coordinate, "an initial position"});
   for (const InitialValue& value : model.initial.velocities) uses.push_back({value.coordinate, "an initial velocity"});
   for (const Output& output : model.outputs) {

@@ -7,9 +7,6 @@
 
 namespace mbgen::cartesian {
 
-/// y of a table at the argument.
-double along(const Table& table, double argument);
-
 /// Factor times argument, or a table over it; zero without a law.
 double law(const std::optional<Law>& law, const Values& value, double argument);
 

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -135,11 +137,14 @@ inline std::vector<double> random_tau(const Mechanism& mechanism, std::uint64_t 
   return tau;
 }
 
-/// Largest difference over the largest entry of `expected` (at least `floor`).
+/// Largest difference over the largest entry of `expected` (at least `floor`); infinite where something is no number.
 inline double relative_error(const std::vector<double>& actual, const std::vector<double>& expected,
                              double floor = 1e-9) {
   double error = 0;
-  for (std::size_t i = 0; i < expected.size(); ++i) error = std::max(error, std::abs(actual[i] - expected[i]));
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const double difference = std::abs(actual[i] - expected[i]);
+    error = std::isnan(difference) ? std::numeric_limits<double>::infinity() : std::max(error, difference);
+  }
   return error / std::max(largest_absolute(expected), floor);
 }
 

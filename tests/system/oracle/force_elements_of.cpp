@@ -4,9 +4,9 @@
 #include <cmath>
 #include <memory>
 
+#include "compiler/model/curve.hpp"
 #include "compiler/model/evaluate.hpp"
 #include "compiler/topology/topology.hpp"
-#include "mbgen/table.hpp"
 
 namespace mbgen::foreign {
 namespace {
@@ -59,19 +59,10 @@ double value_of(const Source& source, const ForeignState& state, const std::opti
   return evaluate<double>(source.model.expressions[*expression], environment);
 }
 
-double value_of(const Table& table, double argument) {
-  const int count = static_cast<int>(table.x.size());
-  if (table.interpolation == Table::Interpolation::linear)
-    return interpolate_linear(table.x.data(), table.y.data(), count, argument);
-  std::vector<double> slopes(table.x.size());
-  monotone_slopes(table.x.data(), table.y.data(), count, slopes.data());
-  return interpolate_monotone_cubic(table.x.data(), table.y.data(), slopes.data(), count, argument);
-}
-
 double value_of(const Source& source, const ForeignState& state, const std::optional<Law>& law, double argument) {
   if (!law) return 0;
   if (const Quantity* factor = std::get_if<Quantity>(&*law)) return value_of(source, state, *factor) * argument;
-  return value_of(std::get<Table>(*law), argument);
+  return value_along(std::get<Table>(*law), argument);
 }
 
 double tension(const Source& source, const PointSpring& s, double reference, double length, double rate,
@@ -88,10 +79,10 @@ double tension(const Source& source, const AirSpring& s, double reference, doubl
   const double length0 = s.length ? value(*s.length) : reference;
   const auto area = [&](double at) {
     const Quantity* constant = std::get_if<Quantity>(&s.area);
-    return constant ? value(*constant) : value_of(std::get<Table>(s.area), at);
+    return constant ? value(*constant) : value_along(std::get<Table>(s.area), at);
   };
   const auto volume = [&](double at) {
-    return s.volume ? value_of(*s.volume, at) : value(s.volume0) + area(length0) * (at - length0);
+    return s.volume ? value_along(*s.volume, at) : value(s.volume0) + area(length0) * (at - length0);
   };
   const double pressure = value(s.pressure) * std::pow(volume(length0) / volume(length), value(s.exponent));
   return -(pressure - value(s.ambient)) * area(length);

@@ -56,7 +56,8 @@ Json outputs_of(const RandomMechanism& mechanism) {
 }  // namespace
 
 bool is_driven(const RandomMechanism& mechanism) {
-  return std::ranges::any_of(mechanism.links, [](const RandomLink& link) { return link.stroke > 0; });
+  return std::ranges::any_of(mechanism.links, [](const RandomLink& link) { return link.stroke > 0; }) ||
+         std::ranges::any_of(mechanism.joints, [](const RandomJoint& joint) { return joint.swing > 0; });
 }
 
 std::string model_text(const RandomMechanism& mechanism) {
@@ -113,8 +114,19 @@ std::string model_text(const RandomMechanism& mechanism) {
   if (!rods.empty()) model["rods"] = rods;
   if (!springs.empty()) model["springs"] = springs;
   if (!bushings.empty()) model["bushings"] = bushings;
-  for (const RandomRelation& relation : mechanism.relations)
-    model["couplings"][relation.name] = {{"relation", relation.text}};
+  for (const RandomJoint& joint : mechanism.joints)
+    if (joint.swing > 0)
+      model["motions"][joint.name] = {
+          {"joint", joint.name},
+          {joint.type == "prismatic" ? "position" : "angle", std::to_string(joint.swing) + "*sin(3*t)"}};
+  for (const RandomRelation& relation : mechanism.relations) {
+    Json entry{{"relation", relation.text}};
+    if (!relation.points.empty()) {
+      const Json curve{{"table", relation.points}, {"interpolation", "spline"}, {"periodic", relation.periodic}};
+      entry = {{"joint", relation.joints[0]}, {"follows", relation.joints[1]}, {"curve", curve}};
+    }
+    model["couplings"][relation.name] = entry;
+  }
   if (const Json outputs = outputs_of(mechanism); !outputs.empty()) model["outputs"] = outputs;
   return model.dump(2) + "\n";
 }
