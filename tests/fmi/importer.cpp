@@ -18,16 +18,6 @@
 
 namespace {
 
-/// Near the pole of a ball the angles of the model are made from others by whoever shows them: mbgen or the unit, whose
-/// compilers round otherwise. All else has the same bits.
-bool same_row(const Case& c, const Row& found, const Row& expected) {
-  const std::string& model = c.description.identifier;
-  if (model != "tumbling" && model != "rod_ball") return same_bits(found, expected);
-  for (std::size_t k = 0; k < found.size(); ++k)
-    if (!(std::abs(found[k] - expected[k]) <= 1e-13 * (1 + std::abs(expected[k])))) return false;
-  return true;
-}
-
 /// Every row of the table by steps of `stride` rows; memory from the importer or not.
 template <class Unit>
 void co_simulate(const Case& c, std::size_t stride, bool gives_memory) {
@@ -152,36 +142,6 @@ void exchange(const Case& c) {
   require(same_bits(x, last) && same_bits(end, values(unit, c.columns)), "bits after a rollback");
   require(unit.forget(state) == kOk && unit.terminate() == kOk, "end");
   require(events <= 3, "events without need");  // those of the second half are met twice
-}
-
-/// Outputs, then derivatives.
-std::vector<Unknown> unknowns_of(const Description& description) {
-  std::vector<Unknown> unknowns = description.outputs;
-  unknowns.insert(unknowns.end(), description.derivatives.begin(), description.derivatives.end());
-  return unknowns;
-}
-
-std::vector<unsigned> references_of(const std::vector<Unknown>& unknowns) {
-  std::vector<unsigned> references;
-  for (const Unknown& unknown : unknowns) references.push_back(unknown.reference);
-  return references;
-}
-
-/// What directional derivatives are asked by.
-struct Knowns {
-  std::vector<unsigned> all;      ///< the states first
-  std::set<unsigned> parameters;  ///< those of them that are tunable
-};
-
-/// FMI 2 knows parameters at the initialisation only.
-Knowns knowns_of(const Description& description, bool with_parameters) {
-  Knowns knowns{description.states(), {}};
-  for (const Variable& variable : description.variables) {
-    const bool is_tuned = with_parameters && variable.variability == "tunable";
-    if (is_tuned) knowns.parameters.insert(variable.reference);
-    if (is_tuned || variable.causality == "input") knowns.all.push_back(variable.reference);
-  }
-  return knowns;
 }
 
 /// Directional derivatives against central differences of the FMU itself; what is no dependency must not matter.
