@@ -39,7 +39,7 @@ TEST_F(Rolling, PlacesAreStatesOfTheLinearSystemAndNeutral) {
   for (const char* state : {"z.disc_tx", "z.disc_ty", "zd.disc_ry"})
     EXPECT_NE(std::find(states.begin(), states.end(), state), states.end()) << state;
   const std::string told = mbgen("linearize disc.json").out;
-  EXPECT_NE(told.find("rigid body and rolling (6 eigenvalues): "), std::string::npos) << told;
+  EXPECT_NE(told.find("rigid body and rolling (4 eigenvalues): disc_ry, disc_tx, disc_ty"), std::string::npos) << told;
 }
 
 TEST_F(Rolling, AnFmuOfItHasCoSimulationAlone) {
@@ -47,7 +47,7 @@ TEST_F(Rolling, AnFmuOfItHasCoSimulationAlone) {
   for (const std::string version : {"2", "3"}) {
     const Outcome done = mbgen("export disc.json --sources-only --fmi " + version + " -o disc.fmu");
     EXPECT_EQ(done.exit_code, 0) << done.err;
-    EXPECT_NE(done.err.find("/joints/contact"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("disc.json:7:"), std::string::npos) << done.err;
     EXPECT_NE(done.err.find("the FMU has co-simulation alone"), std::string::npos) << done.err;
     EXPECT_EQ(shell("cmake -E tar xf disc.fmu modelDescription.xml").exit_code, 0);
     const std::string description = read("modelDescription.xml");
