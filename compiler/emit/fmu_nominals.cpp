@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/emit/fmu_variables.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/box.hpp"
 
 namespace mbgen {
@@ -31,6 +32,8 @@ double one_digit(double size) { return size > 0 ? std::stod(fmt::format("{:.0e}"
 void add_nominals(const EmitContext& context, const InitialState& initial, FmuLayout& fmu) {
   const double extent = extent_of(context.model);
   const std::size_t count = fmu.independent.size();
+  const std::vector<AuxiliaryState> states = auxiliary_states(context.model);
+  const auto slips = static_cast<std::size_t>(first_user_state(context.model));
   for (std::size_t k = 0; k < fmu.derivatives.size(); ++k) {
     const int rate = fmu.derivatives[k].variable;
     FmuVariable& state =
@@ -40,6 +43,8 @@ void add_nominals(const EmitContext& context, const InitialState& initial, FmuLa
       const auto coordinate = static_cast<std::size_t>(fmu.independent[k % count]);
       const bool turns = context.topology.bodies[coordinate].kind == FreedomKind::revolute;
       size = std::max(turns ? 1.0 : extent, std::abs((k < count ? initial.z : initial.zd)[coordinate]));
+    } else if (k - 2 * count >= slips) {
+      size = magnitude_of(states[k - 2 * count]);
     } else {
       size = kSlipOfRadius * context.model.tyres[(k - 2 * count) / 2].radius.value;
     }

@@ -119,13 +119,18 @@ void add_motion(const EmitContext& context, const InitialState& initial, FmuLayo
       ++c;
     }
   }
-  const std::vector<std::string> names = auxiliary_state_names(context.model);
-  const int count = static_cast<int>(names.size());
+  const std::vector<AuxiliaryState> states = auxiliary_states(context.model);
+  const int count = static_cast<int>(states.size());
   for (int i = 0; i < count; ++i)
-    fmu.variables.push_back(
-        {{Array::x, i}, "x." + names[i], "m", "auxiliary state", Causality::local, Start::exact, initial.x[i]});
+    fmu.variables.push_back({{Array::x, i},
+                             "x." + states[i].name,
+                             states[i].unit,
+                             states[i].description,
+                             Causality::local,
+                             Start::exact,
+                             initial.x[i]});
   for (int i = 0; i < count; ++i) {
-    FmuVariable rate{{Array::xd, i}, "xd." + names[i], "m/s", "rate of the auxiliary state"};
+    FmuVariable rate{{Array::xd, i}, "xd." + states[i].name, states[i].rate_unit, "rate of the auxiliary state"};
     rate.derivative_of = static_cast<int>(fmu.variables.size()) - count;
     fmu.variables.push_back(std::move(rate));
   }

@@ -133,7 +133,8 @@ std::vector<LinearState> states_of(const Model& model, const Topology& topology,
   for (const LinearState::Kind kind : {LinearState::Kind::position, LinearState::Kind::velocity}) {
     for (const int coordinate : independent) states.push_back({kind, coordinate});
   }
-  for (int i = 0; i < auxiliary_state_count(model); ++i) states.push_back({LinearState::Kind::auxiliary, i});
+  const int moving = auxiliary_state_count(model) - held_state_count(model);
+  for (int i = 0; i < moving; ++i) states.push_back({LinearState::Kind::auxiliary, i});
   return states;
 }
 

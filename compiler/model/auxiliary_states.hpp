@@ -1,6 +1,8 @@
 #pragma once
-// Auxiliary states of a model.
+// Auxiliary states of a model, in their order: two slip deflections per tyre, the states of the user's own, the sampled
+// values, and what sampled values with a delay will be.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,10 +10,32 @@
 
 namespace mbgen {
 
-/// Number of auxiliary states of a model: two per tyre (longitudinal and lateral slip deflection, m).
+struct AuxiliaryState {
+  std::string name;
+  std::string unit, rate_unit;
+  std::string description;
+  double initial = 0;
+  std::optional<double> nominal;  ///< usual magnitude, where the model says it
+};
+
+std::vector<AuxiliaryState> auxiliary_states(const Model& model);
+
 int auxiliary_state_count(const Model& model);
 
 /// Names of the auxiliary states.
 std::vector<std::string> auxiliary_state_names(const Model& model);
+
+/// Values of the auxiliary states at the start.
+std::vector<double> initial_auxiliary_states(const Model& model);
+
+/// Place of the first state of the user's own; sampled values follow them.
+int first_user_state(const Model& model);
+
+/// How many of the last auxiliary states hold between the instants at which they are set: sampled values.
+int held_state_count(const Model& model);
+
+/// Size of a state that counts as much as 1 rad or 1 m of a coordinate in a search: its nominal value, else its initial
+/// one, else 1.
+double magnitude_of(const AuxiliaryState& state);
 
 }  // namespace mbgen

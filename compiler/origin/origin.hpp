@@ -49,7 +49,9 @@ enum class OwnerKind : std::uint8_t {
   force,
   tyre,
   motion,
-  output
+  output,
+  state,
+  sampled
 };
 
 /// A part of the mechanism.

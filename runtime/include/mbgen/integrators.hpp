@@ -9,11 +9,14 @@
 //   bool leaves_charts(const State&) const noexcept                only where states have charts of balls (charts.hpp):
 //   bool settle_charts(State&) const noexcept                      whether one does not suit its position; puts each
 //                                                                  into the chart that does
+//   Status sample(State&, double h, bool& any) const noexcept      only where states have sampled values: sets those
+//                                                                  whose instant is at the start of a step of h
+//                                                                  seconds, and says whether there are any
 //   Status project_nearest(State&) const noexcept                  the same by the shortest corrections, near singular
 //                                                                  positions
 // They may give notices (status.hpp); near_singular and singular_met say how near a singular position the state is.
-// Every step settles charts, integrates all of z, zd and x, then projects. When anything fails the state and the
-// history stay as they were. Steps allocate only by copies of the System's own types.
+// Every step sets sampled values, settles charts, integrates all of z, zd and x, then projects. When anything fails the
+// state and the history stay as they were. Steps allocate only by copies of the System's own types.
 
 #include <cmath>
 
@@ -50,6 +53,12 @@ template <class System, class = void>
 inline constexpr bool kHasCharts = false;
 template <class System>
 inline constexpr bool kHasCharts<System, std::void_t<decltype(&System::settle_charts)>> = true;
+
+/// Whether states of a System have values that are set at instants.
+template <class System, class = void>
+inline constexpr bool kHasSamples = false;
+template <class System>
+inline constexpr bool kHasSamples<System, std::void_t<decltype(&System::sample)>> = true;
 
 inline Status check_step(double h) noexcept {
   return h > 0 && std::isfinite(h) ? Status{} : Status{Code::step_invalid, -1};
@@ -173,6 +182,29 @@ Status with_settled_charts(const System& system, typename System::State& state, 
 
 }  // namespace integrator_detail
 
+namespace integrator_detail {
+
+/// Takes a step of h seconds by `step` (state, whether values were set) after those values are set whose instant is at
+/// its start; the state keeps them where the step fails.
+template <class System, class Step>
+Status with_samples(const System& system, typename System::State& state, double h, const Step& step) noexcept {
+  if constexpr (kHasSamples<System>) {
+    bool any = false;
+    typename System::State sampled;
+    copy_state(state, sampled);
+    Status status = system.sample(sampled, h, any);
+    if (!status.ok()) return status;
+    if (!any) return step(state, false);
+    status = step(sampled, true);
+    if (status.ok()) copy_state(sampled, state);
+    return status;
+  } else {
+    return step(state, false);
+  }
+}
+
+}  // namespace integrator_detail
+
 /// One step of h seconds by the classical Runge-Kutta method, four evaluations, then projection. A step that comes near
 /// a singular position of a loop is taken with closed stages, see singular_step.hpp.
 /// Gives the most telling notice of the System's functions; singular_met when a singular position was passed.
@@ -183,8 +215,10 @@ Status step_rk4(const System& system, typename System::State& state, double h) n
   using namespace integrator_detail;
   const Status status = check_step(h);
   if (!status.ok()) return status;
-  return with_settled_charts(
-      system, state, [&](typename System::State& settled) { return settled_rk4(system, settled, h); }, [] {});
+  return with_samples(system, state, h, [&](typename System::State& sampled, bool) {
+    return with_settled_charts(
+        system, sampled, [&](typename System::State& settled) { return settled_rk4(system, settled, h); }, [] {});
+  });
 }
 
 namespace integrator_detail {
@@ -221,8 +255,8 @@ Status settled_abm4(const System& system, typename System::State& state, AbmHist
 }  // namespace integrator_detail
 
 /// One step of h seconds by Adams-Bashforth-Moulton of order four, evaluated at the predicted and at the projected
-/// state: two evaluations a step. The first three steps, and those after a change of h, a jump of t or a change of a
-/// chart, are by Runge-Kutta.
+/// state: two evaluations a step. The first three steps, and those after a change of h, a jump of t, a change of a
+/// chart or an instant of a sampled value, are by Runge-Kutta.
 /// Gives notices and fails as step_rk4.
 /// Source: L. F. Shampine, M. K. Gordon, Computer Solution of Ordinary Differential Equations, 1975 (PECE).
 template <class System>
@@ -231,9 +265,12 @@ Status step_abm4(const System& system, typename System::State& state, AbmHistory
   const Status status = check_step(h);
   if (!status.ok()) return status;
   const int known = history.count;
-  const Status stepped = with_settled_charts(
-      system, state, [&](typename System::State& settled) { return settled_abm4(system, settled, history, h); },
-      [&] { history.count = 0; });
+  const Status stepped = with_samples(system, state, h, [&](typename System::State& sampled, bool any) {
+    if (any) history.count = 0;  // rates jump with the values
+    return with_settled_charts(
+        system, sampled, [&](typename System::State& settled) { return settled_abm4(system, settled, history, h); },
+        [&] { history.count = 0; });
+  });
   if (!stepped.ok()) history.count = known;
   return stepped;
 }

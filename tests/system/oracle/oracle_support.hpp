@@ -41,16 +41,16 @@ inline bool tilts(const Model& model) {
   return std::ranges::any_of(model.joints, needs_carriage) && std::ranges::any_of(model.joints, is_in_space);
 }
 
-/// Models of all_models() without homokinetic joints, rods that change their length and discs that tilt, which Simbody
-/// has not.
+/// Models of all_models() without homokinetic joints, rods that change their length, discs that tilt and states of
+/// their own, which Simbody has not.
 inline std::vector<std::string> models_in_simbody() {
   std::vector<std::string> paths = all_models();
   std::erase_if(paths, [](const std::string& path) {
     const Result<Model> model = read_model_file(source_path(path));
     const auto is_homokinetic = [](const Joint& joint) { return joint.type == JointType::homokinetic; };
     const auto is_driven = [](const Rod& rod) { return rod.drive >= 0; };
-    return model && (tilts(*model) || std::ranges::any_of(model->joints, is_homokinetic) ||
-                     std::ranges::any_of(model->rods, is_driven));
+    return model && (tilts(*model) || !model->states.empty() || !model->sampled.empty() ||
+                     std::ranges::any_of(model->joints, is_homokinetic) || std::ranges::any_of(model->rods, is_driven));
   });
   return paths;
 }

@@ -59,6 +59,7 @@ struct RandomLink {
   double mass = 0;
   double stiffness = 0;
   double stroke = 0;  ///< m, of a rod that is an actuator
+  double oil = 0;     ///< N/m/s, of a spring: its stretch fills a state that pulls along with it
 };
 
 /// A relation between the coordinates of plain joints that holds at the reference.
@@ -106,7 +107,7 @@ RandomMechanism random_bricard(std::uint64_t seed);
 /// The model file. Outputs: velocity of each body's centre of mass (x, y, z), then the length of each spring.
 std::string model_text(const RandomMechanism& mechanism);
 
-/// True where an actuator does work.
+/// True where an actuator or a state does work.
 bool is_driven(const RandomMechanism& mechanism);
 
 /// Smaller or simpler mechanisms, the smallest first.
