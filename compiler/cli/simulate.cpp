@@ -104,6 +104,7 @@ int run(const SimulateOptions& options) {
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
   count_notes(compilation);
   const SimulationSettings settings = settings_of(options.simulation, compilation.model.solver);
+  require_whole_periods(settings, compilation.model);
   const InputsOverTime inputs = inputs_of(compilation.model, options.engine.inputs, options.simulation);
   for (const std::string& warning : inputs.warnings) fmt::print(stderr, "{}", warning);
   choice.integrator = integrator_of(options.simulation.integrator, compilation.model.solver.integrator, choice.name);

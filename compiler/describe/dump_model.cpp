@@ -163,6 +163,19 @@ class ModelText {
     return text;
   }
 
+  /// "" without any.
+  std::string states() const {
+    std::string text = model_.states.empty() ? "" : "states\n";
+    for (const UserState& state : model_.states)
+      text += fmt::format("  {} [{}]: derivative {}, at the start {}\n", state.name, state.unit,
+                          quantity(state.derivative), state.initial);
+    text += model_.sampled.empty() ? "" : "sampled\n";
+    for (const SampledValue& value : model_.sampled)
+      text += fmt::format("  {} [{}]: every {} s {}, {} later, at the start {}\n", value.name, value.unit, value.period,
+                          quantity(value.value), value.delay, value.initial);
+    return text;
+  }
+
   std::string output(const Output& output) const {
     const auto describe = [&](const auto& source) { return this->source(source); };
     return fmt::format("  {} [{}]: {}\n", output.name, output.unit, std::visit(describe, output.source));
@@ -298,7 +311,7 @@ std::string dump_model(const Model& model) {
     text += fmt::format("  {}: {} = {}\n", motion.name, describe.coordinate(motion.joint),
                         describe.quantity(motion.position));
   }
-  text += "outputs\n";
+  text += describe.states() + "outputs\n";
   for (const Output& output : model.outputs) text += describe.output(output);
   return text;
 }

@@ -346,6 +346,23 @@ std::string operations_explanation(const Compilation& compilation) {
   return text;
 }
 
+std::string number_or_text(const Model& model, const Quantity& quantity) {
+  return quantity.expression < 0 ? fmt::format("{:g}", quantity.value) : model.expressions[quantity.expression].text;
+}
+
+std::string states_explanation(const Model& model) {
+  std::string text;
+  for (const UserState& state : model.states)
+    text += paragraph(fmt::format("{} is integrated with the motion: its derivative is {}, it starts at {:g}.",
+                                  state.name, number_or_text(model, state.derivative), state.initial));
+  for (const SampledValue& value : model.sampled)
+    text +=
+        paragraph(fmt::format("{} is set every {:g} s to {}{} and holds in between; it starts at {:g}.", value.name,
+                              value.period, number_or_text(model, value.value),
+                              value.delay > 0 ? ", " + counted(value.delay, "instant") + " later" : "", value.initial));
+  return text.empty() ? "" : heading("States") + text;
+}
+
 std::string notes_explanation(const Diagnostics& notes) {
   if (notes.empty()) return {};
   std::string text = heading("Notes");
@@ -360,7 +377,8 @@ std::string explanation_text(const Compilation& compilation) {
       overview_text(compilation) + tree_explanation(compilation.topology) + cuts_explanation(compilation);
   for (std::size_t b = 0; b < compilation.topology.blocks.size(); ++b) text += block_explanation(compilation, b);
   return text + sides_explanation(compilation) + freedoms_explanation(compilation) +
-         operations_explanation(compilation) + notes_explanation(all_notes(compilation));
+         states_explanation(compilation.model) + operations_explanation(compilation) +
+         notes_explanation(all_notes(compilation));
 }
 
 }  // namespace mbgen

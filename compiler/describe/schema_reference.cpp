@@ -123,8 +123,9 @@ std::string expressions_text() {
 
 `+ - * / ^`, brackets, numbers, `pi`, names and functions: `"2*k*sin(pi*t)"`. `^` comes first and takes a sign
 behind it: `-x^2` is `-(x^2)`, `2^-1` is 0.5. Names are parameters; a parameter takes those above it. Forces, motions
-and outputs take `t` and inputs too. Forces and outputs take `z.COORDINATE`, a position, and `zd.COORDINATE`, its
-velocity, and the names that the field lists.
+and outputs take `t` and inputs too. Forces, states, sampled values and outputs take
+`z.COORDINATE`, a position, and `zd.COORDINATE`, its velocity, `length.NAME`, the length of a spring, an air
+spring or a rod, and `rate.NAME`, its rate, names of states and of sampled values, and the names that the field lists.
 
 | function | value |
 |---|---|

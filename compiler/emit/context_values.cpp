@@ -27,6 +27,11 @@ std::string apart(const std::string& text) {
   return result;
 }
 
+/// s, of the sampled values.
+std::vector<std::string> period_items(const Model& model) {
+  return mapped(model.sampled, [](const SampledValue& value) { return number_text(value.period); });
+}
+
 /// What every frame may name.
 FrameValues context_values(const EmitContext& context) {
   const SolverNames& names = context.names;
@@ -45,6 +50,10 @@ FrameValues context_values(const EmitContext& context) {
           {"derived", derived > 0 ? std::to_string(derived) : ""},
           {"has_closure", layout.has_closure},
           {"balls", layout.balls > 0 ? std::to_string(layout.balls) : ""},
+          {"samples", layout.sampled > 0 ? std::to_string(layout.sampled) : ""},
+          {"held_count", layout.held},
+          {"first_held", layout.auxiliary_states - layout.held},
+          {"period_table", array_text("  static constexpr double kPeriods", period_items(context.model), "0")},
           {"coordinate_count", layout.coordinates},
           {"auxiliary_count", layout.auxiliary_states},
           {"parameter_count", layout.parameters},

@@ -30,13 +30,16 @@ CostJson call_json(const EmitContext& context, const CostJson& programs, const c
   const long terms = chooses ? operations("closure_terms") : 0;
   const long of_acceleration =
       operations("accelerations") + terms + (chooses ? operations("accelerations_chosen") : 0L);
-  return {{"function", function},
-          {"case", title},
-          {"accelerations", calls.accelerations},
-          {"projections", projections},
-          {"closures", closures},
-          {"factorisations", chooses ? calls.accelerations + closures : 0L},
-          {"operations", calls.accelerations * of_acceleration + closures * (operations("closure") + terms)}};
+  const bool is_step = std::string_view(function).starts_with("step_");
+  const long of_samples = is_step ? operations("sampled") : 0;  // once, where an instant begins the step
+  return {
+      {"function", function},
+      {"case", title},
+      {"accelerations", calls.accelerations},
+      {"projections", projections},
+      {"closures", closures},
+      {"factorisations", chooses ? calls.accelerations + closures : 0L},
+      {"operations", calls.accelerations * of_acceleration + closures * (operations("closure") + terms) + of_samples}};
 }
 
 CostJson calls_json(const EmitContext& context, const CostJson& programs) {

@@ -7,6 +7,7 @@
 #include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
+#include "compiler/model/inputs.hpp"
 
 namespace mbgen {
 namespace {
@@ -33,6 +34,8 @@ EmittedFile driver(const Model& model, int lanes, const std::string& clocked, bo
                          {"parameters", numbered_rows(names.parameters)},
                          {"inputs", numbered_rows(names.inputs)},
                          {"outputs", numbered_rows(names.outputs)},
+                         {"samples", !model.sampled.empty()},
+                         {"advances", inputs_have_derivatives(model.inputs)},
                          {"lanes", lanes > 0 ? std::to_string(lanes) : ""},
                          {"laws", laws},
                          {"clocked", clocked}})};

@@ -127,12 +127,12 @@ void add_motion(const EmitContext& context, const InitialState& initial, FmuLayo
     fmu.variables.push_back({{Array::x, i},
                              "x." + states[i].name,
                              states[i].unit,
-                             "auxiliary state",
+                             states[i].description,
                              Causality::local,
                              Start::exact,
                              initial.x[i]});
   for (int i = 0; i < count; ++i) {
-    FmuVariable rate{{Array::xd, i}, "xd." + states[i].name, states[i].unit + "/s", "rate of the auxiliary state"};
+    FmuVariable rate{{Array::xd, i}, "xd." + states[i].name, states[i].rate_unit, "rate of the auxiliary state"};
     rate.derivative_of = static_cast<int>(fmu.variables.size()) - count;
     fmu.variables.push_back(std::move(rate));
   }

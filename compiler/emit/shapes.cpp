@@ -19,6 +19,7 @@ constexpr std::pair<Array, const char*> kMembers[] = {
     {Array::dz, "Newton correction; driven coordinates go to their motions"},
     {Array::driven_acceleration, "of driven coordinates, by their motions; no others"},
     {Array::xd, "rates of the auxiliary states"},
+    {Array::held, "the last auxiliary states, those that hold"},
     {Array::lambda, "multipliers, loop after loop"},
     {Array::drive, "generalised driving forces"},
     {Array::residual, "of every closure equation, block after block, then of every motion"},
@@ -48,7 +49,8 @@ std::string missing_value(Array array) {
 
 /// Adds where an array lives in the struct of an argument, by coordinates or by number.
 void add_array(Places& places, const std::string& argument, Array array, const EmitContext& context) {
-  const std::string name = array == Array::tau ? "tau" : argument + "." + name_of(array);
+  const bool is_bare = array == Array::tau || array == Array::due;
+  const std::string name = is_bare ? name_of(array) : argument + "." + name_of(array);
   if (share_of({}, array)) {
     for (std::size_t b = 0; b < context.layout.blocks.size(); ++b) {
       const ArrayShare share = *share_of(context.layout.blocks[b], array);
@@ -71,6 +73,7 @@ constexpr std::tuple<Array, const char*, const char*> kArguments[] = {
     {Array::tau, "tau", "const double* tau"},
     {Array::zdd, "derivative", "const Derivative& derivative"},
     {Array::lambda, "multipliers", "const Multipliers& multipliers"},
+    {Array::due, "due", "const double* due"},
     {Array::Rz, "projection", "const Projection& projection"}};
 
 /// A program as its text names it.
@@ -91,13 +94,15 @@ constexpr ShapeRow kShapes[] = {
      "Closure equations and their derivatives, for the pivoting factorisation."},
     {Role::accelerations_chosen, "chosen_accelerations", "ChosenAccelerations",
      "All accelerations with a partition chosen at run time."},
-    {Role::outputs, "outputs", "Outputs", "Outputs, energies and power, at given accelerations."}};
+    {Role::outputs, "outputs", "Outputs", "Outputs, energies and power, at given accelerations."},
+    {Role::sampled, "sampled_values", "SampledValues", "Values that hold between instants, after those that are due."}};
 
 /// Whether a solver has the program: those of closures are left out when there is nothing to close.
 bool is_written(Role role, const EmitContext& context) {
   const SolverLayout& layout = context.layout;
   if (role == Role::derived_constants) return derived_constant_count(context.programs) > 0;
   if (role == Role::closure || role == Role::multipliers) return layout.has_closure;
+  if (role == Role::sampled) return layout.sampled > 0;
   if (role == Role::closure_terms) return !layout.blocks.empty();
   return role != Role::accelerations_chosen || ((!layout.blocks.empty() || layout.balls > 0) && layout.chooses_again);
 }
@@ -152,7 +157,7 @@ ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
 void take_floats(ProgramShape& shape) {
   shape.scalar = "float";
   for (auto& [name, declaration] : shape.arguments) {
-    if (name == "tau") declaration = "const float* tau";
+    if (name == "tau" || name == "due") declaration = "const float* " + name;
   }
   shape.inputs[Array::t].texts = {"static_cast<float>(state.t)"};
   for (auto& [group, place] : shape.outputs) {
@@ -198,6 +203,7 @@ Places input_places(const EmitContext& context) {
   for (const Array array : {Array::lambda, Array::drive}) add_array(places, "multipliers", array, context);
   for (const Array array : {Array::Rz, Array::zdd_star}) add_array(places, "projection", array, context);
   add_array(places, "tau", Array::tau, context);
+  add_array(places, "due", Array::due, context);
   add_array(places, "derivative", Array::zdd, context);
   add_array(places, "parameters", Array::derived, context);
   places[Array::derived].locals = derived_constant_names(context.programs);

@@ -41,6 +41,9 @@ Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice&
   };
   engine.project = [judge](GenericState& state) { return judge->solver.project(state); };
   engine.step = [judge](GenericState& state, double h) { return judge->solver.step(state, h); };
+  if (!compilation.model.sampled.empty()) {
+    engine.sample = [judge](GenericState& state, double h, bool& any) { return judge->observer.sample(state, h, any); };
+  }
   engine.accelerations_in_motion = [judge](const GenericState& state, double, GenericDerivative& derivative) {
     return judge->solver.accelerations(state, std::vector<double>(state.z.size(), 0.0), derivative);
   };

@@ -103,6 +103,14 @@ Status step(LoadedSolver& solver, SolverSettings::Integrator integrator, Generic
   return status;
 }
 
+Status sample(LoadedSolver& solver, GenericState& state, double h, bool& any) {
+  flatten(state, solver.state);
+  const Status status =
+      solver.table->sample(solver.parameters.data(), solver.inputs.data(), solver.state.data(), h, &any);
+  if (status.ok()) unflatten(solver.state, state);
+  return status;
+}
+
 Status constraint_forces(LoadedSolver& solver, const LoadedState& at, const GenericDerivative& derivative,
                          std::vector<double>& lambda, std::vector<double>& drive) {
   flatten(at.state, solver.state);
@@ -208,6 +216,9 @@ Engine make_generated_engine(const std::shared_ptr<const SolverTable>& table, co
   engine.accelerations_in_motion = [solver](const GenericState& state, double h, GenericDerivative& derivative) {
     return accelerations_in_motion(*solver, state, h, derivative);
   };
+  if (table->sample != nullptr) {
+    engine.sample = [solver](GenericState& state, double h, bool& any) { return sample(*solver, state, h, any); };
+  }
   engine.multipliers = [solver](const LoadedState& at, const GenericDerivative& derivative,
                                 std::vector<double>& lambda) {
     std::vector<double> drive;

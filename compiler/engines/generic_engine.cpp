@@ -29,6 +29,7 @@ struct GenericSystem {
     advance_inputs(state.t);
     return solver.project_nearest(state);
   }
+  Status sample(GenericState& state, double h, bool& any) const noexcept { return solver.sample(state, h, any); }
   bool leaves_charts(const GenericState& state) const noexcept { return mbgen::leaves_charts(balls, state); }
   bool settle_charts(GenericState& state) const noexcept { return mbgen::settle_charts(balls, state); }
   void change_charts(const GenericState& from, const GenericState& to, std::vector<double>& z, std::vector<double>& zd,
@@ -121,6 +122,9 @@ Engine make_generic_engine(const Compilation& compilation, const EngineChoice& c
   engine.accelerations_in_motion = [system](const GenericState& state, double h, GenericDerivative& derivative) {
     return accelerations_in_motion(*system, state, h, derivative);
   };
+  if (!compilation.model.sampled.empty()) {
+    engine.sample = [system](GenericState& state, double h, bool& any) { return system->solver.sample(state, h, any); };
+  }
   engine.multipliers = [system](const LoadedState& at, const GenericDerivative& derivative,
                                 std::vector<double>& lambda) {
     lambda = system->solver.multipliers(at.state, at.tau, derivative);

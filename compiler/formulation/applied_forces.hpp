@@ -1,11 +1,12 @@
 #pragma once
 // Applied forces (step 5): force elements of the model as wrenches on bodies, generalised forces on coordinates, and
-// the rates of the tyres' deflection states. The laws themselves are templates of the runtime's headers.
+// the rates of the auxiliary states. The laws themselves are templates of the runtime's headers.
 
 #include "compiler/formulation/bump_stops.hpp"
 #include "compiler/formulation/bushings.hpp"
 #include "compiler/formulation/force_work.hpp"
 #include "compiler/formulation/tyre_road.hpp"
+#include "compiler/formulation/user_states.hpp"
 #include "mbgen/forces.hpp"
 
 namespace mbgen {
@@ -120,6 +121,7 @@ AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const
   forces.about = v.about;
   forces.wrench.resize(system.topology.bodies.size());
   forces.joint.assign(system.topology.bodies.size(), T(0.0));
+  see_states_and_lengths(system, k, v);
   detail::ForceWork<T> work{system, k, v, forces, shared_law};
   detail::point_springs(work);
   detail::air_springs(work);
@@ -128,6 +130,7 @@ AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const
   detail::tyres(work);
   detail::bushings(work);
   detail::bump_stops(work);
+  detail::user_states(work);
   return forces;
 }
 

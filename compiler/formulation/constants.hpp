@@ -23,6 +23,8 @@ struct Environment {
   std::vector<T> charts;             ///< per ball of the topology, 0 or 1; empty: all 0
   std::vector<T> users_z, users_zd;  ///< as the model counts them, for expressions; empty: z and zd
   std::vector<T> locals;
+  std::vector<T> states;          ///< of the user's own, then sampled values and what they will be
+  std::vector<T> lengths, rates;  ///< of springs, air springs, rods: m, m/s; those that an expression looks at
 
   T parameter(int i) const { return parameters[i]; }
   T input(int i) const { return inputs[i]; }
@@ -30,6 +32,9 @@ struct Environment {
   T position(const CoordinateReference& c) const { return at(users_z.empty() ? z : users_z, c); }
   T velocity(const CoordinateReference& c) const { return at(users_zd.empty() ? zd : users_zd, c); }
   T local(int i) const { return locals[i]; }
+  T state(int i) const { return states[i]; }
+  T length(int i) const { return lengths[i]; }
+  T rate(int i) const { return rates[i]; }
 
  private:
   T at(const std::vector<T>& values, const CoordinateReference& c) const {

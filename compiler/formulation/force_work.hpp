@@ -127,23 +127,40 @@ void apply_force(ForceWork<T>& work, int model_body, const Place<T>& place, cons
              arm_of(work.system, work.k, place, work.forces.about)});
 }
 
+/// The line between two places, in the axes of a frame.
+template <class T>
+struct Line {
+  Place<T> from, to;
+  int frame = kGround;
+  Vector<T> gap;         ///< m
+  T length, reciprocal;  ///< m, 1/m
+  T rate;                ///< of the length, m/s
+};
+
+template <class T>
+Line<T> line_between(const System<T>& system, const Kinematics<T>& k, const Velocities<T>& v, const Attachment& from,
+                     const Attachment& to) {
+  const Place<T> a = place_of(system, from), b = place_of(system, to);
+  const int frame = common_frame(system, a.body, b.body);
+  const Vector<T> gap = position_in(system, k, b, frame) - position_in(system, k, a, frame);
+  const Vector<T> gap_rate = velocity_in(system, k, v, b, frame) - velocity_in(system, k, v, a, frame);
+  const T length = norm(gap);
+  const T reciprocal = T(1.0) / length;
+  return {a, b, frame, gap, length, reciprocal, dot(gap, gap_rate) * reciprocal};
+}
+
 /// Two places joined by a line element; `tension` gives its force from length and rate.
 template <class T, class Tension>
 ElementState<T> line_element(ForceWork<T>& work, const Attachment& from, const Attachment& to, const Tension& tension) {
-  const Place<T> a = work.place(from), b = work.place(to);
-  const int frame = common_frame(work.system, a.body, b.body);
-  const Vector<T> gap = position_in(work.system, work.k, b, frame) - position_in(work.system, work.k, a, frame);
-  const Vector<T> gap_rate =
-      velocity_in(work.system, work.k, work.v, b, frame) - velocity_in(work.system, work.k, work.v, a, frame);
+  const Line<T> line = line_between(work.system, work.k, work.v, from, to);
   ElementState<T> state;
-  state.length = norm(gap);
-  const T reciprocal = T(1.0) / state.length;
-  state.rate = dot(gap, gap_rate) * reciprocal;
-  const T reference = reference_distance(work.system.topology, work.system.constants, to, b, from, a);
+  state.length = line.length;
+  state.rate = line.rate;
+  const T reference = reference_distance(work.system.topology, work.system.constants, to, line.to, from, line.from);
   state.force = tension(state.length, state.rate, reference);
-  const Vector<T> force = (state.force * reciprocal) * gap;
-  apply_force(work, from.body, a, force, frame);
-  apply_force(work, to.body, b, -force, frame);
+  const Vector<T> force = (state.force * line.reciprocal) * line.gap;
+  apply_force(work, from.body, line.from, force, line.frame);
+  apply_force(work, to.body, line.to, -force, line.frame);
   return state;
 }
 

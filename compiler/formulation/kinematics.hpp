@@ -16,7 +16,7 @@ struct System {
   const Topology& topology;
   const Layout& layout;
   Environment<T> environment;  ///< parameters, inputs, t, z, zd
-  std::vector<T> x;            ///< auxiliary states: tyre deflections u, v
+  std::vector<T> x;            ///< auxiliary states: auxiliary_states.hpp
   Constants<T> constants;
   Scribe<T>& scribe;
 

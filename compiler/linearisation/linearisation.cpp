@@ -165,7 +165,8 @@ std::vector<LinearState> states_of(const Model& model, const std::vector<int>& p
   std::vector<LinearState> states;
   for (const int coordinate : positions) states.push_back({LinearState::Kind::position, coordinate});
   for (const int coordinate : velocities) states.push_back({LinearState::Kind::velocity, coordinate});
-  for (int i = 0; i < auxiliary_state_count(model); ++i) states.push_back({LinearState::Kind::auxiliary, i});
+  const int moving = auxiliary_state_count(model) - held_state_count(model);
+  for (int i = 0; i < moving; ++i) states.push_back({LinearState::Kind::auxiliary, i});
   return states;
 }
 

@@ -28,10 +28,10 @@ struct LinearState {
 };
 
 /// s' = A s + B u and y = C s + D u for the deviations s of the states, u of the inputs and y of the outputs.
-/// States are the positions of the independent coordinates, their velocities, and the auxiliary states; the dependent
-/// coordinates follow, so that loops stay closed and driven coordinates at their motions. Time stands still. Where
-/// bodies roll, positions of coordinates whose velocities only rolling gives are states, too: they follow the
-/// independent ones.
+/// States are the positions of the independent coordinates, their velocities, and the auxiliary states but those that
+/// hold (sampled values); the dependent coordinates follow, so that loops stay closed and driven coordinates at their
+/// motions. Time stands still. Where bodies roll, positions of coordinates whose velocities only rolling gives are
+/// states, too: they follow the independent ones.
 struct LinearSystem {
   std::vector<LinearState> states;
   Eigen::MatrixXd A;            ///< states x states

@@ -1,5 +1,6 @@
 #include "compiler/model/auxiliary_states.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace mbgen {
@@ -7,6 +8,25 @@ namespace {
 
 constexpr double kSlipOfRadius = 0.1;  // of a tyre's radius, what its slip states reach
 constexpr double kExtension = 1e-3;    // m or rad, of the spring of a Maxwell branch
+constexpr int kStatesOfTyre = 2;
+
+AuxiliaryState hidden(const std::string& name, const std::string& unit, double size) {
+  return {name, unit, unit + "/s", "auxiliary state", 0, {}, size};
+}
+
+/// A value of the user's own; all without unit are numbers.
+template <class Value>
+AuxiliaryState own(const Value& value, const std::string& name, const char* kind) {
+  const bool has_unit = !value.unit.empty() && value.unit != "1";
+  const std::string& description = value.shown.description;
+  return {name,
+          has_unit ? value.unit : "1",
+          has_unit ? value.unit + "/s" : "1/s",
+          description.empty() ? kind : description,
+          value.initial,
+          value.shown.nominal,
+          1};
+}
 
 }  // namespace
 
@@ -14,26 +34,57 @@ std::vector<AuxiliaryState> auxiliary_states(const Model& model) {
   std::vector<AuxiliaryState> states;
   for (const Tyre& tyre : model.tyres) {
     for (const char* suffix : {"_u", "_v"})
-      states.push_back({tyre.name + suffix, "m", kSlipOfRadius * tyre.radius.value});
+      states.push_back(hidden(tyre.name + suffix, "m", kSlipOfRadius * tyre.radius.value));
   }
   for (const Bushing& bushing : model.bushings) {
     for (int i = 0; i < kBushingFreedoms; ++i) {
       if (!has_maxwell_branch(bushing, i)) continue;
       const std::string name(kBushingFreedomNames[static_cast<std::size_t>(i)]);
-      states.push_back({bushing.name + "_" + name, i < 3 ? "m" : "rad", kExtension});
+      states.push_back(hidden(bushing.name + "_" + name, i < 3 ? "m" : "rad", kExtension));
     }
   }
+  for (const UserState& state : model.states) states.push_back(own(state, state.name, "state"));
+  for (const SampledValue& value : model.sampled) states.push_back(own(value, value.name, "sampled value"));
+  for (const SampledValue& value : model.sampled)
+    for (int k = 1; k <= value.delay; ++k)
+      states.push_back(own(value, value.name + "_in" + std::to_string(k), "sampled value that waits"));
   return states;
 }
 
-int auxiliary_state_count(const Model& model) { return static_cast<int>(auxiliary_states(model).size()); }
+int auxiliary_state_count(const Model& model) {
+  return first_user_state(model) + static_cast<int>(model.states.size()) + held_state_count(model);
+}
 
-int slip_state_count(const Model& model) { return 2 * static_cast<int>(model.tyres.size()); }
+int slip_state_count(const Model& model) { return kStatesOfTyre * static_cast<int>(model.tyres.size()); }
 
 std::vector<std::string> auxiliary_state_names(const Model& model) {
   std::vector<std::string> names;
   for (AuxiliaryState& state : auxiliary_states(model)) names.push_back(std::move(state.name));
   return names;
+}
+
+std::vector<double> initial_auxiliary_states(const Model& model) {
+  std::vector<double> values;
+  for (const AuxiliaryState& state : auxiliary_states(model)) values.push_back(state.initial);
+  return values;
+}
+
+int first_user_state(const Model& model) {
+  int branches = 0;
+  for (const Bushing& bushing : model.bushings)
+    for (int i = 0; i < kBushingFreedoms; ++i) branches += has_maxwell_branch(bushing, i) ? 1 : 0;
+  return slip_state_count(model) + branches;
+}
+
+int held_state_count(const Model& model) {
+  int count = 0;
+  for (const SampledValue& value : model.sampled) count += 1 + value.delay;
+  return count;
+}
+
+double magnitude_of(const AuxiliaryState& state) {
+  const double size = state.nominal.value_or(std::abs(state.initial));
+  return size > 0 ? size : 1;
 }
 
 }  // namespace mbgen

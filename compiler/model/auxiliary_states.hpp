@@ -1,6 +1,9 @@
 #pragma once
-// Auxiliary states of a model.
+// Auxiliary states of a model, in their order: two slip deflections per tyre (m), the extension of the spring of each
+// Maxwell branch of a bushing (m or rad), the states of the user's own, the sampled values, and what sampled values
+// with a delay will be.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,17 +11,17 @@
 
 namespace mbgen {
 
-/// An auxiliary state as tables and interfaces show it.
 struct AuxiliaryState {
-  std::string name, unit;
-  double size = 1;  ///< usual magnitude, in its unit
+  std::string name;
+  std::string unit, rate_unit;
+  std::string description;
+  double initial = 0;
+  std::optional<double> nominal;  ///< usual magnitude, where the model says it
+  double size = 1;                ///< usual magnitude of those that are not the user's own
 };
 
-/// The auxiliary states of a model in their order: two per tyre (longitudinal and lateral slip deflection, m), then one
-/// per Maxwell branch of a bushing (extension of its spring, m or rad).
 std::vector<AuxiliaryState> auxiliary_states(const Model& model);
 
-/// Number of auxiliary states.
 int auxiliary_state_count(const Model& model);
 
 /// Number of the first of them that are slips of tyres. At rest these hold by themselves; the others then have the
@@ -27,5 +30,18 @@ int slip_state_count(const Model& model);
 
 /// Names of the auxiliary states.
 std::vector<std::string> auxiliary_state_names(const Model& model);
+
+/// Values of the auxiliary states at the start.
+std::vector<double> initial_auxiliary_states(const Model& model);
+
+/// Place of the first state of the user's own; sampled values follow them.
+int first_user_state(const Model& model);
+
+/// How many of the last auxiliary states hold between the instants at which they are set: sampled values.
+int held_state_count(const Model& model);
+
+/// Size of a state that counts as much as 1 rad or 1 m of a coordinate in a search: its nominal value, else its initial
+/// one, else 1.
+double magnitude_of(const AuxiliaryState& state);
 
 }  // namespace mbgen

@@ -89,11 +89,24 @@ T apply(Function function, const T& a, const T& b, const T& c) {
   return a;
 }
 
+/// Value of a state, or of a length of the mechanism or its rate, where the environment has these; read_model refuses
+/// them elsewhere.
+template <class T, class Environment>
+T evaluate_mechanism([[maybe_unused]] const Environment& environment, [[maybe_unused]] const ExpressionNode& node) {
+  if constexpr (requires { environment.state(0); }) {
+    if (node.kind == ExpressionNode::Kind::state) return environment.state(node.index);
+    return node.kind == ExpressionNode::Kind::length ? environment.length(node.index) : environment.rate(node.index);
+  } else {
+    return T(0.0);
+  }
+}
+
 /// Value of an expression.
 /// environment: parameter(i), input(i), time(), position(CoordinateReference), velocity(CoordinateReference), local(i),
-/// each giving T. T: + - * / and unary minus, T(double), and by argument-dependent lookup sqrt sin cos tan asin acos
-/// atan atan2 exp log pow tanh abs min max select(x, a, b). Comparisons are not used: sign and step go by select.
-/// Requires: nodes as read_model gives them (operands earlier, at least one node).
+/// and where it has them state(i), length(i), rate(i), each giving T. T: + - * / and unary minus, T(double), and by
+/// argument-dependent lookup sqrt sin cos tan asin acos atan atan2 exp log pow tanh abs min max select(x, a, b).
+/// Comparisons are not used: sign and step go by select. Requires: nodes as read_model gives them (operands earlier, at
+/// least one node).
 template <class T, class Environment>
 T evaluate(const Expression& expression, const Environment& environment) {
   std::vector<T> values;
@@ -134,6 +147,11 @@ T evaluate(const Expression& expression, const Environment& environment) {
         break;
       case ExpressionNode::Kind::call:
         values.push_back(call(node));
+        break;
+      case ExpressionNode::Kind::state:
+      case ExpressionNode::Kind::length:
+      case ExpressionNode::Kind::rate:
+        values.push_back(evaluate_mechanism<T>(environment, node));
         break;
     }
   }

@@ -4,7 +4,7 @@
 //   sum     = product { ("+" | "-") product }          unary  = { "-" | "+" } power
 //   product = unary { ("*" | "/") unary }              power  = atom [ "^" unary ]       so -x^2 = -(x^2), 2^-1 = 0.5
 //   atom    = number | "pi" | "t" | parameter | input | local | "z." name | "zd." name
-//           | function "(" sum { "," sum } ")" | "(" sum ")"
+//           | state | "length." spring | "rate." spring | function "(" sum { "," sum } ")" | "(" sum ")"
 // The functions stand in the table of named_functions.cpp.
 
 #include <cstdint>
@@ -48,12 +48,25 @@ enum class Function : std::uint8_t {
 
 /// One postfix node. `first`, `second`, `third` are indices of earlier nodes.
 struct ExpressionNode {
-  enum class Kind : std::uint8_t { number, parameter, input, time, position, velocity, local, call };
+  enum class Kind : std::uint8_t {
+    number,
+    parameter,
+    input,
+    time,
+    position,
+    velocity,
+    local,
+    call,
+    state,
+    length,
+    rate
+  };
   Kind kind = Kind::number;
   Function function = Function::add;  ///< for Kind::call
   double number = 0;                  ///< for Kind::number
-  int index = -1;                     ///< parameter, input or local index
-  CoordinateReference coordinate;     ///< for Kind::position and Kind::velocity
+  /// parameter, input or local; of Model::states, then Model::sampled; of Model::springs, then air_springs, then rods
+  int index = -1;
+  CoordinateReference coordinate;  ///< for Kind::position and Kind::velocity
   int first = -1, second = -1, third = -1;
 };
 

@@ -9,6 +9,7 @@
 #include "compiler/model/bushings.hpp"
 #include "compiler/model/elements.hpp"
 #include "compiler/model/outputs.hpp"
+#include "compiler/model/states.hpp"
 
 namespace mbgen {
 
@@ -103,6 +104,8 @@ struct Model {
   std::vector<JointForce> joint_forces;
   std::vector<Tyre> tyres;
   std::vector<Motion> motions;
+  std::vector<UserState> states;
+  std::vector<SampledValue> sampled;
   std::vector<Output> outputs;
   std::vector<DisplayShape> shapes;
   Initial initial;

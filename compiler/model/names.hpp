@@ -75,6 +75,7 @@ std::string did_you_mean(std::string_view word, const NameMap<Target>& names, co
 /// Every name that an element may refer to, as the model knows it, with its index in the Model.
 struct Names {
   NameMap<int> later_parameters;  ///< defined, but below the parameter that is being read
+  NameMap<int> values;            ///< states, then sampled values
   NameMap<int> parameters, inputs, bodies, joints, rods, couplings, springs, air_springs, tyre_data, tyres, motions;
   NameMap<int> bushings, bump_stops;
   std::vector<NameMap<CoordinateReference>> coordinates;  ///< per Level::scope, as they are called there

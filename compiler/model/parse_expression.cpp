@@ -10,6 +10,7 @@
 
 #include "compiler/model/document.hpp"
 #include "compiler/model/evaluate.hpp"
+#include "compiler/model/expression_names.hpp"
 #include "compiler/model/named_functions.hpp"
 
 namespace mbgen::reading {
@@ -195,7 +196,11 @@ class ExpressionParser {
     if (!is_letter(text_[at_])) return fail_unexpected();
     const std::string_view name = word();
     if (accept('(')) return call(name, start);
-    if ((name == "z" || name == "zd") && at_ < text_.size() && text_[at_] == '.') return coordinate(name, start);
+    if (at_ < text_.size() && text_[at_] == '.') {
+      if (name == "z" || name == "zd") return coordinate(name, start);
+      if (name == "length" || name == "rate") return length(name == "rate" ? Kind::rate : Kind::length, start);
+      if (name == "zdd") return fail_acceleration(start);
+    }
     return value_of_name(name, start);
   }
 
@@ -229,7 +234,7 @@ class ExpressionParser {
 
   int call(std::string_view name, std::size_t start) {
     const NamedFunction* entry = find_function(name);
-    const ReductionName* reduction = find_reduction(name);
+    const ReductionName* reduction = find_reduction(scope_, name);
     if (!entry && !reduction) {
       std::vector<std::string_view> others;
       for (const ReductionName& one : scope_.reductions) others.push_back(one.name);
@@ -253,12 +258,6 @@ class ExpressionParser {
       return fail(start, fmt::format("{} takes {} argument{}, got {}", name, arity, arity == 1 ? "" : "s", count));
     }
     return push_call(entry->function, start, arguments[0], arguments[1], arguments[2]);
-  }
-
-  const ReductionName* find_reduction(std::string_view name) const {
-    const auto found = std::find_if(scope_.reductions.begin(), scope_.reductions.end(),
-                                    [&](const ReductionName& one) { return one.name == name; });
-    return found == scope_.reductions.end() ? nullptr : &*found;
   }
 
   /// Takes the nodes of the arguments, from `first_node` on, into a call of their own. first: node of the first one.
@@ -288,11 +287,7 @@ class ExpressionParser {
   int stand_in() { return push_number(1); }
 
   int forbidden(std::size_t start, const std::string& what) {
-    static constexpr const char* kLimits[] = {
-        "must be constant", "may depend on parameters only",
-        "may depend on positions of coordinates and on parameters only",
-        "may depend on t, parameters and inputs only"};  // in the order of Depends
-    fail(start, fmt::format("{}, depends on {}", kLimits[static_cast<std::size_t>(scope_.depends)], what));
+    fail(start, fmt::format("{}, depends on {}", limit_of(scope_.depends), what));
     return stand_in();
   }
 
@@ -320,15 +315,37 @@ class ExpressionParser {
     return push(node);
   }
 
+  /// Accelerations follow from what expressions say, so that they cannot stand in these.
+  int fail_acceleration(std::size_t start) {
+    ++at_;
+    const std::string_view name = word();
+    fail(start, fmt::format("acceleration zdd.{} cannot stand in an expression: forces and states decide it", name),
+         hint_of_acceleration(name));
+    return stand_in();
+  }
+
+  /// The length of a spring, an air spring or a rod, or its rate.
+  int length(Kind kind, std::size_t start) {
+    ++at_;
+    const std::string_view name = word();
+    if (scope_.depends != Depends::all) return forbidden(start, "length of " + in_quotes(name));
+    FoundLength found = find_length(scope_, name);
+    if (!found.problem.empty()) fail(start, std::move(found.problem), std::move(found.hint));
+    return found.index < 0 ? stand_in() : push_indexed(kind, found.index);
+  }
+
   int value_of_name(std::string_view name, std::size_t start) {
     const Names& names = scope_.names;
     const auto parameter = find_visible(names.parameters, name, scope_.visible);
     const auto input = find_visible(names.inputs, name, scope_.visible);
+    const auto value = find_visible(names.values, name, scope_.visible);
     const auto local = std::find(scope_.locals.begin(), scope_.locals.end(), name);
     if (local != scope_.locals.end()) {
       if (parameter != names.parameters.end() || input != names.inputs.end()) {
         fail(start, in_quotes(name) + " is a variable of this expression and also a parameter or input",
              "rename the parameter or input");
+      } else if (value != names.values.end()) {
+        fail(start, in_quotes(name) + " is a variable of this expression and also a state", "rename the state");
       }
       return push_indexed(Kind::local, static_cast<int>(local - scope_.locals.begin()));
     }
@@ -355,25 +372,12 @@ class ExpressionParser {
       if (scope_.depends < Depends::motion) return forbidden(start, "input " + in_quotes(name));
       return push_indexed(Kind::input, input->second);
     }
-    fail(start, "unknown name " + in_quotes(name) + " in expression", hint_for(name));
+    if (value != names.values.end()) {
+      if (scope_.depends != Depends::all) return forbidden(start, "state " + in_quotes(name));
+      return push_indexed(Kind::state, value->second);
+    }
+    fail(start, "unknown name " + in_quotes(name) + " in expression", hint_of_unknown_name(scope_, name));
     return stand_in();
-  }
-
-  std::string hint_for(std::string_view name) const {
-    const NameMap<int>& later = scope_.names.later_parameters;
-    if (find_visible(later, name, scope_.visible) != later.end())
-      return "parameter " + in_quotes(name) + " must be defined above its use";
-    if (find_function(name) || find_reduction(name)) return fmt::format("{} is a function, write {}(...)", name, name);
-    if (find_coordinate(scope_.names, name, scope_.visible))
-      return fmt::format("coordinates are written z.{} and zd.{}", name, name);
-    if (name == "z" || name == "zd") return fmt::format("coordinates are written {}.NAME", name);
-    if (!scope_.suggest) return {};
-    std::vector<std::string_view> known(scope_.locals.begin(), scope_.locals.end());
-    for (const auto& [parameter, index] : scope_.names.parameters)
-      known.push_back(name_from_inside(parameter, scope_.visible));
-    for (const auto& [input, index] : scope_.names.inputs) known.push_back(name_from_inside(input, scope_.visible));
-    known.insert(known.end(), {"pi", "t"});
-    return did_you_mean(name, known);
   }
 
   std::string_view text_;

@@ -22,7 +22,7 @@ struct FileFields : About {
   const Value *springs = nullptr, *joint_springs = nullptr, *frictions = nullptr, *air_springs = nullptr;
   const Value *bushings = nullptr, *bump_stops = nullptr;
   const Value *forces = nullptr, *joint_forces = nullptr, *tyre_data = nullptr, *tyres = nullptr, *motions = nullptr;
-  const Value *couplings = nullptr;
+  const Value *couplings = nullptr, *states = nullptr, *sampled = nullptr;
   const Value *outputs = nullptr, *shapes = nullptr, *initial = nullptr, *solver = nullptr, *instances = nullptr;
 };
 
@@ -79,6 +79,16 @@ struct JointFields : Joint {
 /// A rod with its length as written, which may be a function of time and inputs.
 struct RodFields : Rod {
   std::optional<Quantity> written_length;
+};
+
+/// A state with its derivative as written: read when the initial values of all are known.
+struct UserStateFields : UserState, Presentation {
+  const Value *written = nullptr;
+};
+
+struct SampledValueFields : SampledValue, Presentation {
+  const Value *written = nullptr;
+  double written_delay = 0;
 };
 
 struct AirSpringFields : AirSpring {
@@ -235,6 +245,10 @@ template <>
 std::span<const Field<BushingFreedom>> fields<BushingFreedom>();
 template <>
 std::span<const Field<BumpStopFields>> fields<BumpStopFields>();
+template <>
+std::span<const Field<UserStateFields>> fields<UserStateFields>();
+template <>
+std::span<const Field<SampledValueFields>> fields<SampledValueFields>();
 template <>
 std::span<const Field<AppliedForce>> fields<AppliedForce>();
 template <>

@@ -92,10 +92,15 @@ void read_couplings(Reader& reader, const Entries& entries) {
   });
 }
 
+void name_springs(Reader& reader, const Entries& springs, const Entries& air_springs) {
+  const auto tell = [](NameMap<int>& names, const Entries& entries) {
+    for (const Entry& entry : entries) names.emplace(entry.name, static_cast<int>(names.size()));
+  };
+  tell(reader.names.springs, springs);
+  tell(reader.names.air_springs, air_springs);
+}
+
 void read_springs(Reader& reader, const Entries& entries) {
-  for (const Entry& entry : entries) {
-    reader.names.springs.emplace(entry.name, static_cast<int>(reader.names.springs.size()));
-  }
   read_list(reader, entries, reader.model.springs, [](Reader& r, const Value& value, const PointSpring& spring) {
     check_ends(r, value, spring.from, spring.to);
     if (!has_any(value, {"stiffness", "damping", "preload", "force"})) {
@@ -148,7 +153,6 @@ void read_air_springs(Reader& reader, const Entries& entries) {
       report(r, *find(value, "to"), "air spring needs a length, its ends coincide at the reference");
   });
   for (AirSpringFields& spring : springs) {
-    reader.names.air_springs.emplace(spring.name, static_cast<int>(reader.names.air_springs.size()));
     if (const Table* table = std::get_if<Table>(&spring.written_volume)) {
       spring.volume = *table;
     } else {

@@ -302,6 +302,12 @@ void add_coordinates(Reader& reader, const Entry& entry, const Joint& joint, int
 void drive_at_cut(Reader& reader, const Entry& entry, int joint);
 /// Complains when both ends are on one body. Result: the distance of the ends at the reference, NaN when there is none.
 double check_ends(Reader& reader, const Value& value, const Attachment& from, const Attachment& to);
+/// States and sampled values; their expressions may name springs and air springs.
+void read_states(Reader& reader, const Entries& states, const Entries& sampled);
+/// Tells the names of springs and air springs, so that expressions can be read before these are.
+void name_springs(Reader& reader, const Entries& springs, const Entries& air_springs);
+/// Complains about states that have the name of another auxiliary state. Requires: tyres are read.
+void check_state_names(Reader& reader, const Entries& states, const Entries& sampled);
 void read_springs(Reader& reader, const Entries& entries);
 void read_joint_springs(Reader& reader, const Entries& entries);
 void read_frictions(Reader& reader, const Entries& entries);

@@ -66,6 +66,8 @@ std::span<const Field<FileFields>> fields<FileFields>() {
       field<F, &F::bodies>(section("bodies", "body", "rigid bodies; \"ground\" is the fixed one")),
       field<F, &F::joints>(section("joints", "joint", "joints between bodies, tree or loop closing")),
       field<F, &F::rods>(section("rods", "rod", "bars with a spherical joint at each end")),
+      field<F, &F::states>(section("states", "state", "states of your own: their derivatives are expressions")),
+      field<F, &F::sampled>(section("sampled", "sampled_value", "values set at instants: sampled controllers")),
       field<F, &F::couplings>(section("couplings", "coupling", "relations between coordinates: gears, racks, screws")),
       field<F, &F::springs>(section("springs", "spring", "springs and dampers between two points")),
       field<F, &F::joint_springs>(section("joint_springs", "joint_spring", "springs and dampers on coordinates")),

@@ -165,6 +165,8 @@ std::vector<ObjectKind> object_kinds() {
       kind<Coupling>("coupling", "a relation between coordinates; exactly one of relation and curve",
                      {"relation", "curve"},
                      {{"curve", "joint"}, {"curve", "follows"}, {"joint", "curve"}, {"follows", "curve"}}),
+      kind<UserStateFields>("state", "a state of your own, integrated with the motion"),
+      kind<SampledValueFields>("sampled_value", "a value that is set at t = 0, period, 2 period and so on"),
       kind<PointSpring>("spring", "spring and damper between two points"),
       kind<JointSpring>("joint_spring", "spring and damper on a coordinate or a difference of two"),
       kind<JointFriction>("friction", "friction on a coordinate"),

@@ -21,6 +21,14 @@ struct ReferenceEnvironment {
   double position(const CoordinateReference&) const { return 0; }
   double velocity(const CoordinateReference&) const { return 0; }
   double local(int) const { return 0; }
+  /// Expressions of states are read when the initial values of all are.
+  double state(int index) const {
+    const auto i = static_cast<std::size_t>(index), count = model.states.size();
+    if (i < count) return model.states[i].initial;
+    return i - count < model.sampled.size() ? model.sampled[i - count].initial : 0;
+  }
+  double length(int) const { return 0; }
+  double rate(int) const { return 0; }
 };
 
 void wrong_type(Reader& reader, const Value& value, std::string_view wanted, std::string hint = {}) {

@@ -51,7 +51,9 @@ enum class OwnerKind : std::uint8_t {
   bushing,
   bump_stop,
   motion,
-  output
+  output,
+  state,
+  sampled
 };
 
 /// A part of the mechanism.

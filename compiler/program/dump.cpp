@@ -38,7 +38,7 @@ std::string text_of(const Section& section) {
 std::string text_of(const Owner& owner) {
   constexpr const char* kKinds[] = {"",       "tree_body",  "loop",         "loop_block", "body",        "joint",
                                     "spring", "air_spring", "joint_spring", "friction",   "joint_force", "force",
-                                    "tyre",   "motion",     "output"};
+                                    "tyre",   "motion",     "output",       "state",      "sampled"};
   return owner.kind == OwnerKind::none ? "" : fmt::format("{} {}", kKinds[static_cast<int>(owner.kind)], owner.index);
 }
 

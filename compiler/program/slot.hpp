@@ -16,8 +16,10 @@ enum class Array : std::uint8_t {
   derived,              ///< constants that follow from tunable parameters
   drive,                ///< generalised driving force of a motion
   driven_acceleration,  ///< of driven coordinates, by their motions
+  due,                  ///< of sampled values, 1 where its instant is now, else 0
   dz,                   ///< Newton correction of the positions
   energy,               ///< kinetic, potential
+  held,                 ///< auxiliary states that hold between instants
   in,                   ///< inputs of the model
   inertia,              ///< pivots of the final equations, one a free direction
   lambda,               ///< multipliers

@@ -112,16 +112,15 @@ std::vector<Column> element_forces(const ReportSource& source, const std::vector
     velocities.push_back(find_column(source.results, "zd." + body.coordinate));
     if (velocities.back() < 0) return {};
   }
-  std::vector<int> extensions;  // of Maxwell branches; a table without them has them relaxed
-  for (const std::string& name : auxiliary_state_names(source.model))
-    extensions.push_back(find_column(source.results, "x." + name));
   if (forces.empty()) return forces;
   const GenericSolver solver(model, source.topology, source.analysis);
   const std::size_t count = positions.size();
-  const std::size_t auxiliary = extensions.size();
-  GenericState state{std::vector<double>(count), std::vector<double>(count), std::vector<double>(auxiliary), 0};
+  std::vector<int> auxiliary;  // a table without them has Maxwell branches relaxed
+  for (const std::string& name : auxiliary_state_names(model))
+    auxiliary.push_back(find_column(source.results, "x." + name));
+  GenericState state{std::vector<double>(count), std::vector<double>(count), initial_auxiliary_states(model), 0};
   // No force of a spring, bushing or stop depends on accelerations or joint forces.
-  const GenericDerivative none{std::vector<double>(count), std::vector<double>(auxiliary)};
+  const GenericDerivative none{std::vector<double>(count), std::vector<double>(auxiliary.size())};
   const std::vector<double> tau(count);
   for (const std::size_t row : rows) {
     state.t = table.front().values[row];
@@ -129,8 +128,8 @@ std::vector<Column> element_forces(const ReportSource& source, const std::vector
       state.z[i] = table[static_cast<std::size_t>(positions[i])].values[row];
       state.zd[i] = table[static_cast<std::size_t>(velocities[i])].values[row];
     }
-    for (std::size_t i = 0; i < auxiliary; ++i)
-      if (extensions[i] >= 0) state.x[i] = table[static_cast<std::size_t>(extensions[i])].values[row];
+    for (std::size_t i = 0; i < auxiliary.size(); ++i)
+      if (auxiliary[i] >= 0) state.x[i] = table[static_cast<std::size_t>(auxiliary[i])].values[row];
     const GenericOutputs outputs = solver.outputs(state, tau, none);
     for (std::size_t f = 0; f < forces.size(); ++f) forces[f].values.push_back(outputs.y[f]);
   }

@@ -11,6 +11,8 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
   SolverLayout layout;
   layout.coordinates = topology.size();
   layout.auxiliary_states = auxiliary_state_count(model);
+  layout.held = held_state_count(model);
+  layout.sampled = static_cast<int>(model.sampled.size());
   layout.balls = static_cast<int>(topology.balls.size());
   layout.drives = static_cast<int>(model.motions.size());
   layout.inputs = static_cast<int>(model.inputs.size());
@@ -51,6 +53,10 @@ int size_of(const SolverLayout& layout, Array array) {
     case x:
     case xd:
       return layout.auxiliary_states;
+    case due:
+      return layout.sampled;
+    case held:
+      return layout.held;
     case charts:
       return layout.balls;
     case Phi:

@@ -22,7 +22,8 @@ struct SolverLayout {
   int coordinates = 0, auxiliary_states = 0, equations = 0, drives = 0;
   int inputs = 0, parameters = 0, outputs = 0;  ///< of the model; the tunable parameters only
   int free_directions = 0;
-  int balls = 0;  ///< with charts
+  int balls = 0;              ///< with charts
+  int sampled = 0, held = 0;  ///< sampled values; the last auxiliary states, which these are and wait in
   int block_coordinates = 0, jacobian_entries = 0, projection_entries = 0;
   bool has_closure = false;   ///< loops or motions
   bool chooses_again = true;  ///< another partition at run time; see analysis.hpp

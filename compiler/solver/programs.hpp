@@ -27,6 +27,7 @@ enum class Role : std::uint8_t {
   accelerations_chosen,  ///< with any partition and charts; only with loops or balls, and where it is chosen again
   multipliers,           ///< at given accelerations; only with loops or motions
   outputs,               ///< at given accelerations and, where the model looks at them, multipliers
+  sampled,               ///< values that hold, after the instants that are due; only with sampled values
   derived_constants      ///< constants of the others that depend on tunable parameters; only with such constants
 };
 
@@ -54,7 +55,7 @@ struct SharedLaw {
 
 /// Programs that a model does not need are empty.
 struct Programs {
-  Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, derived_constants;
+  Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, sampled, derived_constants;
   Program around_laws;  ///< `accelerations` without the laws that elements share; empty where they share none
   std::vector<SharedLaw> laws;
   Form form = Form::recursive;  ///< of `accelerations` and `accelerations_chosen`

@@ -69,7 +69,9 @@ constexpr std::pair<OwnerKind, std::string (*)(const Model&, std::size_t)> kName
     {OwnerKind::bushing, name_in<&Model::bushings>},
     {OwnerKind::bump_stop, name_in<&Model::bump_stops>},
     {OwnerKind::motion, name_in<&Model::motions>},
-    {OwnerKind::output, name_in<&Model::outputs>}};
+    {OwnerKind::output, name_in<&Model::outputs>},
+    {OwnerKind::state, name_in<&Model::states>},
+    {OwnerKind::sampled, name_in<&Model::sampled>}};
 
 std::string owner_title(const Model& model, const Topology& topology, const Owner& owner) {
   const auto i = static_cast<std::size_t>(owner.index);

@@ -71,8 +71,8 @@ void note_other_model(const Compilation& compilation, const Results& results, co
              compilation.model.file, words.empty() ? "" : fmt::format("; it was simulated with{}", words));
 }
 
-/// The slips of tyres at a row, where the result has all of them.
-bool take_slips(const Compilation& compilation, const Results& results, std::size_t row, std::vector<double>& x) {
+/// The auxiliary states at a row, where the result has all of them.
+bool take_auxiliary(const Compilation& compilation, const Results& results, std::size_t row, std::vector<double>& x) {
   std::vector<double> found;
   for (const std::string& name : auxiliary_state_names(compilation.model)) {
     const int column = find_column(results, "x." + name);
@@ -108,9 +108,10 @@ OperatingPoint point_of_result(const Compilation& compilation, const StateArgume
                                 describe(compilation, status)));
   }
   OperatingPoint point{state.z, state.zd, state.x, state.t, inputs};
-  if (!take_slips(compilation, results, row, point.x)) {
+  if (!take_auxiliary(compilation, results, row, point.x)) {
     settle_auxiliary(compilation, point);
-    fmt::print(stderr, "{}: note: has no slips of tyres, columns x.*: they are taken as settled\n", arguments.result);
+    fmt::print(stderr, "{}: note: has not all auxiliary states, columns x.*: they are taken as settled\n",
+               arguments.result);
   }
   if (!inputs.empty() && arguments.inputs.empty()) {
     fmt::print(stderr, "{}: note: a result does not hold the inputs: they have their defaults; --input sets them\n",

@@ -7,7 +7,7 @@ GenericState reference_state(const Compilation& compilation) {
   GenericState state;
   state.z.assign(static_cast<std::size_t>(compilation.topology.size()), 0.0);
   state.zd = state.z;
-  state.x.assign(static_cast<std::size_t>(auxiliary_state_count(compilation.model)), 0.0);
+  state.x = initial_auxiliary_states(compilation.model);
   return state;
 }
 

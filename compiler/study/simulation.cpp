@@ -88,6 +88,12 @@ class Collector {
     work_.restart();
   }
 
+  /// The power just after the last point, where it jumped there.
+  void add_after_jump(double power) {
+    work_.restart();
+    work_.add(power, h_);
+  }
+
  private:
   double h_;
   double first_energy_ = 0;
@@ -176,6 +182,19 @@ std::optional<double> power_before_row(const Engine& engine, const InputsOverTim
   return status.ok() ? std::optional(sample.outputs.applied_power) : std::nullopt;
 }
 
+/// The power at the start of a step once sampled values are set, where some are due: forces jump with them.
+std::optional<double> power_after_samples(const Engine& engine, double h, const GenericState& state) {
+  if (!engine.sample) return {};
+  bool any = false;
+  Sample sample;
+  LoadedState at{state, std::vector<double>(state.z.size(), 0.0)};
+  GenericState sampled = state;
+  GenericDerivative derivative;
+  if (!engine.sample(sampled, h, any).ok() || !any) return {};
+  if (!observe(engine, h, sampled, sample, at, derivative).ok()) return {};
+  return sample.outputs.applied_power;
+}
+
 /// Whether a status may come of a step that is too long.
 bool may_be_of_step(Status status) {
   return status.code == Code::not_a_number || status.code == Code::auxiliary_not_a_number ||
@@ -230,6 +249,7 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
     summary.last = sample.state;
     on_sample(sample);
     if (sample.step == settings.steps) break;
+    if (const auto power = power_after_samples(engine, settings.step, moving)) collector.add_after_jump(*power);
     const Clock::time_point before = Clock::now();
     const double end = time_after(state.t, static_cast<double>(sample.step + 1), settings.step);
     summary.status = step(engine, inputs, settings.step, end, moving);

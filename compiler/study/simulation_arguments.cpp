@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/base/user_error.hpp"
+#include "mbgen/sampling.hpp"
 #include "mbgen/step_time.hpp"
 
 namespace mbgen {
@@ -60,6 +61,18 @@ SimulationSettings settings_of(const SimulationArguments& arguments, const Solve
     throw UserError(fmt::format("--step: {} s is too small for a duration of {} s\n", step, duration));
   }
   return {static_cast<long>(steps), duration / steps};
+}
+
+void require_whole_periods(const SimulationSettings& settings, const Model& model) {
+  for (const SampledValue& value : model.sampled) {
+    const double ratio = value.period / settings.step, whole = std::nearbyint(ratio);
+    if (whole >= 1 && std::abs(ratio - whole) <= kSamePeriod * whole) continue;
+    throw UserError(
+        fmt::format("--step: \"{}\" is set every {:g} s, which is no multiple of the step {:g} s\n  hint: --step {:g}, "
+                    "and a duration "
+                    "of whole periods\n",
+                    value.name, value.period, settings.step, value.period / std::max(1.0, std::ceil(ratio))));
+  }
 }
 
 }  // namespace mbgen

@@ -20,6 +20,9 @@ InputsOverTime inputs_of(const Model& model, const std::vector<std::string>& ass
 /// The duration in whole equal steps, none longer than the one asked for. Fails: UserError for values that make none.
 SimulationSettings settings_of(const SimulationArguments& arguments, const SolverSettings& by_default);
 
+/// Fails: UserError where the period of a sampled value is no multiple of the step.
+void require_whole_periods(const SimulationSettings& settings, const Model& model);
+
 /// The integrator asked for by name, else the model's where the engine has it. Fails: UserError for an unknown one, or
 /// one that the engine does not have.
 SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings::Integrator of_model,

@@ -11,7 +11,7 @@
 
 namespace mbgen {
 
-/// Names and units of all columns: t, coordinates, velocities, slips of tyres, outputs, residual.
+/// Names and units of all columns: t, coordinates, velocities, auxiliary states, outputs, residual.
 std::vector<Heading> headings(const Compilation& compilation);
 
 /// The numbers of one point, in the order of the headings. decimals: of the step; the time has no more of them.

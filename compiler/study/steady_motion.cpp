@@ -10,6 +10,7 @@
 #include "compiler/base/number.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/engines/engine.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "mbgen/newton.hpp"
 #include "runtime/generic/generic.hpp"
 
@@ -134,12 +135,20 @@ class Search {
 
   /// Rates of velocities and auxiliary states that should vanish.
   Eigen::VectorXd residual(const LinearSystem& system) const {
-    Eigen::VectorXd left = system.drift.tail(system.drift.size() - position_count(system));
+    Eigen::VectorXd left = share_of_magnitudes(system.drift.tail(system.drift.size() - position_count(system)));
     if (yaw_ < 0) return left;
     const double turn = motion_.point.zd[yaw_];
     left[row_of(motion_.across[0])] += turn * motion_.point.zd[motion_.across[1]];
     left[row_of(motion_.across[1])] -= turn * motion_.point.zd[motion_.across[0]];
     return left;
+  }
+
+  /// Accelerations as they are, then rates of auxiliary states over what these count.
+  Eigen::VectorXd share_of_magnitudes(Eigen::VectorXd rates) const {
+    auto place = static_cast<Eigen::Index>(independent_.size());
+    for (const AuxiliaryState& state : auxiliary_states(c_.model))
+      if (place < rates.size()) rates[place++] /= magnitude_of(state);
+    return rates;
   }
 
   Eigen::Index row_of(int coordinate) const {
@@ -160,7 +169,7 @@ class Search {
 
   /// d residual / d state, with the terms of the turning.
   Eigen::VectorXd column(const LinearSystem& system, Eigen::Index j) const {
-    Eigen::VectorXd result = system.A.col(j).tail(system.A.rows() - position_count(system));
+    Eigen::VectorXd result = share_of_magnitudes(system.A.col(j).tail(system.A.rows() - position_count(system)));
     const LinearState& state = system.states[static_cast<std::size_t>(j)];
     if (yaw_ < 0 || state.kind != StateKind::velocity) return result;
     const auto& [first, second] = motion_.across;
@@ -183,7 +192,8 @@ class Search {
     Eigen::MatrixXd matrix(left.size(), states + static_cast<Eigen::Index>(inputs_.size()));
     for (Eigen::Index k = 0; k < states; ++k) matrix.col(k) = column(system, unknown[static_cast<std::size_t>(k)]);
     for (std::size_t k = 0; k < inputs_.size(); ++k) {
-      matrix.col(states + static_cast<Eigen::Index>(k)) = system.B.col(inputs_[k]).tail(left.size());
+      matrix.col(states + static_cast<Eigen::Index>(k)) =
+          share_of_magnitudes(system.B.col(inputs_[k]).tail(left.size()));
     }
     // Columns of one size: inputs are torques as well as angles.
     const Eigen::VectorXd size = matrix.colwise().norm().transpose().cwiseMax(1e-12);
@@ -252,13 +262,18 @@ SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint&
 }
 
 void settle_auxiliary(const Compilation& compilation, OperatingPoint& point) {
-  const auto count = static_cast<Eigen::Index>(point.x.size());
+  const std::vector<AuxiliaryState> states = auxiliary_states(compilation.model);
+  const auto count = static_cast<Eigen::Index>(point.x.size()) - held_state_count(compilation.model);
+  Eigen::VectorXd size(count);
+  for (Eigen::Index i = 0; i < count; ++i) size[i] = magnitude_of(states[static_cast<std::size_t>(i)]);
   for (int step = 0; step < kNewtonIterations && count > 0; ++step) {
     const LinearSystem system = expect(linearise(compilation, point));
-    const Eigen::VectorXd left = system.drift.tail(count);
+    const Eigen::VectorXd left = system.drift.tail(count).cwiseQuotient(size);
     if (left.cwiseAbs().maxCoeff() < kSteady) return;
-    const Eigen::VectorXd by = least_squares(system.A.bottomRightCorner(count, count), left, kIndifferentShare);
-    for (Eigen::Index i = 0; i < count; ++i) point.x[static_cast<std::size_t>(i)] -= by[i];
+    const Eigen::MatrixXd matrix =
+        size.cwiseInverse().asDiagonal() * system.A.bottomRightCorner(count, count) * size.asDiagonal();
+    const Eigen::VectorXd by = least_squares(matrix, left, kIndifferentShare);
+    for (Eigen::Index i = 0; i < count; ++i) point.x[static_cast<std::size_t>(i)] -= size[i] * by[i];
   }
 }
 

@@ -8,6 +8,7 @@
 #include "compiler/algebra/dense.hpp"
 #include "compiler/describe/names.hpp"
 #include "compiler/engines/engine.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 
 namespace mbgen {
 namespace {
@@ -35,9 +36,13 @@ struct Nearby {
   const Compilation& compilation;
   GenericSolver solver;
   std::vector<int> free;
+  std::vector<AuxiliaryState> auxiliary;  ///< counted in parts of their magnitudes
 
   Nearby(const Compilation& c, const std::vector<double>& inputs)
-      : compilation(c), solver(c.model, c.topology, c.analysis), free(free_coordinates(c.topology, c.analysis)) {
+      : compilation(c),
+        solver(c.model, c.topology, c.analysis),
+        free(free_coordinates(c.topology, c.analysis)),
+        auxiliary(auxiliary_states(c.model)) {
     solver.set_inputs(inputs);
   }
 
@@ -53,7 +58,8 @@ struct Nearby {
     if (j < 2 * count) {
       (j < count ? at.z : at.zd)[free[static_cast<std::size_t>(j % count)]] += change;
     } else {
-      at.x[static_cast<std::size_t>(j - 2 * count)] += change;
+      const auto i = static_cast<std::size_t>(j - 2 * count);
+      at.x[i] += change * magnitude_of(auxiliary[i]);
     }
     if (!solver.project(at).ok()) return false;
     GenericDerivative derivative;
@@ -64,7 +70,7 @@ struct Nearby {
       rates[count + i] = derivative.zdd[free[static_cast<std::size_t>(i)]];
     }
     for (std::size_t i = 0; i < derivative.xd.size(); ++i) {
-      rates[2 * count + static_cast<Eigen::Index>(i)] = derivative.xd[i];
+      rates[2 * count + static_cast<Eigen::Index>(i)] = derivative.xd[i] / magnitude_of(auxiliary[i]);
     }
     positions = Eigen::Map<const Eigen::VectorXd>(at.z.data(), static_cast<Eigen::Index>(at.z.size()));
     return rates.allFinite();

@@ -42,6 +42,9 @@ Program trace_multipliers(const Model& model, const Topology& topology, const An
 /// partition is not; without loops there are none, and the driving forces are what is missing.
 Program trace_outputs(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
 
+/// Auxiliary states that hold, after the sampled values that are due are set; empty without such values.
+Program trace_sampled(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
+
 /// The order of a traced program.
 enum class TraceOrder {
   canonical,   ///< the same from every compiler

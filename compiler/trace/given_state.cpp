@@ -131,4 +131,17 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
   return tracing.builder.finish_in_canonical_order();
 }
 
+Program trace_sampled(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
+  Tracing tracing(Role::sampled, model, topology, analysis, form);
+  System<Expr>& system = tracing.system;
+  const Kinematics<Expr> k = tracing.poses();
+  const MotionPoint point = form == Form::matrix ? MotionPoint::frame_origin : MotionPoint::body_origin;
+  const Velocities<Expr> v = tracing.in(Step::velocities, [&] { return velocities(system, k, point); });
+  const auto step = tracing.scribe.step(Step::outputs);
+  see_states_and_lengths(system, k, v);
+  const std::vector<Expr> due = tracing.inputs(Array::due, static_cast<int>(model.sampled.size()));
+  tracing.outputs(Array::held, sampled_states(system, due));
+  return tracing.builder.finish_in_canonical_order();
+}
+
 }  // namespace mbgen

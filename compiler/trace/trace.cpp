@@ -45,6 +45,7 @@ Programs trace(const Model& model, const Topology& topology, const Analysis& ana
   if (!topology.loops.empty()) programs.closure_terms = trace_closure_terms(model, topology, analysis, programs.form);
   programs.multipliers = trace_multipliers(model, topology, analysis, programs.form);
   programs.outputs = trace_outputs(model, topology, analysis, programs.form);
+  if (!model.sampled.empty()) programs.sampled = trace_sampled(model, topology, analysis, programs.form);
   return programs;
 }
 

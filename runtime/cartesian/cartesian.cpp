@@ -93,6 +93,8 @@ struct CartesianSolver::Content {
   /// Where a step of h seconds leads.
   Status advance(PlacedState& at, double h) {
     std::vector<int> equations;
+    if (const Status sampled = system.sample(at.bodies, at.z, h); !sampled.ok()) return sampled;
+    at.z.x = at.bodies.x;
     const GenericState start = at.z;
     const auto derivative = [&](const CartesianState& bodies, CartesianRates& rates) {
       advance_inputs(bodies.t - start.t);

@@ -2,8 +2,12 @@
 
 #include "mbgen/forces.hpp"
 
-#include "runtime/cartesian/bump_stops.hpp"
+#include <algorithm>
+
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/curve.hpp"
+#include "mbgen/sampling.hpp"
+#include "runtime/cartesian/bump_stops.hpp"
 #include "runtime/cartesian/bushings.hpp"
 #include "runtime/cartesian/laws.hpp"
 #include "runtime/cartesian/mechanism.hpp"
@@ -38,17 +42,42 @@ Load force_at(const End& end, const Vector3d& force) {
   return {end.body, (Vector6d() << force, end.arm.cross(force)).finished()};
 }
 
-template <class Spring>
-void add_line(const Spring& spring, const PartLine& line, const std::vector<Moving>& bodies, const Values& value,
-              Forces& forces) {
-  const End from = end_of(bodies, line.from), to = end_of(bodies, line.to);
+/// A line element at the bodies.
+struct Stretched {
+  End from, to;
+  Vector3d direction;   ///< unit, global axes
+  double length, rate;  ///< m, m/s
+};
+
+Stretched stretched(const Place& start, const Place& end, const std::vector<Moving>& bodies) {
+  const End from = end_of(bodies, start), to = end_of(bodies, end);
   const Vector3d gap = to.position - from.position;
   const double length = gap.norm();
   const Vector3d direction = gap / length;
-  const double rate = direction.dot(to.velocity - from.velocity);
-  const Vector3d pull = tension(spring, value, length, rate, line.reference) * direction;
-  forces.loads.push_back(force_at(from, pull));
-  forces.loads.push_back(force_at(to, -pull));
+  return {from, to, direction, length, direction.dot(to.velocity - from.velocity)};
+}
+
+template <class Spring>
+void add_line(const Spring& spring, const PartLine& line, const std::vector<Moving>& bodies, const Values& value,
+              Forces& forces) {
+  const Stretched at = stretched(line.from, line.to, bodies);
+  const Vector3d pull = tension(spring, value, at.length, at.rate, line.reference) * at.direction;
+  forces.loads.push_back(force_at(at.from, pull));
+  forces.loads.push_back(force_at(at.to, -pull));
+}
+
+/// The values with all that expressions may look at.
+Values complete(Values values, const Parts& parts, const std::vector<Moving>& bodies, const std::vector<double>& x) {
+  values.states.assign(x.begin() + first_user_state(values.model), x.end());
+  const auto add = [&](const Place& from, const Place& to) {
+    const Stretched at = stretched(from, to, bodies);
+    values.lengths.push_back(at.length);
+    values.rates.push_back(at.rate);
+  };
+  for (const std::vector<PartLine>* lines : {&parts.springs, &parts.air_springs})
+    for (const PartLine& line : *lines) add(line.from, line.to);
+  for (const PartRod& rod : parts.rods) add(rod.from, rod.to);
+  return values;
 }
 
 void add_applied(const AppliedForce& applied, const Place& place, const std::vector<Moving>& bodies,
@@ -87,7 +116,8 @@ void add_joint_elements(const Model& model, const Values& value, std::vector<dou
 }  // namespace
 
 Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::vector<double>& x,
-                                  const Values& values) const {
+                                  const Values& given) const {
+  const Values values = complete(given, parts, bodies, x);
   Forces forces;
   forces.joints.resize(topology.bodies.size());
   for (std::size_t s = 0; s < model.springs.size(); ++s)
@@ -106,7 +136,35 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
   add_bushings(model, parts, bodies, x, values, forces);
   add_bump_stops(model, parts, bodies, values, forces);
   add_joint_elements(model, values, forces.joints);
+  for (const UserState& state : model.states) forces.xd.push_back(values(state.derivative));
+  forces.xd.resize(x.size());  // sampled values hold
   return forces;
+}
+
+Status CartesianMechanism::sample(const std::vector<Moving>& bodies, const Values& given, double h,
+                                  std::vector<double>& x) const {
+  Values values = complete(given, parts, bodies, x);
+  const int first = first_user_state(model) + static_cast<int>(model.states.size());
+  std::size_t place = model.states.size(), queue = place + model.sampled.size();
+  for (const SampledValue& sampled : model.sampled) {
+    double due = 0;
+    bool is_due = false;
+    const int index = first + static_cast<int>(place - model.states.size());
+    const Status status = find_due(&sampled.period, 1, index, given.t, h, &due, is_due);
+    if (!status.ok()) return status;
+    const auto waiting = values.states.begin() + static_cast<std::ptrdiff_t>(queue);
+    if (is_due) {
+      // A queue: the newest goes in front, the oldest comes out as the value.
+      std::vector<double> line(waiting, waiting + sampled.delay);
+      line.insert(line.begin(), values(sampled.value));
+      values.states[place] = line.back();
+      std::copy(line.begin(), line.end() - 1, waiting);
+    }
+    queue += static_cast<std::size_t>(sampled.delay);
+    ++place;
+  }
+  const std::size_t states = model.states.size();
+  return take_held(values.states.data() + states, held_state_count(model), first, x.data());
 }
 
 }  // namespace mbgen

@@ -71,6 +71,10 @@ struct CartesianMechanism {
   std::vector<cartesian::CoupledCoordinate> coupled_coordinates(const Coupling& coupling,
                                                                 const std::vector<cartesian::Moving>& bodies,
                                                                 const cartesian::Values& values) const;
+  /// Sets the sampled values whose instant is at the start of a step of h seconds, in x.
+  /// Fails: sample_inside_step, auxiliary_not_a_number; x is then unchanged.
+  Status sample(const std::vector<cartesian::Moving>& bodies, const cartesian::Values& values, double h,
+                std::vector<double>& x) const;
   cartesian::Forces forces(const std::vector<cartesian::Moving>& bodies, const std::vector<double>& x,
                            const cartesian::Values& values) const;
 };

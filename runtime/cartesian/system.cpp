@@ -93,4 +93,8 @@ CartesianTerms CartesianSystem::terms(const CartesianState& state, const Generic
   return terms;
 }
 
+Status CartesianSystem::sample(CartesianState& state, const GenericState& z, double h) const {
+  return mechanism_->sample(mechanism_->bodies(state), mechanism_->values(z, state.t), h, state.x);
+}
+
 }  // namespace mbgen

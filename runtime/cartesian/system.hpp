@@ -58,6 +58,9 @@ class CartesianSystem {
                                           const Eigen::VectorXd& qdd) const;
   /// All terms of (5). tau: per tree coordinate, added to the model's joint forces.
   CartesianTerms terms(const CartesianState& state, const GenericState& z, const std::vector<double>& tau) const;
+  /// Sets the sampled values whose instant is at the start of a step of h seconds. z: the coordinates at this state.
+  /// Fails: sample_inside_step, auxiliary_not_a_number; the state is then unchanged.
+  Status sample(CartesianState& state, const GenericState& z, double h) const;
   /// Moves the bodies by a small displacement (m, rad), n values; velocities stay.
   void displace(CartesianState& state, const Eigen::VectorXd& dq) const;
   /// Velocities of all bodies as n values, and back.

@@ -19,6 +19,8 @@ struct Values {
   double t = 0;
   const std::vector<double>*z = nullptr, *zd = nullptr;  ///< per tree coordinate; zero without
   std::array<double, 2> locals{};
+  std::vector<double> states{};            ///< of the user's own, then sampled values
+  std::vector<double> lengths{}, rates{};  ///< of springs, air springs, rods: m, m/s
 
   double parameter(int i) const { return parameters[i]; }
   double input(int i) const { return inputs[i]; }
@@ -26,6 +28,9 @@ struct Values {
   double position(const CoordinateReference& c) const { return at(z, c); }
   double velocity(const CoordinateReference& c) const { return at(zd, c); }
   double local(int i) const { return locals[i]; }
+  double state(int i) const { return states[i]; }
+  double length(int i) const { return lengths[i]; }
+  double rate(int i) const { return rates[i]; }
 
   double operator()(const Quantity& quantity) const { return evaluate<double>(quantity, model.expressions, *this); }
 

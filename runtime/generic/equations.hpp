@@ -42,7 +42,8 @@ struct GenericEquations {
   LoopAlgebra algebra;
   TreeMass mass;
   ReducedEquations reduced;
-  Eigen::VectorXd free;  ///< accelerations of the free directions
+  Eigen::VectorXd free;            ///< accelerations of the free directions
+  std::vector<double> magnitudes;  ///< of the auxiliary states, see magnitude_of
 
   GenericEquations(const Model& m, const Topology& t, const Analysis& a, const GenericAlgebra& choice)
       : model(m),
@@ -54,6 +55,7 @@ struct GenericEquations {
         relative(rest),
         algebra(make_loop_algebra(choice, topology, analysis)),
         mass(tree_mass_pattern(topology)) {
+    for (const AuxiliaryState& state : auxiliary_states(model)) magnitudes.push_back(magnitude_of(state));
     at.environment.topology = &topology;
     for (const Input& input : model.inputs) at.environment.inputs.push_back(input.default_value);
     for (const Parameter& parameter : model.parameters) at.environment.parameters.push_back(parameter.value);

@@ -73,6 +73,9 @@ class GenericSolver {
   Status assemble(GenericState& state, const std::vector<CoordinateWish>& positions) const;
   /// The same for velocities, at the positions of `state`: the least that meet the wishes.
   Status assemble_velocities(GenericState& state, const std::vector<CoordinateWish>& velocities) const;
+  /// Sets the sampled values whose instant is at the start of a step of h seconds; any: whether there are such values.
+  /// Fails: not_a_number, sample_inside_step; the state is then unchanged.
+  Status sample(GenericState& state, double h, bool& any) const;
   /// Static equilibrium, driven coordinates at their motions: at rest, closed, generalised forces of the free
   /// directions zero (least change of position where they are indifferent). First that to which the bodies sink, else
   /// one nearby from which they would fall. Where there is none `state` is the last that was tried.

@@ -114,7 +114,7 @@ TEST_F(Set, TableHoldsTheSlipsThatLinearizeTakes) {
   for (std::size_t at; (at = text.find("x.tyre")) != std::string::npos;) text.replace(at, 6, "other");
   write("p.csv", text);
   const Outcome settled = mbgen("linearize wheel.json --result p.csv --row 21 --json");
-  EXPECT_EQ(settled.err, "p.csv: note: has no slips of tyres, columns x.*: they are taken as settled\n");
+  EXPECT_EQ(settled.err, "p.csv: note: has not all auxiliary states, columns x.*: they are taken as settled\n");
   EXPECT_NE(Json::parse(taken.out)["drift"], Json::parse(settled.out)["drift"]);
 }
 

@@ -99,6 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"tests/data/models/three_wheeler.json", "three_wheeler", kClang, 4, ""},
                     Case{"tests/data/models/wheel_outputs.json", "wheel_outputs", kClang, 4, ""},
                     Case{"tests/data/models/bushings.json", "bushings", kClang, 4, ""},
+                    Case{"tests/data/models/states.json", "states", kClang, 4, ""},
                     Case{"tests/data/models/all_elements.json", "all_elements", kGnu, 4, "-march=native"}),
     [](const auto& info) {
       return std::string(info.param.name) + "_" + std::to_string(info.param.lanes) +

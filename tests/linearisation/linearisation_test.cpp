@@ -45,7 +45,7 @@ Linearised linearised(Compilation compilation, double position, double velocity,
   for (const Input& input : c.model.inputs) result.inputs.push_back(input.default_value);
   result.state.z.assign(static_cast<std::size_t>(c.topology.size()), 0.0);
   result.state.zd = result.state.z;
-  result.state.x.assign(static_cast<std::size_t>(auxiliary_state_count(c.model)), 0.0);
+  result.state.x = initial_auxiliary_states(c.model);
   for (const int i : free_coordinates(c.topology, c.analysis)) {
     result.state.z[static_cast<std::size_t>(i)] = position;
     result.state.zd[static_cast<std::size_t>(i)] = velocity;
@@ -279,6 +279,40 @@ TEST(Linearisation, IltisHopsAsPublished) {
     EXPECT_NEAR(std::abs(list[i].eigenvalue) / std::abs(published[i]), 1, 0.02) << i;
     EXPECT_NEAR(list[i].eigenvalue.real() / published[i].real(), 1, 0.03) << i;
   }
+}
+
+// A mass of 2 kg between two shut chambers of oil, 0.5 m long: stiffness 2 E A / l. Sampled values stand still.
+TEST(Linearisation, OilIsASpringAndStatesAreInA) {
+  const Linearised l = linearised(compiled(read_model(R"({ "mbgen": 1, "gravity": [0, 0, 0],
+    "parameters": { "bulk": 1.4e9, "area": 1e-3 },
+    "bodies": { "ground": { "points": { "O": [0, 0, 0], "wall": [-0.5, 0, 0], "stop": [0.5, 0, 0] } },
+      "slide": { "mass": 2, "inertia": [0, 0, 0], "points": { "O": [0, 0, 0] } } },
+    "joints": { "slide": { "type": "prismatic", "from": "ground.O", "to": "slide.O", "axis": "x" } },
+    "inputs": { "wanted": {} },
+    "states": {
+      "front": { "derivative": "-bulk*rate.front/length.front", "initial": 5e6 },
+      "back": { "derivative": "-bulk*rate.back/length.back", "initial": 5e6 },
+      "lag": { "derivative": "(wanted - lag)/0.25" } },
+    "sampled": { "held": { "period": 0.01, "value": "z.slide" } },
+    "springs": {
+      "front": { "from": "ground.wall", "to": "slide.O", "force": "-area*front" },
+      "back": { "from": "ground.stop", "to": "slide.O", "force": "-area*back + held" } },
+    "outputs": { "lagging": { "expression": "3*lag" } } })",
+                                                      "test.json")),
+                                  0, 0);
+  ASSERT_EQ(l.system.states.size(), 5u);
+  const double omega = std::sqrt(2 * 1.4e9 * 1e-3 / 0.5 / 2);
+  double fastest = 0, slowest_lag = 0;
+  for (const std::complex<double>& value : eigenvalues(l.system)) {
+    fastest = std::max(fastest, value.imag());
+    slowest_lag = std::min(slowest_lag, value.real());
+    EXPECT_TRUE(std::abs(value.real()) < 1e-3 || std::abs(value + 4.0) < 1e-9) << value;
+  }
+  EXPECT_NEAR(fastest, omega, 1e-6 * omega);
+  EXPECT_NEAR(slowest_lag, -4, 1e-9);
+  EXPECT_NEAR(l.system.B(4, 0), 4, 1e-13);
+  EXPECT_NEAR(l.system.C(0, 4), 3, 1e-13);
+  EXPECT_NEAR(l.system.A(2, 1), -1.4e9 / 0.5, 1e-3);
 }
 
 TEST(Linearisation, SingularPositionIsNamed) {

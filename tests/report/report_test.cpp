@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/report/motion.hpp"
 #include "compiler/report/poses.hpp"
 #include "compiler/report/scene.hpp"
@@ -103,7 +104,7 @@ TEST(Poses, CarryThePointsWhereTheOutputsSayTheyAre) {
     GenericState state;
     for (int i = 0; i < vehicle.topology.size(); ++i) state.z.push_back(vehicle.results.columns[i + 1].values[2]);
     state.zd.assign(state.z.size(), 0.0);
-    state.x.assign(2 * vehicle.model.tyres.size(), 0.0);
+    state.x = initial_auxiliary_states(vehicle.model);
     GenericDerivative still;
     still.zdd.assign(state.z.size(), 0.0);
     still.xd.assign(state.x.size(), 0.0);

@@ -90,7 +90,7 @@ inline std::string test_name(const ::testing::TestParamInfo<std::string>& info) 
 /// The reference configuration, at rest.
 inline GenericState reference_state(const Mechanism& mechanism) {
   const std::vector<double> zeros(static_cast<std::size_t>(mechanism.topology.size()), 0.0);
-  return {zeros, zeros, std::vector<double>(static_cast<std::size_t>(auxiliary_state_count(mechanism.model)), 0.0), 0};
+  return {zeros, zeros, initial_auxiliary_states(mechanism.model), 0};
 }
 
 /// Share of the usual speeds that keeps forces of stiff bushings like those of other elements; of the usual positions
@@ -119,7 +119,11 @@ inline std::vector<GenericState> random_states(const Mechanism& mechanism, int w
       state.z.push_back(unit(random) * calm * calm * reach * (body.kind == FreedomKind::revolute ? 1.0 : 0.2));
       state.zd.push_back(2 * calm * unit(random));
     }
-    for (int i = 0; i < auxiliary_state_count(mechanism.model); ++i) state.x.push_back(0.002 * unit(random));
+    const auto slips = static_cast<std::size_t>(first_user_state(mechanism.model));
+    for (const AuxiliaryState& auxiliary : auxiliary_states(mechanism.model)) {
+      const double reach_of_state = state.x.size() < slips ? 0.002 : 0.1 * magnitude_of(auxiliary);
+      state.x.push_back(auxiliary.initial + reach_of_state * unit(random));
+    }
     state.t = 0.3 + 0.1 * unit(random);
     if (solver.project(state).ok()) states.push_back(std::move(state));
   }

@@ -201,6 +201,7 @@ Study read_study(const StudyArguments& arguments) {
   study.grid = read_grid(arguments.vary, study.model);
   study.metrics = expect(read_metrics(arguments.metrics, study.model, kMetricOption));
   study.settings = settings_of(arguments.simulation, study.model.solver);
+  require_whole_periods(study.settings, study.model);
   const double end = static_cast<double>(study.settings.steps) * study.settings.step;
   if (const std::optional<double> instant = instant_outside(study.metrics, end)) {
     throw UserError(

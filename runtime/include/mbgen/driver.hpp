@@ -7,7 +7,7 @@
 namespace mbgen {
 
 /// Layout of SolverTable; a loaded library with another number was made by another mbgen.
-constexpr int kSolverTableLayout = 5;
+constexpr int kSolverTableLayout = 6;
 
 /// Sizes and functions of one generated solver. Arrays, all in SI units and in the order of the model:
 ///   parameters  the tunable ones                 inputs   all of them
@@ -52,6 +52,10 @@ struct SolverTable {
   /// Accelerations of a state that steps of h seconds led to; tau is zero.
   Status (*accelerations_in_motion)(const double* parameters, const double* inputs, const double* state, double h,
                                     double* derivative) noexcept;
+
+  /// Sets the sampled values that are due at the start of a step of h seconds, as steps do; any: whether there are
+  /// such. Null without sampled values.
+  Status (*sample)(const double* parameters, const double* inputs, double* state, double h, bool* any) noexcept;
 
   /// Outputs y[outputs] and energy[3]: kinetic (J), potential of gravity (J), power of the other applied forces (W).
   Status (*output_values)(const double* parameters, const double* inputs, const double* state, const double* tau,

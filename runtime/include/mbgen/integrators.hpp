@@ -12,11 +12,14 @@
 //   void change_charts(const State& from, const State& to, z, zd, zdd) const noexcept
 //                                                                  takes these numbers from the charts of one state to
 //                                                                  those of another
+//   Status sample(State&, double h, bool& any) const noexcept      only where states have sampled values: sets those
+//                                                                  whose instant is at the start of a step of h
+//                                                                  seconds, and says whether there are any
 //   Status project_nearest(State&) const noexcept                  the same by the shortest corrections, near singular
 //                                                                  positions
 // They may give notices (status.hpp); near_singular and singular_met say how near a singular position the state is.
-// Every step settles charts, integrates all of z, zd and x, then projects. When anything fails the state and the
-// history stay as they were. Steps allocate only by copies of the System's own types.
+// Every step sets sampled values, settles charts, integrates all of z, zd and x, then projects. When anything fails the
+// state and the history stay as they were. Steps allocate only by copies of the System's own types.
 
 #include <cmath>
 #include <type_traits>
@@ -63,6 +66,12 @@ template <class System, class = void>
 inline constexpr bool kHasCharts = false;
 template <class System>
 inline constexpr bool kHasCharts<System, std::void_t<decltype(&System::settle_charts)>> = true;
+
+/// Whether states of a System have values that are set at instants.
+template <class System, class = void>
+inline constexpr bool kHasSamples = false;
+template <class System>
+inline constexpr bool kHasSamples<System, std::void_t<decltype(&System::sample)>> = true;
 
 inline Status check_step(double h) noexcept {
   return h > 0 && std::isfinite(h) ? Status{} : Status{Code::step_invalid, -1};
@@ -190,6 +199,29 @@ Status with_settled_charts(const System& system, typename System::State& state, 
 
 }  // namespace integrator_detail
 
+namespace integrator_detail {
+
+/// Takes a step of h seconds by `step` (state, whether values were set) after those values are set whose instant is at
+/// its start; the state keeps them where the step fails.
+template <class System, class Step>
+Status with_samples(const System& system, typename System::State& state, double h, const Step& step) noexcept {
+  if constexpr (kHasSamples<System>) {
+    bool any = false;
+    typename System::State sampled;
+    copy_state(state, sampled);
+    Status status = system.sample(sampled, h, any);
+    if (!status.ok()) return status;
+    if (!any) return step(state, false);
+    status = step(sampled, true);
+    if (status.ok()) copy_state(sampled, state);
+    return status;
+  } else {
+    return step(state, false);
+  }
+}
+
+}  // namespace integrator_detail
+
 /// One step of h seconds by the classical Runge-Kutta method, four evaluations, then projection. A step that comes near
 /// a singular position of a loop is taken with closed stages, see singular_step.hpp.
 /// Gives the most telling notice of the System's functions; singular_met when a singular position was passed.
@@ -200,9 +232,12 @@ Status step_rk4(const System& system, typename System::State& state, double h) n
   using namespace integrator_detail;
   const Status status = check_step(h);
   if (!status.ok()) return status;
-  return with_settled_charts(
-      system, state, [&](typename System::State& settled) { return settled_rk4(system, settled, h); },
-      [](const typename System::State&, const typename System::State&) {});
+  using State = typename System::State;
+  return with_samples(system, state, h, [&](State& sampled, bool) {
+    return with_settled_charts(
+        system, sampled, [&](State& settled) { return settled_rk4(system, settled, h); },
+        [](const State&, const State&) {});
+  });
 }
 
 namespace integrator_detail {
@@ -261,20 +296,25 @@ void change_history([[maybe_unused]] const System& system, [[maybe_unused]] cons
 }  // namespace integrator_detail
 
 /// One step of h seconds by Adams-Bashforth-Moulton of order four, evaluated at the predicted and at the projected
-/// state: two evaluations a step. The first three steps, and those after a change of h or a jump of t, are by
-/// Runge-Kutta. A change of charts takes the history over; where the step then fails it goes back, which is exact but
-/// for rounding.
-/// Gives notices and fails as step_rk4.
-/// Source: L. F. Shampine, M. K. Gordon, Computer Solution of Ordinary Differential Equations, 1975 (PECE).
+/// state: two evaluations a step. The first three steps, and those after a change of h, a jump of t or an instant of a
+/// sampled value, are by Runge-Kutta. A change of charts takes the history over; where the step then fails it goes
+/// back, which is exact but for rounding. Gives notices and fails as step_rk4. Source: L. F. Shampine, M. K. Gordon,
+/// Computer Solution of Ordinary Differential Equations, 1975 (PECE).
 template <class System>
 Status step_abm4(const System& system, typename System::State& state, AbmHistory<System>& history, double h) noexcept {
   using namespace integrator_detail;
   const Status status = check_step(h);
   if (!status.ok()) return status;
   using State = typename System::State;
-  return with_settled_charts(
-      system, state, [&](State& settled) { return settled_abm4(system, settled, history, h); },
-      [&](const State& from, const State& to) { change_history(system, from, to, history); });
+  const int known = history.count;
+  const Status stepped = with_samples(system, state, h, [&](State& sampled, bool any) {
+    if (any) history.count = 0;  // rates jump with the values
+    return with_settled_charts(
+        system, sampled, [&](State& settled) { return settled_abm4(system, settled, history, h); },
+        [&](const State& from, const State& to) { change_history(system, from, to, history); });
+  });
+  if (!stepped.ok()) history.count = known;
+  return stepped;
 }
 
 /// Rates of a moving state, for outputs: at a singular position as the steps of h seconds see them.

@@ -18,6 +18,7 @@ enum class Code : int {
   no_inertia,              ///< a free direction has no inertia; index: coordinate
   no_equilibrium,          ///< no static equilibrium was found from the start position; index: -1
   step_invalid,            ///< the step size is not positive and finite; index: -1
+  sample_inside_step,      ///< a sampled value may be due within a step; index: auxiliary state
   chosen_again,            ///< the pivoting LU served a loop block with another choice of coordinates; index: block
   near_singular,           ///< a loop block came near a singular position; index: block
   singular_met             ///< a loop block met a singular position, and passed it; index: block
@@ -57,6 +58,8 @@ constexpr const char* text(Code code) noexcept {
       return "no equilibrium";
     case Code::step_invalid:
       return "step invalid";
+    case Code::sample_inside_step:
+      return "period is no multiple of the step, or the time is not";
     case Code::chosen_again:
       return "coordinates chosen again";
     case Code::near_singular:
@@ -83,6 +86,7 @@ constexpr Subject subject_of(Code code) noexcept {
     case Code::parameter_not_a_number:
       return Subject::parameter;
     case Code::auxiliary_not_a_number:
+    case Code::sample_inside_step:
       return Subject::auxiliary_state;
     default:
       return Subject::coordinate;

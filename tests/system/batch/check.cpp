@@ -92,6 +92,8 @@ void make_consistent(Instance& one) {
     for (double& x : one.state.x) x = number(1e-4);
     if (solver::kAuxiliaryStates == 0) one.state.x[0] = 0;
     one.state.t = number(1) + 1;
+    // Most at a multiple of the step, where sampled values can be due.
+    if (number(1) > -0.8) one.state.t = kStep * std::nearbyint(one.state.t / kStep);
     if (assemble(one.parameters, one.inputs, one.state).ok()) return;
   }
   std::printf("no consistent state found\n");

@@ -44,8 +44,9 @@ inline bool tilts(const Model& model) {
   return std::ranges::any_of(model.joints, needs_carriage) && std::ranges::any_of(model.joints, is_in_space);
 }
 
-/// Models of all_models() without homokinetic joints, rods that change their length and discs that tilt, which Simbody
-/// has not, and without joints that are driven at their cuts: it takes no body without mass at the end of a branch.
+/// Models of all_models() without homokinetic joints, rods that change their length, discs that tilt and states of
+/// their own, which Simbody has not, and without joints that are driven at their cuts: it takes no body without mass at
+/// the end of a branch.
 inline std::vector<std::string> models_in_simbody() {
   std::vector<std::string> paths = all_models();
   std::erase_if(paths, [](const std::string& path) {
@@ -54,7 +55,8 @@ inline std::vector<std::string> models_in_simbody() {
     const auto is_driven = [](const Rod& rod) { return rod.drive >= 0; };
     const auto is_driven_at_cut = [](const Joint& joint) { return joint.closure >= 0; };
     return model &&
-           (tilts(*model) || std::ranges::any_of(model->joints, is_homokinetic) ||
+           (tilts(*model) || !model->states.empty() || !model->sampled.empty() ||
+            std::ranges::any_of(model->joints, is_homokinetic) ||
             std::ranges::any_of(model->joints, is_driven_at_cut) || std::ranges::any_of(model->rods, is_driven));
   });
   return paths;

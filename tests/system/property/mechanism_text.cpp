@@ -37,6 +37,14 @@ Json bushing_entry(const RandomBushing& bushing, const std::string& from, const 
   return entry;
 }
 
+/// The state of a spring: it follows what expressions see of the length and its rate.
+Json oil_of(const RandomLink& link) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%.17g*(length.%s - %.17g) + %.17g*rate.%s - 3*%s_oil", link.oil, link.name.c_str(),
+                kFreeLength, 0.02 * link.oil, link.name.c_str(), link.name.c_str());
+  return {{"derivative", text}, {"initial", link.oil / 50}};
+}
+
 /// Velocities of the centres of mass, lengths of the springs, deflections of the bushings.
 Json outputs_of(const RandomMechanism& mechanism) {
   Json outputs = Json::object();
@@ -56,7 +64,7 @@ Json outputs_of(const RandomMechanism& mechanism) {
 }  // namespace
 
 bool is_driven(const RandomMechanism& mechanism) {
-  return std::ranges::any_of(mechanism.links, [](const RandomLink& link) { return link.stroke > 0; }) ||
+  return std::ranges::any_of(mechanism.links, [](const RandomLink& link) { return link.stroke > 0 || link.oil > 0; }) ||
          std::ranges::any_of(mechanism.joints, [](const RandomJoint& joint) { return joint.swing > 0; });
 }
 
@@ -88,6 +96,10 @@ std::string model_text(const RandomMechanism& mechanism) {
     if (link.stiffness > 0) {
       entry["stiffness"] = link.stiffness;
       entry["free_length"] = kFreeLength;
+      if (link.oil > 0) {
+        entry["force"] = link.name + "_oil";
+        model["states"][link.name + "_oil"] = oil_of(link);
+      }
       springs[link.name] = entry;
     } else {
       if (link.mass > 0) entry["mass"] = link.mass;

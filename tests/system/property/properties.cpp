@@ -10,6 +10,7 @@
 #include "compiler/compile.hpp"
 #include "compiler/describe/dump_model.hpp"
 #include "compiler/engines/engine.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/passes/passes.hpp"
 
 namespace mbgen::testing {
@@ -52,7 +53,7 @@ using ByName = std::map<std::string, double>;
 
 std::vector<double> interpreted(const Program& program, const GenericState& state, const std::vector<double>& tau) {
   const std::map<SlotGroup, std::vector<double>> given{
-      {Array::z, state.z}, {Array::zd, state.zd}, {Array::tau, tau}, {Array::t, {state.t}}};
+      {Array::z, state.z}, {Array::zd, state.zd}, {Array::x, state.x}, {Array::tau, tau}, {Array::t, {state.t}}};
   std::vector<double> inputs;
   for (const Slot& slot : program.inputs) inputs.push_back(given.at(slot.group).at(slot.index));
   const std::vector<double> values = interpret(program, inputs);
@@ -92,6 +93,7 @@ Complaint engines_disagree(const RandomMechanism&, const Mechanism& m) {
       if (const Complaint c =
               differ("judge " + std::to_string(static_cast<int>(method)), actual.zdd, expected.zdd, kTolerance))
         return c;
+      if (const Complaint c = differ("the states of a judge", actual.xd, expected.xd, kTolerance)) return c;
     }
   }
   return {};
@@ -115,6 +117,7 @@ Complaint compiled_solver_disagrees(const RandomMechanism& random, const Mechani
     GenericState there = state, here = state;
     if (generic.step(there, 1e-4).code != Code::ok || emitted.step(here, 1e-4).code != Code::ok) continue;
     if (const Complaint c = differ("a step of the compiled solver", here.zd, there.zd, kTolerance)) return c;
+    if (const Complaint c = differ("its step of states", here.x, there.x, kTolerance)) return c;
   }
   return {};
 }
@@ -131,6 +134,15 @@ std::vector<double> in_order(const Mechanism& m, const ByName& values) {
   return result;
 }
 
+/// Auxiliary states of another description of a mechanism, which has them by the same names.
+std::vector<double> states_in_order(const Mechanism& other, const Mechanism& m, const std::vector<double>& x) {
+  ByName values;
+  for (std::size_t i = 0; const std::string& name : auxiliary_state_names(m.model)) values[name] = x[i++];
+  std::vector<double> result;
+  for (const std::string& name : auxiliary_state_names(other.model)) result.push_back(values.at(name));
+  return result;
+}
+
 /// The same state of another description of the mechanism has the same accelerations.
 Complaint accelerations_change(const Mechanism& m, const RandomMechanism& other) {
   const Result<Mechanism> also = understood(other);
@@ -140,7 +152,8 @@ Complaint accelerations_change(const Mechanism& m, const RandomMechanism& other)
     const std::vector<double> tau = random_tau(m, 3);
     GenericDerivative expected, actual;
     if (!solver.accelerations(state, tau, expected).ok()) return "a state is refused";
-    const GenericState there{in_order(*also, by_name(m, state.z)), in_order(*also, by_name(m, state.zd)), {}, state.t};
+    const GenericState there{in_order(*also, by_name(m, state.z)), in_order(*also, by_name(m, state.zd)),
+                             states_in_order(*also, m, state.x), state.t};
     if (!same.accelerations(there, in_order(*also, by_name(m, tau)), actual).ok()) return "the same state is refused";
     if (const Complaint c = differ("it", actual.zdd, in_order(*also, by_name(m, expected.zdd)), kTolerance)) return c;
   }

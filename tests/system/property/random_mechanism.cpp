@@ -345,7 +345,11 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
   }
   if (shop.size() > 1 && dice.chance(0.5)) shop.add_spring(0, shop.size() - 1);
   if (shop.size() > 1 && dice.chance(0.3)) shop.add_bushing(dice.upto(shop.size() - 2), shop.size() - 1);
-  return std::move(shop).made();
+  RandomMechanism made = std::move(shop).made();
+  constexpr std::uint64_t kWithOil = 2;  // of so many seeds one
+  for (RandomLink& link : made.links)
+    if (seed % kWithOil == 0 && link.stiffness > 0) link.oil = 5 * link.stiffness;
+  return made;
 }
 
 }  // namespace mbgen::testing

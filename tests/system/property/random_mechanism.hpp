@@ -60,6 +60,7 @@ struct RandomLink {
   double mass = 0;
   double stiffness = 0;
   double stroke = 0;  ///< m, of a rod that is an actuator
+  double oil = 0;     ///< N/m/s, of a spring: its stretch fills a state that pulls along with it
 };
 
 /// A bushing of constant stiffnesses, N/m and N m/rad.
@@ -121,7 +122,7 @@ RandomMechanism random_bricard(std::uint64_t seed);
 /// six deflections of each bushing.
 std::string model_text(const RandomMechanism& mechanism);
 
-/// True where an actuator or a motion does work.
+/// True where an actuator, a motion or a state does work.
 bool is_driven(const RandomMechanism& mechanism);
 
 /// Smaller or simpler mechanisms, the smallest first.

@@ -60,6 +60,7 @@ std::vector<RandomMechanism> simpler(const RandomMechanism& m) {
   for (std::size_t r = 0; r < m.relations.size(); ++r)
     change([r](RandomMechanism& c) { c.relations.erase(c.relations.begin() + static_cast<std::ptrdiff_t>(r)); });
   for (std::size_t l = 0; l < m.links.size(); ++l) change([l](RandomMechanism& c) { c.links[l].stroke = 0; });
+  for (std::size_t l = 0; l < m.links.size(); ++l) change([l](RandomMechanism& c) { c.links[l].oil = 0; });
   change([](RandomMechanism& c) { c.gravity = {}; });
   for (std::size_t j = 0; j < m.joints.size(); ++j) {
     change([j](RandomMechanism& c) { c.joints[j].axis = {0, 0, 1}; });
