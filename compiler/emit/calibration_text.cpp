@@ -94,8 +94,11 @@ void add_state(const EmitContext& context, CalibrationStructure& structure) {
     }
   }
   UniqueNames unique;
-  for (int place = 2 * coordinates; const std::string& name : auxiliary_state_names(context.model))
-    add_number(context, "x." + unique.identifier(name), name, "m", place++, structure);
+  const std::vector<std::string> units = auxiliary_state_units(context.model);
+  for (int i = 0; const std::string& name : auxiliary_state_names(context.model)) {
+    add_number(context, "x." + unique.identifier(name), name, units[i], 2 * coordinates + i, structure);
+    ++i;
+  }
   add_number(context, "t", "time", "s", 2 * coordinates + auxiliary, structure);
   CalibrationNumber& time = structure.numbers.back();
   time.type = type_of("double");

@@ -120,12 +120,13 @@ void add_motion(const EmitContext& context, const InitialState& initial, FmuLayo
     }
   }
   const std::vector<std::string> names = auxiliary_state_names(context.model);
+  const std::vector<std::string> units = auxiliary_state_units(context.model);
   const int count = static_cast<int>(names.size());
   for (int i = 0; i < count; ++i)
     fmu.variables.push_back(
-        {{Array::x, i}, "x." + names[i], "m", "auxiliary state", Causality::local, Start::exact, initial.x[i]});
+        {{Array::x, i}, "x." + names[i], units[i], "auxiliary state", Causality::local, Start::exact, initial.x[i]});
   for (int i = 0; i < count; ++i) {
-    FmuVariable rate{{Array::xd, i}, "xd." + names[i], "m/s", "rate of the auxiliary state"};
+    FmuVariable rate{{Array::xd, i}, "xd." + names[i], units[i] + "/s", "rate of the auxiliary state"};
     rate.derivative_of = static_cast<int>(fmu.variables.size()) - count;
     fmu.variables.push_back(std::move(rate));
   }

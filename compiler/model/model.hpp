@@ -86,6 +86,7 @@ struct Model {
   std::vector<PointSpring> springs;
   std::vector<JointSpring> joint_springs;
   std::vector<JointFriction> frictions;
+  std::vector<SpringFriction> spring_frictions;
   std::vector<AirSpring> air_springs;
   std::vector<AppliedForce> forces;
   std::vector<JointForce> joint_forces;

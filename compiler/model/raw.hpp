@@ -79,6 +79,14 @@ struct RodFields : Rod {
   std::optional<Quantity> written_length;
 };
 
+/// Friction on a coordinate or along a spring.
+struct FrictionFields : FrictionLaw {
+  std::string name;
+  Where where;
+  std::optional<CoordinateReference> joint;
+  std::optional<std::string> spring, pressing_spring;
+};
+
 struct AirSpringFields : AirSpring {
   Law written_volume;
 };
@@ -205,7 +213,7 @@ std::span<const Field<PointSpring>> fields<PointSpring>();
 template <>
 std::span<const Field<JointSpring>> fields<JointSpring>();
 template <>
-std::span<const Field<JointFriction>> fields<JointFriction>();
+std::span<const Field<FrictionFields>> fields<FrictionFields>();
 template <>
 std::span<const Field<AirSpringFields>> fields<AirSpringFields>();
 template <>

@@ -299,6 +299,8 @@ double check_ends(Reader& reader, const Value& value, const Attachment& from, co
 void read_springs(Reader& reader, const Entries& entries);
 void read_joint_springs(Reader& reader, const Entries& entries);
 void read_frictions(Reader& reader, const Entries& entries);
+/// Sets the lags that are not written. Requires: the solver's settings are read.
+void finish_frictions(Reader& reader);
 void read_air_springs(Reader& reader, const Entries& entries);
 void read_forces(Reader& reader, const Entries& entries);
 void read_joint_forces(Reader& reader, const Entries& entries);

@@ -69,7 +69,7 @@ std::span<const Field<FileFields>> fields<FileFields>() {
       field<F, &F::couplings>(section("couplings", "coupling", "relations between coordinates: gears, racks, screws")),
       field<F, &F::springs>(section("springs", "spring", "springs and dampers between two points")),
       field<F, &F::joint_springs>(section("joint_springs", "joint_spring", "springs and dampers on coordinates")),
-      field<F, &F::frictions>(section("frictions", "friction", "friction on coordinates")),
+      field<F, &F::frictions>(section("frictions", "friction", "friction on coordinates and springs")),
       field<F, &F::air_springs>(section("air_springs", "air_spring", "polytropic air springs between two points")),
       field<F, &F::forces>(section("forces", "force", "forces and torques on bodies")),
       field<F, &F::joint_forces>(section("joint_forces", "joint_force", "generalised forces on coordinates")),

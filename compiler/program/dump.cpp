@@ -36,9 +36,10 @@ std::string text_of(const Section& section) {
 }
 
 std::string text_of(const Owner& owner) {
-  constexpr const char* kKinds[] = {"",       "tree_body",  "loop",         "loop_block", "body",        "joint",
-                                    "spring", "air_spring", "joint_spring", "friction",   "joint_force", "force",
-                                    "tyre",   "motion",     "output"};
+  constexpr const char* kKinds[] = {
+      "",           "tree_body",    "loop",     "loop_block",      "body",        "joint", "spring",
+      "air_spring", "joint_spring", "friction", "spring_friction", "joint_force", "force", "tyre",
+      "motion",     "output"};
   return owner.kind == OwnerKind::none ? "" : fmt::format("{} {}", kKinds[static_cast<int>(owner.kind)], owner.index);
 }
 

@@ -72,16 +72,22 @@ std::vector<Column> element_forces(const ReportSource& source, const std::vector
   if (forces.empty()) return forces;
   const GenericSolver solver(model, source.topology, source.analysis);
   const std::size_t count = positions.size();
-  const auto tyre_states = static_cast<std::size_t>(auxiliary_state_count(model));
-  GenericState state{std::vector<double>(count), std::vector<double>(count), std::vector<double>(tyre_states), 0};
-  // No force of a spring depends on accelerations, joint forces or the states of tyres.
-  const GenericDerivative none{std::vector<double>(count), std::vector<double>(tyre_states)};
+  const auto auxiliary_states = static_cast<std::size_t>(auxiliary_state_count(model));
+  GenericState state{std::vector<double>(count), std::vector<double>(count), std::vector<double>(auxiliary_states), 0};
+  std::vector<int> bristles;  // columns of the auxiliary states, of which forces along springs may be
+  for (const std::string& name : auxiliary_state_names(model))
+    bristles.push_back(find_column(source.results, "x." + name));
+  // No force of a spring depends on accelerations or joint forces.
+  const GenericDerivative none{std::vector<double>(count), std::vector<double>(auxiliary_states)};
   const std::vector<double> tau(count);
   for (const std::size_t row : rows) {
     state.t = table.front().values[row];
     for (std::size_t i = 0; i < count; ++i) {
       state.z[i] = table[static_cast<std::size_t>(positions[i])].values[row];
       state.zd[i] = table[static_cast<std::size_t>(velocities[i])].values[row];
+    }
+    for (std::size_t i = 0; i < bristles.size(); ++i) {
+      if (bristles[i] >= 0) state.x[i] = table[static_cast<std::size_t>(bristles[i])].values[row];
     }
     const GenericOutputs outputs = solver.outputs(state, tau, none);
     for (std::size_t f = 0; f < forces.size(); ++f) forces[f].values.push_back(outputs.y[f]);

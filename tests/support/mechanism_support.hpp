@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "compiler/analysis/analysis.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/topology/topology.hpp"
 #include "runtime/generic/generic.hpp"
@@ -87,7 +88,7 @@ inline std::string test_name(const ::testing::TestParamInfo<std::string>& info) 
 /// The reference configuration, at rest.
 inline GenericState reference_state(const Mechanism& mechanism) {
   const std::vector<double> zeros(static_cast<std::size_t>(mechanism.topology.size()), 0.0);
-  return {zeros, zeros, std::vector<double>(2 * mechanism.model.tyres.size(), 0.0), 0};
+  return {zeros, zeros, std::vector<double>(auxiliary_state_count(mechanism.model), 0.0), 0};
 }
 
 /// Random states near the reference that satisfy closures and motions; velocities of a few units. At most `wanted`.
@@ -102,7 +103,7 @@ inline std::vector<GenericState> random_states(const Mechanism& mechanism, int w
       state.z.push_back(unit(random) * reach * (body.kind == FreedomKind::revolute ? 1.0 : 0.2));
       state.zd.push_back(2 * unit(random));
     }
-    for (std::size_t i = 0; i < 2 * mechanism.model.tyres.size(); ++i) state.x.push_back(0.002 * unit(random));
+    for (int i = 0; i < auxiliary_state_count(mechanism.model); ++i) state.x.push_back(0.002 * unit(random));
     state.t = 0.3 + 0.1 * unit(random);
     if (solver.project(state).ok()) states.push_back(std::move(state));
   }
