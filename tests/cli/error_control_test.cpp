@@ -141,5 +141,48 @@ TEST_F(ErrorControl, BlockOnAnInclineStandsForAThousandSeconds) {
   for (std::size_t row = 1; row < table.rows.size(); ++row) EXPECT_NEAR(table.at(row, "z.x [m]"), bent, 1e-8) << row;
 }
 
+/// Period of a mass that a spring drags at a speed over rigid friction with a viscous part: it slides from where the
+/// spring pulls with the stiction until it stands, and sticks until the spring pulls so again. 1 kg.
+double dragged_period(double spring, double speed, double coulomb, double stiction, double viscous) {
+  // The spring's length e: e'' + viscous e' + spring e = coulomb + viscous speed; it stands where e' = speed.
+  const double decay = viscous / 2, omega = std::sqrt(spring - decay * decay);
+  const double rest = (coulomb + viscous * speed) / spring, a = stiction / spring - rest,
+               b = (speed + decay * a) / omega;
+  const auto length = [&](double t) {
+    return rest + std::exp(-decay * t) * (a * std::cos(omega * t) + b * std::sin(omega * t));
+  };
+  const auto rate = [&](double t) {
+    return std::exp(-decay * t) *
+           ((b * omega - decay * a) * std::cos(omega * t) - (a * omega + decay * b) * std::sin(omega * t));
+  };
+  double low = std::numbers::pi / (2 * omega), high = 3 * low;  // shortening, lengthening fast
+  for (int k = 0; k < 60; ++k) (rate((low + high) / 2) < speed ? low : high) = (low + high) / 2;
+  return low + (stiction / spring - length(low)) / speed;
+}
+
+// LuGre's friction at the numbers of its authors (1 kg, 1e5 N/m, sqrt(1e5) N s/m, 0.4 N s/m, 1 and 1.5 N, 1 mm/s, a
+// spring of 2 N/m that is drawn at 0.1 m/s): it begins to slide at 1.5 N and goes on by stick and slip.
+TEST_F(ErrorControl, LuGreSticksAndSlipsAtItsAuthorsNumbers) {
+  write("lugre.json", R"j({ "mbgen": 1, "gravity": [0, 0, 0],
+    "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
+                "hand": { "mass": 1, "inertia": [0, 0, 0], "points": { "O": [0, 0, 0] } },
+                "mass": { "mass": 1, "inertia": [0, 0, 0], "points": { "O": [0, 0, 0] } } },
+    "joints": { "y": { "type": "prismatic", "from": "ground.O", "to": "hand.O", "axis": "x" },
+                "x": { "type": "prismatic", "from": "ground.O", "to": "mass.O", "axis": "x" } },
+    "motions": { "y": { "joint": "y", "position": "0.1*t" } },
+    "joint_springs": { "spring": { "joint": "x", "relative_to": "y", "stiffness": 2 } },
+    "frictions": { "floor": { "joint": "x", "law": "lugre", "coulomb": 1, "stiction": 1.5, "stribeck_velocity": 1e-3,
+                              "viscous": 0.4, "stiffness": 1e5, "damping": "sqrt(1e5)", "lag": 0 } } })j");
+  const Table table = motion("lugre.json", "--duration 40 --step 0.01 --integrator cvode --tolerance 1e-8");
+  std::vector<double> sliding;  // s, when the mass came to half the speed of the hand
+  for (std::size_t row = 1; row < table.rows.size(); ++row)
+    if (table.at(row - 1, "zd.x [m/s]") < 0.05 && table.at(row, "zd.x [m/s]") >= 0.05)
+      sliding.push_back(table.at(row, "t [s]"));
+  ASSERT_GE(sliding.size(), 4u);
+  EXPECT_NEAR(sliding[0], 7.5, 0.15);
+  const double period = (sliding.back() - sliding[0]) / static_cast<double>(sliding.size() - 1);
+  EXPECT_NEAR(period / dragged_period(2, 0.1, 1, 1.5, 0.4), 1, 0.01);
+}
+
 }  // namespace
 }  // namespace mbgen::cli_test
