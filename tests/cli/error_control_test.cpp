@@ -106,7 +106,8 @@ TEST_F(ErrorControl, ChangesChartsOfBalls) {
     "joints": { "throw": { "type": "spherical", "from": "ground.O", "to": "brick.O" } },
     "outputs": { "energy": { "body": "brick", "quantity": "kinetic_energy" },
                  "spin": { "body": "brick", "quantity": "angular_momentum", "axis": "y" } },
-    "initial": { "orientations": { "throw": { "rotation_vector": [0, 0.5, 0], "angular_velocity": [0.1, 12, 0] } } } })");
+    "initial": { "orientations":
+      { "throw": { "rotation_vector": [0, 0.5, 0], "angular_velocity": [0.1, 12, 0] } } } })");
   const Table table = motion("thrown.json", "--duration 2 --step 0.05 --integrator cvode --tolerance 1e-11");
   for (const char* kept : {"energy [J]", "spin [kg m^2/s]"})
     EXPECT_NEAR(table.last(kept) / table.at(0, kept), 1, 1e-8) << kept;
