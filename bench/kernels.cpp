@@ -11,6 +11,7 @@
 #include "compiler/base/assignments.hpp"
 #include "compiler/compile.hpp"
 #include "compiler/engines/engine.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/study/initial_state.hpp"
 #include "mbgen/loop.hpp"
@@ -159,8 +160,8 @@ void generic_accelerations(benchmark::State& state, const std::string& model) {
   }
   const GenericSolver solver(compiled->model, compiled->topology, compiled->analysis);
   const std::size_t n = compiled->topology.bodies.size();
-  GenericState s{std::vector<double>(n), std::vector<double>(n), std::vector<double>(2 * compiled->model.tyres.size()),
-                 0};
+  GenericState s{std::vector<double>(n), std::vector<double>(n),
+                 std::vector<double>(auxiliary_state_count(compiled->model)), 0};
   GenericDerivative derivative;
   const std::vector<double> tau(n);
   for (auto _ : state) benchmark::DoNotOptimize(solver.accelerations(s, tau, derivative).index);

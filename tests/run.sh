@@ -7,7 +7,7 @@ if [ "${1:-}" = --long ]; then without=; fi
 cd "$(dirname "$0")/.."
 
 .ci/install g++ clang binutils cmake make ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libpugixml-dev \
-  libopenblas-serial-dev libsuitesparse-dev libgtest-dev libbenchmark-dev libsimbody-dev libmujoco-dev \
+  libopenblas-serial-dev libsuitesparse-dev libgtest-dev libbenchmark-dev libsimbody-dev libmujoco-dev libsundials-dev \
   libclang-rt-14-dev locales python3-numpy python3-scipy dpkg-dev pkg-config libxml2-utils file g++-aarch64-linux-gnu qemu-user \
   openmpi-bin chromium nodejs npm
 cmake --preset release -DMBGEN_TESTS=ON -DMBGEN_BENCH=OFF

@@ -99,6 +99,10 @@ struct Scene {
     for (const JointSpring& spring : model.joint_springs)
       list.push_back(speed(spring.joint) - (spring.relative_to ? speed(*spring.relative_to) : 0));
     for (const JointFriction& friction : model.frictions) list.push_back(speed(friction.joint));
+    for (const SpringFriction& friction : model.spring_frictions) {
+      const PointSpring& spring = model.springs[friction.spring];
+      list.push_back(stretch(moved, spring.from, spring.to));
+    }
     for (const JointForce& force : model.joint_forces) list.push_back(speed(force.joint));
     for (const AppliedForce& force : model.forces) {
       const bool turns = std::any_of(force.torque.begin(), force.torque.end(),

@@ -15,6 +15,7 @@
 #include "compiler/describe/notes.hpp"
 #include "compiler/engines/engine_arguments.hpp"
 #include "compiler/study/contact_watch.hpp"
+#include "compiler/study/error_control.hpp"
 #include "compiler/study/initial_state.hpp"
 #include "compiler/study/motion_table.hpp"
 #include "compiler/study/simulation.hpp"
@@ -29,6 +30,7 @@ struct SimulateOptions {
   std::string model, form, file, format;
   std::vector<std::string> set;
   SimulationArguments simulation;
+  std::optional<double> tolerance;  ///< of error control
   long every = 1;
   EngineArguments engine;
   bool json = false;
@@ -38,12 +40,13 @@ struct SimulateOptions {
 struct Run {
   SimulationSummary summary;
   StepVerdict verdict;
-  std::vector<MovedValue> moved;  ///< of the start
+  std::vector<MovedValue> moved;                ///< of the start
+  std::shared_ptr<ErrorControlRecord> control;  ///< of a motion with error control
 };
 
 Run compute(const Compilation& compilation, const EngineChoice& choice, const InputsOverTime& inputs,
-            SimulationSettings settings, MotionTable& table) {
-  const Engine engine = make_engine(compilation, choice);
+            SimulationSettings settings, std::optional<ErrorControl> control, MotionTable& table) {
+  Engine engine = make_engine(compilation, choice);
   const Start start = initial_start(compilation, inputs.at(0));
   print_notes(start_notes(compilation, start));
   Progress progress(settings.steps);
@@ -51,14 +54,22 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
   settings.has_multipliers = contacts.needs_multipliers();
   Run run;
   run.moved = start.moved;
+  if (control) {
+    control->end = start.state.t + static_cast<double>(settings.steps) * settings.step;
+    run.control = std::make_shared<ErrorControlRecord>();
+    engine = with_error_control(engine, inputs, *control, run.control);
+    settings.is_error_controlled = true;
+  }
   run.summary = simulate(engine, start.state, inputs, settings, [&](const Sample& sample) {
     contacts.add(sample);
     table.add(sample);
     progress.show(sample.step);
   });
   progress.clear();
-  run.verdict = judge_step(compilation, choice.integrator, settings, run.summary,
-                           modes_near(compilation, start.state, inputs.at(0)));
+  if (!control) {
+    run.verdict = judge_step(compilation, choice.integrator, settings, run.summary,
+                             modes_near(compilation, start.state, inputs.at(0)));
+  }
   judge_contacts(contacts, run.verdict);
   return run;
 }
@@ -85,8 +96,10 @@ int tell(const SimulationRecord& record) {
     fmt::print(stderr, "simulate: {}; {} holds the motion\n", verdict.failure, shown_name(record.file));
     return kUserFault;
   }
-  fmt::print(stderr, "simulate: stopped after t = {:.10g} s: {}; {} holds the motion up to there\n", summary.end_time,
-             describe(record.compilation, summary.status), shown_name(record.file));
+  const bool of_control = record.control && !record.control->failure.empty();
+  fmt::print(stderr, "simulate: stopped after t = {:.10g} s: {}{}; {} holds the motion up to there\n", summary.end_time,
+             describe(record.compilation, summary.status),
+             of_control ? fmt::format(" ({})", record.control->failure) : "", shown_name(record.file));
   const std::string hint =
       verdict.failure.empty() ? hint_of_reach(record.compilation, summary.status) : verdict.failure;
   if (!hint.empty()) fmt::print(stderr, "  hint: {}\n", hint);
@@ -107,13 +120,15 @@ int run(const SimulateOptions& options) {
   require_whole_periods(settings, compilation.model);
   const InputsOverTime inputs = inputs_of(compilation.model, options.engine.inputs, options.simulation);
   for (const std::string& warning : inputs.warnings) fmt::print(stderr, "{}", warning);
-  choice.integrator = integrator_of(options.simulation.integrator, compilation.model.solver.integrator, choice.name);
+  const std::optional<ErrorControl> control = error_control_of(options.simulation.integrator, options.tolerance);
+  choice.integrator =
+      integrator_of(control ? "" : options.simulation.integrator, compilation.model.solver.integrator, choice.name);
   MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step,
                     options.every);
-  const Run run = compute(compilation, choice, inputs, settings, table);
+  const Run run = compute(compilation, choice, inputs, settings, control, table);
   const long rows = table.finish();
-  const SimulationRecord record{compilation,   choice,      settings,  run.summary, options.file,      rows,
-                                options.every, run.verdict, run.moved, options.set, inputs.is_constant};
+  const SimulationRecord record{compilation,   choice,      settings,  run.summary, options.file,       rows,
+                                options.every, run.verdict, run.moved, options.set, inputs.is_constant, run.control};
   table.commit(run_json(record));
   print_beside(options.file, options.json ? summary_json(record) : summary_text(record));
   return tell(record);
@@ -134,10 +149,14 @@ void add_simulate(NamedCommand application, int& exit_code) {
       "  t [s],steer [rad],torque [N m]\n"
       "An input with a derivative among the inputs continues with it; where the table has no column for the\n"
       "derivative, it is the derivative of the curve through the rows.\n"
+      "--integrator cvode (stiff models) or cvode-adams steps with error control (SUNDIALS); the table's step is then\n"
+      "that of its rows alone.\n"
       "Where the step is too long for the model (its fastest mode, or an energy balance off by 0.1 %), standard error\n"
       "says so and names one that would do; values that blow up and an energy balance off by 10 % are an error.");
   add_model_argument(command, options->model);
   add_simulation_options(command, options->simulation);
+  command.add_option("--tolerance", options->tolerance,
+                     "of cvode and cvode-adams: error of a step, relative, and absolute in SI units (default 1e-6)");
   command.add_option("-o,--out", options->file, "table of the motion; - for standard output").required();
   command.add_option("--format", options->format, "csv or mat (level 4) (default: by the ending of --out)");
   command.add_option("--every", options->every, "write every n-th step, and the last (default 1)");

@@ -152,8 +152,13 @@ class ModelText {
       text += fmt::format("  {}: on {}, {}\n", force.name, coordinate(force.joint), quantity(force.force));
     }
     for (const JointFriction& friction : model_.frictions) {
-      text += fmt::format("  {}: friction on {}, coulomb {}, viscous {}\n", friction.name, coordinate(friction.joint),
-                          quantity(friction.coulomb), quantity(friction.viscous));
+      text += fmt::format("  {}: friction on {}, coulomb {}, viscous {}{}\n", friction.name, coordinate(friction.joint),
+                          quantity(friction.coulomb), quantity(friction.viscous), bristle(friction));
+    }
+    for (const SpringFriction& friction : model_.spring_frictions) {
+      text += fmt::format("  {}: friction along spring {}, coulomb {}, viscous {}{}\n", friction.name,
+                          model_.springs[friction.spring].name, quantity(friction.coulomb), quantity(friction.viscous),
+                          bristle(friction));
     }
     for (const Tyre& tyre : model_.tyres) {
       text += fmt::format("  {}: tyre at {}, axis ({}), count {}, radius {}, stiffness {}\n", tyre.name,
@@ -174,6 +179,13 @@ class ModelText {
       text += fmt::format("  {} [{}]: every {} s {}, {} later, at the start {}\n", value.name, value.unit, value.period,
                           quantity(value.value), value.delay, value.initial);
     return text;
+  }
+
+  std::string bristle(const FrictionLaw& friction) const {
+    if (!friction.has_bristle()) return "";
+    return fmt::format(", {} with stiffness {}, damping {}",
+                       friction.kind == FrictionLaw::Kind::lugre ? "lugre" : "elasto_plastic",
+                       quantity(friction.stiffness), quantity(friction.damping));
   }
 
   std::string output(const Output& output) const {

@@ -4,7 +4,7 @@
 
 #include "compiler/formulation/bump_stops.hpp"
 #include "compiler/formulation/bushings.hpp"
-#include "compiler/formulation/force_work.hpp"
+#include "compiler/formulation/friction.hpp"
 #include "compiler/formulation/tyre_road.hpp"
 #include "compiler/formulation/user_states.hpp"
 #include "mbgen/forces.hpp"
@@ -60,7 +60,7 @@ void air_springs(ForceWork<T>& work) {
 }
 
 template <class T>
-void joint_elements(ForceWork<T>& work) {
+void joint_springs(ForceWork<T>& work) {
   const Model& model = work.system.model;
   const Environment<T>& e = work.system.environment;
   for (const JointSpring& spring : model.joint_springs) {
@@ -78,15 +78,11 @@ void joint_elements(ForceWork<T>& work) {
     add_joint_force(work, spring.joint, -force);
     if (spring.relative_to) add_joint_force(work, *spring.relative_to, force);
   }
-  for (const JointFriction& friction : model.frictions) {
-    const auto heading = work.system.scribe.within(OwnerKind::friction, index_in(model.frictions, friction));
-    const auto value = [&](const Quantity& q, const char* meaning) { return work.value(q, meaning, friction.name); };
-    const T force = friction_force(value(friction.coulomb, "coulomb"), value(friction.stiction, "stiction"),
-                                   value(friction.viscous, "viscous"), value(friction.velocity, "velocity"),
-                                   value(friction.stribeck_velocity, "stribeck"), e.velocity(friction.joint));
-    work.system.scribe.name(force, "force_", friction.name);
-    add_joint_force(work, friction.joint, force);
-  }
+}
+
+template <class T>
+void joint_forces(ForceWork<T>& work) {
+  const Model& model = work.system.model;
   for (const JointForce& force : model.joint_forces) {
     const auto heading = work.system.scribe.within(OwnerKind::joint_force, index_in(model.joint_forces, force));
     add_joint_force(work, force.joint, work.value(force.force, "force", force.name));
@@ -125,9 +121,12 @@ AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const
   detail::ForceWork<T> work{system, k, v, forces, shared_law};
   detail::point_springs(work);
   detail::air_springs(work);
-  detail::joint_elements(work);
+  detail::joint_springs(work);
+  detail::frictions(work);
+  detail::joint_forces(work);
   detail::body_forces(work);
   detail::tyres(work);
+  forces.xd.insert(forces.xd.end(), forces.bristle_rates.begin(), forces.bristle_rates.end());
   detail::bushings(work);
   detail::bump_stops(work);
   detail::user_states(work);

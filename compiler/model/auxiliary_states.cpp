@@ -1,5 +1,6 @@
 #include "compiler/model/auxiliary_states.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -8,10 +9,16 @@ namespace {
 
 constexpr double kSlipOfRadius = 0.1;  // of a tyre's radius, what its slip states reach
 constexpr double kExtension = 1e-3;    // m or rad, of the spring of a Maxwell branch
+constexpr double kBristle = 1e-4;      // m or rad, what bristles bend before they slide
 constexpr int kStatesOfTyre = 2;
 
 AuxiliaryState hidden(const std::string& name, const std::string& unit, double size) {
   return {name, unit, unit + "/s", "auxiliary state", 0, {}, size};
+}
+
+const char* unit_of_coordinate(const Model& model, const CoordinateReference& coordinate) {
+  const Joint& joint = model.joints[static_cast<std::size_t>(coordinate.joint)];
+  return unit_of(joint.freedoms[static_cast<std::size_t>(coordinate.component)].kind);
 }
 
 /// A value of the user's own; all without unit are numbers.
@@ -36,6 +43,12 @@ std::vector<AuxiliaryState> auxiliary_states(const Model& model) {
     for (const char* suffix : {"_u", "_v"})
       states.push_back(hidden(tyre.name + suffix, "m", kSlipOfRadius * tyre.radius.value));
   }
+  const auto add_bristle = [&](const FrictionLaw& friction, const std::string& name, const char* unit) {
+    if (friction.has_bristle()) states.push_back(hidden(name + "_bristle", unit, kBristle));
+  };
+  for (const JointFriction& friction : model.frictions)
+    add_bristle(friction, friction.name, unit_of_coordinate(model, friction.joint));
+  for (const SpringFriction& friction : model.spring_frictions) add_bristle(friction, friction.name, "m");
   for (const Bushing& bushing : model.bushings) {
     for (int i = 0; i < kBushingFreedoms; ++i) {
       if (!has_maxwell_branch(bushing, i)) continue;
@@ -55,7 +68,13 @@ int auxiliary_state_count(const Model& model) {
   return first_user_state(model) + static_cast<int>(model.states.size()) + held_state_count(model);
 }
 
-int slip_state_count(const Model& model) { return kStatesOfTyre * static_cast<int>(model.tyres.size()); }
+int first_bristle(const Model& model) { return kStatesOfTyre * static_cast<int>(model.tyres.size()); }
+
+int slip_state_count(const Model& model) {
+  const auto has_bristle = [](const FrictionLaw& friction) { return friction.has_bristle(); };
+  return first_bristle(model) + static_cast<int>(std::ranges::count_if(model.frictions, has_bristle) +
+                                                 std::ranges::count_if(model.spring_frictions, has_bristle));
+}
 
 std::vector<std::string> auxiliary_state_names(const Model& model) {
   std::vector<std::string> names;

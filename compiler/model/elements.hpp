@@ -52,18 +52,41 @@ struct JointSpring {
   std::optional<int> force;      ///< expression; local 0 `position`, local 1 `rate`
 };
 
-/// Smooth friction on a coordinate:
-/// f = -(coulomb + (stiction - coulomb) exp(-(v/v_stribeck)^2)) tanh(v/velocity) - viscous v.
-struct JointFriction {
+/// Law of a friction between two parts that slide on each other, v their speed, F_n the factor of `normal` or 1. Level:
+/// g(v) = F_n (coulomb + (stiction - coulomb) exp(-(v/v_stribeck)^2)).
+///   smooth          f = -g(v) tanh(v/velocity) - viscous v: creeps at rest
+///   elasto_plastic, lugre: a bristle of deflection b, an auxiliary state, see mbgen/bristle.hpp;
+///                   f = -(stiffness b + damping db/dt) - viscous v: holds at rest
+struct FrictionLaw {
+  enum class Kind { smooth, elasto_plastic, lugre };
+  Kind kind = Kind::smooth;
+  Quantity coulomb;   ///< N m or N; with `normal` 1 or m
+  Quantity stiction;  ///< as coulomb; the reader sets it to coulomb when absent
+  Quantity viscous;   ///< N m s/rad or N s/m
+  Quantity velocity;  ///< rad/s or m/s over which the sign of smooth friction is smoothed, > 0
+  /// rad/s or m/s, > 0; the reader sets it to 10 * velocity when absent, or of a bristle without stiction to 1
+  Quantity stribeck_velocity;
+  Quantity stiffness;         ///< of a bristle, N m/rad or N/m, > 0
+  Quantity damping;           ///< of a bristle, N m s/rad or N s/m
+  Quantity elastic;           ///< share of the largest deflection up to which a bristle does not slide, 0 to below 1
+  std::optional<double> lag;  ///< s: a bristle follows no faster; the reader sets it to the step of the solver
+  int normal = -1;            ///< index into Model::springs of the spring that presses the parts together, -1 for none
+
+  bool has_bristle() const { return kind != Kind::smooth; }
+};
+
+/// Friction on a coordinate.
+struct JointFriction : FrictionLaw {
   std::string name;
   Where where;
   CoordinateReference joint;
-  Quantity coulomb;   ///< N m or N
-  Quantity stiction;  ///< N m or N; the reader sets it to coulomb when absent
-  Quantity viscous;   ///< N m s/rad or N s/m
-  Quantity velocity;  ///< rad/s or m/s over which the sign is smoothed, > 0
-  /// rad/s or m/s, > 0; the reader sets it to 10 * velocity when absent
-  Quantity stribeck_velocity;
+};
+
+/// Friction along the line of a spring between two points: its leaves, its bush.
+struct SpringFriction : FrictionLaw {
+  std::string name;
+  Where where;
+  int spring = -1;  ///< index into Model::springs
 };
 
 /// Polytropic air spring between two points: p V^n = const; the force (p - p_ambient) A(l) pushes the points apart.

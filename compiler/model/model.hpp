@@ -97,6 +97,7 @@ struct Model {
   std::vector<PointSpring> springs;
   std::vector<JointSpring> joint_springs;
   std::vector<JointFriction> frictions;
+  std::vector<SpringFriction> spring_frictions;
   std::vector<AirSpring> air_springs;
   std::vector<Bushing> bushings;
   std::vector<BumpStop> bump_stops;

@@ -91,6 +91,14 @@ struct SampledValueFields : SampledValue, Presentation {
   double written_delay = 0;
 };
 
+/// Friction on a coordinate or along a spring.
+struct FrictionFields : FrictionLaw {
+  std::string name;
+  Where where;
+  std::optional<CoordinateReference> joint;
+  std::optional<std::string> spring, pressing_spring;
+};
+
 struct AirSpringFields : AirSpring {
   Law written_volume;
 };
@@ -236,7 +244,7 @@ std::span<const Field<PointSpring>> fields<PointSpring>();
 template <>
 std::span<const Field<JointSpring>> fields<JointSpring>();
 template <>
-std::span<const Field<JointFriction>> fields<JointFriction>();
+std::span<const Field<FrictionFields>> fields<FrictionFields>();
 template <>
 std::span<const Field<AirSpringFields>> fields<AirSpringFields>();
 template <>

@@ -129,22 +129,6 @@ void read_joint_springs(Reader& reader, const Entries& entries) {
   });
 }
 
-void read_frictions(Reader& reader, const Entries& entries) {
-  constexpr double kStribeckOverVelocity = 10;
-  read_list(reader, entries, reader.model.frictions, [](Reader& r, const Value& value, JointFriction& friction) {
-    if (!has_any(value, {"coulomb", "stiction", "viscous"}))
-      report(r, value, "friction has no coulomb, stiction or viscous");
-    if (!find(value, "stiction")) friction.stiction = friction.coulomb;
-    if (!find(value, "stribeck_velocity")) {
-      friction.stribeck_velocity = scaled(r, kStribeckOverVelocity, friction.velocity);
-    }
-    if (friction.stiction.value < friction.coulomb.value) {
-      report(r, *find(value, "stiction"),
-             fmt::format("stiction {} is below coulomb {}", friction.stiction.value, friction.coulomb.value));
-    }
-  });
-}
-
 void read_air_springs(Reader& reader, const Entries& entries) {
   std::vector<AirSpringFields> springs;
   read_list(reader, entries, springs, [](Reader& r, const Value& value, const AirSpringFields& spring) {

@@ -179,6 +179,7 @@ void read_sections(Reader& reader) {
   read_shapes(reader, entries(&FileFields::shapes));
   read_initial(reader, initial_parts(reader));
   read_solver(reader, parts_of(reader, 0, &FileFields::solver));
+  finish_frictions(reader);
   finish_hardpoints(reader);
 }
 

@@ -311,6 +311,8 @@ void check_state_names(Reader& reader, const Entries& states, const Entries& sam
 void read_springs(Reader& reader, const Entries& entries);
 void read_joint_springs(Reader& reader, const Entries& entries);
 void read_frictions(Reader& reader, const Entries& entries);
+/// Sets the lags that are not written. Requires: the solver's settings are read.
+void finish_frictions(Reader& reader);
 void read_air_springs(Reader& reader, const Entries& entries);
 void read_bushings(Reader& reader, const Entries& entries);
 void read_bump_stops(Reader& reader, const Entries& entries);

@@ -133,38 +133,6 @@ std::span<const Field<JointSpring>> fields<JointSpring>() {
 }
 
 template <>
-std::span<const Field<JointFriction>> fields<JointFriction>() {
-  using S = JointFriction;
-  static const std::array table = {
-      field<S, &S::joint>(coordinate("joint", "coordinate it acts on", Need::required)),
-      field<S, &S::coulomb>({.name = "coulomb",
-                             .doc = "sliding friction",
-                             .unit = "N m or N",
-                             .fallback = 0,
-                             .bound = Bound::not_negative}),
-      field<S, &S::stiction>({.name = "stiction",
-                              .doc = "friction at the start of sliding; default: coulomb",
-                              .unit = "N m or N",
-                              .bound = Bound::not_negative}),
-      field<S, &S::viscous>({.name = "viscous",
-                             .doc = "friction that grows with speed",
-                             .unit = "N m s/rad or N s/m",
-                             .fallback = 0,
-                             .bound = Bound::not_negative}),
-      field<S, &S::velocity>({.name = "velocity",
-                              .doc = "speed over which the sign of friction is smoothed",
-                              .unit = "rad/s or m/s",
-                              .need = Need::required,
-                              .bound = Bound::positive}),
-      field<S, &S::stribeck_velocity>({.name = "stribeck_velocity",
-                                       .doc = "speed over which stiction fades; default: 10 times velocity",
-                                       .unit = "rad/s or m/s",
-                                       .bound = Bound::positive}),
-  };
-  return table;
-}
-
-template <>
 std::span<const Field<AirSpringFields>> fields<AirSpringFields>() {
   using S = AirSpringFields;
   static const std::array table = {

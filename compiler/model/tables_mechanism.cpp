@@ -71,7 +71,7 @@ std::span<const Field<FileFields>> fields<FileFields>() {
       field<F, &F::couplings>(section("couplings", "coupling", "relations between coordinates: gears, racks, screws")),
       field<F, &F::springs>(section("springs", "spring", "springs and dampers between two points")),
       field<F, &F::joint_springs>(section("joint_springs", "joint_spring", "springs and dampers on coordinates")),
-      field<F, &F::frictions>(section("frictions", "friction", "friction on coordinates")),
+      field<F, &F::frictions>(section("frictions", "friction", "friction on coordinates and springs")),
       field<F, &F::air_springs>(section("air_springs", "air_spring", "polytropic air springs between two points")),
       field<F, &F::bushings>(section("bushings", "bushing", "rubber and mounts: six freedoms between two bodies")),
       field<F, &F::bump_stops>(section("bump_stops", "bump_stop", "stops that push beyond a clearance")),

@@ -169,7 +169,8 @@ std::vector<ObjectKind> object_kinds() {
       kind<SampledValueFields>("sampled_value", "a value that is set at t = 0, period, 2 period and so on"),
       kind<PointSpring>("spring", "spring and damper between two points"),
       kind<JointSpring>("joint_spring", "spring and damper on a coordinate or a difference of two"),
-      kind<JointFriction>("friction", "friction on a coordinate"),
+      kind<FrictionFields>("friction", "friction on a coordinate or along a spring; exactly one of joint and spring",
+                           {"joint", "spring"}),
       kind<AirSpringFields>("air_spring", "polytropic air spring between two points"),
       kind<BushingFields>("bushing",
                           "compliant element of six freedoms between two frames, whose axes agree at the reference; "

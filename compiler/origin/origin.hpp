@@ -45,6 +45,7 @@ enum class OwnerKind : std::uint8_t {
   air_spring,
   joint_spring,
   friction,
+  spring_friction,
   joint_force,
   force,
   tyre,

@@ -36,9 +36,11 @@ std::string text_of(const Section& section) {
 }
 
 std::string text_of(const Owner& owner) {
-  constexpr const char* kKinds[] = {"",       "tree_body",  "loop",         "loop_block", "body",        "joint",
-                                    "spring", "air_spring", "joint_spring", "friction",   "joint_force", "force",
-                                    "tyre",   "motion",     "output",       "state",      "sampled"};
+  constexpr const char* kKinds[] = {
+      "",           "tree_body",    "loop",     "loop_block",      "body",        "joint",  "spring",
+      "air_spring", "joint_spring", "friction", "spring_friction", "joint_force", "force",  "tyre",
+      "bushing",    "bump_stop",    "motion",   "output",          "state",       "sampled"};
+  static_assert(std::size(kKinds) == static_cast<std::size_t>(OwnerKind::sampled) + 1);
   return owner.kind == OwnerKind::none ? "" : fmt::format("{} {}", kKinds[static_cast<int>(owner.kind)], owner.index);
 }
 

@@ -261,7 +261,7 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
   }
   notices.finish(summary.end_time, summary.blocks);
   summary.wall_seconds = seconds_since(start);
-  if (may_be_of_step(summary.status)) {
+  if (may_be_of_step(summary.status) && !settings.is_error_controlled) {
     summary.passable_step = passable_step(engine, inputs, moving, settings.step);
   }
   return summary;

@@ -11,8 +11,9 @@ namespace mbgen {
 
 struct SimulationSettings {
   long steps = 0;
-  double step = 0;               ///< s
-  bool has_multipliers = false;  ///< the samples are to have them
+  double step = 0;                   ///< s
+  bool has_multipliers = false;      ///< the samples are to have them
+  bool is_error_controlled = false;  ///< the engine chooses its own steps inside of these
 };
 
 /// One point of the motion.

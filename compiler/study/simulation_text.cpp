@@ -68,6 +68,34 @@ double real_time_factor(const SimulationRecord& record, double seconds) {
   return seconds > 0 ? simulated / seconds : 0;
 }
 
+/// What integrated the motion, as on the command line.
+const char* integrator_name(const SimulationRecord& record) {
+  return record.control ? name_of(record.control->control.method) : name_of(record.choice.integrator);
+}
+
+/// Steps of a motion with error control.
+std::string control_text(const ErrorControlRecord& control) {
+  return fmt::format(
+      "  error control             tolerance {:.3g}: {} steps of {:.3g} to {:.3g} s, order up to {}, {} rejected, {} "
+      "not "
+      "solved,\n                            {} evaluations, {} Jacobians, {} restarts\n",
+      control.control.tolerance, control.steps, control.shortest, control.longest, control.largest_order,
+      control.rejected, control.not_solved, control.evaluations, control.jacobians, control.restarts);
+}
+
+Json control_json(const ErrorControlRecord& control) {
+  return {{"tolerance", control.control.tolerance},
+          {"steps", control.steps},
+          {"shortest_step", known_or_null(control.shortest)},
+          {"longest_step", known_or_null(control.longest)},
+          {"largest_order", control.largest_order},
+          {"rejected", control.rejected},
+          {"not_solved", control.not_solved},
+          {"evaluations", control.evaluations},
+          {"jacobians", control.jacobians},
+          {"restarts", control.restarts}};
+}
+
 bool met_something(const BlockEvents& block) { return block.chosen_again > 0 || block.near_singular > 0; }
 
 /// Notices of the loop blocks, a line or two for each of them.
@@ -111,29 +139,31 @@ Json warnings_json(const SimulationRecord& record) {
 /// Results of a run, the same on every machine and at every time.
 Json results_json(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
-  return {{"model", record.compilation.model.name},
-          {"engine", record.choice.name},
-          {"integrator", name_of(record.choice.integrator)},
-          {"stabilisation", name_of(record.choice.stabilisation)},
-          {"moved_start", moved_json(record.compilation, record.moved)},
-          {"steps", summary.steps},
-          {"step", record.settings.step},
-          {"end_time", summary.end_time},
-          {"status", status_text(record)},
-          {"blocks", blocks_json(record)},
-          {"position_residual", summary.largest.position},
-          {"velocity_residual", summary.largest.velocity},
-          {"energy_change", summary.energy.change},
-          {"work", summary.energy.work},
-          {"energy_error", summary.energy.error()},
-          {"relative_energy_error", summary.energy.relative_error()},
-          {"stable_step", known_or_null(record.verdict.stable_step)},
-          {"fitting_step", known_or_null(record.verdict.fitting_step)},
-          {"warnings", warnings_json(record)},
-          {"outputs", ranges_json(summary.outputs, record.compilation.model.outputs)},
-          {"inputs", ranges_json(summary.inputs, record.compilation.model.inputs)},
-          {"every", record.every},
-          {"rows", record.rows}};
+  Json results = {{"model", record.compilation.model.name},
+                  {"engine", record.choice.name},
+                  {"integrator", integrator_name(record)},
+                  {"stabilisation", name_of(record.choice.stabilisation)},
+                  {"moved_start", moved_json(record.compilation, record.moved)},
+                  {"steps", summary.steps},
+                  {"step", record.settings.step},
+                  {"end_time", summary.end_time},
+                  {"status", status_text(record)},
+                  {"blocks", blocks_json(record)},
+                  {"position_residual", summary.largest.position},
+                  {"velocity_residual", summary.largest.velocity},
+                  {"energy_change", summary.energy.change},
+                  {"work", summary.energy.work},
+                  {"energy_error", summary.energy.error()},
+                  {"relative_energy_error", summary.energy.relative_error()},
+                  {"stable_step", known_or_null(record.verdict.stable_step)},
+                  {"fitting_step", known_or_null(record.verdict.fitting_step)},
+                  {"warnings", warnings_json(record)},
+                  {"outputs", ranges_json(summary.outputs, record.compilation.model.outputs)},
+                  {"inputs", ranges_json(summary.inputs, record.compilation.model.inputs)},
+                  {"every", record.every},
+                  {"rows", record.rows}};
+  if (record.control) results["error_control"] = control_json(*record.control);
+  return results;
 }
 
 }  // namespace
@@ -167,7 +197,8 @@ std::string summary_text(const SimulationRecord& record) {
   const EnergyBalance& energy = summary.energy;
   std::string text = fmt::format("{}: {} steps of {:.6g} s, engine {}, integrator {}, {}\n",
                                  record.compilation.model.name, summary.steps, record.settings.step, record.choice.name,
-                                 name_of(record.choice.integrator), name_of(record.choice.stabilisation));
+                                 integrator_name(record), name_of(record.choice.stabilisation));
+  if (record.control) text += control_text(*record.control);
   text += fmt::format("  real-time factor          {:.4g} (simulated time over {:.4g} s in the steps)\n",
                       real_time_factor(record, summary.solver_seconds), summary.solver_seconds);
   text += fmt::format("    with outputs and table  {:.4g} (over {:.4g} s from start to end)\n",

@@ -1,10 +1,12 @@
 #pragma once
 // A motion as text: the table's header and rows, and the summary.
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "compiler/results/results.hpp"
+#include "compiler/study/error_control.hpp"
 #include "compiler/study/initial_state.hpp"
 #include "compiler/study/simulation.hpp"
 #include "compiler/study/step_verdict.hpp"
@@ -29,6 +31,7 @@ struct SimulationRecord {
   std::vector<MovedValue> moved;  ///< of the start
   std::vector<std::string> set;   ///< parameters that the command line gave, name=value
   bool are_inputs_constant = true;
+  std::shared_ptr<const ErrorControlRecord> control = nullptr;  ///< of a motion with error control
 };
 
 /// For people: steps, real-time factor, closure residual, energy balance, ranges of the outputs and of inputs that

@@ -6,6 +6,7 @@
 
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/curve.hpp"
+#include "mbgen/bristle.hpp"
 #include "mbgen/sampling.hpp"
 #include "runtime/cartesian/bump_stops.hpp"
 #include "runtime/cartesian/bushings.hpp"
@@ -42,35 +43,26 @@ Load force_at(const End& end, const Vector3d& force) {
   return {end.body, (Vector6d() << force, end.arm.cross(force)).finished()};
 }
 
-/// A line element at the bodies.
-struct Stretched {
+/// An element between two points as it is now.
+struct Line {
   End from, to;
-  Vector3d direction;   ///< unit, global axes
-  double length, rate;  ///< m, m/s
+  Vector3d direction;
+  double length, rate;
 };
 
-Stretched stretched(const Place& start, const Place& end, const std::vector<Moving>& bodies) {
-  const End from = end_of(bodies, start), to = end_of(bodies, end);
+Line line_of(const PartLine& line, const std::vector<Moving>& bodies) {
+  const End from = end_of(bodies, line.from), to = end_of(bodies, line.to);
   const Vector3d gap = to.position - from.position;
   const double length = gap.norm();
   const Vector3d direction = gap / length;
   return {from, to, direction, length, direction.dot(to.velocity - from.velocity)};
 }
 
-template <class Spring>
-void add_line(const Spring& spring, const PartLine& line, const std::vector<Moving>& bodies, const Values& value,
-              Forces& forces) {
-  const Stretched at = stretched(line.from, line.to, bodies);
-  const Vector3d pull = tension(spring, value, at.length, at.rate, line.reference) * at.direction;
-  forces.loads.push_back(force_at(at.from, pull));
-  forces.loads.push_back(force_at(at.to, -pull));
-}
-
 /// The values with all that expressions may look at.
 Values complete(Values values, const Parts& parts, const std::vector<Moving>& bodies, const std::vector<double>& x) {
   values.states.assign(x.begin() + first_user_state(values.model), x.end());
   const auto add = [&](const Place& from, const Place& to) {
-    const Stretched at = stretched(from, to, bodies);
+    const Line at = line_of({from, to, 0}, bodies);
     values.lengths.push_back(at.length);
     values.rates.push_back(at.rate);
   };
@@ -79,6 +71,49 @@ Values complete(Values values, const Parts& parts, const std::vector<Moving>& bo
   for (const PartRod& rod : parts.rods) add(rod.from, rod.to);
   return values;
 }
+
+void add_tension(const Line& line, double tension, Forces& forces) {
+  forces.loads.push_back(force_at(line.from, tension * line.direction));
+  forces.loads.push_back(force_at(line.to, -tension * line.direction));
+}
+
+/// Result: the tension, N.
+template <class Spring>
+double add_line(const Spring& spring, const PartLine& part, const std::vector<Moving>& bodies, const Values& value,
+                Forces& forces) {
+  const Line line = line_of(part, bodies);
+  const double pull = tension(spring, value, line.length, line.rate, part.reference);
+  add_tension(line, pull, forces);
+  return pull;
+}
+
+/// Frictions of a model: their forces, and the rates of those that have bristles.
+struct Frictions {
+  const Values& value;
+  const std::vector<double>& x;
+  const std::vector<double>& tensions;  ///< of the springs, without friction, N
+  std::vector<double> rates = {};       ///< of bristles
+
+  /// N m or N, on the part that moves at `rate`.
+  double force(const FrictionLaw& f, double rate) {
+    double force = 0;
+    if (f.has_bristle()) {
+      const Bristles<double> bristles{value(f.coulomb),   value(f.stiction), value(f.stribeck_velocity),
+                                      value(f.stiffness), value(f.damping),  *f.lag};
+      const double b = x[static_cast<std::size_t>(first_bristle(value.model)) + rates.size()];
+      const BristleResult<double> result = f.kind == FrictionLaw::Kind::lugre
+                                               ? lugre_friction(bristles, b, rate)
+                                               : elasto_plastic_friction(bristles, value(f.elastic), b, rate);
+      rates.push_back(result.rate);
+      force = result.force;
+    } else {
+      force =
+          friction_force(value(f.coulomb), value(f.stiction), 0.0, value(f.velocity), value(f.stribeck_velocity), rate);
+    }
+    if (f.normal >= 0) force *= std::abs(tensions[static_cast<std::size_t>(f.normal)]);
+    return force - value(f.viscous) * rate;
+  }
+};
 
 void add_applied(const AppliedForce& applied, const Place& place, const std::vector<Moving>& bodies,
                  const Values& value, Forces& forces) {
@@ -107,9 +142,6 @@ void add_joint_elements(const Model& model, const Values& value, std::vector<dou
     add(spring.joint, -force);
     if (spring.relative_to) add(*spring.relative_to, force);
   }
-  for (const JointFriction& f : model.frictions)
-    add(f.joint, friction_force(value(f.coulomb), value(f.stiction), value(f.viscous), value(f.velocity),
-                                value(f.stribeck_velocity), value.velocity(f.joint)));
   for (const JointForce& force : model.joint_forces) add(force.joint, value(force.force));
 }
 
@@ -120,8 +152,9 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
   const Values values = complete(given, parts, bodies, x);
   Forces forces;
   forces.joints.resize(topology.bodies.size());
+  std::vector<double> tensions;
   for (std::size_t s = 0; s < model.springs.size(); ++s)
-    add_line(model.springs[s], parts.springs[s], bodies, values, forces);
+    tensions.push_back(add_line(model.springs[s], parts.springs[s], bodies, values, forces));
   for (std::size_t s = 0; s < model.air_springs.size(); ++s)
     add_line(model.air_springs[s], parts.air_springs[s], bodies, values, forces);
   for (std::size_t f = 0; f < model.forces.size(); ++f)
@@ -133,6 +166,17 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
     forces.xd.push_back(wheel.du);
     forces.xd.push_back(wheel.dv);
   }
+  Frictions frictions{values, x, tensions};
+  for (const JointFriction& friction : model.frictions) {
+    const int i = values.table[friction.joint.joint][friction.joint.component];
+    const double force = frictions.force(friction, values.velocity(friction.joint));
+    if (i >= 0) forces.joints[i] += force;
+  }
+  for (const SpringFriction& friction : model.spring_frictions) {
+    const Line line = line_of(parts.springs[friction.spring], bodies);
+    add_tension(line, -frictions.force(friction, line.rate), forces);
+  }
+  forces.xd.insert(forces.xd.end(), frictions.rates.begin(), frictions.rates.end());
   add_bushings(model, parts, bodies, x, values, forces);
   add_bump_stops(model, parts, bodies, values, forces);
   add_joint_elements(model, values, forces.joints);

@@ -51,7 +51,7 @@ Case at_defaults() {
   const auto n = static_cast<std::size_t>(model().topology.size());
   at.state.z.assign(n, 0);
   at.state.zd.assign(n, 0);
-  at.state.x.assign(model().model.tyres.size() * 2, 0);
+  at.state.x.assign(auxiliary_state_count(model().model), 0);
   at.tau.assign(n, 0);
   at.derivative = {std::vector<double>(n, 7), std::vector<double>(at.state.x.size(), 8)};
   at.state.zd[coordinate("crank_pin")] = 12;

@@ -1,0 +1,81 @@
+#pragma once
+// Friction on coordinates and along springs, part of the applied forces.
+
+#include "compiler/formulation/force_work.hpp"
+#include "compiler/model/auxiliary_states.hpp"
+#include "mbgen/bristle.hpp"
+
+namespace mbgen::detail {
+
+template <class T>
+void add_joint_force(ForceWork<T>& work, const CoordinateReference& reference, const T& force) {
+  const int i = tree_coordinate(work.system.topology, reference);
+  if (i >= 0) work.forces.joint[i] = work.forces.joint[i] + force;
+}
+
+/// Force of bristles, N m or N, on the part that moves at `rate`; the rate of their deflection is added to the list.
+template <class T>
+T bristle_force(ForceWork<T>& work, const FrictionLaw& friction, const std::string& name, const T& rate) {
+  const auto value = [&](const Quantity& q, const char* meaning) { return work.value(q, meaning, name); };
+  const std::size_t state = first_bristle(work.system.model) + work.forces.bristle_rates.size();
+  const T deflection = work.system.x[state];
+  const Bristles<T> bristles{value(friction.coulomb, "coulomb"),
+                             value(friction.stiction, "stiction"),
+                             value(friction.stribeck_velocity, "stribeck"),
+                             value(friction.stiffness, "stiffness"),
+                             value(friction.damping, "damping"),
+                             T(*friction.lag)};
+  const BristleResult<T> result =
+      friction.kind == FrictionLaw::Kind::lugre
+          ? lugre_friction(bristles, deflection, rate)
+          : elasto_plastic_friction(bristles, value(friction.elastic, "elastic"), deflection, rate);
+  work.forces.bristle_rates.push_back(result.rate);
+  return result.force;
+}
+
+/// Force of friction, N m or N, on the part that moves at `rate`, against the motion. springs: forces of the springs
+/// without friction.
+template <class T>
+T friction_of(ForceWork<T>& work, const FrictionLaw& friction, const std::string& name, const T& rate,
+              const std::vector<ElementState<T>>& springs) {
+  const auto value = [&](const Quantity& q, const char* meaning) { return work.value(q, meaning, name); };
+  if (friction.normal < 0 && !friction.has_bristle()) {
+    return friction_force(value(friction.coulomb, "coulomb"), value(friction.stiction, "stiction"),
+                          value(friction.viscous, "viscous"), value(friction.velocity, "velocity"),
+                          value(friction.stribeck_velocity, "stribeck"), rate);
+  }
+  T sliding =
+      friction.has_bristle()
+          ? bristle_force(work, friction, name, rate)
+          : friction_force(value(friction.coulomb, "coulomb"), value(friction.stiction, "stiction"), T(0.0),
+                           value(friction.velocity, "velocity"), value(friction.stribeck_velocity, "stribeck"), rate);
+  if (friction.normal >= 0) sliding = sliding * abs(springs[friction.normal].force);
+  return sliding - value(friction.viscous, "viscous") * rate;
+}
+
+template <class T>
+void frictions(ForceWork<T>& work) {
+  const Model& model = work.system.model;
+  const std::vector<ElementState<T>> springs = work.forces.springs;
+  for (const JointFriction& friction : model.frictions) {
+    const auto heading = work.system.scribe.within(OwnerKind::friction, index_in(model.frictions, friction));
+    const T rate = work.system.environment.velocity(friction.joint);
+    const T force = friction_of(work, friction, friction.name, rate, springs);
+    work.system.scribe.name(force, "force_", friction.name);
+    add_joint_force(work, friction.joint, force);
+  }
+  for (const SpringFriction& friction : model.spring_frictions) {
+    const auto heading =
+        work.system.scribe.within(OwnerKind::spring_friction, index_in(model.spring_frictions, friction));
+    const PointSpring& spring = model.springs[friction.spring];
+    const ElementState<T> state = line_element(work, spring.from, spring.to, [&](const T&, const T& rate, const T&) {
+      T tension = -friction_of(work, friction, friction.name, rate, springs);
+      work.system.scribe.name(tension, "force_", friction.name);
+      return tension;
+    });
+    ElementState<T>& total = work.forces.springs[friction.spring];
+    total.force = total.force + state.force;
+  }
+}
+
+}  // namespace mbgen::detail
