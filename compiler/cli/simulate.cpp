@@ -97,6 +97,8 @@ int run(const SimulateOptions& options) {
   EngineChoice choice = chosen_engine(options.engine);
   const std::optional<Form> form = chosen_form(options.form);
   Model model = read_set_model(options.model, options.set);
+  choice.integrator = model.solver.integrator =
+      integrator_of(options.simulation.integrator, model.solver.integrator, choice.name);
   const Compilation compilation =
       expect(choice.name == "generated" ? compile(std::move(model), {form}) : decide(std::move(model)));
   require_other_file(options.file, compilation.model.files);
@@ -106,7 +108,6 @@ int run(const SimulateOptions& options) {
   const SimulationSettings settings = settings_of(options.simulation, compilation.model.solver);
   const InputsOverTime inputs = inputs_of(compilation.model, options.engine.inputs, options.simulation);
   for (const std::string& warning : inputs.warnings) fmt::print(stderr, "{}", warning);
-  choice.integrator = integrator_of(options.simulation.integrator, compilation.model.solver.integrator, choice.name);
   MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step,
                     options.every);
   const Run run = compute(compilation, choice, inputs, settings, table);

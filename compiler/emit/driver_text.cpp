@@ -33,6 +33,7 @@ EmittedFile driver(const Model& model, int lanes, const std::string& clocked) {
                          {"inputs", numbered_rows(names.inputs)},
                          {"outputs", numbered_rows(names.outputs)},
                          {"lanes", lanes > 0 ? std::to_string(lanes) : ""},
+                         {"is_implicit", model.solver.is_implicit()},
                          {"clocked", clocked}})};
 }
 

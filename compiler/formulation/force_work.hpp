@@ -2,6 +2,8 @@
 // Common parts of the force elements: their results, their view of the system, characteristics, and forces put on
 // bodies.
 
+#include <type_traits>
+
 #include "compiler/formulation/motion.hpp"
 #include "mbgen/table.hpp"
 #include "mbgen/tyre.hpp"
@@ -53,10 +55,10 @@ struct ForceWork {
 };
 
 /// Value of a characteristic at an argument: factor times argument, or a table. The factor is named
-/// <meaning>_<element>.
-template <class T>
-T law(const ForceWork<T>& work, const Law& law, const T& argument, const char* meaning, const std::string& element) {
-  if (const Quantity* factor = std::get_if<Quantity>(&law)) return work.value(*factor, meaning, element) * argument;
+/// <meaning>_<element>. A: T, or Slope<T> where the law is differentiated, as in the functions that follow.
+template <class T, class A>
+A law(const ForceWork<T>& work, const Law& law, const A& argument, const char* meaning, const std::string& element) {
+  if (const Quantity* factor = std::get_if<Quantity>(&law)) return A(work.value(*factor, meaning, element)) * argument;
   const Table& table = std::get<Table>(law);
   const int count = static_cast<int>(table.x.size());
   if (table.interpolation == Table::Interpolation::linear)
@@ -66,18 +68,47 @@ T law(const ForceWork<T>& work, const Law& law, const T& argument, const char* m
   return interpolate_monotone_cubic(table.x.data(), table.y.data(), slopes.data(), count, argument);
 }
 
-template <class T>
-T law(const ForceWork<T>& work, const std::optional<Law>& optional, const T& argument, const char* meaning,
+template <class T, class A>
+A law(const ForceWork<T>& work, const std::optional<Law>& optional, const A& argument, const char* meaning,
       const std::string& element) {
-  return optional ? law(work, *optional, argument, meaning, element) : T(0.0);
+  return optional ? law(work, *optional, argument, meaning, element) : A(0.0);
 }
 
+/// An environment of T for an expression over A: everything stands still but the locals and one coordinate or velocity.
+template <class T, class A>
+struct MovedEnvironment {
+  const Environment<T>& environment;
+  std::vector<A> locals = {};
+  const ExpressionNode* moved = nullptr;  ///< a position or velocity whose derivative is one, null for none
+
+  A parameter(int i) const { return A(environment.parameter(i)); }
+  A input(int i) const { return A(environment.input(i)); }
+  A time() const { return A(environment.time()); }
+  A position(const CoordinateReference& c) const {
+    return moves(ExpressionNode::Kind::position, c) ? A(environment.position(c), T(1.0)) : A(environment.position(c));
+  }
+  A velocity(const CoordinateReference& c) const {
+    return moves(ExpressionNode::Kind::velocity, c) ? A(environment.velocity(c), T(1.0)) : A(environment.velocity(c));
+  }
+  A local(int i) const { return locals[i]; }
+
+ private:
+  bool moves(ExpressionNode::Kind kind, const CoordinateReference& c) const {
+    return moved != nullptr && moved->kind == kind && moved->coordinate == c;
+  }
+};
+
 /// An expression with two local variables.
-template <class T>
-T with_locals(const ForceWork<T>& work, int expression, const T& first, const T& second) {
-  Environment<T> environment = work.system.environment;
-  environment.locals = {first, second};
-  return evaluate<T>(work.system.model.expressions[expression], environment);
+template <class T, class A>
+A with_locals(const ForceWork<T>& work, int expression, const A& first, const A& second) {
+  const Expression& of_model = work.system.model.expressions[expression];
+  if constexpr (std::is_same_v<T, A>) {
+    Environment<T> environment = work.system.environment;
+    environment.locals = {first, second};
+    return evaluate<T>(of_model, environment);
+  } else {
+    return evaluate<A>(of_model, MovedEnvironment<T, A>{work.system.environment, {first, second}});
+  }
 }
 
 /// Adds a force and a moment on a body of the model.

@@ -63,21 +63,27 @@ RoadContact<T> road_contact(const ForceWork<T>& work, const Tyre& tyre, std::siz
   return c;
 }
 
+/// Properties of a tyre. A: T, or Slope<T> where its law is differentiated.
+template <class A, class T>
+TyreProperties<A> tyre_properties(const ForceWork<T>& work, const Tyre& tyre) {
+  const auto value = [&](const Quantity& q, const char* meaning) { return A(work.value(q, meaning, tyre.name)); };
+  return {value(tyre.radius, "radius"),
+          value(tyre.stiffness, "k"),
+          value(tyre.damping, "d"),
+          value(tyre.friction, "friction"),
+          value(tyre.rolling_resistance, "rolling"),
+          value(tyre.relaxation_x, "relaxation_x"),
+          value(tyre.relaxation_y, "relaxation_y"),
+          value(tyre.low_speed, "low_speed"),
+          tyre.side,
+          tyre.count};
+}
+
 template <class T>
 TyreResult<T> tyre_result(const ForceWork<T>& work, const Tyre& tyre, const TyreContact<T>& contact) {
   std::vector<T> coefficients;
   for (const Quantity& q : tyre.coefficients) coefficients.push_back(work.value(q));
-  const auto value = [&](const Quantity& q, const char* meaning) { return work.value(q, meaning, tyre.name); };
-  const TyreProperties<T> properties{value(tyre.radius, "radius"),
-                                     value(tyre.stiffness, "k"),
-                                     value(tyre.damping, "d"),
-                                     value(tyre.friction, "friction"),
-                                     value(tyre.rolling_resistance, "rolling"),
-                                     value(tyre.relaxation_x, "relaxation_x"),
-                                     value(tyre.relaxation_y, "relaxation_y"),
-                                     value(tyre.low_speed, "low_speed"),
-                                     tyre.side,
-                                     tyre.count};
+  const TyreProperties<T> properties = tyre_properties<T>(work, tyre);
   if (tyre.model == TyreModel::pac2002)
     return tyre_forces(Pac2002<T>::from_fields(coefficients.data()), properties, contact);
   return tyre_forces(Pac89<T>::from_fields(coefficients.data()), properties, contact);

@@ -83,8 +83,10 @@ int size_of(const SolverLayout& layout, Array array) {
       return 2;
     case t:
     case power:
+    case step:
       return 1;
     case derived:
+    case tangent:
     case seed:
       break;
   }

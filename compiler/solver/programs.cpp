@@ -9,8 +9,9 @@ namespace mbgen {
 namespace {
 
 constexpr Program Programs::*kMembers[] = {
-    &Programs::accelerations, &Programs::closure, &Programs::closure_terms,    &Programs::accelerations_chosen,
-    &Programs::multipliers,   &Programs::outputs, &Programs::derived_constants};
+    &Programs::accelerations, &Programs::closure,  &Programs::closure_terms, &Programs::accelerations_chosen,
+    &Programs::multipliers,   &Programs::outputs,  &Programs::tangents,      &Programs::changes,
+    &Programs::derived_constants};
 
 void verify_slot(const ProgramSpec& spec, const std::vector<Array>& allowed, const Slot& slot) {
   if (std::ranges::find(allowed, slot.group.array) == allowed.end())
@@ -41,6 +42,8 @@ const std::vector<ProgramSpec>& program_specs() {
        {z, zd, x, t, tau, in, par, derived, charts, zdd},
        {lambda, drive, missing, pivot}},
       {Role::outputs, "outputs", {z, zd, x, t, tau, in, par, derived, charts, zdd, lambda, drive}, {y, energy, power}},
+      {Role::tangents, "tangents", {z, zd, x, t, step, in, par, derived, charts}, {tangent, pivot, inertia}},
+      {Role::changes, "changes", {zd, zdd, xd, step, tangent}, {zdd, xd}},
       {Role::derived_constants, "derived_constants", {par}, {derived}}};
   return kSpecs;
 }
@@ -55,9 +58,9 @@ const Program& program_of(const Programs& programs, Role role) {
   return programs.*kMembers[static_cast<std::size_t>(role)];
 }
 
-std::array<Program*, 6> solver_programs(Programs& programs) {
-  return {&programs.accelerations,        &programs.closure,     &programs.closure_terms,
-          &programs.accelerations_chosen, &programs.multipliers, &programs.outputs};
+std::array<Program*, 8> solver_programs(Programs& programs) {
+  return {&programs.accelerations, &programs.closure, &programs.closure_terms, &programs.accelerations_chosen,
+          &programs.multipliers,   &programs.outputs, &programs.tangents,      &programs.changes};
 }
 
 std::vector<const Program*> all_programs(const Programs& programs) {

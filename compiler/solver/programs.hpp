@@ -28,6 +28,8 @@ enum class Role : std::uint8_t {
   accelerations_chosen,  ///< with any partition and charts; only with loops or balls, and where it is chosen again
   multipliers,           ///< at given accelerations; only with loops or motions
   outputs,               ///< at given accelerations and, where the model looks at them, multipliers
+  tangents,              ///< matrix of an implicit step, factorised; only for an implicit integrator
+  changes,               ///< that solve the equations of an implicit step; only for an implicit integrator
   derived_constants      ///< constants of the others that depend on tunable parameters; only with such constants
 };
 
@@ -46,7 +48,8 @@ const char* name_of(Role role);
 
 /// Programs that a model does not need are empty.
 struct Programs {
-  Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, derived_constants;
+  Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, tangents, changes,
+      derived_constants;
   Form form = Form::recursive;  ///< of `accelerations` and `accelerations_chosen`
 };
 
@@ -54,7 +57,7 @@ Program& program_of(Programs& programs, Role role);
 const Program& program_of(const Programs& programs, Role role);
 
 /// The programs that a solver runs: all but the derived constants.
-std::array<Program*, 6> solver_programs(Programs& programs);
+std::array<Program*, 8> solver_programs(Programs& programs);
 
 /// Every program with outputs.
 std::vector<const Program*> all_programs(const Programs& programs);

@@ -38,6 +38,12 @@ Program trace_multipliers(const Model& model, const Topology& topology, const An
 /// partition is not; without loops there are none, and the driving forces are what is missing.
 Program trace_outputs(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
 
+/// The equations of an implicit step, and the changes that solve them. Entries that are constants stay in the programs.
+struct ImplicitPrograms {
+  Program tangents, changes;
+};
+ImplicitPrograms trace_implicit(const Model& model, const Topology& topology, const Analysis& analysis);
+
 /// The order of a traced program.
 enum class TraceOrder {
   canonical,   ///< the same from every compiler

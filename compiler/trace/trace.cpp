@@ -41,6 +41,11 @@ Programs trace(const Model& model, const Topology& topology, const Analysis& ana
   if (!topology.loops.empty()) programs.closure_terms = trace_closure_terms(model, topology, analysis, programs.form);
   programs.multipliers = trace_multipliers(model, topology, analysis, programs.form);
   programs.outputs = trace_outputs(model, topology, analysis, programs.form);
+  if (model.solver.is_implicit()) {
+    auto [tangents, changes] = trace_implicit(model, topology, analysis);
+    programs.tangents = std::move(tangents);
+    programs.changes = std::move(changes);
+  }
   return programs;
 }
 

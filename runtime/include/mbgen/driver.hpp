@@ -7,7 +7,7 @@
 namespace mbgen {
 
 /// Layout of SolverTable; a loaded library with another number was made by another mbgen.
-constexpr int kSolverTableLayout = 5;
+constexpr int kSolverTableLayout = 6;
 
 /// Sizes and functions of one generated solver. Arrays, all in SI units and in the order of the model:
 ///   parameters  the tunable ones                 inputs   all of them
@@ -48,6 +48,9 @@ struct SolverTable {
   /// Empties a history: the next steps start up by Runge-Kutta.
   void (*start_abm4)(void* history) noexcept;
   Status (*step_abm4)(const double* parameters, const double* inputs, double* state, void* history, double h) noexcept;
+
+  /// One linearly implicit step; null in a solver without it.
+  Status (*step_rosenbrock)(const double* parameters, const double* inputs, double* state, double h) noexcept;
 
   /// Accelerations of a state that steps of h seconds led to; tau is zero.
   Status (*accelerations_in_motion)(const double* parameters, const double* inputs, const double* state, double h,

@@ -18,6 +18,7 @@ enum class Code : int {
   no_inertia,              ///< a free direction has no inertia; index: coordinate
   no_equilibrium,          ///< no static equilibrium was found from the start position; index: -1
   step_invalid,            ///< the step size is not positive and finite; index: -1
+  implicit_singular,       ///< the equations of an implicit step do not determine a free direction; index: coordinate
   chosen_again,            ///< the pivoting LU served a loop block with another choice of coordinates; index: block
   near_singular,           ///< a loop block came near a singular position; index: block
   singular_met             ///< a loop block met a singular position, and passed it; index: block
@@ -57,6 +58,8 @@ constexpr const char* text(Code code) noexcept {
       return "no equilibrium";
     case Code::step_invalid:
       return "step invalid";
+    case Code::implicit_singular:
+      return "implicit equations singular";
     case Code::chosen_again:
       return "coordinates chosen again";
     case Code::near_singular:
