@@ -146,7 +146,7 @@ void add_element(const std::vector<std::vector<T>>& rows, const ElementTangents<
     add_weighted(of_velocity, rows, e.state_by_velocity[state]);
     add_weighted(of_position, rows, e.state_by_position[state]);
     std::vector<T> forces(e.by_state.size(), T(0.0)), factors;
-    for (std::size_t a = 0; a < size; ++a) factors.push_back(S::times(share, element.by_state[a][s]));
+    for (std::size_t a = 0; a < size; ++a) factors.push_back(S::times(g * share, element.by_state[a][s]));
     add_weighted(factors, rows, forces);
     for (std::size_t q = 0; q < forces.size(); ++q) e.by_state[q][state] = e.by_state[q][state] + forces[q];
   }

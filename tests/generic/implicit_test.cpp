@@ -21,14 +21,22 @@ struct Free {
 
   Eigen::Index half() const { return static_cast<Eigen::Index>(coordinates.size()); }
 
+  /// Velocities of the free coordinates as wishes that are met.
+  std::vector<CoordinateWish> locked(const Eigen::VectorXd& velocities) const {
+    std::vector<CoordinateWish> wishes;
+    for (Eigen::Index i = 0; i < half(); ++i) wishes.push_back({coordinates[i], velocities[i], 1, true});
+    return wishes;
+  }
   /// The state with its free positions, velocities and auxiliary states moved, closed.
   GenericState moved(GenericState state, const Eigen::VectorXd& by) const {
-    for (Eigen::Index i = 0; i < half(); ++i) {
-      state.z[coordinates[i]] += by[i];
-      state.zd[coordinates[i]] += by[half() + i];
-    }
+    Eigen::VectorXd velocities(half());
+    for (Eigen::Index i = 0; i < half(); ++i) velocities[i] = state.zd[coordinates[i]] + by[half() + i];
+    GenericState along = state;  // its velocities are the change of positions
+    EXPECT_TRUE(solver.assemble_velocities(along, locked(by.head(half()))).ok());
+    for (std::size_t i = 0; i < state.z.size(); ++i) state.z[i] += m.analysis.driven[i] ? 0 : along.zd[i];
     for (std::size_t s = 0; s < state.x.size(); ++s) state.x[s] += by[2 * half() + static_cast<Eigen::Index>(s)];
     EXPECT_TRUE(solver.project(state).ok());
+    EXPECT_TRUE(solver.assemble_velocities(state, locked(velocities)).ok());
     return state;
   }
   Eigen::VectorXd values(const std::vector<double>& z, const std::vector<double>& zd,
@@ -85,7 +93,7 @@ struct Free {
 };
 
 /// A loop of bars with springs of every kind at rest, where no force changes its direction. All laws are stiff.
-constexpr const char* kSprung = R"({ "mbgen": 1, "name": "sprung", "gravity": [0, 0, 0],
+constexpr const char* kSprung = R"json({ "mbgen": 1, "name": "sprung", "gravity": [0, 0, 0],
   "bodies": {
     "ground": { "points": { "a": [0, 0, 0], "d": [0.9, 0, 0], "anchor": [0.3, 0, 0.9] } },
     "crank": { "mass": 1, "com": [0, 0, 0.2], "inertia": [0.02, 0.02, 0.001],
@@ -115,7 +123,7 @@ constexpr const char* kSprung = R"({ "mbgen": 1, "name": "sprung", "gravity": [0
   },
   "frictions": { "d": { "joint": "d", "coulomb": 40, "stiction": 60, "viscous": 3, "velocity": 0.01 } },
   "joint_forces": { "controller": { "joint": "a", "force": "-4e4*z.rider - 100*zd.d" } }
-})";
+})json";
 
 double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
@@ -128,7 +136,7 @@ TEST(Implicit, MatrixIsThatOfTheMechanismWhereNoForceTurns) {
   EXPECT_LT(largest_difference(sprung.matrix(state), sprung.differences(state)), 1e-7);
 }
 
-/// States of the pulled wheel in motion: of its tangents nothing is left out that is stiff.
+// Forces by load are left out, and the drag of the tyre on its hub.
 TEST(Implicit, MatrixHasWhatIsStiffInATyre) {
   const Free wheel{load("models/pulled_wheel.json")};
   GenericState state = reference_state(wheel.m);
@@ -137,9 +145,9 @@ TEST(Implicit, MatrixHasWhatIsStiffInATyre) {
   state.x = {0.004, 0.002};
   state = wheel.moved(state, Eigen::VectorXd::Zero(2 * wheel.half() + 2));
   const Eigen::MatrixXd own = wheel.matrix(state), whole = wheel.differences(state);
-  EXPECT_LT(largest_difference(own, whole), 0.02);
-  const Eigen::VectorXcd fastest = whole.eigenvalues(), fastest_of_own = own.eigenvalues();
-  EXPECT_NEAR(fastest_of_own.cwiseAbs().maxCoeff() / fastest.cwiseAbs().maxCoeff(), 1, 0.02);
+  EXPECT_LT(largest_difference(own.rightCols(2), whole.rightCols(2)), 1e-6) << "by the deflection states";
+  EXPECT_LT(largest_difference(own.bottomRows(2).middleCols(2, 2), whole.bottomRows(2).middleCols(2, 2)), 0.01);
+  EXPECT_NEAR(own(2, 0) / whole(2, 0), 1, 0.01) << "vertical";
 }
 
 /// Positions after so many steps; charts of balls as they are.
@@ -164,15 +172,15 @@ TEST(Implicit, FlyballGovernorAtAMillisecond) {
   const Free governor{load("models/iftomm/a05_flyball_governor.json")};
   GenericState start = reference_state(governor.m);
   start.zd[find_coordinate(governor.m.topology, "shaft")] = 2 * std::acos(-1.0);
-  constexpr double kDuration = 0.4;
-  const std::vector<double> exact = positions_after(governor, start, kDuration, 4000, false);
+  constexpr double kDuration = 0.2;
+  const std::vector<double> exact = positions_after(governor, start, kDuration, 2000, false);
   ASSERT_FALSE(exact.empty());
-  const double coarse = distance_of(positions_after(governor, start, kDuration, 400, true), exact),
-               fine = distance_of(positions_after(governor, start, kDuration, 800, true), exact);
+  const double coarse = distance_of(positions_after(governor, start, kDuration, 200, true), exact),
+               fine = distance_of(positions_after(governor, start, kDuration, 400, true), exact);
   std::printf("flyball governor: errors %.2e, %.2e rad at 1 ms and 0.5 ms\n", coarse, fine);
   EXPECT_LT(coarse, 1e-6);
   EXPECT_GT(coarse / fine, 3.5);
-  const std::vector<double> diverged = positions_after(governor, start, kDuration, 400, false);
+  const std::vector<double> diverged = positions_after(governor, start, kDuration, 200, false);
   EXPECT_TRUE(diverged.empty() || !(distance_of(diverged, exact) < 1));
 }
 
@@ -180,10 +188,10 @@ TEST(Implicit, FlyballGovernorAtAMillisecond) {
 TEST(Implicit, AndrewsMechanismWithOrderThree) {
   const Free andrews{load("models/andrews_squeezer.json")};
   const GenericState start = reference_state(andrews.m);
-  const std::vector<double> exact = positions_after(andrews, start, 0.01, 4000, false);
-  const double coarse = distance_of(positions_after(andrews, start, 0.01, 500, true), exact),
-               fine = distance_of(positions_after(andrews, start, 0.01, 1000, true), exact);
-  std::printf("Andrews at 0.01 s: errors %.2e, %.2e rad at 500, 1000 steps, ratio %.2f\n", coarse, fine, coarse / fine);
+  const std::vector<double> exact = positions_after(andrews, start, 0.005, 800, false);
+  const double coarse = distance_of(positions_after(andrews, start, 0.005, 100, true), exact),
+               fine = distance_of(positions_after(andrews, start, 0.005, 200, true), exact);
+  std::printf("Andrews at 0.005 s: errors %.2e, %.2e rad at 100, 200 steps, ratio %.2f\n", coarse, fine, coarse / fine);
   EXPECT_GT(coarse / fine, 6);
   EXPECT_LT(fine, 1e-5);
 }
