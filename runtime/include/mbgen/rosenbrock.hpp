@@ -43,9 +43,13 @@ void add_changes(const double (&weights)[K], double h, const StateRates<System>*
     zd[k] = &changes[k]->derivative.zdd;
     x[k] = &changes[k]->derivative.xd;
   }
-  combine(rates.zd, factors, z, rates.zd);
-  combine(rates.derivative.zdd, factors, zd, rates.derivative.zdd);
-  combine(rates.derivative.xd, factors, x, rates.derivative.xd);
+  // Entry by entry: combine() takes overlapping parts of arrays, which must not be those that it writes.
+  const auto add = [&](auto& to, const auto& values) {
+    for (std::size_t i = 0; i < size_of(to); ++i) combine_entry(to, factors, values, i, to);
+  };
+  add(rates.zd, z);
+  add(rates.derivative.zdd, zd);
+  add(rates.derivative.xd, x);
 }
 
 /// The change of the state, in place of rates: it solves (1 / g - A) change = rates, A the matrix of the tangents.
