@@ -30,8 +30,7 @@ CostJson call_json(const EmitContext& context, const CostJson& programs, const c
   const long terms = chooses ? operations("closure_terms") : 0;
   const long of_acceleration =
       operations("accelerations") + terms + (chooses ? operations("accelerations_chosen") : 0L);
-  const long of_implicit =
-      calls.matrices == 0 ? 0 : operations("tangents") + kImplicitStages * operations("changes");
+  const long of_implicit = calls.matrices == 0 ? 0 : operations("tangents") + kImplicitStages * operations("changes");
   return {{"function", function},
           {"case", title},
           {"accelerations", calls.accelerations},
@@ -57,8 +56,7 @@ CostJson calls_json(const EmitContext& context, const CostJson& programs) {
   add_both("step_rk4", kRk4Calls.regular, kRk4Calls.worst);
   add("step_abm4", "starting", kAbm4Calls.starting, false);
   add_both("step_abm4", kAbm4Calls.regular, kAbm4Calls.worst);
-  if (context.model.solver.is_implicit())
-    add_both("step_rosenbrock", kRosenbrockCalls.regular, kRosenbrockCalls.worst);
+  if (context.model.solver.is_implicit()) add_both("step_rosenbrock", kRosenbrockCalls.regular, kRosenbrockCalls.worst);
   return calls;
 }
 

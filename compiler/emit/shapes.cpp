@@ -208,9 +208,8 @@ int derived_constant_count(const Programs& programs) {
 }
 
 int tangent_count(const Programs& programs) {
-  return static_cast<int>(std::ranges::count_if(programs.tangents.outputs, [](const OutputValue& output) {
-    return output.slot.group == Array::tangent;
-  }));
+  return static_cast<int>(std::ranges::count_if(
+      programs.tangents.outputs, [](const OutputValue& output) { return output.slot.group == Array::tangent; }));
 }
 
 std::vector<std::string> derived_constant_names(const Programs& programs) {

@@ -1,7 +1,7 @@
 #pragma once
-// Tangents of the force elements: how the force of each changes with its own coordinates (a length, a joint's angle, the
-// motion of a tyre's contact) and their rates, and along which directions of the tree these coordinates go. The change
-// of a direction at a constant force is left out, see docs/method/implicit.md.
+// Tangents of the force elements: how the force of each changes with its own coordinates (a length, a joint's angle,
+// the motion of a tyre's contact) and their rates, and along which directions of the tree these coordinates go. The
+// change of a direction at a constant force is left out, see docs/method/implicit.md.
 
 #include <algorithm>
 #include <utility>
@@ -16,11 +16,11 @@ namespace mbgen {
 /// rows[a]' times the force.
 template <class T>
 struct ElementTangents {
-  std::vector<std::vector<T>> rows;                       ///< per local coordinate, over the tree's coordinates
+  std::vector<std::vector<T>> rows;                      ///< per local coordinate, over the tree's coordinates
   std::vector<std::vector<T>> by_position, by_velocity;  ///< of force a by local coordinate b, N/m ...
-  std::vector<int> states;                                ///< its auxiliary states
-  std::vector<T> decay;                                   ///< of the rate of each by itself, 1/s
-  std::vector<std::vector<T>> by_state;                   ///< of force a by state s
+  std::vector<int> states;                               ///< its auxiliary states
+  std::vector<T> decay;                                  ///< of the rate of each by itself, 1/s
+  std::vector<std::vector<T>> by_state;                  ///< of force a by state s
   std::vector<std::vector<T>> rate_by_position, rate_by_velocity;  ///< of the rate of state s by local coordinate b
 };
 
@@ -133,21 +133,20 @@ template <class T>
 void spring_tangents(ForceWork<T>& work, std::vector<ElementTangents<T>>& elements) {
   for (const PointSpring& spring : work.system.model.springs) {
     const auto heading = work.system.scribe.within(OwnerKind::spring, index_in(work.system.model.springs, spring));
-    elements.push_back(line_tangents(work, spring.from, spring.to,
-                                     [&](const Slope<T>& length, const Slope<T>& rate, const T& reference) {
-                                       const T natural =
-                                           natural_length(work, spring.free_length, reference, spring.name);
-                                       return spring_tension(work, spring, length, rate, natural);
-                                     }));
+    elements.push_back(line_tangents(
+        work, spring.from, spring.to, [&](const Slope<T>& length, const Slope<T>& rate, const T& reference) {
+          const T natural = natural_length(work, spring.free_length, reference, spring.name);
+          return spring_tension(work, spring, length, rate, natural);
+        }));
   }
   for (const AirSpring& spring : work.system.model.air_springs) {
     const auto heading =
         work.system.scribe.within(OwnerKind::air_spring, index_in(work.system.model.air_springs, spring));
-    elements.push_back(line_tangents(work, spring.from, spring.to,
-                                     [&](const Slope<T>& length, const Slope<T>&, const T& reference) {
-                                       const T natural = natural_length(work, spring.length, reference, spring.name);
-                                       return -air_spring_push(work, spring, length, natural);
-                                     }));
+    elements.push_back(
+        line_tangents(work, spring.from, spring.to, [&](const Slope<T>& length, const Slope<T>&, const T& reference) {
+          const T natural = natural_length(work, spring.length, reference, spring.name);
+          return -air_spring_push(work, spring, length, natural);
+        }));
   }
 }
 

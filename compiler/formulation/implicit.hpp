@@ -1,7 +1,7 @@
 #pragma once
-// The linear equations of an implicit step, (M - g D - g^2 K) v = right-hand side in the free directions, where v is the
-// change of their velocities, g the method's factor times the step, M the reduced mass matrix (63), and K and D are the
-// tangents of the force elements.
+// The linear equations of an implicit step, (M - g D - g^2 K) v = right-hand side in the free directions, where v is
+// the change of their velocities, g the method's factor times the step, M the reduced mass matrix (63), and K and D are
+// the tangents of the force elements.
 // Source: docs/method/implicit.md.
 
 #include <cstddef>
@@ -16,14 +16,14 @@ namespace mbgen {
 /// Matrix of an implicit step, factorised, with what makes right-hand sides. Matrices are [row][column].
 template <class T>
 struct ImplicitEquations {
-  std::vector<std::vector<T>> lower, factor;  ///< after elimination from the last direction to the first
-  std::vector<T> reciprocal;                  ///< of the pivots
+  std::vector<std::vector<T>> lower, factor;    ///< after elimination from the last direction to the first
+  std::vector<T> reciprocal;                    ///< of the pivots
   std::vector<std::vector<T>> mass, stiffness;  ///< g M, its lower triangle, and g^2 K
   std::vector<std::vector<T>> by_state;         ///< right-hand side by the rates of auxiliary states
   /// changes of auxiliary states by those of velocities and by the rates of positions
   std::vector<std::vector<T>> state_by_velocity, state_by_position;
   std::vector<T> state_share;                   ///< change of each by its own rate, s
-  std::vector<std::vector<std::vector<T>>> rz;                 ///< per joint group: [coordinate][direction]
+  std::vector<std::vector<std::vector<T>>> rz;  ///< per joint group: [coordinate][direction]
 };
 
 /// The equations of a step with the values that a solver watches.
@@ -85,22 +85,31 @@ std::vector<T> projected_row(const Topology& topology, const std::vector<GroupPr
   return result;
 }
 
-/// to += rows' matrix rows. matrix: over the rows; one of one row leaves a symmetric sum symmetric.
+/// Whether a row and a column of a matrix have no entry but that on the diagonal.
+template <class T>
+bool stands_alone(const std::vector<std::vector<T>>& matrix, std::size_t a) {
+  for (std::size_t b = 0; b < matrix.size(); ++b)
+    if (b != a && !(is_zero(matrix[a][b]) && is_zero(matrix[b][a]))) return false;
+  return true;
+}
+
+/// to += rows' matrix rows. matrix: over the rows; a symmetric sum stays symmetric where all rows stand alone.
 template <class T>
 void add_projected(const std::vector<std::vector<T>>& rows, const std::vector<std::vector<T>>& matrix,
                    std::vector<std::vector<T>>& to) {
   const std::size_t n = to.size();
   for (std::size_t a = 0; a < rows.size(); ++a) {
+    const bool is_alone = stands_alone(matrix, a);
     std::vector<T> moved(n, T(0.0));
     for (std::size_t b = 0; b < rows.size(); ++b)
       for (std::size_t d = 0; d < n; ++d)
         if (!is_zero(matrix[a][b]) && !is_zero(rows[b][d])) moved[d] = moved[d] + matrix[a][b] * rows[b][d];
     for (std::size_t q = 0; q < n; ++q) {
-      for (std::size_t d = 0; d < (rows.size() == 1 ? q + 1 : n); ++d) {
+      for (std::size_t d = 0; d < (is_alone ? q + 1 : n); ++d) {
         if (is_zero(rows[a][q]) || is_zero(moved[d])) continue;
         const T value = rows[a][q] * moved[d];
         to[q][d] = to[q][d] + value;
-        if (rows.size() == 1 && d != q) to[d][q] = to[d][q] + value;
+        if (is_alone && d != q) to[d][q] = to[d][q] + value;
       }
     }
   }
@@ -121,9 +130,9 @@ struct TangentSums {
 };
 
 /// One element's part: its auxiliary states are eliminated into its tangents, then these are projected. rows: over the
-/// free directions.
+/// free directions. Result: whether its part of the matrix is symmetric.
 template <class T>
-void add_element(const std::vector<std::vector<T>>& rows, const ElementTangents<T>& element, const T& g,
+bool add_element(const std::vector<std::vector<T>>& rows, const ElementTangents<T>& element, const T& g,
                  ImplicitEquations<T>& e, TangentSums<T>& sums) {
   using S = Slope<T>;
   const std::size_t size = rows.size();
@@ -158,6 +167,9 @@ void add_element(const std::vector<std::vector<T>>& rows, const ElementTangents<
   }
   add_projected(rows, damping, sums.both);
   add_projected(rows, stiffness, sums.stiffness);
+  bool is_symmetric = true;
+  for (std::size_t a = 0; a < size; ++a) is_symmetric = is_symmetric && stands_alone(damping, a);
+  return is_symmetric;
 }
 
 /// Eliminates a matrix from the last direction to the first. is_symmetric: it is, and only a half is worked on.
@@ -225,8 +237,8 @@ WatchedEquations<T> implicit_equations(System<T>& system, const Partitions& part
   const Velocities<T> v = velocities(system, k);
   const std::vector<GroupProjection<T>> projections =
       detail::watched_directions(system, k, partitions, driven, watched.quality);
-  ReducedSystem<T> reduced = reduced_system(system, k, inertias(system, k), projections,
-                                            std::vector<T>(topology.bodies.size(), T(0.0)));
+  ReducedSystem<T> reduced =
+      reduced_system(system, k, inertias(system, k), projections, std::vector<T>(topology.bodies.size(), T(0.0)));
   const std::size_t n = reduced.mass.size(), states = system.x.size();
   detail::TangentSums<T> sums{detail::zeros<T>(n, n), detail::zeros<T>(n, n)};
   e.by_state = detail::zeros<T>(n, states);
@@ -235,10 +247,8 @@ WatchedEquations<T> implicit_equations(System<T>& system, const Partitions& part
   bool is_symmetric = true;
   for (const ElementTangents<T>& element : force_tangents(system, k, v)) {
     std::vector<std::vector<T>> rows;
-    for (const std::vector<T>& row : element.rows)
-      rows.push_back(detail::projected_row(topology, projections, row));
-    is_symmetric = is_symmetric && rows.size() == 1;
-    detail::add_element(rows, element, g, e, sums);
+    for (const std::vector<T>& row : element.rows) rows.push_back(detail::projected_row(topology, projections, row));
+    is_symmetric = detail::add_element(rows, element, g, e, sums) && is_symmetric;
   }
   std::vector<std::vector<T>> matrix = detail::zeros<T>(n, n);
   for (std::size_t q = 0; q < n; ++q) {
@@ -277,8 +287,8 @@ void solve_implicit(const ImplicitEquations<T>& e, std::vector<T>& right) {
 /// with the tangents alone. rates: of coordinates, velocities and states. free: the coordinate of each free direction,
 /// group by group. Result: zdd and xd; no zd, whose change is g times its rate and the change of its velocity.
 template <class T>
-ImplicitRates<T> implicit_changes(const Topology& topology, const std::vector<int>& free,
-                                  const ImplicitEquations<T>& e, const T& g, const ImplicitRates<T>& rates) {
+ImplicitRates<T> implicit_changes(const Topology& topology, const std::vector<int>& free, const ImplicitEquations<T>& e,
+                                  const T& g, const ImplicitRates<T>& rates) {
   const std::size_t n = free.size();
   std::vector<T> zd, change;
   for (const int i : free) zd.push_back(rates.zd[i]);

@@ -17,8 +17,7 @@ struct Slope {
 
   Slope() = default;
   template <class Number>
-    requires std::convertible_to<Number, T>
-  Slope(const Number& constant) : value(constant) {}
+  requires std::convertible_to<Number, T> Slope(const Number& constant) : value(constant) {}
   Slope(const T& x, const T& dx) : value(x), slope(dx) {}
 
   /// f(x) by the chain rule. derivative(): f'(x), asked where x moves.
@@ -103,8 +102,7 @@ struct Slope {
   friend Slope select(const Slope& condition, const Slope& a, const Slope& b) {
     using mbgen::select;
     const bool stands = is_zero(a.slope) && is_zero(b.slope);
-    return {select(condition.value, a.value, b.value),
-            stands ? T(0.0) : T(select(condition.value, a.slope, b.slope))};
+    return {select(condition.value, a.value, b.value), stands ? T(0.0) : T(select(condition.value, a.slope, b.slope))};
   }
   friend Slope abs(const Slope& x) { return select(x, x, -x); }
   friend Slope min(const Slope& a, const Slope& b) { return select(b - a, a, b); }

@@ -44,8 +44,8 @@ SlipStiffness<T> slip_stiffness(const ForceWork<T>& work, const Tyre& tyre, cons
 template <class T>
 tyre_law::Slip<Slope<T>> moved_slip(const TyreProperties<Slope<T>>& properties, const TyreContact<T>& contact,
                                     Slope<T> TyreContact<Slope<T>>::*moved, const T& by) {
-  TyreContact<Slope<T>> c{contact.deflection, contact.deflection_rate, contact.vx, contact.vy, contact.spin,
-                          contact.camber,     contact.u,               contact.v};
+  TyreContact<Slope<T>> c{contact.deflection, contact.deflection_rate, contact.vx, contact.vy,
+                          contact.spin,       contact.camber,          contact.u,  contact.v};
   (c.*moved).slope = by;
   return tyre_law::slip(properties, c);
 }

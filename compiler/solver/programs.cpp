@@ -9,8 +9,8 @@ namespace mbgen {
 namespace {
 
 constexpr Program Programs::*kMembers[] = {
-    &Programs::accelerations, &Programs::closure,  &Programs::closure_terms, &Programs::accelerations_chosen,
-    &Programs::multipliers,   &Programs::outputs,  &Programs::tangents,      &Programs::changes,
+    &Programs::accelerations,    &Programs::closure, &Programs::closure_terms, &Programs::accelerations_chosen,
+    &Programs::multipliers,      &Programs::outputs, &Programs::tangents,      &Programs::changes,
     &Programs::derived_constants};
 
 void verify_slot(const ProgramSpec& spec, const std::vector<Array>& allowed, const Slot& slot) {

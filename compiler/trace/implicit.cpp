@@ -1,6 +1,7 @@
 // The programs of an implicit step: its equations, and the changes that solve them.
 
 #include "compiler/formulation/implicit.hpp"
+
 #include "compiler/trace/each_program.hpp"
 #include "compiler/trace/tracing.hpp"
 
@@ -37,9 +38,8 @@ ImplicitPrograms trace_implicit(const Model& model, const Topology& topology, co
   const int n = topology.size(), states = auxiliary_state_count(model);
   const ImplicitRates<Expr> rates{changing.inputs(Array::zd, n), changing.inputs(Array::zdd, n),
                                   changing.inputs(Array::xd, states)};
-  const ImplicitRates<Expr> changes =
-      implicit_changes(topology, free_coordinates(topology, analysis), watched.equations,
-                       changing.input(Array::step, 0), rates);
+  const ImplicitRates<Expr> changes = implicit_changes(topology, free_coordinates(topology, analysis),
+                                                       watched.equations, changing.input(Array::step, 0), rates);
   changing.outputs(Array::zdd, changes.zdd);
   changing.outputs(Array::xd, changes.xd);
   programs.changes = changing.builder.finish_in_canonical_order();

@@ -12,8 +12,7 @@ Status GenericSolver::tangents(const GenericState& state, double g, GenericTange
   tangents.equations = nullptr;
   if (const Status status = equations_->check_arguments(state, {}); !status.ok()) return status;
   const Analysis& analysis = equations_->analysis;
-  WatchedEquations<double> watched =
-      implicit_equations(equations_->system(state), analysis.blocks, analysis.driven, g);
+  WatchedEquations<double> watched = implicit_equations(equations_->system(state), analysis.blocks, analysis.driven, g);
   for (std::size_t b = 0; b < watched.quality.size(); ++b)
     if (analysis.blocks[b].rank > 0 && !(watched.quality[b] >= kPivotThreshold<double>))
       return {Code::chosen_again, static_cast<int>(b)};

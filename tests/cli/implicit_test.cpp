@@ -6,7 +6,8 @@ namespace mbgen::cli_test {
 namespace {
 
 TEST_F(CommandLine, ImplicitStepsOfAStiffModelAreThoseOfTheGenericRuntime) {
-  const std::string command = "simulate " + kSource + "/models/iftomm/a05_flyball_governor.json --duration 0.1 "
+  const std::string command = "simulate " + kSource +
+                              "/models/iftomm/a05_flyball_governor.json --duration 0.1 "
                               "--step 1e-3 --out o.csv --integrator ";
   ASSERT_EQ(mbgen(command + "rosenbrock --engine generic").exit_code, 0);
   const double generic = table("o.csv").last("z.arm_right [rad]");
@@ -22,7 +23,8 @@ TEST_F(CommandLine, ImplicitStepsOfAStiffModelAreThoseOfTheGenericRuntime) {
       << explicit_one.err;
 }
 
-constexpr const char* kPushed = R"({ "mbgen": 1, "name": "pushed", "bodies": { "ground": { "points": { "A": [0, 0, 0] } },
+constexpr const char* kPushed = R"({ "mbgen": 1, "name": "pushed", "bodies": {
+    "ground": { "points": { "A": [0, 0, 0] } },
     "arm": { "mass": 1, "com": [0, 0, -1], "inertia": [1, 1, 1], "points": { "A": [0, 0, 0] } } },
     "joints": { "pin": { "type": "revolute", "from": "ground.A", "to": "arm.A", "axis": "y" } },
     "joint_forces": { "push": { "joint": "pin", "force": "1e9*z.pin" } }, "solver": { "integrator": "rosenbrock" } })";

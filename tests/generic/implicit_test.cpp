@@ -116,7 +116,8 @@ constexpr const char* kSprung = R"json({ "mbgen": 1, "name": "sprung", "gravity"
     "across": { "from": "crank.tip", "to": "rider.end", "stiffness": 3e5, "damping": 2e3 },
     "table": { "from": "ground.anchor", "to": "coupler.rider",
       "stiffness": { "table": [[-0.1, -4e4], [-0.01, -2e3], [0.01, 2e3], [0.1, 9e4]] } },
-    "law": { "from": "ground.anchor", "to": "crank.tip", "force": "1e3*sin(100*(length - 0.44766058571198786)) + 50*tanh(rate)" }
+    "law": { "from": "ground.anchor", "to": "crank.tip", 
+      "force": "1e3*sin(100*(length - 0.44766058571198786)) + 50*tanh(rate)" }
   },
   "joint_springs": {
     "rider": { "joint": "rider", "relative_to": "a", "stiffness": 5e4, "damping": 30, "force": "1e3*position^3" }
@@ -154,8 +155,8 @@ TEST(Implicit, MatrixHasWhatIsStiffInATyre) {
 std::vector<double> positions_after(const Free& at, GenericState state, double duration, int steps, bool implicit) {
   const Dynamics dynamics{at.solver};
   for (int i = 0; i < steps; ++i) {
-    const Status status = implicit ? step_rosenbrock(dynamics, state, duration / steps)
-                                   : step_rk4(dynamics, state, duration / steps);
+    const Status status =
+        implicit ? step_rosenbrock(dynamics, state, duration / steps) : step_rk4(dynamics, state, duration / steps);
     if (!status.ok()) return {};
   }
   return state.z;

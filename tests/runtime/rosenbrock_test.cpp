@@ -54,7 +54,9 @@ Mass::State integrated(const Mass& mass, Mass::State state, double duration, int
 double damped(double eigenvalue, bool auxiliary) {
   const Mass mass{[=](double, double zd, double) { return eigenvalue * zd; },
                   [=](double x, double, double) { return eigenvalue * x; },
-                  [=](const Mass::State&) { return Mass::Tangents{0, eigenvalue, eigenvalue}; }};
+                  [=](const Mass::State&) {
+                    return Mass::Tangents{0, eigenvalue, eigenvalue};
+                  }};
   const Mass::State s = integrated(mass, {{0}, {1}, {1}, 0}, 1, 1);
   return auxiliary ? s.x[0] : s.zd[0];
 }
@@ -70,7 +72,9 @@ TEST(Rosenbrock, DampsTheWholeNegativeAxisAndForgetsTheStiffest) {
 /// Energy-like size of an undamped oscillator of angular frequency w after one step of 1 s from z = 1.
 double oscillated(double w) {
   const Mass mass{[=](double z, double, double) { return -w * w * z; }, no_rate,
-                  [=](const Mass::State&) { return Mass::Tangents{-w * w, 0, 0}; }};
+                  [=](const Mass::State&) {
+                    return Mass::Tangents{-w * w, 0, 0};
+                  }};
   const Mass::State s = integrated(mass, {{1}, {0}, {0}, 0}, 1, 1);
   return std::hypot(s.z[0], s.zd[0] / w);
 }
@@ -102,7 +106,9 @@ TEST(Rosenbrock, IsOfOrderThreeWhateverTheMatrix) {
 /// zd follows sin t by a damper of this rate (A. Prothero, A. Robinson, 1974). Error of zd after 1 s.
 double prothero_robinson(double rate, int steps) {
   const Mass mass{[=](double, double zd, double t) { return -rate * (zd - std::sin(t)) + std::cos(t); }, no_rate,
-                  [=](const Mass::State&) { return Mass::Tangents{0, -rate, 0}; }};
+                  [=](const Mass::State&) {
+                    return Mass::Tangents{0, -rate, 0};
+                  }};
   return std::abs(integrated(mass, {{0}, {0}, {0}, 0}, 1, steps).zd[0] - std::sin(1.0));
 }
 
@@ -114,7 +120,8 @@ TEST(Rosenbrock, KeepsOrderTwoOnStiffProblemsWithoutDerivativesByTime) {
   }
 }
 
-/// y on the slow branch of van der Pol's equation from y = 2, whatever the small parameter: ln y - y^2 / 2 = t + ln 2 - 2.
+/// y on the slow branch of van der Pol's equation from y = 2, whatever the small parameter:
+/// ln y - y^2 / 2 = t + ln 2 - 2.
 double slow_van_der_pol(double t) {
   double y = 2;
   for (int i = 0; i < 50; ++i) y -= (std::log(y) - y * y / 2 - t - std::log(2.0) + 2) / (1 / y - y);
@@ -125,10 +132,10 @@ TEST(Rosenbrock, FollowsVanDerPolWhereRungeKuttaDiverges) {
   // epsilon = 1e-6: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 1996, section IV.10.
   constexpr double kStiffness = 1e6;
   const auto force = [=](double z, double zd, double) { return kStiffness * ((1 - z * z) * zd - z); };
-  const Mass mass{force, no_rate, [=](const Mass::State& s) {
-                    return Mass::Tangents{kStiffness * (-2 * s.z[0] * s.zd[0] - 1), kStiffness * (1 - s.z[0] * s.z[0]),
-                                          0};
-                  }};
+  const Mass mass{
+      force, no_rate, [=](const Mass::State& s) {
+        return Mass::Tangents{kStiffness * (-2 * s.z[0] * s.zd[0] - 1), kStiffness * (1 - s.z[0] * s.z[0]), 0};
+      }};
   const Mass::State start{{2}, {-0.66}, {0}, 0};
   EXPECT_NEAR(integrated(mass, start, 0.5, 500).z[0], slow_van_der_pol(0.5), 5e-6);
   Mass::State by_runge_kutta = start;

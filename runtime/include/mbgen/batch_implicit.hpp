@@ -27,8 +27,8 @@ struct ImplicitLaneDynamics : LaneDynamics<System> {
     State of_positions{};
     for (int i = 0; i < System::kCoordinates; ++i) of_positions.zd[i] = rates.zd[i];
     typename System::Changes values;
-    run_groups(System::changes, values, this->parameters, this->inputs, of_positions, rates.derivative,
-               size_of_step(g), tangents);
+    run_groups(System::changes, values, this->parameters, this->inputs, of_positions, rates.derivative, size_of_step(g),
+               tangents);
     for (int i = 0; i < System::kCoordinates; ++i) change.zdd[i] = values.zdd[i];
     for (int i = 0; i < System::kAuxiliaryStates; ++i) change.xd[i] = values.xd[i];
     if constexpr (System::kAuxiliaryStates == 0) change.xd[0] = typename System::Row{};

@@ -7,7 +7,7 @@
 //   void solve(const Tangents&, double g, const StateRates<System>&, Derivative&) const noexcept
 //                                                                     the changes of zd and x for given rates
 // Source: J. Rang, L. Angermann, "New Rosenbrock W-methods of order 3 for partial differential algebraic equations of
-// index 1", BIT Numerical Mathematics 45 (2005) 761-787: ROS34PW2, here with stage values that are changes of the state.
+// index 1", BIT Numerical Mathematics 45 (2005) 761-787: ROS34PW2, here with stages that are changes of the state.
 
 #include "mbgen/integrators.hpp"
 

@@ -43,6 +43,6 @@ constexpr StepCalls kRk4Calls = {{4, 1}, {4, 1}, CallCount{4, 1} + 4 * kCarefulR
 constexpr StepCalls kAbm4Calls = {{2, 1}, {5, 1}, CallCount{5, 1} + 5 * kCarefulRates + kCarefulClosing};
 constexpr int kImplicitStages = 4;
 constexpr StepCalls kRosenbrockCalls = {
-    {4, 1, 1}, {4, 1, 1}, CallCount{4, 1, 2} + kImplicitStages * kCarefulRates + kCarefulClosing};
+    {4, 1, 1}, {4, 1, 1}, CallCount{4, 1, 2} + kImplicitStages* kCarefulRates + kCarefulClosing};
 
 }  // namespace mbgen

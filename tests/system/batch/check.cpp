@@ -1,7 +1,8 @@
 // Every function of a batch interface against the scalar solver, lane by lane: statuses and bits; none may touch the
 // heap.
 //   c++ ... -DSOLVER=four_bar -DINTERFACE='"four_bar_batch.hpp"' check.cpp heap.cpp, with the solver's sources
-// With -DIMPLICIT the solver has step_rosenbrock as well. Without heap.cpp the heap is not watched. Prints what differs; exit code 1 then.
+// With -DIMPLICIT the solver has step_rosenbrock as well. Without heap.cpp the heap is not watched. Prints what
+// differs; exit code 1 then.
 
 #include INTERFACE
 
