@@ -91,6 +91,13 @@ struct MovedEnvironment {
     return moves(ExpressionNode::Kind::velocity, c) ? A(environment.velocity(c), T(1.0)) : A(environment.velocity(c));
   }
   A local(int i) const { return locals[i]; }
+  // Where the environment has them.
+  A state(int i) const requires requires(const Environment<T>& e) { e.state(0); }
+  { return A(environment.state(i)); }
+  A length(int i) const requires requires(const Environment<T>& e) { e.length(0); }
+  { return A(environment.length(i)); }
+  A rate(int i) const requires requires(const Environment<T>& e) { e.rate(0); }
+  { return A(environment.rate(i)); }
 
  private:
   bool moves(ExpressionNode::Kind kind, const CoordinateReference& c) const {

@@ -29,6 +29,7 @@ SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings
   using Integrator = SolverSettings::Integrator;
   if (name.empty()) return is_cartesian(engine) ? Integrator::rk4 : of_model;
   if (name == "rk4") return Integrator::rk4;
+  if (name == "auto") throw UserError("--integrator: auto looks at one motion: name rk4, abm4 or rosenbrock here\n");
   if (name != "abm4" && name != "rosenbrock") {
     throw UserError(fmt::format("--integrator: no integrator \"{}\"; there are: rk4, abm4, rosenbrock\n", name));
   }

@@ -273,6 +273,24 @@ double growth_of_step(Integrator integrator, std::complex<double> z) {
   return spectral_radius(companion);
 }
 
+IntegratorChoice choose_integrator(const Compilation& compilation, const SimulationSettings& settings,
+                                   const std::vector<Mode>& modes) {
+  if (modes.empty()) return {Integrator::rk4, "the modes at the start are not known"};
+  const double duration = static_cast<double>(settings.steps) * settings.step;
+  const Mode* worst = nullptr;
+  double shortest = settings.step;
+  for (const Mode& mode : modes) {
+    if (mode.is_neutral || is_stable(Integrator::rk4, mode, settings.step, duration)) continue;
+    const double stable = stable_step(Integrator::rk4, mode, settings.step, duration);
+    if (worst != nullptr && stable >= shortest) continue;
+    worst = &mode;
+    shortest = stable;
+  }
+  if (worst == nullptr) return {Integrator::rk4, "it bears every mode at the start"};
+  return {Integrator::rosenbrock, fmt::format("the fastest mode at the start, {}, needs steps below {:.3g} s with rk4",
+                                              mode_text(compilation, *worst), shortest)};
+}
+
 std::vector<Mode> modes_near(const Compilation& compilation, const GenericState& state,
                              const std::vector<double>& inputs) {
   if (rolling_loop(compilation.topology)) return {};  // more positions are free than these coordinates tell

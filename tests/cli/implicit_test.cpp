@@ -23,6 +23,18 @@ TEST_F(CommandLine, ImplicitStepsOfAStiffModelAreThoseOfTheGenericRuntime) {
       << explicit_one.err;
 }
 
+TEST_F(CommandLine, IntegratorThatSuitsTheModesOfTheStart) {
+  const std::string governor = "simulate " + kSource +
+                               "/models/iftomm/a05_flyball_governor.json --duration 0.01 --out o.csv --engine generic "
+                               "--json --integrator auto --step ";
+  const Outcome coarse = mbgen(governor + "1e-3"), fine = mbgen(governor + "1e-4");
+  EXPECT_EQ(Json::parse(coarse.out)["integrator"], "rosenbrock");
+  EXPECT_EQ(coarse.err.find("simulate: integrator rosenbrock: the fastest mode at the start, decay at 8117 1/s"), 0u)
+      << coarse.err;
+  EXPECT_EQ(Json::parse(fine.out)["integrator"], "rk4");
+  EXPECT_EQ(fine.err, "simulate: integrator rk4: it bears every mode at the start\n");
+}
+
 constexpr const char* kPushed = R"({ "mbgen": 1, "name": "pushed", "bodies": {
     "ground": { "points": { "A": [0, 0, 0] } },
     "arm": { "mass": 1, "com": [0, 0, -1], "inertia": [1, 1, 1], "points": { "A": [0, 0, 0] } } },
