@@ -89,13 +89,19 @@ void add_programs(Compilation& c, const CompileOptions& options) {
   Programs programs = trace(c.model, c.topology, c.analysis, options.form);
   if (!stages.ended("program", c, programs)) return;
   Lowered level = Lowered::whole;
+  Programs written;  // laws that elements share stand for themselves in the text alone
   for (const Pass& pass : passes()) {
-    if (pass.result != level) (level == Lowered::whole ? c.whole : c.programs) = programs;
+    if (pass.result == Lowered::lean && level == Lowered::whole) {
+      written = with_shared_laws(programs);
+      c.whole = programs = without_shared_laws(std::move(programs));
+    }
+    if (pass.result == Lowered::emitted && level == Lowered::lean) c.programs = std::move(programs);
     level = pass.result;
-    programs = pass.run(std::move(programs));
-    if (!stages.ended(pass.name, c, programs)) return;
+    if (level != Lowered::emitted) programs = pass.run(std::move(programs));
+    if (level != Lowered::whole) written = pass.run(std::move(written));
+    if (!stages.ended(pass.name, c, level == Lowered::emitted ? written : programs)) return;
   }
-  c.emitted = verified(std::move(programs));
+  c.emitted = verified(std::move(written));
 }
 
 Result<Compilation> compile(Model model, const CompileOptions& options) {

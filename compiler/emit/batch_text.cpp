@@ -1,6 +1,7 @@
 // The batch interface: the solver's programs once more, on vectors.
 
 #include "compiler/emit/context_values.hpp"
+#include "compiler/emit/law_text.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/system_values.hpp"
 #include "compiler/emit/text.hpp"
@@ -54,7 +55,8 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
     ShapedProgram shaped = in_lanes(scalar);
     shaped.shape.constants = &constants;
     const Schedule order = schedule(*shaped.program, {.order = ValueOrder::fewest_alive, .shares_places = true});
-    programs.push_back({{"program", program_text(*shaped.program, order, shaped.shape)}});
+    const std::string laws = shaped.shape.laws.empty() ? "" : law_texts(context, shaped.shape.scalar, &constants);
+    programs.push_back({{"program", laws + program_text(*shaped.program, order, shaped.shape)}});
     if (shaped.role != Role::outputs && shaped.role != Role::derived_constants)
       members.push_back(system_member(shaped, "lanes::" + shaped.shape.result + "Of<Row>", "lanes::"));
   }

@@ -2,6 +2,7 @@
 
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/emit.hpp"
+#include "compiler/emit/law_text.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
@@ -17,8 +18,8 @@ FrameRows numbered_rows(const std::vector<std::string>& names) {
   return rows;
 }
 
-/// clocked: the program that is told the end of each step, "" for a driver without.
-EmittedFile driver(const Model& model, int lanes, const std::string& clocked) {
+/// clocked: the program that is told the end of each step, "" for a driver without. laws: elements share laws in it.
+EmittedFile driver(const Model& model, int lanes, const std::string& clocked, bool laws) {
   const SolverNames names = model_names(model);
   const std::vector<double> parameters = mapped(tunable_parameters(model), &Parameter::value);
   const std::vector<double> inputs = mapped(model.inputs, &Input::default_value);
@@ -34,17 +35,20 @@ EmittedFile driver(const Model& model, int lanes, const std::string& clocked) {
                          {"outputs", numbered_rows(names.outputs)},
                          {"lanes", lanes > 0 ? std::to_string(lanes) : ""},
                          {"is_implicit", model.solver.is_implicit()},
+                         {"laws", laws},
                          {"clocked", clocked}})};
 }
 
 }  // namespace
 
-EmittedFile emit_driver(const Model& model, int lanes) { return driver(model, lanes, ""); }
+EmittedFile emit_driver(const Model& model, int lanes) { return driver(model, lanes, "", false); }
 
 EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, const Topology& topology,
                                 const Analysis& analysis, int lanes) {
-  const ShapedProgram clocked = clocked_accelerations(EmitContext(programs, model, topology, analysis, {}));
-  return driver(model, lanes, program_text(*clocked.program, clocked.schedule, clocked.shape));
+  const EmitContext context(programs, model, topology, analysis, {});
+  const ShapedProgram clocked = clocked_accelerations(context);
+  const std::string laws = law_texts(context, clocked.shape.scalar, nullptr);
+  return driver(model, lanes, laws + program_text(*clocked.program, clocked.schedule, clocked.shape), !laws.empty());
 }
 
 }  // namespace mbgen

@@ -26,7 +26,8 @@ std::vector<TakenArgument> taken_arguments(const ProgramShape& shape, const Cros
   for (const auto& [name, declaration] : shape.arguments)
     list.push_back({name, declaration.substr(0, declaration.size() - name.size())});
   for (const CrossingStruct& work : crossing) list.push_back({work.argument, work_type(shape, work) + "& __restrict "});
-  list.push_back({"result", shape.result + "& __restrict "});
+  for (const LawShape& law : shape.laws) list.push_back({law.argument, law.type + "& __restrict "});
+  if (!shape.result.empty()) list.push_back({"result", shape.result + "& __restrict "});
   for (TakenArgument& argument : list) argument.is_used = used.contains(argument.name);
   return list;
 }
@@ -35,6 +36,7 @@ std::vector<TakenArgument> taken_arguments(const ProgramShape& shape, const Cros
 std::string whole_parameters(const ProgramShape& shape, const std::set<std::string>& used) {
   std::vector<std::string> list;
   for (auto& [name, type, is_used] : taken_arguments(shape, {}, used)) {
+    if (std::ranges::count(shape.laws, name, &LawShape::argument) > 0) continue;
     if (shape.in_groups) type = name == "tau" ? "const JointForces* " : type.replace(type.find('&'), 1, "*");
     list.push_back(is_used ? type + name : type.substr(0, type.find("__restrict")) + "/*" + name + "*/");
   }
@@ -58,8 +60,17 @@ std::string part_arguments(const ProgramShape& shape, const CrossingStructs& cro
   return joined(list, ", ");
 }
 
-/// The parts as functions of their own, and the calls of them.
-FrameRows part_rows(const ProgramShape& shape, const std::vector<PartText>& parts, const CrossingStructs& crossing) {
+/// The calls of the laws that elements share, a row each.
+FrameRows law_rows(const ProgramShape& shape) {
+  return mapped(shape.laws, [](const LawShape& law) {
+    return FrameValues{
+        {"argument", law.argument}, {"function", law.function}, {"lanes", law.lanes}, {"elements", law.elements}};
+  });
+}
+
+/// The parts as functions of their own, and the calls of them. law_part: the first that comes after the laws.
+FrameRows part_rows(const ProgramShape& shape, const std::vector<PartText>& parts, const CrossingStructs& crossing,
+                    std::size_t law_part) {
   FrameRows rows;
   for (const PartText& part : parts) {
     const std::string number = std::to_string(rows.size() + 1), function = shape.function + "_" + number;
@@ -72,6 +83,7 @@ FrameRows part_rows(const ProgramShape& shape, const std::vector<PartText>& part
         {{"comment", wrapped_words(comment, "/// ")},
          {"declaration", wrapped_statement("[[gnu::noinline]] void " + function + "(" + parameters + ") noexcept {")},
          {"body", part.body},
+         {"laws", rows.size() == law_part ? law_rows(shape) : FrameRows{}},
          {"call", function + "(" + part_arguments(shape, crossing, part.arguments) + ")"},
          {"ended_step", tells_step ? std::to_string(*part.ended_step) : ""}});
   }
@@ -112,6 +124,7 @@ std::set<std::string> used_arguments(const ProgramShape& shape, const std::vecto
     if (!shape.clock.empty() && part.ended_step) used.insert(shape.clock);
   }
   for (const CrossingStruct& values : crossing) used.erase(values.argument);
+  for (const LawShape& law : shape.laws) used.erase(law.argument);
   return used;
 }
 
@@ -126,7 +139,7 @@ void add_comment(PartText& part, const std::string& words) {
 }
 
 std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,
-                          const CrossingStructs& crossing) {
+                          const CrossingStructs& crossing, std::size_t law_part) {
   const bool is_whole = parts.size() == 1 && shape.clock.empty() && !shape.in_groups;
   std::set<std::string> all = {"result"};
   for (const auto& [name, text] : shape.arguments) all.insert(name);
@@ -144,7 +157,11 @@ std::string function_text(const ProgramShape& shape, const std::vector<PartText>
                         {"file_part", shape.file_part > 0 ? std::to_string(shape.file_part) : ""},
                         {"announcement", declaration(shape, all, ";")},
                         {"work", work_rows(shape, crossing)},
-                        {"parts", is_whole ? FrameRows{} : part_rows(shape, parts, crossing)},
+                        {"law_structs", mapped(shape.laws,
+                                               [](const LawShape& law) {
+                                                 return FrameValues{{"type", law.type}, {"argument", law.argument}};
+                                               })},
+                        {"parts", is_whole ? FrameRows{} : part_rows(shape, parts, crossing, law_part)},
                         {"title", wrapped_words(shape.title, "/// ")},
                         {"declaration", declaration(shape, used_arguments(shape, parts, crossing), " {")},
                         {"whole_body", is_whole ? parts[0].body : ""}});

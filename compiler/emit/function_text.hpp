@@ -36,9 +36,9 @@ void add_comment(PartText& part, const std::string& words);
 
 /// Struct of the result (when the shape has members), struct of the values that cross parts (when there are any), one
 /// static function per part and the function that calls them; a single part is that function itself.
-/// crossing: structs of the values that cross parts. Where the file has parts, those that only call the function see
-/// the struct of its result and a declaration.
+/// crossing: structs of the values that cross parts. law_part: see Schedule. Where the file has parts, those that only
+/// call the function see the struct of its result and a declaration.
 std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,
-                          const CrossingStructs& crossing);
+                          const CrossingStructs& crossing, std::size_t law_part);
 
 }  // namespace mbgen

@@ -85,7 +85,8 @@ void Headings::write_after(std::size_t first, std::size_t last, PartText& part) 
 }
 
 std::optional<int> Headings::ended_step(std::size_t end) const {
-  if (!section_ || section_->step == Step::none || end_.at(*section_) + 1 != end) return {};
+  if (!section_ || section_->step == Step::none) return {};
+  if (end < schedule_.order.size() && section_of(end) == *section_) return {};
   return number_of(section_->step);
 }
 

@@ -15,7 +15,21 @@ Json count_json(const OperationCount& count) {
           {"total", count.total()}};
 }
 
-Json program_json(const ShapedProgram& shaped) {
+/// Adds what the laws that the program leaves to others take, for all of their elements.
+void add_laws(const EmitContext& context, const ShapedProgram& shaped, Json& json) {
+  for (std::size_t k = 0; k < shaped.shape.laws.size(); ++k) {
+    const LawShape& law = shaped.shape.laws[k];
+    Json section = {{"title", law.function + ": tyres of one law, " + std::to_string(law.elements) + " in lanes"}};
+    const Json counts = count_json(count_operations(context.programs.laws[k].program));
+    for (const auto& [kind, count] : counts.items()) {
+      section[kind] = count.get<long>() * law.elements;
+      json["operations"][kind] = json["operations"][kind].get<long>() + section[kind].get<long>();
+    }
+    json["sections"].push_back(section);
+  }
+}
+
+Json program_json(const EmitContext& context, const ShapedProgram& shaped) {
   const Program& program = *shaped.program;
   const std::vector<OperationCount> counts = count_operations_by_section(program);
   Json sections = Json::array();
@@ -34,6 +48,7 @@ Json program_json(const ShapedProgram& shaped) {
   }
   json["operations"] = count_json(count_operations(program));
   json["sections"] = sections;
+  add_laws(context, shaped, json);
   return json;
 }
 
@@ -56,7 +71,7 @@ Json blocks_json(const EmitContext& context) {
 Json manifest_json(const EmitContext& context, const std::vector<ShapedProgram>& all) {
   const SolverNames& names = context.names;
   Json programs = Json::object();
-  for (const ShapedProgram& shaped : all) programs[name_of(shaped.role)] = program_json(shaped);
+  for (const ShapedProgram& shaped : all) programs[name_of(shaped.role)] = program_json(context, shaped);
   const Json worst_case = worst_case_json(context, programs);
   Json manifest = {{"mbgen", kMbgenVersion},
                    {"model", context.model.name},

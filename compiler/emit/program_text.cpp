@@ -34,7 +34,7 @@ class ProgramWriter {
   std::string text() {
     std::vector<PartText> parts;
     for (std::size_t p = 0; p < schedule_.parts.size(); ++p) parts.push_back(write_part(p));
-    return function_text(shape_, parts, texts_.crossing());
+    return function_text(shape_, parts, texts_.crossing(), schedule_.law_part);
   }
 
  private:
@@ -189,7 +189,7 @@ class ProgramWriter {
     PartText part;
     texts_.start_part(schedule_.parts[p]);
     headings_.start_part();
-    if (p == 0) write_plain_outputs(part);
+    if (p == 0 || p == schedule_.law_part) write_plain_outputs(p > 0, part);
     for (const ScheduledUnit& unit : schedule_.units) {
       if (unit.part != p) continue;
       if (unit.is_loop())
@@ -203,23 +203,28 @@ class ProgramWriter {
 
   // --- outputs that are no operations ---
 
+  const Slot& input_of(ValueId v) const { return program_.inputs[program_.nodes[v].input]; }
+
   /// Outputs that are constants or inputs, and those that the program does not give; a frequent one fills its array.
-  void write_plain_outputs(PartText& part) {
+  /// of_laws: those that are results of shared laws, or all others.
+  void write_plain_outputs(bool of_laws, PartText& part) {
     std::map<SlotGroup, std::map<int, std::string>> plain;
     std::map<SlotGroup, std::set<int>> given;
     for (const OutputValue& output : program_.outputs) {
       const Op op = program_.nodes[output.value].op;
       given[output.slot.group].insert(output.slot.index);
       texts_.place_of(shape_.outputs, output.slot);
+      const bool is_of_law = op == Op::input && input_of(output.value).group.array == Array::law_result;
+      if (is_of_law != of_laws) continue;
       if (op == Op::constant)
         plain[output.slot.group][output.slot.index] = texts_.number(texts_.constants_phrase({output.value}).text);
       if (op == Op::input)
-        plain[output.slot.group][output.slot.index] =
-            texts_.slots_text(shape_.inputs, {program_.inputs[program_.nodes[output.value].input]}, part);
+        plain[output.slot.group][output.slot.index] = texts_.slots_text(shape_.inputs, {input_of(output.value)}, part);
     }
     for (const auto& [group, place] : shape_.outputs) {
       for (int i = 0; i < static_cast<int>(place.texts.size()); ++i)
-        if (!given[group].contains(i) && !place.missing.empty()) plain[group][i] = texts_.number(place.missing);
+        if (!of_laws && !given[group].contains(i) && !place.missing.empty())
+          plain[group][i] = texts_.number(place.missing);
       if (plain[group].empty()) continue;
       if (part.body.empty()) add_comment(part, "Results that need no operation.");
       write_plain_group(place, plain[group], part);
@@ -228,7 +233,7 @@ class ProgramWriter {
   }
 
   void write_plain_group(const GroupPlace& place, const std::map<int, std::string>& texts, PartText& part) {
-    part.arguments.insert("result");
+    part.arguments.insert(place.argument);
     std::map<std::string, std::size_t> times;
     for (const auto& [index, text] : texts) ++times[text];
     const auto most = std::ranges::max_element(times, {}, [](const auto& entry) { return entry.second; });

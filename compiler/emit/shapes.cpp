@@ -115,6 +115,25 @@ bool is_written(Role role, const EmitContext& context) {
   return role != Role::accelerations_chosen || ((!layout.blocks.empty() || layout.balls > 0) && layout.chooses_again);
 }
 
+/// The place of every element's number of every quantity.
+GroupPlace places_of_elements(const LawShape& law, const std::vector<std::string>& quantities) {
+  GroupPlace place{law.argument, {}};
+  for (const std::string& quantity : quantities)
+    for (const std::string& text : indexed(law.argument + "." + quantity, law.elements)) place.texts.push_back(text);
+  return place;
+}
+
+/// Names the shared laws in the shape of the program around them.
+void add_laws(const EmitContext& context, ProgramShape& shape) {
+  for (std::size_t k = 0; k < context.programs.laws.size(); ++k) {
+    const SharedLaw& shared = context.programs.laws[k];
+    const LawShape law = law_shape(context, k);
+    shape.outputs[of_block(Array::law_argument, k)] = places_of_elements(law, shared.arguments);
+    shape.inputs[of_block(Array::law_result, k)] = places_of_elements(law, shared.results);
+    shape.laws.push_back(law);
+  }
+}
+
 ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
   ProgramShape shape;
   shape.title = row.title;
@@ -133,11 +152,12 @@ ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
     return shape;
   }
   for (const Array array : spec_of(row.role).outputs) {
-    if (array == (context.layout.chooses_again ? Array::rate : Array::Jz)) continue;
+    if (array == Array::law_argument || array == (context.layout.chooses_again ? Array::rate : Array::Jz)) continue;
     for (const auto& [member, comment] : kMembers)
       if (member == array) shape.members.push_back({name_of(array), size_in(context, array), comment});
     add_array(shape.outputs, "result", array, context);
   }
+  if (row.role == Role::accelerations) add_laws(context, shape);
   return shape;
 }
 
@@ -163,6 +183,12 @@ ValueOrder order_of(Form form, const ShapedProgram& shaped) {
 }
 
 }  // namespace
+
+LawShape law_shape(const EmitContext& context, std::size_t k) {
+  const std::string number = k > 0 ? std::to_string(k + 1) : "";
+  return {"tyres" + number, "Tyres" + number, "compute_tyres" + number, "kTyreLanes" + number,
+          static_cast<int>(context.programs.laws[k].tyres.size())};
+}
 
 std::vector<std::string> indexed(const std::string& array, int size, int first) {
   Texts texts;

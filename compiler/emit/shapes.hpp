@@ -20,6 +20,7 @@ struct GroupPlace {
   std::string missing = "0.0";           ///< value of an output that the program does not give; empty: nobody reads it
   std::string array = {};  ///< array whose places from `first` on hold the slots in order; empty: they are no array
   int first = 0;
+  std::string element = {};       ///< another parameter that the texts look at
   bool local_tells_more = false;  ///< copies are made at the first use: their names say more than the texts
 };
 
@@ -38,6 +39,17 @@ struct ArrayMember {
   std::string comment;
 };
 
+/// A law that elements share, for the program around it: the struct that they pass each other.
+struct LawShape {
+  std::string argument, type;  ///< "tyres", "Tyres"
+  std::string function;        ///< "compute_tyres"
+  std::string lanes;           ///< name of the number of elements that one call computes
+  int elements = 0;
+};
+
+/// The names of law k of the emitted programs.
+LawShape law_shape(const EmitContext& context, std::size_t k);
+
 /// Arguments of a function: name, declaration; in order.
 using Arguments = std::vector<std::pair<std::string, std::string>>;
 
@@ -52,8 +64,9 @@ struct ProgramShape {
   std::vector<ArrayMember> members;  ///< of the result struct
   Arguments arguments;
   Places inputs, outputs;
-  Titles titles = {};             ///< of sections and owners
-  std::string scalar = "double";  ///< type of every value: double, float, or a vector of doubles
+  std::vector<LawShape> laws = {};  ///< that the program leaves to others
+  Titles titles = {};               ///< of sections and owners
+  std::string scalar = "double";    ///< type of every value: double, float, or a vector of doubles
   /// The function takes an array of structs in place of each argument, one a group of instances, and goes part by part.
   bool in_groups = false;
   /// Argument that is told the end of every section by its number, "" for none: then the parts follow the sections.

@@ -1,6 +1,7 @@
 #include <array>
 
 #include "compiler/emit/context_values.hpp"
+#include "compiler/emit/law_text.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/system_values.hpp"
 #include "compiler/emit/text.hpp"
@@ -59,7 +60,9 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
   for (ShapedProgram& shaped : programs) {
     shaped.shape.constants = &constants;
     FrameRows& part = shaped.shape.file_part > 0 ? rare : hot;
-    part.push_back({{"program", program_text(*shaped.program, shaped.schedule, shaped.shape)}});
+    const bool has_laws = !shaped.shape.laws.empty();
+    const std::string laws = has_laws ? law_texts(context, shaped.shape.scalar, &constants) : "";
+    part.push_back({{"program", laws + program_text(*shaped.program, shaped.schedule, shaped.shape)}});
     members.push_back(system_member(shaped, solver + "::" + shaped.shape.result, ""));
   }
   const bool has_projection = !context.layout.blocks.empty() && context.layout.chooses_again;
@@ -70,6 +73,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
       {"rare_parts", rare_parts > 0 ? std::to_string(rare_parts) : ""},
       {"all_parts", rare_parts + 1},
       {"for_importers", for_importers},
+      {"laws", !context.programs.laws.empty() && context.options.scalar == "double"},
       {"hot", hot},
       {"rare", rare},
       {"projection", has_projection ? size_text(context.layout.projection_entries) : ""},

@@ -51,6 +51,7 @@ void ValueTexts::reserve_names() {
     for (const std::string& name : shape_.constants->identifiers(program_)) names_.reserve(name);
   }
   for (const auto& [name, declaration] : shape_.arguments) names_.reserve(name);
+  for (const LawShape& law : shape_.laws) names_.reserve(law.argument);
   for (const auto& [group, place] : shape_.inputs) {
     for (const std::string& local : place.locals) names_.reserve(local);
   }
@@ -116,15 +117,17 @@ const GroupPlace& ValueTexts::place_of(const Places& places, const Slot& slot) c
   const auto place = places.find(slot.group);
   if (place == places.end() || slot.index < 0 || slot.index >= static_cast<int>(place->second.texts.size()))
     throw std::logic_error(program_.name + ": no place for " + text_of(slot));
-  const auto is_given = [&](const auto& argument) { return argument.first == place->second.argument; };
-  if (place->second.argument != "result" && std::ranges::none_of(shape_.arguments, is_given))
-    throw std::logic_error(program_.name + ": no argument for " + text_of(slot));
+  const std::string& name = place->second.argument;
+  const bool is_given = name == "result" || std::ranges::count(shape_.laws, name, &LawShape::argument) > 0 ||
+                        std::ranges::any_of(shape_.arguments, [&](const auto& given) { return given.first == name; });
+  if (!is_given) throw std::logic_error(program_.name + ": no argument for " + text_of(slot));
   return place->second;
 }
 
 std::string ValueTexts::slots_text(const Places& places, const std::vector<Slot>& slots, PartText& part) {
   const GroupPlace& place = place_of(places, slots[0]);
   part.arguments.insert(place.argument);
+  if (!place.element.empty()) part.arguments.insert(place.element);
   if (std::ranges::all_of(slots, [&](const Slot& slot) { return slot == slots[0]; }))
     return place.texts[slots[0].index];
   const auto index = [&](const Slot& slot) { return place.first + slot.index; };

@@ -163,12 +163,13 @@ void body_forces(ForceWork<T>& work) {
 
 /// All applied forces but gravity. Cost: linear in the number of elements.
 template <class T>
-AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v) {
+AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v,
+                                const detail::SharedTyreLaw<T>& shared_law = {}) {
   AppliedForces<T> forces;
   forces.about = v.about;
   forces.wrench.resize(system.topology.bodies.size());
   forces.joint.assign(system.topology.bodies.size(), T(0.0));
-  detail::ForceWork<T> work{system, k, v, forces};
+  detail::ForceWork<T> work{system, k, v, forces, shared_law};
   detail::point_springs(work);
   detail::air_springs(work);
   detail::joint_elements(work);

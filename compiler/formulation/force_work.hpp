@@ -2,6 +2,8 @@
 // Common parts of the force elements: their results, their view of the system, characteristics, and forces put on
 // bodies.
 
+#include <functional>
+#include <optional>
 #include <type_traits>
 
 #include "compiler/formulation/motion.hpp"
@@ -37,6 +39,11 @@ struct AppliedForces {
 
 namespace detail {
 
+/// The forces of a tyre (index into Model::tyres) by a law that several share, none where it shares none.
+template <class T>
+using SharedTyreLaw =
+    std::function<std::optional<TyreResult<T>>(std::size_t tyre, const TyreProperties<T>&, const TyreContact<T>&)>;
+
 /// State that the force elements read, and sums that they add to.
 template <class T>
 struct ForceWork {
@@ -44,6 +51,7 @@ struct ForceWork {
   const Kinematics<T>& k;
   const Velocities<T>& v;
   AppliedForces<T>& forces;
+  SharedTyreLaw<T> shared_law = {};  ///< where tyres share one
   T value(const Quantity& q) const { return value_of(system.model, q, system.environment); }
   /// The value of an element's field, named <meaning>_<element>.
   T value(const Quantity& q, const char* meaning, const std::string& element) const {

@@ -63,10 +63,9 @@ RoadContact<T> road_contact(const ForceWork<T>& work, const Tyre& tyre, std::siz
   return c;
 }
 
-/// Properties of a tyre. A: T, or Slope<T> where its law is differentiated.
-template <class A, class T>
-TyreProperties<A> tyre_properties(const ForceWork<T>& work, const Tyre& tyre) {
-  const auto value = [&](const Quantity& q, const char* meaning) { return A(work.value(q, meaning, tyre.name)); };
+/// Properties of a mounted tyre; value: of a quantity of the tyre with the meaning of its name.
+template <class T, class Value>
+TyreProperties<T> tyre_properties(const Tyre& tyre, const Value& value) {
   return {value(tyre.radius, "radius"),
           value(tyre.stiffness, "k"),
           value(tyre.damping, "d"),
@@ -75,18 +74,30 @@ TyreProperties<A> tyre_properties(const ForceWork<T>& work, const Tyre& tyre) {
           value(tyre.relaxation_x, "relaxation_x"),
           value(tyre.relaxation_y, "relaxation_y"),
           value(tyre.low_speed, "low_speed"),
-          tyre.side,
-          tyre.count};
+          T(tyre.side),
+          T(tyre.count)};
+}
+
+/// The law of a set of coefficients.
+template <class T>
+TyreResult<T> tyre_law(TyreModel model, const std::vector<T>& coefficients, const TyreProperties<T>& properties,
+                       const TyreContact<T>& contact) {
+  if (model == TyreModel::pac2002)
+    return tyre_forces(Pac2002<T>::from_fields(coefficients.data()), properties, contact);
+  return tyre_forces(Pac89<T>::from_fields(coefficients.data()), properties, contact);
 }
 
 template <class T>
-TyreResult<T> tyre_result(const ForceWork<T>& work, const Tyre& tyre, const TyreContact<T>& contact) {
+TyreResult<T> tyre_result(const ForceWork<T>& work, const Tyre& tyre, std::size_t index,
+                          const TyreContact<T>& contact) {
+  const TyreProperties<T> properties = tyre_properties<T>(
+      tyre, [&](const Quantity& q, const char* meaning) { return work.value(q, meaning, tyre.name); });
+  if (work.shared_law) {
+    if (std::optional<TyreResult<T>> result = work.shared_law(index, properties, contact)) return *result;
+  }
   std::vector<T> coefficients;
   for (const Quantity& q : tyre.coefficients) coefficients.push_back(work.value(q));
-  const TyreProperties<T> properties = tyre_properties<T>(work, tyre);
-  if (tyre.model == TyreModel::pac2002)
-    return tyre_forces(Pac2002<T>::from_fields(coefficients.data()), properties, contact);
-  return tyre_forces(Pac89<T>::from_fields(coefficients.data()), properties, contact);
+  return tyre_law(tyre.model, coefficients, properties, contact);
 }
 
 template <class T>
@@ -95,7 +106,7 @@ void tyres(ForceWork<T>& work) {
     const Tyre& tyre = work.system.model.tyres[i];
     const auto heading = work.system.scribe.within(OwnerKind::tyre, i);
     const RoadContact<T> contact = road_contact(work, tyre, i);
-    const TyreResult<T> result = tyre_result(work, tyre, contact.motion);
+    const TyreResult<T> result = tyre_result(work, tyre, i, contact.motion);
     const Vector<T> force = result.fx * contact.forward + result.fy * contact.left + result.load * contact.up;
     const Vector<T> moment = result.mx * contact.forward + result.my * contact.left + result.mz * contact.up;
     work.system.scribe.name(result.load, "load_", tyre.name);

@@ -19,12 +19,19 @@ struct SlipStiffness {
   PlaneForces<T> by_kappa, by_alpha;
 };
 
+/// Properties of a tyre over A: T, or Slope<T>.
+template <class A, class T>
+TyreProperties<A> properties_of(const ForceWork<T>& work, const Tyre& tyre) {
+  return tyre_properties<A>(
+      tyre, [&](const Quantity& q, const char* meaning) { return A(work.value(q, meaning, tyre.name)); });
+}
+
 template <class T>
 SlipStiffness<T> slip_stiffness(const ForceWork<T>& work, const Tyre& tyre, const TyreContact<T>& contact) {
   using S = Slope<T>;
   std::vector<S> coefficients;
   for (const Quantity& q : tyre.coefficients) coefficients.push_back(S(work.value(q)));
-  const TyreProperties<T> properties = tyre_properties<T>(work, tyre);
+  const TyreProperties<T> properties = properties_of<T>(work, tyre);
   const T load = tyre_law::load(properties, contact);
   const tyre_law::Slip<T> slip = tyre_law::slip(properties, contact);
   const auto forces = [&](const S& kappa, const S& alpha) {
@@ -56,8 +63,8 @@ ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_
   using S = Slope<T>;
   using C = TyreContact<S>;
   const RoadContact<T> contact = road_contact(work, tyre, index);
-  const TyreProperties<S> properties = tyre_properties<S>(work, tyre);
-  const TyreProperties<T> plain = tyre_properties<T>(work, tyre);
+  const TyreProperties<S> properties = properties_of<S>(work, tyre);
+  const TyreProperties<T> plain = properties_of<T>(work, tyre);
   const T radius = tyre_law::rolling_radius(plain, contact.motion);
   const T lever = radius - (plain.radius - contact.motion.deflection);
   std::vector<std::vector<T>> rows(3, std::vector<T>(work.system.topology.bodies.size(), T(0.0)));

@@ -8,15 +8,18 @@
 namespace mbgen {
 namespace {
 
-/// Operations that stand together. Inputs and constants are in memory and belong to none.
+/// Operations that stand together. Inputs, constants and operations that stand elsewhere are in memory and belong to
+/// none.
 struct Unit {
   std::span<const ValueId> values;
   std::vector<std::uint32_t> operands, users;  ///< units, each once
 };
 
+constexpr std::uint32_t kElsewhere = 0xffffffffu;
+
 std::vector<Unit> units_of(const Program& program, std::span<const std::vector<ValueId>> bundles) {
   std::vector<Unit> units;
-  std::vector<std::uint32_t> unit_of(program.nodes.size());
+  std::vector<std::uint32_t> unit_of(program.nodes.size(), kElsewhere);
   for (const std::vector<ValueId>& bundle : bundles) {
     const auto place = static_cast<std::uint32_t>(units.size());
     Unit unit{bundle, {}, {}};
@@ -24,9 +27,10 @@ std::vector<Unit> units_of(const Program& program, std::span<const std::vector<V
       unit_of[v] = place;
       const Node& node = program.nodes[v];
       for (int k = 0; k < arity(node.op); ++k) {
-        if (!is_operation(program.nodes[node.operands[k]])) continue;
         const std::uint32_t operand = unit_of[node.operands[k]];
-        if (operand == place || std::ranges::find(unit.operands, operand) != unit.operands.end()) continue;
+        if (operand == kElsewhere || operand == place ||
+            std::ranges::find(unit.operands, operand) != unit.operands.end())
+          continue;
         unit.operands.push_back(operand);
         units[operand].users.push_back(place);
       }

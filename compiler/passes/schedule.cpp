@@ -19,6 +19,10 @@ Rolling worthwhile_loops(const Program& program, const ScheduleOptions& options)
   return 2 * written > rolling.order.size() ? Rolling{} : rolling;
 }
 
+bool has_shared_laws(const Program& program) {
+  return std::ranges::any_of(program.inputs, [](const Slot& slot) { return slot.group.array == Array::law_result; });
+}
+
 bool is_angle_pair(const Program& program, const Schedule& schedule, ValueId a, ValueId b) {
   if (schedule.calls.place[a].call >= 0 || schedule.calls.place[b].call >= 0) return false;
   const Node& first = program.nodes[a];
@@ -128,7 +132,8 @@ void settle_slices(const Program& program, Schedule& schedule) {
 }  // namespace
 
 Schedule schedule(const Program& program, const ScheduleOptions& options) {
-  const Rolling rolling = options.division == Division::cheapest ? worthwhile_loops(program, options) : Rolling{};
+  const bool can_roll = options.division == Division::cheapest && !has_shared_laws(program);
+  const Rolling rolling = can_roll ? worthwhile_loops(program, options) : Rolling{};
   Schedule result;
   if (rolling.loops.empty()) {
     result = straight_schedule(program, options.division, options.order);

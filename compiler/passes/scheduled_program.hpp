@@ -60,9 +60,11 @@ enum class ValueOrder {
 
 struct Schedule {
   ValueOrder ordered = ValueOrder::by_section;
-  std::vector<ValueId> order;         ///< operations that an output needs, unit after unit
-  std::vector<ScheduledUnit> units;   ///< at least one a part
-  std::vector<PlaceRange> parts;      ///< at least one; each one function
+  std::vector<ValueId> order;        ///< operations that an output needs, unit after unit
+  std::vector<ScheduledUnit> units;  ///< at least one a part
+  std::vector<PlaceRange> parts;     ///< at least one; each one function
+  std::size_t law_part = 0;          ///< the first part that takes results of shared laws, 0 where there are none: they
+                                     ///< are computed before it, from arguments that the parts before it give
   std::vector<ScheduledValue> value;  ///< per value of the program
   ArrayCalls calls;                   ///< elementary functions in lanes
   int stored = 0;                     ///< size of the array of values that cross, of programs with loops

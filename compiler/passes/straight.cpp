@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "compiler/passes/passes.hpp"
@@ -124,6 +125,51 @@ std::vector<std::vector<ValueId>> bundles_of(const Schedule& schedule, const std
   return bundles;
 }
 
+/// Brings what the arguments of shared laws follow from before everything else. Result: how many operations they are.
+std::size_t put_law_arguments_first(const Program& program, std::vector<std::vector<ValueId>>& bundles) {
+  std::vector<bool> is_needed(program.nodes.size(), false);
+  for (const OutputValue& output : program.outputs)
+    if (output.slot.group.array == Array::law_argument) is_needed[output.value] = true;
+  std::size_t operations = 0;
+  for (auto bundle = bundles.rbegin(); bundle != bundles.rend(); ++bundle) {
+    if (std::ranges::none_of(*bundle, [&](ValueId v) { return is_needed[v]; })) continue;
+    operations += bundle->size();
+    for (const ValueId v : *bundle) {
+      is_needed[v] = true;
+      for (int k = 0; k < arity(program.nodes[v].op); ++k) is_needed[program.nodes[v].operands[k]] = true;
+    }
+  }
+  std::stable_partition(bundles.begin(), bundles.end(),
+                        [&](const auto& bundle) { return is_needed[bundle.front()]; });
+  return operations;
+}
+
+/// The values of all bundles, those of the first `start` operations and the others each in an order of few live values.
+std::vector<ValueId> few_alive(const Program& program, std::span<const std::vector<ValueId>> bundles,
+                               std::size_t start) {
+  std::size_t first = 0;
+  for (std::size_t operations = 0; operations < start; ++first) operations += bundles[first].size();
+  std::vector<ValueId> order = fewest_alive(program, bundles.first(first));
+  const std::vector<ValueId> rest = fewest_alive(program, bundles.subspan(first));
+  order.insert(order.end(), rest.begin(), rest.end());
+  return order;
+}
+
+std::vector<ValueId> joined(const std::vector<std::vector<ValueId>>& bundles) {
+  std::vector<ValueId> order;
+  for (const auto& bundle : bundles) order.insert(order.end(), bundle.begin(), bundle.end());
+  return order;
+}
+
+/// Cuts the range that a place is inside of.
+void cut_at(std::size_t place, std::vector<PlaceRange>& ranges) {
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (place <= ranges[i].first || place >= ranges[i].last) continue;
+    ranges.insert(ranges.begin() + static_cast<std::ptrdiff_t>(i) + 1, {place, ranges[i].last});
+    ranges[i].last = place;
+  }
+}
+
 /// Runs of values of one section.
 std::vector<PlaceRange> section_ranges(const Program& program, const std::vector<ValueId>& order) {
   std::vector<PlaceRange> ranges;
@@ -145,14 +191,18 @@ Schedule straight_schedule(const Program& program, Division division, ValueOrder
   result.ordered = wanted;
   result.order = pair_angles(order, partner);
   result.calls = gather_calls(program, result.order);
-  if (wanted == ValueOrder::fewest_alive) result.order = fewest_alive(program, bundles_of(result, partner));
+  std::vector<std::vector<ValueId>> bundles = bundles_of(result, partner);
+  const std::size_t before_laws = put_law_arguments_first(program, bundles);
+  result.order = wanted == ValueOrder::fewest_alive ? few_alive(program, bundles, before_laws) : joined(bundles);
   const std::vector<long> cost = cut_costs(program, result.order, partner, result.calls.place);
   const std::size_t largest = wanted == ValueOrder::fewest_alive ? kLargestHotPart : kLargestPart;
   std::vector<PlaceRange> ranges;
   if (division == Division::by_section) ranges = section_ranges(program, result.order);
   if (ranges.empty()) ranges = {{0, result.order.size()}};
+  cut_at(before_laws, ranges);
   for (const PlaceRange& range : ranges)
     for (const PlaceRange& part : divide(range, cost, largest)) {
+      if (before_laws > 0 && part.first == before_laws) result.law_part = result.parts.size();
       result.units.push_back({.first = part.first, .period = part.last - part.first, .part = result.parts.size()});
       result.parts.push_back(part);
     }

@@ -86,6 +86,8 @@ int size_of(const SolverLayout& layout, Array array) {
     case step:
       return 1;
     case derived:
+    case law_argument:
+    case law_result:
     case tangent:
     case seed:
       break;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace mbgen {
 namespace {
@@ -27,7 +28,10 @@ Form other_form(Form form) { return form == Form::matrix ? Form::recursive : For
 const std::vector<ProgramSpec>& program_specs() {
   using enum Array;
   static const std::vector<ProgramSpec> kSpecs = {
-      {Role::accelerations, "accelerations", {z, zd, x, t, tau, in, par, derived}, {zdd, xd, pivot, inertia}},
+      {Role::accelerations,
+       "accelerations",
+       {z, zd, x, t, tau, in, par, derived, law_result},
+       {zdd, xd, pivot, inertia, law_argument}},
       {Role::closure, "closure", {z, zd, t, in, par, derived}, {residual, dz, zd, pivot}},
       {Role::closure_terms,
        "closure_terms",
@@ -58,9 +62,24 @@ const Program& program_of(const Programs& programs, Role role) {
   return programs.*kMembers[static_cast<std::size_t>(role)];
 }
 
-std::array<Program*, 8> solver_programs(Programs& programs) {
-  return {&programs.accelerations, &programs.closure, &programs.closure_terms, &programs.accelerations_chosen,
-          &programs.multipliers,   &programs.outputs, &programs.tangents,      &programs.changes};
+std::vector<Program*> solver_programs(Programs& programs) {
+  std::vector<Program*> list = {
+      &programs.accelerations, &programs.closure, &programs.closure_terms, &programs.accelerations_chosen,
+      &programs.multipliers,   &programs.outputs, &programs.tangents,      &programs.changes};
+  if (!programs.laws.empty()) list.push_back(&programs.around_laws);
+  for (SharedLaw& law : programs.laws) list.push_back(&law.program);
+  return list;
+}
+
+Programs with_shared_laws(Programs programs) {
+  if (!programs.laws.empty()) programs.accelerations = std::exchange(programs.around_laws, {});
+  return programs;
+}
+
+Programs without_shared_laws(Programs programs) {
+  programs.around_laws = {};
+  programs.laws.clear();
+  return programs;
 }
 
 std::vector<const Program*> all_programs(const Programs& programs) {
@@ -69,6 +88,7 @@ std::vector<const Program*> all_programs(const Programs& programs) {
     const Program& program = program_of(programs, spec.role);
     if (!program.outputs.empty()) list.push_back(&program);
   }
+  for (const SharedLaw& law : programs.laws) list.push_back(&law.program);
   return list;
 }
 
@@ -77,6 +97,11 @@ Programs verified(Programs programs) {
     const Program& program = program_of(programs, spec.role);
     for (const Slot& slot : program.inputs) verify_slot(spec, spec.inputs, slot);
     for (const OutputValue& output : program.outputs) verify_slot(spec, spec.outputs, output.slot);
+  }
+  for (const SharedLaw& law : programs.laws) {
+    const ProgramSpec spec{Role::accelerations, law.program.name.c_str(), {Array::law_argument}, {Array::law_result}};
+    for (const Slot& slot : law.program.inputs) verify_slot(spec, spec.inputs, slot);
+    for (const OutputValue& output : law.program.outputs) verify_slot(spec, spec.outputs, output.slot);
   }
   return programs;
 }

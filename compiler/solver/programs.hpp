@@ -2,7 +2,6 @@
 // The door of the solver room: the programs of a solver, with the inputs and outputs of each. Trace makes them,
 // passes rewrite them, emit writes them, linearisation and FMUs differentiate them.
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -46,10 +45,21 @@ const std::vector<ProgramSpec>& program_specs();
 const ProgramSpec& spec_of(Role role);
 const char* name_of(Role role);
 
+/// A force law that several elements have in common: a program of its own, which is written in lanes, an element in
+/// each. It takes Array::law_argument and gives Array::law_result, a number a quantity. The accelerations around it
+/// give all arguments and take all results of law k as of_block(array, k), number quantity * elements + element.
+struct SharedLaw {
+  Program program;
+  std::vector<int> tyres;                       ///< the elements: indices into Model::tyres
+  std::vector<std::string> arguments, results;  ///< names of the quantities
+};
+
 /// Programs that a model does not need are empty.
 struct Programs {
   Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, tangents, changes,
       derived_constants;
+  Program around_laws;  ///< `accelerations` without the laws that elements share; empty where they share none
+  std::vector<SharedLaw> laws;
   Form form = Form::recursive;  ///< of `accelerations` and `accelerations_chosen`
 };
 
@@ -57,9 +67,14 @@ Program& program_of(Programs& programs, Role role);
 const Program& program_of(const Programs& programs, Role role);
 
 /// The programs that a solver runs: all but the derived constants.
-std::array<Program*, 8> solver_programs(Programs& programs);
+std::vector<Program*> solver_programs(Programs& programs);
 
-/// Every program with outputs.
+/// `around_laws` in place of the accelerations, where there is one.
+Programs with_shared_laws(Programs programs);
+/// The same programs without them.
+Programs without_shared_laws(Programs programs);
+
+/// Every program with outputs but `around_laws`.
 std::vector<const Program*> all_programs(const Programs& programs);
 
 /// The programs themselves when they keep to their specs. Fails: std::logic_error with program and slot.

@@ -14,9 +14,13 @@ namespace mbgen {
 /// inputs.
 Program trace_matrix_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Role role);
 
-/// The same by recursion.
+/// The same by recursion. laws: that are left to programs of their own.
 Program trace_recursive_accelerations(const Model& model, const Topology& topology, const Analysis& analysis,
-                                      Role role = Role::accelerations, RecursionChoices choices = {});
+                                      Role role = Role::accelerations, RecursionChoices choices = {},
+                                      const std::vector<SharedLaw>& laws = {});
+
+/// The laws of tyres that have one set of coefficients, each of two or more.
+std::vector<SharedLaw> trace_shared_laws(const Model& model);
 
 /// The frozen program with the reference points of the blocks' bodies that take fewer operations, and these choices.
 struct CheapestRecursion {

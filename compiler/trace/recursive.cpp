@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "compiler/trace/each_program.hpp"
+#include "compiler/trace/shared_laws.hpp"
 #include "compiler/trace/tracing.hpp"
 
 namespace mbgen {
@@ -36,13 +37,13 @@ void output_inertia(Tracing& tracing, const std::vector<DirectionInertia<Expr>>&
 }  // namespace
 
 Program trace_recursive_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Role role,
-                                      RecursionChoices choices) {
+                                      RecursionChoices choices, const std::vector<SharedLaw>& laws) {
   Tracing tracing(role, model, topology, analysis, Form::recursive, choices);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = tracing.poses();
   const Velocities<Expr> v =
       tracing.in(Step::velocities, [&] { return velocities(system, k, MotionPoint::body_origin); });
-  const AppliedForces<Expr> forces = tracing.in(Step::forces, [&] { return applied_forces(system, k, v); });
+  const AppliedForces<Expr> forces = tracing.in(Step::forces, [&] { return applied_forces(system, k, v, shared_tyre_law(tracing, laws)); });
   const RecursiveSolution<Expr> solution =
       recursive_accelerations(system, tracing.recursion, k, forces, tracing.drive,
                               tracing.inputs(Array::tau, tracing.size()), block_projections(tracing));

@@ -100,6 +100,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"models/agile_eye.json", "agile_eye", kClang, 4, ""},
                     Case{"tests/data/models/slewing_jib.json", "slewing_jib", kGnu, 4, ""},
                     Case{"models/rolling_disc.json", "rolling_disc", kClang, 4, ""},
+                    Case{"tests/data/models/three_wheeler.json", "three_wheeler", kGnu, 8, "-march=native"},
+                    Case{"tests/data/models/three_wheeler.json", "three_wheeler", kClang, 4, ""},
                     Case{"tests/data/models/wheel_outputs.json", "wheel_outputs", kClang, 4, ""},
                     Case{"tests/data/models/all_elements.json", "all_elements", kGnu, 4, "-march=native"},
                     Case{"tests/data/models/all_elements.json", "all_elements", kClang, 4, "-march=native", true}),

@@ -119,6 +119,51 @@ Slots with_projections(Slots given, const std::vector<GroupProjection<double>>& 
   return given;
 }
 
+/// Results of all elements of every law, from the arguments that the program around them gives.
+Slots with_law_results(const Programs& programs, const Slots& around, Slots given) {
+  for (std::size_t k = 0; k < programs.laws.size(); ++k) {
+    const SharedLaw& law = programs.laws[k];
+    const std::vector<double>& arguments = around.at(of_block(Array::law_argument, k));
+    const std::size_t elements = law.tyres.size();
+    std::vector<double>& results = given[of_block(Array::law_result, k)];
+    for (std::size_t element = 0; element < elements; ++element) {
+      std::vector<double> inputs;
+      for (const Slot& slot : law.program.inputs) inputs.push_back(arguments.at(slot.index * elements + element));
+      const std::vector<double> values = interpret(law.program, inputs);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        results.at(law.program.outputs[i].slot.index * elements + element) = values[i];
+    }
+  }
+  return given;
+}
+
+TEST(SharedLaws, AccelerationsAroundThemAreTheSame) {
+  for (const char* model : {"models/coach.json", "models/truck.json", "tests/data/models/three_wheeler.json"}) {
+    const Mechanism m = load(model);
+    const Programs programs = trace(m.model, m.topology, m.analysis);
+    ASSERT_EQ(programs.laws.size(), 1u) << model;
+    ASSERT_EQ(programs.laws[0].tyres.size(), m.model.tyres.size());
+    for (const GenericState& state : random_states(m, 3)) {
+      Slots given = slots_of(state, random_tau(m, 13));
+      given[of_block(Array::law_result, 0)].resize(programs.laws[0].results.size() * m.model.tyres.size());
+      const Slots around = run(programs.around_laws, m, given);
+      const Slots split = run(programs.around_laws, m, with_law_results(programs, around, given));
+      const Slots whole = run(programs.accelerations, m, given);
+      EXPECT_LT(relative_error(split.at(Array::zdd), whole.at(Array::zdd)), 1e-12) << model;
+      EXPECT_LT(relative_error(split.at(Array::xd), whole.at(Array::xd)), 1e-12) << model;
+    }
+  }
+}
+
+TEST(SharedLaws, OneTyreAndTyresOfOtherCoefficientsHaveNone) {
+  EXPECT_TRUE(trace_shared_laws(load("models/pulled_wheel.json").model).empty());
+  Mechanism m = load("tests/data/models/three_wheeler.json");
+  m.model.tyres[1].coefficients[0].value += 1;
+  const std::vector<SharedLaw> laws = trace_shared_laws(m.model);
+  ASSERT_EQ(laws.size(), 1u);
+  EXPECT_EQ(laws[0].tyres, (std::vector<int>{0, 2}));
+}
+
 TEST_P(EveryModelWithLoops, AccelerationsWithAGivenPartitionEqualTheFrozenOnes) {
   for (const GenericState& state : random_states(m, 3)) {
     const std::vector<double> tau = random_tau(m, 13);

@@ -15,8 +15,8 @@ struct TyreProperties {
   T rolling_resistance;          ///< 1, moment over load and radius
   T relaxation_x, relaxation_y;  ///< m, relaxation lengths, > 0
   T low_speed;                   ///< m/s, > 0: below it slip is damped, and the moments of rolling fade out
-  double side = 1;               ///< -1 mirrors the coefficient set (tyre measured on the other side)
-  double count = 1;              ///< tyres side by side; forces, moments and load times count
+  T side = T(1);                 ///< -1 mirrors the coefficient set (tyre measured on the other side), else 1
+  T count = T(1);                ///< tyres side by side; forces, moments and load times count
 };
 
 /// Motion of the wheel in its contact frame: origin at the contact point, x along the wheel's heading on the road,
