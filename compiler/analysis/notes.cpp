@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/analysis/misalignment.hpp"
 #include "compiler/analysis/violation.hpp"
@@ -46,6 +47,19 @@ std::string hold_text(const Certificate& certificate) {
                      certificate.smallest_kept);
 }
 
+/// Whether a contact of the block is there to hold a coordinate: a translation along the normal of its plane.
+bool held_by_contact(const Model& model, const Topology& topology, const LoopBlock& block, int column) {
+  constexpr double kAlong = 1 - 1e-9;  // cosine
+  const TreeBody& body = topology.bodies[block.joints[static_cast<std::size_t>(column)]];
+  return body.kind == FreedomKind::prismatic && std::any_of(block.loops.begin(), block.loops.end(), [&](int l) {
+           using enum ClosureKind;
+           const Loop& loop = topology.loops[static_cast<std::size_t>(l)];
+           if (loop.kind != rolling_disc && loop.kind != rolling_ball && loop.kind != point_on_plane) return false;
+           const Vector3& normal = model.joints[static_cast<std::size_t>(loop.joint)].axis;
+           return std::abs(normal[0] * body.axis[0] + normal[1] * body.axis[1] + normal[2] * body.axis[2]) > kAlong;
+         });
+}
+
 void add_locked(const Model& model, const Topology& topology, std::size_t b, const Certificate& certificate,
                 Diagnostics& notes) {
   const LoopBlock& block = topology.blocks[b];
@@ -64,6 +78,7 @@ void add_locked(const Model& model, const Topology& topology, std::size_t b, con
                      cause(model, topology, loops),
                      {}});
   }
+  std::erase_if(left, [&](int c) { return held_by_contact(model, topology, block, c); });
   if (left.empty()) return;
   notes.push_back(
       {where_of(model, topology.loops[block.loops[0]]),

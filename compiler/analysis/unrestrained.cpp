@@ -66,6 +66,11 @@ struct Scene {
     return body < 0 ? Vector3d::Zero() : twists[body].at(at(end));
   }
 
+  Vector3d turning(const std::vector<Twist>& twists, const Attachment& end) const {
+    const int body = carrier(end.body);
+    return body < 0 ? Vector3d::Zero() : twists[body].turning;
+  }
+
   double stretch(const std::vector<Twist>& twists, const Attachment& from, const Attachment& to) const {
     const Vector3d line = at(to) - at(from), speed = velocity(twists, to) - velocity(twists, from);
     return line.norm() > 0 ? line.normalized().dot(speed) : speed.norm();
@@ -83,6 +88,14 @@ struct Scene {
     std::vector<double> list;
     for (const PointSpring& spring : model.springs) list.push_back(stretch(moved, spring.from, spring.to));
     for (const AirSpring& spring : model.air_springs) list.push_back(stretch(moved, spring.from, spring.to));
+    for (const Bushing& bushing : model.bushings) {
+      const Vector3d shift = velocity(moved, bushing.to) - velocity(moved, bushing.from);
+      const Vector3d turn = turning(moved, bushing.to) - turning(moved, bushing.from);
+      for (int i = 0; i < kBushingFreedoms; ++i) {
+        const Vector3d axis(bushing.axes[i % 3], bushing.axes[3 + i % 3], bushing.axes[6 + i % 3]);
+        list.push_back(bushing_acts(bushing, i) ? axis.dot(i < 3 ? shift : turn) : 0);
+      }
+    }
     for (const JointSpring& spring : model.joint_springs)
       list.push_back(speed(spring.joint) - (spring.relative_to ? speed(*spring.relative_to) : 0));
     for (const JointFriction& friction : model.frictions) list.push_back(speed(friction.joint));
@@ -105,6 +118,7 @@ struct Scene {
     const auto both = [&](const auto& spring) { return moves(spring.from) && moves(spring.to); };
     return std::any_of(model.springs.begin(), model.springs.end(), both) ||
            std::any_of(model.air_springs.begin(), model.air_springs.end(), both) ||
+           std::any_of(model.bushings.begin(), model.bushings.end(), both) ||
            std::any_of(model.joint_springs.begin(), model.joint_springs.end(), [&](const JointSpring& spring) {
              const Joint& joint = model.joints[spring.joint.joint];
              return moves(joint.from) && moves(joint.to);
@@ -182,7 +196,8 @@ MatrixXd unrestrained_directions(const Scene& scene, const JointGroup& group, co
 
 Diagnostics unrestrained_motions(const Model& model, const Topology& topology, const Analysis& analysis) {
   Diagnostics notes;
-  const bool has_springs = !model.springs.empty() || !model.air_springs.empty() || !model.joint_springs.empty();
+  const bool has_springs =
+      !model.springs.empty() || !model.air_springs.empty() || !model.joint_springs.empty() || !model.bushings.empty();
   if (!has_springs && model.tyres.empty()) return notes;
   NumericSystem numbers(model, topology);
   System<double>& system = numbers.at(std::vector<double>(topology.bodies.size(), 0.0));

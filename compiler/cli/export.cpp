@@ -172,15 +172,30 @@ void pack(const fs::path& scratch, const fs::path& content, std::vector<std::str
                               read_text(scratch / "zip.log")));
 }
 
-/// The states of an FMU are independent coordinates, of which there are too few where velocities alone are held.
-void refuse_rolling(const Compilation& compilation) {
+/// Importers integrate states that determine each other's rates; where bodies roll, positions and velocities do not
+/// pair.
+void note_rolling(const Compilation& compilation) {
   const Loop* rolling = rolling_loop(compilation.topology);
   if (!rolling) return;
-  const std::string message = fmt::format(
-      "no FMU is written: {} \"{}\" holds velocities alone, so that more positions are free than velocities",
-      name_of(rolling->kind), rolling->name);
-  const std::string hint = "use the generated solver by its C interface, or put a tyre in place of the rolling contact";
-  throw UserError(to_text({{where_of(compilation.model, *rolling), message, hint, {}}}));
+  print_notes({{where_of(compilation.model, *rolling),
+                fmt::format("the FMU has co-simulation alone, without directional derivatives: {} \"{}\" holds "
+                            "velocities alone, so that more positions are free than velocities",
+                            name_of(rolling->kind), rolling->name),
+                {},
+                {}}});
+}
+
+/// Start values of an FMU are angles and rates of the model, which a joint in their pole has not.
+void refuse_pole(const Compilation& compilation, const InitialState& initial) {
+  if (initial.charts.empty()) return;
+  const InitialTurning& turning = compilation.model.initial.turnings.front();
+  const std::string& joint = compilation.model.joints[static_cast<std::size_t>(turning.joint)].name;
+  throw UserError(to_text({{turning.where,
+                            fmt::format("no FMU is written: its start values are rates of angles, and those of joint "
+                                        "\"{}\" start in their pole",
+                                        joint),
+                            "give the joint another \"sequence\"",
+                            {}}}));
 }
 
 int run(const ExportOptions& options) {
@@ -191,9 +206,11 @@ int run(const ExportOptions& options) {
   require_other_file(options.file, compilation.model.files);
   print_notes(compilation.model.notes);
   print_notes(renamed_notes(compilation.model));
-  refuse_rolling(compilation);
+  note_rolling(compilation);
   const FmiVersion version = options.version == 2 ? FmiVersion::two : FmiVersion::three;
-  const FmuFiles files = emit_fmu(compilation, default_initial_state(compilation), version);
+  const InitialState initial = default_initial_state(compilation);
+  refuse_pole(compilation, initial);
+  const FmuFiles files = emit_fmu(compilation, initial, version);
 
   AtomicFile file(options.file);
   std::optional<AtomicFile> depfile = depfile_of(options.depfile, options.file, compilation.model.files);

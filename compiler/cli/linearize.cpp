@@ -118,12 +118,14 @@ double largest_drift(const LinearSystem& system) {
 }
 
 /// One line for all that stays where it is put.
-std::string neutral_text(const std::vector<Mode>& list, const std::vector<std::string>& places) {
+std::string neutral_text(const Compilation& compilation, const std::vector<Mode>& list,
+                         const std::vector<std::string>& places) {
   const auto first = std::find_if(list.begin(), list.end(), [](const Mode& mode) { return mode.is_neutral; });
   if (first == list.end()) return "";
   long count = 0;  // of a conjugate pair the list has one
   for (const Mode& mode : list) count += !mode.is_neutral ? 0 : mode.eigenvalue.imag() > 0 ? 2 : 1;
-  return fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   rigid body{}: {}\n", first - list.begin() + 1, 0, "", "-", "-",
+  const char* kind = rolling_loop(compilation.topology) ? "rigid body and rolling" : "rigid body";
+  return fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}{}: {}\n", first - list.begin() + 1, 0, "", "-", "-", kind,
                      count == 1 ? "" : fmt::format(" ({} eigenvalues)", count), fmt::join(places, ", "));
 }
 
@@ -170,7 +172,7 @@ std::string modes_text(const Compilation& compilation, const std::vector<Mode>& 
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
-  text += neutral_text(list, places);
+  text += neutral_text(compilation, list, places);
   const auto unstable = std::count_if(list.begin(), list.end(), [](const Mode& mode) { return mode.is_unstable; });
   if (unstable > 0) text += fmt::format("\nunstable: {} of {} modes grow\n", unstable, list.size());
   return text;

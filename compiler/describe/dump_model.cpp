@@ -37,11 +37,15 @@ class ModelText {
   std::string law(const std::optional<Law>& law) const {
     if (!law) return "none";
     if (const Quantity* factor = std::get_if<Quantity>(&*law)) return quantity(*factor);
-    const Table& table = std::get<Table>(*law);
+    return this->table(std::get<Table>(*law));
+  }
+
+  std::string table(const Table& table) const {
     std::vector<std::string> points;
     for (std::size_t i = 0; i < table.x.size(); ++i) points.push_back(fmt::format("{}: {}", table.x[i], table.y[i]));
-    const bool is_linear = table.interpolation == Table::Interpolation::linear;
-    return fmt::format("{} table [{}]", is_linear ? "linear" : "monotone cubic", fmt::join(points, ", "));
+    const char* kinds[] = {"linear", "monotone cubic", "spline"};
+    return fmt::format("{}{} table [{}]", table.periodic ? "periodic " : "",
+                       kinds[static_cast<int>(table.interpolation)], fmt::join(points, ", "));
   }
 
   std::string body(const Body& body) const {
@@ -77,7 +81,9 @@ class ModelText {
                           attachment(rod.to), quantity(rod.mass), rod.length ? quantity(*rod.length) : "as placed");
     }
     for (const Coupling& coupling : model_.couplings)
-      text += fmt::format("  {}: {} stays 0\n", coupling.name, quantity(coupling.relation));
+      text += coupling.curve ? fmt::format("  {}: {} = {} over {}\n", coupling.name, coordinate(*coupling.joint),
+                                           table(*coupling.curve), coordinate(*coupling.follows))
+                             : fmt::format("  {}: {} stays 0\n", coupling.name, quantity(coupling.relation));
     text += "springs\n";
     for (const PointSpring& spring : model_.springs) {
       text += fmt::format("  {}: from {} to {}, stiffness {}, damping {}, preload {}\n", spring.name,
@@ -94,6 +100,44 @@ class ModelText {
       text += fmt::format("  {}: air, from {} to {}, pressure {}, exponent {}, area {}\n", spring.name,
                           attachment(spring.from), attachment(spring.to), quantity(spring.pressure),
                           quantity(spring.exponent), law(spring.area));
+    }
+    return text;
+  }
+
+  std::string bushings() const {
+    std::string text;
+    for (const Bushing& bushing : model_.bushings) {
+      text += fmt::format("  {}: bushing, from {} to {}, axes ({}){}\n", bushing.name, attachment(bushing.from),
+                          attachment(bushing.to), fmt::join(bushing.axes, ", "),
+                          bushing.is_mirrored ? ", counts mirrored" : "");
+      for (std::size_t i = 0; i < bushing.freedoms.size(); ++i) {
+        const std::optional<BushingFreedom>& own = bushing.freedoms[i];
+        if (!own) continue;
+        text += fmt::format("    {}: stiffness {}, damping {}, preload {}", kBushingFreedomNames[i],
+                            law(own->stiffness), law(own->damping), quantity(own->preload));
+        if (own->force) text += fmt::format(", force {{{}}}", model_.expressions[*own->force].text);
+        if (own->maxwell_stiffness)
+          text +=
+              fmt::format(", Maxwell branch {}, {} s", quantity(*own->maxwell_stiffness), quantity(own->maxwell_time));
+        text += '\n';
+      }
+      if (bushing.stiffness) text += fmt::format("    stiffness {}\n", quantities(*bushing.stiffness));
+      if (bushing.damping) text += fmt::format("    damping {}\n", quantities(*bushing.damping));
+    }
+    return text;
+  }
+
+  std::string bump_stops() const {
+    const char* sides[] = {"compression", "extension", "above", "below"};
+    std::string text;
+    for (const BumpStop& stop : model_.bump_stops) {
+      const std::string place = stop.is_on_joint() ? "on " + coordinate(stop.joint)
+                                                   : "from " + attachment(stop.from) + " to " + attachment(stop.to);
+      text += fmt::format("  {}: bump stop, {}, {}, clearance {}, stiffness {}, exponent {}, damping {}\n", stop.name,
+                          place, sides[static_cast<int>(stop.side)], quantity(stop.clearance), law(stop.stiffness),
+                          stop.exponent, quantity(stop.damping));
+      if (stop.axis) text += fmt::format("    along ({})\n", fmt::join(*stop.axis, ", "));
+      if (stop.force) text += fmt::format("    force {{{}}}\n", model_.expressions[*stop.force].text);
     }
     return text;
   }
@@ -199,6 +243,16 @@ class ModelText {
     return fmt::format("{} of {} {}", quantities[static_cast<int>(output.what)], is_air ? "air spring" : "spring",
                        is_air ? model_.air_springs[output.air_spring].name : model_.springs[output.point_spring].name);
   }
+  std::string source(const BushingOutput& output) const {
+    const char* quantities[] = {"force", "moment", "deflection", "rotation vector"};
+    return fmt::format("{} of bushing {}, {}", quantities[static_cast<int>(output.what)],
+                       model_.bushings[output.bushing].name, "xyz"[output.axis]);
+  }
+  std::string source(const BumpStopOutput& output) const {
+    const char* quantities[] = {"force", "deflection", "rate"};
+    return fmt::format("{} of bump stop {}", quantities[static_cast<int>(output.what)],
+                       model_.bump_stops[output.stop].name);
+  }
   std::string source(const DriveOutput& output) const {
     return "driving force of motion " + model_.motions[output.motion].name;
   }
@@ -239,7 +293,7 @@ std::string dump_model(const Model& model) {
   for (const Body& body : model.bodies) text += describe.body(body);
   text += "joints\n";
   for (const Joint& joint : model.joints) text += describe.joint(joint);
-  text += describe.rods_and_springs() + describe.forces() + "motions\n";
+  text += describe.rods_and_springs() + describe.bushings() + describe.bump_stops() + describe.forces() + "motions\n";
   for (const Motion& motion : model.motions) {
     text += fmt::format("  {}: {} = {}\n", motion.name, describe.coordinate(motion.joint),
                         describe.quantity(motion.position));

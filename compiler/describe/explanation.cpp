@@ -109,6 +109,10 @@ std::string tree_explanation(const Topology& topology) {
   return text;
 }
 
+const std::string& name_of(const Model& model, const CoordinateReference& coordinate) {
+  return model.joints[coordinate.joint].freedoms[coordinate.component].name;
+}
+
 std::string cuts_explanation(const Compilation& c) {
   std::string text;
   std::size_t place = 0;
@@ -139,8 +143,19 @@ std::string cuts_explanation(const Compilation& c) {
     if (!driven.empty()) text += paragraph(fmt::format("Motions change the length of: {}.", listed(driven)));
   }
   for (const Coupling& coupling : c.model.couplings)
-    text += paragraph(fmt::format("{} couples coordinates, one equation: {} stays 0.", coupling.name,
-                                  c.model.expressions[coupling.relation.expression].text));
+    text += paragraph(
+        coupling.curve ? fmt::format("{} couples coordinates, one equation: {} is a curve through {} points over {}.",
+                                     coupling.name, name_of(c.model, *coupling.joint), coupling.curve->x.size(),
+                                     name_of(c.model, *coupling.follows))
+                       : fmt::format("{} couples coordinates, one equation: {} stays 0.", coupling.name,
+                                     c.model.expressions[coupling.relation.expression].text));
+  for (const Joint& joint : c.model.joints)
+    if (joint.closure >= 0)
+      text +=
+          paragraph(fmt::format("A motion drives {} where it is cut: it moves the body {}, which has no mass, and {} "
+                                "holds that to {}.",
+                                joint.name, c.model.bodies[joint.to.body].name, c.model.joints[joint.closure].name,
+                                c.model.bodies[c.model.joints[joint.closure].to.body].name));
   return text.empty() ? "" : heading("Cuts") + text;
 }
 

@@ -94,8 +94,8 @@ void add_state(const EmitContext& context, CalibrationStructure& structure) {
     }
   }
   UniqueNames unique;
-  for (int place = 2 * coordinates; const std::string& name : auxiliary_state_names(context.model))
-    add_number(context, "x." + unique.identifier(name), name, "m", place++, structure);
+  for (int place = 2 * coordinates; const AuxiliaryState& state : auxiliary_states(context.model))
+    add_number(context, "x." + unique.identifier(state.name), state.name, state.unit, place++, structure);
   add_number(context, "t", "time", "s", 2 * coordinates + auxiliary, structure);
   CalibrationNumber& time = structure.numbers.back();
   time.type = type_of("double");

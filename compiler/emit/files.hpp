@@ -38,6 +38,7 @@ struct StartParameter {
 struct InitialState {
   std::vector<double> z, zd, x;
   std::vector<StartParameter> parameters = {};
+  std::vector<double> charts = {};  ///< per ball of the topology; empty: all 0
 };
 
 struct EmitOptions {

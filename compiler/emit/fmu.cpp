@@ -74,6 +74,7 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
   return fill_template(
       context, "fmu_model.hpp.in",
       {{"token", fmu_token(context.model)},
+       {"no_states", !fmu.has_states},
        {"step_size", number_text(context.model.solver.step)},
        {"output_count", output_members(context).size()},
        {"has_closure", fmt::format("{}", layout.has_closure)},

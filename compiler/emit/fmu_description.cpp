@@ -109,7 +109,7 @@ FrameRows structure(const FmuLayout& fmu, FmiVersion version) {
     lists.push_back({{"list", list}, {"element", element}, {"unknowns", unknowns(all, version)}});
   };
   add("Outputs", "Output", fmu.outputs);
-  add("Derivatives", "ContinuousStateDerivative", fmu.derivatives);
+  if (fmu.has_states) add("Derivatives", "ContinuousStateDerivative", fmu.derivatives);
   add("InitialUnknowns", "InitialUnknown", fmu.initial_unknowns);
   return lists;
 }
@@ -130,7 +130,9 @@ std::string model_description(const EmitContext& context, const FmuLayout& fmu, 
     variables.push_back(variable_values(fmu.variables[i], i, version));
   }
   return fill_template(context, "fmi_description.xml.in",
-                       {{"two", version == FmiVersion::two},
+                       {{"has_states", fmu.has_states},
+                        {"has_derivatives", fmu.has_states ? "true" : "false"},
+                        {"two", version == FmiVersion::two},
                         {"three", version == FmiVersion::three},
                         {"about", attributes({{"description", model.about.description},
                                               {"author", model.about.author},

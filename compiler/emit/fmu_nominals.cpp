@@ -6,13 +6,11 @@
 #include <cmath>
 
 #include "compiler/emit/fmu_variables.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/box.hpp"
 
 namespace mbgen {
 namespace {
-
-/// Of a tyre's radius, what its slip states reach.
-constexpr double kSlipOfRadius = 0.1;
 
 /// Diagonal of the box that holds all points of a model at its reference, m.
 double extent_of(const Model& model) {
@@ -31,6 +29,7 @@ double one_digit(double size) { return size > 0 ? std::stod(fmt::format("{:.0e}"
 void add_nominals(const EmitContext& context, const InitialState& initial, FmuLayout& fmu) {
   const double extent = extent_of(context.model);
   const std::size_t count = fmu.independent.size();
+  const std::vector<AuxiliaryState> auxiliary = auxiliary_states(context.model);
   for (std::size_t k = 0; k < fmu.derivatives.size(); ++k) {
     const int rate = fmu.derivatives[k].variable;
     FmuVariable& state =
@@ -41,7 +40,7 @@ void add_nominals(const EmitContext& context, const InitialState& initial, FmuLa
       const bool turns = context.topology.bodies[coordinate].kind == FreedomKind::revolute;
       size = std::max(turns ? 1.0 : extent, std::abs((k < count ? initial.z : initial.zd)[coordinate]));
     } else {
-      size = kSlipOfRadius * context.model.tyres[(k - 2 * count) / 2].radius.value;
+      size = auxiliary[k - 2 * count].size;
     }
     if (const double nominal = one_digit(size); nominal != 1) state.shown.nominal = nominal;
   }

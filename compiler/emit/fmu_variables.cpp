@@ -75,13 +75,15 @@ void add_start_parameters(const EmitContext& context, const InitialState& initia
 /// Coordinates and their derivatives, and the same of the states of loop blocks.
 struct MotionGroup {
   Array array;
-  const char *per, *prefix, *description, *chosen_prefix, *chosen_description;
+  const char *per, *prefix, *description, *chosen_prefix, *chosen_description, *ball_description;
 };
 
 constexpr MotionGroup kMotionGroups[] = {
-    {Array::z, "", "z.", "", "q.", "state of a loop"},
-    {Array::zd, "/s", "zd.", "velocity of the coordinate", "qd.", "velocity of the state of a loop"},
-    {Array::zdd, "/s^2", "zdd.", "acceleration of the coordinate", "qdd.", "acceleration of the state of a loop"}};
+    {Array::z, "", "z.", "", "q.", "state of a loop", "angle of a joint"},
+    {Array::zd, "/s", "zd.", "velocity of the coordinate", "qd.", "velocity of the state of a loop",
+     "rate of an angle of a joint"},
+    {Array::zdd, "/s^2", "zdd.", "acceleration of the coordinate", "qdd.", "acceleration of the state of a loop",
+     "acceleration of an angle of a joint"}};
 
 /// One number of a motion, shown in degrees where it is of an angle. before: variables of a group.
 FmuVariable moving(const FmuLayout& fmu, const TreeBody& body, const MotionGroup& group, int coordinate, int before) {
@@ -119,19 +121,24 @@ void add_motion(const EmitContext& context, const InitialState& initial, FmuLayo
       ++c;
     }
   }
-  const std::vector<std::string> names = auxiliary_state_names(context.model);
-  const int count = static_cast<int>(names.size());
+  const std::vector<AuxiliaryState> states = auxiliary_states(context.model);
+  const int count = static_cast<int>(states.size());
   for (int i = 0; i < count; ++i)
-    fmu.variables.push_back(
-        {{Array::x, i}, "x." + names[i], "m", "auxiliary state", Causality::local, Start::exact, initial.x[i]});
+    fmu.variables.push_back({{Array::x, i},
+                             "x." + states[i].name,
+                             states[i].unit,
+                             "auxiliary state",
+                             Causality::local,
+                             Start::exact,
+                             initial.x[i]});
   for (int i = 0; i < count; ++i) {
-    FmuVariable rate{{Array::xd, i}, "xd." + names[i], "m/s", "rate of the auxiliary state"};
+    FmuVariable rate{{Array::xd, i}, "xd." + states[i].name, states[i].unit + "/s", "rate of the auxiliary state"};
     rate.derivative_of = static_cast<int>(fmu.variables.size()) - count;
     fmu.variables.push_back(std::move(rate));
   }
 }
 
-/// The states of loop blocks, each named after its coordinate at the start.
+/// The states of loop blocks and balls, each named after its coordinate at the start.
 void add_chosen(const EmitContext& context, FmuLayout& fmu) {
   for (const MotionGroup& group : kMotionGroups) {
     for (const int place : fmu.chosen) {
@@ -140,7 +147,9 @@ void add_chosen(const EmitContext& context, FmuLayout& fmu) {
       FmuVariable variable = moving(fmu, body, group, coordinate, static_cast<int>(fmu.chosen.size()));
       variable.name = group.chosen_prefix + body.coordinate;
       variable.description =
-          std::string(group.chosen_description) + ": of this coordinate, until an event chooses another one";
+          fmu.block_of[coordinate] >= 0
+              ? std::string(group.chosen_description) + ": of this coordinate, until an event chooses another one"
+              : std::string(group.ball_description) + ": of this sequence, until an event takes other angles";
       variable.reinit = group.array != Array::zdd;
       fmu.variables.push_back(std::move(variable));
     }
@@ -208,6 +217,21 @@ void share_in_blocks(const FmuLayout& fmu, SlotGroup group, Knowns& knowns) {
   }
 }
 
+/// With other angles of a ball, each of them and of their rates and accelerations may depend on all that one of these
+/// does now, and on all three angles and rates.
+void share_in_balls(const Topology& topology, Array array, Knowns& knowns) {
+  for (const Ball& ball : topology.balls) {
+    std::set<int> all;
+    for (const int i : ball.coordinate) {
+      for (const Array part : {Array::z, Array::zd, Array::zdd}) {
+        const auto found = knowns.find({part, i});
+        if (part <= array && found != knowns.end()) all.insert(found->second.begin(), found->second.end());
+      }
+    }
+    for (const int i : ball.coordinate) knowns[{array, i}] = all;
+  }
+}
+
 /// Value references of the numbers of programs: of each itself, and of the state in its place where an event may choose
 /// another coordinate.
 struct References {
@@ -234,10 +258,13 @@ Knowns dependencies(const EmitContext& context, const Programs& programs, const 
     if (is_given || is_state) knowns[slot] = {reference};
   }
   if (context.layout.has_closure) close_positions(context, programs, fmu, knowns);
-  share_in_blocks(fmu, Array::z, knowns);
-  share_in_blocks(fmu, Array::zd, knowns);
+  for (const Array array : {Array::z, Array::zd}) {
+    share_in_blocks(fmu, array, knowns);
+    share_in_balls(context.topology, array, knowns);
+  }
   knowns.merge(reached(programs.accelerations, knowns));
   share_in_blocks(fmu, Array::zdd, knowns);
+  share_in_balls(context.topology, Array::zdd, knowns);
   if (context.layout.has_closure) knowns.merge(reached(programs.multipliers, knowns));
   knowns.merge(reached(programs.outputs, knowns));
   return knowns;
@@ -267,9 +294,14 @@ void add_structure(const InitialState& initial_state, const References& referenc
   const auto is_parameter = [&](int known) {
     return fmu.variables[static_cast<std::size_t>(known)].causality == Causality::parameter;
   };
+  const auto is_motion = [&](int known) {
+    const Array array = fmu.variables[static_cast<std::size_t>(known)].slot.group.array;
+    return array == Array::z || array == Array::zd || array == Array::x;
+  };
   const auto add = [&](int variable, std::vector<FmuUnknown>& unknowns) {
     FmuUnknown unknown{variable, knowns[fmu.variables[static_cast<std::size_t>(variable)].slot]};
     if (version == FmiVersion::two) std::erase_if(unknown.dependencies, is_parameter);
+    if (!fmu.has_states) std::erase_if(unknown.dependencies, is_motion);
     unknowns.push_back(std::move(unknown));
   };
   for (int i = 0; i < static_cast<int>(fmu.variables.size()); ++i)
@@ -281,6 +313,7 @@ void add_structure(const InitialState& initial_state, const References& referenc
   std::set<int> initial;
   for (const int place : fmu.chosen) initial.insert(references.state.at({Array::z, fmu.independent[place]}));
   for (const std::vector<FmuUnknown>* unknowns : {&fmu.outputs, &fmu.derivatives}) {
+    if (!fmu.has_states && unknowns == &fmu.derivatives) continue;
     for (const FmuUnknown& unknown : *unknowns) initial.insert(unknown.variable);
   }
   for (const int i : initial) {
@@ -297,8 +330,14 @@ void find_chosen(const EmitContext& context, FmuLayout& fmu) {
     fmu.block_of.push_back(context.layout.chooses_again && !context.analysis.driven[i] ? block : -1);
     if (!context.analysis.driven[i]) fmu.undriven.push_back(i);
   }
-  for (std::size_t i = 0; i < fmu.independent.size(); ++i) {
-    if (fmu.block_of[fmu.independent[i]] >= 0) fmu.chosen.push_back(static_cast<int>(i));
+  const auto is_angle = [&](int coordinate) {
+    return std::ranges::any_of(context.topology.balls, [coordinate](const Ball& ball) {
+      return std::ranges::find(ball.coordinate, coordinate) != std::end(ball.coordinate);
+    });
+  };
+  for (std::size_t i = 0; i < fmu.independent.size() && fmu.has_states; ++i) {
+    if (fmu.block_of[fmu.independent[i]] >= 0 || is_angle(fmu.independent[i]))
+      fmu.chosen.push_back(static_cast<int>(i));
   }
 }
 
@@ -320,6 +359,7 @@ std::string fmu_output_name(const Model& model, const std::string& name) {
 FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const InitialState& initial,
                      FmiVersion version) {
   FmuLayout fmu;
+  fmu.has_states = rolling_loop(context.topology) == nullptr;
   fmu.independent = free_coordinates(context.topology, context.analysis);
   std::sort(fmu.independent.begin(), fmu.independent.end());
   find_chosen(context, fmu);

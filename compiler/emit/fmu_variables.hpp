@@ -34,13 +34,15 @@ struct FmuUnknown {
 
 /// The continuous states are positions and velocities of the independent coordinates, and the auxiliary states. Where
 /// an event may choose another independent coordinate of a loop block, the states are q and qd, which are those of the
-/// chosen coordinate; else they are z and zd.
+/// chosen coordinate; so they are for balls whose angles an event may exchange; else they are z and zd. Where bodies roll, more positions are free than velocities: these are no
+/// states, and the FMU has co-simulation alone.
 struct FmuLayout {
   std::vector<FmuVariable> variables;
   std::vector<int> independent;  ///< coordinates at the start, ascending
-  std::vector<int> chosen;       ///< places among them where an event may choose another one
+  std::vector<int> chosen;       ///< places among them where an event may choose another one, or other angles
   std::vector<int> block_of;     ///< per coordinate: loop block whose coordinates are chosen, else -1
   std::vector<int> undriven;     ///< coordinates that no motion drives
+  bool has_states = true;        ///< whether importers may integrate the model
   std::vector<FmuUnknown> outputs, derivatives, initial_unknowns;
 };
 

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <array>
 
 #include "compiler/emit/context_values.hpp"
@@ -50,6 +53,12 @@ FrameRows start_rows(const InitialState& initial, const std::string& scalar) {
   });
 }
 
+/// Charts of balls that start in the other one, behind the time; "" where none does.
+std::string start_charts(const InitialState& initial, const std::string& scalar) {
+  if (initial.charts.empty()) return "";
+  return fmt::format(", {{{}}}", fmt::join(number_texts(initial.charts, scalar), ", "));
+}
+
 }  // namespace
 
 EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, bool for_importers) {
@@ -79,7 +88,8 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
       {"projection", has_projection ? size_text(context.layout.projection_entries) : ""},
       {"inputs_now", advances ? "now" : "inputs"},
       {"since_start", context.options.scalar == "float" ? "static_cast<float>(state.t - start)" : "state.t - start"},
-      {"start", context.options.initial ? start_rows(*context.options.initial, context.options.scalar) : FrameRows{}}};
+      {"start", context.options.initial ? start_rows(*context.options.initial, context.options.scalar) : FrameRows{}},
+      {"start_charts", context.options.initial ? start_charts(*context.options.initial, context.options.scalar) : ""}};
   values.merge(system_values(context, members, context.options.scalar));
   return {solver + ".cpp", fill_template(context, "solver.cpp.in", values), rare_parts};
 }

@@ -80,6 +80,27 @@ std::string pole_text(const Compilation& compilation, Status status) {
   return pole + ", where they have no accelerations";
 }
 
+/// A universal joint that is bent by a right angle turns nothing: the one singular position that a joint itself has.
+/// Names those of a block that is singular; "" for other statuses and blocks.
+std::string universal_text(const Compilation& compilation, Status status) {
+  if (status.code != Code::loop_singular && status.code != Code::singular_met) return "";
+  const Topology& topology = compilation.topology;
+  const LoopBlock& block = topology.blocks[static_cast<std::size_t>(status.index)];
+  std::vector<int> joints;
+  for (const int j : block.joints) joints.push_back(topology.bodies[static_cast<std::size_t>(j)].joint);
+  for (const int l : block.loops) joints.push_back(topology.loops[static_cast<std::size_t>(l)].joint);
+  std::sort(joints.begin(), joints.end());
+  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+  std::vector<std::string> names;
+  for (const int j : joints)
+    if (j >= 0 && compilation.model.joints[static_cast<std::size_t>(j)].type == JointType::universal)
+      names.push_back(compilation.model.joints[static_cast<std::size_t>(j)].name);
+  if (names.empty()) return "";
+  return fmt::format(", universal joint{} {} may be bent by a right angle, where {} turn{} nothing",
+                     names.size() == 1 ? "" : "s", fmt::join(names, ", "), names.size() == 1 ? "it" : "they",
+                     names.size() == 1 ? "s" : "");
+}
+
 }  // namespace
 
 const std::vector<std::string>& engine_names() {
@@ -113,7 +134,8 @@ std::string describe(const Compilation& compilation, Status status) {
   const std::vector<std::string> names = names_of(compilation, subject_of(status.code));
   const bool is_named = status.index >= 0 && status.index < static_cast<int>(names.size());
   if (!is_named) return text(status.code);
-  return fmt::format("{}: {}{}", text(status.code), names[status.index], pole_text(compilation, status));
+  return fmt::format("{}: {}{}{}", text(status.code), names[status.index], pole_text(compilation, status),
+                     universal_text(compilation, status));
 }
 
 }  // namespace mbgen

@@ -40,6 +40,10 @@ struct GenericSystem {
   }
   bool leaves_charts(const GenericState& state) const noexcept { return mbgen::leaves_charts(balls, state); }
   bool settle_charts(GenericState& state) const noexcept { return mbgen::settle_charts(balls, state); }
+  void change_charts(const GenericState& from, const GenericState& to, std::vector<double>& z, std::vector<double>& zd,
+                     std::vector<double>& zdd) const noexcept {
+    mbgen::change_charts(balls, from, to, z, zd, zdd);
+  }
   void advance_inputs(double t) const {
     if (inputs_have_derivatives(model_inputs)) solver.set_inputs(advanced_inputs(model_inputs, inputs, t - start));
   }

@@ -2,6 +2,8 @@
 // Applied forces (step 5): force elements of the model as wrenches on bodies, generalised forces on coordinates, and
 // the rates of the tyres' deflection states. The laws themselves are templates of the runtime's headers.
 
+#include "compiler/formulation/bump_stops.hpp"
+#include "compiler/formulation/bushings.hpp"
 #include "compiler/formulation/force_work.hpp"
 #include "compiler/formulation/tyre_road.hpp"
 #include "mbgen/forces.hpp"
@@ -112,12 +114,6 @@ A joint_friction_force(const ForceWork<T>& work, const JointFriction& friction, 
 }
 
 template <class T>
-void add_joint_force(ForceWork<T>& work, const CoordinateReference& reference, const T& force) {
-  const int i = tree_coordinate(work.system.topology, reference);
-  if (i >= 0) work.forces.joint[i] = work.forces.joint[i] + force;
-}
-
-template <class T>
 void joint_elements(ForceWork<T>& work) {
   const Model& model = work.system.model;
   const Environment<T>& e = work.system.environment;
@@ -175,6 +171,8 @@ AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const
   detail::joint_elements(work);
   detail::body_forces(work);
   detail::tyres(work);
+  detail::bushings(work);
+  detail::bump_stops(work);
   return forces;
 }
 

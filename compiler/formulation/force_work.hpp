@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "compiler/formulation/motion.hpp"
-#include "mbgen/table.hpp"
+#include "compiler/model/curve.hpp"
 #include "mbgen/tyre.hpp"
 
 namespace mbgen {
@@ -16,6 +16,20 @@ namespace mbgen {
 template <class T>
 struct ElementState {
   T length{0.0}, rate{0.0}, force{0.0};  ///< m, m/s, N (tension positive)
+};
+
+/// A bushing's deflection and what acts on its `to` body at the point of `to`, in its axes on `from`, counted as its
+/// freedoms are.
+template <class T>
+struct BushingState {
+  Vector<T> deflection, rotation;  ///< m, rad
+  Vector<T> force, moment;         ///< N, N m
+};
+
+/// A bump stop's way beyond its clearance, the rate of that and the force against it.
+template <class T>
+struct BumpStopState {
+  T penetration{0.0}, rate{0.0}, force{0.0};  ///< m or rad, per second, N or N m
 };
 
 /// One force element's force and moment on one body of the model, in the frame that carries the body.
@@ -34,6 +48,8 @@ struct AppliedForces {
   std::vector<T> xd;               ///< rates of the auxiliary states
   std::vector<ElementState<T>> springs, air_springs;
   std::vector<TyreResult<T>> tyres;
+  std::vector<BushingState<T>> bushings;
+  std::vector<BumpStopState<T>> bump_stops;
   MotionPoint about = MotionPoint::frame_origin;  ///< point of the body that wrenches are about
 };
 
@@ -67,13 +83,7 @@ struct ForceWork {
 template <class T, class A>
 A law(const ForceWork<T>& work, const Law& law, const A& argument, const char* meaning, const std::string& element) {
   if (const Quantity* factor = std::get_if<Quantity>(&law)) return A(work.value(*factor, meaning, element)) * argument;
-  const Table& table = std::get<Table>(law);
-  const int count = static_cast<int>(table.x.size());
-  if (table.interpolation == Table::Interpolation::linear)
-    return interpolate_linear(table.x.data(), table.y.data(), count, argument);
-  std::vector<double> slopes(table.x.size());
-  monotone_slopes(table.x.data(), table.y.data(), count, slopes.data());
-  return interpolate_monotone_cubic(table.x.data(), table.y.data(), slopes.data(), count, argument);
+  return value_along(std::get<Table>(law), argument);
 }
 
 template <class T, class A>
@@ -135,6 +145,13 @@ void act(ForceWork<T>& work, const Action<T>& action) {
   Spatial<T>& wrench = work.forces.wrench[body];
   wrench = wrench + force_at(action.force, action.point);
   wrench.angular = wrench.angular + action.moment;
+}
+
+/// Adds a generalised force on a coordinate.
+template <class T>
+void add_joint_force(ForceWork<T>& work, const CoordinateReference& reference, const T& force) {
+  const int i = tree_coordinate(work.system.topology, reference);
+  if (i >= 0) work.forces.joint[i] = work.forces.joint[i] + force;
 }
 
 /// Adds a force at a place of a body, given in the axes of a frame at or below the place's.

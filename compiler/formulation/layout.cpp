@@ -89,6 +89,9 @@ std::vector<bool> loaded_bodies(const Model& model, const Topology& topology) {
   load_ends(model.rods);
   load_ends(model.springs);
   load_ends(model.air_springs);
+  load_ends(model.bushings);
+  for (const BumpStop& stop : model.bump_stops)
+    if (!stop.is_on_joint()) load(stop.from), load(stop.to);
   for (const AppliedForce& force : model.forces) load(force.at);
   for (const Tyre& tyre : model.tyres) load(tyre.centre);
   return loaded;

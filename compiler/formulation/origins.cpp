@@ -28,6 +28,9 @@ void for_attachments(const Model& model, const Topology& topology, const Use& us
   use_ends(model.rods);
   use_ends(model.springs);
   use_ends(model.air_springs);
+  use_ends(model.bushings);
+  for (const BumpStop& stop : model.bump_stops)
+    if (!stop.is_on_joint()) use(stop.from), use(stop.to);
   for (const AppliedForce& force : model.forces) use(force.at);
   for (const Tyre& tyre : model.tyres) use(tyre.centre);
   for (const Loop& loop : topology.loops)

@@ -83,6 +83,27 @@ T spring_output(const SolvedState<T>& s, const SpringOutput& output) {
 }
 
 template <class T>
+T bump_stop_output(const BumpStopState<T>& stop, BumpStopOutput::What what) {
+  if (what == BumpStopOutput::What::force) return stop.force;
+  return what == BumpStopOutput::What::deflection ? stop.penetration : stop.rate;
+}
+
+template <class T>
+T bushing_output(const BushingState<T>& bushing, const BushingOutput& output) {
+  switch (output.what) {
+    case BushingOutput::What::force:
+      return component(bushing.force, output.axis);
+    case BushingOutput::What::moment:
+      return component(bushing.moment, output.axis);
+    case BushingOutput::What::deflection:
+      return component(bushing.deflection, output.axis);
+    case BushingOutput::What::rotation_vector:
+      return component(bushing.rotation, output.axis);
+  }
+  return T(0.0);
+}
+
+template <class T>
 T reaction_output(const System<T>& system, const Kinematics<T>& k, const Reactions<T>& reactions,
                   const ReactionOutput& output) {
   const bool of_joint = output.joint >= 0, at_to = output.end == ReactionOutput::End::to;
@@ -130,6 +151,10 @@ struct OutputReader {
   T operator()(const CoordinateOutput& output) const { return coordinate_output(system.topology, users, output); }
   T operator()(const TyreOutput& output) const { return tyre_output(s.forces.tyres[output.tyre], output.what); }
   T operator()(const SpringOutput& output) const { return spring_output(s, output); }
+  T operator()(const BushingOutput& output) const { return bushing_output(s.forces.bushings[output.bushing], output); }
+  T operator()(const BumpStopOutput& output) const {
+    return bump_stop_output(s.forces.bump_stops[output.stop], output.what);
+  }
   T operator()(const DriveOutput& output) const { return s.drive_forces[output.motion]; }
   T operator()(const ReactionOutput& output) const { return reaction_output(system, s.kinematics, reactions, output); }
   T operator()(const MultiplierOutput& output) const { return multiplier_output(system.topology, s, output); }

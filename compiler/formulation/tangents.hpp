@@ -1,6 +1,7 @@
 #pragma once
 // Tangents of all force elements.
 
+#include "compiler/formulation/bushing_tangents.hpp"
 #include "compiler/formulation/tyre_tangents.hpp"
 
 namespace mbgen {
@@ -16,6 +17,8 @@ std::vector<ElementTangents<T>> force_tangents(System<T>& system, const Kinemati
   detail::spring_tangents(work, elements);
   detail::joint_tangents(work, elements);
   detail::tyre_tangents(work, elements);
+  detail::bushing_tangents(work, elements);
+  detail::bump_stop_tangents(work, elements);
   return elements;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "compiler/linearisation/groups.hpp"
+#include "compiler/linearisation/position_states.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/solver/layout.hpp"
 #include "mbgen/blocks.hpp"
@@ -57,6 +58,10 @@ std::optional<int> singular_block(const Groups& results) {
   return {};
 }
 
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
 /// Derivatives at one point along any direction.
 class Derivatives {
  public:
@@ -80,17 +85,31 @@ class Derivatives {
     return {};
   }
 
-  /// Completes a direction of states or inputs and gives the rates that go with it: groups z, zd, zdd, xd, y.
-  /// The Newton step of the closure has the derivative of the closed positions: at the solution it does not depend on
-  /// the dependent positions.
-  Groups along(SlotGroup group, int index) {
+  /// How far loops move positions after each of them has moved by 1: a column per coordinate. The Newton step of the
+  /// closure has the derivative of the closed positions: at the solution it does not depend on the dependent ones.
+  Eigen::MatrixXd closing() {
+    const int n = size_of(Array::z);
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, n);
+    for (int i = 0; i < n && programs_.has_closure; ++i) {
+      const Groups moved = run(programs_.closure, unit_direction(Array::z, i));
+      columns.col(i) = vector_of(group_of(moved, derivative_of(Array::dz), n));
+    }
+    return columns;
+  }
+
+  /// The direction in which one entry of a group changes.
+  Groups unit_direction(SlotGroup group, int index) const {
     Groups direction;
     for (const DirectionGroup& part : groups_) direction[part.group].assign(static_cast<std::size_t>(part.size), 0.0);
     direction[group][static_cast<std::size_t>(index)] = 1;
+    return direction;
+  }
+
+  /// Completes a direction of states or inputs and gives the rates that go with it: groups z, zd, zdd, xd, y.
+  Groups along(SlotGroup group, int index, const PositionStates& positions) {
+    Groups direction = unit_direction(group, index);
     if (programs_.has_closure) {
-      const std::vector<double> moved =
-          group_of(run(programs_.closure, direction), derivative_of(Array::dz), size_of(Array::z));
-      for (std::size_t i = 0; i < moved.size(); ++i) direction[Array::z][i] += moved[i];
+      close(positions, direction);
       direction[Array::zd] = group_of(run(programs_.closure, direction), derivative_of(Array::zd), size_of(Array::z));
     }
     const Groups rates = run(programs_.accelerations, direction);
@@ -111,6 +130,20 @@ class Derivatives {
   const Groups& known() const { return known_; }
 
  private:
+  /// Moves the positions of a direction so that loops stay closed and positions that are states are as given.
+  void close(const PositionStates& positions, Groups& direction) {
+    const std::vector<double> given = direction[Array::z];
+    std::vector<double>& z = direction[Array::z];
+    const std::vector<double> moved =
+        group_of(run(programs_.closure, direction), derivative_of(Array::dz), size_of(Array::z));
+    for (std::size_t i = 0; i < moved.size(); ++i) z[i] += moved[i];
+    for (Eigen::Index j = 0; j < positions.along.cols(); ++j) {
+      const auto state = static_cast<std::size_t>(positions.coordinates[static_cast<std::size_t>(j)]);
+      const double by = given[state] - z[state];
+      for (std::size_t i = 0; i < z.size(); ++i) z[i] += by * positions.along(static_cast<Eigen::Index>(i), j);
+    }
+  }
+
   int size_of(SlotGroup group) const {
     const auto found = std::find_if(groups_.begin(), groups_.end(), [&](const auto& g) { return g.group == group; });
     return found->size;
@@ -127,12 +160,11 @@ class Derivatives {
   int outputs_;
 };
 
-std::vector<LinearState> states_of(const Model& model, const Topology& topology, const Analysis& analysis) {
+std::vector<LinearState> states_of(const Model& model, const std::vector<int>& positions,
+                                   const std::vector<int>& velocities) {
   std::vector<LinearState> states;
-  const std::vector<int> independent = free_coordinates(topology, analysis);
-  for (const LinearState::Kind kind : {LinearState::Kind::position, LinearState::Kind::velocity}) {
-    for (const int coordinate : independent) states.push_back({kind, coordinate});
-  }
+  for (const int coordinate : positions) states.push_back({LinearState::Kind::position, coordinate});
+  for (const int coordinate : velocities) states.push_back({LinearState::Kind::velocity, coordinate});
   for (int i = 0; i < auxiliary_state_count(model); ++i) states.push_back({LinearState::Kind::auxiliary, i});
   return states;
 }
@@ -148,24 +180,11 @@ Eigen::VectorXd rates_of(const std::vector<LinearState>& states, const Groups& r
   return result;
 }
 
-Eigen::VectorXd vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
 Diagnostic problem(const Model& model, std::string message, std::string hint) {
   return {Where{model.file, 0, 0, ""}, std::move(message), std::move(hint), ""};
 }
 
-/// States are independent coordinates, of which there are too few where velocities alone are held.
-Diagnostic no_rolling(const Model& model, const Loop& loop) {
-  return {where_of(model, loop),
-          std::string("cannot be linearised: ") + name_of(loop.kind) + " " + quoted(loop.name) +
-              " holds velocities alone, so that more positions are free than velocities",
-          "simulate with small deviations, or put a tyre in place of the rolling contact", ""};
-}
-
-Diagnostic singular(const Model& model, const Topology& topology, int block) {
-  const Loop& loop = topology.loops[topology.blocks[static_cast<std::size_t>(block)].loops.front()];
+Diagnostic singular(const Model& model, const Loop& loop) {
   return problem(model, "cannot be linearised here: loop " + quoted(loop.name) + " is singular at this position",
                  "linearise at a position near by");
 }
@@ -188,7 +207,6 @@ std::optional<Diagnostic> near_pole(const Model& model, const Topology& topology
 
 Result<LinearSystem> linearise(const Model& model, const Topology& topology, const Analysis& analysis,
                                const Programs& programs, const OperatingPoint& point) {
-  if (const Loop* rolling = rolling_loop(topology)) return no_rolling(model, *rolling);
   if (const auto pole = near_pole(model, topology, point)) return *pole;
   using enum Array;
   const SolverLayout layout = solver_layout(model, topology, analysis);
@@ -196,10 +214,18 @@ Result<LinearSystem> linearise(const Model& model, const Topology& topology, con
   const std::vector<DirectionGroup> groups = direction_of(layout, {z, zd, x, in, zdd, lambda, drive});
   const DifferentiatedPrograms all = differentiated(programs, groups);
   Derivatives derivatives(all, groups, known_at(model, topology, point), outputs);
-  if (const std::optional<int> block = derivatives.solve()) return singular(model, topology, *block);
+  if (const std::optional<int> block = derivatives.solve())
+    return singular(model, topology.loops[topology.blocks[static_cast<std::size_t>(*block)].loops.front()]);
 
+  PositionStates positions{free_coordinates(topology, analysis), {}};
+  const std::vector<int> velocities = positions.coordinates;
+  if (const Loop* rolling = rolling_loop(topology)) {
+    std::optional<PositionStates> found = position_states(topology, analysis, derivatives.closing());
+    if (!found) return singular(model, *rolling);
+    positions = std::move(*found);
+  }
   LinearSystem system;
-  system.states = states_of(model, topology, analysis);
+  system.states = states_of(model, positions.coordinates, velocities);
   const auto size = static_cast<Eigen::Index>(system.states.size());
   system.A.resize(size, size);
   system.B.resize(size, inputs);
@@ -210,13 +236,13 @@ Result<LinearSystem> linearise(const Model& model, const Topology& topology, con
   constexpr Array kGroups[] = {Array::z, Array::zd, Array::x};
   for (Eigen::Index j = 0; j < size; ++j) {
     const LinearState& state = system.states[static_cast<std::size_t>(j)];
-    const Groups rates = derivatives.along(kGroups[static_cast<int>(state.kind)], state.index);
+    const Groups rates = derivatives.along(kGroups[static_cast<int>(state.kind)], state.index, positions);
     system.A.col(j) = rates_of(system.states, rates);
     system.C.col(j) = vector_of(rates.at(Array::y));
     system.coordinates.col(j) = vector_of(rates.at(Array::z));
   }
   for (int j = 0; j < inputs; ++j) {
-    const Groups rates = derivatives.along(Array::in, j);
+    const Groups rates = derivatives.along(Array::in, j, positions);
     system.B.col(j) = rates_of(system.states, rates);
     system.D.col(j) = vector_of(rates.at(Array::y));
   }

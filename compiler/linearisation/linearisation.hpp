@@ -29,7 +29,9 @@ struct LinearState {
 
 /// s' = A s + B u and y = C s + D u for the deviations s of the states, u of the inputs and y of the outputs.
 /// States are the positions of the independent coordinates, their velocities, and the auxiliary states; the dependent
-/// coordinates follow, so that loops stay closed and driven coordinates at their motions. Time stands still.
+/// coordinates follow, so that loops stay closed and driven coordinates at their motions. Time stands still. Where
+/// bodies roll, positions of coordinates whose velocities only rolling gives are states, too: they follow the
+/// independent ones.
 struct LinearSystem {
   std::vector<LinearState> states;
   Eigen::MatrixXd A;            ///< states x states
@@ -39,6 +41,9 @@ struct LinearSystem {
   Eigen::MatrixXd coordinates;  ///< coordinates x states: deviations of all positions
   Eigen::VectorXd drift;        ///< s' at the point itself; zero for accelerations in an equilibrium
 };
+
+/// How many states are positions; they come first.
+Eigen::Index position_count(const LinearSystem& system);
 
 /// Linearises by the symbolic program's derivatives, differentiated forward (program.hpp) along each state and input.
 /// programs: after the passes, nothing taken out of them.
@@ -63,7 +68,9 @@ struct Mode {
   double damping_ratio() const { return is_neutral ? 0.0 : -eigenvalue.real() / std::abs(eigenvalue); }
 };
 
-/// Modes of the system, the fastest oscillations first, then the modes that do not oscillate, the fastest first.
+/// Modes of the system; as many of the smallest eigenvalues are neutral as states stay, or drift at a constant rate
+/// along others that do, whatever rounding makes of them. The fastest oscillations first, then the modes that do not
+/// oscillate, the fastest first.
 std::vector<Mode> modes(const LinearSystem& system);
 
 /// The coordinates that move most in a mode, with signs, or phases in degrees where they are neither in step nor

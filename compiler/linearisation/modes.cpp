@@ -70,6 +70,16 @@ Eigen::MatrixXd neutral_states(const Eigen::MatrixXd& a) {
   return basis;
 }
 
+/// The largest eigenvalue that is zero but for rounding: in a chain of three, as rate of turn, heading and place of a
+/// wheel that rolls, it is the third root of rounding.
+double largest_zero(const Eigen::MatrixXd& a, const Eigen::VectorXcd& values) {
+  std::vector<double> sizes;
+  for (const std::complex<double> value : values) sizes.push_back(std::abs(value));
+  std::sort(sizes.begin(), sizes.end());
+  const Eigen::Index still = neutral_states(a).cols();
+  return still > 0 ? sizes[static_cast<std::size_t>(still - 1)] : 0.0;
+}
+
 /// A coordinate in a mode.
 struct MovingCoordinate {
   std::size_t index = 0;
@@ -115,14 +125,19 @@ std::string shape_text(const Topology& topology, const std::vector<MovingCoordin
 
 }  // namespace
 
+Eigen::Index position_count(const LinearSystem& system) {
+  return std::count_if(system.states.begin(), system.states.end(),
+                       [](const LinearState& state) { return state.kind == LinearState::Kind::position; });
+}
+
 std::vector<Mode> modes(const LinearSystem& system) {
   std::vector<Mode> result;
   if (system.A.rows() == 0) return result;
   const EigenVectors solutions = eigenvectors(system.A);
-  const double largest = solutions.values.cwiseAbs().maxCoeff();
+  const double largest = solutions.values.cwiseAbs().maxCoeff(), zero = largest_zero(system.A, solutions.values);
   for (Eigen::Index i = 0; i < solutions.values.size(); ++i) {
     const std::complex<double> eigenvalue = solutions.values[i];
-    const bool is_neutral = std::abs(eigenvalue) <= kNeutral * largest;
+    const bool is_neutral = std::abs(eigenvalue) <= std::max(zero, kNeutral * largest);
     if (eigenvalue.imag() < 0) continue;
     Mode mode = mode_of(system, eigenvalue, solutions.vectors.col(i));
     mode.is_neutral = is_neutral;

@@ -112,6 +112,9 @@ struct Joint {
   Vector3 second_axis{0, 0, 1};
   std::optional<Quantity> radius;  ///< m, of a rolling_disc or rolling_ball, about the point of `to`
   CutMark cut = CutMark::automatic;
+  /// index into Model::joints: of a joint that is driven where it is cut, the fixed joint that closes its loop; this
+  /// one then stands in the tree and holds a body without mass in place of the cut one; else -1
+  int closure = -1;
   std::vector<Freedom> freedoms;  ///< empty for fixed, and where closes_only
   std::string description = {};
 };

@@ -10,11 +10,14 @@
 
 namespace mbgen {
 
-/// y(x) by points; outside the range the end segments (linear) or end slopes (cubic) are continued as straight lines.
+/// y(x) by points; outside the range the end segments (linear) or end slopes (cubic) are continued as straight lines,
+/// or the points are one period.
 struct Table {
-  enum class Interpolation { linear, monotone_cubic };
+  enum class Interpolation { linear, monotone_cubic, spline };
   Interpolation interpolation = Interpolation::linear;
-  std::vector<double> x, y;  ///< x strictly increasing, at least two points
+  std::vector<double> x, y;    ///< x strictly increasing, at least two points
+  bool periodic = false;       ///< the curve goes on as it came, each period higher by the last y less the first
+  std::vector<double> slopes;  ///< at the points, see slopes_of; empty where linear
 };
 
 /// A characteristic: factor times argument, or a table over the argument.
@@ -122,12 +125,17 @@ struct Tyre {
   Quantity low_speed;                   ///< m/s, below it slip is damped so that the wheel comes to rest
 };
 
-/// A relation between coordinates that always holds: the value of an expression over them stays zero.
+/// A relation between coordinates that always holds: the value of an expression over them stays zero, or one of them
+/// is a curve over another.
 struct Coupling {
   std::string name;
   Where where;
-  Quantity relation;                             ///< over positions and parameters; zero
-  std::vector<CoordinateReference> coordinates;  ///< that stand in it, each once, as they come
+  Quantity relation;                           ///< over positions and parameters; zero; without a curve
+  std::optional<CoordinateReference> joint;    ///< of a curve: z(joint) = curve(z(follows))
+  std::optional<CoordinateReference> follows;  ///< of a curve
+  std::optional<Table> curve;                  ///< cubic or spline, rad or m over rad or m
+  /// that stand in it, each once, as they come; of a curve `joint` and `follows`
+  std::vector<CoordinateReference> coordinates;
 };
 
 /// A driven coordinate: z(t) prescribed; first and second derivatives come from the expression.

@@ -25,6 +25,7 @@ enum class Shape {
   position,         ///< three constants or quantities, or the name of a hardpoint
   place,            ///< a position, or "body.point"
   inertia,          ///< three or six quantities
+  six_by_six,       ///< six rows of six quantities
   axis,             ///< a letter with sign, or three constants, or two points where FieldInfo::by_points says so
   attachment,       ///< "body.point"
   attachments,      ///< two of them, up to FieldInfo::most
@@ -33,6 +34,7 @@ enum class Shape {
   force,            ///< expression with FieldInfo::locals
   equation,         ///< number or name of a closure equation
   law,              ///< quantity or table
+  table,            ///< table
   table_points,     ///< [[x, y], ...]
   object,           ///< of kind FieldInfo::of
   map,              ///< name -> object of kind FieldInfo::of

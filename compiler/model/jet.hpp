@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/model/curve.hpp"
 #include "compiler/model/evaluate.hpp"
 #include "compiler/model/model.hpp"
 
@@ -201,6 +202,10 @@ struct RelationEnvironment {
 template <class T, class Environment>
 Jet<T> evaluate_relation(const Model& model, const Coupling& coupling, const std::vector<Jet<T>>& positions,
                          const Environment& environment) {
+  if (coupling.curve) {
+    const CurvePoint<T> at = curve_at(*coupling.curve, positions[1].value);
+    return positions[0] - chain(positions[1], at.value, at.slope, at.curvature);
+  }
   return evaluate<Jet<T>>(coupling.relation, model.expressions,
                           RelationEnvironment<T, Environment>{coupling.coordinates, positions, environment});
 }

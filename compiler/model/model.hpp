@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/model/bump_stops.hpp"
+#include "compiler/model/bushings.hpp"
 #include "compiler/model/elements.hpp"
 #include "compiler/model/outputs.hpp"
 
@@ -46,9 +48,17 @@ struct InitialValue {
   int expression = -1;  ///< index into Model::expressions, over parameters that act at the start; -1: constant
 };
 
+/// Angular velocity of a ball joint that starts in the pole of its angles, where they have no rates.
+struct InitialTurning {
+  int joint = -1;                 ///< index into Model::joints
+  Vector3 angular_velocity = {};  ///< rad/s, of `to` against `from`, axes of `from`
+  Where where;
+};
+
 struct Initial {
   bool equilibrium = false;                         ///< start from static equilibrium, then give `velocities`
   std::vector<InitialValue> positions, velocities;  ///< the rest is zero or follows from the closures
+  std::vector<InitialTurning> turnings = {};        ///< joints that have none of their rates among `velocities`
 };
 
 struct SolverSettings {
@@ -89,6 +99,8 @@ struct Model {
   std::vector<JointSpring> joint_springs;
   std::vector<JointFriction> frictions;
   std::vector<AirSpring> air_springs;
+  std::vector<Bushing> bushings;
+  std::vector<BumpStop> bump_stops;
   std::vector<AppliedForce> forces;
   std::vector<JointForce> joint_forces;
   std::vector<Tyre> tyres;

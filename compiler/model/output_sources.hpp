@@ -13,8 +13,9 @@
 namespace mbgen::reading {
 
 /// An output has one of them.
-constexpr std::array<std::string_view, 11> kOutputSources = {
-    "expression", "point", "points", "body", "bodies", "joint", "tyre", "spring", "motion", "reaction", "multiplier"};
+constexpr std::array<std::string_view, 13> kOutputSources = {
+    "expression", "point",   "points",    "body",   "bodies",   "joint",     "tyre",
+    "spring",     "bushing", "bump_stop", "motion", "reaction", "multiplier"};
 
 /// Of a point or a coordinate.
 constexpr std::array kMotionQuantities = {Quantities::position, Quantities::velocity, Quantities::acceleration};

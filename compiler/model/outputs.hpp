@@ -89,6 +89,18 @@ struct SpringOutput {
   What what = What::force;
   int point_spring = -1, air_spring = -1;  ///< one of them
 };
+/// A component in the bushing's axes on `from`: what acts on `to` at its point, or the deflection.
+struct BushingOutput {
+  enum class What { force, moment, deflection, rotation_vector };
+  What what = What::force;
+  int bushing = -1;  ///< index into Model::bushings
+  int axis = 0;      ///< 0 x, 1 y, 2 z; of a mirrored bushing counted as its freedoms are
+};
+struct BumpStopOutput {
+  enum class What { force, deflection, rate };  ///< deflection: beyond the clearance, negative before
+  What what = What::force;
+  int stop = -1;  ///< index into Model::bump_stops
+};
 struct DriveOutput {
   int motion = -1;
 };  ///< generalised driving force of a motion
@@ -118,7 +130,8 @@ struct Output {
   Where where;
   std::string unit;
   std::variant<ExpressionOutput, PointOutput, CoordinateOutput, TyreOutput, SpringOutput, DriveOutput, ReactionOutput,
-               MultiplierOutput, RotationOutput, MomentumOutput, PointsOutput, WheelOutput>
+               MultiplierOutput, RotationOutput, MomentumOutput, PointsOutput, WheelOutput, BushingOutput,
+               BumpStopOutput>
       source;
   Presentation shown = {};
 };

@@ -254,15 +254,18 @@ Vector3Quantity placed_point(Reader& reader, int body, const Vector3Quantity& wr
   return transformed(reader, matrix, written, rotated(transposed(pose.rotation), offset));
 }
 
-Vector3 placed_axis(const Reader& reader, int body, const Vector3& written, FreedomKind kind) {
-  if (body < 0) return {kUnreadable, kUnreadable, kUnreadable};
+Vector3 placed_direction(const Reader& reader, int body, const Vector3& written) {
   const auto index = static_cast<std::size_t>(body);
   const Matrix3& of_body = reader.model.bodies[index].pose.rotation;
   const Placement& placement = current_scope(reader).placement;
-  const double sign = sense(current_scope(reader), written, kind);
-  const Vector3 flip = {sign * placement.flip[0], sign * placement.flip[1], sign * placement.flip[2]};
   const bool own = reader.names.body_scopes[index] == reader.scope;
-  return rotated(own ? of_body : placement.rotation, flipped(written, flip));
+  return rotated(own ? of_body : placement.rotation, flipped(written, placement.flip));
+}
+
+Vector3 placed_axis(const Reader& reader, int body, const Vector3& written, FreedomKind kind) {
+  if (body < 0) return {kUnreadable, kUnreadable, kUnreadable};
+  const double sign = sense(current_scope(reader), written, kind);
+  return placed_direction(reader, body, {sign * written[0], sign * written[1], sign * written[2]});
 }
 
 bool is_reversed(const Reader& reader, const Vector3& written, FreedomKind kind) {

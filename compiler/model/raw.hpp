@@ -20,6 +20,7 @@ struct FileFields : About {
   const Value *hardpoints = nullptr;
   const Value *parameters = nullptr, *inputs = nullptr, *bodies = nullptr, *joints = nullptr, *rods = nullptr;
   const Value *springs = nullptr, *joint_springs = nullptr, *frictions = nullptr, *air_springs = nullptr;
+  const Value *bushings = nullptr, *bump_stops = nullptr;
   const Value *forces = nullptr, *joint_forces = nullptr, *tyre_data = nullptr, *tyres = nullptr, *motions = nullptr;
   const Value *couplings = nullptr;
   const Value *outputs = nullptr, *shapes = nullptr, *initial = nullptr, *solver = nullptr, *instances = nullptr;
@@ -51,6 +52,7 @@ struct TableFields {
   std::optional<std::string> csv;
   std::string x, y;  ///< columns of the CSV file
   Table::Interpolation interpolation = Table::Interpolation::linear;
+  bool periodic = false;
 };
 
 struct ParameterFields : Parameter, Presentation {
@@ -81,6 +83,23 @@ struct RodFields : Rod {
 
 struct AirSpringFields : AirSpring {
   Law written_volume;
+};
+
+/// A bushing with axes as written, in the frame of `from`; its freedoms are read when they are told apart.
+struct BushingFields : Bushing {
+  std::optional<Vector3> written_axis, axis2;
+  const Value *tx = nullptr, *ty = nullptr, *tz = nullptr, *rx = nullptr, *ry = nullptr, *rz = nullptr;
+  const Value *radial = nullptr, *conical = nullptr;  ///< tx and ty, rx and ry
+  const Value *written_stiffness = nullptr, *written_damping = nullptr;
+};
+
+/// A bump stop as written, with where it is still open.
+struct BumpStopFields : BumpStop {
+  std::optional<Attachment> written_from, written_to;
+  std::optional<std::string> spring;
+  std::optional<CoordinateReference> written_joint;
+  std::optional<Vector3> written_axis;
+  std::optional<Side> written_side;
 };
 
 struct TyreDataFields {
@@ -127,7 +146,8 @@ enum class Quantities {
   camber,
   steer_angle,
   caster,
-  kingpin_inclination
+  kingpin_inclination,
+  deflection
 };
 
 enum class Letter { x, y, z, w };
@@ -147,7 +167,8 @@ struct OutputFields : Presentation {
   std::optional<std::vector<Attachment>> points, steering_axis;
   std::optional<Attachment> about;
   std::optional<BodySet> bodies;
-  std::optional<std::string> tyre, spring, motion, reaction, multiplier, body, axes_of, observer, sequence;
+  std::optional<std::string> tyre, spring, motion, reaction, multiplier, bushing, bump_stop, body, axes_of, observer,
+      sequence;
   const Value *equation = nullptr, *relative_to = nullptr;
   std::optional<Turn> turn;
   std::optional<ReactionOutput::End> end;
@@ -208,6 +229,12 @@ template <>
 std::span<const Field<JointFriction>> fields<JointFriction>();
 template <>
 std::span<const Field<AirSpringFields>> fields<AirSpringFields>();
+template <>
+std::span<const Field<BushingFields>> fields<BushingFields>();
+template <>
+std::span<const Field<BushingFreedom>> fields<BushingFreedom>();
+template <>
+std::span<const Field<BumpStopFields>> fields<BumpStopFields>();
 template <>
 std::span<const Field<AppliedForce>> fields<AppliedForce>();
 template <>

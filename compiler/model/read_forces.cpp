@@ -37,6 +37,24 @@ bool has_any(const Value& value, std::initializer_list<std::string_view> keys) {
   return false;
 }
 
+/// One coordinate as a smooth curve over another.
+void check_curve(Reader& reader, const Value& value, Coupling& coupling) {
+  for (const std::string_view key : {"joint", "follows"})
+    if (!find(value, key)) report(reader, value, fmt::format("a coupling by a curve needs {}", in_quotes(key)));
+  const Value& curve = *find(value, "curve");
+  const Value& word = member_or_object(curve, "interpolation");
+  if (curve.kind == Value::Kind::object && (&word == &curve || word.text == "linear"))
+    report(reader, word, "the curve of a coupling has corners, at which velocities would jump",
+           "write \"interpolation\": \"spline\", or \"monotone_cubic\" where the points rise and fall for certain");
+  if (!coupling.joint || !coupling.follows) return;
+  refuse_reversed(reader, find(value, "joint")->place, *coupling.joint);
+  refuse_reversed(reader, find(value, "follows")->place, *coupling.follows);
+  if (coupling.joint->joint >= 0 && *coupling.joint == *coupling.follows)
+    report(reader, *find(value, "follows"),
+           fmt::format("coordinate {} follows itself", in_quotes(coordinate_name(reader.model, *coupling.joint))));
+  coupling.coordinates = {*coupling.joint, *coupling.follows};
+}
+
 }  // namespace
 
 double check_ends(Reader& reader, const Value& value, const Attachment& from, const Attachment& to) {
@@ -55,11 +73,21 @@ void read_couplings(Reader& reader, const Entries& entries) {
     reader.names.couplings.emplace(entry.name, static_cast<int>(reader.names.couplings.size()));
   }
   read_list(reader, entries, reader.model.couplings, [](Reader& r, const Value& value, Coupling& coupling) {
-    const Quantity& relation = coupling.relation;
-    if (relation.expression >= 0) coupling.coordinates = positions_in(r.model.expressions[relation.expression]);
-    const bool was_read = find(value, "relation") && !std::isnan(relation.value);
-    if (was_read && coupling.coordinates.empty())
-      report(r, *find(value, "relation"), "relation has no coordinate",
+    const Value* relation = find(value, "relation");
+    if (!relation && !coupling.curve) report(r, value, "coupling needs \"relation\" or \"curve\"");
+    if (relation && coupling.curve)
+      report(r, find_member(value, "curve")->place, "coupling has both \"relation\" and \"curve\"");
+    for (const std::string_view key : {"joint", "follows"})
+      if (const Member* member = find_member(value, key); member && !coupling.curve)
+        report(r, member->place, fmt::format("a coupling has {} beside a \"curve\" only", in_quotes(key)));
+    if (coupling.curve) {
+      check_curve(r, value, coupling);
+      return;
+    }
+    if (coupling.relation.expression >= 0)
+      coupling.coordinates = positions_in(r.model.expressions[coupling.relation.expression]);
+    if (relation && !std::isnan(coupling.relation.value) && coupling.coordinates.empty())
+      report(r, *relation, "relation has no coordinate",
              "write coordinates as z.NAME, for example \"z.wheel + 0.5*z.pinion\"");
   });
 }

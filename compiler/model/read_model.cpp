@@ -163,6 +163,8 @@ void read_sections(Reader& reader) {
   read_joint_springs(reader, entries(&FileFields::joint_springs));
   read_frictions(reader, entries(&FileFields::frictions));
   read_air_springs(reader, entries(&FileFields::air_springs));
+  read_bushings(reader, entries(&FileFields::bushings));
+  read_bump_stops(reader, entries(&FileFields::bump_stops));
   read_forces(reader, entries(&FileFields::forces));
   read_joint_forces(reader, entries(&FileFields::joint_forces));
   const Entries tyre_data = entries(&FileFields::tyre_data);

@@ -93,19 +93,24 @@ void set_orientation(const Turns& turns, const OrientationFields& fields, const 
     set_value(initial.positions, turns.coordinates[k], sign_of(turns, k) * angles.z[k], where);
 }
 
-/// Result: false where the rates of the angles cannot say it.
-bool set_angular_velocity(const Turns& turns, const Vector3& velocity, const Where& where, Initial& initial) {
+/// As rates of the angles, or where these cannot say it as it is.
+void set_angular_velocity(int joint, const Turns& turns, const Vector3& velocity, const Where& where,
+                          Initial& initial) {
   constexpr double kNearPole = 1e-3;  // cosine of the second angle: three digits are lost there
   const ball_detail::Angles<double> angles = angles_at_start(turns, initial);
   const double s = std::sin(angles.z[0]), c = std::cos(angles.z[0]), cosine = std::cos(angles.z[1]);
-  if (!(std::abs(cosine) > kNearPole)) return false;
+  if (!(std::abs(cosine) > kNearPole)) {
+    for (const CoordinateReference& coordinate : turns.coordinates)
+      std::erase_if(initial.velocities, [&](const InitialValue& other) { return other.coordinate == coordinate; });
+    initial.turnings.push_back({joint, velocity, where});
+    return;
+  }
   const ball_detail::Turn<double> turn = turn_in(turns, {}, velocity);
   const double* v = turn.velocity;
   const double third = (c * v[2] - s * v[1]) / cosine;
   const double rates[3] = {v[0] - std::sin(angles.z[1]) * third, c * v[1] + s * v[2], third};
   for (std::size_t k = 0; k < 3; ++k)
     set_value(initial.velocities, turns.coordinates[k], sign_of(turns, k) * rates[k], where);
-  return true;
 }
 
 void read_orientation(Reader& reader, const Member& member, Initial& initial) {
@@ -136,11 +141,7 @@ void read_orientation(Reader& reader, const Member& member, Initial& initial) {
   const Where where = where_of(reader.documents, member.place);
   for (const CoordinateReference& coordinate : turns.coordinates) refuse_reversed(reader, member.place, coordinate);
   set_orientation(turns, fields, where, initial);
-  if (fields.angular_velocity && !set_angular_velocity(turns, *fields.angular_velocity, where, initial)) {
-    report(reader, *find(member.value, "angular_velocity"),
-           fmt::format("the angles of joint {} are at their pole here and have no rates", in_quotes(member.key)),
-           "give the joint another \"sequence\"");
-  }
+  if (fields.angular_velocity) set_angular_velocity(found->second, turns, *fields.angular_velocity, where, initial);
 }
 
 }  // namespace

@@ -69,6 +69,11 @@ constexpr std::array kTyreQuantities = {Quantities::load,
                                         Quantities::caster,
                                         Quantities::kingpin_inclination};
 constexpr std::array kSpringQuantities = {Quantities::force, Quantities::length, Quantities::rate};
+/// In the order of BumpStopOutput::What.
+constexpr std::array kBumpStopQuantities = {Quantities::force, Quantities::deflection, Quantities::rate};
+/// In the order of BushingOutput::What.
+constexpr std::array kBushingQuantities = {Quantities::force, Quantities::moment, Quantities::deflection,
+                                           Quantities::rotation_vector};
 constexpr std::array kReactionQuantities = {Quantities::force, Quantities::moment};
 
 Resolved joint_output(Reader& reader, const Value& value, const OutputFields& output) {
@@ -110,6 +115,33 @@ Resolved spring_output(Reader& reader, const Value& value, const OutputFields& o
     spring.point_spring = find_element(reader, value, "spring", known);
   }
   return {spring, quantity == Quantities::force ? "N" : quantity == Quantities::length ? "m" : "m/s"};
+}
+
+Resolved bushing_output(Reader& reader, const Value& value, const OutputFields& output) {
+  const Quantities quantity = quantity_of(reader, value, output, kBushingQuantities, "bushing");
+  require(reader, value, "axis", "bushing");
+  const auto what = std::find(kBushingQuantities.begin(), kBushingQuantities.end(), quantity);
+  constexpr const char* kUnits[] = {"N", "N m", "m", "rad"};  // in the order of BushingOutput::What
+  const auto index = what - kBushingQuantities.begin();
+  BushingOutput bushing;
+  bushing.what = static_cast<BushingOutput::What>(index);
+  bushing.bushing = find_element(reader, value, "bushing", reader.names.bushings);
+  bushing.axis = static_cast<int>(output.axis.value_or(Letter::x));
+  return {bushing, kUnits[index]};
+}
+
+Resolved bump_stop_output(Reader& reader, const Value& value, const OutputFields& output) {
+  const Quantities quantity = quantity_of(reader, value, output, kBumpStopQuantities, "bump stop");
+  const auto what = std::find(kBumpStopQuantities.begin(), kBumpStopQuantities.end(), quantity);
+  BumpStopOutput stop;
+  stop.what = static_cast<BumpStopOutput::What>(what - kBumpStopQuantities.begin());
+  stop.stop = find_element(reader, value, "bump_stop", reader.names.bump_stops);
+  if (stop.stop < 0) return {stop, ""};
+  const BumpStop& of = reader.model.bump_stops[static_cast<std::size_t>(stop.stop)];
+  const bool turns = of.is_on_joint() && of.joint.joint >= 0 && is_rotation(reader.model, of.joint);
+  if (stop.what == BumpStopOutput::What::force) return {stop, turns ? "N m" : "N"};
+  const bool is_rate = stop.what == BumpStopOutput::What::rate;
+  return {stop, motion_unit(turns, is_rate ? Quantities::velocity : Quantities::position)};
 }
 
 Resolved motion_output(Reader& reader, const Value& value) {
@@ -219,6 +251,11 @@ Resolved multiplier_output(Reader& reader, const Value& value, const OutputField
   }
   if (rows.empty()) return {multiplier, ""};
   multiplier.equation = equation_of(reader, value, output.equation, rows, of);
+  if (connection.coupling >= 0) {  // a curve is in units of its coordinate
+    const Coupling& coupling = reader.model.couplings[static_cast<std::size_t>(connection.coupling)];
+    if (coupling.curve && coupling.joint && coupling.joint->joint >= 0)
+      return {multiplier, is_rotation(reader.model, *coupling.joint) ? "N m" : "N"};
+  }
   return {multiplier, std::string(rows[static_cast<std::size_t>(multiplier.equation)].unit)};
 }
 
@@ -233,6 +270,8 @@ constexpr std::string_view kTaken[] = {
     "quantity axis axes_of about",
     "quantity",
     "quantity relative_to steering_axis",
+    "quantity",
+    "quantity axis",
     "quantity",
     "",
     "quantity axis frame end",
@@ -257,6 +296,8 @@ Resolved resolve_output(Reader& reader, const Value& value, const OutputFields& 
   if (name == "joint") return joint_output(reader, value, output);
   if (name == "tyre") return tyre_output(reader, value, output);
   if (name == "spring") return spring_output(reader, value, output);
+  if (name == "bushing") return bushing_output(reader, value, output);
+  if (name == "bump_stop") return bump_stop_output(reader, value, output);
   if (name == "reaction") return reaction_output(reader, value, output);
   if (name == "multiplier") return multiplier_output(reader, value, output);
   return motion_output(reader, value);
@@ -272,7 +313,10 @@ void read_motions(Reader& reader, const Entries& entries) {
     if (!reader.names.motions.emplace(entry.name, index).second)
       report(reader, entry.place, fmt::format("name {} is that of the motion of a rod's length", in_quotes(entry.name)),
              "rename the motion");
+    const int joint = one.front().joint.joint;
     reader.model.motions.push_back(one.front());
+    if (joint >= 0 && reader.model.joints[static_cast<std::size_t>(joint)].cut == CutMark::cut)
+      drive_at_cut(reader, entry, joint);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/model/carried_body.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 
@@ -45,25 +46,15 @@ void add_drive(Reader& reader, const Entry& entry, const Quantity& length, doubl
   named.written += kDriveSuffix;
   named.name = full_name(current_scope(reader).visible.front(), named.written);
   if (!has_free_names(reader, entry, named.name)) return;
-  const Body& base = model.bodies[static_cast<std::size_t>(rod.from.body)];
-  Body slide;
-  slide.name = named.name;
-  slide.where = rod.where;
-  slide.pose = base.pose;
-  slide.points = {base.points[static_cast<std::size_t>(rod.from.point)]};
-  const int body = static_cast<int>(model.bodies.size());
   const Vector3 a = reference_position(model, rod.from), b = reference_position(model, rod.to);
   Joint joint;
   joint.name = named.name;
   joint.where = rod.where;
   joint.type = JointType::prismatic;
   joint.from = rod.from;
-  joint.to = {body, 0};
+  joint.to = add_carried_body(reader, named.name, rod.where, rod.from, entry.scope);
   for (std::size_t i = 0; i < 3; ++i) joint.axis[i] = (b[i] - a[i]) / distance;
   joint.freedoms = {{named.name, FreedomKind::prismatic, joint.axis}};
-  model.bodies.push_back(std::move(slide));
-  reader.names.bodies.emplace(named.name, body);
-  reader.names.body_scopes.push_back(entry.scope);
   rod.drive = static_cast<int>(model.joints.size());
   rod.length = distance;
   add_coordinates(reader, named, joint, rod.drive);

@@ -98,6 +98,7 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Attac
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<Attachment>& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, CoordinateReference& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Table& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Pose& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<std::array<double, 2>>& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, const Value*& target);
@@ -259,6 +260,8 @@ Vector3Quantity transformed(Reader& reader, const Matrix3& matrix, const Vector3
 double handedness(const Placement& placement);
 /// A point of the current scope in the frame of its body.
 Vector3Quantity placed_point(Reader& reader, int body, const Vector3Quantity& written);
+/// A direction of the current scope in global axes, mirrored where the scope is. Requires: the body was read.
+Vector3 placed_direction(const Reader& reader, int body, const Vector3& written);
 /// An axis of the current scope in global axes, in the direction about which (along which) it counts positive: a
 /// mirrored rotation counts such that equal coordinates are mirrored motions, or keeps its direction.
 Vector3 placed_axis(const Reader& reader, int body, const Vector3& written, FreedomKind kind);
@@ -294,12 +297,17 @@ void read_rods(Reader& reader, const Entries& entries);
 void read_couplings(Reader& reader, const Entries& entries);
 /// Names the coordinates of a joint: tells its scope, and those that enclose it, and complains where a name is taken.
 void add_coordinates(Reader& reader, const Entry& entry, const Joint& joint, int index);
+/// Gives a joint that is marked cut, and that a motion drives, the coordinates that the motion needs: it moves a body
+/// without mass, and a fixed joint closes the loop. entry: of the motion.
+void drive_at_cut(Reader& reader, const Entry& entry, int joint);
 /// Complains when both ends are on one body. Result: the distance of the ends at the reference, NaN when there is none.
 double check_ends(Reader& reader, const Value& value, const Attachment& from, const Attachment& to);
 void read_springs(Reader& reader, const Entries& entries);
 void read_joint_springs(Reader& reader, const Entries& entries);
 void read_frictions(Reader& reader, const Entries& entries);
 void read_air_springs(Reader& reader, const Entries& entries);
+void read_bushings(Reader& reader, const Entries& entries);
+void read_bump_stops(Reader& reader, const Entries& entries);
 void read_forces(Reader& reader, const Entries& entries);
 void read_joint_forces(Reader& reader, const Entries& entries);
 void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres);
@@ -321,6 +329,8 @@ void read_solver(Reader& reader, const std::vector<Part>& parts);
 bool is_large_angle(double angle);
 /// Notes an angle of more than a turn, which likely was typed in degrees.
 void note_turns(Reader& reader, const Value& value, double angle);
+/// Notes on bushings that pull away from the reference or add energy.
+void note_bushings(Reader& reader);
 /// Notes on the whole model. Requires: it has no problems.
 void note_unlikely(Reader& reader);
 

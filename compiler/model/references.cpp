@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/model/csv_table.hpp"
+#include "compiler/model/curve.hpp"
 #include "compiler/model/positions.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
@@ -170,18 +171,27 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& 
     target = quantity;
     return;
   }
+  Table table;
+  read_value(reader, value, info, table);
+  target = std::move(table);
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo&, Table& target) {
+  if (value.kind != Value::Kind::object) {
+    report(reader, value, fmt::format("must be a table, got {}", describe(value)));
+    return;
+  }
   TableFields fields = with_defaults<TableFields>();
   read_fields(reader, value, fields);
   check_table(reader, value);
   if (fields.csv && find(value, "csv")->kind == Value::Kind::text)
     fields.points = read_csv_table(reader, value, {fields.x, fields.y});
-  Table table;
-  table.interpolation = fields.interpolation;
+  target = {fields.interpolation, {}, {}, fields.periodic, {}};
   for (const auto& [x, y] : fields.points) {
-    table.x.push_back(x);
-    table.y.push_back(y);
+    target.x.push_back(x);
+    target.y.push_back(y);
   }
-  target = std::move(table);
+  target.slopes = slopes_of(target);
 }
 
 }  // namespace mbgen::reading

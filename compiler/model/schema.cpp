@@ -84,6 +84,9 @@ Json shape_of(const FieldInfo& info) {
       return either(reference("position"), reference("attachment"));
     case Shape::inertia:
       return either(array_of(reference("quantity"), 3, 3), array_of(reference("quantity"), 6, 6));
+    case Shape::six_by_six:
+      return array_of(array_of(reference("quantity"), kBushingFreedoms, kBushingFreedoms), kBushingFreedoms,
+                      kBushingFreedoms);
     case Shape::axis:
       return info.by_points ? reference("axis") : either(letters(), reference("vector"));
     case Shape::attachment:
@@ -94,6 +97,8 @@ Json shape_of(const FieldInfo& info) {
       return either({{"type", "integer"}, {"minimum", 0}}, {{"type", "string"}});
     case Shape::law:
       return either(reference("quantity"), reference("table"));
+    case Shape::table:
+      return reference("table");
     case Shape::table_points:
       return {{"type", "array"}, {"items", array_of(reference("quantity"), 2, 2)}, {"minItems", 2}};
     case Shape::object:
@@ -148,7 +153,7 @@ Json kind_schema(const ObjectKind& kind) {
   Json alternatives = Json::array();
   for (const std::string_view name : kind.exactly_one) alternatives.push_back({{"required", Json::array({name})}});
   if (!alternatives.empty()) schema["oneOf"] = alternatives;
-  for (const auto& [name, needed] : kind.needs) schema["dependentRequired"][std::string(name)] = Json::array({needed});
+  for (const auto& [name, needed] : kind.needs) schema["dependentRequired"][std::string(name)].push_back(needed);
   schema["additionalProperties"] = false;
   return schema;
 }

@@ -1,4 +1,4 @@
-// Tables of fields: springs, friction, forces, tyres.
+// Tables of fields: tables, couplings, springs, friction, forces, tyres.
 #include <array>
 
 #include "compiler/model/raw.hpp"
@@ -7,7 +7,7 @@
 namespace mbgen::reading {
 namespace {
 
-constexpr std::array<std::string_view, 2> kInterpolations = {"linear", "monotone_cubic"};
+constexpr std::array<std::string_view, 3> kInterpolations = {"linear", "monotone_cubic", "spline"};
 constexpr std::array<std::string_view, 2> kTyreModels = {"pac89", "pac2002"};
 constexpr std::array<std::string_view, 2> kPointSpringLocals = {"length", "rate"};
 constexpr std::array<std::string_view, 2> kJointSpringLocals = {"position", "rate"};
@@ -41,6 +41,30 @@ std::span<const Field<TableFields>> fields<TableFields>() {
                                    .doc = "between the points; outside them straight lines continue the ends",
                                    .fallback_word = "linear",
                                    .words = kInterpolations}),
+      field<F, &F::periodic>({.name = "periodic",
+                              .shape = Shape::boolean,
+                              .doc = "true: the points are one period; outside them the curve goes on as it came, each "
+                                     "period higher by the last y less the first",
+                              .fallback = 0}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<Coupling>> fields<Coupling>() {
+  static const std::array table = {
+      field<Coupling, &Coupling::relation>(
+          {.name = "relation",
+           .doc = "expression over positions of coordinates, z.NAME, and parameters; it stays zero",
+           .depends = Depends::positions}),
+      field<Coupling, &Coupling::joint>(
+          {.name = "joint", .shape = Shape::coordinate, .doc = "coordinate that a curve gives the position of"}),
+      field<Coupling, &Coupling::follows>(
+          {.name = "follows", .shape = Shape::coordinate, .doc = "coordinate whose position the curve is over"}),
+      field<Coupling, &Coupling::curve>(
+          {.name = "curve",
+           .shape = Shape::table,
+           .doc = "table of the position of joint over that of follows (rad or m), spline or monotone_cubic"}),
   };
   return table;
 }

@@ -71,6 +71,8 @@ std::span<const Field<FileFields>> fields<FileFields>() {
       field<F, &F::joint_springs>(section("joint_springs", "joint_spring", "springs and dampers on coordinates")),
       field<F, &F::frictions>(section("frictions", "friction", "friction on coordinates")),
       field<F, &F::air_springs>(section("air_springs", "air_spring", "polytropic air springs between two points")),
+      field<F, &F::bushings>(section("bushings", "bushing", "rubber and mounts: six freedoms between two bodies")),
+      field<F, &F::bump_stops>(section("bump_stops", "bump_stop", "stops that push beyond a clearance")),
       field<F, &F::forces>(section("forces", "force", "forces and torques on bodies")),
       field<F, &F::joint_forces>(section("joint_forces", "joint_force", "generalised forces on coordinates")),
       field<F, &F::tyre_data>(section("tyre_data", "tyre_data", "coefficient sets of tyres")),
@@ -352,18 +354,6 @@ std::span<const Field<RodFields>> fields<RodFields>() {
            .unit = "m",
            .bound = Bound::positive,
            .depends = Depends::motion}),
-  };
-  return table;
-}
-
-template <>
-std::span<const Field<Coupling>> fields<Coupling>() {
-  static const std::array table = {
-      field<Coupling, &Coupling::relation>(
-          {.name = "relation",
-           .doc = "expression over positions of coordinates, z.NAME, and parameters; it stays zero",
-           .need = Need::required,
-           .depends = Depends::positions}),
   };
   return table;
 }

@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 3> kTurns = {"first", "second", "third"};
 /// In the order of BodySet.
 constexpr std::array<std::string_view, 1> kBodySets = {"all"};
 /// In the order of Quantities.
-constexpr std::array<std::string_view, 28> kQuantities = {"position",
+constexpr std::array<std::string_view, 29> kQuantities = {"position",
                                                           "velocity",
                                                           "acceleration",
                                                           "load",
@@ -41,7 +41,8 @@ constexpr std::array<std::string_view, 28> kQuantities = {"position",
                                                           "camber",
                                                           "steer_angle",
                                                           "caster",
-                                                          "kingpin_inclination"};
+                                                          "kingpin_inclination",
+                                                          "deflection"};
 /// In the order of ReactionOutput::End.
 constexpr std::array<std::string_view, 2> kEnds = {"to", "from"};
 
@@ -72,6 +73,16 @@ auto source_fields() {
                           .of = "tyres"}),
       field<F, &F::spring>(
           {.name = "spring", .shape = Shape::reference, .doc = "state of a spring or air spring", .of = "springs"}),
+      field<F, &F::bushing>(
+          {.name = "bushing",
+           .shape = Shape::reference,
+           .doc = "bushing; the output is its force or moment on `to` at its point, its deflection or its rotation "
+                  "vector, in its axes on `from`",
+           .of = "bushings"}),
+      field<F, &F::bump_stop>({.name = "bump_stop",
+                               .shape = Shape::reference,
+                               .doc = "force of a bump stop, its deflection beyond the clearance, or the rate of that",
+                               .of = "bump_stops"}),
       field<F, &F::motion>({.name = "motion",
                             .shape = Shape::reference,
                             .doc = "generalised force that drives a motion",
@@ -99,8 +110,10 @@ auto quantity_fields() {
                   "angular_acceleration, kinetic_energy, potential_energy, momentum, angular_momentum), of all bodies "
                   "(kinetic_energy, potential_energy, momentum, angular_momentum), of the tyre (load, "
                   "longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip, toe, camber, "
-                  "steer_angle, caster, kingpin_inclination), of the spring (force, length, rate) or of the reaction "
-                  "(force, moment); default: the first of each",
+                  "steer_angle, caster, kingpin_inclination), of the spring (force, length, rate), of the "
+                  "bushing (force, moment, deflection, rotation_vector), of the bump stop (force, deflection, "
+                  "rate) or of the reaction (force, moment); default: "
+                  "the first of each",
            .words = kQuantities}),
       field<F, &F::axis>({.name = "axis",
                           .shape = Shape::word,

@@ -163,11 +163,23 @@ std::vector<ObjectKind> object_kinds() {
       kind<AxisFields>("axis_by_points", "an axis from one point to another"),
       kind<JointFields>("joint", "a joint"),
       kind<RodFields>("rod", "a bar with a spherical joint at each end"),
-      kind<Coupling>("coupling", "a relation between coordinates"),
+      kind<Coupling>("coupling", "a relation between coordinates; exactly one of relation and curve",
+                     {"relation", "curve"},
+                     {{"curve", "joint"}, {"curve", "follows"}, {"joint", "curve"}, {"follows", "curve"}}),
       kind<PointSpring>("spring", "spring and damper between two points"),
       kind<JointSpring>("joint_spring", "spring and damper on a coordinate or a difference of two"),
       kind<JointFriction>("friction", "friction on a coordinate"),
       kind<AirSpringFields>("air_spring", "polytropic air spring between two points"),
+      kind<BushingFields>("bushing",
+                          "compliant element of six freedoms between two frames, whose axes agree at the reference; "
+                          "what its fields give is added up"),
+      kind<BushingFreedom>("bushing_freedom",
+                           "one freedom of a bushing; its force acts against the deflection of `to`. A Maxwell branch, "
+                           "a spring and a damper in a row, is relaxed at the start",
+                           {}, {{"maxwell_stiffness", "maxwell_time"}, {"maxwell_time", "maxwell_stiffness"}}),
+      kind<BumpStopFields>("bump_stop",
+                           "a stop that pushes when its clearance is used up, and never pulls; on the distance of two "
+                           "points or the way along an axis (from and to, or spring), or on a coordinate (joint)"),
       kind<AppliedForce>("force", "force and torque on a body"),
       kind<JointForce>("joint_force", "generalised force on a coordinate"),
       kind<TyreDataFields>("tyre_data", "coefficients of a tyre"),
@@ -176,7 +188,7 @@ std::vector<ObjectKind> object_kinds() {
       kind<MotionFields>("motion", "a driven coordinate; exactly one of angle and position", {"angle", "position"}),
       kind<OutputFields>("output",
                          "a result; exactly one of expression, point, points, body, bodies, joint, tyre, spring, "
-                         "motion, reaction and multiplier",
+                         "bushing, bump_stop, motion, reaction and multiplier",
                          {std::begin(kOutputSources), std::end(kOutputSources)}),
       kind<ShapeFields>("shape", "how a part of a body is drawn"),
       kind<InitialFields>("initial", "state at the start"),

@@ -156,6 +156,7 @@ void note_turns(Reader& reader, const Value& value, double angle) {
 void note_unlikely(Reader& reader) {
   note_damping(reader, reader.model.springs);
   note_damping(reader, reader.model.joint_springs);
+  note_bushings(reader);
   note_angles(reader);
   note_inertias(reader, note_far_points(reader));
 }

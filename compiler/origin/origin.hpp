@@ -49,6 +49,8 @@ enum class OwnerKind : std::uint8_t {
   joint_force,
   force,
   tyre,
+  bushing,
+  bump_stop,
   motion,
   output
 };

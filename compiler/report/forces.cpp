@@ -1,5 +1,7 @@
 #include "compiler/report/forces.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <initializer_list>
 #include <variant>
@@ -38,7 +40,29 @@ bool depends_on_inputs(const Model& model, const AirSpring& spring) {
          depends_on_inputs(model, spring.area);
 }
 
-/// The model with the forces of its springs as its only outputs.
+bool depends_on_inputs(const Model& model, const Bushing& bushing) {
+  const auto in_matrix = [&](const std::optional<BushingMatrix>& matrix) {
+    return matrix && std::any_of(matrix->begin(), matrix->end(),
+                                 [&](const Quantity& entry) { return depends_on_inputs(model, entry.expression); });
+  };
+  const auto in_law = [&](const std::optional<Law>& law) { return law && depends_on_inputs(model, *law); };
+  const auto in_freedom = [&](const std::optional<BushingFreedom>& own) {
+    return own &&
+           (in_law(own->stiffness) || in_law(own->damping) || depends_on_inputs(model, own->preload.expression) ||
+            depends_on_inputs(model, own->force.value_or(-1)) ||
+            depends_on_inputs(model, own->maxwell_stiffness.value_or(Quantity()).expression));
+  };
+  return in_matrix(bushing.stiffness) || in_matrix(bushing.damping) ||
+         std::any_of(bushing.freedoms.begin(), bushing.freedoms.end(), in_freedom);
+}
+
+bool depends_on_inputs(const Model& model, const BumpStop& stop) {
+  return depends_on_inputs(model, stop.clearance.expression) || depends_on_inputs(model, stop.damping.expression) ||
+         (stop.stiffness && depends_on_inputs(model, *stop.stiffness)) ||
+         depends_on_inputs(model, stop.force.value_or(-1));
+}
+
+/// The model with the forces of its springs, bushings and bump stops as its only outputs.
 Model watched(Model model) {
   model.outputs.clear();
   for (std::size_t s = 0; s < model.springs.size(); ++s) {
@@ -52,6 +76,25 @@ Model watched(Model model) {
                              {},
                              "N",
                              SpringOutput{SpringOutput::What::force, -1, static_cast<int>(s)}});
+  }
+  for (std::size_t b = 0; b < model.bushings.size(); ++b) {
+    if (depends_on_inputs(model, model.bushings[b])) continue;
+    for (int axis = 0; axis < 3; ++axis)
+      model.outputs.push_back({fmt::format("{}.force_{}", model.bushings[b].name, "xyz"[axis]),
+                               {},
+                               "N",
+                               BushingOutput{BushingOutput::What::force, static_cast<int>(b), axis}});
+  }
+  for (std::size_t s = 0; s < model.bump_stops.size(); ++s) {
+    const BumpStop& stop = model.bump_stops[s];
+    if (depends_on_inputs(model, stop)) continue;
+    const bool turns = stop.is_on_joint() && model.joints[static_cast<std::size_t>(stop.joint.joint)]
+                                                     .freedoms[static_cast<std::size_t>(stop.joint.component)]
+                                                     .kind == FreedomKind::revolute;
+    model.outputs.push_back({stop.name + ".force",
+                             {},
+                             turns ? "N m" : "N",
+                             BumpStopOutput{BumpStopOutput::What::force, static_cast<int>(s)}});
   }
   return model;
 }
@@ -69,13 +112,16 @@ std::vector<Column> element_forces(const ReportSource& source, const std::vector
     velocities.push_back(find_column(source.results, "zd." + body.coordinate));
     if (velocities.back() < 0) return {};
   }
+  std::vector<int> extensions;  // of Maxwell branches; a table without them has them relaxed
+  for (const std::string& name : auxiliary_state_names(source.model))
+    extensions.push_back(find_column(source.results, "x." + name));
   if (forces.empty()) return forces;
   const GenericSolver solver(model, source.topology, source.analysis);
   const std::size_t count = positions.size();
-  const auto tyre_states = static_cast<std::size_t>(auxiliary_state_count(model));
-  GenericState state{std::vector<double>(count), std::vector<double>(count), std::vector<double>(tyre_states), 0};
-  // No force of a spring depends on accelerations, joint forces or the states of tyres.
-  const GenericDerivative none{std::vector<double>(count), std::vector<double>(tyre_states)};
+  const std::size_t auxiliary = extensions.size();
+  GenericState state{std::vector<double>(count), std::vector<double>(count), std::vector<double>(auxiliary), 0};
+  // No force of a spring, bushing or stop depends on accelerations or joint forces.
+  const GenericDerivative none{std::vector<double>(count), std::vector<double>(auxiliary)};
   const std::vector<double> tau(count);
   for (const std::size_t row : rows) {
     state.t = table.front().values[row];
@@ -83,6 +129,8 @@ std::vector<Column> element_forces(const ReportSource& source, const std::vector
       state.z[i] = table[static_cast<std::size_t>(positions[i])].values[row];
       state.zd[i] = table[static_cast<std::size_t>(velocities[i])].values[row];
     }
+    for (std::size_t i = 0; i < auxiliary; ++i)
+      if (extensions[i] >= 0) state.x[i] = table[static_cast<std::size_t>(extensions[i])].values[row];
     const GenericOutputs outputs = solver.outputs(state, tau, none);
     for (std::size_t f = 0; f < forces.size(); ++f) forces[f].values.push_back(outputs.y[f]);
   }

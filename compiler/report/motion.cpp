@@ -103,6 +103,9 @@ std::string quantity_of(const Output& output) {
   if (const auto* joint = std::get_if<CoordinateOutput>(&output.source)) return numbered("joint", *joint);
   if (const auto* tyre = std::get_if<TyreOutput>(&output.source)) return numbered("tyre", *tyre);
   if (const auto* spring = std::get_if<SpringOutput>(&output.source)) return numbered("spring", *spring);
+  if (const auto* bushing = std::get_if<BushingOutput>(&output.source))
+    return fmt::format("{} {}", numbered("bushing", *bushing), bushing->axis);
+  if (const auto* stop = std::get_if<BumpStopOutput>(&output.source)) return numbered("bump stop", *stop);
   if (const auto* reaction = std::get_if<ReactionOutput>(&output.source)) return numbered("reaction", *reaction);
   if (std::holds_alternative<ExpressionOutput>(output.source)) {
     return "expression " + output.name.substr(0, output.name.find_first_of("_0123456789"));

@@ -58,6 +58,12 @@ std::vector<Attachment> spring_ends(const Model& model) {
   std::vector<Attachment> list;
   add_ends(model.springs, list);
   add_ends(model.air_springs, list);
+  add_ends(model.bushings, list);
+  for (const BumpStop& stop : model.bump_stops) {
+    if (stop.is_on_joint()) continue;
+    list.push_back(stop.from);
+    list.push_back(stop.to);
+  }
   return list;
 }
 

@@ -67,6 +67,7 @@ Json model_json(const Model& model, const Topology& topology, const Analysis& an
           {"joints", model.joints.size()},
           {"rods", model.rods.size()},
           {"springs", model.springs.size() + model.joint_springs.size() + model.air_springs.size()},
+          {"bushings", model.bushings.size()},
           {"tyres", model.tyres.size()},
           {"coordinates", topology.size()},
           {"equations", equation_count(topology)},

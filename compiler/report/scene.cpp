@@ -210,6 +210,16 @@ Json joints_json(const Model& model, double size) {
                       {"axis", to_body_axes(model.bodies[joint.from.body].pose, joint.axis)},
                       {"radius", kJoint * size}});
   }
+  for (const Bushing& bushing : model.bushings) {
+    const Vector3 axis{bushing.axes[2], bushing.axes[5], bushing.axes[8]};
+    joints.push_back({{"name", bushing.name},
+                      {"kind", "bushing"},
+                      {"body", bushing.from.body},
+                      {"on_ground", false},
+                      {"at", place_of(model, bushing.from)},
+                      {"axis", to_body_axes(model.bodies[bushing.from.body].pose, axis)},
+                      {"radius", kJoint * size}});
+  }
   return joints;
 }
 

@@ -67,6 +67,8 @@ constexpr std::pair<OwnerKind, std::string (*)(const Model&, std::size_t)> kName
     {OwnerKind::joint_force, name_in<&Model::joint_forces>},
     {OwnerKind::force, name_in<&Model::forces>},
     {OwnerKind::tyre, name_in<&Model::tyres>},
+    {OwnerKind::bushing, name_in<&Model::bushings>},
+    {OwnerKind::bump_stop, name_in<&Model::bump_stops>},
     {OwnerKind::motion, name_in<&Model::motions>},
     {OwnerKind::output, name_in<&Model::outputs>}};
 

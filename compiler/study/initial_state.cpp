@@ -11,6 +11,7 @@
 #include "compiler/model/evaluate.hpp"
 #include "compiler/study/equilibrium_trouble.hpp"
 #include "compiler/study/open_loops.hpp"
+#include "compiler/study/turning_start.hpp"
 
 namespace mbgen {
 namespace {
@@ -134,8 +135,8 @@ Start initial_start(const Compilation& compilation, const std::vector<double>& i
   GenericSolver solver(compilation.model, compilation.topology, compilation.analysis,
                        algebra_for(compilation.topology));
   solver.set_inputs(inputs);
-  const std::vector<Wish> positions = wishes_of(compilation, initial.positions),
-                          velocities = wishes_of(compilation, initial.velocities);
+  const std::vector<Wish> positions = wishes_of(compilation, initial.positions);
+  std::vector<Wish> velocities = wishes_of(compilation, initial.velocities);
   Start start;
   start.state = assemble(compilation, solver, positions, initial.equilibrium);
   if (initial.equilibrium) {
@@ -145,6 +146,8 @@ Start initial_start(const Compilation& compilation, const std::vector<double>& i
   } else {
     add_moved(positions, start.state.z, false, start.moved);
   }
+  for (const TurningRate& one : turning_rates(compilation, start.state))
+    velocities.push_back({one.coordinate, one.rate, one.asked->where});
   set_velocities(compilation, solver, velocities, start.state);
   add_moved(velocities, start.state.zd, true, start.moved);
   return start;
@@ -215,7 +218,7 @@ std::vector<StartParameter> start_parameters(const Compilation& compilation, con
 InitialState default_initial_state(const Compilation& compilation) {
   GenericState state = noted_initial_state(compilation, input_values(compilation.model, {}));
   std::vector<StartParameter> parameters = start_parameters(compilation, state);
-  return {std::move(state.z), std::move(state.zd), std::move(state.x), std::move(parameters)};
+  return {std::move(state.z), std::move(state.zd), std::move(state.x), std::move(parameters), std::move(state.charts)};
 }
 
 std::optional<InitialState> known_start(const Compilation& compilation) {

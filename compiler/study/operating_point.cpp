@@ -18,6 +18,11 @@
 namespace mbgen {
 namespace {
 
+/// The initial state in the angles of the model.
+GenericState users_initial_state(const Compilation& compilation, const std::vector<double>& inputs) {
+  return in_users_angles(compilation.topology.balls, noted_initial_state(compilation, inputs));
+}
+
 /// A state of a file, made consistent.
 GenericState state_of_file(const Compilation& compilation, const StateArguments& arguments,
                            std::vector<double>& inputs) {
@@ -117,7 +122,7 @@ OperatingPoint point_of_result(const Compilation& compilation, const StateArgume
 }  // namespace
 
 GenericState equilibrium_state(const Compilation& compilation, const std::vector<double>& inputs) {
-  GenericState state = noted_initial_state(compilation, inputs);
+  GenericState state = users_initial_state(compilation, inputs);
   GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
   solver.set_inputs(inputs);
   const GenericState start = state;
@@ -135,7 +140,7 @@ ChosenPoint operating_point(const Compilation& compilation, const StateArguments
   if (!arguments.result.empty()) return {point_of_result(compilation, arguments, inputs), {}};
   GenericState state = !arguments.states.empty()       ? state_of_file(compilation, arguments, inputs)
                        : arguments.at == "equilibrium" ? equilibrium_state(compilation, inputs)
-                                                       : noted_initial_state(compilation, inputs);
+                                                       : users_initial_state(compilation, inputs);
   OperatingPoint point{std::move(state.z), std::move(state.zd), std::move(state.x), state.t, std::move(inputs)};
   if (!is_steady) return {std::move(point), {}};
   SteadyMotion steady = steady_motion(compilation, point, arguments.steady);

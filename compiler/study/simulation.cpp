@@ -1,10 +1,13 @@
 #include "compiler/study/simulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
 
+#include "compiler/base/user_error.hpp"
 #include "mbgen/step_time.hpp"
 
 namespace mbgen {
@@ -192,10 +195,20 @@ double passable_step(const Engine& engine, const InputsOverTime& inputs, const G
   return 0;
 }
 
+/// A judge takes angles and rates of the model, which a ball in their pole has not.
+void require_angles(const Engine& engine, const GenericState& state) {
+  if (!engine.balls.empty() || largest_absolute(state.charts) == 0) return;
+  throw UserError(
+      fmt::format("engine {} starts from rates of angles, and a joint starts in their pole: give it another "
+                  "\"sequence\", or take another engine\n",
+                  engine.name));
+}
+
 }  // namespace
 
 SimulationSummary simulate(const Engine& engine, const GenericState& state, const InputsOverTime& inputs,
                            const SimulationSettings& settings, const std::function<void(const Sample&)>& on_sample) {
+  require_angles(engine, state);
   const Clock::time_point start = Clock::now();
   SimulationSummary summary;
   Collector collector(settings.step);

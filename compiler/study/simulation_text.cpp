@@ -146,7 +146,8 @@ std::vector<Heading> headings(const Compilation& compilation) {
   for (const TreeBody& body : compilation.topology.bodies) {
     result.push_back({"zd." + body.coordinate, fmt::format("{}/s", unit_of(body.kind))});
   }
-  for (const std::string& name : auxiliary_state_names(compilation.model)) result.push_back({"x." + name, "m"});
+  for (const AuxiliaryState& state : auxiliary_states(compilation.model))
+    result.push_back({"x." + state.name, state.unit});
   for (const Output& output : compilation.model.outputs) result.push_back({output.name, unit_or_one(output.unit)});
   result.push_back({"residual", "m"});
   return result;

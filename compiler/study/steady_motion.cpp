@@ -134,8 +134,7 @@ class Search {
 
   /// Rates of velocities and auxiliary states that should vanish.
   Eigen::VectorXd residual(const LinearSystem& system) const {
-    const auto n = static_cast<Eigen::Index>(independent_.size());
-    Eigen::VectorXd left = system.drift.tail(system.drift.size() - n);
+    Eigen::VectorXd left = system.drift.tail(system.drift.size() - position_count(system));
     if (yaw_ < 0) return left;
     const double turn = motion_.point.zd[yaw_];
     left[row_of(motion_.across[0])] += turn * motion_.point.zd[motion_.across[1]];
@@ -161,8 +160,7 @@ class Search {
 
   /// d residual / d state, with the terms of the turning.
   Eigen::VectorXd column(const LinearSystem& system, Eigen::Index j) const {
-    const auto n = static_cast<Eigen::Index>(independent_.size());
-    Eigen::VectorXd result = system.A.col(j).tail(system.A.rows() - n);
+    Eigen::VectorXd result = system.A.col(j).tail(system.A.rows() - position_count(system));
     const LinearState& state = system.states[static_cast<std::size_t>(j)];
     if (yaw_ < 0 || state.kind != StateKind::velocity) return result;
     const auto& [first, second] = motion_.across;

@@ -226,10 +226,14 @@ void check_multipliers(const Topology& topology, const Model& model, Diagnostics
     if (!source || source->joint < 0) continue;
     const auto in_tree = [&](const TreeJoint& placed) { return placed.joint == source->joint; };
     if (std::none_of(topology.tree_joints.begin(), topology.tree_joints.end(), in_tree)) continue;
+    const int closure = model.joints[source->joint].closure;
     problems.push_back({output.where,
                         "output " + quoted(output.name) + " asks for a multiplier of joint " +
                             quoted(model.joints[source->joint].name) + ", which is in the tree and has none",
-                        "ask for its \"reaction\", or mark the joint \"cut\": true", ""});
+                        closure < 0 ? "ask for its \"reaction\", or mark the joint \"cut\": true"
+                                    : "ask for its \"reaction\", or for a multiplier of " +
+                                          quoted(model.joints[closure].name) + ", which closes its loop",
+                        ""});
   }
 }
 

@@ -26,6 +26,8 @@ void add_elements_of_laws(std::vector<CoordinateUse>& uses, const Model& model) 
   }
   add_elements(uses, "friction", model.frictions);
   add_elements(uses, "joint force", model.joint_forces);
+  for (const BumpStop& stop : model.bump_stops)
+    if (stop.is_on_joint()) uses.push_back({stop.joint, "bump stop " + stop.name});
 }
 
 }  // namespace
@@ -43,6 +45,9 @@ std::vector<CoordinateUse> coordinate_uses(const Model& model) {
   std::vector<CoordinateUse> uses;
   add_elements_of_laws(uses, model);
   add_expressions(uses, model);
+  for (const Coupling& coupling : model.couplings)
+    for (const CoordinateReference& coordinate : coupling.coordinates)
+      if (coupling.curve) uses.push_back({coordinate, "coupling " + coupling.name});
   for (const InitialValue& value : model.initial.positions) uses.push_back({value.coordinate, "an initial position"});
   for (const InitialValue& value : model.initial.velocities) uses.push_back({value.coordinate, "an initial velocity"});
   for (const Output& output : model.outputs) {

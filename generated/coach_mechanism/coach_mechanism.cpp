@@ -11823,6 +11823,11 @@ bool Dynamics::settle_charts(State& state) const noexcept {
   return mbgen::settle_balls(System::kBall, System::kBalls, state.charts, state.z, state.zd);
 }
 
+void Dynamics::change_charts(const State& from, const State& to, double (&z)[kCoordinates],
+                             double (&zd)[kCoordinates], double (&zdd)[kCoordinates]) const noexcept {
+  mbgen::change_charts(System::kBall, System::kBalls, from.charts, to.charts, z, zd, zdd);
+}
+
 State in_users_angles(const State& state) noexcept {
   Derivative none{};
   return in_users_angles(state, none);

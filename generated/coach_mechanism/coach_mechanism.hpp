@@ -184,6 +184,8 @@ struct Dynamics {
   mbgen::Status derivative(const State& state, Derivative& derivative) const noexcept;
   bool leaves_charts(const State& state) const noexcept;
   bool settle_charts(State& state) const noexcept;
+  void change_charts(const State& from, const State& to, double (&z)[kCoordinates],
+                     double (&zd)[kCoordinates], double (&zdd)[kCoordinates]) const noexcept;
   mbgen::Status project(State& state) const noexcept;
   mbgen::Status project_nearest(State& state) const noexcept;
 };

@@ -2,7 +2,10 @@
 
 #include "mbgen/forces.hpp"
 
-#include "mbgen/table.hpp"
+#include "runtime/cartesian/bump_stops.hpp"
+#include "compiler/model/curve.hpp"
+#include "runtime/cartesian/bushings.hpp"
+#include "runtime/cartesian/laws.hpp"
 #include "runtime/cartesian/mechanism.hpp"
 #include "runtime/cartesian/tyre_contact.hpp"
 
@@ -11,27 +14,6 @@ namespace {
 
 using namespace cartesian;
 using Eigen::Vector3d;
-
-double along(const Table& table, double argument) {
-  const int count = static_cast<int>(table.x.size());
-  if (table.interpolation == Table::Interpolation::linear)
-    return interpolate_linear(table.x.data(), table.y.data(), count, argument);
-  std::vector<double> slopes(table.x.size());
-  monotone_slopes(table.x.data(), table.y.data(), count, slopes.data());
-  return interpolate_monotone_cubic(table.x.data(), table.y.data(), slopes.data(), count, argument);
-}
-
-double law(const std::optional<Law>& law, const Values& value, double argument) {
-  if (!law) return 0;
-  if (const Quantity* factor = std::get_if<Quantity>(&*law)) return value(*factor) * argument;
-  return along(std::get<Table>(*law), argument);
-}
-
-double with_locals(const std::optional<int>& expression, Values value, double first, double second) {
-  if (!expression) return 0;
-  value.locals = {first, second};
-  return evaluate<double>(value.model.expressions[*expression], value);
-}
 
 double tension(const PointSpring& spring, const Values& value, double length, double rate, double reference) {
   const double free = spring.free_length ? value(*spring.free_length) : reference;
@@ -43,10 +25,10 @@ double tension(const AirSpring& spring, const Values& value, double length, doub
   const double length0 = spring.length ? value(*spring.length) : reference;
   const auto area = [&](double at) {
     const Quantity* constant = std::get_if<Quantity>(&spring.area);
-    return constant ? value(*constant) : along(std::get<Table>(spring.area), at);
+    return constant ? value(*constant) : value_along(std::get<Table>(spring.area), at);
   };
   const auto volume = [&](double at) {
-    return spring.volume ? along(*spring.volume, at) : value(spring.volume0) + area(length0) * (at - length0);
+    return spring.volume ? value_along(*spring.volume, at) : value(spring.volume0) + area(length0) * (at - length0);
   };
   return -air_spring_force(value(spring.pressure), value(spring.ambient), value(spring.exponent), volume(length0),
                            volume(length), area(length));
@@ -121,6 +103,8 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
     forces.xd.push_back(wheel.du);
     forces.xd.push_back(wheel.dv);
   }
+  add_bushings(model, parts, bodies, x, values, forces);
+  add_bump_stops(model, parts, bodies, values, forces);
   add_joint_elements(model, values, forces.joints);
   return forces;
 }

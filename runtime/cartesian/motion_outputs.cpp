@@ -1,9 +1,11 @@
-// Outputs of motions, energies and wheels from the poses and velocities of the bodies in global axes.
+// Outputs of motions, energies, wheels, bushings and stops from the poses and velocities of the bodies in global axes.
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
+#include "runtime/cartesian/bump_stops.hpp"
+#include "runtime/cartesian/bushings.hpp"
 #include "runtime/cartesian/mechanism.hpp"
 #include "runtime/cartesian/system.hpp"
 
@@ -47,7 +49,7 @@ Vector3d angles_of(const Matrix3d& r, const std::array<int, 3>& sequence) {
 class Instant {
  public:
   Instant(const CartesianMechanism& c, const CartesianState& state, const GenericState& z, const Eigen::VectorXd& qdd)
-      : c_(c), bodies_(c.bodies(state)), values_(c.values(z, state.t)), qdd_(qdd) {}
+      : c_(c), state_(state), bodies_(c.bodies(state)), values_(c.values(z, state.t)), qdd_(qdd) {}
 
   double value(const PointOutput& output) const {
     Path path = path_of(output.point);
@@ -124,6 +126,27 @@ class Instant {
     return (output.what == What::toe ? -output.side : 1) * std::atan2(forward.y(), forward.x());
   }
 
+  double value(const BushingOutput& output) const {
+    std::size_t x = static_cast<std::size_t>(slip_state_count(c_.model));
+    for (int b = 0; b < output.bushing; ++b) x += maxwell_branches(c_.model.bushings[b]);
+    const Bushing& bushing = c_.model.bushings[output.bushing];
+    const BushingAtWork at_work =
+        bushing_at_work(bushing, c_.parts.bushings[output.bushing], bodies_, state_.x.data() + x, values_);
+    const bool turns =
+        output.what == BushingOutput::What::moment || output.what == BushingOutput::What::rotation_vector;
+    const int place = output.axis + (turns ? 3 : 0);
+    if (output.what >= BushingOutput::What::deflection) return at_work.deflection[place];
+    const Vector3d& acts = turns ? at_work.moment : at_work.force;
+    return -bushing_sense(bushing, place) * acts[output.axis];
+  }
+
+  double value(const BumpStopOutput& output) const {
+    const StopAtWork stop =
+        stop_at_work(c_.model.bump_stops[output.stop], c_.parts.bump_stops[output.stop], bodies_, values_);
+    if (output.what == BumpStopOutput::What::force) return stop.force;
+    return output.what == BumpStopOutput::What::deflection ? stop.penetration : stop.rate;
+  }
+
  private:
   int index(int body) const { return body == kNoBody ? c_.parts.ground() : c_.parts.index_of[body]; }
   bool moves(int body) const { return index(body) != c_.parts.ground(); }
@@ -146,6 +169,7 @@ class Instant {
   }
 
   const CartesianMechanism& c_;
+  const CartesianState& state_;
   std::vector<Moving> bodies_;
   Values values_;
   const Eigen::VectorXd& qdd_;
@@ -166,6 +190,8 @@ void CartesianSystem::motion_outputs(const CartesianState& state, const GenericS
     take(std::get_if<RotationOutput>(&source));
     take(std::get_if<MomentumOutput>(&source));
     take(std::get_if<WheelOutput>(&source));
+    take(std::get_if<BushingOutput>(&source));
+    take(std::get_if<BumpStopOutput>(&source));
   }
 }
 

@@ -101,6 +101,22 @@ PartLine line_of(const Parts& parts, const Attachment& from, const Attachment& t
           (reference_of(from, value) - reference_of(to, value)).norm()};
 }
 
+PartFrames frames_of(const Parts& parts, const Bushing& bushing, const Values& value) {
+  const Place from = place_of(parts, bushing.from, value), to = place_of(parts, bushing.to, value);
+  const Matrix3d axes = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(bushing.axes.data());
+  return {from, to, parts.bodies[from.body].axes.transpose() * axes, parts.bodies[to.body].axes.transpose() * axes};
+}
+
+PartStop stop_of(const Parts& parts, const BumpStop& stop, const Values& value) {
+  if (stop.is_on_joint()) return {};
+  PartStop part{line_of(parts, stop.from, stop.to, value)};
+  if (!stop.axis) return part;
+  const Matrix3d axes = parts.bodies[part.line.from.body].axes;
+  part.axis = axes.transpose() * vector_of(*stop.axis);
+  part.gap = axes.transpose() * (reference_of(stop.to, value) - reference_of(stop.from, value));
+  return part;
+}
+
 PartRod rod_of(const Parts& parts, const Rod& rod, const Values& value) {
   const PartLine line = line_of(parts, rod.from, rod.to, value);
   PartRod part{line.from, line.to, rod.length ? value(*rod.length) : line.reference, value(rod.mass), -1, -1};
@@ -172,6 +188,8 @@ Parts make_parts(const Model& model, const Topology& topology, const Values& val
     const Place centre = place_of(parts, tyre.centre, values);
     parts.tyres.push_back({centre, in_body(parts, centre, tyre.axis)});
   }
+  for (const Bushing& bushing : model.bushings) parts.bushings.push_back(frames_of(parts, bushing, values));
+  for (const BumpStop& stop : model.bump_stops) parts.bump_stops.push_back(stop_of(parts, stop, values));
   return parts;
 }
 

@@ -53,6 +53,19 @@ struct PartLine {
   double reference = 0;  ///< m
 };
 
+/// An element between two frames, whose axes agree at the reference configuration.
+struct PartFrames {
+  Place from, to;
+  Eigen::Matrix3d axes_from, axes_to;  ///< columns: its axes, in the axes of either body
+};
+
+/// A bump stop between two points.
+struct PartStop {
+  PartLine line;
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();  ///< body axes of `from`; zero: along the line
+  Eigen::Vector3d gap = Eigen::Vector3d::Zero();   ///< from `from` to `to` at the reference, body axes of `from`, m
+};
+
 struct PartTyre {
   Place centre;
   Eigen::Vector3d axis;  ///< spin axis, body axes
@@ -67,6 +80,8 @@ struct Parts {
   std::vector<PartLine> springs, air_springs;
   std::vector<Place> forces;
   std::vector<PartTyre> tyres;
+  std::vector<PartFrames> bushings;
+  std::vector<PartStop> bump_stops;
   Eigen::Vector3d gravity;
   int ground() const { return static_cast<int>(bodies.size()) - 1; }
 };

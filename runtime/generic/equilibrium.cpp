@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "compiler/algebra/dense.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "mbgen/newton.hpp"
 #include "runtime/generic/equations.hpp"
 #include "runtime/generic/generic.hpp"
@@ -53,14 +54,15 @@ Status moved(const GenericSolver& solver, const GenericState& state, const Balan
   result = state;
   const Eigen::VectorXd dz = b.rz * change.head(b.rz.cols());
   for (std::size_t i = 0; i < result.z.size(); ++i) result.z[i] += dz[static_cast<Eigen::Index>(i)];
-  for (std::size_t i = 0; i < result.x.size(); ++i) result.x[i] += change[b.rz.cols() + static_cast<Eigen::Index>(i)];
+  for (Eigen::Index i = 0; i < change.size() - b.rz.cols(); ++i)
+    result.x[static_cast<std::size_t>(i)] += change[b.rz.cols() + i];
   return settled(solver, result);
 }
 
 /// d force / d unknowns by central differences along the closures.
 Status stiffness_at(const GenericSolver& solver, GenericEquations& equations, const GenericState& state,
                     const Balance& b, Eigen::MatrixXd& stiffness) {
-  const Eigen::Index unknowns = b.rz.cols() + static_cast<Eigen::Index>(state.x.size());
+  const Eigen::Index unknowns = b.rz.cols() + slip_state_count(equations.model);
   stiffness.resize(b.rz.cols(), unknowns);
   for (Eigen::Index u = 0; u < unknowns; ++u) {
     const Eigen::VectorXd change = Eigen::VectorXd::Unit(unknowns, u) * kDifference;
@@ -124,6 +126,7 @@ Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations,
 Status GenericSolver::equilibrium(GenericState& state) const {
   GenericState start = state;
   std::fill(start.zd.begin(), start.zd.end(), 0.0);
+  std::fill(start.x.begin() + slip_state_count(equations_->model), start.x.end(), 0.0);  // Maxwell branches relaxed
   if (const Status status = settled(*this, start); !status.ok()) return status;
   GenericState found = start;
   Status status = walk_to_balance(*this, *equations_, Search::downhill, kBalanceIterations, found);

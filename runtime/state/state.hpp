@@ -45,6 +45,16 @@ inline bool settle_charts(const std::vector<Ball>& balls, GenericState& state) {
   return true;
 }
 
+/// Takes positions, rates and accelerations from the charts of one state to those of another.
+inline void change_charts(const std::vector<Ball>& balls, const GenericState& from, const GenericState& to,
+                          std::vector<double>& z, std::vector<double>& zd, std::vector<double>& zdd) {
+  std::vector<double> charts_from = from.charts, charts_to = to.charts;
+  charts_from.resize(balls.size(), 0.0);
+  charts_to.resize(balls.size(), 0.0);
+  change_charts(balls.data(), static_cast<int>(balls.size()), charts_from.data(), charts_to.data(), z.data(), zd.data(),
+                zdd.data());
+}
+
 /// The state as the model counts its coordinates: every ball in chart 0.
 inline GenericState in_users_angles(const std::vector<Ball>& balls, GenericState state) {
   if (state.charts.empty()) return state;

@@ -49,7 +49,7 @@ TEST_P(EveryModel, OnlyEquationsOfLoopsCanBeOpen) {
   GenericState z{std::vector<double>(m.topology.bodies.size()), no_tau, {}, 0};
   const VectorXd away = random_vector(m.topology.size(), 8);
   for (int i = 0; i < m.topology.size(); ++i) z.z[i] = 0.1 * away[i];
-  z.x.resize(2 * m.model.tyres.size());
+  z.x.resize(static_cast<std::size_t>(auxiliary_state_count(m.model)));
   const VectorXd residual = system.terms(system.place(z), z, no_tau).residual;
   const int first_motion = system.equations() - static_cast<int>(m.model.motions.size());
   std::vector<double> opening(m.topology.loops.size());

@@ -165,6 +165,67 @@ int main() {
   EXPECT_EQ(shell("made/main").exit_code, 0);
 }
 
+/// The free racket at a quarter turn about y, the pole of zyx and none of xzy, turning about another axis.
+std::string from_the_pole(const char* sequence, bool reversed) {
+  const char* joint = R"("from": "ground.O", "to": "racket.O" })";
+  const std::string ends =
+      reversed ? R"("from": "racket.O", "to": "ground.O")" : R"("from": "ground.O", "to": "racket.O")";
+  std::string text = with_text(free_racket(), joint, fmt::format(R"({}, "sequence": "{}" }})", ends, sequence));
+  return with_text(text, R"({ "velocities": { "float_ry": 3, "float_rx": 0.02, "float_tz": 1 } })",
+                   R"({ "orientations": { "float": { "rotation_vector": [0, 1.5707963267948966, 0],
+                                                     "angular_velocity": [0.4, 2, -1.5] } } })");
+}
+
+// Rates of angles cannot say how a ball turns in their pole: it starts in its other angles, whichever way the tree
+// runs.
+TEST_F(CommandLine, ABallStartsTurningInItsPole) {
+  for (const bool reversed : {false, true}) {
+    write("far.json", from_the_pole("xzy", reversed));
+    write("m.json", from_the_pole("zyx", reversed));
+    ASSERT_EQ(mbgen("simulate far.json --engine generic --duration 1 --every 100 --out far.csv").exit_code, 0);
+    const Table far = table("far.csv");
+    for (const char* engine : kEngines) {
+      const Outcome run =
+          mbgen(fmt::format("simulate m.json --engine {} --duration 1 --every 100 --out o.csv", engine));
+      ASSERT_EQ(run.exit_code, 0) << run.err;
+      const Table here = table("o.csv");
+      for (const char* column : {"x [m]", "y [m]", "z [m]", "alpha [rad/s^2]"})
+        for (std::size_t row = 0; row < far.rows.size(); ++row)
+          ASSERT_NEAR(here.at(row, column), far.at(row, column), 1e-9) << engine << reversed << column << row;
+    }
+  }
+  ASSERT_EQ(mbgen("generate m.json --out made").exit_code, 0);
+  EXPECT_NE(read("made/racket.cpp").find("0.0, {1.0}};"), std::string::npos);
+  const Outcome judged = mbgen("simulate m.json --engine augmented --duration 1 --out o.csv");
+  EXPECT_NE(judged.err.find("a joint starts in their pole"), std::string::npos) << judged.err;
+  const Outcome unit = mbgen("export m.json --fmi 3 --sources-only -o o.fmu");
+  EXPECT_NE(unit.err.find("those of joint \"float\" start in their pole"), std::string::npos) << unit.err;
+  write("held.json", with_text(from_the_pole("zyx", false), R"("outputs")",
+                               R"("joint_springs": { "s": { "joint": "float_rz", "stiffness": 1 } }, "outputs")"));
+  const Outcome held = mbgen("check held.json");
+  EXPECT_EQ(held.exit_code, 1);
+  EXPECT_NE(held.err.find("have no rates: joint spring s is on float_rz"), std::string::npos) << held.err;
+}
+
+// A shaft on an arm that swings: at a right angle the cross lets it turn, and the loop through its bearing is singular.
+TEST_F(CommandLine, AUniversalJointAtARightAngleIsNamed) {
+  write("m.json", R"({ "mbgen": 1, "name": "shaft", "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
+      "arm": { "mass": 1, "inertia": [1, 1, 1], "points": { "O": [0, 0, 0] } },
+      "shaft": { "mass": 1, "inertia": [1, 1, 1], "points": { "O": [0, 0, 0] } } },
+    "joints": { "arm": { "type": "revolute", "from": "ground.O", "to": "arm.O", "axis": "z" },
+      "bearing": { "type": "revolute", "from": "arm.O", "to": "shaft.O", "axis": "x", "cut": true },
+      "cross": { "type": "universal", "from": "ground.O", "to": "shaft.O", "axis": "y", "axis2": "z" } } })");
+  write("s.json",
+        fmt::format(R"({{ "states": [{{ "z": [{0:.17g}, 0, {0:.17g}], "zd": [0, 0, 0], "tau": [0, 0, 0] }}] }})",
+                    std::numbers::pi / 2));
+  for (const char* engine : kEngines) {
+    const Outcome run = mbgen(fmt::format("evaluate m.json --states s.json --engine {}", engine));
+    EXPECT_NE(run.out.find("loop singular: bearing, universal joint cross may be bent by a right angle"),
+              std::string::npos)
+        << run.out << run.err;
+  }
+}
+
 TEST_F(CommandLine, PolesAreNamedWhereAnglesAreAskedFor) {
   write("m.json", kRacket);
   const std::string pole = fmt::format("[0, 0, 0, 0.2, {:.17g}, 0]", std::numbers::pi / 2);

@@ -1,4 +1,4 @@
-// Rolling at the command line: freedoms of positions and of velocities, commands that refuse it, and motions that no
+// Rolling at the command line: freedoms of positions and of velocities, linear systems, FMUs, and motions that no
 // real contact has.
 
 #include "tests/support/cli_support.hpp"
@@ -31,14 +31,41 @@ TEST_F(Rolling, FreedomsOfVelocitiesAreToldFromThoseOfPositions) {
   EXPECT_NE(mbgen("explain disc.json").out.find("of positions there are 5 freedoms"), std::string::npos);
 }
 
-TEST_F(Rolling, WhatNeedsAPositionForEachVelocityIsRefused) {
-  write("disc.json", falling_disc("-9.81", "0"));
-  for (const std::string command : {"linearize disc.json", "export disc.json --fmi 3 -o disc.fmu"}) {
-    const Outcome refused = mbgen(command);
-    EXPECT_EQ(refused.exit_code, 1) << command;
-    EXPECT_NE(refused.err.find("/joints/contact"), std::string::npos) << refused.err;
-    EXPECT_NE(refused.err.find("more positions are free than velocities"), std::string::npos) << refused.err;
+TEST_F(Rolling, PlacesAreStatesOfTheLinearSystemAndNeutral) {
+  write("disc.json", falling_disc("-9.81", "8"));
+  const Json linear = json_of("linearize disc.json --json");
+  const std::vector<std::string> states = linear["states"];
+  EXPECT_EQ(states.size(), 8u);
+  for (const char* state : {"z.disc_tx", "z.disc_ty", "zd.disc_ry"})
+    EXPECT_NE(std::find(states.begin(), states.end(), state), states.end()) << state;
+  const std::string told = mbgen("linearize disc.json").out;
+  EXPECT_NE(told.find("rigid body and rolling (4 eigenvalues): disc_ry, disc_tx, disc_ty"), std::string::npos) << told;
+}
+
+TEST_F(Rolling, AnFmuOfItHasCoSimulationAlone) {
+  write("disc.json", falling_disc("-9.81", "8"));
+  for (const std::string version : {"2", "3"}) {
+    const Outcome done = mbgen("export disc.json --sources-only --fmi " + version + " -o disc.fmu");
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_NE(done.err.find("disc.json:7:"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("the FMU has co-simulation alone"), std::string::npos) << done.err;
+    EXPECT_EQ(shell("cmake -E tar xf disc.fmu modelDescription.xml").exit_code, 0);
+    const std::string description = read("modelDescription.xml");
+    EXPECT_NE(description.find("<CoSimulation"), std::string::npos);
+    for (const char* absent : {"<ModelExchange", "StateDerivative", "<Derivatives>", "name=\"q."})
+      EXPECT_EQ(description.find(absent), std::string::npos) << absent;
   }
+}
+
+// A plane is there to hold the height of a ball on it: nothing to note.
+TEST_F(Rolling, AHeightThatAContactHoldsIsMeant) {
+  write("marble.json", R"({ "mbgen": 1, "bodies": { "ground": { "points": { "O": [0, 0, 0], "C": [0, 0, 0.1] } },
+      "marble": { "mass": 1, "pose": { "origin": [0, 0, 0.1] }, "inertia": [0.004, 0.004, 0.004], "points": { "C": [0, 0, 0] } } },
+    "joints": { "marble": { "type": "free", "from": "ground.C", "to": "marble.C", "sequence": "zyx" },
+      "contact": { "type": "rolling_ball", "from": "ground.O", "to": "marble.C", "axis": "z" } } })");
+  const Outcome done = mbgen("check marble.json");
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ((done.out + done.err).find("never move"), std::string::npos) << done.out << done.err;
 }
 
 // The disc lies flat after 0.25 s, which a step goes over; upside down it hangs on its plane from the start.

@@ -6,7 +6,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 mbgen=$(realpath "$1")
 shift
-[ $# -gt 0 ] || set -- described:3 described:2 triple_rocker:3 slider_crank:2 tuned_rod:2 driven_cart:2 driven_cart:3 tyre_rig:3
+[ $# -gt 0 ] || set -- described:3 described:2 triple_rocker:3 slider_crank:2 tuned_rod:2 driven_cart:2 driven_cart:3 tyre_rig:3 rolling_disc:3 tumbling:2 rod_ball:3
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() { echo "fmi: $*"; exit 1; }
@@ -35,6 +35,7 @@ duration_of() {
   case $1 in
     slider_crank) echo 0.02 ;;
     triple_rocker) echo 2 ;;
+    tumbling) echo 0.7 ;;
     *) echo 0.2 ;;
   esac
 }

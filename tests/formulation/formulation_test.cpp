@@ -157,7 +157,7 @@ struct Numbers {
     for (const Input& i : m.model.inputs) e.inputs.push_back(i.default_value);
     e.z = z;
     e.zd = zd;
-    System<double> system{m.model, m.topology, layout, e, std::vector<double>(2 * m.model.tyres.size(), 0.0),
+    System<double> system{m.model, m.topology, layout, e, std::vector<double>(auxiliary_state_count(m.model), 0.0),
                           {},      scribe};
     system.constants = make_constants(m.model, m.topology, system.environment);
     return system;

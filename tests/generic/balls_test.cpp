@@ -28,6 +28,7 @@ struct Moving {
   GenericSolver solver{m.model, m.topology, m.analysis};
   GenericState state;
   AbmHistory<Moving> history{};
+  mutable int evaluations = 0;
   int changes = 0;  ///< steps after which other charts are taken
   Status worst;     ///< the first that is not ok itself
 
@@ -43,11 +44,18 @@ struct Moving {
     values[static_cast<std::size_t>(tree_coordinate(m.topology, value.coordinate))] = value.value;
   }
 
-  Status derivative(const State& at, Derivative& rates) const noexcept { return solver.solve_motion(at, rates); }
+  Status derivative(const State& at, Derivative& rates) const noexcept {
+    ++evaluations;
+    return solver.solve_motion(at, rates);
+  }
   Status project(State& at) const noexcept { return solver.project_motion(at); }
   Status project_nearest(State& at) const noexcept { return solver.project_nearest(at); }
   bool leaves_charts(const State& at) const noexcept { return mbgen::leaves_charts(m.topology.balls, at); }
   bool settle_charts(State& at) const noexcept { return mbgen::settle_charts(m.topology.balls, at); }
+  void change_charts(const State& from, const State& to, std::vector<double>& z, std::vector<double>& zd,
+                     std::vector<double>& zdd) const noexcept {
+    mbgen::change_charts(m.topology.balls, from, to, z, zd, zdd);
+  }
 
   void go(int steps, double h, bool multistep = false) {
     for (int k = 0; k < steps; ++k) {
@@ -189,6 +197,35 @@ TEST(Racket, KeepsMomentumAndEnergyAsItFlips) {
       EXPECT_GT(flying.changes, 0) << sequence;
     }
   }
+}
+
+// The rates that the method of several steps remembers go over to the other angles: every step takes two evaluations,
+// and the error falls by the order of the method, as if there were no changes.
+TEST(Racket, TakesItsHistoryThroughPoles) {
+  constexpr int kSteps = 500;
+  constexpr double kStep = 5e-3;
+  const std::string start = R"({ "velocities": { "float_rx": 1, "float_ry": 2.5, "float_rz": 1.5 } })";
+  int changes = 0;
+  for (const char* sequence : kSequences) {
+    const auto run = [&](int finer) {
+      Moving flying(racket(sequence, start));
+      flying.go(3, kStep / finer, true);
+      flying.evaluations = 0;
+      flying.go(kSteps * finer - 3, kStep / finer, true);
+      EXPECT_EQ(flying.evaluations, 2 * (kSteps * finer - 3)) << sequence;
+      changes += flying.changes;
+      return flying.outputs();
+    };
+    const std::vector<double> coarse = run(1), fine = run(2), reference = run(6);
+    double coarse_error = 0, fine_error = 0;
+    for (std::size_t k = 0; k < reference.size(); ++k) {
+      coarse_error = std::max(coarse_error, std::abs(coarse[k] - reference[k]));
+      fine_error = std::max(fine_error, std::abs(fine[k] - reference[k]));
+    }
+    EXPECT_LT(coarse_error, 1e-5) << sequence;
+    EXPECT_LT(fine_error, coarse_error / 10) << sequence;
+  }
+  EXPECT_GT(changes, 15);
 }
 
 // A start in the pole itself, by a quaternion: a quarter about y is the pole of zyx.

@@ -1,6 +1,8 @@
 // Couplings against hand calculations: gears, planetary gears, differentials, racks, screws and cams.
 
 #include <cmath>
+#include <cstdio>
+#include <vector>
 
 #include "runtime/cartesian/cartesian.hpp"
 #include "tests/support/dynamics.hpp"
@@ -209,6 +211,125 @@ TEST(Cam, LiftsItsFollower) {
         (torque - mass * (9.81 + curve * rate * rate) * slope) / (inertia + mass * slope * slope);
     EXPECT_NEAR(cam.zdd("cam"), acceleration, 1e-10);
     EXPECT_NEAR(cam.zdd("follower"), slope * acceleration + curve * rate * rate, 1e-10);
+  }
+}
+
+/// Points [x, f(x)] of a table, with 17 digits.
+template <class Function>
+std::string points_of(const std::vector<double>& x, const Function& f) {
+  std::string text;
+  char point[80];
+  for (const double at : x) {
+    std::snprintf(point, sizeof point, "%s[%.17g, %.17g]", text.empty() ? "" : ", ", at, f(at));
+    text += point;
+  }
+  return "[" + text + "]";
+}
+
+/// A cam of 0.05 kg m2 that a follower of 0.4 kg follows by a curve; curve: members of the table.
+Coupled cam_by_table(const std::string& curve) {
+  return Coupled(R"({ "mbgen": 1,
+    "bodies": {
+      "ground": { "points": { "O": [0, 0, 0], "guide": [0, 0, 0.3] } },
+      "cam":      { "mass": 1, "inertia": [0.05, 0.05, 0.05], "points": { "O": [0, 0, 0] } },
+      "follower": { "mass": 0.4, "pose": { "origin": [0, 0, 0.3] }, "inertia": [0.001, 0.001, 0.001],
+                    "points": { "O": [0, 0, 0] } } },
+    "joints": {
+      "cam":      { "type": "revolute", "from": "ground.O", "to": "cam.O", "axis": "y" },
+      "follower": { "type": "prismatic", "from": "ground.guide", "to": "follower.O", "axis": "z" } },
+    "couplings": { "contact": { "joint": "follower", "follows": "cam", "curve": { )" +
+                 curve + R"( } } },
+    "outputs": { "push": { "multiplier": "contact" } } })");
+}
+
+/// Lift, slope and curvature of a cam at an angle.
+struct Lift {
+  double value, slope, curvature;
+};
+
+/// The cam turns at 30 rad/s under 0.3 N m. errors: allowed of place, rate and relative of accelerations.
+void expect_lift(Coupled& cam, double angle, const Lift& lift, const Lift& errors) {
+  const double inertia = 0.05, mass = 0.4, torque = 0.3, rate = 30;
+  cam.set("cam", angle, rate);
+  cam.push("cam", torque);
+  cam.solve();
+  EXPECT_NEAR(cam.z("follower"), lift.value, errors.value) << angle;
+  EXPECT_NEAR(cam.zd("follower"), lift.slope * rate, errors.slope * rate) << angle;
+  const double force = 9.81 + lift.curvature * rate * rate;
+  const double acceleration = (torque - mass * force * lift.slope) / (inertia + mass * lift.slope * lift.slope);
+  const double rise = lift.slope * acceleration + lift.curvature * rate * rate;
+  const double error = errors.curvature * rate * rate;
+  EXPECT_NEAR(cam.zdd("cam"), acceleration, 8 * error + 1e-11 * std::abs(acceleration)) << angle;
+  EXPECT_NEAR(cam.zdd("follower"), rise, error + 1e-11 * std::abs(rise)) << angle;
+  EXPECT_NEAR(cam.output(0), -mass * (9.81 + rise), mass * error + 1e-10) << angle;
+}
+
+// A spline through points of a cubic is the cubic, and a straight line beyond its ends.
+TEST(CamByTable, SplineOfACubicIsTheCubic) {
+  const auto cubic = [](double x) { return 0.01 * x + 0.02 * x * x - 0.004 * x * x * x; };
+  const auto slope = [](double x) { return 0.01 + 0.04 * x - 0.012 * x * x; };
+  Coupled cam = cam_by_table("\"table\": " + points_of({-1, -0.3, 0.4, 0.9, 2, 2.2, 3}, cubic) +
+                             ", \"interpolation\": \"spline\"");
+  EXPECT_EQ(cam.analysis().degrees_of_freedom, 1);
+  const Lift rounding{1e-13, 1e-13, 1e-13};
+  for (const double a : {-0.9, -0.3, 0.0, 0.65, 1.7, 2.95})
+    expect_lift(cam, a, {cubic(a), slope(a), 0.04 - 0.024 * a}, rounding);
+  for (const double a : {-2.0, 4.0}) {
+    const double end = a < 0 ? -1 : 3;
+    expect_lift(cam, a, {cubic(end) + slope(end) * (a - end), slope(end), 0}, rounding);
+  }
+}
+
+// The cam of the expression above, from 36 and from 72 points of a turn, turn after turn: the errors of a spline fall
+// with the fourth, third and second power of the distance of its points.
+TEST(CamByTable, PeriodicSplineTendsToItsFunction) {
+  const double h = 0.02;
+  for (const int count : {36, 72}) {
+    const double width = 2 * M_PI / count;
+    std::vector<double> angles;
+    for (int k = 0; k <= count; ++k) angles.push_back(k * width);
+    Coupled cam = cam_by_table("\"table\": " + points_of(angles, [&](double a) { return h * (1 - std::cos(a)); }) +
+                               ", \"interpolation\": \"spline\", \"periodic\": true");
+    const Lift errors{h * std::pow(width, 4) / 300, h * std::pow(width, 3) / 20, h * std::pow(width, 2) / 8};
+    for (const double a : {0.01, 0.4, 1.3, 2.9, 5.0, 6.28, 6.29, 40.0, -0.02, -17.0})
+      expect_lift(cam, a, {h * (1 - std::cos(a)), h * std::sin(a), h * std::cos(a)}, errors);
+    // Nothing dissipates: the energy of a turn and a half, by steps of a third of a degree.
+    cam.set("cam", 0.3, 30);
+    cam.push("cam", 0);
+    cam.solve();
+    const double before = cam.outputs().kinetic_energy + cam.outputs().potential_energy;
+    const Dynamics dynamics{cam.solver()};
+    for (int k = 0; k < 1600; ++k) ASSERT_TRUE(step_rk4(dynamics, cam.state(), 2e-4).ok());
+    EXPECT_GT(cam.z("cam"), 3 * M_PI);
+    cam.solve();
+    EXPECT_NEAR(cam.outputs().kinetic_energy + cam.outputs().potential_energy, before, 1e-9 * before);
+  }
+}
+
+// Elliptic gears: the angle of one over that of the other, each turn a turn more.
+TEST(EllipticGears, TurnOnAndOn) {
+  std::vector<double> angles;
+  for (int k = 0; k <= 90; ++k) angles.push_back(k * 2 * M_PI / 90);
+  const auto driven = [](double a) { return -(a + 0.3 * std::sin(a)); };
+  Coupled gears(R"({ "mbgen": 1, "gravity": [0, 0, 0], "bodies": {
+      "ground": { "points": { "O": [0, 0, 0], "P": [0.25, 0, 0] } },
+      "first":  { "mass": 3, "inertia": [0.2, 0.2, 0.4], "points": { "O": [0, 0, 0] } },
+      "second": { "mass": 1, "pose": { "origin": [0.25, 0, 0] }, "inertia": [0.02, 0.02, 0.03],
+                  "points": { "O": [0, 0, 0] } } },
+    "joints": {
+      "first":  { "type": "revolute", "from": "ground.O", "to": "first.O", "axis": "z" },
+      "second": { "type": "revolute", "from": "ground.P", "to": "second.O", "axis": "z" } },
+    "couplings": { "mesh": { "joint": "second", "follows": "first", "curve": {
+      "interpolation": "spline", "periodic": true, "table": )" +
+                points_of(angles, driven) + "} } } }");
+  for (const double a : {0.5, 6.0, 200.0, -31.0}) {
+    gears.set("first", a, 2);
+    gears.set("second", driven(a), -2 * (1 + 0.3 * std::cos(a)));
+    gears.solve();
+    EXPECT_NEAR(gears.z("second"), driven(a), 1e-7);
+    EXPECT_NEAR(gears.zd("second"), -2 * (1 + 0.3 * std::cos(a)), 1e-5);
+    const double slope = -(1 + 0.3 * std::cos(a)), bend = 0.3 * std::sin(a);
+    EXPECT_NEAR(gears.zdd("first"), -0.03 * slope * bend * 4 / (0.4 + 0.03 * slope * slope), 1e-4);
   }
 }
 

@@ -1,6 +1,8 @@
 // Driven coordinates against hand calculations: what a drive has to give, and its sign.
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include "tests/support/mechanism_support.hpp"
 
@@ -190,6 +192,49 @@ TEST(DrivenFiveBar, MovesAsItsExpressionsSay) {
   for (std::size_t i = 0; i < 4; ++i) {  // dependent ones too; h^2/6 of a third derivative below 50
     EXPECT_NEAR(here.zd[i], (after.z[i] - before.z[i]) / (2 * h), 1e-7) << i;
     EXPECT_NEAR(derivative.zdd[i], (after.zd[i] - before.zd[i]) / (2 * h), 2e-7) << i;
+  }
+}
+
+/// The model of driven_cut.json with other joints cut.
+std::string driven_cut(const std::string& cut_in_plane, const std::string& cut_in_space) {
+  std::ifstream file(source_path("tests/data/models/driven_cut.json"));
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  const std::string mark = ", \"cut\": true";
+  for (std::size_t at; (at = text.find(mark)) != std::string::npos;) text.erase(at, mark.size());
+  for (const std::string& name : {cut_in_plane, cut_in_space})
+    text.insert(text.find(" }", text.find("\"" + name + "\": ", text.find("\"joints\""))), mark);
+  return text;
+}
+
+// Where a loop is cut is nobody's business: the motions, the forces of the drives and all reactions are those of the
+// same mechanism cut where nothing is driven.
+TEST(DrivenCut, IsTheMechanismCutElsewhere) {
+  for (const double t : {0.0, 0.35, 1.1}) {
+    const std::vector<double> inputs{0.1 + 0.2 * t, 0.7, -2};
+    const Instant cut = instant(driven_cut("tip", "slide"), t, {{"arm", 0.1, 1.5}, {"slide_tx", 0.02, 0.4}}, inputs);
+    EXPECT_EQ(cut.mechanism.topology.loops.size(), 2u);
+    EXPECT_EQ(cut.mechanism.topology.loops[0].name, "tip_closure");
+    std::vector<Guess> closed;
+    for (std::size_t i = 0; i < cut.state.z.size(); ++i)
+      closed.push_back({cut.mechanism.topology.bodies[i].coordinate, cut.state.z[i], cut.state.zd[i]});
+    const Mechanism other = mechanism_of(driven_cut("elbow", "ball"));
+    std::erase_if(closed, [&](const Guess& g) { return find_coordinate(other.topology, g.name) < 0; });
+    const Instant plain = instant(driven_cut("elbow", "ball"), t, closed, inputs);
+    for (const TreeBody& body : other.topology.bodies) {
+      EXPECT_NEAR(cut.z(body.coordinate), plain.z(body.coordinate), 1e-11) << body.coordinate;
+      EXPECT_NEAR(cut.zd(body.coordinate), plain.zd(body.coordinate), 1e-10) << body.coordinate;
+      EXPECT_NEAR(cut.zdd(body.coordinate), plain.zdd(body.coordinate), 1e-8) << body.coordinate;
+    }
+    EXPECT_EQ(cut.z("tip"), 0.3 * std::sin(2 * t));
+    EXPECT_NEAR(cut.zdd("tip"), -1.2 * std::sin(2 * t), kRounding);
+    EXPECT_GT(std::abs(cut.drive[0]) * std::abs(cut.drive[1]), 0.01);
+    for (std::size_t k = 0; k < 2; ++k)
+      EXPECT_NEAR(cut.drive[k], plain.drive[k], 1e-8 * (1 + std::abs(plain.drive[k])));
+    for (std::size_t k = 0; k < plain.outputs.y.size(); ++k)
+      EXPECT_NEAR(cut.outputs.y[k], plain.outputs.y[k], 1e-8 * (1 + std::abs(plain.outputs.y[k])))
+          << plain.mechanism.model.outputs[k].name;
+    EXPECT_NEAR(cut.outputs.kinetic_energy, plain.outputs.kinetic_energy, 1e-11);
+    EXPECT_NEAR(cut.outputs.applied_power, plain.outputs.applied_power, 1e-7);
   }
 }
 

@@ -109,7 +109,8 @@ TEST_P(EveryModel, EnergyChangesByTheAppliedPower) {
       return out.kinetic_energy + out.potential_energy;
     };
     const double h = 1e-5;
-    const double rate = (energy_after(h) - energy_after(-h)) / (2 * h);
+    const auto difference = [&](double step) { return (energy_after(step) - energy_after(-step)) / (2 * step); };
+    const double rate = (4 * difference(h / 2) - difference(h)) / 3;  // stiff rubber bends the energy over h
     double traffic = std::abs(here.applied_power);  // sum of the powers that pass through the joints
     for (std::size_t i = 0; i < tau.size(); ++i) traffic += std::abs(tau[i] * state.zd[i]);
     EXPECT_NEAR(rate, here.applied_power, 1e-6 * traffic + 1e-7 * std::abs(here.kinetic_energy) / h * 1e-4 + 1e-6);

@@ -31,8 +31,9 @@ struct Probes {
   std::vector<ReactionProbe> reactions;
   std::vector<std::array<int, 3>> springs;  ///< outputs: position of from and to, tension
   std::vector<Attachment> spring_from, spring_to;
-  std::vector<int> force_at;              ///< outputs: position, per Model::forces
-  std::vector<std::array<int, 5>> tyres;  ///< outputs: position of the centre, load, fx, fy, mz
+  std::vector<int> force_at;                 ///< outputs: position, per Model::forces
+  std::vector<std::array<int, 5>> tyres;     ///< outputs: position of the centre, load, fx, fy, mz
+  std::vector<std::array<int, 3>> bushings;  ///< outputs: position of `to`, force and moment on it
 };
 
 int add_scalar(Model& model, const decltype(Output::source)& source) {
@@ -91,7 +92,7 @@ bool has_expression(const AppliedForce& applied) {
 Probes probes_of(Model model) {
   std::erase_if(model.forces, has_expression);
   model.outputs.clear();
-  Probes p{std::move(model), {}, {}, {}, {}, {}, {}, {}};
+  Probes p{std::move(model), {}, {}, {}, {}, {}, {}, {}, {}};
   const Model plain = p.model;
   for (Tyre& tyre : p.model.tyres) silence_moments(tyre);
   for (std::size_t b = 0; b < plain.bodies.size(); ++b) probe_body(p, static_cast<int>(b));
@@ -108,6 +109,13 @@ Probes probes_of(Model model) {
     p.tyres.push_back({add_motion(p.model, plain.tyres[t].centre, PointOutput::What::position),
                        of(TyreOutput::What::load), of(TyreOutput::What::longitudinal_force),
                        of(TyreOutput::What::lateral_force), of(TyreOutput::What::aligning_moment)});
+  }
+  for (std::size_t b = 0; b < plain.bushings.size(); ++b) {
+    const auto vector = [&](BushingOutput::What what) {
+      return add_vector(p.model, BushingOutput{what, static_cast<int>(b), 0});
+    };
+    p.bushings.push_back({add_motion(p.model, plain.bushings[b].to, PointOutput::What::position),
+                          vector(BushingOutput::What::force), vector(BushingOutput::What::moment)});
   }
   return p;
 }
@@ -139,6 +147,7 @@ class Balance {
     }
     for (std::size_t i = 0; i < p.force_at.size(); ++i) apply(p.model.forces[i], at(p.force_at[i]));
     for (std::size_t i = 0; i < p.tyres.size(); ++i) roll(p.model.tyres[i], p.tyres[i]);
+    for (std::size_t i = 0; i < p.bushings.size(); ++i) press(p.model.bushings[i], p.bushings[i]);
     for (std::size_t b = 0; b < sums.size(); ++b) {
       const Vector3Quantity& g = p.model.gravity;
       sums[b].add(p.model.bodies[b].mass.value * Force{g[0].value, g[1].value, g[2].value}, {});
@@ -161,6 +170,23 @@ class Balance {
       return v[0].value * axis(b, 0) + v[1].value * axis(b, 1) + v[2].value * axis(b, 2);
     };
     act(applied.at.body, global(applied.force), point, global(applied.torque));
+  }
+  /// A bushing's force and moment in its axes on `from`, counted as its freedoms are, both at the point of `to`.
+  void press(const Bushing& bushing, const std::array<int, 3>& probe) {
+    const Matrix3& pose = p.model.bodies[bushing.from.body].pose.rotation;
+    Force force, moment;
+    for (int column = 0; column < 3; ++column) {
+      Force along;
+      for (int k = 0; k < 3; ++k) {
+        double component = 0;
+        for (int row = 0; row < 3; ++row) component += pose[3 * row + k] * bushing.axes[3 * row + column];
+        along = along + component * axis(bushing.from.body, k);
+      }
+      force = force + bushing_sense(bushing, column) * y_[probe[1] + column] * along;
+      moment = moment + bushing_sense(bushing, 3 + column) * y_[probe[2] + column] * along;
+    }
+    act(bushing.to.body, force, at(probe[0]), moment);
+    act(bushing.from.body, -force, at(probe[0]), -moment);
   }
   void roll(const Tyre& tyre, const std::array<int, 5>& probe) {
     const int b = tyre.centre.body;

@@ -4,13 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "compiler/analysis/analysis.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/topology/topology.hpp"
 #include "runtime/generic/generic.hpp"
@@ -87,22 +90,36 @@ inline std::string test_name(const ::testing::TestParamInfo<std::string>& info) 
 /// The reference configuration, at rest.
 inline GenericState reference_state(const Mechanism& mechanism) {
   const std::vector<double> zeros(static_cast<std::size_t>(mechanism.topology.size()), 0.0);
-  return {zeros, zeros, std::vector<double>(2 * mechanism.model.tyres.size(), 0.0), 0};
+  return {zeros, zeros, std::vector<double>(static_cast<std::size_t>(auxiliary_state_count(mechanism.model)), 0.0), 0};
+}
+
+/// Share of the usual speeds that keeps forces of stiff bushings like those of other elements; of the usual positions
+/// its square. Otherwise light bodies fly off, and differences over time would need shorter steps.
+inline double calm_share(const Model& model) {
+  constexpr double kSoft = 1e5;  // N/m
+  double stiffest = kSoft;
+  for (const Bushing& bushing : model.bushings)
+    for (int i = 0; i < 3; ++i)
+      if (const auto& own = bushing.freedoms[static_cast<std::size_t>(i)]; own && own->stiffness)
+        if (const Quantity* factor = std::get_if<Quantity>(&*own->stiffness))
+          stiffest = std::max(stiffest, factor->value);
+  return kSoft / stiffest;
 }
 
 /// Random states near the reference that satisfy closures and motions; velocities of a few units. At most `wanted`.
 inline std::vector<GenericState> random_states(const Mechanism& mechanism, int wanted, double reach = 0.15) {
   const GenericSolver solver(mechanism.model, mechanism.topology, mechanism.analysis);
+  const double calm = calm_share(mechanism.model);
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);
   std::vector<GenericState> states;
   for (int attempt = 0; attempt < 20 * wanted && static_cast<int>(states.size()) < wanted; ++attempt) {
     GenericState state;
     for (const TreeBody& body : mechanism.topology.bodies) {
-      state.z.push_back(unit(random) * reach * (body.kind == FreedomKind::revolute ? 1.0 : 0.2));
-      state.zd.push_back(2 * unit(random));
+      state.z.push_back(unit(random) * calm * calm * reach * (body.kind == FreedomKind::revolute ? 1.0 : 0.2));
+      state.zd.push_back(2 * calm * unit(random));
     }
-    for (std::size_t i = 0; i < 2 * mechanism.model.tyres.size(); ++i) state.x.push_back(0.002 * unit(random));
+    for (int i = 0; i < auxiliary_state_count(mechanism.model); ++i) state.x.push_back(0.002 * unit(random));
     state.t = 0.3 + 0.1 * unit(random);
     if (solver.project(state).ok()) states.push_back(std::move(state));
   }
@@ -120,11 +137,14 @@ inline std::vector<double> random_tau(const Mechanism& mechanism, std::uint64_t 
   return tau;
 }
 
-/// Largest difference over the largest entry of `expected` (at least `floor`).
+/// Largest difference over the largest entry of `expected` (at least `floor`); infinite where something is no number.
 inline double relative_error(const std::vector<double>& actual, const std::vector<double>& expected,
                              double floor = 1e-9) {
   double error = 0;
-  for (std::size_t i = 0; i < expected.size(); ++i) error = std::max(error, std::abs(actual[i] - expected[i]));
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const double difference = std::abs(actual[i] - expected[i]);
+    error = std::isnan(difference) ? std::numeric_limits<double>::infinity() : std::max(error, difference);
+  }
   return error / std::max(largest_absolute(expected), floor);
 }
 

@@ -83,7 +83,7 @@ inline std::vector<double> outputs_at(const GenericSolver& solver, const Generic
 /// The reference configuration at rest, closed and driven.
 inline GenericState start_state(const Mechanism& m) {
   GenericState state{std::vector<double>(m.topology.size()), std::vector<double>(m.topology.size()),
-                     std::vector<double>(2 * m.model.tyres.size()), 0};
+                     std::vector<double>(static_cast<std::size_t>(auxiliary_state_count(m.model))), 0};
   const GenericSolver solver(m.model, m.topology, m.analysis);
   EXPECT_TRUE(solver.project(state).ok());
   return state;

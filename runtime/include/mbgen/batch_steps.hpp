@@ -124,6 +124,13 @@ typename System::Mask step_rows_abm4(const ParametersOf<System>& parameters, con
     store_rows(good, rates[k]->derivative.zdd, history.zdd[k]);
     store_rows(good, rates[k]->derivative.xd, history.xd[k]);
   }
+  if constexpr (kChartsOf < typename System::State >> 0) {
+    typename System::Row older[2][System::kCoordinates];
+    load_rows(history.z[1], older[0]);
+    load_rows(history.z[2], older[1]);
+    const typename System::Row(*const positions[])[System::kCoordinates] = {&result.z, &state.z, &older[0], &older[1]};
+    for (int k = 0; k < 4; ++k) store_rows(good, *positions[k], history.z[k]);
+  }
   for (int lane = 0; lane < System::kLanes; ++lane) {
     if (good[lane] == 0) continue;
     history.count[lane] = most < 1 ? 2 : most < 4 ? most + 1 : 4;

@@ -174,6 +174,16 @@ bool settle_balls(const Ball* balls, int count, Real* charts, Real* z, Real* zd)
   return changed;
 }
 
+/// Takes positions, rates and accelerations near by, as an integrator remembers them, from some charts to others.
+template <class Real>
+void change_charts(const Ball* balls, int count, const Real* from, const Real* to, Real* z, Real* zd,
+                   Real* zdd) noexcept {
+  for (int b = 0; b < count; ++b) {
+    const bool is_other = to[b] > Real(0.5);
+    if (is_other != (from[b] > Real(0.5))) change_chart(balls[b], is_other ? 1 : 0, z, zd, zdd);
+  }
+}
+
 /// Coordinates, rates and accelerations as the model counts them: of balls in chart 1 those of chart 0. At the pole
 /// rates are finite and mean nothing. zdd: may be null.
 template <class Real>

@@ -12,7 +12,8 @@
 
 namespace mbgen::fmu {
 
-/// q, qd and qdd: of the states that loop blocks have, whatever their independent coordinates are now.
+/// q, qd and qdd: of the states that loop blocks and balls have, whatever their independent coordinates and angles are
+/// now.
 enum class Group : int { time, parameter, input, output, z, zd, zdd, x, xd, q, qd, qdd, start, none };
 
 struct Place {
@@ -134,11 +135,11 @@ double value_at(const Core<Model>& core, Place place) noexcept {
     case Group::start:
       return run.start[place.index];
     case Group::q:
-      return motion_of(core, state, 0, chosen_coordinate(run, place.index));
+      return state.z[chosen_coordinate(run, place.index)];
     case Group::qd:
-      return motion_of(core, state, 1, chosen_coordinate(run, place.index));
+      return state.zd[chosen_coordinate(run, place.index)];
     case Group::qdd:
-      return motion_of(core, core.solved, 2, chosen_coordinate(run, place.index));
+      return core.derivative.zdd[chosen_coordinate(run, place.index)];
     default:
       return run.state.t;
   }
@@ -174,9 +175,12 @@ constexpr bool follows_at_start(int coordinate) noexcept {
   return false;
 }
 
-/// Whether the coordinate itself is a state: outside the loop blocks, or where no others are chosen.
+/// Whether the coordinate itself is a state: outside the loop blocks and of no ball, or where no others are chosen.
 template <class Model>
 bool is_state(int coordinate) noexcept {
+  for (int i = 0; i < Model::kChosenStates; ++i) {
+    if (Model::kVelocities[Model::kChosen[i]] == coordinate) return false;
+  }
   return is_independent<Model>(coordinate) && Model::kBlockOf[coordinate] < 0;
 }
 
@@ -220,10 +224,6 @@ constexpr bool is_computed(Place place) noexcept {
 
 template <class Model>
 double& place_to_set(Run<Model>& run, Place place) noexcept {
-  if (place.group == Group::z || place.group == Group::zd || place.group == Group::q || place.group == Group::qd) {
-    typename Model::Derivative unused{};
-    take_users_angles<Model>(run.state, unused);
-  }
   switch (place.group) {
     case Group::parameter:
       return run.parameters.*Model::kParameterMember[place.index];

@@ -124,6 +124,10 @@ template <class Model>
 Answer directional_derivative(Core<Model>& core, const unsigned* unknowns, unsigned long unknown_count,
                               const unsigned* knowns, unsigned long known_count, const double* rates_of_knowns,
                               double* rates_of_unknowns) noexcept {
+  if constexpr (kCoSimulationAlone<Model>) {
+    core.refusal.reason = "there are no directional derivatives: bodies roll, and positions are no states";
+    return Answer::error;
+  }
   typename Model::Direction direction{};
   for (unsigned long i = 0; i < known_count; ++i) {
     if (!std::isfinite(rates_of_knowns[i]))

@@ -248,8 +248,18 @@ Answer accept_inputs(Core<Model>& core) noexcept {
   return Answer::ok;
 }
 
-/// Accepts the step that an integrator has completed. asks_for_event: other independent coordinates would serve better.
-/// Answer: warning where inputs move without their rates.
+/// Whether a ball should have its other angles. Co-simulation changes them inside of its steps.
+template <class Model>
+bool leaves_charts([[maybe_unused]] const Run<Model>& run) noexcept {
+  if constexpr (kHasCharts<Model>) {
+    return Model::leaves_charts(run.parameters, run.inputs, run.state);
+  } else {
+    return false;
+  }
+}
+
+/// Accepts the step that an integrator has completed. asks_for_event: other independent coordinates, or other angles of
+/// a ball, would serve better. Answer: warning where inputs move without their rates.
 template <class Model>
 Answer accept_step(Core<Model>& core, bool& asks_for_event) noexcept {
   asks_for_event = false;
@@ -258,17 +268,34 @@ Answer accept_step(Core<Model>& core, bool& asks_for_event) noexcept {
   Choice<Model> choice = core.run.choice;
   asks_for_event = choose({core.run.state, core.run.inputs, core.run.parameters}, choice);
   if (!asks_for_event) core.run.choice = choice;
+  asks_for_event = leaves_charts(core.run) || asks_for_event;
   return accept_inputs(core);
 }
 
-/// Accepts the values that an event has set. has_changed: the states now belong to other coordinates.
+/// Gives every ball the angles that suit its position. Requires: closed. Result: whether any changed.
+template <class Model>
+bool settle_charts([[maybe_unused]] Core<Model>& core) noexcept {
+  if constexpr (kHasCharts<Model>) {
+    Run<Model>& run = core.run;
+    if (run.interface == Interface::co_simulation || !leaves_charts(run)) return false;
+    Model::settle_charts(run.parameters, run.inputs, run.state);
+    core.is_solved = false;
+    return true;
+  } else {
+    return false;
+  }
+}
+
+/// Accepts the values that an event has set. has_changed: the states now belong to other coordinates, or are other
+/// angles.
 template <class Model>
 Answer settle(Core<Model>& core, bool& has_changed) noexcept {
   has_changed = false;
   if (!solve(core)) return Answer::discard;
   commit(core);
   core.run.accepted = core.run.inputs;
-  has_changed = choose_coordinates(core.run);
+  has_changed = settle_charts(core);
+  has_changed = choose_coordinates(core.run) || has_changed;
   return Answer::ok;
 }
 

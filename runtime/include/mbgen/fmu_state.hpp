@@ -6,6 +6,7 @@
 // that it accepted: every evaluation starts there, so that its result depends on nothing that was tried in between.
 
 #include <cmath>
+#include <type_traits>
 
 #include "mbgen/charts.hpp"
 #include "mbgen/status.hpp"
@@ -54,9 +55,16 @@ struct Choice {
   double reference[Model::kLoopBlocks > 0 ? Model::kLoopBlocks : 1] = {};  ///< see choose_held in mbgen/held.hpp
 };
 
-/// Whether balls of the model have charts; importers see the angles of the model.
+/// Whether balls of the model have charts. Importers see the angles of the model; of model exchange the states q and qd
+/// are the angles that a ball has now.
 template <class Model>
 inline constexpr bool kHasCharts = kChartsOf<typename Model::State> > 0;
+
+/// Whether importers cannot integrate the model themselves.
+template <class Model, class = void>
+inline constexpr bool kCoSimulationAlone = false;
+template <class Model>
+inline constexpr bool kCoSimulationAlone<Model, std::void_t<decltype(Model::kCoSimulationAlone)>> = true;
 
 /// The state in the angles of the model, with the accelerations that go with it.
 template <class Model>

@@ -47,14 +47,16 @@ template <class System>
 Status correct_held(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                     const typename System::State& state, const unsigned char* held,
                     typename System::Closure& closure) noexcept {
+  const bool is_other = in_other_chart(state);  // which the frozen program does not know
   const auto is_frozen = [&](int b) {
-    return closure.pivot[b] >= kPivotThreshold<RealOf<System>> && holds_frozen<System>(b, held);
+    return !is_other && closure.pivot[b] >= kPivotThreshold<RealOf<System>> && holds_frozen<System>(b, held);
   };
   bool all_frozen = true;
   for (int b = 0; b < System::kBlocks; ++b) all_frozen = all_frozen && is_frozen(b);
   if (all_frozen) return {};
   typename System::ClosureTerms terms;
   System::closure_terms(parameters, inputs, state, terms);
+  if (is_other) copy(terms.Phi, closure.residual, System::kEquations);
   CorrectionWork<System> work;
   for (int b = 0; b < System::kBlocks; ++b) {
     if (is_frozen(b)) continue;

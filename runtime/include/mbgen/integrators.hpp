@@ -9,6 +9,9 @@
 //   bool leaves_charts(const State&) const noexcept                only where states have charts of balls (charts.hpp):
 //   bool settle_charts(State&) const noexcept                      whether one does not suit its position; puts each
 //                                                                  into the chart that does
+//   void change_charts(const State& from, const State& to, z, zd, zdd) const noexcept
+//                                                                  takes these numbers from the charts of one state to
+//                                                                  those of another
 //   Status project_nearest(State&) const noexcept                  the same by the shortest corrections, near singular
 //                                                                  positions
 // They may give notices (status.hpp); near_singular and singular_met say how near a singular position the state is.
@@ -16,22 +19,32 @@
 // history stay as they were. Steps allocate only by copies of the System's own types.
 
 #include <cmath>
+#include <type_traits>
 
 #include "mbgen/singular_step.hpp"
 #include "mbgen/states.hpp"
 
 namespace mbgen {
 
+/// Positions at which the rates of a history are: with them its rates go over to other charts of balls. None where
+/// states have no charts. Places as AbmHistory::rates.
+template <class System, class = void>
+struct PastPositions {};
+template <class System>
+struct PastPositions<System, std::void_t<decltype(System::State::charts)>> {
+  decltype(System::State::z) past_z[5];
+};
+
 /// Rates that step_abm4 remembers. Start with a value-initialised one: `AbmHistory<System> history{};`.
 /// Empty it the same way when the state or an input was changed from outside.
 template <class System>
-struct AbmHistory {                 // NOLINT(bugprone-reserved-identifier): of the compiler, where it copies the rates
-  static constexpr int kRing = 5;   ///< four that are known, and room for those of the next step
-  StateRates<System> rates[kRing];  ///< see past_rates
-  int newest = 0;                   ///< place of the rates at the state that the last step left; then backwards in time
-  int count = 0;                    ///< how many of them are known
-  double h = 0;                     ///< s, the step between them
-  double t = 0;                     ///< s, the time of the newest
+struct AbmHistory : PastPositions<System> {  // NOLINT(bugprone-reserved-identifier): of the compiler, where it copies
+  static constexpr int kRing = 5;            ///< four that are known, and room for those of the next step
+  StateRates<System> rates[kRing];           ///< see past_rates
+  int newest = 0;  ///< place of the rates at the state that the last step left; then backwards in time
+  int count = 0;   ///< how many of them are known
+  double h = 0;    ///< s, the step between them
+  double t = 0;    ///< s, the time of the newest
 };
 
 /// Rates of `history`, k = 0 at the state that the last step left, then backwards in time; k < 4.
@@ -153,7 +166,7 @@ Status settled_rk4(const System& system, typename System::State& state, double h
 }
 
 /// Takes a step by `step` from the state with its charts settled; the state keeps its charts where the step fails.
-/// on_change: what is to be done before the step where a chart was changed.
+/// on_change: takes over from the charts of one state to those of another what the step remembers.
 template <class System, class Step, class OnChange>
 Status with_settled_charts(const System& system, typename System::State& state, const Step& step,
                            const OnChange& on_change) noexcept {
@@ -162,9 +175,13 @@ Status with_settled_charts(const System& system, typename System::State& state, 
     typename System::State settled;
     copy_state(state, settled);
     system.settle_charts(settled);
-    on_change();
+    on_change(state, settled);
     const Status status = step(settled);
-    if (status.ok()) copy_state(settled, state);
+    if (status.ok()) {
+      copy_state(settled, state);
+    } else {
+      on_change(settled, state);
+    }
     return status;
   } else {
     return step(state);
@@ -184,7 +201,8 @@ Status step_rk4(const System& system, typename System::State& state, double h) n
   const Status status = check_step(h);
   if (!status.ok()) return status;
   return with_settled_charts(
-      system, state, [&](typename System::State& settled) { return settled_rk4(system, settled, h); }, [] {});
+      system, state, [&](typename System::State& settled) { return settled_rk4(system, settled, h); },
+      [](const typename System::State&, const typename System::State&) {});
 }
 
 namespace integrator_detail {
@@ -210,6 +228,10 @@ Status settled_abm4(const System& system, typename System::State& state, AbmHist
   if (!status.ok()) return status;
 
   if (known == 0) copy_rates(start, history.rates[history.newest]);
+  if constexpr (kHasCharts<System>) {
+    if (known == 0) copy(state.z, history.past_z[history.newest]);
+    copy(result.z, history.past_z[next]);
+  }
   history.newest = next;
   history.count = known < 1 ? 2 : known < 4 ? known + 1 : 4;
   history.h = h;
@@ -220,9 +242,28 @@ Status settled_abm4(const System& system, typename System::State& state, AbmHist
 
 }  // namespace integrator_detail
 
+namespace integrator_detail {
+
+/// Takes the rates of a history from the charts of one state to those of another.
+template <class System>
+void change_history([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& from,
+                    [[maybe_unused]] const typename System::State& to,
+                    [[maybe_unused]] AbmHistory<System>& history) noexcept {
+  if constexpr (kHasCharts<System>) {
+    for (int k = 0; k < history.count; ++k) {
+      const int place = (history.newest + k) % history.kRing;
+      StateRates<System>& rates = history.rates[place];
+      system.change_charts(from, to, history.past_z[place], rates.zd, rates.derivative.zdd);
+    }
+  }
+}
+
+}  // namespace integrator_detail
+
 /// One step of h seconds by Adams-Bashforth-Moulton of order four, evaluated at the predicted and at the projected
-/// state: two evaluations a step. The first three steps, and those after a change of h, a jump of t or a change of a
-/// chart, are by Runge-Kutta.
+/// state: two evaluations a step. The first three steps, and those after a change of h or a jump of t, are by
+/// Runge-Kutta. A change of charts takes the history over; where the step then fails it goes back, which is exact but
+/// for rounding.
 /// Gives notices and fails as step_rk4.
 /// Source: L. F. Shampine, M. K. Gordon, Computer Solution of Ordinary Differential Equations, 1975 (PECE).
 template <class System>
@@ -230,12 +271,10 @@ Status step_abm4(const System& system, typename System::State& state, AbmHistory
   using namespace integrator_detail;
   const Status status = check_step(h);
   if (!status.ok()) return status;
-  const int known = history.count;
-  const Status stepped = with_settled_charts(
-      system, state, [&](typename System::State& settled) { return settled_abm4(system, settled, history, h); },
-      [&] { history.count = 0; });
-  if (!stepped.ok()) history.count = known;
-  return stepped;
+  using State = typename System::State;
+  return with_settled_charts(
+      system, state, [&](State& settled) { return settled_abm4(system, settled, history, h); },
+      [&](const State& from, const State& to) { change_history(system, from, to, history); });
 }
 
 /// Rates of a moving state, for outputs: at a singular position as the steps of h seconds see them.

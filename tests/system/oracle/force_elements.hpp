@@ -21,6 +21,24 @@ struct LineElement {
   std::function<double(double length, double rate, const ForeignState&)> tension;
 };
 
+/// Acts between two frames that have the same axes at the reference. Deflections: displacements of the point of `to`
+/// from that of `from` in the axes on `from` (m), then the rotation vector of the frame on `to` (rad).
+struct FrameElement {
+  std::string name;
+  int from = kGround, to = kGround;  ///< tree bodies
+  Eigen::Vector3d at_from, at_to;    ///< m, global at the reference
+  Eigen::Matrix3d axes;              ///< columns, global at the reference
+  /// N and N m against the deflections, of these and their rates
+  std::function<std::array<double, 6>(const std::array<double, 6>&, const std::array<double, 6>&, const ForeignState&)>
+      forces;
+};
+
+/// The same with a foreign solver's own law: constants per direction, displacements first (N/m, N m/rad; N s/m, N m s).
+struct LinearFrameElement {
+  FrameElement frames;  ///< without forces
+  std::array<double, 6> stiffness, damping;
+};
+
 /// Force and torque on a body at a point.
 struct BodyLoad {
   std::string name;
@@ -47,6 +65,8 @@ struct PrescribedCoordinate {
 /// All that acts on a mechanism, in the order of the model. The functions keep what they need alive.
 struct ForceElements {
   std::vector<LineElement> lines;
+  std::vector<FrameElement> frames;
+  std::vector<LinearFrameElement> linear_frames;  ///< nothing of a model becomes one: tests ask for them
   std::vector<BodyLoad> loads;
   std::vector<CoordinateLoad> coordinates;
   std::vector<PrescribedCoordinate> motions;

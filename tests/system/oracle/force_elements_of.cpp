@@ -1,11 +1,12 @@
 #include "tests/system/oracle/force_elements_of.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "compiler/model/curve.hpp"
 #include "compiler/model/evaluate.hpp"
 #include "compiler/topology/topology.hpp"
-#include "mbgen/table.hpp"
 
 namespace mbgen::foreign {
 namespace {
@@ -58,19 +59,10 @@ double value_of(const Source& source, const ForeignState& state, const std::opti
   return evaluate<double>(source.model.expressions[*expression], environment);
 }
 
-double value_of(const Table& table, double argument) {
-  const int count = static_cast<int>(table.x.size());
-  if (table.interpolation == Table::Interpolation::linear)
-    return interpolate_linear(table.x.data(), table.y.data(), count, argument);
-  std::vector<double> slopes(table.x.size());
-  monotone_slopes(table.x.data(), table.y.data(), count, slopes.data());
-  return interpolate_monotone_cubic(table.x.data(), table.y.data(), slopes.data(), count, argument);
-}
-
 double value_of(const Source& source, const ForeignState& state, const std::optional<Law>& law, double argument) {
   if (!law) return 0;
   if (const Quantity* factor = std::get_if<Quantity>(&*law)) return value_of(source, state, *factor) * argument;
-  return value_of(std::get<Table>(*law), argument);
+  return value_along(std::get<Table>(*law), argument);
 }
 
 double tension(const Source& source, const PointSpring& s, double reference, double length, double rate,
@@ -87,10 +79,10 @@ double tension(const Source& source, const AirSpring& s, double reference, doubl
   const double length0 = s.length ? value(*s.length) : reference;
   const auto area = [&](double at) {
     const Quantity* constant = std::get_if<Quantity>(&s.area);
-    return constant ? value(*constant) : value_of(std::get<Table>(s.area), at);
+    return constant ? value(*constant) : value_along(std::get<Table>(s.area), at);
   };
   const auto volume = [&](double at) {
-    return s.volume ? value_of(*s.volume, at) : value(s.volume0) + area(length0) * (at - length0);
+    return s.volume ? value_along(*s.volume, at) : value(s.volume0) + area(length0) * (at - length0);
   };
   const double pressure = value(s.pressure) * std::pow(volume(length0) / volume(length), value(s.exponent));
   return -(pressure - value(s.ambient)) * area(length);
@@ -109,6 +101,78 @@ LineElement line_of(const SharedSource& source, const Spring& spring) {
           [source, &spring, reference](double length, double rate, const ForeignState& state) {
             return tension(*source, spring, reference, length, rate, state);
           }};
+}
+
+/// A bushing without Maxwell branches, whose states no foreign solver has.
+FrameElement frames_of(const SharedSource& source, const Bushing& bushing) {
+  const ReferencePoint from = reference_point(source->model, source->topology, bushing.from.body, bushing.from.point);
+  const ReferencePoint to = reference_point(source->model, source->topology, bushing.to.body, bushing.to.point);
+  using Values = std::array<double, kBushingFreedoms>;
+  const auto forces = [source, &bushing](Values q, Values rate, const ForeignState& state) {
+    Values force{};
+    for (int i = 0; i < kBushingFreedoms; ++i) q[i] *= bushing_sense(bushing, i), rate[i] *= bushing_sense(bushing, i);
+    for (int i = 0; i < kBushingFreedoms; ++i) {
+      for (int j = 0; j < kBushingFreedoms; ++j) {
+        const int entry = kBushingFreedoms * i + j;
+        if (bushing.stiffness) force[i] += value_of(*source, state, (*bushing.stiffness)[entry]) * q[j];
+        if (bushing.damping) force[i] += value_of(*source, state, (*bushing.damping)[entry]) * rate[j];
+      }
+      const std::optional<BushingFreedom>& own = bushing.freedoms[i];
+      if (own)
+        force[i] += value_of(*source, state, own->preload) + value_of(*source, state, own->stiffness, q[i]) +
+                    value_of(*source, state, own->damping, rate[i]) +
+                    value_of(*source, state, own->force, q[i], rate[i]);
+    }
+    for (int i = 0; i < kBushingFreedoms; ++i) force[i] *= bushing_sense(bushing, i);
+    return force;
+  };
+  const Eigen::Matrix3d axes = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(bushing.axes.data());
+  return {bushing.name, from.body, to.body, from.place, to.place, axes, forces};
+}
+
+/// Force of a bump stop against its travel.
+double stop_force(const Source& source, const BumpStop& stop, double travel, double rate, const ForeignState& state) {
+  const double p = travel - value_of(source, state, stop.clearance);
+  if (p <= 0) return 0;
+  const bool is_table = stop.stiffness && std::holds_alternative<Table>(*stop.stiffness);
+  const double elastic = value_of(source, state, stop.stiffness, is_table ? p : std::pow(p, stop.exponent)) +
+                         value_of(source, state, stop.force, p, rate);
+  return std::max(0.0, elastic * (1 + value_of(source, state, stop.damping) * rate));
+}
+
+void add_stop(const SharedSource& source, const BumpStop& stop, ForceElements& elements) {
+  const double sign = stop.side == BumpStop::Side::compression || stop.side == BumpStop::Side::below ? -1 : 1;
+  if (stop.is_on_joint()) {
+    const int joint = tree_coordinate(source->topology, stop.joint);
+    elements.coordinates.push_back({stop.name, joint, [source, &stop, sign, joint](const ForeignState& state) {
+                                      return -sign * stop_force(*source, stop, sign * state.z[joint],
+                                                                sign * state.zd[joint], state);
+                                    }});
+    return;
+  }
+  const ReferencePoint from = reference_point(source->model, source->topology, stop.from.body, stop.from.point);
+  const ReferencePoint to = reference_point(source->model, source->topology, stop.to.body, stop.to.point);
+  if (!stop.axis) {
+    const double reference = (to.place - from.place).norm();
+    elements.lines.push_back({stop.name, from.body, to.body, from.place, to.place,
+                              [source, &stop, sign, reference](double length, double rate, const ForeignState& state) {
+                                return sign *
+                                       stop_force(*source, stop, sign * (length - reference), sign * rate, state);
+                              }});
+    return;
+  }
+  const Vector3d axis((*stop.axis)[0], (*stop.axis)[1], (*stop.axis)[2]);
+  const Perpendiculars across = perpendiculars(axis);
+  Eigen::Matrix3d axes;
+  axes << across.first, across.second, axis;
+  const double reference = axis.dot(to.place - from.place);
+  using Values = std::array<double, 6>;
+  elements.frames.push_back(
+      {stop.name, from.body, to.body, from.place, to.place, axes,
+       [source, &stop, sign, reference](const Values& q, const Values& rate, const ForeignState& state) -> Values {
+         const double way = sign * (q[2] - reference);
+         return {0, 0, sign * stop_force(*source, stop, way, sign * rate[2], state), 0, 0, 0};
+       }});
 }
 
 BodyLoad load_of(const SharedSource& source, const AppliedForce& applied) {
@@ -177,12 +241,19 @@ Result<ForceElements> force_elements_of(const Model& model, const Topology& topo
   Diagnostics unknown;
   for (const Tyre& tyre : model.tyres)
     unknown.push_back({tyre.where, "tyre " + quoted(tyre.name) + " has no form in a foreign solver", "", ""});
+  for (const Bushing& bushing : model.bushings)
+    for (int i = 0; i < kBushingFreedoms; ++i)
+      if (has_maxwell_branch(bushing, i))
+        unknown.push_back(
+            {bushing.where, "states of bushing " + quoted(bushing.name) + " have no form in a foreign solver", "", ""});
   if (!unknown.empty()) return unknown;
   const SharedSource source = std::make_shared<const Source>(Source{model, topology});
   const Model& kept = source->model;
   ForceElements elements;
   for (const PointSpring& spring : kept.springs) elements.lines.push_back(line_of(source, spring));
   for (const AirSpring& spring : kept.air_springs) elements.lines.push_back(line_of(source, spring));
+  for (const Bushing& bushing : kept.bushings) elements.frames.push_back(frames_of(source, bushing));
+  for (const BumpStop& stop : kept.bump_stops) add_stop(source, stop, elements);
   for (const AppliedForce& applied : kept.forces) elements.loads.push_back(load_of(source, applied));
   for (const JointSpring& spring : kept.joint_springs) add_joint_spring(source, spring, elements);
   for (const JointFriction& friction : kept.frictions) elements.coordinates.push_back(friction_of(source, friction));

@@ -124,14 +124,17 @@ TEST_P(EveryReactionInSimbody, IsTheSame) {
       const foreign::Wrench& w = probe.tree >= 0 ? theirs.joints[probe.tree] : theirs.closures[probe.closure];
       const Vector3d force(&y[probe.output]), moment(&y[probe.output + 3]);
       const double off = difference(m, probe, force - w.force, moment - w.moment);
+      ASSERT_TRUE(std::isfinite(off)) << probe.name;
       if (off > error) worst = probe.name;
       error = std::max(error, off);
       scale = std::max({scale, force.cwiseAbs().maxCoeff(), moment.cwiseAbs().maxCoeff()});
     }
     const std::vector<double> drives = solver.driving_forces(state, tau, derivative);
     for (std::size_t d = 0; d < drives.size(); ++d) {
-      if (std::abs(drives[d] - theirs.drives[d]) > error) worst = m.model.motions[d].name;
-      error = std::max(error, std::abs(drives[d] - theirs.drives[d]));
+      const double off = std::abs(drives[d] - theirs.drives[d]);
+      ASSERT_TRUE(std::isfinite(off)) << m.model.motions[d].name;
+      if (off > error) worst = m.model.motions[d].name;
+      error = std::max(error, off);
       scale = std::max(scale, std::abs(drives[d]));
     }
   }

@@ -30,7 +30,14 @@ std::string length_over_time(const RandomLink& link) {
   return text;
 }
 
-/// Velocities of the centres of mass, lengths of the springs.
+Json bushing_entry(const RandomBushing& bushing, const std::string& from, const std::string& to) {
+  Json entry{{"from", from}, {"to", to}, {"axis", bushing.axis}, {"axis2", bushing.axis2}};
+  static constexpr const char* kFreedoms[] = {"tx", "ty", "tz", "rx", "ry", "rz"};
+  for (std::size_t i = 0; i < 6; ++i) entry[kFreedoms[i]]["stiffness"] = bushing.stiffness[i];
+  return entry;
+}
+
+/// Velocities of the centres of mass, lengths of the springs, deflections of the bushings.
 Json outputs_of(const RandomMechanism& mechanism) {
   Json outputs = Json::object();
   for (const RandomBody& body : mechanism.bodies)
@@ -38,13 +45,19 @@ Json outputs_of(const RandomMechanism& mechanism) {
       outputs[body.name + "_v" + letter] = {{"point", body.name + ".com"}, {"quantity", "velocity"}, {"axis", letter}};
   for (const RandomLink& link : mechanism.links)
     if (link.stiffness > 0) outputs[link.name + "_length"] = {{"spring", link.name}, {"quantity", "length"}};
+  for (const RandomBushing& bushing : mechanism.bushings)
+    for (const char* quantity : {"deflection", "rotation_vector"})
+      for (const char* letter : {"x", "y", "z"})
+        outputs[bushing.name + "_" + quantity + letter] = {
+            {"bushing", bushing.name}, {"quantity", quantity}, {"axis", letter}};
   return outputs;
 }
 
 }  // namespace
 
 bool is_driven(const RandomMechanism& mechanism) {
-  return std::ranges::any_of(mechanism.links, [](const RandomLink& link) { return link.stroke > 0; });
+  return std::ranges::any_of(mechanism.links, [](const RandomLink& link) { return link.stroke > 0; }) ||
+         std::ranges::any_of(mechanism.joints, [](const RandomJoint& joint) { return joint.swing > 0; });
 }
 
 std::string model_text(const RandomMechanism& mechanism) {
@@ -82,6 +95,10 @@ std::string model_text(const RandomMechanism& mechanism) {
       rods[link.name] = entry;
     }
   }
+  Json bushings = Json::object();
+  for (const RandomBushing& bushing : mechanism.bushings)
+    bushings[bushing.name] = bushing_entry(bushing, place(bushing.name, "_from", bushing.from, bushing.at),
+                                           place(bushing.name, "_to", bushing.to, bushing.at));
   Json bodies{{"ground", {{"points", points[0]}}}};
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
     const RandomBody& body = mechanism.bodies[b];
@@ -96,8 +113,20 @@ std::string model_text(const RandomMechanism& mechanism) {
   if (!joints.empty()) model["joints"] = joints;
   if (!rods.empty()) model["rods"] = rods;
   if (!springs.empty()) model["springs"] = springs;
-  for (const RandomRelation& relation : mechanism.relations)
-    model["couplings"][relation.name] = {{"relation", relation.text}};
+  if (!bushings.empty()) model["bushings"] = bushings;
+  for (const RandomJoint& joint : mechanism.joints)
+    if (joint.swing > 0)
+      model["motions"][joint.name] = {
+          {"joint", joint.name},
+          {joint.type == "prismatic" ? "position" : "angle", std::to_string(joint.swing) + "*sin(3*t)"}};
+  for (const RandomRelation& relation : mechanism.relations) {
+    Json entry{{"relation", relation.text}};
+    if (!relation.points.empty()) {
+      const Json curve{{"table", relation.points}, {"interpolation", "spline"}, {"periodic", relation.periodic}};
+      entry = {{"joint", relation.joints[0]}, {"follows", relation.joints[1]}, {"curve", curve}};
+    }
+    model["couplings"][relation.name] = entry;
+  }
   if (const Json outputs = outputs_of(mechanism); !outputs.empty()) model["outputs"] = outputs;
   return model.dump(2) + "\n";
 }

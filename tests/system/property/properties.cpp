@@ -184,7 +184,8 @@ std::optional<std::array<GenericOutputs, 2>> run(const Compilation& compilation,
   return results;
 }
 
-/// J, with that of the springs, whose lengths are the outputs after the velocities of the bodies.
+/// J, with that of the springs and bushings, whose lengths and deflections are the outputs after the velocities of the
+/// bodies.
 double energy_of(const RandomMechanism& random, const GenericOutputs& outputs) {
   double energy = outputs.kinetic_energy + outputs.potential_energy;
   std::size_t length = 3 * random.bodies.size();
@@ -192,6 +193,12 @@ double energy_of(const RandomMechanism& random, const GenericOutputs& outputs) {
     if (link.stiffness == 0) continue;
     const double stretch = outputs.y[length++] - kFreeLength;
     energy += 0.5 * link.stiffness * stretch * stretch;
+  }
+  for (const RandomBushing& bushing : random.bushings) {
+    for (const double stiffness : bushing.stiffness) {
+      const double deflection = outputs.y[length++];
+      energy += 0.5 * stiffness * deflection * deflection;
+    }
   }
   return energy;
 }

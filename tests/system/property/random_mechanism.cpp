@@ -127,7 +127,21 @@ void add_relation(Workshop& shop, std::vector<std::string> joints) {
     text += (k == 0 ? "" : " + ") + factor + "*" + (is_curved ? "(sin(" + z + ") + 0.3*" + z + "^2)" : z);
   }
   std::vector<RandomRelation>& relations = shop.mechanism().relations;
-  relations.push_back({"relation" + std::to_string(relations.size()), text, std::move(joints)});
+  relations.push_back({"relation" + std::to_string(relations.size()), text, std::move(joints), {}, false});
+}
+
+/// One coordinate as a spline over another, through zero.
+void add_curve(Workshop& shop, std::vector<std::string> joints) {
+  Dice& dice = shop.dice();
+  const double slope = (dice.chance(0.5) ? 1 : -1) * dice.between(0.3, 2), bend = dice.between(-0.3, 0.3);
+  std::vector<std::array<double, 2>> points;
+  for (int k = -6; k <= 6; ++k) {
+    const double x = k == 0 ? 0 : 0.25 * k + dice.between(-0.08, 0.08);
+    points.push_back({x, slope * x + bend * std::sin(2 * x)});
+  }
+  std::vector<RandomRelation>& relations = shop.mechanism().relations;
+  relations.push_back(
+      {"relation" + std::to_string(relations.size()), "", std::move(joints), std::move(points), dice.chance(0.4)});
 }
 
 /// A tree of plain joints, now and then with a chain of four that a rod closes; relations at most half as many as its
@@ -140,9 +154,21 @@ void add_coupled(Workshop& shop) {
     std::vector<std::string> joints{shop.mechanism().joints[2 * k].name, shop.mechanism().joints[2 * k + 1].name};
     const std::string& other = shop.mechanism().joints[dice.upto(count - 1)].name;
     if (dice.chance(0.4) && other != joints[0] && other != joints[1]) joints.push_back(other);
-    add_relation(shop, joints);
+    if (joints.size() == 2 && dice.chance(0.35))
+      add_curve(shop, joints);
+    else
+      add_relation(shop, joints);
   }
   if (dice.chance(0.3)) shop.add_rod(kOnGround, count - 1, dice.chance(0.5) ? 0.7 : 0);
+}
+
+/// A chain on ground, closed by a pin or slide that is driven where it is cut; up to two freedoms are left.
+void add_driven_cut(Workshop& shop) {
+  Dice& dice = shop.dice();
+  const std::vector<int> chain = grow_chain(shop, 6 + dice.upto(2), kOnGround, false);
+  const Point tip = plus(shop.place_of(chain.back()), dice.point(0.3));
+  shop.add_joint(dice.chance(0.6) ? "revolute" : "prismatic", kOnGround, chain.back(), tip, dice.axis(), true);
+  shop.mechanism().joints.back().swing = dice.between(0.02, 0.1);
 }
 
 /// Links without mass between revolute joints across one another.
@@ -303,6 +329,9 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
     case Family::coupled:
       add_coupled(shop);
       break;
+    case Family::driven_cuts:
+      add_driven_cut(shop);
+      break;
     case Family::tiny:
       if (dice.chance(0.8)) shop.hang(dice.chance(0.3) ? "free" : any_type(dice), kOnGround);
       break;
@@ -315,6 +344,7 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
       break;
   }
   if (shop.size() > 1 && dice.chance(0.5)) shop.add_spring(0, shop.size() - 1);
+  if (shop.size() > 1 && dice.chance(0.3)) shop.add_bushing(dice.upto(shop.size() - 2), shop.size() - 1);
   return std::move(shop).made();
 }
 

@@ -49,6 +49,7 @@ struct RandomJoint {
   int from = kOnGround, to = 0;  ///< bodies
   Point at{}, axis{0, 0, 1};
   bool cut = false;
+  double swing = 0;  ///< rad or m, of one that a motion drives
 };
 
 /// A rod, or a spring where it has a stiffness.
@@ -61,13 +62,24 @@ struct RandomLink {
   double stroke = 0;  ///< m, of a rod that is an actuator
 };
 
-/// A relation between the coordinates of plain joints that holds at the reference.
+/// A bushing of constant stiffnesses, N/m and N m/rad.
+struct RandomBushing {
+  std::string name;
+  int from = kOnGround, to = 0;
+  Point at{}, axis{0, 0, 1}, axis2{1, 0, 0};
+  std::array<double, 6> stiffness{};
+};
+
+/// A relation between the coordinates of plain joints that holds at the reference: an expression, or the first one as a
+/// spline over the second.
 struct RandomRelation {
   std::string name, text;
   std::vector<std::string> joints;
+  std::vector<std::array<double, 2>> points = {};  ///< of the spline
+  bool periodic = false;                           ///< the spline
 };
 
-/// All points in global axes at the reference; no damping, no motions but those of actuators.
+/// All points in global axes at the reference; no damping, no motions but those of actuators and of cut joints.
 struct RandomMechanism {
   std::uint64_t seed = 0;
   Point gravity{0, 0, -9.81};
@@ -75,6 +87,7 @@ struct RandomMechanism {
   std::vector<RandomJoint> joints;
   std::vector<RandomLink> links;
   std::vector<RandomRelation> relations = {};
+  std::vector<RandomBushing> bushings = {};
 };
 
 /// Kinds of mechanisms that a seed may ask for.
@@ -94,7 +107,8 @@ enum class Family {
   nearly_mirror_halves,  ///< the same, but for one number
   equal_legs,            ///< three equal legs, a third of a turn apart, under a platform
   rolling,               ///< a free body with a tail, on discs, balls and blades that roll on ground or a moving body
-  by_equations           ///< closed by joints that have no coordinates: points on lines and planes, directions, shafts
+  by_equations,          ///< closed by joints that have no coordinates: points on lines and planes, directions, shafts
+  driven_cuts            ///< chains that a joint closes which is driven where it is cut
 };
 
 RandomMechanism random_mechanism(Family family, std::uint64_t seed);
@@ -103,10 +117,11 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed);
 /// one freedom. Source: R. Bricard, "Lecons de cinematique" II, 1927, the line-symmetric case.
 RandomMechanism random_bricard(std::uint64_t seed);
 
-/// The model file. Outputs: velocity of each body's centre of mass (x, y, z), then the length of each spring.
+/// The model file. Outputs: velocity of each body's centre of mass (x, y, z), then the length of each spring, then the
+/// six deflections of each bushing.
 std::string model_text(const RandomMechanism& mechanism);
 
-/// True where an actuator does work.
+/// True where an actuator or a motion does work.
 bool is_driven(const RandomMechanism& mechanism);
 
 /// Smaller or simpler mechanisms, the smallest first.

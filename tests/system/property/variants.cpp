@@ -26,9 +26,11 @@ RandomMechanism without_body(RandomMechanism m, int body) {
       std::erase_if(m.relations, [&](const RandomRelation& r) { return std::ranges::count(r.joints, joint.name) > 0; });
   std::erase_if(m.joints, touches);
   std::erase_if(m.links, touches);
+  std::erase_if(m.bushings, touches);
   const auto renumber = [body](int& b) { b -= b > body; };
   for (RandomJoint& joint : m.joints) renumber(joint.from), renumber(joint.to);
   for (RandomLink& link : m.links) renumber(link.from), renumber(link.to);
+  for (RandomBushing& bushing : m.bushings) renumber(bushing.from), renumber(bushing.to);
   return m;
 }
 
@@ -50,6 +52,8 @@ std::vector<RandomMechanism> simpler(const RandomMechanism& m) {
   };
   for (std::size_t l = 0; l < m.links.size(); ++l)
     change([l](RandomMechanism& c) { c.links.erase(c.links.begin() + static_cast<std::ptrdiff_t>(l)); });
+  for (std::size_t b = 0; b < m.bushings.size(); ++b)
+    change([b](RandomMechanism& c) { c.bushings.erase(c.bushings.begin() + static_cast<std::ptrdiff_t>(b)); });
   for (std::size_t j = 0; j < m.joints.size(); ++j)
     if (m.joints[j].cut)
       change([j](RandomMechanism& c) { c.joints.erase(c.joints.begin() + static_cast<std::ptrdiff_t>(j)); });
@@ -85,6 +89,11 @@ RandomMechanism moved(RandomMechanism m, const std::array<Point, 3>& rotation, c
     joint.axis = times(rotation, joint.axis);
   }
   for (RandomLink& link : m.links) point(link.start), point(link.end);
+  for (RandomBushing& bushing : m.bushings) {
+    point(bushing.at);
+    bushing.axis = times(rotation, bushing.axis);
+    bushing.axis2 = times(rotation, bushing.axis2);
+  }
   return m;
 }
 
@@ -112,6 +121,7 @@ RandomMechanism renumbered(RandomMechanism m, std::uint64_t seed) {
   const auto renumber = [&](int& b) { b = b == kOnGround ? b : place[b]; };
   for (RandomJoint& joint : m.joints) renumber(joint.from), renumber(joint.to);
   for (RandomLink& link : m.links) renumber(link.from), renumber(link.to);
+  for (RandomBushing& bushing : m.bushings) renumber(bushing.from), renumber(bushing.to);
   std::ranges::shuffle(m.joints, random);
   std::ranges::shuffle(m.links, random);
   return m;

@@ -94,6 +94,16 @@ class Workshop {
   void add_rod(int from, int to, double mass) { link("rod", from, to, mass, 0); }
   void add_spring(int from, int to) { link("spring", from, to, 0, std::exp(dice_.between(2, 7))); }
 
+  /// A bushing between two bodies, wherever they are.
+  void add_bushing(int from, int to) {
+    RandomBushing bushing{"bushing" + std::to_string(made_.bushings.size()), from, to,
+                          plus(place_of(to), dice_.point(0.3)), dice_.axis()};
+    bushing.axis2 = plus(across(bushing.axis), times(0.2, bushing.axis));
+    for (std::size_t i = 0; i < 6; ++i)
+      bushing.stiffness[i] = std::exp(i < 3 ? dice_.between(2, 7) : dice_.between(-1, 3));
+    made_.bushings.push_back(bushing);
+  }
+
  private:
   void link(const char* kind, int from, int to, double mass, double stiffness) {
     const Point start = plus(place_of(from), dice_.point(0.3)), end = plus(place_of(to), dice_.point(0.3));

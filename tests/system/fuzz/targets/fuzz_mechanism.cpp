@@ -13,8 +13,9 @@ constexpr std::size_t kMostLoops = 3, kMostElements = 12, kMostNodes = 200;
 /// Whether all stages together take milliseconds.
 bool is_small(const mbgen::Model& model, const mbgen::Topology& topology) {
   const std::size_t elements = model.bodies.size() + model.springs.size() + model.air_springs.size() +
-                               model.joint_springs.size() + model.frictions.size() + model.forces.size() +
-                               model.joint_forces.size() + model.motions.size() + model.outputs.size();
+                               model.bushings.size() + model.bump_stops.size() + model.joint_springs.size() +
+                               model.frictions.size() + model.forces.size() + model.joint_forces.size() +
+                               model.motions.size() + model.outputs.size();
   return topology.size() <= kMostCoordinates && topology.loops.size() <= kMostLoops && elements <= kMostElements &&
          model.tyres.size() <= 1 &&
          std::all_of(model.expressions.begin(), model.expressions.end(),

@@ -1,0 +1,16 @@
+#pragma once
+// Characteristics of force elements at a state.
+
+#include <optional>
+
+#include "runtime/cartesian/values.hpp"
+
+namespace mbgen::cartesian {
+
+/// Factor times argument, or a table over it; zero without a law.
+double law(const std::optional<Law>& law, const Values& value, double argument);
+
+/// An expression over two local variables; zero without one.
+double with_locals(const std::optional<int>& expression, Values value, double first, double second);
+
+}  // namespace mbgen::cartesian
