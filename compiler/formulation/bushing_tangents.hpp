@@ -9,7 +9,8 @@ namespace mbgen {
 namespace detail {
 
 /// How a coordinate between two bodies moves with the tree's coordinates: what a unit force along it does, turned
-/// round. m: from, to, frame and gap as a BushingMotion has them. force, moment: on `to`, in the axes of the body of `from`.
+/// round. m: from, to, frame and gap as a BushingMotion has them. force, moment: on `to`, in the axes of the body of
+/// `from`.
 template <class T, class Motion>
 std::vector<T> row_between(const ForceWork<T>& work, const Motion& m, const Vector<T>& force, const Vector<T>& moment) {
   const System<T>& system = work.system;
