@@ -86,8 +86,10 @@ Option add_set_option(NamedCommand command, std::vector<std::string>& assignment
 void add_simulation_options(NamedCommand command, SimulationArguments& arguments) {
   command.add_option("--duration", arguments.duration, "s (default: the model's)");
   command.add_option("--step", arguments.step, "s, shortened to divide the duration (default: the model's)");
-  command.add_option("--integrator", arguments.integrator,
-                     "rk4 or abm4 (default: the model's; Cartesian engines: rk4 only)");
+  command.add_option(
+      "--integrator", arguments.integrator,
+      "rk4, abm4, rosenbrock, or for simulate auto, which asks the modes of the start (default: the model's; Cartesian "
+      "engines: rk4 only)");
   command.add_option(
       "--input-table", arguments.input_table,
       "inputs over time (CSV): columns t and names of inputs, held before the first row and after the last");

@@ -106,10 +106,27 @@ int tell(const SimulationRecord& record) {
   return kUserFault;
 }
 
+/// The integrator that suits the modes of the start; standard error says which and why.
+SolverSettings::Integrator chosen_integrator(const Model& model, const SimulateOptions& options,
+                                             const SimulationSettings& settings, const std::string& engine) {
+  if (is_cartesian(engine)) return SolverSettings::Integrator::rk4;
+  const Compilation decided = expect(decide(Model(model)));
+  const InputsOverTime inputs = inputs_of(decided.model, options.engine.inputs, options.simulation);
+  const Start start = initial_start(decided, inputs.at(0));
+  const IntegratorChoice chosen = choose_integrator(decided, settings, modes_near(decided, start.state, inputs.at(0)));
+  fmt::print(stderr, "simulate: integrator {}: {}\n", name_of(chosen.integrator), chosen.reason);
+  return chosen.integrator;
+}
+
 int run(const SimulateOptions& options) {
   EngineChoice choice = chosen_engine(options.engine);
   const std::optional<Form> form = chosen_form(options.form);
   Model model = read_set_model(options.model, options.set);
+  const SimulationSettings settings = settings_of(options.simulation, model.solver);
+  choice.integrator = model.solver.integrator =
+      options.simulation.integrator == "auto"
+          ? chosen_integrator(model, options, settings, choice.name)
+          : integrator_of(options.simulation.integrator, model.solver.integrator, choice.name);
   const Compilation compilation =
       expect(choice.name == "generated" ? compile(std::move(model), {form}) : decide(std::move(model)));
   require_other_file(options.file, compilation.model.files);

@@ -3,7 +3,8 @@
 namespace mbgen {
 
 const char* name_of(SolverSettings::Integrator integrator) {
-  return integrator == SolverSettings::Integrator::rk4 ? "rk4" : "abm4";
+  using Integrator = SolverSettings::Integrator;
+  return integrator == Integrator::rk4 ? "rk4" : integrator == Integrator::abm4 ? "abm4" : "rosenbrock";
 }
 
 const char* name_of(Stabilisation stabilisation) {

@@ -43,17 +43,18 @@ std::string python_list(const std::vector<std::string>& items) {
 
 std::string c_header_text(const EmitContext& context) {
   const SolverNames& names = context.names;
-  return fill_template(
-      context, "c_interface.h.in",
-      {{"banner", c_banner_text(context.model)},
-       {"title", c_comment_text(context.model.name)},
-       {"guard", guard_of(names.solver)},
-       {"parameters", c_members(parameter_members(context))},
-       {"inputs", c_members(input_members(context))},
-       {"input_comment", input_comment(context)},
-       {"outputs", c_members(output_members(context))},
-       {"first_notice", static_cast<int>(kFirstNotice)},
-       {"integrator", context.model.solver.is_multistep() ? "Adams-Bashforth-Moulton" : "Runge-Kutta"}});
+  return fill_template(context, "c_interface.h.in",
+                       {{"banner", c_banner_text(context.model)},
+                        {"title", c_comment_text(context.model.name)},
+                        {"guard", guard_of(names.solver)},
+                        {"parameters", c_members(parameter_members(context))},
+                        {"inputs", c_members(input_members(context))},
+                        {"input_comment", input_comment(context)},
+                        {"outputs", c_members(output_members(context))},
+                        {"first_notice", static_cast<int>(kFirstNotice)},
+                        {"integrator", context.model.solver.is_implicit()    ? "linearly implicit, ROS34PW2"
+                                       : context.model.solver.is_multistep() ? "Adams-Bashforth-Moulton"
+                                                                             : "Runge-Kutta"}});
 }
 
 std::string c_source_text(const EmitContext& context) {
@@ -68,7 +69,7 @@ std::string c_source_text(const EmitContext& context) {
        {"outputs", name_rows(names_of(output_members(context)))},
        {"parameter_table", array_text("constexpr " + context.options.scalar + " Parameters::*kParameterMembers",
                                       member_places("Parameters", context.names.parameters), "nullptr")},
-       {"method", is_multistep ? "step_abm4" : "step_rk4"},
+       {"method", step_function(context.model.solver)},
        {"arguments", arguments},
        {"h", context.options.scalar == "float" ? "static_cast<float>(h)" : "h"},
        {"inputs_now", makes_rates ? "solver->paths.now(solver->inputs)" : "solver->inputs"}});

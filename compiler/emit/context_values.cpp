@@ -46,6 +46,7 @@ FrameValues context_values(const EmitContext& context) {
           {"advances", inputs_have_derivatives(context.model.inputs)},
           {"makes_rates", !input_rows(context.model.inputs).empty()},
           {"is_multistep", context.model.solver.is_multistep()},
+          {"is_implicit", context.model.solver.is_implicit()},
           {"outputs_take_multipliers", outputs_take_multipliers(context.programs)},
           {"derived", derived > 0 ? std::to_string(derived) : ""},
           {"has_closure", layout.has_closure},
@@ -118,6 +119,10 @@ std::vector<NumberMember> output_members(const EmitContext& context) {
                                  {"potential_energy", "", "J, of gravity"},
                                  {"applied_power", "", "W, of all applied forces but gravity"}});
   return members;
+}
+
+std::string step_function(const SolverSettings& settings) {
+  return settings.is_implicit() ? "step_rosenbrock" : settings.is_multistep() ? "step_abm4" : "step_rk4";
 }
 
 FrameRows name_rows(const std::vector<std::string>& names) {

@@ -33,6 +33,9 @@ std::vector<NumberMember> parameter_members(const EmitContext& context);
 std::vector<NumberMember> input_members(const EmitContext& context);
 std::vector<NumberMember> output_members(const EmitContext& context);
 
+/// The function of a solver that takes a step by the model's integrator.
+std::string step_function(const SolverSettings& settings);
+
 /// A row for each name, as `member`.
 FrameRows name_rows(const std::vector<std::string>& names);
 

@@ -30,16 +30,17 @@ CostJson call_json(const EmitContext& context, const CostJson& programs, const c
   const long terms = chooses ? operations("closure_terms") : 0;
   const long of_acceleration =
       operations("accelerations") + terms + (chooses ? operations("accelerations_chosen") : 0L);
+  const long of_implicit = calls.matrices == 0 ? 0 : operations("tangents") + kImplicitStages * operations("changes");
   const bool is_step = std::string_view(function).starts_with("step_");
   const long of_samples = is_step ? operations("sampled") : 0;  // once, where an instant begins the step
-  return {
-      {"function", function},
-      {"case", title},
-      {"accelerations", calls.accelerations},
-      {"projections", projections},
-      {"closures", closures},
-      {"factorisations", chooses ? calls.accelerations + closures : 0L},
-      {"operations", calls.accelerations * of_acceleration + closures * (operations("closure") + terms) + of_samples}};
+  return {{"function", function},
+          {"case", title},
+          {"accelerations", calls.accelerations},
+          {"projections", projections},
+          {"closures", closures},
+          {"factorisations", chooses ? calls.accelerations + closures : 0L},
+          {"operations", calls.accelerations * of_acceleration + closures * (operations("closure") + terms) +
+                             calls.matrices * of_implicit + of_samples}};
 }
 
 CostJson calls_json(const EmitContext& context, const CostJson& programs) {
@@ -57,6 +58,7 @@ CostJson calls_json(const EmitContext& context, const CostJson& programs) {
   add_both("step_rk4", kRk4Calls.regular, kRk4Calls.worst);
   add("step_abm4", "starting", kAbm4Calls.starting, false);
   add_both("step_abm4", kAbm4Calls.regular, kAbm4Calls.worst);
+  if (context.model.solver.is_implicit()) add_both("step_rosenbrock", kRosenbrockCalls.regular, kRosenbrockCalls.worst);
   return calls;
 }
 

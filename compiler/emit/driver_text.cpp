@@ -37,6 +37,7 @@ EmittedFile driver(const Model& model, int lanes, const std::string& clocked, bo
                          {"samples", !model.sampled.empty()},
                          {"advances", inputs_have_derivatives(model.inputs)},
                          {"lanes", lanes > 0 ? std::to_string(lanes) : ""},
+                         {"is_implicit", model.solver.is_implicit()},
                          {"laws", laws},
                          {"clocked", clocked}})};
 }

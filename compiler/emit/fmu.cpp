@@ -98,8 +98,9 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
        {"range_count", ranges(fmu).size()},
        {"ranges", array_text("  static constexpr mbgen::fmu::Range kRange", ranges(fmu), "{}")},
        {"names", names_text(fmu)},
-       {"step", context.model.solver.is_multistep() ? "step_abm4(parameters, inputs, state, history, h)"
-                                                    : "step_rk4(parameters, inputs, state, h)"},
+       {"step", step_function(context.model.solver) + (context.model.solver.is_multistep()
+                                                           ? "(parameters, inputs, state, history, h)"
+                                                           : "(parameters, inputs, state, h)")},
        {"advanced", inputs_have_derivatives(context.model.inputs)
                         ? fmt::format("{}::advance_inputs(inputs, h)", context.names.solver)
                         : "inputs"}});

@@ -25,6 +25,7 @@ constexpr std::pair<Array, const char*> kMembers[] = {
     {Array::residual, "of every closure equation, block after block, then of every motion"},
     {Array::pivot, "smallest pivot of each block over its reference"},
     {Array::inertia, "pivots of the final equations"},
+    {Array::tangent, "entries of the implicit equations that are not constant"},
     {Array::Phi, "residuals"},
     {Array::c, "right-hand side of the accelerations"},
     {Array::rate, "Jacobian times velocities"},
@@ -47,6 +48,12 @@ std::string missing_value(Array array) {
   return array == Array::pivot || array == Array::inertia ? "1.0" : "0.0";
 }
 
+/// Size of an array, of those too that the programs decide.
+int size_in(const EmitContext& context, Array array) {
+  if (array == Array::derived) return derived_constant_count(context.programs);
+  return array == Array::tangent ? tangent_count(context.programs) : size_of(context.layout, array);
+}
+
 /// Adds where an array lives in the struct of an argument, by coordinates or by number.
 void add_array(Places& places, const std::string& argument, Array array, const EmitContext& context) {
   const bool is_bare = array == Array::tau || array == Array::due;
@@ -60,8 +67,7 @@ void add_array(Places& places, const std::string& argument, Array array, const E
   }
   GroupPlace& place = places[array] = {argument, {}, {}, missing_value(array), name, 0};
   if (!is_by_coordinate(array)) {
-    const bool is_derived = array == Array::derived;
-    place.texts = indexed(name, is_derived ? derived_constant_count(context.programs) : size_of(context.layout, array));
+    place.texts = indexed(name, size_in(context, array));
     return;
   }
   place.texts = around(name + "[Coordinate::", context.names.coordinates, "]");
@@ -74,7 +80,9 @@ constexpr std::tuple<Array, const char*, const char*> kArguments[] = {
     {Array::zdd, "derivative", "const Derivative& derivative"},
     {Array::lambda, "multipliers", "const Multipliers& multipliers"},
     {Array::due, "due", "const double* due"},
-    {Array::Rz, "projection", "const Projection& projection"}};
+    {Array::Rz, "projection", "const Projection& projection"},
+    {Array::step, "size", "const StepSize& size"},
+    {Array::tangent, "tangents", "const Tangents& tangents"}};
 
 /// A program as its text names it.
 struct ShapeRow {
@@ -88,6 +96,10 @@ constexpr ShapeRow kShapes[] = {
     {Role::accelerations, "accelerations", "Accelerations",
      "All accelerations with the frozen partition of the loop blocks."},
     {Role::closure, "closure", "Closure", "One Newton step of the frozen partition, and consistent velocities."},
+    {Role::tangents, "tangents", "Tangents",
+     "Equations of an implicit step: tangents of the force elements, and the factors of its matrix."},
+    {Role::changes, "changes", "Changes",
+     "Changes that solve the implicit equations, of rates in place of velocities and accelerations."},
     {Role::multipliers, "multipliers", "ConstraintForces",
      "Multipliers of the closures and generalised driving forces, at given accelerations."},
     {Role::closure_terms, "closure_terms", "ClosureTerms",
@@ -101,6 +113,7 @@ constexpr ShapeRow kShapes[] = {
 bool is_written(Role role, const EmitContext& context) {
   const SolverLayout& layout = context.layout;
   if (role == Role::derived_constants) return derived_constant_count(context.programs) > 0;
+  if (role == Role::tangents || role == Role::changes) return !program_of(context.programs, role).outputs.empty();
   if (role == Role::closure || role == Role::multipliers) return layout.has_closure;
   if (role == Role::sampled) return layout.sampled > 0;
   if (role == Role::closure_terms) return !layout.blocks.empty();
@@ -146,7 +159,7 @@ ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
   for (const Array array : spec_of(row.role).outputs) {
     if (array == Array::law_argument || array == (context.layout.chooses_again ? Array::rate : Array::Jz)) continue;
     for (const auto& [member, comment] : kMembers)
-      if (member == array) shape.members.push_back({name_of(array), size_of(context.layout, array), comment});
+      if (member == array) shape.members.push_back({name_of(array), size_in(context, array), comment});
     add_array(shape.outputs, "result", array, context);
   }
   if (row.role == Role::accelerations) add_laws(context, shape);
@@ -168,7 +181,8 @@ void take_floats(ProgramShape& shape) {
 /// The programs whose time counts, unless they are so short that registers and cache hold most of them. All others, and
 /// the matrix form, keep the order of the steps of the method: a person reads them from top to bottom.
 ValueOrder order_of(Form form, const ShapedProgram& shaped) {
-  const bool runs_in_every_step = shaped.role == Role::accelerations || shaped.role == Role::closure;
+  const bool runs_in_every_step = shaped.role == Role::accelerations || shaped.role == Role::closure ||
+                                  shaped.role == Role::tangents || shaped.role == Role::changes;
   const bool is_long = shaped.program->nodes.size() > kLargestPart;
   return form == Form::recursive && runs_in_every_step && is_long ? ValueOrder::fewest_alive : ValueOrder::by_section;
 }
@@ -204,7 +218,9 @@ Places input_places(const EmitContext& context) {
   for (const Array array : {Array::Rz, Array::zdd_star}) add_array(places, "projection", array, context);
   add_array(places, "tau", Array::tau, context);
   add_array(places, "due", Array::due, context);
-  add_array(places, "derivative", Array::zdd, context);
+  for (const Array array : {Array::zdd, Array::xd}) add_array(places, "derivative", array, context);
+  add_array(places, "tangents", Array::tangent, context);
+  places[Array::step] = {"size", {"size.step"}};
   add_array(places, "parameters", Array::derived, context);
   places[Array::derived].locals = derived_constant_names(context.programs);
   places[Array::derived].local_tells_more = true;
@@ -221,6 +237,11 @@ std::string constant_text(const Program& program, const Node& node, const Progra
 
 int derived_constant_count(const Programs& programs) {
   return static_cast<int>(programs.derived_constants.outputs.size());
+}
+
+int tangent_count(const Programs& programs) {
+  return static_cast<int>(std::ranges::count_if(
+      programs.tangents.outputs, [](const OutputValue& output) { return output.slot.group == Array::tangent; }));
 }
 
 std::vector<std::string> derived_constant_names(const Programs& programs) {

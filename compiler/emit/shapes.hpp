@@ -98,7 +98,10 @@ struct ShapedProgram {
 /// Number of constants that follow from tunable parameters.
 int derived_constant_count(const Programs& programs);
 
-/// Identifier of each of them: that of its body or element; empty where it is none of theirs.
+/// Number of entries of the implicit equations.
+int tangent_count(const Programs& programs);
+
+/// Identifier of each derived constant: that of its body or element; empty where it is none of theirs.
 std::vector<std::string> derived_constant_names(const Programs& programs);
 
 /// Whether a scalar type is that of plain numbers: double or float.

@@ -95,10 +95,12 @@ Status project(LoadedSolver& solver, GenericState& state) {
 Status step(LoadedSolver& solver, SolverSettings::Integrator integrator, GenericState& state, double h) {
   const SolverTable& table = *solver.table;
   flatten(state, solver.state);
-  const Status status = integrator == SolverSettings::Integrator::rk4
-                            ? table.step_rk4(solver.parameters.data(), solver.inputs.data(), solver.state.data(), h)
-                            : table.step_abm4(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
-                                              solver.history.data(), h);
+  using Integrator = SolverSettings::Integrator;
+  const auto one_step = integrator == Integrator::rk4 ? table.step_rk4 : table.step_rosenbrock;
+  const Status status = integrator == Integrator::abm4
+                            ? table.step_abm4(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
+                                              solver.history.data(), h)
+                            : one_step(solver.parameters.data(), solver.inputs.data(), solver.state.data(), h);
   if (status.ok()) unflatten(solver.state, state);
   return status;
 }

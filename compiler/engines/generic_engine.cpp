@@ -7,7 +7,7 @@
 #include "compiler/base/assignments.hpp"
 #include "compiler/engines/engine.hpp"
 #include "compiler/model/inputs.hpp"
-#include "mbgen/integrators.hpp"
+#include "mbgen/rosenbrock.hpp"
 
 namespace mbgen {
 namespace {
@@ -16,7 +16,16 @@ namespace {
 struct GenericSystem {
   using State = GenericState;
   using Derivative = GenericDerivative;
+  using Tangents = GenericTangents;
 
+  Status tangents(const GenericState& state, double g, GenericTangents& values) const noexcept {
+    advance_inputs(state.t);
+    return solver.tangents(state, g, values);
+  }
+  void solve(const GenericTangents& values, double g, const StateRates<GenericSystem>& rates,
+             GenericDerivative& change) const noexcept {
+    change = solver.changes(values, g, rates.zd, rates.derivative);
+  }
   Status derivative(const GenericState& state, GenericDerivative& rates) const noexcept {
     advance_inputs(state.t);
     return solver.solve_motion(state, rates);
@@ -50,8 +59,10 @@ struct GenericSystem {
 
 Status step(GenericSystem& system, SolverSettings::Integrator integrator, GenericState& state, double h) {
   system.start = state.t;
-  const Status status = integrator == SolverSettings::Integrator::rk4 ? step_rk4(system, state, h)
-                                                                      : step_abm4(system, state, system.history, h);
+  using Integrator = SolverSettings::Integrator;
+  const Status status = integrator == Integrator::rk4    ? step_rk4(system, state, h)
+                        : integrator == Integrator::abm4 ? step_abm4(system, state, system.history, h)
+                                                         : step_rosenbrock(system, state, h);
   system.advance_inputs(system.start);
   return status;
 }

@@ -12,22 +12,54 @@
 namespace mbgen {
 namespace detail {
 
+/// Length at which a spring or an air spring is counted from: its own, or that of the reference configuration.
+template <class T>
+T natural_length(const ForceWork<T>& work, const std::optional<Quantity>& own, const T& reference,
+                 const std::string& element) {
+  T length = own ? work.value(*own) : reference;
+  work.system.scribe.constant(length, "l0_", element);
+  return length;
+}
+
+/// Tension of a spring by its length and rate, N. natural: see natural_length.
+template <class T, class A>
+A spring_tension(const ForceWork<T>& work, const PointSpring& spring, const A& length, const A& rate,
+                 const T& natural) {
+  A tension = A(work.value(spring.preload, "f0", spring.name)) +
+              law(work, spring.stiffness, length - natural, "k", spring.name) +
+              law(work, spring.damping, rate, "d", spring.name);
+  if (spring.force) tension = tension + with_locals(work, *spring.force, length, rate);
+  return tension;
+}
+
 template <class T>
 void point_springs(ForceWork<T>& work) {
   for (const PointSpring& spring : work.system.model.springs) {
     const auto heading = work.system.scribe.within(OwnerKind::spring, index_in(work.system.model.springs, spring));
     work.forces.springs.push_back(
         line_element(work, spring.from, spring.to, [&](const T& length, const T& rate, const T& reference) {
-          T free = spring.free_length ? work.value(*spring.free_length) : reference;
-          work.system.scribe.constant(free, "l0_", spring.name);
-          T tension = work.value(spring.preload, "f0", spring.name) +
-                      law(work, spring.stiffness, length - free, "k", spring.name) +
-                      law(work, spring.damping, rate, "d", spring.name);
-          if (spring.force) tension = tension + with_locals(work, *spring.force, length, rate);
+          const T natural = natural_length(work, spring.free_length, reference, spring.name);
+          const T tension = spring_tension(work, spring, length, rate, natural);
           work.system.scribe.name(tension, "tension_", spring.name);
           return tension;
         }));
   }
+}
+
+/// Push of an air spring by its length, N. natural: see natural_length.
+template <class T, class A>
+A air_spring_push(const ForceWork<T>& work, const AirSpring& spring, const A& length, const T& natural) {
+  const auto area = [&](const A& l) {
+    const Quantity* fixed = std::get_if<Quantity>(&spring.area);
+    return fixed ? A(work.value(*fixed, "area", spring.name)) : law(work, spring.area, l, "area", spring.name);
+  };
+  const auto volume = [&](const A& l) {
+    return spring.volume ? law(work, Law(*spring.volume), l, "volume", spring.name)
+                         : A(work.value(spring.volume0, "volume0", spring.name)) + area(A(natural)) * (l - natural);
+  };
+  const auto value = [&](const Quantity& q, const char* meaning) { return A(work.value(q, meaning, spring.name)); };
+  return air_spring_force(value(spring.pressure, "pressure"), value(spring.ambient, "ambient"),
+                          value(spring.exponent, "exponent"), volume(A(natural)), volume(length), area(length));
 }
 
 template <class T>
@@ -37,26 +69,48 @@ void air_springs(ForceWork<T>& work) {
         work.system.scribe.within(OwnerKind::air_spring, index_in(work.system.model.air_springs, spring));
     work.forces.air_springs.push_back(
         line_element(work, spring.from, spring.to, [&](const T& length, const T&, const T& reference) {
-          T length0 = spring.length ? work.value(*spring.length) : reference;
-          work.system.scribe.constant(length0, "l0_", spring.name);
-          const auto area = [&](const T& l) {
-            const Quantity* fixed = std::get_if<Quantity>(&spring.area);
-            return fixed ? work.value(*fixed, "area", spring.name) : law(work, spring.area, l, "area", spring.name);
-          };
-          const auto volume = [&](const T& l) {
-            return spring.volume ? law(work, Law(*spring.volume), l, "volume", spring.name)
-                                 : work.value(spring.volume0, "volume0", spring.name) + area(length0) * (l - length0);
-          };
-          const auto value = [&](const Quantity& q, const char* meaning) {
-            return work.value(q, meaning, spring.name);
-          };
-          const T push =
-              air_spring_force(value(spring.pressure, "pressure"), value(spring.ambient, "ambient"),
-                               value(spring.exponent, "exponent"), volume(length0), volume(length), area(length));
+          const T natural = natural_length(work, spring.length, reference, spring.name);
+          const T push = air_spring_push(work, spring, length, natural);
           work.system.scribe.name(push, "push_", spring.name);
           return -push;
         }));
   }
+}
+
+/// Deflection and rate of a joint spring, rad or m.
+template <class T>
+struct JointDeflection {
+  T position, rate;
+};
+
+template <class T>
+JointDeflection<T> joint_deflection(const System<T>& system, const JointSpring& spring) {
+  const Environment<T>& e = system.environment;
+  JointDeflection<T> d{e.position(spring.joint), e.velocity(spring.joint)};
+  if (spring.relative_to) {
+    d.position = d.position - e.position(*spring.relative_to);
+    d.rate = d.rate - e.velocity(*spring.relative_to);
+  }
+  return d;
+}
+
+/// Force of a joint spring against its deflection, N or N m.
+template <class T, class A>
+A joint_spring_force(const ForceWork<T>& work, const JointSpring& spring, const A& position, const A& rate) {
+  A force = A(work.value(spring.preload, "f0", spring.name)) +
+            law(work, spring.stiffness, position - A(work.value(spring.free, "z0", spring.name)), "k", spring.name) +
+            law(work, spring.damping, rate, "d", spring.name);
+  if (spring.force) force = force + with_locals(work, *spring.force, position, rate);
+  return force;
+}
+
+/// Friction of a joint by its rate, N or N m, along the coordinate.
+template <class T, class A>
+A joint_friction_force(const ForceWork<T>& work, const JointFriction& friction, const A& rate) {
+  const auto value = [&](const Quantity& q, const char* meaning) { return A(work.value(q, meaning, friction.name)); };
+  return friction_force(value(friction.coulomb, "coulomb"), value(friction.stiction, "stiction"),
+                        value(friction.viscous, "viscous"), value(friction.velocity, "velocity"),
+                        value(friction.stribeck_velocity, "stribeck"), rate);
 }
 
 template <class T>
@@ -65,15 +119,8 @@ void joint_springs(ForceWork<T>& work) {
   const Environment<T>& e = work.system.environment;
   for (const JointSpring& spring : model.joint_springs) {
     const auto heading = work.system.scribe.within(OwnerKind::joint_spring, index_in(model.joint_springs, spring));
-    T position = e.position(spring.joint), rate = e.velocity(spring.joint);
-    if (spring.relative_to) {
-      position = position - e.position(*spring.relative_to);
-      rate = rate - e.velocity(*spring.relative_to);
-    }
-    T force = work.value(spring.preload, "f0", spring.name) +
-              law(work, spring.stiffness, position - work.value(spring.free, "z0", spring.name), "k", spring.name) +
-              law(work, spring.damping, rate, "d", spring.name);
-    if (spring.force) force = force + with_locals(work, *spring.force, position, rate);
+    const JointDeflection<T> d = joint_deflection(work.system, spring);
+    const T force = joint_spring_force(work, spring, d.position, d.rate);
     work.system.scribe.name(force, "force_", spring.name);
     add_joint_force(work, spring.joint, -force);
     if (spring.relative_to) add_joint_force(work, *spring.relative_to, force);

@@ -77,16 +77,17 @@ struct BushingForces {
 };
 
 /// The law of a bushing: a function of deflections, their rates and the extensions of its Maxwell branches alone.
-template <class T>
-BushingForces<T> bushing_law(const ForceWork<T>& work, const Bushing& bushing, const BushingValues<T>& deflection,
-                             const BushingValues<T>& rate, const T* extensions) {
-  BushingForces<T> result;
+/// A: T, or Slope<T> where the law is differentiated.
+template <class T, class A>
+BushingForces<A> bushing_law(const ForceWork<T>& work, const Bushing& bushing, const BushingValues<A>& deflection,
+                             const BushingValues<A>& rate, const A* extensions) {
+  BushingForces<A> result;
   for (int i = 0; i < kBushingFreedoms; ++i) {
     const std::string freedom(kBushingFreedomNames[i]);
     const auto value = [&](const Quantity& quantity, const char* meaning, const std::string& of) {
-      return work.value(quantity, (meaning + of).c_str(), bushing.name);
+      return A(work.value(quantity, (meaning + of).c_str(), bushing.name));
     };
-    T force(0.0);
+    A force(0.0);
     for (int j = 0; j < kBushingFreedoms; ++j) {
       const std::string pair = freedom + "_" + std::string(kBushingFreedomNames[j]);
       const int upper = kBushingFreedoms * std::min(i, j) + std::max(i, j);
@@ -101,7 +102,7 @@ BushingForces<T> bushing_law(const ForceWork<T>& work, const Bushing& bushing, c
               law(work, own->damping, rate[i], ("d_" + freedom).c_str(), bushing.name);
       if (own->force) force = force + with_locals(work, *own->force, deflection[i], rate[i]);
       if (own->maxwell_stiffness) {
-        const T& extension = extensions[result.extension_rates.size()];
+        const A& extension = extensions[result.extension_rates.size()];
         force = force + value(*own->maxwell_stiffness, "km_", freedom) * extension;
         result.extension_rates.push_back(rate[i] - extension / value(own->maxwell_time, "tm_", freedom));
       }

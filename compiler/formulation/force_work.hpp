@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <type_traits>
 
 #include "compiler/formulation/motion.hpp"
 #include "compiler/model/curve.hpp"
@@ -79,25 +80,61 @@ struct ForceWork {
 };
 
 /// Value of a characteristic at an argument: factor times argument, or a table. The factor is named
-/// <meaning>_<element>.
-template <class T>
-T law(const ForceWork<T>& work, const Law& law, const T& argument, const char* meaning, const std::string& element) {
-  if (const Quantity* factor = std::get_if<Quantity>(&law)) return work.value(*factor, meaning, element) * argument;
+/// <meaning>_<element>. A: T, or Slope<T> where the law is differentiated, as in the functions that follow.
+template <class T, class A>
+A law(const ForceWork<T>& work, const Law& law, const A& argument, const char* meaning, const std::string& element) {
+  if (const Quantity* factor = std::get_if<Quantity>(&law)) return A(work.value(*factor, meaning, element)) * argument;
   return value_along(std::get<Table>(law), argument);
 }
 
-template <class T>
-T law(const ForceWork<T>& work, const std::optional<Law>& optional, const T& argument, const char* meaning,
+template <class T, class A>
+A law(const ForceWork<T>& work, const std::optional<Law>& optional, const A& argument, const char* meaning,
       const std::string& element) {
-  return optional ? law(work, *optional, argument, meaning, element) : T(0.0);
+  return optional ? law(work, *optional, argument, meaning, element) : A(0.0);
 }
 
+/// An environment of T for an expression over A: everything stands still but the locals and one coordinate or velocity.
+template <class T, class A>
+struct MovedEnvironment {
+  const Environment<T>& environment;
+  std::vector<A> locals = {};
+  const ExpressionNode* moved = nullptr;  ///< a position or velocity whose derivative is one, null for none
+
+  A parameter(int i) const { return A(environment.parameter(i)); }
+  A input(int i) const { return A(environment.input(i)); }
+  A time() const { return A(environment.time()); }
+  A position(const CoordinateReference& c) const {
+    return moves(ExpressionNode::Kind::position, c) ? A(environment.position(c), T(1.0)) : A(environment.position(c));
+  }
+  A velocity(const CoordinateReference& c) const {
+    return moves(ExpressionNode::Kind::velocity, c) ? A(environment.velocity(c), T(1.0)) : A(environment.velocity(c));
+  }
+  A local(int i) const { return locals[i]; }
+  // Where the environment has them.
+  A state(int i) const requires requires(const Environment<T>& e) { e.state(0); }
+  { return A(environment.state(i)); }
+  A length(int i) const requires requires(const Environment<T>& e) { e.length(0); }
+  { return A(environment.length(i)); }
+  A rate(int i) const requires requires(const Environment<T>& e) { e.rate(0); }
+  { return A(environment.rate(i)); }
+
+ private:
+  bool moves(ExpressionNode::Kind kind, const CoordinateReference& c) const {
+    return moved != nullptr && moved->kind == kind && moved->coordinate == c;
+  }
+};
+
 /// An expression with two local variables.
-template <class T>
-T with_locals(const ForceWork<T>& work, int expression, const T& first, const T& second) {
-  Environment<T> environment = work.system.environment;
-  environment.locals = {first, second};
-  return evaluate<T>(work.system.model.expressions[expression], environment);
+template <class T, class A>
+A with_locals(const ForceWork<T>& work, int expression, const A& first, const A& second) {
+  const Expression& of_model = work.system.model.expressions[expression];
+  if constexpr (std::is_same_v<T, A>) {
+    Environment<T> environment = work.system.environment;
+    environment.locals = {first, second};
+    return evaluate<T>(of_model, environment);
+  } else {
+    return evaluate<A>(of_model, MovedEnvironment<T, A>{work.system.environment, {first, second}});
+  }
 }
 
 /// Adds a force and a moment on a body of the model.

@@ -63,7 +63,7 @@ struct Initial {
 };
 
 struct SolverSettings {
-  enum class Integrator { rk4, abm4 };
+  enum class Integrator { rk4, abm4, rosenbrock };
   Integrator integrator = Integrator::rk4;
   double step = 1e-3;                ///< s
   double duration = 1;               ///< s
@@ -72,6 +72,8 @@ struct SolverSettings {
 
   /// Whether a step uses the steps before it.
   bool is_multistep() const { return integrator == Integrator::abm4; }
+  /// Whether a step solves linear equations of the tangents of its force elements.
+  bool is_implicit() const { return integrator == Integrator::rosenbrock; }
 };
 
 /// A multibody system as the user described it, names resolved and every number checked.

@@ -8,7 +8,7 @@
 namespace mbgen::reading {
 namespace {
 
-constexpr std::array<std::string_view, 2> kIntegrators = {"rk4", "abm4"};
+constexpr std::array<std::string_view, 3> kIntegrators = {"rk4", "abm4", "rosenbrock"};
 
 template <class Object>
 ObjectKind kind(std::string_view name, std::string_view doc, std::vector<std::string_view> exactly_one = {},
@@ -136,7 +136,8 @@ std::span<const Field<SolverSettings>> fields<SolverSettings>() {
   static const std::array table = {
       field<S, &S::integrator>({.name = "integrator",
                                 .shape = Shape::word,
-                                .doc = "Runge-Kutta of order 4, or Adams-Bashforth-Moulton of order 4",
+                                .doc = "Runge-Kutta of order 4, Adams-Bashforth-Moulton of order 4, or a linearly "
+                                       "implicit method of order 3 for stiff models",
                                 .fallback_word = "rk4",
                                 .words = kIntegrators}),
       field<S, &S::step>(number("step", "time step", "s", 1e-3, Bound::positive)),

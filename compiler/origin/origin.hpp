@@ -20,7 +20,8 @@ enum class Step : std::uint8_t {
   reduced_system,
   solution,
   multipliers,
-  outputs
+  outputs,
+  tangents
 };
 
 /// Number of a step in the paper: 9 too for what programs at given accelerations do last, 0 for none.

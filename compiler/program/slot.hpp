@@ -32,7 +32,9 @@ enum class Array : std::uint8_t {
   rate,                 ///< Phi_z zd of a block
   residual,             ///< of all closure equations, then of the motions
   seed,                 ///< entries of a direction, see differentiate
+  step,                 ///< of the implicit equations, the method's factor times the step, s
   t,                    ///< time
+  tangent,              ///< of the implicit equations, one after another; see formulation/implicit.hpp
   tau,                  ///< joint forces
   x,                    ///< auxiliary states
   xd,                   ///< their rates

@@ -89,10 +89,12 @@ int size_of(const SolverLayout& layout, Array array) {
       return 2;
     case t:
     case power:
+    case step:
       return 1;
     case derived:
     case law_argument:
     case law_result:
+    case tangent:
     case seed:
       break;
   }

@@ -32,8 +32,8 @@ struct SolverLayout {
 
 SolverLayout solver_layout(const Model& model, const Topology& topology, const Analysis& analysis);
 
-/// Size of an array that its spec names, over all loop blocks where each has its share. Requires: neither `derived` nor
-/// `seed`, which programs decide.
+/// Size of an array that its spec names, over all loop blocks where each has its share. Requires: none of
+/// `derived`, `tangent` and `seed`, which programs decide.
 int size_of(const SolverLayout& layout, Array array);
 
 /// The first number and how many.

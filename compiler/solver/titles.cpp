@@ -28,6 +28,7 @@ constexpr StepTitle kStepTitles[] = {
      "step 9: independent and all accelerations (63), (62)"},
     {"step 9: multipliers of the closures and driving forces"},
     {"step 9: outputs, energies, power"},
+    {"tangents of the force elements and factors of the implicit equations"},
 };
 
 /// A block as its loops name it.

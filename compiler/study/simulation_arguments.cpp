@@ -30,12 +30,15 @@ SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings
   using Integrator = SolverSettings::Integrator;
   if (name.empty()) return is_cartesian(engine) ? Integrator::rk4 : of_model;
   if (name == "rk4") return Integrator::rk4;
-  if (name != "abm4") throw UserError(fmt::format("--integrator: no integrator \"{}\"; there are: rk4, abm4\n", name));
+  if (name == "auto") throw UserError("--integrator: auto looks at one motion: name rk4, abm4 or rosenbrock here\n");
+  if (name != "abm4" && name != "rosenbrock") {
+    throw UserError(fmt::format("--integrator: no integrator \"{}\"; there are: rk4, abm4, rosenbrock\n", name));
+  }
   if (is_cartesian(engine)) {
     throw UserError(
         fmt::format("--integrator: engine \"{}\" works in Cartesian coordinates and integrates by rk4 only\n", engine));
   }
-  return Integrator::abm4;
+  return name == "abm4" ? Integrator::abm4 : Integrator::rosenbrock;
 }
 
 InputsOverTime inputs_of(const Model& model, const std::vector<std::string>& assignments,

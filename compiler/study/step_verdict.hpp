@@ -25,6 +25,16 @@ struct StepVerdict {
   double fitting_step = 0;            ///< s, one that would do, 0 where the step does or none is known
 };
 
+/// An integrator for a motion, and why.
+struct IntegratorChoice {
+  SolverSettings::Integrator integrator = SolverSettings::Integrator::rk4;
+  std::string reason;
+};
+
+/// Runge-Kutta where it lets no mode of the start grow at this step, else the implicit method. modes: see modes_near.
+IntegratorChoice choose_integrator(const Compilation& compilation, const SimulationSettings& settings,
+                                   const std::vector<Mode>& modes);
+
 /// Compares the step with the modes (a mode that the integrator lets grow e-fold over the motion is not stable) and
 /// judges the energy balance: off by more than kEnergyWarning it is a warning, by more than kEnergyFailure a failure.
 StepVerdict judge_step(const Compilation& compilation, SolverSettings::Integrator integrator,

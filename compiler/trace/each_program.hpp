@@ -45,6 +45,12 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
 /// Auxiliary states that hold, after the sampled values that are due are set; empty without such values.
 Program trace_sampled(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
 
+/// The equations of an implicit step, and the changes that solve them. Entries that are constants stay in the programs.
+struct ImplicitPrograms {
+  Program tangents, changes;
+};
+ImplicitPrograms trace_implicit(const Model& model, const Topology& topology, const Analysis& analysis);
+
 /// The order of a traced program.
 enum class TraceOrder {
   canonical,   ///< the same from every compiler

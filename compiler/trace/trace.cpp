@@ -46,6 +46,11 @@ Programs trace(const Model& model, const Topology& topology, const Analysis& ana
   programs.multipliers = trace_multipliers(model, topology, analysis, programs.form);
   programs.outputs = trace_outputs(model, topology, analysis, programs.form);
   if (!model.sampled.empty()) programs.sampled = trace_sampled(model, topology, analysis, programs.form);
+  if (model.solver.is_implicit()) {
+    auto [tangents, changes] = trace_implicit(model, topology, analysis);
+    programs.tangents = std::move(tangents);
+    programs.changes = std::move(changes);
+  }
   return programs;
 }
 

@@ -23,6 +23,13 @@ struct CoordinateWish {
 };
 
 struct GenericEquations;
+template <class T>
+struct ImplicitEquations;
+
+/// Equations of an implicit step; null where the frozen partition does not serve, see mbgen/implicit.hpp.
+struct GenericTangents {
+  std::shared_ptr<const ImplicitEquations<double>> equations;
+};
 
 /// Solver of one model at double. Copies the data that it needs of its arguments. It works in memory of its own: one
 /// thread at a time, and any number of solvers in as many threads. With LinearAlgebra::blas one thread of the whole
@@ -52,6 +59,12 @@ class GenericSolver {
   Status solve_motion(const GenericState& state, GenericDerivative& derivative) const;
   Status project_motion(GenericState& state) const;
   Status project_nearest(GenericState& state) const;
+  /// Equations of an implicit step at a state, and the changes of velocities and auxiliary states that solve them for
+  /// given rates. g: s, the method's factor times the step. The status may be a notice.
+  /// Fails: not_a_number, implicit_singular.
+  Status tangents(const GenericState& state, double g, GenericTangents& tangents) const;
+  GenericDerivative changes(const GenericTangents& tangents, double g, const std::vector<double>& zd,
+                            const GenericDerivative& rates) const;
   /// Lagrange multipliers in the order of Topology::loops, given accelerations.
   std::vector<double> multipliers(const GenericState& state, const std::vector<double>& tau,
                                   const GenericDerivative& derivative) const;

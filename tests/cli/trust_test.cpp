@@ -70,6 +70,9 @@ TEST(StepVerdict, RegionsOfStability) {
   EXPECT_FALSE(stable(Integrator::rk4, {0, 2.829}));
   EXPECT_TRUE(stable(Integrator::abm4, -1.2));
   EXPECT_FALSE(stable(Integrator::abm4, -1.3));
+  for (const double z : {-1e-3, -1.0, -1e3, -1e9}) EXPECT_TRUE(stable(Integrator::rosenbrock, z)) << z;
+  EXPECT_TRUE(stable(Integrator::rosenbrock, {0, 1e3}));
+  EXPECT_NEAR(growth_of_step(Integrator::rosenbrock, -1e9), 0, 1e-8) << "L-stable";
 }
 
 constexpr const char* kRamp = "t,way\n0,0\n1,0\n1.2,0.785\n6,0.785\n";

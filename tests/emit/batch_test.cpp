@@ -21,9 +21,12 @@ InitialState some_start(const Compilation& compilation) {
   return start;
 }
 
-/// Files of a model of the project with a batch interface.
-std::vector<EmittedFile> files_of(const std::string& model, int lanes) {
-  Result<Compilation> compilation = compile(std::string(MBGEN_SOURCE_DIR "/") + model);
+/// Files of a model of the project with a batch interface. is_implicit: it asks for the implicit integrator.
+std::vector<EmittedFile> files_of(const std::string& path, int lanes, bool is_implicit) {
+  Result<Model> model = read_model_file(std::string(MBGEN_SOURCE_DIR "/") + path);
+  if (!model) throw std::runtime_error(to_text(model.problems()));
+  if (is_implicit) model->solver.integrator = SolverSettings::Integrator::rosenbrock;
+  Result<Compilation> compilation = compile(std::move(*model));
   if (!compilation) throw std::runtime_error(to_text(compilation.problems()));
   return emit(*compilation, {.runtime_headers = false, .lanes = lanes, .initial = some_start(*compilation)});
 }
@@ -34,6 +37,7 @@ struct Case {
   Compiler compiler;
   int lanes;
   const char* more_flags;
+  bool is_implicit = false;
 };
 
 void PrintTo(const Case& which, std::ostream* out) {
@@ -62,7 +66,7 @@ TEST_P(Batch, hasTheBitsAndStatusesOfTheScalarSolver) {
   const Case& which = GetParam();
   if (!is_installed(which.compiler)) GTEST_SKIP() << which.compiler.command << " is not installed";
   const TemporaryDirectory directory;
-  for (const EmittedFile& file : files_of(which.model, which.lanes)) write(directory.path(), file);
+  for (const EmittedFile& file : files_of(which.model, which.lanes, which.is_implicit)) write(directory.path(), file);
   const std::string name = which.name, batch = name + "_batch";
   for (const std::string& source : {name, batch}) {
     const Finished compilation = compile_source(which, directory.path(), source);
@@ -73,11 +77,12 @@ TEST_P(Batch, hasTheBitsAndStatusesOfTheScalarSolver) {
     EXPECT_EQ(symbol.rfind("_ZN" + std::to_string(name.size()) + name, 0), 0u) << symbol;
   }
   const std::string base = (directory.path() / name).string(), check = (directory.path() / "check").string();
-  const Finished linked = run(std::string(which.compiler.command) + " -std=c++17 -O1 -DSOLVER=" + name +
-                              " -DINTERFACE='\"" + batch + ".hpp\"' -I" + directory.path().string() +
-                              " -I" MBGEN_SOURCE_DIR "/runtime/include " MBGEN_SOURCE_DIR
-                              "/tests/system/batch/check.cpp " MBGEN_SOURCE_DIR "/tests/support/heap.cpp " +
-                              base + ".o " + base + "_batch.o -o " + check);
+  const Finished linked =
+      run(std::string(which.compiler.command) + " -std=c++17 -O1 " + (which.is_implicit ? "-DIMPLICIT " : "") +
+          "-DSOLVER=" + name + " -DINTERFACE='\"" + batch + ".hpp\"' -I" + directory.path().string() +
+          " -I" MBGEN_SOURCE_DIR "/runtime/include " MBGEN_SOURCE_DIR "/tests/system/batch/check.cpp " MBGEN_SOURCE_DIR
+          "/tests/support/heap.cpp " +
+          base + ".o " + base + "_batch.o -o " + check);
   ASSERT_EQ(linked.code, 0) << linked.text;
   const Finished checked = run(check);
   EXPECT_EQ(checked.code, 0) << checked.text;
@@ -100,7 +105,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"tests/data/models/wheel_outputs.json", "wheel_outputs", kClang, 4, ""},
                     Case{"tests/data/models/bushings.json", "bushings", kClang, 4, ""},
                     Case{"tests/data/models/states.json", "states", kClang, 4, ""},
-                    Case{"tests/data/models/all_elements.json", "all_elements", kGnu, 4, "-march=native"}),
+                    Case{"tests/data/models/all_elements.json", "all_elements", kGnu, 4, "-march=native"},
+                    Case{"tests/data/models/all_elements.json", "all_elements", kClang, 4, "-march=native", true}),
     [](const auto& info) {
       return std::string(info.param.name) + "_" + std::to_string(info.param.lanes) +
              (info.param.compiler.family == CompilerFamily::gnu ? "_gnu" : "_clang");

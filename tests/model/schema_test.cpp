@@ -53,7 +53,7 @@ TEST(Schema, CarriesUnitsDefaultsWordsAndRequirements) {
   EXPECT_EQ(definitions["air_spring"]["properties"]["ambient"]["default"], 101325);
   EXPECT_EQ(definitions["rod"]["properties"]["mass"]["description"], "mass, uniform along the rod [kg]");
   EXPECT_EQ(definitions["rod"]["properties"]["mass"]["minimum"], 0);
-  EXPECT_EQ(definitions["solver"]["properties"]["integrator"]["enum"], Json({"rk4", "abm4"}));
+  EXPECT_EQ(definitions["solver"]["properties"]["integrator"]["enum"], Json({"rk4", "abm4", "rosenbrock"}));
   EXPECT_EQ(definitions["solver"]["properties"]["integrator"]["default"], "rk4");
   EXPECT_EQ(definitions["initial"]["properties"]["equilibrium"]["default"], false);
 }

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mbgen/integrators.hpp"
+#include "mbgen/rosenbrock.hpp"
 
 namespace mbgen {
 namespace {
@@ -45,6 +45,16 @@ struct Adversary {
     state.z[0] = place % 3;
     return {};
   }
+  using Tangents = double;
+  Status tangents(const State&, double g, Tangents& values) const noexcept {
+    ++counter.calls.matrices;
+    values = g;
+    return {};
+  }
+  void solve(const Tangents& g, double, const StateRates<Adversary>& rates, Derivative& change) const noexcept {
+    change.zdd[0] = g * rates.derivative.zdd[0];
+    change.xd[0] = g * rates.derivative.xd[0];
+  }
   static Status note(bool is_near) noexcept { return is_near ? Status{Code::near_singular, 0} : Status{}; }
 };
 
@@ -69,6 +79,7 @@ Steps calls_of(Alarm alarm, const Step& step) {
 void expect_calls(CallCount count, CallCount expected) {
   EXPECT_EQ(count.accelerations, expected.accelerations);
   EXPECT_EQ(count.projections, expected.projections);
+  EXPECT_EQ(count.matrices, expected.matrices);
 }
 
 TEST(WorstCase, callsOfRungeKutta) {
@@ -78,6 +89,14 @@ TEST(WorstCase, callsOfRungeKutta) {
   expect_calls(easy.later, kRk4Calls.regular);
   expect_calls(hard.first, kRk4Calls.worst);
   expect_calls(hard.later, kRk4Calls.worst);
+}
+
+TEST(WorstCase, callsOfTheImplicitMethod) {
+  const auto step = [](const Adversary& system, Adversary::State& state) {
+    return step_rosenbrock(system, state, 0.01);
+  };
+  expect_calls(calls_of(Alarm::none, step).later, kRosenbrockCalls.regular);
+  expect_calls(calls_of(Alarm::projection, step).later, kRosenbrockCalls.worst);
 }
 
 TEST(WorstCase, callsOfAdamsBashforthMoulton) {

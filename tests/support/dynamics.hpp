@@ -15,6 +15,14 @@ struct Dynamics {
   Status derivative(const State& state, Derivative& rates) const noexcept { return solver.solve_motion(state, rates); }
   Status project(State& state) const noexcept { return solver.project_motion(state); }
   Status project_nearest(State& state) const noexcept { return solver.project_nearest(state); }
+
+  using Tangents = GenericTangents;
+  Status tangents(const State& state, double g, Tangents& values) const noexcept {
+    return solver.tangents(state, g, values);
+  }
+  void solve(const Tangents& values, double g, const StateRates<Dynamics>& rates, Derivative& change) const noexcept {
+    change = solver.changes(values, g, rates.zd, rates.derivative);
+  }
 };
 
 /// A mechanism in a state of its own, at first that of its reference, and the generic runtime that moves it.

@@ -47,6 +47,7 @@ void choose_tuning(Study& study) {
   Result<Model> model = read_varied_model(study.arguments.model, varied);
   if (model) {
     study.model = std::move(*model);
+    study.model.solver.integrator = study.choice.integrator;
     return;
   }
   study.is_tuned = false;
@@ -212,7 +213,7 @@ Study read_study(const StudyArguments& arguments) {
   if (std::find(engines.begin(), engines.end(), study.choice.name) == engines.end()) {
     make_engine({}, study.choice);  // whose refusal lists the engines
   }
-  study.choice.integrator =
+  study.choice.integrator = study.model.solver.integrator =
       integrator_of(arguments.simulation.integrator, study.model.solver.integrator, study.choice.name);
   check_given_once(study);
   study.warnings = inputs_of(study, study.model, study.grid.values_of(0)).warnings;
@@ -258,6 +259,7 @@ CaseResult run_case(const Study& study, const StudySolver& solver, long index) {
   const std::vector<double> values = study.grid.values_of(index);
   Result<Model> model = read_varied_model(study.arguments.model, varied_parameters(study, values, study.is_tuned));
   require_unchanged(study, model);
+  if (model) model->solver.integrator = study.choice.integrator;
   try {
     const Compilation compilation = compilation_of_case(study, solver, expect(std::move(model)));
     const Engine engine = solver.table ? make_generated_engine(solver.table, compilation, study.choice)

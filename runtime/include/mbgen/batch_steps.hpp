@@ -30,7 +30,6 @@ struct LaneDynamics {
     return {};
   }
 
- private:
   InputsOf<System> inputs_at(const typename System::Row& t) const noexcept {
     InputsOf<System> later;
     const typename System::Row dt = t - start;

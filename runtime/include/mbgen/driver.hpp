@@ -49,6 +49,9 @@ struct SolverTable {
   void (*start_abm4)(void* history) noexcept;
   Status (*step_abm4)(const double* parameters, const double* inputs, double* state, void* history, double h) noexcept;
 
+  /// One linearly implicit step; null in a solver without it.
+  Status (*step_rosenbrock)(const double* parameters, const double* inputs, double* state, double h) noexcept;
+
   /// Accelerations of a state that steps of h seconds led to; tau is zero.
   Status (*accelerations_in_motion)(const double* parameters, const double* inputs, const double* state, double h,
                                     double* derivative) noexcept;

@@ -19,6 +19,7 @@ enum class Code : int {
   no_equilibrium,          ///< no static equilibrium was found from the start position; index: -1
   step_invalid,            ///< the step size is not positive and finite; index: -1
   sample_inside_step,      ///< a sampled value may be due within a step; index: auxiliary state
+  implicit_singular,       ///< the equations of an implicit step do not determine a free direction; index: coordinate
   chosen_again,            ///< the pivoting LU served a loop block with another choice of coordinates; index: block
   near_singular,           ///< a loop block came near a singular position; index: block
   singular_met             ///< a loop block met a singular position, and passed it; index: block
@@ -60,6 +61,8 @@ constexpr const char* text(Code code) noexcept {
       return "step invalid";
     case Code::sample_inside_step:
       return "period is no multiple of the step, or the time is not";
+    case Code::implicit_singular:
+      return "implicit equations singular";
     case Code::chosen_again:
       return "coordinates chosen again";
     case Code::near_singular:

@@ -12,13 +12,14 @@ namespace mbgen {
 struct CallCount {
   int accelerations = 0;  ///< of derivative
   int projections = 0;    ///< of project and project_nearest
+  int matrices = 0;       ///< of tangents, each followed by kImplicitStages calls of solve
 };
 
 constexpr CallCount operator+(CallCount a, CallCount b) noexcept {
-  return {a.accelerations + b.accelerations, a.projections + b.projections};
+  return {a.accelerations + b.accelerations, a.projections + b.projections, a.matrices + b.matrices};
 }
 constexpr CallCount operator*(int times, CallCount count) noexcept {
-  return {times * count.accelerations, times * count.projections};
+  return {times * count.accelerations, times * count.projections, times * count.matrices};
 }
 
 /// Evaluations of the closures in one projection: one before each Newton step, and one after the last.
@@ -40,5 +41,8 @@ struct StepCalls {
 
 constexpr StepCalls kRk4Calls = {{4, 1}, {4, 1}, CallCount{4, 1} + 4 * kCarefulRates + kCarefulClosing};
 constexpr StepCalls kAbm4Calls = {{2, 1}, {5, 1}, CallCount{5, 1} + 5 * kCarefulRates + kCarefulClosing};
+constexpr int kImplicitStages = 4;
+constexpr StepCalls kRosenbrockCalls = {
+    {4, 1, 1}, {4, 1, 1}, CallCount{4, 1, 2} + kImplicitStages* kCarefulRates + kCarefulClosing};
 
 }  // namespace mbgen

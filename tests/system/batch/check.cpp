@@ -1,7 +1,8 @@
 // Every function of a batch interface against the scalar solver, lane by lane: statuses and bits; none may touch the
 // heap.
 //   c++ ... -DSOLVER=four_bar -DINTERFACE='"four_bar_batch.hpp"' check.cpp heap.cpp, with the solver's sources
-// Without heap.cpp the heap is not watched. Prints what differs; exit code 1 then.
+// With -DIMPLICIT the solver has step_rosenbrock as well. Without heap.cpp the heap is not watched. Prints what
+// differs; exit code 1 then.
 
 #include INTERFACE
 
@@ -151,19 +152,30 @@ void check_assembly(Instance (&all)[kLanes], Batch& lanes) {
   }
 }
 
-void check_steps(Instance (&all)[kLanes], Batch& lanes, bool adams, int steps) {
+enum class Method { rk4, abm4, rosenbrock };
+constexpr const char* kStepOf[] = {"step_rk4", "step_abm4", "step_rosenbrock"};
+
+/// A step of one instance, or of all lanes.
+template <class One>
+auto step_by(Method method, One& one, double h) {
+#ifdef IMPLICIT
+  if (method == Method::rosenbrock) return step_rosenbrock(one.parameters, one.inputs, one.state, h);
+#endif
+  return method == Method::abm4 ? step_abm4(one.parameters, one.inputs, one.state, one.history, h)
+                                : step_rk4(one.parameters, one.inputs, one.state, h);
+}
+
+void check_steps(Instance (&all)[kLanes], Batch& lanes, Method method, int steps) {
+  const char* what = kStepOf[static_cast<int>(method)];
   for (int step = 0; step < steps; ++step) {
     // Another step size starts the multistep method up again; one lane does so alone.
     const double h = step == 6 ? kStep / 2 : kStep;
-    if (adams && step == 9) all[1].history.count = lanes.history.count[1] = 0;
-    const batch::Statuses s = adams ? step_abm4(lanes.parameters, lanes.inputs, lanes.state, lanes.history, h)
-                                    : step_rk4(lanes.parameters, lanes.inputs, lanes.state, h);
+    if (method == Method::abm4 && step == 9) all[1].history.count = lanes.history.count[1] = 0;
+    const batch::Statuses s = step_by(method, lanes, h);
     for (int lane = 0; lane < kLanes; ++lane) {
-      Instance& one = all[lane];
-      const mbgen::Status expected = adams ? step_abm4(one.parameters, one.inputs, one.state, one.history, h)
-                                           : step_rk4(one.parameters, one.inputs, one.state, h);
-      expect_status(adams ? "step_abm4" : "step_rk4", lane, s[lane], expected);
-      expect_same(adams ? "state of step_abm4" : "state of step_rk4", lane, lane_of(lanes.state, lane), one.state);
+      const mbgen::Status expected = step_by(method, all[lane], h);
+      expect_status(what, lane, s[lane], expected);
+      expect_same(what, lane, lane_of(lanes.state, lane), all[lane].state);
     }
   }
 }
@@ -184,8 +196,11 @@ void check(const Trouble& trouble) {
   gather(all, lanes);
   check_evaluation(all, lanes);
   expect_no_heap("evaluation", before);
-  check_steps(all, lanes, false, 3);
-  check_steps(all, lanes, true, 12);
+  check_steps(all, lanes, Method::rk4, 3);
+  check_steps(all, lanes, Method::abm4, 12);
+#ifdef IMPLICIT
+  check_steps(all, lanes, Method::rosenbrock, 3);
+#endif
   expect_no_heap("steps", before);
   check_evaluation(all, lanes);
   check_assembly(all, lanes);

@@ -1,0 +1,138 @@
+#pragma once
+// Tangents of bushings, by their deflections, rates and the extensions of Maxwell branches, and of bump stops.
+
+#include "compiler/formulation/bump_stops.hpp"
+#include "compiler/formulation/bushings.hpp"
+#include "compiler/formulation/element_tangents.hpp"
+
+namespace mbgen {
+namespace detail {
+
+/// How a coordinate between two bodies moves with the tree's coordinates: what a unit force along it does, turned
+/// round. m: from, to, frame and gap as a BushingMotion has them. force, moment: on `to`, in the axes of the body of
+/// `from`.
+template <class T, class Motion>
+std::vector<T> row_between(const ForceWork<T>& work, const Motion& m, const Vector<T>& force, const Vector<T>& moment) {
+  const System<T>& system = work.system;
+  std::vector<T> row(system.topology.bodies.size(), T(0.0));
+  const auto add_end = [&](const Place<T>& end, int other, const Vector<T>& f, const Vector<T>& turn) {
+    if (end.body == kGround) return;
+    const int carrier = system.layout.frame_of(end.body);
+    const auto seen = [&](const Vector<T>& v) {
+      return direction_up(system, work.k, m.frame, direction_in(system, work.k, m.from.body, v, m.frame), carrier);
+    };
+    Spatial<T> wrench = force_at(seen(f), local_position(system, work.k, end));
+    wrench.angular = wrench.angular + seen(turn);
+    add_wrench(work, end.body, other, wrench, row);
+  };
+  add_end(m.from, m.to.body, -force, -moment - cross(m.gap, force));
+  add_end(m.to, m.from.body, force, moment);
+  return row;
+}
+
+/// The row of a deflection of a bushing.
+template <class T>
+std::vector<T> deflection_row(const ForceWork<T>& work, const Bushing& bushing, const BushingMotion<T>& m,
+                              int freedom) {
+  const Matrix<T> axes = axes_of<T>(bushing);
+  const T sense(bushing_sense(bushing, freedom));
+  Vector<T> along;
+  (freedom % 3 == 0 ? along.x : freedom % 3 == 1 ? along.y : along.z) = sense;
+  return freedom < 3 ? row_between(work, m, axes * along, Vector<T>{})
+                     : row_between(work, m, Vector<T>{}, axes * moment_of_forces(m.turned, along));
+}
+
+/// The freedoms along which a bushing acts.
+inline std::vector<int> acting_freedoms(const Bushing& bushing) {
+  std::vector<int> freedoms;
+  for (int i = 0; i < kBushingFreedoms; ++i)
+    if (bushing_acts(bushing, i)) freedoms.push_back(i);
+  return freedoms;
+}
+
+/// Adds the derivatives of the law along one direction: `b` of the local coordinates, or a state.
+template <class T>
+void take_slopes(const std::vector<int>& freedoms, const BushingForces<Slope<T>>& law, std::size_t b,
+                 std::vector<std::vector<T>>& forces, std::vector<std::vector<T>>& rates) {
+  for (std::size_t a = 0; a < freedoms.size(); ++a) forces[a][b] = -law.force[freedoms[a]].slope;
+  for (std::size_t s = 0; s < law.extension_rates.size(); ++s) rates[s][b] = law.extension_rates[s].slope;
+}
+
+template <class T>
+ElementTangents<T> bushing_element(const ForceWork<T>& work, const Bushing& bushing, int first_state) {
+  using S = Slope<T>;
+  const BushingMotion<T> m = bushing_motion(work, bushing);
+  const std::vector<int> freedoms = acting_freedoms(bushing);
+  std::vector<std::vector<T>> rows;
+  for (const int freedom : freedoms) rows.push_back(deflection_row(work, bushing, m, freedom));
+  BushingValues<S> deflection, rate;
+  for (int i = 0; i < kBushingFreedoms; ++i) {
+    deflection[i] = S(m.deflection[i]);
+    rate[i] = S(m.rate[i]);
+  }
+  std::size_t states = 0;
+  for (const std::optional<BushingFreedom>& own : bushing.freedoms) states += own && own->maxwell_stiffness ? 1 : 0;
+  std::vector<S> extensions;
+  for (std::size_t s = 0; s < states; ++s) extensions.emplace_back(work.system.x[first_state + s]);
+  ElementTangents<T> element = element_tangents<T>(std::move(rows), states, first_state);
+  const auto law = [&] { return bushing_law(work, bushing, deflection, rate, extensions.data()); };
+  for (std::size_t b = 0; b < freedoms.size(); ++b) {
+    deflection[freedoms[b]].slope = T(1.0);
+    take_slopes(freedoms, law(), b, element.by_position, element.rate_by_position);
+    deflection[freedoms[b]].slope = T(0.0);
+    rate[freedoms[b]].slope = T(1.0);
+    take_slopes(freedoms, law(), b, element.by_velocity, element.rate_by_velocity);
+    rate[freedoms[b]].slope = T(0.0);
+  }
+  std::vector<std::vector<T>> by_extension = zeros<T>(states, states);
+  for (std::size_t s = 0; s < states; ++s) {
+    extensions[s].slope = T(1.0);
+    take_slopes(freedoms, law(), s, element.by_state, by_extension);
+    element.decay[s] = by_extension[s][s];
+    extensions[s].slope = T(0.0);
+  }
+  return element;
+}
+
+template <class T>
+void bushing_tangents(ForceWork<T>& work, std::vector<ElementTangents<T>>& elements) {
+  int next = slip_state_count(work.system.model);
+  for (const Bushing& bushing : work.system.model.bushings) {
+    const auto heading = work.system.scribe.within(OwnerKind::bushing, index_in(work.system.model.bushings, bushing));
+    elements.push_back(bushing_element(work, bushing, next));
+    next += static_cast<int>(elements.back().states.size());
+  }
+}
+
+/// The tangents of a bump stop on a coordinate, between points or along an axis.
+template <class T>
+ElementTangents<T> bump_stop_element(ForceWork<T>& work, const BumpStop& stop) {
+  using S = Slope<T>;
+  const auto push = [&](const S& travel, const S& rate) { return -bump_stop_law(work, stop, travel, rate).force; };
+  if (stop.is_on_joint()) {
+    const Environment<T>& e = work.system.environment;
+    const T sign(stop.side == BumpStop::Side::below ? -1.0 : 1.0);
+    std::vector<T> row = coordinate_row(work.system, stop.joint);
+    for (T& entry : row) entry = S::times(sign, entry);
+    return scalar_element(std::move(row), T(sign * e.position(stop.joint)), T(sign * e.velocity(stop.joint)), push);
+  }
+  if (stop.axis) {
+    const TravelAlongAxis<T> t = travel_along_axis(work, stop);
+    return scalar_element(row_between(work, t, t.axis, Vector<T>{}), t.travel, t.rate, push);
+  }
+  const S sign(stop.side == BumpStop::Side::compression ? -1.0 : 1.0);
+  return line_tangents(work, stop.from, stop.to, [&](const S& length, const S& rate, const T& reference) {
+    return sign * bump_stop_law(work, stop, S(sign * (length - S(reference))), S(sign * rate)).force;
+  });
+}
+
+template <class T>
+void bump_stop_tangents(ForceWork<T>& work, std::vector<ElementTangents<T>>& elements) {
+  for (const BumpStop& stop : work.system.model.bump_stops) {
+    const auto heading = work.system.scribe.within(OwnerKind::bump_stop, index_in(work.system.model.bump_stops, stop));
+    elements.push_back(bump_stop_element(work, stop));
+  }
+}
+
+}  // namespace detail
+}  // namespace mbgen

@@ -1,0 +1,324 @@
+#pragma once
+// The linear equations of an implicit step, (M - g D - g^2 K) v = right-hand side in the free directions, where v is
+// the change of their velocities, g the method's factor times the step, M the reduced mass matrix (63), and K and D are
+// the tangents of the force elements.
+// Source: docs/method/implicit.md.
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "compiler/formulation/dynamics.hpp"
+#include "compiler/formulation/tangents.hpp"
+
+namespace mbgen {
+
+/// Matrix of an implicit step, factorised, with what makes right-hand sides. Matrices are [row][column].
+template <class T>
+struct ImplicitEquations {
+  std::vector<std::vector<T>> lower, factor;    ///< after elimination from the last direction to the first
+  std::vector<T> reciprocal;                    ///< of the pivots
+  std::vector<std::vector<T>> mass, stiffness;  ///< g M, its lower triangle, and g^2 K
+  std::vector<std::vector<T>> by_state;         ///< right-hand side by the rates of auxiliary states
+  /// changes of auxiliary states by those of velocities and by the rates of positions
+  std::vector<std::vector<T>> state_by_velocity, state_by_position;
+  std::vector<T> state_share;                   ///< change of each by its own rate, s
+  std::vector<std::vector<std::vector<T>>> rz;  ///< per joint group: [coordinate][direction]
+};
+
+/// The equations of a step with the values that a solver watches.
+template <class T>
+struct WatchedEquations {
+  ImplicitEquations<T> equations;
+  std::vector<T> quality;  ///< per block, see FrozenFactors
+  std::vector<T> pivot;    ///< per free direction, not positive where the equations do not determine it
+};
+
+/// What right-hand sides are made of: rates of coordinates, velocities and auxiliary states.
+template <class T>
+struct ImplicitRates {
+  std::vector<T> zd, zdd, xd;
+};
+
+namespace detail {
+
+/// Calls visit(value) for every entry, in an order of its own.
+template <class T, class Visit>
+void each_entry(ImplicitEquations<T>& equations, const Visit& visit) {
+  const auto matrix = [&](std::vector<std::vector<T>>& values) {
+    for (std::vector<T>& row : values)
+      for (T& value : row) visit(value);
+  };
+  for (std::vector<std::vector<T>>* values :
+       {&equations.lower, &equations.factor, &equations.mass, &equations.stiffness, &equations.by_state,
+        &equations.state_by_velocity, &equations.state_by_position})
+    matrix(*values);
+  for (std::vector<T>* values : {&equations.reciprocal, &equations.state_share})
+    for (T& value : *values) visit(value);
+  for (std::vector<std::vector<T>>& group : equations.rz) matrix(group);
+}
+
+/// sum of a_i b_i, without the products that are zero.
+template <class T>
+T product(const std::vector<T>& a, const std::vector<T>& b) {
+  T sum(0.0);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!is_zero(a[i]) && !is_zero(b[i])) sum = sum + a[i] * b[i];
+  return sum;
+}
+
+/// A row over the tree's coordinates as one over the free directions.
+template <class T>
+std::vector<T> projected_row(const Topology& topology, const std::vector<GroupProjection<T>>& projections,
+                             const std::vector<T>& row) {
+  std::vector<T> result;
+  for (std::size_t g = 0; g < topology.groups.size(); ++g) {
+    const std::vector<int>& joints = topology.groups[g].joints;
+    for (std::size_t q = 0; q < (projections[g].rz.empty() ? 0 : projections[g].rz[0].size()); ++q) {
+      T sum(0.0);
+      for (std::size_t c = 0; c < joints.size(); ++c)
+        if (!is_zero(row[joints[c]]) && !is_zero(projections[g].rz[c][q]))
+          sum = sum + row[joints[c]] * projections[g].rz[c][q];
+      result.push_back(sum);
+    }
+  }
+  return result;
+}
+
+/// Whether a row and a column of a matrix have no entry but that on the diagonal.
+template <class T>
+bool stands_alone(const std::vector<std::vector<T>>& matrix, std::size_t a) {
+  for (std::size_t b = 0; b < matrix.size(); ++b)
+    if (b != a && !(is_zero(matrix[a][b]) && is_zero(matrix[b][a]))) return false;
+  return true;
+}
+
+/// to += rows' matrix rows. matrix: over the rows; a symmetric sum stays symmetric where all rows stand alone.
+template <class T>
+void add_projected(const std::vector<std::vector<T>>& rows, const std::vector<std::vector<T>>& matrix,
+                   std::vector<std::vector<T>>& to) {
+  const std::size_t n = to.size();
+  for (std::size_t a = 0; a < rows.size(); ++a) {
+    const bool is_alone = stands_alone(matrix, a);
+    std::vector<T> moved(n, T(0.0));
+    for (std::size_t b = 0; b < rows.size(); ++b)
+      for (std::size_t d = 0; d < n; ++d)
+        if (!is_zero(matrix[a][b]) && !is_zero(rows[b][d])) moved[d] = moved[d] + matrix[a][b] * rows[b][d];
+    for (std::size_t q = 0; q < n; ++q) {
+      for (std::size_t d = 0; d < (is_alone ? q + 1 : n); ++d) {
+        if (is_zero(rows[a][q]) || is_zero(moved[d])) continue;
+        const T value = rows[a][q] * moved[d];
+        to[q][d] = to[q][d] + value;
+        if (is_alone && d != q) to[d][q] = to[d][q] + value;
+      }
+    }
+  }
+}
+
+/// to += factors' rows.
+template <class T>
+void add_weighted(const std::vector<T>& factors, const std::vector<std::vector<T>>& rows, std::vector<T>& to) {
+  for (std::size_t b = 0; b < rows.size(); ++b)
+    for (std::size_t d = 0; d < to.size(); ++d)
+      if (!is_zero(factors[b]) && !is_zero(rows[b][d])) to[d] = to[d] + factors[b] * rows[b][d];
+}
+
+/// Sums over the elements: g D + g^2 K, and g^2 K alone.
+template <class T>
+struct TangentSums {
+  std::vector<std::vector<T>> both, stiffness;
+};
+
+/// One element's part: its auxiliary states are eliminated into its tangents, then these are projected. rows: over the
+/// free directions. Result: whether its part of the matrix is symmetric.
+template <class T>
+bool add_element(const std::vector<std::vector<T>>& rows, const ElementTangents<T>& element, const T& g,
+                 ImplicitEquations<T>& e, TangentSums<T>& sums) {
+  using S = Slope<T>;
+  const std::size_t size = rows.size();
+  std::vector<std::vector<T>> stiffness = element.by_position, damping = element.by_velocity;
+  for (std::size_t s = 0; s < element.states.size(); ++s) {
+    const auto state = static_cast<std::size_t>(element.states[s]);
+    const T share = g / (T(1.0) - S::times(g, element.decay[s]));
+    e.state_share[state] = share;
+    std::vector<T> of_velocity, of_position;
+    for (std::size_t b = 0; b < size; ++b) {
+      const T by_velocity = S::times(share, element.rate_by_velocity[s][b]);
+      const T by_position = S::times(share, element.rate_by_position[s][b]);
+      of_position.push_back(S::times(g, by_position));
+      of_velocity.push_back(by_velocity + of_position[b]);
+      for (std::size_t a = 0; a < size; ++a) {
+        damping[a][b] = damping[a][b] + S::times(element.by_state[a][s], by_velocity);
+        stiffness[a][b] = stiffness[a][b] + S::times(element.by_state[a][s], by_position);
+      }
+    }
+    add_weighted(of_velocity, rows, e.state_by_velocity[state]);
+    add_weighted(of_position, rows, e.state_by_position[state]);
+    std::vector<T> forces(e.by_state.size(), T(0.0)), factors;
+    for (std::size_t a = 0; a < size; ++a) factors.push_back(S::times(g * share, element.by_state[a][s]));
+    add_weighted(factors, rows, forces);
+    for (std::size_t q = 0; q < forces.size(); ++q) e.by_state[q][state] = e.by_state[q][state] + forces[q];
+  }
+  for (std::size_t a = 0; a < size; ++a) {
+    for (std::size_t b = 0; b < size; ++b) {
+      stiffness[a][b] = S::times(g * g, stiffness[a][b]);
+      damping[a][b] = S::times(g, damping[a][b]) + stiffness[a][b];
+    }
+  }
+  add_projected(rows, damping, sums.both);
+  add_projected(rows, stiffness, sums.stiffness);
+  bool is_symmetric = true;
+  for (std::size_t a = 0; a < size; ++a) is_symmetric = is_symmetric && stands_alone(damping, a);
+  return is_symmetric;
+}
+
+/// Eliminates a matrix from the last direction to the first. is_symmetric: it is, and only a half is worked on.
+/// Result: per direction its pivot, less what rounding leaves of one.
+template <class T>
+std::vector<T> eliminate_matrix(std::vector<std::vector<T>>& matrix, bool is_symmetric, ImplicitEquations<T>& e) {
+  constexpr double kRounding = 1e-12;
+  const std::size_t n = matrix.size();
+  std::vector<T> pivot(n, T(0.0)), diagonal;
+  e.lower = e.factor = zeros<T>(n, n);
+  e.reciprocal.assign(n, T(0.0));
+  using std::abs;
+  for (std::size_t q = 0; q < n; ++q) diagonal.push_back(matrix[q][q]);
+  for (std::size_t q = n; q-- > 0;) {
+    pivot[q] = q + 1 == n ? matrix[q][q] : matrix[q][q] - T(kRounding) * T(abs(diagonal[q]));
+    e.reciprocal[q] = T(1.0) / matrix[q][q];
+    for (std::size_t b = 0; b < q; ++b) e.lower[q][b] = matrix[q][b];
+    for (std::size_t a = 0; a < q; ++a) {
+      const T& entry = is_symmetric ? matrix[q][a] : matrix[a][q];
+      if (is_zero(entry)) continue;
+      const T factor = e.factor[a][q] = entry * e.reciprocal[q];
+      for (std::size_t b = 0; b < (is_symmetric ? a + 1 : q); ++b)
+        if (!is_zero(matrix[q][b])) matrix[a][b] = matrix[a][b] - factor * matrix[q][b];
+    }
+  }
+  return pivot;
+}
+
+/// Rz of every joint group at a position by the frozen order, with the quality of each block's factors.
+template <class T, class Partitions>
+std::vector<GroupProjection<T>> watched_directions(System<T>& system, const Kinematics<T>& k,
+                                                   const Partitions& partitions, const std::vector<bool>& driven,
+                                                   std::vector<T>& quality) {
+  std::vector<GroupProjection<T>> projections;
+  const RelativeMotion<T> rest = at_rest<T>(system.topology);
+  quality.assign(system.topology.blocks.size(), T(1.0));
+  for (const JointGroup& group : system.topology.groups) {
+    GroupProjection<T> p;
+    p.zdd_star.assign(group.joints.size(), T(0.0));
+    if (group.block < 0) {
+      p.rz = {driven[group.joints[0]] ? std::vector<T>{} : std::vector<T>{T(1.0)}};
+    } else {
+      const LoopPartition& partition = partitions[group.block];
+      const SparseClosure<T> closed = sparse_closure(system, k, system.topology.blocks[group.block], rest);
+      const FrozenFactors<T> factors = factorise_frozen(closed.jacobian, partition, group.joints.size());
+      quality[group.block] = factors.quality;
+      p.rz = frozen_rz(factors, partition, group.joints.size());
+    }
+    projections.push_back(std::move(p));
+  }
+  return projections;
+}
+
+}  // namespace detail
+
+/// The equations at a state. g: the method's factor times the step, s. Cost: as the equations of motion in the matrix
+/// form, and a dense elimination of what is not zero.
+template <class T, class Partitions>
+WatchedEquations<T> implicit_equations(System<T>& system, const Partitions& partitions, const std::vector<bool>& driven,
+                                       const T& g) {
+  const Topology& topology = system.topology;
+  WatchedEquations<T> watched;
+  ImplicitEquations<T>& e = watched.equations;
+  const Kinematics<T> k = kinematics(system);
+  const Velocities<T> v = velocities(system, k);
+  const std::vector<GroupProjection<T>> projections =
+      detail::watched_directions(system, k, partitions, driven, watched.quality);
+  ReducedSystem<T> reduced =
+      reduced_system(system, k, inertias(system, k), projections, std::vector<T>(topology.bodies.size(), T(0.0)));
+  const std::size_t n = reduced.mass.size(), states = system.x.size();
+  detail::TangentSums<T> sums{detail::zeros<T>(n, n), detail::zeros<T>(n, n)};
+  e.by_state = detail::zeros<T>(n, states);
+  e.state_by_velocity = e.state_by_position = detail::zeros<T>(states, n);
+  e.state_share.assign(states, g);
+  bool is_symmetric = true;
+  for (const ElementTangents<T>& element : force_tangents(system, k, v)) {
+    std::vector<std::vector<T>> rows;
+    for (const std::vector<T>& row : element.rows) rows.push_back(detail::projected_row(topology, projections, row));
+    is_symmetric = detail::add_element(rows, element, g, e, sums) && is_symmetric;
+  }
+  std::vector<std::vector<T>> matrix = detail::zeros<T>(n, n);
+  for (std::size_t q = 0; q < n; ++q) {
+    e.mass.emplace_back();
+    for (std::size_t d = 0; d < n; ++d) {
+      const T& mass = d <= q ? reduced.mass[q][d] : reduced.mass[d][q];
+      matrix[q][d] = mass - sums.both[q][d];
+      if (d <= q) e.mass[q].push_back(Slope<T>::times(g, mass));
+    }
+  }
+  e.stiffness = std::move(sums.stiffness);
+  watched.pivot = detail::eliminate_matrix(matrix, is_symmetric, e);
+  for (const GroupProjection<T>& p : projections) e.rz.push_back(p.rz);
+  return watched;
+}
+
+namespace detail {
+
+/// Solves the equations in place.
+template <class T>
+void solve_implicit(const ImplicitEquations<T>& e, std::vector<T>& right) {
+  const std::size_t n = right.size();
+  for (std::size_t q = n; q-- > 0;)
+    for (std::size_t a = 0; a < q; ++a)
+      if (!is_zero(e.factor[a][q]) && !is_zero(right[q])) right[a] = right[a] - e.factor[a][q] * right[q];
+  for (std::size_t q = 0; q < n; ++q) {
+    for (std::size_t b = 0; b < q; ++b)
+      if (!is_zero(e.lower[q][b]) && !is_zero(right[b])) right[q] = right[q] - e.lower[q][b] * right[b];
+    right[q] = Slope<T>::times(right[q], e.reciprocal[q]);
+  }
+}
+
+}  // namespace detail
+
+/// Changes of velocities and auxiliary states, in place of given rates: those that solve (1 / g - A) change = rates, A
+/// with the tangents alone. rates: of coordinates, velocities and states. free: the coordinate of each free direction,
+/// group by group. Result: zdd and xd; no zd, whose change is g times its rate and the change of its velocity.
+template <class T>
+ImplicitRates<T> implicit_changes(const Topology& topology, const std::vector<int>& free, const ImplicitEquations<T>& e,
+                                  const T& g, const ImplicitRates<T>& rates) {
+  const std::size_t n = free.size();
+  std::vector<T> zd, change;
+  for (const int i : free) zd.push_back(rates.zd[i]);
+  for (std::size_t q = 0; q < n; ++q) {
+    T right = detail::product(e.stiffness[q], zd) + detail::product(e.by_state[q], rates.xd);
+    for (std::size_t d = 0; d < n; ++d) {
+      const T& mass = d <= q ? e.mass[q][d] : e.mass[d][q];
+      if (!is_zero(mass)) right = right + mass * rates.zdd[free[d]];
+    }
+    change.push_back(right);
+  }
+  detail::solve_implicit(e, change);
+  std::vector<T> more;  // than an explicit method changes
+  for (std::size_t q = 0; q < n; ++q) more.push_back(change[q] - g * rates.zdd[free[q]]);
+  ImplicitRates<T> result;
+  for (const T& rate : rates.zdd) result.zdd.push_back(g * rate);
+  std::size_t first = 0;
+  for (std::size_t group = 0; group < topology.groups.size(); ++group) {
+    const std::vector<int>& joints = topology.groups[group].joints;
+    const std::size_t directions = e.rz[group].empty() ? 0 : e.rz[group][0].size();
+    const std::vector<T> own(more.begin() + first, more.begin() + first + directions);
+    for (std::size_t c = 0; c < joints.size(); ++c)
+      result.zdd[joints[c]] = result.zdd[joints[c]] + detail::product(e.rz[group][c], own);
+    first += directions;
+  }
+  for (std::size_t q = 0; q < n; ++q) result.zdd[free[q]] = change[q];
+  for (std::size_t s = 0; s < rates.xd.size(); ++s)
+    result.xd.push_back(e.state_share[s] * rates.xd[s] + detail::product(e.state_by_velocity[s], change) +
+                        detail::product(e.state_by_position[s], zd));
+  return result;
+}
+
+}  // namespace mbgen

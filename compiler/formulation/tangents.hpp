@@ -1,0 +1,25 @@
+#pragma once
+// Tangents of all force elements.
+
+#include "compiler/formulation/bushing_tangents.hpp"
+#include "compiler/formulation/tyre_tangents.hpp"
+
+namespace mbgen {
+
+/// Tangents of all force elements but forces and torques on bodies, which count as given. Requires: v about the origins
+/// of frames. Cost: linear in the number of elements.
+template <class T>
+std::vector<ElementTangents<T>> force_tangents(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v) {
+  AppliedForces<T> none;
+  none.about = v.about;
+  detail::ForceWork<T> work{system, k, v, none};
+  std::vector<ElementTangents<T>> elements;
+  detail::spring_tangents(work, elements);
+  detail::joint_tangents(work, elements);
+  detail::tyre_tangents(work, elements);
+  detail::bushing_tangents(work, elements);
+  detail::bump_stop_tangents(work, elements);
+  return elements;
+}
+
+}  // namespace mbgen

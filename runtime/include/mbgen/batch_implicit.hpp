@@ -1,0 +1,55 @@
+#pragma once
+// Linearly implicit steps of several instances in lanes, see batch_steps.hpp. `System` is that of batch.hpp with the
+// programs tangents and changes, and StepSize, a struct of the row `step`.
+
+#include "mbgen/batch_steps.hpp"
+#include "mbgen/rosenbrock.hpp"
+
+namespace mbgen {
+
+namespace batch_detail {
+
+/// A System as an implicit integrator sees it. A lane whose equations do not serve is not good.
+template <class System>
+struct ImplicitLaneDynamics : LaneDynamics<System> {
+  using State = typename System::State;
+  using Derivative = typename System::Derivative;
+  using Tangents = typename System::Tangents;
+
+  Status tangents(const State& state, double g, Tangents& values) const noexcept {
+    run_groups(System::tangents, values, this->parameters, this->inputs_at(state.t), state, size_of_step(g));
+    this->good &= pivots_reach<System>(values.pivot, kPivotThreshold<double>);
+    for (int q = 0; q < System::kFreeDirections; ++q) this->good &= values.inertia[q] > 0.0;
+    return {};
+  }
+  void solve(const Tangents& tangents, double g, const StateRates<ImplicitLaneDynamics>& rates,
+             Derivative& change) const noexcept {
+    State of_positions{};
+    for (int i = 0; i < System::kCoordinates; ++i) of_positions.zd[i] = rates.zd[i];
+    typename System::Changes values;
+    run_groups(System::changes, values, this->parameters, this->inputs, of_positions, rates.derivative, size_of_step(g),
+               tangents);
+    for (int i = 0; i < System::kCoordinates; ++i) change.zdd[i] = values.zdd[i];
+    for (int i = 0; i < System::kAuxiliaryStates; ++i) change.xd[i] = values.xd[i];
+    if constexpr (System::kAuxiliaryStates == 0) change.xd[0] = typename System::Row{};
+  }
+
+ private:
+  static typename System::StepSize size_of_step(double g) noexcept { return {typename System::Row{} + g}; }
+};
+
+}  // namespace batch_detail
+
+/// One linearly implicit step, as step_rosenbrock. result: a copy of the state. Result: the good lanes.
+/// Requires: is_step(h).
+template <class System>
+typename System::Mask step_lanes_rosenbrock(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
+                                            const typename System::State& state, double h,
+                                            typename System::State& result) noexcept {
+  typename System::Mask good = batch_detail::keeps_charts<System>(state);
+  const batch_detail::ImplicitLaneDynamics<System> dynamics{{parameters, inputs, state.t, good}};
+  integrator_detail::try_rosenbrock<batch_detail::LaneStages>(dynamics, state, h, result);
+  return good;
+}
+
+}  // namespace mbgen

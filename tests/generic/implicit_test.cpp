@@ -1,0 +1,98 @@
+// The linearly implicit integrator on mechanisms: its matrix against differences of the accelerations, orders, stiff
+// problems.
+
+#include <cstdio>
+
+#include "tests/support/implicit_support.hpp"
+
+namespace mbgen {
+namespace {
+
+using namespace mbgen::testing;
+
+/// A loop of bars with springs of every kind at rest, where no force changes its direction. All laws are stiff.
+constexpr const char* kSprung = R"json({ "mbgen": 1, "name": "sprung", "gravity": [0, 0, 0],
+  "bodies": {
+    "ground": { "points": { "a": [0, 0, 0], "d": [0.9, 0, 0], "anchor": [0.3, 0, 0.9] } },
+    "crank": { "mass": 1, "com": [0, 0, 0.2], "inertia": [0.02, 0.02, 0.001],
+      "points": { "a": [0, 0, 0], "b": [0, 0, 0.4], "tip": [0.1, 0.02, 0.5] } },
+    "coupler": { "mass": 2, "com": [0.4, 0, 0.5], "inertia": [0.01, 0.1, 0.1],
+      "points": { "b": [0, 0, 0.4], "c": [0.8, 0, 0.6], "rider": [0.5, 0, 0.7] } },
+    "rocker": { "mass": 1.5, "com": [0.85, 0, 0.3], "inertia": [0.05, 0.05, 0.001],
+      "points": { "c": [0.8, 0, 0.6], "d": [0.9, 0, 0] } },
+    "rider": { "mass": 0.5, "com": [0.5, 0, 0.7], "inertia": [0.001, 0.001, 0.001],
+      "points": { "pin": [0.5, 0, 0.7], "end": [0.6, 0, 0.9] } }
+  },
+  "joints": {
+    "a": { "type": "revolute", "from": "ground.a", "to": "crank.a", "axis": "y" },
+    "b": { "type": "revolute", "from": "crank.b", "to": "coupler.b", "axis": "y" },
+    "c": { "type": "revolute", "from": "coupler.c", "to": "rocker.c", "axis": "y" },
+    "d": { "type": "revolute", "from": "ground.d", "to": "rocker.d", "axis": "y" },
+    "rider": { "type": "revolute", "from": "coupler.rider", "to": "rider.pin", "axis": "y" }
+  },
+  "springs": {
+    "across": { "from": "crank.tip", "to": "rider.end", "stiffness": 3e5, "damping": 2e3 },
+    "table": { "from": "ground.anchor", "to": "coupler.rider",
+      "stiffness": { "table": [[-0.1, -4e4], [-0.01, -2e3], [0.01, 2e3], [0.1, 9e4]] } },
+    "law": { "from": "ground.anchor", "to": "crank.tip", 
+      "force": "1e3*sin(100*(length - 0.44766058571198786)) + 50*tanh(rate)" }
+  },
+  "joint_springs": {
+    "rider": { "joint": "rider", "relative_to": "a", "stiffness": 5e4, "damping": 30, "force": "1e3*position^3" }
+  },
+  "frictions": { "d": { "joint": "d", "coulomb": 40, "stiction": 60, "viscous": 3, "velocity": 0.01 } },
+  "joint_forces": { "controller": { "joint": "a", "force": "-4e4*z.rider - 100*zd.d" } }
+})json";
+
+TEST(Implicit, MatrixIsThatOfTheMechanismWhereNoForceTurns) {
+  const Free sprung{mechanism_of(kSprung)};
+  const GenericState state = reference_state(sprung.m);
+  ASSERT_LT(sprung.rates(state).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_LT(largest_difference(sprung.matrix(state), sprung.differences(state)), 1e-7);
+}
+
+// Forces by load are left out, and the drag of the tyre on its hub.
+TEST(Implicit, MatrixHasWhatIsStiffInATyre) {
+  const Free wheel{load("models/pulled_wheel.json")};
+  GenericState state = reference_state(wheel.m);
+  state.zd[find_coordinate(wheel.m.topology, "pull")] = 15;
+  state.zd[find_coordinate(wheel.m.topology, "wheel")] = 47;
+  state.x = {0.004, 0.002};
+  state = wheel.moved(state, Eigen::VectorXd::Zero(2 * wheel.half() + 2));
+  const Eigen::MatrixXd own = wheel.matrix(state), whole = wheel.differences(state);
+  EXPECT_LT(largest_difference(own.rightCols(2), whole.rightCols(2)), 1e-6) << "by the deflection states";
+  EXPECT_LT(largest_difference(own.bottomRows(2).middleCols(2, 2), whole.bottomRows(2).middleCols(2, 2)), 0.01);
+  EXPECT_NEAR(own(2, 0) / whole(2, 0), 1, 0.01) << "vertical";
+}
+
+// The fastest eigenvalue of the governor is -8117 1/s: beyond Runge-Kutta's region at steps above 3.4e-4 s.
+TEST(Implicit, FlyballGovernorAtAMillisecond) {
+  const Free governor{load("models/iftomm/a05_flyball_governor.json")};
+  GenericState start = reference_state(governor.m);
+  start.zd[find_coordinate(governor.m.topology, "shaft")] = 2 * std::acos(-1.0);
+  constexpr double kDuration = 0.2;
+  const std::vector<double> exact = positions_after(governor, start, kDuration, 2000, false);
+  ASSERT_FALSE(exact.empty());
+  const double coarse = distance_of(positions_after(governor, start, kDuration, 200, true), exact),
+               fine = distance_of(positions_after(governor, start, kDuration, 400, true), exact);
+  std::printf("flyball governor: errors %.2e, %.2e rad at 1 ms and 0.5 ms\n", coarse, fine);
+  EXPECT_LT(coarse, 1e-6);
+  EXPECT_GT(coarse / fine, 3.5);
+  const std::vector<double> diverged = positions_after(governor, start, kDuration, 200, false);
+  EXPECT_TRUE(diverged.empty() || !(distance_of(diverged, exact) < 1));
+}
+
+// Loops, closed by projection: of order three against the published solution's reference.
+TEST(Implicit, AndrewsMechanismWithOrderThree) {
+  const Free andrews{load("models/andrews_squeezer.json")};
+  const GenericState start = reference_state(andrews.m);
+  const std::vector<double> exact = positions_after(andrews, start, 0.005, 800, false);
+  const double coarse = distance_of(positions_after(andrews, start, 0.005, 100, true), exact),
+               fine = distance_of(positions_after(andrews, start, 0.005, 200, true), exact);
+  std::printf("Andrews at 0.005 s: errors %.2e, %.2e rad at 100, 200 steps, ratio %.2f\n", coarse, fine, coarse / fine);
+  EXPECT_GT(coarse / fine, 6);
+  EXPECT_LT(fine, 1e-5);
+}
+
+}  // namespace
+}  // namespace mbgen
