@@ -138,7 +138,8 @@ Status step_rosenbrock(const System& system, typename System::State& state, doub
   const Status status = check_step(h);
   if (!status.ok()) return status;
   return with_settled_charts(
-      system, state, [&](typename System::State& settled) { return settled_rosenbrock(system, settled, h); }, [] {});
+      system, state, [&](typename System::State& settled) { return settled_rosenbrock(system, settled, h); },
+      [](const typename System::State&, const typename System::State&) {});
 }
 
 }  // namespace mbgen
