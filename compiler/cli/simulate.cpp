@@ -123,23 +123,20 @@ int run(const SimulateOptions& options) {
   const std::optional<Form> form = chosen_form(options.form);
   Model model = read_set_model(options.model, options.set);
   const SimulationSettings settings = settings_of(options.simulation, model.solver);
+  const std::optional<ErrorControl> control = error_control_of(options.simulation.integrator, options.tolerance);
   choice.integrator = model.solver.integrator =
       options.simulation.integrator == "auto"
           ? chosen_integrator(model, options, settings, choice.name)
-          : integrator_of(options.simulation.integrator, model.solver.integrator, choice.name);
+          : integrator_of(control ? "" : options.simulation.integrator, model.solver.integrator, choice.name);
   const Compilation compilation =
       expect(choice.name == "generated" ? compile(std::move(model), {form}) : decide(std::move(model)));
   require_other_file(options.file, compilation.model.files);
   require_other_file(options.file, {options.simulation.input_table});
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
   count_notes(compilation);
-  const SimulationSettings settings = settings_of(options.simulation, compilation.model.solver);
   require_whole_periods(settings, compilation.model);
   const InputsOverTime inputs = inputs_of(compilation.model, options.engine.inputs, options.simulation);
   for (const std::string& warning : inputs.warnings) fmt::print(stderr, "{}", warning);
-  const std::optional<ErrorControl> control = error_control_of(options.simulation.integrator, options.tolerance);
-  choice.integrator =
-      integrator_of(control ? "" : options.simulation.integrator, compilation.model.solver.integrator, choice.name);
   MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step,
                     options.every);
   const Run run = compute(compilation, choice, inputs, settings, control, table);

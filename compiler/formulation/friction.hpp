@@ -7,12 +7,6 @@
 
 namespace mbgen::detail {
 
-template <class T>
-void add_joint_force(ForceWork<T>& work, const CoordinateReference& reference, const T& force) {
-  const int i = tree_coordinate(work.system.topology, reference);
-  if (i >= 0) work.forces.joint[i] = work.forces.joint[i] + force;
-}
-
 /// Force of bristles, N m or N, on the part that moves at `rate`; the rate of their deflection is added to the list.
 template <class T>
 T bristle_force(ForceWork<T>& work, const FrictionLaw& friction, const std::string& name, const T& rate) {
