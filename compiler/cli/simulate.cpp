@@ -134,6 +134,8 @@ int run(const SimulateOptions& options) {
   require_other_file(options.file, {options.simulation.input_table});
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
   count_notes(compilation);
+  if (control && !compilation.model.sampled.empty())
+    throw UserError("--integrator: cvode does not stop at the instants of sampled values; use rk4 or abm4\n");
   require_whole_periods(settings, compilation.model);
   const InputsOverTime inputs = inputs_of(compilation.model, options.engine.inputs, options.simulation);
   for (const std::string& warning : inputs.warnings) fmt::print(stderr, "{}", warning);
