@@ -34,6 +34,7 @@ struct Probes {
   std::vector<int> force_at;                 ///< outputs: position, per Model::forces
   std::vector<std::array<int, 5>> tyres;     ///< outputs: position of the centre, load, fx, fy, mz
   std::vector<std::array<int, 3>> bushings;  ///< outputs: position of `to`, force and moment on it
+  std::vector<std::array<int, 3>> stops;     ///< outputs: position of from and to, force; not of those on coordinates
 };
 
 int add_scalar(Model& model, const decltype(Output::source)& source) {
@@ -92,7 +93,7 @@ bool has_expression(const AppliedForce& applied) {
 Probes probes_of(Model model) {
   std::erase_if(model.forces, has_expression);
   model.outputs.clear();
-  Probes p{std::move(model), {}, {}, {}, {}, {}, {}, {}, {}};
+  Probes p{std::move(model), {}, {}, {}, {}, {}, {}, {}, {}, {}};
   const Model plain = p.model;
   for (Tyre& tyre : p.model.tyres) silence_moments(tyre);
   for (std::size_t b = 0; b < plain.bodies.size(); ++b) probe_body(p, static_cast<int>(b));
@@ -116,6 +117,16 @@ Probes probes_of(Model model) {
     };
     p.bushings.push_back({add_motion(p.model, plain.bushings[b].to, PointOutput::What::position),
                           vector(BushingOutput::What::force), vector(BushingOutput::What::moment)});
+  }
+  for (std::size_t s = 0; s < plain.bump_stops.size(); ++s) {
+    const BumpStop& stop = plain.bump_stops[s];
+    if (stop.is_on_joint()) {  // a force of its joint
+      p.stops.push_back({-1, -1, -1});
+      continue;
+    }
+    p.stops.push_back({add_motion(p.model, stop.from, PointOutput::What::position),
+                       add_motion(p.model, stop.to, PointOutput::What::position),
+                       add_scalar(p.model, BumpStopOutput{BumpStopOutput::What::force, static_cast<int>(s)})});
   }
   return p;
 }
@@ -148,6 +159,7 @@ class Balance {
     for (std::size_t i = 0; i < p.force_at.size(); ++i) apply(p.model.forces[i], at(p.force_at[i]));
     for (std::size_t i = 0; i < p.tyres.size(); ++i) roll(p.model.tyres[i], p.tyres[i]);
     for (std::size_t i = 0; i < p.bushings.size(); ++i) press(p.model.bushings[i], p.bushings[i]);
+    for (std::size_t i = 0; i < p.stops.size(); ++i) stop(p.model.bump_stops[i], p.stops[i]);
     for (std::size_t b = 0; b < sums.size(); ++b) {
       const Vector3Quantity& g = p.model.gravity;
       sums[b].add(p.model.bodies[b].mass.value * Force{g[0].value, g[1].value, g[2].value}, {});
@@ -171,17 +183,33 @@ class Balance {
     };
     act(applied.at.body, global(applied.force), point, global(applied.torque));
   }
+  /// A direction that moves with a body, given in global axes at the reference.
+  Force moved_along(int body, const Vector3& direction) const {
+    const Matrix3& pose = p.model.bodies[body].pose.rotation;
+    Force moved;
+    for (int k = 0; k < 3; ++k) {
+      double component = 0;
+      for (int row = 0; row < 3; ++row) component += pose[3 * row + k] * direction[row];
+      moved = moved + component * axis(body, k);
+    }
+    return moved;
+  }
+  /// A stop pushes its points apart or pulls them together, or pushes along its axis, both bodies at the point of `to`.
+  void stop(const BumpStop& stop, const std::array<int, 3>& probe) {
+    if (stop.is_on_joint()) return;
+    const double sign = stop.side == BumpStop::Side::compression ? -1 : 1;
+    const Force from = at(probe[0]), to = at(probe[1]), gap = to - from;
+    const Force along = stop.axis ? moved_along(stop.from.body, *stop.axis) : (1 / norm(gap)) * gap;
+    const Force push = sign * y_[probe[2]] * along;
+    act(stop.from.body, push, stop.axis ? to : from);
+    act(stop.to.body, -push, to);
+  }
   /// A bushing's force and moment in its axes on `from`, counted as its freedoms are, both at the point of `to`.
   void press(const Bushing& bushing, const std::array<int, 3>& probe) {
-    const Matrix3& pose = p.model.bodies[bushing.from.body].pose.rotation;
     Force force, moment;
     for (int column = 0; column < 3; ++column) {
-      Force along;
-      for (int k = 0; k < 3; ++k) {
-        double component = 0;
-        for (int row = 0; row < 3; ++row) component += pose[3 * row + k] * bushing.axes[3 * row + column];
-        along = along + component * axis(bushing.from.body, k);
-      }
+      const Force along =
+          moved_along(bushing.from.body, {bushing.axes[column], bushing.axes[3 + column], bushing.axes[6 + column]});
       force = force + bushing_sense(bushing, column) * y_[probe[1] + column] * along;
       moment = moment + bushing_sense(bushing, 3 + column) * y_[probe[2] + column] * along;
     }
@@ -190,13 +218,7 @@ class Balance {
   }
   void roll(const Tyre& tyre, const std::array<int, 5>& probe) {
     const int b = tyre.centre.body;
-    const Matrix3& pose = p.model.bodies[b].pose.rotation;
-    Force spin;
-    for (int k = 0; k < 3; ++k) {
-      double component = 0;
-      for (int row = 0; row < 3; ++row) component += pose[3 * row + k] * tyre.axis[row];
-      spin = spin + component * axis(b, k);
-    }
+    const Force spin = moved_along(b, tyre.axis);
     const Force up{0, 0, 1}, across = cross(spin, up), centre = at(probe[0]);
     const Force forward = (1 / norm(across)) * across, left = cross(up, forward), down = cross(spin, forward);
     const Force arm = ((tyre.road_height.value - centre.z) / down.z) * down;
@@ -306,6 +328,7 @@ TEST_P(ReactionsOf, JointsDoTheWorkOfTheirJointForces) {
   plain.joint_springs.clear();
   plain.frictions.clear();
   plain.joint_forces.clear();
+  plain.bump_stops.clear();
   plain.motions.clear();
   plain.couplings.clear();
   std::erase_if(plain.outputs, [](const Output& output) {

@@ -230,6 +230,7 @@ TEST(UserStates, JudgesSeeTheSameRatesAndTheSameMotion) {
       EXPECT_NEAR(mine.xd[i], other.xd[i], 1e-10 * (1 + std::abs(other.xd[i]))) << i;
   }
   Course course(m);
+  ASSERT_TRUE(solver.project(course.state).ok());
   GenericState judged = course.state;
   CartesianSolver stepper(m.model, m.topology, CartesianMethod::augmented, Stabilisation::projection);
   ASSERT_TRUE(course.step(200, 1e-3).ok());
