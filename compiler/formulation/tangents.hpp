@@ -10,6 +10,7 @@ namespace mbgen {
 /// of frames. Cost: linear in the number of elements.
 template <class T>
 std::vector<ElementTangents<T>> force_tangents(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v) {
+  see_states_and_lengths(system, k, v);  // that laws look at
   AppliedForces<T> none;
   none.about = v.about;
   detail::ForceWork<T> work{system, k, v, none};
