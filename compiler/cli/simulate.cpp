@@ -15,7 +15,7 @@
 #include "compiler/describe/notes.hpp"
 #include "compiler/engines/engine_arguments.hpp"
 #include "compiler/study/contact_watch.hpp"
-#include "compiler/study/error_control.hpp"
+#include "compiler/study/controlled_engine.hpp"
 #include "compiler/study/initial_state.hpp"
 #include "compiler/study/motion_table.hpp"
 #include "compiler/study/simulation.hpp"
@@ -111,9 +111,9 @@ SolverSettings::Integrator chosen_integrator(const Model& model, const SimulateO
                                              const SimulationSettings& settings, const std::string& engine) {
   if (is_cartesian(engine)) return SolverSettings::Integrator::rk4;
   const Compilation decided = expect(decide(Model(model)));
-  const InputsOverTime inputs = inputs_of(decided.model, options.engine.inputs, options.simulation);
-  const Start start = initial_start(decided, inputs.at(0));
-  const IntegratorChoice chosen = choose_integrator(decided, settings, modes_near(decided, start.state, inputs.at(0)));
+  const auto inputs = inputs_of(decided.model, options.engine.inputs, options.simulation).at(0);
+  const auto modes = modes_near(decided, initial_start(decided, inputs).state, inputs);
+  const IntegratorChoice chosen = choose_integrator(decided, settings, modes);
   fmt::print(stderr, "simulate: integrator {}: {}\n", name_of(chosen.integrator), chosen.reason);
   return chosen.integrator;
 }
@@ -123,7 +123,7 @@ int run(const SimulateOptions& options) {
   const std::optional<Form> form = chosen_form(options.form);
   Model model = read_set_model(options.model, options.set);
   const SimulationSettings settings = settings_of(options.simulation, model.solver);
-  const std::optional<ErrorControl> control = error_control_of(options.simulation.integrator, options.tolerance);
+  const std::optional<ErrorControl> control = error_control_of(options.simulation.integrator, options.tolerance, model);
   choice.integrator = model.solver.integrator =
       options.simulation.integrator == "auto"
           ? chosen_integrator(model, options, settings, choice.name)
@@ -134,16 +134,13 @@ int run(const SimulateOptions& options) {
   require_other_file(options.file, {options.simulation.input_table});
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
   count_notes(compilation);
-  if (control && !compilation.model.sampled.empty())
-    throw UserError("--integrator: cvode does not stop at the instants of sampled values; use rk4 or abm4\n");
   require_whole_periods(settings, compilation.model);
   const InputsOverTime inputs = inputs_of(compilation.model, options.engine.inputs, options.simulation);
   for (const std::string& warning : inputs.warnings) fmt::print(stderr, "{}", warning);
   MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step,
                     options.every);
   const Run run = compute(compilation, choice, inputs, settings, control, table);
-  const long rows = table.finish();
-  const SimulationRecord record{compilation,   choice,      settings,  run.summary, options.file,       rows,
+  const SimulationRecord record{compilation,   choice,      settings,  run.summary, options.file,       table.finish(),
                                 options.every, run.verdict, run.moved, options.set, inputs.is_constant, run.control};
   table.commit(run_json(record));
   print_beside(options.file, options.json ? summary_json(record) : summary_text(record));

@@ -16,7 +16,9 @@ AuxiliaryState hidden(const std::string& name, const std::string& unit, double s
   return {name, unit, unit + "/s", "auxiliary state", 0, {}, size};
 }
 
+/// Names are asked for while a model is read: a coordinate may be none yet.
 const char* unit_of_coordinate(const Model& model, const CoordinateReference& coordinate) {
+  if (coordinate.joint < 0) return "";
   const Joint& joint = model.joints[static_cast<std::size_t>(coordinate.joint)];
   return unit_of(joint.freedoms[static_cast<std::size_t>(coordinate.component)].kind);
 }

@@ -3,7 +3,9 @@
 
 #include <memory>
 
+#include "compiler/engines/engine.hpp"
 #include "compiler/study/error_control.hpp"
+#include "compiler/study/inputs_over_time.hpp"
 
 namespace mbgen {
 

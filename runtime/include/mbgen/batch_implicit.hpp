@@ -24,8 +24,14 @@ struct ImplicitLaneDynamics : LaneDynamics<System> {
   }
   void solve(const Tangents& tangents, double g, const StateRates<ImplicitLaneDynamics>& rates,
              Derivative& change) const noexcept {
-    State of_positions{};
+    using Row = typename System::Row;
+    State of_positions;  // set number by number: clang calls memset for a struct of this size
+    for (int i = 0; i < System::kCoordinates; ++i) of_positions.z[i] = Row{};
     for (int i = 0; i < System::kCoordinates; ++i) of_positions.zd[i] = rates.zd[i];
+    for (Row& x : of_positions.x) x = Row{};
+    of_positions.t = Row{};
+    if constexpr ((kChartsOf<State>) > 0)
+      for (Row& chart : of_positions.charts) chart = Row{};
     typename System::Changes values;
     run_groups(System::changes, values, this->parameters, this->inputs, of_positions, rates.derivative, size_of_step(g),
                tangents);

@@ -241,6 +241,15 @@ Result<ForceElements> force_elements_of(const Model& model, const Topology& topo
   Diagnostics unknown;
   for (const Tyre& tyre : model.tyres)
     unknown.push_back({tyre.where, "tyre " + quoted(tyre.name) + " has no form in a foreign solver", "", ""});
+  const auto refuse_friction = [&](const FrictionLaw& law, const auto& friction) {
+    if (law.has_bristle() || law.normal >= 0)
+      unknown.push_back(
+          {friction.where, "friction " + quoted(friction.name) + " has no form in a foreign solver", "", ""});
+  };
+  for (const JointFriction& friction : model.frictions) refuse_friction(friction, friction);
+  for (const SpringFriction& friction : model.spring_frictions)
+    unknown.push_back(
+        {friction.where, "friction " + quoted(friction.name) + " has no form in a foreign solver", "", ""});
   for (const Bushing& bushing : model.bushings)
     for (int i = 0; i < kBushingFreedoms; ++i)
       if (has_maxwell_branch(bushing, i))

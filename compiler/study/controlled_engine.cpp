@@ -1,0 +1,49 @@
+#include "compiler/study/controlled_engine.hpp"
+
+#include <fmt/format.h>
+
+#include "compiler/base/user_error.hpp"
+#include "compiler/study/cvode_steps.hpp"
+
+namespace mbgen {
+namespace {
+
+constexpr double kLeastTolerance = 1e-14, kLargestTolerance = 0.1;
+
+}  // namespace
+
+std::optional<ErrorControl> error_control_of(const std::string& integrator, std::optional<double> tolerance,
+                                             const Model& model) {
+  ErrorControl control;
+  if (integrator == "cvode-adams") {
+    control.method = ErrorControl::Method::adams;
+  } else if (integrator != "cvode") {
+    if (tolerance) throw UserError("--tolerance: goes with --integrator cvode or cvode-adams\n");
+    return {};
+  }
+  if (!has_cvode()) {
+    throw UserError(
+        fmt::format("--integrator: this mbgen is built without {}: install SUNDIALS 6 (Debian: libsundials-dev) and "
+                    "build mbgen again, or use rk4 or abm4\n",
+                    integrator));
+  }
+  if (!model.sampled.empty())
+    throw UserError("--integrator: cvode does not stop at the instants of sampled values; use rk4 or abm4\n");
+  control.tolerance = tolerance.value_or(control.tolerance);
+  if (!(control.tolerance >= kLeastTolerance && control.tolerance <= kLargestTolerance)) {
+    throw UserError(fmt::format("--tolerance: must be from {} to {}, found {}\n", kLeastTolerance, kLargestTolerance,
+                                control.tolerance));
+  }
+  return control;
+}
+
+Engine with_error_control(const Engine& engine, const InputsOverTime& inputs, const ErrorControl& control,
+                          const std::shared_ptr<ErrorControlRecord>& record) {
+  record->control = control;
+  const std::shared_ptr<Stepper> stepper = make_cvode_stepper(engine, inputs, control, *record);
+  Engine controlled = engine;
+  controlled.step = [stepper, record](GenericState& state, double h) { return stepper->step(state, h); };
+  return controlled;
+}
+
+}  // namespace mbgen

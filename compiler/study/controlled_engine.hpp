@@ -1,0 +1,28 @@
+#pragma once
+// Motions with error control: steps of variable size and order by CVODE of SUNDIALS, where mbgen is built with it.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "compiler/engines/engine.hpp"
+#include "compiler/study/error_control.hpp"
+#include "compiler/study/inputs_over_time.hpp"
+
+namespace mbgen {
+
+/// The control that an integrator of this name has; none for names of others. Fails: UserError for a tolerance that is
+/// not between 1e-14 and 0.1, a tolerance with another integrator, where mbgen is built without SUNDIALS, and for a
+/// model with sampled values.
+std::optional<ErrorControl> error_control_of(const std::string& integrator, std::optional<double> tolerance,
+                                             const Model& model);
+
+/// An engine whose steps are those of `engine` with error control: `step` gives the motion at the end of each by
+/// interpolation. All of z, zd and x are integrated; every evaluation closes the loops first. It starts anew at rows of
+/// the inputs' table, where a ball changes its chart and where the loops have come open. Kinks of forces are not
+/// located: the steps become short there.
+/// inputs: outlive the engine. record: the facts, also of a step that fails.
+Engine with_error_control(const Engine& engine, const InputsOverTime& inputs, const ErrorControl& control,
+                          const std::shared_ptr<ErrorControlRecord>& record);
+
+}  // namespace mbgen
