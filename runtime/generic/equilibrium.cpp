@@ -81,7 +81,13 @@ Status stiffness_at(const GenericSolver& solver, GenericEquations& equations, co
                     const Balance& b, Eigen::MatrixXd& stiffness) {
   const Eigen::Index unknowns = unknowns_of(equations, b);
   stiffness.resize(b.force.size(), unknowns);
+  const Eigen::Index first_held = b.rz.cols() + first_bristle(equations.model);
+  const Eigen::Index last_held = b.rz.cols() + slip_state_count(equations.model);
   for (Eigen::Index u = 0; u < unknowns; ++u) {
+    if (u >= first_held && u < last_held) {  // bristles stay straight: bent at rest they would bear any load
+      stiffness.col(u).setZero();
+      continue;
+    }
     const Eigen::VectorXd change = Eigen::VectorXd::Unit(unknowns, u) * kDifference;
     GenericState ahead, behind;
     if (const Status status = moved(solver, equations, state, b, change, ahead); !status.ok()) return status;
@@ -166,8 +172,8 @@ Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations,
 Status GenericSolver::equilibrium(GenericState& state) const {
   GenericState start = state;
   std::fill(start.zd.begin(), start.zd.end(), 0.0);
-  const auto x = start.x.begin();  // Maxwell branches relaxed
-  std::fill(x + slip_state_count(equations_->model), x + first_user_state(equations_->model), 0.0);
+  const auto x = start.x.begin();  // bristles straight, Maxwell branches relaxed
+  std::fill(x + first_bristle(equations_->model), x + first_user_state(equations_->model), 0.0);
   if (const Status status = settled(*this, start); !status.ok()) return status;
   GenericState found = start;
   Status status = walk_to_balance(*this, *equations_, Search::downhill, kBalanceIterations, found);

@@ -107,6 +107,16 @@ TEST(Bristle, StickSlipHasThePeriodOfRigidFriction) {
   EXPECT_NEAR((sliding.back() - sliding[1]) / static_cast<double>(sliding.size() - 2) / expected, 1, 1e-2);
 }
 
+// Bristles that are bent at rest bear any load: a search for rest leaves them straight, so that the springs hold it.
+TEST(Bristle, EquilibriumIsThatOfTheSprings) {
+  const Mechanism m = block("50 - 200*z.x", R"("law": "elasto_plastic")");
+  GenericState state = reference_state(m);
+  state.x[0] = 1e-4;
+  ASSERT_TRUE(GenericSolver(m.model, m.topology, m.analysis).equilibrium(state).ok());
+  EXPECT_NEAR(state.z[0], 0.25, 1e-9);
+  EXPECT_EQ(state.x[0], 0);
+}
+
 // Friction along springs and pressed by springs, in a linkage: the Cartesian judge finds the same accelerations.
 TEST(Bristle, CartesianJudgesAgree) {
   const Mechanism m = load("tests/data/models/all_elements.json");
