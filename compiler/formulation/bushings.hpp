@@ -97,9 +97,10 @@ BushingForces<A> bushing_law(const ForceWork<T>& work, const Bushing& bushing, c
         force = force + value((*bushing.damping)[upper], "d_", pair) * rate[j];
     }
     if (const std::optional<BushingFreedom>& own = bushing.freedoms[i]) {
-      force = force + value(own->preload, "f0_", freedom) +
-              law(work, own->stiffness, deflection[i], ("k_" + freedom).c_str(), bushing.name) +
-              law(work, own->damping, rate[i], ("d_" + freedom).c_str(), bushing.name);
+      // One after the other: names are given in the order of evaluation, which compilers choose within an expression.
+      force = force + value(own->preload, "f0_", freedom);
+      force = force + law(work, own->stiffness, deflection[i], ("k_" + freedom).c_str(), bushing.name);
+      force = force + law(work, own->damping, rate[i], ("d_" + freedom).c_str(), bushing.name);
       if (own->force) force = force + with_locals(work, *own->force, deflection[i], rate[i]);
       if (own->maxwell_stiffness) {
         const A& extension = extensions[result.extension_rates.size()];
