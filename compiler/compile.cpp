@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <initializer_list>
 #include <utility>
 
 #include "compiler/counted_partitions.hpp"
@@ -88,19 +89,21 @@ void add_programs(Compilation& c, const CompileOptions& options) {
     choose_by_counting(c.model, c.topology, c.analysis);
   Programs programs = trace(c.model, c.topology, c.analysis, options.form);
   if (!stages.ended("program", c, programs)) return;
-  Lowered level = Lowered::whole;
-  Programs written;  // laws that elements share stand for themselves in the text alone
-  for (const Pass& pass : passes()) {
-    if (pass.result == Lowered::lean && level == Lowered::whole) {
-      written = with_shared_laws(programs);
-      c.whole = programs = without_shared_laws(std::move(programs));
+  // The passes of one level; the watcher sees the first programs. Result: false when it has seen enough.
+  const auto lower = [&](Lowered level, std::initializer_list<Programs*> all) {
+    for (const Pass& pass : passes()) {
+      if (pass.result != level) continue;
+      for (Programs* one : all) *one = pass.run(std::move(*one));
+      if (!stages.ended(pass.name, c, **all.begin())) return false;
     }
-    if (pass.result == Lowered::emitted && level == Lowered::lean) c.programs = std::move(programs);
-    level = pass.result;
-    if (level != Lowered::emitted) programs = pass.run(std::move(programs));
-    if (level != Lowered::whole) written = pass.run(std::move(written));
-    if (!stages.ended(pass.name, c, level == Lowered::emitted ? written : programs)) return;
-  }
+    return true;
+  };
+  if (!lower(Lowered::whole, {&programs})) return;
+  Programs written = with_shared_laws(programs);  // laws that elements share stand for themselves in the text alone
+  c.whole = programs = without_shared_laws(std::move(programs));
+  if (!lower(Lowered::lean, {&programs, &written})) return;
+  c.programs = std::move(programs);
+  if (!lower(Lowered::emitted, {&written})) return;
   c.emitted = verified(std::move(written));
 }
 

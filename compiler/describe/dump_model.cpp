@@ -30,9 +30,7 @@ class ModelText {
     return body.name + "." + body.points[at.point].name;
   }
 
-  std::string coordinate(const CoordinateReference& reference) const {
-    return model_.joints[reference.joint].freedoms[reference.component].name;
-  }
+  std::string coordinate(const CoordinateReference& reference) const { return freedom_of(model_, reference).name; }
 
   std::string law(const std::optional<Law>& law) const {
     if (!law) return "none";

@@ -109,10 +109,6 @@ std::string tree_explanation(const Topology& topology) {
   return text;
 }
 
-const std::string& name_of(const Model& model, const CoordinateReference& coordinate) {
-  return model.joints[coordinate.joint].freedoms[coordinate.component].name;
-}
-
 std::string cuts_explanation(const Compilation& c) {
   std::string text;
   std::size_t place = 0;
@@ -145,8 +141,8 @@ std::string cuts_explanation(const Compilation& c) {
   for (const Coupling& coupling : c.model.couplings)
     text += paragraph(
         coupling.curve ? fmt::format("{} couples coordinates, one equation: {} is a curve through {} points over {}.",
-                                     coupling.name, name_of(c.model, *coupling.joint), coupling.curve->x.size(),
-                                     name_of(c.model, *coupling.follows))
+                                     coupling.name, freedom_of(c.model, *coupling.joint).name, coupling.curve->x.size(),
+                                     freedom_of(c.model, *coupling.follows).name)
                        : fmt::format("{} couples coordinates, one equation: {} stays 0.", coupling.name,
                                      c.model.expressions[coupling.relation.expression].text));
   for (const Joint& joint : c.model.joints)

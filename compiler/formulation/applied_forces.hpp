@@ -104,19 +104,9 @@ A joint_spring_force(const ForceWork<T>& work, const JointSpring& spring, const 
   return force;
 }
 
-/// Friction of a joint by its rate, N or N m, along the coordinate.
-template <class T, class A>
-A joint_friction_force(const ForceWork<T>& work, const JointFriction& friction, const A& rate) {
-  const auto value = [&](const Quantity& q, const char* meaning) { return A(work.value(q, meaning, friction.name)); };
-  return friction_force(value(friction.coulomb, "coulomb"), value(friction.stiction, "stiction"),
-                        value(friction.viscous, "viscous"), value(friction.velocity, "velocity"),
-                        value(friction.stribeck_velocity, "stribeck"), rate);
-}
-
 template <class T>
 void joint_springs(ForceWork<T>& work) {
   const Model& model = work.system.model;
-  const Environment<T>& e = work.system.environment;
   for (const JointSpring& spring : model.joint_springs) {
     const auto heading = work.system.scribe.within(OwnerKind::joint_spring, index_in(model.joint_springs, spring));
     const JointDeflection<T> d = joint_deflection(work.system, spring);
@@ -164,6 +154,7 @@ AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const
   forces.about = v.about;
   forces.wrench.resize(system.topology.bodies.size());
   forces.joint.assign(system.topology.bodies.size(), T(0.0));
+  forces.xd.assign(system.x.size(), T(0.0));  // sampled values hold between the instants at which they are set
   see_states_and_lengths(system, k, v);
   detail::ForceWork<T> work{system, k, v, forces, shared_law};
   detail::point_springs(work);
@@ -173,7 +164,6 @@ AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const
   detail::joint_forces(work);
   detail::body_forces(work);
   detail::tyres(work);
-  forces.xd.insert(forces.xd.end(), forces.bristle_rates.begin(), forces.bristle_rates.end());
   detail::bushings(work);
   detail::bump_stops(work);
   detail::user_states(work);

@@ -1,7 +1,7 @@
 #pragma once
 // Bump stops: travel between points or of a coordinate, and the law that pushes after the clearance.
 
-#include "compiler/formulation/force_work.hpp"
+#include "compiler/formulation/seen_place.hpp"
 
 namespace mbgen::detail {
 
@@ -30,9 +30,8 @@ BumpStopState<A> bump_stop_law(const ForceWork<T>& work, const BumpStop& stop, c
 /// Travel of a stop across a plane of `from`: the direction and the travel are seen from that body.
 template <class T>
 struct TravelAlongAxis {
-  Place<T> from, to;
-  int frame = kGround;  ///< that both bodies see
-  Vector<T> axis, gap;  ///< in the axes of the body of `from`, 1 and m
+  SeenPlace<T> seen;
+  Vector<T> axis;  ///< in the axes of the body of `from`
   T travel, rate;
 };
 
@@ -40,41 +39,21 @@ template <class T>
 TravelAlongAxis<T> travel_along_axis(const ForceWork<T>& work, const BumpStop& stop) {
   const System<T>& system = work.system;
   TravelAlongAxis<T> t;
-  t.from = work.place(stop.from);
-  t.to = work.place(stop.to);
-  t.frame = common_frame(system, t.from.body, t.to.body);
-  const auto in_from = [&](const Vector<T>& v) { return direction_up(system, work.k, t.frame, v, t.from.body); };
-  t.gap = in_from(position_in(system, work.k, t.to, t.frame) - position_in(system, work.k, t.from, t.frame));
-  const Vector<T> velocity = in_from(velocity_in(system, work.k, work.v, t.to, t.frame) -
-                                     velocity_in(system, work.k, work.v, t.from, t.frame));
-  const int from_carrier = system.layout.frame_of(t.from.body);
-  const Vector<T> spin =
-      in_from(direction_in(system, work.k, from_carrier, velocity_of(system, work.v, t.from.body).angular, t.frame));
+  t.seen = seen_place(work, stop.from, stop.to);
   const auto reference = [&](const Attachment& at, const Place<T>& place) {
     return place.at + carrier_origin(system.topology, system.constants, at.body);
   };
   t.axis = T(stop.side == BumpStop::Side::compression ? -1.0 : 1.0) * constant<T>(*stop.axis);
-  const Vector<T> way = t.gap - (reference(stop.to, t.to) - reference(stop.from, t.from));
-  t.travel = dot(t.axis, way);
-  t.rate = dot(t.axis, velocity - cross(spin, t.gap));
+  t.travel = dot(t.axis, t.seen.gap - (reference(stop.to, t.seen.to) - reference(stop.from, t.seen.from)));
+  t.rate = dot(t.axis, t.seen.drift);
   return t;
 }
 
 template <class T>
 BumpStopState<T> stop_along_axis(ForceWork<T>& work, const BumpStop& stop) {
-  const System<T>& system = work.system;
   const TravelAlongAxis<T> t = travel_along_axis(work, stop);
-  const int from_carrier = system.layout.frame_of(t.from.body), to_carrier = system.layout.frame_of(t.to.body);
   const BumpStopState<T> state = bump_stop_law(work, stop, t.travel, t.rate);
-  const Vector<T> push = state.force * t.axis;  // on `from`
-  act(work, {stop.from.body, direction_in(system, work.k, t.from.body, push, from_carrier),
-             direction_in(system, work.k, t.from.body, cross(t.gap, push), from_carrier),
-             arm_of(system, work.k, t.from, work.forces.about)});
-  const Vector<T> on_to = direction_in(system, work.k, t.from.body, -push, t.frame);
-  act(work, {stop.to.body,
-             direction_up(system, work.k, t.frame, on_to, to_carrier),
-             {},
-             arm_of(system, work.k, t.to, work.forces.about)});
+  act_between(work, stop.from, stop.to, t.seen, state.force * t.axis, Vector<T>{});
   return state;
 }
 

@@ -9,24 +9,24 @@ namespace mbgen {
 namespace detail {
 
 /// How a coordinate between two bodies moves with the tree's coordinates: what a unit force along it does, turned
-/// round. m: from, to, frame and gap as a BushingMotion has them. force, moment: on `to`, in the axes of the body of
-/// `from`.
-template <class T, class Motion>
-std::vector<T> row_between(const ForceWork<T>& work, const Motion& m, const Vector<T>& force, const Vector<T>& moment) {
+/// round. force, moment: on `to`, in the axes of the body of `from`.
+template <class T>
+std::vector<T> row_between(const ForceWork<T>& work, const SeenPlace<T>& s, const Vector<T>& force,
+                           const Vector<T>& moment) {
   const System<T>& system = work.system;
   std::vector<T> row(system.topology.bodies.size(), T(0.0));
   const auto add_end = [&](const Place<T>& end, int other, const Vector<T>& f, const Vector<T>& turn) {
     if (end.body == kGround) return;
     const int carrier = system.layout.frame_of(end.body);
     const auto seen = [&](const Vector<T>& v) {
-      return direction_up(system, work.k, m.frame, direction_in(system, work.k, m.from.body, v, m.frame), carrier);
+      return direction_up(system, work.k, s.frame, direction_in(system, work.k, s.from.body, v, s.frame), carrier);
     };
     Spatial<T> wrench = force_at(seen(f), local_position(system, work.k, end));
     wrench.angular = wrench.angular + seen(turn);
     add_wrench(work, end.body, other, wrench, row);
   };
-  add_end(m.from, m.to.body, -force, -moment - cross(m.gap, force));
-  add_end(m.to, m.from.body, force, moment);
+  add_end(s.from, s.to.body, -force, -moment - cross(s.gap, force));
+  add_end(s.to, s.from.body, force, moment);
   return row;
 }
 
@@ -38,8 +38,8 @@ std::vector<T> deflection_row(const ForceWork<T>& work, const Bushing& bushing, 
   const T sense(bushing_sense(bushing, freedom));
   Vector<T> along;
   (freedom % 3 == 0 ? along.x : freedom % 3 == 1 ? along.y : along.z) = sense;
-  return freedom < 3 ? row_between(work, m, axes * along, Vector<T>{})
-                     : row_between(work, m, Vector<T>{}, axes * moment_of_forces(m.turned, along));
+  return freedom < 3 ? row_between(work, m.seen, axes * along, Vector<T>{})
+                     : row_between(work, m.seen, Vector<T>{}, axes * moment_of_forces(m.turned, along));
 }
 
 /// The freedoms along which a bushing acts.
@@ -70,8 +70,7 @@ ElementTangents<T> bushing_element(const ForceWork<T>& work, const Bushing& bush
     deflection[i] = S(m.deflection[i]);
     rate[i] = S(m.rate[i]);
   }
-  std::size_t states = 0;
-  for (const std::optional<BushingFreedom>& own : bushing.freedoms) states += own && own->maxwell_stiffness ? 1 : 0;
+  const auto states = static_cast<std::size_t>(maxwell_branches(bushing));
   std::vector<S> extensions;
   for (std::size_t s = 0; s < states; ++s) extensions.emplace_back(work.system.x[first_state + s]);
   ElementTangents<T> element = element_tangents<T>(std::move(rows), states, first_state);
@@ -118,7 +117,7 @@ ElementTangents<T> bump_stop_element(ForceWork<T>& work, const BumpStop& stop) {
   }
   if (stop.axis) {
     const TravelAlongAxis<T> t = travel_along_axis(work, stop);
-    return scalar_element(row_between(work, t, t.axis, Vector<T>{}), t.travel, t.rate, push);
+    return scalar_element(row_between(work, t.seen, t.axis, Vector<T>{}), t.travel, t.rate, push);
   }
   const S sign(stop.side == BumpStop::Side::compression ? -1.0 : 1.0);
   return line_tangents(work, stop.from, stop.to, [&](const S& length, const S& rate, const T& reference) {

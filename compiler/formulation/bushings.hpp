@@ -1,8 +1,8 @@
 #pragma once
 // Bushings: deflection and rate between two frames, the law of forces over them, and what it does to the two bodies.
 
-#include "compiler/formulation/force_work.hpp"
 #include "compiler/formulation/orientation.hpp"
+#include "compiler/formulation/seen_place.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 
 namespace mbgen {
@@ -116,10 +116,8 @@ BushingForces<A> bushing_law(const ForceWork<T>& work, const Bushing& bushing, c
 /// Deflections of a bushing and their rates, and what leads back from forces on them to forces on the bodies.
 template <class T>
 struct BushingMotion {
-  Place<T> from, to;
-  int frame = kGround;  ///< that both bodies see
-  Vector<T> gap;        ///< from the point of `from` to that of `to`, axes of the body of `from`, m
-  TurnedBy<T> turned;   ///< axes of the bushing
+  SeenPlace<T> seen;
+  TurnedBy<T> turned;  ///< axes of the bushing
   BushingValues<T> deflection, rate;
 };
 
@@ -133,29 +131,19 @@ template <class T>
 BushingMotion<T> bushing_motion(const ForceWork<T>& work, const Bushing& bushing) {
   const System<T>& system = work.system;
   BushingMotion<T> m;
-  m.from = work.place(bushing.from);
-  m.to = work.place(bushing.to);
-  m.frame = common_frame(system, m.from.body, m.to.body);
-  const auto in_from = [&](const Vector<T>& v) { return direction_up(system, work.k, m.frame, v, m.from.body); };
-  const auto spin = [&](int body) {
-    return direction_in(system, work.k, system.layout.frame_of(body), velocity_of(system, work.v, body).angular,
-                        m.frame);
-  };
+  m.seen = seen_place(work, bushing.from, bushing.to);
+  const int from = m.seen.from.body, to = m.seen.to.body, frame = m.seen.frame;
+  const auto in_from = [&](const Vector<T>& v) { return direction_up(system, work.k, frame, v, from); };
   const auto column = [&](const Vector3& axis) {
-    return in_from(direction_in(system, work.k, m.to.body, constant<T>(axis), m.frame));
+    return in_from(direction_in(system, work.k, to, constant<T>(axis), frame));
   };
   const Matrix<T> axes = axes_of<T>(bushing);
-  m.gap = in_from(position_in(system, work.k, m.to, m.frame) - position_in(system, work.k, m.from, m.frame));
-  const Vector<T> velocity = in_from(velocity_in(system, work.k, work.v, m.to, m.frame) -
-                                     velocity_in(system, work.k, work.v, m.from, m.frame));
-  const Vector<T> own_spin = in_from(spin(m.from.body));
   const Matrix<T> turn{column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1})};
   const Vector<T> sines = T(0.5) * Vector<T>{turn.y.z - turn.z.y, turn.z.x - turn.x.z, turn.x.y - turn.y.x};
   const T cosine = T(0.5) * (turn.x.x + turn.y.y + turn.z.z - T(1.0));
   m.turned = turned_by(transposed_times(axes, sines), cosine);
-  const Vector<T> spin_between = transposed_times(axes, in_from(spin(m.to.body)) - own_spin);
-  const Vector<T> parts[] = {transposed_times(axes, m.gap), m.turned.vector,
-                             transposed_times(axes, velocity - cross(own_spin, m.gap)),
+  const Vector<T> spin_between = transposed_times(axes, in_from(spin_in(work, to, frame)) - m.seen.spin);
+  const Vector<T> parts[] = {transposed_times(axes, m.seen.gap), m.turned.vector, transposed_times(axes, m.seen.drift),
                              rate_of_vector(m.turned, spin_between)};
   for (int i = 0; i < kBushingFreedoms; ++i) {
     const T sense(bushing_sense(bushing, i));
@@ -163,24 +151,6 @@ BushingMotion<T> bushing_motion(const ForceWork<T>& work, const Bushing& bushing
     m.rate[i] = sense * component(parts[2 + i / 3], i % 3);
   }
   return m;
-}
-
-/// Puts a bushing's force and moment on its bodies. force, moment: on `from`, in the axes of the bushing.
-template <class T>
-void act_between(ForceWork<T>& work, const Bushing& bushing, const BushingMotion<T>& m, const Vector<T>& force,
-                 const Vector<T>& moment) {
-  const System<T>& system = work.system;
-  const Matrix<T> axes = axes_of<T>(bushing);
-  const Vector<T> force_from = axes * force, moment_from = axes * moment;
-  const int from_carrier = system.layout.frame_of(m.from.body), to_carrier = system.layout.frame_of(m.to.body);
-  const auto on_from = [&](const Vector<T>& v) { return direction_in(system, work.k, m.from.body, v, from_carrier); };
-  const auto on_to = [&](const Vector<T>& v) {
-    return direction_up(system, work.k, m.frame, direction_in(system, work.k, m.from.body, v, m.frame), to_carrier);
-  };
-  act(work, {bushing.from.body, on_from(force_from), on_from(moment_from + cross(m.gap, force_from)),
-             arm_of(system, work.k, m.from, work.forces.about)});
-  act(work,
-      {bushing.to.body, on_to(-force_from), on_to(-moment_from), arm_of(system, work.k, m.to, work.forces.about)});
 }
 
 template <class T>
@@ -191,15 +161,15 @@ void bushings(ForceWork<T>& work) {
     const auto heading = work.system.scribe.within(OwnerKind::bushing, index_in(work.system.model.bushings, bushing));
     const BushingMotion<T> motion = bushing_motion(work, bushing);
     const BushingForces<T> law = bushing_law(work, bushing, motion.deflection, motion.rate, x.data() + next);
-    next += law.extension_rates.size();
-    work.forces.xd.insert(work.forces.xd.end(), law.extension_rates.begin(), law.extension_rates.end());
+    for (const T& rate : law.extension_rates) work.forces.xd[next++] = rate;
     BushingValues<T> on_from;
     for (int i = 0; i < kBushingFreedoms; ++i) on_from[i] = T(bushing_sense(bushing, i)) * law.force[i];
     const Vector<T> force{on_from[0], on_from[1], on_from[2]};
     const bool turns = bushing_acts(bushing, 3) || bushing_acts(bushing, 4) || bushing_acts(bushing, 5);
     Vector<T> moment;
     if (turns) moment = moment_of_forces(motion.turned, Vector<T>{on_from[3], on_from[4], on_from[5]});
-    act_between(work, bushing, motion, force, moment);
+    const Matrix<T> axes = axes_of<T>(bushing);
+    act_between(work, bushing.from, bushing.to, motion.seen, axes * force, axes * moment);
     const auto counted = [&](const Vector<T>& v, int first) {
       const auto sense = [&](int i) { return T(bushing_sense(bushing, first + i)); };
       return Vector<T>{sense(0) * v.x, sense(1) * v.y, sense(2) * v.z};

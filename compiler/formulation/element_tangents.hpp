@@ -81,24 +81,19 @@ template <class T, class Tension>
 ElementTangents<T> line_tangents(ForceWork<T>& work, const Attachment& from, const Attachment& to,
                                  const Tension& tension) {
   const System<T>& system = work.system;
-  const Place<T> a = work.place(from), b = work.place(to);
-  const int frame = common_frame(system, a.body, b.body);
-  const Vector<T> gap = position_in(system, work.k, b, frame) - position_in(system, work.k, a, frame);
-  const Vector<T> gap_rate =
-      velocity_in(system, work.k, work.v, b, frame) - velocity_in(system, work.k, work.v, a, frame);
-  const T length = norm(gap);
-  const Vector<T> direction = (T(1.0) / length) * gap;
+  const Line<T> line = line_between(system, work.k, work.v, from, to);
+  const Vector<T> direction = line.reciprocal * line.gap;
   std::vector<T> row(system.topology.bodies.size(), T(0.0));
   const auto add_end = [&](const Place<T>& place, int other, const Vector<T>& force) {
     if (place.body == kGround) return;
     const int carrier = system.layout.frame_of(place.body);
-    const Vector<T> seen = direction_up(system, work.k, frame, force, carrier);
+    const Vector<T> seen = direction_up(system, work.k, line.frame, force, carrier);
     add_wrench(work, place.body, other, force_at(seen, local_position(system, work.k, place)), row);
   };
-  add_end(b, a.body, direction);
-  add_end(a, b.body, -direction);
-  const T reference = reference_distance(system.topology, system.constants, to, b, from, a);
-  return scalar_element(std::move(row), length, dot(direction, gap_rate),
+  add_end(line.to, line.from.body, direction);
+  add_end(line.from, line.to.body, -direction);
+  const T reference = reference_distance(system.topology, system.constants, to, line.to, from, line.from);
+  return scalar_element(std::move(row), line.length, line.rate,
                         [&](const Slope<T>& l, const Slope<T>& rate) { return -tension(l, rate, reference); });
 }
 
@@ -169,9 +164,12 @@ void joint_tangents(ForceWork<T>& work, std::vector<ElementTangents<T>>& element
   for (const JointFriction& friction : model.frictions) {
     if (friction.has_bristle() || friction.normal >= 0) continue;  // left out: docs/method/implicit.md
     const auto heading = system.scribe.within(OwnerKind::friction, index_in(model.frictions, friction));
-    elements.push_back(scalar_element(
-        coordinate_row(system, friction.joint), T(0.0), system.environment.velocity(friction.joint),
-        [&](const Slope<T>&, const Slope<T>& rate) { return joint_friction_force(work, friction, rate); }));
+    elements.push_back(scalar_element(coordinate_row(system, friction.joint), T(0.0),
+                                      system.environment.velocity(friction.joint),
+                                      [&](const Slope<T>&, const Slope<T>& rate) {
+                                        return smooth_friction(work, friction, friction.name, rate) -
+                                               viscous_friction(work, friction, friction.name, rate);
+                                      }));
   }
   for (const JointForce& force : model.joint_forces) {
     const auto heading = system.scribe.within(OwnerKind::joint_force, index_in(model.joint_forces, force));

@@ -46,7 +46,6 @@ struct AppliedForces {
   std::vector<T> joint;            ///< per coordinate, N or N m
   std::vector<Action<T>> actions;  ///< terms of the sum `wrench`, and actions on bodies fixed to ground
   std::vector<T> xd;               ///< rates of the auxiliary states
-  std::vector<T> bristle_rates;    ///< the last of them, those of frictions
   std::vector<ElementState<T>> springs, air_springs;
   std::vector<TyreResult<T>> tyres;
   std::vector<BushingState<T>> bushings;

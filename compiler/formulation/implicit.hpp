@@ -198,31 +198,6 @@ std::vector<T> eliminate_matrix(std::vector<std::vector<T>>& matrix, bool is_sym
   return pivot;
 }
 
-/// Rz of every joint group at a position by the frozen order, with the quality of each block's factors.
-template <class T, class Partitions>
-std::vector<GroupProjection<T>> watched_directions(System<T>& system, const Kinematics<T>& k,
-                                                   const Partitions& partitions, const std::vector<bool>& driven,
-                                                   std::vector<T>& quality) {
-  std::vector<GroupProjection<T>> projections;
-  const RelativeMotion<T> rest = at_rest<T>(system.topology);
-  quality.assign(system.topology.blocks.size(), T(1.0));
-  for (const JointGroup& group : system.topology.groups) {
-    GroupProjection<T> p;
-    p.zdd_star.assign(group.joints.size(), T(0.0));
-    if (group.block < 0) {
-      p.rz = {driven[group.joints[0]] ? std::vector<T>{} : std::vector<T>{T(1.0)}};
-    } else {
-      const LoopPartition& partition = partitions[group.block];
-      const SparseClosure<T> closed = sparse_closure(system, k, system.topology.blocks[group.block], rest);
-      const FrozenFactors<T> factors = factorise_frozen(closed.jacobian, partition, group.joints.size());
-      quality[group.block] = factors.quality;
-      p.rz = frozen_rz(factors, partition, group.joints.size());
-    }
-    projections.push_back(std::move(p));
-  }
-  return projections;
-}
-
 }  // namespace detail
 
 /// The equations at a state. g: the method's factor times the step, s. Cost: as the equations of motion in the matrix
@@ -236,7 +211,7 @@ WatchedEquations<T> implicit_equations(System<T>& system, const Partitions& part
   const Kinematics<T> k = kinematics(system);
   const Velocities<T> v = velocities(system, k);
   const std::vector<GroupProjection<T>> projections =
-      detail::watched_directions(system, k, partitions, driven, watched.quality);
+      frozen_directions(system, k, partitions, driven, &watched.quality);
   ReducedSystem<T> reduced =
       reduced_system(system, k, inertias(system, k), projections, std::vector<T>(topology.bodies.size(), T(0.0)));
   const std::size_t n = reduced.mass.size(), states = system.x.size();

@@ -217,11 +217,13 @@ std::vector<std::vector<T>> frozen_rz(const FrozenFactors<T>& factors, const Loo
 }
 
 /// Rz of every joint group at a position by the frozen order, zdd_star zero. partitions: one LoopPartition per block;
-/// driven: per tree coordinate. Cost: as the closures.
+/// driven: per tree coordinate; quality: per block, that of its factors, for who watches them. Cost: as the closures.
 template <class T, class Partitions>
 std::vector<GroupProjection<T>> frozen_directions(System<T>& system, const Kinematics<T>& k,
-                                                  const Partitions& partitions, const std::vector<bool>& driven) {
+                                                  const Partitions& partitions, const std::vector<bool>& driven,
+                                                  std::vector<T>* quality = nullptr) {
   std::vector<GroupProjection<T>> projections;
+  if (quality) quality->assign(system.topology.blocks.size(), T(1.0));
   const RelativeMotion<T> rest = at_rest<T>(system.topology);
   for (const JointGroup& group : system.topology.groups) {
     GroupProjection<T> p;
@@ -231,7 +233,9 @@ std::vector<GroupProjection<T>> frozen_directions(System<T>& system, const Kinem
       const LoopPartition& partition = partitions[group.block];
       const SparseClosure<T> closed = sparse_closure(system, k, system.topology.blocks[group.block], rest);
       const std::size_t coordinates = group.joints.size();
-      p.rz = frozen_rz(factorise_frozen(closed.jacobian, partition, coordinates), partition, coordinates);
+      const FrozenFactors<T> factors = factorise_frozen(closed.jacobian, partition, coordinates);
+      if (quality) (*quality)[group.block] = factors.quality;
+      p.rz = frozen_rz(factors, partition, coordinates);
     }
     p.zdd_star.assign(group.joints.size(), T(0.0));
     projections.push_back(std::move(p));

@@ -78,13 +78,18 @@ TyreProperties<T> tyre_properties(const Tyre& tyre, const Value& value) {
           T(tyre.count)};
 }
 
+/// Calls use(set) with a tyre's set of coefficients as its model has them.
+template <class T, class Use>
+auto with_tyre_set(TyreModel model, const std::vector<T>& coefficients, const Use& use) {
+  return model == TyreModel::pac2002 ? use(Pac2002<T>::from_fields(coefficients.data()))
+                                     : use(Pac89<T>::from_fields(coefficients.data()));
+}
+
 /// The law of a set of coefficients.
 template <class T>
 TyreResult<T> tyre_law(TyreModel model, const std::vector<T>& coefficients, const TyreProperties<T>& properties,
                        const TyreContact<T>& contact) {
-  if (model == TyreModel::pac2002)
-    return tyre_forces(Pac2002<T>::from_fields(coefficients.data()), properties, contact);
-  return tyre_forces(Pac89<T>::from_fields(coefficients.data()), properties, contact);
+  return with_tyre_set(model, coefficients, [&](const auto& set) { return tyre_forces(set, properties, contact); });
 }
 
 template <class T>
@@ -113,8 +118,8 @@ void tyres(ForceWork<T>& work) {
     work.system.scribe.name(result.fx, "fx_", tyre.name);
     work.system.scribe.name(result.fy, "fy_", tyre.name);
     act(work, {tyre.centre.body, force, moment, contact.point});
-    work.forces.xd.push_back(result.du);
-    work.forces.xd.push_back(result.dv);
+    work.forces.xd[2 * i] = result.du;
+    work.forces.xd[2 * i + 1] = result.dv;
     work.forces.tyres.push_back(result);
   }
 }

@@ -36,12 +36,10 @@ SlipStiffness<T> slip_stiffness(const ForceWork<T>& work, const Tyre& tyre, cons
   const tyre_law::Slip<T> slip = tyre_law::slip(properties, contact);
   const auto forces = [&](const S& kappa, const S& alpha) {
     const S camber(T(tyre.side) * contact.camber);
-    const auto by_set = [&](const auto& set) {
+    const TyreForces<S> f = with_tyre_set(tyre.model, coefficients, [&](const auto& set) {
       return tyre_law::formula<S>(set, S(load), kappa, tyre.side * alpha, camber, S(properties.friction),
                                   S(slip.rolling));
-    };
-    const TyreForces<S> f = tyre.model == TyreModel::pac2002 ? by_set(Pac2002<S>::from_fields(coefficients.data()))
-                                                             : by_set(Pac89<S>::from_fields(coefficients.data()));
+    });
     return PlaneForces<T>{T(tyre.count) * f.fx.slope, T(tyre.count * tyre.side) * f.fy.slope};
   };
   return {forces(S(slip.kappa, T(1.0)), S(slip.alpha)), forces(S(slip.kappa), S(slip.alpha, T(1.0)))};

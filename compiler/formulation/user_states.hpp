@@ -1,7 +1,8 @@
 #pragma once
 // States of the user's own: what expressions see of them and of the lengths of springs, and their rates.
 
-#include <algorithm>
+#include <cstddef>
+#include <vector>
 
 #include "compiler/formulation/force_work.hpp"
 #include "compiler/model/auxiliary_states.hpp"
@@ -9,15 +10,14 @@
 namespace mbgen {
 namespace detail {
 
-/// Whether an expression of the model looks at the length of an element or at its rate.
-inline bool looks_at_length(const Model& model, int element) {
+/// Of springs, air springs and rods, those whose length or rate an expression of the model looks at.
+inline std::vector<bool> lengths_looked_at(const Model& model) {
   using Kind = ExpressionNode::Kind;
-  const auto is_it = [element](const ExpressionNode& node) {
-    return (node.kind == Kind::length || node.kind == Kind::rate) && node.index == element;
-  };
-  return std::any_of(model.expressions.begin(), model.expressions.end(), [&](const Expression& expression) {
-    return std::any_of(expression.nodes.begin(), expression.nodes.end(), is_it);
-  });
+  std::vector<bool> looked_at(model.springs.size() + model.air_springs.size() + model.rods.size());
+  for (const Expression& expression : model.expressions)
+    for (const ExpressionNode& node : expression.nodes)
+      if (node.kind == Kind::length || node.kind == Kind::rate) looked_at[static_cast<std::size_t>(node.index)] = true;
+  return looked_at;
 }
 
 }  // namespace detail
@@ -28,15 +28,16 @@ void see_states_and_lengths(System<T>& system, const Kinematics<T>& k, const Vel
   const Model& model = system.model;
   Environment<T>& environment = system.environment;
   environment.states.assign(system.x.begin() + first_user_state(model), system.x.end());
-  environment.lengths.assign(model.springs.size() + model.air_springs.size() + model.rods.size(), T(0.0));
+  const std::vector<bool> looked_at = detail::lengths_looked_at(model);
+  environment.lengths.assign(looked_at.size(), T(0.0));
   environment.rates = environment.lengths;
-  const auto see = [&](int element, const Attachment& from, const Attachment& to) {
-    if (!detail::looks_at_length(model, element)) return;
+  const auto see = [&](std::size_t element, const Attachment& from, const Attachment& to) {
+    if (!looked_at[element]) return;
     const detail::Line<T> line = detail::line_between(system, k, v, from, to);
     environment.lengths[element] = line.length;
     environment.rates[element] = line.rate;
   };
-  int element = 0;
+  std::size_t element = 0;
   for (const PointSpring& spring : model.springs) see(element++, spring.from, spring.to);
   for (const AirSpring& spring : model.air_springs) see(element++, spring.from, spring.to);
   for (const Rod& rod : model.rods) see(element++, rod.from, rod.to);
@@ -44,17 +45,17 @@ void see_states_and_lengths(System<T>& system, const Kinematics<T>& k, const Vel
 
 namespace detail {
 
-/// Rates of the states of the user's own; sampled values hold between the instants at which they are set.
+/// Rates of the states of the user's own.
 template <class T>
 void user_states(ForceWork<T>& work) {
   const Model& model = work.system.model;
+  std::size_t place = static_cast<std::size_t>(first_user_state(model));
   for (const UserState& state : model.states) {
     const auto heading = work.system.scribe.within(OwnerKind::state, index_in(model.states, state));
     T rate = work.value(state.derivative);
     work.system.scribe.name(rate, "rate_", state.name);
-    work.forces.xd.push_back(rate);
+    work.forces.xd[place++] = rate;
   }
-  work.forces.xd.resize(work.system.x.size(), T(0.0));
 }
 
 }  // namespace detail

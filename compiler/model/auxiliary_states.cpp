@@ -18,9 +18,7 @@ AuxiliaryState hidden(const std::string& name, const std::string& unit, double s
 
 /// Names are asked for while a model is read: a coordinate may be none yet.
 const char* unit_of_coordinate(const Model& model, const CoordinateReference& coordinate) {
-  if (coordinate.joint < 0) return "";
-  const Joint& joint = model.joints[static_cast<std::size_t>(coordinate.joint)];
-  return unit_of(joint.freedoms[static_cast<std::size_t>(coordinate.component)].kind);
+  return coordinate.joint < 0 ? "" : unit_of(freedom_of(model, coordinate).kind);
 }
 
 /// A value of the user's own; all without unit are numbers.
@@ -92,8 +90,7 @@ std::vector<double> initial_auxiliary_states(const Model& model) {
 
 int first_user_state(const Model& model) {
   int branches = 0;
-  for (const Bushing& bushing : model.bushings)
-    for (int i = 0; i < kBushingFreedoms; ++i) branches += has_maxwell_branch(bushing, i) ? 1 : 0;
+  for (const Bushing& bushing : model.bushings) branches += maxwell_branches(bushing);
   return slip_state_count(model) + branches;
 }
 

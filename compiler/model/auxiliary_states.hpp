@@ -1,8 +1,7 @@
 #pragma once
 // Auxiliary states of a model, in their order: two slip deflections per tyre (m), the deflection of each bristle of a
-// friction (rad or m, those on coordinates first), the extension of the spring of each
-// Maxwell branch of a bushing (m or rad), the states of the user's own, the sampled values, and what sampled values
-// with a delay will be.
+// friction (rad or m, those on coordinates first), the extension of the spring of each Maxwell branch of a bushing (m
+// or rad), the states of the user's own, the sampled values, and what sampled values with a delay will be.
 
 #include <optional>
 #include <string>

@@ -81,4 +81,11 @@ inline bool has_maxwell_branch(const Bushing& bushing, int freedom) {
   return law && law->maxwell_stiffness;
 }
 
+/// Number of Maxwell branches of a bushing.
+inline int maxwell_branches(const Bushing& bushing) {
+  int count = 0;
+  for (int i = 0; i < kBushingFreedoms; ++i) count += has_maxwell_branch(bushing, i) ? 1 : 0;
+  return count;
+}
+
 }  // namespace mbgen

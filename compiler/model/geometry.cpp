@@ -7,10 +7,6 @@ namespace mbgen::reading {
 namespace {
 
 const Body& body_of(const Model& model, int index) { return model.bodies[static_cast<std::size_t>(index)]; }
-const Freedom& freedom_of(const Model& model, const CoordinateReference& coordinate) {
-  const Joint& joint = model.joints[static_cast<std::size_t>(coordinate.joint)];
-  return joint.freedoms[static_cast<std::size_t>(coordinate.component)];
-}
 
 }  // namespace
 
@@ -60,6 +56,11 @@ const std::string& coordinate_name(const Model& model, const CoordinateReference
 }  // namespace mbgen::reading
 
 namespace mbgen {
+
+const Freedom& freedom_of(const Model& model, const CoordinateReference& coordinate) {
+  const Joint& joint = model.joints[static_cast<std::size_t>(coordinate.joint)];
+  return joint.freedoms[static_cast<std::size_t>(coordinate.component)];
+}
 
 Vector3 reference_position(const Model& model, const Attachment& attachment) {
   if (attachment.body < 0 || attachment.point < 0)

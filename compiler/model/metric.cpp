@@ -89,11 +89,7 @@ void resolve(Expression& expression, int outputs, std::vector<MetricColumn>& col
 
 std::string name_of(const MetricColumn& column, const Model& model) {
   using Of = MetricColumn::Kind;
-  const auto coordinate = [&] {
-    return model.joints[static_cast<std::size_t>(column.coordinate.joint)]
-        .freedoms[static_cast<std::size_t>(column.coordinate.component)]
-        .name;
-  };
+  const auto coordinate = [&] { return freedom_of(model, column.coordinate).name; };
   switch (column.kind) {
     case Of::time:
       return "t";

@@ -115,6 +115,9 @@ struct Model {
   SolverSettings solver;
 };
 
+/// The freedom that a coordinate belongs to. Requires: the reference names one.
+const Freedom& freedom_of(const Model& model, const CoordinateReference& coordinate);
+
 /// Global position of a point at the reference configuration and default parameters, m; NaN for an attachment that
 /// could not be read.
 Vector3 reference_position(const Model& model, const Attachment& attachment);

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 13> kOutputSources = {
     "spring",     "bushing", "bump_stop", "motion", "reaction", "multiplier"};
 
 /// Of a point or a coordinate.
-constexpr std::array kMotionQuantities = {Quantities::position, Quantities::velocity, Quantities::acceleration};
+inline constexpr std::array kMotionQuantities = {Quantities::position, Quantities::velocity, Quantities::acceleration};
 
 /// The source of an output and the unit it has by itself.
 struct Resolved {

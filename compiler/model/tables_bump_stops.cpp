@@ -1,6 +1,7 @@
 // Table of fields: bump stops.
 #include <array>
 
+#include "compiler/model/presentation.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 
@@ -77,13 +78,7 @@ auto stop_law_fields() {
 
 template <>
 std::span<const Field<BumpStopFields>> fields<BumpStopFields>() {
-  static const auto table = [] {
-    const auto place = stop_place_fields();
-    const auto laws = stop_law_fields();
-    std::vector<Field<BumpStopFields>> all(place.begin(), place.end());
-    all.insert(all.end(), laws.begin(), laws.end());
-    return all;
-  }();
+  static const std::array table = joined(stop_place_fields(), stop_law_fields());
   return table;
 }
 

@@ -1,6 +1,7 @@
 // Tables of fields: bushings.
 #include <array>
 
+#include "compiler/model/presentation.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 
@@ -65,13 +66,7 @@ auto bushing_law_fields() {
 
 template <>
 std::span<const Field<BushingFields>> fields<BushingFields>() {
-  static const auto table = [] {
-    const auto frame = bushing_frame_fields();
-    const auto laws = bushing_law_fields();
-    std::vector<Field<BushingFields>> all(frame.begin(), frame.end());
-    all.insert(all.end(), laws.begin(), laws.end());
-    return all;
-  }();
+  static const std::array table = joined(bushing_frame_fields(), bushing_law_fields());
   return table;
 }
 

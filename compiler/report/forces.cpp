@@ -88,9 +88,7 @@ Model watched(Model model) {
   for (std::size_t s = 0; s < model.bump_stops.size(); ++s) {
     const BumpStop& stop = model.bump_stops[s];
     if (depends_on_inputs(model, stop)) continue;
-    const bool turns = stop.is_on_joint() && model.joints[static_cast<std::size_t>(stop.joint.joint)]
-                                                     .freedoms[static_cast<std::size_t>(stop.joint.component)]
-                                                     .kind == FreedomKind::revolute;
+    const bool turns = stop.is_on_joint() && freedom_of(model, stop.joint).kind == FreedomKind::revolute;
     model.outputs.push_back({stop.name + ".force",
                              {},
                              turns ? "N m" : "N",

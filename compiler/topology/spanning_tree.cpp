@@ -253,7 +253,7 @@ void TreeSearch::check_marks_and_uses(Diagnostics& problems) const {
     if (in_tree_[use.coordinate.joint] || told[use.coordinate.joint]) continue;
     if (!reached_[joint.from.body] || !reached_[joint.to.body]) continue;
     told[use.coordinate.joint] = true;
-    const std::string name = joint.freedoms[use.coordinate.component].name;
+    const std::string& name = freedom_of(model_, use.coordinate).name;
     const bool marked = joint.cut == CutMark::cut;
     problems.push_back({joint.where,
                         "joint " + quoted(joint.name) + " closes a loop, so its coordinate " + quoted(name) +

@@ -43,7 +43,8 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
   const Kinematics<Expr> k = tracing.poses();
   const Velocities<Expr> v =
       tracing.in(Step::velocities, [&] { return velocities(system, k, MotionPoint::body_origin); });
-  const AppliedForces<Expr> forces = tracing.in(Step::forces, [&] { return applied_forces(system, k, v, shared_tyre_law(tracing, laws)); });
+  const AppliedForces<Expr> forces =
+      tracing.in(Step::forces, [&] { return applied_forces(system, k, v, shared_tyre_law(tracing, laws)); });
   const RecursiveSolution<Expr> solution =
       recursive_accelerations(system, tracing.recursion, k, forces, tracing.drive,
                               tracing.inputs(Array::tau, tracing.size()), block_projections(tracing));

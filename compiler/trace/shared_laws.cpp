@@ -132,19 +132,20 @@ detail::SharedTyreLaw<Expr> shared_tyre_law(Tracing& tracing, const std::vector<
       const auto place = std::ranges::find(law.tyres, static_cast<int>(tyre));
       if (place == law.tyres.end()) continue;
       const int elements = static_cast<int>(law.tyres.size()), element = static_cast<int>(place - law.tyres.begin());
-      const auto slot = [&](const std::vector<std::string>& names, const char* name) {
-        return static_cast<int>(std::ranges::find(names, name) - names.begin()) * elements + element;
+      const auto slot = [&](const std::vector<std::string>& names, const char* name) -> std::optional<int> {
+        const auto found = std::ranges::find(names, name);
+        if (found == names.end()) return {};
+        return static_cast<int>(found - names.begin()) * elements + element;
       };
-      for (const auto& [name, member] : kContact)
-        tracing.output(of_block(Array::law_argument, k), slot(law.arguments, name), contact.*member);
-      for (const Property& property : kProperties)
-        if (std::ranges::count(law.arguments, property.name) > 0)
-          tracing.output(of_block(Array::law_argument, k), slot(law.arguments, property.name),
-                         properties.*property.member);
+      const auto give = [&](const char* name, const Expr& value) {
+        if (const auto at = slot(law.arguments, name)) tracing.output(of_block(Array::law_argument, k), *at, value);
+      };
+      for (const auto& [name, member] : kContact) give(name, contact.*member);
+      for (const Property& property : kProperties) give(property.name, properties.*property.member);
       Forces result;
       for (const auto& [name, member] : kResult)
-        if (std::ranges::count(law.results, name) > 0)
-          result.*member = tracing.input(of_block(Array::law_result, k), slot(law.results, name));
+        if (const auto at = slot(law.results, name))
+          result.*member = tracing.input(of_block(Array::law_result, k), *at);
       return result;
     }
     return {};

@@ -65,12 +65,6 @@ Load load_at(const Moving& body, int index, const Vector3d& place, const Vector3
 
 }  // namespace
 
-std::size_t maxwell_branches(const Bushing& bushing) {
-  std::size_t count = 0;
-  for (int i = 0; i < kBushingFreedoms; ++i) count += has_maxwell_branch(bushing, i) ? 1 : 0;
-  return count;
-}
-
 BushingAtWork bushing_at_work(const Bushing& bushing, const PartFrames& part, const std::vector<Moving>& bodies,
                               const double* extensions, const Values& value) {
   const Moving &from_body = bodies[part.from.body], &to_body = bodies[part.to.body];

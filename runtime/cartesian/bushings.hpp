@@ -6,9 +6,6 @@
 
 namespace mbgen::cartesian {
 
-/// Number of Maxwell branches of a bushing.
-std::size_t maxwell_branches(const Bushing& bushing);
-
 /// A bushing at one instant.
 struct BushingAtWork {
   Vector6d deflection;            ///< m, then rad, counted as its freedoms are

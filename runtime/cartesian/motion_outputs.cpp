@@ -127,7 +127,7 @@ class Instant {
   }
 
   double value(const BushingOutput& output) const {
-    std::size_t x = static_cast<std::size_t>(slip_state_count(c_.model));
+    int x = slip_state_count(c_.model);
     for (int b = 0; b < output.bushing; ++b) x += maxwell_branches(c_.model.bushings[b]);
     const Bushing& bushing = c_.model.bushings[output.bushing];
     const BushingAtWork at_work =
