@@ -60,12 +60,15 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
     if (shaped.role != Role::outputs && shaped.role != Role::derived_constants)
       members.push_back(system_member(shaped, "lanes::" + shaped.shape.result + "Of<Row>", "lanes::"));
   }
+  FrameRows one_step_methods = {{{"method", "rk4"}}};
+  if (context.model.solver.is_implicit()) one_step_methods.push_back({{"method", "rosenbrock"}});
   FrameValues values = {{"parameters", name_rows(context.names.parameters)},
                         {"has_inputs", !context.names.inputs.empty()},
                         {"inputs", name_rows(context.names.inputs)},
                         {"outputs", name_rows(names_of(output_members(context)))},
                         {"constants", constants.declarations("double")},
                         {"programs", programs},
+                        {"one_step_methods", one_step_methods},
                         {"projection", false}};
   values.merge(tuned_values(context.programs, false));
   values.merge(system_values(context, members, "Lanes"));

@@ -34,8 +34,8 @@ struct FmuUnknown {
 
 /// The continuous states are positions and velocities of the independent coordinates, and the auxiliary states. Where
 /// an event may choose another independent coordinate of a loop block, the states are q and qd, which are those of the
-/// chosen coordinate; so they are for balls whose angles an event may exchange; else they are z and zd. Where bodies roll, more positions are free than velocities: these are no
-/// states, and the FMU has co-simulation alone.
+/// chosen coordinate; so they are for balls whose angles an event may exchange; else they are z and zd. Where bodies
+/// roll, more positions are free than velocities: these are no states, and the FMU has co-simulation alone.
 struct FmuLayout {
   std::vector<FmuVariable> variables;
   std::vector<int> independent;  ///< coordinates at the start, ascending

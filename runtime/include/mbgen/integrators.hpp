@@ -156,21 +156,16 @@ Status try_abm4(const System& system, const typename System::State& state, const
   return status.ok() ? more_telling(met, status) : status;
 }
 
-}  // namespace integrator_detail
-
-namespace integrator_detail {
-
-/// One step by Runge-Kutta from a state with settled charts.
-template <class System>
-Status settled_rk4(const System& system, typename System::State& state, double h) noexcept {
-  typename System::State result;
+/// Takes a step to `result` by attempt(care, result), which gets a copy of the state: plainly, and carefully where that
+/// asks for it.
+template <class State, class Attempt>
+Status plainly_or_carefully(const State& state, State& result, const Attempt& attempt) noexcept {
   copy_state(state, result);
-  Status status = try_rk4<Plain>(system, state, h, result);
+  Status status = attempt(Plain{}, result);
   if (asks_for_care(status)) {
     copy_state(state, result);
-    status = try_rk4<Careful>(system, state, h, result);
+    status = attempt(Careful{}, result);
   }
-  if (status.ok()) copy_state(result, state);
   return status;
 }
 
@@ -197,10 +192,6 @@ Status with_settled_charts(const System& system, typename System::State& state, 
   }
 }
 
-}  // namespace integrator_detail
-
-namespace integrator_detail {
-
 /// Takes a step of h seconds by `step` (state, whether values were set) after those values are set whose instant is at
 /// its start; the state keeps them where the step fails.
 template <class System, class Step>
@@ -220,6 +211,24 @@ Status with_samples(const System& system, typename System::State& state, double 
   }
 }
 
+/// One step of h seconds by a method that remembers nothing. attempt(care, start, result): see plainly_or_carefully.
+template <class System, class Attempt>
+Status one_step(const System& system, typename System::State& state, double h, const Attempt& attempt) noexcept {
+  using State = typename System::State;
+  const Status status = check_step(h);
+  if (!status.ok()) return status;
+  const auto from_settled = [&](State& start) {
+    State result;
+    const Status stepped =
+        plainly_or_carefully(start, result, [&](auto care, State& to) { return attempt(care, start, to); });
+    if (stepped.ok()) copy_state(result, start);
+    return stepped;
+  };
+  return with_samples(system, state, h, [&](State& sampled, bool) {
+    return with_settled_charts(system, sampled, from_settled, [](const State&, const State&) {});
+  });
+}
+
 }  // namespace integrator_detail
 
 /// One step of h seconds by the classical Runge-Kutta method, four evaluations, then projection. A step that comes near
@@ -229,14 +238,9 @@ Status with_samples(const System& system, typename System::State& state, double 
 /// Source: W. Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichungen", 1901.
 template <class System>
 Status step_rk4(const System& system, typename System::State& state, double h) noexcept {
-  using namespace integrator_detail;
-  const Status status = check_step(h);
-  if (!status.ok()) return status;
   using State = typename System::State;
-  return with_samples(system, state, h, [&](State& sampled, bool) {
-    return with_settled_charts(
-        system, sampled, [&](State& settled) { return settled_rk4(system, settled, h); },
-        [](const State&, const State&) {});
+  return integrator_detail::one_step(system, state, h, [&](auto care, const State& start, State& result) {
+    return integrator_detail::try_rk4<decltype(care)>(system, start, h, result);
   });
 }
 
@@ -254,12 +258,9 @@ Status settled_abm4(const System& system, typename System::State& state, AbmHist
   for (int k = 0; k < 4; ++k) past[k] = &past_rates(history, k);
   if (known == 0) past[0] = &start;
   const int next = (history.newest + history.kRing - 1) % history.kRing;
-  copy_state(state, result);
-  Status status = try_abm4<Plain>(system, state, past, known, h, result, start, history.rates[next]);
-  if (asks_for_care(status)) {
-    copy_state(state, result);
-    status = try_abm4<Careful>(system, state, past, known, h, result, start, history.rates[next]);
-  }
+  const Status status = plainly_or_carefully(state, result, [&](auto care, typename System::State& to) {
+    return try_abm4<decltype(care)>(system, state, past, known, h, to, start, history.rates[next]);
+  });
   if (!status.ok()) return status;
 
   if (known == 0) copy_rates(start, history.rates[history.newest]);
@@ -274,10 +275,6 @@ Status settled_abm4(const System& system, typename System::State& state, AbmHist
   copy_state(result, state);
   return status;
 }
-
-}  // namespace integrator_detail
-
-namespace integrator_detail {
 
 /// Takes the rates of a history from the charts of one state to those of another.
 template <class System>

@@ -113,20 +113,6 @@ Status try_rosenbrock(const System& system, const typename System::State& start,
   return status.ok() ? more_telling(met, status) : status;
 }
 
-/// One step from a state with settled charts.
-template <class System>
-Status settled_rosenbrock(const System& system, typename System::State& state, double h) noexcept {
-  typename System::State result;
-  copy_state(state, result);
-  Status status = try_rosenbrock<Plain>(system, state, h, result);
-  if (asks_for_care(status)) {
-    copy_state(state, result);
-    status = try_rosenbrock<Careful>(system, state, h, result);
-  }
-  if (status.ok()) copy_state(result, state);
-  return status;
-}
-
 }  // namespace integrator_detail
 
 /// One step of h seconds: the matrix once, four evaluations, four solutions, no iteration, then projection. Of order
@@ -134,14 +120,9 @@ Status settled_rosenbrock(const System& system, typename System::State& state, d
 /// Gives notices as step_rk4. Fails: as step_rk4, and implicit_singular.
 template <class System>
 Status step_rosenbrock(const System& system, typename System::State& state, double h) noexcept {
-  using namespace integrator_detail;
-  const Status status = check_step(h);
-  if (!status.ok()) return status;
   using State = typename System::State;
-  return with_samples(system, state, h, [&](State& sampled, bool) {
-    return with_settled_charts(
-        system, sampled, [&](State& settled) { return settled_rosenbrock(system, settled, h); },
-        [](const State&, const State&) {});
+  return integrator_detail::one_step(system, state, h, [&](auto care, const State& start, State& result) {
+    return integrator_detail::try_rosenbrock<decltype(care)>(system, start, h, result);
   });
 }
 
