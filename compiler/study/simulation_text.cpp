@@ -76,9 +76,8 @@ const char* integrator_name(const SimulationRecord& record) {
 /// Steps of a motion with error control.
 std::string control_text(const ErrorControlRecord& control) {
   return fmt::format(
-      "  error control             tolerance {:.3g}: {} steps of {:.3g} to {:.3g} s, order up to {}, {} rejected, {} "
-      "not "
-      "solved,\n                            {} evaluations, {} Jacobians, {} restarts\n",
+      "  error control             tolerance {:.3g}: {} steps of {:.3g} to {:.3g} s, order up to {}, {} rejected, "
+      "{} not solved,\n                            {} evaluations, {} Jacobians, {} restarts\n",
       control.control.tolerance, control.steps, control.shortest, control.longest, control.largest_order,
       control.rejected, control.not_solved, control.evaluations, control.jacobians, control.restarts);
 }

@@ -238,10 +238,6 @@ struct StepJudge {
   }
 };
 
-}  // namespace
-
-namespace {
-
 /// |R(z)| of ROS34PW2 with its matrix exact: the stages of mbgen/rosenbrock.hpp for y' = z y and a step of 1.
 double growth_of_rosenbrock(std::complex<double> z) {
   using namespace integrator_detail;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "compiler/base/user_error.hpp"
@@ -10,17 +11,8 @@
 namespace mbgen {
 namespace {
 
-double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-/// A vector of a body's axes in global ones, at the reference.
-Vector3 in_global_axes(const Matrix3& r, const Vector3& v) {
-  return {r[0] * v[0] + r[1] * v[1] + r[2] * v[2], r[3] * v[0] + r[4] * v[1] + r[5] * v[2],
-          r[6] * v[0] + r[7] * v[1] + r[8] * v[2]};
-}
+using Axis = Eigen::Map<const Eigen::Vector3d>;
+using Axes = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
 
 int ball_of(const Topology& topology, int joint) {
   const auto is_it = [&](const Ball& ball) { return topology.bodies[ball.coordinate[0]].joint == joint; };
@@ -47,12 +39,11 @@ ball_detail::Turn<double> turn_at(const Compilation& compilation, const InitialT
   const TreeBody& second = compilation.topology.bodies[ball.coordinate[1]];
   const Joint& joint = compilation.model.joints[static_cast<std::size_t>(turning.joint)];
   const Body& from = compilation.model.bodies[static_cast<std::size_t>(joint.from.body)];
-  const Vector3 velocity = in_global_axes(from.pose.rotation, turning.angular_velocity);
-  const Vector3 axes[3] = {first.axis, second.axis, cross(first.axis, second.axis)};
+  const Eigen::Vector3d velocity = Axes(from.pose.rotation.data()) * Axis(turning.angular_velocity.data());
+  const Axis one(first.axis.data()), two(second.axis.data());
+  const double along[] = {one.dot(velocity), two.dot(velocity), one.cross(two).dot(velocity)};
   const double* none = nullptr;
   Turn<double> turn = turn_of(read(ball, state.z.data(), none, none));
-  double along[3];
-  for (int k = 0; k < 3; ++k) along[k] = dot(axes[k], velocity);
   for (int row = 0; row < 3; ++row) {
     const double* r = turn.row[row];
     turn.velocity[row] = first.reversed ? -(r[0] * along[0] + r[1] * along[1] + r[2] * along[2]) : along[row];

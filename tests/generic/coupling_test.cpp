@@ -186,10 +186,9 @@ TEST(ScrewJack, HasTheEfficiencyOfAWedge) {
   EXPECT_LT(down.output(0), 0) << "it holds its load";
 }
 
-// A cam lifts its follower by h (1 - cos a): (J + m h'^2) a'' = T - m (g + h'' a'^2) h'.
-TEST(Cam, LiftsItsFollower) {
-  const double inertia = 0.05, mass = 0.4, h = 0.02, torque = 0.3;
-  const std::string model = R"json({ "mbgen": 1,
+/// A cam of 0.05 kg m2 that a follower of 0.4 kg follows. contact: members of the coupling.
+Coupled cam_with(const std::string& contact) {
+  return Coupled(R"({ "mbgen": 1,
     "bodies": {
       "ground": { "points": { "O": [0, 0, 0], "guide": [0, 0, 0.3] } },
       "cam":      { "mass": 1, "inertia": [0.05, 0.05, 0.05], "points": { "O": [0, 0, 0] } },
@@ -198,9 +197,16 @@ TEST(Cam, LiftsItsFollower) {
     "joints": {
       "cam":      { "type": "revolute", "from": "ground.O", "to": "cam.O", "axis": "y" },
       "follower": { "type": "prismatic", "from": "ground.guide", "to": "follower.O", "axis": "z" } },
-    "couplings": { "contact": { "relation": "z.follower - 0.02*(1 - cos(z.cam))" } } })json";
+    "couplings": { "contact": { )" +
+                 contact + R"( } },
+    "outputs": { "push": { "multiplier": "contact" } } })");
+}
+
+// A cam lifts its follower by h (1 - cos a): (J + m h'^2) a'' = T - m (g + h'' a'^2) h'.
+TEST(Cam, LiftsItsFollower) {
+  const double inertia = 0.05, mass = 0.4, h = 0.02, torque = 0.3;
   for (const double a : {0.0, 0.4, 1.3, 2.9, 5.0}) {
-    Coupled cam(model);
+    Coupled cam = cam_with(R"json("relation": "z.follower - 0.02*(1 - cos(z.cam))")json");
     const double rate = 30, slope = h * std::sin(a), curve = h * std::cos(a);
     cam.set("cam", a, rate);
     cam.push("cam", torque);
@@ -226,20 +232,9 @@ std::string points_of(const std::vector<double>& x, const Function& f) {
   return "[" + text + "]";
 }
 
-/// A cam of 0.05 kg m2 that a follower of 0.4 kg follows by a curve; curve: members of the table.
+/// The same by a curve; curve: members of the table.
 Coupled cam_by_table(const std::string& curve) {
-  return Coupled(R"({ "mbgen": 1,
-    "bodies": {
-      "ground": { "points": { "O": [0, 0, 0], "guide": [0, 0, 0.3] } },
-      "cam":      { "mass": 1, "inertia": [0.05, 0.05, 0.05], "points": { "O": [0, 0, 0] } },
-      "follower": { "mass": 0.4, "pose": { "origin": [0, 0, 0.3] }, "inertia": [0.001, 0.001, 0.001],
-                    "points": { "O": [0, 0, 0] } } },
-    "joints": {
-      "cam":      { "type": "revolute", "from": "ground.O", "to": "cam.O", "axis": "y" },
-      "follower": { "type": "prismatic", "from": "ground.guide", "to": "follower.O", "axis": "z" } },
-    "couplings": { "contact": { "joint": "follower", "follows": "cam", "curve": { )" +
-                 curve + R"( } } },
-    "outputs": { "push": { "multiplier": "contact" } } })");
+  return cam_with(R"("joint": "follower", "follows": "cam", "curve": { )" + curve + " }");
 }
 
 /// Lift, slope and curvature of a cam at an angle.
