@@ -2,7 +2,7 @@
 // States of the user's own: what expressions see of them and of the lengths of springs, and their rates.
 
 #include <cstddef>
-#include <vector>
+#include <set>
 
 #include "compiler/formulation/force_work.hpp"
 #include "compiler/model/auxiliary_states.hpp"
@@ -11,12 +11,12 @@ namespace mbgen {
 namespace detail {
 
 /// Of springs, air springs and rods, those whose length or rate an expression of the model looks at.
-inline std::vector<bool> lengths_looked_at(const Model& model) {
+inline std::set<int> lengths_looked_at(const Model& model) {
   using Kind = ExpressionNode::Kind;
-  std::vector<bool> looked_at(model.springs.size() + model.air_springs.size() + model.rods.size());
+  std::set<int> looked_at;
   for (const Expression& expression : model.expressions)
     for (const ExpressionNode& node : expression.nodes)
-      if (node.kind == Kind::length || node.kind == Kind::rate) looked_at[static_cast<std::size_t>(node.index)] = true;
+      if (node.kind == Kind::length || node.kind == Kind::rate) looked_at.insert(node.index);
   return looked_at;
 }
 
@@ -28,16 +28,16 @@ void see_states_and_lengths(System<T>& system, const Kinematics<T>& k, const Vel
   const Model& model = system.model;
   Environment<T>& environment = system.environment;
   environment.states.assign(system.x.begin() + first_user_state(model), system.x.end());
-  const std::vector<bool> looked_at = detail::lengths_looked_at(model);
-  environment.lengths.assign(looked_at.size(), T(0.0));
+  const std::set<int> looked_at = detail::lengths_looked_at(model);
+  environment.lengths.assign(model.springs.size() + model.air_springs.size() + model.rods.size(), T(0.0));
   environment.rates = environment.lengths;
-  const auto see = [&](std::size_t element, const Attachment& from, const Attachment& to) {
-    if (!looked_at[element]) return;
+  const auto see = [&](int element, const Attachment& from, const Attachment& to) {
+    if (!looked_at.contains(element)) return;
     const detail::Line<T> line = detail::line_between(system, k, v, from, to);
     environment.lengths[element] = line.length;
     environment.rates[element] = line.rate;
   };
-  std::size_t element = 0;
+  int element = 0;
   for (const PointSpring& spring : model.springs) see(element++, spring.from, spring.to);
   for (const AirSpring& spring : model.air_springs) see(element++, spring.from, spring.to);
   for (const Rod& rod : model.rods) see(element++, rod.from, rod.to);
