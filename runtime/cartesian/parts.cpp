@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "compiler/algebra/turns.hpp"
+
 namespace mbgen::cartesian {
 namespace {
 
@@ -87,7 +89,7 @@ PartJoint joint_of(const Parts& parts, const Joint& joint, bool cut, const std::
   part.triad_to = triad_on(parts, part.to, has_second ? joint.second_axis : joint.axis);
   if (joint.radius) part.radius = value(*joint.radius);
   if (joint.type == JointType::homokinetic) {
-    const auto bend = Eigen::Quaterniond::FromTwoVectors(vector_of(joint.axis), vector_of(joint.second_axis));
+    const Eigen::Quaterniond bend = shortest_turn(vector_of(joint.axis), vector_of(joint.second_axis));
     part.triad_to = parts.bodies[part.to.body].axes.transpose() * bend * triad(vector_of(joint.axis));
   }
   if (cut) return part;

@@ -2,8 +2,10 @@
 // Equations (5) solved as they stand, by a method that minds neither massless bodies nor redundant equations.
 
 #include <Eigen/Dense>
+#include <limits>
 #include <ostream>
 
+#include "compiler/algebra/dense.hpp"
 #include "runtime/cartesian/cartesian.hpp"
 #include "runtime/cartesian/system.hpp"
 
@@ -36,7 +38,8 @@ inline Solution solve(const CartesianTerms& terms) {
   matrix.bottomLeftCorner(m, n) = terms.jacobian;
   Eigen::VectorXd right(n + m);
   right << terms.force / scale, terms.bias;
-  const Eigen::VectorXd x = matrix.completeOrthogonalDecomposition().solve(right);
+  const double rounding = std::numeric_limits<double>::epsilon() * static_cast<double>(n + m);
+  const Eigen::VectorXd x = least_squares(matrix, right, rounding);
   return {x.head(n), scale * x.tail(m)};
 }
 

@@ -61,7 +61,9 @@ TEST_P(EveryModel, OnlyEquationsOfLoopsCanBeOpen) {
       opening[loop] = std::max(opening[loop], std::abs(residual[e]));
   }
   for (std::size_t l = 0; l < opening.size(); ++l)
-    if (!is_rolling(m.topology.loops[l].kind)) EXPECT_GT(opening[l], 1e-5);
+    if (!is_rolling(m.topology.loops[l].kind)) {
+      EXPECT_GT(opening[l], 1e-5);
+    }
   for (int e = first_motion; e < system.equations(); ++e) EXPECT_EQ(system.loop_of(e), -1);
 }
 

@@ -3,9 +3,10 @@
 
 #include <mujoco/mujoco.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cstdio>
 
+#include "compiler/algebra/dense.hpp"
 #include "tests/import/import_support.hpp"
 
 namespace mbgen {
@@ -159,12 +160,9 @@ VectorXd closed_accelerations(const MujocoRobot& robot) {
   const MatrixXd mass = Eigen::Map<MatrixXd>(full.data(), n, n);
   const VectorXd force = Eigen::Map<VectorXd>(d->qfrc_applied, n) + Eigen::Map<VectorXd>(d->qfrc_passive, n) +
                          Eigen::Map<VectorXd>(d->qfrc_actuator, n) - Eigen::Map<VectorXd>(d->qfrc_bias, n);
-  const Eigen::LDLT<MatrixXd> factors(mass);
-  const VectorXd free = factors.solve(force);
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> closure;
-  closure.setThreshold(1e-8);
-  closure.compute(rows * factors.solve(rows.transpose()));
-  return free + factors.solve(rows.transpose() * closure.solve(-bias - rows * free));
+  const VectorXd free = solved(mass, force);
+  const MatrixXd by_multipliers = solved(mass, rows.transpose());
+  return free + by_multipliers * least_squares(rows * by_multipliers, -bias - rows * free, 1e-8);
 }
 
 struct Case {

@@ -1,9 +1,10 @@
 #pragma once
 // Mechanisms as implicit steps see them: the matrix that a step works with, and that of differences.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
+#include "compiler/algebra/dense.hpp"
 #include "mbgen/rosenbrock.hpp"
 #include "tests/support/dynamics.hpp"
 #include "tests/support/mechanism_support.hpp"
@@ -85,7 +86,8 @@ struct Free {
       for (std::size_t i = 0; i < zd.size(); ++i) zd[i] = kG * (zd[i] + change.zdd[i]);
       changes.col(j) = values(zd, change.zdd, change.xd);
     }
-    return Eigen::MatrixXd::Identity(size, size) / kG - changes.inverse();
+    const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(size, size);
+    return identity / kG - solved(changes, identity);
   }
 };
 

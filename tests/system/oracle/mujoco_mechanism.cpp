@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "compiler/algebra/turns.hpp"
+
 namespace mbgen::foreign {
 namespace {
 
@@ -101,7 +103,7 @@ void add_rod(Writer& w, const ReferenceClosure& rod) {
                                 rod.length - (rod.at_to - rod.at_from).norm());
     return;
   }
-  const Quaterniond frame = Quaterniond::FromTwoVectors(Vector3d::UnitZ(), rod.at_to - rod.at_from);
+  const Quaterniond frame = shortest_turn(Vector3d::UnitZ(), rod.at_to - rod.at_from);
   const double transverse = rod.mass * rod.length * rod.length / 12;
   w.nodes[w.node(rod.from)].sites += fmt::format(
       "<body name=\"{0}\" pos=\"{1}\" quat=\"{2}\"><inertial pos=\"0 0 {3:.17g}\" mass=\"{4:.17g}\" "

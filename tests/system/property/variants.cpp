@@ -1,10 +1,10 @@
 // Mechanisms made of another one: smaller, moved, mirrored, in another order.
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <numeric>
 
+#include "compiler/algebra/dense.hpp"
 #include "tests/system/property/random_mechanism.hpp"
 
 namespace mbgen::testing {
@@ -138,13 +138,13 @@ bool has_plain_joints(const RandomMechanism& m) {
 }
 
 bool has_one_way(const RandomMechanism& mechanism) {
-  Eigen::Matrix<double, 6, 6> lines;
+  Eigen::MatrixXd lines(6, 6);
   for (int k = 0; k < 6; ++k) {
     const RandomJoint& joint = mechanism.joints[mechanism.joints.size() - 6 + static_cast<std::size_t>(k)];
     const Eigen::Vector3d axis(joint.axis.data()), at(joint.at.data());
     lines.col(k) << axis, at.cross(axis);
   }
-  return Eigen::FullPivLU<Eigen::Matrix<double, 6, 6>>(lines).setThreshold(1e-9).rank() == 5;
+  return kernel(lines, 1e-9).cols() == 1;
 }
 
 }  // namespace mbgen::testing
