@@ -8,59 +8,97 @@
 namespace mbgen {
 namespace {
 
-/// The place of a quantity's numbers of the element k and those beside it. before, after: around the name of the array.
-GroupPlace places_of_lanes(const LawShape& law, const std::vector<std::string>& quantities, const std::string& before,
-                           const std::string& after) {
-  GroupPlace place{law.argument, mapped(quantities, [&](const std::string& quantity) {
-                     return before + law.argument + "." + quantity + after;
-                   })};
-  place.element = "k";
-  return place;
+/// How the function of a law sees its elements.
+enum class Elements {
+  in_lanes,     ///< several at once, an element in each lane of a vector
+  one_by_one,   ///< numbers
+  of_instances  ///< one by one, each a vector whose lanes are instances
+};
+
+/// Where a law finds an argument of the element k, or of those beside it.
+std::string argument_text(const LawShape& law, const LawArgument& argument, Elements elements,
+                          const std::string& scalar) {
+  const std::string place = law.argument + "." + argument.name, element = place + "[k]";
+  const auto every_lane = [&](const std::string& number) {
+    return "mbgen::every_lane<" + scalar + ">(" + number + ")";
+  };
+  if (elements == Elements::in_lanes)
+    return argument.is_common ? every_lane(place) : "mbgen::lanes_of(" + place + ", k)";
+  if (argument.is_common) return place;
+  return elements == Elements::of_instances && !argument.numbers.empty() ? every_lane(element) : element;
 }
 
 /// The function of a law.
-ProgramShape function_shape(const EmitContext& context, const SharedLaw& shared, const LawShape& law, bool in_vectors) {
+ProgramShape function_shape(const EmitContext& context, const SharedLaw& shared, const LawShape& law, Elements elements,
+                            const std::string& scalar) {
   ProgramShape shape;
-  shape.title = in_vectors ? "The law of the elements from k on that one vector holds." : "The law of element k.";
+  shape.title = elements == Elements::in_lanes ? "The law of the elements from k on that one vector holds."
+                                               : "The law of element k.";
   shape.function = law.function;
+  shape.scalar = scalar;
   shape.titles = context.titles;
   shape.arguments = {{law.argument, law.type + "& __restrict " + law.argument}, {"k", "int k"}};
-  const std::string after = in_vectors ? ", k)" : "[k]";
-  GroupPlace& arguments = shape.inputs[Array::law_argument] =
-      places_of_lanes(law, shared.arguments, in_vectors ? "mbgen::lanes_of(" : "", after);
-  arguments.locals = shared.arguments;
-  shape.outputs[Array::law_result] = places_of_lanes(law, shared.results, in_vectors ? "mbgen::lanes_at(" : "", after);
+  GroupPlace arguments{law.argument, {}}, results{law.argument, {}};
+  for (const LawArgument& argument : shared.arguments) {
+    arguments.texts.push_back(argument_text(law, argument, elements, scalar));
+    arguments.locals.push_back(argument.name);
+  }
+  for (const std::string& name : shared.results) {
+    const std::string place = law.argument + "." + name;
+    results.texts.push_back(elements == Elements::in_lanes ? "mbgen::lanes_at(" + place + ", k)" : place + "[k]");
+  }
+  arguments.element = results.element = "k";
+  shape.inputs[Array::law_argument] = std::move(arguments);
+  shape.outputs[Array::law_result] = std::move(results);
   return shape;
+}
+
+/// The arguments that are known numbers, unless the law's program has them itself.
+FrameRows known_rows(const SharedLaw& shared, const LawShape& law, const std::string& scalar) {
+  FrameRows rows;
+  for (const LawArgument& argument : shared.arguments) {
+    if (argument.numbers.empty() || argument.is_common) continue;
+    const std::string place = argument.name + "[" + std::to_string(law.elements) + "] = ";
+    rows.push_back({{"member", braced_list("  static constexpr " + scalar + " " + place,
+                                           number_texts(argument.numbers, scalar), ";")}});
+  }
+  return rows;
 }
 
 std::string law_text(const EmitContext& context, std::size_t k, const std::string& scalar, ConstantNames* constants) {
   const SharedLaw& shared = context.programs.laws[k];
   const LawShape law = law_shape(context, k);
-  const bool in_vectors = scalar == "double";
-  ProgramShape shape = function_shape(context, shared, law, in_vectors);
+  const Elements seen = scalar == "double"  ? Elements::in_lanes
+                        : scalar == "float" ? Elements::one_by_one
+                                            : Elements::of_instances;
   const std::string vector = "Lanes" + law.type;
-  shape.scalar = in_vectors ? vector : scalar;
+  ProgramShape shape = function_shape(context, shared, law, seen, seen == Elements::in_lanes ? vector : scalar);
   shape.constants = constants;
-  FrameRows members;
-  for (const auto* names : {&shared.arguments, &shared.results})
-    for (const std::string& name : *names) members.push_back({{"name", name}});
+  FrameRows common, members;
+  for (const LawArgument& argument : shared.arguments)
+    if (argument.numbers.empty()) (argument.is_common ? common : members).push_back({{"name", argument.name}});
+  for (const std::string& name : shared.results) members.push_back({{"name", name}});
   const std::string elements =
       joined(mapped(shared.tyres, [&](int tyre) { return context.model.tyres[tyre].name; }), ", ");
   const Schedule order = schedule(shared.program, {.order = ValueOrder::fewest_alive});
   return fill_template(
-      "law.in", {{"comment", wrapped_words("Tyres of one law: " + comment_text(elements) +
-                                               ". Contact, properties, forces and rates, with the names and units of "
-                                               "mbgen/tyre.hpp, a number of each tyre.",
-                                           "/// ")},
-                 {"type", law.type},
-                 {"number", scalar},
-                 {"elements", law.elements},
-                 {"members", members},
-                 {"in_vectors", in_vectors},
-                 {"one_by_one", scalar == "float"},
-                 {"lanes", law.lanes},
-                 {"vector", vector},
-                 {"program", program_text(shared.program, order, shape)}});
+      "law.in",
+      {{"comment", wrapped_words("Tyres of one law: " + comment_text(elements) +
+                                     ". The road's normal, the wheel's axis, the height and the motion of its "
+                                     "centre, forces and moment there, in the axes of the frame that carries "
+                                     "the wheel; the other names and the units are those of mbgen/tyre.hpp.",
+                                 "/// ")},
+       {"type", law.type},
+       {"number", scalar},
+       {"elements", law.elements},
+       {"known", known_rows(shared, law, scalar == "float" ? scalar : "double")},
+       {"common", common},
+       {"members", members},
+       {"in_vectors", seen == Elements::in_lanes},
+       {"one_by_one", seen == Elements::one_by_one},
+       {"lanes", law.lanes},
+       {"vector", vector},
+       {"program", program_text(shared.program, order, shape)}});
 }
 
 }  // namespace

@@ -120,21 +120,25 @@ bool is_written(Role role, const EmitContext& context) {
   return role != Role::accelerations_chosen || ((!layout.blocks.empty() || layout.balls > 0) && layout.chooses_again);
 }
 
-/// The place of every element's number of every quantity.
-GroupPlace places_of_elements(const LawShape& law, const std::vector<std::string>& quantities) {
-  GroupPlace place{law.argument, {}};
-  for (const std::string& quantity : quantities)
-    for (const std::string& text : indexed(law.argument + "." + quantity, law.elements)) place.texts.push_back(text);
-  return place;
-}
-
 /// Names the shared laws in the shape of the program around them.
 void add_laws(const EmitContext& context, ProgramShape& shape) {
   for (std::size_t k = 0; k < context.programs.laws.size(); ++k) {
     const SharedLaw& shared = context.programs.laws[k];
     const LawShape law = law_shape(context, k);
-    shape.outputs[of_block(Array::law_argument, k)] = places_of_elements(law, shared.arguments);
-    shape.inputs[of_block(Array::law_result, k)] = places_of_elements(law, shared.results);
+    GroupPlace arguments{law.argument, {}}, results{law.argument, {}};
+    const auto add = [&](GroupPlace& place, const std::string& name) {
+      for (const std::string& text : indexed(law.argument + "." + name, law.elements)) place.texts.push_back(text);
+    };
+    for (const LawArgument& argument : shared.arguments) {
+      if (!argument.numbers.empty()) continue;
+      if (argument.is_common)
+        arguments.texts.push_back(law.argument + "." + argument.name);
+      else
+        add(arguments, argument.name);
+    }
+    for (const std::string& name : shared.results) add(results, name);
+    shape.outputs[of_block(Array::law_argument, k)] = arguments;
+    shape.inputs[of_block(Array::law_result, k)] = results;
     shape.laws.push_back(law);
   }
 }

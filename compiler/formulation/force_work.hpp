@@ -7,8 +7,8 @@
 #include <type_traits>
 
 #include "compiler/formulation/motion.hpp"
+#include "compiler/formulation/wheel_contact.hpp"
 #include "compiler/model/curve.hpp"
-#include "mbgen/tyre.hpp"
 
 namespace mbgen {
 
@@ -47,7 +47,7 @@ struct AppliedForces {
   std::vector<Action<T>> actions;  ///< terms of the sum `wrench`, and actions on bodies fixed to ground
   std::vector<T> xd;               ///< rates of the auxiliary states
   std::vector<ElementState<T>> springs, air_springs;
-  std::vector<TyreResult<T>> tyres;
+  std::vector<TyreResult<T>> tyres;  ///< zero where a law is shared
   std::vector<BushingState<T>> bushings;
   std::vector<BumpStopState<T>> bump_stops;
   MotionPoint about = MotionPoint::frame_origin;  ///< point of the body that wrenches are about
@@ -58,7 +58,7 @@ namespace detail {
 /// The forces of a tyre (index into Model::tyres) by a law that several share, none where it shares none.
 template <class T>
 using SharedTyreLaw =
-    std::function<std::optional<TyreResult<T>>(std::size_t tyre, const TyreProperties<T>&, const TyreContact<T>&)>;
+    std::function<std::optional<WheelForces<T>>(std::size_t tyre, const TyreProperties<T>&, const WheelMotion<T>&)>;
 
 /// State that the force elements read, and sums that they add to.
 template <class T>

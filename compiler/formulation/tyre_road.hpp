@@ -1,18 +1,10 @@
 #pragma once
-// Geometry of a wheel on a flat horizontal road, around the tyre law of the runtime's header tyre.hpp.
+// Tyres on a flat horizontal road, around the tyre law of the runtime's header tyre.hpp.
 
 #include "compiler/formulation/force_work.hpp"
 
 namespace mbgen {
 namespace detail {
-
-/// Contact of a wheel: axes and point in the frame that carries the wheel body.
-template <class T>
-struct RoadContact {
-  Vector<T> forward, left, up;  ///< unit
-  Vector<T> point;              ///< m, from the point that the wheel body's motion is about
-  TyreContact<T> motion;
-};
 
 /// Spin axis of the wheel in its carrying frame; the joint's own axis where they agree, so that the spin angle drops
 /// out.
@@ -28,39 +20,34 @@ Vector<T> spin_axis(const System<T>& system, const Kinematics<T>& k, const Tyre&
   return direction_in(system, k, body, constant<T>(tyre.axis), carrier);
 }
 
+/// A wheel in the axes of the frame that carries it.
 template <class T>
-RoadContact<T> road_contact(const ForceWork<T>& work, const Tyre& tyre, std::size_t index) {
-  using std::atan;
+WheelMotion<T> wheel_motion(const ForceWork<T>& work, const Tyre& tyre, std::size_t index) {
   const System<T>& system = work.system;
   const Place<T> centre = work.place(tyre.centre);
   const int carrier = system.layout.frame_of(centre.body);
-  const Vector<T> up = direction_up(system, work.k, kGround, Vector<T>{T(0.0), T(0.0), T(1.0)}, carrier);
-  const Vector<T> axis = spin_axis(system, work.k, tyre, centre.body);
-  const Vector<T> across = cross(axis, up);
-  const T cosine = norm(across), sine = dot(axis, up);
-  RoadContact<T> c;
-  c.up = up;
-  c.forward = (T(1.0) / cosine) * across;
-  c.left = cross(up, c.forward);
-  const T height = position_in(system, work.k, centre, kGround).z - work.value(tyre.road_height, "road", tyre.name);
-  const T loaded_radius = height / cosine;
-  const Vector<T> down = (loaded_radius / cosine) * (sine * axis - up);  // from the centre to the contact point
-  const Vector<T> at = arm_of(system, work.k, centre, work.v.about);
-  c.point = at + down;
+  WheelMotion<T> wheel;
+  wheel.up = direction_up(system, work.k, kGround, Vector<T>{T(0.0), T(0.0), T(1.0)}, carrier);
+  wheel.axis = spin_axis(system, work.k, tyre, centre.body);
+  wheel.height = position_in(system, work.k, centre, kGround).z - work.value(tyre.road_height, "road", tyre.name);
   const Spatial<T> velocity = velocity_of(system, work.v, centre.body);
-  const Vector<T> centre_velocity = velocity_at(velocity, at);
-  const T spin = dot(velocity.angular, axis);
-  const Vector<T> turning = velocity.angular - spin * axis;
-  const T sine_rate = dot(cross(velocity.angular, axis), up);
-  c.motion.deflection = work.value(tyre.radius, "radius", tyre.name) - loaded_radius;
-  c.motion.deflection_rate = -(dot(centre_velocity, up) + loaded_radius * sine * sine_rate / cosine) / cosine;
-  c.motion.vx = dot(centre_velocity, c.forward);
-  c.motion.vy = dot(centre_velocity + cross(turning, down), c.left);
-  c.motion.spin = spin;
-  c.motion.camber = atan(sine / cosine);
-  c.motion.u = system.x[2 * index];
-  c.motion.v = system.x[2 * index + 1];
-  return c;
+  wheel.velocity = velocity_at(velocity, arm_of(system, work.k, centre, work.v.about));
+  wheel.angular = velocity.angular;
+  wheel.u = system.x[2 * index];
+  wheel.v = system.x[2 * index + 1];
+  return wheel;
+}
+
+/// The contact of a wheel, and where it is: m, from the point that the wheel body's motion is about.
+template <class T>
+struct PlacedContact {
+  RoadContact<T> contact;
+  Vector<T> point;
+};
+template <class T>
+PlacedContact<T> placed_contact(const ForceWork<T>& work, const Tyre& tyre, const WheelMotion<T>& wheel) {
+  const RoadContact<T> contact = road_contact(wheel, work.value(tyre.radius, "radius", tyre.name));
+  return {contact, arm_of(work.system, work.k, work.place(tyre.centre), work.v.about) + contact.down};
 }
 
 /// Properties of a mounted tyre; value: of a quantity of the tyre with the meaning of its name.
@@ -92,35 +79,52 @@ TyreResult<T> tyre_law(TyreModel model, const std::vector<T>& coefficients, cons
   return with_tyre_set(model, coefficients, [&](const auto& set) { return tyre_forces(set, properties, contact); });
 }
 
+/// Properties of a mounted tyre, named.
 template <class T>
-TyreResult<T> tyre_result(const ForceWork<T>& work, const Tyre& tyre, std::size_t index,
-                          const TyreContact<T>& contact) {
-  const TyreProperties<T> properties = tyre_properties<T>(
-      tyre, [&](const Quantity& q, const char* meaning) { return work.value(q, meaning, tyre.name); });
-  if (work.shared_law) {
-    if (std::optional<TyreResult<T>> result = work.shared_law(index, properties, contact)) return *result;
-  }
+TyreProperties<T> tyre_properties(const ForceWork<T>& work, const Tyre& tyre) {
+  return tyre_properties<T>(tyre,
+                            [&](const Quantity& q, const char* meaning) { return work.value(q, meaning, tyre.name); });
+}
+
+template <class T>
+TyreResult<T> tyre_result(const ForceWork<T>& work, const Tyre& tyre, const TyreContact<T>& contact) {
+  const TyreProperties<T> properties = tyre_properties(work, tyre);
   std::vector<T> coefficients;
   for (const Quantity& q : tyre.coefficients) coefficients.push_back(work.value(q));
   return tyre_law(tyre.model, coefficients, properties, contact);
 }
 
+/// Leaves a tyre to a law that several share. Result: false where it shares none.
+template <class T>
+bool act_by_shared_law(ForceWork<T>& work, const Tyre& tyre, std::size_t i, const WheelMotion<T>& wheel) {
+  if (!work.shared_law) return false;
+  const std::optional<WheelForces<T>> on_wheel = work.shared_law(i, tyre_properties(work, tyre), wheel);
+  if (!on_wheel) return false;
+  act(work, {tyre.centre.body, on_wheel->wrench.linear, on_wheel->wrench.angular,
+             arm_of(work.system, work.k, work.place(tyre.centre), work.v.about)});
+  work.forces.xd[2 * i] = on_wheel->du;
+  work.forces.xd[2 * i + 1] = on_wheel->dv;
+  return true;
+}
+
 template <class T>
 void tyres(ForceWork<T>& work) {
+  work.forces.tyres.resize(work.system.model.tyres.size());
   for (std::size_t i = 0; i < work.system.model.tyres.size(); ++i) {
     const Tyre& tyre = work.system.model.tyres[i];
     const auto heading = work.system.scribe.within(OwnerKind::tyre, i);
-    const RoadContact<T> contact = road_contact(work, tyre, i);
-    const TyreResult<T> result = tyre_result(work, tyre, i, contact.motion);
-    const Vector<T> force = result.fx * contact.forward + result.fy * contact.left + result.load * contact.up;
-    const Vector<T> moment = result.mx * contact.forward + result.my * contact.left + result.mz * contact.up;
+    const WheelMotion<T> wheel = wheel_motion(work, tyre, i);
+    if (act_by_shared_law(work, tyre, i, wheel)) continue;
+    const auto [contact, point] = placed_contact(work, tyre, wheel);
+    const TyreResult<T> result = tyre_result(work, tyre, contact.motion);
+    const Spatial<T> wrench = tyre_wrench(contact, result);
     work.system.scribe.name(result.load, "load_", tyre.name);
     work.system.scribe.name(result.fx, "fx_", tyre.name);
     work.system.scribe.name(result.fy, "fy_", tyre.name);
-    act(work, {tyre.centre.body, force, moment, contact.point});
+    act(work, {tyre.centre.body, wrench.linear, wrench.angular, point});
     work.forces.xd[2 * i] = result.du;
     work.forces.xd[2 * i + 1] = result.dv;
-    work.forces.tyres.push_back(result);
+    work.forces.tyres[i] = result;
   }
 }
 

@@ -60,18 +60,18 @@ template <class T>
 ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_t index) {
   using S = Slope<T>;
   using C = TyreContact<S>;
-  const RoadContact<T> contact = road_contact(work, tyre, index);
+  const auto [contact, point] = placed_contact(work, tyre, wheel_motion(work, tyre, index));
   const TyreProperties<S> properties = properties_of<S>(work, tyre);
   const TyreProperties<T> plain = properties_of<T>(work, tyre);
   const T radius = tyre_law::rolling_radius(plain, contact.motion);
   const T lever = radius - (plain.radius - contact.motion.deflection);
   std::vector<std::vector<T>> rows(3, std::vector<T>(work.system.topology.bodies.size(), T(0.0)));
   const int body = work.system.topology.tree_body[tyre.centre.body];
-  Spatial<T> along = force_at(contact.forward, contact.point);
+  Spatial<T> along = force_at(contact.forward, point);
   along.angular = along.angular - lever * contact.left;
   add_wrench(work, body, kGround, along, rows[0]);
-  add_wrench(work, body, kGround, force_at(contact.left, contact.point), rows[1]);
-  add_wrench(work, body, kGround, force_at(contact.up, contact.point), rows[2]);
+  add_wrench(work, body, kGround, force_at(contact.left, point), rows[1]);
+  add_wrench(work, body, kGround, force_at(contact.up, point), rows[2]);
   ElementTangents<T> element = element_tangents<T>(std::move(rows), 2, static_cast<int>(2 * index));
 
   C loaded{contact.motion.deflection, contact.motion.deflection_rate, {}, {}, {}, {}, {}, {}};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -71,6 +72,13 @@ std::vector<Program*> solver_programs(Programs& programs) {
   if (!programs.laws.empty()) list.push_back(&programs.around_laws);
   for (SharedLaw& law : programs.laws) list.push_back(&law.program);
   return list;
+}
+
+int argument_place(const SharedLaw& law, std::size_t argument, std::size_t element) {
+  std::size_t place = 0;
+  for (const LawArgument& before : std::span(law.arguments).first(argument))
+    if (before.numbers.empty()) place += before.is_common ? 1 : law.tyres.size();
+  return static_cast<int>(place + (law.arguments[argument].is_common ? 0 : element));
 }
 
 Programs with_shared_laws(Programs programs) {

@@ -46,14 +46,27 @@ const std::vector<ProgramSpec>& program_specs();
 const ProgramSpec& spec_of(Role role);
 const char* name_of(Role role);
 
+/// What a law takes of its elements.
+struct LawArgument {
+  std::string name;
+  bool is_common = false;            ///< one value for all elements
+  std::vector<double> numbers = {};  ///< an element, where they are known before anything runs
+};
+
 /// A force law that several elements have in common: a program of its own, which is written in lanes, an element in
-/// each. It takes Array::law_argument and gives Array::law_result, a number a quantity. The accelerations around it
-/// give all arguments and take all results of law k as of_block(array, k), number quantity * elements + element.
+/// each. It takes Array::law_argument and gives Array::law_result, a number an argument or result. The accelerations
+/// around it give the arguments of law k that are no numbers as of_block(Array::law_argument, k), see argument_place,
+/// and take its results as of_block(Array::law_result, k), number result * elements + element.
 struct SharedLaw {
   Program program;
-  std::vector<int> tyres;                       ///< the elements: indices into Model::tyres
-  std::vector<std::string> arguments, results;  ///< names of the quantities
+  std::vector<int> tyres;  ///< the elements: indices into Model::tyres
+  std::vector<LawArgument> arguments;
+  std::vector<std::string> results;
 };
+
+/// Place of an element's argument among those that the accelerations around a law give; a common one has a single
+/// place.
+int argument_place(const SharedLaw& law, std::size_t argument, std::size_t element);
 
 /// Programs that a model does not need are empty.
 struct Programs {

@@ -19,8 +19,11 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
                                       Role role = Role::accelerations, RecursionChoices choices = {},
                                       const std::vector<SharedLaw>& laws = {});
 
-/// The laws of tyres that have one set of coefficients, each of two or more.
-std::vector<SharedLaw> trace_shared_laws(const Model& model);
+/// The laws of tyres that have one set of coefficients, each of two or more; their programs are still empty.
+std::vector<SharedLaw> plan_shared_laws(const Model& model);
+/// Their programs. around: the accelerations traced with the planned laws; loses what it gives as numbers, and all but
+/// one of the values that an argument has for all elements.
+void trace_shared_laws(const Model& model, std::vector<SharedLaw>& laws, Program& around);
 
 /// The frozen program with the reference points of the blocks' bodies that take fewer operations, and these choices.
 struct CheapestRecursion {

@@ -1,8 +1,8 @@
 #include "compiler/trace/shared_laws.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "compiler/formulation/tyre_road.hpp"
@@ -14,42 +14,48 @@ namespace {
 /// A law of one tyre alone saves nothing.
 constexpr std::size_t kFewestTyres = 2;
 
-/// Numbers of a tyre's contact, of its properties and of its result, by name.
-template <class Struct>
-struct ByName {
-  const char* name;
-  Expr Struct::*member;
-};
-using Contact = TyreContact<Expr>;
+using Wheel = WheelMotion<Expr>;
 using Properties = TyreProperties<Expr>;
-using Forces = TyreResult<Expr>;
+using Forces = WheelForces<Expr>;
 
-constexpr ByName<Contact> kContact[] = {{"deflection", &Contact::deflection},
-                                        {"deflection_rate", &Contact::deflection_rate},
-                                        {"vx", &Contact::vx},
-                                        {"vy", &Contact::vy},
-                                        {"spin", &Contact::spin},
-                                        {"camber", &Contact::camber},
-                                        {"u", &Contact::u},
-                                        {"v", &Contact::v}};
-/// A property, also where it is known before anything is traced.
-struct Property : ByName<Properties> {
-  double TyreProperties<double>::*number;
-};
-constexpr Property kProperties[] = {
-    {{"radius", &Properties::radius}, &TyreProperties<double>::radius},
-    {{"stiffness", &Properties::stiffness}, &TyreProperties<double>::stiffness},
-    {{"damping", &Properties::damping}, &TyreProperties<double>::damping},
-    {{"friction", &Properties::friction}, &TyreProperties<double>::friction},
-    {{"rolling_resistance", &Properties::rolling_resistance}, &TyreProperties<double>::rolling_resistance},
-    {{"relaxation_x", &Properties::relaxation_x}, &TyreProperties<double>::relaxation_x},
-    {{"relaxation_y", &Properties::relaxation_y}, &TyreProperties<double>::relaxation_y},
-    {{"low_speed", &Properties::low_speed}, &TyreProperties<double>::low_speed},
-    {{"side", &Properties::side}, &TyreProperties<double>::side},
-    {{"count", &Properties::count}, &TyreProperties<double>::count}};
-constexpr ByName<Forces> kResult[] = {{"load", &Forces::load}, {"fx", &Forces::fx}, {"fy", &Forces::fy},
-                                      {"mx", &Forces::mx},     {"my", &Forces::my}, {"mz", &Forces::mz},
-                                      {"du", &Forces::du},     {"dv", &Forces::dv}};
+/// Calls use(name, component) for a vector's components.
+template <class Use>
+void each_component(const std::string& name, Vector<Expr>& v, const Use& use) {
+  use(name + "_x", v.x);
+  use(name + "_y", v.y);
+  use(name + "_z", v.z);
+}
+
+/// Calls use(name, number) for all that the law takes of a tyre and its wheel.
+template <class Use>
+void each_argument(Wheel& wheel, Properties& tyre, const Use& use) {
+  each_component("up", wheel.up, use);
+  each_component("axis", wheel.axis, use);
+  use("height", wheel.height);
+  each_component("velocity", wheel.velocity, use);
+  each_component("angular", wheel.angular, use);
+  use("u", wheel.u);
+  use("v", wheel.v);
+  use("radius", tyre.radius);
+  use("stiffness", tyre.stiffness);
+  use("damping", tyre.damping);
+  use("friction", tyre.friction);
+  use("rolling_resistance", tyre.rolling_resistance);
+  use("relaxation_x", tyre.relaxation_x);
+  use("relaxation_y", tyre.relaxation_y);
+  use("low_speed", tyre.low_speed);
+  use("side", tyre.side);
+  use("count", tyre.count);
+}
+
+/// Calls use(name, number) for all that the law gives.
+template <class Use>
+void each_result(Forces& forces, const Use& use) {
+  each_component("force", forces.wrench.linear, use);
+  each_component("moment", forces.wrench.angular, use);
+  use("du", forces.du);
+  use("dv", forces.dv);
+}
 
 bool is_number(const Quantity& quantity) { return quantity.expression < 0; }
 
@@ -73,80 +79,97 @@ std::vector<std::vector<int>> tyres_of_laws(const Model& model) {
   return groups;
 }
 
-/// A property that is the same number for all tyres of a law; none for one that is its argument.
-std::optional<double> common_number(const Model& model, const std::vector<int>& tyres, const Property& property) {
-  constexpr double kLater = std::numeric_limits<double>::quiet_NaN();
-  const auto number = [&](int tyre) {
-    return detail::tyre_properties<double>(
-               model.tyres[tyre], [&](const Quantity& q, const char*) { return is_number(q) ? q.value : kLater; }).*
-           property.number;
-  };
-  const double first = number(tyres.front());
-  if (std::ranges::all_of(tyres, [&](int tyre) { return number(tyre) == first; })) return first;
-  return {};
-}
-
-SharedLaw traced_law(const Model& model, std::vector<int> tyres) {
-  ProgramBuilder builder("tyres");
-  Scribe<Expr> scribe{builder};
-  const auto step = scribe.step(Step::forces);
+/// A law whose program is still to be traced.
+SharedLaw planned_law(std::vector<int> tyres) {
   SharedLaw law;
-  const auto argument = [&](const char* name) {
-    law.arguments.emplace_back(name);
-    return Expr(builder, builder.input(Array::law_argument, static_cast<int>(law.arguments.size()) - 1));
-  };
-  Contact contact;
-  for (const auto& [name, member] : kContact) contact.*member = argument(name);
+  Wheel wheel;
   Properties properties;
-  for (const Property& property : kProperties) {
-    const std::optional<double> number = common_number(model, tyres, property);
-    properties.*property.member = number ? Expr(*number) : argument(property.name);
-  }
-  const Tyre& first = model.tyres[tyres.front()];
-  std::vector<Expr> coefficients;
-  for (const Quantity& q : first.coefficients) coefficients.emplace_back(q.value);
-  const Forces result = detail::tyre_law(first.model, coefficients, properties, contact);
-  for (const auto& [name, member] : kResult) {
-    if (is_zero(result.*member)) continue;  // the overturning moment of most sets
-    scribe.name(result.*member, name);
-    builder.output(Array::law_result, static_cast<int>(law.results.size()), (result.*member).value(builder));
-    law.results.emplace_back(name);
-  }
-  law.program = builder.finish_in_canonical_order();
+  Forces forces;
+  each_argument(wheel, properties, [&](const std::string& name, Expr&) { law.arguments.push_back({name}); });
+  each_result(forces, [&](const std::string& name, Expr&) { law.results.push_back(name); });
   law.tyres = std::move(tyres);
   return law;
 }
 
+/// Takes out of the program around a law what it gives as constants, and all but one of equal values.
+void gather_constants(SharedLaw& law, SlotGroup group, Program& around) {
+  const std::size_t elements = law.tyres.size();
+  std::vector<ValueId> given(law.arguments.size() * elements, kNoValue);
+  for (const OutputValue& output : around.outputs)
+    if (output.slot.group == group) given[static_cast<std::size_t>(output.slot.index)] = output.value;
+  std::erase_if(around.outputs, [&](const OutputValue& output) { return output.slot.group == group; });
+  for (std::size_t a = 0; a < law.arguments.size(); ++a) {
+    LawArgument& argument = law.arguments[a];
+    const std::span<const ValueId> values = std::span(given).subspan(a * elements, elements);
+    if (std::ranges::all_of(values, [&](ValueId v) { return around.nodes[v].op == Op::constant; }))
+      for (const ValueId v : values) argument.numbers.push_back(around.nodes[v].constant);
+    const auto same = [](const auto& all) { return std::ranges::count(all, all[0]) == std::ssize(all); };
+    argument.is_common = argument.numbers.empty() ? same(values) : same(argument.numbers);
+    if (!argument.numbers.empty()) continue;
+    for (std::size_t k = 0; k < (argument.is_common ? 1 : elements); ++k)
+      around.outputs.push_back({{group, argument_place(law, a, k)}, values[k]});
+  }
+}
+
+Program traced_law(const Model& model, const SharedLaw& law) {
+  ProgramBuilder builder("tyres");
+  Scribe<Expr> scribe{builder};
+  const auto step = scribe.step(Step::forces);
+  Wheel wheel;
+  Properties properties;
+  int argument = 0;
+  each_argument(wheel, properties, [&](const std::string&, Expr& number) {
+    const LawArgument& known = law.arguments[static_cast<std::size_t>(argument)];
+    number = known.is_common && !known.numbers.empty() ? Expr(known.numbers[0])
+                                                       : Expr(builder, builder.input(Array::law_argument, argument));
+    ++argument;
+  });
+  const Tyre& first = model.tyres[law.tyres.front()];
+  std::vector<Expr> coefficients;
+  for (const Quantity& q : first.coefficients) coefficients.emplace_back(q.value);
+  const RoadContact<Expr> contact = road_contact(wheel, properties.radius);
+  const TyreResult<Expr> tyre = detail::tyre_law(first.model, coefficients, properties, contact.motion);
+  Forces forces{tyre_wrench(contact, tyre), tyre.du, tyre.dv};
+  forces.wrench.angular = forces.wrench.angular + cross(contact.down, forces.wrench.linear);
+  int result = 0;
+  each_result(forces, [&](const std::string& name, Expr& number) {
+    scribe.name(number, name);
+    builder.output(Array::law_result, result++, number.value(builder));
+  });
+  return builder.finish_in_canonical_order();
+}
+
 }  // namespace
 
-std::vector<SharedLaw> trace_shared_laws(const Model& model) {
+std::vector<SharedLaw> plan_shared_laws(const Model& model) {
   std::vector<SharedLaw> laws;
-  for (std::vector<int>& tyres : tyres_of_laws(model)) laws.push_back(traced_law(model, std::move(tyres)));
+  for (std::vector<int>& tyres : tyres_of_laws(model)) laws.push_back(planned_law(std::move(tyres)));
   return laws;
 }
 
+void trace_shared_laws(const Model& model, std::vector<SharedLaw>& laws, Program& around) {
+  for (std::size_t k = 0; k < laws.size(); ++k) {
+    gather_constants(laws[k], of_block(Array::law_argument, k), around);
+    laws[k].program = traced_law(model, laws[k]);
+  }
+}
+
 detail::SharedTyreLaw<Expr> shared_tyre_law(Tracing& tracing, const std::vector<SharedLaw>& laws) {
-  return [&](std::size_t tyre, const Properties& properties, const Contact& contact) -> std::optional<Forces> {
+  return [&](std::size_t tyre, Properties properties, Wheel wheel) -> std::optional<Forces> {
     for (std::size_t k = 0; k < laws.size(); ++k) {
       const SharedLaw& law = laws[k];
       const auto place = std::ranges::find(law.tyres, static_cast<int>(tyre));
       if (place == law.tyres.end()) continue;
       const int elements = static_cast<int>(law.tyres.size()), element = static_cast<int>(place - law.tyres.begin());
-      const auto slot = [&](const std::vector<std::string>& names, const char* name) -> std::optional<int> {
-        const auto found = std::ranges::find(names, name);
-        if (found == names.end()) return {};
-        return static_cast<int>(found - names.begin()) * elements + element;
-      };
-      const auto give = [&](const char* name, const Expr& value) {
-        if (const auto at = slot(law.arguments, name)) tracing.output(of_block(Array::law_argument, k), *at, value);
-      };
-      for (const auto& [name, member] : kContact) give(name, contact.*member);
-      for (const Property& property : kProperties) give(property.name, properties.*property.member);
-      Forces result;
-      for (const auto& [name, member] : kResult)
-        if (const auto at = slot(law.results, name))
-          result.*member = tracing.input(of_block(Array::law_result, k), *at);
-      return result;
+      int argument = element, result = element;
+      each_argument(wheel, properties, [&](const std::string&, Expr& number) {
+        tracing.output(of_block(Array::law_argument, k), std::exchange(argument, argument + elements), number);
+      });
+      Forces forces;
+      each_result(forces, [&](const std::string&, Expr& number) {
+        number = tracing.input(of_block(Array::law_result, k), std::exchange(result, result + elements));
+      });
+      return forces;
     }
     return {};
   };

@@ -36,10 +36,12 @@ Programs trace(const Model& model, const Topology& topology, const Analysis& ana
     if (chooses)
       programs.accelerations_chosen =
           trace_recursive_accelerations(model, topology, analysis, Role::accelerations_chosen, choices);
-    programs.laws = trace_shared_laws(model);
-    if (!programs.laws.empty())
+    programs.laws = plan_shared_laws(model);
+    if (!programs.laws.empty()) {
       programs.around_laws =
           trace_recursive_accelerations(model, topology, analysis, Role::accelerations, choices, programs.laws);
+      trace_shared_laws(model, programs.laws, programs.around_laws);
+    }
   }
   programs.closure = trace_closure(model, topology, analysis, programs.form);
   if (!topology.loops.empty()) programs.closure_terms = trace_closure_terms(model, topology, analysis, programs.form);

@@ -24,6 +24,12 @@ struct LaneTypes {
   typedef double InArray __attribute__((vector_size(8 * W), aligned(8), may_alias));
 };
 
+/// One number in every lane.
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes every_lane(double number) noexcept {
+  return lanes_detail::all<Lanes>(number);
+}
+
 /// Result of a comparison of vectors: all bits of a lane where it holds, none elsewhere.
 template <class Lanes>
 using MaskOf = decltype(Lanes() < Lanes());
