@@ -273,15 +273,18 @@ TEST_F(Driven, EvaluatePrintsTheDrivingForces) {
 
 // The coach steered at its pitman arm by recorded steering, against the motion over time that was recorded.
 TEST_F(Driven, CoachIsSteeredByATable) {
-  std::string text = text_of("models/coach.json");
-  text = replaced(
-      text, "[\"coach_mechanism.json\", \"parts/coach_road.json\", \"parts/coach_shapes.json\", \"tyres/",
-      fmt::format("[\"{0}/coach_mechanism.json\", \"{0}/parts/coach_road.json\", \"{0}/parts/coach_shapes.json\", "
-                  "\"{0}/tyres/",
-                  source("models")));
-  write("coach.json", text);
-  text = replaced(text, R"j("steer_amplitude*sin(2*pi*steer_frequency*t)*(1 - exp(-(t/0.4)^2))")j", R"("steer")");
-  write("steered.json", replaced(text, R"("motions": {)", R"("inputs": {
+  const std::string slalom = text_of("models/parts/coach_slalom.json");
+  const auto write_coach = [&](const std::string& name, const std::string& drives) {
+    write(name + "_drives.json", drives);
+    std::string text = text_of("models/coach.json");
+    for (const char* part : {"coach_mechanism", "parts/coach_road", "parts/coach_shapes", "tyres/315_80_R22"})
+      text = replaced(text, fmt::format("\"{}.json\"", part), fmt::format("\"{}/{}.json\"", source("models"), part));
+    write(name + ".json", replaced(text, "parts/coach_slalom.json", name + "_drives.json"));
+  };
+  write_coach("coach", slalom);
+  const std::string by_input =
+      replaced(slalom, R"j("steer_amplitude*sin(2*pi*steer_frequency*t)*(1 - exp(-(t/0.4)^2))")j", R"("steer")");
+  write_coach("steered", replaced(by_input, R"("motions": {)", R"("inputs": {
     "steer": { "unit": "rad", "derivative": "steer_rate" },
     "steer_rate": { "unit": "rad/s", "derivative": "steer_acceleration" }, "steer_acceleration": { "unit": "rad/s^2" } },
     "motions": {)"));

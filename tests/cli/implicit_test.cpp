@@ -1,4 +1,5 @@
-// The linearly implicit integrator as users meet it: stiff models at steps that Runge-Kutta does not bear.
+// The linearly implicit integrator as users meet it: stiff models at steps that Runge-Kutta does not bear; arms in
+// rubber against the error-controlled motion.
 
 #include "tests/support/cli_support.hpp"
 
@@ -34,6 +35,107 @@ TEST_F(CommandLine, IntegratorThatSuitsTheModesOfTheStart) {
   EXPECT_EQ(Json::parse(fine.out)["integrator"], "rk4");
   EXPECT_EQ(fine.err, "simulate: integrator rk4: it bears every mode at the start\n");
 }
+
+/// A model whose arms sit in rubber, and the points whose accelerations count.
+struct InRubber {
+  std::string model;
+  double duration;  ///< s
+  std::vector<std::string> points;
+};
+
+void PrintTo(const InRubber& c, std::ostream* out) { *out << c.model << " " << c.duration << " s"; }
+
+/// Errors of one table against another one over the motion, each as a part of the largest value of its quantity.
+struct LargestErrors {
+  double positions = 0, accelerations = 0;
+  std::string position, acceleration;  ///< where they are
+};
+
+class ImplicitInRubber : public CommandLine, public testing::WithParamInterface<InRubber> {
+ protected:
+  /// The model with outputs "pointN_x" to "pointN_z" for the acceleration of each point.
+  void write_model() const {
+    std::string outputs;
+    for (std::size_t i = 0; i < GetParam().points.size(); ++i)
+      for (const char axis : {'x', 'y', 'z'})
+        outputs += fmt::format(R"({}"point{}_{}": {{ "point": "{}", "quantity": "acceleration", "axis": "{}" }})",
+                               outputs.empty() ? "" : ", ", i, axis, GetParam().points[i], axis);
+    write("rubber.json", fmt::format(R"({{ "mbgen": 1, "name": "rubber", "include": ["{}/models/{}.json"],
+      "outputs": {{ {} }} }})",
+                                     kSource, GetParam().model, outputs));
+  }
+  Outcome run(const std::string& integrator) const {
+    return mbgen(
+        fmt::format("simulate rubber.json --engine generic --duration {} --step 1e-3 --out o.csv --integrator {}",
+                    GetParam().duration, integrator));
+  }
+  Table motion(const std::string& integrator) const {
+    const Outcome end = run(integrator);
+    EXPECT_EQ(end.exit_code, 0) << end.err;
+    return table("o.csv");
+  }
+  /// Every coordinate by itself; accelerations as vectors.
+  LargestErrors errors(const Table& table, const Table& judge) const {
+    LargestErrors result;
+    const auto part = [&](const std::vector<std::size_t>& columns) {
+      double error = 0, largest = 0;
+      for (std::size_t row = 0; row < judge.rows.size(); ++row) {
+        double value = 0, difference = 0;
+        for (const std::size_t c : columns) {
+          value = std::hypot(value, judge.rows[row][c]);
+          difference = std::hypot(difference, table.rows[row][c] - judge.rows[row][c]);
+        }
+        largest = std::max(largest, value);
+        error = std::max(error, difference);
+      }
+      return error / largest;
+    };
+    const auto keep = [](double error, const std::string& name, double& largest, std::string& where) {
+      if (error <= largest) return;
+      largest = error;
+      where = name;
+    };
+    for (std::size_t c = 0; c < judge.names.size(); ++c)
+      if (judge.names[c].starts_with("z.")) keep(part({c}), judge.names[c], result.positions, result.position);
+    for (std::size_t i = 0; i < GetParam().points.size(); ++i) {
+      const std::size_t x = judge.column(fmt::format("point{}_x [m/s^2]", i));
+      keep(part({x, x + 1, x + 2}), GetParam().points[i], result.accelerations, result.acceleration);
+    }
+    return result;
+  }
+};
+
+TEST_P(ImplicitInRubber, MeetsTheErrorControlledMotionAtAMillisecond) {
+  write_model();
+  const Table judge = motion("cvode --tolerance 1e-9"), table = motion("rosenbrock");
+  ASSERT_EQ(table.rows.size(), judge.rows.size());
+  const LargestErrors error = errors(table, judge);
+  std::printf("%s, %g s at 1 ms: positions %.4f %% (%s), accelerations %.3f %% (%s)\n", GetParam().model.c_str(),
+              GetParam().duration, 100 * error.positions, error.position.c_str(), 100 * error.accelerations,
+              error.acceleration.c_str());
+  EXPECT_LT(error.positions, 1e-3) << error.position;
+  EXPECT_LT(error.accelerations, 1e-2) << error.acceleration;
+  const Outcome diverged = run("rk4");
+  EXPECT_EQ(diverged.exit_code, 1);
+  EXPECT_NE(diverged.err.find("simulate: stopped after t = 0.00"), std::string::npos) << diverged.err;
+  EXPECT_NE(diverged.err.find("step 0.001 s is too long"), std::string::npos) << diverged.err;
+}
+
+/// Wheels, carriers, balls of the arms, axle and chassis.
+std::vector<InRubber> in_rubber(double corner, double vehicle) {
+  std::vector<std::string> coach = {"chassis.centre", "chassis.driver", "rear_axle.centre"};
+  for (const std::string side : {"_left", "_right"})
+    for (const std::string point : {"lower_arm{}.ball", "upper_arm{}.ball", "carrier{}.tie_rod", "wheel_front{}.centre",
+                                    "wheel_rear{}.centre", "long_rod{}.axle", "diag_rod{}.axle"})
+      coach.push_back(fmt::format(fmt::runtime(point), side));
+  return {{"rubber_wishbone",
+           corner,
+           {"lower_arm.lower_ball", "upper_arm.upper_ball", "knuckle.tie_rod", "knuckle.patch", "wheel.hub"}},
+          {"rubber_coach", vehicle, coach}};
+}
+
+INSTANTIATE_TEST_SUITE_P(Start, ImplicitInRubber, testing::ValuesIn(in_rubber(0.4, 0.8)));
+INSTANTIATE_TEST_SUITE_P(WholeSlalom, ImplicitInRubber, testing::ValuesIn(in_rubber(5, 5)));
 
 constexpr const char* kPushed = R"({ "mbgen": 1, "name": "pushed", "bodies": {
     "ground": { "points": { "A": [0, 0, 0] } },
