@@ -166,5 +166,17 @@ TEST_F(CommandLine, ImplicitStepsAreInTheCostSheetWhereAModelAsksForThem) {
   EXPECT_EQ(read("plain/pendulum.hpp").find("rosenbrock"), std::string::npos);
 }
 
+// Without the closures of the projection, which both integrators have alike.
+TEST_F(CommandLine, ImplicitStepOfVehiclesInRubberCostsAtMostTwoOfRungeKutta) {
+  for (const std::string model : {"rubber_wishbone", "rubber_coach"}) {
+    ASSERT_EQ(mbgen(fmt::format("generate {}/models/{}.json --out made --no-runtime", kSource, model)).exit_code, 0);
+    const Json programs = Json::parse(read("made/" + model + ".json"))["programs"];
+    const auto total = [&](const char* program) { return programs[program]["operations"]["total"].get<double>(); };
+    const double more = (total("tangents") + 4 * total("changes")) / (4 * total("accelerations"));
+    std::printf("%s: an implicit step has %.2f times the operations\n", model.c_str(), 1 + more);
+    EXPECT_LE(1 + more, 2) << model;
+  }
+}
+
 }  // namespace
 }  // namespace mbgen::cli_test
