@@ -198,17 +198,6 @@ void refuse_pole(const Compilation& compilation, const InitialState& initial) {
                             {}}}));
 }
 
-/// Importers choose their own instants, and the values of a model have theirs.
-void refuse_sampled(const Model& model) {
-  if (model.sampled.empty()) return;
-  const SampledValue& first = model.sampled.front();
-  throw UserError(to_text(
-      {{first.where,
-        "cannot be exported: \"" + first.name + "\" is set every " + fmt::format("{:g} s", first.period),
-        "use the generated solver by its C interface, or leave the controller to the importer: its values as inputs",
-        {}}}));
-}
-
 int run(const ExportOptions& options) {
   if (is_standard_output(options.file))
     throw UserError("--out: an FMU is no text for standard output, name a file\n  hint: a file of this name is ./-\n");
@@ -218,7 +207,6 @@ int run(const ExportOptions& options) {
   print_notes(compilation.model.notes);
   print_notes(renamed_notes(compilation.model));
   note_rolling(compilation);
-  refuse_sampled(compilation.model);
   const FmiVersion version = options.version == 2 ? FmiVersion::two : FmiVersion::three;
   const InitialState initial = default_initial_state(compilation);
   refuse_pole(compilation, initial);

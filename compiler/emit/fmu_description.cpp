@@ -70,9 +70,10 @@ FrameValues variable_values(const FmuVariable& variable, std::size_t reference, 
   const bool is_input = variable.causality == Causality::input;
   const bool is_exchanged = is_input || variable.causality == Causality::output;
   const bool has_start = is_input || variable.start == Start::exact || variable.start == Start::approx;
-  const char* variability = variable.causality != Causality::parameter ? "continuous"
-                            : variable.is_fixed                        ? "fixed"
-                                                                       : "tunable";
+  const char* variability = variable.is_discrete                         ? "discrete"
+                            : variable.causality != Causality::parameter ? "continuous"
+                            : variable.is_fixed                          ? "fixed"
+                                                                         : "tunable";
   const std::string derivative =
       variable.derivative_of < 0 ? "" : std::to_string(variable.derivative_of + first_index(version));
   return {

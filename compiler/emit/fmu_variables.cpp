@@ -122,8 +122,8 @@ void add_motion(const EmitContext& context, const InitialState& initial, FmuLayo
     }
   }
   const std::vector<AuxiliaryState> states = auxiliary_states(context.model);
-  const int count = static_cast<int>(states.size());
-  for (int i = 0; i < count; ++i)
+  const int count = static_cast<int>(states.size()), flowing = count - context.layout.held;
+  for (int i = 0; i < count; ++i) {
     fmu.variables.push_back({{Array::x, i},
                              "x." + states[i].name,
                              states[i].unit,
@@ -131,7 +131,9 @@ void add_motion(const EmitContext& context, const InitialState& initial, FmuLayo
                              Causality::local,
                              Start::exact,
                              initial.x[i]});
-  for (int i = 0; i < count; ++i) {
+    fmu.variables.back().is_discrete = i >= flowing;
+  }
+  for (int i = 0; i < flowing; ++i) {
     FmuVariable rate{{Array::xd, i}, "xd." + states[i].name, states[i].rate_unit, "rate of the auxiliary state"};
     rate.derivative_of = static_cast<int>(fmu.variables.size()) - count;
     fmu.variables.push_back(std::move(rate));
@@ -253,7 +255,8 @@ Knowns dependencies(const EmitContext& context, const Programs& programs, const 
   Knowns knowns;
   for (const auto& [slot, reference] : references.state) {
     const Array array = slot.group.array;
-    const bool is_given = array == Array::t || array == Array::par || array == Array::in || array == Array::x;
+    const bool is_flowing = array == Array::x && slot.index < context.layout.auxiliary_states - context.layout.held;
+    const bool is_given = array == Array::t || array == Array::par || array == Array::in || is_flowing;
     const bool is_state = (array == Array::z || array == Array::zd) && contains(fmu.independent, slot.index);
     if (is_given || is_state) knowns[slot] = {reference};
   }

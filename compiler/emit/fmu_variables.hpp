@@ -22,8 +22,9 @@ struct FmuVariable {
   double value = 0;        ///< at the start, where it is exact, approximate or an input's
   int derivative_of = -1;  ///< value reference of the variable whose derivative it is
   Presentation shown = {};
-  bool is_fixed = false;  ///< of a parameter: it acts before the initialisation only
-  bool reinit = false;    ///< whether an event may change this state
+  bool is_fixed = false;     ///< of a parameter: it acts before the initialisation only
+  bool reinit = false;       ///< whether an event may change this state
+  bool is_discrete = false;  ///< whether it changes at instants alone: a sampled value
 };
 
 /// An unknown and the knowns that it depends on, as value references.
@@ -32,10 +33,11 @@ struct FmuUnknown {
   std::set<int> dependencies;
 };
 
-/// The continuous states are positions and velocities of the independent coordinates, and the auxiliary states. Where
-/// an event may choose another independent coordinate of a loop block, the states are q and qd, which are those of the
-/// chosen coordinate; so they are for balls whose angles an event may exchange; else they are z and zd. Where bodies
-/// roll, more positions are free than velocities: these are no states, and the FMU has co-simulation alone.
+/// The continuous states are positions and velocities of the independent coordinates, and the auxiliary states but for
+/// sampled values, which are discrete. Where an event may choose another independent coordinate of a loop block, the
+/// states are q and qd, which are those of the chosen coordinate; so they are for balls whose angles an event may
+/// exchange; else they are z and zd. Where bodies roll, more positions are free than velocities: these are no states,
+/// and the FMU has co-simulation alone.
 struct FmuLayout {
   std::vector<FmuVariable> variables;
   std::vector<int> independent;  ///< coordinates at the start, ascending

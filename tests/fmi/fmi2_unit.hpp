@@ -4,6 +4,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 #include "description.hpp"
 #include "fmi2Functions.h"
@@ -36,6 +37,8 @@ class Unit2 {
   ~Unit2() { call<fmi2FreeInstanceTYPE>("fmi2FreeInstance")(component_); }
   Unit2(const Unit2&) = delete;
   Unit2& operator=(const Unit2&) = delete;
+
+  double next_event = std::numeric_limits<double>::infinity();  ///< s, as the last event has told
 
   int setup(double start, double stop) {
     const int status =
@@ -77,6 +80,7 @@ class Unit2 {
     fmi2EventInfo info{};
     const int status = call<fmi2NewDiscreteStatesTYPE>("fmi2NewDiscreteStates")(component_, &info);
     has_changed = info.valuesOfContinuousStatesChanged != 0;
+    next_event = info.nextEventTimeDefined ? info.nextEventTime : std::numeric_limits<double>::infinity();
     return status;
   }
   int enter_continuous() { return simple("fmi2EnterContinuousTimeMode"); }

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 
 #include "description.hpp"
 #include "fmi3Functions.h"
@@ -34,6 +35,8 @@ class Unit3 {
   ~Unit3() { call<fmi3FreeInstanceTYPE>("fmi3FreeInstance")(instance_); }
   Unit3(const Unit3&) = delete;
   Unit3& operator=(const Unit3&) = delete;
+
+  double next_event = std::numeric_limits<double>::infinity();  ///< s, as the last event has told
 
   int setup(double start, double stop) {
     return call<fmi3EnterInitializationModeTYPE>("fmi3EnterInitializationMode")(instance_, false, 0, start,
@@ -87,7 +90,8 @@ class Unit3 {
     double next = 0;
     const int status = call<fmi3UpdateDiscreteStatesTYPE>("fmi3UpdateDiscreteStates")(instance_, &more, &end, &nominals,
                                                                                       &has_changed, &timed, &next);
-    require(status != fmi3OK || (!more && !end && !nominals && !timed), "fmi3UpdateDiscreteStates' answers");
+    require(status != fmi3OK || (!more && !end && !nominals), "fmi3UpdateDiscreteStates' answers");
+    next_event = timed ? next : std::numeric_limits<double>::infinity();
     return status;
   }
   int enter_continuous() { return simple("fmi3EnterContinuousTimeMode"); }

@@ -14,6 +14,7 @@
 #include "driving.hpp"
 #include "fmi2_unit.hpp"
 #include "fmi3_unit.hpp"
+#include "sampling.hpp"
 #include "tuning.hpp"
 
 namespace {
@@ -98,8 +99,9 @@ void integrate(const Case& c, Unit& unit, double t, double h, Row& x) {
   bool event = false;
   require(unit.completed(event) == kOk, "completed step");
   if (!event) return;
-  ++events;
-  require(go_through_event(c, unit, x), "an event that is asked for changes states");
+  const bool has_changed = go_through_event(c, unit, x);
+  require(has_changed || unit.next_event < HUGE_VAL, "an event that is asked for changes states, or is an instant");
+  events += has_changed ? 1 : 0;
 }
 
 template <class Unit>
@@ -121,7 +123,8 @@ void exchange(const Case& c) {
   require(unit.update(has_changed) == kOk && !has_changed && unit.enter_continuous() == kOk, "back from the event");
   events = 0;
   void* state = nullptr;
-  const std::size_t steps = std::min<std::size_t>(c.table.rows.size() - 1, 200);
+  const bool is_timed = unit.next_event < HUGE_VAL;  // a row at an instant has what held before
+  const std::size_t steps = std::min<std::size_t>(c.table.rows.size() - 1, 200) - (is_timed ? 1 : 0);
   const double h = c.description.step;
   Row kept;
   for (std::size_t i = 0; i < steps; ++i) {
@@ -150,7 +153,8 @@ template <class Unit>
 void differentiate(const Case& c) {
   Unit unit(c.library, c.description, true);
   start(unit);
-  require(unit.enter_continuous() == kOk, "continuous time");
+  bool has_changed = false;
+  require(unit.update(has_changed) == kOk && unit.enter_continuous() == kOk, "continuous time");
   const std::vector<unsigned> states = c.description.states();
   Row x(states.size());
   require(unit.states(x) == kOk, "states");
@@ -361,6 +365,11 @@ void drive(const Case& c) {
     drive_by_inputs<Unit>(c);
     warn_of_rates<Unit>(c);
     warn_of_contradictions<Unit>(c);
+  }
+  if (c.description.identifier == "sampled_slide") {
+    communicate_sampled<Unit>(c);
+    meet_sampled<Unit>(c);
+    start_between_instants<Unit>(c);
   }
   if constexpr (Unit::kVersion == 3) update_between<Unit>(c);
   attack_all<Unit>(c);

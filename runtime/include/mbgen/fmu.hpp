@@ -31,7 +31,7 @@ constexpr Place place_of(unsigned reference) noexcept {
                            Model::kCoordinates,
                            Model::kCoordinates,
                            Model::kAuxiliaryStates,
-                           Model::kAuxiliaryStates,
+                           kFlowing<Model>,
                            Model::kChosenStates,
                            Model::kChosenStates,
                            Model::kChosenStates,
@@ -68,7 +68,7 @@ constexpr bool is_independent(int coordinate) noexcept {
 }
 
 template <class Model>
-constexpr int kStates = 2 * Model::kVelocityStates + Model::kAuxiliaryStates;
+constexpr int kStates = 2 * Model::kVelocityStates + kFlowing<Model>;
 
 /// Coordinate of a place in q, qd or qdd.
 template <class Model>
@@ -204,7 +204,7 @@ bool may_be_set(const Core<Model>& core, Place place) noexcept {
     case Group::start:
       return is_start;
     case Group::x:
-      return is_start || is_state_time;
+      return is_start || (is_state_time && place.index < kFlowing<Model>);
     case Group::q:
     case Group::qd:
       return is_state_time;

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "mbgen/fmu.hpp"
+#include "mbgen/fmu_instants.hpp"
 #include "mbgen/step_time.hpp"
 
 namespace mbgen::fmu {
@@ -38,6 +39,7 @@ Answer leave_initialization(Core<Model>& core) noexcept {
   core.run.history = {};
   core.run.accepted = core.run.inputs;
   core.run.accepted_time = core.run.state.t;
+  if (kHeld<Model> > 0) core.run.next_event = core.run.state.t;  // its event may be an instant
   choose_coordinates(core.run);
   core.run.mode = core.run.interface == Interface::model_exchange ? kEvent : kStep;
   return Answer::ok;
@@ -70,7 +72,8 @@ bool take_step(Core<Model>& core, double size) noexcept {
   const typename Model::Inputs inputs = paths.of_step(middle, size);
   core.status = Model::step(run.parameters, inputs, run.state, run.history, size);
   if (!core.status.ok()) return false;
-  run.state.t = at_whole_steps(run.start_time, run.state.t, size);
+  // Steps that are cut at instants have many sizes: whole numbers of them are no times to go back to.
+  if (kHeld<Model> == 0 || size == Model::kStep) run.state.t = at_whole_steps(run.start_time, run.state.t, size);
   run.paths = paths;
   run.inputs = gone_on(run, Model::advanced(run.inputs, size), size);
   core.is_solved = false;
@@ -123,6 +126,19 @@ Answer compare_rates(Core<Model>& core, double point, const typename Model::Inpu
   return Answer::ok;
 }
 
+/// Inner steps of one size over so many seconds. at_point: see do_step. Result: whether all went well.
+template <class Model, class AtPoint>
+bool take_steps(Core<Model>& core, double width, bool is_last, const AtPoint& at_point) noexcept {
+  const double begin = core.run.state.t;
+  const Steps division = steps_in(width, Model::kStep);
+  for (double i = 0; i < division.count; ++i) {
+    if (!take_step(core, division.size)) return false;
+    core.run.state.t = not_beyond_instant<Model>(begin, core.run.state.t);
+    at_point(is_last && i + 1 == division.count);
+  }
+  return true;
+}
+
 /// Steps from a communication point to the next. Loops that parameters have opened are closed first. at_point is called
 /// at the end of every inner step, with whether it is the last one; inputs that it sets act from there on.
 /// Answer: error for a point or size that cannot be; discard where the solver fails or the loops cannot be closed, the
@@ -142,7 +158,8 @@ Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_p
     return refuse(
         core, Refusal::of_limit("the communication step size must be at most", kMostInnerSteps * Model::kStep, size));
   const typename Model::Inputs now = core.run.inputs;
-  if (core.run.is_closed && division.count == 1) {  // needs no way back
+  double width = until_instant<Model>(t, size);
+  if (core.run.is_closed && division.count == 1 && width == size) {  // needs no way back
     if (!take_step(core, division.size)) return Answer::discard;
     at_point(true);
     return compare_rates(core, point, now);
@@ -152,13 +169,12 @@ Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_p
     if (!solve(core)) return Answer::discard;
     commit(core);
   }
-  for (double i = 0; i < division.count; ++i) {
-    if (!take_step(core, division.size)) {
-      core.run = before;
-      core.is_solved = false;
-      return Answer::discard;
-    }
-    at_point(i + 1 == division.count);
+  for (double left = size; left > 0; left = width == left ? 0 : t + size - core.run.state.t) {
+    width = until_instant<Model>(core.run.state.t, left);
+    if (take_steps(core, width, width == left, at_point)) continue;
+    core.run = before;
+    core.is_solved = false;
+    return Answer::discard;
   }
   return compare_rates(core, point, now);
 }
@@ -203,7 +219,7 @@ Answer get_derivatives(Core<Model>& core, double* rates, unsigned long count) no
   const int* coordinate = core.run.choice.coordinate;
   for (int i = 0; i < Model::kVelocityStates; ++i) *rates++ = core.solved.zd[coordinate[i]];
   for (int i = 0; i < Model::kVelocityStates; ++i) *rates++ = core.derivative.zdd[coordinate[i]];
-  for (int i = 0; i < Model::kAuxiliaryStates; ++i) *rates++ = core.derivative.xd[i];
+  for (int i = 0; i < kFlowing<Model>; ++i) *rates++ = core.derivative.xd[i];
   return Answer::ok;
 }
 
@@ -263,12 +279,13 @@ bool leaves_charts([[maybe_unused]] const Run<Model>& run) noexcept {
 template <class Model>
 Answer accept_step(Core<Model>& core, bool& asks_for_event) noexcept {
   asks_for_event = false;
+  if (const Answer answer = check_event(core); answer != Answer::ok) return answer;
   if (!solve(core)) return Answer::discard;
   commit(core);
   Choice<Model> choice = core.run.choice;
   asks_for_event = choose({core.run.state, core.run.inputs, core.run.parameters}, choice);
   if (!asks_for_event) core.run.choice = choice;
-  asks_for_event = leaves_charts(core.run) || asks_for_event;
+  asks_for_event = leaves_charts(core.run) || is_at_event(core.run) || asks_for_event;
   return accept_inputs(core);
 }
 
@@ -291,8 +308,10 @@ bool settle_charts([[maybe_unused]] Core<Model>& core) noexcept {
 template <class Model>
 Answer settle(Core<Model>& core, bool& has_changed) noexcept {
   has_changed = false;
+  if (const Answer answer = check_event(core); answer != Answer::ok) return answer;
   if (!solve(core)) return Answer::discard;
   commit(core);
+  if (!take_samples(core)) return Answer::discard;
   core.run.accepted = core.run.inputs;
   has_changed = settle_charts(core);
   has_changed = choose_coordinates(core.run) || has_changed;

@@ -66,6 +66,16 @@ inline constexpr bool kCoSimulationAlone = false;
 template <class Model>
 inline constexpr bool kCoSimulationAlone<Model, std::void_t<decltype(Model::kCoSimulationAlone)>> = true;
 
+/// How many of the last auxiliary states are values that are set at instants: no states that importers integrate.
+template <class Model, class = void>
+inline constexpr int kHeld = 0;
+template <class Model>
+inline constexpr int kHeld<Model, std::void_t<decltype(Model::kHeld)>> = Model::kHeld;
+
+/// Auxiliary states that are continuous states.
+template <class Model>
+inline constexpr int kFlowing = Model::kAuxiliaryStates - kHeld<Model>;
+
 /// The state in the angles of the model, with the accelerations that go with it.
 template <class Model>
 void take_users_angles([[maybe_unused]] typename Model::State& state,
@@ -92,6 +102,7 @@ struct Run {
   Closed<Model> closed;             ///< the last state whose loops were, where those of `state` are not
   typename Model::Inputs accepted;  ///< of the last point of model exchange that was accepted, or of communication
   double accepted_time = 0;         ///< s, of the last communication point
+  double next_event = HUGE_VAL;     ///< s, of model exchange: instant at which sampled values are set next
   int contradictions[Model::kInputs > 0 ? Model::kInputs : 1] = {};  ///< steps in a row, see compare_rates
   double start[Model::kStartParameters + 1] = {};  ///< parameters that act at the start; the last one is none
 };

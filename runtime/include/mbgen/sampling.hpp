@@ -1,5 +1,6 @@
 #pragma once
 // Instants at which sampled values are set: t = 0, period, 2 period, ... A step that begins at one sets them first.
+// Steps of one size have to meet the instants; who varies steps cuts them there (next_instant).
 
 #include <cmath>
 
@@ -13,12 +14,40 @@ constexpr double kSamePeriod = 1e-9;
 /// roundings over many steps.
 constexpr double kSameInstant = 0.25;
 
-/// Which of `count` values are due at the start of a step of h seconds at the time t: 1 in `due`, else 0.
+/// s around t that count as t, where steps are cut at the instants.
+inline double same_instant(double t) noexcept { return 1e-9 + 1e-12 * std::abs(t); }
+
+/// The next instant of any of `count` values after what counts as t, s; infinite without values.
+inline double next_instant(const double* periods, int count, double t) noexcept {
+  double next = HUGE_VAL;
+  for (int i = 0; i < count; ++i)
+    next = std::fmin(next, periods[i] * (std::floor((t + same_instant(t)) / periods[i]) + 1));
+  return next;
+}
+
+/// Which of `count` values are due at the time t, of whatever steps that are cut at the instants: 1 in `due`, else 0.
+template <class Real>
+bool find_due_now(const double* periods, int count, double t, Real* due) noexcept {
+  bool any = false;
+  for (int i = 0; i < count; ++i) {
+    const bool is_due = std::abs(t - periods[i] * std::nearbyint(t / periods[i])) <= same_instant(t);
+    due[i] = is_due ? Real(1) : Real(0);
+    any = any || is_due;
+  }
+  return any;
+}
+
+/// Which of `count` values are due at the start of a step of h seconds at the time t: 1 in `due`, else 0. With h = 0 it
+/// is one of steps that are cut at the instants.
 /// periods: s. first: index of the first value among the auxiliary states, for the status.
 /// Fails: sample_inside_step where an instant may lie within a step: the period is no multiple of h, or t is not.
 template <class Real>
 Status find_due(const double* periods, int count, int first, double t, double h, Real* due, bool& any) noexcept {
   any = false;
+  if (h == 0) {
+    any = find_due_now(periods, count, t, due);
+    return {};
+  }
   const double steps = t / h, nearest = std::nearbyint(steps);
   const bool is_on_grid = std::abs(steps - nearest) <= kSameInstant;
   for (int i = 0; i < count; ++i) {
