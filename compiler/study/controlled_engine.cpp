@@ -27,8 +27,7 @@ std::optional<ErrorControl> error_control_of(const std::string& integrator, std:
                     "build mbgen again, or use rk4 or abm4\n",
                     integrator));
   }
-  if (!model.sampled.empty())
-    throw UserError("--integrator: cvode does not stop at the instants of sampled values; use rk4 or abm4\n");
+  for (const SampledValue& value : model.sampled) control.periods.push_back(value.period);
   control.tolerance = tolerance.value_or(control.tolerance);
   if (!(control.tolerance >= kLeastTolerance && control.tolerance <= kLargestTolerance)) {
     throw UserError(fmt::format("--tolerance: must be from {} to {}, found {}\n", kLeastTolerance, kLargestTolerance,

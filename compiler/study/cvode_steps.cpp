@@ -17,6 +17,7 @@
 #include <functional>
 
 #include "compiler/study/controlled_motion.hpp"
+#include "mbgen/sampling.hpp"
 
 namespace mbgen {
 namespace {
@@ -59,6 +60,8 @@ class CvodeStepper : public Stepper {
   Status fail(int flag);
   void count();
   double next_row(double t) const;
+  /// Sets the sampled values that are due, once at an instant.
+  Status set_sampled(GenericState& state);
 
   static int rates(sunrealtype t, N_Vector y, N_Vector f, void* self);
   static int jacobian(sunrealtype t, N_Vector y, N_Vector f, SUNMatrix J, void* self, N_Vector scratch, N_Vector,
@@ -79,6 +82,7 @@ class CvodeStepper : public Stepper {
   double t_ = 0;      ///< s, of the last step of CVODE
   double given_ = 0;  ///< s, of the state that was given last
   double end_ = 0;    ///< s: steps go no farther before the next start
+  double sampled_ = HUGE_VAL;  ///< s, when sampled values were set last
   bool starts_anew_ = true;
   Status trouble_;             ///< of the last evaluation that failed since the last good step
   std::string message_;        ///< of CVODE
@@ -110,9 +114,18 @@ void CvodeStepper::keep_message(int, const char*, const char*, char* message, vo
 
 double CvodeStepper::next_row(double t) const {
   const double none = kNoTime * std::max(1.0, std::abs(t));
+  const double end = std::min(control_.end, next_instant(control_.periods.data(),
+                                                         static_cast<int>(control_.periods.size()), t));
   for (const double row : inputs_.rows)
-    if (row > t + none && row < control_.end) return row;
-  return control_.end;
+    if (row > t + none && row < end) return row;
+  return end;
+}
+
+Status CvodeStepper::set_sampled(GenericState& state) {
+  if (!engine_.sample || std::abs(state.t - sampled_) <= same_instant(state.t)) return {};
+  sampled_ = state.t;
+  bool any = false;
+  return engine_.sample(state, 0, any);
 }
 
 void CvodeStepper::make(const GenericState& state) {
@@ -152,7 +165,8 @@ void CvodeStepper::make_solver() {
 Status CvodeStepper::start(GenericState state) {
   engine_.set_inputs(inputs_.at(state.t));
   settle_charts(engine_.balls, state);
-  const Status status = engine_.project(state);
+  Status status = engine_.project(state);
+  if (status.ok()) status = set_sampled(state);
   if (!status.ok()) return status;
   end_ = next_row(state.t);
   t_ = state.t;

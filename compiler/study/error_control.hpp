@@ -2,6 +2,7 @@
 // What motions with error control are asked for, and what they say of themselves.
 
 #include <string>
+#include <vector>
 
 namespace mbgen {
 
@@ -14,7 +15,8 @@ struct ErrorControl {
   Method method = Method::bdf;
   /// Of a step's error: relative, and absolute in rad, m and per second; of auxiliary states a thousandth of it in m.
   double tolerance = 1e-6;
-  double end = 0;  ///< s: no step goes beyond
+  double end = 0;                 ///< s: no step goes beyond
+  std::vector<double> periods{};  ///< s, of the sampled values
 };
 
 /// Facts about a motion with error control.
@@ -23,7 +25,7 @@ struct ErrorControlRecord {
   long steps = 0, evaluations = 0, jacobians = 0;
   long rejected = 0;    ///< steps whose error was too large
   long not_solved = 0;  ///< steps whose equations were not solved by Newton's or the fixed-point iteration
-  long restarts = 0;    ///< at order one: rows of the input table, changes of charts, open loops
+  long restarts = 0;    ///< at order one: rows of the input table, sampled values, charts, open loops
   int largest_order = 0;
   double shortest = 0, longest = 0;  ///< s, of the steps
   std::string failure;               ///< why a step failed, as CVODE says it; empty where none did

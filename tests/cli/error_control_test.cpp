@@ -76,6 +76,24 @@ TEST_F(ErrorControl, JudgesFixedSteps) {
   expect_same_motion(judge, cartesian, 2e-6);
 }
 
+// A controller every 10 ms, with a delay, and a sensor every 15 ms: steps stop at each instant. Runge-Kutta's method is
+// exact on the parabolas between them; tests/fmi holds that motion against its difference equation.
+TEST_F(ErrorControl, StopsAtInstantsOfSampledValues) {
+  const std::string slide = model("tests/data/fmi/sampled_slide.json");
+  const Table fixed = motion(slide, "--duration 0.5 --step 2.5e-3");
+  for (const std::string how : {"--engine generic", "--engine augmented", "--integrator cvode-adams"}) {
+    const Table controlled = motion(slide, "--duration 0.5 --step 2.5e-3 --tolerance 1e-11 " + how +
+                                               (how[2] == 'i' ? "" : " --integrator cvode"));
+    EXPECT_EQ(counted("restarts"), 49 + 33 - 16) << how;  // of 10 ms, 15 ms, and both
+    EXPECT_LT(summary_["relative_energy_error"].get<double>(), 1e-6) << how;
+    for (std::size_t row = 0; row <= 200; ++row) {
+      EXPECT_NEAR(controlled.at(row, "z.slide [m]"), fixed.at(row, "z.slide [m]"), 1e-8) << how << row;
+      EXPECT_NEAR(controlled.at(row, "x.force [N]"), fixed.at(row, "x.force [N]"), 1e-5) << how << row;
+      EXPECT_NEAR(controlled.at(row, "x.seen [m]"), fixed.at(row, "x.seen [m]"), 1e-8) << how << row;
+    }
+  }
+}
+
 // A force that is held between rows makes parabolas, which steps of high order meet exactly, and start anew at the
 // rows.
 TEST_F(ErrorControl, StartsAnewAtRowsOfInputs) {

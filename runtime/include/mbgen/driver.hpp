@@ -56,7 +56,8 @@ struct SolverTable {
   Status (*accelerations_in_motion)(const double* parameters, const double* inputs, const double* state, double h,
                                     double* derivative) noexcept;
 
-  /// Sets the sampled values that are due at the start of a step of h seconds, as steps do; any: whether there are
+  /// Sets the sampled values that are due at the start of a step of h seconds, as steps do, or with h = 0 those that are
+  /// due at the time of the state; any: whether there are
   /// such. Null without sampled values.
   Status (*sample)(const double* parameters, const double* inputs, double* state, double h, bool* any) noexcept;
 
