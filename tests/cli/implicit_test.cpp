@@ -158,9 +158,11 @@ TEST_F(CommandLine, ImplicitStepsAreInTheCostSheetWhereAModelAsksForThem) {
   const Json manifest = Json::parse(read("made/pushed.json")), programs = manifest["programs"];
   ASSERT_TRUE(programs.contains("tangents") && programs.contains("changes"));
   const auto total = [&](const char* program) { return programs[program]["operations"]["total"].get<long>(); };
-  for (const Json& call : manifest["worst_case"]["calls"])
-    if (call["function"] == "step_rosenbrock")
+  for (const Json& call : manifest["worst_case"]["calls"]) {
+    if (call["function"] == "step_rosenbrock") {
       EXPECT_EQ(call["operations"], 4 * total("accelerations") + total("tangents") + 4 * total("changes"));
+    }
+  }
   write("swing.json", std::string(kPendulum));
   ASSERT_EQ(mbgen("generate swing.json --out plain --no-runtime").exit_code, 0);
   EXPECT_EQ(read("plain/pendulum.hpp").find("rosenbrock"), std::string::npos);

@@ -201,11 +201,12 @@ TEST_P(EveryModelWithLoops, ClosureJacobianIsTheDerivativeOfTheResidual) {
         unit[m.topology.blocks[b].joints[c]] = 1;
         const std::vector<double> ahead = numbers.residuals(along(state.z, unit, 1e-5)),
                                   behind = numbers.residuals(along(state.z, unit, -1e-5));
-        for (int e = 0; e < m.topology.blocks[b].equations; ++e)
-          if (!of_velocities(m, m.topology.blocks[b])[e])
-            EXPECT_NEAR(closed.jacobian[e][c], (ahead[first + e] - behind[first + e]) / 2e-5, 1e-8)
-                << equation_names(m.topology, m.topology.blocks[b])[e] << " by "
-                << m.topology.bodies[m.topology.blocks[b].joints[c]].coordinate;
+        for (int e = 0; e < m.topology.blocks[b].equations; ++e) {
+          if (of_velocities(m, m.topology.blocks[b])[e]) continue;
+          EXPECT_NEAR(closed.jacobian[e][c], (ahead[first + e] - behind[first + e]) / 2e-5, 1e-8)
+              << equation_names(m.topology, m.topology.blocks[b])[e] << " by "
+              << m.topology.bodies[m.topology.blocks[b].joints[c]].coordinate;
+        }
       }
     }
   }
@@ -225,11 +226,12 @@ TEST_P(EveryModelWithLoops, ClosureAccelerationIsTheSecondDerivativeOfTheResidua
       const LoopBlock& block = m.topology.blocks[b];
       const BlockClosure<double> closed = closure(system, k, block, relative_motion(system, k, block));
       const double scale = 1 + largest_absolute(closed.acceleration);
-      for (int e = 0; e < block.equations; ++e)
-        if (!of_velocities(m, block)[e])
-          EXPECT_NEAR(-closed.acceleration[e], (ahead[first + e] - 2 * here[first + e] + behind[first + e]) / (h * h),
-                      2e-5 * scale)
-              << equation_names(m.topology, block)[e];
+      for (int e = 0; e < block.equations; ++e) {
+        if (of_velocities(m, block)[e]) continue;
+        EXPECT_NEAR(-closed.acceleration[e], (ahead[first + e] - 2 * here[first + e] + behind[first + e]) / (h * h),
+                    2e-5 * scale)
+            << equation_names(m.topology, block)[e];
+      }
     }
   }
 }
@@ -258,8 +260,10 @@ TEST_P(EveryModelWithLoops, ClosureAccelerationIsTheRateOfRowsOfVelocities) {
     for (const LoopBlock& block : m.topology.blocks) {
       const std::vector<double> c = closure(system, k, block, relative_motion(system, k, block)).acceleration;
       const std::vector<bool> wanted = of_velocities(m, block);
-      for (std::size_t row = 0; row < c.size(); ++row, ++e)
-        if (wanted[row]) EXPECT_NEAR(-c[row], (ahead[e] - behind[e]) / 2e-5, 1e-6 * (1 + largest_absolute(c))) << e;
+      for (std::size_t row = 0; row < c.size(); ++row, ++e) {
+        if (!wanted[row]) continue;
+        EXPECT_NEAR(-c[row], (ahead[e] - behind[e]) / 2e-5, 1e-6 * (1 + largest_absolute(c))) << e;
+      }
     }
   }
 }
