@@ -25,8 +25,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kStill = 1e-9;  // rad/s or m/s, of a steady motion: rounding
-
 struct LinearizeOptions {
   std::string model, file, page;
   std::vector<std::string> set;
@@ -127,22 +125,6 @@ std::string neutral_text(const Compilation& compilation, const std::vector<Mode>
   const char* kind = rolling_loop(compilation.topology) ? "rigid body and rolling" : "rigid body";
   return fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}{}: {}\n", first - list.begin() + 1, 0, "", "-", "-", kind,
                      count == 1 ? "" : fmt::format(" ({} eigenvalues)", count), fmt::join(places, ", "));
-}
-
-/// The rates that a steady motion keeps, and the inputs that were found.
-std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyWish& wish) {
-  std::string text = fmt::format("steady motion, accelerations at most {:.1e}:\n", steady.largest);
-  for (const int i : free_coordinates(compilation.topology, compilation.analysis)) {
-    const TreeBody& body = compilation.topology.bodies[i];
-    if (std::abs(steady.point.zd[i]) < kStill) continue;
-    text += fmt::format("  {:<32}{:>16.9g} {}/s\n", "zd." + body.coordinate, steady.point.zd[i], unit_of(body.kind));
-  }
-  for (std::size_t i = 0; i < compilation.model.inputs.size(); ++i) {
-    const Input& input = compilation.model.inputs[i];
-    if (std::find(wish.solve.begin(), wish.solve.end(), input.name) == wish.solve.end()) continue;
-    text += fmt::format("  {:<32}{:>16.9g} {}\n", input.name, steady.point.inputs[i], input.unit);
-  }
-  return text + "\n";
 }
 
 std::string heading_text(const LinearizeOptions& options, const Compilation& compilation, const ChosenPoint& chosen,

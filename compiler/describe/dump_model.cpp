@@ -167,6 +167,27 @@ class ModelText {
   }
 
   /// "" without any.
+  std::string axles() const {
+    std::string text = model_.axles.empty() ? "" : "axles\n";
+    for (const Axle& axle : model_.axles) {
+      text += fmt::format("  {}: {} axle held by {}{}\n", axle.name, axle.end == Axle::End::front ? "front" : "rear",
+                          body_name(axle.body), axle.steer ? ", steered by " + coordinate(*axle.steer) : "");
+      const auto number = [&](const char* name, const std::optional<double>& value) {
+        if (value) text += fmt::format("    {} {}\n", name, *value);
+      };
+      number("wheelbase", axle.wheelbase);
+      number("centre_of_gravity_height", axle.centre_of_gravity_height);
+      number("brake_share", axle.brake_share);
+      number("drive_share", axle.drive_share);
+      text += fmt::format("    brakes on the {}, drive on the {}\n", support(axle.brakes_on), support(axle.drive_on));
+      if (axle.left.is_there()) text += "    left" + wheel(axle.left);
+      if (axle.right.is_there()) text += "    right" + wheel(axle.right);
+      if (!axle.without.empty()) text += fmt::format("    without {}\n", fmt::join(axle.without, ", "));
+    }
+    return text;
+  }
+
+  /// "" without any.
   std::string states() const {
     std::string text = model_.states.empty() ? "" : "states\n";
     for (const UserState& state : model_.states)
@@ -192,6 +213,14 @@ class ModelText {
   }
 
  private:
+  static const char* support(TorqueSupport support) { return support == TorqueSupport::body ? "body" : "carrier"; }
+  std::string wheel(const AxleWheel& wheel) const {
+    std::string text = fmt::format(" wheel at {}, axis ({}), radius {}", attachment(wheel.centre),
+                                   fmt::join(wheel.axis, ", "), wheel.radius);
+    if (wheel.lower.body >= 0)
+      text += fmt::format(", steered about {} to {}", attachment(wheel.lower), attachment(wheel.upper));
+    return text + "\n";
+  }
   static std::string component(int axis, bool in_body_axes) {
     return fmt::format("{}, {} axes", "xyz"[axis], in_body_axes ? "body" : "global");
   }
@@ -316,7 +345,7 @@ std::string dump_model(const Model& model) {
   for (const Body& body : model.bodies) text += describe.body(body);
   text += "joints\n";
   for (const Joint& joint : model.joints) text += describe.joint(joint);
-  text += describe.rods_and_springs() + describe.bushings() + describe.bump_stops() + describe.forces() + "motions\n";
+  text += describe.rods_and_springs() + describe.bushings() + describe.bump_stops() + describe.forces() + describe.axles() + "motions\n";
   for (const Motion& motion : model.motions) {
     text += fmt::format("  {}: {} = {}\n", motion.name, describe.coordinate(motion.joint),
                         describe.quantity(motion.position));

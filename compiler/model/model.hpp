@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/model/axles.hpp"
 #include "compiler/model/bump_stops.hpp"
 #include "compiler/model/bushings.hpp"
 #include "compiler/model/elements.hpp"
@@ -106,6 +107,7 @@ struct Model {
   std::vector<AppliedForce> forces;
   std::vector<JointForce> joint_forces;
   std::vector<Tyre> tyres;
+  std::vector<Axle> axles;
   std::vector<Motion> motions;
   std::vector<UserState> states;
   std::vector<SampledValue> sampled;

@@ -22,6 +22,7 @@ struct FileFields : About {
   const Value *springs = nullptr, *joint_springs = nullptr, *frictions = nullptr, *air_springs = nullptr;
   const Value *bushings = nullptr, *bump_stops = nullptr;
   const Value *forces = nullptr, *joint_forces = nullptr, *tyre_data = nullptr, *tyres = nullptr, *motions = nullptr;
+  const Value* axles = nullptr;
   const Value *couplings = nullptr, *states = nullptr, *sampled = nullptr;
   const Value *outputs = nullptr, *shapes = nullptr, *initial = nullptr, *solver = nullptr, *instances = nullptr;
 };
@@ -130,6 +131,20 @@ struct TyreDataFields {
 struct TyreFields : Tyre {
   std::string data;
   std::optional<std::string> tir;  ///< file
+};
+
+struct AxleWheelFields {
+  std::optional<std::string> tyre;
+  std::optional<Attachment> written_centre;
+  std::optional<Vector3> written_axis;
+  std::optional<double> written_radius;
+  std::optional<std::vector<Attachment>> steering_axis;
+};
+
+/// An axle with its wheels as written.
+struct AxleFields : Axle {
+  std::string written_body;
+  const Value *written_left = nullptr, *written_right = nullptr, *written_without = nullptr;
 };
 
 struct MotionFields : Motion {
@@ -265,6 +280,10 @@ template <>
 std::span<const Field<TyreDataFields>> fields<TyreDataFields>();
 template <>
 std::span<const Field<TyreFields>> fields<TyreFields>();
+template <>
+std::span<const Field<AxleWheelFields>> fields<AxleWheelFields>();
+template <>
+std::span<const Field<AxleFields>> fields<AxleFields>();
 template <>
 std::span<const Field<MotionFields>> fields<MotionFields>();
 template <>

@@ -175,6 +175,7 @@ void read_sections(Reader& reader) {
   read_tyres(reader, tyre_data, entries(&FileFields::tyres));
   check_state_names(reader, states, sampled);
   read_motions(reader, entries(&FileFields::motions));
+  read_axles(reader, entries(&FileFields::axles));
   read_outputs(reader, entries(&FileFields::outputs));
   read_shapes(reader, entries(&FileFields::shapes));
   read_initial(reader, initial_parts(reader));

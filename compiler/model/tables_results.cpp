@@ -188,6 +188,10 @@ std::vector<ObjectKind> object_kinds() {
       kind<TyreDataFields>("tyre_data", "coefficients of a tyre"),
       kind<TyreFields>("tyre", "a tyre on a flat horizontal road; exactly one of data and tir", {"data", "tir"},
                        {{"data", "stiffness"}}),
+      kind<AxleFields>("axle",
+                       "an axle on a rig for kinematics and compliance; x forward, y to the left and z up at the "
+                       "reference"),
+      kind<AxleWheelFields>("axle_wheel", "a wheel of an axle; exactly one of tyre and centre", {"tyre", "centre"}),
       kind<MotionFields>("motion", "a driven coordinate; exactly one of angle and position", {"angle", "position"}),
       kind<OutputFields>("output",
                          "a result; exactly one of expression, point, points, body, bodies, joint, tyre, spring, "

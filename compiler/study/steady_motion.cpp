@@ -261,6 +261,22 @@ SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint&
   return Search(compilation, start, wish).find();
 }
 
+std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyWish& wish) {
+  constexpr double kStill = 1e-9;  // rad/s or m/s: rounding
+  std::string text = fmt::format("steady motion, accelerations at most {:.1e}:\n", steady.largest);
+  for (const int i : free_coordinates(compilation.topology, compilation.analysis)) {
+    const TreeBody& body = compilation.topology.bodies[i];
+    if (std::abs(steady.point.zd[i]) < kStill) continue;
+    text += fmt::format("  {:<32}{:>16.9g} {}/s\n", "zd." + body.coordinate, steady.point.zd[i], unit_of(body.kind));
+  }
+  for (std::size_t i = 0; i < compilation.model.inputs.size(); ++i) {
+    const Input& input = compilation.model.inputs[i];
+    if (std::find(wish.solve.begin(), wish.solve.end(), input.name) == wish.solve.end()) continue;
+    text += fmt::format("  {:<32}{:>16.9g} {}\n", input.name, steady.point.inputs[i], input.unit);
+  }
+  return text + "\n";
+}
+
 void settle_auxiliary(const Compilation& compilation, OperatingPoint& point) {
   const std::vector<AuxiliaryState> states = auxiliary_states(compilation.model);
   const auto count = static_cast<Eigen::Index>(point.x.size()) - held_state_count(compilation.model);

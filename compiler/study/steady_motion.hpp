@@ -34,6 +34,9 @@ void mark_places(const SteadyMotion& motion, std::vector<Mode>& list);
 /// Fails: UserError for unknown names, and where there is none near by: with the coordinate that goes on to accelerate.
 SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyWish& wish);
 
+/// The rates that a steady motion keeps, and the inputs that were found, for people.
+std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyWish& wish);
+
 /// Sets the auxiliary states to where they stand still at the point's positions, velocities and inputs.
 /// Fails: UserError as linearise.
 void settle_auxiliary(const Compilation& compilation, OperatingPoint& point);

@@ -1,0 +1,158 @@
+#include "compiler/study/kc/curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/base/user_error.hpp"
+#include "compiler/engines/engine.hpp"
+
+namespace mbgen::kc {
+namespace {
+
+constexpr Load kLoadOf[] = {Load::brake_force, Load::drive_force, Load::lateral_force, Load::aligning_moment};
+
+bool is_load(Sweep::Kind kind) { return kind >= Sweep::Kind::brake_force; }
+
+Load load_of(Sweep::Kind kind) { return kLoadOf[static_cast<int>(kind) - static_cast<int>(Sweep::Kind::brake_force)]; }
+
+/// The wheels that the rig has; what is missing is left empty.
+AxleState wheels_of(const Rig& rig, const RigPoint& point) {
+  return {wheel_of(rig, point, 0), wheel_of(rig, point, 1)};
+}
+
+/// Fills the missing wheel of `state` with the mirror of the wheel there is in `partner`.
+void complete(AxleState& state, const AxleState& partner) {
+  if (!state.left.is_there) state.left = mirrored(partner.right);
+  if (!state.right.is_there) state.right = mirrored(partner.left);
+}
+
+RigInputs scaled(double factor, RigInputs inputs) {
+  for (double& value : inputs) value *= factor;
+  return inputs;
+}
+
+/// Values of a curve that follow from the imposed one alone; of an axle with one wheel the other has none.
+RigInputs imposed_at(const Rig& rig, Sweep::Kind kind, double value) {
+  if (kind == Sweep::Kind::steering) return scaled(value, kSteering);
+  if (kind == Sweep::Kind::parallel_travel || !is_real(rig, 0) || !is_real(rig, 1)) return scaled(value, kParallel);
+  return scaled(value, kOpposite);
+}
+
+/// A point under load: forces and their arms turn with the wheels, so its direction and the balance are sought in turn.
+Status find_loaded_point(const Rig& rig, Load load, double value, const RigPoint& near, RigPoint& point) {
+  constexpr double kTurnsNoMore = 1e-12;
+  constexpr int kMostTurns = 50;
+  RigInputs direction = both_loads(wheels_of(rig, near), rig, load);
+  GenericState state = near.state;
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    if (const Status status = find_point(rig, scaled(value, direction), state, point); !status.ok()) return status;
+    const RigInputs next = both_loads(wheels_of(rig, point), rig, load);
+    double change = 0;
+    for (std::size_t i = 0; i < next.size(); ++i) change = std::max(change, std::abs(next[i] - direction[i]));
+    if (change < kTurnsNoMore) return {};
+    direction = next;
+    state = point.state;
+  }
+  return {Code::no_equilibrium, -1};
+}
+
+Status find_curve_point(const Rig& rig, const Sweep& sweep, double value, const RigPoint& near, CurvePoint& found) {
+  found.imposed = value;
+  if (is_load(sweep.kind)) return find_loaded_point(rig, load_of(sweep.kind), value, near, found.at);
+  if (const Status status = find_point(rig, imposed_at(rig, sweep.kind, value), near.state, found.at); !status.ok())
+    return status;
+  add_slopes(rig, found.at);
+  return {};
+}
+
+/// Gives every point its axle. Where wheels move against each other the mirror of the wheel is that at minus the value;
+/// points without one are left out.
+std::vector<CurvePoint> completed(const Rig& rig, Sweep::Kind kind, std::vector<CurvePoint> points) {
+  std::vector<AxleState> wheels;
+  for (const CurvePoint& point : points) wheels.push_back(wheels_of(rig, point.at));
+  std::vector<CurvePoint> result;
+  const bool has_both = is_real(rig, 0) && is_real(rig, 1);
+  const bool is_against = kind == Sweep::Kind::opposite_travel || kind == Sweep::Kind::steering;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::size_t partner = i;
+    for (std::size_t k = 0; is_against && k < points.size(); ++k) {
+      if (points[k].imposed == -points[i].imposed) partner = k;
+    }
+    if (is_against && !has_both && points[partner].imposed != -points[i].imposed) continue;
+    points[i].axle = wheels[i];
+    complete(points[i].axle, wheels[partner]);
+    result.push_back(std::move(points[i]));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string name_of(Sweep::Kind kind) {
+  constexpr const char* kNames[] = {"parallel_travel", "opposite_travel", "steering",       "brake_force",
+                                    "drive_force",     "lateral_force",   "aligning_moment"};
+  return kNames[static_cast<int>(kind)];
+}
+
+std::string title_of(Sweep::Kind kind) {
+  constexpr const char* kTitles[] = {"Parallel wheel travel",
+                                     "Opposite wheel travel",
+                                     "Steering",
+                                     "Longitudinal force at the contact patch, wheels locked to their carriers",
+                                     "Longitudinal force at the wheel centre, torque carried by the body",
+                                     "Lateral force at the contact patch",
+                                     "Aligning moment"};
+  return kTitles[static_cast<int>(kind)];
+}
+
+RigInputs both_loads(const AxleState& axle, const Rig& rig, Load load) {
+  RigInputs direction{};
+  for (const int which : {0, 1}) {
+    if (!is_real(rig, which)) continue;
+    const RigInputs one = load_direction(which == 0 ? axle.left : axle.right, load);
+    for (std::size_t i = 0; i < one.size(); ++i) direction[i] += one[i];
+  }
+  return direction;
+}
+
+CurvePoint start_point(const Rig& rig) {
+  CurvePoint start;
+  const Status status = find_point(rig, {}, rig.start, start.at);
+  if (!status.ok()) {
+    throw UserError(fmt::format("{}: axle {}: the rig has no equilibrium at the start: {}\n",
+                                rig.compilation.model.file, rig.axle.name, describe(rig.compilation, status)));
+  }
+  add_slopes(rig, start.at);
+  start.axle = wheels_of(rig, start.at);
+  complete(start.axle, start.axle);
+  return start;
+}
+
+CurvePoints curve_points(const Rig& rig, const CurvePoint& start, const Sweep& sweep, int count) {
+  const int half = count / 2;
+  CurvePoints curve;
+  std::vector<CurvePoint> below, above;
+  for (const int sign : {-1, 1}) {
+    std::vector<CurvePoint>& side = sign < 0 ? below : above;
+    for (int k = 1; k <= half; ++k) {
+      const double value = sign * sweep.amplitude * k / half;
+      CurvePoint point;
+      const Status status = find_curve_point(rig, sweep, value, side.empty() ? start.at : side.back().at, point);
+      if (!status.ok()) {
+        curve.note += fmt::format("{}{} ends before {:g}: {}", curve.note.empty() ? "" : "; ", name_of(sweep.kind),
+                                  value, describe(rig.compilation, status));
+        break;
+      }
+      side.push_back(std::move(point));
+    }
+  }
+  std::reverse(below.begin(), below.end());
+  below.push_back(start);
+  below.insert(below.end(), above.begin(), above.end());
+  curve.points = completed(rig, sweep.kind, std::move(below));
+  return curve;
+}
+
+}  // namespace mbgen::kc

@@ -1,0 +1,83 @@
+#pragma once
+// The rig of an axle: the user's model with its body held and its wheels on pads, as a model of its own.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/compile.hpp"
+#include "runtime/generic/generic.hpp"
+
+namespace mbgen::kc {
+
+/// What a rig imposes, in this order: travels of both wheel centres (m, up), steering (rad or m, from the start), then
+/// for each wheel the force along x and y (N) at the centre of the wheel and the torque about x, y and z (N m) on the
+/// wheel body, global axes.
+enum RigInput {
+  kTravelLeft,
+  kTravelRight,
+  kSteer,
+  kLoadsLeft,
+  kLoadsRight = kLoadsLeft + 5,
+  kRigInputs = kLoadsRight + 5
+};
+constexpr int kLoads = 5;
+using RigInputs = std::array<double, kRigInputs>;
+
+/// Places of a wheel's values among the outputs of the rig's model, the first of three or one; -1: there is none.
+struct RigWheel {
+  int centre = -1;             ///< m, position
+  int axis = -1;               ///< spin axis, unit
+  int rim = -1;                ///< unit vector that turns with the wheel body, across the axis
+  int lower = -1, upper = -1;  ///< m, points of the steering axis
+  int load = -1;               ///< N, force of the pad, up
+  double side = 1;             ///< 1 left, -1 right
+  double radius = 0;           ///< m
+};
+
+/// A spring, damper or stop of the model whose deflection follows the wheels.
+struct RigElement {
+  std::string name;
+  std::string unit;            ///< of its deflection
+  int output = -1, less = -1;  ///< its deflection is sense (output - less)
+  double sense = 1;            ///< -1 of a length: compression counts positive
+};
+
+/// The rig's model with its start. Wheels do not turn on their carriers, motions stay where they are at the start,
+/// tyres, frictions and what the axle names in `without` are taken away; wheels of other axles that have tyres stand on
+/// pads that do not move.
+struct Rig {
+  Axle axle;
+  Compilation compilation;
+  std::array<RigWheel, 2> wheels;  ///< left, right; without a centre where there is none
+  std::vector<RigElement> elements;
+  std::array<int, kRigInputs> inputs{};  ///< index into the model's inputs, -1: not there
+  std::string steer_unit;                ///< of the steering coordinate; "" without one
+  GenericState start;
+  std::vector<double> start_inputs;
+};
+
+/// The rig at a state of the user's model, at these values of its inputs.
+/// Fails: UserError where nothing holds the body to ground, and as decide.
+Rig make_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at);
+
+/// A state of balance on the rig: the outputs of its model, and their derivatives along the imposed values.
+struct RigPoint {
+  RigInputs imposed{};
+  GenericState state;
+  std::vector<double> inputs;  ///< of the model
+  std::vector<double> values;  ///< of the outputs
+  Eigen::MatrixXd slopes;      ///< outputs x kRigInputs; empty unless asked for
+};
+
+/// The static equilibrium at imposed values, sought from a state near by; of a mechanism without free directions its
+/// closed position. Status: of the search.
+Status find_point(const Rig& rig, const RigInputs& imposed, const GenericState& near, RigPoint& point);
+
+/// Adds the derivatives: of closed loops by their velocities, of compliant ones by the linear response of the
+/// equilibrium, both from the differentiated programs (no differences).
+/// Fails: UserError as linearise.
+void add_slopes(const Rig& rig, RigPoint& point);
+
+}  // namespace mbgen::kc
