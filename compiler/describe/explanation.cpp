@@ -7,53 +7,23 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <sstream>
 
 #include "compiler/analysis/configuration.hpp"
 #include "compiler/analysis/symmetry.hpp"
 #include "compiler/describe/counts.hpp"
+#include "compiler/describe/explained_elements.hpp"
 #include "compiler/describe/names.hpp"
 #include "compiler/describe/notes.hpp"
+#include "compiler/describe/paragraphs.hpp"
 #include "compiler/solver/titles.hpp"
 #include "compiler/topology/poles.hpp"
 
 namespace mbgen {
 namespace {
 
-constexpr std::size_t kExplanationWidth = 100;
 constexpr int kBarWidth = 30;
 /// Axes count as parallel, or as perpendicular, up to this (rad).
 constexpr double kParallel = 1e-9;
-
-/// A paragraph broken into lines, each after `margin`.
-std::string paragraph(const std::string& words, const std::string& margin = "") {
-  std::istringstream stream(words);
-  std::string text, line = margin, word;
-  while (stream >> word) {
-    if (line.size() > margin.size() && line.size() + 1 + word.size() > kExplanationWidth) {
-      text += line + "\n";
-      line = margin;
-    }
-    line += (line.size() > margin.size() ? " " : "") + word;
-  }
-  return text + line + "\n";
-}
-
-std::string heading(const std::string& title) { return "\n" + title + "\n" + std::string(title.size(), '-') + "\n"; }
-
-std::string counted(long count, const std::string& one, std::string several = "") {
-  if (several.empty()) several = one + "s";
-  return fmt::format("{} {}", count == 0 ? "no" : std::to_string(count), count == 1 ? one : several);
-}
-
-/// "a", "a and b", "a, b and c".
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  }
-  return text;
-}
 
 std::string overview_text(const Compilation& c) {
   const auto bodies = static_cast<long>(c.model.bodies.size()) - (c.model.ground >= 0 ? 1 : 0);
@@ -342,23 +312,6 @@ std::string operations_explanation(const Compilation& compilation) {
   return text;
 }
 
-std::string number_or_text(const Model& model, const Quantity& quantity) {
-  return quantity.expression < 0 ? fmt::format("{:g}", quantity.value) : model.expressions[quantity.expression].text;
-}
-
-std::string states_explanation(const Model& model) {
-  std::string text;
-  for (const UserState& state : model.states)
-    text += paragraph(fmt::format("{} is integrated with the motion: its derivative is {}, it starts at {:g}.",
-                                  state.name, number_or_text(model, state.derivative), state.initial));
-  for (const SampledValue& value : model.sampled)
-    text +=
-        paragraph(fmt::format("{} is set every {:g} s to {}{} and holds in between; it starts at {:g}.", value.name,
-                              value.period, number_or_text(model, value.value),
-                              value.delay > 0 ? ", " + counted(value.delay, "instant") + " later" : "", value.initial));
-  return text.empty() ? "" : heading("States") + text;
-}
-
 std::string notes_explanation(const Diagnostics& notes) {
   if (notes.empty()) return {};
   std::string text = heading("Notes");
@@ -373,8 +326,8 @@ std::string explanation_text(const Compilation& compilation) {
       overview_text(compilation) + tree_explanation(compilation.topology) + cuts_explanation(compilation);
   for (std::size_t b = 0; b < compilation.topology.blocks.size(); ++b) text += block_explanation(compilation, b);
   return text + sides_explanation(compilation) + freedoms_explanation(compilation) +
-         states_explanation(compilation.model) + operations_explanation(compilation) +
-         notes_explanation(all_notes(compilation));
+         elements_explanation(compilation.model) + states_explanation(compilation.model) +
+         operations_explanation(compilation) + notes_explanation(all_notes(compilation));
 }
 
 }  // namespace mbgen

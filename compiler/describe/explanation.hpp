@@ -8,7 +8,7 @@
 namespace mbgen {
 
 /// Tree, cuts and their reasons, loop blocks, redundant equations and their reasons, left and right, freedoms,
-/// operations by part.
+/// elements that give way, stop or stick, states, operations by part.
 std::string explanation_text(const Compilation& compilation);
 
 }  // namespace mbgen

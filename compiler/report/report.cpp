@@ -68,6 +68,7 @@ Json model_json(const Model& model, const Topology& topology, const Analysis& an
           {"rods", model.rods.size()},
           {"springs", model.springs.size() + model.joint_springs.size() + model.air_springs.size()},
           {"bushings", model.bushings.size()},
+          {"bump_stops", model.bump_stops.size()},
           {"tyres", model.tyres.size()},
           {"coordinates", topology.size()},
           {"equations", equation_count(topology)},

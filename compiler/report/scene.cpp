@@ -25,7 +25,8 @@ constexpr double kTube = 0.05, kThinnest = 0.0016, kThickest = 0.011;
 /// Radius of the tubes between a hull and the points outside it, over the size of the model.
 constexpr double kBracket = 0.0044;
 /// Radii over the size of the model.
-constexpr double kRod = 0.0022, kDamper = 0.0032, kSpring = 0.0075, kSpringSlimness = 0.075, kJoint = 0.0022;
+constexpr double kRod = 0.0022, kDamper = 0.0032, kSpring = 0.0075, kSpringSlimness = 0.075, kJoint = 0.0022,
+                 kStop = 0.006;
 
 /// Box around all shapes, at the reference.
 Box extent_of(const Model& model) {
@@ -151,9 +152,15 @@ Json bodies_json(const Model& model, double size) {
 
 Json end_json(const Model& model, const Attachment& at) { return {at.body, place_of(model, at)}; }
 
-double reference_length(const Model& model, const PointSpring& spring) {
+/// Between two places at the reference, m, GLOBAL axes.
+Vector3 way_between(const Model& model, const Attachment& from, const Attachment& to) {
   const auto global = [&](const Attachment& at) { return to_global(model.bodies[at.body].pose, place_of(model, at)); };
-  return distance(global(spring.from), global(spring.to));
+  const Vector3 a = global(from), b = global(to);
+  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+}
+
+double reference_length(const Model& model, const PointSpring& spring) {
+  return distance({}, way_between(model, spring.from, spring.to));
 }
 
 Json links_json(const Model& model, double size) {
@@ -198,6 +205,22 @@ bool has_mark(const Model& model, const Joint& joint) {
   });
 }
 
+/// A rubber at an end: of a stop against compression at `from`, else at `to`, towards the other end or along the axis.
+Json stop_json(const Model& model, const BumpStop& stop, double size) {
+  const bool is_rebound = stop.side == BumpStop::Side::extension;
+  const Attachment &at = is_rebound ? stop.to : stop.from, &other = is_rebound ? stop.from : stop.to;
+  Vector3 way = stop.axis.value_or(way_between(model, at, other));
+  if (is_rebound && stop.axis) way = {-way[0], -way[1], -way[2]};
+  if (distance({}, way) == 0) way = {0, 0, 1};
+  return {{"name", stop.name},
+          {"kind", "bump_stop"},
+          {"body", at.body},
+          {"on_ground", false},
+          {"at", place_of(model, at)},
+          {"axis", to_body_axes(model.bodies[at.body].pose, way)},
+          {"radius", kStop * size}};
+}
+
 Json joints_json(const Model& model, double size) {
   Json joints = Json::array();
   for (const Joint& joint : model.joints) {
@@ -220,6 +243,8 @@ Json joints_json(const Model& model, double size) {
                       {"axis", to_body_axes(model.bodies[bushing.from.body].pose, axis)},
                       {"radius", kJoint * size}});
   }
+  for (const BumpStop& stop : model.bump_stops)
+    if (!stop.is_on_joint()) joints.push_back(stop_json(model, stop, size));
   return joints;
 }
 

@@ -205,6 +205,30 @@ TEST(Scene, AHookInTheSkyDoesNotMakeTheModelLarge) {
   EXPECT_EQ(kinds, (std::map<std::string, int>{{"rod", 4}, {"spring", 4}})) << "and these are not drawn";
 }
 
+TEST(Scene, ABumpStopIsARubberThatPointsToTheOtherEnd) {
+  const Model model = *read_model(R"({ "mbgen": 1,
+    "bodies": { "ground": { "points": { "O": [0, 0, 0], "top": [0.5, 0, 1] } },
+                "arm": { "mass": 2, "inertia": [1, 1, 1], "points": { "O": [0, 0, 0], "pad": [0.5, 0, 0] } } },
+    "joints": { "turn": { "type": "revolute", "from": "ground.O", "to": "arm.O", "axis": "y" } },
+    "springs": { "strut": { "from": "ground.top", "to": "arm.pad", "stiffness": 100 } },
+    "bump_stops": { "bump": { "spring": "strut", "clearance": 0.1, "stiffness": 1e4 },
+                    "rebound": { "spring": "strut", "side": "extension", "clearance": 0.1, "stiffness": 1e4 },
+                    "side": { "from": "arm.pad", "to": "ground.top", "axis": "x", "clearance": 0.1, "stiffness": 1e4 },
+                    "end": { "joint": "turn", "side": "above", "clearance": 1, "stiffness": 10 } } })",
+                                  "test.json");
+  const Json scene = scene_json(model);
+  std::map<std::string, Json> marks;
+  for (const Json& mark : scene["joints"]) marks[mark["name"]] = mark;
+  EXPECT_EQ(marks.size(), 4u) << "the end of a joint has no place of its own";
+  for (const char* name : {"bump", "rebound", "side"}) EXPECT_EQ(marks[name]["kind"], "bump_stop") << name;
+  EXPECT_EQ(marks["bump"]["body"], 0);
+  EXPECT_EQ(marks["bump"]["at"], Json({0.5, 0.0, 1.0}));
+  EXPECT_EQ(marks["bump"]["axis"], Json({0.0, 0.0, -1.0}));
+  EXPECT_EQ(marks["rebound"]["body"], 1);
+  EXPECT_EQ(marks["rebound"]["axis"], Json({0.0, 0.0, 1.0}));
+  EXPECT_EQ(marks["side"]["axis"], Json({1.0, 0.0, 0.0}));
+}
+
 TEST(Scene, AHullHasItsPointsOutsideAndNoSpiderInside) {
   const Model model = *read_model(R"({ "mbgen": 1, "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
     "box": { "mass": 600, "inertia": [250, 850, 1000], "points": { "O": [0, 0, 0], "inside": [0.5, 0, 0], "out": [2.5, 0.3, 0] } } },

@@ -129,7 +129,7 @@ export function bodyGroup(body, index, sceneSize) {
   return group;
 }
 
-/** The mark of a joint: a pin, a ball, a slide, a bushing, or a foot on the ground. */
+/** The mark of a joint: a pin, a ball, a slide, a bushing, a bump stop, or a foot on the ground. */
 export function jointMark(joint, up) {
   const surface = material(joint.on_ground ? "#7b838c" : "#e0a526", { roughness: 0.45 });
   const group = new Group();
@@ -150,6 +150,12 @@ export function jointMark(joint, up) {
     alignY(sleeve, axis);
     alignY(pin, axis);
     group.add(sleeve, pin);
+  } else if (joint.kind === "bump_stop") {
+    const rubber = material("#3a3f46", { roughness: 0.85, metalness: 0 });
+    const stop = shadowed(new Mesh(new CylinderGeometry(0.9 * r, 1.7 * r, 4 * r, 24), rubber));
+    stop.position.copy(axis).multiplyScalar(2 * r);
+    alignY(stop, axis);
+    group.add(stop);
   } else {
     group.add(ball([0, 0, 0], 1.3 * r, surface));
   }

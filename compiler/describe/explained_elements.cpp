@@ -1,0 +1,83 @@
+#include "compiler/describe/explained_elements.hpp"
+
+#include <fmt/format.h>
+
+#include "compiler/describe/paragraphs.hpp"
+#include "compiler/topology/names.hpp"
+
+namespace mbgen {
+namespace {
+
+std::string number_or_text(const Model& model, const Quantity& quantity) {
+  return quantity.expression < 0 ? fmt::format("{:g}", quantity.value) : model.expressions[quantity.expression].text;
+}
+
+const std::string& body_of(const Model& model, const Attachment& at) {
+  return model.bodies[static_cast<std::size_t>(at.body)].name;
+}
+
+std::string bushing_text(const Model& model, const Bushing& bushing) {
+  std::vector<std::string> acting, branches;
+  for (int i = 0; i < kBushingFreedoms; ++i) {
+    const std::string name(kBushingFreedomNames[static_cast<std::size_t>(i)]);
+    if (bushing_acts(bushing, i)) acting.push_back(name);
+    if (has_maxwell_branch(bushing, i)) branches.push_back(fmt::format("x.{}_{}", bushing.name, name));
+  }
+  std::string words = fmt::format("{} is a bushing between {} and {}", bushing.name, body_of(model, bushing.from),
+                                  body_of(model, bushing.to));
+  if (acting.empty()) return words + " without any force.";
+  words += fmt::format("; it acts in {}.", listed(acting));
+  if (!branches.empty())
+    words += fmt::format(" Its Maxwell {} the {} {}.", branches.size() == 1 ? "branch has" : "branches have",
+                         branches.size() == 1 ? "state" : "states", listed(branches));
+  return words;
+}
+
+std::string stop_text(const Model& model, const BumpStop& stop) {
+  const std::string clearance = number_or_text(model, stop.clearance);
+  const bool is_on_this_side = stop.side == BumpStop::Side::above || stop.side == BumpStop::Side::compression;
+  if (stop.is_on_joint()) {
+    const Freedom& freedom = freedom_of(model, stop.joint);
+    return fmt::format("{} pushes back where {} is {} {} {}.", stop.name, freedom.name,
+                       is_on_this_side ? "above" : "below minus", clearance, unit_of(freedom.kind));
+  }
+  return fmt::format("{} pushes {} and {} {} where their ends have come {} m {}{} than at the reference.", stop.name,
+                     body_of(model, stop.from), body_of(model, stop.to), is_on_this_side ? "apart" : "together",
+                     clearance, is_on_this_side ? "nearer" : "farther apart", stop.axis ? ", along its axis," : "");
+}
+
+std::string friction_text(const std::string& name, const std::string& place, const FrictionLaw& law) {
+  return fmt::format(
+      "{} sticks {}, by bristles ({}) whose deflection is the state x.{}_bristle.", name, place,
+      law.kind == FrictionLaw::Kind::lugre ? "LuGre, which creeps under loads that vibrate" : "elasto-plastic", name);
+}
+
+}  // namespace
+
+std::string elements_explanation(const Model& model) {
+  std::string text;
+  for (const Bushing& bushing : model.bushings) text += paragraph(bushing_text(model, bushing));
+  for (const BumpStop& stop : model.bump_stops) text += paragraph(stop_text(model, stop));
+  for (const JointFriction& friction : model.frictions)
+    if (friction.has_bristle())
+      text += paragraph(friction_text(friction.name, "on " + freedom_of(model, friction.joint).name, friction));
+  for (const SpringFriction& friction : model.spring_frictions)
+    if (friction.has_bristle())
+      text += paragraph(friction_text(friction.name, "along " + model.springs[friction.spring].name, friction));
+  return text.empty() ? "" : heading("What gives way, stops or sticks") + text;
+}
+
+std::string states_explanation(const Model& model) {
+  std::string text;
+  for (const UserState& state : model.states)
+    text += paragraph(fmt::format("{} is integrated with the motion: its derivative is {}, it starts at {:g}.",
+                                  state.name, number_or_text(model, state.derivative), state.initial));
+  for (const SampledValue& value : model.sampled)
+    text +=
+        paragraph(fmt::format("{} is set every {:g} s to {}{} and holds in between; it starts at {:g}.", value.name,
+                              value.period, number_or_text(model, value.value),
+                              value.delay > 0 ? ", " + counted(value.delay, "instant") + " later" : "", value.initial));
+  return text.empty() ? "" : heading("States") + text;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,16 @@
+#pragma once
+// Elements of a model that give way, stop or stick, and its states, in words: sections of `mbgen explain`.
+
+#include <string>
+
+#include "compiler/model/model.hpp"
+
+namespace mbgen {
+
+/// Bushings, bump stops, frictions that stick; "" without any.
+std::string elements_explanation(const Model& model);
+
+/// States of the user's own and sampled values; "" without any.
+std::string states_explanation(const Model& model);
+
+}  // namespace mbgen
