@@ -58,6 +58,7 @@ struct Mode {
   std::complex<double> eigenvalue;                ///< 1/s
   std::vector<std::complex<double>> states;       ///< per state
   std::vector<std::complex<double>> coordinates;  ///< per tree coordinate, the largest of them 1
+  int auxiliary = -1;                             ///< the auxiliary state that moves most where no coordinate does
   bool is_neutral = false;                        ///< eigenvalue zero but for rounding: the system may stay anywhere
   bool is_unstable = false;                       ///< grows, by more than rounding
 
@@ -75,8 +76,9 @@ std::vector<Mode> modes(const LinearSystem& system);
 
 /// The coordinates that move most in a mode, with signs, or phases in degrees where they are neither in step nor
 /// against each other; independent ones first. Rotations and translations each over the first of their kind, and behind
-/// a semicolon the kind that moves less, with the ratio of the two scales; "" when none moves.
-std::string leading_coordinates(const Topology& topology, const Analysis& analysis, const Mode& mode);
+/// a semicolon the kind that moves less, with the ratio of the two scales; where none moves, the auxiliary state.
+std::string leading_coordinates(const Model& model, const Topology& topology, const Analysis& analysis,
+                                const Mode& mode);
 
 /// Independent coordinates that tell apart all places at which the system goes on as it does: chassis_tx, chassis_ty
 /// and chassis_rz of a vehicle on the road.

@@ -5,6 +5,7 @@
 
 #include "compiler/algebra/dense.hpp"
 #include "compiler/linearisation/linearisation.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 
 namespace mbgen {
 namespace {
@@ -36,6 +37,9 @@ Mode mode_of(const LinearSystem& system, std::complex<double> eigenvalue, const 
   if (largest == 0) {  // only auxiliary states
     vector.cwiseAbs().maxCoeff(&place);
     scale = vector[place];
+    const auto index = static_cast<std::size_t>(place);
+    if (index < system.states.size() && system.states[index].kind == LinearState::Kind::auxiliary)
+      mode.auxiliary = system.states[index].index;
   }
   const auto scaled = [&](const Eigen::VectorXcd& values) {
     std::vector<std::complex<double>> result;
@@ -148,7 +152,8 @@ std::vector<Mode> modes(const LinearSystem& system) {
   return result;
 }
 
-std::string leading_coordinates(const Topology& topology, const Analysis& analysis, const Mode& mode) {
+std::string leading_coordinates(const Model& model, const Topology& topology, const Analysis& analysis,
+                                const Mode& mode) {
   std::vector<MovingCoordinate> moving[2];
   for (std::size_t i = 0; i < mode.coordinates.size(); ++i) {
     moving[is_translation(topology.bodies[i]) ? 1 : 0].push_back({i, mode.coordinates[i], false});
@@ -160,7 +165,8 @@ std::string leading_coordinates(const Topology& topology, const Analysis& analys
   }
   for (std::vector<MovingCoordinate>& kind : moving) leave_leading(kind);
   const double rotation = size_of(moving[0]), translation = size_of(moving[1]);
-  if (rotation == 0 && translation == 0) return "";
+  if (rotation == 0 && translation == 0)
+    return mode.auxiliary < 0 ? "" : "x." + auxiliary_state_names(model)[static_cast<std::size_t>(mode.auxiliary)];
   const int first = translation > rotation ? 1 : 0;
   const std::complex<double> reference = moving[first].front().amplitude;
   std::string text = shape_text(topology, moving[first], reference, std::abs(reference), kMostNamed);

@@ -96,7 +96,7 @@ Json mode_json(const ModesSource& source, const GenericSolver& solver, const Mod
     std::vector<Quaternion> before = rest;
     add_poses(solver.poses(frame), before, numbers);
   }
-  return {{"name", leading_coordinates(source.topology, source.analysis, mode)},
+  return {{"name", leading_coordinates(source.model, source.topology, source.analysis, mode)},
           {"kind", "mode"},
           {"eigenvalue", {mode.eigenvalue.real(), mode.eigenvalue.imag()}},
           {"frequency", mode.frequency()},

@@ -51,6 +51,11 @@ struct BlockEvents {
   std::vector<double> singular_times;  ///< s, of the first kSingularTimes of them
 };
 
+/// Energies that differ by this part of their level are the same but for rounding.
+constexpr double kRoundedEnergy = 1e-9;
+/// Speed, rad/s or m/s, of a body at rest, from rounding.
+constexpr double kAtRest = 1e-9;
+
 struct SimulationSummary {
   long steps = 0;             ///< that succeeded
   double end_time = 0;        ///< s, of the last good state
@@ -65,6 +70,8 @@ struct SimulationSummary {
   GenericState last;                ///< the last good state
   std::vector<BlockEvents> blocks;  ///< per loop block, as far as anything was met
   Status status;                    ///< of the step that failed, or ok
+  /// Whether energy was exchanged, beyond rounding: else the relative error of the balance says nothing.
+  bool exchanges_energy() const { return energy.scale > kRoundedEnergy * energy.level && largest_velocity > kAtRest; }
   /// Of a step that failed: a shorter one, s, by which the motion goes on from the last good state; 0 where none was
   /// found.
   double passable_step = 0;

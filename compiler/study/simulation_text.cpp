@@ -153,7 +153,8 @@ Json results_json(const SimulationRecord& record) {
                   {"energy_change", summary.energy.change},
                   {"work", summary.energy.work},
                   {"energy_error", summary.energy.error()},
-                  {"relative_energy_error", summary.energy.relative_error()},
+                  {"relative_energy_error",
+                   summary.exchanges_energy() ? Json(summary.energy.relative_error()) : Json(nullptr)},
                   {"stable_step", known_or_null(record.verdict.stable_step)},
                   {"fitting_step", known_or_null(record.verdict.fitting_step)},
                   {"warnings", warnings_json(record)},
@@ -205,8 +206,9 @@ std::string summary_text(const SimulationRecord& record) {
   text += fmt::format("  largest closure residual  {:.2e} m, {:.2e} m/s\n", summary.largest.position,
                       summary.largest.velocity);
   text +=
-      fmt::format("  energy                    changed by {:.6g} J, work {:.6g} J, error {:.2e} J ({:.1e} relative)\n",
-                  energy.change, energy.work, energy.error(), energy.relative_error());
+      fmt::format("  energy                    changed by {:.6g} J, work {:.6g} J, error {:.2e} J ({})\n", energy.change,
+                  energy.work, energy.error(),
+                  summary.exchanges_energy() ? fmt::format("{:.1e} relative", energy.relative_error()) : "rounding");
   text += fmt::format("  status                    {} at t = {:.6g} s\n", status_text(record), summary.end_time);
   text += blocks_text(record);
   if (!record.are_inputs_constant) text += ranges_text("input", summary.inputs, record.compilation.model.inputs);

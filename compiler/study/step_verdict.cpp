@@ -26,10 +26,6 @@ constexpr double kDifference = 1e-6;  // rad, m or per second
 constexpr double kBlownUp = 1e6;
 /// Part of a mode's energy that an acceptable step loses or gains over the motion.
 constexpr double kFittingLoss = kEnergyWarning / 2;
-/// Energies that differ by this part of their level are the same but for rounding.
-constexpr double kRoundedEnergy = 1e-9;
-/// Speed, rad/s or m/s, of a body at rest, from rounding.
-constexpr double kAtRest = 1e-9;
 constexpr int kMostTries = 60;
 
 /// Positions and rates near a state, as the loops let it move.
@@ -126,7 +122,7 @@ double fitting_step(Integrator integrator, const std::vector<Mode>& modes, doubl
 }
 
 std::string mode_text(const Compilation& compilation, const Mode& mode) {
-  const std::string moves = leading_coordinates(compilation.topology, compilation.analysis, mode);
+  const std::string moves = leading_coordinates(compilation.model, compilation.topology, compilation.analysis, mode);
   const std::string rate = mode.oscillates() ? fmt::format("{:.4g} Hz", mode.undamped_frequency())
                                              : fmt::format("decay at {:.4g} 1/s", std::abs(mode.eigenvalue));
   return fmt::format("{} ({})", rate, moves.empty() ? "slips of tyres" : moves);
@@ -310,6 +306,10 @@ std::vector<Mode> modes_near(const Compilation& compilation, const GenericState&
     system.A.col(j) = (ahead - behind) / (2 * kDifference);
     system.coordinates.col(j) = (positions_ahead - positions_behind) / (2 * kDifference);
   }
+  for (const auto kind : {LinearState::Kind::position, LinearState::Kind::velocity})
+    for (const int i : nearby.free) system.states.push_back({kind, i});
+  for (int i = 0; i < static_cast<int>(state.x.size()); ++i)
+    system.states.push_back({LinearState::Kind::auxiliary, i});
   return modes(system);
 }
 

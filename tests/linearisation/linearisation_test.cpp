@@ -310,6 +310,11 @@ TEST(Linearisation, OilIsASpringAndStatesAreInA) {
   }
   EXPECT_NEAR(fastest, omega, 1e-6 * omega);
   EXPECT_NEAR(slowest_lag, -4, 1e-9);
+  for (const Mode& mode : modes(l.system)) {
+    if (std::abs(mode.eigenvalue + 4.0) > 1e-9) continue;
+    const Compilation& c = l.compilation;
+    EXPECT_EQ(leading_coordinates(c.model, c.topology, c.analysis, mode), "x.lag");
+  }
   EXPECT_NEAR(l.system.B(4, 0), 4, 1e-13);
   EXPECT_NEAR(l.system.C(0, 4), 3, 1e-13);
   EXPECT_NEAR(l.system.A(2, 1), -1.4e9 / 0.5, 1e-3);

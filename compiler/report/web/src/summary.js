@@ -46,7 +46,7 @@ function runRows(run, result) {
     ["status", run.status], ["largest closure residual, m", run.position_residual],
     ["the same of velocities, m/s", run.velocity_residual], ["change of energy, J", run.energy_change],
     ["work of forces and drives, J", run.work], ["error of energy, J", run.energy_error],
-    ["relative error of energy", run.relative_energy_error],
+    ["relative error of energy", run.relative_energy_error ?? "none: nothing was exchanged"],
   ];
 }
 
