@@ -64,7 +64,9 @@ std::span<const Field<AxleFields>> fields<AxleFields>() {
                          .doc = "end of the vehicle: the sign of anti-dive and its kin",
                          .fallback_word = "front",
                          .words = kAxleEnds}),
-      field<F, &F::wheelbase>(positive("wheelbase", "of the vehicle; for Ackermann's angles and anti-dive")),
+      field<F, &F::wheelbase>(positive(
+          "wheelbase",
+          "of the vehicle; for Ackermann's angles and anti-dive; default: the way to the only axle at the other end")),
       field<F, &F::centre_of_gravity_height>(
           positive("centre_of_gravity_height", "of the vehicle above the road; for anti-dive")),
       field<F, &F::brake_share>(

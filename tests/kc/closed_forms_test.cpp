@@ -268,16 +268,39 @@ TEST(Rig, SaysWhatItCannotDo) {
   EXPECT_NE(message([] { report_of_file("models/axles/coach.json", {}); }).find("name one of the axles: front, rear"),
             std::string::npos);
   EXPECT_NE(message([] { report_of_file("models/four_bar.json", {}); }).find("has no axles"), std::string::npos);
+  const std::string turned = R"({"mbgen": 1, "include": [")" + source_path("models/axles/coach.json") +
+                             R"("], "initial": { "positions": { "chassis_rz": 0.4 } } })";
+  EXPECT_NE(message([&] {
+              report_of(expect(read_model(turned, "turned.json")), {}, "front");
+            }).find("is turned by 0.4 rad about z"),
+            std::string::npos);
   const KcReport report = report_of_text(kSwingAxle, {.travel = 0.9, .points = 11});
   ASSERT_EQ(report.notes.size(), 3u);
   EXPECT_NE(report.notes[1].find("parallel_travel ends before"), std::string::npos) << report.notes[1];
   EXPECT_GT(table(report, "parallel_travel").columns.front().values.size(), 4u);
 }
 
+TEST(Report, FilesHoldWhatTheTablesHold) {
+  const KcReport report = report_of_text(trailing_arm(""), {.travel = 0.03, .points = 3});
+  const std::vector<NamedText> files = kc_files(report);
+  ASSERT_EQ(files.size(), 5u);
+  EXPECT_EQ(files[0].path, "rear_parallel_travel.csv");
+  EXPECT_EQ(files[0].text.find("travel [m],toe_left [rad],"), 0u) << files[0].text;
+  EXPECT_EQ(std::count(files[0].text.begin(), files[0].text.end(), '\n'), 4);
+  EXPECT_NE(files[1].text.find("caster_left"), std::string::npos);
+  EXPECT_EQ(files.back().path, "rear.html");
+  EXPECT_NE(files.back().text.find("<td colspan=\"2\">15</td><td>N/mm</td>"), std::string::npos) << files.back().text;
+  EXPECT_NE(kc_text(report).find("  wheel_rate                                  15 N/mm\n"), std::string::npos)
+      << kc_text(report);
+  EXPECT_NEAR(kc_json(report)["figures"]["wheel_rate"]["values"][0].get<double>(), 15000, 1e-5);
+}
+
 TEST(Coach, AxlesHaveTheirCurves) {
   const KcReport front =
       report_of_file("models/axles/coach.json", {.travel = 0.04, .steer = 0.3, .points = 3}, "front");
   EXPECT_EQ(front.tables.size(), 3u);
+  // The wheelbase is that between both axles.
+  EXPECT_TRUE(std::isfinite(value_at(front, "steering", "ackermann", 0.3)));
   EXPECT_NEAR(figure(front, "camber", 0), figure(front, "camber", 1), 1e-3);
   EXPECT_GT(
       value_at(front, "steering", "steer_angle_left", 0.3) * value_at(front, "steering", "steer_angle_right", 0.3), 0);

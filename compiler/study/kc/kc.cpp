@@ -14,6 +14,27 @@ namespace {
 using namespace kc;
 using Kind = Sweep::Kind;
 
+/// Mean x of an axle's wheel centres at the reference, m.
+double place_of(const Model& model, const Axle& axle) {
+  double sum = 0;
+  int count = 0;
+  for (const AxleWheel* wheel : {&axle.left, &axle.right}) {
+    if (!wheel->is_there()) continue;
+    sum += reference_position(model, wheel->centre)[0];
+    ++count;
+  }
+  return sum / count;
+}
+
+/// The axle with the wheelbase of the model where it tells none and the model has one axle at the other end.
+Axle with_wheelbase(const Model& model, Axle axle) {
+  const auto is_opposite = [&](const Axle& other) { return other.end != axle.end && other.body == axle.body; };
+  if (axle.wheelbase || std::count_if(model.axles.begin(), model.axles.end(), is_opposite) != 1) return axle;
+  const auto opposite = std::find_if(model.axles.begin(), model.axles.end(), is_opposite);
+  axle.wheelbase = std::abs(place_of(model, axle) - place_of(model, *opposite));
+  return axle;
+}
+
 /// Whether loads at the wheels move them.
 bool is_compliant(const Rig& rig, const CurvePoint& start) {
   constexpr double kMoves = 1e-14;  // m/N or rad/N: rubber gives 1e-9 and more
@@ -75,7 +96,8 @@ const Axle& find_axle(const Model& model, const std::string& name) {
 
 KcReport kinematics_and_compliance(const Compilation& compilation, const Axle& axle, const OperatingPoint& at,
                                    const KcWish& wish) {
-  const Rig rig = make_rig(compilation, axle, at);
+  const Axle whole = with_wheelbase(compilation.model, axle);
+  const Rig rig = make_rig(compilation, whole, at);
   const CurvePoint start = start_point(rig);
   const bool with_loads = is_compliant(rig, start);
   KcReport report{compilation.model.name, axle.name, figures(rig, start, with_loads), {}, {}};

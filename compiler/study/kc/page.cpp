@@ -123,7 +123,8 @@ std::string page(const KcReport& report) {
       "body{{font-family:sans-serif;max-width:62em;margin:2em auto;padding:0 1em;color:#222}}"
       "table{{border-collapse:collapse}}th{{text-align:left;font-weight:normal}}"
       "th,td{{padding:.15em .8em .15em 0;border-bottom:1px solid #e2e2e2}}"
-      "td{{text-align:right;font-variant-numeric:tabular-nums}}td.words{{text-align:left;color:#666}}"
+      "td{{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}}td.words{{text-align:left;white-"
+      "space:normal;color:#666}}"
       "svg{{max-width:49%;height:auto}}</style></head>\n<body>\n<h1>{}</h1>\n<p>Kinematics and compliance, by mbgen. "
       "Definitions: docs/use/kc.md of mbgen.</p>\n",
       title, title);

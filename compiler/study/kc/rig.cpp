@@ -53,6 +53,7 @@ class RigBuilder {
   }
 
   Rig build() {
+    check_heading();
     if (model_.ground < 0) throw UserError(fmt::format("{}: a rig needs the body \"ground\"\n", model_.file));
     take_away();
     keep_tree();
@@ -73,6 +74,19 @@ class RigBuilder {
   }
 
  private:
+  /// The rig's axes are those of the reference: the body still has to point along x.
+  void check_heading() const {
+    constexpr double kStraight = 0.01;  // rad
+    const Matrix3& now = poses_[static_cast<std::size_t>(axle_.body)].rotation;
+    const Matrix3& home = model_.bodies[static_cast<std::size_t>(axle_.body)].pose.rotation;
+    const Vector3 forward = times(now, times_transposed(home, {1, 0, 0}));
+    const double yaw = std::atan2(forward[1], forward[0]);
+    if (std::abs(yaw) < kStraight) return;
+    throw UserError(
+        fmt::format("{}: axle {}: at the start {} is turned by {:.3g} rad about z; a rig needs it along x\n",
+                    model_.file, axle_.name, model_.bodies[static_cast<std::size_t>(axle_.body)].name, yaw));
+  }
+
   /// Tyres, frictions, outputs, the start, and what the axle names.
   void take_away() {
     model_.tyres.clear();
