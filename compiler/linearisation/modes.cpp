@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "compiler/algebra/dense.hpp"
@@ -59,9 +60,36 @@ bool comes_before(const Mode& a, const Mode& b) {
   return key(a) > key(b);
 }
 
+/// Units of the states, powers of two, in which the column of A of an auxiliary state is as large as its row outside of
+/// the diagonal: a pressure of 1e6 Pa beside an angle would hide what is zero. Positions and velocities keep theirs.
+/// Source: E. E. Osborne, "On Pre-Conditioning of Matrices", Journal of the ACM 7(4), 1960.
+Eigen::VectorXd balancing_units(const LinearSystem& system) {
+  Eigen::MatrixXd a = system.A;
+  Eigen::VectorXd units = Eigen::VectorXd::Ones(a.rows());
+  constexpr int kSweeps = 20;
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    bool changes = false;
+    for (std::size_t s = 0; s < system.states.size(); ++s) {
+      const auto i = static_cast<Eigen::Index>(s);
+      const double own = std::abs(a(i, i)), column = a.col(i).cwiseAbs().sum() - own,
+                   row = a.row(i).cwiseAbs().sum() - own;
+      if (system.states[s].kind != LinearState::Kind::auxiliary || !(column > 0) || !(row > 0)) continue;
+      const double unit = std::exp2(std::round(std::log2(row / column) / 2));
+      a.col(i) *= unit;
+      a.row(i) /= unit;
+      units[i] *= unit;
+      changes = changes || unit != 1;
+    }
+    if (!changes) break;
+  }
+  return units;
+}
+
 /// An orthonormal basis of the states that stay, or drift at a constant rate along others that stay, as a heading makes
 /// the place: of the kernels of A, A^2, ..
-Eigen::MatrixXd neutral_states(const Eigen::MatrixXd& a) {
+Eigen::MatrixXd neutral_states(const LinearSystem& system) {
+  const Eigen::VectorXd units = balancing_units(system);
+  const Eigen::MatrixXd a = units.cwiseInverse().asDiagonal() * system.A * units.asDiagonal();
   Eigen::MatrixXd basis(a.rows(), 0);
   for (Eigen::Index size = -1; size < basis.cols() && basis.cols() < a.rows();) {
     size = basis.cols();
@@ -71,16 +99,18 @@ Eigen::MatrixXd neutral_states(const Eigen::MatrixXd& a) {
         std::count_if(sizes.begin(), sizes.end(), [none = kNothing * sizes[0]](double s) { return s <= none; });
     basis = vectors.rightCols(zero);
   }
-  return basis;
+  if (basis.cols() == 0 || units.isOnes()) return basis;
+  const Eigen::MatrixXd in_own_units = units.asDiagonal() * basis;
+  return right_singular_vectors(in_own_units.transpose()).vectors.leftCols(basis.cols());
 }
 
 /// The largest eigenvalue that is zero but for rounding: in a chain of three, as rate of turn, heading and place of a
 /// wheel that rolls, it is the third root of rounding.
-double largest_zero(const Eigen::MatrixXd& a, const Eigen::VectorXcd& values) {
+double largest_zero(const LinearSystem& system, const Eigen::VectorXcd& values) {
   std::vector<double> sizes;
   for (const std::complex<double> value : values) sizes.push_back(std::abs(value));
   std::sort(sizes.begin(), sizes.end());
-  const Eigen::Index still = neutral_states(a).cols();
+  const Eigen::Index still = neutral_states(system).cols();
   return still > 0 ? sizes[static_cast<std::size_t>(still - 1)] : 0.0;
 }
 
@@ -138,7 +168,7 @@ std::vector<Mode> modes(const LinearSystem& system) {
   std::vector<Mode> result;
   if (system.A.rows() == 0) return result;
   const EigenVectors solutions = eigenvectors(system.A);
-  const double largest = solutions.values.cwiseAbs().maxCoeff(), zero = largest_zero(system.A, solutions.values);
+  const double largest = solutions.values.cwiseAbs().maxCoeff(), zero = largest_zero(system, solutions.values);
   for (Eigen::Index i = 0; i < solutions.values.size(); ++i) {
     const std::complex<double> eigenvalue = solutions.values[i];
     const bool is_neutral = std::abs(eigenvalue) <= std::max(zero, kNeutral * largest);
@@ -177,7 +207,7 @@ std::string leading_coordinates(const Model& model, const Topology& topology, co
 }
 
 std::vector<std::string> neutral_coordinates(const Topology& topology, const LinearSystem& system) {
-  const Eigen::MatrixXd still = neutral_states(system.A);
+  const Eigen::MatrixXd still = neutral_states(system);
   std::vector<Eigen::Index> positions;
   for (std::size_t i = 0; i < system.states.size(); ++i) {
     if (system.states[i].kind == LinearState::Kind::position) positions.push_back(static_cast<Eigen::Index>(i));

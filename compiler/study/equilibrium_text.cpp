@@ -4,6 +4,7 @@
 
 #include "compiler/base/user_error.hpp"
 #include "compiler/engines/engine.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/study/operating_point.hpp"
 
 namespace mbgen {
@@ -20,15 +21,18 @@ Equilibrium equilibrium(const Compilation& compilation, const std::vector<double
 }
 
 nlohmann::ordered_json equilibrium_json(const Compilation& compilation, const Equilibrium& found) {
-  nlohmann::ordered_json positions = nlohmann::ordered_json::object(), outputs = positions;
+  nlohmann::ordered_json positions = nlohmann::ordered_json::object(), states = positions, outputs = positions;
   for (std::size_t i = 0; i < found.state.z.size(); ++i) {
     positions[compilation.topology.bodies[i].coordinate] = found.state.z[i];
   }
+  for (std::size_t i = 0; const std::string& name : auxiliary_state_names(compilation.model))
+    states[name] = found.state.x[i++];
   for (std::size_t i = 0; i < compilation.model.outputs.size(); ++i) {
     outputs[compilation.model.outputs[i].name] = found.outputs.y[i];
   }
   return {{"model", compilation.model.name},
           {"positions", positions},
+          {"states", states},
           {"largest_acceleration", largest_absolute(found.rates.zdd)},
           {"outputs", outputs}};
 }
@@ -40,6 +44,10 @@ std::string equilibrium_text(const Compilation& compilation, const Equilibrium& 
     const TreeBody& body = compilation.topology.bodies[i];
     text += fmt::format("  {:<40}{:>16.9g} {}\n", body.coordinate, found.state.z[i], unit_of(body.kind));
   }
+  if (!compilation.model.states.empty()) text += "\nStates\n";
+  for (std::size_t i = 0; i < compilation.model.states.size(); ++i)
+    text += fmt::format("  {:<40}{:>16.9g} {}\n", compilation.model.states[i].name,
+                        found.state.x[i + first_user_state(compilation.model)], compilation.model.states[i].unit);
   if (!compilation.model.outputs.empty()) text += "\nOutputs\n";
   for (std::size_t i = 0; i < compilation.model.outputs.size(); ++i) {
     const Output& output = compilation.model.outputs[i];

@@ -320,6 +320,18 @@ TEST(Linearisation, OilIsASpringAndStatesAreInA) {
   EXPECT_NEAR(l.system.A(2, 1), -1.4e9 / 0.5, 1e-3);
 }
 
+// Pressures of 1e9 Pa/s per m/s beside a lag of 8 ms: the lag is no mode that stays.
+TEST(Linearisation, UnitsOfStatesHideNoEigenvalue) {
+  LinearSystem system;
+  system.A = Eigen::MatrixXd{{0, 1, 0, 0}, {6e-3, -80, 0, 2e-5}, {0, 0, -125, 0}, {0, -6e9, 0, 0}};
+  system.coordinates = Eigen::MatrixXd{{1, 0, 0, 0}};
+  using Kind = LinearState::Kind;
+  system.states = {{Kind::position, 0}, {Kind::velocity, 0}, {Kind::auxiliary, 0}, {Kind::auxiliary, 1}};
+  std::vector<bool> neutral;
+  for (const Mode& mode : modes(system)) neutral.push_back(mode.is_neutral);
+  EXPECT_EQ(neutral, (std::vector<bool>{false, false, true})) << "oscillation, lag, place of shut-in oil";
+}
+
 TEST(Linearisation, SingularPositionIsNamed) {
   Compilation compilation = compiled(read_model_file(source_path("models/iftomm/a02_n_four_bar_2.json")));
   std::vector<double> z(static_cast<std::size_t>(compilation.topology.size()), 0.0);
