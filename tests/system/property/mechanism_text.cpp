@@ -37,12 +37,52 @@ Json bushing_entry(const RandomBushing& bushing, const std::string& from, const 
   return entry;
 }
 
-/// The state of a spring: it follows what expressions see of the length and its rate.
+/// The state of a spring: it follows what expressions see of the length and its rate, and of a coordinate.
 Json oil_of(const RandomLink& link) {
   char text[160];
   std::snprintf(text, sizeof text, "%.17g*(length.%s - %.17g) + %.17g*rate.%s - 3*%s_oil", link.oil, link.name.c_str(),
                 kFreeLength, 0.02 * link.oil, link.name.c_str(), link.name.c_str());
-  return {{"derivative", text}, {"initial", link.oil / 50}};
+  const std::string felt = link.felt.empty() ? "" : " + z." + link.felt + "*(2 - zd." + link.felt + ")";
+  return {{"derivative", text + felt}, {"initial", link.oil / 50}};
+}
+
+/// Bump stops with their beginning within the reach of random states, on both sides of it.
+void add_stops(const RandomMechanism& mechanism, Json& model) {
+  for (const RandomLink& link : mechanism.links) {
+    if (link.stop == 0) continue;
+    model["bump_stops"][link.name + "_stop"] = {
+        {"spring", link.name}, {"clearance", -0.01}, {"stiffness", link.stop}, {"exponent", 1.5}, {"damping", 0.1}};
+    model["bump_stops"][link.name + "_rebound"] = {{"spring", link.name},
+                                                   {"side", "extension"},
+                                                   {"clearance", 0.005},
+                                                   {"stiffness", {{"table", {{0, 0}, {0.01, link.stop / 50}}}}}};
+  }
+  for (const RandomJoint& joint : mechanism.joints)
+    if (joint.stop > 0)
+      model["bump_stops"][joint.name + "_stop"] = {{"joint", joint.name},
+                                                   {"side", "below"},
+                                                   {"clearance", -0.02},
+                                                   {"force", "0.1*penetration*rate"},
+                                                   {"stiffness", joint.stop}};
+}
+
+/// Frictions by bristles, which bend by up to the millimetres of random states.
+void add_grips(const RandomMechanism& mechanism, Json& model) {
+  for (const RandomLink& link : mechanism.links)
+    if (link.grip > 0)
+      model["frictions"][link.name + "_grip"] = {
+          {"spring", link.name},          {"normal", link.name},         {"law", "elasto_plastic"},
+          {"coulomb", link.grip},         {"stiction", 1.5 * link.grip}, {"stribeck_velocity", 0.5},
+          {"stiffness", 500 * link.grip}, {"damping", link.grip},        {"lag", 0.01}};
+  for (const RandomJoint& joint : mechanism.joints)
+    if (joint.grip > 0)
+      model["frictions"][joint.name + "_grip"] = {{"joint", joint.name},
+                                                  {"law", "lugre"},
+                                                  {"coulomb", joint.grip},
+                                                  {"stiffness", 500 * joint.grip},
+                                                  {"damping", joint.grip},
+                                                  {"viscous", 0.1},
+                                                  {"lag", 0.01}};
 }
 
 /// Velocities of the centres of mass, lengths of the springs, deflections of the bushings.
@@ -63,8 +103,14 @@ Json outputs_of(const RandomMechanism& mechanism) {
 
 }  // namespace
 
+bool has_corners(const RandomMechanism& mechanism) {
+  const auto has = [](const auto& one) { return one.stop > 0 || one.grip > 0; };
+  return std::ranges::any_of(mechanism.links, has) || std::ranges::any_of(mechanism.joints, has);
+}
+
 bool is_driven(const RandomMechanism& mechanism) {
-  return std::ranges::any_of(mechanism.links, [](const RandomLink& link) { return link.stroke > 0 || link.oil > 0; }) ||
+  return has_corners(mechanism) ||
+         std::ranges::any_of(mechanism.links, [](const RandomLink& link) { return link.stroke > 0 || link.oil > 0; }) ||
          std::ranges::any_of(mechanism.joints, [](const RandomJoint& joint) { return joint.swing > 0; });
 }
 
@@ -126,6 +172,8 @@ std::string model_text(const RandomMechanism& mechanism) {
   if (!rods.empty()) model["rods"] = rods;
   if (!springs.empty()) model["springs"] = springs;
   if (!bushings.empty()) model["bushings"] = bushings;
+  add_stops(mechanism, model);
+  add_grips(mechanism, model);
   for (const RandomJoint& joint : mechanism.joints)
     if (joint.swing > 0)
       model["motions"][joint.name] = {

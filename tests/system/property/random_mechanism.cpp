@@ -278,6 +278,24 @@ void add_locked_parts(Workshop& shop) {
   }
 }
 
+/// Every spring gets a state that pulls along, bump stops and bristles, and the first plain joint a stop and bristles.
+void add_oil_and_rubber(RandomMechanism& made) {
+  const auto is_plain = [](const RandomJoint& joint) {
+    return (joint.type == "revolute" || joint.type == "prismatic") && !joint.cut && joint.swing == 0;
+  };
+  const auto joint = std::ranges::find_if(made.joints, is_plain);
+  for (RandomLink& link : made.links) {
+    if (link.stiffness == 0) continue;
+    link.oil = 5 * link.stiffness;
+    link.stop = 20 * link.stiffness;
+    link.grip = 0.2;
+    if (joint == made.joints.end()) continue;
+    link.felt = joint->name;
+    joint->stop = 30;
+    joint->grip = 0.4;
+  }
+}
+
 }  // namespace
 
 RandomMechanism random_bricard(std::uint64_t seed) {
@@ -347,8 +365,7 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
   if (shop.size() > 1 && dice.chance(0.3)) shop.add_bushing(dice.upto(shop.size() - 2), shop.size() - 1);
   RandomMechanism made = std::move(shop).made();
   constexpr std::uint64_t kWithOil = 2;  // of so many seeds one
-  for (RandomLink& link : made.links)
-    if (seed % kWithOil == 0 && link.stiffness > 0) link.oil = 5 * link.stiffness;
+  if (seed % kWithOil == 0) add_oil_and_rubber(made);
   return made;
 }
 

@@ -50,6 +50,8 @@ struct RandomJoint {
   Point at{}, axis{0, 0, 1};
   bool cut = false;
   double swing = 0;  ///< rad or m, of one that a motion drives
+  double stop = 0;   ///< N/m or N m/rad, of a plain one: a bump stop begins near the reference
+  double grip = 0;   ///< N or N m, of a plain one: it sticks by bristles
 };
 
 /// A rod, or a spring where it has a stiffness.
@@ -59,8 +61,11 @@ struct RandomLink {
   Point start{}, end{};
   double mass = 0;
   double stiffness = 0;
-  double stroke = 0;  ///< m, of a rod that is an actuator
-  double oil = 0;     ///< N/m/s, of a spring: its stretch fills a state that pulls along with it
+  double stroke = 0;      ///< m, of a rod that is an actuator
+  double oil = 0;         ///< N/m/s, of a spring: its stretch fills a state that pulls along with it
+  double stop = 0;        ///< N/m, of a spring: a bump stop begins near the reference
+  double grip = 0;        ///< of a spring: coefficient of friction of its bristles, which its own force presses
+  std::string felt = {};  ///< plain joint whose coordinate the state of the spring follows, too; "" for none
 };
 
 /// A bushing of constant stiffnesses, N/m and N m/rad.
@@ -80,7 +85,8 @@ struct RandomRelation {
   bool periodic = false;                           ///< the spline
 };
 
-/// All points in global axes at the reference; no damping, no motions but those of actuators and of cut joints.
+/// All points in global axes at the reference; no damping but of stops and bristles, no motions but those of actuators
+/// and of cut joints.
 struct RandomMechanism {
   std::uint64_t seed = 0;
   Point gravity{0, 0, -9.81};
@@ -122,8 +128,11 @@ RandomMechanism random_bricard(std::uint64_t seed);
 /// six deflections of each bushing.
 std::string model_text(const RandomMechanism& mechanism);
 
-/// True where an actuator, a motion or a state does work.
+/// True where an actuator, a motion or a state does work, or a stop or bristles take it.
 bool is_driven(const RandomMechanism& mechanism);
+
+/// True where forces have corners: bump stops, bristles.
+bool has_corners(const RandomMechanism& mechanism);
 
 /// Smaller or simpler mechanisms, the smallest first.
 std::vector<RandomMechanism> simpler(const RandomMechanism& mechanism);

@@ -21,9 +21,12 @@ Point times(const std::array<Point, 3>& m, const Point& p) {
 RandomMechanism without_body(RandomMechanism m, int body) {
   m.bodies.erase(m.bodies.begin() + body);
   const auto touches = [body](const auto& e) { return e.from == body || e.to == body; };
-  for (const RandomJoint& joint : m.joints)
-    if (touches(joint))
-      std::erase_if(m.relations, [&](const RandomRelation& r) { return std::ranges::count(r.joints, joint.name) > 0; });
+  for (const RandomJoint& joint : m.joints) {
+    if (!touches(joint)) continue;
+    std::erase_if(m.relations, [&](const RandomRelation& r) { return std::ranges::count(r.joints, joint.name) > 0; });
+    for (RandomLink& link : m.links)
+      if (link.felt == joint.name) link.felt = "";
+  }
   std::erase_if(m.joints, touches);
   std::erase_if(m.links, touches);
   std::erase_if(m.bushings, touches);
@@ -60,9 +63,16 @@ std::vector<RandomMechanism> simpler(const RandomMechanism& m) {
   for (std::size_t r = 0; r < m.relations.size(); ++r)
     change([r](RandomMechanism& c) { c.relations.erase(c.relations.begin() + static_cast<std::ptrdiff_t>(r)); });
   for (std::size_t l = 0; l < m.links.size(); ++l) change([l](RandomMechanism& c) { c.links[l].stroke = 0; });
-  for (std::size_t l = 0; l < m.links.size(); ++l) change([l](RandomMechanism& c) { c.links[l].oil = 0; });
+  for (std::size_t l = 0; l < m.links.size(); ++l) {
+    change([l](RandomMechanism& c) { c.links[l].oil = 0; });
+    change([l](RandomMechanism& c) { c.links[l].felt = ""; });
+    change([l](RandomMechanism& c) { c.links[l].stop = 0; });
+    change([l](RandomMechanism& c) { c.links[l].grip = 0; });
+  }
   change([](RandomMechanism& c) { c.gravity = {}; });
   for (std::size_t j = 0; j < m.joints.size(); ++j) {
+    change([j](RandomMechanism& c) { c.joints[j].stop = 0; });
+    change([j](RandomMechanism& c) { c.joints[j].grip = 0; });
     change([j](RandomMechanism& c) { c.joints[j].axis = {0, 0, 1}; });
     if (!m.joints[j].cut) change([j](RandomMechanism& c) { c.joints[j].type = "revolute"; });
   }
