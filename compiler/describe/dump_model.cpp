@@ -159,9 +159,10 @@ class ModelText {
                           bristle(friction));
     }
     for (const Tyre& tyre : model_.tyres) {
-      text += fmt::format("  {}: tyre at {}, axis ({}), count {}, radius {}, stiffness {}\n", tyre.name,
+      text += fmt::format("  {}: tyre at {}, axis ({}), count {}, radius {}, stiffness {}{}\n", tyre.name,
                           attachment(tyre.centre), fmt::join(tyre.axis, ", "), tyre.count, quantity(tyre.radius),
-                          quantity(tyre.stiffness));
+                          quantity(tyre.stiffness),
+                          tyre.model == TyreModel::mf61 ? ", pressure " + quantity(tyre.pressure) : "");
     }
     return text;
   }

@@ -62,12 +62,14 @@ TyreProperties<T> tyre_properties(const Tyre& tyre, const Value& value) {
           value(tyre.relaxation_y, "relaxation_y"),
           value(tyre.low_speed, "low_speed"),
           T(tyre.side),
-          T(tyre.count)};
+          T(tyre.count),
+          value(tyre.pressure, "pressure")};
 }
 
 /// Calls use(set) with a tyre's set of coefficients as its model has them.
 template <class T, class Use>
 auto with_tyre_set(TyreModel model, const std::vector<T>& coefficients, const Use& use) {
+  if (model == TyreModel::mf61) return use(MagicFormula61<T>::from_fields(coefficients.data()));
   return model == TyreModel::pac2002 ? use(Pac2002<T>::from_fields(coefficients.data()))
                                      : use(Pac89<T>::from_fields(coefficients.data()));
 }

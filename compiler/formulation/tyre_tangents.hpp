@@ -19,78 +19,49 @@ struct SlipStiffness {
   PlaneForces<T> by_kappa, by_alpha;
 };
 
-/// Properties of a tyre over A: T, or Slope<T>.
-template <class A, class T>
-TyreProperties<A> properties_of(const ForceWork<T>& work, const Tyre& tyre) {
-  return tyre_properties<A>(
-      tyre, [&](const Quantity& q, const char* meaning) { return A(work.value(q, meaning, tyre.name)); });
-}
-
-template <class T>
-SlipStiffness<T> slip_stiffness(const ForceWork<T>& work, const Tyre& tyre, const TyreContact<T>& contact) {
+/// Set, properties: of the tyre.
+template <class Set, class T>
+SlipStiffness<T> slip_stiffness(const Set& set, const TyreProperties<Slope<T>>& properties,
+                                const TyreContact<Slope<T>>& contact) {
   using S = Slope<T>;
-  std::vector<S> coefficients;
-  for (const Quantity& q : tyre.coefficients) coefficients.push_back(S(work.value(q)));
-  const TyreProperties<T> properties = properties_of<T>(work, tyre);
-  const T load = tyre_law::load(properties, contact);
-  const tyre_law::Slip<T> slip = tyre_law::slip(properties, contact);
+  const T load = tyre_law::load(set, properties, contact).value;
+  const tyre_law::Slip<S> slip = tyre_law::slip(set, properties, contact);
+  const S &side = properties.side, camber = side * contact.camber;
   const auto forces = [&](const S& kappa, const S& alpha) {
-    const S camber(T(tyre.side) * contact.camber);
-    const TyreForces<S> f = with_tyre_set(tyre.model, coefficients, [&](const auto& set) {
-      return tyre_law::formula<S>(set, S(load), kappa, tyre.side * alpha, camber, S(properties.friction),
-                                  S(slip.rolling));
-    });
-    return PlaneForces<T>{T(tyre.count) * f.fx.slope, T(tyre.count * tyre.side) * f.fy.slope};
+    const TyreForces<S> f =
+        tyre_law::formula<S>(set, S(load), kappa, side * alpha, camber, properties, S(slip.rolling.value));
+    return PlaneForces<T>{properties.count.value * f.fx.slope, properties.count.value * side.value * f.fy.slope};
   };
-  return {forces(S(slip.kappa, T(1.0)), S(slip.alpha)), forces(S(slip.kappa), S(slip.alpha, T(1.0)))};
+  return {forces(S(slip.kappa.value, T(1.0)), S(slip.alpha.value)),
+          forces(S(slip.kappa.value), S(slip.alpha.value, T(1.0)))};
 }
 
-/// Slips of a contact in which one of spin, vy, u, v moves.
-template <class T>
-tyre_law::Slip<Slope<T>> moved_slip(const TyreProperties<Slope<T>>& properties, const TyreContact<T>& contact,
-                                    Slope<T> TyreContact<Slope<T>>::*moved, const T& by) {
-  TyreContact<Slope<T>> c{contact.deflection, contact.deflection_rate, contact.vx, contact.vy,
-                          contact.spin,       contact.camber,          contact.u,  contact.v};
-  (c.*moved).slope = by;
-  return tyre_law::slip(properties, c);
-}
-
-/// Local coordinates: slip along the wheel, motion to the left, motion up, of the contact point.
-template <class T>
-ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_t index) {
+/// Fills what the law of a set gives: set, properties and contact over Slope, with no direction yet.
+template <class Set, class T>
+void add_law(const Set& set, const TyreProperties<Slope<T>>& properties, const TyreContact<Slope<T>>& contact,
+             ElementTangents<T>& element) {
   using S = Slope<T>;
   using C = TyreContact<S>;
-  const auto [contact, point] = placed_contact(work, tyre, wheel_motion(work, tyre, index));
-  const TyreProperties<S> properties = properties_of<S>(work, tyre);
-  const TyreProperties<T> plain = properties_of<T>(work, tyre);
-  const T radius = tyre_law::rolling_radius(plain, contact.motion);
-  const T lever = radius - (plain.radius - contact.motion.deflection);
-  std::vector<std::vector<T>> rows(3, std::vector<T>(work.system.topology.bodies.size(), T(0.0)));
-  const int body = work.system.topology.tree_body[tyre.centre.body];
-  Spatial<T> along = force_at(contact.forward, point);
-  along.angular = along.angular - lever * contact.left;
-  add_wrench(work, body, kGround, along, rows[0]);
-  add_wrench(work, body, kGround, force_at(contact.left, point), rows[1]);
-  add_wrench(work, body, kGround, force_at(contact.up, point), rows[2]);
-  ElementTangents<T> element = element_tangents<T>(std::move(rows), 2, static_cast<int>(2 * index));
+  const auto moved = [&](S C::*coordinate, const T& by) {
+    C c = contact;
+    (c.*coordinate).slope = by;
+    return c;
+  };
+  const T down = -properties.count.value;
+  element.by_position[2][2] = tyre_law::load(set, properties, moved(&C::deflection, down)).slope;
+  element.by_velocity[2][2] = tyre_law::load(set, properties, moved(&C::deflection_rate, down)).slope;
 
-  C loaded{contact.motion.deflection, contact.motion.deflection_rate, {}, {}, {}, {}, {}, {}};
-  loaded.deflection.slope = T(-tyre.count);
-  element.by_position[2][2] = tyre_law::load(properties, loaded).slope;
-  loaded.deflection.slope = T(0.0);
-  loaded.deflection_rate.slope = T(-tyre.count);
-  element.by_velocity[2][2] = tyre_law::load(properties, loaded).slope;
-
-  const SlipStiffness<T> k = slip_stiffness(work, tyre, contact.motion);
+  const SlipStiffness<T> k = slip_stiffness(set, properties, contact);
   const auto force = [&](const tyre_law::Slip<S>& slip, int component) {
     const T PlaneForces<T>::*f = component == 0 ? &PlaneForces<T>::fx : &PlaneForces<T>::fy;
     return S::times(k.by_kappa.*f, slip.kappa.slope) + S::times(k.by_alpha.*f, slip.alpha.slope);
   };
-  const T spin_per_slip = T(-1.0) / radius;
-  const tyre_law::Slip<S> by_motion[] = {moved_slip(properties, contact.motion, &C::spin, spin_per_slip),
-                                         moved_slip(properties, contact.motion, &C::vy, T(1.0))};
-  const tyre_law::Slip<S> by_state[] = {moved_slip(properties, contact.motion, &C::u, T(1.0)),
-                                        moved_slip(properties, contact.motion, &C::v, T(1.0))};
+  const auto slip = [&](S C::*coordinate, const T& by) {
+    return tyre_law::slip(set, properties, moved(coordinate, by));
+  };
+  const T spin_per_slip = T(-1.0) / tyre_law::rolling_radius(set, properties, contact).value;
+  const tyre_law::Slip<S> by_motion[] = {slip(&C::spin, spin_per_slip), slip(&C::vy, T(1.0))};
+  const tyre_law::Slip<S> by_state[] = {slip(&C::u, T(1.0)), slip(&C::v, T(1.0))};
   for (int b = 0; b < 2; ++b) {
     for (int a = 0; a < 2; ++a) {
       element.by_velocity[a][b] = force(by_motion[b], a);
@@ -100,7 +71,34 @@ ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_
     element.rate_by_velocity[1][b] = by_motion[b].dv.slope;
     element.decay[b] = b == 0 ? by_state[b].du.slope : by_state[b].dv.slope;
   }
-  return element;
+}
+
+/// Local coordinates: slip along the wheel, motion to the left, motion up, of the contact point.
+template <class T>
+ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_t index) {
+  using S = Slope<T>;
+  const PlacedContact<T> placed = placed_contact(work, tyre, wheel_motion(work, tyre, index));
+  const RoadContact<T>& contact = placed.contact;
+  const TyreContact<T>& m = contact.motion;
+  const TyreContact<S> motion{m.deflection, m.deflection_rate, m.vx, m.vy, m.spin, m.camber, m.u, m.v};
+  const TyreProperties<S> properties = tyre_properties<S>(
+      tyre, [&](const Quantity& q, const char* meaning) { return S(work.value(q, meaning, tyre.name)); });
+  std::vector<S> coefficients;
+  for (const Quantity& q : tyre.coefficients) coefficients.push_back(S(work.value(q)));
+  return with_tyre_set(tyre.model, coefficients, [&](const auto& set) {
+    const T radius = tyre_law::rolling_radius(set, properties, motion).value;
+    const T lever = radius - (properties.radius.value - m.deflection);
+    std::vector<std::vector<T>> rows(3, std::vector<T>(work.system.topology.bodies.size(), T(0.0)));
+    const int body = work.system.topology.tree_body[tyre.centre.body];
+    Spatial<T> along = force_at(contact.forward, placed.point);
+    along.angular = along.angular - lever * contact.left;
+    add_wrench(work, body, kGround, along, rows[0]);
+    add_wrench(work, body, kGround, force_at(contact.left, placed.point), rows[1]);
+    add_wrench(work, body, kGround, force_at(contact.up, placed.point), rows[2]);
+    ElementTangents<T> element = element_tangents<T>(std::move(rows), 2, static_cast<int>(2 * index));
+    add_law(set, properties, motion, element);
+    return element;
+  });
 }
 
 template <class T>

@@ -122,7 +122,7 @@ struct JointForce {
   Quantity force;  ///< N m or N
 };
 
-enum class TyreModel { pac89, pac2002 };
+enum class TyreModel { pac89, pac2002, mf61 };
 
 /// Tyre of a wheel body on a flat horizontal road (normal = global z).
 struct Tyre {
@@ -132,7 +132,7 @@ struct Tyre {
   /// unit spin axis, GLOBAL axes at the reference; forward rolling is positive about it when it points left
   Vector3 axis{0, 1, 0};
   TyreModel model = TyreModel::pac2002;
-  /// in the order of kPac2002Fields, or a0.. b0.. c0.. of pac89 (runtime header tyre.hpp)
+  /// in the order of kPac2002Fields or kMf61Fields, or a0.. b0.. c0.. of pac89 (runtime header tyre.hpp)
   std::vector<Quantity> coefficients;
   /// +1: coefficients used as they are, -1: mirrored (tyre measured on the other side)
   double side = 1;
@@ -142,8 +142,9 @@ struct Tyre {
   Quantity damping;      ///< N s/m, vertical, one tyre
   Quantity road_height;  ///< m, global z of the road
   Quantity friction;     ///< scales the friction (1 is the measured one)
-  /// 1: moment = -coefficient * load * radius * tanh(speed / low_speed)
+  /// 1: moment = -coefficient * load * radius * tanh(speed / low_speed); of mf61 its QSY1
   Quantity rolling_resistance;
+  Quantity pressure;  ///< Pa, of inflation; of mf61 alone
   Quantity relaxation_x, relaxation_y;  ///< m, relaxation lengths of the slips
   Quantity low_speed;                   ///< m/s, below it slip is damped so that the wheel comes to rest
 };

@@ -8,6 +8,7 @@
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 #include "compiler/model/tir_file.hpp"
+#include "compiler/model/tyre_sets.hpp"
 #include "mbgen/tyre.hpp"
 
 namespace mbgen::reading {
@@ -19,34 +20,33 @@ struct CoefficientSet {
   std::vector<Quantity> coefficients;
 };
 
-constexpr std::string_view kRadiusName = "UNLOADED_RADIUS", kLoadName = "FNOMIN";
-
-std::size_t pac2002_index(std::string_view name) {
-  const auto* found = std::find_if(std::begin(kPac2002Fields), std::end(kPac2002Fields),
-                                   [&](const TyreField& row) { return row.name == name; });
-  return static_cast<std::size_t>(found - std::begin(kPac2002Fields));
+/// A coefficient of a set with names.
+Quantity& coefficient(CoefficientSet& set, std::string_view name) {
+  return set.coefficients[tyre_field_index(tyre_fields(set.model), name)];
 }
 
-std::vector<Quantity> read_pac2002(Reader& reader, const Value& value) {
+std::vector<Quantity> read_named(Reader& reader, const Value& value, TyreModel model) {
+  const std::span<const TyreField> fields = tyre_fields(model);
   std::vector<Quantity> coefficients;
   std::vector<std::string_view> known;
-  for (const TyreField& row : kPac2002Fields) {
+  for (const TyreField& row : fields) {
     coefficients.emplace_back(row.default_value);
     known.push_back(row.name);
   }
   for (const Member& member : value.members) {
-    const std::size_t index = pac2002_index(member.key);
-    if (index == kPac2002Count) {
+    const std::size_t index = tyre_field_index(fields, member.key);
+    if (index == fields.size()) {
       report(reader, member.place, "unknown tyre coefficient " + in_quotes(member.key),
              did_you_mean(member.key, known));
       continue;
     }
-    const bool scale = member.key == kRadiusName || member.key == kLoadName;
-    const FieldInfo info{.name = "coefficient", .bound = scale ? Bound::positive : Bound::none};
+    const bool positive = is_scale(model, member.key) || member.key == "LONGVL";
+    const FieldInfo info{.name = "coefficient", .bound = positive ? Bound::positive : Bound::none};
     read_value(reader, member.value, info, coefficients[index]);
   }
-  for (const std::string_view name : {kRadiusName, kLoadName}) {
-    if (!find(value, name)) report(reader, value, "tyre coefficient " + in_quotes(name) + " is missing");
+  for (const TyreField& row : fields) {
+    if (is_scale(model, row.name) && !find(value, row.name))
+      report(reader, value, "tyre coefficient " + in_quotes(row.name) + " is missing");
   }
   return coefficients;
 }
@@ -91,8 +91,8 @@ std::vector<CoefficientSet> read_sets(Reader& reader, const Entries& entries) {
     if (fields.coefficients->kind != Value::Kind::object) {
       report(reader, *fields.coefficients, "must be an object of coefficients, got " + describe(*fields.coefficients));
     } else {
-      set.coefficients = set.model == TyreModel::pac2002 ? read_pac2002(reader, *fields.coefficients)
-                                                         : read_pac89(reader, *fields.coefficients);
+      set.coefficients = set.model == TyreModel::pac89 ? read_pac89(reader, *fields.coefficients)
+                                                       : read_named(reader, *fields.coefficients, set.model);
     }
   }
   return sets;
@@ -117,21 +117,42 @@ void check_tyre(Reader& reader, const Value& value, const std::vector<int>& grou
   }
 }
 
+/// Takes a set, and properties that it has and the model does not give.
+void use_coefficients(Reader& reader, const Value& value, CoefficientSet& set, TyreFields& tyre) {
+  tyre.model = set.model;
+  tyre.coefficients = set.coefficients;
+  if (set.coefficients.empty()) return;
+  const auto take = [&](std::string_view key, std::string_view name, Quantity& target) {
+    if (!find(value, key)) target = coefficient(set, name);
+  };
+  if (set.model == TyreModel::mf61) {
+    take("pressure", "NOMPRES", tyre.pressure);
+    take("rolling_resistance", "QSY1", tyre.rolling_resistance);
+  } else if (const Member* pressure = find_member(value, "pressure")) {
+    report(reader, pressure->place, "only a tyre with mf61 data has a pressure");
+  }
+  if (set.model != TyreModel::pac89) {
+    take("radius", "UNLOADED_RADIUS", tyre.radius);
+  } else if (!find(value, "radius")) {
+    report(reader, value, "a tyre with pac89 data needs \"radius\"");
+  }
+}
+
 /// Takes coefficients from a .tir file, and properties of the tyre that the model does not give.
 void use_file(Reader& reader, const Value& value, TyreFields& tyre) {
   const Value& file = *find(value, "tir");
   if (file.kind != Value::Kind::text) return;
   const std::optional<TirTyre> read = read_tir(reader, file);
   if (!read) return;
-  tyre.model = TyreModel::pac2002;
-  tyre.coefficients = read->coefficients;
+  CoefficientSet set{read->model, read->coefficients};
+  use_coefficients(reader, value, set, tyre);
   const auto take = [&](std::string_view key, const std::optional<double>& number, Quantity& target) {
     if (number && !find(value, key)) target = *number;
   };
-  take("radius", read->coefficients[pac2002_index(kRadiusName)].value, tyre.radius);
   take("stiffness", read->stiffness, tyre.stiffness);
   take("damping", read->damping, tyre.damping);
   take("rolling_resistance", read->rolling_resistance, tyre.rolling_resistance);
+  take("pressure", read->pressure, tyre.pressure);
   take("relaxation_x", read->relaxation_x, tyre.relaxation_x);
   take("relaxation_y", read->relaxation_y, tyre.relaxation_y);
   if (!find(value, "stiffness") && tyre.stiffness.value <= 0)
@@ -155,15 +176,8 @@ void use_set(Reader& reader, const Value& value, const std::vector<CoefficientSe
            suggestion(reader, tyre.data, reader.names.tyre_data));
     return;
   }
-  const CoefficientSet& set = sets[static_cast<std::size_t>(found->second)];
-  tyre.model = set.model;
-  tyre.coefficients = set.coefficients;
-  if (find(value, "radius") || set.coefficients.empty()) return;
-  if (set.model == TyreModel::pac2002) {
-    tyre.radius = set.coefficients[pac2002_index(kRadiusName)];
-  } else {
-    report(reader, value, "a tyre with pac89 data needs \"radius\"");
-  }
+  CoefficientSet set = sets[static_cast<std::size_t>(found->second)];
+  use_coefficients(reader, value, set, tyre);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace mbgen::reading {
 namespace {
 
 constexpr std::array<std::string_view, 3> kInterpolations = {"linear", "monotone_cubic", "spline"};
-constexpr std::array<std::string_view, 2> kTyreModels = {"pac89", "pac2002"};
+constexpr std::array<std::string_view, 3> kTyreModels = {"pac89", "pac2002", "mf61"};
 constexpr std::array<std::string_view, 2> kPointSpringLocals = {"length", "rate"};
 constexpr std::array<std::string_view, 2> kJointSpringLocals = {"position", "rate"};
 
@@ -207,7 +207,7 @@ std::span<const Field<TyreDataFields>> fields<TyreDataFields>() {
                                    .words = kTyreModels}),
       field<S, &S::coefficients>({.name = "coefficients",
                                   .shape = Shape::coefficients,
-                                  .doc = "pac2002: values by their .tir names; pac89: arrays a, b and c",
+                                  .doc = "pac2002 and mf61: values by their .tir names; pac89: arrays a, b and c",
                                   .need = Need::required}),
   };
   return table;
@@ -232,8 +232,9 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
           {.name = "data", .shape = Shape::reference, .doc = "name of the coefficient set", .of = "tyre_data"}),
       field<S, &S::tir>({.name = "tir",
                          .shape = Shape::text,
-                         .doc = "file of PAC2002 or Magic Formula 5.2 with the coefficients, relative to this file; "
-                                "also the default of radius, stiffness, damping, rolling_resistance and relaxation"}),
+                         .doc = "file of PAC2002 or Magic Formula 5.2, 6.1 or 6.2 with the coefficients, relative to "
+                                "this file; also the default of radius, stiffness, damping, rolling_resistance, "
+                                "pressure and relaxation"}),
       field<S, &S::side>({.name = "side",
                           .shape = Shape::number,
                           .doc = "1: coefficients as they are; -1: mirrored",
@@ -245,7 +246,7 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
                            .fallback = 1,
                            .bound = Bound::positive,
                            .depends = Depends::nothing}),
-      field<S, &S::radius>(number("radius", "unloaded radius; default: UNLOADED_RADIUS of a pac2002 set", "m",
+      field<S, &S::radius>(number("radius", "unloaded radius; default: UNLOADED_RADIUS of a pac2002 or mf61 set", "m",
                                   std::nullopt, Bound::positive)),
       field<S, &S::stiffness>({.name = "stiffness",
                                .doc = "vertical stiffness of one tyre; default: VERTICAL_STIFFNESS of a .tir file",
@@ -255,7 +256,13 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
       field<S, &S::road_height>(number("road_height", "global z of the road", "m", 0, Bound::none)),
       field<S, &S::friction>(number("friction", "scales the friction of the set", "1", 1, Bound::not_negative)),
       field<S, &S::rolling_resistance>(
-          number("rolling_resistance", "moment over load and radius", "1", 0.007, Bound::not_negative)),
+          number("rolling_resistance", "moment over load and radius; default of an mf61 set: its QSY1", "1", 0.007,
+                 Bound::not_negative)),
+      field<S, &S::pressure>({.name = "pressure",
+                              .doc = "inflation pressure, of an mf61 set alone; default: INFLPRES of a .tir file, else "
+                                     "NOMPRES",
+                              .unit = "Pa",
+                              .bound = Bound::positive}),
       field<S, &S::relaxation_x>(
           number("relaxation_x", "relaxation length of longitudinal slip", "m", 0.3, Bound::positive)),
       field<S, &S::relaxation_y>(

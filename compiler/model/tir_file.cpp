@@ -7,7 +7,8 @@
 #include <iterator>
 
 #include "compiler/model/csv_table.hpp"
-#include "mbgen/pac2002.hpp"
+#include "compiler/model/tyre_sets.hpp"
+#include "mbgen/mf61.hpp"
 
 namespace mbgen::reading {
 namespace {
@@ -133,40 +134,97 @@ double unit_of(Reader& reader, TirEntries& entries, std::string_view quantity) {
   return 1;
 }
 
-/// Complains about files of other tyre models.
-void check_tyre_model(Reader& reader, const Value& value, TirEntries& entries) {
-  constexpr std::string_view kHint = "the files understood are PAC2002 and Magic Formula 5.2 (FITTYP 6 or 21)";
+/// The set that a file is of; nothing, with a complaint, for other tyre models.
+std::optional<TyreModel> tyre_model_of(Reader& reader, const Value& value, TirEntries& entries) {
+  constexpr std::string_view kHint =
+      "the files understood are PAC2002 and Magic Formula 5.2 (FITTYP 6 or 21), 6.1 and 6.2 (FITTYP 61 or 62)";
+  const auto refuse = [&](Place place, const std::string& message) {
+    report(reader, place, message, std::string(kHint));
+    return std::nullopt;
+  };
   const TirEntry *format = use_entry(entries, "PROPERTY_FILE_FORMAT"), *type = use_entry(entries, "FITTYP");
   if (!format && !type) {
     report(reader, value, "file names no tyre model, neither PROPERTY_FILE_FORMAT nor FITTYP", std::string(kHint));
-    return;
+    return std::nullopt;
   }
   const std::string word = !format ? "MF-TYRE" : upper(format->value);
-  if (word != "PAC2002" && word != "MF_05" && word != "MF-TYRE") {
-    report(reader, format->place, "tyre model " + in_quotes(format->value) + " is not supported", std::string(kHint));
-    return;
-  }
+  const bool names_version = word == "PAC2002" || word == "MF_05";  // else FITTYP does
+  if (!names_version && word != "MF-TYRE" && word != "USER")
+    return refuse(format->place, "tyre model " + in_quotes(format->value) + " is not supported");
   if (!type) {
-    if (word != "MF-TYRE") return;
-    report(reader, format->place, "tyre model " + in_quotes(format->value) + " needs FITTYP, which tells its version",
-           std::string(kHint));
-    return;
+    if (names_version) return TyreModel::pac2002;
+    return refuse(format->place, "tyre model " + in_quotes(format->value) + " needs FITTYP, which tells its version");
   }
   const std::optional<double> number = number_of_key(reader, entries, "FITTYP");
-  if (!number || *number == 6 || *number == 21) return;
-  report(reader, type->place, fmt::format("tyre model FITTYP {} is not supported", *number), std::string(kHint));
+  if (number == 6 || number == 21) return TyreModel::pac2002;
+  if (number == 61 || number == 62) return TyreModel::mf61;
+  if (!number) return std::nullopt;
+  return refuse(type->place, fmt::format("tyre model FITTYP {} is not supported", *number));
 }
 
 /// Relaxation lengths of PAC2002 at nominal load and upright, m; zero ones are left to the tyre's own defaults.
-void read_relaxation(Reader& reader, TirEntries& entries, double radius, TirTyre& tyre) {
-  const auto number = [&](std::string_view key, double absent) {
-    return number_of_key(reader, entries, key).value_or(absent);
-  };
+template <class Number>
+void read_relaxation(const Number& number, double radius, TirTyre& tyre) {
   const double x = radius * std::abs(number("PTX1", 0)) * number("LSGKP", 1);
   if (x > 0) tyre.relaxation_x = x;
   const double pty1 = number("PTY1", 0), pty2 = number("PTY2", 0), scale = number("LSGAL", 1);
   const double y = pty2 == 0 ? 0 : radius * std::abs(pty1 * std::sin(2 * std::atan(1 / pty2))) * scale;
   if (y > 0) tyre.relaxation_y = y;
+}
+
+/// Factors to SI.
+struct TirUnits {
+  double length, force, time;
+};
+
+TirUnits units_of(Reader& reader, TirEntries& entries) {
+  const TirUnits units{unit_of(reader, entries, "LENGTH"), unit_of(reader, entries, "FORCE"),
+                       unit_of(reader, entries, "TIME")};
+  unit_of(reader, entries, "ANGLE");
+  return units;
+}
+
+double unit_of_coefficient(const TirUnits& units, std::string_view name) {
+  if (name == "UNLOADED_RADIUS") return units.length;
+  if (name == "FNOMIN") return units.force;
+  if (name == "NOMPRES") return units.force / (units.length * units.length);
+  return name == "LONGVL" ? units.length / units.time : 1;
+}
+
+void read_coefficients(Reader& reader, const Value& value, TirEntries& entries, const TirUnits& units, TirTyre& tyre) {
+  for (const TyreField& row : tyre_fields(tyre.model)) {
+    const std::string_view name = row.name;
+    const std::optional<double> number = number_of_key(reader, entries, name);
+    const TirEntry* entry = use_entry(entries, name);
+    if (is_scale(tyre.model, name) && !entry) {
+      report(reader, value, fmt::format("file has no {}", name));
+    } else if ((is_scale(tyre.model, name) || name == "LONGVL") && number && *number <= 0) {
+      report(reader, entry->place, fmt::format("key {} must be positive, got {}", name, *number));
+    }
+    const double unit = number ? unit_of_coefficient(units, name) : 1;
+    tyre.coefficients.emplace_back(number.value_or(row.default_value) * unit);
+  }
+}
+
+/// Stiffness, pressure and relaxation lengths of MF 6.1, at nominal load and pressure and upright; what the file does
+/// not give is left to the tyre's own defaults.
+template <class Number>
+void read_mf61(const Number& number, const TirUnits& units, TirTyre& tyre) {
+  std::vector<double> values;
+  for (const Quantity& q : tyre.coefficients) values.push_back(q.value);
+  const auto set = MagicFormula61<double>::from_fields(values.data());
+  const double per_length = units.force / units.length;
+  if (const double stiffness = number("VERTICAL_STIFFNESS", 0)) {
+    tyre.stiffness = stiffness * per_length * number("LCZ", 1);
+  } else if (const double linear = number("Q_FZ1", 0)) {
+    tyre.stiffness = set.fnomin / set.unloaded_radius * std::sqrt(linear * linear + 4 * set.q_fz2) * number("LCZ", 1);
+  }
+  if (const double pressure = number("INFLPRES", 0)) tyre.pressure = pressure * per_length / units.length;
+  const auto at = magic::mf61_state<double>(set, set.fnomin, set.nompres, 1, 1);
+  if (const double x = number("LONGITUDINAL_STIFFNESS", 0) * per_length; x > 0)
+    tyre.relaxation_x = std::abs(magic::mf61_longitudinal<double>(set, at, 0, 0).stiffness) / x;
+  if (const double y = number("LATERAL_STIFFNESS", 0) * per_length; y > 0)
+    tyre.relaxation_y = std::abs(magic::mf61_lateral<double>(set, at, 0, 0).stiffness) / y;
 }
 
 }  // namespace
@@ -193,33 +251,25 @@ std::optional<TirTyre> read_tir(Reader& reader, const Value& value) {
   const Document* document = open_beside(reader, value, "tyre file", file);
   if (!document) return std::nullopt;
   TirEntries entries = entries_of(reader, *document, file);
-  check_tyre_model(reader, value, entries);
+  const std::optional<TyreModel> model = tyre_model_of(reader, value, entries);
+  if (!model || reader.problems.size() > problems) return std::nullopt;
+  const TirUnits units = units_of(reader, entries);
+  TirTyre tyre{.model = *model};
+  read_coefficients(reader, value, entries, units, tyre);
+  const auto number = [&](std::string_view key, double absent) {
+    return number_of_key(reader, entries, key).value_or(absent);
+  };
   if (reader.problems.size() > problems) return std::nullopt;
-  const double length = unit_of(reader, entries, "LENGTH"), force = unit_of(reader, entries, "FORCE");
-  const double time = unit_of(reader, entries, "TIME");
-  unit_of(reader, entries, "ANGLE");
-  TirTyre tyre;
-  for (const TyreField& row : kPac2002Fields) {
-    const std::string_view name = row.name;
-    const std::optional<double> number = number_of_key(reader, entries, name);
-    const bool is_radius = name == "UNLOADED_RADIUS", is_load = name == "FNOMIN";
-    if (is_radius || is_load) {
-      const TirEntry* entry = use_entry(entries, name);
-      if (!entry) {
-        report(reader, value, fmt::format("file has no {}", name));
-      } else if (number && *number <= 0) {
-        report(reader, entry->place, fmt::format("key {} must be positive, got {}", name, *number));
-      }
-    }
-    const double unit = is_radius ? length : is_load ? force : 1;
-    tyre.coefficients.emplace_back(number.value_or(row.default_value) * unit);
+  if (*model == TyreModel::mf61) {
+    read_mf61(number, units, tyre);
+  } else {
+    if (const double stiffness = number("VERTICAL_STIFFNESS", 0))
+      tyre.stiffness = stiffness * units.force / units.length;
+    tyre.rolling_resistance = number_of_key(reader, entries, "QSY1");
+    read_relaxation(number, tyre.coefficients[0].value, tyre);
   }
-  tyre.stiffness = number_of_key(reader, entries, "VERTICAL_STIFFNESS");
   tyre.damping = number_of_key(reader, entries, "VERTICAL_DAMPING");
-  if (tyre.stiffness) *tyre.stiffness *= force / length;
-  if (tyre.damping) *tyre.damping *= force * time / length;
-  tyre.rolling_resistance = number_of_key(reader, entries, "QSY1");
-  read_relaxation(reader, entries, tyre.coefficients[0].value, tyre);
+  if (tyre.damping) *tyre.damping *= units.force * units.time / units.length;
   if (reader.problems.size() > problems) return std::nullopt;
   note_unused(reader, entries);
   return tyre;

@@ -13,10 +13,14 @@ namespace mbgen::reading {
 
 /// The tyre of a .tir file, in SI units.
 struct TirTyre {
-  std::vector<Quantity> coefficients;                ///< in the order of kPac2002Fields
-  std::optional<double> stiffness, damping;          ///< N/m, N s/m: VERTICAL_STIFFNESS, VERTICAL_DAMPING
-  std::optional<double> rolling_resistance;          ///< QSY1
-  std::optional<double> relaxation_x, relaxation_y;  ///< m, at nominal load and upright: PTX1; PTY1 and PTY2
+  TyreModel model;                                ///< pac2002 or mf61
+  std::vector<Quantity> coefficients = {};        ///< in the order of tyre_fields(model)
+  std::optional<double> stiffness = {};           ///< N/m: VERTICAL_STIFFNESS; of mf61 else by Q_FZ1 and Q_FZ2
+  std::optional<double> damping = {};             ///< N s/m: VERTICAL_DAMPING
+  std::optional<double> rolling_resistance = {};  ///< QSY1 of pac2002
+  std::optional<double> pressure = {};            ///< Pa: INFLPRES
+  std::optional<double> relaxation_x = {};  ///< m, at nominal load: PTX1; of mf61 slip over LONGITUDINAL_STIFFNESS
+  std::optional<double> relaxation_y = {};  ///< m: PTY1 and PTY2; slip stiffness over LATERAL_STIFFNESS
 };
 
 /// KEY = value of a section.
@@ -33,10 +37,11 @@ struct TirEntries {
   std::vector<std::pair<std::string_view, Place>> tables;  ///< sections with rows that have no key
 };
 
-/// Reads a file of PAC2002 or Magic Formula 5.2, relative to the file that names it. Sections, units, comments ($ and
+/// Reads a file of PAC2002 or Magic Formula 5.2, 6.1 or 6.2, relative to the file that names it. Sections, units,
+/// comments ($ and
 /// !) and texts in quotes are understood; entries without a part in the formulas of tyre.hpp are passed over, with a
 /// note. Fails: nothing, with complaints at lines of the file: another tyre model, units that are unknown, a
-/// coefficient that is no number or stands twice, no radius or nominal load.
+/// coefficient that is no number or stands twice, no radius, nominal load or pressure.
 std::optional<TirTyre> read_tir(Reader& reader, const Value& value);
 
 /// Letters of the alphabet in capitals, as keys and sections are compared.

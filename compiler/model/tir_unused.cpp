@@ -12,7 +12,7 @@ namespace {
 /// Coefficients of the format that no formula of ours has: a name, or its start before a number.
 struct TirGroup {
   std::string_view purpose;
-  std::array<std::string_view, 10> names, numbered;
+  std::array<std::string_view, 12> names, numbered;
 };
 
 constexpr TirGroup kGroups[] = {
@@ -20,17 +20,25 @@ constexpr TirGroup kGroups[] = {
     {"inflation pressure", {"LIP"}, {"PPX", "PPY", "PPZ", "PPMX", "QPZ", "PFZ"}},
     {"rolling resistance beyond QSY1", {}, {"QSY"}},
     {"overturning moment beyond QSX3", {}, {"QSX"}},
-    {"relaxation over load and camber", {}, {"PTX", "PTY"}},
+    {"relaxation over load and camber", {}, {"PTX", "PTY", "PCFX", "PCFY"}},
     {"gyroscopic moment", {"MBELT", "LGYR"}, {"QTZ"}},
+    {"friction over slip speed", {"LMUV"}, {}},
+    {"belt and carcass",
+     {"YAW_STIFFNESS", "FREQ_LONG", "FREQ_LAT", "FREQ_YAW", "FREQ_WINDUP", "DAMP_LONG", "DAMP_LAT", "DAMP_YAW",
+      "DAMP_WINDUP"},
+     {"Q_BVX", "Q_BVT", "PCMZ", "ECMZ", "DAMP_RESIDUAL", "DAMP_VLOW"}},
     {"radius and stiffness over load and speed",
      {"BREFF", "DREFF", "FREFF", "QFCX", "QFCY", "QFCG", "Q_FCX", "Q_FCY", "BOTTOM_OFFST", "BOTTOM_STIFF"},
      {"QV", "QFZ", "QFCX", "QFCY", "QFCG", "Q_V", "Q_FZ", "Q_RE", "Q_CAM", "Q_FYS"}},
-    {"contact patch", {"PAE", "PBE", "PCE", "PLS"}, {"PA", "PB", "PW", "Q_RA", "Q_RB"}},
+    {"contact patch",
+     {"PAE", "PBE", "PCE", "PLS", "ELLIPS_SHIFT", "ELLIPS_LENGTH", "ELLIPS_HEIGHT", "ELLIPS_ORDER", "ELLIPS_MAX_STEP",
+      "ELLIPS_NWIDTH", "ELLIPS_NLENGTH"},
+     {"PA", "PB", "PW", "Q_RA", "Q_RB", "Q_A"}},
 };
 constexpr std::string_view kUnknownPurpose = "unknown names";
 
 /// Sections that every file has and that say nothing of forces, and how limits of validity are called.
-constexpr std::string_view kSilentSections[] = {"MDI_HEADER", "UNITS", "MODEL", "DIMENSION"};
+constexpr std::string_view kSilentSections[] = {"MDI_HEADER", "UNITS", "MODEL", "DIMENSION", "INERTIA"};
 constexpr std::string_view kSilentEnding = "_RANGE";
 
 /// Pressures of measurement and limits, which coefficients of inflation pressure need.
@@ -52,7 +60,7 @@ std::string_view purpose_of(std::string_view key) {
 
 /// Whether a formula with this coefficient would be as one without: a factor of 1, else a term of 0.
 bool is_neutral(std::string_view key, const TirEntry& entry) {
-  return number_of(entry) == (key.starts_with('L') ? 1.0 : 0.0);
+  return number_of(entry) == (key.starts_with('L') && key != "LMUV" ? 1.0 : 0.0);
 }
 
 bool is_silent(const std::string& key, const TirEntry& entry) {
@@ -63,16 +71,17 @@ bool is_silent(const std::string& key, const TirEntry& entry) {
 
 bool is_earlier(Place a, Place b) { return a.offset < b.offset; }
 
-/// " turn slip (PECP1, PECP2);" of the keys of one purpose, at most so many of them by name.
+/// " turn slip (PECP1, PECP2);" of the keys of one purpose: all coefficients of the format, of others a few.
 std::string list_of(std::string_view purpose, const std::vector<std::string_view>& keys) {
-  constexpr std::size_t kMostNamed = 12;
+  constexpr std::size_t kMostUnknown = 12;
   if (keys.empty()) return {};
+  const std::size_t named = purpose == kUnknownPurpose ? std::min(keys.size(), kMostUnknown) : keys.size();
   std::string names;
-  for (std::size_t i = 0; i < std::min(keys.size(), kMostNamed); ++i) {
+  for (std::size_t i = 0; i < named; ++i) {
     names += i ? ", " : "";
     names += is_valid_name(keys[i]) ? std::string(keys[i]) : in_quotes(keys[i]);
   }
-  if (keys.size() > kMostNamed) names += fmt::format(" and {} more", keys.size() - kMostNamed);
+  if (keys.size() > named) names += fmt::format(" and {} more", keys.size() - named);
   return fmt::format("{} ({}); ", purpose, names);
 }
 

@@ -46,6 +46,7 @@ void each_argument(Wheel& wheel, Properties& tyre, const Use& use) {
   use("low_speed", tyre.low_speed);
   use("side", tyre.side);
   use("count", tyre.count);
+  use("pressure", tyre.pressure);
 }
 
 /// Calls use(name, number) for all that the law gives.

@@ -55,7 +55,10 @@ TyreResult<double> law_of(const Tyre& tyre, const TyreContact<double>& contact, 
                                           value(tyre.relaxation_y),
                                           value(tyre.low_speed),
                                           tyre.side,
-                                          tyre.count};
+                                          tyre.count,
+                                          value(tyre.pressure)};
+  if (tyre.model == TyreModel::mf61)
+    return tyre_forces(MagicFormula61<double>::from_fields(coefficients.data()), properties, contact);
   if (tyre.model == TyreModel::pac2002)
     return tyre_forces(Pac2002<double>::from_fields(coefficients.data()), properties, contact);
   return tyre_forces(Pac89<double>::from_fields(coefficients.data()), properties, contact);

@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"tests/data/models/slewing_jib.json", "slewing_jib", kGnu, 4, ""},
                     Case{"models/rolling_disc.json", "rolling_disc", kClang, 4, ""},
                     Case{"tests/data/models/three_wheeler.json", "three_wheeler", kGnu, 8, "-march=native"},
-                    Case{"tests/data/models/three_wheeler.json", "three_wheeler", kClang, 4, ""},
+                    Case{"tests/data/models/mf61_three_wheeler.json", "mf61_three_wheeler", kClang, 4, ""},
                     Case{"tests/data/models/wheel_outputs.json", "wheel_outputs", kClang, 4, ""},
                     Case{"tests/data/models/bushings.json", "bushings", kClang, 4, ""},
                     Case{"tests/data/models/states.json", "states", kClang, 4, ""},

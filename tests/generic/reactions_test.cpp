@@ -1,7 +1,7 @@
 // Newton's and Euler's laws for every body of every model in motion: what its joints, rods, springs, forces and tyres
 // give it against the second differences of its positions.
 
-#include "mbgen/pac2002.hpp"
+#include "compiler/model/tyre_sets.hpp"
 #include "tests/support/reaction_support.hpp"
 
 namespace mbgen {
@@ -80,8 +80,14 @@ void probe_springs(Probes& p, const Springs& springs, bool air) {
 
 void silence_moments(Tyre& tyre) {
   tyre.rolling_resistance = 0.0;
-  for (std::size_t i = 0; i < tyre.coefficients.size() && tyre.model == TyreModel::pac2002; ++i)
-    if (std::string(kPac2002Fields[i].name).starts_with("QSX")) tyre.coefficients[i] = 0.0;
+  const std::span<const TyreField> fields = tyre_fields(tyre.model);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::string_view name = fields[i].name;
+    // Of MF 6.1 also what has a rolling radius of its own.
+    const bool of_radius = name.starts_with("Q_") || name == "PFZ1" || name.ends_with("REFF");
+    if (name.starts_with("QSX") || name.starts_with("QSY") || of_radius)
+      tyre.coefficients[i] = of_radius ? fields[i].default_value : 0.0;
+  }
 }
 
 bool has_expression(const AppliedForce& applied) {

@@ -1,10 +1,11 @@
 #pragma once
-// Common parts of the two forms of Pacejka's magic formula: the result and the shape of the curve.
+// Common parts of the forms of Pacejka's magic formula: the table of a set, the result, the shape of the curve.
 // Written over a scalar T (double, or the compiler's symbolic scalar): no comparisons on T.
 // Source: H. B. Pacejka, Tyre and Vehicle Dynamics, 2nd edition, section 4.3.
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "mbgen/scalar.hpp"
 
@@ -17,7 +18,19 @@ struct TyreForces {
   T mz, mx;  ///< N m, about the road's normal and about the heading
 };
 
+/// One coefficient of a tyre set: its name in .tir files and the value it has when the set does not give it.
+struct TyreField {
+  const char* name;
+  double default_value;
+};
+
 namespace magic {
+
+/// A set whose members are all T, from as many numbers in the order of its members.
+template <class Set, class T, std::size_t... I>
+Set gathered(const T* fields, std::index_sequence<I...>) {
+  return Set{fields[I]...};
+}
 
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kDegrees = 180.0 / kPi;  ///< degrees in a radian
@@ -59,6 +72,37 @@ T angle(const T& b, const T& c, const T& e, const T& x) {
   using std::atan;
   const T bx = b * x;
   return c * atan(bx - e * (bx - atan(bx)));
+}
+
+/// Curvature factors above 1 would fold a curve back.
+template <class T>
+T curvature(const T& e) {
+  return min(e, T(1));
+}
+
+/// W(x + shift) / W(shift), W = cos(angle): the weight by which the other slip reduces a force; 1 at x = 0.
+template <class T>
+T weight(const T& b, const T& c, const T& unlimited, const T& shift, const T& x) {
+  using std::cos;
+  const T e = curvature(unlimited);
+  return cos(angle<T>(b, c, e, x + shift)) / away_from_zero<T>(cos(angle<T>(b, c, e, shift)), T(1e-9));
+}
+
+/// A load with its terms that every formula needs.
+template <class T>
+struct LoadTerms {
+  T nominal;     ///< N, scaled nominal load
+  T load;        ///< N, held above kLeastLoad of the nominal load
+  T proportion;  ///< 1, actual load over `load`: factor of the results, 1 in the range of the formulas
+  T dfz;         ///< 1, relative deviation from the nominal load
+  T friction;    ///< 1, factor of the measured friction, held above kLeastFriction
+  T shifts;      ///< 1, factor of the shifts of the pure forces
+};
+
+template <class T>
+LoadTerms<T> load_terms(const T& nominal, const T& fz, const T& friction, const T& shifts) {
+  const T load = max(fz, kLeastLoad * nominal);
+  return {nominal, load, max(fz, T(0)) / load, (load - nominal) / nominal, max(friction, T(kLeastFriction)), shifts};
 }
 
 }  // namespace magic

@@ -3,17 +3,9 @@
 // Source: H. B. Pacejka, Tyre and Vehicle Dynamics, 2nd edition, section 4.3.2, equations (4.E1) to (4.E78), without
 // turn slip; the overturning moment with the factors of MF5.2.
 
-#include <utility>
-
 #include "mbgen/magic_formula.hpp"
 
 namespace mbgen {
-
-/// One coefficient of a tyre set: its name in .tir files and the value it has when the set does not give it.
-struct TyreField {
-  const char* name;
-  double default_value;
-};
 
 /// The coefficients of PAC2002 (MF5.2), in the order of the members of Pac2002.
 inline constexpr TyreField kPac2002Fields[] = {
@@ -157,50 +149,14 @@ struct Pac2002 {
   T qsx1, qsx2, qsx3;  ///< overturning moment
 
   /// Takes kPac2002Count coefficients in the order of kPac2002Fields.
-  static Pac2002 from_fields(const T* fields) { return gather(fields, std::make_index_sequence<kPac2002Count>{}); }
-
- private:
-  template <std::size_t... I>
-  static Pac2002 gather(const T* fields, std::index_sequence<I...>) {
-    return Pac2002{fields[I]...};
+  static Pac2002 from_fields(const T* fields) {
+    return magic::gathered<Pac2002>(fields, std::make_index_sequence<kPac2002Count>{});
   }
 };
 
 static_assert(sizeof(Pac2002<double>) == kPac2002Count * sizeof(double), "one entry in kPac2002Fields per member");
 
 namespace magic {
-
-/// Curvature factors above 1 would fold a curve back.
-template <class T>
-T curvature(const T& e) {
-  return min(e, T(1));
-}
-
-/// W(x + shift) / W(shift), W = cos(angle): the weight by which the other slip reduces a force; 1 at x = 0.
-template <class T>
-T weight(const T& b, const T& c, const T& unlimited, const T& shift, const T& x) {
-  using std::cos;
-  const T e = curvature(unlimited);
-  return cos(angle<T>(b, c, e, x + shift)) / away_from_zero<T>(cos(angle<T>(b, c, e, shift)), T(1e-9));
-}
-
-/// A load with its terms that every formula needs.
-template <class T>
-struct Pac2002Load {
-  T nominal;     ///< N, scaled nominal load
-  T load;        ///< N, held above kLeastLoad of the nominal load
-  T proportion;  ///< 1, actual load over `load`: factor of the results, 1 in the range of the formulas
-  T dfz;         ///< 1, relative deviation from the nominal load
-  T friction;    ///< 1, factor of the measured friction, held above kLeastFriction
-  T shifts;      ///< 1, factor of the shifts of the pure forces
-};
-
-template <class T>
-Pac2002Load<T> pac2002_load(const Pac2002<T>& set, const T& fz, const T& friction, const T& shifts) {
-  const T nominal = set.fnomin * set.lfzo;
-  const T load = max(fz, kLeastLoad * nominal);
-  return {nominal, load, max(fz, T(0)) / load, (load - nominal) / nominal, max(friction, T(kLeastFriction)), shifts};
-}
 
 /// Force of one pure slip, N, and its slope at zero slip, N per unit of slip.
 template <class T>
@@ -209,7 +165,7 @@ struct Pac2002Longitudinal {
 };
 
 template <class T>
-Pac2002Longitudinal<T> pac2002_longitudinal(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& kappa,
+Pac2002Longitudinal<T> pac2002_longitudinal(const Pac2002<T>& set, const LoadTerms<T>& at, const T& kappa,
                                             const T& camber) {
   using std::exp;
   using std::sin;
@@ -236,7 +192,7 @@ struct Pac2002Lateral {
 };
 
 template <class T>
-Pac2002Lateral<T> pac2002_lateral(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& alpha, const T& camber) {
+Pac2002Lateral<T> pac2002_lateral(const Pac2002<T>& set, const LoadTerms<T>& at, const T& alpha, const T& camber) {
   using std::sin;
   const T gamma = camber * set.lgay;
   const T scale = set.lmuy * at.friction;
@@ -257,14 +213,14 @@ Pac2002Lateral<T> pac2002_lateral(const Pac2002<T>& set, const Pac2002Load<T>& a
 
 /// Slip angle, rad, at which the trail is evaluated when there is no longitudinal slip.
 template <class T>
-T pac2002_trail_slip(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& alpha, const T& camber) {
+T pac2002_trail_slip(const Pac2002<T>& set, const LoadTerms<T>& at, const T& alpha, const T& camber) {
   return alpha + set.qhz1 + set.qhz2 * at.dfz + (set.qhz3 + set.qhz4 * at.dfz) * camber * set.lgaz;
 }
 
 /// Pneumatic trail, m, before the factor cos alpha. alpha: rad, shift included; slip: rad, the same with the
 /// longitudinal slip in it, of either sign. The curvature follows alpha alone, as in MF5.2.
 template <class T>
-T pac2002_trail(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& alpha, const T& slip, const T& camber) {
+T pac2002_trail(const Pac2002<T>& set, const LoadTerms<T>& at, const T& alpha, const T& slip, const T& camber) {
   using std::atan;
   using std::cos;
   const T gamma = camber * set.lgaz;
@@ -280,7 +236,7 @@ T pac2002_trail(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& alpha,
 /// Residual aligning moment, N m, at the slip angle `slip` (rad, shifts included, of either sign), before the factor
 /// cos alpha.
 template <class T>
-T pac2002_residual_moment(const Pac2002<T>& set, const Pac2002Load<T>& at, const Pac2002Lateral<T>& lateral,
+T pac2002_residual_moment(const Pac2002<T>& set, const LoadTerms<T>& at, const Pac2002Lateral<T>& lateral,
                           const T& slip, const T& camber) {
   const T gamma = camber * set.lgaz;
   const T friction = set.lmuy * at.friction;
@@ -292,7 +248,7 @@ T pac2002_residual_moment(const Pac2002<T>& set, const Pac2002Load<T>& at, const
 
 /// Overturning moment, N m, that goes with the lateral force fy.
 template <class T>
-T pac2002_overturning(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& fy, const T& camber) {
+T pac2002_overturning(const Pac2002<T>& set, const LoadTerms<T>& at, const T& fy, const T& camber) {
   return set.unloaded_radius * at.load *
          (set.qsx1 * set.lvmx + (set.qsx3 * fy / at.nominal - set.qsx2 * camber) * set.lmx);
 }
@@ -305,7 +261,7 @@ template <class T>
 TyreForces<T> magic_formula_pac2002_pure(const Pac2002<T>& set, const T& fz, const T& kappa, const T& alpha,
                                          const T& gamma, const T& friction = T(1), const T& shifts = T(1)) {
   using std::cos;
-  const magic::Pac2002Load<T> at = magic::pac2002_load(set, fz, friction, shifts);
+  const magic::LoadTerms<T> at = magic::load_terms<T>(set.fnomin * set.lfzo, fz, friction, shifts);
   const T fx = magic::pac2002_longitudinal(set, at, kappa, gamma).force;
   const magic::Pac2002Lateral<T> lateral = magic::pac2002_lateral(set, at, alpha, gamma);
   const T trail_slip = magic::pac2002_trail_slip(set, at, alpha, gamma);
@@ -330,7 +286,7 @@ TyreForces<T> magic_formula_pac2002(const Pac2002<T>& set, const T& fz, const T&
   using std::cos;
   using std::sin;
   using std::sqrt;
-  const magic::Pac2002Load<T> at = magic::pac2002_load(set, fz, friction, shifts);
+  const magic::LoadTerms<T> at = magic::load_terms<T>(set.fnomin * set.lfzo, fz, friction, shifts);
   const T dfz = at.dfz;
   const magic::Pac2002Longitudinal<T> longitudinal = magic::pac2002_longitudinal(set, at, kappa, gamma);
   const magic::Pac2002Lateral<T> lateral = magic::pac2002_lateral(set, at, alpha, gamma);

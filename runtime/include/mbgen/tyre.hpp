@@ -1,6 +1,7 @@
 #pragma once
 // A tyre on a flat road: load, slips with relaxation down to rest, forces and moments at the contact point.
 
+#include "mbgen/mf61.hpp"
 #include "mbgen/pac2002.hpp"
 #include "mbgen/pac89.hpp"
 
@@ -17,6 +18,7 @@ struct TyreProperties {
   T low_speed;                   ///< m/s, > 0: below it slip is damped, and the moments of rolling fade out
   T side = T(1);                 ///< -1 mirrors the coefficient set (tyre measured on the other side), else 1
   T count = T(1);                ///< tyres side by side; forces, moments and load times count
+  T pressure = T(0);             ///< Pa, of inflation; of MF 6.1 alone
 };
 
 /// Motion of the wheel in its contact frame: origin at the contact point, x along the wheel's heading on the road,
@@ -54,19 +56,56 @@ inline constexpr double kSlidingDeflectionAtSpeed = 0.5;
 /// Largest resultant slip that the formulas are asked for: they are fitted to measurements below it.
 inline constexpr double kLargestSlip = 1.5;
 
+/// What spin adds to the radius of a tyre that nothing presses, m.
+/// Source: Pacejka (2012), section 4.3.4 (R_Omega).
+template <class T>
+T growth(const MagicFormula61<T>& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
+  const T speed = contact.spin * tyre.radius / set.longvl;
+  return tyre.radius * (set.q_re0 - 1.0 + set.q_v1 * speed * speed);
+}
+
+/// Force of the vertical spring, N, >= 0.
+template <class Set, class T>
+T spring(const Set&, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
+  return max(tyre.stiffness * contact.deflection, T(0));
+}
+
+/// `stiffness` is the slope at nominal load and pressure, at rest and upright. Without the influence of the horizontal
+/// forces, which depend on the load themselves. Source: Pacejka (2012), equation (4.E68), its q_Fz1 from the slope.
+template <class T>
+T spring(const MagicFormula61<T>& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
+  using std::sqrt;
+  const T pressed = max(contact.deflection + growth(set, tyre, contact), T(0)) / tyre.radius;
+  const T slope = tyre.stiffness * tyre.radius / set.fnomin;
+  const T linear = sqrt(max(slope * slope - 4.0 * set.q_fz2, T(0))) + set.q_fz3 * contact.camber * contact.camber;
+  const T by_speed = 1.0 + set.q_v2 * abs(contact.spin) * tyre.radius / set.longvl;
+  const T by_pressure = 1.0 + set.pfz1 * (tyre.pressure / set.nompres - 1.0);
+  return set.fnomin * max((linear + set.q_fz2 * pressed) * pressed, T(0)) * by_speed * by_pressure;
+}
+
 /// Vertical load of one tyre, N: spring and damper without adhesion. The damper's push is limited to the spring's
 /// force, so that the load grows from zero at touchdown whatever the speed.
-template <class T>
-T load(const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
-  const T spring = max(tyre.stiffness * contact.deflection, T(0));
-  return max(spring + min(tyre.damping * contact.deflection_rate, spring), T(0));
+template <class Set, class T>
+T load(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
+  const T force = spring(set, tyre, contact);
+  return max(force + min(tyre.damping * contact.deflection_rate, force), T(0));
 }
 
 /// Effective rolling radius, m: a third of the deflection below the unloaded radius.
 /// Source: G. Rill, Road Vehicle Dynamics, section 3.2 (r_D = 2/3 r_0 + 1/3 r_S).
-template <class T>
-T rolling_radius(const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
+template <class Set, class T>
+T rolling_radius(const Set&, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
   return tyre.radius - max(contact.deflection, T(0)) * (1.0 / 3.0);
+}
+
+/// Source: Pacejka (2012), section 4.3.4 (r_e over the load); FREFF = 1/3 alone is Rill's.
+template <class T>
+T rolling_radius(const MagicFormula61<T>& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
+  using std::atan;
+  const T share = spring(set, tyre, contact) / set.fnomin;
+  const T stiffness = tyre.stiffness * (1.0 + set.pfz1 * (tyre.pressure / set.nompres - 1.0));
+  return tyre.radius + growth(set, tyre, contact) -
+         set.fnomin / stiffness * (set.dreff * atan(set.breff * share) + set.freff * share);
 }
 
 /// Slips that the forces follow, and the rates of the deflection states.
@@ -89,12 +128,12 @@ struct Slip {
 /// Below low_speed a term in Vs that fades out with the speed, and where the contact slides, damps it.
 /// Source: Pacejka, sections 8.3 and 8.6 (linear relaxation, low-speed damping); the limit is the transport form of
 /// P. R. Dahl's friction, "Solid Friction Damping of Mechanical Vibrations", AIAA Journal 14(12), 1976.
-template <class T>
-Slip<T> slip(const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
+template <class Set, class T>
+Slip<T> slip(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
   using std::atan;
   using std::cos;
   using std::sqrt;
-  const T vsx = contact.vx - contact.spin * rolling_radius(tyre, contact);
+  const T vsx = contact.vx - contact.spin * rolling_radius(set, tyre, contact);
   const T vsy = contact.vy;
   const T speed = abs(contact.vx);
   const T slip_speed = sqrt(vsx * vsx + vsy * vsy + magic::kRootFloor);
@@ -114,46 +153,62 @@ Slip<T> slip(const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
 /// Forces of the set in contact axes (x forward, y left, z up). shifts: see magic_formula_pac2002.
 template <class T>
 TyreForces<T> formula(const Pac2002<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
-                      const T& friction, const T& shifts) {
-  return magic_formula_pac2002(set, fz, kappa, alpha, gamma, friction, shifts);
+                      const TyreProperties<T>& tyre, const T& shifts) {
+  return magic_formula_pac2002(set, fz, kappa, alpha, gamma, tyre.friction, shifts);
+}
+
+template <class T>
+TyreForces<T> formula(const MagicFormula61<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
+                      const TyreProperties<T>& tyre, const T& shifts) {
+  return magic_formula_61<T>(set, fz, {kappa, alpha, gamma}, tyre.pressure, tyre.friction, shifts);
 }
 
 template <class T>
 TyreForces<T> formula(const Pac89<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
-                      const T& friction, const T& shifts) {
-  const TyreForces<T> forces = magic_formula_pac89(set, fz, kappa, alpha, gamma, friction, shifts);
+                      const TyreProperties<T>& tyre, const T& shifts) {
+  const TyreForces<T> forces = magic_formula_pac89(set, fz, kappa, alpha, gamma, tyre.friction, shifts);
   return {forces.fx, -forces.fy, -forces.mz, forces.mx};
 }
 
-/// Scaling of the rolling resistance that the set carries; the formula of 1989 has none.
+/// Moment against the rolling of a tyre that bears `load` and pulls with fx, N m.
 template <class T>
-T rolling_factor(const Pac2002<T>& set) {
-  return set.lmy;
+T rolling_resistance(const Pac2002<T>& set, const TyreProperties<T>& tyre, const TyreContact<T>&, const T& load,
+                     const T&) {
+  return tyre.rolling_resistance * set.lmy * load * tyre.radius;
 }
+
 template <class T>
-T rolling_factor(const Pac89<T>&) {
-  return T(1);
+T rolling_resistance(const Pac89<T>&, const TyreProperties<T>& tyre, const TyreContact<T>&, const T& load, const T&) {
+  return tyre.rolling_resistance * load * tyre.radius;
+}
+
+/// The property stands for the set's QSY1.
+template <class T>
+T rolling_resistance(MagicFormula61<T> set, const TyreProperties<T>& tyre, const TyreContact<T>& contact, const T& load,
+                     const T& fx) {
+  set.qsy1 = tyre.rolling_resistance;
+  return mf61_rolling_resistance<T>(set, load, fx, contact.vx, contact.camber, tyre.pressure);
 }
 
 }  // namespace tyre_law
 
 /// Forces of a tyre on a flat road, and the rates of its two deflection states u and v (zero at the start).
-/// Set: Pac2002<T> or Pac89<T>. A tyre without load gives exactly zero forces and moments. A standing tyre has no
-/// horizontal forces but those of its deflections; what a set gives at zero slip comes with speed, up to low_speed.
-/// The aligning moment turns its sign with the direction of travel and fades out below low_speed, as the trail does;
-/// the rolling resistance fades out with the wheel's spin, so that it never drives. The moment my also brings fx from
-/// the contact point down to the rolling radius, so that slip can only lose energy: power fx Vx - fx Re Omega = fx Vsx.
-/// Requires: radius, relaxation lengths and low_speed > 0. Source: see tyre_law::slip and the formulas.
+/// Set: Pac2002<T>, MagicFormula61<T> or Pac89<T>. A tyre without load gives exactly zero forces and moments. A
+/// standing tyre has no horizontal forces but those of its deflections; what a set gives at zero slip comes with speed,
+/// up to low_speed. The aligning moment turns its sign with the direction of travel and fades out below low_speed, as
+/// the trail does; the rolling resistance fades out with the wheel's spin, so that it never drives. The moment my also
+/// brings fx from the contact point down to the rolling radius, so that slip can only lose energy: power fx Vx - fx Re
+/// Omega = fx Vsx. Requires: radius, relaxation lengths and low_speed > 0. Source: see tyre_law::slip and the formulas.
 template <class T, class Set>
 TyreResult<T> tyre_forces(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
   using std::tanh;
-  const T load = tyre_law::load(tyre, contact);
-  const tyre_law::Slip<T> slip = tyre_law::slip(tyre, contact);
+  const T load = tyre_law::load(set, tyre, contact);
+  const tyre_law::Slip<T> slip = tyre_law::slip(set, tyre, contact);
   const TyreForces<T> forces = tyre_law::formula<T>(set, load, slip.kappa, tyre.side * slip.alpha,
-                                                    tyre.side * contact.camber, tyre.friction, slip.rolling);
-  const T rolling_radius = tyre_law::rolling_radius(tyre, contact);
+                                                    tyre.side * contact.camber, tyre, slip.rolling);
+  const T rolling_radius = tyre_law::rolling_radius(set, tyre, contact);
   const T rolling = contact.spin * rolling_radius / tyre.low_speed;
-  const T resistance = tyre.rolling_resistance * tyre_law::rolling_factor(set) * load * tyre.radius * tanh(rolling);
+  const T resistance = tyre_law::rolling_resistance(set, tyre, contact, load, forces.fx) * tanh(rolling);
   TyreResult<T> result;
   result.load = tyre.count * load;
   result.fx = tyre.count * forces.fx;

@@ -1,0 +1,32 @@
+#pragma once
+// The coefficients of a tyre set by their names in .tir files.
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+
+#include "compiler/model/elements.hpp"
+#include "mbgen/mf61_set.hpp"
+#include "mbgen/pac2002.hpp"
+
+namespace mbgen {
+
+/// The coefficients of a model in the order of Tyre::coefficients; none of pac89, which has arrays without names.
+inline std::span<const TyreField> tyre_fields(TyreModel model) {
+  if (model == TyreModel::pac89) return {};
+  return model == TyreModel::mf61 ? std::span<const TyreField>(kMf61Fields)
+                                  : std::span<const TyreField>(kPac2002Fields);
+}
+
+/// Place of a name in the fields; their number for one that is not among them.
+inline std::size_t tyre_field_index(std::span<const TyreField> fields, std::string_view name) {
+  const auto found = std::ranges::find_if(fields, [&](const TyreField& row) { return row.name == name; });
+  return static_cast<std::size_t>(found - fields.begin());
+}
+
+/// Whether a coefficient must be given, and above zero.
+inline bool is_scale(TyreModel model, std::string_view name) {
+  return name == "UNLOADED_RADIUS" || name == "FNOMIN" || (model == TyreModel::mf61 && name == "NOMPRES");
+}
+
+}  // namespace mbgen

@@ -1,0 +1,208 @@
+#pragma once
+// The magic formula MF 6.1, and 6.2 as far as its equations are public, for combined slip, over a scalar T without
+// comparisons; without turn slip.
+// Source: H. B. Pacejka, Tire and Vehicle Dynamics, 3rd edition, 2012, section 4.3.2, equations (4.E1) to (4.E78), with
+// the readings of the library teasit/magic-formula-tyre-library: the slip of the pure lateral force is the angle, not
+// its tangent; PDX3 stands before the camber itself; QBZ4 is there and QBZ6 is not; the residual moment has the cosine
+// of the slip angle twice; friction is LMUX and LMUY throughout. QSX12 to QSX14: MF-Tyre 6.2.
+
+#include "mbgen/mf61_set.hpp"
+
+namespace mbgen {
+
+namespace magic {
+
+/// Load and pressure with their terms that every formula needs.
+template <class T>
+struct Mf61State : LoadTerms<T> {
+  T dpi;  ///< 1, relative deviation from the nominal pressure
+};
+
+template <class T>
+Mf61State<T> mf61_state(const MagicFormula61<T>& set, const T& fz, const T& pressure, const T& friction,
+                        const T& shifts) {
+  return {load_terms<T>(set.fnomin * set.lfzo, fz, friction, shifts), pressure / set.nompres - 1.0};
+}
+
+/// 1 + a x + b x^2.
+template <class T>
+T parabola(const T& a, const T& b, const T& x) {
+  return 1.0 + (a + b * x) * x;
+}
+
+/// Longitudinal force of pure slip, N, and its slope at zero slip, N: (4.E9) to (4.E18).
+template <class T>
+struct Mf61Longitudinal {
+  T force, stiffness;
+};
+
+template <class T>
+Mf61Longitudinal<T> mf61_longitudinal(const MagicFormula61<T>& set, const Mf61State<T>& at, const T& kappa,
+                                      const T& gamma) {
+  using std::exp;
+  using std::sin;
+  constexpr double kDigression = 10;  // A_mu of (4.E8): shifts fade out later than friction does
+  const T dfz = at.dfz;
+  const T friction = set.lmux * at.friction;
+  const T sh = (set.phx1 + set.phx2 * dfz) * set.lhx * at.shifts;
+  const T sv = at.load * (set.pvx1 + set.pvx2 * dfz) * set.lvx * at.shifts *
+               (kDigression * friction / (1.0 + (kDigression - 1) * friction));
+  const T slip = kappa + sh;
+  const T c = set.pcx1 * set.lcx;
+  const T d = (set.pdx1 + set.pdx2 * dfz) * parabola<T>(set.ppx3, set.ppx4, at.dpi) * (1.0 - set.pdx3 * gamma * gamma) *
+              friction * at.load;
+  const T e = (set.pex1 + set.pex2 * dfz + set.pex3 * dfz * dfz) * (1.0 - set.pex4 * sign(slip)) * set.lex;
+  const T stiffness =
+      at.load * (set.pkx1 + set.pkx2 * dfz) * exp(set.pkx3 * dfz) * parabola<T>(set.ppx1, set.ppx2, at.dpi) * set.lkx;
+  const T b = stiffness / away_from_zero<T>(c * d, 1e-9 * at.load);
+  return {d * sin(angle<T>(b, c, curvature(e), slip)) + sv, stiffness};
+}
+
+/// Lateral force of pure slip, N, with its terms that the aligning moment and combined slip need: (4.E19) to (4.E30).
+template <class T>
+struct Mf61Lateral {
+  T force, stiffness;  ///< N, N/rad; the stiffness is held away from zero
+  T b, c;              ///< factors of the curve
+  T slip_shift;        ///< rad, S_Hy + S_Vy / K_y (4.E38)
+  T friction;          ///< 1, mu_y
+};
+
+/// sine: of the camber.
+template <class T>
+Mf61Lateral<T> mf61_lateral(const MagicFormula61<T>& set, const Mf61State<T>& at, const T& alpha, const T& sine) {
+  using std::atan;
+  using std::sin;
+  const T dfz = at.dfz, square = sine * sine;
+  const T scale = set.lmuy * at.friction;
+  const T reach = (set.pky2 + set.pky5 * square) * (1.0 + set.ppy2 * at.dpi);
+  const T unguarded = set.pky1 * at.nominal * (1.0 + set.ppy1 * at.dpi) * (1.0 - set.pky3 * abs(sine)) *
+                      sin(set.pky4 * atan(at.load / (at.nominal * reach))) * set.lky;
+  const T stiffness = away_from_zero<T>(unguarded, 1e-9 * at.load);
+  const T camber_stiffness = at.load * (set.pky6 + set.pky7 * dfz) * (1.0 + set.ppy5 * at.dpi) * set.lkyc;
+  const T thrust = at.load * (set.pvy3 + set.pvy4 * dfz) * sine * set.lkyc * scale;
+  const T sv = (at.load * (set.pvy1 + set.pvy2 * dfz) * set.lvy * scale + thrust) * at.shifts;
+  const T sh = ((set.phy1 + set.phy2 * dfz) * set.lhy + (camber_stiffness * sine - thrust) / stiffness) * at.shifts;
+  const T slip = alpha + sh;
+  const T c = set.pcy1 * set.lcy;
+  const T friction =
+      (set.pdy1 + set.pdy2 * dfz) * parabola<T>(set.ppy3, set.ppy4, at.dpi) * (1.0 - set.pdy3 * square) * scale;
+  const T d = friction * at.load;
+  const T e =
+      (set.pey1 + set.pey2 * dfz) * (1.0 + set.pey5 * square - (set.pey3 + set.pey4 * sine) * sign(slip)) * set.ley;
+  const T b = stiffness / away_from_zero<T>(c * d, 1e-9 * at.load);
+  return {d * sin(angle<T>(b, c, curvature(e), slip)) + sv, stiffness, b, c, sh + sv / stiffness, friction};
+}
+
+/// Pneumatic trail, m, before the factor cos alpha: (4.E33) to (4.E35), (4.E40) to (4.E44). tangent: of the slip angle,
+/// shift included; slip: the same with the longitudinal slip in it, of either sign.
+template <class T>
+T mf61_trail(const MagicFormula61<T>& set, const Mf61State<T>& at, const T& tangent, const T& slip, const T& sine) {
+  using std::atan;
+  using std::cos;
+  const T dfz = at.dfz;
+  const T b = (set.qbz1 + set.qbz2 * dfz + set.qbz3 * dfz * dfz) * (1.0 + set.qbz4 * sine + set.qbz5 * abs(sine)) *
+              set.lky / (set.lmuy * at.friction);
+  const T d = at.load * (set.unloaded_radius / at.nominal) * (set.qdz1 + set.qdz2 * dfz) * (1.0 - set.ppz1 * at.dpi) *
+              (1.0 + set.qdz3 * abs(sine) + set.qdz4 * sine * sine) * set.ltr;
+  const T e = (set.qez1 + set.qez2 * dfz + set.qez3 * dfz * dfz) *
+              (1.0 + (set.qez4 + set.qez5 * sine) * (2.0 / kPi) * atan(b * set.qcz1 * tangent));
+  return d * cos(angle<T>(b, set.qcz1, curvature(e), slip));
+}
+
+/// Residual aligning moment, N m, before its factor cos^2 alpha: (4.E36), (4.E45) to (4.E47). slip: tangent of the slip
+/// angle, shifts and longitudinal slip included, of either sign.
+template <class T>
+T mf61_residual_moment(const MagicFormula61<T>& set, const Mf61State<T>& at, const Mf61Lateral<T>& upright,
+                       const T& slip, const T& sine) {
+  const T friction = set.lmuy * at.friction;
+  const T b = set.qbz9 * set.lky / friction + set.qbz10 * upright.b * upright.c;
+  const T of_camber =
+      (set.qdz8 + set.qdz9 * at.dfz) * (1.0 + set.ppz2 * at.dpi) + (set.qdz10 + set.qdz11 * at.dfz) * abs(sine);
+  const T d = at.load * set.unloaded_radius * friction *
+              ((set.qdz6 + set.qdz7 * at.dfz) * set.lres + of_camber * sine * set.lkzc);
+  return d * cos_of_arc<T>(b * slip);
+}
+
+/// Overturning moment, N m, that goes with the lateral force fy: (4.E69), with the terms of MF-Tyre 6.2.
+template <class T>
+T mf61_overturning(const MagicFormula61<T>& set, const Mf61State<T>& at, const T& fy, const T& gamma) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  const T load = at.load / set.fnomin, side = fy / set.fnomin;
+  const T arc = atan(set.qsx6 * load);
+  const T of_side = set.qsx4 * cos(set.qsx5 * arc * arc) * sin(set.qsx7 * gamma + set.qsx8 * atan(set.qsx9 * side));
+  const T of_camber =
+      set.qsx10 * atan(set.qsx11 * load) - set.qsx2 * (1.0 + set.ppmx1 * at.dpi) - set.qsx12 * abs(gamma);
+  return set.unloaded_radius * set.lmx *
+         (at.load * (set.qsx1 * set.lvmx + of_camber * gamma + set.qsx3 * side + of_side) +
+          fy * (set.qsx13 + set.qsx14 * abs(gamma)));
+}
+
+/// A motion under load in the axes of MF 6.1: arguments of magic_formula_61 that go together.
+template <class T>
+struct Mf61Slips {
+  T kappa, alpha, gamma;  ///< 1, rad, rad
+};
+
+}  // namespace magic
+
+/// Forces of MF 6.1 for combined slip.
+/// fz: N, vertical load; no load or less gives exactly zero. slips: kappa positive when driving; alpha below pi/2, its
+/// tangent is the lateral slip velocity over |forward velocity|; gamma: camber. pressure: Pa. friction, shifts and the
+/// result as of magic_formula_pac2002; the aligning moment is that of rolling forward.
+/// Requires: unloaded_radius, fnomin, nompres > 0; pcx1, pcy1, pky2 not zero; lmux, lmuy > 0.
+/// Source: Pacejka (2012), equations (4.E1) to (4.E78), with the readings at the head of this file.
+template <class T>
+TyreForces<T> magic_formula_61(const MagicFormula61<T>& set, const T& fz, const magic::Mf61Slips<T>& slips,
+                               const T& pressure, const T& friction = T(1), const T& shifts = T(1)) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
+  const magic::Mf61State<T> at = magic::mf61_state<T>(set, fz, pressure, friction, shifts);
+  const T dfz = at.dfz, kappa = slips.kappa;
+  const T sine = sin(slips.gamma), cosine = cos(slips.alpha), tangent = sin(slips.alpha) / cosine;
+  const magic::Mf61Longitudinal<T> longitudinal = magic::mf61_longitudinal<T>(set, at, kappa, slips.gamma);
+  const magic::Mf61Lateral<T> lateral = magic::mf61_lateral<T>(set, at, slips.alpha, sine);
+
+  const T bx = (set.rbx1 + set.rbx3 * sine * sine) * magic::cos_of_arc<T>(set.rbx2 * kappa) * set.lxal;
+  const T fx = longitudinal.force * magic::weight<T>(bx, set.rcx1, set.rex1 + set.rex2 * dfz, set.rhx1, tangent);
+
+  const auto y_weight = [&](const T& square) {
+    const T b = (set.rby1 + set.rby4 * square) * magic::cos_of_arc<T>(set.rby2 * (tangent - set.rby3)) * set.lyka;
+    return magic::weight<T>(b, set.rcy1, set.rey1 + set.rey2 * dfz, set.rhy1 + set.rhy2 * dfz, kappa);
+  };
+  const T kappa_force = lateral.friction * at.load * (set.rvy1 + set.rvy2 * dfz + set.rvy3 * sine) *
+                        magic::cos_of_arc<T>(set.rvy4 * tangent) * sin(set.rvy5 * atan(set.rvy6 * kappa)) * set.lvyka;
+  const T fy = y_weight(sine * sine) * lateral.force + kappa_force;
+
+  // The trail meets the side force of an upright wheel (4.E74), the residual moment its shifts.
+  const magic::Mf61Lateral<T> upright = magic::mf61_lateral<T>(set, at, slips.alpha, T(0));
+  const T ratio = longitudinal.stiffness / lateral.stiffness * kappa;
+  const auto with_kappa = [&ratio](const T& slip) { return sqrt(slip * slip + ratio * ratio + magic::kRootFloor); };
+  const T trail_slip = tangent + set.qhz1 + set.qhz2 * dfz + (set.qhz3 + set.qhz4 * dfz) * sine;
+  const T trail = magic::mf61_trail<T>(set, at, trail_slip, with_kappa(trail_slip), sine);
+  const T residual = magic::mf61_residual_moment<T>(set, at, upright, with_kappa(tangent + upright.slip_shift), sine);
+  const T arm =
+      set.unloaded_radius * set.ls * (set.ssz1 + set.ssz2 * fy / at.nominal + (set.ssz3 + set.ssz4 * dfz) * sine);
+  const T mz = (residual * cosine - trail * y_weight(T(0)) * upright.force) * cosine + arm * fx;
+  const T mx = magic::mf61_overturning<T>(set, at, fy, slips.gamma);
+  return {at.proportion * fx, at.proportion * fy, at.proportion * mz, at.proportion * mx};
+}
+
+/// Rolling resistance moment of MF 6.1, N m, against the rolling, >= 0 in the range of a fit; (4.E70).
+/// fx: N, longitudinal force; vx: m/s, forward velocity. Load, pressure and camber as of magic_formula_61.
+template <class T>
+T mf61_rolling_resistance(const MagicFormula61<T>& set, const T& fz, const T& fx, const T& vx, const T& gamma,
+                          const T& pressure) {
+  using std::pow;
+  const T load = max(fz, magic::kLeastLoad * set.fnomin), over = load / set.fnomin;
+  const T speed = abs(vx) / set.longvl, square = speed * speed;
+  const T share = set.qsy1 + set.qsy2 * fx / set.fnomin + set.qsy3 * speed + set.qsy4 * square * square +
+                  (set.qsy5 + set.qsy6 * over) * gamma * gamma;
+  return max(fz, T(0)) * set.unloaded_radius * share * pow(over, set.qsy7) * pow(T(pressure / set.nompres), set.qsy8) *
+         set.lmy;
+}
+
+}  // namespace mbgen
