@@ -9,17 +9,20 @@
 #include "compiler/cli/options.hpp"
 #include "compiler/describe/explanation.hpp"
 #include "compiler/engines/engine_arguments.hpp"
+#include "compiler/study/tyre_law_text.hpp"
 
 namespace mbgen::cli {
 namespace {
 
 struct ExplainOptions {
-  std::string model, form;
+  std::string model, form, tyre;
   std::vector<std::string> set;
 };
 
 int run(const ExplainOptions& options) {
-  print(explanation_text(expect(compile(read_set_model(options.model, options.set), {chosen_form(options.form)}))));
+  const Model model = read_set_model(options.model, options.set);
+  print(options.tyre.empty() ? explanation_text(expect(compile(model, {chosen_form(options.form)})))
+                             : tyre_law_text(expect(decide(model)), options.tyre));
   return kDone;
 }
 
@@ -29,12 +32,11 @@ void add_explain(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<ExplainOptions>();
   NamedCommand command =
       application.add_command("explain", "explain the decisions about a model in words, each with its reason");
-  command.footer(
-      "Example: mbgen explain models/four_bar.json\n"
-      "The same facts as tables and as JSON: mbgen inspect.");
+  command.footer("Example: mbgen explain models/four_bar.json\nThe same facts as tables and as JSON: mbgen inspect.");
   add_model_argument(command, options->model);
   add_set_option(command, options->set);
   add_form_option(command, options->form);
+  command.add_option("--tyre", options->tyre, "print the law of this tyre instead: coefficients, stiffnesses, forces");
   command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 

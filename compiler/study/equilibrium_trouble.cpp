@@ -9,7 +9,7 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/engines/engine.hpp"
 #include "compiler/model/evaluate.hpp"
-#include "mbgen/pac2002.hpp"
+#include "compiler/model/tyre_sets.hpp"
 
 namespace mbgen {
 namespace {
@@ -37,22 +37,6 @@ int fastest(const Compilation& compilation, const std::vector<double>& inputs, c
   return static_cast<int>(largest - rates.zdd.begin());
 }
 
-/// Load of each tyre, N; none where they cannot be had.
-std::vector<double> tyre_loads(const Compilation& compilation, const std::vector<double>& inputs,
-                               const GenericState& at) {
-  Model model = compilation.model;
-  model.outputs.clear();
-  for (std::size_t i = 0; i < model.tyres.size(); ++i) {
-    model.outputs.push_back({"", {}, "", TyreOutput{TyreOutput::What::load, static_cast<int>(i)}});
-  }
-  GenericSolver solver(model, compilation.topology, compilation.analysis);
-  solver.set_inputs(inputs);
-  const std::vector<double> no_forces(at.z.size(), 0.0);
-  GenericDerivative rates;
-  if (!solver.accelerations(at, no_forces, rates).ok()) return {};
-  return solver.outputs(at, no_forces, rates).y;
-}
-
 std::string loads_text(const Model& model, const std::vector<double>& loads) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < loads.size(); ++i)
@@ -77,11 +61,8 @@ std::string moved_text(const Compilation& compilation, const GenericState& start
 }
 
 bool has_lateral_force(const Tyre& tyre) {
-  if (tyre.model != TyreModel::pac2002) return true;
-  for (std::size_t i = 0; i < tyre.coefficients.size(); ++i) {
-    if (std::string_view(kPac2002Fields[i].name) == "PDY1") return tyre.coefficients[i].value != 0;
-  }
-  return true;
+  if (tyre.model == TyreModel::pac89) return true;
+  return tyre.coefficients[tyre_field_index(tyre_fields(tyre.model), "PDY1")].value != 0;
 }
 
 /// Faults of a tyre or its wheel, one line each.
@@ -162,6 +143,21 @@ std::vector<std::string> causes_of(const AtRest& rest, int index, double acceler
 }
 
 }  // namespace
+
+std::vector<double> tyre_loads(const Compilation& compilation, const std::vector<double>& inputs,
+                               const GenericState& at) {
+  Model model = compilation.model;
+  model.outputs.clear();
+  for (std::size_t i = 0; i < model.tyres.size(); ++i) {
+    model.outputs.push_back({"", {}, "", TyreOutput{TyreOutput::What::load, static_cast<int>(i)}});
+  }
+  GenericSolver solver(model, compilation.topology, compilation.analysis);
+  solver.set_inputs(inputs);
+  const std::vector<double> no_forces(at.z.size(), 0.0);
+  GenericDerivative rates;
+  if (!solver.accelerations(at, no_forces, rates).ok()) return {};
+  return solver.outputs(at, no_forces, rates).y;
+}
 
 void fail_equilibrium(const Compilation& compilation, const std::vector<double>& inputs, const GenericState& start,
                       const GenericState& last, Status status) {

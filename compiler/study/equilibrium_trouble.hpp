@@ -9,6 +9,10 @@
 
 namespace mbgen {
 
+/// Load of each tyre in a state, N; none where they cannot be had. inputs: of the model.
+std::vector<double> tyre_loads(const Compilation& compilation, const std::vector<double>& inputs,
+                               const GenericState& at);
+
 /// Throws the UserError of a search that ended with `status` at `last`: the largest acceleration, the coordinates that
 /// moved farthest from `start`, the loads of the tyres, and the usual causes whose signs are there. inputs: of the
 /// model.
