@@ -80,7 +80,9 @@ std::string law_text(const EmitContext& context, std::size_t k, const std::strin
   for (const std::string& name : shared.results) members.push_back({{"name", name}});
   const std::string elements =
       joined(mapped(shared.tyres, [&](int tyre) { return context.model.tyres[tyre].name; }), ", ");
-  const Schedule order = schedule(shared.program, {.order = ValueOrder::fewest_alive});
+  const Schedule order = schedule(
+      shared.program, {.order = ValueOrder::fewest_alive,
+                       .gathering = seen == Elements::one_by_one ? Gathering::in_lanes : Gathering::of_vectors});
   return fill_template(
       "law.in",
       {{"comment", wrapped_words("Tyres of one law: " + comment_text(elements) +

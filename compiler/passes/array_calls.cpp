@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <span>
 #include <utility>
@@ -24,6 +26,8 @@ struct Levels {
   std::vector<bool> is_here;    ///< in this range
   std::vector<bool> is_called;  ///< computed by a call for many arguments
   std::vector<int> level;       ///< calls, one after the other, that the value waits for; its own too
+  std::vector<int> least;       ///< that a value of a call waits for though it needs not
+  Gathering gathering;
 };
 
 /// Arguments of one call, before it is split, with the values that it computes for each.
@@ -37,7 +41,7 @@ using Groups = std::map<std::pair<int, Op>, Group>;  ///< by level and function
 void find_levels(const Program& program, Range range, Levels& levels) {
   for (const ValueId v : range) {
     const Node& node = program.nodes[v];
-    int level = levels.is_called[v] ? 1 : 0;
+    int level = levels.is_called[v] ? std::max(1, levels.least[v]) : 0;
     for (int k = 0; k < arity(node.op); ++k) {
       if (!levels.is_here[node.operands[k]]) continue;
       level = std::max(level, levels.level[node.operands[k]] + (levels.is_called[v] ? 1 : 0));
@@ -65,13 +69,49 @@ Groups groups_of(const Program& program, Range range, const Levels& levels) {
   return groups;
 }
 
+/// Per value of the range: the level up to which it may wait without making another one wait.
+std::vector<int> latest_levels(const Program& program, Range range, const Levels& levels) {
+  int last = 0;
+  for (const ValueId v : range) last = std::max(last, levels.level[v]);
+  std::vector<int> latest(program.nodes.size(), last);
+  for (std::size_t i = range.size(); i-- > 0;) {
+    const ValueId v = range[i];
+    const int before = latest[v] - (levels.is_called[v] ? 1 : 0);
+    const Node& node = program.nodes[v];
+    for (int k = 0; k < arity(node.op); ++k) latest[node.operands[k]] = std::min(latest[node.operands[k]], before);
+  }
+  return latest;
+}
+
+/// Lets the first group that can wait for a later one of its function. Result: false where none can.
+bool wait_for_later(const Program& program, Range range, const Groups& groups, Levels& levels) {
+  const std::vector<int> latest = latest_levels(program, range, levels);
+  for (auto group = groups.begin(); group != groups.end(); ++group) {
+    int until = std::numeric_limits<int>::max();
+    for (const auto& values : group->second.values)
+      for (const ValueId v : values) until = std::min(until, latest[v]);
+    const auto later = std::find_if(std::next(group), groups.end(), [&](const auto& entry) {
+      const auto& [level, op] = entry.first;
+      return op == group->first.second && level > group->first.first && level <= until;
+    });
+    if (later == groups.end()) continue;
+    for (const auto& values : group->second.values)
+      for (const ValueId v : values) levels.least[v] = later->first.first;
+    return true;
+  }
+  return false;
+}
+
 /// Groups that are large enough: the values of the others are computed alone, which may bring later ones together.
 Groups settle(const Program& program, Range range, Levels& levels) {
+  const bool of_vectors = levels.gathering == Gathering::of_vectors;
+  const std::size_t fewest = of_vectors ? 2 : kFewestInLanes;
   while (true) {
     find_levels(program, range, levels);
     Groups groups = groups_of(program, range, levels);
+    if (of_vectors && wait_for_later(program, range, groups, levels)) continue;
     const auto small = std::find_if(groups.begin(), groups.end(),
-                                    [](const auto& entry) { return entry.second.arguments.size() < kFewestInLanes; });
+                                    [&](const auto& entry) { return entry.second.arguments.size() < fewest; });
     if (small == groups.end()) return groups;
     for (const auto& values : small->second.values) {
       for (const ValueId v : values) levels.is_called[v] = false;
@@ -190,11 +230,12 @@ void gather_given(const Program& program, std::vector<ValueId>& order, Levels& l
 
 }  // namespace
 
-ArrayCalls gather_calls(const Program& program, std::vector<ValueId>& order) {
+ArrayCalls gather_calls(const Program& program, std::vector<ValueId>& order, Gathering gathering) {
   ArrayCalls result;
-  result.place.resize(program.nodes.size());
-  Levels levels{std::vector<bool>(program.nodes.size(), false), std::vector<bool>(program.nodes.size(), false),
-                std::vector<int>(program.nodes.size(), 0)};
+  const std::size_t count = program.nodes.size();
+  result.place.resize(count);
+  Levels levels{std::vector<bool>(count, false), std::vector<bool>(count, false), std::vector<int>(count, 0),
+                std::vector<int>(count, 0), gathering};
   gather_given(program, order, levels, result);
   const auto section_of = [&](std::size_t i) { return program.nodes[order[i]].section; };
   for (std::size_t first = 0, last = 0; first < order.size(); first = last) {

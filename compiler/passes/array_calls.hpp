@@ -30,12 +30,19 @@ struct ArrayCalls {
   std::vector<ArrayPlace> place;  ///< per value of the program
 };
 
+/// Which functions one call computes.
+enum class Gathering {
+  in_lanes,   ///< of kFewestInLanes arguments or more: fewer are as fast alone
+  of_vectors  ///< of two or more, each a vector that needs no others: a call is a loop, so that its text stands there
+              ///< once. Functions wait for later ones of their kind where nothing needs them before
+};
+
 /// Brings elementary functions of a section together in `order`, as far as none needs another: first what
 /// the arguments of the first of them need, then these, then what the arguments of those need that use their results,
 /// and so on; last the rest of the section. What needs inputs only is gathered from all of a section before that, where
-/// others' values stand between its own. Groups of fewer than kFewestInLanes arguments stay where they are. Example:
+/// others' values stand between its own. Groups of too few arguments stay where they are. Example:
 /// wheels that each have sin(c*atan(slip)) in turn become all slips, one call for the arc tangents, all products, one
 /// call for the sines.
-ArrayCalls gather_calls(const Program& program, std::vector<ValueId>& order);
+ArrayCalls gather_calls(const Program& program, std::vector<ValueId>& order, Gathering gathering = Gathering::in_lanes);
 
 }  // namespace mbgen

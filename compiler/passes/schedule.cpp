@@ -136,7 +136,7 @@ Schedule schedule(const Program& program, const ScheduleOptions& options) {
   const Rolling rolling = can_roll ? worthwhile_loops(program, options) : Rolling{};
   Schedule result;
   if (rolling.loops.empty()) {
-    result = straight_schedule(program, options.division, options.order);
+    result = straight_schedule(program, options.division, options.order, options.gathering);
     result.place_values(program);
   } else {
     result = rolled_schedule(program, rolling);

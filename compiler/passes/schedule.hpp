@@ -18,6 +18,7 @@ struct ScheduleOptions {
   std::size_t roll_above = std::numeric_limits<std::size_t>::max();
   std::set<SlotGroup> indexed = {};  ///< groups whose slots are an array in the text, see roll
   bool shares_places = false;        ///< a value that crosses parts takes the place of one that no later part needs
+  Gathering gathering = Gathering::in_lanes;  ///< of elementary functions into calls
 };
 
 /// Schedules a program.

@@ -93,7 +93,7 @@ enum class Division {
 };
 
 /// Inside the room, straight code: order, parts, calls and one unit a part; no facts of values.
-Schedule straight_schedule(const Program& program, Division division, ValueOrder order);
+Schedule straight_schedule(const Program& program, Division division, ValueOrder order, Gathering gathering);
 
 /// Inside the room, code with loops: order, parts, units with their stored values, and the places and operands of
 /// values.

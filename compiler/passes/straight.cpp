@@ -139,8 +139,7 @@ std::size_t put_law_arguments_first(const Program& program, std::vector<std::vec
       for (int k = 0; k < arity(program.nodes[v].op); ++k) is_needed[program.nodes[v].operands[k]] = true;
     }
   }
-  std::stable_partition(bundles.begin(), bundles.end(),
-                        [&](const auto& bundle) { return is_needed[bundle.front()]; });
+  std::stable_partition(bundles.begin(), bundles.end(), [&](const auto& bundle) { return is_needed[bundle.front()]; });
   return operations;
 }
 
@@ -183,14 +182,14 @@ std::vector<PlaceRange> section_ranges(const Program& program, const std::vector
 
 }  // namespace
 
-Schedule straight_schedule(const Program& program, Division division, ValueOrder wanted) {
+Schedule straight_schedule(const Program& program, Division division, ValueOrder wanted, Gathering gathering) {
   std::vector<ValueId> order = live_operations(program);
   sort_by_section(program, order);
   const std::vector<ValueId> partner = angle_partners(program, order);
   Schedule result;
   result.ordered = wanted;
   result.order = pair_angles(order, partner);
-  result.calls = gather_calls(program, result.order);
+  result.calls = gather_calls(program, result.order, gathering);
   std::vector<std::vector<ValueId>> bundles = bundles_of(result, partner);
   const std::size_t before_laws = put_law_arguments_first(program, bundles);
   result.order = wanted == ValueOrder::fewest_alive ? few_alive(program, bundles, before_laws) : joined(bundles);

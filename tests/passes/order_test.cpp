@@ -89,6 +89,29 @@ TEST(FewestAlive, OneCallForManyArgumentsStaysOne) {
   EXPECT_EQ(found.calls.calls[0].arguments.size(), 4u);
 }
 
+/// cos a, atan b, cos(atan b): what the first cosine gives is needed last.
+TEST(Schedule, AVectorsFunctionWaitsForALaterOneOfItsKind) {
+  ProgramBuilder builder("f");
+  const ValueId a = builder.append(Op::sqrt, builder.input(Array::z, 0));
+  const ValueId b = builder.append(Op::sqrt, builder.input(Array::z, 1));
+  const ValueId early = builder.append(Op::cos, a), late = builder.append(Op::cos, builder.append(Op::atan, b));
+  builder.output(Array::zdd, 0, builder.append(Op::multiply, early, late));
+  const Program program = builder.finish();
+  EXPECT_TRUE(schedule(program).calls.calls.empty());
+  const Schedule found = schedule(program, {.gathering = Gathering::of_vectors});
+  ASSERT_EQ(found.calls.calls.size(), 1u);
+  EXPECT_EQ(found.calls.calls[0].arguments.size(), 2u);
+  EXPECT_EQ(found.calls.place[early].call, 0);
+  EXPECT_EQ(found.calls.place[late].call, 0);
+}
+
+TEST(Schedule, AVectorsFunctionDoesNotWaitForOneThatNeedsIt) {
+  ProgramBuilder builder("f");
+  const ValueId first = builder.append(Op::cos, builder.append(Op::sqrt, builder.input(Array::z, 0)));
+  builder.output(Array::zdd, 0, builder.append(Op::cos, builder.append(Op::atan, first)));
+  EXPECT_TRUE(schedule(builder.finish(), {.gathering = Gathering::of_vectors}).calls.calls.empty());
+}
+
 TEST(FewestAlive, EmptyProgram) { EXPECT_TRUE(fewest_alive(Program{}).empty()); }
 
 TEST(Schedule, StandsInTheOrderThatIsAskedFor) {
