@@ -142,7 +142,7 @@ CurvePoints curve_points(const Rig& rig, const CurvePoint& start, const Sweep& s
       const Status status = find_curve_point(rig, sweep, value, side.empty() ? start.at : side.back().at, point);
       if (!status.ok()) {
         curve.note += fmt::format("{}{} ends before {:g}: {}", curve.note.empty() ? "" : "; ", name_of(sweep.kind),
-                                  value, describe(rig.compilation, status));
+                                  value, text(status.code));
         break;
       }
       side.push_back(std::move(point));

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compiler/study/kc/geometry.hpp"
-#include "compiler/study/kc/kc.hpp"
+#include "compiler/study/kc/kc_report.hpp"
 
 namespace mbgen::kc {
 

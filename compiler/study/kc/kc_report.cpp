@@ -1,4 +1,4 @@
-// The report of an axle as text, as files and as a page.
+#include "compiler/study/kc/kc_report.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include "compiler/drawing/drawing.hpp"
 #include "compiler/drawing/svg.hpp"
 #include "compiler/results/results.hpp"
-#include "compiler/study/kc/kc.hpp"
 
 namespace mbgen {
 namespace {
