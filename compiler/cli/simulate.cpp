@@ -57,7 +57,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
   if (control) {
     control->end = start.state.t + static_cast<double>(settings.steps) * settings.step;
     run.control = std::make_shared<ErrorControlRecord>();
-    engine = with_error_control(engine, inputs, *control, run.control);
+    engine = with_error_control(compilation, engine, inputs, *control, run.control);
     settings.is_error_controlled = true;
   }
   run.summary = simulate(engine, start.state, inputs, settings, [&](const Sample& sample) {

@@ -30,7 +30,6 @@ void add_nominals(const EmitContext& context, const InitialState& initial, FmuLa
   const double extent = extent_of(context.model);
   const std::size_t count = fmu.independent.size();
   const std::vector<AuxiliaryState> states = auxiliary_states(context.model);
-  const auto first_own = static_cast<std::size_t>(first_user_state(context.model));
   for (std::size_t k = 0; k < fmu.derivatives.size(); ++k) {
     const int rate = fmu.derivatives[k].variable;
     FmuVariable& state =
@@ -40,10 +39,8 @@ void add_nominals(const EmitContext& context, const InitialState& initial, FmuLa
       const auto coordinate = static_cast<std::size_t>(fmu.independent[k % count]);
       const bool turns = context.topology.bodies[coordinate].kind == FreedomKind::revolute;
       size = std::max(turns ? 1.0 : extent, std::abs((k < count ? initial.z : initial.zd)[coordinate]));
-    } else if (k - 2 * count >= first_own) {
-      size = magnitude_of(states[k - 2 * count]);
     } else {
-      size = states[k - 2 * count].size;
+      size = magnitude_of(states[k - 2 * count]);
     }
     if (const double nominal = one_digit(size); nominal != 1) state.shown.nominal = nominal;
   }

@@ -102,7 +102,7 @@ int held_state_count(const Model& model) {
 
 double magnitude_of(const AuxiliaryState& state) {
   const double size = state.nominal.value_or(std::abs(state.initial));
-  return size > 0 ? size : 1;
+  return size > 0 ? size : state.size;
 }
 
 }  // namespace mbgen

@@ -17,7 +17,7 @@ struct AuxiliaryState {
   std::string description;
   double initial = 0;
   std::optional<double> nominal;  ///< usual magnitude, where the model says it
-  double size = 1;                ///< usual magnitude of those that are not the user's own
+  double size = 1;                ///< usual magnitude where neither that nor the initial value tells it
 };
 
 std::vector<AuxiliaryState> auxiliary_states(const Model& model);
@@ -40,8 +40,8 @@ int first_user_state(const Model& model);
 /// How many of the last auxiliary states hold between the instants at which they are set: sampled values.
 int held_state_count(const Model& model);
 
-/// Size of a state that counts as much as 1 rad or 1 m of a coordinate in a search: its nominal value, else its initial
-/// one, else 1.
+/// Size of a state that counts as much as 1 rad or 1 m of a coordinate: in searches, differences and tolerances. Its
+/// nominal value, else its initial one, else what slips, bristles and Maxwell branches reach, else 1.
 double magnitude_of(const AuxiliaryState& state);
 
 /// The first state of the bristles.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "compiler/base/user_error.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/study/cvode_steps.hpp"
 
 namespace mbgen {
@@ -36,10 +37,15 @@ std::optional<ErrorControl> error_control_of(const std::string& integrator, std:
   return control;
 }
 
-Engine with_error_control(const Engine& engine, const InputsOverTime& inputs, const ErrorControl& control,
-                          const std::shared_ptr<ErrorControlRecord>& record) {
+Engine with_error_control(const Compilation& compilation, const Engine& engine, const InputsOverTime& inputs,
+                          const ErrorControl& control, const std::shared_ptr<ErrorControlRecord>& record) {
   record->control = control;
-  const std::shared_ptr<Stepper> stepper = make_cvode_stepper(engine, inputs, control, *record);
+  std::vector<double> magnitudes;
+  for (const AuxiliaryState& state : auxiliary_states(compilation.model)) magnitudes.push_back(magnitude_of(state));
+  std::optional<Corners> corners;
+  if (control.finds_corners) corners.emplace(compilation);
+  ControlledMotion motion(engine, inputs, std::move(magnitudes), std::move(corners));
+  const std::shared_ptr<Stepper> stepper = make_cvode_stepper(std::move(motion), control, *record);
   Engine controlled = engine;
   controlled.step = [stepper, record](GenericState& state, double h) { return stepper->step(state, h); };
   return controlled;

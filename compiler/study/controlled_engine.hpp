@@ -18,10 +18,10 @@ std::optional<ErrorControl> error_control_of(const std::string& integrator, std:
 
 /// An engine whose steps are those of `engine` with error control: `step` gives the motion at the end of each by
 /// interpolation. All of z, zd and x are integrated; every evaluation closes the loops first. It starts anew at rows of
-/// the inputs' table, at instants of sampled values, where a ball changes its chart and where the loops have come open. Kinks of forces are not
-/// located: the steps become short there.
+/// the inputs' table, at instants of sampled values, where a ball changes its chart, where the loops have come open and
+/// at corners of laws.
 /// inputs: outlive the engine. record: the facts, also of a step that fails.
-Engine with_error_control(const Engine& engine, const InputsOverTime& inputs, const ErrorControl& control,
-                          const std::shared_ptr<ErrorControlRecord>& record);
+Engine with_error_control(const Compilation& compilation, const Engine& engine, const InputsOverTime& inputs,
+                          const ErrorControl& control, const std::shared_ptr<ErrorControlRecord>& record);
 
 }  // namespace mbgen

@@ -10,6 +10,17 @@ namespace {
 /// rad or m by which closing the loops may move a coordinate of a trial state: more is another way to close them.
 constexpr double kLargestClosing = 0.1;
 
+GenericState with_values(GenericState state, double t, const double* y) {
+  state.t = t;
+  for (std::vector<double>* part : {&state.z, &state.zd, &state.x}) {
+    std::copy_n(y, part->size(), part->begin());
+    y += part->size();
+  }
+  return state;
+}
+
+double side_of(double condition) { return condition >= 0 ? 1 : -1; }
+
 }  // namespace
 
 void ControlledMotion::begin(const GenericState& state, double end) {
@@ -21,15 +32,13 @@ void ControlledMotion::copy(const GenericState& state, double* y) const {
   for (const std::vector<double>* part : {&state.z, &state.zd, &state.x}) y = std::copy(part->begin(), part->end(), y);
 }
 
+std::vector<double> ControlledMotion::inputs_at(double t) const {
+  return inputs_.at(std::min(t, std::nextafter(end_, -std::numeric_limits<double>::infinity())));
+}
+
 Status ControlledMotion::close(double t, const double* y, GenericState& state) const {
-  state = guess_;
-  state.t = t;
-  for (std::vector<double>* part : {&state.z, &state.zd, &state.x}) {
-    std::copy_n(y, part->size(), part->begin());
-    y += part->size();
-  }
-  y -= size();
-  engine_.set_inputs(inputs_.at(std::min(t, std::nextafter(end_, -std::numeric_limits<double>::infinity()))));
+  state = with_values(guess_, t, y);
+  engine_.set_inputs(inputs_at(t));
   const Status status = engine_.project(state);
   if (!status.ok()) return status;
   for (std::size_t i = 0; i < state.z.size(); ++i)
@@ -43,10 +52,43 @@ Status ControlledMotion::rates_of(const GenericState& closed, double* f) const {
   const LoadedState at{closed, std::vector<double>(closed.z.size(), 0.0)};
   const Status status = engine_.accelerations(at, derivative);
   if (!status.ok()) return status;
+  if (!sides_.empty()) keep_sides(closed, derivative);
   for (const std::vector<double>* part :
        std::initializer_list<const std::vector<double>*>{&closed.zd, &derivative.zdd, &derivative.xd})
     f = std::copy(part->begin(), part->end(), f);
   return {};
+}
+
+void ControlledMotion::keep_sides(const GenericState& closed, GenericDerivative& rates) const {
+  if (std::ranges::any_of(closed.charts, [](double chart) { return chart != 0; })) return;
+  const std::vector<double> inputs = inputs_at(closed.t);
+  std::vector<double> own = corners_->conditions(closed, inputs);
+  for (double& side : own) side = side_of(side);
+  std::vector<double> kept = own;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (sides_[i] != 0) kept[i] = sides_[i];
+  if (kept == own) return;
+  const GenericDerivative change = corners_->difference(closed, inputs, kept, own);
+  if (!check_finite(change).ok()) return;
+  for (std::size_t i = 0; i < change.zdd.size(); ++i) rates.zdd[i] += change.zdd[i];
+  for (std::size_t i = 0; i < change.xd.size(); ++i) rates.xd[i] += change.xd[i];
+}
+
+GenericState ControlledMotion::open(double t, const double* y) const {
+  return in_users_angles(engine_.balls, with_values(guess_, t, y));
+}
+
+std::vector<double> ControlledMotion::conditions(double t, const double* y) const {
+  return corners_->conditions(open(t, y), inputs_at(t));
+}
+
+GenericDerivative ControlledMotion::change_by(double t, const double* y, const std::vector<double>& sides) const {
+  std::vector<double> from = conditions(t, y), to;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    from[i] = sides_[i] != 0 ? sides_[i] : side_of(from[i]);
+    to.push_back(sides[i] != 0 ? sides[i] : from[i]);
+  }
+  return corners_->difference(open(t, y), inputs_at(t), to, from);
 }
 
 Status ControlledMotion::rates(double t, const double* y, double* f) const {

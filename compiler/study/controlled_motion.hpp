@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "compiler/engines/engine.hpp"
+#include "compiler/study/corners.hpp"
 #include "compiler/study/inputs_over_time.hpp"
 
 namespace mbgen {
@@ -15,7 +18,11 @@ namespace mbgen {
 /// that it depends on the closed state alone.
 class ControlledMotion {
  public:
-  ControlledMotion(const Engine& engine, const InputsOverTime& inputs) : engine_(engine), inputs_(inputs) {}
+  /// magnitudes: of the auxiliary states, see magnitude_of. corners: none where laws are taken as they come.
+  /// inputs: outlive the motion.
+  ControlledMotion(Engine engine, const InputsOverTime& inputs, std::vector<double> magnitudes,
+                   std::optional<Corners> corners)
+      : engine_(std::move(engine)), inputs_(inputs), magnitudes_(std::move(magnitudes)), corners_(std::move(corners)) {}
 
   /// The motion goes on from a closed state, whose balls keep their charts; up to `end` (s) the inputs are those just
   /// before it, and after that they are not asked for.
@@ -34,14 +41,38 @@ class ControlledMotion {
   void follow(const GenericState& closed) { guess_ = closed; }
   const GenericState& guess() const { return guess_; }
   const Engine& engine() const { return engine_; }
+  const InputsOverTime& inputs() const { return inputs_; }
+  /// What counts as much as 1 rad, 1 m or 1 per second of entry i of y.
+  double size_of(std::size_t i) const {
+    const std::size_t first = 2 * guess_.z.size();
+    return i < first ? 1.0 : magnitudes_[i - first];
+  }
+
+  /// Corners of the laws; none while a ball is in its other chart.
+  std::size_t corners() const { return corners_ ? corners_->count() : 0; }
+  /// What the corners choose by at y.
+  std::vector<double> conditions(double t, const double* y) const;
+  /// Rates stay on these sides of the corners from now on, each 1 or -1; 0 for the side on which the state is.
+  void hold(std::vector<double> sides) { sides_ = std::move(sides); }
+  const std::vector<double>& sides() const { return sides_; }
+  /// What other sides than those that are held change in the rates at y.
+  GenericDerivative change_by(double t, const double* y, const std::vector<double>& sides) const;
   /// Evaluations so far.
   long evaluations() const { return evaluations_; }
 
  private:
   Status rates_of(const GenericState& closed, double* f) const;
+  /// Takes the rates back to the sides that are held.
+  void keep_sides(const GenericState& closed, GenericDerivative& rates) const;
+  /// The state at y as it is, in the angles of the model.
+  GenericState open(double t, const double* y) const;
+  std::vector<double> inputs_at(double t) const;
 
-  const Engine& engine_;
+  Engine engine_;
   const InputsOverTime& inputs_;
+  std::vector<double> magnitudes_;
+  std::optional<Corners> corners_;
+  std::vector<double> sides_;
   GenericState guess_;  ///< for driven coordinates, charts
   double end_ = 0;
   mutable long evaluations_ = 0;
@@ -49,16 +80,14 @@ class ControlledMotion {
 
 template <class Set>
 Status ControlledMotion::jacobian(double t, double* y, const double* f, double* scratch, const Set& set) const {
-  constexpr double kDifference = 1.5e-8;      // of a value, and of 1 rad, 1 m or 1 per second at least
-  constexpr double kOfAuxiliaryState = 1e-4;  // m, in place of 1
-  constexpr double kTakenBack = 0.01;         // of the difference
+  constexpr double kDifference = 1.5e-8;  // of a value, and of size_of at least
+  constexpr double kTakenBack = 0.01;     // of the difference
   GenericState base, moved;
   Status status = close(t, y, base);
   std::vector<double> closed(size()), other(size());
   copy(base, closed.data());
   for (std::size_t j = 0; j < size() && status.ok(); ++j) {
-    const double least = j < 2 * guess_.z.size() ? 1.0 : kOfAuxiliaryState;
-    const double difference = kDifference * std::max(std::abs(y[j]), least);
+    const double difference = kDifference * std::max(std::abs(y[j]), size_of(j));
     const double kept = y[j];
     y[j] += difference;
     status = close(t, y, moved);

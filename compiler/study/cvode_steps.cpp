@@ -22,14 +22,16 @@
 namespace mbgen {
 namespace {
 
-/// Part of the tolerance that auxiliary states have, m: deflections of tyres and bristles are of small fractions of mm.
-constexpr double kOfAuxiliaryState = 1e-3;
 /// Error of the loops, in tolerances, at which the motion starts anew with closed ones.
 constexpr double kOpenLoops = 100;
 /// Steps of CVODE for one step of the table: more is no progress.
 constexpr long kMostSteps = 500'000;
 /// Part of the time to an event that is no time.
 constexpr double kNoTime = 1e-12;
+/// Part of a step beyond a corner at which the laws of both sides are compared once more.
+constexpr double kBesideCorner = 1e-3;
+/// In place of a condition that is zero, which is the upper side: CVODE takes zeros for roots, also those that last.
+constexpr double kUpperSide = 1e-300;
 /// Vectors by which the fixed-point iteration is accelerated (Anderson).
 constexpr int kAcceleration = 3;
 
@@ -38,9 +40,8 @@ using Owned = std::unique_ptr<Object, std::function<void(Object*)>>;
 
 class CvodeStepper : public Stepper {
  public:
-  CvodeStepper(const Engine& engine, const InputsOverTime& inputs, const ErrorControl& control,
-               ErrorControlRecord& record)
-      : engine_(engine), inputs_(inputs), control_(control), record_(record), motion_(engine_, inputs_) {
+  CvodeStepper(ControlledMotion motion, const ErrorControl& control, ErrorControlRecord& record)
+      : control_(control), record_(record), motion_(std::move(motion)) {
     SUNContext context = nullptr;
     SUNContext_Create(nullptr, &context);
     context_ = {context, [](_SUNContext* c) { SUNContext_Free(&c); }};
@@ -51,11 +52,18 @@ class CvodeStepper : public Stepper {
  private:
   /// Starts or goes on from a state at its time.
   Status start(GenericState state);
+  /// Holds the sides of the corners on which the motion starts.
+  void take_sides();
   void make(const GenericState& state);
   void make_solver();
   Status advance();
-  /// What follows a step of CVODE to t_: the closed state, and whether to start anew.
-  Status arrive(bool at_row);
+  /// What follows a step of CVODE to t_: the closed state, and whether to start anew. flag: of the step.
+  Status arrive(int flag);
+  /// Goes over the corners at t_; whether the rates change by more than a step bears.
+  bool passes_corners();
+  /// Whether the motion is on another side of a corner than it is held on: it did not leave the corner the way it came
+  /// to it. Back by a step then, on no side of that corner.
+  bool went_astray();
   Status at(double t, GenericState& state);
   Status fail(int flag);
   void count();
@@ -66,10 +74,9 @@ class CvodeStepper : public Stepper {
   static int rates(sunrealtype t, N_Vector y, N_Vector f, void* self);
   static int jacobian(sunrealtype t, N_Vector y, N_Vector f, SUNMatrix J, void* self, N_Vector scratch, N_Vector,
                       N_Vector);
+  static int conditions(sunrealtype t, N_Vector y, sunrealtype* values, void* self);
   static void keep_message(int, const char*, const char*, char* message, void* self);
 
-  Engine engine_;
-  const InputsOverTime& inputs_;
   ErrorControl control_;
   ErrorControlRecord& record_;
   ControlledMotion motion_;
@@ -84,6 +91,9 @@ class CvodeStepper : public Stepper {
   double end_ = 0;    ///< s: steps go no farther before the next start
   double sampled_ = HUGE_VAL;  ///< s, when sampled values were set last
   bool starts_anew_ = true;
+  GenericState start_, last_;  ///< of the last start
+  std::vector<int> crossed_,
+      loose_;                  ///< per corner: passed at the last start, upwards 1 or downwards -1; held on no side
   Status trouble_;             ///< of the last evaluation that failed since the last good step
   std::string message_;        ///< of CVODE
   ErrorControlRecord before_;  ///< counts up to the last start
@@ -108,6 +118,17 @@ int CvodeStepper::jacobian(sunrealtype t, N_Vector y, N_Vector f, SUNMatrix J, v
   return status.ok() ? 0 : 1;
 }
 
+int CvodeStepper::conditions(sunrealtype t, N_Vector y, sunrealtype* values, void* self) {
+  auto& stepper = *static_cast<CvodeStepper*>(self);
+  const std::vector<double> found = stepper.motion_.conditions(t, N_VGetArrayPointer(y));
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const bool is_at_corner = t == stepper.start_.t && (stepper.crossed_[i] != 0 || found[i] == 0);
+    const bool is_known = !is_at_corner && std::isfinite(found[i]);
+    values[i] = !is_known ? 0.0 : found[i] == 0 ? kUpperSide : found[i];
+  }
+  return 0;
+}
+
 void CvodeStepper::keep_message(int, const char*, const char*, char* message, void* self) {
   static_cast<CvodeStepper*>(self)->message_ = message;
 }
@@ -116,28 +137,27 @@ double CvodeStepper::next_row(double t) const {
   const double none = kNoTime * std::max(1.0, std::abs(t));
   const double end = std::min(control_.end, next_instant(control_.periods.data(),
                                                          static_cast<int>(control_.periods.size()), t));
-  for (const double row : inputs_.rows)
+  for (const double row : motion_.inputs().rows)
     if (row > t + none && row < end) return row;
   return end;
 }
 
 Status CvodeStepper::set_sampled(GenericState& state) {
-  if (!engine_.sample || std::abs(state.t - sampled_) <= same_instant(state.t)) return {};
+  const Engine& engine = motion_.engine();
+  if (!engine.sample || std::abs(state.t - sampled_) <= same_instant(state.t)) return {};
   sampled_ = state.t;
   bool any = false;
-  return engine_.sample(state, 0, any);
+  return engine.sample(state, 0, any);
 }
 
 void CvodeStepper::make(const GenericState& state) {
-  motion_.begin(state, end_);
   const auto size = static_cast<sunindextype>(motion_.size());
   const auto vector = [&] { return Owned<_generic_N_Vector>(N_VNew_Serial(size, context_.get()), N_VDestroy); };
   y_ = vector();
   dense_ = vector();
   absolute_ = vector();
   for (sunindextype i = 0; i < size; ++i) {
-    const bool is_auxiliary = i >= static_cast<sunindextype>(2 * state.z.size());
-    NV_Ith_S(absolute_.get(), i) = control_.tolerance * (is_auxiliary ? kOfAuxiliaryState : 1.0);
+    NV_Ith_S(absolute_.get(), i) = control_.tolerance * motion_.size_of(static_cast<std::size_t>(i));
   }
   const int method = control_.method == ErrorControl::Method::bdf ? CV_BDF : CV_ADAMS;
   cvode_ = {CVodeCreate(method, context_.get()), [](void* memory) { CVodeFree(&memory); }};
@@ -147,6 +167,9 @@ void CvodeStepper::make(const GenericState& state) {
   CVodeSetUserData(cvode_.get(), this);
   CVodeSetErrHandlerFn(cvode_.get(), keep_message, this);
   make_solver();
+  if (motion_.corners() == 0) return;
+  CVodeRootInit(cvode_.get(), static_cast<int>(motion_.corners()), conditions);
+  CVodeSetNoInactiveRootWarn(cvode_.get());
 }
 
 void CvodeStepper::make_solver() {
@@ -163,15 +186,18 @@ void CvodeStepper::make_solver() {
 }
 
 Status CvodeStepper::start(GenericState state) {
-  engine_.set_inputs(inputs_.at(state.t));
-  settle_charts(engine_.balls, state);
-  Status status = engine_.project(state);
+  const Engine& engine = motion_.engine();
+  engine.set_inputs(motion_.inputs().at(state.t));
+  settle_charts(engine.balls, state);
+  Status status = engine.project(state);
   if (status.ok()) status = set_sampled(state);
   if (!status.ok()) return status;
   end_ = next_row(state.t);
   t_ = state.t;
+  start_ = last_ = state;
+  motion_.begin(state, end_);
+  take_sides();
   if (cvode_) {
-    motion_.begin(state, end_);
     motion_.copy(state, N_VGetArrayPointer(y_.get()));
     CVodeReInit(cvode_.get(), t_, y_.get());
     before_ = record_;
@@ -182,6 +208,70 @@ Status CvodeStepper::start(GenericState state) {
   CVodeSetStopTime(cvode_.get(), end_);
   starts_anew_ = false;
   return {};
+}
+
+void CvodeStepper::take_sides() {
+  const std::size_t corners = motion_.corners();
+  crossed_.resize(corners);
+  loose_.resize(corners);
+  if (corners == 0) return;
+  std::vector<double> y(motion_.size());
+  motion_.copy(start_, y.data());
+  std::vector<double> sides = motion_.conditions(t_, y.data());
+  for (std::size_t i = 0; i < corners; ++i) {
+    const int side = sides[i] > 0 ? 1 : sides[i] < 0 ? -1 : 0;
+    sides[i] = loose_[i] != 0 ? 0 : crossed_[i] != 0 ? crossed_[i] : side;
+  }
+  motion_.hold(std::move(sides));
+}
+
+bool CvodeStepper::passes_corners() {
+  std::vector<int> found(motion_.corners());
+  CVodeGetRootInfo(cvode_.get(), found.data());
+  double h = 0;
+  CVodeGetLastStep(cvode_.get(), &h);
+  h *= kBesideCorner;
+  if (CVodeGetDky(cvode_.get(), t_ - h, 0, dense_.get()) != CV_SUCCESS) return true;
+  // Beyond the corner by as much: what follows from the laws that took their other side has taken its own there.
+  N_VLinearSum(2, y_.get(), -1, dense_.get(), dense_.get());
+  const double *y = N_VGetArrayPointer(y_.get()), *beyond = N_VGetArrayPointer(dense_.get());
+  std::vector<double> sides = motion_.conditions(t_ + h, beyond);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    sides[i] = found[i] != 0 ? found[i] : sides[i] > 0 ? 1 : sides[i] < 0 ? -1 : 0;
+  const GenericDerivative jump = motion_.change_by(t_, y, sides), later = motion_.change_by(t_ + h, beyond, sides);
+  const double step = h / kBesideCorner;
+  bool is_large = false;
+  const auto look_at = [&](const std::vector<double>& now, const std::vector<double>& then, std::size_t first) {
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const double slope = (then[i] - now[i]) / h;
+      const double weight =
+          control_.tolerance * std::abs(y[first + i]) + NV_Ith_S(absolute_.get(), static_cast<sunindextype>(first + i));
+      is_large = is_large || !(std::abs(now[i]) * step + std::abs(slope) * step * step / 2 <= weight);
+    }
+  };
+  look_at(jump.zdd, later.zdd, jump.zdd.size());
+  look_at(jump.xd, later.xd, 2 * jump.zdd.size());
+  motion_.hold(std::move(sides));
+  if (!is_large) return false;
+  crossed_ = std::move(found);
+  loose_.assign(loose_.size(), 0);
+  ++record_.corners;
+  return true;
+}
+
+bool CvodeStepper::went_astray() {
+  const std::vector<double>& sides = motion_.sides();
+  const std::vector<double> now = motion_.conditions(t_, N_VGetArrayPointer(y_.get()));
+  bool any = false;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (!(now[i] * sides[i] < 0)) continue;
+    loose_[i] = 1;
+    any = true;
+  }
+  if (!any) return false;
+  t_ = last_.t;
+  motion_.follow(last_);
+  return true;
 }
 
 void CvodeStepper::count() {
@@ -212,7 +302,7 @@ Status CvodeStepper::fail(int flag) {
   return status;
 }
 
-Status CvodeStepper::arrive(bool at_row) {
+Status CvodeStepper::arrive(int flag) {
   GenericState closed;
   const double* y = N_VGetArrayPointer(y_.get());
   const Status status = motion_.close(t_, y, closed);
@@ -225,7 +315,17 @@ Status CvodeStepper::arrive(bool at_row) {
     const double weight = control_.tolerance * std::abs(values[i]) + NV_Ith_S(absolute_.get(), i);
     open = std::max(open, std::abs(values[i] - y[i]) / weight);
   }
-  starts_anew_ = at_row || open > kOpenLoops || leaves_charts(engine_.balls, closed);
+  const bool is_at_corner = flag == CV_ROOT_RETURN && passes_corners();
+  starts_anew_ =
+      is_at_corner || flag == CV_TSTOP_RETURN || open > kOpenLoops || leaves_charts(motion_.engine().balls, closed);
+  if (!is_at_corner && motion_.corners() > 0) {
+    crossed_.assign(crossed_.size(), 0);
+    if (flag != CV_ROOT_RETURN && went_astray()) {
+      starts_anew_ = true;
+      return {};
+    }
+  }
+  last_ = closed;
   return {};
 }
 
@@ -239,7 +339,7 @@ Status CvodeStepper::advance() {
   count();
   if (flag < 0) return fail(flag);
   trouble_ = {};
-  return arrive(flag == CV_TSTOP_RETURN);
+  return arrive(flag);
 }
 
 Status CvodeStepper::at(double t, GenericState& state) {
@@ -270,9 +370,9 @@ Status CvodeStepper::step(GenericState& state, double h) {
 
 bool has_cvode() { return true; }
 
-std::unique_ptr<Stepper> make_cvode_stepper(const Engine& engine, const InputsOverTime& inputs,
-                                            const ErrorControl& control, ErrorControlRecord& record) {
-  return std::make_unique<CvodeStepper>(engine, inputs, control, record);
+std::unique_ptr<Stepper> make_cvode_stepper(ControlledMotion motion, const ErrorControl& control,
+                                            ErrorControlRecord& record) {
+  return std::make_unique<CvodeStepper>(std::move(motion), control, record);
 }
 
 }  // namespace mbgen
@@ -283,10 +383,7 @@ namespace mbgen {
 
 bool has_cvode() { return false; }
 
-std::unique_ptr<Stepper> make_cvode_stepper(const Engine&, const InputsOverTime&, const ErrorControl&,
-                                            ErrorControlRecord&) {
-  return {};
-}
+std::unique_ptr<Stepper> make_cvode_stepper(ControlledMotion, const ErrorControl&, ErrorControlRecord&) { return {}; }
 
 }  // namespace mbgen
 

@@ -3,9 +3,8 @@
 
 #include <memory>
 
-#include "compiler/engines/engine.hpp"
+#include "compiler/study/controlled_motion.hpp"
 #include "compiler/study/error_control.hpp"
-#include "compiler/study/inputs_over_time.hpp"
 
 namespace mbgen {
 
@@ -21,7 +20,7 @@ class Stepper {
 };
 
 /// See with_error_control. record: outlives the stepper. Requires: has_cvode().
-std::unique_ptr<Stepper> make_cvode_stepper(const Engine& engine, const InputsOverTime& inputs,
-                                            const ErrorControl& control, ErrorControlRecord& record);
+std::unique_ptr<Stepper> make_cvode_stepper(ControlledMotion motion, const ErrorControl& control,
+                                            ErrorControlRecord& record);
 
 }  // namespace mbgen

@@ -13,10 +13,12 @@ struct ErrorControl {
     adams  ///< Adams-Moulton, orders 1 to 12, by iteration without derivatives
   };
   Method method = Method::bdf;
-  /// Of a step's error: relative, and absolute in rad, m and per second; of auxiliary states a thousandth of it in m.
+  /// Of a step's error: relative, and absolute in rad, m and per second; of auxiliary states in parts of their
+  /// magnitudes (magnitude_of).
   double tolerance = 1e-6;
   double end = 0;                 ///< s: no step goes beyond
   std::vector<double> periods{};  ///< s, of the sampled values
+  bool finds_corners = true;      ///< of laws, and starts anew at them
 };
 
 /// Facts about a motion with error control.
@@ -25,7 +27,8 @@ struct ErrorControlRecord {
   long steps = 0, evaluations = 0, jacobians = 0;
   long rejected = 0;    ///< steps whose error was too large
   long not_solved = 0;  ///< steps whose equations were not solved by Newton's or the fixed-point iteration
-  long restarts = 0;    ///< at order one: rows of the input table, sampled values, charts, open loops
+  long restarts = 0;    ///< at order one: rows of the input table, sampled values, charts, open loops, corners
+  long corners = 0;     ///< of laws, at which it started anew
   int largest_order = 0;
   double shortest = 0, longest = 0;  ///< s, of the steps
   std::string failure;               ///< why a step failed, as CVODE says it; empty where none did

@@ -77,9 +77,9 @@ const char* integrator_name(const SimulationRecord& record) {
 std::string control_text(const ErrorControlRecord& control) {
   return fmt::format(
       "  error control             tolerance {:.3g}: {} steps of {:.3g} to {:.3g} s, order up to {}, {} rejected, "
-      "{} not solved,\n                            {} evaluations, {} Jacobians, {} restarts\n",
+      "{} not solved,\n                            {} evaluations, {} Jacobians, {} restarts, {} at corners\n",
       control.control.tolerance, control.steps, control.shortest, control.longest, control.largest_order,
-      control.rejected, control.not_solved, control.evaluations, control.jacobians, control.restarts);
+      control.rejected, control.not_solved, control.evaluations, control.jacobians, control.restarts, control.corners);
 }
 
 Json control_json(const ErrorControlRecord& control) {
@@ -92,7 +92,8 @@ Json control_json(const ErrorControlRecord& control) {
           {"not_solved", control.not_solved},
           {"evaluations", control.evaluations},
           {"jacobians", control.jacobians},
-          {"restarts", control.restarts}};
+          {"restarts", control.restarts},
+          {"corners", control.corners}};
 }
 
 bool met_something(const BlockEvents& block) { return block.chosen_again > 0 || block.near_singular > 0; }
