@@ -159,10 +159,11 @@ class ModelText {
                           bristle(friction));
     }
     for (const Tyre& tyre : model_.tyres) {
-      text += fmt::format("  {}: tyre at {}, axis ({}), count {}, radius {}, stiffness {}{}\n", tyre.name,
+      text += fmt::format("  {}: tyre at {}, axis ({}), count {}, radius {}, stiffness {}{}{}\n", tyre.name,
                           attachment(tyre.centre), fmt::join(tyre.axis, ", "), tyre.count, quantity(tyre.radius),
                           quantity(tyre.stiffness),
-                          tyre.model == TyreModel::mf61 ? ", pressure " + quantity(tyre.pressure) : "");
+                          tyre.model == TyreModel::mf61 ? ", pressure " + quantity(tyre.pressure) : "",
+                          tyre.road < 0 ? "" : ", on road " + model_.roads[tyre.road].name);
     }
     return text;
   }
@@ -184,6 +185,25 @@ class ModelText {
       if (axle.left.is_there()) text += "    left" + wheel(axle.left);
       if (axle.right.is_there()) text += "    right" + wheel(axle.right);
       if (!axle.without.empty()) text += fmt::format("    without {}\n", fmt::join(axle.without, ", "));
+    }
+    return text;
+  }
+
+  /// "" without any.
+  std::string roads() const {
+    std::string text = model_.roads.empty() ? "" : "roads\n";
+    for (const Road& road : model_.roads) {
+      text += fmt::format("  {}: origin ({}), heading {}, slopes {} and {}", road.name, fmt::join(road.origin, ", "),
+                          road.heading, quantity(road.slope_x), quantity(road.slope_y));
+      if (road.height) text += fmt::format(", height {{{}}}", model_.expressions[*road.height].text);
+      if (road.friction) text += fmt::format(", friction {{{}}}", model_.expressions[*road.friction].text);
+      text += '\n';
+      for (const RoadTracks& tracks : road.tracks)
+        text += fmt::format("    tracks: y {} and {}, {} places from {} on, each {} m{}\n", tracks.right, tracks.left,
+                            tracks.count, tracks.from, tracks.spacing, tracks.is_periodic ? ", periodic" : "");
+      for (const RoadFeature& feature : road.features) text += "    " + this->feature(feature) + '\n';
+      for (const RoadPatch& patch : road.patches)
+        text += fmt::format("    {}: friction {}{}\n", patch.name, quantity(patch.friction), stretch(patch));
     }
     return text;
   }
@@ -224,6 +244,25 @@ class ModelText {
   }
   static std::string component(int axis, bool in_body_axes) {
     return fmt::format("{}, {} axes", "xyz"[axis], in_body_axes ? "body" : "global");
+  }
+  std::string feature(const RoadFeature& feature) const {
+    static constexpr const char* kKinds[] = {"bump", "plank", "pothole", "sine", "sweep"};  // in the order of Kind
+    std::string text = fmt::format("{}: {}, height {}{}, ramp {}", feature.name, kKinds[static_cast<int>(feature.kind)],
+                                   quantity(feature.height), stretch(feature), feature.ramp);
+    if (feature.wave_length)
+      text += fmt::format(", wave_length {}, phase {}", quantity(*feature.wave_length), quantity(feature.phase));
+    if (feature.last_wave_length) text += ", last_wave_length " + quantity(*feature.last_wave_length);
+    return text;
+  }
+  std::string stretch(const RoadStretch& stretch) const {
+    std::string text = ", from " + quantity(stretch.from);
+    const auto add = [&](const char* name, const std::optional<Quantity>& value) {
+      if (value) text += fmt::format(", {} {}", name, quantity(*value));
+    };
+    add("length", stretch.length);
+    add("right", stretch.right);
+    add("left", stretch.left);
+    return text;
   }
   std::string body_name(int body) const { return body < 0 ? "ground" : model_.bodies[body].name; }
   std::string component_of(int axis, int body) const {
@@ -346,7 +385,8 @@ std::string dump_model(const Model& model) {
   for (const Body& body : model.bodies) text += describe.body(body);
   text += "joints\n";
   for (const Joint& joint : model.joints) text += describe.joint(joint);
-  text += describe.rods_and_springs() + describe.bushings() + describe.bump_stops() + describe.forces() + describe.axles() + "motions\n";
+  text += describe.rods_and_springs() + describe.bushings() + describe.bump_stops() + describe.forces() +
+          describe.roads() + describe.axles() + "motions\n";
   for (const Motion& motion : model.motions) {
     text += fmt::format("  {}: {} = {}\n", motion.name, describe.coordinate(motion.joint),
                         describe.quantity(motion.position));

@@ -39,6 +39,7 @@ FrameValues context_values(const EmitContext& context) {
   const int derived = derived_constant_count(context.programs);
   return {{"banner", banner_text(context.model, "//")},
           {"solver", names.solver},
+          {"has_samples", context.model.samples != nullptr},
           {"version", kMbgenVersion},
           {"scalar", context.options.scalar},
           {"lanes", context.options.lanes > 0 ? std::to_string(context.options.lanes) : ""},

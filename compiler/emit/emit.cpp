@@ -45,7 +45,19 @@ std::string build_text(const EmitContext& context) {
                         {"clang_flags", cmake_flags(CompilerFamily::clang)}});
 }
 
+/// `<model>_samples.hpp`: tables that programs take numbers from.
+std::string samples_text(const EmitContext& context) {
+  return fill_template(context, "samples.hpp.in",
+                       {{"banner", banner_text(context.model, "//")},
+                        {"samples", array_text("inline constexpr double kSamples",
+                                               number_texts(*context.model.samples, "double"), "0")}});
+}
+
 }  // namespace
+
+void add_samples(const EmitContext& context, std::vector<EmittedFile>& files) {
+  if (context.model.samples) files.push_back({context.names.solver + "_samples.hpp", samples_text(context)});
+}
 
 std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options) {
@@ -57,6 +69,7 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
                                     solver_file(context, solver, false),
                                     {name + "_cost.txt", cost_text(manifest, banner_text(model, "#"))},
                                     {"CMakeLists.txt", build_text(context)}};
+  add_samples(context, files);
   if (options.lanes > 0) {
     files.push_back({name + "_batch.hpp", batch_interface_text(context)});
     files.push_back({name + "_batch.cpp", batch_text(context, solver)});

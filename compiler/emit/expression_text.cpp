@@ -22,24 +22,17 @@ std::string right_term(const Phrase& phrase) {
 }
 
 /// Functions by operation. Vectors have those of std in the namespace mbgen.
-constexpr std::pair<Op, const char*> kFunctions[] = {{Op::sqrt, "std::sqrt"},
-                                                     {Op::sin, "mbgen::sine"},
-                                                     {Op::cos, "mbgen::cosine"},
-                                                     {Op::tan, "mbgen::tangent"},
-                                                     {Op::asin, "mbgen::arc_sine"},
-                                                     {Op::acos, "mbgen::arc_cosine"},
-                                                     {Op::atan, "mbgen::arc_tangent"},
-                                                     {Op::atan2, "mbgen::arc_tangent"},
-                                                     {Op::exp, "mbgen::exponential"},
-                                                     {Op::log, "mbgen::logarithm"},
-                                                     {Op::pow, "mbgen::power"},
-                                                     {Op::tanh, "mbgen::hyperbolic_tangent"},
-                                                     {Op::abs, "std::abs"},
-                                                     {Op::min, "mbgen::min"},
-                                                     {Op::max, "mbgen::max"},
-                                                     {Op::select, "mbgen::select"},
-                                                     {Op::multiply_add, "fma"},
-                                                     {Op::multiply_subtract, "fms"}};
+constexpr std::pair<Op, const char*> kFunctions[] = {
+    {Op::sqrt, "std::sqrt"},          {Op::sin, "mbgen::sine"},
+    {Op::cos, "mbgen::cosine"},       {Op::tan, "mbgen::tangent"},
+    {Op::asin, "mbgen::arc_sine"},    {Op::acos, "mbgen::arc_cosine"},
+    {Op::atan, "mbgen::arc_tangent"}, {Op::atan2, "mbgen::arc_tangent"},
+    {Op::exp, "mbgen::exponential"},  {Op::log, "mbgen::logarithm"},
+    {Op::pow, "mbgen::power"},        {Op::tanh, "mbgen::hyperbolic_tangent"},
+    {Op::floor, "std::floor"},        {Op::abs, "std::abs"},
+    {Op::min, "mbgen::min"},          {Op::max, "mbgen::max"},
+    {Op::select, "mbgen::select"},    {Op::multiply_add, "fma"},
+    {Op::multiply_subtract, "fms"}};
 
 /// An operation in the making.
 struct Operation {
@@ -105,6 +98,8 @@ Phrase operation_phrase(const std::string& scalar, Op wanted, const Phrase& firs
       return {operand(a, Binding::product) + "/" + operand(b, Binding::primary), Binding::product};
     case Op::negate:
       return {"-" + operand(a, Binding::primary), Binding::sign};
+    case Op::sample:
+      return {fmt::format("mbgen::sample(kSamples, {})", a.text), Binding::primary};
     case Op::subtract_product:
       return {fmt::format("fnma({}, {}, {})", b.text, c.text, a.text), Binding::primary};
     default:

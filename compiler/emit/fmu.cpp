@@ -138,6 +138,7 @@ FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model
   files.identifier = solver;
   files.sources = {solver + ".cpp", solver + "_directional.cpp", solver + functions};
   files.large = solver + "_directional.cpp";
+  add_samples(context, sources);
   add_runtime_headers(sources);
   sources.push_back({"buildDescription.xml", build_description(context, version, files.sources)});
   for (EmittedFile& file : sources)

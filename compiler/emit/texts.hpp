@@ -21,6 +21,9 @@ std::string program_text(const Program& program, const Schedule& schedule, const
 /// `<model>.hpp`: the interface, which people read first.
 std::string interface_text(const EmitContext& context);
 
+/// Adds `<model>_samples.hpp`, the table that programs take numbers from, where the model has one.
+void add_samples(const EmitContext& context, std::vector<EmittedFile>& files);
+
 /// `<model>.cpp`. for_importers: with the functions that an FMU asks for besides.
 EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, bool for_importers);
 

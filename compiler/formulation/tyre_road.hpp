@@ -1,7 +1,7 @@
 #pragma once
-// Tyres on a flat horizontal road, around the tyre law of the runtime's header tyre.hpp.
+// Tyres on roads, around the tyre law of the runtime's header tyre.hpp.
 
-#include "compiler/formulation/force_work.hpp"
+#include "compiler/formulation/road.hpp"
 
 namespace mbgen {
 namespace detail {
@@ -20,16 +20,15 @@ Vector<T> spin_axis(const System<T>& system, const Kinematics<T>& k, const Tyre&
   return direction_in(system, k, body, constant<T>(tyre.axis), carrier);
 }
 
-/// A wheel in the axes of the frame that carries it.
+/// A wheel in the axes of the frame that carries it. road: what it stands on.
 template <class T>
-WheelMotion<T> wheel_motion(const ForceWork<T>& work, const Tyre& tyre, std::size_t index) {
+WheelMotion<T> wheel_motion(const ForceWork<T>& work, const Tyre& tyre, std::size_t index, const RoadPlane<T>& road) {
   const System<T>& system = work.system;
   const Place<T> centre = work.place(tyre.centre);
-  const int carrier = system.layout.frame_of(centre.body);
   WheelMotion<T> wheel;
-  wheel.up = direction_up(system, work.k, kGround, Vector<T>{T(0.0), T(0.0), T(1.0)}, carrier);
+  wheel.up = road.up;
   wheel.axis = spin_axis(system, work.k, tyre, centre.body);
-  wheel.height = position_in(system, work.k, centre, kGround).z - work.value(tyre.road_height, "road", tyre.name);
+  wheel.height = road.distance;
   const Spatial<T> velocity = velocity_of(system, work.v, centre.body);
   wheel.velocity = velocity_at(velocity, arm_of(system, work.k, centre, work.v.about));
   wheel.angular = velocity.angular;
@@ -81,16 +80,18 @@ TyreResult<T> tyre_law(TyreModel model, const std::vector<T>& coefficients, cons
   return with_tyre_set(model, coefficients, [&](const auto& set) { return tyre_forces(set, properties, contact); });
 }
 
-/// Properties of a mounted tyre, named.
-template <class T>
-TyreProperties<T> tyre_properties(const ForceWork<T>& work, const Tyre& tyre) {
-  return tyre_properties<T>(tyre,
-                            [&](const Quantity& q, const char* meaning) { return work.value(q, meaning, tyre.name); });
+/// Properties of a tyre where it stands, named; over A: T, or Slope<T>.
+template <class A, class T>
+TyreProperties<A> properties_on(const ForceWork<T>& work, const Tyre& tyre, const RoadPlane<T>& road) {
+  TyreProperties<A> properties = tyre_properties<A>(
+      tyre, [&](const Quantity& q, const char* meaning) { return A(work.value(q, meaning, tyre.name)); });
+  properties.friction = A(road.friction) * properties.friction;
+  return properties;
 }
 
 template <class T>
-TyreResult<T> tyre_result(const ForceWork<T>& work, const Tyre& tyre, const TyreContact<T>& contact) {
-  const TyreProperties<T> properties = tyre_properties(work, tyre);
+TyreResult<T> tyre_result(const ForceWork<T>& work, const Tyre& tyre, const TyreProperties<T>& properties,
+                          const TyreContact<T>& contact) {
   std::vector<T> coefficients;
   for (const Quantity& q : tyre.coefficients) coefficients.push_back(work.value(q));
   return tyre_law(tyre.model, coefficients, properties, contact);
@@ -98,9 +99,10 @@ TyreResult<T> tyre_result(const ForceWork<T>& work, const Tyre& tyre, const Tyre
 
 /// Leaves a tyre to a law that several share. Result: false where it shares none.
 template <class T>
-bool act_by_shared_law(ForceWork<T>& work, const Tyre& tyre, std::size_t i, const WheelMotion<T>& wheel) {
+bool act_by_shared_law(ForceWork<T>& work, const Tyre& tyre, std::size_t i, const TyreProperties<T>& properties,
+                       const WheelMotion<T>& wheel) {
   if (!work.shared_law) return false;
-  const std::optional<WheelForces<T>> on_wheel = work.shared_law(i, tyre_properties(work, tyre), wheel);
+  const std::optional<WheelForces<T>> on_wheel = work.shared_law(i, properties, wheel);
   if (!on_wheel) return false;
   act(work, {tyre.centre.body, on_wheel->wrench.linear, on_wheel->wrench.angular,
              arm_of(work.system, work.k, work.place(tyre.centre), work.v.about)});
@@ -115,10 +117,12 @@ void tyres(ForceWork<T>& work) {
   for (std::size_t i = 0; i < work.system.model.tyres.size(); ++i) {
     const Tyre& tyre = work.system.model.tyres[i];
     const auto heading = work.system.scribe.within(OwnerKind::tyre, i);
-    const WheelMotion<T> wheel = wheel_motion(work, tyre, i);
-    if (act_by_shared_law(work, tyre, i, wheel)) continue;
+    const RoadPlane<T> road = road_plane(work, tyre);
+    const WheelMotion<T> wheel = wheel_motion(work, tyre, i, road);
+    const TyreProperties<T> properties = properties_on<T>(work, tyre, road);
+    if (act_by_shared_law(work, tyre, i, properties, wheel)) continue;
     const auto [contact, point] = placed_contact(work, tyre, wheel);
-    const TyreResult<T> result = tyre_result(work, tyre, contact.motion);
+    const TyreResult<T> result = tyre_result(work, tyre, properties, contact.motion);
     const Spatial<T> wrench = tyre_wrench(contact, result);
     work.system.scribe.name(result.load, "load_", tyre.name);
     work.system.scribe.name(result.fx, "fx_", tyre.name);

@@ -77,12 +77,12 @@ void add_law(const Set& set, const TyreProperties<Slope<T>>& properties, const T
 template <class T>
 ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_t index) {
   using S = Slope<T>;
-  const PlacedContact<T> placed = placed_contact(work, tyre, wheel_motion(work, tyre, index));
+  const RoadPlane<T> road = road_plane(work, tyre);
+  const PlacedContact<T> placed = placed_contact(work, tyre, wheel_motion(work, tyre, index, road));
   const RoadContact<T>& contact = placed.contact;
   const TyreContact<T>& m = contact.motion;
   const TyreContact<S> motion{m.deflection, m.deflection_rate, m.vx, m.vy, m.spin, m.camber, m.u, m.v};
-  const TyreProperties<S> properties = tyre_properties<S>(
-      tyre, [&](const Quantity& q, const char* meaning) { return S(work.value(q, meaning, tyre.name)); });
+  const TyreProperties<S> properties = properties_on<S>(work, tyre, road);
   std::vector<S> coefficients;
   for (const Quantity& q : tyre.coefficients) coefficients.push_back(S(work.value(q)));
   return with_tyre_set(tyre.model, coefficients, [&](const auto& set) {

@@ -11,7 +11,7 @@ namespace mbgen {
 template <class T>
 struct WheelMotion {
   Vector<T> up, axis;           ///< unit: the road's normal, the wheel's axis (the one to the left)
-  T height{0.0};                ///< of the wheel centre above the road, m
+  T height{0.0};                ///< of the wheel centre above the road, along its normal, m
   Vector<T> velocity, angular;  ///< of the wheel centre, m/s; of the wheel, rad/s
   T u{0.0}, v{0.0};             ///< deflection states of the tyre, m
 };

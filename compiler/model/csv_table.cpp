@@ -127,7 +127,7 @@ std::vector<std::array<double, 2>> read_csv_table(Reader& reader, const Value& t
     const std::vector<CsvField> fields = fields_of(*document, file, starts[line], starts[line + 1] - 1);
     if (!x) {
       x = find_column(reader, table, "x", columns.x, fields);
-      y = find_column(reader, table, "y", columns.y, fields);
+      y = find_column(reader, table, columns.key_of_y, columns.y, fields);
       if (!x || !y) return {};
       if (number_of(fields[*x].text) && number_of(fields[*y].text)) {
         report(reader, fields[0].place, "first line must hold the names of the columns, got numbers");

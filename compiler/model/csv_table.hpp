@@ -12,6 +12,7 @@ namespace mbgen::reading {
 /// Which columns; empty: the first and the second.
 struct CsvColumns {
   std::string x, y;
+  std::string_view key_of_y = "y";  ///< what names y in the object
 };
 
 /// The file that `value` of the current scope names, relative to the one it is written in, as a document without JSON.
@@ -20,7 +21,7 @@ const Document* open_beside(Reader& reader, const Value& value, std::string_view
 
 /// Points [x, y] of two columns. The first line holds the names of the columns, perhaps with a unit in brackets behind;
 /// fields are separated by commas; empty lines and lines that start with # are skipped.
-/// value: the name of the file; table: the object it stands in, with "x" and "y".
+/// value: the name of the file; table: the object it stands in, with "x" and the key of y.
 /// Fails: empty, with a complaint that names line and column of the CSV file.
 std::vector<std::array<double, 2>> read_csv_table(Reader& reader, const Value& table, const CsvColumns& columns);
 

@@ -124,7 +124,7 @@ struct JointForce {
 
 enum class TyreModel { pac89, pac2002, mf61 };
 
-/// Tyre of a wheel body on a flat horizontal road (normal = global z).
+/// Tyre of a wheel body on a road, or on a flat horizontal one (normal = global z).
 struct Tyre {
   std::string name;
   Where where;
@@ -140,7 +140,8 @@ struct Tyre {
   Quantity radius;       ///< m, unloaded
   Quantity stiffness;    ///< N/m, vertical, one tyre
   Quantity damping;      ///< N s/m, vertical, one tyre
-  Quantity road_height;  ///< m, global z of the road
+  int road = -1;         ///< index into Model::roads, -1: flat and horizontal
+  Quantity road_height;  ///< m, global z of the flat road; what is added to the height of one of Model::roads
   Quantity friction;     ///< scales the friction (1 is the measured one)
   /// 1: moment = -coefficient * load * radius * tanh(speed / low_speed); of mf61 its QSY1
   Quantity rolling_resistance;

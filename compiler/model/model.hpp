@@ -1,6 +1,7 @@
 #pragma once
 // The door of the model room: JSON text -> Model, or every diagnostic at once. Plain structs, SI units, radians.
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "compiler/model/bushings.hpp"
 #include "compiler/model/elements.hpp"
 #include "compiler/model/outputs.hpp"
+#include "compiler/model/roads.hpp"
 #include "compiler/model/states.hpp"
 
 namespace mbgen {
@@ -106,6 +108,8 @@ struct Model {
   std::vector<BumpStop> bump_stops;
   std::vector<AppliedForce> forces;
   std::vector<JointForce> joint_forces;
+  std::vector<Road> roads;
+  std::shared_ptr<const std::vector<double>> samples;  ///< that roads take heights from, null without; never changed
   std::vector<Tyre> tyres;
   std::vector<Axle> axles;
   std::vector<Motion> motions;

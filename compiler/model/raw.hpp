@@ -23,6 +23,7 @@ struct FileFields : About {
   const Value *bushings = nullptr, *bump_stops = nullptr;
   const Value *forces = nullptr, *joint_forces = nullptr, *tyre_data = nullptr, *tyres = nullptr, *motions = nullptr;
   const Value* axles = nullptr;
+  const Value *roads = nullptr;
   const Value *couplings = nullptr, *states = nullptr, *sampled = nullptr;
   const Value *outputs = nullptr, *shapes = nullptr, *initial = nullptr, *solver = nullptr, *instances = nullptr;
 };
@@ -128,7 +129,27 @@ struct TyreDataFields {
   const Value *coefficients = nullptr;
 };
 
+/// A rough road by its class.
+struct IsoRoadFields {
+  enum class Class { a, b, c, d, e, f, g, h };
+  Class letter = Class::a;
+  double seed = 1, length = 0, track = 0, coherence = 0, longest_wave = 0, shortest_wave = 0;
+};
+
+/// Heights along a road from a CSV file.
+struct RoadProfileFields {
+  std::string csv, x, z, right, left;  ///< the file and its columns
+  double track = 0;
+};
+
+struct RoadFields : Road {
+  const Value* profile = nullptr;
+  const Value *iso_8608 = nullptr;
+  const Value *feature_map = nullptr, *patch_map = nullptr;
+};
+
 struct TyreFields : Tyre {
+  std::optional<std::string> written_road;
   std::string data;
   std::optional<std::string> tir;  ///< file
 };
@@ -278,6 +299,16 @@ template <>
 std::span<const Field<JointForce>> fields<JointForce>();
 template <>
 std::span<const Field<TyreDataFields>> fields<TyreDataFields>();
+template <>
+std::span<const Field<RoadFields>> fields<RoadFields>();
+template <>
+std::span<const Field<IsoRoadFields>> fields<IsoRoadFields>();
+template <>
+std::span<const Field<RoadProfileFields>> fields<RoadProfileFields>();
+template <>
+std::span<const Field<RoadFeature>> fields<RoadFeature>();
+template <>
+std::span<const Field<RoadPatch>> fields<RoadPatch>();
 template <>
 std::span<const Field<TyreFields>> fields<TyreFields>();
 template <>

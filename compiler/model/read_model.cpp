@@ -171,6 +171,7 @@ void read_sections(Reader& reader) {
   read_bump_stops(reader, entries(&FileFields::bump_stops));
   read_forces(reader, entries(&FileFields::forces));
   read_joint_forces(reader, entries(&FileFields::joint_forces));
+  read_roads(reader, entries(&FileFields::roads));
   const Entries tyre_data = entries(&FileFields::tyre_data);
   read_tyres(reader, tyre_data, entries(&FileFields::tyres));
   check_state_names(reader, states, sampled);

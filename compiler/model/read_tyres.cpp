@@ -138,6 +138,25 @@ void use_coefficients(Reader& reader, const Value& value, CoefficientSet& set, T
   }
 }
 
+/// The road under a tyre: the one of that name, or the only one.
+void use_road(Reader& reader, const Value& value, TyreFields& tyre) {
+  const NameMap<int>& roads = reader.names.roads;
+  if (!tyre.written_road) {
+    if (roads.size() == 1) tyre.road = 0;
+    if (roads.size() > 1)
+      report(reader, value, "tyre does not say on which of the roads it is",
+             fmt::format("give it \"road\", for example \"road\": \"{}\"", roads.begin()->first));
+    return;
+  }
+  const auto found = find_visible(roads, *tyre.written_road, current_scope(reader).visible);
+  if (found != roads.end()) {
+    tyre.road = found->second;
+  } else if (!tyre.written_road->empty()) {
+    report(reader, *find(value, "road"), "unknown road " + in_quotes(*tyre.written_road),
+           suggestion(reader, *tyre.written_road, roads));
+  }
+}
+
 /// Takes coefficients from a .tir file, and properties of the tyre that the model does not give.
 void use_file(Reader& reader, const Value& value, TyreFields& tyre) {
   const Value& file = *find(value, "tir");
@@ -192,6 +211,7 @@ void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres) 
   read_list(reader, tyres, list, [&](Reader& r, const Value& value, TyreFields& tyre) {
     check_source(r, value);
     check_tyre(r, value, groups, tyre);
+    use_road(r, value, tyre);
     if (tyre.tir) {
       use_file(r, value, tyre);
     } else {

@@ -39,7 +39,8 @@ struct Reader {
   std::size_t scope = 0;                  ///< whose text is being read
   std::size_t placed_scopes = 1;          ///< so many of the first have their placement
   std::vector<VariedParameter> varied = {};
-  bool folds_tunable = false;  ///< the present value takes tunable parameters at their values
+  std::vector<double> samples = {};  ///< of roads, see Model::samples
+  bool folds_tunable = false;        ///< the present value takes tunable parameters at their values
 };
 
 inline const Scope& current_scope(const Reader& reader) { return reader.scopes[reader.scope]; }
@@ -318,6 +319,7 @@ void read_bushings(Reader& reader, const Entries& entries);
 void read_bump_stops(Reader& reader, const Entries& entries);
 void read_forces(Reader& reader, const Entries& entries);
 void read_joint_forces(Reader& reader, const Entries& entries);
+void read_roads(Reader& reader, const Entries& entries);
 void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres);
 void read_axles(Reader& reader, const Entries& entries);
 void read_motions(Reader& reader, const Entries& entries);

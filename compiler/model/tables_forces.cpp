@@ -253,7 +253,12 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
                                .unit = "N/m",
                                .bound = Bound::positive}),
       field<S, &S::damping>(number("damping", "vertical damping of one tyre", "N s/m", 0, Bound::not_negative)),
-      field<S, &S::road_height>(number("road_height", "global z of the road", "m", 0, Bound::none)),
+      field<S, &S::written_road>({.name = "road",
+                                  .shape = Shape::reference,
+                                  .doc = "road under the tyre; default: the only one, without any a flat one",
+                                  .of = "roads"}),
+      field<S, &S::road_height>(
+          number("road_height", "global z of a flat road; raises one of `roads` under this tyre", "m", 0, Bound::none)),
       field<S, &S::friction>(number("friction", "scales the friction of the set", "1", 1, Bound::not_negative)),
       field<S, &S::rolling_resistance>(
           number("rolling_resistance", "moment over load and radius; default of an mf61 set: its QSY1", "1", 0.007,

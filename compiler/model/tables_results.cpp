@@ -185,8 +185,17 @@ std::vector<ObjectKind> object_kinds() {
                            "points or the way along an axis (from and to, or spring), or on a coordinate (joint)"),
       kind<AppliedForce>("force", "force and torque on a body"),
       kind<JointForce>("joint_force", "generalised force on a coordinate"),
+      kind<RoadFields>("road",
+                       "a road: its height is the sum of `height` and all features, over the plane z of its origin; x "
+                       "along it, y to the left"),
+      kind<IsoRoadFields>("iso_road", "a rough road by the power spectral density of ISO 8608"),
+      kind<RoadProfileFields>("road_profile",
+                              "heights at equal distances along a road, between them a cubic spline, outside level; of "
+                              "both sides in one column, or of a left and a right track"),
+      kind<RoadFeature>("road_feature", "what stands out of a road, or is missing in it"),
+      kind<RoadPatch>("road_patch", "a part of a road with friction of its own"),
       kind<TyreDataFields>("tyre_data", "coefficients of a tyre"),
-      kind<TyreFields>("tyre", "a tyre on a flat horizontal road; exactly one of data and tir", {"data", "tir"},
+      kind<TyreFields>("tyre", "a tyre on a road; exactly one of data and tir", {"data", "tir"},
                        {{"data", "stiffness"}}),
       kind<AxleFields>("axle",
                        "an axle on a rig for kinematics and compliance; x forward, y to the left and z up at the "

@@ -86,6 +86,10 @@ const char* op_name(Op op) {
       return "mulsub";
     case Op::subtract_product:
       return "submul";
+    case Op::floor:
+      return "floor";
+    case Op::sample:
+      return "sample";
   }
   return "unknown";
 }
@@ -140,11 +144,14 @@ double apply(Op op, double first, double second, double third) {
       return std::fma(first, second, -third);
     case Op::subtract_product:
       return std::fma(-second, third, first);
+    case Op::floor:
+      return std::floor(first);
+    case Op::sample:
     case Op::constant:
     case Op::input:
       break;
   }
-  throw std::logic_error("constants and inputs compute nothing");
+  throw std::logic_error("constants, inputs and samples compute nothing");
 }
 
 double fold(Op op, double first, double second, double third) {

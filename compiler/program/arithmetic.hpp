@@ -5,7 +5,8 @@
 
 namespace mbgen {
 
-/// Value of `op` at its operands; operands beyond the arity are ignored. Requires: op is neither constant nor input.
+/// Value of `op` at its operands; operands beyond the arity are ignored. Requires: op is neither constant, input nor
+/// sample.
 double apply(Op op, double first, double second, double third);
 
 /// The constant that an operation of constants becomes: as `apply`, sums and products as decimals (decimal.hpp).

@@ -33,6 +33,7 @@ ProgramBuilder::ProgramBuilder(std::string name) {
 ProgramBuilder ProgramBuilder::like(const Program& program) {
   ProgramBuilder builder(program.name);
   builder.program_.inputs = program.inputs;
+  builder.program_.samples = program.samples;
   builder.program_.sections = program.sections;
   builder.known_sections_ = {program.sections.begin(), program.sections.end()};
   for (const NamedConstant& constant : program.constants) builder.name_constant(constant.value, constant.name);
@@ -90,7 +91,7 @@ ValueId ProgramBuilder::append(Op op, ValueId first, ValueId second, ValueId thi
   ValueId operands[3] = {first, second, third};
   const int count = arity(op);
   if (count == 0) throw std::logic_error("constants and inputs are not appended as operations");
-  bool all_constant = true;
+  bool all_constant = op != Op::sample;
   double values[3] = {0, 0, 0};
   for (int i = 0; i < 3; ++i) {
     if ((i < count) != (operands[i] < program_.nodes.size())) {

@@ -27,6 +27,7 @@ struct Derivation {
 // d(tan x)  = (1 + tan^2 x) dx   d(asin x) = dx / sqrt(1 - x^2)  d(acos x) = -d(asin x)
 // d(atan x) = dx / (1 + x^2)     d(exp x) = exp x dx            d(log x) = dx / x
 // d(tanh x) = (1 - tanh^2 x) dx  d|x| = select(x, dx, -dx)      d(-x) = -dx
+// floor and sample are constant between their jumps
 Expr derive_unary(Op op, const Expr& x, const Expr& dx, const Expr& result) {
   switch (op) {
     case Op::negate:
@@ -53,6 +54,9 @@ Expr derive_unary(Op op, const Expr& x, const Expr& dx, const Expr& result) {
       return (1 - result * result) * dx;
     case Op::abs:
       return select(x, dx, -dx);
+    case Op::floor:
+    case Op::sample:
+      return 0.0;
     default:
       throw std::logic_error(fmt::format("no derivative of {}", op_name(op)));
   }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "compiler/program/arithmetic.hpp"
@@ -49,6 +50,12 @@ void count(OperationCount& total, Op op) {
   }
 }
 
+/// As sample.hpp of the runtime has it.
+double sample_of(const std::vector<double>& samples, double index) {
+  const double last = static_cast<double>(samples.size() - 1);
+  return samples[index >= 0 ? static_cast<std::size_t>(std::min(index, last)) : 0];
+}
+
 }  // namespace
 
 std::vector<double> interpret(const Program& program, std::span<const double> inputs) {
@@ -63,6 +70,8 @@ std::vector<double> interpret(const Program& program, std::span<const double> in
       values[i] = node.constant;
     } else if (node.op == Op::input) {
       values[i] = inputs[static_cast<std::size_t>(node.input)];
+    } else if (node.op == Op::sample) {
+      values[i] = sample_of(*program.samples, values[node.operands[0]]);
     } else {
       double operands[3] = {0, 0, 0};
       for (int k = 0; k < arity(node.op); ++k) operands[k] = values[node.operands[k]];

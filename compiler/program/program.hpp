@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
@@ -46,8 +47,13 @@ enum class Op : std::uint8_t {
   // Rounded once; only the pass `contract` makes these.
   multiply_add,       ///< multiply_add(a, b, c): a b + c
   multiply_subtract,  ///< multiply_subtract(a, b, c): a b - c
-  subtract_product    ///< subtract_product(c, a, b): c - a b
+  subtract_product,   ///< subtract_product(c, a, b): c - a b
+  floor,              ///< the largest whole number not above it; no derivative
+  sample              ///< sample(i): number i of Program::samples, the first or last one outside; no derivative
 };
+
+/// A table that programs take numbers from; empty: none.
+using Samples = std::shared_ptr<const std::vector<double>>;
 
 /// One value. `operands` beyond the arity of `op` are kNoValue.
 struct Node {
@@ -84,6 +90,7 @@ struct Program {
   std::vector<std::string> labels;       ///< names given by the formulation, for example "R_carrier_left_xz"
   std::vector<NamedConstant> constants;  ///< numbers of the model: a constant with a label is one of these, or its
                                          ///< negative
+  Samples samples = {};                  ///< of Op::sample
 };
 
 int arity(Op op);
@@ -109,6 +116,7 @@ class ProgramBuilder {
   /// A name for a number of the model: index into Program::constants. 0, 1 and -1 are structure and get none: -1.
   std::int32_t name_constant(double value, const std::string& name);
   const std::vector<NamedConstant>& constants() const { return program_.constants; }
+  void set_samples(Samples samples) { program_.samples = std::move(samples); }
   /// A constant of another program under the same name. constants: of that program.
   ValueId constant_like(const Node& node, std::span<const NamedConstant> constants);
   /// The input of this slot; created at first use.
@@ -265,6 +273,9 @@ Expr exp(const Expr& a);
 Expr log(const Expr& a);
 Expr pow(const Expr& a, const Expr& b);
 Expr tanh(const Expr& a);
+Expr floor(const Expr& a);
+/// samples: those of the program. Requires: a whole number among them where it is a constant.
+Expr sample(const std::vector<double>& samples, const Expr& index);
 Expr abs(const Expr& a);
 Expr min(const Expr& a, const Expr& b);
 Expr max(const Expr& a, const Expr& b);

@@ -31,7 +31,9 @@ std::string verify_operands(const Program& program, std::size_t value) {
 std::string verify_node(const Program& program, std::size_t value, const std::set<Section>& sections,
                         std::vector<bool>& value_seen) {
   const Node& node = program.nodes[value];
-  if (node.op > Op::subtract_product) return fmt::format("%{}: unknown operation {}", value, static_cast<int>(node.op));
+  if (node.op > Op::sample) return fmt::format("%{}: unknown operation {}", value, static_cast<int>(node.op));
+  if (node.op == Op::sample && (!program.samples || program.samples->empty()))
+    return fmt::format("%{}: no samples", value);
   if (std::string problem = verify_operands(program, value); !problem.empty()) return problem;
   if (node.op == Op::constant && !std::isfinite(node.constant)) {
     return fmt::format("%{}: constant {} is not finite", value, node.constant);

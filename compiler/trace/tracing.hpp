@@ -27,6 +27,7 @@ class Tracing {
         layout(form == Form::recursive ? recursion.layout : choose_layout(model, topology)),
         analysis(analysis),
         system{model, topology, layout, environment(role, model, topology), {}, {}, scribe} {
+    builder.set_samples(model.samples);
     const auto step = scribe.step(Step::inertias);
     system.x = inputs(Array::x, auxiliary_state_count(model));
     system.constants = make_constants(model, topology, system.environment);

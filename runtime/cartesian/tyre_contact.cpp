@@ -3,39 +3,44 @@
 #include <cmath>
 
 #include "mbgen/tyre.hpp"
+#include "runtime/cartesian/road_surface.hpp"
 
 namespace mbgen::cartesian {
 namespace {
 
 using Eigen::Vector3d;
 
-/// Contact axes and point of a wheel disc: the point of the wheel's plane on the road, straight below its centre along
-/// the plane.
+/// Contact axes and point of a wheel disc: the point of the wheel's plane on the plane that touches the road below its
+/// centre, straight below the centre along the wheel's plane.
 struct Contact {
-  Vector3d forward, left, up = Vector3d::UnitZ();
-  Vector3d arm;  ///< from the wheel's centre of mass to the contact point
+  Vector3d forward, left, up;
+  Vector3d arm;         ///< from the wheel's centre of mass to the contact point
+  double friction = 1;  ///< of the road
   TyreContact<double> motion;
 };
 
 Contact contact_of(const Tyre& tyre, const PartTyre& part, const Moving& wheel, const Values& value) {
   Contact c;
   const Vector3d axis = wheel.axes * part.axis, centre = wheel.axes * part.centre.arm;
-  const Vector3d velocity = wheel.velocity + wheel.spin.cross(centre);
+  const Vector3d velocity = wheel.velocity + wheel.spin.cross(centre), position = wheel.position + centre;
+  const RoadSurface road = road_surface(tyre, position.head<2>(), value);
+  c.friction = road.friction;
+  c.up = Vector3d(-road.gradient.x(), -road.gradient.y(), 1).normalized();
   c.forward = axis.cross(c.up).normalized();
   c.left = c.up.cross(c.forward);
   // Down the wheel's plane, a unit vector; the road is met at the loaded radius along it.
   const Vector3d down = axis.cross(c.forward);
-  const double steepness = -down.z();
-  const double height = wheel.position.z() + centre.z() - value(tyre.road_height);
+  const double steepness = -down.dot(c.up);
+  const double height = c.up.z() * (position.z() - road.height);
   const double radius = height / steepness;
   c.arm = centre + radius * down;
   // height = radius * steepness, and `axis` tilts the plane: d(steepness)/dt = -sine * d(sine)/dt / steepness.
-  const double sine = axis.z(), sine_rate = wheel.spin.cross(axis).z();
+  const double sine = axis.dot(c.up), sine_rate = wheel.spin.cross(axis).dot(c.up);
   const double steepness_rate = -sine * sine_rate / steepness;
   const double spin = wheel.spin.dot(axis);
   const Vector3d turning = wheel.spin - spin * axis;
   c.motion.deflection = value(tyre.radius) - radius;
-  c.motion.deflection_rate = -(velocity.z() - radius * steepness_rate) / steepness;
+  c.motion.deflection_rate = -(velocity.dot(c.up) - radius * steepness_rate) / steepness;
   c.motion.vx = velocity.dot(c.forward);
   c.motion.vy = (velocity + turning.cross(radius * down)).dot(c.left);
   c.motion.spin = spin;
@@ -43,13 +48,14 @@ Contact contact_of(const Tyre& tyre, const PartTyre& part, const Moving& wheel, 
   return c;
 }
 
-TyreResult<double> law_of(const Tyre& tyre, const TyreContact<double>& contact, const Values& value) {
+TyreResult<double> law_of(const Tyre& tyre, const TyreContact<double>& contact, double road_friction,
+                          const Values& value) {
   std::vector<double> coefficients;
   for (const Quantity& q : tyre.coefficients) coefficients.push_back(value(q));
   const TyreProperties<double> properties{value(tyre.radius),
                                           value(tyre.stiffness),
                                           value(tyre.damping),
-                                          value(tyre.friction),
+                                          road_friction * value(tyre.friction),
                                           value(tyre.rolling_resistance),
                                           value(tyre.relaxation_x),
                                           value(tyre.relaxation_y),
@@ -71,7 +77,7 @@ RoadWheel road_wheel(const Tyre& tyre, const PartTyre& part, const Moving& wheel
   Contact contact = contact_of(tyre, part, wheel, value);
   contact.motion.u = u;
   contact.motion.v = v;
-  const TyreResult<double> result = law_of(tyre, contact.motion, value);
+  const TyreResult<double> result = law_of(tyre, contact.motion, contact.friction, value);
   const Vector3d force = result.fx * contact.forward + result.fy * contact.left + result.load * contact.up;
   const Vector3d moment = result.mx * contact.forward + result.my * contact.left + result.mz * contact.up;
   RoadWheel road;

@@ -1,5 +1,5 @@
 #pragma once
-// A wheel on a flat horizontal road: contact and motion in global axes, forces by the tyre law of the runtime.
+// A wheel on a road: contact and motion in global axes, forces by the tyre law of the runtime.
 
 #include "runtime/cartesian/rows.hpp"
 

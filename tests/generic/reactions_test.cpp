@@ -23,8 +23,8 @@ struct ReactionProbe {
   int point_to, point_from;  ///< outputs: where the wrench is about
 };
 
-/// A model with outputs for all that Newton's law needs. It has no forces by expressions, and tyres without overturning
-/// moment and rolling resistance, which no output shows.
+/// A model with outputs for all that Newton's law needs. It has no forces by expressions, and tyres on flat roads
+/// without overturning moment and rolling resistance, which no output shows.
 struct Probes {
   Model model;
   std::vector<BodyProbe> bodies;  ///< per Model::bodies
@@ -78,7 +78,9 @@ void probe_springs(Probes& p, const Springs& springs, bool air) {
   }
 }
 
-void silence_moments(Tyre& tyre) {
+/// Without the moments that no output shows, on a road whose contact is made again here.
+void make_plain(Tyre& tyre) {
+  tyre.road = -1;
   tyre.rolling_resistance = 0.0;
   const std::span<const TyreField> fields = tyre_fields(tyre.model);
   for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -101,7 +103,7 @@ Probes probes_of(Model model) {
   model.outputs.clear();
   Probes p{std::move(model), {}, {}, {}, {}, {}, {}, {}, {}, {}};
   const Model plain = p.model;
-  for (Tyre& tyre : p.model.tyres) silence_moments(tyre);
+  for (Tyre& tyre : p.model.tyres) make_plain(tyre);
   for (std::size_t b = 0; b < plain.bodies.size(); ++b) probe_body(p, static_cast<int>(b));
   for (std::size_t j = 0; j < plain.joints.size(); ++j)
     probe_reaction(p, static_cast<int>(j), -1, plain.joints[j].from, plain.joints[j].to);

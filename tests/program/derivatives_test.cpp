@@ -5,7 +5,9 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "compiler/passes/passes.hpp"
@@ -37,6 +39,26 @@ Program program_of(const Function& function) {
 std::vector<double> slopes_at(const Function& function, double x, double y) {
   const Program slope = differentiate(program_of(function), std::vector<int>{0, 1});
   return {values_at(slope, {x, y}, {1, 0}).at(1), values_at(slope, {x, y}, {0, 1}).at(1)};
+}
+
+TEST(Derivative, OfSamplesIsThatOfTheWeightsAroundThem) {
+  const auto table = std::make_shared<const std::vector<double>>(std::vector<double>{3, 5, 4, 7});
+  ProgramBuilder builder("f");
+  builder.set_samples(table);
+  const Expr x(builder, builder.input(Array::x, 0)), whole = floor(x), t = x - whole;
+  builder.output(Array::y, 0, ((1 - t) * sample(*table, whole) + t * sample(*table, whole + 1)).value(builder));
+  const Program program = builder.finish_in_canonical_order();
+  const Program slope = differentiate(program, std::vector<int>{0});
+  for (const auto& [at, value, rise] :
+       {std::tuple(0.25, 3.5, 2.0), {1.0, 5.0, -1.0}, {2.5, 5.5, 3.0}, {-4.0, 3.0, 0.0}, {9.5, 7.0, 0.0}}) {
+    EXPECT_EQ(interpret(program, std::vector<double>{at}).at(0), value) << at;
+    const std::vector<double> both = values_at(slope, {at}, {1});
+    EXPECT_EQ(both.at(0), value) << at;
+    EXPECT_EQ(both.at(1), rise) << at;
+  }
+  EXPECT_TRUE(std::isnan(interpret(program, std::vector<double>{std::nan("")}).at(0)));
+  const Program dead = remove_dead_values(program);
+  EXPECT_EQ(interpret(dead, std::vector<double>{0.25}).at(0), 3.5);
 }
 
 TEST(Derivative, OfEachOperationIsItsClosedForm) {

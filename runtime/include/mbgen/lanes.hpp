@@ -108,6 +108,12 @@ template <class Lanes>
   return lanes_detail::each(x, [](double value) { return std::sqrt(value); });
 }
 
+/// The largest whole number not above it.
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes floor(const Lanes& x) noexcept {
+  return lanes_detail::each(x, [](double value) { return std::floor(value); });
+}
+
 /// Angles within 3 ulp, as arc_sine and arc_cosine of a double.
 template <class Lanes, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
 inline Lanes arc_sine(const Lanes& x) noexcept {

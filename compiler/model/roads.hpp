@@ -1,0 +1,78 @@
+#pragma once
+// Roads that tyres stand on: height and friction over a place, in the axes of the road.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/model/bodies.hpp"
+
+namespace mbgen {
+
+/// A part of a road in its axes: x along it from `from` on, y to the left from `right` to `left`.
+struct RoadStretch {
+  Quantity from;                        ///< m
+  std::optional<Quantity> length;       ///< m, > 0; none: it never ends, and has no beginning either
+  std::optional<Quantity> right, left;  ///< m; none: as wide as the road
+};
+
+/// What stands out of a road, or is missing in it. u: m from the beginning, L its length, h its height.
+///   bump     h sin^2(pi u / L)
+///   plank    h, with ramps of length r at both ends: h (3 q^2 - 2 q^3), q = u / r; steps where r is 0
+///   pothole  a plank that goes down
+///   sine     h sin(2 pi u / wave_length + phase), within a plank of height 1 where it has a length
+///   sweep    h sin(2 pi phi + phase), phi = u / l0 + (1 / l1 - 1 / l0) u^2 / (2 L), within a plank of height 1
+struct RoadFeature : RoadStretch {
+  enum class Kind { bump, plank, pothole, sine, sweep };
+  std::string name;
+  Where where;
+  Kind kind = Kind::bump;
+  Quantity height;                                        ///< m
+  double ramp = 0;                                        ///< m
+  std::optional<Quantity> wave_length, last_wave_length;  ///< m, > 0; l0 and l1 of a sweep
+  Quantity phase;                                         ///< rad
+};
+
+/// A part of a road with friction of its own, which hides what lies below: the last one that covers a place counts.
+struct RoadPatch : RoadStretch {
+  std::string name;
+  Where where;
+  Quantity friction;  ///< factor of the tyre's friction
+};
+
+/// Heights of a left and a right track by samples along the road, straight across between them and level outside: a
+/// cubic spline, two times continuous. Its coefficients stand in Model::samples, right before left for each place:
+///   z(u) = sum over k = 0..3 of b_k(u - i) c[i + k],  i = floor(u),  u = (x - from) / spacing
+/// with the uniform B-splines b of degree 3. Source: C. de Boor, A Practical Guide to Splines, 1978, chapter IX.
+struct RoadTracks {
+  double from = 0, spacing = 1;  ///< m: x of the first place, and the distance of two
+  int count = 0;                 ///< places; of periodic tracks those of a period
+  bool is_periodic = false;      ///< else level before the first and behind the last
+  double right = -1, left = 1;   ///< m: y of the tracks
+  int first = 0;                 ///< index into Model::samples of the first coefficient, of 2 (count + 4)
+};
+
+/// A road: height = height(x, y) + those of its tracks and features, over the plane z = origin.z of the global frame.
+struct Road {
+  std::string name;
+  Where where;
+  Vector3 origin{};           ///< m, global: x = y = 0 of the road, and the height that its heights are counted from
+  double heading = 0;         ///< rad, of its axis x from the global one, to the left
+  std::optional<int> height;  ///< expression; local 0 x, local 1 y, both m in the axes of the road; m
+  /// 1, in its axes: added to the slopes of its heights, of ground that a host gives under one wheel
+  Quantity slope_x, slope_y;
+  std::optional<int> friction;  ///< likewise; factor of the tyre's friction; 1 without
+  std::vector<RoadTracks> tracks;
+  std::vector<RoadFeature> features;
+  std::vector<RoadPatch> patches;
+
+  bool has_friction() const { return friction || !patches.empty(); }
+};
+
+/// Number `index` of a table, the first or last one outside, as mbgen/sample.hpp has it.
+inline double sample(const std::vector<double>& samples, double index) {
+  const double last = static_cast<double>(samples.size() - 1);
+  return samples[index >= 0 ? static_cast<std::size_t>(index < last ? index : last) : 0];
+}
+
+}  // namespace mbgen
