@@ -1,6 +1,7 @@
 #pragma once
 // The equations of one model at double: its data, and the formulation's view of one state.
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -43,7 +44,7 @@ struct GenericEquations {
   TreeMass mass;
   ReducedEquations reduced;
   Eigen::VectorXd free;            ///< accelerations of the free directions
-  std::vector<double> magnitudes;  ///< of the auxiliary states, see magnitude_of
+  std::vector<double> magnitudes;  ///< of the auxiliary states in a search for rest: magnitude_of of the user's own
 
   GenericEquations(const Model& m, const Topology& t, const Analysis& a, const GenericAlgebra& choice)
       : model(m),
@@ -55,7 +56,9 @@ struct GenericEquations {
         relative(rest),
         algebra(make_loop_algebra(choice, topology, analysis)),
         mass(tree_mass_pattern(topology)) {
+    // Deflections of tyres and rubber count there as coordinates do, in m and rad.
     for (const AuxiliaryState& state : auxiliary_states(model)) magnitudes.push_back(magnitude_of(state));
+    std::fill_n(magnitudes.begin(), first_user_state(model), 1.0);
     at.environment.topology = &topology;
     for (const Input& input : model.inputs) at.environment.inputs.push_back(input.default_value);
     for (const Parameter& parameter : model.parameters) at.environment.parameters.push_back(parameter.value);
