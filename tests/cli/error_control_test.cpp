@@ -180,28 +180,37 @@ double dragged_period(double spring, double speed, double coulomb, double sticti
 }
 
 // LuGre's friction at the numbers of its authors (1 kg, 1e5 N/m, sqrt(1e5) N s/m, 0.4 N s/m, 1 and 1.5 N, 1 mm/s, a
-// spring of 2 N/m that is drawn at 0.1 m/s): it begins to slide at 1.5 N and goes on by stick and slip.
+// spring of 2 N/m that is drawn at 0.1 m/s): it begins to slide at 1.5 N and goes on by stick and slip. Bristles slide
+// a little before, so that it breaks loose at less, and Stribeck's curve falls over a little way: the period is 1.4 %
+// shorter than that of rigid friction, at any tolerance. Stiffer bristles and a narrower curve come to 0.3 %.
 TEST_F(ErrorControl, LuGreSticksAndSlipsAtItsAuthorsNumbers) {
-  write("lugre.json", R"j({ "mbgen": 1, "gravity": [0, 0, 0],
-    "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
-                "hand": { "mass": 1, "inertia": [0, 0, 0], "points": { "O": [0, 0, 0] } },
-                "mass": { "mass": 1, "inertia": [0, 0, 0], "points": { "O": [0, 0, 0] } } },
-    "joints": { "y": { "type": "prismatic", "from": "ground.O", "to": "hand.O", "axis": "x" },
-                "x": { "type": "prismatic", "from": "ground.O", "to": "mass.O", "axis": "x" } },
-    "motions": { "y": { "joint": "y", "position": "0.1*t" } },
-    "joint_springs": { "spring": { "joint": "x", "relative_to": "y", "stiffness": 2 } },
-    "frictions": { "floor": { "joint": "x", "law": "lugre", "coulomb": 1, "stiction": 1.5, "stribeck_velocity": 1e-3,
-                              "viscous": 0.4, "stiffness": 1e5, "damping": "sqrt(1e5)", "lag": 0 } } })j");
-  const Table table = motion("lugre.json", "--duration 40 --step 0.01 --integrator cvode --tolerance 1e-8");
-  std::vector<double> sliding;  // s, when the mass came to half the speed of the hand
-  for (std::size_t row = 1; row < table.rows.size(); ++row)
-    if (table.at(row - 1, "zd.x [m/s]") < 0.05 && table.at(row, "zd.x [m/s]") >= 0.05)
-      sliding.push_back(table.at(row, "t [s]"));
-  ASSERT_GE(sliding.size(), 4u);
-  EXPECT_NEAR(sliding[0], 7.5, 0.15);
-  const double period = (sliding.back() - sliding[0]) / static_cast<double>(sliding.size() - 1);
-  // Bristles slide a little before, so that it breaks loose at 1 or 2 % less.
-  EXPECT_NEAR(period / dragged_period(2, 0.1, 1, 1.5, 0.4), 1, 0.02);
+  struct Law {
+    const char *stiffness, *stribeck;
+    double tolerance;
+  };
+  for (const Law law : {Law{"1e5", "1e-3", 0.02}, Law{"1e7", "1e-4", 0.005}}) {
+    write("lugre.json", R"j({ "mbgen": 1, "gravity": [0, 0, 0],
+      "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
+                  "hand": { "mass": 1, "inertia": [0, 0, 0], "points": { "O": [0, 0, 0] } },
+                  "mass": { "mass": 1, "inertia": [0, 0, 0], "points": { "O": [0, 0, 0] } } },
+      "joints": { "y": { "type": "prismatic", "from": "ground.O", "to": "hand.O", "axis": "x" },
+                  "x": { "type": "prismatic", "from": "ground.O", "to": "mass.O", "axis": "x" } },
+      "motions": { "y": { "joint": "y", "position": "0.1*t" } },
+      "joint_springs": { "spring": { "joint": "x", "relative_to": "y", "stiffness": 2 } },
+      "frictions": { "floor": { "joint": "x", "law": "lugre", "coulomb": 1, "stiction": 1.5, "viscous": 0.4, "lag": 0,
+        "stribeck_velocity": )j" +
+                            std::string(law.stribeck) + ", \"stiffness\": " + law.stiffness + ", \"damping\": \"sqrt(" +
+                            law.stiffness + ")\" } } }");
+    const Table table = motion("lugre.json", "--duration 40 --step 0.01 --integrator cvode --tolerance 1e-8");
+    std::vector<double> sliding;  // s, when the mass came to half the speed of the hand
+    for (std::size_t row = 1; row < table.rows.size(); ++row)
+      if (table.at(row - 1, "zd.x [m/s]") < 0.05 && table.at(row, "zd.x [m/s]") >= 0.05)
+        sliding.push_back(table.at(row, "t [s]"));
+    ASSERT_GE(sliding.size(), 4u);
+    EXPECT_NEAR(sliding[0], 7.5, 0.15);
+    const double period = (sliding.back() - sliding[0]) / static_cast<double>(sliding.size() - 1);
+    EXPECT_NEAR(period / dragged_period(2, 0.1, 1, 1.5, 0.4), 1, law.tolerance);
+  }
 }
 
 }  // namespace
