@@ -25,6 +25,7 @@ constexpr std::pair<Array, const char*> kMembers[] = {
     {Array::residual, "of every closure equation, block after block, then of every motion"},
     {Array::pivot, "smallest pivot of each block over its reference"},
     {Array::inertia, "pivots of the final equations"},
+    {Array::state_pivot, "pivots of the states' equations"},
     {Array::tangent, "entries of the implicit equations that are not constant"},
     {Array::Phi, "residuals"},
     {Array::c, "right-hand side of the accelerations"},
@@ -45,7 +46,7 @@ Texts around(const std::string& before, const std::vector<std::string>& names, c
 /// The value of an output that the program does not give. A block of rank zero has no pivot to watch.
 std::string missing_value(Array array) {
   if (array == Array::driven_acceleration) return "";
-  return array == Array::pivot || array == Array::inertia ? "1.0" : "0.0";
+  return array == Array::pivot || array == Array::inertia || array == Array::state_pivot ? "1.0" : "0.0";
 }
 
 /// Size of an array, of those too that the programs decide.
@@ -162,6 +163,7 @@ ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
   }
   for (const Array array : spec_of(row.role).outputs) {
     if (array == Array::law_argument || array == (context.layout.chooses_again ? Array::rate : Array::Jz)) continue;
+    if (array == Array::state_pivot && context.layout.own_states == 0) continue;
     for (const auto& [member, comment] : kMembers)
       if (member == array) shape.members.push_back({name_of(array), size_in(context, array), comment});
     add_array(shape.outputs, "result", array, context);

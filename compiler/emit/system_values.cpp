@@ -4,6 +4,7 @@
 
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 
 namespace mbgen {
 namespace {
@@ -122,10 +123,12 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
     }
     for (const int e : context.analysis.blocks[b].redundant_equations) redundant[p.first_equation + e] = true;
   }
+  const bool watches_states = context.model.solver.is_implicit() && layout.own_states > 0;
   // What only closures or loops ask for is left out without them, so that nothing is unused; lanes leave the choice of
   // coordinates at run time to the solver of one instance.
   return {{"blocks", blocks.size()},
           {"free_directions", layout.free_directions},
+          {"first_own_state", watches_states ? std::to_string(first_user_state(context.model)) : ""},
           {"number", context.options.scalar},
           {"tolerance", number_text(context.model.solver.closure_tolerance, context.options.scalar)},
           {"alone", is_number(scalar)},

@@ -25,7 +25,7 @@ T natural_length(const ForceWork<T>& work, const std::optional<Quantity>& own, c
 template <class T, class A>
 A spring_tension(const ForceWork<T>& work, const PointSpring& spring, const A& length, const A& rate,
                  const T& natural) {
-  A tension = A(work.value(spring.preload, "f0", spring.name)) +
+  A tension = number<A>(work, spring.preload, "f0", spring.name) +
               law(work, spring.stiffness, length - natural, "k", spring.name) +
               law(work, spring.damping, rate, "d", spring.name);
   if (spring.force) tension = tension + with_locals(work, *spring.force, length, rate);
@@ -97,7 +97,7 @@ JointDeflection<T> joint_deflection(const System<T>& system, const JointSpring& 
 /// Force of a joint spring against its deflection, N or N m.
 template <class T, class A>
 A joint_spring_force(const ForceWork<T>& work, const JointSpring& spring, const A& position, const A& rate) {
-  A force = A(work.value(spring.preload, "f0", spring.name)) +
+  A force = number<A>(work, spring.preload, "f0", spring.name) +
             law(work, spring.stiffness, position - A(work.value(spring.free, "z0", spring.name)), "k", spring.name) +
             law(work, spring.damping, rate, "d", spring.name);
   if (spring.force) force = force + with_locals(work, *spring.force, position, rate);
@@ -126,20 +126,27 @@ void joint_forces(ForceWork<T>& work) {
   }
 }
 
+/// Components of a body's force or torque, seen from the frame that carries the place.
+template <class T>
+Vector<T> in_carrier(const ForceWork<T>& work, const AppliedForce& applied, const Place<T>& place,
+                     const Vector<T>& components) {
+  const System<T>& system = work.system;
+  const int carrier = system.layout.frame_of(place.body);
+  if (!applied.in_body_axes) return direction_up(system, work.k, kGround, components, carrier);
+  const Pose& pose = system.model.bodies[applied.at.body].pose;
+  return direction_in(system, work.k, place.body, pose_rotation<T>(pose) * components, carrier);
+}
+
 template <class T>
 void body_forces(ForceWork<T>& work) {
   const System<T>& system = work.system;
   for (const AppliedForce& applied : system.model.forces) {
     const auto heading = work.system.scribe.within(OwnerKind::force, index_in(system.model.forces, applied));
     const Place<T> place = work.place(applied.at);
-    const int carrier = system.layout.frame_of(place.body);
-    const auto to_carrier = [&](Vector<T> v) {
-      if (!applied.in_body_axes) return direction_up(system, work.k, kGround, v, carrier);
-      const Pose& pose = system.model.bodies[applied.at.body].pose;
-      return direction_in(system, work.k, place.body, pose_rotation<T>(pose) * v, carrier);
+    const auto seen = [&](const Vector3Quantity& components) {
+      return in_carrier(work, applied, place, value_of(system.model, components, system.environment));
     };
-    const Vector<T> force = to_carrier(value_of(system.model, applied.force, system.environment));
-    const Vector<T> torque = to_carrier(value_of(system.model, applied.torque, system.environment));
+    const Vector<T> force = seen(applied.force), torque = seen(applied.torque);
     act(work, {applied.at.body, force, torque, arm_of(system, work.k, place, work.forces.about)});
   }
 }

@@ -50,47 +50,40 @@ inline std::vector<int> acting_freedoms(const Bushing& bushing) {
   return freedoms;
 }
 
-/// Adds the derivatives of the law along one direction: `b` of the local coordinates, or a state.
 template <class T>
-void take_slopes(const std::vector<int>& freedoms, const BushingForces<Slope<T>>& law, std::size_t b,
-                 std::vector<std::vector<T>>& forces, std::vector<std::vector<T>>& rates) {
-  for (std::size_t a = 0; a < freedoms.size(); ++a) forces[a][b] = -law.force[freedoms[a]].slope;
-  for (std::size_t s = 0; s < law.extension_rates.size(); ++s) rates[s][b] = law.extension_rates[s].slope;
-}
-
-template <class T>
-ElementTangents<T> bushing_element(const ForceWork<T>& work, const Bushing& bushing, int first_state) {
+ElementTangents<T> bushing_element(ForceWork<T>& work, const Bushing& bushing, int first_state) {
   using S = Slope<T>;
   const BushingMotion<T> m = bushing_motion(work, bushing);
   const std::vector<int> freedoms = acting_freedoms(bushing);
-  std::vector<std::vector<T>> rows;
-  for (const int freedom : freedoms) rows.push_back(deflection_row(work, bushing, m, freedom));
-  BushingValues<S> deflection, rate;
-  for (int i = 0; i < kBushingFreedoms; ++i) {
-    deflection[i] = S(m.deflection[i]);
-    rate[i] = S(m.rate[i]);
+  LawElement<T> element;
+  for (const int freedom : freedoms) {
+    element.coordinates.push_back({deflection_row(work, bushing, m, freedom)});
+    element.at.position.push_back(m.deflection[freedom]);
+    element.at.velocity.push_back(m.rate[freedom]);
+    const std::optional<BushingFreedom>& own = bushing.freedoms[freedom];
+    if (own)
+      for (const int expression : expressions_of(own->preload, own->stiffness, own->damping, own->force))
+        element.expressions.push_back(expression);
   }
-  const auto states = static_cast<std::size_t>(maxwell_branches(bushing));
-  std::vector<S> extensions;
-  for (std::size_t s = 0; s < states; ++s) extensions.emplace_back(work.system.x[first_state + s]);
-  ElementTangents<T> element = element_tangents<T>(std::move(rows), states, first_state);
-  const auto law = [&] { return bushing_law(work, bushing, deflection, rate, extensions.data()); };
-  for (std::size_t b = 0; b < freedoms.size(); ++b) {
-    deflection[freedoms[b]].slope = T(1.0);
-    take_slopes(freedoms, law(), b, element.by_position, element.rate_by_position);
-    deflection[freedoms[b]].slope = T(0.0);
-    rate[freedoms[b]].slope = T(1.0);
-    take_slopes(freedoms, law(), b, element.by_velocity, element.rate_by_velocity);
-    rate[freedoms[b]].slope = T(0.0);
+  for (int s = 0; s < maxwell_branches(bushing); ++s) {
+    element.states.push_back(first_state + s);
+    element.at.state.push_back(work.system.x[first_state + s]);
   }
-  std::vector<std::vector<T>> by_extension = zeros<T>(states, states);
-  for (std::size_t s = 0; s < states; ++s) {
-    extensions[s].slope = T(1.0);
-    take_slopes(freedoms, law(), s, element.by_state, by_extension);
-    element.decay[s] = by_extension[s][s];
-    extensions[s].slope = T(0.0);
-  }
-  return element;
+  return differentiated(work, std::move(element), [&](const LawPoint<S>& at) {
+    BushingValues<S> deflection, rate;
+    for (int i = 0; i < kBushingFreedoms; ++i) {
+      deflection[i] = S(m.deflection[i]);
+      rate[i] = S(m.rate[i]);
+    }
+    for (std::size_t a = 0; a < freedoms.size(); ++a) {
+      deflection[freedoms[a]] = at.position[a];
+      rate[freedoms[a]] = at.velocity[a];
+    }
+    BushingForces<S> law = bushing_law(work, bushing, deflection, rate, at.state.data());
+    LawResult<S> result{{}, std::move(law.extension_rates)};
+    for (const int freedom : freedoms) result.force.push_back(-law.force[freedom]);
+    return result;
+  });
 }
 
 template <class T>
@@ -111,18 +104,22 @@ ElementTangents<T> bump_stop_element(ForceWork<T>& work, const BumpStop& stop) {
   if (stop.is_on_joint()) {
     const Environment<T>& e = work.system.environment;
     const T sign(stop.side == BumpStop::Side::below ? -1.0 : 1.0);
-    std::vector<T> row = coordinate_row(work.system, stop.joint);
-    for (T& entry : row) entry = S::times(sign, entry);
-    return scalar_element(std::move(row), T(sign * e.position(stop.joint)), T(sign * e.velocity(stop.joint)), push);
+    LocalCoordinate<T> along{tree_local(work.system, stop.joint).row};
+    for (T& entry : along.row) entry = S::times(sign, entry);
+    return scalar_element(work, std::move(along), T(sign * e.position(stop.joint)), T(sign * e.velocity(stop.joint)),
+                          expressions_of(stop.force), push);
   }
   if (stop.axis) {
     const TravelAlongAxis<T> t = travel_along_axis(work, stop);
-    return scalar_element(row_between(work, t.seen, t.axis, Vector<T>{}), t.travel, t.rate, push);
+    return scalar_element(work, {row_between(work, t.seen, t.axis, Vector<T>{})}, t.travel, t.rate,
+                          expressions_of(stop.force), push);
   }
   const S sign(stop.side == BumpStop::Side::compression ? -1.0 : 1.0);
-  return line_tangents(work, stop.from, stop.to, [&](const S& length, const S& rate, const T& reference) {
-    return sign * bump_stop_law(work, stop, S(sign * (length - S(reference))), S(sign * rate)).force;
-  });
+  const LocalLine<T> line = local_line(work, stop.from, stop.to, -1);
+  return scalar_element(
+      work, line.coordinate, line.length, line.rate, expressions_of(stop.force), [&](const S& length, const S& rate) {
+        return -(sign * bump_stop_law(work, stop, S(sign * (length - S(line.reference))), S(sign * rate)).force);
+      });
 }
 
 template <class T>

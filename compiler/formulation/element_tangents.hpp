@@ -1,10 +1,13 @@
 #pragma once
-// Tangents of the force elements: how the force of each changes with its own coordinates (a length, a joint's angle,
-// the motion of a tyre's contact) and their rates, and along which directions of the tree these coordinates go. The
-// change of a direction at a constant force is left out, see docs/method/implicit.md.
+// Tangents of a force element: how its forces, and the rates of its auxiliary states, change with its own coordinates
+// (a length, a joint's angle, the motion of a tyre's contact), their rates and the states, and along which directions
+// of the tree these coordinates go. The change of a direction at a constant force is left out, see
+// docs/method/implicit.md.
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "compiler/formulation/applied_forces.hpp"
@@ -12,16 +15,22 @@
 
 namespace mbgen {
 
-/// Derivatives of the forces of one element. Its local coordinate a moves by rows[a] . zd, and its force a acts as
-/// rows[a]' times the force.
+/// A coordinate that an element acts along or looks at: it moves by row . zd.
+template <class T>
+struct LocalCoordinate {
+  std::vector<T> row;  ///< over the tree's coordinates
+  /// One number for one coordinate in all elements: that of the tree's coordinate, or their number and that of the
+  /// spring, air spring or rod whose length it is; -1 of an element's own.
+  int shared = -1;
+};
+
+/// Derivatives of one element. Its force a acts along local coordinate a. Matrices are [force or rate][by what].
 template <class T>
 struct ElementTangents {
-  std::vector<std::vector<T>> rows;                      ///< per local coordinate, over the tree's coordinates
-  std::vector<std::vector<T>> by_position, by_velocity;  ///< of force a by local coordinate b, N/m ...
-  std::vector<int> states;                               ///< its auxiliary states
-  std::vector<T> decay;                                  ///< of the rate of each by itself, 1/s
-  std::vector<std::vector<T>> by_state;                  ///< of force a by state s
-  std::vector<std::vector<T>> rate_by_position, rate_by_velocity;  ///< of the rate of state s by local coordinate b
+  std::vector<LocalCoordinate<T>> coordinates;
+  std::vector<int> states;                                                        ///< auxiliary ones
+  std::vector<std::vector<T>> by_position, by_velocity, by_state;                 ///< of forces
+  std::vector<std::vector<T>> rate_by_position, rate_by_velocity, rate_by_state;  ///< of the rates of its states
 };
 
 namespace detail {
@@ -31,16 +40,50 @@ std::vector<std::vector<T>> zeros(std::size_t rows, std::size_t columns) {
   return std::vector<std::vector<T>>(rows, std::vector<T>(columns, T(0.0)));
 }
 
-/// An element with these rows, `states` auxiliary states from `first` on, and no tangents yet.
+/// Gives the matrices of an element their sizes; what is new is zero.
 template <class T>
-ElementTangents<T> element_tangents(std::vector<std::vector<T>> rows, std::size_t states = 0, int first = 0) {
-  const std::size_t size = rows.size();
-  ElementTangents<T> element{std::move(rows), zeros<T>(size, size), zeros<T>(size, size), {}, {}, {}, {}, {}};
-  for (std::size_t s = 0; s < states; ++s) element.states.push_back(first + static_cast<int>(s));
-  element.decay.assign(states, T(0.0));
-  element.by_state = zeros<T>(size, states);
-  element.rate_by_position = element.rate_by_velocity = zeros<T>(states, size);
+void fit(ElementTangents<T>& e) {
+  const std::size_t coordinates = e.coordinates.size(), states = e.states.size();
+  const auto to = [](std::vector<std::vector<T>>& matrix, std::size_t rows, std::size_t columns) {
+    matrix.resize(rows);
+    for (std::vector<T>& row : matrix) row.resize(columns, T(0.0));
+  };
+  for (auto* matrix : {&e.by_position, &e.by_velocity}) to(*matrix, coordinates, coordinates);
+  to(e.by_state, coordinates, states);
+  for (auto* matrix : {&e.rate_by_position, &e.rate_by_velocity}) to(*matrix, states, coordinates);
+  to(e.rate_by_state, states, states);
+}
+
+/// An element with no tangents yet.
+template <class T>
+ElementTangents<T> element_tangents(std::vector<LocalCoordinate<T>> coordinates, std::vector<int> states) {
+  ElementTangents<T> element{std::move(coordinates), std::move(states), {}, {}, {}, {}, {}, {}};
+  fit(element);
   return element;
+}
+
+/// The place of a coordinate in an element, which takes it in where it does not have it.
+template <class T>
+std::size_t place_in(ElementTangents<T>& element, LocalCoordinate<T> coordinate) {
+  auto& all = element.coordinates;
+  std::size_t place = all.size();
+  if (coordinate.shared >= 0)
+    place =
+        static_cast<std::size_t>(std::ranges::find(all, coordinate.shared, &LocalCoordinate<T>::shared) - all.begin());
+  if (place < all.size()) return place;
+  all.push_back(std::move(coordinate));
+  fit(element);
+  return place;
+}
+
+/// The place of an auxiliary state in an element, likewise.
+template <class T>
+std::size_t place_of_state(ElementTangents<T>& element, int state) {
+  const auto place = static_cast<std::size_t>(std::ranges::find(element.states, state) - element.states.begin());
+  if (place < element.states.size()) return place;
+  element.states.push_back(state);
+  fit(element);
+  return place;
 }
 
 /// Adds to a row how a wrench on a body acts on the tree's coordinates, without the joints that also move body `other`.
@@ -58,28 +101,25 @@ void add_wrench(const ForceWork<T>& work, int body, int other, Spatial<T> wrench
   }
 }
 
-/// A coordinate of the tree as a row; zero where the tree does not have it.
+/// A coordinate of the tree; one that does not move where the tree does not have it.
 template <class T>
-std::vector<T> coordinate_row(const System<T>& system, const CoordinateReference& reference) {
-  std::vector<T> row(system.topology.bodies.size(), T(0.0));
-  if (const int i = tree_coordinate(system.topology, reference); i >= 0) row[i] = T(1.0);
-  return row;
+LocalCoordinate<T> tree_local(const System<T>& system, const CoordinateReference& reference) {
+  LocalCoordinate<T> local{std::vector<T>(system.topology.bodies.size(), T(0.0)),
+                           tree_coordinate(system.topology, reference)};
+  if (local.shared >= 0) local.row[local.shared] = T(1.0);
+  return local;
 }
 
-/// One local coordinate with a force law. force(position, rate) of Slopes.
-template <class T, class Force>
-ElementTangents<T> scalar_element(std::vector<T> row, const T& position, const T& rate, const Force& force) {
-  using S = Slope<T>;
-  ElementTangents<T> element = element_tangents<T>({std::move(row)});
-  element.by_position[0][0] = force(S(position, T(1.0)), S(rate)).slope;
-  element.by_velocity[0][0] = force(S(position), S(rate, T(1.0))).slope;
-  return element;
-}
+/// The length of a line between two points as a local coordinate.
+template <class T>
+struct LocalLine {
+  LocalCoordinate<T> coordinate;
+  T length, rate, reference;  ///< m, m/s, m
+};
 
-/// The tangents of a line element. tension(length, rate, reference): of Slopes and of T.
-template <class T, class Tension>
-ElementTangents<T> line_tangents(ForceWork<T>& work, const Attachment& from, const Attachment& to,
-                                 const Tension& tension) {
+/// line: number of the spring, air spring or rod, see LocalCoordinate; -1 for none.
+template <class T>
+LocalLine<T> local_line(const ForceWork<T>& work, const Attachment& from, const Attachment& to, int line_number) {
   const System<T>& system = work.system;
   const Line<T> line = line_between(system, work.k, work.v, from, to);
   const Vector<T> direction = line.reciprocal * line.gap;
@@ -92,89 +132,172 @@ ElementTangents<T> line_tangents(ForceWork<T>& work, const Attachment& from, con
   };
   add_end(line.to, line.from.body, direction);
   add_end(line.from, line.to.body, -direction);
-  const T reference = reference_distance(system.topology, system.constants, to, line.to, from, line.from);
-  return scalar_element(std::move(row), line.length, line.rate,
-                        [&](const Slope<T>& l, const Slope<T>& rate) { return -tension(l, rate, reference); });
+  const int shared = line_number < 0 ? -1 : system.topology.size() + line_number;
+  return {{std::move(row), shared},
+          line.length,
+          line.rate,
+          reference_distance(system.topology, system.constants, to, line.to, from, line.from)};
 }
 
-/// A force that an expression gives: local coordinates are that on which it acts and those that the expression reads.
+/// What an expression looks at as a local coordinate: a coordinate of the tree, or a length.
 template <class T>
-ElementTangents<T> expression_tangents(const ForceWork<T>& work, std::vector<T> row, const Quantity& force) {
-  const System<T>& system = work.system;
-  std::vector<std::vector<T>> rows = {std::move(row)};
-  std::vector<const ExpressionNode*> read;
-  if (force.expression >= 0) {
-    for (const ExpressionNode& node : system.model.expressions[force.expression].nodes) {
-      using Kind = ExpressionNode::Kind;
-      const bool is_new = std::none_of(read.begin(), read.end(), [&](const ExpressionNode* other) {
-        return other->kind == node.kind && other->coordinate == node.coordinate;
+LocalCoordinate<T> local_of(const ForceWork<T>& work, const ExpressionNode& node) {
+  if (node.kind == ExpressionNode::Kind::position || node.kind == ExpressionNode::Kind::velocity)
+    return tree_local(work.system, node.coordinate);
+  const Model& model = work.system.model;
+  auto i = static_cast<std::size_t>(node.index);
+  const auto line = [&](const auto& element) {
+    return local_line(work, element.from, element.to, node.index).coordinate;
+  };
+  if (i < model.springs.size()) return line(model.springs[i]);
+  i -= model.springs.size();
+  return i < model.air_springs.size() ? line(model.air_springs[i]) : line(model.rods[i - model.air_springs.size()]);
+}
+
+/// Where a law is differentiated: at its coordinates, their rates and its states.
+template <class T>
+struct LawPoint {
+  std::vector<T> position, velocity, state;
+};
+
+/// What a law gives: forces along the first coordinates, and the rates of the first states.
+template <class T>
+struct LawResult {
+  std::vector<T> force, rate;
+};
+
+/// An element as its law sees it.
+template <class T>
+struct LawElement {
+  std::vector<LocalCoordinate<T>> coordinates;
+  std::vector<int> states = {};
+  LawPoint<T> at = {};                ///< of the first of them, by which the law is differentiated
+  std::vector<int> expressions = {};  ///< of the law: it is differentiated by what these look at, too; -1 for none
+};
+
+inline void add_expression(const Quantity& field, std::vector<int>& to) { to.push_back(field.expression); }
+inline void add_expression(const std::optional<int>& field, std::vector<int>& to) { to.push_back(field.value_or(-1)); }
+inline void add_expression(const std::optional<Law>& field, std::vector<int>& to) {
+  if (field && std::holds_alternative<Quantity>(*field)) add_expression(std::get<Quantity>(*field), to);
+}
+
+/// The expressions of an element's fields, -1 for none.
+template <class... Fields>
+std::vector<int> expressions_of(const Fields&... fields) {
+  std::vector<int> expressions;
+  (add_expression(fields, expressions), ...);
+  return expressions;
+}
+
+/// What the expressions look at that moves, each once.
+inline std::vector<const ExpressionNode*> moving_nodes(const Model& model, const std::vector<int>& expressions) {
+  using Kind = ExpressionNode::Kind;
+  std::vector<const ExpressionNode*> nodes;
+  const auto moves = [&](const ExpressionNode& node) {
+    if (node.kind == Kind::state) return node.index < static_cast<int>(model.states.size());  // others hold
+    return node.kind == Kind::position || node.kind == Kind::velocity || node.kind == Kind::length ||
+           node.kind == Kind::rate;
+  };
+  for (const int expression : expressions) {
+    if (expression < 0) continue;
+    for (const ExpressionNode& node : model.expressions[expression].nodes) {
+      const bool is_new = std::ranges::none_of(nodes, [&](const ExpressionNode* other) {
+        return other->kind == node.kind && other->coordinate == node.coordinate && other->index == node.index;
       });
-      if ((node.kind != Kind::position && node.kind != Kind::velocity) || !is_new) continue;
-      read.push_back(&node);
-      rows.push_back(coordinate_row(system, node.coordinate));
+      if (moves(node) && is_new) nodes.push_back(&node);
     }
   }
-  ElementTangents<T> element = element_tangents<T>(std::move(rows));
-  for (std::size_t r = 0; r < read.size(); ++r) {
-    const MovedEnvironment<T, Slope<T>> environment{system.environment, {}, read[r]};
-    const T slope = evaluate<Slope<T>>(system.model.expressions[force.expression], environment).slope;
-    auto& entry = (read[r]->kind == ExpressionNode::Kind::position ? element.by_position : element.by_velocity);
-    entry[0][r + 1] = slope;
-  }
-  return element;
+  return nodes;
 }
 
-template <class T>
-void spring_tangents(ForceWork<T>& work, std::vector<ElementTangents<T>>& elements) {
-  for (const PointSpring& spring : work.system.model.springs) {
-    const auto heading = work.system.scribe.within(OwnerKind::spring, index_in(work.system.model.springs, spring));
-    elements.push_back(line_tangents(
-        work, spring.from, spring.to, [&](const Slope<T>& length, const Slope<T>& rate, const T& reference) {
-          const T natural = natural_length(work, spring.free_length, reference, spring.name);
-          return spring_tension(work, spring, length, rate, natural);
-        }));
+/// Derivatives of a law. law(LawPoint<Slope<T>>): LawResult<Slope<T>>.
+template <class T, class Law>
+ElementTangents<T> differentiated(ForceWork<T>& work, LawElement<T> of, const Law& law) {
+  using S = Slope<T>;
+  using Kind = ExpressionNode::Kind;
+  ElementTangents<T> e = element_tangents(std::move(of.coordinates), std::move(of.states));
+  LawPoint<S> point{{of.at.position.begin(), of.at.position.end()},
+                    {of.at.velocity.begin(), of.at.velocity.end()},
+                    {of.at.state.begin(), of.at.state.end()}};
+  const auto take = [&](auto forces, auto rates, std::size_t by) {
+    const LawResult<S> result = law(std::as_const(point));
+    for (std::size_t a = 0; a < result.force.size(); ++a)
+      (e.*forces)[a][by] = (e.*forces)[a][by] + result.force[a].slope;
+    for (std::size_t s = 0; s < result.rate.size(); ++s) (e.*rates)[s][by] = (e.*rates)[s][by] + result.rate[s].slope;
+  };
+  using E = ElementTangents<T>;
+  const auto along = [&](S& moved, auto forces, auto rates, std::size_t by) {
+    moved.slope = T(1.0);
+    take(forces, rates, by);
+    moved.slope = T(0.0);
+  };
+  for (std::size_t b = 0; b < point.velocity.size(); ++b) {
+    along(point.position[b], &E::by_position, &E::rate_by_position, b);
+    along(point.velocity[b], &E::by_velocity, &E::rate_by_velocity, b);
   }
-  for (const AirSpring& spring : work.system.model.air_springs) {
-    const auto heading =
-        work.system.scribe.within(OwnerKind::air_spring, index_in(work.system.model.air_springs, spring));
-    elements.push_back(
-        line_tangents(work, spring.from, spring.to, [&](const Slope<T>& length, const Slope<T>&, const T& reference) {
-          const T natural = natural_length(work, spring.length, reference, spring.name);
-          return -air_spring_push(work, spring, length, natural);
-        }));
+  for (std::size_t s = 0; s < point.state.size(); ++s) along(point.state[s], &E::by_state, &E::rate_by_state, s);
+  const Model& model = work.system.model;
+  for (const ExpressionNode* node : moving_nodes(model, of.expressions)) {
+    work.moved = node;
+    if (node->kind == Kind::state)
+      take(&E::by_state, &E::rate_by_state, place_of_state(e, first_user_state(model) + node->index));
+    else if (node->kind == Kind::position || node->kind == Kind::length)
+      take(&E::by_position, &E::rate_by_position, place_in(e, local_of(work, *node)));
+    else
+      take(&E::by_velocity, &E::rate_by_velocity, place_in(e, local_of(work, *node)));
+    work.moved = nullptr;
   }
+  return e;
 }
 
+/// One local coordinate with a force law. force(position, rate) of Slopes.
+template <class T, class Force>
+ElementTangents<T> scalar_element(ForceWork<T>& work, LocalCoordinate<T> coordinate, const T& position, const T& rate,
+                                  std::vector<int> expressions, const Force& force) {
+  return differentiated<T>(work, {{std::move(coordinate)}, {}, {{position}, {rate}, {}}, std::move(expressions)},
+                           [&](const LawPoint<Slope<T>>& at) {
+                             return LawResult<Slope<T>>{{force(at.position[0], at.velocity[0])}, {}};
+                           });
+}
+
+/// Adds an element to another one.
 template <class T>
-void joint_tangents(ForceWork<T>& work, std::vector<ElementTangents<T>>& elements) {
-  const System<T>& system = work.system;
-  const Model& model = system.model;
-  for (const JointSpring& spring : model.joint_springs) {
-    const auto heading = system.scribe.within(OwnerKind::joint_spring, index_in(model.joint_springs, spring));
-    std::vector<T> row = coordinate_row(system, spring.joint);
-    if (spring.relative_to)
-      if (const int other = tree_coordinate(system.topology, *spring.relative_to); other >= 0)
-        row[other] = row[other] - T(1.0);
-    const JointDeflection<T> d = joint_deflection(system, spring);
-    elements.push_back(
-        scalar_element(std::move(row), d.position, d.rate, [&](const Slope<T>& position, const Slope<T>& rate) {
-          return -joint_spring_force(work, spring, position, rate);
-        }));
+void join(ElementTangents<T>& to, const ElementTangents<T>& from) {
+  std::vector<std::size_t> coordinates, states;
+  for (const LocalCoordinate<T>& coordinate : from.coordinates) coordinates.push_back(place_in(to, coordinate));
+  for (const int state : from.states) states.push_back(place_of_state(to, state));
+  const auto add = [&](auto matrix, const auto& rows, const auto& columns) {
+    for (std::size_t a = 0; a < rows.size(); ++a)
+      for (std::size_t b = 0; b < columns.size(); ++b) {
+        T& entry = (to.*matrix)[rows[a]][columns[b]];
+        entry = entry + (from.*matrix)[a][b];
+      }
+  };
+  using E = ElementTangents<T>;
+  for (const auto matrix : {&E::by_position, &E::by_velocity}) add(matrix, coordinates, coordinates);
+  add(&E::by_state, coordinates, states);
+  for (const auto matrix : {&E::rate_by_position, &E::rate_by_velocity}) add(matrix, states, coordinates);
+  add(&E::rate_by_state, states, states);
+}
+
+/// Elements that share auxiliary states, joined to one; the others as they are.
+template <class T>
+std::vector<ElementTangents<T>> joined_by_states(std::vector<ElementTangents<T>> elements) {
+  std::vector<ElementTangents<T>> result;
+  const auto share = [](const ElementTangents<T>& a, const ElementTangents<T>& b) {
+    return std::ranges::any_of(a.states, [&](int state) { return std::ranges::count(b.states, state) > 0; });
+  };
+  for (ElementTangents<T>& element : elements) {
+    std::size_t home = result.size();
+    result.push_back(std::move(element));
+    for (std::size_t r = result[home].states.empty() ? 0 : home; r-- > 0;) {
+      if (!share(result[r], result[home])) continue;
+      join(result[r], result[home]);
+      result.erase(result.begin() + static_cast<std::ptrdiff_t>(home));
+      home = r;
+    }
   }
-  for (const JointFriction& friction : model.frictions) {
-    if (friction.has_bristle() || friction.normal >= 0) continue;  // left out: docs/method/implicit.md
-    const auto heading = system.scribe.within(OwnerKind::friction, index_in(model.frictions, friction));
-    elements.push_back(scalar_element(coordinate_row(system, friction.joint), T(0.0),
-                                      system.environment.velocity(friction.joint),
-                                      [&](const Slope<T>&, const Slope<T>& rate) {
-                                        return smooth_friction(work, friction, friction.name, rate) -
-                                               viscous_friction(work, friction, friction.name, rate);
-                                      }));
-  }
-  for (const JointForce& force : model.joint_forces) {
-    const auto heading = system.scribe.within(OwnerKind::joint_force, index_in(model.joint_forces, force));
-    elements.push_back(expression_tangents(work, coordinate_row(system, force.joint), force.force));
-  }
+  return result;
 }
 
 }  // namespace detail

@@ -68,6 +68,8 @@ struct ForceWork {
   const Velocities<T>& v;
   AppliedForces<T>& forces;
   SharedTyreLaw<T> shared_law = {};  ///< where tyres share one
+  /// What expressions of laws over Slopes see moving, with a derivative of one; null for nothing.
+  const ExpressionNode* moved = nullptr;
   T value(const Quantity& q) const { return value_of(system.model, q, system.environment); }
   /// The value of an element's field, named <meaning>_<element>.
   T value(const Quantity& q, const char* meaning, const std::string& element) const {
@@ -78,11 +80,50 @@ struct ForceWork {
   Place<T> place(const Attachment& at) const { return place_of(system, at); }
 };
 
+/// An environment of T for an expression over A: everything stands still but the locals and one of what it looks at.
+template <class T, class A>
+struct MovedEnvironment {
+  const Environment<T>& environment;
+  std::vector<A> locals = {};
+  const ExpressionNode* moved = nullptr;  ///< that whose derivative is one, null for none
+
+  A parameter(int i) const { return A(environment.parameter(i)); }
+  A input(int i) const { return A(environment.input(i)); }
+  A time() const { return A(environment.time()); }
+  A position(const CoordinateReference& c) const {
+    return seen(environment.position(c), moves(ExpressionNode::Kind::position) && moved->coordinate == c);
+  }
+  A velocity(const CoordinateReference& c) const {
+    return seen(environment.velocity(c), moves(ExpressionNode::Kind::velocity) && moved->coordinate == c);
+  }
+  A local(int i) const { return locals[i]; }
+  A state(int i) const { return seen(environment.state(i), moves(ExpressionNode::Kind::state) && moved->index == i); }
+  A length(int i) const {
+    return seen(environment.length(i), moves(ExpressionNode::Kind::length) && moved->index == i);
+  }
+  A rate(int i) const { return seen(environment.rate(i), moves(ExpressionNode::Kind::rate) && moved->index == i); }
+
+ private:
+  bool moves(ExpressionNode::Kind kind) const { return moved != nullptr && moved->kind == kind; }
+  A seen(const T& value, bool is_moved) const { return is_moved ? A(value, T(1.0)) : A(value); }
+};
+
+/// The value of an element's field over A: T, or Slope<T> where the law is differentiated.
+template <class A, class T>
+A number(const ForceWork<T>& work, const Quantity& q, const char* meaning, const std::string& element) {
+  if constexpr (!std::is_same_v<T, A>)
+    if (work.moved != nullptr && q.expression >= 0)
+      return evaluate<A>(work.system.model.expressions[q.expression],
+                         MovedEnvironment<T, A>{work.system.environment, {}, work.moved});
+  return A(work.value(q, meaning, element));
+}
+
 /// Value of a characteristic at an argument: factor times argument, or a table. The factor is named
 /// <meaning>_<element>. A: T, or Slope<T> where the law is differentiated, as in the functions that follow.
 template <class T, class A>
 A law(const ForceWork<T>& work, const Law& law, const A& argument, const char* meaning, const std::string& element) {
-  if (const Quantity* factor = std::get_if<Quantity>(&law)) return A(work.value(*factor, meaning, element)) * argument;
+  if (const Quantity* factor = std::get_if<Quantity>(&law))
+    return number<A>(work, *factor, meaning, element) * argument;
   return value_along(std::get<Table>(law), argument);
 }
 
@@ -91,37 +132,6 @@ A law(const ForceWork<T>& work, const std::optional<Law>& optional, const A& arg
       const std::string& element) {
   return optional ? law(work, *optional, argument, meaning, element) : A(0.0);
 }
-
-/// An environment of T for an expression over A: everything stands still but the locals and one coordinate or velocity.
-template <class T, class A>
-struct MovedEnvironment {
-  const Environment<T>& environment;
-  std::vector<A> locals = {};
-  const ExpressionNode* moved = nullptr;  ///< a position or velocity whose derivative is one, null for none
-
-  A parameter(int i) const { return A(environment.parameter(i)); }
-  A input(int i) const { return A(environment.input(i)); }
-  A time() const { return A(environment.time()); }
-  A position(const CoordinateReference& c) const {
-    return moves(ExpressionNode::Kind::position, c) ? A(environment.position(c), T(1.0)) : A(environment.position(c));
-  }
-  A velocity(const CoordinateReference& c) const {
-    return moves(ExpressionNode::Kind::velocity, c) ? A(environment.velocity(c), T(1.0)) : A(environment.velocity(c));
-  }
-  A local(int i) const { return locals[i]; }
-  // Where the environment has them.
-  A state(int i) const requires requires(const Environment<T>& e) { e.state(0); }
-  { return A(environment.state(i)); }
-  A length(int i) const requires requires(const Environment<T>& e) { e.length(0); }
-  { return A(environment.length(i)); }
-  A rate(int i) const requires requires(const Environment<T>& e) { e.rate(0); }
-  { return A(environment.rate(i)); }
-
- private:
-  bool moves(ExpressionNode::Kind kind, const CoordinateReference& c) const {
-    return moved != nullptr && moved->kind == kind && moved->coordinate == c;
-  }
-};
 
 /// An expression with two local variables.
 template <class T, class A>
@@ -132,7 +142,7 @@ A with_locals(const ForceWork<T>& work, int expression, const A& first, const A&
     environment.locals = {first, second};
     return evaluate<T>(of_model, environment);
   } else {
-    return evaluate<A>(of_model, MovedEnvironment<T, A>{work.system.environment, {first, second}});
+    return evaluate<A>(of_model, MovedEnvironment<T, A>{work.system.environment, {first, second}, work.moved});
   }
 }
 

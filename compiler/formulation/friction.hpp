@@ -11,7 +11,7 @@ namespace mbgen::detail {
 /// A: T, or Slope<T> where the law is differentiated.
 template <class T, class A>
 A smooth_friction(const ForceWork<T>& work, const FrictionLaw& friction, const std::string& name, const A& rate) {
-  const auto value = [&](const Quantity& q, const char* meaning) { return A(work.value(q, meaning, name)); };
+  const auto value = [&](const Quantity& q, const char* meaning) { return number<A>(work, q, meaning, name); };
   return friction_force(value(friction.coulomb, "coulomb"), value(friction.stiction, "stiction"), A(0.0),
                         value(friction.velocity, "velocity"), value(friction.stribeck_velocity, "stribeck"), rate);
 }
@@ -19,38 +19,37 @@ A smooth_friction(const ForceWork<T>& work, const FrictionLaw& friction, const s
 /// What the viscous part takes from it, N m or N.
 template <class T, class A>
 A viscous_friction(const ForceWork<T>& work, const FrictionLaw& friction, const std::string& name, const A& rate) {
-  return A(work.value(friction.viscous, "viscous", name)) * rate;
+  return number<A>(work, friction.viscous, "viscous", name) * rate;
 }
 
-/// Force of bristles, N m or N, on the part that moves at `rate`. state: the auxiliary state that they bend.
-template <class T>
-T bristle_force(ForceWork<T>& work, const FrictionLaw& friction, const std::string& name, const T& rate,
-                std::size_t state) {
-  const auto value = [&](const Quantity& q, const char* meaning) { return work.value(q, meaning, name); };
-  const T deflection = work.system.x[state];
-  const Bristles<T> bristles{value(friction.coulomb, "coulomb"),
+/// Force of bristles, N m or N, on the part that moves at `rate`, and the rate of their deflection.
+template <class T, class A>
+BristleResult<A> bristle_law(const ForceWork<T>& work, const FrictionLaw& friction, const std::string& name,
+                             const A& rate, const A& deflection) {
+  const auto value = [&](const Quantity& q, const char* meaning) { return number<A>(work, q, meaning, name); };
+  const Bristles<A> bristles{value(friction.coulomb, "coulomb"),
                              value(friction.stiction, "stiction"),
                              value(friction.stribeck_velocity, "stribeck"),
                              value(friction.stiffness, "stiffness"),
                              value(friction.damping, "damping"),
-                             T(*friction.lag)};
-  const BristleResult<T> result =
-      friction.kind == FrictionLaw::Kind::lugre
-          ? lugre_friction(bristles, deflection, rate)
-          : elasto_plastic_friction(bristles, value(friction.elastic, "elastic"), deflection, rate);
-  work.forces.xd[state] = result.rate;
-  return result.force;
+                             A(*friction.lag)};
+  return friction.kind == FrictionLaw::Kind::lugre
+             ? lugre_friction(bristles, deflection, rate)
+             : elasto_plastic_friction(bristles, value(friction.elastic, "elastic"), deflection, rate);
 }
 
-/// Force of friction, N m or N, on the part that moves at `rate`, against the motion. springs: forces of the springs
-/// without friction; state: the auxiliary state of its bristles, where it has some.
-template <class T>
-T friction_of(ForceWork<T>& work, const FrictionLaw& friction, const std::string& name, const T& rate,
-              const std::vector<ElementState<T>>& springs, std::size_t state) {
-  T sliding = friction.has_bristle() ? bristle_force(work, friction, name, rate, state)
-                                     : smooth_friction(work, friction, name, rate);
-  if (friction.normal >= 0) sliding = sliding * abs(springs[friction.normal].force);
-  return sliding - viscous_friction(work, friction, name, rate);
+/// Force of friction, N m or N, on the part that moves at `rate`, against the motion, and the rate of its bristles.
+/// normal: force of the spring that presses, without friction, where one does; deflection: of the bristles, where there
+/// are some.
+template <class T, class A>
+BristleResult<A> friction_law(const ForceWork<T>& work, const FrictionLaw& friction, const std::string& name,
+                              const A& rate, const A& normal, const A& deflection) {
+  BristleResult<A> result = friction.has_bristle()
+                                ? bristle_law(work, friction, name, rate, deflection)
+                                : BristleResult<A>{smooth_friction(work, friction, name, rate), A(0.0)};
+  if (friction.normal >= 0) result.force = result.force * abs(normal);
+  result.force = result.force - viscous_friction(work, friction, name, rate);
+  return result;
 }
 
 template <class T>
@@ -59,9 +58,11 @@ void frictions(ForceWork<T>& work) {
   const std::vector<ElementState<T>> springs = work.forces.springs;
   std::size_t state = static_cast<std::size_t>(first_bristle(model));
   const auto force_of = [&](const FrictionLaw& friction, const std::string& name, const T& rate) {
-    T force = friction_of(work, friction, name, rate, springs, state);
-    state += friction.has_bristle() ? 1 : 0;
-    return force;
+    const T normal = friction.normal >= 0 ? springs[friction.normal].force : T(0.0);
+    const T deflection = friction.has_bristle() ? work.system.x[state] : T(0.0);
+    BristleResult<T> result = friction_law(work, friction, name, rate, normal, deflection);
+    if (friction.has_bristle()) work.forces.xd[state++] = result.rate;
+    return result.force;
   };
   for (const JointFriction& friction : model.frictions) {
     const auto heading = work.system.scribe.within(OwnerKind::friction, index_in(model.frictions, friction));

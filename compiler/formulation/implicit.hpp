@@ -9,20 +9,27 @@
 #include <vector>
 
 #include "compiler/formulation/dynamics.hpp"
+#include "compiler/formulation/implicit_factors.hpp"
 #include "compiler/formulation/tangents.hpp"
 
 namespace mbgen {
 
+/// Auxiliary states that depend on each other, and the factors of 1 / g less the derivatives of their rates.
+template <class T>
+struct StateEquations {
+  std::vector<int> states;
+  ImplicitFactors<T> factors;
+};
+
 /// Matrix of an implicit step, factorised, with what makes right-hand sides. Matrices are [row][column].
 template <class T>
 struct ImplicitEquations {
-  std::vector<std::vector<T>> lower, factor;    ///< after elimination from the last direction to the first
-  std::vector<T> reciprocal;                    ///< of the pivots
+  ImplicitFactors<T> directions;                ///< of the matrix
   std::vector<std::vector<T>> mass, stiffness;  ///< g M, its lower triangle, and g^2 K
-  std::vector<std::vector<T>> by_state;         ///< right-hand side by the rates of auxiliary states
+  std::vector<StateEquations<T>> states;        ///< of those that are eliminated; the others change as they are told
+  std::vector<std::vector<T>> by_state;         ///< right-hand side by the changes of auxiliary states
   /// changes of auxiliary states by those of velocities and by the rates of positions
   std::vector<std::vector<T>> state_by_velocity, state_by_position;
-  std::vector<T> state_share;                   ///< change of each by its own rate, s
   std::vector<std::vector<std::vector<T>>> rz;  ///< per joint group: [coordinate][direction]
 };
 
@@ -30,8 +37,9 @@ struct ImplicitEquations {
 template <class T>
 struct WatchedEquations {
   ImplicitEquations<T> equations;
-  std::vector<T> quality;  ///< per block, see FrozenFactors
-  std::vector<T> pivot;    ///< per free direction, not positive where the equations do not determine it
+  std::vector<T> quality;      ///< per block, see FrozenFactors
+  std::vector<T> pivot;        ///< per free direction, not positive where the equations do not determine it
+  std::vector<T> state_pivot;  ///< likewise, per state of the user's own; those of other states are always positive
 };
 
 /// What right-hand sides are made of: rates of coordinates, velocities and auxiliary states.
@@ -45,16 +53,23 @@ namespace detail {
 /// Calls visit(value) for every entry, in an order of its own.
 template <class T, class Visit>
 void each_entry(ImplicitEquations<T>& equations, const Visit& visit) {
-  const auto matrix = [&](std::vector<std::vector<T>>& values) {
-    for (std::vector<T>& row : values)
-      for (T& value : row) visit(value);
+  const auto row = [&](std::vector<T>& values) {
+    for (T& value : values) visit(value);
   };
-  for (std::vector<std::vector<T>>* values :
-       {&equations.lower, &equations.factor, &equations.mass, &equations.stiffness, &equations.by_state,
-        &equations.state_by_velocity, &equations.state_by_position})
+  const auto matrix = [&](std::vector<std::vector<T>>& values) {
+    for (std::vector<T>& one : values) row(one);
+  };
+  matrix(equations.directions.lower);
+  matrix(equations.directions.factor);
+  for (std::vector<std::vector<T>>* values : {&equations.mass, &equations.stiffness, &equations.by_state,
+                                              &equations.state_by_velocity, &equations.state_by_position})
     matrix(*values);
-  for (std::vector<T>* values : {&equations.reciprocal, &equations.state_share})
-    for (T& value : *values) visit(value);
+  row(equations.directions.reciprocal);
+  for (StateEquations<T>& block : equations.states) {
+    matrix(block.factors.lower);
+    matrix(block.factors.factor);
+    row(block.factors.reciprocal);
+  }
   for (std::vector<std::vector<T>>& group : equations.rz) matrix(group);
 }
 
@@ -129,36 +144,64 @@ struct TangentSums {
   std::vector<std::vector<T>> both, stiffness;
 };
 
-/// One element's part: its auxiliary states are eliminated into its tangents, then these are projected. rows: over the
-/// free directions. Result: whether its part of the matrix is symmetric.
+/// Columns that solve the equations of states, for columns of a matrix [state][column].
 template <class T>
-bool add_element(const std::vector<std::vector<T>>& rows, const ElementTangents<T>& element, const T& g,
-                 ImplicitEquations<T>& e, TangentSums<T>& sums) {
+std::vector<std::vector<T>> solved_columns(const ImplicitFactors<T>& factors, std::vector<std::vector<T>> matrix) {
+  for (std::size_t b = 0; b < (matrix.empty() ? 0 : matrix[0].size()); ++b) {
+    std::vector<T> column;
+    for (const std::vector<T>& row : matrix) column.push_back(row[b]);
+    solve(factors, column);
+    for (std::size_t s = 0; s < column.size(); ++s) matrix[s][b] = column[s];
+  }
+  return matrix;
+}
+
+/// Eliminates the auxiliary states of an element into its tangents: their changes are those that solve
+/// (1 / g - F) change = rates + P (change of positions) + Q (change of velocities). rows: of the element over the free
+/// directions.
+template <class T>
+void eliminate_states(const std::vector<std::vector<T>>& rows, ElementTangents<T>& element, const T& g, int first_user,
+                      WatchedEquations<T>& watched) {
   using S = Slope<T>;
-  const std::size_t size = rows.size();
-  std::vector<std::vector<T>> stiffness = element.by_position, damping = element.by_velocity;
-  for (std::size_t s = 0; s < element.states.size(); ++s) {
-    const auto state = static_cast<std::size_t>(element.states[s]);
-    const T share = g / (T(1.0) - S::times(g, element.decay[s]));
-    e.state_share[state] = share;
-    std::vector<T> of_velocity, of_position;
+  ImplicitEquations<T>& e = watched.equations;
+  const std::size_t states = element.states.size(), size = rows.size();
+  const T reciprocal = T(1.0) / g;
+  std::vector<std::vector<T>> matrix = zeros<T>(states, states);
+  for (std::size_t s = 0; s < states; ++s)
+    for (std::size_t t = 0; t < states; ++t)
+      matrix[s][t] = (s == t ? reciprocal : T(0.0)) - element.rate_by_state[s][t];
+  WatchedFactors<T> factors = implicit_factors(std::move(matrix), false);
+  const std::vector<std::vector<T>> by_position = solved_columns(factors.factors, element.rate_by_position),
+                                    by_velocity = solved_columns(factors.factors, element.rate_by_velocity);
+  for (std::size_t s = 0; s < states; ++s) {
+    const int state = element.states[s];
+    if (state >= first_user) watched.state_pivot[state - first_user] = factors.pivot[s];
+    std::vector<T> of_velocity, of_position, forces;
     for (std::size_t b = 0; b < size; ++b) {
-      const T by_velocity = S::times(share, element.rate_by_velocity[s][b]);
-      const T by_position = S::times(share, element.rate_by_position[s][b]);
-      of_position.push_back(S::times(g, by_position));
-      of_velocity.push_back(by_velocity + of_position[b]);
+      of_position.push_back(S::times(g, by_position[s][b]));
+      of_velocity.push_back(by_velocity[s][b] + of_position[b]);
       for (std::size_t a = 0; a < size; ++a) {
-        damping[a][b] = damping[a][b] + S::times(element.by_state[a][s], by_velocity);
-        stiffness[a][b] = stiffness[a][b] + S::times(element.by_state[a][s], by_position);
+        element.by_velocity[a][b] = element.by_velocity[a][b] + S::times(element.by_state[a][s], by_velocity[s][b]);
+        element.by_position[a][b] = element.by_position[a][b] + S::times(element.by_state[a][s], by_position[s][b]);
       }
     }
     add_weighted(of_velocity, rows, e.state_by_velocity[state]);
     add_weighted(of_position, rows, e.state_by_position[state]);
-    std::vector<T> forces(e.by_state.size(), T(0.0)), factors;
-    for (std::size_t a = 0; a < size; ++a) factors.push_back(S::times(g * share, element.by_state[a][s]));
-    add_weighted(factors, rows, forces);
-    for (std::size_t q = 0; q < forces.size(); ++q) e.by_state[q][state] = e.by_state[q][state] + forces[q];
+    for (std::size_t a = 0; a < size; ++a) forces.push_back(S::times(g, element.by_state[a][s]));
+    std::vector<T> right(e.by_state.size(), T(0.0));
+    add_weighted(forces, rows, right);
+    for (std::size_t q = 0; q < right.size(); ++q) e.by_state[q][state] = e.by_state[q][state] + right[q];
   }
+  e.states.push_back({element.states, std::move(factors.factors)});
+}
+
+/// One element's part of the matrix. rows: over the free directions. Result: whether its part is symmetric.
+template <class T>
+bool add_element(const std::vector<std::vector<T>>& rows, ElementTangents<T>& element, const T& g,
+                 TangentSums<T>& sums) {
+  using S = Slope<T>;
+  const std::size_t size = rows.size();
+  std::vector<std::vector<T>>&stiffness = element.by_position, &damping = element.by_velocity;
   for (std::size_t a = 0; a < size; ++a) {
     for (std::size_t b = 0; b < size; ++b) {
       stiffness[a][b] = S::times(g * g, stiffness[a][b]);
@@ -170,32 +213,6 @@ bool add_element(const std::vector<std::vector<T>>& rows, const ElementTangents<
   bool is_symmetric = true;
   for (std::size_t a = 0; a < size; ++a) is_symmetric = is_symmetric && stands_alone(damping, a);
   return is_symmetric;
-}
-
-/// Eliminates a matrix from the last direction to the first. is_symmetric: it is, and only a half is worked on.
-/// Result: per direction its pivot, less what rounding leaves of one.
-template <class T>
-std::vector<T> eliminate_matrix(std::vector<std::vector<T>>& matrix, bool is_symmetric, ImplicitEquations<T>& e) {
-  constexpr double kRounding = 1e-12;
-  const std::size_t n = matrix.size();
-  std::vector<T> pivot(n, T(0.0)), diagonal;
-  e.lower = e.factor = zeros<T>(n, n);
-  e.reciprocal.assign(n, T(0.0));
-  using std::abs;
-  for (std::size_t q = 0; q < n; ++q) diagonal.push_back(matrix[q][q]);
-  for (std::size_t q = n; q-- > 0;) {
-    pivot[q] = q + 1 == n ? matrix[q][q] : matrix[q][q] - T(kRounding) * T(abs(diagonal[q]));
-    e.reciprocal[q] = T(1.0) / matrix[q][q];
-    for (std::size_t b = 0; b < q; ++b) e.lower[q][b] = matrix[q][b];
-    for (std::size_t a = 0; a < q; ++a) {
-      const T& entry = is_symmetric ? matrix[q][a] : matrix[a][q];
-      if (is_zero(entry)) continue;
-      const T factor = e.factor[a][q] = entry * e.reciprocal[q];
-      for (std::size_t b = 0; b < (is_symmetric ? a + 1 : q); ++b)
-        if (!is_zero(matrix[q][b])) matrix[a][b] = matrix[a][b] - factor * matrix[q][b];
-    }
-  }
-  return pivot;
 }
 
 }  // namespace detail
@@ -218,12 +235,14 @@ WatchedEquations<T> implicit_equations(System<T>& system, const Partitions& part
   detail::TangentSums<T> sums{detail::zeros<T>(n, n), detail::zeros<T>(n, n)};
   e.by_state = detail::zeros<T>(n, states);
   e.state_by_velocity = e.state_by_position = detail::zeros<T>(states, n);
-  e.state_share.assign(states, g);
+  watched.state_pivot.assign(system.model.states.size(), T(1.0));
   bool is_symmetric = true;
-  for (const ElementTangents<T>& element : force_tangents(system, k, v)) {
+  for (ElementTangents<T>& element : force_tangents(system, k, v)) {
     std::vector<std::vector<T>> rows;
-    for (const std::vector<T>& row : element.rows) rows.push_back(detail::projected_row(topology, projections, row));
-    is_symmetric = detail::add_element(rows, element, g, e, sums) && is_symmetric;
+    for (const LocalCoordinate<T>& coordinate : element.coordinates)
+      rows.push_back(detail::projected_row(topology, projections, coordinate.row));
+    if (!element.states.empty()) detail::eliminate_states(rows, element, g, first_user_state(system.model), watched);
+    is_symmetric = detail::add_element(rows, element, g, sums) && is_symmetric;
   }
   std::vector<std::vector<T>> matrix = detail::zeros<T>(n, n);
   for (std::size_t q = 0; q < n; ++q) {
@@ -235,28 +254,26 @@ WatchedEquations<T> implicit_equations(System<T>& system, const Partitions& part
     }
   }
   e.stiffness = std::move(sums.stiffness);
-  watched.pivot = detail::eliminate_matrix(matrix, is_symmetric, e);
+  WatchedFactors<T> factors = implicit_factors(std::move(matrix), is_symmetric);
+  e.directions = std::move(factors.factors);
+  watched.pivot = std::move(factors.pivot);
   for (const GroupProjection<T>& p : projections) e.rz.push_back(p.rz);
   return watched;
 }
 
-namespace detail {
-
-/// Solves the equations in place.
+/// Changes of auxiliary states for given rates, where nothing moves.
 template <class T>
-void solve_implicit(const ImplicitEquations<T>& e, std::vector<T>& right) {
-  const std::size_t n = right.size();
-  for (std::size_t q = n; q-- > 0;)
-    for (std::size_t a = 0; a < q; ++a)
-      if (!is_zero(e.factor[a][q]) && !is_zero(right[q])) right[a] = right[a] - e.factor[a][q] * right[q];
-  for (std::size_t q = 0; q < n; ++q) {
-    for (std::size_t b = 0; b < q; ++b)
-      if (!is_zero(e.lower[q][b]) && !is_zero(right[b])) right[q] = right[q] - e.lower[q][b] * right[b];
-    right[q] = Slope<T>::times(right[q], e.reciprocal[q]);
+std::vector<T> state_changes(const ImplicitEquations<T>& e, const T& g, const std::vector<T>& rates) {
+  std::vector<T> changes;
+  for (const T& rate : rates) changes.push_back(g * rate);
+  for (const StateEquations<T>& block : e.states) {
+    std::vector<T> right;
+    for (const int state : block.states) right.push_back(rates[state]);
+    solve(block.factors, right);
+    for (std::size_t s = 0; s < right.size(); ++s) changes[block.states[s]] = right[s];
   }
+  return changes;
 }
-
-}  // namespace detail
 
 /// Changes of velocities and auxiliary states, in place of given rates: those that solve (1 / g - A) change = rates, A
 /// with the tangents alone. rates: of coordinates, velocities and states. free: the coordinate of each free direction,
@@ -267,15 +284,16 @@ ImplicitRates<T> implicit_changes(const Topology& topology, const std::vector<in
   const std::size_t n = free.size();
   std::vector<T> zd, change;
   for (const int i : free) zd.push_back(rates.zd[i]);
+  const std::vector<T> still = state_changes(e, g, rates.xd);
   for (std::size_t q = 0; q < n; ++q) {
-    T right = detail::product(e.stiffness[q], zd) + detail::product(e.by_state[q], rates.xd);
+    T right = detail::product(e.stiffness[q], zd) + detail::product(e.by_state[q], still);
     for (std::size_t d = 0; d < n; ++d) {
       const T& mass = d <= q ? e.mass[q][d] : e.mass[d][q];
       if (!is_zero(mass)) right = right + mass * rates.zdd[free[d]];
     }
     change.push_back(right);
   }
-  detail::solve_implicit(e, change);
+  solve(e.directions, change);
   std::vector<T> more;  // than an explicit method changes
   for (std::size_t q = 0; q < n; ++q) more.push_back(change[q] - g * rates.zdd[free[q]]);
   ImplicitRates<T> result;
@@ -291,7 +309,7 @@ ImplicitRates<T> implicit_changes(const Topology& topology, const std::vector<in
   }
   for (std::size_t q = 0; q < n; ++q) result.zdd[free[q]] = change[q];
   for (std::size_t s = 0; s < rates.xd.size(); ++s)
-    result.xd.push_back(e.state_share[s] * rates.xd[s] + detail::product(e.state_by_velocity[s], change) +
+    result.xd.push_back(still[s] + detail::product(e.state_by_velocity[s], change) +
                         detail::product(e.state_by_position[s], zd));
   return result;
 }

@@ -69,7 +69,7 @@ void add_law(const Set& set, const TyreProperties<Slope<T>>& properties, const T
     }
     element.rate_by_velocity[0][b] = by_motion[b].du.slope;
     element.rate_by_velocity[1][b] = by_motion[b].dv.slope;
-    element.decay[b] = b == 0 ? by_state[b].du.slope : by_state[b].dv.slope;
+    element.rate_by_state[b][b] = b == 0 ? by_state[b].du.slope : by_state[b].dv.slope;
   }
 }
 
@@ -88,14 +88,15 @@ ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_
   return with_tyre_set(tyre.model, coefficients, [&](const auto& set) {
     const T radius = tyre_law::rolling_radius(set, properties, motion).value;
     const T lever = radius - (properties.radius.value - m.deflection);
-    std::vector<std::vector<T>> rows(3, std::vector<T>(work.system.topology.bodies.size(), T(0.0)));
+    std::vector<LocalCoordinate<T>> coordinates(3, {std::vector<T>(work.system.topology.bodies.size(), T(0.0))});
     const int body = work.system.topology.tree_body[tyre.centre.body];
     Spatial<T> along = force_at(contact.forward, placed.point);
     along.angular = along.angular - lever * contact.left;
-    add_wrench(work, body, kGround, along, rows[0]);
-    add_wrench(work, body, kGround, force_at(contact.left, placed.point), rows[1]);
-    add_wrench(work, body, kGround, force_at(contact.up, placed.point), rows[2]);
-    ElementTangents<T> element = element_tangents<T>(std::move(rows), 2, static_cast<int>(2 * index));
+    add_wrench(work, body, kGround, along, coordinates[0].row);
+    add_wrench(work, body, kGround, force_at(contact.left, placed.point), coordinates[1].row);
+    add_wrench(work, body, kGround, force_at(contact.up, placed.point), coordinates[2].row);
+    const int first = static_cast<int>(2 * index);
+    ElementTangents<T> element = element_tangents<T>(std::move(coordinates), {first, first + 1});
     add_law(set, properties, motion, element);
     return element;
   });

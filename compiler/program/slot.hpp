@@ -33,6 +33,7 @@ enum class Array : std::uint8_t {
   residual,             ///< of all closure equations, then of the motions
   seed,                 ///< entries of a direction, see differentiate
   step,                 ///< of the implicit equations, the method's factor times the step, s
+  state_pivot,          ///< of the equations of an implicit step, one a state of the user's own
   t,                    ///< time
   tangent,              ///< of the implicit equations, one after another; see formulation/implicit.hpp
   tau,                  ///< joint forces

@@ -11,6 +11,7 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
   SolverLayout layout;
   layout.coordinates = topology.size();
   layout.auxiliary_states = auxiliary_state_count(model);
+  layout.own_states = static_cast<int>(model.states.size());
   layout.held = held_state_count(model);
   layout.sampled = static_cast<int>(model.sampled.size());
   layout.balls = static_cast<int>(topology.balls.size());
@@ -79,6 +80,8 @@ int size_of(const SolverLayout& layout, Array array) {
       return static_cast<int>(layout.blocks.size());
     case inertia:
       return layout.free_directions;
+    case state_pivot:
+      return layout.own_states;
     case in:
       return layout.inputs;
     case par:

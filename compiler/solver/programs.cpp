@@ -48,7 +48,7 @@ const std::vector<ProgramSpec>& program_specs() {
        {lambda, drive, missing, pivot}},
       {Role::outputs, "outputs", {z, zd, x, t, tau, in, par, derived, charts, zdd, lambda, drive}, {y, energy, power}},
       {Role::sampled, "sampled", {z, zd, x, t, in, par, derived, charts, due}, {held}},
-      {Role::tangents, "tangents", {z, zd, x, t, step, in, par, derived, charts}, {tangent, pivot, inertia}},
+      {Role::tangents, "tangents", {z, zd, x, t, step, in, par, derived, charts}, {tangent, pivot, inertia, state_pivot}},
       {Role::changes, "changes", {zd, zdd, xd, step, tangent}, {zdd, xd}},
       {Role::derived_constants, "derived_constants", {par}, {derived}}};
   return kSpecs;

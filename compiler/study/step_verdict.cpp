@@ -121,11 +121,25 @@ double fitting_step(Integrator integrator, const std::vector<Mode>& modes, doubl
   return 0;
 }
 
+/// The auxiliary state that changes most in a mode, unless velocities do, all in parts of their usual sizes; "" for
+/// none, and for slips of tyres.
+std::string leading_state(const Compilation& compilation, const Mode& mode) {
+  const std::vector<AuxiliaryState> states = auxiliary_states(compilation.model);
+  const std::size_t first = mode.states.size() - states.size();
+  const auto size_of = [](const std::complex<double>& value) { return std::abs(value); };
+  const auto largest = std::ranges::max_element(mode.states, {}, size_of);
+  const auto slips = static_cast<std::size_t>(first_bristle(compilation.model));
+  const auto place = static_cast<std::size_t>(largest - mode.states.begin());
+  return place < first + slips ? "" : "x." + states[place - first].name;
+}
+
 std::string mode_text(const Compilation& compilation, const Mode& mode) {
-  const std::string moves = leading_coordinates(compilation.model, compilation.topology, compilation.analysis, mode);
+  const std::string moves = leading_coordinates(compilation.model, compilation.topology, compilation.analysis, mode),
+                    state = leading_state(compilation, mode);
   const std::string rate = mode.oscillates() ? fmt::format("{:.4g} Hz", mode.undamped_frequency())
                                              : fmt::format("decay at {:.4g} 1/s", std::abs(mode.eigenvalue));
-  return fmt::format("{} ({})", rate, moves.empty() ? "slips of tyres" : moves);
+  return fmt::format("{} ({}{})", rate, state.empty() || state == moves ? "" : state + ", ",
+                     moves.empty() ? "slips of tyres" : moves);
 }
 
 /// The verdict on one motion, piece by piece.
@@ -308,8 +322,7 @@ std::vector<Mode> modes_near(const Compilation& compilation, const GenericState&
   }
   for (const auto kind : {LinearState::Kind::position, LinearState::Kind::velocity})
     for (const int i : nearby.free) system.states.push_back({kind, i});
-  for (int i = 0; i < static_cast<int>(state.x.size()); ++i)
-    system.states.push_back({LinearState::Kind::auxiliary, i});
+  for (int i = 0; i < static_cast<int>(state.x.size()); ++i) system.states.push_back({LinearState::Kind::auxiliary, i});
   return modes(system);
 }
 

@@ -30,6 +30,7 @@ ImplicitPrograms trace_implicit(const Model& model, const Topology& topology, co
   });
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) tracing.output_pivot(b, watched.quality[b]);
   tracing.outputs(Array::inertia, watched.pivot);
+  tracing.outputs(Array::state_pivot, watched.state_pivot);
   programs.tangents = tracing.builder.finish_in_canonical_order();
 
   Tracing changing(Role::changes, model, topology, analysis, Form::matrix);

@@ -61,7 +61,7 @@ class GenericSolver {
   Status project_nearest(GenericState& state) const;
   /// Equations of an implicit step at a state, and the changes of velocities and auxiliary states that solve them for
   /// given rates. g: s, the method's factor times the step. The status may be a notice.
-  /// Fails: not_a_number, implicit_singular.
+  /// Fails: not_a_number, implicit_singular, implicit_state_grows.
   Status tangents(const GenericState& state, double g, GenericTangents& tangents) const;
   GenericDerivative changes(const GenericTangents& tangents, double g, const std::vector<double>& zd,
                             const GenericDerivative& rates) const;

@@ -19,6 +19,9 @@ Status GenericSolver::tangents(const GenericState& state, double g, GenericTange
   const std::vector<int> free = free_coordinates(equations_->topology, analysis);
   for (std::size_t q = 0; q < free.size(); ++q)
     if (!(watched.pivot[q] > 0)) return {Code::implicit_singular, free[q]};
+  for (std::size_t i = 0; i < watched.state_pivot.size(); ++i)
+    if (!(watched.state_pivot[i] > 0))
+      return {Code::implicit_state_grows, first_user_state(equations_->model) + static_cast<int>(i)};
   tangents.equations = std::make_shared<ImplicitEquations<double>>(std::move(watched.equations));
   return {};
 }

@@ -137,6 +137,30 @@ std::vector<InRubber> in_rubber(double corner, double vehicle) {
 INSTANTIATE_TEST_SUITE_P(Start, ImplicitInRubber, testing::ValuesIn(in_rubber(0.4, 0.8)));
 INSTANTIATE_TEST_SUITE_P(WholeSlalom, ImplicitInRubber, testing::ValuesIn(in_rubber(5, 5)));
 
+
+// A lag of 1e-5 s behind what pushes: it asks for the implicit method, and is what messages name.
+TEST_F(CommandLine, StiffStatesAskForImplicitStepsByName) {
+  write("lag.json", R"j({ "mbgen": 1, "name": "lag", "gravity": [0, 0, 0], "bodies": {
+    "ground": { "points": { "A": [0, 0, 0] } },
+    "slide": { "mass": 1, "inertia": [1, 1, 1], "points": { "A": [0, 0, 0] } } },
+    "joints": { "slide": { "type": "prismatic", "from": "ground.A", "to": "slide.A", "axis": "x" } },
+    "joint_forces": { "push": { "joint": "slide", "force": "drive - 4*zd.slide" } },
+    "states": { "drive": { "derivative": "1e5*(10*sin(t) - 20*z.slide - drive)", "nominal": 10 } } })j");
+  const std::string command = "simulate lag.json --duration 0.1 --step 1e-3 --out o.csv --integrator ";
+  const Outcome chosen = mbgen(command + "auto --engine generic");
+  EXPECT_EQ(chosen.exit_code, 0) << chosen.err;
+  EXPECT_EQ(chosen.err,
+            "simulate: integrator rosenbrock: the fastest mode at the start, decay at 1e+05 1/s (x.drive, slide +1.00), "
+            "needs steps below 2.79e-05 s with rk4\n");
+  const double generic = table("o.csv").last("z.slide [m]");
+  ASSERT_EQ(mbgen(command + "rosenbrock").exit_code, 0);
+  EXPECT_NEAR(table("o.csv").last("z.slide [m]") / generic, 1, 1e-12);
+  const Outcome explicit_one = mbgen(command + "rk4 --engine generic");
+  EXPECT_EQ(explicit_one.exit_code, 1);
+  EXPECT_NE(explicit_one.err.find("decay at 1e+05 1/s (x.drive, slide +1.00), needs steps below"), std::string::npos)
+      << explicit_one.err;
+}
+
 constexpr const char* kPushed = R"({ "mbgen": 1, "name": "pushed", "bodies": {
     "ground": { "points": { "A": [0, 0, 0] } },
     "arm": { "mass": 1, "com": [0, 0, -1], "inertia": [1, 1, 1], "points": { "A": [0, 0, 0] } } },

@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"tests/data/models/mf61_three_wheeler.json", "mf61_three_wheeler", kClang, 4, ""},
                     Case{"tests/data/models/wheel_outputs.json", "wheel_outputs", kClang, 4, ""},
                     Case{"tests/data/models/bushings.json", "bushings", kClang, 4, ""},
-                    Case{"tests/data/models/states.json", "states", kClang, 4, ""},
+                    Case{"tests/data/models/states.json", "states", kClang, 4, "", true},
                     Case{"tests/data/models/all_elements.json", "all_elements", kGnu, 4, "-march=native"},
                     Case{"tests/data/models/all_elements.json", "all_elements", kClang, 4, "-march=native", true}),
     [](const auto& info) {

@@ -3,7 +3,7 @@
 // programs tangents and changes, and StepSize, a struct of the row `step`.
 
 #include "mbgen/batch_steps.hpp"
-#include "mbgen/rosenbrock.hpp"
+#include "mbgen/implicit.hpp"
 
 namespace mbgen {
 
@@ -20,15 +20,19 @@ struct ImplicitLaneDynamics : LaneDynamics<System> {
     run_groups(System::tangents, values, this->parameters, this->inputs_at(state.t), state, size_of_step(g));
     this->good &= pivots_reach<System>(values.pivot, kPivotThreshold<double>);
     for (int q = 0; q < System::kFreeDirections; ++q) this->good &= values.inertia[q] > 0.0;
+    if constexpr (kWatchedStates < System >> 0)
+      for (int s = 0; s < kWatchedStates<System>; ++s) this->good &= values.state_pivot[s] > 0.0;
     return {};
   }
   void solve(const Tangents& tangents, double g, const StateRates<ImplicitLaneDynamics>& rates,
              Derivative& change) const noexcept {
     using Row = typename System::Row;
-    State of_positions;  // set number by number: clang calls memset for a struct of this size
-    for (int i = 0; i < System::kCoordinates; ++i) of_positions.z[i] = Row{};
+    // The program looks at velocities alone. The others are copied like them: clang calls memset for rows of zeros.
+    State of_positions;
+    for (int i = 0; i < System::kCoordinates; ++i) of_positions.z[i] = rates.zd[i];
     for (int i = 0; i < System::kCoordinates; ++i) of_positions.zd[i] = rates.zd[i];
-    for (Row& x : of_positions.x) x = Row{};
+    for (int i = 0; i < System::kAuxiliaryStates; ++i) of_positions.x[i] = rates.derivative.xd[i];
+    if constexpr (System::kAuxiliaryStates == 0) of_positions.x[0] = Row{};
     of_positions.t = Row{};
     if constexpr ((kChartsOf<State>) > 0)
       for (Row& chart : of_positions.charts) chart = Row{};

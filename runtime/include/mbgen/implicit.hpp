@@ -1,6 +1,7 @@
 #pragma once
 // The linear equations of an implicit step of a generated solver. `System` is described in blocks.hpp; for an implicit
-// integrator it has two programs more: tangents and changes, and the types StepSize and Tangents.
+// integrator it has two programs more: tangents and changes, the types StepSize and Tangents, and with states of the
+// user's own kFirstOwnState.
 
 #include "mbgen/rosenbrock.hpp"
 #include "mbgen/solver.hpp"
@@ -15,8 +16,16 @@ struct StepTangents {
   bool are_known;
 };
 
+/// Auxiliary states whose pivots an implicit step watches: those of the user's own, from System::kFirstOwnState on.
+template <class System, class = void>
+inline constexpr int kWatchedStates = 0;
+template <class System>
+inline constexpr int kWatchedStates<System, std::void_t<decltype(System::kFirstOwnState)>> =
+    static_cast<int>(std::extent_v<decltype(System::Tangents::state_pivot)>);
+
 /// The equations at a state. g: s, the method's factor times the step. The status may be a notice: chosen_again.
-/// Fails: not_a_number, implicit_singular; loop_singular where a solver has the frozen partition only.
+/// Fails: not_a_number, implicit_singular, implicit_state_grows; loop_singular where a solver has the frozen
+/// partition only.
 template <class System>
 Status solve_tangents(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                       const typename System::State& state, double g, StepTangents<System>& tangents) noexcept {
@@ -34,6 +43,10 @@ Status solve_tangents(const typename System::Parameters& parameters, const typen
   }
   for (int q = 0; q < System::kFreeDirections; ++q) {
     if (!(tangents.values.inertia[q] > 0)) return {Code::implicit_singular, System::kFreeDirection[q].coordinate};
+  }
+  if constexpr (kWatchedStates < System >> 0) {
+    for (int s = 0; s < kWatchedStates<System>; ++s)
+      if (!(tangents.values.state_pivot[s] > 0)) return {Code::implicit_state_grows, System::kFirstOwnState + s};
   }
   tangents.are_known = true;
   return {};

@@ -20,6 +20,7 @@ enum class Code : int {
   step_invalid,            ///< the step size is not positive and finite; index: -1
   sample_inside_step,      ///< a sampled value may be due within a step; index: auxiliary state
   implicit_singular,       ///< the equations of an implicit step do not determine a free direction; index: coordinate
+  implicit_state_grows,    ///< a state of the user's own, by itself, within an implicit step; index: auxiliary state
   chosen_again,            ///< the pivoting LU served a loop block with another choice of coordinates; index: block
   near_singular,           ///< a loop block came near a singular position; index: block
   singular_met             ///< a loop block met a singular position, and passed it; index: block
@@ -63,6 +64,8 @@ constexpr const char* text(Code code) noexcept {
       return "period is no multiple of the step, or the time is not";
     case Code::implicit_singular:
       return "implicit equations singular";
+    case Code::implicit_state_grows:
+      return "state grows too fast for an implicit step";
     case Code::chosen_again:
       return "coordinates chosen again";
     case Code::near_singular:
@@ -90,6 +93,7 @@ constexpr Subject subject_of(Code code) noexcept {
       return Subject::parameter;
     case Code::auxiliary_not_a_number:
     case Code::sample_inside_step:
+    case Code::implicit_state_grows:
       return Subject::auxiliary_state;
     default:
       return Subject::coordinate;
