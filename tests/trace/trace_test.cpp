@@ -331,5 +331,17 @@ TEST(Trace, OperationCountsStayLow) {
   EXPECT_LE(count("models/truck_mechanism.json"), 17000);
 }
 
+// Sines would cost thousands. All operations count, also floor and look-ups.
+TEST(Trace, ARoughRoadCostsATenthOfTheCoachAtMost) {
+  const auto count = [](const std::string& roads) {
+    const Mechanism m =
+        mechanism_of(R"({ "mbgen": 1, "include": [")" + source_path("models/coach.json") + "\"]" + roads + " }");
+    const OperationCount c = count_operations(optimise(trace(m.model, m.topology, m.analysis).accelerations));
+    return c.total() + c.sqrt + c.trigonometric + c.other;
+  };
+  const long plane = count("");
+  EXPECT_LE(count(R"(, "roads": { "rough": { "iso_8608": { "class": "C" } } })"), plane + plane / 10) << plane;
+}
+
 }  // namespace
 }  // namespace mbgen
