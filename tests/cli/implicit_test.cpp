@@ -137,7 +137,6 @@ std::vector<InRubber> in_rubber(double corner, double vehicle) {
 INSTANTIATE_TEST_SUITE_P(Start, ImplicitInRubber, testing::ValuesIn(in_rubber(0.4, 0.8)));
 INSTANTIATE_TEST_SUITE_P(WholeSlalom, ImplicitInRubber, testing::ValuesIn(in_rubber(5, 5)));
 
-
 // A lag of 1e-5 s behind what pushes: it asks for the implicit method, and is what messages name.
 TEST_F(CommandLine, StiffStatesAskForImplicitStepsByName) {
   write("lag.json", R"j({ "mbgen": 1, "name": "lag", "gravity": [0, 0, 0], "bodies": {
@@ -150,8 +149,8 @@ TEST_F(CommandLine, StiffStatesAskForImplicitStepsByName) {
   const Outcome chosen = mbgen(command + "auto --engine generic");
   EXPECT_EQ(chosen.exit_code, 0) << chosen.err;
   EXPECT_EQ(chosen.err,
-            "simulate: integrator rosenbrock: the fastest mode at the start, decay at 1e+05 1/s (x.drive, slide +1.00), "
-            "needs steps below 2.79e-05 s with rk4\n");
+            "simulate: integrator rosenbrock: the fastest mode at the start, decay at 1e+05 1/s (x.drive, slide "
+            "+1.00), needs steps below 2.79e-05 s with rk4\n");
   const double generic = table("o.csv").last("z.slide [m]");
   ASSERT_EQ(mbgen(command + "rosenbrock").exit_code, 0);
   EXPECT_NEAR(table("o.csv").last("z.slide [m]") / generic, 1, 1e-12);
