@@ -201,6 +201,8 @@ class ModelText {
       for (const RoadTracks& tracks : road.tracks)
         text += fmt::format("    tracks: y {} and {}, {} places from {} on, each {} m{}\n", tracks.right, tracks.left,
                             tracks.count, tracks.from, tracks.spacing, tracks.is_periodic ? ", periodic" : "");
+      for (const RoadGrid& grid : road.grids)
+        text += fmt::format("    grid: smooth over {} m and {} m at its ends\n", grid.smooth_begin, grid.smooth_end);
       for (const RoadFeature& feature : road.features) text += "    " + this->feature(feature) + '\n';
       for (const RoadPatch& patch : road.patches)
         text += fmt::format("    {}: friction {}{}\n", patch.name, quantity(patch.friction), stretch(patch));
@@ -256,12 +258,9 @@ class ModelText {
   }
   std::string stretch(const RoadStretch& stretch) const {
     std::string text = ", from " + quantity(stretch.from);
-    const auto add = [&](const char* name, const std::optional<Quantity>& value) {
-      if (value) text += fmt::format(", {} {}", name, quantity(*value));
-    };
-    add("length", stretch.length);
-    add("right", stretch.right);
-    add("left", stretch.left);
+    for (const auto& [name, value] :
+         {std::pair(", length ", stretch.length), {", right ", stretch.right}, {", left ", stretch.left}})
+      if (value) text += name + quantity(*value);
     return text;
   }
   std::string body_name(int body) const { return body < 0 ? "ground" : model_.bodies[body].name; }

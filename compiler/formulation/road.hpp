@@ -4,27 +4,10 @@
 
 #include <numbers>
 
-#include "compiler/formulation/force_work.hpp"
-#include "compiler/formulation/slope.hpp"
+#include "compiler/formulation/road_grid.hpp"
 
 namespace mbgen {
 namespace detail {
-
-/// A height and its derivatives by x and y, m and 1.
-template <class T>
-struct RoadHeight {
-  T z{0.0}, by_x{0.0}, by_y{0.0};
-};
-
-template <class T>
-RoadHeight<T> operator+(const RoadHeight<T>& a, const RoadHeight<T>& b) {
-  return {a.z + b.z, a.by_x + b.by_x, a.by_y + b.by_y};
-}
-
-template <class T>
-T within(const T& x, const T& least, const T& most) {
-  return min(max(x, least), most);
-}
 
 /// A value along the road with its slope.
 template <class T>
@@ -158,6 +141,7 @@ RoadHeight<T> height_of_road(const ForceWork<T>& work, const Road& road, const T
     height = height + RoadHeight<T>{along.value, along.slope, across};
   }
   for (const RoadTracks& tracks : road.tracks) height = height + tracks_height(work, tracks, x, y);
+  for (const RoadGrid& grid : road.grids) height = height + grid_height(*work.system.model.samples, grid, x, y);
   for (const RoadFeature& feature : road.features) height = height + feature_height(work, feature, x, y);
   return height;
 }

@@ -22,7 +22,7 @@ struct FileFields : About {
   const Value *springs = nullptr, *joint_springs = nullptr, *frictions = nullptr, *air_springs = nullptr;
   const Value *bushings = nullptr, *bump_stops = nullptr;
   const Value *forces = nullptr, *joint_forces = nullptr, *tyre_data = nullptr, *tyres = nullptr, *motions = nullptr;
-  const Value* axles = nullptr;
+  const Value *axles = nullptr;
   const Value *roads = nullptr;
   const Value *couplings = nullptr, *states = nullptr, *sampled = nullptr;
   const Value *outputs = nullptr, *shapes = nullptr, *initial = nullptr, *solver = nullptr, *instances = nullptr;
@@ -142,8 +142,15 @@ struct RoadProfileFields {
   double track = 0;
 };
 
+/// A road of an OpenCRG file.
+struct CrgFields {
+  std::string file;
+  double smooth_begin = 0, smooth_end = 0;
+};
+
 struct RoadFields : Road {
-  const Value* profile = nullptr;
+  const Value *crg = nullptr;
+  const Value *profile = nullptr;
   const Value *iso_8608 = nullptr;
   const Value *feature_map = nullptr, *patch_map = nullptr;
 };
@@ -303,6 +310,8 @@ template <>
 std::span<const Field<RoadFields>> fields<RoadFields>();
 template <>
 std::span<const Field<IsoRoadFields>> fields<IsoRoadFields>();
+template <>
+std::span<const Field<CrgFields>> fields<CrgFields>();
 template <>
 std::span<const Field<RoadProfileFields>> fields<RoadProfileFields>();
 template <>

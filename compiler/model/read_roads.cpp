@@ -172,6 +172,7 @@ void read_roads(Reader& reader, const Entries& entries) {
     r.names.roads.emplace(road.name, static_cast<int>(r.names.roads.size()));
     if (road.iso_8608) read_iso_road(r, *road.iso_8608, road);
     if (road.profile) read_profile(r, *road.profile, road);
+    if (road.crg) read_crg_road(r, *road.crg, road);
     read_parts(r, road.feature_map, road.features, check_feature);
     read_parts(r, road.patch_map, road.patches,
                [](Reader& inner, const Value& value, const RoadPatch& patch) { check_sides(inner, value, patch); });

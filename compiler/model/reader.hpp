@@ -320,6 +320,8 @@ void read_bump_stops(Reader& reader, const Entries& entries);
 void read_forces(Reader& reader, const Entries& entries);
 void read_joint_forces(Reader& reader, const Entries& entries);
 void read_roads(Reader& reader, const Entries& entries);
+/// The road of an OpenCRG file, as a grid of `road`.
+void read_crg_road(Reader& reader, const Value& value, Road& road);
 void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres);
 void read_axles(Reader& reader, const Entries& entries);
 void read_motions(Reader& reader, const Entries& entries);

@@ -1,6 +1,7 @@
 #pragma once
 // Roads that tyres stand on: height and friction over a place, in the axes of the road.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,7 +53,30 @@ struct RoadTracks {
   int first = 0;                 ///< index into Model::samples of the first coefficient, of 2 (count + 4)
 };
 
-/// A road: height = height(x, y) + those of its tracks and features, over the plane z = origin.z of the global frame.
+struct CrgRoad;
+
+/// A grid of heights along a reference line, of an OpenCRG file, as tables in Model::samples. Whole numbers there are
+/// as they are. u along the line, v to the left of it; beyond its ends the line goes straight on, and heights beyond a
+/// border are those of the border.
+struct RoadGrid {
+  std::shared_ptr<const CrgRoad> road;  ///< the same, not as tables
+  double smooth_begin = 0,
+         smooth_end = 0;     ///< m: over them heights grow from, and fade to, the reference line's; 0: not
+  bool is_straight = false;  ///< then nothing is searched
+  /// x, y (m), height (m) and banking of the line at each section, the first and the last one twice
+  int line = 0;
+  int heights = 0;  ///< m, section by section, right to left
+  int columns = 0;  ///< v of each column, m
+  /// column to the right of the beginning of each cell, from the first column's v on; no cell is wider than a column
+  int column_cells = 0, column_cell_count = 0;
+  double column_cell = 1;  ///< m
+  /// section near the middle of each cell of the plane, row by row along x
+  int cells = 0, cells_x = 1, cells_y = 1;
+  double cell = 1, cell_x = 0, cell_y = 0;  ///< m: size, and the corner of the first
+};
+
+/// A road: height = height(x, y) + those of its tracks, grids and features, over the plane z = origin.z of the global
+/// frame.
 struct Road {
   std::string name;
   Where where;
@@ -63,6 +87,7 @@ struct Road {
   Quantity slope_x, slope_y;
   std::optional<int> friction;  ///< likewise; factor of the tyre's friction; 1 without
   std::vector<RoadTracks> tracks;
+  std::vector<RoadGrid> grids;
   std::vector<RoadFeature> features;
   std::vector<RoadPatch> patches;
 

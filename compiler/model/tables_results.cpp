@@ -192,6 +192,9 @@ std::vector<ObjectKind> object_kinds() {
       kind<RoadProfileFields>("road_profile",
                               "heights at equal distances along a road, between them a cubic spline, outside level; of "
                               "both sides in one column, or of a left and a right track"),
+      kind<CrgFields>("crg_road",
+                      "a road of an OpenCRG file; beyond its ends it goes straight on, beyond a border it keeps the "
+                      "border's height"),
       kind<RoadFeature>("road_feature", "what stands out of a road, or is missing in it"),
       kind<RoadPatch>("road_patch", "a part of a road with friction of its own"),
       kind<TyreDataFields>("tyre_data", "coefficients of a tyre"),

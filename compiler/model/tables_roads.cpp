@@ -159,6 +159,30 @@ std::span<const Field<RoadProfileFields>> fields<RoadProfileFields>() {
 }
 
 template <>
+std::span<const Field<CrgFields>> fields<CrgFields>() {
+  using S = CrgFields;
+  const auto zone = [](std::string_view name, std::string_view doc) {
+    return FieldInfo{.name = name,
+                     .shape = Shape::number,
+                     .doc = doc,
+                     .unit = "m",
+                     .fallback = 0,
+                     .bound = Bound::not_negative,
+                     .depends = Depends::parameters};
+  };
+  static const std::array table = {
+      field<S, &S::file>({.name = "file",
+                          .shape = Shape::text,
+                          .doc = "OpenCRG file, text or binary data, relative to this file",
+                          .need = Need::required}),
+      field<S, &S::smooth_begin>(
+          zone("smooth_begin", "length over which the road grows out of its reference line at its start")),
+      field<S, &S::smooth_end>(zone("smooth_end", "length over which it fades into its reference line at its end")),
+  };
+  return table;
+}
+
+template <>
 std::span<const Field<RoadFields>> fields<RoadFields>() {
   using S = RoadFields;
   static const std::array table = {
@@ -190,6 +214,10 @@ std::span<const Field<RoadFields>> fields<RoadFields>() {
                              .shape = Shape::object,
                              .doc = "measured heights along it, from a file",
                              .of = "road_profile"}),
+      field<S, &S::crg>({.name = "crg",
+                         .shape = Shape::object,
+                         .doc = "a road of an OpenCRG file, its x and y those of this road",
+                         .of = "crg_road"}),
       field<S, &S::feature_map>({.name = "features",
                                  .shape = Shape::map,
                                  .doc = "bumps, planks, potholes, waves; where several are, their heights are added",

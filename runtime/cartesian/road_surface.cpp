@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/model/crg_road.hpp"
 #include "compiler/model/jet.hpp"
 
 namespace mbgen::cartesian {
@@ -100,6 +101,25 @@ Profile along_track(const RoadTracks& tracks, const std::vector<double>& samples
   return {d[0], slope};
 }
 
+/// Height of a grid, with the smoothing of its ends.
+double height_of_grid(const RoadGrid& grid, const Vector2d& at) {
+  const CrgRoad& road = *grid.road;
+  const CrgPlace place = road_place(road, {at.x(), at.y()});
+  double height = height_of(road, place);
+  const double from_start = place.u - road.start, to_end = road.end() - place.u;
+  if (from_start < grid.smooth_begin)
+    height = std::lerp(road.line_height.front(), height, std::max(from_start, 0.0) / grid.smooth_begin);
+  if (to_end < grid.smooth_end)
+    height = std::lerp(road.line_height.back(), height, std::max(to_end, 0.0) / grid.smooth_end);
+  return height;
+}
+
+/// Its derivative along a direction of the road's axes, by difference.
+double slope_of_grid(const RoadGrid& grid, const Vector2d& at, const Vector2d& direction) {
+  constexpr double kStep = 1e-6;  // m: heights are linear between sections and columns
+  return (height_of_grid(grid, at + kStep * direction) - height_of_grid(grid, at - kStep * direction)) / (2 * kStep);
+}
+
 bool is_beside(const RoadStretch& stretch, double y, const Values& value) {
   return (stretch.right && y < value(*stretch.right)) || (stretch.left && y > value(*stretch.left));
 }
@@ -125,6 +145,11 @@ RoadSurface road_surface(const Tyre& tyre, const Vector2d& place, const Values& 
     const Profile lengthwise = along_axis(value, *road.height, at, 0), across = along_axis(value, *road.height, at, 1);
     surface.height += lengthwise.height;
     surface.gradient += lengthwise.slope * along + across.slope * left;
+  }
+  for (const RoadGrid& grid : road.grids) {
+    surface.height += height_of_grid(grid, at);
+    surface.gradient +=
+        slope_of_grid(grid, at, Vector2d::UnitX()) * along + slope_of_grid(grid, at, Vector2d::UnitY()) * left;
   }
   for (const RoadTracks& tracks : road.tracks) {
     const Profile right = along_track(tracks, *value.model.samples, at.x(), 0);

@@ -6,8 +6,11 @@
 #include <complex>
 #include <cstdio>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "compiler/formulation/road.hpp"
+#include "compiler/model/crg_road.hpp"
 #include "tests/support/dynamics.hpp"
 #include "tests/support/reaction_support.hpp"
 
@@ -235,6 +238,39 @@ TEST_F(Roads, FollowAMeasuredProfile) {
   EXPECT_NEAR(load_at(road, 0.9, -0.8), load_of(height(1, 0), 0), 1e-8);
   EXPECT_NEAR(load_at(road, 12, 0.8), load_of(height(9, 0.5), 0), 1e-8);
   std::remove(file.c_str());
+}
+
+// Heights by the tables that a solver has, as the C API of ASAM answers; slopes by differences of the road itself.
+TEST(CrgGrid, HasTheHeightsOfTheApi) {
+  const std::string directory = source_path("tests/data/opencrg/");
+  for (const char* name :
+       {"handmade_arc", "handmade_banked", "handmade_circle", "handmade_curved", "handmade_curved_minimalist",
+        "handmade_sloped", "handmade_straight", "handmade_vtest", "belgian_block"}) {
+    const Model model =
+        model_of(R"({ "mbgen": 1, "bodies": { "ground": {} }, "roads": { "road": { "crg": { "file": ")" + directory +
+                 name + R"(.crg" } } } })");
+    const RoadGrid& grid = model.roads[0].grids[0];
+    const CrgRoad& road = *grid.road;
+    const bool is_moved = std::string(name) != "handmade_curved_minimalist";
+    const CrgPlace border{road.start, road.v.front()};
+    const PlanePlace corner = is_moved ? plane_place(road, border) : PlanePlace{};
+    const double base = is_moved ? height_of(road, border) : 0, turn = is_moved ? road.heading[0] : 0;
+    std::ifstream file(directory + name + ".json");
+    const nlohmann::json answers = nlohmann::json::parse(file);
+    for (const nlohmann::json& point : answers.at("points")) {
+      const double ax = point.at("x"), ay = point.at("y"), c = std::cos(turn), s = std::sin(turn);
+      const double x = corner.x + c * ax - s * ay, y = corner.y + s * ax + c * ay;
+      const detail::RoadHeight<double> height = detail::grid_height(*model.samples, grid, x, y);
+      EXPECT_NEAR(height.z - base, point.at("z_of_xy").get<double>(), 1e-9) << name << point;
+      const auto z = [&](double dx, double dy) { return height_of(road, road_place(road, {x + dx, y + dy})); };
+      const CrgPlace at = road_place(road, {x, y});
+      const double rest = std::remainder((at.u - road.start) / road.increment, 1.0);
+      const auto is_near = [&](double v) { return std::abs(v - at.v) < 1e-4; };
+      if (std::abs(rest) < 1e-3 || std::ranges::any_of(road.v, is_near)) continue;  // a corner is close
+      EXPECT_NEAR(height.by_x, (z(1e-6, 0) - z(-1e-6, 0)) / 2e-6, 1e-6) << name << point;
+      EXPECT_NEAR(height.by_y, (z(0, 1e-6) - z(0, -1e-6)) / 2e-6, 1e-6) << name << point;
+    }
+  }
 }
 
 // Ground that a host gives: height and slopes of the place under the wheel.

@@ -1,0 +1,163 @@
+#pragma once
+// Roads of OpenCRG files: from a place to the reference line and from there to the height, by tables alone.
+// Source: ASAM OpenCRG 1.2.0, chapter "evaluation".
+
+#include "compiler/formulation/force_work.hpp"
+#include "compiler/formulation/slope.hpp"
+#include "compiler/model/crg_file.hpp"
+
+namespace mbgen {
+namespace detail {
+
+/// A height and its derivatives by x and y, m and 1.
+template <class T>
+struct RoadHeight {
+  T z{0.0}, by_x{0.0}, by_y{0.0};
+};
+
+template <class T>
+RoadHeight<T> operator+(const RoadHeight<T>& a, const RoadHeight<T>& b) {
+  return {a.z + b.z, a.by_x + b.by_x, a.by_y + b.by_y};
+}
+
+template <class T>
+T within(const T& x, const T& least, const T& most) {
+  return min(max(x, least), most);
+}
+
+/// The tables of a grid at symbols or numbers.
+template <class T>
+struct GridTables {
+  const std::vector<double>& samples;
+  const RoadGrid& grid;
+  T at(int table, const T& index) const { return sample(samples, T(index + T(table))); }
+  /// number: 0 x, 1 y, 2 height, 3 banking.
+  T line(const T& section, int number) const { return at(grid.line + 4 + number, T(4.0) * section); }
+  double last() const { return static_cast<double>(grid.road->sections() - 1); }
+};
+
+/// The reference line around an interval: the sections before it, at both of its ends and behind it.
+template <class T>
+struct LinePieces {
+  T x[4], y[4];
+  LinePieces(const GridTables<T>& tables, const T& end) {
+    for (int k = 0; k < 4; ++k) {
+      x[k] = tables.line(end + T(k - 2.0), 0);
+      y[k] = tables.line(end + T(k - 2.0), 1);
+    }
+  }
+};
+
+/// The section at which the interval below a place ends. From the cell's own section the way along the line is gone
+/// three times, which is enough where the road does not turn by more than about a radian within a cell; then two
+/// comparisons with the lines across the sections give the interval itself.
+template <class T>
+T interval_end(const GridTables<T>& tables, const T& x, const T& y) {
+  using mbgen::select;
+  using std::floor;
+  const RoadGrid& grid = tables.grid;
+  const auto cell_of = [&](const T& place, double corner, int count) {
+    return within(T(floor(T(T(1 / grid.cell) * (place - T(corner))))), T(0.0), T(count - 1.0));
+  };
+  const T cell = T(grid.cells_x) * cell_of(y, grid.cell_y, grid.cells_y) + cell_of(x, grid.cell_x, grid.cells_x);
+  T end = tables.at(grid.cells, cell);
+  const auto inside = [&](const T& section) { return within(section, T(1.0), T(tables.last())); };
+  const double per_interval = 1 / (grid.road->increment * grid.road->increment);
+  for (int k = 0; k < 3; ++k) {
+    const T x1 = tables.line(end - T(1.0), 0), y1 = tables.line(end - T(1.0), 1);
+    const T along = (x - x1) * (tables.line(end, 0) - x1) + (y - y1) * (tables.line(end, 1) - y1);
+    end = inside(T(end + floor(T(T(per_interval) * along))));
+  }
+  for (int k = 0; k < 2; ++k) {
+    const LinePieces<T> p(tables, end);
+    const T behind = (x - p.x[1]) * (p.x[2] - p.x[0]) + (y - p.y[1]) * (p.y[2] - p.y[0]);
+    const T beyond = (x - p.x[2]) * (p.x[3] - p.x[1]) + (y - p.y[2]) * (p.y[3] - p.y[1]);
+    end = inside(T(end + T(select(-beyond, T(0.0), T(1.0))) - T(select(behind, T(0.0), T(1.0)))));
+  }
+  return end;
+}
+
+/// u and v of a place, over A: Slope<T>.
+template <class A>
+struct GridPlace {
+  A u, v;
+};
+
+/// Straight on from an end of the line.
+template <class A>
+GridPlace<A> beyond_end(double u, double end_x, double end_y, double heading, const A& x, const A& y) {
+  const A c(std::cos(heading)), s(std::sin(heading)), dx = x - A(end_x), dy = y - A(end_y);
+  return {A(u) + c * dx + s * dy, c * dy - s * dx};
+}
+
+template <class T, class A>
+GridPlace<A> grid_place(const GridTables<T>& tables, const A& x, const A& y) {
+  using std::sqrt;
+  const CrgRoad& road = *tables.grid.road;
+  const GridPlace<A> start = beyond_end(road.start, road.x[0], road.y[0], road.heading[0], x, y);
+  if (tables.grid.is_straight) return start;
+  const T end = interval_end(tables, x.value, y.value);
+  const LinePieces<T> p(tables, end);
+  const T ex = p.x[2] - p.x[1], ey = p.y[2] - p.y[1];
+  const T first_x = p.x[2] - p.x[0], first_y = p.y[2] - p.y[0], second_x = p.x[3] - p.x[1], second_y = p.y[3] - p.y[1];
+  const A dx = x - A(p.x[1]), dy = y - A(p.y[1]);
+  const A behind = (A(first_x) * dx + A(first_y) * dy) / A(first_x * ex + first_y * ey);
+  const A ahead = (A(second_x) * (A(p.x[2]) - x) + A(second_y) * (A(p.y[2]) - y)) / A(second_x * ex + second_y * ey);
+  const A u = A(road.start) + A(road.increment) * (A(end - T(1.0)) + behind / (behind + ahead));
+  const A v = (A(ex) * dy - A(ey) * dx) / A(T(sqrt(ex * ex + ey * ey)));
+  const GridPlace<A> finish = beyond_end(road.end(), road.end_x, road.end_y, road.end_heading, x, y);
+  const auto chosen = [&](A GridPlace<A>::*part, const A& on_line) {
+    return select(u - A(road.start), select(A(road.end()) - u, on_line, finish.*part), start.*part);
+  };
+  return {chosen(&GridPlace<A>::u, u), chosen(&GridPlace<A>::v, v)};
+}
+
+/// Height above the plane of the road's origin where x or y moves.
+template <class T, class A>
+A height_on_grid(const GridTables<T>& tables, const A& x, const A& y) {
+  using mbgen::select;
+  using std::floor;
+  const RoadGrid& grid = tables.grid;
+  const CrgRoad& road = *grid.road;
+  const GridPlace<A> at = grid_place(tables, x, y);
+  const A along = within(A(1 / road.increment) * (at.u - A(road.start)), A(0.0), A(tables.last()));
+  const T section = min(T(floor(along.value)), T(tables.last() - 1));
+  const A share = along - A(section);
+  const A v = within(at.v, A(road.v.front()), A(road.v.back()));
+  const T cell =
+      min(T(floor(T(T(1 / grid.column_cell) * (v.value - T(road.v.front()))))), T(grid.column_cell_count - 1.0));
+  const T guess = tables.at(grid.column_cells, cell);
+  const T column = min(T(guess + T(select(v.value - tables.at(grid.columns, T(guess + T(1.0))), T(1.0), T(0.0)))),
+                       T(static_cast<double>(road.v.size()) - 2));
+  const T right = tables.at(grid.columns, column), left = tables.at(grid.columns, T(column + T(1.0)));
+  const A side = (v - A(right)) / A(left - right);
+  const T first = T(static_cast<double>(road.v.size())) * section + column;
+  const auto in_section = [&](double further) {
+    const T a = tables.at(grid.heights, T(first + T(further))), b = tables.at(grid.heights, T(first + T(further + 1)));
+    return A(a) + side * A(b - a);
+  };
+  const auto of_line = [&](int number) {
+    const T a = tables.line(section, number), b = tables.line(T(section + T(1.0)), number);
+    return A(a) + share * A(b - a);
+  };
+  const A here = in_section(0), there = in_section(static_cast<double>(road.v.size()));
+  A z = here + share * (there - here) + of_line(2);
+  if (!road.banking.empty()) z = z + of_line(3) * v;
+  const auto smooth = [&](double zone, const A& way, double base) {
+    if (zone > 0) z = A(base) + within(A(1 / zone) * way, A(0.0), A(1.0)) * (z - A(base));
+  };
+  smooth(grid.smooth_begin, at.u - A(road.start), road.line_height.front());
+  smooth(grid.smooth_end, A(road.end()) - at.u, road.line_height.back());
+  return z;
+}
+
+template <class T>
+RoadHeight<T> grid_height(const std::vector<double>& samples, const RoadGrid& grid, const T& x, const T& y) {
+  using S = Slope<T>;
+  const GridTables<T> tables{samples, grid};
+  const S along = height_on_grid(tables, S(x, T(1.0)), S(y));
+  return {along.value, along.slope, height_on_grid(tables, S(x), S(y, T(1.0))).slope};
+}
+
+}  // namespace detail
+}  // namespace mbgen

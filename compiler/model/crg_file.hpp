@@ -1,0 +1,39 @@
+#pragma once
+// OpenCRG files: a grid of heights along a reference line. Source: ASAM OpenCRG 1.2.0, chapters "file format" and
+// "evaluation".
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mbgen {
+
+/// A road of an OpenCRG file. u: along the reference line, v: to the left of it, m. Sections are the rows of the file.
+struct CrgRoad {
+  double start = 0, increment = 1;               ///< m: u of the first section, and the distance of two
+  std::vector<double> v;                         ///< m, of the columns of heights, increasing, at least two
+  std::vector<double> heights;                   ///< m, section by section, right to left; no NaN
+  std::vector<double> x, y, heading;             ///< of the reference line at each section: m, rad of the way to it
+  double end_x = 0, end_y = 0, end_heading = 0;  ///< where the straight line behind the end begins
+  std::vector<double> line_height;               ///< m, of the reference line at each section
+  std::vector<double> banking;                   ///< 1, rise to the left at each section; empty: none
+
+  std::size_t sections() const { return x.size(); }
+  double end() const { return start + increment * static_cast<double>(sections() - 1); }
+};
+
+/// Why a file is no road: a line of its text part, or a byte of its data.
+struct CrgProblem {
+  std::size_t line = 0;  ///< from 1; 0: see byte
+  std::size_t byte = 0;  ///< from 0
+  std::string message, hint;
+};
+
+/// Reads a file: text (LRFI, LDFI) and binary (KRBI, KDBI) data; heights as single precision, as the C API keeps them.
+/// Heights that are no number become those of their neighbours to the right, else to the left.
+/// Fails: with the first problem. Requires nothing of the text.
+std::optional<CrgProblem> read_crg(std::string_view text, CrgRoad& road);
+
+}  // namespace mbgen

@@ -1,0 +1,36 @@
+#pragma once
+// Places, heights and curvature of a road of an OpenCRG file, at numbers.
+
+#include "compiler/model/crg_file.hpp"
+
+namespace mbgen {
+
+/// A place: along the reference line and to the left of it, or global; m.
+struct CrgPlace {
+  double u = 0, v = 0;
+};
+struct PlanePlace {
+  double x = 0, y = 0;
+};
+
+/// Where u, v are. Before the start and behind the end the reference line goes straight on.
+PlanePlace plane_place(const CrgRoad& road, CrgPlace at);
+
+/// The u, v of a place, found from the nearest section. Cost: linear in the sections.
+CrgPlace road_place(const CrgRoad& road, PlanePlace at);
+
+/// Height, m: bilinear between sections and columns, with the reference line's own and its banking. Beyond the borders
+/// the height of the border.
+double height_of(const CrgRoad& road, CrgPlace at);
+
+/// Heading of the reference line, rad, and its curvature over at least 0.5 m, 1/m, as it is v beside it: 0 where the
+/// road does not reach as far.
+struct CrgCourse {
+  double heading = 0, curvature = 0;
+};
+CrgCourse course_of(const CrgRoad& road, CrgPlace at);
+
+/// The road moved and turned so that its start, at its right border, lies in the origin and heads along x.
+CrgRoad laid_at_origin(CrgRoad road);
+
+}  // namespace mbgen

@@ -1,0 +1,118 @@
+// Roads of OpenCRG files: their tables.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/model/crg_road.hpp"
+#include "compiler/model/csv_table.hpp"
+#include "compiler/model/raw.hpp"
+#include "compiler/model/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+constexpr double kMostCells = 50000;  ///< of the plane around a reference line
+constexpr std::size_t kMostHeights = 2000000;
+
+/// Appends a table. Result: its place.
+int add_table(std::vector<double>& samples, const std::vector<double>& numbers) {
+  const auto first = static_cast<int>(samples.size());
+  samples.insert(samples.end(), numbers.begin(), numbers.end());
+  return first;
+}
+
+std::vector<double> line_of(const CrgRoad& road) {
+  std::vector<double> line;
+  const auto add = [&](std::size_t i) {
+    line.insert(line.end(), {road.x[i], road.y[i], road.line_height[i], road.banking.empty() ? 0 : road.banking[i]});
+  };
+  add(0);
+  for (std::size_t i = 0; i < road.sections(); ++i) add(i);
+  add(road.sections() - 1);
+  return line;
+}
+
+/// Columns by equal cells that are no wider than the narrowest column.
+void add_column_cells(const CrgRoad& road, std::vector<double>& samples, RoadGrid& grid) {
+  double narrowest = INFINITY;
+  for (std::size_t k = 1; k < road.v.size(); ++k) narrowest = std::min(narrowest, road.v[k] - road.v[k - 1]);
+  const double width = road.v.back() - road.v.front();
+  // A little narrower, so that rounding puts no second border into a cell.
+  const double count = std::min(std::ceil(1.001 * width / narrowest), 1e6);
+  grid.column_cell = width / count;
+  grid.column_cell_count = static_cast<int>(count);
+  std::vector<double> cells;
+  std::size_t column = 0;
+  for (int k = 0; k < grid.column_cell_count; ++k) {
+    const double begin = road.v.front() + grid.column_cell * k;
+    // A border within rounding of the beginning counts as behind it: the comparison that follows decides.
+    while (column + 2 < road.v.size() && road.v[column + 1] <= begin - 1e-9 * width) ++column;
+    cells.push_back(static_cast<double>(column));
+  }
+  grid.column_cells = add_table(samples, cells);
+}
+
+/// Sections by cells of the plane around the line.
+void add_plane_cells(const CrgRoad& road, std::vector<double>& samples, RoadGrid& grid) {
+  const double margin = std::max(std::abs(road.v.front()), std::abs(road.v.back())) + 4 * road.increment;
+  const auto [left, right] = std::ranges::minmax(road.x);
+  const auto [low, high] = std::ranges::minmax(road.y);
+  const double width = right - left + 2 * margin, height = high - low + 2 * margin;
+  grid.cell = std::max(2 * road.increment, std::sqrt(width * height / kMostCells));
+  grid.cell_x = left - margin;
+  grid.cell_y = low - margin;
+  grid.cells_x = static_cast<int>(std::ceil(width / grid.cell));
+  grid.cells_y = static_cast<int>(std::ceil(height / grid.cell));
+  std::vector<double> cells;
+  for (int row = 0; row < grid.cells_y; ++row)
+    for (int k = 0; k < grid.cells_x; ++k) {
+      const double x = grid.cell_x + (k + 0.5) * grid.cell, y = grid.cell_y + (row + 0.5) * grid.cell;
+      std::size_t nearest = 0;
+      double least = INFINITY;
+      for (std::size_t i = 0; i < road.sections(); ++i) {
+        const double dx = road.x[i] - x, dy = road.y[i] - y, distance = dx * dx + dy * dy;
+        if (distance < least) least = distance, nearest = i;
+      }
+      cells.push_back(static_cast<double>(std::max<std::size_t>(nearest, 1)));
+    }
+  grid.cells = add_table(samples, cells);
+}
+
+}  // namespace
+
+void read_crg_road(Reader& reader, const Value& value, Road& road) {
+  CrgFields fields = with_defaults<CrgFields>();
+  const std::size_t problems = reader.problems.size();
+  if (!read_fields(reader, value, fields) || reader.problems.size() > problems) return;
+  const Value& file = *find(value, "file");
+  std::uint32_t index = 0;
+  const Document* document = open_beside(reader, file, "road", index);
+  if (!document) return;
+  CrgRoad read;
+  if (const std::optional<CrgProblem> problem = read_crg(document->text, read)) {
+    const std::string where =
+        problem->line > 0 ? fmt::format("line {}", problem->line) : fmt::format("byte {}", problem->byte);
+    report(reader, file, fmt::format("{}, {}: {}", fields.file, where, problem->message), problem->hint);
+    return;
+  }
+  if (read.heights.size() > kMostHeights) {
+    report(reader, file,
+           fmt::format("road has {} heights, at most {} go into a solver", read.heights.size(), kMostHeights),
+           "cut it shorter or thin it out");
+    return;
+  }
+  RoadGrid& grid = road.grids.emplace_back();
+  grid.smooth_begin = fields.smooth_begin;
+  grid.smooth_end = fields.smooth_end;
+  grid.is_straight = std::ranges::all_of(read.heading, [&](double heading) { return heading == read.heading[0]; }) &&
+                     read.end_heading == read.heading[0];
+  grid.line = add_table(reader.samples, line_of(read));
+  grid.heights = add_table(reader.samples, read.heights);
+  grid.columns = add_table(reader.samples, read.v);
+  add_column_cells(read, reader.samples, grid);
+  if (!grid.is_straight) add_plane_cells(read, reader.samples, grid);
+  grid.road = std::make_shared<const CrgRoad>(std::move(read));
+}
+
+}  // namespace mbgen::reading
