@@ -26,6 +26,8 @@ namespace {
 constexpr double kOpenLoops = 100;
 /// Steps of CVODE for one step of the table: more is no progress.
 constexpr long kMostSteps = 500'000;
+/// Arrivals at corners between two rows of the table; more are chatter, and no corner is looked for until the next row.
+constexpr int kMostCorners = 100;
 /// Part of the time to an event that is no time.
 constexpr double kNoTime = 1e-12;
 /// Part of a step beyond a corner at which the laws of both sides are compared once more.
@@ -91,6 +93,7 @@ class CvodeStepper : public Stepper {
   double end_ = 0;    ///< s: steps go no farther before the next start
   double sampled_ = HUGE_VAL;  ///< s, when sampled values were set last
   bool starts_anew_ = true;
+  int corners_ = 0;            ///< arrivals at corners since the last row of the table
   GenericState start_, last_;  ///< of the last start
   std::vector<int> crossed_,
       loose_;                  ///< per corner: passed at the last start, upwards 1 or downwards -1; held on no side
@@ -123,7 +126,7 @@ int CvodeStepper::conditions(sunrealtype t, N_Vector y, sunrealtype* values, voi
   const std::vector<double> found = stepper.motion_.conditions(t, N_VGetArrayPointer(y));
   for (std::size_t i = 0; i < found.size(); ++i) {
     const bool is_at_corner = t == stepper.start_.t && (stepper.crossed_[i] != 0 || found[i] == 0);
-    const bool is_known = !is_at_corner && std::isfinite(found[i]);
+    const bool is_known = !is_at_corner && std::isfinite(found[i]) && stepper.corners_ < kMostCorners;
     values[i] = !is_known ? 0.0 : found[i] == 0 ? kUpperSide : found[i];
   }
   return 0;
@@ -220,7 +223,7 @@ void CvodeStepper::take_sides() {
   std::vector<double> sides = motion_.conditions(t_, y.data());
   for (std::size_t i = 0; i < corners; ++i) {
     const int side = sides[i] > 0 ? 1 : sides[i] < 0 ? -1 : 0;
-    sides[i] = loose_[i] != 0 ? 0 : crossed_[i] != 0 ? crossed_[i] : side;
+    sides[i] = loose_[i] != 0 || corners_ >= kMostCorners ? 0 : crossed_[i] != 0 ? crossed_[i] : side;
   }
   motion_.hold(std::move(sides));
 }
@@ -269,6 +272,7 @@ bool CvodeStepper::went_astray() {
     any = true;
   }
   if (!any) return false;
+  ++corners_;
   t_ = last_.t;
   motion_.follow(last_);
   return true;
@@ -315,9 +319,10 @@ Status CvodeStepper::arrive(int flag) {
     const double weight = control_.tolerance * std::abs(values[i]) + NV_Ith_S(absolute_.get(), i);
     open = std::max(open, std::abs(values[i] - y[i]) / weight);
   }
+  corners_ += flag == CV_ROOT_RETURN ? 1 : 0;
   const bool is_at_corner = flag == CV_ROOT_RETURN && passes_corners();
-  starts_anew_ =
-      is_at_corner || flag == CV_TSTOP_RETURN || open > kOpenLoops || leaves_charts(motion_.engine().balls, closed);
+  starts_anew_ = is_at_corner || corners_ == kMostCorners || flag == CV_TSTOP_RETURN || open > kOpenLoops ||
+                 leaves_charts(motion_.engine().balls, closed);
   if (!is_at_corner && motion_.corners() > 0) {
     crossed_.assign(crossed_.size(), 0);
     if (flag != CV_ROOT_RETURN && went_astray()) {
@@ -357,6 +362,7 @@ Status CvodeStepper::step(GenericState& state, double h) {
   if (!cvode_ || std::abs(state.t - given_) > none) {
     if (const Status status = start(state); !status.ok()) return status;
   }
+  corners_ = 0;
   for (long steps = 0; t_ < target - none; ++steps) {
     if (steps == kMostSteps) return fail(CV_SUCCESS);
     if (const Status status = advance(); !status.ok()) return status;

@@ -28,7 +28,8 @@ struct Solution {
   Eigen::VectorXd qdd, lambda;  ///< lambda of minimum norm where it is not unique
 };
 
-/// One complete orthogonal decomposition of the whole matrix.
+/// A complete orthogonal decomposition of the whole matrix, once more for what the first solution leaves: rubber brings
+/// forces that cancel in ten digits.
 inline Solution solve(const CartesianTerms& terms) {
   const Eigen::Index n = terms.force.size(), m = terms.bias.size();
   const double scale = terms.mass.diagonal().maxCoeff();  // masses as large as the unit vectors of the constraints
@@ -39,7 +40,8 @@ inline Solution solve(const CartesianTerms& terms) {
   Eigen::VectorXd right(n + m);
   right << terms.force / scale, terms.bias;
   const double rounding = std::numeric_limits<double>::epsilon() * static_cast<double>(n + m);
-  const Eigen::VectorXd x = least_squares(matrix, right, rounding);
+  Eigen::VectorXd x = least_squares(matrix, right, rounding);
+  x += least_squares(matrix, right - matrix * x, rounding);
   return {x.head(n), scale * x.tail(m)};
 }
 
