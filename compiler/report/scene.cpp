@@ -234,13 +234,17 @@ Json joints_json(const Model& model, double size) {
                       {"radius", kJoint * size}});
   }
   for (const Bushing& bushing : model.bushings) {
-    const Vector3 axis{bushing.axes[2], bushing.axes[5], bushing.axes[8]};
+    Json axes = Json::array();
+    for (std::size_t k = 0; k < 3; ++k)
+      axes.push_back(to_body_axes(model.bodies[bushing.from.body].pose,
+                                  {bushing.axes[k], bushing.axes[3 + k], bushing.axes[6 + k]}));
     joints.push_back({{"name", bushing.name},
                       {"kind", "bushing"},
                       {"body", bushing.from.body},
                       {"on_ground", false},
                       {"at", place_of(model, bushing.from)},
-                      {"axis", to_body_axes(model.bodies[bushing.from.body].pose, axis)},
+                      {"axis", axes[2]},
+                      {"axes", axes},
                       {"radius", kJoint * size}});
   }
   for (const BumpStop& stop : model.bump_stops)

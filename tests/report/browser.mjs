@@ -1,13 +1,13 @@
 // Opens a report in chromium, uses it as people do, and checks what it shows:
-//   node browser.mjs REPORT.html SCREENSHOTS [PAGE_MODULES [MOVED.html]]
-// MOVED.html: of a run whose initial value of rocker_pin was moved.
+//   node browser.mjs REPORT.html SCREENSHOTS [PAGE_MODULES [MOVED.html RUBBER.html]]
+// MOVED.html: of a run whose initial value of rocker_pin was moved. RUBBER.html: of a run of rubber_wishbone.
 // SCREENSHOTS: directory for the pictures. Ends with an error at the first thing that is wrong.
 
 import assert from "node:assert/strict";
 import path from "node:path";
 import { checkNothingIsLoaded, launch, openPage, picture, seek, settle } from "./page.mjs";
 
-const [report, pictures, modules, moved] = process.argv.slice(2);
+const [report, pictures, modules, moved, rubber] = process.argv.slice(2);
 const openReport = (browser, options) => openPage(browser, report, options);
 
 const time = (page) => page.evaluate(() => window.mbgenReport.player.state.time);
@@ -199,9 +199,34 @@ async function checkMovedStart(browser) {
   await opened.close();
 }
 
+/** Arrows are as long as the forces in the table, at every bushing; a box hides them. */
+async function checkForces(browser) {
+  const opened = await openPage(browser, rubber);
+  const { page } = opened;
+  await seek(page, await page.evaluate(() => window.mbgenReport.player.state.end));
+  await settle(page);
+  const forces = await page.evaluate(() => {
+    const { view, data } = window.mbgenReport;
+    return view.drawnForces().map(({ name, force }) => {
+      const last = (axis) => data.table.columns.find((column) => column.name === `${name}.force_${axis}`).values.at(-1);
+      return { name, force, expected: Math.hypot(last("x"), last("y"), last("z")) };
+    });
+  });
+  assert.ok(forces.length > 0, "no force of a bushing is drawn");
+  for (const { name, force, expected } of forces)
+    assert.ok(expected > 1 && Math.abs(force - expected) < 1e-3 * expected, `${name}: ${force} N drawn, ${expected} N in the table`);
+  await page.screenshot({ path: path.join(pictures, "report_forces.png") });
+  const shown = await picture(page);
+  await page.locator("#layers input[name=forces]").uncheck();
+  assert.ok(!shown.equals(await picture(page)), "the forces stay");
+  await checkNothingIsLoaded(opened);
+  await opened.close();
+}
+
 const browser = await launch(modules);
 try {
   if (moved) await checkMovedStart(browser);
+  if (rubber) await checkForces(browser);
   const wide = await openReport(browser, { viewport: { width: 1280, height: 800 } });
   await checkPlaying(wide.page);
   await checkScrubbing(wide.page);

@@ -31,6 +31,8 @@ cat > moved.json << EOF
 EOF
 "$mbgen" simulate moved.json --duration 0.1 --engine generic --out moved.csv > /dev/null 2>&1
 "$mbgen" report moved.csv -o moved.html
+"$mbgen" simulate "$models/rubber_wishbone.json" --duration 0.2 --engine generic --out rubber.csv > /dev/null
+"$mbgen" report rubber.csv -o rubber.html
 for page in coach modes; do
   size=$(wc -c < $page.html)
   [ "$size" -lt 3000000 ] || { echo "$page.html of the coach has $size bytes"; exit 1; }
@@ -46,5 +48,5 @@ if ! cmp -s "$here/package-lock.json" "$modules/installed"; then
   fi
   cp "$here/package-lock.json" "$modules/installed"
 fi
-node "$here/browser.mjs" coach.html "$pictures" "$modules" moved.html
+node "$here/browser.mjs" coach.html "$pictures" "$modules" moved.html rubber.html
 node "$here/modes.mjs" modes.html modes.json growing.html "$pictures" "$modules"

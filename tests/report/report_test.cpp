@@ -229,6 +229,21 @@ TEST(Scene, ABumpStopIsARubberThatPointsToTheOtherEnd) {
   EXPECT_EQ(marks["side"]["axis"], Json({1.0, 0.0, 0.0}));
 }
 
+TEST(Scene, ABushingHasItsAxesForTheArrowOfItsForce) {
+  const Model model = *read_model(R"({ "mbgen": 1, "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
+    "arm": { "mass": 2, "inertia": [1, 1, 1], "points": { "O": [0, 0, 0] } } },
+    "joints": { "arm": { "type": "free", "from": "ground.O", "to": "arm.O" } },
+    "bushings": { "eye": { "from": "arm.O", "to": "ground.O", "axis": "y", "axis2": "z", "tz": { "stiffness": 1e6 } } } })",
+                                  "test.json");
+  const Json marks = scene_json(model)["joints"];
+  const Json& eye = marks[marks.size() - 1];
+  EXPECT_EQ(eye["kind"], "bushing");
+  EXPECT_EQ(eye["axis"], eye["axes"][2]);
+  const double expected[3][3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(eye["axes"][k][i].get<double>(), expected[k][i], 1e-15) << k << i;
+}
+
 TEST(Scene, AHullHasItsPointsOutsideAndNoSpiderInside) {
   const Model model = *read_model(R"({ "mbgen": 1, "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
     "box": { "mass": 600, "inertia": [250, 850, 1000], "points": { "O": [0, 0, 0], "inside": [0.5, 0, 0], "out": [2.5, 0.3, 0] } } },

@@ -23,7 +23,7 @@ function option(value, text) {
 /** The animation, or null with a word why there is none. */
 function tryView(data) {
   try {
-    return createView(data.scene, data.animations[0], at("view"));
+    return createView(data.scene, data.animations[0], at("view"), data.table);
   } catch (problem) {
     at("tip").hidden = false;
     at("tip").textContent = `No animation: this browser gives no WebGL (${problem.message}). All else is complete.`;

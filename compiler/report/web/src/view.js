@@ -26,9 +26,10 @@ function paint(world, size) {
   world.tracks?.paint(colours);
 }
 
-export function createView(scene, animation, element) {
+/** table: of a result; undefined of modes. */
+export function createView(scene, animation, element, table) {
   const renderer = createRenderer(element);
-  const world = createWorld(scene, animation);
+  const world = createWorld(scene, animation, table);
   const names = createNames(scene, world.bodies, element);
   const target = createTarget(scene, world.bodies);
   const viewer = createCamera(scene, renderer.domElement, target);
@@ -105,6 +106,7 @@ export function createView(scene, animation, element) {
     }),
     /** Where the camera stands, and where a link's ends are in the picture drawn last, for tests. */
     cameraPlace: () => viewer.camera.position.toArray(),
+    drawnForces: () => world.drawnForces(),
     endPlaces: (link) => world.endPlaces(link).map((end) => end.toArray()),
   };
 }

@@ -1,6 +1,7 @@
 // All objects of a scene, in layers that can be hidden.
 
 import { Scene, Vector3 } from "three";
+import { createArrows } from "./arrows.js";
 import { createGround, createTracks } from "./ground.js";
 import { createLights } from "./lights.js";
 import { linkObject } from "./links.js";
@@ -8,7 +9,7 @@ import { poseBodies, poseForCamera } from "./poses.js";
 import { bodyGroup, jointMark } from "./shapes.js";
 
 /** What can be shown and hidden, and whether it is shown at first. */
-export const kLayers = { bodies: true, hulls: true, links: true, joints: true, ground: true, tracks: true, names: false };
+export const kLayers = { bodies: true, hulls: true, links: true, joints: true, forces: true, ground: true, tracks: true, names: false };
 
 /** Bodies with the marks of their joints, in layers. */
 function createBodies(scene) {
@@ -21,10 +22,12 @@ function createBodies(scene) {
   return bodies;
 }
 
-export function createWorld(scene, animation) {
+/** table: of a result, whose forces are drawn; undefined of modes. */
+export function createWorld(scene, animation, table) {
   const world = new Scene();
   const bodies = createBodies(scene);
   world.add(...bodies);
+  const arrows = createArrows(scene, table, bodies);
   poseForCamera(bodies, animation, animation.start);
 
   const ends = [new Vector3(), new Vector3()];
@@ -57,6 +60,7 @@ export function createWorld(scene, animation) {
     hulls: inLayer("hulls"),
     links: links.map(({ group }) => group),
     joints: inLayer("joints"),
+    forces: arrows.objects,
     ground: ground ? [ground.group] : [],
     tracks: tracks ? [tracks.group] : [],
   };
@@ -69,9 +73,11 @@ export function createWorld(scene, animation) {
     lights,
     layers,
     endPlaces,
-    /** Puts bodies and links where they are at a time of an animation. */
+    drawnForces: arrows.drawn,
+    /** Puts bodies, links and forces where they are at a time of an animation. */
     pose(shown, time) {
       poseBodies(bodies, shown, time);
+      arrows.show(time);
       links.forEach(({ link, place }) => place(...endPlaces(link)));
     },
   };
