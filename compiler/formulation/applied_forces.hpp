@@ -25,9 +25,10 @@ T natural_length(const ForceWork<T>& work, const std::optional<Quantity>& own, c
 template <class T, class A>
 A spring_tension(const ForceWork<T>& work, const PointSpring& spring, const A& length, const A& rate,
                  const T& natural) {
-  A tension = number<A>(work, spring.preload, "f0", spring.name) +
-              law(work, spring.stiffness, length - natural, "k", spring.name) +
-              law(work, spring.damping, rate, "d", spring.name);
+  A tension = number<A>(work, spring.preload, "f0", spring.name);
+  // One after the other: compilers choose the order within an expression, and values follow it.
+  tension = tension + law(work, spring.stiffness, length - natural, "k", spring.name);
+  tension = tension + law(work, spring.damping, rate, "d", spring.name);
   if (spring.force) tension = tension + with_locals(work, *spring.force, length, rate);
   return tension;
 }
@@ -97,9 +98,10 @@ JointDeflection<T> joint_deflection(const System<T>& system, const JointSpring& 
 /// Force of a joint spring against its deflection, N or N m.
 template <class T, class A>
 A joint_spring_force(const ForceWork<T>& work, const JointSpring& spring, const A& position, const A& rate) {
-  A force = number<A>(work, spring.preload, "f0", spring.name) +
-            law(work, spring.stiffness, position - A(work.value(spring.free, "z0", spring.name)), "k", spring.name) +
-            law(work, spring.damping, rate, "d", spring.name);
+  A force = number<A>(work, spring.preload, "f0", spring.name);
+  force = force +
+          law(work, spring.stiffness, position - A(work.value(spring.free, "z0", spring.name)), "k", spring.name);
+  force = force + law(work, spring.damping, rate, "d", spring.name);
   if (spring.force) force = force + with_locals(work, *spring.force, position, rate);
   return force;
 }
