@@ -15,6 +15,7 @@
 #include "compiler/describe/names.hpp"
 #include "compiler/describe/notes.hpp"
 #include "compiler/describe/paragraphs.hpp"
+#include "compiler/model/vectors.hpp"
 #include "compiler/solver/titles.hpp"
 #include "compiler/topology/poles.hpp"
 
@@ -144,8 +145,6 @@ LoopAxes axes_of(const Model& model, const Topology& topology, const Loop& loop)
   }
   return axes;
 }
-
-double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Whether the loop stays in planes across one direction: all pins along it, all slides across it.
 bool is_planar(const LoopAxes& axes) {

@@ -14,6 +14,7 @@
 #include "compiler/model/names.hpp"
 #include "compiler/model/scopes.hpp"
 #include "compiler/model/varied.hpp"
+#include "compiler/model/vectors.hpp"
 
 namespace mbgen::reading {
 
@@ -348,14 +349,6 @@ void note_bushings(Reader& reader);
 void note_unlikely(Reader& reader);
 
 // Geometry at the reference configuration.
-Matrix3 product(const Matrix3& a, const Matrix3& b);
-Matrix3 transposed(const Matrix3& a);
-Vector3 rotated(const Matrix3& rotation, const Vector3& vector);
-Vector3 cross(const Vector3& a, const Vector3& b);
-double dot(const Vector3& a, const Vector3& b);
-double norm(const Vector3& a);
-/// Angle between two vectors, 0 to pi.
-double angle_between(const Vector3& a, const Vector3& b);
 /// "body.point" as the user writes it.
 std::string attachment_text(const Model& model, const Attachment& attachment);
 /// True for rotations. Requires: a valid reference.

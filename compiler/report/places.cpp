@@ -16,24 +16,6 @@ Vector3 place_of(const Model& model, const Attachment& at) {
 
 double distance(const Vector3& a, const Vector3& b) { return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]); }
 
-Vector3 to_global(const Pose& pose, const Vector3& local) {
-  Vector3 global = pose.origin;
-  for (int i = 0; i < 9; ++i) global[i / 3] += pose.rotation[i] * local[i % 3];
-  return global;
-}
-
-Vector3 to_local(const Pose& pose, const Vector3& global) {
-  Vector3 arm{};
-  for (int i = 0; i < 3; ++i) arm[i] = global[i] - pose.origin[i];
-  return to_body_axes(pose, arm);
-}
-
-Vector3 to_body_axes(const Pose& pose, const Vector3& direction) {
-  Vector3 local{};
-  for (int i = 0; i < 9; ++i) local[i % 3] += pose.rotation[i] * direction[i / 3];
-  return local;
-}
-
 namespace {
 
 template <class Element>

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "compiler/model/model.hpp"
+#include "compiler/model/vectors.hpp"
 
 namespace mbgen {
 
@@ -24,13 +25,6 @@ Vector3 values(const Vector3Quantity& vector);
 Vector3 place_of(const Model& model, const Attachment& at);
 
 double distance(const Vector3& a, const Vector3& b);
-
-/// A place of a body's frame in the global frame, and the other way round.
-Vector3 to_global(const Pose& pose, const Vector3& local);
-Vector3 to_local(const Pose& pose, const Vector3& global);
-
-/// A global direction in the axes of a body.
-Vector3 to_body_axes(const Pose& pose, const Vector3& direction);
 
 /// Everything that is fixed to a point of a body.
 std::vector<Attachment> attachments(const Model& model);

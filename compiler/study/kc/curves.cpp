@@ -111,7 +111,7 @@ RigInputs both_loads(const AxleState& axle, const Rig& rig, Load load) {
   RigInputs direction{};
   for (const int which : {0, 1}) {
     if (!is_real(rig, which)) continue;
-    const RigInputs one = load_direction(which == 0 ? axle.left : axle.right, load);
+    const RigInputs one = load_direction(axle.wheel(which), load);
     for (std::size_t i = 0; i < one.size(); ++i) direction[i] += one[i];
   }
   return direction;

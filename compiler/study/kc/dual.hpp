@@ -3,9 +3,12 @@
 
 #include <cmath>
 
+#include "compiler/model/vectors.hpp"
 #include "compiler/study/kc/rig.hpp"
 
 namespace mbgen::kc {
+
+using mbgen::cross, mbgen::dot;  // of plain vectors, beside those below
 
 struct Dual {
   double value = 0;

@@ -9,12 +9,6 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 const DualVector kUp = {Dual(0), Dual(0), Dual(1)};
 
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /// Caster, kingpin inclination, and where the steering axis meets the road.
 void add_steering_axis(const WheelState& wheel, WheelGeometry& g) {
   const DualVector way = wheel.upper - wheel.lower;
@@ -52,9 +46,9 @@ WheelGeometry geometry_of(const WheelState& wheel) {
   WheelGeometry g;
   const DualVector& a = wheel.axis;
   const Dual side(wheel.side), level = sqrt(a[0] * a[0] + a[1] * a[1]);
-  g.forward = unit(kc::cross(a, kUp));
-  g.left = kc::cross(kUp, g.forward);
-  g.patch = wheel.centre - wheel.radius * kc::cross(g.forward, unit(a));
+  g.forward = unit(cross(a, kUp));
+  g.left = cross(kUp, g.forward);
+  g.patch = wheel.centre - wheel.radius * cross(g.forward, unit(a));
   g.steer_angle = atan2(-a[0], a[1]);
   g.toe = side * atan2(a[0], a[1]);
   g.camber = -(side * atan2(a[2], level));
@@ -131,8 +125,12 @@ RollCentre roll_centre(const AxleState& axle) {
   return {ty * from_z - tz * from_y, ty * from_y + tz * from_z};
 }
 
+double track_of(const AxleState& axle) {
+  return geometry_of(axle.left).patch[1].value - geometry_of(axle.right).patch[1].value;
+}
+
 double roll_rate(const AxleState& axle) {
-  const double track = geometry_of(axle.left).patch[1].value - geometry_of(axle.right).patch[1].value;
+  const double track = track_of(axle);
   const double rate = 0.5 * (along(axle.left.load, kOpposite) - along(axle.right.load, kOpposite));
   return 0.5 * track * track * rate;
 }

@@ -41,6 +41,8 @@ Vector3 carried_patch_along(const WheelState& wheel, const RigInputs& direction)
 /// Both wheels of an axle.
 struct AxleState {
   WheelState left, right;
+  /// which: 0 left, 1 right.
+  const WheelState& wheel(int which) const { return which == 0 ? left : right; }
 };
 
 /// Directions of travel: both wheels up, or the left one up and the right one down.
@@ -53,6 +55,9 @@ struct RollCentre {
   double height, to_left;
 };
 RollCentre roll_centre(const AxleState& axle);
+
+/// m, between the contact centres.
+double track_of(const AxleState& axle);
 
 /// N m/rad, of the wheels' loads in opposite travel: t^2/2 times their mean rate.
 double roll_rate(const AxleState& axle);

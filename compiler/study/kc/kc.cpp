@@ -42,7 +42,7 @@ bool is_compliant(const Rig& rig, const CurvePoint& start) {
     const RigInputs direction = both_loads(start.axle, rig, load);
     for (const int which : {0, 1}) {
       if (!is_real(rig, which)) continue;
-      const WheelState& wheel = which == 0 ? start.axle.left : start.axle.right;
+      const WheelState& wheel = start.axle.wheel(which);
       for (const DualVector* vector : {&wheel.centre, &wheel.axis}) {
         const Vector3 way = along(*vector, direction);
         if (std::abs(way[0]) + std::abs(way[1]) + std::abs(way[2]) > kMoves) return true;
@@ -58,7 +58,7 @@ double mean_load(const Rig& rig, const CurvePoint& start) {
   int count = 0;
   for (const int which : {0, 1}) {
     if (!is_real(rig, which)) continue;
-    sum += (which == 0 ? start.axle.left : start.axle.right).load.value;
+    sum += start.axle.wheel(which).load.value;
     ++count;
   }
   return sum / count;

@@ -7,24 +7,12 @@
 
 #include "compiler/base/user_error.hpp"
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/model/vectors.hpp"
 
 namespace mbgen::kc {
 namespace {
 
-Vector3 times(const Matrix3& m, const Vector3& v) {
-  return {m[0] * v[0] + m[1] * v[1] + m[2] * v[2], m[3] * v[0] + m[4] * v[1] + m[5] * v[2],
-          m[6] * v[0] + m[7] * v[1] + m[8] * v[2]};
-}
-
-/// Transposed matrix times vector.
-Vector3 times_transposed(const Matrix3& m, const Vector3& v) {
-  return {m[0] * v[0] + m[3] * v[1] + m[6] * v[2], m[1] * v[0] + m[4] * v[1] + m[7] * v[2],
-          m[2] * v[0] + m[5] * v[1] + m[8] * v[2]};
-}
-
-Vector3 sum(const Vector3& a, const Vector3& b, double factor = 1) {
-  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
-}
+Vector3 sum(const Vector3& a, const Vector3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
 /// A unit vector across an axis that is not vertical: that to the top of the wheel.
 Vector3 upwards_across(const Vector3& axis) {
@@ -78,8 +66,8 @@ class RigBuilder {
   void check_heading() const {
     constexpr double kStraight = 0.01;  // rad
     const Matrix3& now = poses_[static_cast<std::size_t>(axle_.body)].rotation;
-    const Matrix3& home = model_.bodies[static_cast<std::size_t>(axle_.body)].pose.rotation;
-    const Vector3 forward = times(now, times_transposed(home, {1, 0, 0}));
+    const Pose& home = model_.bodies[static_cast<std::size_t>(axle_.body)].pose;
+    const Vector3 forward = rotated(now, to_body_axes(home, {1, 0, 0}));
     const double yaw = std::atan2(forward[1], forward[0]);
     if (std::abs(yaw) < kStraight) return;
     throw UserError(
@@ -204,7 +192,7 @@ class RigBuilder {
 
   Attachment add_point(int body, const std::string& name, const Vector3& global) {
     Body& owner = model_.bodies[static_cast<std::size_t>(body)];
-    const Vector3 local = times_transposed(owner.pose.rotation, sum(global, owner.pose.origin, -1));
+    const Vector3 local = to_local(owner.pose, global);
     owner.points.push_back({name, {local[0], local[1], local[2]}});
     return {body, static_cast<int>(owner.points.size()) - 1};
   }
@@ -233,8 +221,7 @@ class RigBuilder {
   /// Position of a reference place of a body at the start, global axes.
   Vector3 at_start(int body, const Vector3& reference) const {
     const Pose& home = model_.bodies[static_cast<std::size_t>(body)].pose;
-    const Pose& now = poses_[static_cast<std::size_t>(body)];
-    return sum(now.origin, times(now.rotation, times_transposed(home.rotation, sum(reference, home.origin, -1))));
+    return to_global(poses_[static_cast<std::size_t>(body)], to_local(home, reference));
   }
 
   /// Puts a wheel on a pad and keeps it from turning on its carrier. travel: the input that lifts it, -1 for none.

@@ -67,10 +67,6 @@ Column column(const std::string& name, const std::string& unit, const std::vecto
   return result;
 }
 
-double track_of(const AxleState& axle) {
-  return geometry_of(axle.left).patch[1].value - geometry_of(axle.right).patch[1].value;
-}
-
 /// Length of the wheelbase less that at the start, by the mean of both contact centres.
 double wheelbase_change(const Axle& axle, const AxleState& now, const AxleState& home) {
   const double forward = 0.5 * (change(geometry_of(now.left).patch, geometry_of(home.left).patch, 0) +
@@ -97,12 +93,10 @@ class TableBuilder {
 
   void add_wheels(const WheelReading& reading) {
     for (const int which : {0, 1}) {
-      const auto wheel = [which](const AxleState& axle) -> const WheelState& {
-        return which == 0 ? axle.left : axle.right;
-      };
-      if (!is_real(rig_, which) || (reading.needs_steering_axis && !wheel(start_.axle).has_steering_axis)) continue;
+      if (!is_real(rig_, which) || (reading.needs_steering_axis && !start_.axle.wheel(which).has_steering_axis))
+        continue;
       add(fmt::format("{}_{}", reading.name, which == 0 ? "left" : "right"), reading.unit,
-          [&](const CurvePoint& point) { return reading.read(wheel(point.axle), wheel(start_.axle)); });
+          [&](const CurvePoint& point) { return reading.read(point.axle.wheel(which), start_.axle.wheel(which)); });
     }
   }
 
@@ -172,7 +166,7 @@ class FigureList {
                   const std::function<double(const WheelState&)>& read) {
     KcFigure figure{name, unit, meaning, {}};
     for (const int which : {0, 1}) {
-      if (is_real(rig_, which)) figure.values.push_back(read(which == 0 ? axle_.left : axle_.right));
+      if (is_real(rig_, which)) figure.values.push_back(read(axle_.wheel(which)));
     }
     list_.push_back(std::move(figure));
   }
@@ -180,7 +174,7 @@ class FigureList {
   void add_positions() {
     for (const WheelReading& reading : position_readings()) {
       const std::string name = reading.name;
-      const bool has_axis = (is_real(rig_, 0) ? axle_.left : axle_.right).has_steering_axis;
+      const bool has_axis = axle_.wheel(is_real(rig_, 0) ? 0 : 1).has_steering_axis;
       if (name.starts_with("centre_") || name == "contact_y" || (reading.needs_steering_axis && !has_axis)) continue;
       add_wheels(name, reading.unit, reading.meaning, [&](const WheelState& w) { return reading.read(w, w); });
     }
