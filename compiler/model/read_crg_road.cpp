@@ -53,6 +53,29 @@ void add_column_cells(const CrgRoad& road, std::vector<double>& samples, RoadGri
   grid.column_cells = add_table(samples, cells);
 }
 
+/// The first of the sections nearest to a place. longest: way between two neighbours, m; guess: a section near by.
+/// Sections that cannot be as near as the nearest one so far are passed over: with a good guess nearly all.
+std::size_t nearest_section(const CrgRoad& road, double longest, double x, double y, std::size_t guess) {
+  constexpr double kRounding = 1e-9;
+  const auto square_to = [&](std::size_t i) {
+    const double dx = road.x[i] - x, dy = road.y[i] - y;
+    return dx * dx + dy * dy;
+  };
+  std::size_t nearest = guess;
+  double least = square_to(guess) * (1 + kRounding), distance = std::sqrt(least);  // a little farther than the guess
+  for (std::size_t i = 0; i < road.sections();) {
+    const double square = square_to(i);
+    if (square < least) {
+      least = square;
+      distance = std::sqrt(square);
+      nearest = i;
+    }
+    const double passed = (1 - kRounding) * (std::sqrt(square) - distance) / longest;
+    i += 1 + static_cast<std::size_t>(std::min(static_cast<double>(road.sections()), passed));
+  }
+  return nearest;
+}
+
 /// Sections by cells of the plane around the line.
 void add_plane_cells(const CrgRoad& road, std::vector<double>& samples, RoadGrid& grid) {
   const double margin = std::max(std::abs(road.v.front()), std::abs(road.v.back())) + 4 * road.increment;
@@ -64,16 +87,15 @@ void add_plane_cells(const CrgRoad& road, std::vector<double>& samples, RoadGrid
   grid.cell_y = low - margin;
   grid.cells_x = static_cast<int>(std::ceil(width / grid.cell));
   grid.cells_y = static_cast<int>(std::ceil(height / grid.cell));
+  double longest = road.increment;
+  for (std::size_t i = 1; i < road.sections(); ++i)
+    longest = std::max(longest, std::hypot(road.x[i] - road.x[i - 1], road.y[i] - road.y[i - 1]));
   std::vector<double> cells;
+  std::size_t nearest = 0;
   for (int row = 0; row < grid.cells_y; ++row)
     for (int k = 0; k < grid.cells_x; ++k) {
       const double x = grid.cell_x + (k + 0.5) * grid.cell, y = grid.cell_y + (row + 0.5) * grid.cell;
-      std::size_t nearest = 0;
-      double least = INFINITY;
-      for (std::size_t i = 0; i < road.sections(); ++i) {
-        const double dx = road.x[i] - x, dy = road.y[i] - y, distance = dx * dx + dy * dy;
-        if (distance < least) least = distance, nearest = i;
-      }
+      nearest = nearest_section(road, longest, x, y, nearest);
       cells.push_back(static_cast<double>(std::max<std::size_t>(nearest, 1)));
     }
   grid.cells = add_table(samples, cells);
