@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "mbgen/tyre.hpp"
+#include "tests/runtime/mirrored_tyre.hpp"
 
 namespace mbgen {
 namespace {
@@ -44,7 +45,7 @@ double sign_of_reference(const Set& set, double fz, double alpha, double sine, d
   const magic::Mf61State<double> at = magic::mf61_state<double>(set, fz, pressure, 1, 1);
   const double thrust = set.lmuy * fz * (set.pvy3 + set.pvy4 * at.dfz) * sine * set.lkyc;
   const double force = set.lmuy * fz * (set.pvy1 + set.pvy2 * at.dfz) * set.lvy + thrust;
-  const magic::Mf61Lateral<double> lateral = magic::mf61_lateral<double>(set, at, alpha, sine);
+  const magic::PureLateral<double> lateral = magic::mf61_lateral<double>(set, at, alpha, sine);
   const double shift = lateral.slip_shift - force / lateral.stiffness;  // S_Hy of (4.E38)
   return std::signbit(alpha) == std::signbit(alpha + shift) ? 1 : -1;
 }
@@ -194,11 +195,7 @@ TEST(Mf61OnTheRoad, ForcesOpposeSlipMirrorAndResistRolling) {
   contact.v = 0.03;
   contact.camber = -0.03;
   const TyreResult<double> mirrored = tyre_forces(set, tyre, contact);
-  EXPECT_EQ(mirrored.fx, one.fx);
-  EXPECT_EQ(mirrored.fy, -one.fy);
-  EXPECT_EQ(mirrored.mx, -one.mx);
-  EXPECT_EQ(mirrored.my, one.my);
-  EXPECT_EQ(mirrored.mz, -one.mz);
+  expect_mirrored(mirrored, one);
   tyre.rolling_resistance = 0.03;  // for QSY1 = 0.01
   const double share = 0.02 * 4200 * 0.317 * std::pow(4200 / 4100.0, set.qsy7) * set.lmy;
   const double rolling = contact.spin * tyre_law::rolling_radius(set, tyre, contact) / tyre.low_speed;

@@ -10,6 +10,7 @@
 
 #include "mbgen/integrators.hpp"
 #include "mbgen/tyre.hpp"
+#include "tests/runtime/mirrored_tyre.hpp"
 
 namespace mbgen {
 namespace {
@@ -147,11 +148,7 @@ TEST(TyreContactLaw, MirroredTyreGivesMirroredForcesAndTwinsGiveTwice) {
   contact.v = -0.01;
   contact.camber = -0.03;
   const TyreResult<double> mirrored = tyre_forces(set, tyre, contact);
-  EXPECT_EQ(mirrored.fx, one.fx);
-  EXPECT_EQ(mirrored.fy, -one.fy);
-  EXPECT_EQ(mirrored.mx, -one.mx);
-  EXPECT_EQ(mirrored.my, one.my);
-  EXPECT_EQ(mirrored.mz, -one.mz);
+  expect_mirrored(mirrored, one);
   tyre.count = 2;
   const TyreResult<double> twin = tyre_forces(set, tyre, contact);
   EXPECT_EQ(twin.load, 2 * one.load);

@@ -105,6 +105,21 @@ LoadTerms<T> load_terms(const T& nominal, const T& fz, const T& friction, const 
   return {nominal, load, max(fz, T(0)) / load, (load - nominal) / nominal, max(friction, T(kLeastFriction)), shifts};
 }
 
+/// Force of pure longitudinal slip, N, and its slope at zero slip, N per unit of slip.
+template <class T>
+struct PureLongitudinal {
+  T force, stiffness;
+};
+
+/// Lateral force of pure slip, N, with its terms that the aligning moment and combined slip need.
+template <class T>
+struct PureLateral {
+  T force, stiffness;  ///< N, N/rad; the stiffness is held away from zero
+  T b, c;              ///< factors of the curve
+  T slip_shift;        ///< rad, S_Hy + S_Vy / K_y: the slip angle of zero side force, with its sign changed
+  T friction;          ///< 1, mu_y
+};
+
 }  // namespace magic
 
 }  // namespace mbgen

@@ -30,14 +30,9 @@ T parabola(const T& a, const T& b, const T& x) {
   return 1.0 + (a + b * x) * x;
 }
 
-/// Longitudinal force of pure slip, N, and its slope at zero slip, N: (4.E9) to (4.E18).
+/// (4.E9) to (4.E18).
 template <class T>
-struct Mf61Longitudinal {
-  T force, stiffness;
-};
-
-template <class T>
-Mf61Longitudinal<T> mf61_longitudinal(const MagicFormula61<T>& set, const Mf61State<T>& at, const T& kappa,
+PureLongitudinal<T> mf61_longitudinal(const MagicFormula61<T>& set, const Mf61State<T>& at, const T& kappa,
                                       const T& gamma) {
   using std::exp;
   using std::sin;
@@ -58,18 +53,9 @@ Mf61Longitudinal<T> mf61_longitudinal(const MagicFormula61<T>& set, const Mf61St
   return {d * sin(angle<T>(b, c, curvature(e), slip)) + sv, stiffness};
 }
 
-/// Lateral force of pure slip, N, with its terms that the aligning moment and combined slip need: (4.E19) to (4.E30).
+/// (4.E19) to (4.E30), its slip_shift (4.E38). sine: of the camber.
 template <class T>
-struct Mf61Lateral {
-  T force, stiffness;  ///< N, N/rad; the stiffness is held away from zero
-  T b, c;              ///< factors of the curve
-  T slip_shift;        ///< rad, S_Hy + S_Vy / K_y (4.E38)
-  T friction;          ///< 1, mu_y
-};
-
-/// sine: of the camber.
-template <class T>
-Mf61Lateral<T> mf61_lateral(const MagicFormula61<T>& set, const Mf61State<T>& at, const T& alpha, const T& sine) {
+PureLateral<T> mf61_lateral(const MagicFormula61<T>& set, const Mf61State<T>& at, const T& alpha, const T& sine) {
   using std::atan;
   using std::sin;
   const T dfz = at.dfz, square = sine * sine;
@@ -112,7 +98,7 @@ T mf61_trail(const MagicFormula61<T>& set, const Mf61State<T>& at, const T& tang
 /// Residual aligning moment, N m, before its factor cos^2 alpha: (4.E36), (4.E45) to (4.E47). slip: tangent of the slip
 /// angle, shifts and longitudinal slip included, of either sign.
 template <class T>
-T mf61_residual_moment(const MagicFormula61<T>& set, const Mf61State<T>& at, const Mf61Lateral<T>& upright,
+T mf61_residual_moment(const MagicFormula61<T>& set, const Mf61State<T>& at, const PureLateral<T>& upright,
                        const T& slip, const T& sine) {
   const T friction = set.lmuy * at.friction;
   const T b = set.qbz9 * set.lky / friction + set.qbz10 * upright.b * upright.c;
@@ -163,8 +149,8 @@ TyreForces<T> magic_formula_61(const MagicFormula61<T>& set, const T& fz, const 
   const magic::Mf61State<T> at = magic::mf61_state<T>(set, fz, pressure, friction, shifts);
   const T dfz = at.dfz, kappa = slips.kappa;
   const T sine = sin(slips.gamma), cosine = cos(slips.alpha), tangent = sin(slips.alpha) / cosine;
-  const magic::Mf61Longitudinal<T> longitudinal = magic::mf61_longitudinal<T>(set, at, kappa, slips.gamma);
-  const magic::Mf61Lateral<T> lateral = magic::mf61_lateral<T>(set, at, slips.alpha, sine);
+  const magic::PureLongitudinal<T> longitudinal = magic::mf61_longitudinal<T>(set, at, kappa, slips.gamma);
+  const magic::PureLateral<T> lateral = magic::mf61_lateral<T>(set, at, slips.alpha, sine);
 
   const T bx = (set.rbx1 + set.rbx3 * sine * sine) * magic::cos_of_arc<T>(set.rbx2 * kappa) * set.lxal;
   const T fx = longitudinal.force * magic::weight<T>(bx, set.rcx1, set.rex1 + set.rex2 * dfz, set.rhx1, tangent);
@@ -178,7 +164,7 @@ TyreForces<T> magic_formula_61(const MagicFormula61<T>& set, const T& fz, const 
   const T fy = y_weight(sine * sine) * lateral.force + kappa_force;
 
   // The trail meets the side force of an upright wheel (4.E74), the residual moment its shifts.
-  const magic::Mf61Lateral<T> upright = magic::mf61_lateral<T>(set, at, slips.alpha, T(0));
+  const magic::PureLateral<T> upright = magic::mf61_lateral<T>(set, at, slips.alpha, T(0));
   const T ratio = longitudinal.stiffness / lateral.stiffness * kappa;
   const auto with_kappa = [&ratio](const T& slip) { return sqrt(slip * slip + ratio * ratio + magic::kRootFloor); };
   const T trail_slip = tangent + set.qhz1 + set.qhz2 * dfz + (set.qhz3 + set.qhz4 * dfz) * sine;

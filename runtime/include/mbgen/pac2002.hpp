@@ -158,14 +158,8 @@ static_assert(sizeof(Pac2002<double>) == kPac2002Count * sizeof(double), "one en
 
 namespace magic {
 
-/// Force of one pure slip, N, and its slope at zero slip, N per unit of slip.
 template <class T>
-struct Pac2002Longitudinal {
-  T force, stiffness;
-};
-
-template <class T>
-Pac2002Longitudinal<T> pac2002_longitudinal(const Pac2002<T>& set, const LoadTerms<T>& at, const T& kappa,
+PureLongitudinal<T> pac2002_longitudinal(const Pac2002<T>& set, const LoadTerms<T>& at, const T& kappa,
                                             const T& camber) {
   using std::exp;
   using std::sin;
@@ -182,17 +176,8 @@ Pac2002Longitudinal<T> pac2002_longitudinal(const Pac2002<T>& set, const LoadTer
   return {d * sin(angle<T>(b, c, curvature(e), slip)) + sv, stiffness};
 }
 
-/// Lateral force of pure slip, N, with its terms that the aligning moment and combined slip need.
 template <class T>
-struct Pac2002Lateral {
-  T force, stiffness;  ///< N, N/rad; the stiffness is held away from zero
-  T b, c;              ///< factors of the curve
-  T slip_shift;        ///< rad, S_Hy + S_Vy / K_y: the slip angle of zero side force, with its sign changed
-  T friction;          ///< 1, mu_y
-};
-
-template <class T>
-Pac2002Lateral<T> pac2002_lateral(const Pac2002<T>& set, const LoadTerms<T>& at, const T& alpha, const T& camber) {
+PureLateral<T> pac2002_lateral(const Pac2002<T>& set, const LoadTerms<T>& at, const T& alpha, const T& camber) {
   using std::sin;
   const T gamma = camber * set.lgay;
   const T scale = set.lmuy * at.friction;
@@ -236,7 +221,7 @@ T pac2002_trail(const Pac2002<T>& set, const LoadTerms<T>& at, const T& alpha, c
 /// Residual aligning moment, N m, at the slip angle `slip` (rad, shifts included, of either sign), before the factor
 /// cos alpha.
 template <class T>
-T pac2002_residual_moment(const Pac2002<T>& set, const LoadTerms<T>& at, const Pac2002Lateral<T>& lateral,
+T pac2002_residual_moment(const Pac2002<T>& set, const LoadTerms<T>& at, const PureLateral<T>& lateral,
                           const T& slip, const T& camber) {
   const T gamma = camber * set.lgaz;
   const T friction = set.lmuy * at.friction;
@@ -263,7 +248,7 @@ TyreForces<T> magic_formula_pac2002_pure(const Pac2002<T>& set, const T& fz, con
   using std::cos;
   const magic::LoadTerms<T> at = magic::load_terms<T>(set.fnomin * set.lfzo, fz, friction, shifts);
   const T fx = magic::pac2002_longitudinal(set, at, kappa, gamma).force;
-  const magic::Pac2002Lateral<T> lateral = magic::pac2002_lateral(set, at, alpha, gamma);
+  const magic::PureLateral<T> lateral = magic::pac2002_lateral(set, at, alpha, gamma);
   const T trail_slip = magic::pac2002_trail_slip(set, at, alpha, gamma);
   const T trail = magic::pac2002_trail(set, at, trail_slip, trail_slip, gamma);
   const T residual = magic::pac2002_residual_moment<T>(set, at, lateral, alpha + lateral.slip_shift, gamma);
@@ -288,8 +273,8 @@ TyreForces<T> magic_formula_pac2002(const Pac2002<T>& set, const T& fz, const T&
   using std::sqrt;
   const magic::LoadTerms<T> at = magic::load_terms<T>(set.fnomin * set.lfzo, fz, friction, shifts);
   const T dfz = at.dfz;
-  const magic::Pac2002Longitudinal<T> longitudinal = magic::pac2002_longitudinal(set, at, kappa, gamma);
-  const magic::Pac2002Lateral<T> lateral = magic::pac2002_lateral(set, at, alpha, gamma);
+  const magic::PureLongitudinal<T> longitudinal = magic::pac2002_longitudinal(set, at, kappa, gamma);
+  const magic::PureLateral<T> lateral = magic::pac2002_lateral(set, at, alpha, gamma);
 
   const T bx = set.rbx1 * magic::cos_of_arc<T>(set.rbx2 * kappa) * set.lxal;
   const T fx = longitudinal.force * magic::weight<T>(bx, set.rcx1, set.rex1 + set.rex2 * dfz, set.rhx1, alpha);
