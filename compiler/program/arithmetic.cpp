@@ -162,6 +162,11 @@ double fold(Op op, double first, double second, double third) {
   return op == Op::divide || op == Op::sqrt ? without_rounding(value, value) : value;
 }
 
+double sample_of(const std::vector<double>& samples, double index) {
+  const double last = static_cast<double>(samples.size() - 1);
+  return samples[index >= 0 ? static_cast<std::size_t>(std::min(index, last)) : 0];
+}
+
 bool is_commutative(Op op) { return op == Op::add || op == Op::multiply || op == Op::min || op == Op::max; }
 
 bool is_odd(Op op) { return op == Op::sin || op == Op::tan || op == Op::asin || op == Op::atan || op == Op::tanh; }

@@ -1,6 +1,8 @@
 #pragma once
 // The value of every operation: the one table behind folding and interpretation. Inside the program room.
 
+#include <vector>
+
 #include "compiler/program/program.hpp"
 
 namespace mbgen {
@@ -11,6 +13,9 @@ double apply(Op op, double first, double second, double third);
 
 /// The constant that an operation of constants becomes: as `apply`, sums and products as decimals (decimal.hpp).
 double fold(Op op, double first, double second, double third);
+
+/// Value of Op::sample: number `index` of a table, the first or last one outside, as mbgen/sample.hpp has it.
+double sample_of(const std::vector<double>& samples, double index);
 
 /// Operands may change places: add, multiply, min, max.
 bool is_commutative(Op op);

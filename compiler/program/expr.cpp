@@ -99,7 +99,7 @@ Expr pow(const Expr& a, const Expr& b) { return record(Op::pow, a, b); }
 Expr tanh(const Expr& a) { return record(Op::tanh, a); }
 Expr floor(const Expr& a) { return record(Op::floor, a); }
 Expr sample(const std::vector<double>& samples, const Expr& index) {
-  if (index.is_constant()) return samples.at(static_cast<std::size_t>(index.constant()));
+  if (index.is_constant()) return sample_of(samples, index.constant());
   return Expr(*index.builder(), index.builder()->append(Op::sample, index.value(*index.builder())));
 }
 Expr abs(const Expr& a) { return record(Op::abs, a); }

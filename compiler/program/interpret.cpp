@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "compiler/program/arithmetic.hpp"
@@ -48,12 +47,6 @@ void count(OperationCount& total, Op op) {
       ++total.other;
       return;
   }
-}
-
-/// As sample.hpp of the runtime has it.
-double sample_of(const std::vector<double>& samples, double index) {
-  const double last = static_cast<double>(samples.size() - 1);
-  return samples[index >= 0 ? static_cast<std::size_t>(std::min(index, last)) : 0];
 }
 
 }  // namespace

@@ -274,7 +274,7 @@ Expr log(const Expr& a);
 Expr pow(const Expr& a, const Expr& b);
 Expr tanh(const Expr& a);
 Expr floor(const Expr& a);
-/// samples: those of the program. Requires: a whole number among them where it is a constant.
+/// samples: those of the program.
 Expr sample(const std::vector<double>& samples, const Expr& index);
 Expr abs(const Expr& a);
 Expr min(const Expr& a, const Expr& b);
