@@ -73,6 +73,18 @@ struct FieldInfo {
   std::string_view of = {};                       ///< kind of the objects inside
 };
 
+/// A number that is constant, with its value where it is absent.
+inline FieldInfo constant_info(std::string_view name, std::string_view doc, std::string_view unit, double fallback,
+                               Bound bound, Depends depends) {
+  return {.name = name,
+          .shape = Shape::number,
+          .doc = doc,
+          .unit = unit,
+          .fallback = fallback,
+          .bound = bound,
+          .depends = depends};
+}
+
 struct Reader;
 
 /// A row with the member of Object that it fills.

@@ -125,13 +125,7 @@ std::span<const Field<SolverSettings>> fields<SolverSettings>() {
   using S = SolverSettings;
   const auto number = [](std::string_view name, std::string_view doc, std::string_view unit, double fallback,
                          Bound bound) {
-    return FieldInfo{.name = name,
-                     .shape = Shape::number,
-                     .doc = doc,
-                     .unit = unit,
-                     .fallback = fallback,
-                     .bound = bound,
-                     .depends = Depends::nothing};
+    return constant_info(name, doc, unit, fallback, bound, Depends::nothing);
   };
   static const std::array table = {
       field<S, &S::integrator>({.name = "integrator",

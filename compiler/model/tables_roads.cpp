@@ -9,6 +9,7 @@ namespace mbgen::reading {
 namespace {
 
 constexpr std::array<std::string_view, 2> kRoadLocals = {"x", "y"};
+constexpr const char* kTrack = "distance of the left and the right track";
 /// In the order of IsoRoadFields::Class.
 constexpr std::array<std::string_view, 8> kRoadClasses = {"A", "B", "C", "D", "E", "F", "G", "H"};
 /// In the order of RoadFeature::Kind.
@@ -25,6 +26,10 @@ FieldInfo over_place(std::string_view name, std::string_view doc, std::string_vi
 
 FieldInfo slope(std::string_view name, std::string_view doc) {
   return {.name = name, .doc = doc, .unit = "1", .fallback = 0, .depends = Depends::motion};
+}
+
+FieldInfo number(std::string_view name, std::string_view doc, std::string_view unit, double fallback, Bound bound) {
+  return constant_info(name, doc, unit, fallback, bound, Depends::parameters);
 }
 
 /// Where a feature or patch is.
@@ -98,16 +103,6 @@ std::span<const Field<RoadPatch>> fields<RoadPatch>() {
 template <>
 std::span<const Field<IsoRoadFields>> fields<IsoRoadFields>() {
   using S = IsoRoadFields;
-  const auto number = [](std::string_view name, std::string_view doc, std::string_view unit, double fallback,
-                         Bound bound) {
-    return FieldInfo{.name = name,
-                     .shape = Shape::number,
-                     .doc = doc,
-                     .unit = unit,
-                     .fallback = fallback,
-                     .bound = bound,
-                     .depends = Depends::parameters};
-  };
   static const std::array table = {
       field<S, &S::letter>({.name = "class",
                             .shape = Shape::word,
@@ -118,7 +113,7 @@ std::span<const Field<IsoRoadFields>> fields<IsoRoadFields>() {
       field<S, &S::seed>(number("seed", "whole number that the phases are drawn from", "", 1, Bound::not_negative)),
       field<S, &S::length>(
           number("length", "period of the road, which then begins again without a seam", "m", 250, Bound::positive)),
-      field<S, &S::track>(number("track", "distance of the left and the right track", "m", 2, Bound::positive)),
+      field<S, &S::track>(number("track", kTrack, "m", 2, Bound::positive)),
       field<S, &S::coherence>(
           number("coherence",
                  "of the two tracks, squared as usual, at a wave length of 10 m; its logarithm grows with the wave "
@@ -147,13 +142,7 @@ std::span<const Field<RoadProfileFields>> fields<RoadProfileFields>() {
       field<S, &S::z>(column("z", "column of the height, m; default: the second")),
       field<S, &S::right>(column("right", "column of the height of the right track, m; needs left")),
       field<S, &S::left>(column("left", "column of the height of the left track, m; needs right")),
-      field<S, &S::track>({.name = "track",
-                           .shape = Shape::number,
-                           .doc = "distance of the left and the right track",
-                           .unit = "m",
-                           .fallback = 2,
-                           .bound = Bound::positive,
-                           .depends = Depends::parameters}),
+      field<S, &S::track>(number("track", kTrack, "m", 2, Bound::positive)),
   };
   return table;
 }
@@ -162,13 +151,7 @@ template <>
 std::span<const Field<CrgFields>> fields<CrgFields>() {
   using S = CrgFields;
   const auto zone = [](std::string_view name, std::string_view doc) {
-    return FieldInfo{.name = name,
-                     .shape = Shape::number,
-                     .doc = doc,
-                     .unit = "m",
-                     .fallback = 0,
-                     .bound = Bound::not_negative,
-                     .depends = Depends::parameters};
+    return number(name, doc, "m", 0, Bound::not_negative);
   };
   static const std::array table = {
       field<S, &S::file>({.name = "file",
