@@ -6,32 +6,18 @@
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
-root=$(cd "$here/.." && pwd)
-binary=$root/build/release/mbgen
 steps=500
 turns=15
-while getopts b:n:t: option; do
-  case $option in
-    b) binary=$OPTARG ;;
-    n) steps=$OPTARG ;;
-    t) turns=$OPTARG ;;
-    *) exit 2 ;;
-  esac
-done
-shift $((OPTIND - 1))
+# shellcheck source=bench/steps_arguments.sh
+. "$here/steps_arguments.sh"
 [ $# -gt 0 ] || set -- "$root/models/rubber_wishbone.json" "$root/models/rubber_coach.json"
-
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
 
 printf '%-16s %-6s %14s %16s %8s\n' model lanes 'rk4, us' 'rosenbrock, us' ratio
 for model in "$@"; do
   name=$(basename "$model" .json)
   directory=$scratch/$name
   "$binary" generate "$model" --batch 8 --out "$directory" >/dev/null
-  "$binary" simulate "$model" --duration 1e-3 --step 1e-3 --engine generic --out "$scratch/start.csv" >/dev/null
-  awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) is_state[i] = $i ~ /^zd?\./ }
-           NR == 2 { for (i = 1; i <= NF; ++i) if (is_state[i]) print $i }' "$scratch/start.csv" >"$scratch/state"
+  write_start "$model"
   cmake -S "$directory" -B "$directory/native" -DMBGEN_MARCH=native >/dev/null
   cmake --build "$directory/native" >/dev/null
   c++ -std=c++17 -O2 -march=native -I "$directory" -DSOLVER="$name" -DBATCH_INTERFACE="\"${name}_batch.hpp\"" \

@@ -6,24 +6,11 @@
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
-root=$(cd "$here/.." && pwd)
-binary=$root/build/release/mbgen
-[ -x "$binary" ] || binary=$root/build/mbgen
 steps=5000
 turns=20
-while getopts b:n:t: option; do
-  case $option in
-    b) binary=$OPTARG ;;
-    n) steps=$OPTARG ;;
-    t) turns=$OPTARG ;;
-    *) exit 2 ;;
-  esac
-done
-shift $((OPTIND - 1))
+# shellcheck source=bench/steps_arguments.sh
+. "$here/steps_arguments.sh"
 [ $# -gt 0 ] || set -- "$root/models/coach.json" "$root/models/truck.json"
-
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
 
 # compile MARCH NAME DIRECTORY: the solver with the flags of its CMake file, and the loop around it
 compile() {
@@ -45,9 +32,7 @@ for model in "$@"; do
   name=$(basename "$model" .json)
   directory=$scratch/$name
   "$binary" generate "$model" --out "$directory" >/dev/null
-  "$binary" simulate "$model" --duration 1e-3 --step 1e-3 --engine generic --out "$scratch/start.csv" >/dev/null
-  awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) is_state[i] = $i ~ /^zd?\./ }
-           NR == 2 { for (i = 1; i <= NF; ++i) if (is_state[i]) print $i }' "$scratch/start.csv" >"$scratch/state"
+  write_start "$model"
   compile native "$name" "$directory"
   if command -v valgrind >/dev/null; then compile x86-64-v3 "$name" "$directory"; fi
   for method in rk4 abm4; do
