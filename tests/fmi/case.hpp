@@ -112,3 +112,14 @@ inline Knowns knowns_of(const Description& description, bool with_parameters) {
   }
   return knowns;
 }
+
+/// Rows from now on.
+template <class Unit>
+std::vector<Row> run_on(const Case& c, Unit& unit, int first, int count) {
+  std::vector<Row> rows;
+  for (int i = first; i < first + count; ++i) {
+    require(unit.step(i * c.description.step, c.description.step) == kOk, "step");
+    rows.push_back(values(unit, c.columns));
+  }
+  return rows;
+}

@@ -38,17 +38,6 @@ void co_simulate(const Case& c, std::size_t stride, bool gives_memory) {
   require(same_bits(values(unit, c.columns), c.table.rows[0]), "bits after a reset");
 }
 
-/// Rows from now on.
-template <class Unit>
-std::vector<Row> run_on(const Case& c, Unit& unit, int first, int count) {
-  std::vector<Row> rows;
-  for (int i = first; i < first + count; ++i) {
-    require(unit.step(i * c.description.step, c.description.step) == kOk, "step");
-    rows.push_back(values(unit, c.columns));
-  }
-  return rows;
-}
-
 template <class Unit>
 void roll_back(const Case& c) {
   Unit unit(c.library, c.description, false), other(c.library, c.description, false);
@@ -298,28 +287,6 @@ void exceed(const Case& c) {
     require(unit.set({variable.reference}, {value}) == kError && says(variable.name + "\" cannot be set in"),
             variable.name + " after the start");
   }
-}
-
-/// Tunable parameters and inputs matter, and a parameter set between steps acts from then on.
-template <class Unit>
-void tune(const Case& c) {
-  Unit unit(c.library, c.description, false);
-  start(unit);
-  run_on(c, unit, 0, 2);
-  int tuned = 0;
-  for (const Variable& variable : c.description.variables) {
-    if (variable.variability != "tunable") continue;
-    void* state = nullptr;
-    require(unit.save(state) == kOk, "save");
-    const double value = values(unit, {variable.reference})[0];
-    require(unit.set({variable.reference}, {1.1 * value}) == kOk, "set " + variable.name);
-    require(!same_bits(run_on(c, unit, 2, 1)[0], c.table.rows[3]), variable.name + " matters");
-    require(unit.restore(state) == kOk && values(unit, {variable.reference})[0] == value, "parameter after a rollback");
-    require(same_bits(run_on(c, unit, 2, 1)[0], c.table.rows[3]), "bits after a rollback");
-    require(unit.restore(state) == kOk && unit.forget(state) == kOk, "forget");
-    ++tuned;
-  }
-  std::printf("  %d tunable parameters\n", tuned);
 }
 
 /// Bodies that roll have no states that an importer may integrate: the other interface and derivatives are refused.

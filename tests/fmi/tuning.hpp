@@ -68,3 +68,25 @@ void tune_lengths(const Case& c) {
   require(other.enter_continuous() == kOk, "continuous time");
   require(std::abs(values(other, {gauge})[0] - 0.45) < 1e-9, "model exchange closes the loop, too");
 }
+
+/// Tunable parameters and inputs matter, and a parameter set between steps acts from then on.
+template <class Unit>
+void tune(const Case& c) {
+  Unit unit(c.library, c.description, false);
+  start(unit);
+  run_on(c, unit, 0, 2);
+  int tuned = 0;
+  for (const Variable& variable : c.description.variables) {
+    if (variable.variability != "tunable") continue;
+    void* state = nullptr;
+    require(unit.save(state) == kOk, "save");
+    const double value = values(unit, {variable.reference})[0];
+    require(unit.set({variable.reference}, {1.1 * value}) == kOk, "set " + variable.name);
+    require(!same_bits(run_on(c, unit, 2, 1)[0], c.table.rows[3]), variable.name + " matters");
+    require(unit.restore(state) == kOk && values(unit, {variable.reference})[0] == value, "parameter after a rollback");
+    require(same_bits(run_on(c, unit, 2, 1)[0], c.table.rows[3]), "bits after a rollback");
+    require(unit.restore(state) == kOk && unit.forget(state) == kOk, "forget");
+    ++tuned;
+  }
+  std::printf("  %d tunable parameters\n", tuned);
+}

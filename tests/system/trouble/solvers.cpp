@@ -8,6 +8,7 @@
 #include "compiler/engines/engine.hpp"
 #include "tests/support/compiled_solver.hpp"
 #include "tests/support/dynamics.hpp"
+#include "tests/support/table_state.hpp"
 
 /// Calls of the heap by this program so far, see tests/support/heap.cpp; null under sanitizers.
 extern "C" [[gnu::weak]] long heap_calls();
@@ -29,27 +30,6 @@ Status watched(const Call& call) {
   const Status status = call();
   if (heap_calls() != before) throw std::logic_error("an emitted function touches the heap");
   return status;
-}
-
-/// The layout of the table in mbgen/driver.hpp.
-std::vector<double> flat(const GenericState& state) {
-  std::vector<double> values;
-  for (const std::vector<double>* part : {&state.z, &state.zd, &state.x}) {
-    values.insert(values.end(), part->begin(), part->end());
-  }
-  values.push_back(state.t);
-  return values;
-}
-
-GenericState unflat(const std::vector<double>& values, std::size_t coordinates) {
-  GenericState state;
-  const auto z = values.begin(), zd = z + static_cast<std::ptrdiff_t>(coordinates),
-             x = zd + static_cast<std::ptrdiff_t>(coordinates);
-  state.z.assign(z, zd);
-  state.zd.assign(zd, x);
-  state.x.assign(x, values.end() - 1);
-  state.t = values.back();
-  return state;
 }
 
 }  // namespace
@@ -93,15 +73,15 @@ Solver generated_solver(const Compilation& compilation, const std::string& comma
   table.start_abm4(history->data());
   // The library stays for as long as a function of it can be called.
   const auto moving = [loaded, &table](Case& at, auto call) {
-    std::vector<double> state = flat(at.state);
+    std::vector<double> state = testing::flat(table, at.state);
     const Status status = watched([&] { return call(state.data()); });
-    at.state = unflat(state, static_cast<std::size_t>(table.coordinates));
+    at.state = testing::unflat(table, state);
     return status;
   };
   solver.accelerations = [loaded, &table](Case& at) {
     std::vector<double> rates = at.derivative.zdd;
     rates.insert(rates.end(), at.derivative.xd.begin(), at.derivative.xd.end());
-    const std::vector<double> state = flat(at.state);
+    const std::vector<double> state = testing::flat(table, at.state);
     const Status status = watched([&] {
       return table.accelerations(at.parameters.data(), at.inputs.data(), state.data(), at.tau.data(), rates.data());
     });
@@ -122,7 +102,8 @@ Solver generated_solver(const Compilation& compilation, const std::string& comma
   };
   solver.largest_residual = [loaded, &table](const Case& at) {
     std::vector<double> position(static_cast<std::size_t>(table.closure_equations)), velocity = position;
-    table.residuals(at.parameters.data(), at.inputs.data(), flat(at.state).data(), position.data(), velocity.data());
+    const std::vector<double> state = testing::flat(table, at.state);
+    table.residuals(at.parameters.data(), at.inputs.data(), state.data(), position.data(), velocity.data());
     return largest_absolute(position);
   };
   solver.describe = [loaded, &table](Status status) {

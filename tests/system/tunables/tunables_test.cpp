@@ -7,6 +7,7 @@
 #include "compiler/compile.hpp"
 #include "tests/support/compiled_solver.hpp"
 #include "tests/support/mechanism_support.hpp"
+#include "tests/support/table_state.hpp"
 
 namespace mbgen {
 namespace {
@@ -126,16 +127,6 @@ struct Solver {
   std::vector<double> parameters;
 };
 
-/// A state as the solver's table takes it, every ball in its own chart.
-std::vector<double> flat(const Mechanism& m, const GenericState& state) {
-  std::vector<double> all = state.z;
-  all.insert(all.end(), state.zd.begin(), state.zd.end());
-  all.insert(all.end(), state.x.begin(), state.x.end());
-  all.push_back(state.t);
-  all.resize(all.size() + m.topology.balls.size(), 0.0);
-  return all;
-}
-
 /// At the solver's parameters, the generic runtime gives the same accelerations.
 void expect_as_judged(const Solver& solver, const Compilation& tuned) {
   const Mechanism m{tuned.model, tuned.topology, tuned.analysis};
@@ -150,7 +141,7 @@ void expect_as_judged(const Solver& solver, const Compilation& tuned) {
     ASSERT_TRUE(judge.accelerations(state, tau, expected).ok());
     std::vector<double> rates = expected.zdd;
     rates.insert(rates.end(), expected.xd.begin(), expected.xd.end());
-    EXPECT_LT(relative_error(solver.accelerations(flat(m, state), tau), rates), 1e-10);
+    EXPECT_LT(relative_error(solver.accelerations(flat(*solver.table, state), tau), rates), 1e-10);
   }
   EXPECT_GE(compared, 3);
 }
@@ -165,7 +156,7 @@ TEST_P(Tunables, EqualFoldedNumbersAndReachEveryTerm) {
   const std::vector<double> tau = random_tau(m, 3);
   double accelerations = 0, motion = 0;
   for (const GenericState& state : random_states(m, 5)) {
-    const std::vector<double> at = flat(m, state);
+    const std::vector<double> at = flat(*solver.table, state);
     accelerations =
         std::max(accelerations, relative_error(solver.accelerations(at, tau), folded.accelerations(at, tau)));
     motion = std::max(motion, relative_error(solver.after_steps(at, 50), folded.after_steps(at, 50)));
