@@ -66,6 +66,23 @@ std::string trailing_arm(const std::string& supports) {
          supports + " } } }";
 }
 
+// The arm's pivot is parallel to the wheel's axis: a wheel that is one with its arm is not taken to spin there.
+TEST(TrailingArm, MayBeOneWithItsWheel) {
+  std::string text = trailing_arm("");
+  const auto cut = [&](const std::string& from, const std::string& to, const std::string& instead) {
+    const std::size_t begin = text.find(from);
+    text.replace(begin, text.find(to, begin) - begin, instead);
+  };
+  cut(",\n    \"wheel\": { \"mass\"", " },\n  \"joints\"", "");
+  cut(",\n    \"wheel\": { \"type\"", " },\n  \"springs\"", "");
+  cut("\"wheel.hub\"", ", \"radius\"", "\"arm.hub\"");
+  const KcReport one = report_of_text(text, {.travel = 0.03, .points = 3});
+  const KcReport two = report_of_text(trailing_arm(""), {.travel = 0.03, .points = 3});
+  for (const char* name : {"anti_lift", "anti_squat", "roll_centre_height", "scrub_radius", "caster"})
+    EXPECT_NEAR(figure(one, name), figure(two, name), 1e-12) << name;
+  EXPECT_NEAR(figure(one, "wheel_rate"), 60000 * 0.25, 1e-5);
+}
+
 TEST(TrailingArm, CarriesBrakesAndDriveByItsSlopes) {
   const KcReport report = report_of_text(trailing_arm(""), {.travel = 0.03, .points = 3});
   // Arms of the contact centre and the wheel centre from the pivot: (-0.4, -0.35) and (-0.4, -0.05).

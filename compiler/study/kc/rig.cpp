@@ -55,7 +55,11 @@ class RigBuilder {
     add_steer();
     add_elements();
     rig_.start_inputs = inputs_;
-    rig_.compilation = expect(decide(std::move(model_)));
+    Result<Compilation> decided = decide(std::move(model_));
+    if (!decided)
+      throw UserError(fmt::format("{}: axle {}: its rig is no model to solve\n{}", user_.model.file, axle_.name,
+                                  to_text(decided.problems())));
+    rig_.compilation = std::move(*decided);
     add_programs(rig_.compilation);
     take_start();
     return std::move(rig_);
@@ -256,16 +260,18 @@ class RigBuilder {
     return motion;
   }
 
-  /// Keeps the wheel from turning about its axis.
+  /// Keeps the wheel from turning about its axis. A joint beside that axis is a pivot of the arm that carries the wheel.
   void lock(const MountedWheel& wheel) {
-    constexpr double kSameAxis = 1e-3;
+    constexpr double kSameAxis = 1e-3, kOnAxis = 1e-3;  // 1, m
+    const Vector3 centre = reference_position(model_, wheel.centre);
     for (std::size_t j = 0; j < model_.joints.size(); ++j) {
       const Joint& joint = model_.joints[j];
       const bool is_at_wheel = joint.from.body == wheel.centre.body || joint.to.body == wheel.centre.body;
       if (!is_at_wheel || joint.type != JointType::revolute) continue;
-      const Vector3& axis = joint.axis;
-      const double along = axis[0] * wheel.axis[0] + axis[1] * wheel.axis[1] + axis[2] * wheel.axis[2];
-      if (std::abs(along) < 1 - kSameAxis) continue;
+      if (std::abs(dot(joint.axis, wheel.axis)) < 1 - kSameAxis) continue;
+      const Vector3 place = reference_position(model_, joint.from);
+      const Vector3 way = {place[0] - centre[0], place[1] - centre[1], place[2] - centre[2]};
+      if (norm(cross(wheel.axis, way)) > kOnAxis) continue;
       const CoordinateReference coordinate{static_cast<int>(j), 0};
       drive("rig spin " + wheel.name, coordinate, start_of(coordinate));
     }
