@@ -225,7 +225,7 @@ TEST(MetricsText, IsReadByPeopleAndByThePage) {
   const Metrics metrics{{{"understeer_gradient", 0.01, "rad/(m/s^2)", "more steer"},
                          {"gain", 1, "(m/s^2)/rad", "answer"},
                          {"share", 0.25, "1", "part"}},
-                        {{"Path", {"x", "m"}, {"y", "m"}, true, {{"limits", {0, 1, 2}, {0, std::nan(""), 1.0 / 3}}}}},
+                        {{"Path", {"x", "m"}, {"y", "m"}, {{"limits", {0, 1, 2}, {0, std::nan(""), 1.0 / 3}}}}},
                         {"why"}};
   EXPECT_EQ(metrics_text(metrics),
             "  understeer_gradient                      0.57296 deg/(m/s^2)\n"
@@ -238,9 +238,8 @@ TEST(MetricsText, IsReadByPeopleAndByThePage) {
       run["metrics"][0],
       nlohmann::ordered_json(
           {{"name", "understeer_gradient"}, {"value", 0.01}, {"unit", "rad/(m/s^2)"}, {"meaning", "more steer"}}));
-  EXPECT_EQ(run["diagrams"].dump(),
-            R"([{"title":"Path","x":{"name":"x","unit":"m"},"y":{"name":"y","unit":"m"},"equal_scales":true,)"
-            R"("curves":[{"name":"limits","x":[0.0,1.0,2.0],"y":[0.0,null,0.333333]}]}])");
+  EXPECT_EQ(run["diagrams"].dump(), R"([{"title":"Path","x":{"name":"x","unit":"m"},"y":{"name":"y","unit":"m"},)"
+                                    R"("curves":[{"name":"limits","x":[0.0,1.0,2.0],"y":[0.0,null,0.333333]}]}])");
   EXPECT_EQ(run["metric_notes"].dump(), R"(["why"])");
 }
 

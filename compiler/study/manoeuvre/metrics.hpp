@@ -23,7 +23,6 @@ struct Curve {
 struct Diagram {
   std::string title;
   Heading x, y;
-  bool has_equal_scales = false;  ///< a metre across is as long as a metre up
   std::vector<Curve> curves;
 };
 

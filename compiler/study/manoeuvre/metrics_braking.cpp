@@ -115,7 +115,7 @@ Metrics braking_metrics(const VehicleSeries& s, const Braking& braking) {
   add_decelerations(metrics, way);
   add_deviations(metrics, s, way.first);
   metrics.diagrams.push_back(
-      {"Speed while braking", {"way", "m"}, {"speed", "m/s"}, false, {{"speed", way.length, way.speed}}});
+      {"Speed while braking", {"way", "m"}, {"speed", "m/s"}, {{"speed", way.length, way.speed}}});
   return metrics;
 }
 

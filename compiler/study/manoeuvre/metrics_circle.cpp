@@ -140,12 +140,11 @@ void add_diagrams(Metrics& metrics, const VehicleSeries& s) {
   for (std::size_t i = 0; i < s.t.size(); ++i) sideslip.push_back(sideslip_at(s, i));
   const Heading across{"lateral acceleration", "m/s^2"};
   metrics.diagrams.push_back(
-      {"Steer angle", across, {"steer angle", "rad"}, false, {{"steer angle", s.lateral_acceleration, s.steer}}});
+      {"Steer angle", across, {"steer angle", "rad"}, {{"steer angle", s.lateral_acceleration, s.steer}}});
   metrics.diagrams.push_back(
       {"Roll and sideslip",
        across,
        {"angle", "rad"},
-       false,
        {{"roll angle", s.lateral_acceleration, s.roll}, {"sideslip angle", s.lateral_acceleration, sideslip}}});
 }
 

@@ -127,7 +127,7 @@ void add_diagram(Metrics& metrics, const std::vector<Pose>& poses, const LaneCha
       curve->y.insert(curve->y.end(), {y, y, gap});
     }
   }
-  metrics.diagrams.push_back({"Path", {"x", "m"}, {"y", "m"}, false, {path, left, right}});
+  metrics.diagrams.push_back({"Path", {"x", "m"}, {"y", "m"}, {path, left, right}});
 }
 
 }  // namespace

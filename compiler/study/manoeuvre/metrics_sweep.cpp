@@ -174,7 +174,7 @@ void add_response_diagrams(Metrics& metrics, const FrequencyResponse& yaw, const
   const Heading across{"frequency", "Hz"};
   const auto picture = [&](const std::string& title, const Heading& up, const FrequencyResponse& of,
                            const Values& values) {
-    metrics.diagrams.push_back({title, across, up, false, {{title, of.frequency, values}}});
+    metrics.diagrams.push_back({title, across, up, {{title, of.frequency, values}}});
   };
   picture("Gain of the yaw velocity", {"gain", "1/s"}, yaw, yaw.gain);
   picture("Gain of the lateral acceleration", {"gain", "(m/s^2)/rad"}, lateral, lateral.gain);
@@ -182,7 +182,6 @@ void add_response_diagrams(Metrics& metrics, const FrequencyResponse& yaw, const
       {"Phase to the steer angle",
        across,
        {"phase", "rad"},
-       false,
        {{"yaw velocity", yaw.frequency, yaw.phase}, {"lateral acceleration", lateral.frequency, lateral.phase}}});
 }
 

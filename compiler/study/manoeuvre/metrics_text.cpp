@@ -58,11 +58,8 @@ void add_metrics(Json& run, const Metrics& metrics) {
     Json curves = Json::array();
     for (const Curve& curve : diagram.curves)
       curves.push_back({{"name", curve.name}, {"x", numbers(curve.x)}, {"y", numbers(curve.y)}});
-    diagrams.push_back({{"title", diagram.title},
-                        {"x", heading(diagram.x)},
-                        {"y", heading(diagram.y)},
-                        {"equal_scales", diagram.has_equal_scales},
-                        {"curves", curves}});
+    diagrams.push_back(
+        {{"title", diagram.title}, {"x", heading(diagram.x)}, {"y", heading(diagram.y)}, {"curves", curves}});
   }
   run["metrics"] = values;
   run["diagrams"] = diagrams;

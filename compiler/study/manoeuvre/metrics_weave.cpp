@@ -142,7 +142,6 @@ Metrics weave_metrics(const VehicleSeries& s, const Weave& weave) {
   metrics.diagrams.push_back({"Weave",
                               {"steer angle", "rad"},
                               {"lateral acceleration", "m/s^2"},
-                              false,
                               {{"lateral acceleration", part(s.steer), part(s.lateral_acceleration)}}});
   return metrics;
 }
