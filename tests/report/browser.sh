@@ -33,6 +33,10 @@ EOF
 "$mbgen" report moved.csv -o moved.html
 "$mbgen" simulate "$models/rubber_wishbone.json" --duration 0.2 --engine generic --out rubber.csv > /dev/null
 "$mbgen" report rubber.csv -o rubber.html
+# A run with metrics, as mbgen simulate --manoeuvre describes it.
+cp moved.csv circle.csv
+node "$here/metrics.mjs" describe moved.csv.run.json circle.csv.run.json
+"$mbgen" report circle.csv -o circle.html
 for page in coach modes; do
   size=$(wc -c < $page.html)
   [ "$size" -lt 3000000 ] || { echo "$page.html of the coach has $size bytes"; exit 1; }
@@ -49,4 +53,5 @@ if ! cmp -s "$here/package-lock.json" "$modules/installed"; then
   cp "$here/package-lock.json" "$modules/installed"
 fi
 node "$here/browser.mjs" coach.html "$pictures" "$modules" moved.html rubber.html
+node "$here/metrics.mjs" check circle.html moved.html "$pictures" "$modules"
 node "$here/modes.mjs" modes.html modes.json growing.html "$pictures" "$modules"

@@ -2,16 +2,17 @@
 
 import uPlot from "uplot";
 import { valueAt } from "./data.js";
+import { inDegrees } from "./numbers.js";
 import { colour, curveColour } from "./theme.js";
 
 export const kHeight = 168;
-const kDegrees = 180 / Math.PI;
 const kLargeFrom = 2000;
 const kFont = "11px system-ui, sans-serif";
 
 /** Factor and unit as a column is shown: angles in degrees, large forces in kilo. */
 export function shownUnit({ unit, smallest, largest }) {
-  if (unit === "rad" || unit.startsWith("rad/")) return { factor: kDegrees, unit: unit.replace("rad", "deg") };
+  const degrees = inDegrees(unit);
+  if (degrees.factor !== 1) return degrees;
   const size = Math.max(Math.abs(smallest), Math.abs(largest));
   if (["N", "N m", "Pa", "J", "W"].includes(unit) && size >= kLargeFrom) return { factor: 1e-3, unit: `k${unit}` };
   return { factor: 1, unit };

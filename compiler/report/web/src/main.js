@@ -1,6 +1,7 @@
 // The page of mbgen: animation, tables and topology, with the plots of a result or the list of a model's modes.
 
 import { readData } from "./data.js";
+import { writeMetrics } from "./metrics.js";
 import { createModes } from "./modes.js";
 import { createPicker } from "./picker.js";
 import { createPlayer } from "./player.js";
@@ -170,6 +171,7 @@ function connectKeys(player, view, data, speeds, others) {
 }
 
 function startPlots(data, player) {
+  writeMetrics(data.run, at("charts"));
   const pick = createPicker(data.table);
   const plots = createPlots(data.table, player, at("charts"), pick);
   firstPlots(data.table).forEach(plots.add);

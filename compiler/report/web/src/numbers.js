@@ -17,3 +17,12 @@ export function niceStep(size) {
   const digit = size / power;
   return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
 }
+
+const kDegrees = 180 / Math.PI;
+
+/** Factor and unit that show angles in degrees. */
+export function inDegrees(unit) {
+  if (/^rad(?![a-z])/.test(unit)) return { factor: kDegrees, unit: unit.replace("rad", "deg") };
+  if (unit.endsWith("/rad")) return { factor: 1 / kDegrees, unit: unit.replace(/rad$/, "deg") };
+  return { factor: 1, unit };
+}

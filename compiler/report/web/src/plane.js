@@ -1,19 +1,13 @@
 // Eigenvalues in their plane: real parts to the right, imaginary parts upwards.
 
-import { niceStep, shortNumber } from "./numbers.js";
+import { shortNumber } from "./numbers.js";
+import { piece, ticks } from "./svg.js";
 
 const kWidth = 460;
 const kHeight = 250;
 const kMargin = { left: 14, right: 14, top: 14, bottom: 20 };
 const kRoom = 1.12; // beyond the last eigenvalue
 const kNarrowest = 0.3; // of the height, so that undamped modes do not make it a line
-
-function piece(name, attributes, text) {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-  Object.entries(attributes).forEach(([key, value]) => element.setAttribute(key, value));
-  if (text !== undefined) element.textContent = text;
-  return element;
-}
 
 /** What the plane shows: all oscillations and all that grows; without them all. Others stand at its edge. */
 function limits(modes) {
@@ -39,13 +33,6 @@ function createScales(modes) {
     ticksX: ticks(left, right),
     ticksY: ticks(-top, top),
   };
-}
-
-function ticks(from, to) {
-  const step = niceStep((to - from) / 4);
-  const places = [];
-  for (let i = Math.ceil(from / step); i * step <= to; ++i) places.push(i * step);
-  return places;
 }
 
 function axes(scales) {
