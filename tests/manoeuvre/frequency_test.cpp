@@ -48,7 +48,7 @@ VehicleSeries swept_sine(const SingleTrack& car, double duration) {
 }
 
 /// Every number against the closed form, within a share of it.
-void expect_responses(const Metrics& metrics, const SingleTrack& car, double share) {
+void expect_responses(const VehicleMetrics& metrics, const SingleTrack& car, double share) {
   const auto near = [&](const std::string& name, double expected) {
     EXPECT_NEAR(value(metrics, name), expected, share * std::abs(expected)) << name;
   };
@@ -92,9 +92,9 @@ TEST(SineSweep, NoiseOfTheAnswersIsAveragedOut) {
 TEST(SineSweep, MirroredSteeringIsAGainBelowZero) {
   const SingleTrack car{.speed = 35};
   VehicleSeries s = swept_sine(car, 80);
-  const Metrics metrics = sine_sweep_metrics(s, {});
+  const VehicleMetrics metrics = sine_sweep_metrics(s, {});
   for (double& steer : s.steer) steer = -steer;
-  const Metrics mirrored = sine_sweep_metrics(s, {});
+  const VehicleMetrics mirrored = sine_sweep_metrics(s, {});
   EXPECT_DOUBLE_EQ(value(mirrored, "yaw_rate_gain"), -value(metrics, "yaw_rate_gain"));
   EXPECT_DOUBLE_EQ(value(mirrored, "yaw_rate_phase_1hz"), value(metrics, "yaw_rate_phase_1hz"));
 }
@@ -103,22 +103,22 @@ TEST(SineSweep, SaysWhereTheResponseCannotBeTrusted) {
   const SingleTrack car{.speed = 35};
   VehicleSeries s = random_steering(car, 120);
   add_noise(s.yaw_rate, 3, 1);
-  const Metrics noisy = sine_sweep_metrics(s, {.lowest = 0.1, .highest = 4});
+  const VehicleMetrics noisy = sine_sweep_metrics(s, {.lowest = 0.1, .highest = 4});
   EXPECT_FALSE(has(noisy, "yaw_rate_gain"));
   EXPECT_TRUE(has(noisy, "lateral_acceleration_gain"));
   EXPECT_TRUE(notes(noisy, "yaw_rate: its coherence with the steer angle is"));
 
-  const Metrics small = sine_sweep_metrics(swept_sine(car, 20), {});
+  const VehicleMetrics small = sine_sweep_metrics(swept_sine(car, 20), {});
   EXPECT_TRUE(small.values.empty());
   EXPECT_TRUE(notes(small, "drive 24 s at least")) << small.notes.front();
 
-  const Metrics high = sine_sweep_metrics(random_steering(car, 120), {.lowest = 0.8, .highest = 4});
+  const VehicleMetrics high = sine_sweep_metrics(random_steering(car, 120), {.lowest = 0.8, .highest = 4});
   EXPECT_FALSE(has(high, "yaw_rate_gain"));
   EXPECT_FALSE(has(high, "yaw_rate_bandwidth"));
   EXPECT_TRUE(has(high, "yaw_rate_phase_1hz"));
   EXPECT_TRUE(notes(high, "too high to tell of slow steering"));
 
-  const Metrics low = sine_sweep_metrics(random_steering(car, 120), {.lowest = 0.1, .highest = 0.8});
+  const VehicleMetrics low = sine_sweep_metrics(random_steering(car, 120), {.lowest = 0.1, .highest = 0.8});
   EXPECT_FALSE(has(low, "yaw_rate_bandwidth"));
   EXPECT_FALSE(has(low, "yaw_rate_phase_1hz"));
   EXPECT_TRUE(notes(low, "yaw_rate_phase_1hz: the response goes from"));
@@ -141,7 +141,7 @@ VehicleSeries weave_series(const SingleTrack& car, double frequency, double dura
 }
 
 // The loop of two sines is an ellipse.
-void expect_weave(const Metrics& metrics, const SingleTrack& car, double frequency, double share) {
+void expect_weave(const VehicleMetrics& metrics, const SingleTrack& car, double frequency, double share) {
   const Complex yaw = car.yaw(on_axis(frequency)), lateral = car.lateral_acceleration(on_axis(frequency));
   const double lag = -std::arg(lateral), steer = 0.02;
   const auto near = [&](const std::string& name, double expected) {

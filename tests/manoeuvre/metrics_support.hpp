@@ -18,19 +18,20 @@ using Complex = std::complex<double>;
 constexpr double kPi = std::numbers::pi;
 
 /// Of a number; fails the test where it is missing.
-inline double value(const Metrics& metrics, const std::string& name) {
-  for (const Metric& metric : metrics.values)
+inline double value(const VehicleMetrics& metrics, const std::string& name) {
+  for (const VehicleMetric& metric : metrics.values)
     if (metric.name == name) return metric.value;
   ADD_FAILURE() << "no " << name << (metrics.notes.empty() ? "" : "; " + metrics.notes.front());
   return std::nan("");
 }
 
-inline bool has(const Metrics& metrics, const std::string& name) {
-  return std::any_of(metrics.values.begin(), metrics.values.end(), [&](const Metric& m) { return m.name == name; });
+inline bool has(const VehicleMetrics& metrics, const std::string& name) {
+  return std::any_of(metrics.values.begin(), metrics.values.end(),
+                     [&](const VehicleMetric& m) { return m.name == name; });
 }
 
 /// Whether a note holds these words.
-inline bool notes(const Metrics& metrics, const std::string& words) {
+inline bool notes(const VehicleMetrics& metrics, const std::string& words) {
   return std::any_of(metrics.notes.begin(), metrics.notes.end(),
                      [&](const std::string& note) { return note.find(words) != std::string::npos; });
 }

@@ -45,7 +45,7 @@ VehicleSeries circle_series(const SingleTrack& car, Kind kind) {
 TEST(SteadyCircle, GradientsOfASingleTrackAreItsClosedForms) {
   const SingleTrack car;
   for (const Kind kind : {Kind::constant_radius, Kind::constant_speed, Kind::constant_steer}) {
-    const Metrics metrics = steady_circle_metrics(circle_series(car, kind), circle_of(kind, car));
+    const VehicleMetrics metrics = steady_circle_metrics(circle_series(car, kind), circle_of(kind, car));
     const double k = car.understeer();
     EXPECT_NEAR(value(metrics, "understeer_gradient"), k, 1e-9 * k);
     EXPECT_NEAR(value(metrics, "characteristic_speed"), std::sqrt(car.wheelbase() / k), 1e-6);
@@ -63,11 +63,11 @@ TEST(SteadyCircle, GradientsOfASingleTrackAreItsClosedForms) {
 
 TEST(SteadyCircle, SideslipAndYawGainAreThoseOfTheirSpeedAndRadius) {
   const SingleTrack car;
-  const Metrics radius =
+  const VehicleMetrics radius =
       steady_circle_metrics(circle_series(car, Kind::constant_radius), circle_of(Kind::constant_radius, car));
   const double of_load = -car.mass * car.front / (car.wheelbase() * car.rear_stiffness);
   EXPECT_NEAR(value(radius, "sideslip_gradient"), of_load, 1e-12);
-  const Metrics speed =
+  const VehicleMetrics speed =
       steady_circle_metrics(circle_series(car, Kind::constant_speed), circle_of(Kind::constant_speed, car));
   const double squared = car.speed * car.speed;
   EXPECT_NEAR(value(speed, "sideslip_gradient"), of_load + car.rear / squared, 1e-12);
@@ -82,7 +82,7 @@ TEST(SteadyCircle, ToTheRightIsTheMirrorOfToTheLeft) {
   for (auto* values : {&s.steer, &s.lateral_speed, &s.lateral_acceleration, &s.yaw_rate, &s.roll})
     for (double& one : *values) one = -one;
   std::swap(s.loads[0], s.loads[1]), std::swap(s.loads[2], s.loads[3]);
-  const Metrics metrics = steady_circle_metrics(s, circle_of(Kind::constant_radius, car));
+  const VehicleMetrics metrics = steady_circle_metrics(s, circle_of(Kind::constant_radius, car));
   EXPECT_NEAR(value(metrics, "understeer_gradient"), car.understeer(), 1e-12);
   EXPECT_NEAR(value(metrics, "roll_gradient"), kRollGradient, 1e-12);
   EXPECT_NEAR(value(metrics, "load_transfer_axle_1"), kFrontTransfer, 1e-8);
@@ -93,7 +93,7 @@ TEST(SteadyCircle, OversteerHasACriticalSpeed) {
   SingleTrack car;
   std::swap(car.front_stiffness, car.rear_stiffness), std::swap(car.front, car.rear);
   ASSERT_LT(car.understeer(), 0);
-  const Metrics metrics =
+  const VehicleMetrics metrics =
       steady_circle_metrics(circle_series(car, Kind::constant_radius), circle_of(Kind::constant_radius, car));
   EXPECT_NEAR(value(metrics, "understeer_gradient"), car.understeer(), 1e-12);
   EXPECT_NEAR(value(metrics, "critical_speed"), std::sqrt(-car.wheelbase() / car.understeer()), 1e-6);
@@ -105,7 +105,7 @@ TEST(SteadyCircle, NoiseDoesNotBreakIt) {
   VehicleSeries s = circle_series(car, Kind::constant_radius);
   add_noise(s.steer, 0.02, 1), add_noise(s.lateral_acceleration, 0.1, 2), add_noise(s.yaw_rate, 0.005, 3);
   add_noise(s.roll, 0.001, 4), add_noise(s.loads[0], 50, 5);
-  const Metrics metrics = steady_circle_metrics(s, circle_of(Kind::constant_radius, car));
+  const VehicleMetrics metrics = steady_circle_metrics(s, circle_of(Kind::constant_radius, car));
   EXPECT_NEAR(value(metrics, "understeer_gradient"), car.understeer(), 0.03 * car.understeer());
   EXPECT_NEAR(value(metrics, "roll_gradient"), kRollGradient, 0.02 * kRollGradient);
   EXPECT_NEAR(value(metrics, "load_transfer_axle_1"), kFrontTransfer, 0.02 * kFrontTransfer);
@@ -117,7 +117,7 @@ TEST(SteadyCircle, SaysWhatItCannotGive) {
   const SteadyCircle circle = circle_of(Kind::constant_radius, car);
   VehicleSeries slow = circle_series(car, Kind::constant_radius);
   for (double& lateral : slow.lateral_acceleration) lateral *= 0.2;
-  Metrics metrics = steady_circle_metrics(slow, circle);
+  VehicleMetrics metrics = steady_circle_metrics(slow, circle);
   EXPECT_FALSE(has(metrics, "understeer_gradient"));
   EXPECT_TRUE(notes(metrics, "the lateral acceleration covers 1.14 m/s^2"));
   EXPECT_NEAR(value(metrics, "largest_lateral_acceleration"), 1.2, 1e-12);

@@ -82,7 +82,7 @@ TEST(StepSteer, TimesAreThoseOfTheClosedForm) {
     double smoothing, time, share;  // tolerances: s, relative
   } cases[] = {{0, 1e-5, 1e-5}, {0.05, 1e-3, 2e-3}};
   for (const auto& c : cases) {
-    const Metrics metrics = step_steer_metrics(step_series(answers, 1e-3, 6), {.smoothing = c.smoothing});
+    const VehicleMetrics metrics = step_steer_metrics(step_series(answers, 1e-3, 6), {.smoothing = c.smoothing});
     EXPECT_NEAR(value(metrics, "steer_step"), kSteer, 1e-9);
     EXPECT_NEAR(value(metrics, "speed"), 35, 1e-9);
     EXPECT_NEAR(value(metrics, "steady_yaw_rate"), e.steady_yaw, 1e-5 * e.steady_yaw);
@@ -101,10 +101,10 @@ TEST(StepSteer, TimesAreThoseOfTheClosedForm) {
 TEST(StepSteer, ToTheRightIsTheMirrorOfToTheLeft) {
   const Answers answers{{.speed = 35}};
   VehicleSeries s = step_series(answers, 1e-3, 6);
-  const Metrics left = step_steer_metrics(s, {});
+  const VehicleMetrics left = step_steer_metrics(s, {});
   for (auto* values : {&s.steer, &s.lateral_speed, &s.lateral_acceleration, &s.yaw_rate, &s.roll})
     for (double& one : *values) one = -one;
-  const Metrics right = step_steer_metrics(s, {});
+  const VehicleMetrics right = step_steer_metrics(s, {});
   for (const char* name : {"yaw_rate_gain", "yaw_rate_response_time", "yaw_rate_peak_time", "yaw_rate_overshoot"})
     EXPECT_DOUBLE_EQ(value(right, name), value(left, name)) << name;
   EXPECT_DOUBLE_EQ(value(right, "steady_yaw_rate"), -value(left, "steady_yaw_rate"));
@@ -116,7 +116,7 @@ TEST(StepSteer, NoiseDoesNotBreakIt) {
   VehicleSeries s = step_series(answers, 2e-3, 6);
   add_noise(s.yaw_rate, 0.03 * e.steady_yaw, 1), add_noise(s.lateral_acceleration, 0.03 * e.steady_lateral, 2);
   add_noise(s.steer, 0.01 * kSteer, 3), add_noise(s.lateral_speed, 0.01, 4);
-  const Metrics metrics = step_steer_metrics(s, {});
+  const VehicleMetrics metrics = step_steer_metrics(s, {});
   EXPECT_NEAR(value(metrics, "steady_yaw_rate"), e.steady_yaw, 0.003 * e.steady_yaw);
   EXPECT_NEAR(value(metrics, "yaw_rate_response_time"), e.yaw_90, 0.01);
   EXPECT_NEAR(value(metrics, "lateral_acceleration_response_time"), e.lateral_90, 0.02);
@@ -128,7 +128,7 @@ TEST(StepSteer, SlowVehicleHasNoPeak) {
   const Answers answers{{.inertia = 1200, .speed = 14.7}};
   const SingleTrack& car = answers.car;
   ASSERT_GT(car.square(), car.sigma() * car.sigma());
-  const Metrics metrics = step_steer_metrics(step_series(answers, 1e-3, 6), {});
+  const VehicleMetrics metrics = step_steer_metrics(step_series(answers, 1e-3, 6), {});
   EXPECT_LT(value(metrics, "yaw_rate_overshoot"), 0.01);
   EXPECT_FALSE(has(metrics, "yaw_rate_peak_time"));
   EXPECT_FALSE(has(metrics, "tb_factor"));
@@ -137,7 +137,7 @@ TEST(StepSteer, SlowVehicleHasNoPeak) {
 
 TEST(StepSteer, SaysWhatItCannotGive) {
   const Answers answers{{.speed = 35}};
-  Metrics metrics = step_steer_metrics(step_series(answers, 1e-3, 1.5), {});
+  VehicleMetrics metrics = step_steer_metrics(step_series(answers, 1e-3, 1.5), {});
   EXPECT_TRUE(metrics.values.empty());
   EXPECT_TRUE(notes(metrics, "the series lasts 1.5 s")) << metrics.notes.front();
   metrics = step_steer_metrics(step_series(answers, 1e-3, 2.2), {});

@@ -36,7 +36,7 @@ TEST(LaneChange, SpeedsAndLimitsAreThoseOfAStraightPath) {
   lanes.sections[1] = {45, 70, 1.05, -3};
   for (const double turn : {0.0, 0.7, -2.5}) {
     lanes.x = 30 * turn, lanes.y = -12 * turn, lanes.heading = turn;
-    const Metrics metrics = lane_change_metrics(straight_path(20, 0.1, 0, lanes), lanes);
+    const VehicleMetrics metrics = lane_change_metrics(straight_path(20, 0.1, 0, lanes), lanes);
     EXPECT_NEAR(value(metrics, "entry_speed"), 20, 1e-9);
     EXPECT_NEAR(value(metrics, "exit_speed"), 20, 1e-9);
     EXPECT_NEAR(value(metrics, "mean_speed"), 20, 1e-9);
@@ -64,7 +64,7 @@ TEST(LaneChange, CornersAndConesBesideTheBodyCount) {
   EXPECT_NEAR(value(lane_change_metrics(turned, lanes), "lane_excess"), y + 0.9 - 1, 1e-9);
   VehicleSeries across = empty_series(3, 0.1);  // at rest across the lane, its corners before and behind it
   across.x.assign(3, 20.5), across.y.assign(3, 0.0), across.heading.assign(3, 0.0);
-  const Metrics metrics = lane_change_metrics(across, lanes);
+  const VehicleMetrics metrics = lane_change_metrics(across, lanes);
   EXPECT_NEAR(value(metrics, "lane_excess"), -0.1, 1e-12);
   EXPECT_TRUE(notes(metrics, "exit_speed: the vehicle does not pass the track's end at 21 m"));
   EXPECT_FALSE(has(metrics, "mean_speed"));
@@ -72,7 +72,7 @@ TEST(LaneChange, CornersAndConesBesideTheBodyCount) {
 
 TEST(LaneChange, LeavingALaneIsSaid) {
   const LaneChange lanes = three_lanes();
-  const Metrics metrics = lane_change_metrics(straight_path(20, 0.1, 0, lanes), lanes);
+  const VehicleMetrics metrics = lane_change_metrics(straight_path(20, 0.1, 0, lanes), lanes);
   EXPECT_NEAR(value(metrics, "lane_excess"), 2 - (0.1 - 0.9), 1e-9);
   EXPECT_TRUE(notes(metrics, "the body leaves its lane by 2.8 m in section 2 at"));
   EXPECT_TRUE(notes(lane_change_metrics(straight_path(20, 0, 0, lanes), {}), "the track has no sections"));
@@ -111,7 +111,7 @@ VehicleSeries braking_series(double duration) {
 }
 
 TEST(Braking, DistancesAndDecelerationsAreThoseOfTheClosedForm) {
-  const Metrics metrics = braking_metrics(braking_series(8), {.begin = kBrakeBegin});
+  const VehicleMetrics metrics = braking_metrics(braking_series(8), {.begin = kBrakeBegin});
   EXPECT_NEAR(value(metrics, "initial_speed"), kBrakeSpeed, 1e-12);
   EXPECT_NEAR(value(metrics, "mean_fully_developed_deceleration"), kDeceleration, 1e-6);
   const double after = kBrakeSpeed - kDeceleration * kBrakeRise / 2;
@@ -131,13 +131,13 @@ TEST(Braking, DeviationIsSquareToTheLineAtTheBegin) {
     const double away = -0.3 * std::sin(s.t[i] - 1);  // to the right first
     s.x[i] -= away * std::sin(kPi / 6), s.y[i] += away * std::cos(kPi / 6);
   }
-  const Metrics metrics = braking_metrics(s, {.begin = kBrakeBegin});
+  const VehicleMetrics metrics = braking_metrics(s, {.begin = kBrakeBegin});
   EXPECT_NEAR(value(metrics, "largest_lateral_deviation"), 0.3, 1e-5);
   EXPECT_NEAR(value(metrics, "lateral_deviation"), -0.3 * std::sin(7), 1e-9);
 }
 
 TEST(Braking, SaysWhatItCannotGive) {
-  Metrics metrics = braking_metrics(braking_series(3), {.begin = kBrakeBegin});
+  VehicleMetrics metrics = braking_metrics(braking_series(3), {.begin = kBrakeBegin});
   EXPECT_FALSE(has(metrics, "stopping_distance"));
   EXPECT_FALSE(has(metrics, "mean_fully_developed_deceleration"));
   EXPECT_TRUE(notes(metrics, "the vehicle does not stop, its speed is 13.3 m/s at the end"));
@@ -179,7 +179,7 @@ VehicleSeries ride_series(double frequency, double amplitude, double duration, d
 
 TEST(Ride, SineIsWeightedByTheStandardsFactor) {
   for (const auto& [frequency, factor] : {std::pair(1.0, 0.482), {5.0, 1.039}, {12.5, 0.902}, {40.0, 0.314}}) {
-    const Metrics metrics = ride_metrics(ride_series(frequency, 2, 60, 0.002), {});
+    const VehicleMetrics metrics = ride_metrics(ride_series(frequency, 2, 60, 0.002), {});
     EXPECT_NEAR(value(metrics, "vertical_acceleration_rms"), std::sqrt(2.0), 2e-3);
     EXPECT_NEAR(value(metrics, "weighted_acceleration_rms"), factor * std::sqrt(2.0), 0.008 * factor) << frequency;
     EXPECT_GT(value(metrics, "crest_factor"), 1.41);  // more: the weighting feels the sine begin
@@ -202,7 +202,7 @@ TEST(Ride, PulseKeepsTheEnergyOfItsWeightedSpectrum) {
     const double size = 3 * kWidth * std::sqrt(2 * kPi) * std::exp(-std::pow(2 * kPi * f * kWidth, 2) / 2);
     energy += 2 * std::pow(size * vertical_weighting(f), 2) * kLine;
   }
-  const Metrics metrics = ride_metrics(s, {});
+  const VehicleMetrics metrics = ride_metrics(s, {});
   const double rms = std::sqrt(energy / kDuration);
   EXPECT_NEAR(value(metrics, "weighted_acceleration_rms"), rms, 1e-3 * rms);
   EXPECT_GT(value(metrics, "crest_factor"), 9);
@@ -212,7 +212,7 @@ TEST(Ride, PulseKeepsTheEnergyOfItsWeightedSpectrum) {
 TEST(Ride, SaysWhatItCannotGive) {
   EXPECT_TRUE(notes(ride_metrics(ride_series(1, 1, 4, 0.01), {}), "goes on for 4 s from 0 s"));
   EXPECT_TRUE(notes(ride_metrics(ride_series(1, 1, 20, 0.01), {.begin = 17}), "goes on for 3 s from 17 s"));
-  const Metrics coarse = ride_metrics(ride_series(1, 1, 20, 0.05), {});
+  const VehicleMetrics coarse = ride_metrics(ride_series(1, 1, 20, 0.05), {});
   EXPECT_FALSE(has(coarse, "weighted_acceleration_rms"));
   EXPECT_TRUE(has(coarse, "vertical_acceleration_rms"));
   EXPECT_TRUE(notes(coarse, "20 points in a second"));
@@ -222,11 +222,11 @@ TEST(Ride, SaysWhatItCannotGive) {
 }
 
 TEST(MetricsText, IsReadByPeopleAndByThePage) {
-  const Metrics metrics{{{"understeer_gradient", 0.01, "rad/(m/s^2)", "more steer"},
-                         {"gain", 1, "(m/s^2)/rad", "answer"},
-                         {"share", 0.25, "1", "part"}},
-                        {{"Path", {"x", "m"}, {"y", "m"}, {{"limits", {0, 1, 2}, {0, std::nan(""), 1.0 / 3}}}}},
-                        {"why"}};
+  const VehicleMetrics metrics{{{"understeer_gradient", 0.01, "rad/(m/s^2)", "more steer"},
+                                {"gain", 1, "(m/s^2)/rad", "answer"},
+                                {"share", 0.25, "1", "part"}},
+                               {{"Path", {"x", "m"}, {"y", "m"}, {{"limits", {0, 1, 2}, {0, std::nan(""), 1.0 / 3}}}}},
+                               {"why"}};
   EXPECT_EQ(metrics_text(metrics),
             "  understeer_gradient                      0.57296 deg/(m/s^2)\n"
             "  gain                                    0.017453 (m/s^2)/deg\n"

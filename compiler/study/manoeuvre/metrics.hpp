@@ -14,7 +14,7 @@
 namespace mbgen {
 
 /// A line of a diagram. NaN in y interrupts it.
-struct Curve {
+struct DiagramCurve {
   std::string name;
   std::vector<double> x, y;
 };
@@ -23,11 +23,11 @@ struct Curve {
 struct Diagram {
   std::string title;
   Heading x, y;
-  std::vector<Curve> curves;
+  std::vector<DiagramCurve> curves;
 };
 
-struct Metrics {
-  std::vector<Metric> values;
+struct VehicleMetrics {
+  std::vector<VehicleMetric> values;
   std::vector<Diagram> diagrams;
   std::vector<std::string> notes;  ///< numbers that are not given with the reason; what to know about those that are
 };
@@ -42,14 +42,14 @@ struct SteadyCircle {
   double linear_limit = 3;          ///< m/s^2: gradients are those of straight lines fitted below it
   std::vector<double> tracks = {};  ///< m, per axle; none: shares of the load transfer, not of the roll moment
 };
-Metrics steady_circle_metrics(const VehicleSeries& series, const SteadyCircle& circle);
+VehicleMetrics steady_circle_metrics(const VehicleSeries& series, const SteadyCircle& circle);
 
 /// A step of the steering angle at constant speed, ISO 7401.
 struct StepSteer {
   double steady_time = 1;   ///< s at the end over which steady values are means
   double smoothing = 0.05;  ///< s to each side of a local parabola, about 10 Hz; 0: none
 };
-Metrics step_steer_metrics(const VehicleSeries& series, const StepSteer& step);
+VehicleMetrics step_steer_metrics(const VehicleSeries& series, const StepSteer& step);
 
 /// Sines of growing frequency, pulses or random steering at constant speed, ISO 7401.
 struct SineSweep {
@@ -57,14 +57,14 @@ struct SineSweep {
   double segment = 0;              ///< s, of a window of Welch's method; 0: a third of the series, at most 20 s
   double least_coherence = 0.9;    ///< below which nothing is given
 };
-Metrics sine_sweep_metrics(const VehicleSeries& series, const SineSweep& sweep);
+VehicleMetrics sine_sweep_metrics(const VehicleSeries& series, const SineSweep& sweep);
 
 /// Slow sine steering about straight ahead, ISO 13674-1.
 struct Weave {
   double frequency = 0.2;  ///< Hz
   double settled = 0;      ///< s, from which on whole cycles are taken; 0: after the first cycle
 };
-Metrics weave_metrics(const VehicleSeries& series, const Weave& weave);
+VehicleMetrics weave_metrics(const VehicleSeries& series, const Weave& weave);
 
 /// A section of the track of a lane change, in the frame of the track.
 struct LaneSection {
@@ -80,19 +80,19 @@ struct LaneChange {
          to_right = 0;                                  ///< m, >= 0: from the reference point to the sides of the body
   std::vector<double> towed_lateral_acceleration = {};  ///< m/s^2, of the last towed unit, at the times of the series
 };
-Metrics lane_change_metrics(const VehicleSeries& series, const LaneChange& lanes);
+VehicleMetrics lane_change_metrics(const VehicleSeries& series, const LaneChange& lanes);
 
 /// Braking to standstill, straight ahead or on different frictions left and right; deceleration by UN Regulation 13.
 struct Braking {
   double begin = 0;  ///< s: when the brake is applied
 };
-Metrics braking_metrics(const VehicleSeries& series, const Braking& braking);
+VehicleMetrics braking_metrics(const VehicleSeries& series, const Braking& braking);
 
 /// Ride over a road, ISO 2631-1.
 struct Ride {
   double begin = 0;  ///< s: values are of the time from there on
 };
-Metrics ride_metrics(const VehicleSeries& series, const Ride& ride);
+VehicleMetrics ride_metrics(const VehicleSeries& series, const Ride& ride);
 
 /// Factor of the frequency weighting W_k of ISO 2631-1 for vertical vibration of seated people. frequency: Hz.
 double vertical_weighting(double frequency);

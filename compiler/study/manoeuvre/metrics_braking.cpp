@@ -53,7 +53,7 @@ Fall fall_to(const Way& way, double speed) {
   return {time, way.length[i - 1] + share * (way.length[i] - way.length[i - 1]) + bend};
 }
 
-void add_decelerations(Metrics& metrics, const Way& way) {
+void add_decelerations(VehicleMetrics& metrics, const Way& way) {
   const double begin = way.speed.front();
   const Fall upper = fall_to(way, kUpper * begin), lower = fall_to(way, kLower * begin);
   const Fall end = fall_to(way, std::min(kStandstill, kLower * begin));
@@ -75,7 +75,7 @@ void add_decelerations(Metrics& metrics, const Way& way) {
   add(metrics, "mean_deceleration", begin * begin / (2 * end.length), "m/s^2", "that gives the stopping distance");
 }
 
-void add_deviations(Metrics& metrics, const VehicleSeries& s, std::size_t first) {
+void add_deviations(VehicleMetrics& metrics, const VehicleSeries& s, std::size_t first) {
   const double c = std::cos(s.heading[first]), k = std::sin(s.heading[first]);
   Values across, turn;
   for (std::size_t i = first; i < s.t.size(); ++i) {
@@ -90,8 +90,8 @@ void add_deviations(Metrics& metrics, const VehicleSeries& s, std::size_t first)
 
 }  // namespace
 
-Metrics braking_metrics(const VehicleSeries& s, const Braking& braking) {
-  Metrics metrics;
+VehicleMetrics braking_metrics(const VehicleSeries& s, const Braking& braking) {
+  VehicleMetrics metrics;
   std::string fault = fault_of(s, {{"x", &s.x},
                                    {"y", &s.y},
                                    {"heading", &s.heading},

@@ -63,7 +63,7 @@ std::string fault_of_circle(const VehicleSeries& s, const SteadyCircle& circle) 
 }
 
 /// Slope over lateral acceleration. largest_size: of what the line stands for, against which scatter is judged.
-bool add_gradient(Metrics& metrics, const std::string& name, const Linear& linear, const Values& values,
+bool add_gradient(VehicleMetrics& metrics, const std::string& name, const Linear& linear, const Values& values,
                   double largest_size, const std::string& unit, const std::string& meaning) {
   const Line line = fitted_line(linear.lateral, values);
   if (line.left > kMostScatter * largest_size) {
@@ -77,7 +77,7 @@ bool add_gradient(Metrics& metrics, const std::string& name, const Linear& linea
 }
 
 /// What follows from steer angles: the gradient of understeer and the speed that it gives.
-void add_understeer(Metrics& metrics, const Linear& linear, const SteadyCircle& circle) {
+void add_understeer(VehicleMetrics& metrics, const Linear& linear, const SteadyCircle& circle) {
   Values beyond_path;
   for (std::size_t i = 0; i < linear.steer.size(); ++i)
     beyond_path.push_back(linear.steer[i] - circle.wheelbase * linear.curvature[i]);
@@ -99,7 +99,7 @@ void add_understeer(Metrics& metrics, const Linear& linear, const SteadyCircle& 
   }
 }
 
-void add_load_transfer(Metrics& metrics, const Linear& linear, const SteadyCircle& circle) {
+void add_load_transfer(VehicleMetrics& metrics, const Linear& linear, const SteadyCircle& circle) {
   std::map<int, double> moments;
   for (const auto& [axle, transfer] : linear.transfer) {
     const std::string name = fmt::format("load_transfer_axle_{}", axle + 1);
@@ -120,7 +120,7 @@ void add_load_transfer(Metrics& metrics, const Linear& linear, const SteadyCircl
 }
 
 /// The path against the one that was asked for.
-void compare_path(Metrics& metrics, const Linear& linear, const SteadyCircle& circle) {
+void compare_path(VehicleMetrics& metrics, const Linear& linear, const SteadyCircle& circle) {
   if (circle.kind != SteadyCircle::Kind::constant_radius || !(circle.radius > 0)) return;
   double worst = 0;
   for (std::size_t i = 0; i < linear.lateral.size(); ++i) {
@@ -135,7 +135,7 @@ void compare_path(Metrics& metrics, const Linear& linear, const SteadyCircle& ci
   }
 }
 
-void add_diagrams(Metrics& metrics, const VehicleSeries& s) {
+void add_diagrams(VehicleMetrics& metrics, const VehicleSeries& s) {
   Values sideslip;
   for (std::size_t i = 0; i < s.t.size(); ++i) sideslip.push_back(sideslip_at(s, i));
   const Heading across{"lateral acceleration", "m/s^2"};
@@ -150,8 +150,8 @@ void add_diagrams(Metrics& metrics, const VehicleSeries& s) {
 
 }  // namespace
 
-Metrics steady_circle_metrics(const VehicleSeries& s, const SteadyCircle& circle) {
-  Metrics metrics;
+VehicleMetrics steady_circle_metrics(const VehicleSeries& s, const SteadyCircle& circle) {
+  VehicleMetrics metrics;
   if (const std::string fault = fault_of_circle(s, circle); !fault.empty()) {
     metrics.notes.push_back("steady circle: " + fault);
     return metrics;

@@ -33,7 +33,8 @@ double step_of(const VehicleSeries& series) {
   return (series.t.back() - series.t.front()) / static_cast<double>(series.t.size() - 1);
 }
 
-void add(Metrics& metrics, const std::string& name, double value, const std::string& unit, const std::string& meaning) {
+void add(VehicleMetrics& metrics, const std::string& name, double value, const std::string& unit,
+         const std::string& meaning) {
   if (std::isfinite(value)) {
     metrics.values.push_back({name, value, unit, meaning});
   } else {

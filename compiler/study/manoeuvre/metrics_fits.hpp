@@ -27,7 +27,8 @@ std::string fault_of(const VehicleSeries& series, std::initializer_list<Read> re
 double step_of(const VehicleSeries& series);
 
 /// Adds a value; a note instead where it is not finite.
-void add(Metrics& metrics, const std::string& name, double value, const std::string& unit, const std::string& meaning);
+void add(VehicleMetrics& metrics, const std::string& name, double value, const std::string& unit,
+         const std::string& meaning);
 
 /// Indices of points, the last excluded.
 struct Span {

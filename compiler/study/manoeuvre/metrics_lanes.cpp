@@ -82,7 +82,8 @@ std::optional<Passage> passage(const VehicleSeries& s, const std::vector<Pose>& 
   return std::nullopt;
 }
 
-void add_speeds(Metrics& metrics, const VehicleSeries& s, const std::vector<Pose>& poses, const LaneChange& lanes) {
+void add_speeds(VehicleMetrics& metrics, const VehicleSeries& s, const std::vector<Pose>& poses,
+                const LaneChange& lanes) {
   const double first = lanes.sections.front().from, last = lanes.sections.back().to;
   const std::optional<Passage> entry = passage(s, poses, first), exit = passage(s, poses, last);
   if (entry) {
@@ -100,7 +101,8 @@ void add_speeds(Metrics& metrics, const VehicleSeries& s, const std::vector<Pose
         "length of the track over the time between its ends");
 }
 
-void add_excess(Metrics& metrics, const VehicleSeries& s, const std::vector<Pose>& poses, const LaneChange& lanes) {
+void add_excess(VehicleMetrics& metrics, const VehicleSeries& s, const std::vector<Pose>& poses,
+                const LaneChange& lanes) {
   double most = -std::numeric_limits<double>::infinity(), at = 0;
   std::size_t where = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -117,8 +119,8 @@ void add_excess(Metrics& metrics, const VehicleSeries& s, const std::vector<Pose
         fmt::format("the body leaves its lane by {:.3g} m in section {} at {:.4g} s", most, where + 1, at));
 }
 
-void add_diagram(Metrics& metrics, const std::vector<Pose>& poses, const LaneChange& lanes) {
-  Curve path{"reference point", {}, {}}, left{"left limits", {}, {}}, right{"right limits", {}, {}};
+void add_diagram(VehicleMetrics& metrics, const std::vector<Pose>& poses, const LaneChange& lanes) {
+  DiagramCurve path{"reference point", {}, {}}, left{"left limits", {}, {}}, right{"right limits", {}, {}};
   for (const Pose& pose : poses) path.x.push_back(pose.x), path.y.push_back(pose.y);
   const double gap = std::nan("");
   for (const LaneSection& section : lanes.sections) {
@@ -132,8 +134,8 @@ void add_diagram(Metrics& metrics, const std::vector<Pose>& poses, const LaneCha
 
 }  // namespace
 
-Metrics lane_change_metrics(const VehicleSeries& s, const LaneChange& lanes) {
-  Metrics metrics;
+VehicleMetrics lane_change_metrics(const VehicleSeries& s, const LaneChange& lanes) {
+  VehicleMetrics metrics;
   if (const std::string fault = fault_of_lanes(s, lanes); !fault.empty()) {
     metrics.notes.push_back("lane change: " + fault);
     return metrics;

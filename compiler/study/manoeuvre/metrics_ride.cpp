@@ -51,7 +51,7 @@ Values weighted(const Values& acceleration, double time_step) {
   return result;
 }
 
-void add_vibration(Metrics& metrics, const VehicleSeries& s, Span span) {
+void add_vibration(VehicleMetrics& metrics, const VehicleSeries& s, Span span) {
   const Values part(s.vertical_acceleration.begin() + static_cast<std::ptrdiff_t>(span.begin),
                     s.vertical_acceleration.end());
   const Span all{0, part.size()};
@@ -74,7 +74,7 @@ void add_vibration(Metrics& metrics, const VehicleSeries& s, Span span) {
                     crest, kMostCrest));
 }
 
-void add_loads(Metrics& metrics, const VehicleSeries& s, Span span) {
+void add_loads(VehicleMetrics& metrics, const VehicleSeries& s, Span span) {
   for (std::size_t w = 0; w < s.wheels.size(); ++w) {
     const std::string& tyre = s.wheels[w].tyre;
     const double middle = mean(s.loads[w], span);
@@ -91,8 +91,8 @@ void add_loads(Metrics& metrics, const VehicleSeries& s, Span span) {
 
 double vertical_weighting(double frequency) { return std::abs(weighting(frequency)); }
 
-Metrics ride_metrics(const VehicleSeries& s, const Ride& ride) {
-  Metrics metrics;
+VehicleMetrics ride_metrics(const VehicleSeries& s, const Ride& ride) {
+  VehicleMetrics metrics;
   std::string fault = fault_of(s, {{"vertical acceleration", &s.vertical_acceleration}, {"speed", &s.speed}});
   if (fault.empty() && s.loads.size() != s.wheels.size()) fault = "loads of other wheels than those of the series";
   for (const Values& load : s.loads)

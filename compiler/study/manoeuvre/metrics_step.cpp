@@ -71,7 +71,7 @@ struct StepResponse {
   bool is_steady = false;
 };
 
-StepResponse response_of(Metrics& metrics, const VehicleSeries& s, const std::string& name, const Values& values,
+StepResponse response_of(VehicleMetrics& metrics, const VehicleSeries& s, const std::string& name, const Values& values,
                          const Step& step, std::size_t reach) {
   StepResponse response;
   const double base = mean(values, step.before);
@@ -94,8 +94,8 @@ StepResponse response_of(Metrics& metrics, const VehicleSeries& s, const std::st
   return response;
 }
 
-void add_response(Metrics& metrics, const std::string& name, const std::string& unit, const StepResponse& response,
-                  const Step& step) {
+void add_response(VehicleMetrics& metrics, const std::string& name, const std::string& unit,
+                  const StepResponse& response, const Step& step) {
   const std::string words = name == "yaw_rate" ? "yaw velocity" : "lateral acceleration";
   add(metrics, "steady_" + name, response.change, unit, "steady " + words + " after the step (ISO 7401)");
   add(metrics, name + "_gain", response.change / step.size, name == "yaw_rate" ? "1/s" : "(m/s^2)/rad",
@@ -114,7 +114,7 @@ void add_response(Metrics& metrics, const std::string& name, const std::string& 
 }
 
 /// Angles when the vehicle is steady.
-void add_angles(Metrics& metrics, const VehicleSeries& s, const Step& step, const StepResponse& yaw) {
+void add_angles(VehicleMetrics& metrics, const VehicleSeries& s, const Step& step, const StepResponse& yaw) {
   Values sideslip;
   for (std::size_t i = 0; i < s.t.size(); ++i) sideslip.push_back(std::atan2(s.lateral_speed[i], s.speed[i]));
   const double steady = mean(sideslip, step.steady) - mean(sideslip, step.before);
@@ -128,8 +128,8 @@ void add_angles(Metrics& metrics, const VehicleSeries& s, const Step& step, cons
 
 }  // namespace
 
-Metrics step_steer_metrics(const VehicleSeries& s, const StepSteer& asked) {
-  Metrics metrics;
+VehicleMetrics step_steer_metrics(const VehicleSeries& s, const StepSteer& asked) {
+  VehicleMetrics metrics;
   std::string fault = fault_of(s, {{"speed", &s.speed},
                                    {"lateral speed", &s.lateral_speed},
                                    {"lateral acceleration", &s.lateral_acceleration},

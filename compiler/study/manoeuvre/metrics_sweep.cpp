@@ -53,7 +53,7 @@ Spectra spectra_with_begin(const Values& input, const Values& output, double tim
 }
 
 /// The lines from the lowest to the highest frequency that the steer angle holds and the response follows.
-FrequencyResponse usable_response(Metrics& metrics, const std::string& name, const Spectra& spectra,
+FrequencyResponse usable_response(VehicleMetrics& metrics, const std::string& name, const Spectra& spectra,
                                   const SineSweep& asked, double segment) {
   FrequencyResponse response;
   const double strongest = *std::max_element(spectra.input.begin(), spectra.input.end());
@@ -110,7 +110,7 @@ std::optional<double> fall_below(const FrequencyResponse& response, double gain)
   return std::nullopt;
 }
 
-void add_gains(Metrics& metrics, const std::string& name, const std::string& words, const std::string& unit,
+void add_gains(VehicleMetrics& metrics, const std::string& name, const std::string& words, const std::string& unit,
                const FrequencyResponse& response) {
   const std::optional<double> steady = steady_gain(response);
   if (!steady) {
@@ -141,7 +141,8 @@ void add_gains(Metrics& metrics, const std::string& name, const std::string& wor
   }
 }
 
-void add_phase(Metrics& metrics, const std::string& name, const std::string& words, const FrequencyResponse& response) {
+void add_phase(VehicleMetrics& metrics, const std::string& name, const std::string& words,
+               const FrequencyResponse& response) {
   const double phase = interpolated(response.frequency, response.phase, 1);
   if (std::isnan(phase)) {
     metrics.notes.push_back(fmt::format("{}_phase_1hz: the response goes from {:.3g} to {:.3g} Hz", name,
@@ -152,7 +153,7 @@ void add_phase(Metrics& metrics, const std::string& name, const std::string& wor
   add(metrics, name + "_delay_1hz", -phase / (2 * std::numbers::pi), "s", "delay that gives this phase at 1 Hz");
 }
 
-void add_damping(Metrics& metrics, const FrequencyResponse& response) {
+void add_damping(VehicleMetrics& metrics, const FrequencyResponse& response) {
   Values omega;
   for (const double frequency : response.frequency)
     if (frequency <= kHighestOfFit) omega.push_back(2 * std::numbers::pi * frequency);
@@ -170,7 +171,7 @@ void add_damping(Metrics& metrics, const FrequencyResponse& response) {
       "undamped, of the same second order");
 }
 
-void add_response_diagrams(Metrics& metrics, const FrequencyResponse& yaw, const FrequencyResponse& lateral) {
+void add_response_diagrams(VehicleMetrics& metrics, const FrequencyResponse& yaw, const FrequencyResponse& lateral) {
   const Heading across{"frequency", "Hz"};
   const auto picture = [&](const std::string& title, const Heading& up, const FrequencyResponse& of,
                            const Values& values) {
@@ -187,8 +188,8 @@ void add_response_diagrams(Metrics& metrics, const FrequencyResponse& yaw, const
 
 }  // namespace
 
-Metrics sine_sweep_metrics(const VehicleSeries& s, const SineSweep& asked) {
-  Metrics metrics;
+VehicleMetrics sine_sweep_metrics(const VehicleSeries& s, const SineSweep& asked) {
+  VehicleMetrics metrics;
   std::string fault = fault_of(s, {{"speed", &s.speed},
                                    {"lateral acceleration", &s.lateral_acceleration},
                                    {"yaw rate", &s.yaw_rate},

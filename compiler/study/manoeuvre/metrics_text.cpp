@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostPoints = 500;  ///< of a curve: more than a diagram shows
 
 /// A value as people read it, degrees in place of radians.
-std::string shown(const Metric& metric) {
+std::string shown(const VehicleMetric& metric) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   double value = metric.value;
   std::string unit = metric.unit == "1" ? "" : metric.unit;
@@ -42,21 +42,21 @@ Json heading(const Heading& of) { return {{"name", of.name}, {"unit", of.unit}};
 
 }  // namespace
 
-std::string metrics_text(const Metrics& metrics) {
+std::string metrics_text(const VehicleMetrics& metrics) {
   std::string text;
-  for (const Metric& metric : metrics.values) text += fmt::format("  {:<36}{}\n", metric.name, shown(metric));
+  for (const VehicleMetric& metric : metrics.values) text += fmt::format("  {:<36}{}\n", metric.name, shown(metric));
   for (const std::string& note : metrics.notes) text += fmt::format("note: {}\n", note);
   return text;
 }
 
-void add_metrics(Json& run, const Metrics& metrics) {
+void add_metrics(Json& run, const VehicleMetrics& metrics) {
   Json values = Json::array(), diagrams = Json::array();
-  for (const Metric& metric : metrics.values)
+  for (const VehicleMetric& metric : metrics.values)
     values.push_back(
         {{"name", metric.name}, {"value", metric.value}, {"unit", metric.unit}, {"meaning", metric.meaning}});
   for (const Diagram& diagram : metrics.diagrams) {
     Json curves = Json::array();
-    for (const Curve& curve : diagram.curves)
+    for (const DiagramCurve& curve : diagram.curves)
       curves.push_back({{"name", curve.name}, {"x", numbers(curve.x)}, {"y", numbers(curve.y)}});
     diagrams.push_back(
         {{"title", diagram.title}, {"x", heading(diagram.x)}, {"y", heading(diagram.y)}, {"curves", curves}});

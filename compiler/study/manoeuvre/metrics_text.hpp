@@ -9,10 +9,10 @@
 namespace mbgen {
 
 /// A line for each value, with degrees in place of radians, then the notes.
-std::string metrics_text(const Metrics& metrics);
+std::string metrics_text(const VehicleMetrics& metrics);
 
 /// Adds "metrics", "diagrams" and "metric_notes" to the description of a run, as `mbgen report` reads them. Values are
 /// in SI units; curves keep at most 500 points.
-void add_metrics(nlohmann::ordered_json& run, const Metrics& metrics);
+void add_metrics(nlohmann::ordered_json& run, const VehicleMetrics& metrics);
 
 }  // namespace mbgen

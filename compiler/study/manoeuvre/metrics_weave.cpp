@@ -109,8 +109,8 @@ double lag(const Sine& of, const Sine& behind) {
 
 }  // namespace
 
-Metrics weave_metrics(const VehicleSeries& s, const Weave& weave) {
-  Metrics metrics;
+VehicleMetrics weave_metrics(const VehicleSeries& s, const Weave& weave) {
+  VehicleMetrics metrics;
   if (const std::string fault = fault_of_weave(s, weave); !fault.empty()) {
     metrics.notes.push_back("weave: " + fault);
     return metrics;

@@ -25,7 +25,7 @@ struct VehicleSeries {
 };
 
 /// A number that a standard defines.
-struct Metric {
+struct VehicleMetric {
   std::string name;
   double value = 0;
   std::string unit;     ///< SI; "1" where there is none
