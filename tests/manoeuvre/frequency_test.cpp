@@ -65,7 +65,7 @@ void expect_responses(const VehicleMetrics& metrics, const SingleTrack& car, dou
   double best = 0;
   for (double f = 0; f < 3; f += 1e-4) best = yaw_gain(f) > yaw_gain(best) ? f : best;
   near("yaw_rate_peak_ratio", yaw_gain(best) / yaw_gain(0));
-  EXPECT_NEAR(value(metrics, "yaw_rate_peak_frequency"), best, 0.05);
+  EXPECT_NEAR(value(metrics, "yaw_rate_peak_frequency"), best, 0.03);
   near("yaw_damping", car.sigma() / std::sqrt(car.square()));
   near("yaw_natural_frequency", std::sqrt(car.square()) / (2 * kPi));
 }
@@ -123,6 +123,7 @@ TEST(SineSweep, SaysWhereTheResponseCannotBeTrusted) {
   EXPECT_FALSE(has(low, "yaw_rate_phase_1hz"));
   EXPECT_TRUE(notes(low, "yaw_rate_phase_1hz: the response goes from"));
 
+  EXPECT_TRUE(notes(sine_sweep_metrics(s, {.lowest = 6}), "yaw_rate: the steer angle holds no frequency of the range"));
   s.steer.assign(s.t.size(), 0.0);
   EXPECT_TRUE(notes(sine_sweep_metrics(s, {}), "the steer angle is zero"));
 }
@@ -152,10 +153,10 @@ void expect_weave(const VehicleMetrics& metrics, const SingleTrack& car, double 
   near("steering_sensitivity", std::abs(lateral) / std::cos(lag));
   near("steer_hysteresis", 2 * steer * std::sin(lag));
   near("lateral_acceleration_hysteresis", 2 * steer * std::abs(lateral) * std::sin(lag));
-  near("yaw_velocity_gain", yaw.real());
-  near("yaw_velocity_hysteresis", 2 * steer * std::abs(yaw.imag()));
+  near("yaw_rate_gain", yaw.real());
+  near("yaw_rate_hysteresis", 2 * steer * std::abs(yaw.imag()));
   near("lateral_acceleration_lag", lag / (2 * kPi * frequency));
-  near("yaw_velocity_lag", -std::arg(yaw) / (2 * kPi * frequency));
+  near("yaw_rate_lag", -std::arg(yaw) / (2 * kPi * frequency));
 }
 
 TEST(Weave, LoopIsTheEllipseOfTheTransferFunction) {
@@ -177,7 +178,7 @@ TEST(Weave, SaysWhatItCannotGive) {
   EXPECT_TRUE(notes(weave_metrics(weave_series(car, 0.2, 40), {.frequency = 0.31}), "no sine of 0.31 Hz"));
   VehicleSeries s = weave_series(car, 0.2, 20);
   s.yaw_rate.assign(s.t.size(), 0.0);
-  EXPECT_TRUE(notes(weave_metrics(s, {}), "the yaw velocity does not follow"));
+  EXPECT_TRUE(notes(weave_metrics(s, {}), "the yaw rate does not follow"));
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ inline void add_noise(std::vector<double>& values, double size, unsigned seed) {
   for (double& value : values) value += size * (2.0 * engine() / std::mt19937::max() - 1);
 }
 
-/// Textbook single-track model, linear in sideslip and yaw velocity (Mitschke and Wallentowitz, Dynamik der
+/// Textbook single-track model, linear in sideslip and yaw rate (Mitschke and Wallentowitz, Dynamik der
 /// Kraftfahrzeuge, part C; Gillespie, Fundamentals of Vehicle Dynamics, chapter 6). Reference point: centre of mass.
 struct SingleTrack {
   double mass = 1500, inertia = 2500, front = 1.2, rear = 1.5;  // kg, kg m^2, m, m
@@ -76,7 +76,7 @@ struct SingleTrack {
   double sigma() const { return -(a11() + a22()) / 2; }
   double square() const { return a11() * a22() - a12() * a21(); }
 
-  /// Of yaw velocity, lateral speed and lateral acceleration to the steer angle at the wheels.
+  /// Of yaw rate, lateral speed and lateral acceleration to the steer angle at the wheels.
   Complex yaw(Complex s) const { return (b2() * (s - a11()) + a21() * b1()) / denominator(s); }
   Complex lateral_speed(Complex s) const { return (b1() * (s - a22()) + a12() * b2()) / denominator(s); }
   Complex lateral_acceleration(Complex s) const { return s * lateral_speed(s) + speed * yaw(s); }

@@ -56,7 +56,7 @@ TEST(SteadyCircle, GradientsOfASingleTrackAreItsClosedForms) {
     const double front = kFrontTransfer * kFrontTrack, rear = kRearTransfer * kRearTrack;
     EXPECT_NEAR(value(metrics, "roll_moment_share_axle_1"), front / (front + rear), 1e-12);
     EXPECT_NEAR(value(metrics, "roll_moment_share_axle_2"), rear / (front + rear), 1e-12);
-    EXPECT_EQ(has(metrics, "yaw_velocity_gain"), kind == Kind::constant_speed);
+    EXPECT_EQ(has(metrics, "yaw_rate_gain"), kind == Kind::constant_speed);
     EXPECT_TRUE(metrics.notes.empty()) << metrics.notes.front();
   }
 }
@@ -72,8 +72,7 @@ TEST(SteadyCircle, SideslipAndYawGainAreThoseOfTheirSpeedAndRadius) {
   const double squared = car.speed * car.speed;
   EXPECT_NEAR(value(speed, "sideslip_gradient"), of_load + car.rear / squared, 1e-12);
   // v / (l + K v^2), over the ratio.
-  EXPECT_NEAR(value(speed, "yaw_velocity_gain"), car.speed / (car.wheelbase() + car.understeer() * squared) / kRatio,
-              1e-9);
+  EXPECT_NEAR(value(speed, "yaw_rate_gain"), car.speed / (car.wheelbase() + car.understeer() * squared) / kRatio, 1e-9);
 }
 
 TEST(SteadyCircle, ToTheRightIsTheMirrorOfToTheLeft) {

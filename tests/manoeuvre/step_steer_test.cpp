@@ -34,7 +34,7 @@ struct StepResponse {
   double ramp_slope(double t) const { return kSteer / kRamp * (at(t) - at(t - kRamp)); }
 };
 
-/// Lateral acceleration is the slope of the lateral speed and speed times yaw velocity.
+/// Lateral acceleration is the slope of the lateral speed and speed times yaw rate.
 struct Answers {
   SingleTrack car;
   StepResponse yaw{car, car.yaw(0).real(), car.b2()}, across{car, car.lateral_speed(0).real(), car.b1()};
@@ -132,7 +132,7 @@ TEST(StepSteer, SlowVehicleHasNoPeak) {
   EXPECT_LT(value(metrics, "yaw_rate_overshoot"), 0.01);
   EXPECT_FALSE(has(metrics, "yaw_rate_peak_time"));
   EXPECT_FALSE(has(metrics, "tb_factor"));
-  EXPECT_TRUE(notes(metrics, "yaw_rate_peak_time: yaw velocity does not rise by 1 %"));
+  EXPECT_TRUE(notes(metrics, "yaw_rate_peak_time: yaw rate does not rise by 1 %"));
 }
 
 TEST(StepSteer, SaysWhatItCannotGive) {

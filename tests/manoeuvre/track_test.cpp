@@ -66,6 +66,9 @@ TEST(LaneChange, CornersAndConesBesideTheBodyCount) {
   across.x.assign(3, 20.5), across.y.assign(3, 0.0), across.heading.assign(3, 0.0);
   const VehicleMetrics metrics = lane_change_metrics(across, lanes);
   EXPECT_NEAR(value(metrics, "lane_excess"), -0.1, 1e-12);
+  lanes.sections = {{20, 21, 9, -1}};
+  lanes.to_right = 1.25;
+  EXPECT_NEAR(value(lane_change_metrics(across, lanes), "lane_excess"), 0.25, 1e-12);
   EXPECT_TRUE(notes(metrics, "exit_speed: the vehicle does not pass the track's end at 21 m"));
   EXPECT_FALSE(has(metrics, "mean_speed"));
 }

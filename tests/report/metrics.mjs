@@ -12,7 +12,7 @@ const kMetrics = {
   manoeuvre: { type: "steady_circle", file: "circle_100.json" },
   metrics: [
     { name: "understeer_gradient", value: 0.0032, unit: "rad/(m/s^2)", meaning: "more steer <b>than</b> geometry" },
-    { name: "yaw_rate_gain", value: -5.25, unit: "(m/s^2)/rad", meaning: "yaw velocity over steer angle" },
+    { name: "yaw_rate_gain", value: -5.25, unit: "(m/s^2)/rad", meaning: "yaw rate over steer angle" },
     { name: "roll_moment_share_axle_1", value: 0.625, unit: "1", meaning: "of all axles'" },
   ],
   diagrams: [
@@ -32,7 +32,7 @@ async function checkNumbers(page) {
   const rows = await page.locator("#metrics tr").evaluateAll((list) => list.map((row) => [...row.children].map((cell) => cell.textContent)));
   assert.deepEqual(rows, [
     ["understeer gradientmore steer <b>than</b> geometry", "0.1833", "deg/(m/s^2)"],
-    ["yaw rate gainyaw velocity over steer angle", "-0.09163", "(m/s^2)/deg"],
+    ["yaw rate gainyaw rate over steer angle", "-0.09163", "(m/s^2)/deg"],
     ["roll moment share axle 1of all axles'", "0.625", ""],
   ]);
   assert.deepEqual(await page.locator("#metrics p").allTextContents(), kMetrics.metric_notes);

@@ -55,7 +55,6 @@ VehicleMetrics step_steer_metrics(const VehicleSeries& series, const StepSteer& 
 struct SineSweep {
   double lowest = 0, highest = 0;  ///< Hz, that the steering angle holds; 0: as far as its spectrum goes
   double segment = 0;              ///< s, of a window of Welch's method; 0: a third of the series, at most 20 s
-  double least_coherence = 0.9;    ///< below which nothing is given
 };
 VehicleMetrics sine_sweep_metrics(const VehicleSeries& series, const SineSweep& sweep);
 

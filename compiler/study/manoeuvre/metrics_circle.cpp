@@ -93,7 +93,7 @@ void add_understeer(VehicleMetrics& metrics, const Linear& linear, const SteadyC
   if (!(speed < 1000)) {
     metrics.notes.push_back("characteristic_speed: the vehicle steers neutrally");
   } else if (gradient > 0) {
-    add(metrics, "characteristic_speed", speed, "m/s", "speed of the largest yaw velocity gain (ISO 4138)");
+    add(metrics, "characteristic_speed", speed, "m/s", "speed of the largest yaw rate gain (ISO 4138)");
   } else {
     add(metrics, "critical_speed", speed, "m/s", "speed above which the oversteering vehicle is unstable (ISO 4138)");
   }
@@ -182,10 +182,10 @@ VehicleMetrics steady_circle_metrics(const VehicleSeries& s, const SteadyCircle&
   if (circle.kind == SteadyCircle::Kind::constant_speed) {
     const Line gain = fitted_line(linear.steer, linear.yaw_rate);
     if (gain.left <= kMostScatter * largest(linear.yaw_rate)) {
-      add(metrics, "yaw_velocity_gain", gain.slope / circle.steering_ratio, "1/s",
-          "yaw velocity over the angle at the steering input at this speed (ISO 4138)");
+      add(metrics, "yaw_rate_gain", gain.slope / circle.steering_ratio, "1/s",
+          "yaw rate over the angle at the steering input at this speed (ISO 4138)");
     } else {
-      metrics.notes.push_back("yaw_velocity_gain: yaw velocity over steer angle is no straight line");
+      metrics.notes.push_back("yaw_rate_gain: yaw rate over steer angle is no straight line");
     }
   }
   add_load_transfer(metrics, linear, circle);

@@ -63,11 +63,11 @@ double largest(const Values& values, Span span) {
 double largest(const Values& values) { return largest(values, {0, values.size()}); }
 
 double largest_mean(const Values& values, std::size_t width) {
+  Values sums{0};
+  for (const double value : values) sums.push_back(sums.back() + value);
   double result = 0;
-  for (std::size_t i = 0; i + width <= values.size(); ++i) {
-    result = std::max(result, std::abs(mean(values, {i, i + width})));
-  }
-  return result;
+  for (std::size_t i = 0; i + width < sums.size(); ++i) result = std::max(result, std::abs(sums[i + width] - sums[i]));
+  return result / static_cast<double>(width);
 }
 
 Values smoothed(const Values& values, std::size_t reach) {

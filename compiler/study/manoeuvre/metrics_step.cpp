@@ -96,7 +96,7 @@ StepResponse response_of(VehicleMetrics& metrics, const VehicleSeries& s, const 
 
 void add_response(VehicleMetrics& metrics, const std::string& name, const std::string& unit,
                   const StepResponse& response, const Step& step) {
-  const std::string words = name == "yaw_rate" ? "yaw velocity" : "lateral acceleration";
+  const std::string words = name == "yaw_rate" ? "yaw rate" : "lateral acceleration";
   add(metrics, "steady_" + name, response.change, unit, "steady " + words + " after the step (ISO 7401)");
   add(metrics, name + "_gain", response.change / step.size, name == "yaw_rate" ? "1/s" : "(m/s^2)/rad",
       "steady " + words + " over steer angle (ISO 7401)");
@@ -122,7 +122,7 @@ void add_angles(VehicleMetrics& metrics, const VehicleSeries& s, const Step& ste
   add(metrics, "steady_roll", mean(s.roll, step.steady) - mean(s.roll, step.before), "rad", "steady roll angle");
   if (!std::isnan(yaw.peak_time)) {
     add(metrics, "tb_factor", std::abs(steady) * yaw.peak_time, "rad s",
-        "steady sideslip angle times the time of the largest yaw velocity (ISO 7401)");
+        "steady sideslip angle times the time of the largest yaw rate (ISO 7401)");
   }
 }
 

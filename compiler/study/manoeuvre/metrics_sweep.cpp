@@ -18,6 +18,7 @@ constexpr double kLeastPower = 1e-3;   ///< of the strongest line of the steer a
 constexpr double kLongestWindow = 20;  ///< s, of a window that is not asked for
 constexpr double kShortestWindow = 8;  ///< s
 constexpr double kSlow = 0.5;          ///< Hz: up to here the gain is taken back to zero frequency
+constexpr double kLeastCoherence = 0.9;
 constexpr double kLatestStart = 0.25;  ///< Hz: from higher lines nothing is said of zero frequency
 constexpr double kLeastPeak = 1.01;    ///< of the steady gain
 constexpr double kWorstFit = 0.05;     ///< of a second order to the response
@@ -52,26 +53,34 @@ Spectra spectra_with_begin(const Values& input, const Values& output, double tim
   return spectra_of(with_rest(input), with_rest(output), time_step, width);
 }
 
-/// The lines from the lowest to the highest frequency that the steer angle holds and the response follows.
-FrequencyResponse usable_response(VehicleMetrics& metrics, const std::string& name, const Spectra& spectra,
-                                  const SineSweep& asked, double segment) {
-  FrequencyResponse response;
+/// The lines from the lowest to the highest frequency that the steer angle holds.
+Span excited_lines(const Spectra& spectra, const SineSweep& asked, double segment) {
   const double strongest = *std::max_element(spectra.input.begin(), spectra.input.end());
   // Two lines of a segment: the window's main lobe is free of that of negative frequencies.
-  const double lowest = std::max(asked.lowest, 2 / segment);
-  for (std::size_t k = 0; k < spectra.input.size(); ++k) {
-    const double frequency = spectra.step * static_cast<double>(k);
-    if (frequency < lowest * (1 - 1e-9)) continue;
-    if (asked.highest > 0 && frequency > asked.highest) break;
-    if (spectra.input[k] < kLeastPower * strongest) {
-      if (response.value.empty()) continue;
-      break;
-    }
-    const double coherence = spectra.coherence(k);
-    if (coherence < asked.least_coherence) {
+  const double lowest = std::max(asked.lowest, 2 / segment) * (1 - 1e-9);
+  const auto frequency = [&](std::size_t k) { return spectra.step * static_cast<double>(k); };
+  const auto is_excited = [&](std::size_t k) { return spectra.input[k] >= kLeastPower * strongest; };
+  Span lines;
+  while (lines.begin < spectra.input.size() && (frequency(lines.begin) < lowest || !is_excited(lines.begin)))
+    ++lines.begin;
+  lines.end = lines.begin;
+  while (lines.end < spectra.input.size() && is_excited(lines.end) &&
+         (asked.highest <= 0 || frequency(lines.end) <= asked.highest))
+    ++lines.end;
+  return lines;
+}
+
+/// The response at the lines of the steer angle, up to the first one that it does not follow.
+FrequencyResponse followed_response(VehicleMetrics& metrics, const std::string& name, const Spectra& spectra,
+                                    Span lines) {
+  FrequencyResponse response;
+  if (lines.size() == 0) metrics.notes.push_back(name + ": the steer angle holds no frequency of the range");
+  for (std::size_t k = lines.begin; k < lines.end; ++k) {
+    const double frequency = spectra.step * static_cast<double>(k), coherence = spectra.coherence(k);
+    if (coherence < kLeastCoherence) {
       metrics.notes.push_back(fmt::format(
           "{}: its coherence with the steer angle is {:.2f} at {:.3g} Hz, below {:.2g}; {}", name, coherence, frequency,
-          asked.least_coherence,
+          kLeastCoherence,
           response.value.empty() ? "no frequency response"
                                  : fmt::format("the response ends at {:.3g} Hz", response.frequency.back())));
       break;
@@ -157,16 +166,15 @@ void add_damping(VehicleMetrics& metrics, const FrequencyResponse& response) {
   Values omega;
   for (const double frequency : response.frequency)
     if (frequency <= kHighestOfFit) omega.push_back(2 * std::numbers::pi * frequency);
-  if (omega.size() < 6)
-    return metrics.notes.push_back("yaw_damping: fewer than six lines of the yaw velocity's response");
+  if (omega.size() < 6) return metrics.notes.push_back("yaw_damping: fewer than six lines of the yaw rate's response");
   const SecondOrder fit =
       second_order(omega, {response.value.begin(), response.value.begin() + static_cast<std::ptrdiff_t>(omega.size())});
   if (!(fit.left < kWorstFit) || !(fit.a2 > 0)) {
     metrics.notes.push_back(fmt::format(
-        "yaw_damping: a second order leaves {:.2g} of the yaw velocity's response: no damping to speak of", fit.left));
+        "yaw_damping: a second order leaves {:.2g} of the yaw rate's response: no damping to speak of", fit.left));
     return;
   }
-  add(metrics, "yaw_damping", fit.damping(), "1", "ratio of the second order that fits the yaw velocity's response");
+  add(metrics, "yaw_damping", fit.damping(), "1", "ratio of the second order that fits the yaw rate's response");
   add(metrics, "yaw_natural_frequency", fit.natural_frequency() / (2 * std::numbers::pi), "Hz",
       "undamped, of the same second order");
 }
@@ -177,13 +185,13 @@ void add_response_diagrams(VehicleMetrics& metrics, const FrequencyResponse& yaw
                            const Values& values) {
     metrics.diagrams.push_back({title, across, up, {{title, of.frequency, values}}});
   };
-  picture("Gain of the yaw velocity", {"gain", "1/s"}, yaw, yaw.gain);
+  picture("Gain of the yaw rate", {"gain", "1/s"}, yaw, yaw.gain);
   picture("Gain of the lateral acceleration", {"gain", "(m/s^2)/rad"}, lateral, lateral.gain);
   metrics.diagrams.push_back(
       {"Phase to the steer angle",
        across,
        {"phase", "rad"},
-       {{"yaw velocity", yaw.frequency, yaw.phase}, {"lateral acceleration", lateral.frequency, lateral.phase}}});
+       {{"yaw rate", yaw.frequency, yaw.phase}, {"lateral acceleration", lateral.frequency, lateral.phase}}});
 }
 
 }  // namespace
@@ -208,14 +216,15 @@ VehicleMetrics sine_sweep_metrics(const VehicleSeries& s, const SineSweep& asked
   }
   const auto width = static_cast<std::size_t>(segment / step_of(s));
   const auto response = [&](const std::string& name, const Values& values) {
-    return usable_response(metrics, name, spectra_with_begin(s.steer, values, step_of(s), width), asked, segment);
+    const Spectra spectra = spectra_with_begin(s.steer, values, step_of(s), width);
+    return followed_response(metrics, name, spectra, excited_lines(spectra, asked, segment));
   };
   add(metrics, "speed", mean(s.speed, {0, s.t.size()}), "m/s", "mean");
   const FrequencyResponse yaw = response("yaw_rate", s.yaw_rate);
   const FrequencyResponse lateral = response("lateral_acceleration", s.lateral_acceleration);
   if (!yaw.value.empty()) {
-    add_gains(metrics, "yaw_rate", "yaw velocity", "1/s", yaw);
-    add_phase(metrics, "yaw_rate", "yaw velocity", yaw);
+    add_gains(metrics, "yaw_rate", "yaw rate", "1/s", yaw);
+    add_phase(metrics, "yaw_rate", "yaw rate", yaw);
     add_damping(metrics, yaw);
   }
   if (!lateral.value.empty()) {

@@ -96,7 +96,7 @@ std::string fault_of_weave(const VehicleSeries& s, const Weave& weave) {
     const Sine sine = fitted_sine(s.t, *values, span, weave.frequency);
     if (!(sine.amplitude > 0) || sine.left > kLeastAnswer * sine.amplitude)
       return fmt::format("{} does not follow the sine of the steer angle: amplitude {:.3g}, {:.3g} beside it",
-                         values == &s.yaw_rate ? "the yaw velocity" : "the lateral acceleration", sine.amplitude,
+                         values == &s.yaw_rate ? "the yaw rate" : "the lateral acceleration", sine.amplitude,
                          sine.left);
   }
   return "";
@@ -130,12 +130,12 @@ VehicleMetrics weave_metrics(const VehicleSeries& s, const Weave& weave) {
       "width of the loop along the steer angle at zero lateral acceleration (ISO 13674-1)");
   add(metrics, "lateral_acceleration_hysteresis", lateral_over_steer.width, "m/s^2",
       "width of the loop along the lateral acceleration at zero steer angle (ISO 13674-1)");
-  add(metrics, "yaw_velocity_gain", yaw_over_steer.slope, "1/s",
-      "growth of yaw velocity with steer angle at zero steer angle (ISO 13674-1)");
-  add(metrics, "yaw_velocity_hysteresis", yaw_over_steer.width, "rad/s",
-      "width of the loop along the yaw velocity at zero steer angle (ISO 13674-1)");
-  add(metrics, "lateral_acceleration_lag", lag(steer, lateral) * -1, "s", "of its sine behind that of the steer angle");
-  add(metrics, "yaw_velocity_lag", lag(steer, yaw) * -1, "s", "of its sine behind that of the steer angle");
+  add(metrics, "yaw_rate_gain", yaw_over_steer.slope, "1/s",
+      "growth of yaw rate with steer angle at zero steer angle (ISO 13674-1)");
+  add(metrics, "yaw_rate_hysteresis", yaw_over_steer.width, "rad/s",
+      "width of the loop along the yaw rate at zero steer angle (ISO 13674-1)");
+  add(metrics, "lateral_acceleration_lag", lag(lateral, steer), "s", "of its sine behind that of the steer angle");
+  add(metrics, "yaw_rate_lag", lag(yaw, steer), "s", "of its sine behind that of the steer angle");
   const auto part = [&](const Values& values) {
     return Values(values.begin() + static_cast<std::ptrdiff_t>(span.begin), values.end());
   };
