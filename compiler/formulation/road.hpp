@@ -161,6 +161,20 @@ T friction_of_road(const ForceWork<T>& work, const Road& road, const T& x, const
   return friction;
 }
 
+/// A place in the axes of a road, m.
+template <class T>
+struct RoadPosition {
+  T x, y;
+};
+
+/// A global place in the axes of a road.
+template <class T>
+RoadPosition<T> on_road(const Road& road, const T& x, const T& y) {
+  const T cosine(std::cos(road.heading)), sine(std::sin(road.heading));
+  const T dx = x - T(road.origin[0]), dy = y - T(road.origin[1]);
+  return {cosine * dx + sine * dy, cosine * dy - sine * dx};
+}
+
 /// What a wheel stands on: the plane that touches the road straight below its centre, as it was laid there, at rest.
 template <class T>
 struct RoadPlane {
@@ -182,10 +196,9 @@ RoadPlane<T> road_plane(const ForceWork<T>& work, const Tyre& tyre) {
   const T height = position.z - work.value(tyre.road_height, "road", tyre.name);
   if (tyre.road < 0) return {direction_up(system, work.k, kGround, vertical, carrier), height};
   const Road& road = system.model.roads[tyre.road];
-  const T cosine(std::cos(road.heading)), sine(std::sin(road.heading));
-  const T dx = position.x - T(road.origin[0]), dy = position.y - T(road.origin[1]);
-  const T x = cosine * dx + sine * dy, y = cosine * dy - sine * dx;
+  const auto [x, y] = on_road(road, position.x, position.y);
   const RoadHeight<T> below = height_of_road(work, road, x, y);
+  const T cosine(std::cos(road.heading)), sine(std::sin(road.heading));
   const T by_x = cosine * below.by_x - sine * below.by_y, by_y = sine * below.by_x + cosine * below.by_y;
   const T steepness = T(1.0) / sqrt(T(1.0) + by_x * by_x + by_y * by_y);
   const Vector<T> normal{-(steepness * by_x), -(steepness * by_y), steepness};

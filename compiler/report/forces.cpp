@@ -7,16 +7,15 @@
 #include <variant>
 
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/report/mentions.hpp"
+#include "compiler/report/table_states.hpp"
 #include "runtime/generic/generic.hpp"
 
 namespace mbgen {
 namespace {
 
 bool depends_on_inputs(const Model& model, int expression) {
-  if (expression < 0) return false;
-  const std::vector<ExpressionNode>& nodes = model.expressions[static_cast<std::size_t>(expression)].nodes;
-  return std::any_of(nodes.begin(), nodes.end(),
-                     [](const ExpressionNode& node) { return node.kind == ExpressionNode::Kind::input; });
+  return mentions(model, expression, {ExpressionNode::Kind::input});
 }
 
 bool depends_on_inputs(const Model& model, const Law& law) {
@@ -100,34 +99,19 @@ Model watched(Model model) {
 }  // namespace
 
 std::vector<Column> element_forces(const ReportSource& source, const std::vector<std::size_t>& rows) {
-  const std::vector<Column>& table = source.results.columns;
   const Model model = watched(source.model);
   std::vector<Column> forces;
   for (const Output& output : model.outputs) forces.push_back({{output.name, output.unit}, {}});
-  std::vector<int> positions, velocities;
-  for (const TreeBody& body : source.topology.bodies) {
-    positions.push_back(find_column(source.results, "z." + body.coordinate));
-    velocities.push_back(find_column(source.results, "zd." + body.coordinate));
-    if (velocities.back() < 0) return {};
-  }
+  for (const TreeBody& body : source.topology.bodies)
+    if (find_column(source.results, "zd." + body.coordinate) < 0) return {};
   if (forces.empty()) return forces;
   const GenericSolver solver(model, source.topology, source.analysis);
-  const std::size_t count = positions.size();
-  std::vector<int> auxiliary;  // a table without them has Maxwell branches relaxed
-  for (const std::string& name : auxiliary_state_names(model))
-    auxiliary.push_back(find_column(source.results, "x." + name));
-  GenericState state{std::vector<double>(count), std::vector<double>(count), initial_auxiliary_states(model), 0};
+  const std::size_t count = source.topology.bodies.size();
   // No force of a spring, bushing or stop depends on accelerations or joint forces.
-  const GenericDerivative none{std::vector<double>(count), std::vector<double>(auxiliary.size())};
+  const GenericDerivative none{std::vector<double>(count), std::vector<double>(auxiliary_state_names(model).size())};
   const std::vector<double> tau(count);
-  for (const std::size_t row : rows) {
-    state.t = table.front().values[row];
-    for (std::size_t i = 0; i < count; ++i) {
-      state.z[i] = table[static_cast<std::size_t>(positions[i])].values[row];
-      state.zd[i] = table[static_cast<std::size_t>(velocities[i])].values[row];
-    }
-    for (std::size_t i = 0; i < auxiliary.size(); ++i)
-      if (auxiliary[i] >= 0) state.x[i] = table[static_cast<std::size_t>(auxiliary[i])].values[row];
+  for (const GenericState& state :
+       table_states(source, rows)) {  // without columns of them Maxwell branches are relaxed
     const GenericOutputs outputs = solver.outputs(state, tau, none);
     for (std::size_t f = 0; f < forces.size(); ++f) forces[f].values.push_back(outputs.y[f]);
   }

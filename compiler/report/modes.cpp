@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "compiler/report/ground.hpp"
 #include "compiler/report/places.hpp"
 #include "compiler/report/poses.hpp"
 #include "compiler/report/scene.hpp"
@@ -153,6 +154,10 @@ Json modes_json(const ModesSource& source) {
   Json list = Json::array();
   for (const Mode& mode : source.modes) list.push_back(mode_json(source, solver, mode, frames, turns));
   return {{"point", {{"state", source.state}, {"drift", source.drift}}}, {"rest", base64(rest)}, {"animations", list}};
+}
+
+Json ground_at_point(const ModesSource& source) {
+  return ground_json(source.model, solver_at(source), {state_of(source.point)}, true);
 }
 
 Vector3 carried(const ModesSource& source, int body, const Vector3& place) {

@@ -29,6 +29,9 @@ Swing swing_of(const ModesSource& source, const GenericSolver& solver, const Mod
 ///     swing, then of all of it
 nlohmann::ordered_json modes_json(const ModesSource& source);
 
+/// The roads of the model about the point, with the inputs there: see ground.hpp.
+nlohmann::ordered_json ground_at_point(const ModesSource& source);
+
 /// Where a place that moves with a body at the reference is at the point; body -1 stands for ground.
 Vector3 carried(const ModesSource& source, int body, const Vector3& place);
 

@@ -9,7 +9,7 @@
 
 #include "compiler/report/forces.hpp"
 #include "compiler/report/poses.hpp"
-#include "runtime/generic/generic.hpp"
+#include "compiler/report/table_states.hpp"
 
 namespace mbgen {
 namespace {
@@ -20,21 +20,6 @@ constexpr double kShortestInterval = 0.01;  ///< s between two frames: more than
 /// Numbers that a page carries of each kind: 4 bytes, 5.3 in base64; poses and table together stay under 2 MB.
 constexpr std::size_t kMostPoseNumbers = 240'000, kMostTableNumbers = 120'000;
 constexpr std::size_t kFewestRows = 200;
-
-/// Columns of the coordinates of a model in a result, in the order of the tree.
-Result<std::vector<int>> coordinate_columns(const ReportSource& source, const std::string& file) {
-  std::vector<int> columns;
-  for (const TreeBody& body : source.topology.bodies) {
-    columns.push_back(find_column(source.results, "z." + body.coordinate));
-    if (columns.back() >= 0) continue;
-    Diagnostic problem;
-    problem.where.file = file;
-    problem.message = fmt::format("no column \"z.{}\": not a result of model {}", body.coordinate, source.model.name);
-    problem.hint = "give --model, or simulate again";
-    return problem;
-  }
-  return columns;
-}
 
 const char* group_of(const std::string& name) {
   if (name.starts_with("z.")) return "coordinate";
@@ -56,28 +41,31 @@ std::vector<std::size_t> kept_rows(const std::vector<double>& time, std::size_t 
   return kept;
 }
 
-Result<Json> motion_json(const ReportSource& source, const std::string& file) {
-  const Result<std::vector<int>> columns = coordinate_columns(source, file);
-  if (!columns) return columns.problems();
-  const std::vector<Column>& table = source.results.columns;
-  const GenericSolver solver(source.model, source.topology, source.analysis);
-  GenericState state;
-  state.z.resize(columns->size());
-  state.zd.assign(columns->size(), 0.0);
+Result<std::vector<GenericState>> motion_frames(const ReportSource& source, const std::string& file) {
+  for (const TreeBody& body : source.topology.bodies) {
+    if (find_column(source.results, "z." + body.coordinate) >= 0) continue;
+    Diagnostic problem;
+    problem.where.file = file;
+    problem.message = fmt::format("no column \"z.{}\": not a result of model {}", body.coordinate, source.model.name);
+    problem.hint = "give --model, or simulate again";
+    return problem;
+  }
+  const std::size_t most = kMostPoseNumbers / (kPoseNumbers * source.model.bodies.size());
+  return table_states(source, kept_rows(source.results.columns.front().values, std::max(kFewestRows, most)));
+}
+
+Json motion_json(const GenericSolver& solver, const std::vector<GenericState>& frames) {
   std::vector<float> times, numbers;
   std::vector<Quaternion> before;
-  const std::size_t most = kMostPoseNumbers / (kPoseNumbers * source.model.bodies.size());
-  for (const std::size_t row : kept_rows(table.front().values, std::max(kFewestRows, most))) {
-    state.t = table.front().values[row];
-    for (std::size_t i = 0; i < columns->size(); ++i) state.z[i] = table[(*columns)[i]].values[row];
-    times.push_back(static_cast<float>(state.t));
-    add_poses(solver.poses(state), before, numbers);
+  for (const GenericState& frame : frames) {
+    times.push_back(static_cast<float>(frame.t));
+    add_poses(solver.poses(frame), before, numbers);
   }
-  return Json{{"name", "motion"},
-              {"kind", "time"},
-              {"count", times.size()},
-              {"times", base64(times)},
-              {"poses", base64(numbers)}};
+  return {{"name", "motion"},
+          {"kind", "time"},
+          {"count", times.size()},
+          {"times", base64(times)},
+          {"poses", base64(numbers)}};
 }
 
 /// What is shown together of outputs: the same quantity of points, tyres, springs or joints, along one axis; of

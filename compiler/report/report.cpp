@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/drawing/drawing.hpp"
+#include "compiler/report/ground.hpp"
 #include "compiler/report/modes.hpp"
 #include "compiler/report/motion.hpp"
 #include "compiler/report/page.hpp"
@@ -99,6 +100,13 @@ std::string filled(std::string_view frame, const std::array<std::pair<std::strin
   return page;
 }
 
+/// Adds what a model with roads has of them, and notes.
+void add_ground(Json ground, Json& data) {
+  if (!ground["notes"].empty()) data["notes"] = ground["notes"];
+  ground.erase("notes");
+  if (!ground["tracks"].empty()) data["scene"]["ground"] = std::move(ground);
+}
+
 std::string page_of(const Model& model, const Json& data) {
   return filled(page_file("index.html"), {{{"title", html_text(model.name)},
                                            {"style", page_file("report.css")},
@@ -111,13 +119,15 @@ std::string page_of(const Model& model, const Json& data) {
 bool has_report_page() { return !report_page_files().empty(); }
 
 Result<std::string> report_html(const ReportSource& source, const std::string& file) {
-  const Result<Json> motion = motion_json(source, file);
-  if (!motion) return motion.problems();
+  const Result<std::vector<GenericState>> frames = motion_frames(source, file);
+  if (!frames) return frames.problems();
+  const GenericSolver solver(source.model, source.topology, source.analysis);
   const Json run = Json::parse(source.results.run, nullptr, false);
   Json data = {{"format", 1}, {"result", file}, {"model", model_json(source.model, source.topology, source.analysis)}};
   data["run"] = run.is_object() ? run : Json(nullptr);
   data["scene"] = scene_json(source.model);
-  data["animations"] = Json::array({*motion});  // braces alone are a copy for clang++
+  data["animations"] = Json::array({motion_json(solver, *frames)});  // braces alone are a copy for clang++
+  add_ground(ground_json(source.model, solver, *frames, false), data);
   data["table"] = table_json(source);
   data["topology"] = topology_svg(source.model, source.topology, source.analysis);
   return page_of(source.model, data);
@@ -129,6 +139,7 @@ std::string modes_html(const ModesSource& source) {
   // The camera looks at the followed body, at its position in the frame.
   data["scene"]["centre"] = carried(source, data["scene"]["follow"], data["scene"]["centre"]);
   data.update(modes_json(source));
+  add_ground(ground_at_point(source), data);
   data["topology"] = topology_svg(source.model, source.topology, source.analysis);
   return page_of(source.model, data);
 }

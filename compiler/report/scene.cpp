@@ -286,8 +286,9 @@ Json scene_json(const Model& model) {
                 {"centre", centre},
                 {"size", size},
                 {"follow", body_to_follow(model)}};
-  if (!model.tyres.empty()) {
-    scene["road"] = model.tyres.front().road_height.value;
+  const auto flat = std::find_if(model.tyres.begin(), model.tyres.end(), [](const Tyre& t) { return t.road < 0; });
+  if (flat != model.tyres.end()) {
+    scene["road"] = flat->road_height.value;
   } else if (gravity > 0) {
     double lowest = 1e300;
     for (int corner = 0; corner < 8; ++corner) {

@@ -15,7 +15,7 @@ double model_size(const Model& model);
 ///     cylinder or tube {from, to, radius} or sphere {at, radius}, in the body's frame, m, perhaps with a colour
 ///   links: rods, springs, dampers, struts, air_springs: name, kind, [body, place] of both ends, radius
 ///   joints: name, kind, body, place and axis in its frame, radius
-///   up: unit vector; road: height of the road or null; floor: where a grid is drawn, or null
+///   up: unit vector; road: height of a flat road without a name, or null; floor: where a grid is drawn, or null
 ///   centre and size: of all points at the reference; follow: body that the camera goes with, or -1
 /// Shapes come from Model::shapes; a body without any is drawn by its tyre, else as tubes from its centre of mass to
 /// the points that something is fixed to, and as the box of its mass and inertia where that is far lighter than metal.

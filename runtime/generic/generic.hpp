@@ -1,6 +1,7 @@
 #pragma once
 // The generic runtime: double-step Maggi for any model without generating code, theory.md sections 1 to 5 on Eigen.
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -20,6 +21,12 @@ struct CoordinateWish {
   double value = 0;     ///< rad or m, or per second
   double weight = 1;    ///< of its squared error, against the weights of the other wishes
   bool locked = false;  ///< to be met exactly; of driven coordinates the motion says where they are
+};
+
+/// The road below a place.
+struct RoadBelow {
+  double height = 0;    ///< m, global z
+  double friction = 1;  ///< factor of the tyre's friction
 };
 
 struct GenericEquations;
@@ -77,6 +84,9 @@ class GenericSolver {
   /// Pose of every body of the model in the global frame, fixed ones and ground too: of its frame as the model gives
   /// it.
   std::vector<Pose> poses(const GenericState& state) const;
+  /// The road of a tyre (index into Model::tyres) below places of the global x and y, m, at the time of a state.
+  std::vector<RoadBelow> road_below(const GenericState& state, std::size_t tyre,
+                                    const std::vector<std::array<double, 2>>& places) const;
   GenericOutputs outputs(const GenericState& state, const std::vector<double>& tau,
                          const GenericDerivative& derivative) const;
   /// Moves a closed state at rest to the closed positions whose wished coordinates are nearest to their values: the

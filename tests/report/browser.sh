@@ -1,5 +1,5 @@
 #!/bin/sh
-# The pages of the coach's slalom and of its modes in Debian's chromium: tests/report/browser.sh MBGEN [PICTURES]
+# Pages of the coach's slalom, of a hump and of modes in Debian's chromium: tests/report/browser.sh MBGEN [PICTURES]
 # PICTURES: directory that takes the screenshots. Skipped (77) without chromium, node and npm, or where mbgen was built
 # without reports. MBGEN_REPORT_MODULES: where playwright-core is kept from one run to the next.
 set -eu
@@ -37,7 +37,10 @@ EOF
 cp moved.csv circle.csv
 node "$here/metrics.mjs" describe moved.csv.run.json circle.csv.run.json
 "$mbgen" report circle.csv -o circle.html
-for page in coach modes; do
+"$mbgen" simulate "$models/rides/coach_speed_bump.json" --set speed=8.3333 --set steer_amplitude=0 --duration 1.4 \
+  --engine generic --out hump.csv > /dev/null
+"$mbgen" report hump.csv -o hump.html
+for page in coach modes hump; do
   size=$(wc -c < $page.html)
   [ "$size" -lt 3000000 ] || { echo "$page.html of the coach has $size bytes"; exit 1; }
 done
@@ -54,4 +57,6 @@ if ! cmp -s "$here/package-lock.json" "$modules/installed"; then
 fi
 node "$here/browser.mjs" coach.html "$pictures" "$modules" moved.html rubber.html
 node "$here/metrics.mjs" check circle.html moved.html "$pictures" "$modules"
+# The coach stands 22 mm deep in its tyres, and so does its road; the hump is 80 mm high.
+[ "$(node "$here/road.mjs" hump.html 1.4 "" "$pictures/report_road.png" "$modules")" = "-0.0220 0.0580" ]
 node "$here/modes.mjs" modes.html modes.json growing.html "$pictures" "$modules"

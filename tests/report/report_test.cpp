@@ -43,6 +43,10 @@ Case a_case(Model model, int rows = 3) {
   return {std::move(model), std::move(topology), std::move(analysis), std::move(results)};
 }
 
+Json motion_of(const Case& c) {
+  return motion_json(GenericSolver(c.model, c.topology, c.analysis), *motion_frames(c.source(), "x.csv"));
+}
+
 TEST(Base64, IsThatOfTheStandard) {
   EXPECT_EQ(base64({}), "");
   EXPECT_EQ(base64({0.0f}), "AAAAAA==");
@@ -64,7 +68,7 @@ TEST(KeptRows, KeepEndsAndSpacing) {
 // Two links of 1 m that swing about y: positions by hand.
 TEST(Poses, OfADoublePendulum) {
   const Case pendulum = a_case(model_of("double_pendulum.json"));
-  const Json motion = *motion_json(pendulum.source(), "x.csv");
+  const Json motion = motion_of(pendulum);
   const std::vector<float> poses = decoded(motion["poses"]);
   const std::size_t bodies = pendulum.model.bodies.size();
   ASSERT_EQ(poses.size(), 3 * bodies * 7);
@@ -99,7 +103,7 @@ TEST(Poses, CarryThePointsWhereTheOutputsSayTheyAre) {
     Model model = model_of(file);
     watch_points(model);
     const Case vehicle = a_case(std::move(model));
-    const std::vector<float> poses = decoded((*motion_json(vehicle.source(), "x.csv"))["poses"]);
+    const std::vector<float> poses = decoded(motion_of(vehicle)["poses"]);
     const GenericSolver solver(vehicle.model, vehicle.topology, vehicle.analysis);
     GenericState state;
     for (int i = 0; i < vehicle.topology.size(); ++i) state.z.push_back(vehicle.results.columns[i + 1].values[2]);
@@ -125,7 +129,7 @@ TEST(Poses, CarryThePointsWhereTheOutputsSayTheyAre) {
 TEST(Poses, AResultOfAnotherModelIsRefused) {
   Case pendulum = a_case(model_of("double_pendulum.json"));
   pendulum.results.columns[2].heading.name = "z.wrist";
-  const Result<Json> motion = motion_json(pendulum.source(), "other.csv");
+  const auto motion = motion_frames(pendulum.source(), "other.csv");
   ASSERT_FALSE(motion);
   EXPECT_EQ(to_text(motion.problems()),
             fmt::format("other.csv: no column \"z.{}\": not a result of model double_pendulum\n"

@@ -31,6 +31,22 @@ function noiseOf(columns) {
   };
 }
 
+/** Strips of roads and tracks of wheels with their numbers. */
+function decodeGround(ground) {
+  const numbers = ({ stations, offsets, heights, friction, ...others }) => ({
+    ...others,
+    stations: floats(stations),
+    offsets: floats(offsets),
+    heights: floats(heights),
+    friction: friction && floats(friction),
+  });
+  return {
+    floor: ground.floor,
+    strips: ground.strips.map(numbers),
+    tracks: ground.tracks.map((track) => ({ ...track, heights: floats(track.heights) })),
+  };
+}
+
 /** Columns with their values and the size of their rounding. */
 function decodeTable(table) {
   const data = floats(table.data);
@@ -46,6 +62,7 @@ function decodeTable(table) {
 /** Reads the page's data: model, scene, animations, topology, and of a result run and table, of modes point and rest. */
 export function readData() {
   const data = JSON.parse(document.getElementById("data").textContent);
+  if (data.scene.ground) data.scene.ground = decodeGround(data.scene.ground);
   if (data.table) {
     data.animations = data.animations.map((animation) => decodeAnimation(animation, data.scene.bodies.length));
     data.table = decodeTable(data.table);

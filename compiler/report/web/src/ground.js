@@ -61,19 +61,28 @@ export function createGround(scene, height) {
   };
 }
 
+/** Where the wheels of a scene are and how high the road is under them in a frame of the animation. */
+function trackedWheels(scene) {
+  if (scene.ground) {
+    return scene.ground.tracks.map(({ body, at, heights }) => ({ body, at, height: (frame) => heights[frame] }));
+  }
+  return scene.bodies.flatMap(({ shapes }, body) => {
+    const tyre = shapes.find((shape) => shape.kind === "tyre");
+    return tyre ? [{ body, at: tyre.at, height: () => scene.road }] : [];
+  });
+}
+
 /** Lines of the wheels' paths on the road. */
-export function createTracks(scene, animation, height) {
+export function createTracks(scene, animation) {
   const group = new Group();
   const up = new Vector3(...scene.up);
   const stride = Math.max(1, Math.ceil(animation.times.length / kMostTrackPoints));
-  scene.bodies.forEach((body, index) => {
-    if (!body.shapes.some((shape) => shape.kind === "tyre")) return;
+  trackedWheels(scene).forEach(({ body, at, height }) => {
     const places = [];
     for (let frame = 0; frame < animation.times.length; frame += stride) {
-      const place = new Vector3(...originAt(animation, index, animation.times[frame]));
-      const tyre = body.shapes.find((shape) => shape.kind === "tyre");
-      place.add(wheelOffset(animation, index, frame, tyre.at));
-      place.addScaledVector(up, height - place.dot(up) + 0.0012 * scene.size);
+      const place = new Vector3(...originAt(animation, body, animation.times[frame]));
+      place.add(wheelOffset(animation, body, frame, at));
+      place.addScaledVector(up, height(frame) - place.dot(up) + 0.0012 * scene.size);
       places.push(place.x, place.y, place.z);
     }
     const geometry = new BufferGeometry();

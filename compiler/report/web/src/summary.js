@@ -71,8 +71,16 @@ function pointTable({ state, drift }) {
   return table("Point", [], [["modes about", state], ["largest rate of the states there, per s", drift]]);
 }
 
+/** What the page does not show as it is. */
+function noteList(notes) {
+  const list = Object.assign(document.createElement("ul"), { id: "notes" });
+  list.append(...notes.map((textContent) => Object.assign(document.createElement("li"), { textContent })));
+  return list;
+}
+
 export function writeSummary(data, element) {
   const { model } = data;
+  if (data.notes) element.before(noteList(data.notes));
   element.append(table("Model", [], modelRows(model)), ...(data.table ? resultTables(data) : [pointTable(data.point)]));
   if (model.blocks.length > 0) {
     element.append(table("Loop blocks", ["", "on", "coordinates", "equations", "rank", "closed by", "independent"],

@@ -19,10 +19,11 @@ function createRenderer(element) {
 
 /** Colours of the page on everything that is not of a body. */
 function paint(world, size) {
-  const colours = { ground: colour("ground"), grid: colour("grid"), track: colour("track") };
+  const colours = { ground: colour("ground"), grid: colour("grid"), road: colour("road"), track: colour("track") };
   world.scene.background = new Color(colour("sky"));
   world.scene.fog = new Fog(colour("sky"), 3.2 * size, 9 * size);
   world.ground?.paint(colours);
+  world.roads?.paint(colours);
   world.tracks?.paint(colours);
 }
 
@@ -107,6 +108,7 @@ export function createView(scene, animation, element, table) {
     /** Where the camera stands, and where a link's ends are in the picture drawn last, for tests. */
     cameraPlace: () => viewer.camera.position.toArray(),
     drawnForces: () => world.drawnForces(),
+    drawnRoads: () => world.roads?.drawn() ?? [],
     endPlaces: (link) => world.endPlaces(link).map((end) => end.toArray()),
   };
 }

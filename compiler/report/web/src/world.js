@@ -6,6 +6,7 @@ import { createGround, createTracks } from "./ground.js";
 import { createLights } from "./lights.js";
 import { linkObject } from "./links.js";
 import { poseBodies, poseForCamera } from "./poses.js";
+import { createRoads } from "./road.js";
 import { bodyGroup, jointMark } from "./shapes.js";
 
 /** What can be shown and hidden, and whether it is shown at first. */
@@ -44,11 +45,13 @@ export function createWorld(scene, animation, table) {
   });
   links.forEach(({ group }) => world.add(group)); // there may be none, which add refuses
 
-  const height = scene.road ?? scene.floor;
+  const height = scene.road ?? scene.ground?.floor ?? scene.floor;
   const ground = height === null ? null : createGround(scene, height);
-  const tracks = scene.road === null || animation.kind === "mode" ? null : createTracks(scene, animation, height);
+  const roads = scene.ground ? createRoads(scene) : null;
+  const hasWheels = scene.road !== null || scene.ground;
+  const tracks = hasWheels && animation.kind !== "mode" ? createTracks(scene, animation) : null;
   const lights = createLights(scene);
-  world.add(...lights.objects, ...[ground, tracks].flatMap((part) => (part ? [part.group] : [])));
+  world.add(...lights.objects, ...[ground, roads, tracks].flatMap((part) => (part ? [part.group] : [])));
 
   const inLayer = (name) => {
     const found = [];
@@ -61,7 +64,7 @@ export function createWorld(scene, animation, table) {
     links: links.map(({ group }) => group),
     joints: inLayer("joints"),
     forces: arrows.objects,
-    ground: ground ? [ground.group] : [],
+    ground: [ground, roads].flatMap((part) => (part ? [part.group] : [])),
     tracks: tracks ? [tracks.group] : [],
   };
 
@@ -69,6 +72,7 @@ export function createWorld(scene, animation, table) {
     scene: world,
     bodies,
     ground,
+    roads,
     tracks,
     lights,
     layers,
