@@ -159,6 +159,24 @@ TEST_F(CommandLine, CoachDrivesItsSlalom) {
   EXPECT_LT(residual, 1e-10);
 }
 
+// The hump begins at x = 10 m, where the front wheels are after 1.2 s.
+TEST_F(CommandLine, CoachMeetsTheHump) {
+  const std::string ride = kSource + "/models/rides/coach_hump.json --set speed=8.3333 --set steer_amplitude=0";
+  ASSERT_EQ(mbgen("simulate " + ride + " --duration 1.3 --step 2e-3 --engine generic --out hump.csv").exit_code, 0);
+  const Table run = table("hump.csv");
+  for (const char* wheel : {"front_left", "front_right"}) {
+    const std::string load = std::string("load_") + wheel + " [N]";
+    double before = 0, on_hump = 0;
+    for (std::size_t row = 0; row < run.rows.size(); ++row) {
+      double& largest = run.at(row, "t [s]") < 1.19 ? before : on_hump;
+      largest = std::max(largest, run.at(row, load));
+    }
+    EXPECT_NEAR(before, run.at(0, load), 0.02 * before) << wheel;
+    EXPECT_GT(on_hump, 1.15 * before) << wheel;
+    EXPECT_LT(on_hump, 1.5 * before) << wheel;
+  }
+}
+
 // Other pivots, other order of operations: what rounding makes of it in a second stays below 1e-9 of each column.
 TEST_F(CommandLine, EnginesAgreeOnTheFirstSecondOfTheSlalom) {
   const std::string coach = kSource + "/models/coach.json";

@@ -37,7 +37,7 @@ EOF
 cp moved.csv circle.csv
 node "$here/metrics.mjs" describe moved.csv.run.json circle.csv.run.json
 "$mbgen" report circle.csv -o circle.html
-"$mbgen" simulate "$models/rides/coach_speed_bump.json" --set speed=8.3333 --set steer_amplitude=0 --duration 1.4 \
+"$mbgen" simulate "$models/rides/coach_hump.json" --set speed=8.3333 --set steer_amplitude=0 --duration 1.4 \
   --engine generic --out hump.csv > /dev/null
 "$mbgen" report hump.csv -o hump.html
 for page in coach modes hump; do

@@ -73,7 +73,7 @@ TEST(Models, CoachNeedsNoMarks) {
 }
 
 TEST(Models, EveryModelHasATopology) {
-  for (const char* folder : {"models", "models/iftomm", "models/published", "tests/data/models"}) {
+  for (const char* folder : {"models", "models/iftomm", "models/published", "models/rides", "tests/data/models"}) {
     for (const auto& entry : std::filesystem::directory_iterator(source_path(folder))) {
       if (entry.path().extension() != ".json") continue;
       const Result<Model> model = read_model_file(entry.path().string());
