@@ -62,7 +62,9 @@ TyreProperties<T> tyre_properties(const Tyre& tyre, const Value& value) {
           value(tyre.low_speed, "low_speed"),
           T(tyre.side),
           T(tyre.count),
-          value(tyre.pressure, "pressure")};
+          value(tyre.pressure, "pressure"),
+          T(tyre.over_load_x ? 1.0 : 0.0),
+          T(tyre.over_load_y ? 1.0 : 0.0)};
 }
 
 /// Calls use(set) with a tyre's set of coefficients as its model has them.

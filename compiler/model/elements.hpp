@@ -145,9 +145,10 @@ struct Tyre {
   Quantity friction;     ///< scales the friction (1 is the measured one)
   /// 1: moment = -coefficient * load * radius * tanh(speed / low_speed); of mf61 its QSY1
   Quantity rolling_resistance;
-  Quantity pressure;  ///< Pa, of inflation; of mf61 alone
-  Quantity relaxation_x, relaxation_y;  ///< m, relaxation lengths of the slips
-  Quantity low_speed;                   ///< m/s, below it slip is damped so that the wheel comes to rest
+  Quantity pressure;                              ///< Pa, of inflation; of mf61 alone
+  Quantity relaxation_x, relaxation_y;            ///< m, relaxation lengths of the slips, at nominal load
+  bool over_load_x = false, over_load_y = false;  ///< the set gives them over the load
+  Quantity low_speed;                             ///< m/s, below it slip is damped so that the wheel comes to rest
 };
 
 /// A relation between coordinates that always holds: the value of an expression over them stays zero, or one of them

@@ -117,6 +117,35 @@ void check_tyre(Reader& reader, const Value& value, const std::vector<int>& grou
   }
 }
 
+/// Relaxation lengths of a set at its nominal load and pressure, m; zero where it gives none.
+tyre_law::Relaxation<double> nominal_relaxation(const CoefficientSet& set) {
+  std::vector<double> values;
+  for (const Quantity& q : set.coefficients) values.push_back(q.value);
+  if (set.model == TyreModel::mf61) {
+    const auto mf61 = MagicFormula61<double>::from_fields(values.data());
+    const auto at = magic::mf61_state<double>(mf61, mf61.fnomin * mf61.lfzo, mf61.nompres, 1, 1);
+    return {mf61.longitudinal_stiffness > 0 ? magic::mf61_relaxation_x(mf61, at) : 0,
+            mf61.lateral_stiffness > 0 ? magic::mf61_relaxation_y(mf61, at) : 0};
+  }
+  const auto pac2002 = Pac2002<double>::from_fields(values.data());
+  const double nominal = pac2002.fnomin * pac2002.lfzo;
+  const auto at = magic::load_terms<double>(nominal, nominal, 1, 1);
+  return {magic::pac2002_relaxation_x(pac2002, at),
+          pac2002.pty2 == 0 ? 0 : magic::pac2002_relaxation_y<double>(pac2002, at, 0)};
+}
+
+/// A length that the model does not give follows the load as the set says, where it says so.
+void take_relaxation(const Value& value, const CoefficientSet& set, TyreFields& tyre) {
+  if (set.model == TyreModel::pac89) return;
+  const tyre_law::Relaxation<double> of_set = nominal_relaxation(set);
+  const auto take = [&](const char* key, double length, Quantity& target, bool& over_load) {
+    over_load = !find(value, key) && length > 0;
+    if (over_load) target = length;
+  };
+  take("relaxation_x", of_set.x, tyre.relaxation_x, tyre.over_load_x);
+  take("relaxation_y", of_set.y, tyre.relaxation_y, tyre.over_load_y);
+}
+
 /// Takes a set, and properties that it has and the model does not give.
 void use_coefficients(Reader& reader, const Value& value, CoefficientSet& set, TyreFields& tyre) {
   tyre.model = set.model;
@@ -131,6 +160,7 @@ void use_coefficients(Reader& reader, const Value& value, CoefficientSet& set, T
   } else if (const Member* pressure = find_member(value, "pressure")) {
     report(reader, pressure->place, "only a tyre with mf61 data has a pressure");
   }
+  take_relaxation(value, set, tyre);
   if (set.model != TyreModel::pac89) {
     take("radius", "UNLOADED_RADIUS", tyre.radius);
   } else if (!find(value, "radius")) {
@@ -172,8 +202,6 @@ void use_file(Reader& reader, const Value& value, TyreFields& tyre) {
   take("damping", read->damping, tyre.damping);
   take("rolling_resistance", read->rolling_resistance, tyre.rolling_resistance);
   take("pressure", read->pressure, tyre.pressure);
-  take("relaxation_x", read->relaxation_x, tyre.relaxation_x);
-  take("relaxation_y", read->relaxation_y, tyre.relaxation_y);
   if (!find(value, "stiffness") && tyre.stiffness.value <= 0)
     report(reader, file, "file has no VERTICAL_STIFFNESS above zero", "give the tyre its \"stiffness\"");
 }

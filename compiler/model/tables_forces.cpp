@@ -268,10 +268,16 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
                                      "NOMPRES",
                               .unit = "Pa",
                               .bound = Bound::positive}),
-      field<S, &S::relaxation_x>(
-          number("relaxation_x", "relaxation length of longitudinal slip", "m", 0.3, Bound::positive)),
+      field<S, &S::relaxation_x>(number(
+          "relaxation_x",
+          "relaxation length of longitudinal slip, whatever the load; default: over the load where the set gives "
+          "it (PTX1, LONGITUDINAL_STIFFNESS)",
+          "m", 0.3, Bound::positive)),
       field<S, &S::relaxation_y>(
-          number("relaxation_y", "relaxation length of lateral slip", "m", 0.6, Bound::positive)),
+          number("relaxation_y",
+                 "relaxation length of lateral slip, whatever the load; default: over the load where the set gives it "
+                 "(PTY1, LATERAL_STIFFNESS)",
+                 "m", 0.6, Bound::positive)),
       field<S, &S::low_speed>(number("low_speed", "speed below which slip is damped so that the wheel comes to rest",
                                      "m/s", 2, Bound::positive)),
   };

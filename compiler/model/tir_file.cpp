@@ -8,7 +8,6 @@
 
 #include "compiler/model/csv_table.hpp"
 #include "compiler/model/tyre_sets.hpp"
-#include "mbgen/mf61.hpp"
 
 namespace mbgen::reading {
 namespace {
@@ -162,16 +161,6 @@ std::optional<TyreModel> tyre_model_of(Reader& reader, const Value& value, TirEn
   return refuse(type->place, fmt::format("tyre model FITTYP {} is not supported", *number));
 }
 
-/// Relaxation lengths of PAC2002 at nominal load and upright, m; zero ones are left to the tyre's own defaults.
-template <class Number>
-void read_relaxation(const Number& number, double radius, TirTyre& tyre) {
-  const double x = radius * std::abs(number("PTX1", 0)) * number("LSGKP", 1);
-  if (x > 0) tyre.relaxation_x = x;
-  const double pty1 = number("PTY1", 0), pty2 = number("PTY2", 0), scale = number("LSGAL", 1);
-  const double y = pty2 == 0 ? 0 : radius * std::abs(pty1 * std::sin(2 * std::atan(1 / pty2))) * scale;
-  if (y > 0) tyre.relaxation_y = y;
-}
-
 /// Factors to SI.
 struct TirUnits {
   double length, force, time;
@@ -188,6 +177,7 @@ double unit_of_coefficient(const TirUnits& units, std::string_view name) {
   if (name == "UNLOADED_RADIUS") return units.length;
   if (name == "FNOMIN") return units.force;
   if (name == "NOMPRES") return units.force / (units.length * units.length);
+  if (name.ends_with("_STIFFNESS")) return units.force / units.length;
   return name == "LONGVL" ? units.length / units.time : 1;
 }
 
@@ -206,25 +196,19 @@ void read_coefficients(Reader& reader, const Value& value, TirEntries& entries, 
   }
 }
 
-/// Stiffness, pressure and relaxation lengths of MF 6.1, at nominal load and pressure and upright; what the file does
-/// not give is left to the tyre's own defaults.
+/// Stiffness and pressure of MF 6.1; what the file does not give is left to the tyre's own defaults.
 template <class Number>
 void read_mf61(const Number& number, const TirUnits& units, TirTyre& tyre) {
-  std::vector<double> values;
-  for (const Quantity& q : tyre.coefficients) values.push_back(q.value);
-  const auto set = MagicFormula61<double>::from_fields(values.data());
-  const double per_length = units.force / units.length;
+  const auto of = [&](std::string_view name) {
+    return tyre.coefficients[tyre_field_index(tyre_fields(tyre.model), name)].value;
+  };
+  const double per_length = units.force / units.length, scale = number("LCZ", 1);
   if (const double stiffness = number("VERTICAL_STIFFNESS", 0)) {
-    tyre.stiffness = stiffness * per_length * number("LCZ", 1);
+    tyre.stiffness = stiffness * per_length * scale;
   } else if (const double linear = number("Q_FZ1", 0)) {
-    tyre.stiffness = set.fnomin / set.unloaded_radius * std::sqrt(linear * linear + 4 * set.q_fz2) * number("LCZ", 1);
+    tyre.stiffness = of("FNOMIN") / of("UNLOADED_RADIUS") * std::sqrt(linear * linear + 4 * of("Q_FZ2")) * scale;
   }
   if (const double pressure = number("INFLPRES", 0)) tyre.pressure = pressure * per_length / units.length;
-  const auto at = magic::mf61_state<double>(set, set.fnomin, set.nompres, 1, 1);
-  if (const double x = number("LONGITUDINAL_STIFFNESS", 0) * per_length; x > 0)
-    tyre.relaxation_x = std::abs(magic::mf61_longitudinal<double>(set, at, 0, 0).stiffness) / x;
-  if (const double y = number("LATERAL_STIFFNESS", 0) * per_length; y > 0)
-    tyre.relaxation_y = std::abs(magic::mf61_lateral<double>(set, at, 0, 0).stiffness) / y;
 }
 
 }  // namespace
@@ -266,7 +250,6 @@ std::optional<TirTyre> read_tir(Reader& reader, const Value& value) {
     if (const double stiffness = number("VERTICAL_STIFFNESS", 0))
       tyre.stiffness = stiffness * units.force / units.length;
     tyre.rolling_resistance = number_of_key(reader, entries, "QSY1");
-    read_relaxation(number, tyre.coefficients[0].value, tyre);
   }
   tyre.damping = number_of_key(reader, entries, "VERTICAL_DAMPING");
   if (tyre.damping) *tyre.damping *= units.force * units.time / units.length;

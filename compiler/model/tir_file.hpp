@@ -19,8 +19,6 @@ struct TirTyre {
   std::optional<double> damping = {};             ///< N s/m: VERTICAL_DAMPING
   std::optional<double> rolling_resistance = {};  ///< QSY1 of pac2002
   std::optional<double> pressure = {};            ///< Pa: INFLPRES
-  std::optional<double> relaxation_x = {};  ///< m, at nominal load: PTX1; of mf61 slip over LONGITUDINAL_STIFFNESS
-  std::optional<double> relaxation_y = {};  ///< m: PTY1 and PTY2; slip stiffness over LATERAL_STIFFNESS
 };
 
 /// KEY = value of a section.

@@ -20,7 +20,7 @@ constexpr TirGroup kGroups[] = {
     {"inflation pressure", {"LIP"}, {"PPX", "PPY", "PPZ", "PPMX", "QPZ", "PFZ"}},
     {"rolling resistance beyond QSY1", {}, {"QSY"}},
     {"overturning moment beyond QSX3", {}, {"QSX"}},
-    {"relaxation over load and camber", {}, {"PTX", "PTY", "PCFX", "PCFY"}},
+    {"relaxation of other tyre models", {"LSGKP", "LSGAL"}, {"PTX", "PTY", "PCFX", "PCFY"}},
     {"gyroscopic moment", {"MBELT", "LGYR"}, {"QTZ"}},
     {"friction over slip speed", {"LMUV"}, {}},
     {"belt and carcass",

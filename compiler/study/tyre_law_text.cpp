@@ -94,8 +94,8 @@ std::string properties_text(const Tyre& tyre) {
   row("friction", tyre.friction, "1");
   if (tyre.model == TyreModel::mf61) row("pressure", tyre.pressure, "Pa");
   row("rolling_resistance", tyre.rolling_resistance, "1");
-  row("relaxation_x", tyre.relaxation_x, "m");
-  row("relaxation_y", tyre.relaxation_y, "m");
+  row("relaxation_x", tyre.relaxation_x, tyre.over_load_x ? "m at nominal load, follows the load" : "m");
+  row("relaxation_y", tyre.relaxation_y, tyre.over_load_y ? "m at nominal load, follows the load" : "m");
   row("low_speed", tyre.low_speed, "m/s");
   return text;
 }

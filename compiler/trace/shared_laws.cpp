@@ -47,6 +47,8 @@ void each_argument(Wheel& wheel, Properties& tyre, const Use& use) {
   use("side", tyre.side);
   use("count", tyre.count);
   use("pressure", tyre.pressure);
+  use("over_load_x", tyre.over_load_x);
+  use("over_load_y", tyre.over_load_y);
 }
 
 /// Calls use(name, number) for all that the law gives.

@@ -62,7 +62,9 @@ TyreResult<double> law_of(const Tyre& tyre, const TyreContact<double>& contact, 
                                           value(tyre.low_speed),
                                           tyre.side,
                                           tyre.count,
-                                          value(tyre.pressure)};
+                                          value(tyre.pressure),
+                                          tyre.over_load_x ? 1. : 0.,
+                                          tyre.over_load_y ? 1. : 0.};
   if (tyre.model == TyreModel::mf61)
     return tyre_forces(MagicFormula61<double>::from_fields(coefficients.data()), properties, contact);
   if (tyre.model == TyreModel::pac2002)

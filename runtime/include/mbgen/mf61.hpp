@@ -12,6 +12,9 @@ namespace mbgen {
 
 namespace magic {
 
+/// N/m, that a length is divided by: far below any tyre's.
+inline constexpr double kLeastCarcass = 1;
+
 /// Load and pressure with their terms that every formula needs.
 template <class T>
 struct Mf61State : LoadTerms<T> {
@@ -123,6 +126,20 @@ T mf61_overturning(const MagicFormula61<T>& set, const Mf61State<T>& at, const T
   return set.unloaded_radius * set.lmx *
          (at.load * (set.qsx1 * set.lvmx + of_camber * gamma + set.qsx3 * side + of_side) +
           fy * (set.qsx13 + set.qsx14 * abs(gamma)));
+}
+
+/// Relaxation lengths, m, of an upright tyre: stiffness of the slip over that of the carcass. Source: I. J. M.
+/// Besselink, A. J. C. Schmeitz, H. B. Pacejka, "An improved Magic Formula/Swift tyre model that can handle inflation
+/// pressure changes", Vehicle System Dynamics 48 (supplement), 2010.
+template <class T>
+T mf61_relaxation_x(const MagicFormula61<T>& set, const Mf61State<T>& at) {
+  const T carcass = set.longitudinal_stiffness * parabola<T>(set.pcfx1, set.pcfx2, at.dfz) * (1.0 + set.pcfx3 * at.dpi);
+  return abs(mf61_longitudinal<T>(set, at, T(0), T(0)).stiffness) / max(carcass, T(kLeastCarcass));
+}
+template <class T>
+T mf61_relaxation_y(const MagicFormula61<T>& set, const Mf61State<T>& at) {
+  const T carcass = set.lateral_stiffness * parabola<T>(set.pcfy1, set.pcfy2, at.dfz) * (1.0 + set.pcfy3 * at.dpi);
+  return abs(mf61_lateral<T>(set, at, T(0), T(0)).stiffness) / max(carcass, T(kLeastCarcass));
 }
 
 /// A motion under load in the axes of MF 6.1: arguments of magic_formula_61 that go together.

@@ -176,6 +176,15 @@ inline constexpr TyreField kMf61Fields[] = {
     {"BREFF", 0.0},
     {"DREFF", 0.0},
     {"FREFF", 1.0 / 3.0},
+    // stiffness of the carcass, N/m, over load and pressure: relaxation lengths
+    {"LONGITUDINAL_STIFFNESS", 0.0},
+    {"PCFX1", 0.0},
+    {"PCFX2", 0.0},
+    {"PCFX3", 0.0},
+    {"LATERAL_STIFFNESS", 0.0},
+    {"PCFY1", 0.0},
+    {"PCFY2", 0.0},
+    {"PCFY3", 0.0},
 };
 
 /// Number of coefficients of an MF 6.1 set.
@@ -201,6 +210,9 @@ struct MagicFormula61 {
   T qsy1, qsy2, qsy3, qsy4, qsy5, qsy6, qsy7, qsy8;  ///< rolling resistance
   T q_re0, q_v1, q_v2, q_fz2, q_fz3, pfz1, breff, dreff,
       freff;  ///< radius and vertical stiffness over spin, load, camber (6.2) and pressure; effective rolling radius
+
+  T longitudinal_stiffness, pcfx1, pcfx2, pcfx3, lateral_stiffness, pcfy1, pcfy2,
+      pcfy3;  ///< stiffness of the carcass, N/m, over load and pressure: relaxation lengths
 
   /// Takes kMf61Count coefficients in the order of kMf61Fields.
   static MagicFormula61 from_fields(const T* fields) {

@@ -127,6 +127,14 @@ inline constexpr TyreField kPac2002Fields[] = {
     {"QSX1", 0.0},
     {"QSX2", 0.0},
     {"QSX3", 0.0},
+    // relaxation lengths over load
+    {"PTX1", 0.0},
+    {"PTX2", 0.0},
+    {"PTX3", 0.0},
+    {"PTY1", 0.0},
+    {"PTY2", 0.0},
+    {"LSGKP", 1.0},
+    {"LSGAL", 1.0},
 };
 
 /// Number of coefficients of a PAC2002 set.
@@ -145,8 +153,9 @@ struct Pac2002 {
       rvy6;  ///< lateral force, pure and combined slip
   T qbz1, qbz2, qbz3, qbz4, qbz5, qbz9, qbz10, qcz1, qdz1, qdz2, qdz3, qdz4, qdz6, qdz7, qdz8, qdz9, qez1, qez2, qez3,
       qez4, qez5, qhz1, qhz2, qhz3, qhz4, ssz1, ssz2, ssz3,
-      ssz4;            ///< aligning moment, pure and combined slip
-  T qsx1, qsx2, qsx3;  ///< overturning moment
+      ssz4;                                      ///< aligning moment, pure and combined slip
+  T qsx1, qsx2, qsx3;                            ///< overturning moment
+  T ptx1, ptx2, ptx3, pty1, pty2, lsgkp, lsgal;  ///< relaxation lengths over load
 
   /// Takes kPac2002Count coefficients in the order of kPac2002Fields.
   static Pac2002 from_fields(const T* fields) {
@@ -229,6 +238,20 @@ T pac2002_residual_moment(const Pac2002<T>& set, const LoadTerms<T>& at, const P
   const T d = at.load * set.unloaded_radius * friction *
               ((set.qdz6 + set.qdz7 * at.dfz) * set.lres + (set.qdz8 + set.qdz9 * at.dfz) * gamma);
   return d * cos_of_arc<T>(b * slip);
+}
+
+/// Relaxation lengths, m. Source: equation manual of MF-Tyre 5.2 (sigma_kappa and sigma_alpha).
+template <class T>
+T pac2002_relaxation_x(const Pac2002<T>& set, const LoadTerms<T>& at) {
+  using std::exp;
+  return abs(at.load / set.fnomin * (set.ptx1 + set.ptx2 * at.dfz) * exp(-set.ptx3 * at.dfz)) * set.unloaded_radius *
+         set.lsgkp;
+}
+template <class T>
+T pac2002_relaxation_y(const Pac2002<T>& set, const LoadTerms<T>& at, const T& camber) {
+  const T reach = at.load / (away_from_zero<T>(set.pty2, T(1e-9)) * at.nominal);
+  return abs(set.pty1 * sin_of_double_arc<T>(reach) * (1.0 - set.pky3 * abs(camber))) * set.unloaded_radius * set.lfzo *
+         set.lsgal;
 }
 
 /// Overturning moment, N m, that goes with the lateral force fy.

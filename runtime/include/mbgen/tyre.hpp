@@ -19,6 +19,8 @@ struct TyreProperties {
   T side = T(1);                 ///< -1 mirrors the coefficient set (tyre measured on the other side), else 1
   T count = T(1);                ///< tyres side by side; forces, moments and load times count
   T pressure = T(0);             ///< Pa, of inflation; of MF 6.1 alone
+  /// 1: the set gives this relaxation length over load, the property is it at the nominal load; else 0
+  T over_load_x = T(0), over_load_y = T(0);
 };
 
 /// Motion of the wheel in its contact frame: origin at the contact point, x along the wheel's heading on the road,
@@ -53,6 +55,8 @@ inline constexpr double kSlipDamping = 0.06;
 inline constexpr double kSlidingDeflection = 0.1;
 /// The same at speed, where the memory of the contact no longer matters but the rates of a fast slip do.
 inline constexpr double kSlidingDeflectionAtSpeed = 0.5;
+/// Limits of a relaxation length that follows the load, over that at nominal load.
+inline constexpr double kShortestRelaxation = 0.2, kLongestRelaxation = 5;
 /// Largest resultant slip that the formulas are asked for: they are fitted to measurements below it.
 inline constexpr double kLargestSlip = 1.5;
 
@@ -108,6 +112,42 @@ T rolling_radius(const MagicFormula61<T>& set, const TyreProperties<T>& tyre, co
          set.fnomin / stiffness * (set.dreff * atan(set.breff * share) + set.freff * share);
 }
 
+/// Relaxation lengths, m.
+template <class T>
+struct Relaxation {
+  T x, y;
+};
+
+template <class T>
+Relaxation<T> relaxation(const Pac89<T>&, const TyreProperties<T>& tyre, const TyreContact<T>&) {
+  return {tyre.relaxation_x, tyre.relaxation_y};
+}
+
+/// Over the load where the set gives it, within limits: a tyre that lifts off would ask for ever smaller steps.
+template <class T>
+Relaxation<T> over_load(const TyreProperties<T>& tyre, const Relaxation<T>& of_set) {
+  const auto chosen = [](const T& flag, const T& property, const T& over) {
+    const T limited = min(max(over, kShortestRelaxation * property), kLongestRelaxation * property);
+    return property + flag * (limited - property);
+  };
+  return {chosen(tyre.over_load_x, tyre.relaxation_x, of_set.x), chosen(tyre.over_load_y, tyre.relaxation_y, of_set.y)};
+}
+
+template <class T>
+Relaxation<T> relaxation(const Pac2002<T>& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
+  const magic::LoadTerms<T> at =
+      magic::load_terms<T>(set.fnomin * set.lfzo, load(set, tyre, contact), tyre.friction, T(1));
+  return over_load<T>(tyre,
+                      {magic::pac2002_relaxation_x(set, at), magic::pac2002_relaxation_y<T>(set, at, contact.camber)});
+}
+
+template <class T>
+Relaxation<T> relaxation(const MagicFormula61<T>& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
+  const magic::Mf61State<T> at =
+      magic::mf61_state<T>(set, load(set, tyre, contact), tyre.pressure, tyre.friction, T(1));
+  return over_load<T>(tyre, {magic::mf61_relaxation_x(set, at), magic::mf61_relaxation_y(set, at)});
+}
+
 /// Slips that the forces follow, and the rates of the deflection states.
 template <class T>
 struct Slip {
@@ -138,8 +178,9 @@ Slip<T> slip(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>
   const T speed = abs(contact.vx);
   const T slip_speed = sqrt(vsx * vsx + vsy * vsy + magic::kRootFloor);
   const T limit = min(kSlidingDeflection * (1.0 + (speed + slip_speed) / tyre.low_speed), T(kSlidingDeflectionAtSpeed));
-  const T qx = contact.u / tyre.relaxation_x;
-  const T qy = contact.v / tyre.relaxation_y;
+  const Relaxation<T> sigma = relaxation(set, tyre, contact);
+  const T qx = contact.u / sigma.x;
+  const T qy = contact.v / sigma.y;
   const T q = sqrt(qx * qx + qy * qy + magic::kRootFloor);
   const T transport = speed + slip_speed / limit;
   const T sticking = 1.0 - q / limit;
