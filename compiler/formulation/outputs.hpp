@@ -4,6 +4,7 @@
 #include "compiler/formulation/momentum.hpp"
 #include "compiler/formulation/reactions.hpp"
 #include "compiler/formulation/relative_motion.hpp"
+#include "compiler/formulation/stored_energy.hpp"
 #include "compiler/formulation/users_angles.hpp"
 
 namespace mbgen {
@@ -155,6 +156,7 @@ struct OutputReader {
   T operator()(const BumpStopOutput& output) const {
     return bump_stop_output(s.forces.bump_stops[output.stop], output.what);
   }
+  T operator()(const StoredEnergyOutput& output) const { return stored_energy_output(system, s.forces, output); }
   T operator()(const DriveOutput& output) const { return s.drive_forces[output.motion]; }
   T operator()(const ReactionOutput& output) const { return reaction_output(system, s.kinematics, reactions, output); }
   T operator()(const MultiplierOutput& output) const { return multiplier_output(system.topology, s, output); }

@@ -1,8 +1,11 @@
 #pragma once
-// Tables as functions of one argument, over any scalar: their value, and of smooth ones the derivatives too.
+// Tables as functions of one argument, over any scalar: their value, its integral, and of smooth ones the
+// derivatives.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 #include <vector>
 
 #include "compiler/model/elements.hpp"
@@ -79,6 +82,54 @@ CurvePoint<T> curve_at(const Table& table, const T& argument) {
   const T offset = at - start;
   return {value + offset * (slope + offset * (second + offset * third)) + rise_before(table, argument, at),
           slope + offset * (T(2.0) * second + T(3.0) * (offset * third)), T(2.0) * second + T(6.0) * (offset * third)};
+}
+
+namespace detail {
+
+/// Integral of a table over its argument from its first point on, `at` within or beyond its points.
+template <class T>
+T integral_within(const Table& table, const T& at) {
+  using mbgen::select;
+  const std::size_t last = table.x.size() - 1;
+  const bool is_straight = table.slopes.empty();
+  const auto width = [&](std::size_t i) { return table.x[i + 1] - table.x[i]; };
+  const auto secant = [&](std::size_t i) { return (table.y[i + 1] - table.y[i]) / width(i); };
+  const auto slope = [&](std::size_t i) { return is_straight ? secant(std::min(i, last - 1)) : table.slopes[i]; };
+  double begin = 0;  // integral up to the point
+  const auto piece_from = [&](std::size_t i, double square, double cube, const auto& offset) {
+    using A = std::decay_t<decltype(offset)>;
+    return A(A(begin) + offset * (A(table.y[i]) +
+                                  offset * (A(slope(i) / 2) + offset * (A(square / 3) + offset * A(cube / 4)))));
+  };
+  T integral = piece_from(0, 0, 0, T(at - table.x[0]));
+  for (std::size_t i = 0; i < last; ++i) {
+    const double w = width(i), left = slope(i), right = slope(i + 1);
+    const double square = is_straight ? 0 : (3 * secant(i) - 2 * left - right) / w;
+    const double cube = is_straight ? 0 : (left + right - 2 * secant(i)) / (w * w);
+    const T offset = at - table.x[i];
+    integral = select(offset, piece_from(i, square, cube, offset), integral);
+    begin = piece_from(i, square, cube, w);
+  }
+  const T beyond = at - table.x[last];
+  return select(beyond, piece_from(last, 0, 0, beyond), integral);
+}
+
+}  // namespace detail
+
+/// Integral of y over the argument, from zero; units of y times units of x. Cost: linear in the number of points.
+template <class T>
+T integral_along(const Table& table, const T& argument) {
+  const auto from_start = [&](const auto& to) {
+    using A = std::decay_t<decltype(to)>;
+    const A at = argument_in(table, to);
+    const A integral = detail::integral_within(table, at);
+    if (!table.periodic) return integral;
+    // Each period before it is higher than the one before that.
+    const A periods = (to - at) / A(width_of(table)), higher = A(rise_of(table)) * periods;
+    return A(integral + periods * A(detail::integral_within(table, table.x.back())) +
+             higher * (at - A(table.x.front()) + A(width_of(table) / 2) * (periods - A(1.0))));
+  };
+  return from_start(argument) - T(from_start(0.0));
 }
 
 }  // namespace mbgen

@@ -13,9 +13,9 @@
 namespace mbgen::reading {
 
 /// An output has one of them.
-constexpr std::array<std::string_view, 13> kOutputSources = {
-    "expression", "point",   "points",    "body",   "bodies",   "joint",     "tyre",
-    "spring",     "bushing", "bump_stop", "motion", "reaction", "multiplier"};
+constexpr std::array<std::string_view, 15> kOutputSources = {
+    "expression",   "point",   "points",    "body",     "bodies", "joint",    "tyre",      "spring",
+    "joint_spring", "bushing", "bump_stop", "elements", "motion", "reaction", "multiplier"};
 
 /// Of a point or a coordinate.
 inline constexpr std::array kMotionQuantities = {Quantities::position, Quantities::velocity, Quantities::acceleration};
@@ -45,6 +45,9 @@ Resolved points_output(Reader& reader, const Value& value, const OutputFields& o
 Resolved body_output(Reader& reader, const Value& value, const OutputFields& output);
 Resolved bodies_output(Reader& reader, const Value& value, const OutputFields& output);
 Resolved wheel_output(Reader& reader, const Value& value, const OutputFields& output, Quantities quantity);
+
+/// Energy that an element, or all of them, holds; complains where a force of one is not integrated.
+Resolved stored_energy_output(Reader& reader, const Value& value, const StoredEnergyOutput& source);
 
 /// Unit of a position, velocity or acceleration.
 const char* motion_unit(bool rotation, Quantities quantity);

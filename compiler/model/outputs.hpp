@@ -101,6 +101,13 @@ struct BumpStopOutput {
   What what = What::force;
   int stop = -1;  ///< index into Model::bump_stops
 };
+/// Potential energy of springs, joint springs, bushings and bump stops: work of their elastic forces, J, zero where a
+/// spring has its natural length, a joint spring is at `free`, and a bushing or a bump stop has no deflection.
+struct StoredEnergyOutput {
+  enum class Of { all, spring, joint_spring, bushing, bump_stop };
+  Of of = Of::all;
+  int element = -1;  ///< index into the list of the model; -1 for all
+};
 struct DriveOutput {
   int motion = -1;
 };  ///< generalised driving force of a motion
@@ -131,7 +138,7 @@ struct Output {
   std::string unit;
   std::variant<ExpressionOutput, PointOutput, CoordinateOutput, TyreOutput, SpringOutput, DriveOutput, ReactionOutput,
                MultiplierOutput, RotationOutput, MomentumOutput, PointsOutput, WheelOutput, BushingOutput,
-               BumpStopOutput>
+               BumpStopOutput, StoredEnergyOutput>
       source;
   Presentation shown = {};
 };

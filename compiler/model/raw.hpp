@@ -215,7 +215,7 @@ enum class Letter { x, y, z, w };
 
 enum class Turn { first, second, third };
 
-/// What an output of several bodies is of.
+/// What an output of several bodies or elements is of.
 enum class BodySet { all };
 
 struct OutputFields : Presentation {
@@ -227,8 +227,8 @@ struct OutputFields : Presentation {
   std::optional<CoordinateReference> joint;
   std::optional<std::vector<Attachment>> points, steering_axis;
   std::optional<Attachment> about;
-  std::optional<BodySet> bodies;
-  std::optional<std::string> tyre, spring, motion, reaction, multiplier, bushing, bump_stop, body, axes_of, observer,
+  std::optional<BodySet> bodies, elements;
+  std::optional<std::string> tyre, spring, joint_spring, motion, reaction, multiplier, bushing, bump_stop, body, axes_of, observer,
       sequence;
   const Value *equation = nullptr, *relative_to = nullptr;
   std::optional<Turn> turn;

@@ -110,6 +110,8 @@ void read_springs(Reader& reader, const Entries& entries) {
 }
 
 void read_joint_springs(Reader& reader, const Entries& entries) {
+  for (const Entry& entry : entries)
+    reader.names.joint_springs.emplace(entry.name, static_cast<int>(reader.names.joint_springs.size()));
   read_list(reader, entries, reader.model.joint_springs, [](Reader& r, const Value& value, const JointSpring& spring) {
     if (!has_any(value, {"stiffness", "damping", "preload", "force"})) {
       report(r, value, "spring has no stiffness, damping, preload or force");

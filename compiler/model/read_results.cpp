@@ -68,12 +68,15 @@ constexpr std::array kTyreQuantities = {Quantities::load,
                                         Quantities::steer_angle,
                                         Quantities::caster,
                                         Quantities::kingpin_inclination};
-constexpr std::array kSpringQuantities = {Quantities::force, Quantities::length, Quantities::rate};
-/// In the order of BumpStopOutput::What.
-constexpr std::array kBumpStopQuantities = {Quantities::force, Quantities::deflection, Quantities::rate};
-/// In the order of BushingOutput::What.
+constexpr std::array kSpringQuantities = {Quantities::force, Quantities::length, Quantities::rate,
+                                          Quantities::potential_energy};
+/// In the order of BumpStopOutput::What, then the energy.
+constexpr std::array kBumpStopQuantities = {Quantities::force, Quantities::deflection, Quantities::rate,
+                                            Quantities::potential_energy};
+/// In the order of BushingOutput::What, then the energy.
 constexpr std::array kBushingQuantities = {Quantities::force, Quantities::moment, Quantities::deflection,
-                                           Quantities::rotation_vector};
+                                           Quantities::rotation_vector, Quantities::potential_energy};
+constexpr std::array kStoredQuantities = {Quantities::potential_energy};
 constexpr std::array kReactionQuantities = {Quantities::force, Quantities::moment};
 
 Resolved joint_output(Reader& reader, const Value& value, const OutputFields& output) {
@@ -114,11 +117,20 @@ Resolved spring_output(Reader& reader, const Value& value, const OutputFields& o
     if (!is_spring) known.insert(reader.names.air_springs.begin(), reader.names.air_springs.end());
     spring.point_spring = find_element(reader, value, "spring", known);
   }
+  if (quantity == Quantities::potential_energy) {
+    if (is_air_spring) report(reader, *find(value, "quantity"), "an air spring has a gas law, which is not integrated");
+    return stored_energy_output(reader, value, {StoredEnergyOutput::Of::spring, spring.point_spring});
+  }
   return {spring, quantity == Quantities::force ? "N" : quantity == Quantities::length ? "m" : "m/s"};
 }
 
 Resolved bushing_output(Reader& reader, const Value& value, const OutputFields& output) {
   const Quantities quantity = quantity_of(reader, value, output, kBushingQuantities, "bushing");
+  if (quantity == Quantities::potential_energy) {
+    refuse(reader, value, "axis", "potential_energy");
+    const int element = find_element(reader, value, "bushing", reader.names.bushings);
+    return stored_energy_output(reader, value, {StoredEnergyOutput::Of::bushing, element});
+  }
   require(reader, value, "axis", "bushing");
   const auto what = std::find(kBushingQuantities.begin(), kBushingQuantities.end(), quantity);
   constexpr const char* kUnits[] = {"N", "N m", "m", "rad"};  // in the order of BushingOutput::What
@@ -136,12 +148,25 @@ Resolved bump_stop_output(Reader& reader, const Value& value, const OutputFields
   BumpStopOutput stop;
   stop.what = static_cast<BumpStopOutput::What>(what - kBumpStopQuantities.begin());
   stop.stop = find_element(reader, value, "bump_stop", reader.names.bump_stops);
+  if (quantity == Quantities::potential_energy)
+    return stored_energy_output(reader, value, {StoredEnergyOutput::Of::bump_stop, stop.stop});
   if (stop.stop < 0) return {stop, ""};
   const BumpStop& of = reader.model.bump_stops[static_cast<std::size_t>(stop.stop)];
   const bool turns = of.is_on_joint() && of.joint.joint >= 0 && is_rotation(reader.model, of.joint);
   if (stop.what == BumpStopOutput::What::force) return {stop, turns ? "N m" : "N"};
   const bool is_rate = stop.what == BumpStopOutput::What::rate;
   return {stop, motion_unit(turns, is_rate ? Quantities::velocity : Quantities::position)};
+}
+
+Resolved joint_spring_output(Reader& reader, const Value& value, const OutputFields& output) {
+  quantity_of(reader, value, output, kStoredQuantities, "joint spring");
+  const int element = find_element(reader, value, "joint_spring", reader.names.joint_springs);
+  return stored_energy_output(reader, value, {StoredEnergyOutput::Of::joint_spring, element});
+}
+
+Resolved elements_output(Reader& reader, const Value& value, const OutputFields& output) {
+  quantity_of(reader, value, output, kStoredQuantities, "set of elements");
+  return stored_energy_output(reader, value, {StoredEnergyOutput::Of::all, -1});
 }
 
 Resolved motion_output(Reader& reader, const Value& value) {
@@ -271,7 +296,9 @@ constexpr std::string_view kTaken[] = {
     "quantity",
     "quantity relative_to steering_axis",
     "quantity",
+    "quantity",
     "quantity axis",
+    "quantity",
     "quantity",
     "",
     "quantity axis frame end",
@@ -296,6 +323,8 @@ Resolved resolve_output(Reader& reader, const Value& value, const OutputFields& 
   if (name == "joint") return joint_output(reader, value, output);
   if (name == "tyre") return tyre_output(reader, value, output);
   if (name == "spring") return spring_output(reader, value, output);
+  if (name == "joint_spring") return joint_spring_output(reader, value, output);
+  if (name == "elements") return elements_output(reader, value, output);
   if (name == "bushing") return bushing_output(reader, value, output);
   if (name == "bump_stop") return bump_stop_output(reader, value, output);
   if (name == "reaction") return reaction_output(reader, value, output);

@@ -73,15 +73,24 @@ auto source_fields() {
                           .of = "tyres"}),
       field<F, &F::spring>(
           {.name = "spring", .shape = Shape::reference, .doc = "state of a spring or air spring", .of = "springs"}),
+      field<F, &F::joint_spring>({.name = "joint_spring",
+                                  .shape = Shape::reference,
+                                  .doc = "potential energy of a joint spring",
+                                  .of = "joint_springs"}),
+      field<F, &F::elements>({.name = "elements",
+                              .shape = Shape::word,
+                              .doc = "potential energy of all springs, joint springs, bushings and bump stops together",
+                              .words = kBodySets}),
       field<F, &F::bushing>(
           {.name = "bushing",
            .shape = Shape::reference,
            .doc = "bushing; the output is its force or moment on `to` at its point, its deflection or its rotation "
-                  "vector, in its axes on `from`",
+                  "vector, in its axes on `from`, or its potential energy",
            .of = "bushings"}),
       field<F, &F::bump_stop>({.name = "bump_stop",
                                .shape = Shape::reference,
-                               .doc = "force of a bump stop, its deflection beyond the clearance, or the rate of that",
+                               .doc = "force of a bump stop, its deflection beyond the clearance, the rate of that, or its "
+                                      "potential energy",
                                .of = "bump_stops"}),
       field<F, &F::motion>({.name = "motion",
                             .shape = Shape::reference,
@@ -110,9 +119,10 @@ auto quantity_fields() {
                   "angular_acceleration, kinetic_energy, potential_energy, momentum, angular_momentum), of all bodies "
                   "(kinetic_energy, potential_energy, momentum, angular_momentum), of the tyre (load, "
                   "longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip, toe, camber, "
-                  "steer_angle, caster, kingpin_inclination), of the spring (force, length, rate), of the "
-                  "bushing (force, moment, deflection, rotation_vector), of the bump stop (force, deflection, "
-                  "rate) or of the reaction (force, moment); default: "
+                  "steer_angle, caster, kingpin_inclination), of the spring (force, length, rate, potential_energy), of "
+                  "the bushing (force, moment, deflection, rotation_vector, potential_energy), of the bump stop "
+                  "(force, deflection, rate, potential_energy), of the joint spring or of all elements "
+                  "(potential_energy) or of the reaction (force, moment); default: "
                   "the first of each",
            .words = kQuantities}),
       field<F, &F::axis>({.name = "axis",

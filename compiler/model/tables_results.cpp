@@ -201,7 +201,7 @@ std::vector<ObjectKind> object_kinds() {
       kind<MotionFields>("motion", "a driven coordinate; exactly one of angle and position", {"angle", "position"}),
       kind<OutputFields>("output",
                          "a result; exactly one of expression, point, points, body, bodies, joint, tyre, spring, "
-                         "bushing, bump_stop, motion, reaction and multiplier",
+                         "joint_spring, bushing, bump_stop, elements, motion, reaction and multiplier",
                          {std::begin(kOutputSources), std::end(kOutputSources)}),
       kind<ShapeFields>("shape", "how a part of a body is drawn"),
       kind<InitialFields>("initial", "state at the start"),

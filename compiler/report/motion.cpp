@@ -85,6 +85,7 @@ std::string quantity_of(const Output& output) {
     const bool is_energy = momentum->what <= MomentumOutput::What::potential_energy;
     return is_energy ? "energy" : fmt::format("{} {}", numbered("momentum", *momentum), momentum->axis);
   }
+  if (std::holds_alternative<StoredEnergyOutput>(output.source)) return "energy";
   if (const auto* points = std::get_if<PointsOutput>(&output.source))
     return points->points[2].body < 0 ? "distance" : "angle";
   if (const auto* wheel = std::get_if<WheelOutput>(&output.source)) return numbered("wheel", *wheel);

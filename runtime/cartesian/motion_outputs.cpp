@@ -7,6 +7,7 @@
 #include "runtime/cartesian/bump_stops.hpp"
 #include "runtime/cartesian/bushings.hpp"
 #include "runtime/cartesian/mechanism.hpp"
+#include "runtime/cartesian/stored_energy.hpp"
 #include "runtime/cartesian/system.hpp"
 
 namespace mbgen {
@@ -147,6 +148,10 @@ class Instant {
     return output.what == BumpStopOutput::What::deflection ? stop.penetration : stop.rate;
   }
 
+  double value(const StoredEnergyOutput& output) const {
+    return stored_energy(c_, output, bodies_, state_.x, values_);
+  }
+
  private:
   int index(int body) const { return body == kNoBody ? c_.parts.ground() : c_.parts.index_of[body]; }
   bool moves(int body) const { return index(body) != c_.parts.ground(); }
@@ -192,6 +197,7 @@ void CartesianSystem::motion_outputs(const CartesianState& state, const GenericS
     take(std::get_if<WheelOutput>(&source));
     take(std::get_if<BushingOutput>(&source));
     take(std::get_if<BumpStopOutput>(&source));
+    take(std::get_if<StoredEnergyOutput>(&source));
   }
 }
 

@@ -34,6 +34,9 @@ TEST(Spline, OfAPolynomialIsThePolynomial) {
       EXPECT_NEAR(point.slope, 2 + at * (2 * square + 3 * at * cube), 1e-13) << count << " " << at;
       EXPECT_NEAR(point.curvature, 2 * square + 6 * at * cube, 1e-12) << count << " " << at;
       EXPECT_NEAR(value_along(table, at), point.value, 1e-15) << count << " " << at;
+      const auto integral = [&](double to) { return to * (1 + to * (1 + to * (square / 3 + to * cube / 4))); };
+      EXPECT_NEAR(integral_along(table, at) - integral_along(table, x.front()), integral(at) - integral(x.front()),
+                  1e-14);
     }
   }
 }
@@ -54,6 +57,8 @@ TEST(Spline, GoesOnFromPeriodToPeriod) {
     EXPECT_NEAR(point.slope, 0.3 * turn * std::cos(turn * at) + rise / period, 2e-4) << at;
     EXPECT_NEAR(point.curvature, -0.3 * turn * turn * std::sin(turn * at), 0.04) << at;
     EXPECT_NEAR(value_along(table, at), point.value, 1e-14) << at;
+    const double integral = 0.3 / turn * (1 - std::cos(turn * at)) + rise / period / 2 * at * at;
+    EXPECT_NEAR(integral_along(table, at), integral, 3e-6) << at;
   }
   const CurvePoint<double> before = curve_at(table, 0.2 + 3 * period - 1e-9),
                            after = curve_at(table, 0.2 + 3 * period + 1e-9);
@@ -77,7 +82,23 @@ TEST(PeriodicTable, KeepsTheShapeOfItsPoints) {
     EXPECT_NEAR(value_along(ramp, at), at, 1e-13);
     const double in = at - 3 * std::floor(at / 3);
     EXPECT_NEAR(value_along(saw, at), in < 1 ? 2 * in : 3 - in, 1e-13) << at;
+    EXPECT_NEAR(integral_along(ramp, at), at * at / 2, 1e-12) << at;
+    const double teeth = std::floor(at / 3), part = in < 1 ? in * in : 3 - (3 - in) * (3 - in) / 2;
+    EXPECT_NEAR(integral_along(saw, at), 3 * teeth + part, 1e-12) << at;
   }
+}
+
+// Beyond its points a table goes straight on, and the integral with it; zero lies where it lies.
+TEST(Integral, GoesOnBeyondThePoints) {
+  const Table linear = table_of(Table::Interpolation::linear, {1, 2, 4}, {3, 5, 1}, false);
+  // y = 1 + 2 x up to 2, then 9 - 2 x
+  for (const double at : {-3.0, 0.0, 0.5, 1.7}) EXPECT_NEAR(integral_along(linear, at), at + at * at, 1e-14) << at;
+  for (const double at : {2.0, 3.0, 4.0, 9.0})
+    EXPECT_NEAR(integral_along(linear, at), 9 * at - at * at - 8, 1e-13) << at;
+  const Table smooth = table_of(kMonotone, {-2, -1, 1, 3}, {-8, -1, 1, 27}, false);
+  const double before = integral_along(smooth, -2.0), after = integral_along(smooth, 3.0);
+  EXPECT_NEAR(integral_along(smooth, -5.0), before + 3 * 8 + 7 * 9 / 2.0, 1e-13);
+  EXPECT_NEAR(integral_along(smooth, 5.0), after + 2 * 27 + 13 * 4 / 2.0, 1e-13);
 }
 
 }  // namespace

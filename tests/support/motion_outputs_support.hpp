@@ -18,7 +18,7 @@ inline Model model_at(const std::string& path) {
   return *model;
 }
 
-/// Appends outputs of every quantity of points, bodies, all bodies and wheels.
+/// Appends outputs of every quantity of points, bodies, all bodies and wheels, and of the energy of elements.
 class MotionOutputs {
  public:
   MotionOutputs(Model& model, std::uint64_t seed) : model_(model), random_(seed) {
@@ -31,6 +31,7 @@ class MotionOutputs {
     add_points();
     add_rotations();
     add_momenta();
+    add_stored_energies();
     for (std::size_t t = 0; t < model_.tyres.size(); ++t) add_wheel(static_cast<int>(t));
   }
 
@@ -101,6 +102,22 @@ class MotionOutputs {
       source.about = point();
       add_vector(model_, source);
     }
+  }
+
+  /// What an expression adds to a force is in none of them.
+  void add_stored_energies() {
+    using Of = StoredEnergyOutput::Of;
+    const auto add = [&](Of of, const auto& elements, const auto& is_known) {
+      for (std::size_t i = 0; i < elements.size(); ++i)
+        if (is_known(elements[i])) ask(StoredEnergyOutput{of, static_cast<int>(i)});
+    };
+    const auto always = [](const auto&) { return true; };
+    const auto has_law = [](const BumpStop& stop) { return stop.stiffness.has_value(); };
+    add(Of::spring, model_.springs, always);
+    add(Of::joint_spring, model_.joint_springs, always);
+    add(Of::bushing, model_.bushings, always);
+    add(Of::bump_stop, model_.bump_stops, has_law);
+    if (std::all_of(model_.bump_stops.begin(), model_.bump_stops.end(), has_law)) ask(StoredEnergyOutput{});
   }
 
   /// A point above another one and to a side of it, none where there is no such: of a steering axis along x or y angles
