@@ -14,7 +14,7 @@ namespace {
 using namespace manoeuvre;
 
 constexpr double kUpper = 0.8, kLower = 0.1;  ///< of the speed at the begin: range of the mean deceleration
-constexpr double kStandstill = 0.1;           ///< m/s
+constexpr double kStandstill = 0.25;          ///< m/s: below, the rest of the way is that of the mean deceleration
 
 /// Speed along the path and the way so far, per point.
 struct Way {
@@ -56,23 +56,28 @@ Fall fall_to(const Way& way, double speed) {
 void add_decelerations(VehicleMetrics& metrics, const Way& way) {
   const double begin = way.speed.front();
   const Fall upper = fall_to(way, kUpper * begin), lower = fall_to(way, kLower * begin);
-  const Fall end = fall_to(way, std::min(kStandstill, kLower * begin));
   if (std::isnan(lower.time)) {
-    metrics.notes.push_back(fmt::format(
-        "mean_fully_developed_deceleration: the speed does not fall from {:.4g} to {:.4g} m/s", begin, kLower * begin));
-  } else {
-    add(metrics, "mean_fully_developed_deceleration",
-        (kUpper * kUpper - kLower * kLower) * begin * begin / (2 * (lower.length - upper.length)), "m/s^2",
-        "from 80 to 10 % of the speed, over the way (UN Regulation 13, annex 4)");
+    metrics.notes.push_back(
+        fmt::format("mean_fully_developed_deceleration, stopping_distance: the speed falls from {:.4g} to {:.4g} m/s, "
+                    "not to {:.4g}",
+                    begin, *std::min_element(way.speed.begin(), way.speed.end()), kLower * begin));
+    return;
   }
+  const double developed = (kUpper * kUpper - kLower * kLower) * begin * begin / (2 * (lower.length - upper.length));
+  add(metrics, "mean_fully_developed_deceleration", developed, "m/s^2",
+      "from 80 to 10 % of the speed, over the way (UN Regulation 13, annex 4)");
+  const double slow = std::min(kStandstill, kLower * begin);
+  const Fall end = fall_to(way, slow);
   if (std::isnan(end.time)) {
     metrics.notes.push_back(fmt::format(
         "stopping_distance: the vehicle does not stop, its speed is {:.4g} m/s at the end", way.speed.back()));
     return;
   }
-  add(metrics, "stopping_distance", end.length, "m", "way from the begin of braking to standstill");
-  add(metrics, "stopping_time", end.time - way.t.front(), "s", "from the begin of braking to standstill");
-  add(metrics, "mean_deceleration", begin * begin / (2 * end.length), "m/s^2", "that gives the stopping distance");
+  const double distance = end.length + slow * slow / (2 * developed);
+  add(metrics, "stopping_distance", distance, "m", "way from the begin of braking to standstill");
+  add(metrics, "stopping_time", end.time + slow / developed - way.t.front(), "s",
+      "from the begin of braking to standstill");
+  add(metrics, "mean_deceleration", begin * begin / (2 * distance), "m/s^2", "that gives the stopping distance");
 }
 
 void add_deviations(VehicleMetrics& metrics, const VehicleSeries& s, std::size_t first) {
