@@ -64,6 +64,10 @@ async function check(report, plain, pictures, modules) {
     await opened.page.screenshot({ path: path.join(pictures, "report_metrics.png") });
     await checkNothingIsLoaded(opened);
     await opened.close();
+    const narrow = await openPage(browser, report, { viewport: { width: 390, height: 800 } });
+    const overflow = await narrow.page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+    assert.ok(overflow <= 0, `metrics in a narrow window scroll sideways by ${overflow} px`);
+    await narrow.close();
     const without = await openPage(browser, plain);
     assert.equal(await without.page.locator("#metrics").count(), 0);
     await without.close();

@@ -24,17 +24,16 @@ struct Linear {
   std::map<int, Values> transfer;  ///< N, per axle: half the difference of right and left
 };
 
-double sideslip_at(const VehicleSeries& s, std::size_t i) { return std::atan2(s.lateral_speed[i], s.speed[i]); }
-
 Linear linear_range(const VehicleSeries& s, const SteadyCircle& circle) {
   Linear linear;
+  const Values sideslip = sideslip_of(s);
   for (std::size_t i = 0; i < s.t.size(); ++i) {
     const double path_speed = std::hypot(s.speed[i], s.lateral_speed[i]);
     if (std::abs(s.lateral_acceleration[i]) > circle.linear_limit || path_speed == 0) continue;
     linear.lateral.push_back(s.lateral_acceleration[i]);
     linear.steer.push_back(s.steer[i] / circle.steering_ratio);
     linear.curvature.push_back(s.yaw_rate[i] / path_speed);
-    linear.sideslip.push_back(sideslip_at(s, i));
+    linear.sideslip.push_back(sideslip[i]);
     linear.roll.push_back(s.roll[i]);
     linear.yaw_rate.push_back(s.yaw_rate[i]);
     std::map<int, double> sums;
@@ -136,8 +135,6 @@ void compare_path(VehicleMetrics& metrics, const Linear& linear, const SteadyCir
 }
 
 void add_diagrams(VehicleMetrics& metrics, const VehicleSeries& s) {
-  Values sideslip;
-  for (std::size_t i = 0; i < s.t.size(); ++i) sideslip.push_back(sideslip_at(s, i));
   const Heading across{"lateral acceleration", "m/s^2"};
   metrics.diagrams.push_back(
       {"Steer angle", across, {"steer angle", "rad"}, {{"steer angle", s.lateral_acceleration, s.steer}}});
@@ -145,7 +142,7 @@ void add_diagrams(VehicleMetrics& metrics, const VehicleSeries& s) {
       {"Roll and sideslip",
        across,
        {"angle", "rad"},
-       {{"roll angle", s.lateral_acceleration, s.roll}, {"sideslip angle", s.lateral_acceleration, sideslip}}});
+       {{"roll angle", s.lateral_acceleration, s.roll}, {"sideslip angle", s.lateral_acceleration, sideslip_of(s)}}});
 }
 
 }  // namespace

@@ -33,6 +33,13 @@ double step_of(const VehicleSeries& series) {
   return (series.t.back() - series.t.front()) / static_cast<double>(series.t.size() - 1);
 }
 
+Values sideslip_of(const VehicleSeries& series) {
+  Values sideslip;
+  for (std::size_t i = 0; i < series.t.size(); ++i)
+    sideslip.push_back(std::atan2(series.lateral_speed[i], series.speed[i]));
+  return sideslip;
+}
+
 void add(VehicleMetrics& metrics, const std::string& name, double value, const std::string& unit,
          const std::string& meaning) {
   if (std::isfinite(value)) {

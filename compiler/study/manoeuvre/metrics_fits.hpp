@@ -26,6 +26,9 @@ std::string fault_of(const VehicleSeries& series, std::initializer_list<Read> re
 /// s between two points. Requires: at least two points.
 double step_of(const VehicleSeries& series);
 
+/// rad, of the reference point. Requires: speeds of the series' length.
+Values sideslip_of(const VehicleSeries& series);
+
 /// Adds a value; a note instead where it is not finite.
 void add(VehicleMetrics& metrics, const std::string& name, double value, const std::string& unit,
          const std::string& meaning);

@@ -115,8 +115,7 @@ void add_response(VehicleMetrics& metrics, const std::string& name, const std::s
 
 /// Angles when the vehicle is steady.
 void add_angles(VehicleMetrics& metrics, const VehicleSeries& s, const Step& step, const StepResponse& yaw) {
-  Values sideslip;
-  for (std::size_t i = 0; i < s.t.size(); ++i) sideslip.push_back(std::atan2(s.lateral_speed[i], s.speed[i]));
+  const Values sideslip = sideslip_of(s);
   const double steady = mean(sideslip, step.steady) - mean(sideslip, step.before);
   add(metrics, "steady_sideslip", steady, "rad", "steady sideslip angle of the reference point (ISO 7401)");
   add(metrics, "steady_roll", mean(s.roll, step.steady) - mean(s.roll, step.before), "rad", "steady roll angle");
