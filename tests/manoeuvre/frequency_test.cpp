@@ -165,6 +165,18 @@ TEST(Weave, LoopIsTheEllipseOfTheTransferFunction) {
   expect_weave(weave_metrics(weave_series(car, 0.3, 20), {.frequency = 0.3, .settled = 4}), car, 0.3, 1e-3);
 }
 
+// A second harmonic makes one branch steeper and the other flatter, by the same.
+TEST(Weave, SensitivityIsThatOfBothBranches) {
+  const SingleTrack car{.speed = 27.8};
+  VehicleSeries s = weave_series(car, 0.2, 20);
+  const Complex lateral = car.lateral_acceleration(on_axis(0.2));
+  for (std::size_t i = 0; i < s.t.size(); ++i)
+    s.steer[i] += 0.001 * std::sin(2 * (2 * kPi * 0.2 * s.t[i] + 0.3 + std::arg(lateral)));
+  const VehicleMetrics metrics = weave_metrics(s, {});
+  const double expected = std::abs(lateral) / std::cos(std::arg(lateral));
+  EXPECT_NEAR(value(metrics, "steering_sensitivity"), expected, 1e-3 * expected);
+}
+
 TEST(Weave, NoiseDoesNotBreakIt) {
   const SingleTrack car{.speed = 27.8};
   VehicleSeries s = weave_series(car, 0.2, 40);
