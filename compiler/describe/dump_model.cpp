@@ -191,7 +191,9 @@ class ModelText : public ModelWords {
         text += fmt::format("    tracks: y {} and {}, {} places from {} on, each {} m{}\n", tracks.right, tracks.left,
                             tracks.count, tracks.from, tracks.spacing, tracks.is_periodic ? ", periodic" : "");
       for (const RoadGrid& grid : road.grids)
-        text += fmt::format("    grid: smooth over {} m and {} m at its ends\n", grid.smooth_begin, grid.smooth_end);
+        text += fmt::format("    grid: smooth over {} m and {} m at its ends, beyond {} {:+} m, beside {} {:+} m\n",
+                            grid.smooth_begin, grid.smooth_end, name_of(grid.ends), grid.end_offset,
+                            name_of(grid.sides), grid.side_offset);
       for (const RoadFeature& feature : road.features) text += "    " + this->feature(feature) + '\n';
       for (const RoadPatch& patch : road.patches)
         text += fmt::format("    {}: friction {}{}\n", patch.name, quantity(patch.friction), stretch(patch));

@@ -112,6 +112,31 @@ GridPlace<A> grid_place(const GridTables<T>& tables, const A& x, const A& y) {
   return {chosen(&GridPlace<A>::u, u), chosen(&GridPlace<A>::v, v)};
 }
 
+/// A place between 0 and `size` of a grid, for a place beyond its borders too.
+template <class T, class A>
+A inside_borders(RoadBorder border, const A& place, double size) {
+  using mbgen::select;
+  using std::floor;
+  const auto from_last = [&](double length) { return place - A(T(length) * T(floor(T(T(1 / length) * place.value)))); };
+  A back = place;
+  if (border == RoadBorder::repeat) back = from_last(size);
+  if (border == RoadBorder::reflect) {
+    const A there_and_back = from_last(2 * size);
+    back = select(A(size) - there_and_back, there_and_back, A(2 * size) - there_and_back);
+  }
+  return within(back, A(0.0), A(size));
+}
+
+/// The height of a place that may lie beyond a border. inside: that at the border; flat: that of height 0.
+template <class T, class A>
+A height_at_border(RoadBorder border, double offset, const A& place, double size, const A& inside, const A& flat) {
+  using mbgen::select;
+  const bool is_flat = border == RoadBorder::zero;
+  if (!is_flat && (border != RoadBorder::keep || offset == 0)) return inside;
+  const A outside = (is_flat ? flat : inside) + A(offset);
+  return select(place, select(A(size) - place, inside, outside), outside);
+}
+
 /// Height above the plane of the road's origin where x or y moves.
 template <class T, class A>
 A height_on_grid(const GridTables<T>& tables, const A& x, const A& y) {
@@ -120,10 +145,15 @@ A height_on_grid(const GridTables<T>& tables, const A& x, const A& y) {
   const RoadGrid& grid = tables.grid;
   const CrgRoad& road = *grid.road;
   const GridPlace<A> at = grid_place(tables, x, y);
-  const A along = within(A(1 / road.increment) * (at.u - A(road.start)), A(0.0), A(tables.last()));
+  const A way = A(1 / road.increment) * (at.u - A(road.start));
+  const A along = inside_borders<T>(grid.ends, way, tables.last());
   const T section = min(T(floor(along.value)), T(tables.last() - 1));
   const A share = along - A(section);
-  const A v = within(at.v, A(road.v.front()), A(road.v.back()));
+  const bool comes_back = grid.sides == RoadBorder::repeat || grid.sides == RoadBorder::reflect;
+  const double width = road.v.back() - road.v.front();
+  const A side_way = at.v - A(road.v.front());
+  const A v = comes_back ? A(road.v.front()) + inside_borders<T>(grid.sides, side_way, width)
+                         : within(at.v, A(road.v.front()), A(road.v.back()));
   const T cell =
       min(T(floor(T(T(1 / grid.column_cell) * (v.value - T(road.v.front()))))), T(grid.column_cell_count - 1.0));
   const T guess = tables.at(grid.column_cells, cell);
@@ -143,11 +173,17 @@ A height_on_grid(const GridTables<T>& tables, const A& x, const A& y) {
   const A here = in_section(0), there = in_section(static_cast<double>(road.v.size()));
   A z = here + share * (there - here) + of_line(2);
   if (!road.banking.empty()) z = z + of_line(3) * v;
+  const auto at_sides = [&](const A& height) {
+    return height_at_border<T>(grid.sides, grid.side_offset, side_way, width, height, A(0.0));
+  };
+  z = height_at_border<T>(grid.ends, grid.end_offset, way, tables.last(), at_sides(z), at_sides(A(0.0)));
   const auto smooth = [&](double zone, const A& way, double base) {
     if (zone > 0) z = A(base) + within(A(1 / zone) * way, A(0.0), A(1.0)) * (z - A(base));
   };
-  smooth(grid.smooth_begin, at.u - A(road.start), road.line_height.front());
-  smooth(grid.smooth_end, A(road.end()) - at.u, road.line_height.back());
+  const bool begins_again = grid.ends == RoadBorder::repeat || grid.ends == RoadBorder::reflect;
+  const A u = begins_again ? A(road.start) + A(road.increment) * along : at.u;
+  smooth(grid.smooth_begin, u - A(road.start), road.line_height.front());
+  smooth(grid.smooth_end, A(road.end()) - u, road.line_height.back());
   return z;
 }
 

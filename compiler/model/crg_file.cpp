@@ -50,7 +50,7 @@ struct CrgFormat {
 
 /// The text part of a file.
 struct CrgHeader {
-  std::map<std::string, double> parameters;
+  std::map<std::string, double> parameters, options, modifiers;
   std::vector<CrgColumn> columns;
   std::vector<double> v;  ///< of columns of heights that tell theirs
   CrgFormat format;
@@ -62,13 +62,21 @@ struct CrgHeader {
     return found == parameters.end() ? std::nullopt : std::optional(found->second);
   }
   double value(const char* name, double fallback) const { return value(name).value_or(fallback); }
+  /// A modifier that scales; 1 without.
+  double scale(const char* name) const {
+    const auto found = modifiers.find(name);
+    return found == modifiers.end() ? 1 : found->second;
+  }
+  /// Of elevations: 0 stands for none.
+  double scale_of_height(const char* name) const { return scale(name) == 0 ? 1 : scale(name); }
 };
 
 CrgProblem at_line(std::size_t line, std::string message, std::string hint = {}) {
   return {line, 0, std::move(message), std::move(hint)};
 }
 
-std::optional<CrgProblem> read_parameter(std::string_view text, std::size_t line, CrgHeader& header) {
+std::optional<CrgProblem> read_parameter(std::string_view text, std::size_t line,
+                                         std::map<std::string, double>& parameters) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos)
     return at_line(line, fmt::format("must be NAME = number, got \"{}\"", text.substr(0, 60)));
@@ -76,7 +84,9 @@ std::optional<CrgProblem> read_parameter(std::string_view text, std::size_t line
   const std::optional<double> value = crg_number(text.substr(equals + 1));
   if (!value)
     return at_line(line, fmt::format("{} must be a number, got \"{}\"", name, without_blanks(text.substr(equals + 1))));
-  header.parameters[name] = *value;
+  if ((name == "SCALE_LENGTH" || name == "SCALE_WIDTH") && !(*value > 0))
+    return at_line(line, fmt::format("{} must be positive, got {}", name, *value));
+  parameters[name] = *value;
   return {};
 }
 
@@ -137,7 +147,9 @@ std::optional<CrgProblem> read_header(std::string_view text, CrgHeader& header) 
     line = without_blanks(line.substr(0, line.find('!')));
     if (line.empty() || line.starts_with('*')) continue;
     std::optional<CrgProblem> problem;
-    if (block == "ROAD_CRG") problem = read_parameter(line, number, header);
+    if (block == "ROAD_CRG") problem = read_parameter(line, number, header.parameters);
+    if (block == "ROAD_CRG_OPTS") problem = read_parameter(line, number, header.options);
+    if (block == "ROAD_CRG_MODS") problem = read_parameter(line, number, header.modifiers);
     if (block == "KD_DEFINITION" && line.starts_with("#:")) problem = read_format(line.substr(2), number, header);
     if (block == "KD_DEFINITION" && (line.starts_with("D:") || line.starts_with("d:")))
       problem = read_column(line.substr(2), number, header);
@@ -212,6 +224,7 @@ std::optional<CrgProblem> place_columns(const CrgHeader& header, std::size_t hei
                      "LONG_SECTION_V_RIGHT and LONG_SECTION_V_INCREMENT do");
     for (std::size_t k = 0; k < heights; ++k) road.v.push_back(*right + *step * static_cast<double>(k));
   }
+  for (double& v : road.v) v *= header.scale("SCALE_WIDTH");
   for (std::size_t k = 1; k < heights; ++k)
     if (!(road.v[k] > road.v[k - 1]))
       return at_line(header.definition,
@@ -236,8 +249,11 @@ void lay_reference_line(const CrgHeader& header, bool is_curved, CrgRoad& road) 
   road.x.assign(n, header.value("REFERENCE_LINE_START_X", 0));
   road.y.assign(n, header.value("REFERENCE_LINE_START_Y", 0));
   road.heading[0] = first;
-  const std::optional<double> end_x = header.value("REFERENCE_LINE_END_X"),
-                              end_y = header.value("REFERENCE_LINE_END_Y");
+  const double bend = header.scale("SCALE_CURVATURE");
+  for (double& heading : road.heading) heading = bend == 1 ? heading : first + bend * (heading - first);
+  const bool is_scaled = bend != 1 || header.scale("SCALE_LENGTH") != 1;  // the line then ends elsewhere
+  const auto end = [&](const char* name) { return is_scaled ? std::nullopt : header.value(name); };
+  const std::optional<double> end_x = end("REFERENCE_LINE_END_X"), end_y = end("REFERENCE_LINE_END_Y");
   const bool both_ways = is_curved && end_x && end_y;
   std::vector<double> back_x(n, end_x.value_or(0)), back_y(n, end_y.value_or(0));
   for (std::size_t i = n - 1; both_ways && i > 0; --i) {
@@ -251,7 +267,7 @@ void lay_reference_line(const CrgHeader& header, bool is_curved, CrgRoad& road) 
   }
   road.end_x = end_x && end_y ? *end_x : road.x[n - 1];
   road.end_y = end_x && end_y ? *end_y : road.y[n - 1];
-  road.end_heading = header.value("REFERENCE_LINE_END_PHI", road.heading[n - 1]);
+  road.end_heading = bend == 1 ? header.value("REFERENCE_LINE_END_PHI", road.heading[n - 1]) : road.heading[n - 1];
 }
 
 std::optional<CrgProblem> make_road(const CrgHeader& header, const CrgData& data, CrgRoad& road) {
@@ -262,12 +278,15 @@ std::optional<CrgProblem> make_road(const CrgHeader& header, const CrgData& data
   if (!(road.increment > 1e-6))
     return at_line(header.definition,
                    fmt::format("REFERENCE_LINE_INCREMENT must be above 1e-6 m, got {}", road.increment));
+  road.increment *= header.scale("SCALE_LENGTH");
   if (heights < 2)
     return at_line(header.definition, fmt::format("a road needs 2 long sections, file defines {}", heights));
   if (data.sections < 2)
     return at_line(header.lines, fmt::format("a road needs 2 sections of data, file has {}", data.sections));
   if (std::optional<CrgProblem> problem = place_columns(header, heights, road)) return problem;
-  const double first_slope = header.value("REFERENCE_LINE_START_S", 0);
+  const double steeper = header.scale_of_height("SCALE_SLOPE"), banked = header.scale_of_height("SCALE_BANKING");
+  const double first_slope = steeper * header.value("REFERENCE_LINE_START_S", 0);
+  const auto higher = static_cast<float>(header.scale_of_height("SCALE_Z_GRID"));
   bool is_curved = false, has_slope = false;
   road.heading.assign(data.sections, header.value("REFERENCE_LINE_START_PHI", 0));
   std::vector<double> slope(data.sections, first_slope);
@@ -276,21 +295,22 @@ std::optional<CrgProblem> make_road(const CrgHeader& header, const CrgData& data
       const double number = data.numbers[i * columns + c];
       const CrgColumn column = header.columns[c];
       if (column == CrgColumn::height) {
-        road.heights.push_back(static_cast<double>(static_cast<float>(number)));
+        road.heights.push_back(static_cast<double>(higher * static_cast<float>(number)));
+        road.has_gaps = road.has_gaps || std::isnan(number);
         continue;
       }
       if (!std::isfinite(number) && i > 0)
         return CrgProblem{0, header.data, fmt::format("column {} of section {} is no number", c + 1, i + 1), {}};
       if (column == CrgColumn::heading) is_curved = true, road.heading[i] = number;
-      if (column == CrgColumn::slope) has_slope = true, slope[i] = number;
-      if (column == CrgColumn::banking) road.banking.resize(data.sections, 0.0), road.banking[i] = number;
+      if (column == CrgColumn::slope) has_slope = true, slope[i] = steeper * number;
+      if (column == CrgColumn::banking) road.banking.resize(data.sections, 0.0), road.banking[i] = banked * number;
     }
   fill_heights(heights, road.heights);
   for (std::size_t k = 0; k < road.heights.size(); ++k)
     if (!std::isfinite(road.heights[k]))
       return CrgProblem{0, header.data, fmt::format("section {} has no height", k / heights + 1), {}};
   if (road.banking.empty() && header.value("REFERENCE_LINE_START_B", 0) != 0)
-    road.banking.assign(data.sections, header.value("REFERENCE_LINE_START_B", 0));
+    road.banking.assign(data.sections, banked * header.value("REFERENCE_LINE_START_B", 0));
   for (double& banking : road.banking)
     if (std::isnan(banking)) banking = 0;
   lay_reference_line(header, is_curved, road);
@@ -317,6 +337,8 @@ std::optional<CrgProblem> read_crg(std::string_view text, CrgRoad& road) {
     return problem;
   }
   road = {};
+  road.options = std::move(header.options);
+  road.modifiers = header.modifiers;
   return make_road(header, data, road);
 }
 

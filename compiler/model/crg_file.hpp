@@ -3,6 +3,7 @@
 // "evaluation".
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,8 @@ struct CrgRoad {
   double end_x = 0, end_y = 0, end_heading = 0;  ///< where the straight line behind the end begins
   std::vector<double> line_height;               ///< m, of the reference line at each section
   std::vector<double> banking;                   ///< 1, rise to the left at each section; empty: none
+  bool has_gaps = false;                         ///< whether the file misses heights
+  std::map<std::string, double> options, modifiers;  ///< what the file asks for, by names in capitals
 
   std::size_t sections() const { return x.size(); }
   double end() const { return start + increment * static_cast<double>(sections() - 1); }
@@ -32,7 +35,8 @@ struct CrgProblem {
 };
 
 /// Reads a file: text (LRFI, LDFI) and binary (KRBI, KDBI) data; heights as single precision, as the C API keeps them.
-/// Heights that are no number become those of their neighbours to the right, else to the left.
+/// Heights that are no number become those of their neighbours to the right, else to the left. Modifiers that scale
+/// are applied, others and the options are not.
 /// Fails: with the first problem. Requires nothing of the text.
 std::optional<CrgProblem> read_crg(std::string_view text, CrgRoad& road);
 

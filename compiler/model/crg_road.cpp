@@ -111,21 +111,18 @@ CrgCourse course_of(const CrgRoad& road, CrgPlace at) {
   return {road.heading[i], std::abs(curvature) > kStraight ? 1 / (1 / curvature - at.v) : curvature};
 }
 
-CrgRoad laid_at_origin(CrgRoad road) {
-  const CrgPlace border{road.start, road.v.front()};
-  const PlanePlace corner = plane_place(road, border);
-  const double height = height_of(road, border), heading = road.heading[0];
-  const double c = std::cos(heading), s = std::sin(heading);
-  const auto move = [&](double& x, double& y) {
-    const double dx = x - corner.x, dy = y - corner.y;
-    x = c * dx + s * dy;
-    y = c * dy - s * dx;
+CrgRoad turned_and_moved(CrgRoad road, const CrgMove& move) {
+  const double c = std::cos(move.angle), s = std::sin(move.angle);
+  const auto place = [&](double& x, double& y) {
+    const double dx = x - move.from.x, dy = y - move.from.y;
+    x = move.to.x + c * dx - s * dy;
+    y = move.to.y + s * dx + c * dy;
   };
-  for (std::size_t i = 0; i < road.sections(); ++i) move(road.x[i], road.y[i]);
-  move(road.end_x, road.end_y);
-  for (double& each : road.heading) each -= heading;
-  road.end_heading -= heading;
-  for (double& each : road.line_height) each -= height;
+  for (std::size_t i = 0; i < road.sections(); ++i) place(road.x[i], road.y[i]);
+  place(road.end_x, road.end_y);
+  for (double& each : road.heading) each += move.angle;
+  road.end_heading += move.angle;
+  for (double& each : road.line_height) each += move.rise;
   return road;
 }
 

@@ -19,7 +19,7 @@ PlanePlace plane_place(const CrgRoad& road, CrgPlace at);
 /// The u, v of a place, found from the nearest section. Cost: linear in the sections.
 CrgPlace road_place(const CrgRoad& road, PlanePlace at);
 
-/// Height, m: bilinear between sections and columns, with the reference line's own and its banking. Beyond the borders
+/// Height, m, without what options ask for: bilinear between sections and columns, with the reference line's own and its banking. Beyond the borders
 /// the height of the border.
 double height_of(const CrgRoad& road, CrgPlace at);
 
@@ -30,7 +30,11 @@ struct CrgCourse {
 };
 CrgCourse course_of(const CrgRoad& road, CrgPlace at);
 
-/// The road moved and turned so that its start, at its right border, lies in the origin and heads along x.
-CrgRoad laid_at_origin(CrgRoad road);
+/// A turn to the left about a place, which then comes to another one, and a rise; rad, m.
+struct CrgMove {
+  PlanePlace from, to;
+  double angle = 0, rise = 0;
+};
+CrgRoad turned_and_moved(CrgRoad road, const CrgMove& move);
 
 }  // namespace mbgen

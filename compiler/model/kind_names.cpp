@@ -1,4 +1,6 @@
-// Names of kinds of joints, as the model format writes them.
+// Names of kinds, as the model format writes them.
+#include <array>
+
 #include "compiler/model/model.hpp"
 
 namespace mbgen {
@@ -41,6 +43,11 @@ const char* name_of(JointType type) {
       return "knife_edge";
   }
   return "unknown";
+}
+
+const char* name_of(RoadBorder border) {
+  constexpr std::array kNames = {"keep", "zero", "repeat", "reflect"};
+  return kNames[static_cast<std::size_t>(border)];
 }
 
 }  // namespace mbgen

@@ -146,6 +146,7 @@ struct RoadProfileFields {
 struct CrgFields {
   std::string file;
   double smooth_begin = 0, smooth_end = 0;
+  RoadBorder beyond_ends = RoadBorder::keep, beyond_sides = RoadBorder::keep;
 };
 
 struct RoadFields : Road {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler/model/crg_road.hpp"
+#include "compiler/model/crg_wishes.hpp"
 #include "compiler/model/csv_table.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
@@ -124,9 +125,10 @@ void read_crg_road(Reader& reader, const Value& value, Road& road) {
            "cut it shorter or thin it out");
     return;
   }
+  read = relocated(std::move(read));
+  if (const std::vector<std::string> wishes = not_followed(read); !wishes.empty())
+    note(reader, file.place, fmt::format("{} asks for what is not followed: {}", fields.file, fmt::join(wishes, "; ")));
   RoadGrid& grid = road.grids.emplace_back();
-  grid.smooth_begin = fields.smooth_begin;
-  grid.smooth_end = fields.smooth_end;
   grid.is_straight = std::ranges::all_of(read.heading, [&](double heading) { return heading == read.heading[0]; }) &&
                      read.end_heading == read.heading[0];
   grid.line = add_table(reader.samples, line_of(read));
@@ -135,6 +137,14 @@ void read_crg_road(Reader& reader, const Value& value, Road& road) {
   add_column_cells(read, reader.samples, grid);
   if (!grid.is_straight) add_plane_cells(read, reader.samples, grid);
   grid.road = std::make_shared<const CrgRoad>(std::move(read));
+  follow_options(grid);
+  const auto take = [&](const char* key, auto& own, const auto& given) {
+    if (find_member(value, key)) own = given;
+  };
+  take("smooth_begin", grid.smooth_begin, fields.smooth_begin);
+  take("smooth_end", grid.smooth_end, fields.smooth_end);
+  take("beyond_ends", grid.ends, fields.beyond_ends);
+  take("beyond_sides", grid.sides, fields.beyond_sides);
 }
 
 }  // namespace mbgen::reading

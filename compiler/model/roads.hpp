@@ -55,14 +55,19 @@ struct RoadTracks {
 
 struct CrgRoad;
 
+/// What lies beyond a border of a grid: its height on and on, height 0, the grid again, or its mirror image.
+enum class RoadBorder { keep, zero, repeat, reflect };
+const char* name_of(RoadBorder border);
+
 /// A grid of heights along a reference line, of an OpenCRG file, as tables in Model::samples. Whole numbers there are
-/// as they are. u along the line, v to the left of it; beyond its ends the line goes straight on, and heights beyond a
-/// border are those of the border.
+/// as they are. u along the line, v to the left of it; beyond its ends the line goes straight on.
 struct RoadGrid {
   std::shared_ptr<const CrgRoad> road;  ///< the same, not as tables
   double smooth_begin = 0,
-         smooth_end = 0;     ///< m: over them heights grow from, and fade to, the reference line's; 0: not
-  bool is_straight = false;  ///< then nothing is searched
+         smooth_end = 0;  ///< m: over them heights grow from, and fade to, the reference line's; 0: not
+  RoadBorder ends = RoadBorder::keep, sides = RoadBorder::keep;
+  double end_offset = 0, side_offset = 0;  ///< m: added beyond ends and sides that keep their height or have height 0
+  bool is_straight = false;                ///< then nothing is searched
   /// x, y (m), height (m) and banking of the line at each section, the first and the last one twice
   int line = 0;
   int heights = 0;  ///< m, section by section, right to left

@@ -12,6 +12,8 @@ constexpr std::array<std::string_view, 2> kRoadLocals = {"x", "y"};
 constexpr const char* kTrack = "distance of the left and the right track";
 /// In the order of IsoRoadFields::Class.
 constexpr std::array<std::string_view, 8> kRoadClasses = {"A", "B", "C", "D", "E", "F", "G", "H"};
+/// In the order of RoadBorder.
+constexpr std::array<std::string_view, 4> kBorders = {"keep", "zero", "repeat", "reflect"};
 /// In the order of RoadFeature::Kind.
 constexpr std::array<std::string_view, 5> kFeatures = {"bump", "plank", "pothole", "sine", "sweep"};
 
@@ -159,8 +161,20 @@ std::span<const Field<CrgFields>> fields<CrgFields>() {
                           .doc = "OpenCRG file, text or binary data, relative to this file",
                           .need = Need::required}),
       field<S, &S::smooth_begin>(
-          zone("smooth_begin", "length over which the road grows out of its reference line at its start")),
-      field<S, &S::smooth_end>(zone("smooth_end", "length over which it fades into its reference line at its end")),
+          zone("smooth_begin",
+               "length over which the road grows out of its reference line at its start; default: as "
+               "the file asks, else 0")),
+      field<S, &S::smooth_end>(zone("smooth_end",
+                                    "length over which it fades into its reference line at its end; "
+                                    "likewise")),
+      field<S, &S::beyond_ends>({.name = "beyond_ends",
+                                 .shape = Shape::word,
+                                 .doc =
+                                     "heights before its start and behind its end: those of the border on and on, 0, "
+                                     "the road again, or its mirror image; default: as the file asks, else keep",
+                                 .words = kBorders}),
+      field<S, &S::beyond_sides>(
+          {.name = "beyond_sides", .shape = Shape::word, .doc = "likewise to its left and right", .words = kBorders}),
   };
   return table;
 }

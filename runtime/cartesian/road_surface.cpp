@@ -101,11 +101,31 @@ Profile along_track(const RoadTracks& tracks, const std::vector<double>& samples
   return {d[0], slope};
 }
 
-/// Height of a grid, with the smoothing of its ends.
+/// A place between two borders, for one beyond them too. is_outside: whether a border's own height counts there.
+double between_borders(RoadBorder border, double place, double first, double last, bool& is_outside) {
+  is_outside = place < first || place > last;
+  if (!is_outside || border == RoadBorder::keep || border == RoadBorder::zero) return place;
+  is_outside = false;
+  const double size = last - first;
+  double way = std::fmod(place - first, 2 * size);
+  if (way < 0) way += 2 * size;
+  if (way <= size) return first + way;
+  return border == RoadBorder::repeat ? first + way - size : last - (way - size);
+}
+
+/// Height of a grid, with its borders and the smoothing of its ends.
 double height_of_grid(const RoadGrid& grid, const Vector2d& at) {
   const CrgRoad& road = *grid.road;
-  const CrgPlace place = road_place(road, {at.x(), at.y()});
+  CrgPlace place = road_place(road, {at.x(), at.y()});
+  bool is_beyond = false, is_beside = false;
+  place.u = between_borders(grid.ends, place.u, road.start, road.end(), is_beyond);
+  place.v = between_borders(grid.sides, place.v, road.v.front(), road.v.back(), is_beside);
   double height = height_of(road, place);
+  if (is_beside) height = grid.side_offset + (grid.sides == RoadBorder::zero ? 0 : height);
+  if (is_beyond) {
+    const double kept = grid.ends == RoadBorder::zero ? (is_beside ? grid.side_offset : 0) : height;
+    height = grid.end_offset + kept;
+  }
   const double from_start = place.u - road.start, to_end = road.end() - place.u;
   if (from_start < grid.smooth_begin)
     height = std::lerp(road.line_height.front(), height, std::max(from_start, 0.0) / grid.smooth_begin);

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "compiler/model/crg_road.hpp"
+#include "compiler/model/crg_wishes.hpp"
 
 namespace mbgen {
 namespace {
@@ -20,20 +21,24 @@ std::string bytes_of(const std::string& file) {
   return text.str();
 }
 
-CrgRoad road_of(const std::string& name) {
-  CrgRoad road;
-  const std::optional<CrgProblem> problem = read_crg(bytes_of(name + ".crg"), road);
-  EXPECT_FALSE(problem) << problem->line << ": " << problem->message;
-  return road;
-}
-
 class CrgFile : public ::testing::TestWithParam<std::string> {};
 
-// The API moves the right border of the start into the origin where the file tells it, see README.md beside the
-// answers.
+/// The text of a file with another block before its parameters.
+std::string with_block(std::string text, const std::string& block) {
+  const std::size_t at = text.find("$ROAD_CRG");
+  EXPECT_NE(at, std::string::npos);
+  return text.insert(at, block + "$\n");
+}
+
+// The API's own modifiers move the right border of the start into the origin where the file tells it, see README.md
+// beside the answers; here the file asks for it.
 TEST_P(CrgFile, AnswersAsTheApiOfAsam) {
-  CrgRoad road = road_of(GetParam());
-  if (GetParam() != "handmade_curved_minimalist") road = laid_at_origin(road);
+  const std::string text = bytes_of(GetParam() + ".crg");
+  const bool is_moved = GetParam() != "handmade_curved_minimalist";
+  CrgRoad road;
+  ASSERT_FALSE(read_crg(
+      is_moved ? with_block(text, "$ROAD_CRG_MODS\nREFPOINT_U_FRACTION = 0\nREFPOINT_V_FRACTION = 0\n") : text, road));
+  road = relocated(road);
   const nlohmann::json answers = nlohmann::json::parse(bytes_of(GetParam() + ".json"));
   int compared = 0;
   for (const nlohmann::json& point : answers.at("points")) {
@@ -91,6 +96,8 @@ TEST(CrgText, ThatIsNoRoadSaysWhereAndWhy) {
   EXPECT_EQ(problem("a\nb\n"), "2: file has no data: no line of $$$$ ends its text part");
   EXPECT_EQ(problem(file_of("REFERENCE_LINE_INCREMENT = much\n", kColumns, kRows)),
             "3: REFERENCE_LINE_INCREMENT must be a number, got \"much\"");
+  EXPECT_EQ(problem(with_block(file_of(kStep, kColumns, kRows), "$ROAD_CRG_MODS\nSCALE_WIDTH = 0\n")),
+            "3: SCALE_WIDTH must be positive, got 0");
   EXPECT_EQ(problem(file_of("", kColumns, kRows)), "3: REFERENCE_LINE_INCREMENT must be above 1e-6 m, got 0");
   EXPECT_EQ(problem(file_of(kStep, "#:XRFI\n", kRows)),
             "5: data format must be one of LRFI, LDFI, KRBI, KDBI, got \"XRFI\"");
@@ -104,6 +111,80 @@ TEST(CrgText, ThatIsNoRoadSaysWhereAndWhy) {
   EXPECT_EQ(problem(file_of(kStep, kColumns, " 0.1000000 0.2000000\n")),
             "8: a road needs 2 sections of data, file has 1");
   EXPECT_EQ(problem(file_of(kStep, kColumns, "****      ****\n 0.1000000 0.2000000\n")), "0: section 1 has no height");
+}
+
+CrgRoad road_of(const std::string& text) {
+  CrgRoad road;
+  const std::optional<CrgProblem> problem = read_crg(text, road);
+  EXPECT_FALSE(problem) << problem->line << ": " << problem->message;
+  return relocated(road);
+}
+std::string mods(const std::string& lines) { return "$ROAD_CRG_MODS\n" + lines; }
+
+// Factors act on what they name alone: heights are linear in them.
+TEST(CrgModifiers, Scale) {
+  const std::string file = bytes_of("handmade_curved.crg"), sloped = bytes_of("handmade_sloped.crg"),
+                    banked = bytes_of("handmade_banked.crg");
+  const CrgPlace at{7.3, 0.4};
+  const auto height = [&](const std::string& text, CrgPlace place) { return height_of(road_of(text), place); };
+  EXPECT_NEAR(height(with_block(file, mods("SCALE_Z_GRID = 2\n")), at), 2 * height(file, at), 1e-9);
+  EXPECT_NEAR(height(with_block(file, mods("SCALE_Z_GRID = 0\n")), at), height(file, at), 1e-15) << "0 stands for none";
+  // Of the slope and the banking alone: what is left without them is the same, so differences are linear.
+  for (const auto& [text, name] : {std::pair(sloped, "SCALE_SLOPE"), std::pair(banked, "SCALE_BANKING")}) {
+    const auto scaled = [&](const std::string& factor) {
+      return height(with_block(text, mods(std::string(name) + " = " + factor + "\n")), at);
+    };
+    EXPECT_NEAR(scaled("3") - scaled("2"), scaled("2") - scaled("1"), 1e-12) << name;
+    EXPECT_GT(std::abs(scaled("2") - scaled("1")), 1e-3) << name;
+  }
+  const CrgRoad road = road_of(file), longer = road_of(with_block(file, mods("SCALE_LENGTH = 2\nSCALE_WIDTH = 3\n")));
+  EXPECT_NEAR(height_of(longer, {2 * at.u, 3 * at.v}), height_of(road, at), 1e-12);
+  EXPECT_NEAR(plane_place(longer, {2 * at.u, 0}).x, 2 * plane_place(road, {at.u, 0}).x, 1e-9);
+  EXPECT_NEAR(plane_place(longer, {2 * at.u, 0}).y, 2 * plane_place(road, {at.u, 0}).y, 1e-9);
+  const CrgRoad straight = road_of(with_block(file, mods("SCALE_CURVATURE = 0\n")));
+  EXPECT_NEAR(plane_place(straight, at).x, at.u, 1e-12);
+  EXPECT_NEAR(plane_place(straight, at).y, at.v, 1e-12);
+}
+
+// A road that is turned about a place and shifted has its heights where that takes their places.
+TEST(CrgModifiers, TurnAndShift) {
+  const std::string file = bytes_of("handmade_curved.crg");
+  const CrgRoad road = road_of(file),
+                moved = road_of(with_block(file, mods("REFLINE_ROTCENTER_X = 1\nREFLINE_ROTCENTER_Y = 2\n"
+                                                      "REFLINE_OFFSET_PHI = 0.5\nREFLINE_OFFSET_X = 3\n"
+                                                      "REFLINE_OFFSET_Y = 4\nREFLINE_OFFSET_Z = 5\n")));
+  for (const CrgPlace at : {CrgPlace{7.3, 0.4}, CrgPlace{25, -1}}) {
+    const PlanePlace before = plane_place(road, at), after = plane_place(moved, at);
+    const double c = std::cos(0.5), s = std::sin(0.5), dx = before.x - 1, dy = before.y - 2;
+    EXPECT_NEAR(after.x, 1 + 3 + c * dx - s * dy, 1e-9);
+    EXPECT_NEAR(after.y, 2 + 4 + s * dx + c * dy, 1e-9);
+    EXPECT_NEAR(height_of(moved, at), height_of(road, at) + 5, 1e-12);
+  }
+  // A place of its own to another one, where the road then heads as asked.
+  const CrgRoad put = road_of(with_block(file, mods("REFPOINT_U = 7.3\nREFPOINT_V = 0.4\nREFPOINT_X = 10\n"
+                                                    "REFPOINT_Y = 20\nREFPOINT_Z = 30\nREFPOINT_PHI = 1\n")));
+  EXPECT_NEAR(plane_place(put, {7.3, 0.4}).x, 10, 1e-9);
+  EXPECT_NEAR(plane_place(put, {7.3, 0.4}).y, 20, 1e-9);
+  EXPECT_NEAR(height_of(put, {7.3, 0.4}), 30, 1e-12);
+  EXPECT_NEAR(course_of(put, {7.3, 0.4}).heading, 1, 1e-12);
+}
+
+TEST(CrgWishes, ThatAreNotFollowedAreNamed) {
+  const auto left = [](const std::string& block, const std::string& rows = kRows) {
+    const std::string columns = kColumns;
+    return not_followed(road_of(with_block(file_of(kStep, columns, rows), block)));
+  };
+  using List = std::vector<std::string>;
+  EXPECT_EQ(left("$ROAD_CRG_OPTS\nBORDER_MODE_U = 3\nBORDER_SMOOTH_UBEG = 1\nWARN_MSGS = 0\nCHECK_EPS = 1e-6\n"),
+            List());
+  EXPECT_EQ(left("$ROAD_CRG_OPTS\nBORDER_MODE_V = 0\nREFLINE_CONTINUATION = 1\nSPARKLE = 2\n"),
+            (List{"BORDER_MODE_V = 0 (an error beyond the border: its heights go on there)",
+                  "REFLINE_CONTINUATION = 1 (a closed track: the line goes straight on at its ends)", "SPARKLE = 2"}));
+  const std::string nan_modes = mods("GRID_NAN_MODE = 1\nGRID_NAN_OFFSET = 0.5\nSCALE_Z_GRID = 2\n");
+  EXPECT_EQ(left(nan_modes), List()) << "there are no gaps";
+  EXPECT_EQ(left(nan_modes, "****       0.2000000\n 0.3000000 0.4000000\n").size(), 2u);
+  EXPECT_EQ(left(mods("REFPOINT_X = 1\nREFLINE_OFFSET_X = 2\n")),
+            List{"REFLINE_OFFSET_X = 2 (beside a reference point)"});
 }
 
 // Bytes cut off and bytes changed: a road or a message, never a fault.

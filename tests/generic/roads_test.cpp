@@ -273,6 +273,60 @@ TEST(CrgGrid, HasTheHeightsOfTheApi) {
   }
 }
 
+/// A road of two metres with heights that are bilinear in u and v, with options in its file and in the model.
+Model short_road(const std::string& options, const std::string& fields = "") {
+  const std::string file = ::testing::TempDir() + "/mbgen_short_road.crg";
+  std::ofstream(file)
+      << "$ROAD_CRG\nREFERENCE_LINE_INCREMENT = 1\n$\n$ROAD_CRG_OPTS\n" + options +
+             "$\n$KD_Definition\n#:LRFI\nD:long section at v = -1,m\nD:long section at v = 0.5,m\n$$$$\n" +
+             " 0.1250000 0.2500000\n 0.5000000 0.1250000\n 0.7500000 1.0000000\n";
+  Model model = model_of(R"({ "mbgen": 1, "bodies": { "ground": {} }, "roads": { "road": { "crg": { "file": ")" + file +
+                         "\"" + fields + " } } } }");
+  std::remove(file.c_str());
+  return model;
+}
+
+// Repeated it is periodic, reflected it is even about its borders and has twice the period.
+TEST(CrgGrid, GoesOnBeyondItsBordersAsAsked) {
+  const auto height = [](const Model& model, double x, double y) {
+    return detail::grid_height(*model.samples, model.roads[0].grids[0], x, y);
+  };
+  const Model kept = short_road(""), repeated = short_road("BORDER_MODE_U = 3\nBORDER_MODE_V = 3\n"),
+              mirrored = short_road("BORDER_MODE_U = 4\nBORDER_MODE_V = 4\n"),
+              flat = short_road("BORDER_MODE_U = 1\nBORDER_OFFSET_U = 0.3\nBORDER_OFFSET_V = 0.2\n"),
+              narrow = short_road("BORDER_MODE_V = 1\nBORDER_OFFSET_V = -0.1\n");
+  for (const double u : {0.3, 1.6})
+    for (const double v : {-0.7, 0.2}) {
+      const detail::RoadHeight<double> inside = height(kept, u, v);
+      for (const int k : {-3, -1, 0, 1, 2})
+        for (const int m : {-2, 0, 1}) {
+          const detail::RoadHeight<double> again = height(repeated, u + 2 * k, v + 1.5 * m);
+          EXPECT_NEAR(again.z, inside.z, 1e-12) << u << " " << v << " " << k << " " << m;
+          EXPECT_NEAR(again.by_x, inside.by_x, 1e-12);
+          EXPECT_NEAR(again.by_y, inside.by_y, 1e-12);
+          const bool is_back = k % 2 != 0, is_left = m % 2 != 0;
+          const detail::RoadHeight<double> mirror =
+              height(mirrored, 2 * k + (is_back ? 2 - u : u), -1 + 1.5 * m + (is_left ? 1.5 - (v + 1) : v + 1));
+          EXPECT_NEAR(mirror.z, inside.z, 1e-12) << u << " " << v << " " << k << " " << m;
+          EXPECT_NEAR(mirror.by_x, is_back ? -inside.by_x : inside.by_x, 1e-12);
+          EXPECT_NEAR(mirror.by_y, is_left ? -inside.by_y : inside.by_y, 1e-12);
+        }
+      EXPECT_NEAR(height(flat, u, v).z, inside.z, 1e-12);
+      EXPECT_NEAR(height(flat, u + 2, v).z, 0.3, 1e-12);
+      EXPECT_NEAR(height(flat, u, v + 3).z, height(kept, u, 0.5).z + 0.2, 1e-12);
+      EXPECT_NEAR(height(flat, -u, v - 3).z, 0.3 + 0.2, 1e-12);
+      EXPECT_NEAR(height(narrow, u, v - 3).z, -0.1, 1e-12);
+      EXPECT_NEAR(height(narrow, u + 2, v).z, height(kept, 2, v).z, 1e-12);
+    }
+  ASSERT_EQ(short_road("SPARKLE = 1\n").notes.size(), 1u);
+  EXPECT_NE(short_road("SPARKLE = 1\n").notes[0].message.find("what is not followed: SPARKLE = 1"), std::string::npos);
+  // What the model says counts more than what the file asks for; both smooth the road at every repetition.
+  const Model chosen = short_road("BORDER_MODE_U = 4\nBORDER_SMOOTH_UBEG = 1\n", R"(, "beyond_ends": "repeat")");
+  EXPECT_NEAR(height(chosen, 2.25, 0).z, 0.25 * height(kept, 0.25, 0).z, 1e-12);
+  EXPECT_NEAR(height(short_road("BORDER_SMOOTH_UBEG = 1\n", R"(, "smooth_begin": 0)"), 0.25, 0).z,
+              height(kept, 0.25, 0).z, 1e-12);
+}
+
 // Ground that a host gives: height and slopes of the place under the wheel.
 TEST_F(Roads, TakeHeightAndSlopesFromOutside) {
   // The wheel's axis is y: its load is along the normal, its loaded radius counts in the plane of the wheel.
