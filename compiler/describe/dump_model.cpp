@@ -186,6 +186,7 @@ class ModelText : public ModelWords {
                           road.heading, quantity(road.slope_x), quantity(road.slope_y));
       if (road.height) text += fmt::format(", height {{{}}}", model_.expressions[*road.height].text);
       if (road.friction) text += fmt::format(", friction {{{}}}", model_.expressions[*road.friction].text);
+      if (road.host_input >= 0) text += ", told by a host";
       text += '\n';
       for (const RoadTracks& tracks : road.tracks)
         text += fmt::format("    tracks: y {} and {}, {} places from {} on, each {} m{}\n", tracks.right, tracks.left,

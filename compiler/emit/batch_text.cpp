@@ -50,7 +50,8 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
   FrameRows programs, members;
   ConstantNames constants(context.programs);
   for (const ShapedProgram& scalar : scalars) {
-    if (scalar.role == Role::closure_terms || scalar.role == Role::accelerations_chosen || scalar.role == Role::sampled)
+    if (scalar.role == Role::closure_terms || scalar.role == Role::accelerations_chosen ||
+        scalar.role == Role::sampled || scalar.role == Role::ground_places)
       continue;  // of lanes that are alone
     ShapedProgram shaped = in_lanes(scalar);
     shaped.shape.constants = &constants;

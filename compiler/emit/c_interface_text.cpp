@@ -62,6 +62,7 @@ std::string c_source_text(const EmitContext& context) {
              is_multistep = context.model.solver.is_multistep();
   const std::string arguments = std::string(makes_rates ? "inputs" : "solver->inputs") + ", solver->state" +
                                 (is_multistep ? ", solver->history" : "");
+  const char* inputs_now = makes_rates ? "solver->paths.now(solver->inputs)" : "solver->inputs";
   return fill_template(
       context, "c_interface.cpp.in",
       {{"parameters", name_rows(names_of(parameter_members(context)))},
@@ -72,7 +73,8 @@ std::string c_source_text(const EmitContext& context) {
        {"method", step_function(context.model.solver)},
        {"arguments", arguments},
        {"h", context.options.scalar == "float" ? "static_cast<float>(h)" : "h"},
-       {"inputs_now", makes_rates ? "solver->paths.now(solver->inputs)" : "solver->inputs"}});
+       {"inputs_now", inputs_now},
+       {"inputs_used", context.layout.grounds > 0 ? "now" : inputs_now}});
 }
 
 std::string python_text(const EmitContext& context) {

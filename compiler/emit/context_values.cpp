@@ -5,6 +5,7 @@
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/model/host_ground.hpp"
 #include "compiler/model/inputs.hpp"
 
 namespace mbgen {
@@ -32,6 +33,12 @@ std::vector<std::string> period_items(const Model& model) {
   return mapped(model.sampled, [](const SampledValue& value) { return number_text(value.period); });
 }
 
+/// The first input of each wheel on ground of the host.
+std::vector<std::string> ground_inputs(const Model& model) {
+  return mapped(tyres_on_host(model),
+                [&](int tyre) { return std::to_string(model.roads[model.tyres[tyre].road].host_input); });
+}
+
 /// What every frame may name.
 FrameValues context_values(const EmitContext& context) {
   const SolverNames& names = context.names;
@@ -53,6 +60,8 @@ FrameValues context_values(const EmitContext& context) {
           {"has_closure", layout.has_closure},
           {"balls", layout.balls > 0 ? std::to_string(layout.balls) : ""},
           {"samples", layout.sampled > 0 ? std::to_string(layout.sampled) : ""},
+          {"grounds", layout.grounds > 0 ? std::to_string(layout.grounds) : ""},
+          {"ground_inputs", array_text("  static constexpr int kFirstInput", ground_inputs(context.model), "0")},
           {"held_count", layout.held},
           {"first_held", layout.auxiliary_states - layout.held},
           {"period_table", array_text("  static constexpr double kPeriods", period_items(context.model), "0")},

@@ -20,6 +20,7 @@ constexpr std::pair<Array, const char*> kMembers[] = {
     {Array::driven_acceleration, "of driven coordinates, by their motions; no others"},
     {Array::xd, "rates of the auxiliary states"},
     {Array::held, "the last auxiliary states, those that hold"},
+    {Array::place, "x and y below each wheel on ground of the host"},
     {Array::lambda, "multipliers, loop after loop"},
     {Array::drive, "generalised driving forces"},
     {Array::residual, "of every closure equation, block after block, then of every motion"},
@@ -108,7 +109,8 @@ constexpr ShapeRow kShapes[] = {
     {Role::accelerations_chosen, "chosen_accelerations", "ChosenAccelerations",
      "All accelerations with a partition chosen at run time."},
     {Role::outputs, "outputs", "Outputs", "Outputs, energies and power, at given accelerations."},
-    {Role::sampled, "sampled_values", "SampledValues", "Values that hold between instants, after those that are due."}};
+    {Role::sampled, "sampled_values", "SampledValues", "Values that hold between instants, after those that are due."},
+    {Role::ground_places, "ground_places", "GroundPlaces", "Places below the wheels on ground of the host."}};
 
 /// Whether a solver has the program: those of closures are left out when there is nothing to close.
 bool is_written(Role role, const EmitContext& context) {
@@ -117,6 +119,7 @@ bool is_written(Role role, const EmitContext& context) {
   if (role == Role::tangents || role == Role::changes) return !program_of(context.programs, role).outputs.empty();
   if (role == Role::closure || role == Role::multipliers) return layout.has_closure;
   if (role == Role::sampled) return layout.sampled > 0;
+  if (role == Role::ground_places) return layout.grounds > 0;
   if (role == Role::closure_terms) return !layout.blocks.empty();
   return role != Role::accelerations_chosen || ((!layout.blocks.empty() || layout.balls > 0) && layout.chooses_again);
 }

@@ -72,7 +72,8 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
     const bool has_laws = !shaped.shape.laws.empty();
     const std::string laws = has_laws ? law_texts(context, shaped.shape.scalar, &constants) : "";
     part.push_back({{"program", laws + program_text(*shaped.program, shaped.schedule, shaped.shape)}});
-    if (shaped.role != Role::sampled)  // Dynamics::sample calls it
+    // Dynamics::sample and take_ground call these.
+    if (shaped.role != Role::sampled && shaped.role != Role::ground_places)
       members.push_back(system_member(shaped, solver + "::" + shaped.shape.result, ""));
   }
   const bool has_projection = !context.layout.blocks.empty() && context.layout.chooses_again;

@@ -150,6 +150,7 @@ struct CrgFields {
 };
 
 struct RoadFields : Road {
+  bool from_host = false;
   const Value *crg = nullptr;
   const Value *profile = nullptr;
   const Value *iso_8608 = nullptr;

@@ -150,6 +150,7 @@ void read_sections(Reader& reader) {
   const auto entries = [&](const Value* FileFields::*section) { return collect(reader, section); };
   read_parameters(reader, entries(&FileFields::parameters));
   read_inputs(reader, entries(&FileFields::inputs));
+  add_host_inputs(reader, entries(&FileFields::roads));
   read_gravity(reader);
   read_hardpoints(reader, entries(&FileFields::hardpoints));
   place_instances(reader);

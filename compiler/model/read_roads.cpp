@@ -168,8 +168,9 @@ void read_profile(Reader& reader, const Value& value, Road& road) {
 
 void read_roads(Reader& reader, const Entries& entries) {
   std::vector<RoadFields> list;
-  read_list(reader, entries, list, [](Reader& r, const Value&, RoadFields& road) {
+  read_list(reader, entries, list, [](Reader& r, const Value& object, RoadFields& road) {
     r.names.roads.emplace(road.name, static_cast<int>(r.names.roads.size()));
+    if (road.from_host) lay_host_plane(r, object, road);
     if (road.iso_8608) read_iso_road(r, *road.iso_8608, road);
     if (road.profile) read_profile(r, *road.profile, road);
     if (road.crg) read_crg_road(r, *road.crg, road);

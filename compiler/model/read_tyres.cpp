@@ -236,10 +236,13 @@ void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres) 
   }
   const std::vector<int> groups = rigid_groups(reader.model);
   std::vector<TyreFields> list;
+  std::vector<Tyre> before;
   read_list(reader, tyres, list, [&](Reader& r, const Value& value, TyreFields& tyre) {
     check_source(r, value);
     check_tyre(r, value, groups, tyre);
     use_road(r, value, tyre);
+    check_host_road(r, value, tyre, before);
+    before.push_back(tyre);
     if (tyre.tir) {
       use_file(r, value, tyre);
     } else {

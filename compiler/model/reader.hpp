@@ -321,6 +321,12 @@ void read_bump_stops(Reader& reader, const Entries& entries);
 void read_forces(Reader& reader, const Entries& entries);
 void read_joint_forces(Reader& reader, const Entries& entries);
 void read_roads(Reader& reader, const Entries& entries);
+/// Adds the inputs of roads that a host gives. Requires: the model's own inputs are read.
+void add_host_inputs(Reader& reader, const Entries& roads);
+/// The plane that a host tells, as height and friction of `road`.
+void lay_host_plane(Reader& reader, const Value& value, Road& road);
+/// Complains where a tyre stands on a road of a host, and one of `before` does so too.
+void check_host_road(Reader& reader, const Value& value, const Tyre& tyre, const std::vector<Tyre>& before);
 /// The road of an OpenCRG file, as a grid of `road`.
 void read_crg_road(Reader& reader, const Value& value, Road& road);
 void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres);

@@ -1,9 +1,11 @@
 #pragma once
 // Roads that tyres stand on: height and friction over a place, in the axes of the road.
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/model/bodies.hpp"
@@ -80,6 +82,10 @@ struct RoadGrid {
   double cell = 1, cell_x = 0, cell_y = 0;  ///< m: size, and the corner of the first
 };
 
+/// Inputs by which a host tells the ground under a wheel, each NAME_x and so on after its road: a place (m, global),
+/// and there the height of the ground (m), its slopes (1, global axes) and the factor of the tyre's friction.
+constexpr std::array<std::string_view, 6> kHostInputs = {"x", "y", "height", "slope_x", "slope_y", "friction"};
+
 /// A road: height = height(x, y) + those of its tracks, grids and features, over the plane z = origin.z of the global
 /// frame.
 struct Road {
@@ -91,6 +97,9 @@ struct Road {
   /// 1, in its axes: added to the slopes of its heights, of ground that a host gives under one wheel
   Quantity slope_x, slope_y;
   std::optional<int> friction;  ///< likewise; factor of the tyre's friction; 1 without
+  /// index of the first of kHostInputs, one after another: `height` and `friction` are then the plane that a host tells
+  /// under one wheel; -1 for none
+  int host_input = -1;
   std::vector<RoadTracks> tracks;
   std::vector<RoadGrid> grids;
   std::vector<RoadFeature> features;

@@ -197,6 +197,12 @@ std::span<const Field<RoadFields>> fields<RoadFields>() {
                              .depends = Depends::nothing,
                              .angle = true}),
       field<S, &S::height>(over_place("height", "height over `x` and `y` (m) of the road; default: 0", "m")),
+      field<S, &S::from_host>({.name = "host",
+                               .shape = Shape::boolean,
+                               .doc = "true: a host gives the ground under the one wheel on it, as a plane: inputs "
+                                      "NAME_x and NAME_y (a place, m), NAME_height (m), NAME_slope_x and "
+                                      "NAME_slope_y (there, global axes) and NAME_friction, NAME that of the road",
+                               .fallback = 0}),
       field<S, &S::slope_x>(slope("slope_x",
                                   "slope along x of ground that inputs give under a wheel, beside `height`; "
                                   "added to the slopes of all heights")),

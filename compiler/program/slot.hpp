@@ -28,6 +28,7 @@ enum class Array : std::uint8_t {
   missing,              ///< forces of a block that its multipliers and drives provide
   par,                  ///< tunable parameters
   pivot,                ///< smallest pivot of each block over its reference
+  place,                ///< of wheels on ground of a host: x and y of each
   power,                ///< of the applied forces
   rate,                 ///< Phi_z zd of a block
   residual,             ///< of all closure equations, then of the motions

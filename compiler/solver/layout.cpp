@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/model/host_ground.hpp"
 
 namespace mbgen {
 
@@ -14,6 +15,7 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
   layout.own_states = static_cast<int>(model.states.size());
   layout.held = held_state_count(model);
   layout.sampled = static_cast<int>(model.sampled.size());
+  layout.grounds = static_cast<int>(tyres_on_host(model).size());
   layout.balls = static_cast<int>(topology.balls.size());
   layout.drives = static_cast<int>(model.motions.size());
   layout.inputs = static_cast<int>(model.inputs.size());
@@ -88,6 +90,8 @@ int size_of(const SolverLayout& layout, Array array) {
       return layout.parameters;
     case y:
       return layout.outputs;
+    case place:
+      return 2 * layout.grounds;
     case energy:
       return 2;
     case t:

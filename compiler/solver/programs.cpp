@@ -11,9 +11,9 @@ namespace mbgen {
 namespace {
 
 constexpr Program Programs::*kMembers[] = {
-    &Programs::accelerations, &Programs::closure,          &Programs::closure_terms, &Programs::accelerations_chosen,
-    &Programs::multipliers,   &Programs::outputs,          &Programs::sampled,       &Programs::tangents,
-    &Programs::changes,       &Programs::derived_constants};
+    &Programs::accelerations, &Programs::closure, &Programs::closure_terms,    &Programs::accelerations_chosen,
+    &Programs::multipliers,   &Programs::outputs, &Programs::sampled,          &Programs::ground_places,
+    &Programs::tangents,      &Programs::changes, &Programs::derived_constants};
 
 void verify_slot(const ProgramSpec& spec, const std::vector<Array>& allowed, const Slot& slot) {
   if (std::ranges::find(allowed, slot.group.array) == allowed.end())
@@ -48,7 +48,11 @@ const std::vector<ProgramSpec>& program_specs() {
        {lambda, drive, missing, pivot}},
       {Role::outputs, "outputs", {z, zd, x, t, tau, in, par, derived, charts, zdd, lambda, drive}, {y, energy, power}},
       {Role::sampled, "sampled", {z, zd, x, t, in, par, derived, charts, due}, {held}},
-      {Role::tangents, "tangents", {z, zd, x, t, step, in, par, derived, charts}, {tangent, pivot, inertia, state_pivot}},
+      {Role::ground_places, "ground_places", {z, t, in, par, derived, charts}, {place}},
+      {Role::tangents,
+       "tangents",
+       {z, zd, x, t, step, in, par, derived, charts},
+       {tangent, pivot, inertia, state_pivot}},
       {Role::changes, "changes", {zd, zdd, xd, step, tangent}, {zdd, xd}},
       {Role::derived_constants, "derived_constants", {par}, {derived}}};
   return kSpecs;
@@ -67,8 +71,8 @@ const Program& program_of(const Programs& programs, Role role) {
 std::vector<Program*> solver_programs(Programs& programs) {
   std::vector<Program*> list = {
       &programs.accelerations, &programs.closure, &programs.closure_terms, &programs.accelerations_chosen,
-      &programs.multipliers,   &programs.outputs, &programs.sampled,       &programs.tangents,
-      &programs.changes};
+      &programs.multipliers,   &programs.outputs, &programs.sampled,       &programs.ground_places,
+      &programs.tangents,      &programs.changes};
   if (!programs.laws.empty()) list.push_back(&programs.around_laws);
   for (SharedLaw& law : programs.laws) list.push_back(&law.program);
   return list;

@@ -28,6 +28,7 @@ enum class Role : std::uint8_t {
   multipliers,           ///< at given accelerations; only with loops or motions
   outputs,               ///< at given accelerations and, where the model looks at them, multipliers
   sampled,               ///< values that hold, after the instants that are due; only with sampled values
+  ground_places,         ///< below the wheels on ground of a host; only with such wheels
   tangents,              ///< matrix of an implicit step, factorised; only for an implicit integrator
   changes,               ///< that solve the equations of an implicit step; only for an implicit integrator
   derived_constants      ///< constants of the others that depend on tunable parameters; only with such constants
@@ -70,8 +71,8 @@ int argument_place(const SharedLaw& law, std::size_t argument, std::size_t eleme
 
 /// Programs that a model does not need are empty.
 struct Programs {
-  Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, sampled, tangents, changes,
-      derived_constants;
+  Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, sampled, ground_places,
+      tangents, changes, derived_constants;
   Program around_laws;  ///< `accelerations` without the laws that elements share; empty where they share none
   std::vector<SharedLaw> laws;
   Form form = Form::recursive;  ///< of `accelerations` and `accelerations_chosen`

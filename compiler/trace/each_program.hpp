@@ -48,6 +48,9 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
 /// Auxiliary states that hold, after the sampled values that are due are set; empty without such values.
 Program trace_sampled(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
 
+/// x and y below the wheels on ground of a host, one after another.
+Program trace_ground_places(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
+
 /// The equations of an implicit step, and the changes that solve them. Entries that are constants stay in the programs.
 struct ImplicitPrograms {
   Program tangents, changes;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "compiler/model/host_ground.hpp"
 #include "compiler/trace/each_program.hpp"
 #include "compiler/trace/tracing.hpp"
 
@@ -141,6 +142,20 @@ Program trace_sampled(const Model& model, const Topology& topology, const Analys
   see_states_and_lengths(system, k, v);
   const std::vector<Expr> due = tracing.inputs(Array::due, static_cast<int>(model.sampled.size()));
   tracing.outputs(Array::held, sampled_states(system, due));
+  return tracing.builder.finish_in_canonical_order();
+}
+
+Program trace_ground_places(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
+  Tracing tracing(Role::ground_places, model, topology, analysis, form);
+  const Kinematics<Expr> k = tracing.poses();
+  const auto step = tracing.scribe.step(Step::outputs);
+  std::vector<Expr> places;
+  for (const int tyre : tyres_on_host(model)) {
+    const Place<Expr> centre = place_of(tracing.system, model.tyres[tyre].centre);
+    const Vector<Expr> position = position_in(tracing.system, k, centre, kGround);
+    places.insert(places.end(), {position.x, position.y});
+  }
+  tracing.outputs(Array::place, places);
   return tracing.builder.finish_in_canonical_order();
 }
 

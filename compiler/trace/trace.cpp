@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "compiler/model/host_ground.hpp"
 #include "compiler/trace/each_program.hpp"
 
 namespace mbgen {
@@ -48,6 +49,8 @@ Programs trace(const Model& model, const Topology& topology, const Analysis& ana
   programs.multipliers = trace_multipliers(model, topology, analysis, programs.form);
   programs.outputs = trace_outputs(model, topology, analysis, programs.form);
   if (!model.sampled.empty()) programs.sampled = trace_sampled(model, topology, analysis, programs.form);
+  if (!tyres_on_host(model).empty())
+    programs.ground_places = trace_ground_places(model, topology, analysis, programs.form);
   if (model.solver.is_implicit()) {
     auto [tangents, changes] = trace_implicit(model, topology, analysis);
     programs.tangents = std::move(tangents);

@@ -1,0 +1,39 @@
+#pragma once
+// Ground that a host tells: a plane under each wheel, asked for once a step.
+
+#include <cmath>
+
+#include "mbgen/status.hpp"
+
+namespace mbgen {
+
+/// Tells the ground at a place: x, y in m, global; t in s. Sets height (m, global z), the slopes of the ground along
+/// the global x and y (1) and the factor of the tyre's friction (1), which are 0, 0, 0 and 1 when it is called. host:
+/// as the caller gave it. It must not throw.
+using HostGround = void (*)(void* host, double x, double y, double t, double* height, double* slope_x, double* slope_y,
+                            double* friction);
+
+/// Asks for the ground at each place and sets the six inputs of its road: place, height, slopes, friction.
+/// place: x and y of each wheel, m; t: s; first_input: of each wheel; members: of all inputs.
+/// Fails: input_not_a_number with the input for what is not finite; no input is set then. Cost: a call a wheel.
+template <class Number, int N, int K, class Inputs, int M>
+Status take_ground(const Number (&place)[N], double t, HostGround ground, void* host, const int (&first_input)[K],
+                   Number Inputs::*const (&members)[M], Inputs& inputs) noexcept {
+  static_assert(N == 2 * K);
+  Number told[K][6];
+  for (int k = 0; k < K; ++k) {
+    const double x = static_cast<double>(place[2 * k]), y = static_cast<double>(place[2 * k + 1]);
+    double height = 0, slope_x = 0, slope_y = 0, friction = 1;
+    ground(host, x, y, t, &height, &slope_x, &slope_y, &friction);
+    const double values[6] = {x, y, height, slope_x, slope_y, friction};
+    for (int i = 0; i < 6; ++i) {
+      told[k][i] = static_cast<Number>(values[i]);
+      if (!std::isfinite(told[k][i])) return {Code::input_not_a_number, first_input[k] + i};
+    }
+  }
+  for (int k = 0; k < K; ++k)
+    for (int i = 0; i < 6; ++i) inputs.*members[first_input[k] + i] = told[k][i];
+  return {};
+}
+
+}  // namespace mbgen
