@@ -37,7 +37,7 @@ Complex weighting(double frequency) {
 Values weighted(const Values& acceleration, double time_step) {
   std::vector<Complex> x(power_of_two(2 * acceleration.size()));
   std::copy(acceleration.begin(), acceleration.end(), x.begin());
-  x = transformed(std::move(x));
+  x = transformed(x);
   const std::size_t half = x.size() / 2;
   const double line = 1 / (time_step * static_cast<double>(x.size()));
   for (std::size_t k = 0; k <= half; ++k) {
@@ -45,7 +45,7 @@ Values weighted(const Values& acceleration, double time_step) {
     if (k > 0 && k < half) x[x.size() - k] = std::conj(x[k]);
   }
   x[half] = x[half].real();
-  x = transformed_back(std::move(x));
+  x = transformed_back(x);
   Values result;
   for (std::size_t i = 0; i < acceleration.size(); ++i) result.push_back(x[i].real());
   return result;

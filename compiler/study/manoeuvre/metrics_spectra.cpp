@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <unsupported/Eigen/FFT>
 
 #include "compiler/algebra/dense.hpp"
 
@@ -14,27 +15,16 @@ std::size_t power_of_two(std::size_t n) {
   return power;
 }
 
-std::vector<Complex> transformed(std::vector<Complex> x) {
-  const std::size_t half = x.size() / 2;
-  if (half == 0) return x;
-  std::vector<Complex> even(half), odd(half);
-  for (std::size_t i = 0; i < half; ++i) even[i] = x[2 * i], odd[i] = x[2 * i + 1];
-  even = transformed(std::move(even));
-  odd = transformed(std::move(odd));
-  for (std::size_t k = 0; k < half; ++k) {
-    const Complex turned =
-        std::polar(1.0, -std::numbers::pi * static_cast<double>(k) / static_cast<double>(half)) * odd[k];
-    x[k] = even[k] + turned;
-    x[k + half] = even[k] - turned;
-  }
-  return x;
+std::vector<Complex> transformed(const std::vector<Complex>& x) {
+  std::vector<Complex> result;
+  Eigen::FFT<double>().fwd(result, x);
+  return result;
 }
 
-std::vector<Complex> transformed_back(std::vector<Complex> x) {
-  for (Complex& value : x) value = std::conj(value);
-  x = transformed(std::move(x));
-  for (Complex& value : x) value = std::conj(value) / static_cast<double>(x.size());
-  return x;
+std::vector<Complex> transformed_back(const std::vector<Complex>& x) {
+  std::vector<Complex> result;
+  Eigen::FFT<double>().inv(result, x);
+  return result;
 }
 
 double Spectra::coherence(std::size_t line) const {
@@ -53,7 +43,7 @@ Spectra spectra_of(const Values& input, const Values& output, double time_step, 
       const double sine = std::sin(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(width));
       x[i] = (values[begin + i] - middle) * sine * sine;
     }
-    return transformed(std::move(x));
+    return transformed(x);
   };
   for (std::size_t begin = 0; begin + width <= input.size(); begin += hop) {
     const std::vector<Complex> in = windowed(input, begin), out = windowed(output, begin);

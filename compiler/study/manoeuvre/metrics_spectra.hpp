@@ -13,11 +13,11 @@ using Complex = std::complex<double>;
 /// The least power of two that is not below n.
 std::size_t power_of_two(std::size_t n);
 
-/// Fourier transform, sum x[i] exp(-2 pi j i k / n). Requires: a power of two of values.
-std::vector<Complex> transformed(std::vector<Complex> x);
+/// Fourier transform, sum x[i] exp(-2 pi j i k / n).
+std::vector<Complex> transformed(const std::vector<Complex>& x);
 
-/// The inverse, with its factor 1 / n. Requires: as `transformed`.
-std::vector<Complex> transformed_back(std::vector<Complex> x);
+/// The inverse, with its factor 1 / n.
+std::vector<Complex> transformed_back(const std::vector<Complex>& x);
 
 /// Averages over windows of Hann that overlap by three quarters, their means taken out: of both series and across them.
 /// P. D. Welch, IEEE Transactions on Audio and Electroacoustics 15(2), 1967.
