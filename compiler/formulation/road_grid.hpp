@@ -177,8 +177,8 @@ A height_on_grid(const GridTables<T>& tables, const A& x, const A& y) {
     return height_at_border<T>(grid.sides, grid.side_offset, side_way, width, height, A(0.0));
   };
   z = height_at_border<T>(grid.ends, grid.end_offset, way, tables.last(), at_sides(z), at_sides(A(0.0)));
-  const auto smooth = [&](double zone, const A& way, double base) {
-    if (zone > 0) z = A(base) + within(A(1 / zone) * way, A(0.0), A(1.0)) * (z - A(base));
+  const auto smooth = [&](double zone, const A& inside, double base) {
+    if (zone > 0) z = A(base) + within(A(1 / zone) * inside, A(0.0), A(1.0)) * (z - A(base));
   };
   const bool begins_again = grid.ends == RoadBorder::repeat || grid.ends == RoadBorder::reflect;
   const A u = begins_again ? A(road.start) + A(road.increment) * along : at.u;

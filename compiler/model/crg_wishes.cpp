@@ -30,7 +30,8 @@ constexpr std::array kOffsets = {"REFPOINT_U_OFFSET", "REFPOINT_V_OFFSET"};
 constexpr std::array kScales = {"SCALE_Z_GRID", "SCALE_SLOPE", "SCALE_BANKING",
                                 "SCALE_LENGTH", "SCALE_WIDTH", "SCALE_CURVATURE"};
 constexpr std::array kBorderModes = {"BORDER_MODE_U", "BORDER_MODE_V"};
-constexpr std::array kBorders = {"BORDER_OFFSET_U", "BORDER_OFFSET_V", "BORDER_SMOOTH_UBEG", "BORDER_SMOOTH_UEND"};
+constexpr std::array kOffsetsBeyond = {"BORDER_OFFSET_U", "BORDER_OFFSET_V"};
+constexpr std::array kSmoothing = {"BORDER_SMOOTH_UBEG", "BORDER_SMOOTH_UEND"};
 /// Options that change no height: messages, checks, the search for a place, and how curvature is told.
 constexpr std::array<std::string_view, 5> kHarmless = {"WARN_", "CHECK_", "LOG_", "REFLINE_SEARCH_", "CURV_MODE"};
 
@@ -115,7 +116,7 @@ std::vector<std::string> not_followed(const CrgRoad& road) {
         add(name, number, "");
     } else if (name == "REFLINE_CONTINUATION") {
       if (number != 0) add(name, number, " (a closed track: the line goes straight on at its ends)");
-    } else if (!is_harmless && !has(kBorders, name)) {
+    } else if (!is_harmless && !has(kOffsetsBeyond, name) && !(has(kSmoothing, name) && number >= 0)) {
       add(name, number, "");
     }
   }
