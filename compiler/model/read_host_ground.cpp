@@ -63,7 +63,7 @@ void add_host_inputs(Reader& reader, const Entries& roads) {
       Input input{.name = input_name(entry.name, i), .where = where_of(reader.documents, place), .unit = kUnits[i]};
       input.default_value = i == kFriction ? 1 : 0;
       input.shown.description = kMeanings[i];
-      const int index = static_cast<int>(reader.names.inputs.size());
+      const int index = static_cast<int>(reader.model.inputs.size());
       const bool is_new = reader.names.inputs.emplace(input.name, index).second;
       if (!is_new || reader.names.parameters.contains(input.name))
         report(reader, place,
