@@ -148,11 +148,12 @@ class ModelText : public ModelWords {
                           bristle(friction));
     }
     for (const Tyre& tyre : model_.tyres) {
-      text += fmt::format("  {}: tyre at {}, axis ({}), count {}, radius {}, stiffness {}{}{}\n", tyre.name,
+      text += fmt::format("  {}: tyre at {}, axis ({}), count {}, radius {}, stiffness {}{}{}{}\n", tyre.name,
                           attachment(tyre.centre), fmt::join(tyre.axis, ", "), tyre.count, quantity(tyre.radius),
                           quantity(tyre.stiffness),
                           tyre.model == TyreModel::mf61 ? ", pressure " + quantity(tyre.pressure) : "",
-                          tyre.road < 0 ? "" : ", on road " + model_.roads[tyre.road].name);
+                          tyre.road < 0 ? "" : ", on road " + model_.roads[tyre.road].name,
+                          tyre.envelope ? ", " + to_text(*tyre.envelope) : "");
     }
     return text;
   }

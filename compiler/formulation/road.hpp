@@ -1,6 +1,5 @@
 #pragma once
-// Roads: height, slopes and friction at a place, and the plane that a wheel stands on. No branches on values, so that
-// symbols can pass.
+// Roads: height, slopes and friction at a place. No branches on values, so that symbols can pass.
 
 #include <numbers>
 
@@ -173,37 +172,6 @@ RoadPosition<T> on_road(const Road& road, const T& x, const T& y) {
   const T cosine(std::cos(road.heading)), sine(std::sin(road.heading));
   const T dx = x - T(road.origin[0]), dy = y - T(road.origin[1]);
   return {cosine * dx + sine * dy, cosine * dy - sine * dx};
-}
-
-/// What a wheel stands on: the plane that touches the road straight below its centre, as it was laid there, at rest.
-template <class T>
-struct RoadPlane {
-  Vector<T> up;     ///< its unit normal, in the frame that carries the wheel
-  T distance;       ///< m, of the wheel centre from it
-  T friction{1.0};  ///< factor of the tyre's friction
-};
-
-/// The plane under a wheel. One look at the road, no search: with the road's curvature c (1/m) and slope p against the
-/// wheel, the nearest point of the road is closer by about c h^2 p^2 / 2 than this plane, h its distance.
-template <class T>
-RoadPlane<T> road_plane(const ForceWork<T>& work, const Tyre& tyre) {
-  using std::sqrt;
-  const System<T>& system = work.system;
-  const Place<T> centre = work.place(tyre.centre);
-  const int carrier = system.layout.frame_of(centre.body);
-  const Vector<T> vertical{T(0.0), T(0.0), T(1.0)};
-  const Vector<T> position = position_in(system, work.k, centre, kGround);
-  const T height = position.z - work.value(tyre.road_height, "road", tyre.name);
-  if (tyre.road < 0) return {direction_up(system, work.k, kGround, vertical, carrier), height};
-  const Road& road = system.model.roads[tyre.road];
-  const auto [x, y] = on_road(road, position.x, position.y);
-  const RoadHeight<T> below = height_of_road(work, road, x, y);
-  const T cosine(std::cos(road.heading)), sine(std::sin(road.heading));
-  const T by_x = cosine * below.by_x - sine * below.by_y, by_y = sine * below.by_x + cosine * below.by_y;
-  const T steepness = T(1.0) / sqrt(T(1.0) + by_x * by_x + by_y * by_y);
-  const Vector<T> normal{-(steepness * by_x), -(steepness * by_y), steepness};
-  return {direction_up(system, work.k, kGround, normal, carrier), steepness * (height - T(road.origin[2]) - below.z),
-          friction_of_road(work, road, x, y)};
 }
 
 }  // namespace detail

@@ -1,7 +1,7 @@
 #pragma once
 // Tyres on roads, around the tyre law of the runtime's header tyre.hpp.
 
-#include "compiler/formulation/road.hpp"
+#include "compiler/formulation/road_envelope.hpp"
 
 namespace mbgen {
 namespace detail {
@@ -18,6 +18,47 @@ Vector<T> spin_axis(const System<T>& system, const Kinematics<T>& k, const Tyre&
       system.layout.bodies[body].joint_frame == carrier)
     return T(along > 0 ? 1.0 : -1.0) * k.axis[body];
   return direction_in(system, k, body, constant<T>(tyre.axis), carrier);
+}
+
+/// What a wheel stands on: a plane of the road at the place of its centre, as it was laid there, at rest.
+template <class T>
+struct RoadPlane {
+  Vector<T> up;     ///< its unit normal, in the frame that carries the wheel
+  T distance;       ///< m, of the wheel centre from it
+  T friction{1.0};  ///< factor of the tyre's friction
+};
+
+/// The plane under a wheel: that of the tyre's envelope, or the one that touches the road straight below the centre.
+/// The latter is one look at the road, no search: with the road's curvature c (1/m) and slope p against the wheel, the
+/// nearest point of the road is closer by about c h^2 p^2 / 2 than this plane, h its distance.
+template <class T>
+RoadPlane<T> road_plane(const ForceWork<T>& work, const Tyre& tyre) {
+  using std::sqrt;
+  const System<T>& system = work.system;
+  const Place<T> centre = work.place(tyre.centre);
+  const int carrier = system.layout.frame_of(centre.body);
+  const Vector<T> vertical{T(0.0), T(0.0), T(1.0)};
+  const Vector<T> position = position_in(system, work.k, centre, kGround);
+  const T height = position.z - work.value(tyre.road_height, "road", tyre.name);
+  if (tyre.road < 0) return {direction_up(system, work.k, kGround, vertical, carrier), height};
+  const Road& road = system.model.roads[tyre.road];
+  const auto [x, y] = on_road(road, position.x, position.y);
+  const T cosine(std::cos(road.heading)), sine(std::sin(road.heading));
+  RoadHeight<T> below;
+  if (tyre.envelope) {
+    const Vector<T> axis = direction_in(system, work.k, carrier, spin_axis(system, work.k, tyre, centre.body), kGround);
+    const T level = T(1.0) / sqrt(axis.x * axis.x + axis.y * axis.y);
+    const T forward_x = level * axis.y, forward_y = -(level * axis.x);
+    below = height_of_envelope<T>(work, tyre, road,
+                                  {x, y, cosine * forward_x + sine * forward_y, cosine * forward_y - sine * forward_x});
+  } else {
+    below = height_of_road(work, road, x, y);
+  }
+  const T by_x = cosine * below.by_x - sine * below.by_y, by_y = sine * below.by_x + cosine * below.by_y;
+  const T steepness = T(1.0) / sqrt(T(1.0) + by_x * by_x + by_y * by_y);
+  const Vector<T> normal{-(steepness * by_x), -(steepness * by_y), steepness};
+  return {direction_up(system, work.k, kGround, normal, carrier), steepness * (height - T(road.origin[2]) - below.z),
+          friction_of_road(work, road, x, y)};
 }
 
 /// A wheel in the axes of the frame that carries it. road: what it stands on.

@@ -124,6 +124,24 @@ struct JointForce {
 
 enum class TyreModel { pac89, pac2002, mf61 };
 
+/// An enveloping contact: four cams with the outline of a superellipse, a rear and a front one below the middle of each
+/// half of the tyre's width, |s / length|^order + |z / height|^order = 1. Lengths in unloaded radii of the tyre.
+struct TyreEnvelope {
+  double base = 0;                           ///< distance of the front cams from the rear ones, > 0
+  double length = 0, height = 0, order = 0;  ///< half axes along and down, > 0; exponent, >= 1
+  double width = 0;                          ///< of the tyre on the road, > 0
+  double steps = 0;                          ///< places that are looked at between wheel and cam centre, whole, >= 1
+
+  /// Places at spacing() * i, i = -last_sample() ... last_sample(), are looked at.
+  double spacing() const { return 0.5 * base / steps; }
+  int last_sample() const;
+  /// How far a cam reaches down at a distance s from its middle, |s| < length.
+  double outline(double s) const;
+};
+
+/// "enveloping, base 0.4, ...", for those who read.
+std::string to_text(const TyreEnvelope& envelope);
+
 /// Tyre of a wheel body on a road, or on a flat horizontal one (normal = global z).
 struct Tyre {
   std::string name;
@@ -136,11 +154,12 @@ struct Tyre {
   std::vector<Quantity> coefficients;
   /// +1: coefficients used as they are, -1: mirrored (tyre measured on the other side)
   double side = 1;
-  double count = 1;      ///< 2 for twin tyres: all forces times count
-  Quantity radius;       ///< m, unloaded
-  Quantity stiffness;    ///< N/m, vertical, one tyre
-  Quantity damping;      ///< N s/m, vertical, one tyre
-  int road = -1;         ///< index into Model::roads, -1: flat and horizontal
+  double count = 1;                      ///< 2 for twin tyres: all forces times count
+  Quantity radius;                       ///< m, unloaded
+  Quantity stiffness;                    ///< N/m, vertical, one tyre
+  Quantity damping;                      ///< N s/m, vertical, one tyre
+  int road = -1;                         ///< index into Model::roads, -1: flat and horizontal
+  std::optional<TyreEnvelope> envelope;  ///< none: contact in one point
   Quantity road_height;  ///< m, global z of the flat road; what is added to the height of one of Model::roads
   Quantity friction;     ///< scales the friction (1 is the measured one)
   /// 1: moment = -coefficient * load * radius * tanh(speed / low_speed); of mf61 its QSY1

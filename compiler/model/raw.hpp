@@ -159,6 +159,7 @@ struct RoadFields : Road {
 
 struct TyreFields : Tyre {
   std::optional<std::string> written_road;
+  const Value* enveloping = nullptr;
   std::string data;
   std::optional<std::string> tir;  ///< file
 };
@@ -320,6 +321,8 @@ template <>
 std::span<const Field<RoadFeature>> fields<RoadFeature>();
 template <>
 std::span<const Field<RoadPatch>> fields<RoadPatch>();
+template <>
+std::span<const Field<TyreEnvelope>> fields<TyreEnvelope>();
 template <>
 std::span<const Field<TyreFields>> fields<TyreFields>();
 template <>

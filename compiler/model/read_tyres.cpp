@@ -168,6 +168,35 @@ void use_coefficients(Reader& reader, const Value& value, CoefficientSet& set, T
   }
 }
 
+/// The envelope of a tyre, with what a file gives of its cams; after the road.
+void use_envelope(Reader& reader, const CamsOfFile& of_file, TyreFields& tyre) {
+  constexpr int kMostSamples = 50;  // to each side
+  if (!tyre.enveloping) return;
+  const Value& value = *tyre.enveloping;
+  TyreEnvelope cams = with_defaults<TyreEnvelope>();
+  const std::size_t problems = reader.problems.size();
+  if (!read_fields(reader, value, cams) || reader.problems.size() > problems) return;
+  const auto take = [&](const char* key, const std::optional<double>& number, double& target) {
+    if (number && !find(value, key)) target = *number;
+  };
+  take("base", of_file.base, cams.base);
+  take("length", of_file.length, cams.length);
+  take("height", of_file.height, cams.height);
+  take("order", of_file.order, cams.order);
+  if (cams.order < 1) report(reader, member_or_object(value, "order"), "order must be at least 1");
+  if (cams.steps != std::round(cams.steps)) {
+    report(reader, *find(value, "steps"), fmt::format("steps must be a whole number, got {}", cams.steps));
+  } else if (const double places = (0.5 * cams.base + cams.length) / cams.spacing(); places > kMostSamples) {
+    report(reader, member_or_object(value, "steps"),
+           fmt::format("the cams look at {:.0f} places to each side, at most {} are possible", places, kMostSamples),
+           "give fewer \"steps\" or a longer \"base\"");
+  }
+  if (tyre.road >= 0 && reader.model.roads[static_cast<std::size_t>(tyre.road)].is_of_one_point())
+    report(reader, value, "an envelope looks at a road at several places, but this road tells a plane below one",
+           "leave out \"enveloping\", or give the road heights over x and y in place of \"host\", slope_x and slope_y");
+  if (reader.problems.size() == problems) tyre.envelope = cams;
+}
+
 /// The road under a tyre: the one of that name, or the only one.
 void use_road(Reader& reader, const Value& value, TyreFields& tyre) {
   const NameMap<int>& roads = reader.names.roads;
@@ -191,8 +220,9 @@ void use_road(Reader& reader, const Value& value, TyreFields& tyre) {
 void use_file(Reader& reader, const Value& value, TyreFields& tyre) {
   const Value& file = *find(value, "tir");
   if (file.kind != Value::Kind::text) return;
-  const std::optional<TirTyre> read = read_tir(reader, file);
+  const std::optional<TirTyre> read = read_tir(reader, file, tyre.enveloping != nullptr);
   if (!read) return;
+  use_envelope(reader, read->cams, tyre);
   CoefficientSet set{read->model, read->coefficients};
   use_coefficients(reader, value, set, tyre);
   const auto take = [&](std::string_view key, const std::optional<double>& number, Quantity& target) {
@@ -246,6 +276,7 @@ void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres) 
     if (tyre.tir) {
       use_file(r, value, tyre);
     } else {
+      use_envelope(r, {}, tyre);
       use_set(r, value, sets, tyre);
     }
   });

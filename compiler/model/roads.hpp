@@ -34,6 +34,9 @@ struct RoadFeature : RoadStretch {
   double ramp = 0;                                        ///< m
   std::optional<Quantity> wave_length, last_wave_length;  ///< m, > 0; l0 and l1 of a sweep
   Quantity phase;                                         ///< rad
+
+  /// Short and with edges, which an enveloping contact looks at by themselves.
+  bool is_obstacle() const { return kind == Kind::plank || kind == Kind::pothole; }
 };
 
 /// A part of a road with friction of its own, which hides what lies below: the last one that covers a place counts.
@@ -106,6 +109,11 @@ struct Road {
   std::vector<RoadPatch> patches;
 
   bool has_friction() const { return friction || !patches.empty(); }
+  /// Known below one point alone: a host tells a plane, or slopes are given.
+  bool is_of_one_point() const {
+    const auto is_given = [](const Quantity& q) { return q.expression >= 0 || q.value != 0; };
+    return host_input >= 0 || is_given(slope_x) || is_given(slope_y);
+  }
 };
 
 /// Number `index` of a table, the first or last one outside, as mbgen/sample.hpp has it.

@@ -214,6 +214,29 @@ std::span<const Field<TyreDataFields>> fields<TyreDataFields>() {
 }
 
 template <>
+std::span<const Field<TyreEnvelope>> fields<TyreEnvelope>() {
+  using S = TyreEnvelope;
+  const auto number = [](std::string_view name, std::string_view doc, double fallback) {
+    return constant_info(name, doc, "1", fallback, Bound::positive, Depends::nothing);
+  };
+  static const std::array table = {
+      field<S, &S::base>(number(
+          "base", "distance of front and rear cams; of a .tir file with ELLIPS_SHIFT that times its contact length",
+          0.4)),
+      field<S, &S::length>(number("length", "half axis of a cam along the road; of a .tir file its ELLIPS_LENGTH", 1)),
+      field<S, &S::height>(number(
+          "height", "half axis of a cam upwards, higher than what it rolls over; of a .tir file its ELLIPS_HEIGHT", 1)),
+      field<S, &S::order>(number(
+          "order", "exponent of a cam's outline, at least 1, 2: an ellipse; of a .tir file its ELLIPS_ORDER", 1.8)),
+      field<S, &S::width>(number("width", "width of the tyre on the road", 0.6)),
+      field<S, &S::steps>(
+          number("steps",
+                 "how finely a cam sees the road: places that are looked at from below wheel to cam centre, whole", 1)),
+  };
+  return table;
+}
+
+template <>
 std::span<const Field<TyreFields>> fields<TyreFields>() {
   using S = TyreFields;
   const auto number = [](std::string_view name, std::string_view doc, std::string_view unit,
@@ -257,6 +280,10 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
                                   .shape = Shape::reference,
                                   .doc = "road under the tyre; default: the only one, without any a flat one",
                                   .of = "roads"}),
+      field<S, &S::enveloping>({.name = "enveloping",
+                                .shape = Shape::object,
+                                .doc = "contact by an envelope of the road, for short obstacles; default: in one point",
+                                .of = "tyre_envelope"}),
       field<S, &S::road_height>(
           number("road_height", "global z of a flat road; raises one of `roads` under this tyre", "m", 0, Bound::none)),
       field<S, &S::friction>(number("friction", "scales the friction of the set", "1", 1, Bound::not_negative)),

@@ -194,6 +194,9 @@ std::vector<ObjectKind> object_kinds() {
       kind<TyreDataFields>("tyre_data", "coefficients of a tyre"),
       kind<TyreFields>("tyre", "a tyre on a road; exactly one of data and tir", {"data", "tir"},
                        {{"data", "stiffness"}}),
+      kind<TyreEnvelope>("tyre_envelope",
+                         "four cams that make a plane of a road: a rear and a front one below each half of the tyre's "
+                         "width; lengths in unloaded radii of the tyre"),
       kind<AxleFields>("axle",
                        "an axle on a rig for kinematics and compliance; x forward, y to the left and z up at the "
                        "reference"),

@@ -211,6 +211,27 @@ void read_mf61(const Number& number, const TirUnits& units, TirTyre& tyre) {
   if (const double pressure = number("INFLPRES", 0)) tyre.pressure = pressure * per_length / units.length;
 }
 
+/// Cams of MF-Swift; their base is ELLIPS_SHIFT times the contact length at nominal load, of which Q_RA1 and Q_RA2 are
+/// coefficients. Source: I. J. M. Besselink, A. J. C. Schmeitz, H. B. Pacejka, Vehicle System Dynamics 48, 2010.
+CamsOfFile cams_of(Reader& reader, TirEntries& entries, const TirTyre& tyre) {
+  const auto number = [&](std::string_view key) {
+    const std::optional<double> found = number_of_key(reader, entries, key);
+    if (found && *found <= 0)
+      report(reader, use_entry(entries, key)->place, fmt::format("key {} must be positive", key));
+    return found;
+  };
+  CamsOfFile cams{{}, number("ELLIPS_LENGTH"), number("ELLIPS_HEIGHT"), number("ELLIPS_ORDER")};
+  const std::optional<double> shift = number("ELLIPS_SHIFT");
+  const std::optional<double> root = number_of_key(reader, entries, "Q_RA1");
+  const std::optional<double> linear = number_of_key(reader, entries, "Q_RA2");
+  if (!shift || !root || !linear || tyre.stiffness.value_or(0) <= 0) return cams;
+  const double radius = tyre.coefficients[tyre_field_index(tyre_fields(tyre.model), "UNLOADED_RADIUS")].value;
+  const double load = tyre.coefficients[tyre_field_index(tyre_fields(tyre.model), "FNOMIN")].value;
+  const double deflection = load / (*tyre.stiffness * radius);
+  if (const double half = *linear * deflection + *root * std::sqrt(deflection); half > 0) cams.base = *shift * 2 * half;
+  return cams;
+}
+
 }  // namespace
 
 std::string upper(std::string_view text) {
@@ -229,7 +250,7 @@ std::optional<double> number_of(const TirEntry& entry) {
   return whole && std::isfinite(number) && std::abs(number) <= kLargestNumber ? std::optional(number) : std::nullopt;
 }
 
-std::optional<TirTyre> read_tir(Reader& reader, const Value& value) {
+std::optional<TirTyre> read_tir(Reader& reader, const Value& value, bool has_envelope) {
   const std::size_t problems = reader.problems.size();
   std::uint32_t file = 0;
   const Document* document = open_beside(reader, value, "tyre file", file);
@@ -253,6 +274,7 @@ std::optional<TirTyre> read_tir(Reader& reader, const Value& value) {
   }
   tyre.damping = number_of_key(reader, entries, "VERTICAL_DAMPING");
   if (tyre.damping) *tyre.damping *= units.force * units.time / units.length;
+  if (has_envelope) tyre.cams = cams_of(reader, entries, tyre);
   if (reader.problems.size() > problems) return std::nullopt;
   note_unused(reader, entries);
   return tyre;

@@ -11,6 +11,11 @@
 
 namespace mbgen::reading {
 
+/// What a file gives of the cams of TyreEnvelope.
+struct CamsOfFile {
+  std::optional<double> base = {}, length = {}, height = {}, order = {};
+};
+
 /// The tyre of a .tir file, in SI units.
 struct TirTyre {
   TyreModel model;                                ///< pac2002 or mf61
@@ -19,6 +24,7 @@ struct TirTyre {
   std::optional<double> damping = {};             ///< N s/m: VERTICAL_DAMPING
   std::optional<double> rolling_resistance = {};  ///< QSY1 of pac2002
   std::optional<double> pressure = {};            ///< Pa: INFLPRES
+  CamsOfFile cams = {};                           ///< ELLIPS_..., where they are asked for
 };
 
 /// KEY = value of a section.
@@ -39,8 +45,9 @@ struct TirEntries {
 /// comments ($ and
 /// !) and texts in quotes are understood; entries without a part in the formulas of tyre.hpp are passed over, with a
 /// note. Fails: nothing, with complaints at lines of the file: another tyre model, units that are unknown, a
-/// coefficient that is no number or stands twice, no radius, nominal load or pressure.
-std::optional<TirTyre> read_tir(Reader& reader, const Value& value);
+/// coefficient that is no number or stands twice, no radius, nominal load or pressure. has_envelope: the tyre uses the
+/// cams of the file.
+std::optional<TirTyre> read_tir(Reader& reader, const Value& value, bool has_envelope);
 
 /// Letters of the alphabet in capitals, as keys and sections are compared.
 std::string upper(std::string_view text);

@@ -97,7 +97,7 @@ std::string properties_text(const Tyre& tyre) {
   row("relaxation_x", tyre.relaxation_x, tyre.over_load_x ? "m at nominal load, follows the load" : "m");
   row("relaxation_y", tyre.relaxation_y, tyre.over_load_y ? "m at nominal load, follows the load" : "m");
   row("low_speed", tyre.low_speed, "m/s");
-  return text;
+  return tyre.envelope ? text + "\nContact\n  " + to_text(*tyre.envelope) + "\n" : text;
 }
 
 /// The largest force over the load of one slip, and where it is.

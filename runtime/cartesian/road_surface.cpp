@@ -134,10 +134,13 @@ double height_of_grid(const RoadGrid& grid, const Vector2d& at) {
   return height;
 }
 
-/// Its derivative along a direction of the road's axes, by difference.
+/// Its derivative along a direction of the road's axes, by differences of fourth order.
 double slope_of_grid(const RoadGrid& grid, const Vector2d& at, const Vector2d& direction) {
-  constexpr double kStep = 1e-6;  // m: heights are linear between sections and columns
-  return (height_of_grid(grid, at + kStep * direction) - height_of_grid(grid, at - kStep * direction)) / (2 * kStep);
+  constexpr double kStep = 1e-4;  // m: heights are smooth between sections and columns
+  const auto across = [&](double step) {
+    return height_of_grid(grid, at + step * direction) - height_of_grid(grid, at - step * direction);
+  };
+  return (8 * across(kStep) - across(2 * kStep)) / (12 * kStep);
 }
 
 bool is_beside(const RoadStretch& stretch, double y, const Values& value) {
@@ -149,42 +152,144 @@ bool covers(const RoadStretch& stretch, const Vector2d& at, const Values& value)
   return !is_beside(stretch, at.y(), value) && !(stretch.length && (u < 0 || u > value(*stretch.length)));
 }
 
-}  // namespace
-
-RoadSurface road_surface(const Tyre& tyre, const Vector2d& place, const Values& value) {
-  RoadSurface surface;
-  surface.height = value(tyre.road_height);
-  if (tyre.road < 0) return surface;
-  const Road& road = value.model.roads[static_cast<std::size_t>(tyre.road)];
-  const Vector2d along(std::cos(road.heading), std::sin(road.heading)), left(-along.y(), along.x());
-  const Vector2d from_origin = place - Vector2d(road.origin[0], road.origin[1]);
-  const Vector2d at(along.dot(from_origin), left.dot(from_origin));
-  surface.height += road.origin[2];
-  surface.gradient = value(road.slope_x) * along + value(road.slope_y) * left;
+/// Adds the part of a road without its features, in the axes of the road.
+void add_ground(const Road& road, const Vector2d& at, const Values& value, RoadSurface& surface) {
   if (road.height) {
     const Profile lengthwise = along_axis(value, *road.height, at, 0), across = along_axis(value, *road.height, at, 1);
     surface.height += lengthwise.height;
-    surface.gradient += lengthwise.slope * along + across.slope * left;
+    surface.gradient += Vector2d(lengthwise.slope, across.slope);
   }
   for (const RoadGrid& grid : road.grids) {
     surface.height += height_of_grid(grid, at);
     surface.gradient +=
-        slope_of_grid(grid, at, Vector2d::UnitX()) * along + slope_of_grid(grid, at, Vector2d::UnitY()) * left;
+        Vector2d(slope_of_grid(grid, at, Vector2d::UnitX()), slope_of_grid(grid, at, Vector2d::UnitY()));
   }
   for (const RoadTracks& tracks : road.tracks) {
     const Profile right = along_track(tracks, *value.model.samples, at.x(), 0);
     const Profile on_left = along_track(tracks, *value.model.samples, at.x(), 1);
     const double across = (at.y() - tracks.right) / (tracks.left - tracks.right), share = std::clamp(across, 0.0, 1.0);
     surface.height += std::lerp(right.height, on_left.height, share);
-    surface.gradient += std::lerp(right.slope, on_left.slope, share) * along;
-    if (across == share) surface.gradient += (on_left.height - right.height) / (tracks.left - tracks.right) * left;
+    surface.gradient.x() += std::lerp(right.slope, on_left.slope, share);
+    if (across == share) surface.gradient.y() += (on_left.height - right.height) / (tracks.left - tracks.right);
   }
-  for (const RoadFeature& feature : road.features) {
-    if (is_beside(feature, at.y(), value)) continue;
-    const Profile profile = shape(feature, at.x() - value(feature.from), value);
-    surface.height += value(feature.height) * profile.height;
-    surface.gradient += value(feature.height) * profile.slope * along;
+}
+
+/// The road that cams of half a tyre's width see.
+struct SeenRoad {
+  const Road& road;
+  const Values& value;
+  double strip;  ///< m
+
+  /// Height of the kinds of features that are asked for: each by how much of the strip it lies under.
+  double features(const Vector2d& at, bool obstacles) const {
+    double height = 0;
+    for (const RoadFeature& feature : road.features) {
+      const bool is_obstacle = feature.kind == RoadFeature::Kind::plank || feature.kind == RoadFeature::Kind::pothole;
+      if (is_obstacle != obstacles) continue;
+      const double right = std::max(at.y() - strip / 2, feature.right ? value(*feature.right) : -1e300);
+      const double left = std::min(at.y() + strip / 2, feature.left ? value(*feature.left) : 1e300);
+      if (left > right)
+        height +=
+            (left - right) / strip * value(feature.height) * shape(feature, at.x() - value(feature.from), value).height;
+    }
+    return height;
   }
+  double ground(const Vector2d& at) const {
+    RoadSurface surface;
+    add_ground(road, at, value, surface);
+    return surface.height + features(at, false);
+  }
+  double height(const Vector2d& at) const { return ground(at) + features(at, true); }
+
+  /// x of the upper sides of the obstacles' edges.
+  std::vector<double> edges() const {
+    constexpr double kInside = 1e-9;  // m
+    std::vector<double> places;
+    for (const RoadFeature& feature : road.features) {
+      const bool is_plank = feature.kind == RoadFeature::Kind::plank;
+      if (!is_plank && feature.kind != RoadFeature::Kind::pothole) continue;
+      const bool stands_out = is_plank == (value(feature.height) >= 0);
+      const double inset = stands_out ? feature.ramp + kInside : -kInside, from = value(feature.from);
+      places.insert(places.end(), {from + inset, from + value(*feature.length) - inset});
+    }
+    return places;
+  }
+};
+
+/// Height below the middle of a row of cams along `heading`, and the slope that it sees.
+Profile envelope_of_row(const SeenRoad& seen, const TyreEnvelope& cams, double radius, const Vector2d& middle,
+                        const Vector2d& heading) {
+  struct Place {
+    double s, height;
+  };
+  std::vector<Place> places;
+  const double half = cams.base / 2 * radius, spacing = half / cams.steps, reach = half + cams.length * radius;
+  double moment = 0, squares = 0;
+  const auto look = [&](double s) {
+    const Vector2d at = middle + s * heading;
+    places.push_back({s, seen.height(at)});
+    return seen.ground(at);
+  };
+  look(0);
+  for (double s = spacing; s < reach - 1e-9 * spacing; s += spacing) {
+    moment += s * (look(s) - look(-s));
+    squares += 2 * s * s;
+  }
+  for (const double x : seen.edges())
+    if (const double s = (x - middle.x()) / heading.x(); std::abs(s) < reach) look(s);
+  const double ground_slope = moment / squares;
+  const auto stand = [&](double cam) {
+    double highest = -1e300;
+    for (const Place& place : places) {
+      const double share = std::abs(place.s - cam) / (cams.length * radius);
+      if (share < 1)
+        highest =
+            std::max(highest, place.height - ground_slope * place.s +
+                                  cams.height * radius * std::pow(1 - std::pow(share, cams.order), 1 / cams.order));
+    }
+    return highest;
+  };
+  const double rear = stand(-half), front = stand(half);
+  return {(front + rear) / 2 - cams.height * radius, ground_slope + (front - rear) / (2 * half)};
+}
+
+/// The plane of the four cams, in the axes of the road.
+void add_envelope(const SeenRoad& seen, const TyreEnvelope& cams, double radius, const Vector2d& at,
+                  const Vector2d& heading, RoadSurface& surface) {
+  const Vector2d left(-heading.y(), heading.x());
+  const Profile on_left = envelope_of_row(seen, cams, radius, at + seen.strip / 2 * left, heading);
+  const Profile on_right = envelope_of_row(seen, cams, radius, at - seen.strip / 2 * left, heading);
+  surface.height += (on_left.height + on_right.height) / 2;
+  surface.gradient += (on_left.slope + on_right.slope) / 2 * heading;
+  surface.gradient += (on_left.height - on_right.height) / seen.strip * left;
+}
+
+}  // namespace
+
+RoadSurface road_surface(const Tyre& tyre, const Vector2d& place, const Eigen::Vector3d& axis, const Values& value) {
+  RoadSurface surface;
+  surface.height = value(tyre.road_height);
+  if (tyre.road < 0) return surface;
+  const Road& road = value.model.roads[static_cast<std::size_t>(tyre.road)];
+  const Vector2d along(std::cos(road.heading), std::sin(road.heading)), left(-along.y(), along.x());
+  const auto in_road = [&](const Vector2d& v) { return Vector2d(along.dot(v), left.dot(v)); };
+  const Vector2d at = in_road(place - Vector2d(road.origin[0], road.origin[1]));
+  surface.height += road.origin[2];
+  if (tyre.envelope) {
+    const double radius = value(tyre.radius);
+    const SeenRoad seen{road, value, tyre.envelope->width / 2 * radius};
+    add_envelope(seen, *tyre.envelope, radius, at, in_road(Vector2d(axis.y(), -axis.x()).normalized()), surface);
+  } else {
+    surface.gradient = Vector2d(value(road.slope_x), value(road.slope_y));
+    add_ground(road, at, value, surface);
+    for (const RoadFeature& feature : road.features) {
+      if (is_beside(feature, at.y(), value)) continue;
+      const Profile profile = shape(feature, at.x() - value(feature.from), value);
+      surface.height += value(feature.height) * profile.height;
+      surface.gradient.x() += value(feature.height) * profile.slope;
+    }
+  }
+  surface.gradient = surface.gradient.x() * along + surface.gradient.y() * left;
   if (road.friction) surface.friction = along_axis(value, *road.friction, at, 0).height;
   for (const RoadPatch& patch : road.patches)
     if (covers(patch, at, value)) surface.friction = value(patch.friction);

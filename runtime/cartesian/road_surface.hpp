@@ -14,7 +14,9 @@ struct RoadSurface {
   double friction = 1;
 };
 
-/// The road of a tyre below a place. place: global x and y, m.
-RoadSurface road_surface(const Tyre& tyre, const Eigen::Vector2d& place, const Values& value);
+/// The road of a tyre below a place, or the plane that its envelope makes of the road there. place: global x and y, m;
+/// axis: of the wheel, unit, to the left.
+RoadSurface road_surface(const Tyre& tyre, const Eigen::Vector2d& place, const Eigen::Vector3d& axis,
+                         const Values& value);
 
 }  // namespace mbgen::cartesian

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Contact axes and point of a wheel disc: the point of the wheel's plane on the plane that touches the road below its
-/// centre, straight below the centre along the wheel's plane.
+/// centre, or that its envelope makes of the road, straight below the centre along the wheel's plane.
 struct Contact {
   Vector3d forward, left, up;
   Vector3d arm;         ///< from the wheel's centre of mass to the contact point
@@ -23,7 +23,7 @@ Contact contact_of(const Tyre& tyre, const PartTyre& part, const Moving& wheel, 
   Contact c;
   const Vector3d axis = wheel.axes * part.axis, centre = wheel.axes * part.centre.arm;
   const Vector3d velocity = wheel.velocity + wheel.spin.cross(centre), position = wheel.position + centre;
-  const RoadSurface road = road_surface(tyre, position.head<2>(), value);
+  const RoadSurface road = road_surface(tyre, position.head<2>(), axis, value);
   c.friction = road.friction;
   c.up = Vector3d(-road.gradient.x(), -road.gradient.y(), 1).normalized();
   c.forward = axis.cross(c.up).normalized();

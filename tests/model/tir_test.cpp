@@ -136,6 +136,30 @@ TEST_F(TirFile, Of61GivesTheReferenceSetInSi) {
             "the model does not use turn slip (PECP1); radius and stiffness over load and speed (Q_FCX)");
 }
 
+TEST_F(TirFile, GivesTheCamsOfAnEnvelope) {
+  nlohmann::json cams = {{"UNLOADED_RADIUS", 0.5}, {"FNOMIN", 4000},     {"ELLIPS_SHIFT", 0.8},
+                         {"ELLIPS_LENGTH", 1.1},   {"Q_RA1", 0.7},       {"ELLIPS_HEIGHT", 1.05},
+                         {"Q_RA2", 0.6},           {"ELLIPS_ORDER", 1.7}};
+  const Result<Model> model = wheel(tir_of(cams), R"(, "enveloping": { "height": 0.9 })");
+  ASSERT_TRUE(model) << to_text(model.problems());
+  const TyreEnvelope& envelope = *model->tyres[0].envelope;
+  const double deflection = 4000 / (1e6 * 0.5);  // over the radius
+  EXPECT_DOUBLE_EQ(envelope.base, 0.8 * 2 * (0.6 * deflection + 0.7 * std::sqrt(deflection)));
+  EXPECT_DOUBLE_EQ(envelope.length, 1.1);
+  EXPECT_DOUBLE_EQ(envelope.height, 0.9) << "the model's own";
+  EXPECT_DOUBLE_EQ(envelope.order, 1.7);
+  ASSERT_EQ(model->notes.size(), 1u);
+  EXPECT_EQ(model->notes[0].message, "the model does not use tables (SHAPE)");
+  const Result<Model> point = wheel(tir_of(cams), "");
+  ASSERT_TRUE(point) << to_text(point.problems());
+  EXPECT_FALSE(point->tyres[0].envelope);
+  EXPECT_NE(point->notes[0].message.find("contact patch (ELLIPS_HEIGHT, ELLIPS_LENGTH"), std::string::npos);
+  cams["ELLIPS_ORDER"] = -1;
+  const Result<Model> bad = wheel(tir_of(cams), R"(, "enveloping": {})");
+  ASSERT_FALSE(bad);
+  EXPECT_NE(to_text(bad.problems()).find("key ELLIPS_ORDER must be positive"), std::string::npos);
+}
+
 TEST_F(TirFile, Of61TakesStiffnessFromItsPolynomial) {
   const Result<Model> model =
       wheel("FITTYP = 62\nUNLOADED_RADIUS = 0.3\nFNOMIN = 4000\nNOMPRES = 2e5\nQ_FZ1 = 12\nQ_FZ2 = 16\n", "");

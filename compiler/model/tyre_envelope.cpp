@@ -1,0 +1,27 @@
+// Enveloping contacts of tyres: the outline of their cams.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "compiler/model/elements.hpp"
+
+namespace mbgen {
+
+int TyreEnvelope::last_sample() const {
+  constexpr double kAtEnd = 1e-9;  // a cam does not reach below its own end
+  return static_cast<int>(std::ceil((0.5 * base + length) / spacing() - kAtEnd)) - 1;
+}
+
+double TyreEnvelope::outline(double s) const {
+  return height * std::pow(1 - std::pow(std::abs(s) / length, order), 1 / order);
+}
+
+std::string to_text(const TyreEnvelope& envelope) {
+  return fmt::format(
+      "enveloping, cams {:.6g} apart, half axes {:.6g} along and {:.6g} up, order {:.6g}, width {:.6g} of "
+      "the radius, {} places across two rows",
+      envelope.base, envelope.length, envelope.height, envelope.order, envelope.width,
+      2 * (2 * envelope.last_sample() + 1));
+}
+
+}  // namespace mbgen
