@@ -15,11 +15,11 @@ namespace {
 using namespace manoeuvre;
 
 /// The pose of the vehicle in the frame of the track.
-struct Pose {
+struct PlanePose {
   double x = 0, y = 0, heading = 0;
 };
 
-Pose pose_at(const VehicleSeries& s, const LaneChange& lanes, std::size_t i) {
+PlanePose pose_at(const VehicleSeries& s, const LaneChange& lanes, std::size_t i) {
   const double dx = s.x[i] - lanes.x, dy = s.y[i] - lanes.y;
   const double c = std::cos(lanes.heading), k = std::sin(lanes.heading);
   return {c * dx + k * dy, -k * dx + c * dy, s.heading[i] - lanes.heading};
@@ -27,7 +27,7 @@ Pose pose_at(const VehicleSeries& s, const LaneChange& lanes, std::size_t i) {
 
 /// How far the body is beyond a limit of a section; below zero: how far it keeps away. The most of corners that are
 /// within the section and of the section's ends that are beside the body.
-double excess_of(const LaneSection& section, const Pose& pose, const LaneChange& lanes) {
+double excess_of(const LaneSection& section, const PlanePose& pose, const LaneChange& lanes) {
   double most = -std::numeric_limits<double>::infinity();
   const double c = std::cos(pose.heading), k = std::sin(pose.heading);
   for (const double along : {lanes.front, -lanes.rear}) {
@@ -72,7 +72,7 @@ struct Passage {
   double time = 0, speed = 0;
 };
 
-std::optional<Passage> passage(const VehicleSeries& s, const std::vector<Pose>& poses, double x) {
+std::optional<Passage> passage(const VehicleSeries& s, const std::vector<PlanePose>& poses, double x) {
   for (std::size_t i = 1; i < poses.size(); ++i) {
     if (!(poses[i - 1].x < x && poses[i].x >= x)) continue;
     const double share = (x - poses[i - 1].x) / (poses[i].x - poses[i - 1].x);
@@ -82,7 +82,7 @@ std::optional<Passage> passage(const VehicleSeries& s, const std::vector<Pose>& 
   return std::nullopt;
 }
 
-void add_speeds(VehicleMetrics& metrics, const VehicleSeries& s, const std::vector<Pose>& poses,
+void add_speeds(VehicleMetrics& metrics, const VehicleSeries& s, const std::vector<PlanePose>& poses,
                 const LaneChange& lanes) {
   const double first = lanes.sections.front().from, last = lanes.sections.back().to;
   const std::optional<Passage> entry = passage(s, poses, first), exit = passage(s, poses, last);
@@ -101,7 +101,7 @@ void add_speeds(VehicleMetrics& metrics, const VehicleSeries& s, const std::vect
         "length of the track over the time between its ends");
 }
 
-void add_excess(VehicleMetrics& metrics, const VehicleSeries& s, const std::vector<Pose>& poses,
+void add_excess(VehicleMetrics& metrics, const VehicleSeries& s, const std::vector<PlanePose>& poses,
                 const LaneChange& lanes) {
   double most = -std::numeric_limits<double>::infinity(), at = 0;
   std::size_t where = 0;
@@ -119,9 +119,9 @@ void add_excess(VehicleMetrics& metrics, const VehicleSeries& s, const std::vect
         fmt::format("the body leaves its lane by {:.3g} m in section {} at {:.4g} s", most, where + 1, at));
 }
 
-void add_diagram(VehicleMetrics& metrics, const std::vector<Pose>& poses, const LaneChange& lanes) {
+void add_diagram(VehicleMetrics& metrics, const std::vector<PlanePose>& poses, const LaneChange& lanes) {
   DiagramCurve path{"reference point", {}, {}}, left{"left limits", {}, {}}, right{"right limits", {}, {}};
-  for (const Pose& pose : poses) path.x.push_back(pose.x), path.y.push_back(pose.y);
+  for (const PlanePose& pose : poses) path.x.push_back(pose.x), path.y.push_back(pose.y);
   const double gap = std::nan("");
   for (const LaneSection& section : lanes.sections) {
     for (auto [curve, y] : {std::pair(&left, section.left), {&right, section.right}}) {
@@ -140,7 +140,7 @@ VehicleMetrics lane_change_metrics(const VehicleSeries& s, const LaneChange& lan
     metrics.notes.push_back("lane change: " + fault);
     return metrics;
   }
-  std::vector<Pose> poses;
+  std::vector<PlanePose> poses;
   for (std::size_t i = 0; i < s.t.size(); ++i) poses.push_back(pose_at(s, lanes, i));
   add_speeds(metrics, s, poses, lanes);
   add_excess(metrics, s, poses, lanes);

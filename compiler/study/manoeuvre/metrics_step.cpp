@@ -17,14 +17,14 @@ constexpr double kMostDrift = 0.02;       ///< of the step, between the halves o
 constexpr double kLeastOvershoot = 0.01;  ///< of the steady value: below there is no peak to speak of
 
 /// Where the step stands in a series.
-struct Step {
+struct SteerStep {
   Span before, steady;
   double half_time = 0;  ///< s, at half of the step of the steer angle
   double size = 0;       ///< rad
 };
 
 struct Found {
-  Step step;
+  SteerStep step;
   std::string fault;  ///< "" when there is a step
 };
 
@@ -36,7 +36,7 @@ std::pair<double, double> halves(const Values& values, Span span) {
 
 Found find_step(const VehicleSeries& s, const StepSteer& asked, std::size_t reach) {
   Found found;
-  Step& step = found.step;
+  SteerStep& step = found.step;
   const auto steady = static_cast<std::size_t>(std::lround(asked.steady_time / step_of(s))) + 1;
   if (steady < 4 || 2 * steady > s.t.size()) {
     found.fault = fmt::format("the series lasts {:.6g} s, steady values take the last {:.6g} s and need twice as long",
@@ -72,7 +72,7 @@ struct StepResponse {
 };
 
 StepResponse response_of(VehicleMetrics& metrics, const VehicleSeries& s, const std::string& name, const Values& values,
-                         const Step& step, std::size_t reach) {
+                         const SteerStep& step, std::size_t reach) {
   StepResponse response;
   const double base = mean(values, step.before);
   const auto [early, late] = halves(values, step.steady);
@@ -95,7 +95,7 @@ StepResponse response_of(VehicleMetrics& metrics, const VehicleSeries& s, const 
 }
 
 void add_response(VehicleMetrics& metrics, const std::string& name, const std::string& unit,
-                  const StepResponse& response, const Step& step) {
+                  const StepResponse& response, const SteerStep& step) {
   const std::string words = name == "yaw_rate" ? "yaw rate" : "lateral acceleration";
   add(metrics, "steady_" + name, response.change, unit, "steady " + words + " after the step (ISO 7401)");
   add(metrics, name + "_gain", response.change / step.size, name == "yaw_rate" ? "1/s" : "(m/s^2)/rad",
@@ -114,7 +114,7 @@ void add_response(VehicleMetrics& metrics, const std::string& name, const std::s
 }
 
 /// Angles when the vehicle is steady.
-void add_angles(VehicleMetrics& metrics, const VehicleSeries& s, const Step& step, const StepResponse& yaw) {
+void add_angles(VehicleMetrics& metrics, const VehicleSeries& s, const SteerStep& step, const StepResponse& yaw) {
   const Values sideslip = sideslip_of(s);
   const double steady = mean(sideslip, step.steady) - mean(sideslip, step.before);
   add(metrics, "steady_sideslip", steady, "rad", "steady sideslip angle of the reference point (ISO 7401)");
@@ -136,7 +136,7 @@ VehicleMetrics step_steer_metrics(const VehicleSeries& s, const StepSteer& asked
                                    {"roll angle", &s.roll},
                                    {"steer angle", &s.steer}});
   std::size_t reach = 0;
-  Step step;
+  SteerStep step;
   if (fault.empty()) {
     reach = static_cast<std::size_t>(std::lround(asked.smoothing / step_of(s)));
     Found found = find_step(s, asked, reach);

@@ -44,14 +44,14 @@ Sine fitted_sine(const Values& t, const Values& values, Span span, double freque
 }
 
 /// The loop of one value over another near the centre: both branches as polynomials there.
-struct Loop {
+struct SlowLoop {
   double slope = 0;  ///< mean of the branches at zero of the value across
   double width = 0;  ///< distance of the branches there
 };
 
 /// Of `up` over `across`, both about their means. Branches: where `across` rises and falls.
-Loop loop_at_zero(const Values& t, const Values& across, const Sine& of_across, const Values& up, const Sine& of_up,
-                  Span span) {
+SlowLoop loop_at_zero(const Values& t, const Values& across, const Sine& of_across, const Values& up, const Sine& of_up,
+                      Span span) {
   Values x[2], y[2];
   for (std::size_t i = span.begin; i < span.end; ++i) {
     const double place = across[i] - of_across.mean;
@@ -118,9 +118,9 @@ VehicleMetrics weave_metrics(const VehicleSeries& s, const Weave& weave) {
   const Span span = whole_cycles(s, weave);
   const auto sine = [&](const Values& values) { return fitted_sine(s.t, values, span, weave.frequency); };
   const Sine steer = sine(s.steer), lateral = sine(s.lateral_acceleration), yaw = sine(s.yaw_rate);
-  const Loop steer_over_lateral = loop_at_zero(s.t, s.lateral_acceleration, lateral, s.steer, steer, span);
-  const Loop lateral_over_steer = loop_at_zero(s.t, s.steer, steer, s.lateral_acceleration, lateral, span);
-  const Loop yaw_over_steer = loop_at_zero(s.t, s.steer, steer, s.yaw_rate, yaw, span);
+  const SlowLoop steer_over_lateral = loop_at_zero(s.t, s.lateral_acceleration, lateral, s.steer, steer, span);
+  const SlowLoop lateral_over_steer = loop_at_zero(s.t, s.steer, steer, s.lateral_acceleration, lateral, span);
+  const SlowLoop yaw_over_steer = loop_at_zero(s.t, s.steer, steer, s.yaw_rate, yaw, span);
   add(metrics, "speed", mean(s.speed, span), "m/s", "mean");
   add(metrics, "steer_amplitude", steer.amplitude, "rad", "at the steering input");
   add(metrics, "lateral_acceleration_amplitude", lateral.amplitude, "m/s^2", "of the weave");
