@@ -5,6 +5,7 @@
 
 #include "compiler/describe/dump_outputs.hpp"
 #include "compiler/describe/names.hpp"
+#include "compiler/describe/vehicle_text.hpp"
 
 namespace mbgen {
 namespace {
@@ -273,7 +274,7 @@ std::string dump_model(const Model& model) {
   text += "joints\n";
   for (const Joint& joint : model.joints) text += describe.joint(joint);
   text += describe.rods_and_springs() + describe.bushings() + describe.bump_stops() + describe.forces() +
-          describe.roads() + describe.axles() + "motions\n";
+          describe.roads() + describe.axles() + vehicle_dump(model) + "motions\n";
   for (const Motion& motion : model.motions) {
     text += fmt::format("  {}: {} = {}\n", motion.name, describe.coordinate(motion.joint),
                         describe.quantity(motion.position));

@@ -15,6 +15,7 @@
 #include "compiler/describe/names.hpp"
 #include "compiler/describe/notes.hpp"
 #include "compiler/describe/paragraphs.hpp"
+#include "compiler/describe/vehicle_text.hpp"
 #include "compiler/model/vectors.hpp"
 #include "compiler/solver/titles.hpp"
 #include "compiler/topology/poles.hpp"
@@ -326,7 +327,8 @@ std::string explanation_text(const Compilation& compilation) {
   for (std::size_t b = 0; b < compilation.topology.blocks.size(); ++b) text += block_explanation(compilation, b);
   return text + sides_explanation(compilation) + freedoms_explanation(compilation) +
          elements_explanation(compilation.model) + states_explanation(compilation.model) +
-         operations_explanation(compilation) + notes_explanation(all_notes(compilation));
+         vehicle_explanation(compilation.model) + operations_explanation(compilation) +
+         notes_explanation(all_notes(compilation));
 }
 
 }  // namespace mbgen

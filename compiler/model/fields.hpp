@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -110,7 +111,19 @@ struct ObjectKind {
   std::vector<std::pair<std::string_view, std::string_view>> needs = {};
 };
 
+/// The kind of the objects that a table describes.
+template <class Object>
+ObjectKind kind_of(std::string_view name, std::string_view doc, std::vector<std::string_view> exactly_one = {},
+                   std::vector<std::pair<std::string_view, std::string_view>> needs = {}) {
+  ObjectKind result{name, doc, {}, std::move(exactly_one), std::move(needs)};
+  for (const Field<Object>& row : fields<Object>()) result.fields.push_back(row.info);
+  return result;
+}
+
 /// Every kind, the whole file ("model") first.
 std::vector<ObjectKind> object_kinds();
+
+/// JSON text of the definitions of a schema: what fields share, then each of these kinds by its name.
+std::string schema_definitions(const std::vector<ObjectKind>& kinds);
 
 }  // namespace mbgen::reading

@@ -13,6 +13,7 @@
 #include "compiler/model/outputs.hpp"
 #include "compiler/model/roads.hpp"
 #include "compiler/model/states.hpp"
+#include "compiler/model/vehicle.hpp"
 
 namespace mbgen {
 
@@ -112,6 +113,7 @@ struct Model {
   std::shared_ptr<const std::vector<double>> samples;  ///< that roads take heights from, null without; never changed
   std::vector<Tyre> tyres;
   std::vector<Axle> axles;
+  std::optional<Vehicle> vehicle;
   std::vector<Motion> motions;
   std::vector<UserState> states;
   std::vector<SampledValue> sampled;

@@ -22,7 +22,7 @@ struct FileFields : About {
   const Value *springs = nullptr, *joint_springs = nullptr, *frictions = nullptr, *air_springs = nullptr;
   const Value *bushings = nullptr, *bump_stops = nullptr;
   const Value *forces = nullptr, *joint_forces = nullptr, *tyre_data = nullptr, *tyres = nullptr, *motions = nullptr;
-  const Value *axles = nullptr;
+  const Value *axles = nullptr, *vehicle = nullptr;
   const Value *roads = nullptr;
   const Value *couplings = nullptr, *states = nullptr, *sampled = nullptr;
   const Value *outputs = nullptr, *shapes = nullptr, *initial = nullptr, *solver = nullptr, *instances = nullptr;
@@ -178,6 +178,11 @@ struct AxleFields : Axle {
   const Value *written_left = nullptr, *written_right = nullptr, *written_without = nullptr;
 };
 
+/// The vehicle with names of inputs and of a parameter as written.
+struct VehicleFields : Vehicle {
+  std::optional<std::string> written_steer, written_drive, written_brake, written_speed;
+};
+
 struct MotionFields : Motion {
   std::optional<Quantity> angle, displacement;
 };
@@ -329,6 +334,8 @@ template <>
 std::span<const Field<AxleWheelFields>> fields<AxleWheelFields>();
 template <>
 std::span<const Field<AxleFields>> fields<AxleFields>();
+template <>
+std::span<const Field<VehicleFields>> fields<VehicleFields>();
 template <>
 std::span<const Field<MotionFields>> fields<MotionFields>();
 template <>

@@ -178,6 +178,7 @@ void read_sections(Reader& reader) {
   check_state_names(reader, states, sampled);
   read_motions(reader, entries(&FileFields::motions));
   read_axles(reader, entries(&FileFields::axles));
+  read_vehicle(reader, parts_of(reader, 0, &FileFields::vehicle));
   read_outputs(reader, entries(&FileFields::outputs));
   read_shapes(reader, entries(&FileFields::shapes));
   read_initial(reader, initial_parts(reader));

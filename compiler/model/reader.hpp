@@ -344,6 +344,7 @@ void read_initial(Reader& reader, const std::vector<Part>& parts);
 /// Orientations of joints at the start, as values of their coordinates; they come after those that are there.
 void read_orientations(Reader& reader, const Value* values, Initial& initial);
 void read_solver(Reader& reader, const std::vector<Part>& parts);
+void read_vehicle(Reader& reader, const std::vector<Part>& parts);
 
 // Values that are allowed and likely not meant.
 bool is_large_angle(double angle);

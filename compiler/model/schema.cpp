@@ -158,7 +158,16 @@ Json kind_schema(const ObjectKind& kind) {
   return schema;
 }
 
+Json definitions_of(const std::vector<ObjectKind>& kinds) {
+  Json definitions = shared_definitions();
+  for (const ObjectKind& kind : kinds) definitions[std::string(kind.name)] = kind_schema(kind);
+  return definitions;
+}
+
 }  // namespace
+
+std::string schema_definitions(const std::vector<ObjectKind>& kinds) { return definitions_of(kinds).dump(); }
+
 }  // namespace reading
 
 std::string model_schema() {
@@ -167,9 +176,7 @@ std::string model_schema() {
   Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "mbgen model"}};
   schema.update(kind_schema(kinds.front()));
   schema["properties"]["mbgen"]["const"] = 1;
-  Json definitions = shared_definitions();
-  for (std::size_t i = 1; i < kinds.size(); ++i) definitions[std::string(kinds[i].name)] = kind_schema(kinds[i]);
-  schema["$defs"] = definitions;
+  schema["$defs"] = definitions_of({kinds.begin() + 1, kinds.end()});
   constexpr int kIndent = 2;
   return schema.dump(kIndent) + "\n";
 }

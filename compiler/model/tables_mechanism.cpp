@@ -80,9 +80,12 @@ std::span<const Field<FileFields>> fields<FileFields>() {
       field<F, &F::roads>(
           section("roads", "road", "roads under tyres; without one a tyre is on a flat horizontal road")),
       field<F, &F::tyre_data>(section("tyre_data", "tyre_data", "coefficient sets of tyres")),
-      field<F, &F::tyres>(section("tyres", "tyre", "tyres on a flat horizontal road")),
       field<F, &F::axles>(section("axles", "axle", "axles of a vehicle, for mbgen kc; without effect on the motion")),
       field<F, &F::tyres>(section("tyres", "tyre", "tyres on roads")),
+      field<F, &F::vehicle>({.name = "vehicle",
+                             .shape = Shape::object,
+                             .doc = "the vehicle, for manoeuvres; without effect on the motion",
+                             .of = "vehicle"}),
       field<F, &F::motions>(section("motions", "motion", "driven coordinates")),
       field<F, &F::outputs>(section("outputs", "output", "results to write at every step")),
       field<F, &F::shapes>(section("shapes", "shape", "how pictures show bodies, without effect on the motion")),

@@ -10,14 +10,6 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kIntegrators = {"rk4", "abm4", "rosenbrock"};
 
-template <class Object>
-ObjectKind kind(std::string_view name, std::string_view doc, std::vector<std::string_view> exactly_one = {},
-                std::vector<std::pair<std::string_view, std::string_view>> needs = {}) {
-  ObjectKind result{name, doc, {}, std::move(exactly_one), std::move(needs)};
-  for (const Field<Object>& row : fields<Object>()) result.fields.push_back(row.info);
-  return result;
-}
-
 }  // namespace
 
 template <>
@@ -124,9 +116,7 @@ template <>
 std::span<const Field<SolverSettings>> fields<SolverSettings>() {
   using S = SolverSettings;
   const auto number = [](std::string_view name, std::string_view doc, std::string_view unit, double fallback,
-                         Bound bound) {
-    return constant_info(name, doc, unit, fallback, bound, Depends::nothing);
-  };
+                         Bound bound) { return constant_info(name, doc, unit, fallback, bound, Depends::nothing); };
   static const std::array table = {
       field<S, &S::integrator>({.name = "integrator",
                                 .shape = Shape::word,
@@ -147,74 +137,80 @@ std::span<const Field<SolverSettings>> fields<SolverSettings>() {
 
 std::vector<ObjectKind> object_kinds() {
   return {
-      kind<FileFields>("model", "a multibody system; SI units, angles in rad"),
-      kind<InstanceFields>("instance", "a subsystem: a file placed in this one"),
-      kind<ParameterFields>("parameter", "a named constant"),
-      kind<InputFields>("input", "a value given to the solver"),
-      kind<BodyFields>("body", "a rigid body"),
-      kind<Pose>("pose", "a frame in the global frame"),
-      kind<RotationFields>("rotation", "a rotation about an axis"),
-      kind<AxisFields>("axis_by_points", "an axis from one point to another"),
-      kind<JointFields>("joint", "a joint"),
-      kind<RodFields>("rod", "a bar with a spherical joint at each end"),
-      kind<Coupling>("coupling", "a relation between coordinates; exactly one of relation and curve",
-                     {"relation", "curve"},
-                     {{"curve", "joint"}, {"curve", "follows"}, {"joint", "curve"}, {"follows", "curve"}}),
-      kind<UserStateFields>("state", "a state of your own, integrated with the motion"),
-      kind<SampledValueFields>("sampled_value", "a value that is set at t = 0, period, 2 period and so on"),
-      kind<PointSpring>("spring", "spring and damper between two points"),
-      kind<JointSpring>("joint_spring", "spring and damper on a coordinate or a difference of two"),
-      kind<FrictionFields>("friction", "friction on a coordinate or along a spring; exactly one of joint and spring",
-                           {"joint", "spring"}),
-      kind<AirSpringFields>("air_spring", "polytropic air spring between two points"),
-      kind<BushingFields>("bushing",
-                          "compliant element of six freedoms between two frames, whose axes agree at the reference; "
-                          "what its fields give is added up"),
-      kind<BushingFreedom>("bushing_freedom",
-                           "one freedom of a bushing; its force acts against the deflection of `to`. A Maxwell branch, "
-                           "a spring and a damper in a row, is relaxed at the start",
-                           {}, {{"maxwell_stiffness", "maxwell_time"}, {"maxwell_time", "maxwell_stiffness"}}),
-      kind<BumpStopFields>("bump_stop",
-                           "a stop that pushes when its clearance is used up, and never pulls; on the distance of two "
-                           "points or the way along an axis (from and to, or spring), or on a coordinate (joint)"),
-      kind<AppliedForce>("force", "force and torque on a body"),
-      kind<JointForce>("joint_force", "generalised force on a coordinate"),
-      kind<RoadFields>("road",
-                       "a road: its height is the sum of `height` and all features, over the plane z of its origin; x "
-                       "along it, y to the left"),
-      kind<IsoRoadFields>("iso_road", "a rough road by the power spectral density of ISO 8608"),
-      kind<RoadProfileFields>("road_profile",
-                              "heights at equal distances along a road, between them a cubic spline, outside level; of "
-                              "both sides in one column, or of a left and a right track"),
-      kind<CrgFields>("crg_road",
-                      "a road of an OpenCRG file; beyond its ends it goes straight on, beyond a border it keeps the "
-                      "border's height"),
-      kind<RoadFeature>("road_feature", "what stands out of a road, or is missing in it"),
-      kind<RoadPatch>("road_patch", "a part of a road with friction of its own"),
-      kind<TyreDataFields>("tyre_data", "coefficients of a tyre"),
-      kind<TyreFields>("tyre", "a tyre on a road; exactly one of data and tir", {"data", "tir"},
-                       {{"data", "stiffness"}}),
-      kind<TyreEnvelope>("tyre_envelope",
-                         "four cams that make a plane of a road: a rear and a front one below each half of the tyre's "
-                         "width; lengths in unloaded radii of the tyre"),
-      kind<AxleFields>("axle",
-                       "an axle on a rig for kinematics and compliance; x forward, y to the left and z up at the "
-                       "reference"),
-      kind<AxleWheelFields>("axle_wheel", "a wheel of an axle; exactly one of tyre and centre", {"tyre", "centre"}),
-      kind<MotionFields>("motion", "a driven coordinate; exactly one of angle and position", {"angle", "position"}),
-      kind<OutputFields>("output",
-                         "a result; exactly one of expression, point, points, body, bodies, joint, tyre, spring, "
-                         "joint_spring, bushing, bump_stop, elements, motion, reaction and multiplier",
-                         {std::begin(kOutputSources), std::end(kOutputSources)}),
-      kind<ShapeFields>("shape", "how a part of a body is drawn"),
-      kind<InitialFields>("initial", "state at the start"),
-      kind<InitialValueFields>("initial_value",
-                               "a value at the start, and its weight where values do not fit together"),
-      kind<OrientationFields>("initial_orientation",
-                              "turn of a spherical or free joint at the start; at most one of quaternion and "
-                              "rotation_vector, without both the angles of positions hold"),
-      kind<SolverSettings>("solver", "time integration"),
-      kind<TableFields>("table", "a characteristic by points, exactly one of table and csv", {"table", "csv"}),
+      kind_of<FileFields>("model", "a multibody system; SI units, angles in rad"),
+      kind_of<InstanceFields>("instance", "a subsystem: a file placed in this one"),
+      kind_of<ParameterFields>("parameter", "a named constant"),
+      kind_of<InputFields>("input", "a value given to the solver"),
+      kind_of<BodyFields>("body", "a rigid body"),
+      kind_of<Pose>("pose", "a frame in the global frame"),
+      kind_of<RotationFields>("rotation", "a rotation about an axis"),
+      kind_of<AxisFields>("axis_by_points", "an axis from one point to another"),
+      kind_of<JointFields>("joint", "a joint"),
+      kind_of<RodFields>("rod", "a bar with a spherical joint at each end"),
+      kind_of<Coupling>("coupling", "a relation between coordinates; exactly one of relation and curve",
+                        {"relation", "curve"},
+                        {{"curve", "joint"}, {"curve", "follows"}, {"joint", "curve"}, {"follows", "curve"}}),
+      kind_of<UserStateFields>("state", "a state of your own, integrated with the motion"),
+      kind_of<SampledValueFields>("sampled_value", "a value that is set at t = 0, period, 2 period and so on"),
+      kind_of<PointSpring>("spring", "spring and damper between two points"),
+      kind_of<JointSpring>("joint_spring", "spring and damper on a coordinate or a difference of two"),
+      kind_of<FrictionFields>("friction", "friction on a coordinate or along a spring; exactly one of joint and spring",
+                              {"joint", "spring"}),
+      kind_of<AirSpringFields>("air_spring", "polytropic air spring between two points"),
+      kind_of<BushingFields>("bushing",
+                             "compliant element of six freedoms between two frames, whose axes agree at the reference; "
+                             "what its fields give is added up"),
+      kind_of<BushingFreedom>(
+          "bushing_freedom",
+          "one freedom of a bushing; its force acts against the deflection of `to`. A Maxwell branch, "
+          "a spring and a damper in a row, is relaxed at the start",
+          {}, {{"maxwell_stiffness", "maxwell_time"}, {"maxwell_time", "maxwell_stiffness"}}),
+      kind_of<BumpStopFields>(
+          "bump_stop",
+          "a stop that pushes when its clearance is used up, and never pulls; on the distance of two "
+          "points or the way along an axis (from and to, or spring), or on a coordinate (joint)"),
+      kind_of<AppliedForce>("force", "force and torque on a body"),
+      kind_of<JointForce>("joint_force", "generalised force on a coordinate"),
+      kind_of<RoadFields>(
+          "road",
+          "a road: its height is the sum of `height` and all features, over the plane z of its origin; x "
+          "along it, y to the left"),
+      kind_of<IsoRoadFields>("iso_road", "a rough road by the power spectral density of ISO 8608"),
+      kind_of<RoadProfileFields>(
+          "road_profile",
+          "heights at equal distances along a road, between them a cubic spline, outside level; of "
+          "both sides in one column, or of a left and a right track"),
+      kind_of<CrgFields>("crg_road",
+                         "a road of an OpenCRG file; beyond its ends it goes straight on, beyond a border it keeps the "
+                         "border's height"),
+      kind_of<RoadFeature>("road_feature", "what stands out of a road, or is missing in it"),
+      kind_of<RoadPatch>("road_patch", "a part of a road with friction of its own"),
+      kind_of<TyreDataFields>("tyre_data", "coefficients of a tyre"),
+      kind_of<TyreFields>("tyre", "a tyre on a road; exactly one of data and tir", {"data", "tir"},
+                          {{"data", "stiffness"}}),
+      kind_of<TyreEnvelope>(
+          "tyre_envelope",
+          "four cams that make a plane of a road: a rear and a front one below each half of the tyre's "
+          "width; lengths in unloaded radii of the tyre"),
+      kind_of<AxleFields>("axle",
+                          "an axle on a rig for kinematics and compliance; x forward, y to the left and z up at the "
+                          "reference"),
+      kind_of<AxleWheelFields>("axle_wheel", "a wheel of an axle; exactly one of tyre and centre", {"tyre", "centre"}),
+      kind_of<VehicleFields>("vehicle", "what drives, and by which inputs; for manoeuvres"),
+      kind_of<MotionFields>("motion", "a driven coordinate; exactly one of angle and position", {"angle", "position"}),
+      kind_of<OutputFields>("output",
+                            "a result; exactly one of expression, point, points, body, bodies, joint, tyre, spring, "
+                            "joint_spring, bushing, bump_stop, elements, motion, reaction and multiplier",
+                            {std::begin(kOutputSources), std::end(kOutputSources)}),
+      kind_of<ShapeFields>("shape", "how a part of a body is drawn"),
+      kind_of<InitialFields>("initial", "state at the start"),
+      kind_of<InitialValueFields>("initial_value",
+                                  "a value at the start, and its weight where values do not fit together"),
+      kind_of<OrientationFields>("initial_orientation",
+                                 "turn of a spherical or free joint at the start; at most one of quaternion and "
+                                 "rotation_vector, without both the angles of positions hold"),
+      kind_of<SolverSettings>("solver", "time integration"),
+      kind_of<TableFields>("table", "a characteristic by points, exactly one of table and csv", {"table", "csv"}),
   };
 }
 

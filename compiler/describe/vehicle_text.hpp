@@ -1,0 +1,16 @@
+#pragma once
+// The vehicle of a model in words.
+
+#include <string>
+
+#include "compiler/model/model.hpp"
+
+namespace mbgen {
+
+/// A section of the model's dump, "" without a vehicle.
+std::string vehicle_dump(const Model& model);
+
+/// What manoeuvres move and by which inputs, for `explain`; "" without a vehicle.
+std::string vehicle_explanation(const Model& model);
+
+}  // namespace mbgen
