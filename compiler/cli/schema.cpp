@@ -9,20 +9,20 @@
 #include "compiler/cli/options.hpp"
 #include "compiler/describe/schema_reference.hpp"
 #include "compiler/model/model.hpp"
+#include "compiler/study/manoeuvre/manoeuvre.hpp"
 
 namespace mbgen::cli {
 namespace {
 
 struct SchemaOptions {
-  bool json = true, markdown = false;
+  bool json = true, markdown = false, manoeuvre = false;
 };
 
 int run(const SchemaOptions& options) {
-  std::string schema = model_schema();
-  if (options.markdown) {
-    print(schema_reference(nlohmann::ordered_json::parse(schema)));
+  if (options.manoeuvre) {
+    print(options.markdown ? manoeuvre_reference() : manoeuvre_schema());
   } else {
-    print(schema.ends_with('\n') ? schema : schema + '\n');
+    print(options.markdown ? schema_reference(nlohmann::ordered_json::parse(model_schema())) : model_schema());
   }
   return kDone;
 }
@@ -34,6 +34,7 @@ void add_schema(NamedCommand application, int& exit_code) {
   NamedCommand command = application.add_command("schema", "print the JSON Schema of the model format");
   command.footer("Example: mbgen schema > mbgen.schema.json");
   command.add_flag("--markdown", options->markdown, "print it as a document for people instead");
+  command.add_flag("--manoeuvre", options->manoeuvre, "of manoeuvre files instead");
   add_json_option(command, options->json);
   command.callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -1,7 +1,6 @@
 // mbgen simulate: a motion, as a table in a file and a summary.
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <memory>
 
@@ -17,6 +16,7 @@
 #include "compiler/study/contact_watch.hpp"
 #include "compiler/study/controlled_engine.hpp"
 #include "compiler/study/initial_state.hpp"
+#include "compiler/study/manoeuvre/manoeuvre_run.hpp"
 #include "compiler/study/motion_table.hpp"
 #include "compiler/study/simulation.hpp"
 #include "compiler/study/simulation_arguments.hpp"
@@ -27,7 +27,7 @@ namespace mbgen::cli {
 namespace {
 
 struct SimulateOptions {
-  std::string model, form, file, format;
+  std::string model, form, file, format, manoeuvre;
   std::vector<std::string> set;
   SimulationArguments simulation;
   std::optional<double> tolerance;  ///< of error control
@@ -45,7 +45,8 @@ struct Run {
 };
 
 Run compute(const Compilation& compilation, const EngineChoice& choice, const InputsOverTime& inputs,
-            SimulationSettings settings, std::optional<ErrorControl> control, MotionTable& table) {
+            SimulationSettings settings, std::optional<ErrorControl> control, MotionTable& table,
+            ManoeuvreRun* manoeuvre) {
   Engine engine = make_engine(compilation, choice);
   const Start start = initial_start(compilation, inputs.at(0));
   print_notes(start_notes(compilation, start));
@@ -60,30 +61,21 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
     engine = with_error_control(compilation, engine, inputs, *control, run.control);
     settings.is_error_controlled = true;
   }
-  run.summary = simulate(engine, start.state, inputs, settings, [&](const Sample& sample) {
+  const auto on_sample = [&](const Sample& sample) {
     contacts.add(sample);
     table.add(sample);
     progress.show(sample.step);
-  });
+  };
+  run.summary = simulate(engine, start.state, inputs, settings, on_sample,
+                         manoeuvre ? manoeuvre->control(settings.step) : InputControl());
   progress.clear();
   if (!control) {
     run.verdict = judge_step(compilation, choice.integrator, settings, run.summary,
                              modes_near(compilation, start.state, inputs.at(0)));
   }
   judge_contacts(contacts, run.verdict);
+  if (manoeuvre) manoeuvre->judge(run.verdict);
   return run;
-}
-
-/// Hint where loops that a motion drives cannot follow it; empty for other ends.
-std::string hint_of_reach(const Compilation& compilation, Status status) {
-  if (status.code != Code::loop_not_closed && status.code != Code::loop_singular) return {};
-  const auto block = static_cast<std::size_t>(status.index);
-  if (status.index < 0 || block >= compilation.analysis.blocks.size()) return {};
-  const std::vector<std::string> driven =
-      local_names(compilation.topology, compilation.topology.blocks[block], compilation.analysis.blocks[block].driven);
-  if (driven.empty()) return {};
-  return fmt::format("the lengths in these loops let {} go no farther: change a length, or its motion",
-                     fmt::join(driven, ", "));
 }
 
 /// Warnings, and why there is no good result, on standard error.
@@ -118,10 +110,11 @@ SolverSettings::Integrator chosen_integrator(const Model& model, const SimulateO
   return chosen.integrator;
 }
 
-int run(const SimulateOptions& options) {
+int run(SimulateOptions options) {
   EngineChoice choice = chosen_engine(options.engine);
   const std::optional<Form> form = chosen_form(options.form);
   Model model = read_set_model(options.model, options.set);
+  const auto manoeuvre = prepare_manoeuvre(options.manoeuvre, options.model, options.set, model, options.simulation);
   const SimulationSettings settings = settings_of(options.simulation, model.solver);
   const std::optional<ErrorControl> control = error_control_of(options.simulation.integrator, options.tolerance, model);
   choice.integrator = model.solver.integrator =
@@ -131,17 +124,19 @@ int run(const SimulateOptions& options) {
   const Compilation compilation =
       expect(choice.name == "generated" ? compile(std::move(model), {form}) : decide(std::move(model)));
   require_other_file(options.file, compilation.model.files);
-  require_other_file(options.file, {options.simulation.input_table});
+  require_other_file(options.file, {options.simulation.input_table, options.manoeuvre});
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
   count_notes(compilation);
   require_whole_periods(settings, compilation.model);
-  const InputsOverTime inputs = inputs_of(compilation.model, options.engine.inputs, options.simulation);
+  InputsOverTime inputs = inputs_of(compilation.model, options.engine.inputs, options.simulation);
+  inputs.is_constant = inputs.is_constant && !manoeuvre;
   for (const std::string& warning : inputs.warnings) fmt::print(stderr, "{}", warning);
   MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step,
                     options.every);
-  const Run run = compute(compilation, choice, inputs, settings, control, table);
-  const SimulationRecord record{compilation,   choice,      settings,  run.summary, options.file,       table.finish(),
-                                options.every, run.verdict, run.moved, options.set, inputs.is_constant, run.control};
+  const Run run = compute(compilation, choice, inputs, settings, control, table, manoeuvre.get());
+  SimulationRecord record{compilation,   choice,      settings,  run.summary, options.file,       table.finish(),
+                          options.every, run.verdict, run.moved, options.set, inputs.is_constant, run.control};
+  if (manoeuvre) record.manoeuvre_text = manoeuvre->text(), record.manoeuvre_json = manoeuvre->json();
   table.commit(run_json(record));
   print_beside(options.file, options.json ? summary_json(record) : summary_text(record));
   return tell(record);
@@ -168,6 +163,8 @@ void add_simulate(NamedCommand application, int& exit_code) {
       "says so and names one that would do; values that blow up and an energy balance off by 10 % are an error.");
   add_model_argument(command, options->model);
   add_simulation_options(command, options->simulation);
+  command.add_option("--manoeuvre", options->manoeuvre,
+                     "file of a manoeuvre that moves the inputs (docs/use/manoeuvres.md)");
   command.add_option("--tolerance", options->tolerance,
                      "of cvode and cvode-adams: error of a step, relative, and absolute in SI units (default 1e-6)");
   command.add_option("-o,--out", options->file, "table of the motion; - for standard output").required();

@@ -172,15 +172,19 @@ expressions.
 
 }  // namespace
 
-std::string schema_reference(const Json& schema) {
-  std::string text = std::string(kIntroduction) + expressions_text() + coordinates_text() + "## model\n\n" +
-                     fields_table(schema, schema);
+std::string definitions_reference(const Json& schema) {
+  std::string text;
   for (const auto& [name, definition] : schema["$defs"].items()) {
     if (!has_section(definition)) continue;
     text += fmt::format("\n## {}\n\n{}.\n\n{}", name, definition.value("description", ""),
                         fields_table(schema, definition));
   }
   return text;
+}
+
+std::string schema_reference(const Json& schema) {
+  return std::string(kIntroduction) + expressions_text() + coordinates_text() + "## model\n\n" +
+         fields_table(schema, schema) + definitions_reference(schema);
 }
 
 }  // namespace mbgen

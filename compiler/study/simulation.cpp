@@ -225,11 +225,13 @@ void require_angles(const Engine& engine, const GenericState& state) {
 
 }  // namespace
 
-SimulationSummary simulate(const Engine& engine, const GenericState& state, const InputsOverTime& inputs,
-                           const SimulationSettings& settings, const std::function<void(const Sample&)>& on_sample) {
+SimulationSummary simulate(const Engine& engine, const GenericState& state, const InputsOverTime& given,
+                           const SimulationSettings& settings, const std::function<void(const Sample&)>& on_sample,
+                           const InputControl& control) {
   require_angles(engine, state);
   const Clock::time_point start = Clock::now();
   SimulationSummary summary;
+  InputsOverTime inputs = given;
   Collector collector(settings.step);
   Notices notices(settings.step);
   Sample sample;
@@ -248,7 +250,8 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
     collector.add(sample, inputs.at(moving.t), summary);
     summary.last = sample.state;
     on_sample(sample);
-    if (sample.step == settings.steps) break;
+    const bool goes_on = !control || control(sample, inputs);
+    if (sample.step == settings.steps || !goes_on) break;
     if (const auto power = power_after_samples(engine, settings.step, moving)) collector.add_after_jump(*power);
     const Clock::time_point before = Clock::now();
     const double end = time_after(state.t, static_cast<double>(sample.step + 1), settings.step);

@@ -77,11 +77,16 @@ struct SimulationSummary {
   double passable_step = 0;
 };
 
+/// Sets the courses of inputs from a point of the motion on, before the step that starts there. Result: false where the
+/// motion ends at that point.
+using InputControl = std::function<bool(const Sample&, InputsOverTime&)>;
+
 /// Steps the engine from `state`; point k has the time of the start plus k times the step. on_sample gets every point,
 /// the start too. Where inputs change, the state is
 /// projected after each step under those of its time. When a step fails the motion ends at the last good state, and the
-/// summary says why.
+/// summary says why. control, where given, is asked at every point; its inputs do not stand still.
 SimulationSummary simulate(const Engine& engine, const GenericState& state, const InputsOverTime& inputs,
-                           const SimulationSettings& settings, const std::function<void(const Sample&)>& on_sample);
+                           const SimulationSettings& settings, const std::function<void(const Sample&)>& on_sample,
+                           const InputControl& control = {});
 
 }  // namespace mbgen

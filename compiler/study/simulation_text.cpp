@@ -139,30 +139,31 @@ Json warnings_json(const SimulationRecord& record) {
 /// Results of a run, the same on every machine and at every time.
 Json results_json(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
-  Json results = {{"model", record.compilation.model.name},
-                  {"engine", record.choice.name},
-                  {"integrator", integrator_name(record)},
-                  {"stabilisation", name_of(record.choice.stabilisation)},
-                  {"moved_start", moved_json(record.compilation, record.moved)},
-                  {"steps", summary.steps},
-                  {"step", record.settings.step},
-                  {"end_time", summary.end_time},
-                  {"status", status_text(record)},
-                  {"blocks", blocks_json(record)},
-                  {"position_residual", summary.largest.position},
-                  {"velocity_residual", summary.largest.velocity},
-                  {"energy_change", summary.energy.change},
-                  {"work", summary.energy.work},
-                  {"energy_error", summary.energy.error()},
-                  {"relative_energy_error",
-                   summary.exchanges_energy() ? Json(summary.energy.relative_error()) : Json(nullptr)},
-                  {"stable_step", known_or_null(record.verdict.stable_step)},
-                  {"fitting_step", known_or_null(record.verdict.fitting_step)},
-                  {"warnings", warnings_json(record)},
-                  {"outputs", ranges_json(summary.outputs, record.compilation.model.outputs)},
-                  {"inputs", ranges_json(summary.inputs, record.compilation.model.inputs)},
-                  {"every", record.every},
-                  {"rows", record.rows}};
+  Json results = {
+      {"model", record.compilation.model.name},
+      {"engine", record.choice.name},
+      {"integrator", integrator_name(record)},
+      {"stabilisation", name_of(record.choice.stabilisation)},
+      {"moved_start", moved_json(record.compilation, record.moved)},
+      {"steps", summary.steps},
+      {"step", record.settings.step},
+      {"end_time", summary.end_time},
+      {"status", status_text(record)},
+      {"blocks", blocks_json(record)},
+      {"position_residual", summary.largest.position},
+      {"velocity_residual", summary.largest.velocity},
+      {"energy_change", summary.energy.change},
+      {"work", summary.energy.work},
+      {"energy_error", summary.energy.error()},
+      {"relative_energy_error", summary.exchanges_energy() ? Json(summary.energy.relative_error()) : Json(nullptr)},
+      {"stable_step", known_or_null(record.verdict.stable_step)},
+      {"fitting_step", known_or_null(record.verdict.fitting_step)},
+      {"warnings", warnings_json(record)},
+      {"outputs", ranges_json(summary.outputs, record.compilation.model.outputs)},
+      {"inputs", ranges_json(summary.inputs, record.compilation.model.inputs)},
+      {"every", record.every},
+      {"rows", record.rows}};
+  if (!record.manoeuvre_json.empty()) results.update(Json::parse(record.manoeuvre_json));
   if (record.control) results["error_control"] = control_json(*record.control);
   return results;
 }
@@ -193,6 +194,17 @@ std::vector<double> table_row(const Sample& sample, int decimals) {
   return row;
 }
 
+std::string hint_of_reach(const Compilation& compilation, Status status) {
+  if (status.code != Code::loop_not_closed && status.code != Code::loop_singular) return {};
+  const auto block = static_cast<std::size_t>(status.index);
+  if (status.index < 0 || block >= compilation.analysis.blocks.size()) return {};
+  const std::vector<std::string> driven =
+      local_names(compilation.topology, compilation.topology.blocks[block], compilation.analysis.blocks[block].driven);
+  if (driven.empty()) return {};
+  return fmt::format("the lengths in these loops let {} go no farther: change a length, or its motion",
+                     fmt::join(driven, ", "));
+}
+
 std::string summary_text(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
   const EnergyBalance& energy = summary.energy;
@@ -207,11 +219,12 @@ std::string summary_text(const SimulationRecord& record) {
   text += fmt::format("  largest closure residual  {:.2e} m, {:.2e} m/s\n", summary.largest.position,
                       summary.largest.velocity);
   text +=
-      fmt::format("  energy                    changed by {:.6g} J, work {:.6g} J, error {:.2e} J ({})\n", energy.change,
-                  energy.work, energy.error(),
+      fmt::format("  energy                    changed by {:.6g} J, work {:.6g} J, error {:.2e} J ({})\n",
+                  energy.change, energy.work, energy.error(),
                   summary.exchanges_energy() ? fmt::format("{:.1e} relative", energy.relative_error()) : "rounding");
   text += fmt::format("  status                    {} at t = {:.6g} s\n", status_text(record), summary.end_time);
   text += blocks_text(record);
+  text += record.manoeuvre_text;
   if (!record.are_inputs_constant) text += ranges_text("input", summary.inputs, record.compilation.model.inputs);
   text += ranges_text("output", summary.outputs, record.compilation.model.outputs);
   return text + fmt::format("  table                     {} ({})\n", shown_name(record.file), rows_text(record));

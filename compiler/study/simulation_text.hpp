@@ -32,7 +32,11 @@ struct SimulationRecord {
   std::vector<std::string> set;   ///< parameters that the command line gave, name=value
   bool are_inputs_constant = true;
   std::shared_ptr<const ErrorControlRecord> control = nullptr;  ///< of a motion with error control
+  std::string manoeuvre_text = {}, manoeuvre_json = {};         ///< lines, and members of an object; empty without one
 };
+
+/// Hint where loops that a motion drives cannot follow it; empty for other ends.
+std::string hint_of_reach(const Compilation& compilation, Status status);
 
 /// For people: steps, real-time factor, closure residual, energy balance, ranges of the outputs and of inputs that
 /// move.

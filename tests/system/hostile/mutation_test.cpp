@@ -27,7 +27,8 @@ constexpr int kMostCompiled = 12;
 std::vector<fs::path> model_files() {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(MBGEN_SOURCE_DIR) / "models")) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
+    const bool is_model = entry.path().parent_path().filename() != "manoeuvres";
+    if (is_model && entry.path().extension() == ".json") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;

@@ -1,0 +1,66 @@
+// What came of a manoeuvre, for people and machines.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "compiler/base/json_text.hpp"
+#include "compiler/study/manoeuvre/manoeuvre_metrics.hpp"
+#include "compiler/study/manoeuvre/manoeuvre_run.hpp"
+#include "compiler/study/manoeuvre/metrics_text.hpp"
+
+namespace mbgen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kCircleLeft = 0.5;    // m, ISO 4138: the path is within 0.5 m of the circle
+constexpr double kSpeedMissed = 0.05;  // of the speed at the start
+
+}  // namespace
+
+void ManoeuvreRun::judge(StepVerdict& verdict) const {
+  for (std::size_t i = 0; i < lifted_.size(); ++i)
+    if (lifted_[i] >= 0)
+      verdict.warnings.push_back(
+          fmt::format("tyre \"{}\" leaves the road, first at t = {:.6g} s", series_.wheels[i].tyre, lifted_[i]));
+  const bool is_circle = std::holds_alternative<CircleManoeuvre>(manoeuvre_);
+  if (is_circle && largest_offset_ > kCircleLeft)
+    verdict.warnings.push_back(
+        fmt::format("the driver leaves the circle by up to {:.3g} m: \"driver\": {{ \"understeer\": ... }} lets him "
+                    "know the vehicle",
+                    largest_offset_));
+  const std::optional<double>& speed = base_of(manoeuvre_).speed;
+  if (speed && largest_speed_error_ > kSpeedMissed * *speed)
+    verdict.warnings.push_back(
+        fmt::format("the speed is off what it is to be by up to {:.3g} m/s", largest_speed_error_));
+}
+
+VehicleMetrics ManoeuvreRun::metrics() const {
+  return metrics_of(manoeuvre_, plan_, facts_, vehicle_, start_, series_);
+}
+
+std::string ManoeuvreRun::text() const {
+  std::string text = fmt::format("  manoeuvre                 {} ({}){}\n", type_of(manoeuvre_), file_,
+                                 ended_.empty() ? "" : ", ended where " + ended_);
+  if (plan_.has_driver) text += fmt::format("    course followed within  {:.4g} m\n", largest_offset_);
+  if (plan_.torques.front().holds_speed)
+    text += fmt::format("    speed held within       {:.4g} m/s\n", largest_speed_error_);
+  return text + metrics_text(metrics());
+}
+
+std::string ManoeuvreRun::json() const {
+  Json manoeuvre = {{"file", file_}, {"type", type_of(manoeuvre_)}, {"ended", ended_.empty() ? Json() : Json(ended_)}};
+  if (plan_.has_driver) manoeuvre["largest_offset"] = largest_offset_;
+  if (plan_.torques.front().holds_speed) manoeuvre["largest_speed_error"] = largest_speed_error_;
+  Json lifted = Json::object();
+  for (std::size_t i = 0; i < lifted_.size(); ++i)
+    if (lifted_[i] >= 0) lifted[series_.wheels[i].tyre] = lifted_[i];
+  manoeuvre["wheels_without_load_since"] = lifted;
+  Json run = {{"manoeuvre", manoeuvre}};
+  if (!std::holds_alternative<EventManoeuvre>(manoeuvre_)) add_metrics(run, metrics());
+  return json_text(run);
+}
+
+}  // namespace mbgen
