@@ -1,6 +1,7 @@
 // Enveloping contacts of tyres: the outline of their cams.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compiler/model/elements.hpp"
@@ -8,8 +9,8 @@
 namespace mbgen {
 
 int TyreEnvelope::last_sample() const {
-  constexpr double kAtEnd = 1e-9;  // a cam does not reach below its own end
-  return static_cast<int>(std::ceil((0.5 * base + length) / spacing() - kAtEnd)) - 1;
+  constexpr double kAtEnd = 1e-9;  // a cam does not reach below its own end, but below its middle always
+  return static_cast<int>(std::max(std::ceil((0.5 * base + length) / spacing() - kAtEnd) - 1, steps));
 }
 
 double TyreEnvelope::outline(double s) const {
