@@ -85,19 +85,13 @@ void add_grips(const RandomMechanism& mechanism, Json& model) {
                                                   {"lag", 0.01}};
 }
 
-/// Velocities of the centres of mass, lengths of the springs, deflections of the bushings.
+/// Velocities of the centres of mass; the energy of springs and bushings, where no expression makes a force.
 Json outputs_of(const RandomMechanism& mechanism) {
   Json outputs = Json::object();
   for (const RandomBody& body : mechanism.bodies)
     for (const char* letter : {"x", "y", "z"})
       outputs[body.name + "_v" + letter] = {{"point", body.name + ".com"}, {"quantity", "velocity"}, {"axis", letter}};
-  for (const RandomLink& link : mechanism.links)
-    if (link.stiffness > 0) outputs[link.name + "_length"] = {{"spring", link.name}, {"quantity", "length"}};
-  for (const RandomBushing& bushing : mechanism.bushings)
-    for (const char* quantity : {"deflection", "rotation_vector"})
-      for (const char* letter : {"x", "y", "z"})
-        outputs[bushing.name + "_" + quantity + letter] = {
-            {"bushing", bushing.name}, {"quantity", quantity}, {"axis", letter}};
+  if (!is_driven(mechanism)) outputs["stored"] = {{"elements", "all"}};
   return outputs;
 }
 

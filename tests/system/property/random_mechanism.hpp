@@ -124,8 +124,8 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed);
 /// one freedom. Source: R. Bricard, "Lecons de cinematique" II, 1927, the line-symmetric case.
 RandomMechanism random_bricard(std::uint64_t seed);
 
-/// The model file. Outputs: velocity of each body's centre of mass (x, y, z), then the length of each spring, then the
-/// six deflections of each bushing.
+/// The model file. Outputs: velocity of each body's centre of mass (x, y, z), then the energy of springs and bushings
+/// where nothing is driven.
 std::string model_text(const RandomMechanism& mechanism);
 
 /// True where an actuator, a motion or a state does work, or a stop or bristles take it.
