@@ -58,20 +58,6 @@ Line line_of(const PartLine& line, const std::vector<Moving>& bodies) {
   return {from, to, direction, length, direction.dot(to.velocity - from.velocity)};
 }
 
-/// The values with all that expressions may look at.
-Values complete(Values values, const Parts& parts, const std::vector<Moving>& bodies, const std::vector<double>& x) {
-  values.states.assign(x.begin() + first_user_state(values.model), x.end());
-  const auto add = [&](const Place& from, const Place& to) {
-    const Line at = line_of({from, to, 0}, bodies);
-    values.lengths.push_back(at.length);
-    values.rates.push_back(at.rate);
-  };
-  for (const std::vector<PartLine>* lines : {&parts.springs, &parts.air_springs})
-    for (const PartLine& line : *lines) add(line.from, line.to);
-  for (const PartRod& rod : parts.rods) add(rod.from, rod.to);
-  return values;
-}
-
 void add_tension(const Line& line, double tension, Forces& forces) {
   forces.loads.push_back(force_at(line.from, tension * line.direction));
   forces.loads.push_back(force_at(line.to, -tension * line.direction));
@@ -147,9 +133,23 @@ void add_joint_elements(const Model& model, const Values& value, std::vector<dou
 
 }  // namespace
 
+Values CartesianMechanism::complete(Values values, const std::vector<Moving>& bodies,
+                                    const std::vector<double>& x) const {
+  values.states.assign(x.begin() + first_user_state(model), x.end());
+  const auto add = [&](const Place& from, const Place& to) {
+    const Line at = line_of({from, to, 0}, bodies);
+    values.lengths.push_back(at.length);
+    values.rates.push_back(at.rate);
+  };
+  for (const std::vector<PartLine>* lines : {&parts.springs, &parts.air_springs})
+    for (const PartLine& line : *lines) add(line.from, line.to);
+  for (const PartRod& rod : parts.rods) add(rod.from, rod.to);
+  return values;
+}
+
 Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::vector<double>& x,
                                   const Values& given) const {
-  const Values values = complete(given, parts, bodies, x);
+  const Values values = complete(given, bodies, x);
   Forces forces;
   forces.joints.resize(topology.bodies.size());
   std::vector<double> tensions;
@@ -187,7 +187,7 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
 
 Status CartesianMechanism::sample(const std::vector<Moving>& bodies, const Values& given, double h,
                                   std::vector<double>& x) const {
-  Values values = complete(given, parts, bodies, x);
+  Values values = complete(given, bodies, x);
   const int first = first_user_state(model) + static_cast<int>(model.states.size());
   std::size_t place = model.states.size(), queue = place + model.sampled.size();
   for (const SampledValue& sampled : model.sampled) {

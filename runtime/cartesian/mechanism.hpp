@@ -71,6 +71,9 @@ struct CartesianMechanism {
   std::vector<cartesian::CoupledCoordinate> coupled_coordinates(const Coupling& coupling,
                                                                 const std::vector<cartesian::Moving>& bodies,
                                                                 const cartesian::Values& values) const;
+  /// Values with all that expressions may look at: states and lengths too.
+  cartesian::Values complete(cartesian::Values values, const std::vector<cartesian::Moving>& bodies,
+                             const std::vector<double>& x) const;
   /// Sets the sampled values whose instant is at the start of a step of h seconds, in x.
   /// Fails: sample_inside_step, auxiliary_not_a_number; x is then unchanged.
   Status sample(const std::vector<cartesian::Moving>& bodies, const cartesian::Values& values, double h,

@@ -50,7 +50,11 @@ Vector3d angles_of(const Matrix3d& r, const std::array<int, 3>& sequence) {
 class Instant {
  public:
   Instant(const CartesianMechanism& c, const CartesianState& state, const GenericState& z, const Eigen::VectorXd& qdd)
-      : c_(c), state_(state), bodies_(c.bodies(state)), values_(c.values(z, state.t)), qdd_(qdd) {}
+      : c_(c),
+        state_(state),
+        bodies_(c.bodies(state)),
+        values_(c.complete(c.values(z, state.t), bodies_, state.x)),
+        qdd_(qdd) {}
 
   double value(const PointOutput& output) const {
     Path path = path_of(output.point);
