@@ -19,8 +19,8 @@ PlanePlace plane_place(const CrgRoad& road, CrgPlace at);
 /// The u, v of a place, found from the nearest section. Cost: linear in the sections.
 CrgPlace road_place(const CrgRoad& road, PlanePlace at);
 
-/// Height, m, without what options ask for: bilinear between sections and columns, with the reference line's own and its
-/// banking. Beyond the borders the height of the border.
+/// Height, m, without what options ask for: bilinear between sections and columns, with the reference line's own and
+/// its banking. Beyond the borders the height of the border.
 double height_of(const CrgRoad& road, CrgPlace at);
 
 /// Heading of the reference line, rad, and its curvature over at least 0.5 m, 1/m, as it is v beside it: 0 where the

@@ -107,8 +107,9 @@ std::vector<std::string> not_followed(const CrgRoad& road) {
       add(name, number, "");
   }
   for (const auto& [name, number] : road.options) {
-    const bool is_harmless = std::any_of(kHarmless.begin(), kHarmless.end(),
-                                         [&](std::string_view beginning) { return name.starts_with(beginning); });
+    const bool is_harmless =
+        std::any_of(kHarmless.begin(), kHarmless.end(),
+                    [&option = name](std::string_view beginning) { return option.starts_with(beginning); });
     if (has(kBorderModes, name)) {
       if (number == 0)
         add(name, number, " (an error beyond the border: its heights go on there)");

@@ -98,8 +98,8 @@ T integral_within(const Table& table, const T& at) {
   double begin = 0;  // integral up to the point
   const auto piece_from = [&](std::size_t i, double square, double cube, const auto& offset) {
     using A = std::decay_t<decltype(offset)>;
-    return A(A(begin) + offset * (A(table.y[i]) +
-                                  offset * (A(slope(i) / 2) + offset * (A(square / 3) + offset * A(cube / 4)))));
+    return A(A(begin) +
+             offset * (A(table.y[i]) + offset * (A(slope(i) / 2) + offset * (A(square / 3) + offset * A(cube / 4)))));
   };
   T integral = piece_from(0, 0, 0, T(at - table.x[0]));
   for (std::size_t i = 0; i < last; ++i) {

@@ -159,7 +159,7 @@ struct RoadFields : Road {
 
 struct TyreFields : Tyre {
   std::optional<std::string> written_road;
-  const Value* enveloping = nullptr;
+  const Value *enveloping = nullptr;
   std::string data;
   std::optional<std::string> tir;  ///< file
 };
@@ -236,8 +236,8 @@ struct OutputFields : Presentation {
   std::optional<std::vector<Attachment>> points, steering_axis;
   std::optional<Attachment> about;
   std::optional<BodySet> bodies, elements;
-  std::optional<std::string> tyre, spring, joint_spring, motion, reaction, multiplier, bushing, bump_stop, body, axes_of, observer,
-      sequence;
+  std::optional<std::string> tyre, spring, joint_spring, motion, reaction, multiplier, bushing, bump_stop, body,
+      axes_of, observer, sequence;
   const Value *equation = nullptr, *relative_to = nullptr;
   std::optional<Turn> turn;
   std::optional<ReactionOutput::End> end;

@@ -287,9 +287,9 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
       field<S, &S::road_height>(
           number("road_height", "global z of a flat road; raises one of `roads` under this tyre", "m", 0, Bound::none)),
       field<S, &S::friction>(number("friction", "scales the friction of the set", "1", 1, Bound::not_negative)),
-      field<S, &S::rolling_resistance>(
-          number("rolling_resistance", "moment over load and radius; default of an mf61 set: its QSY1", "1", 0.007,
-                 Bound::not_negative)),
+      field<S, &S::rolling_resistance>(number("rolling_resistance",
+                                              "moment over load and radius; default of an mf61 set: its QSY1", "1",
+                                              0.007, Bound::not_negative)),
       field<S, &S::pressure>({.name = "pressure",
                               .doc = "inflation pressure, of an mf61 set alone; default: INFLPRES of a .tir file, else "
                                      "NOMPRES",

@@ -87,11 +87,12 @@ auto source_fields() {
            .doc = "bushing; the output is its force or moment on `to` at its point, its deflection or its rotation "
                   "vector, in its axes on `from`, or its potential energy",
            .of = "bushings"}),
-      field<F, &F::bump_stop>({.name = "bump_stop",
-                               .shape = Shape::reference,
-                               .doc = "force of a bump stop, its deflection beyond the clearance, the rate of that, or its "
-                                      "potential energy",
-                               .of = "bump_stops"}),
+      field<F, &F::bump_stop>(
+          {.name = "bump_stop",
+           .shape = Shape::reference,
+           .doc = "force of a bump stop, its deflection beyond the clearance, the rate of that, or its "
+                  "potential energy",
+           .of = "bump_stops"}),
       field<F, &F::motion>({.name = "motion",
                             .shape = Shape::reference,
                             .doc = "generalised force that drives a motion",
@@ -114,16 +115,17 @@ auto quantity_fields() {
       field<F, &F::quantity>(
           {.name = "quantity",
            .shape = Shape::word,
-           .doc = "quantity of the point or coordinate (position, velocity, acceleration), of the points (distance of "
-                  "two, angle of three), of the body (angle, rotation_vector, quaternion, angular_velocity, "
-                  "angular_acceleration, kinetic_energy, potential_energy, momentum, angular_momentum), of all bodies "
-                  "(kinetic_energy, potential_energy, momentum, angular_momentum), of the tyre (load, "
-                  "longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip, toe, camber, "
-                  "steer_angle, caster, kingpin_inclination), of the spring (force, length, rate, potential_energy), of "
-                  "the bushing (force, moment, deflection, rotation_vector, potential_energy), of the bump stop "
-                  "(force, deflection, rate, potential_energy), of the joint spring or of all elements "
-                  "(potential_energy) or of the reaction (force, moment); default: "
-                  "the first of each",
+           .doc =
+               "quantity of the point or coordinate (position, velocity, acceleration), of the points (distance of "
+               "two, angle of three), of the body (angle, rotation_vector, quaternion, angular_velocity, "
+               "angular_acceleration, kinetic_energy, potential_energy, momentum, angular_momentum), of all bodies "
+               "(kinetic_energy, potential_energy, momentum, angular_momentum), of the tyre (load, "
+               "longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip, toe, camber, "
+               "steer_angle, caster, kingpin_inclination), of the spring (force, length, rate, potential_energy), of "
+               "the bushing (force, moment, deflection, rotation_vector, potential_energy), of the bump stop "
+               "(force, deflection, rate, potential_energy), of the joint spring or of all elements "
+               "(potential_energy) or of the reaction (force, moment); default: "
+               "the first of each",
            .words = kQuantities}),
       field<F, &F::axis>({.name = "axis",
                           .shape = Shape::word,

@@ -152,9 +152,7 @@ class Instant {
     return output.what == BumpStopOutput::What::deflection ? stop.penetration : stop.rate;
   }
 
-  double value(const StoredEnergyOutput& output) const {
-    return stored_energy(c_, output, bodies_, state_.x, values_);
-  }
+  double value(const StoredEnergyOutput& output) const { return stored_energy(c_, output, bodies_, state_.x, values_); }
 
  private:
   int index(int body) const { return body == kNoBody ? c_.parts.ground() : c_.parts.index_of[body]; }

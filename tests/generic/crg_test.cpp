@@ -131,8 +131,8 @@ TEST(CrgModifiers, Scale) {
   EXPECT_NEAR(height(with_block(file, mods("SCALE_Z_GRID = 0\n")), at), height(file, at), 1e-15) << "0 stands for none";
   // Of the slope and the banking alone: what is left without them is the same, so differences are linear.
   for (const auto& [text, name] : {std::pair(sloped, "SCALE_SLOPE"), std::pair(banked, "SCALE_BANKING")}) {
-    const auto scaled = [&](const std::string& factor) {
-      return height(with_block(text, mods(std::string(name) + " = " + factor + "\n")), at);
+    const auto scaled = [&, &file_of = text, option = std::string(name)](const std::string& factor) {
+      return height(with_block(file_of, mods(option + " = " + factor + "\n")), at);
     };
     EXPECT_NEAR(scaled("3") - scaled("2"), scaled("2") - scaled("1"), 1e-12) << name;
     EXPECT_GT(std::abs(scaled("2") - scaled("1")), 1e-3) << name;
