@@ -1,5 +1,7 @@
 #include "compiler/study/manoeuvre/manoeuvre_metrics.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace mbgen {
@@ -61,6 +63,10 @@ struct Measures {
 
 VehicleMetrics metrics_of(const Manoeuvre& manoeuvre, const Plan& plan, const VehicleFacts& facts,
                           const Vehicle& vehicle, const PlaneMotion& start, const VehicleSeries& series) {
+  const double end = series.t.empty() ? 0 : series.t.back();
+  if (end <= plan.begin)
+    return {.notes = {fmt::format("no numbers: they are those from {:.4g} s on, and the motion ends at {:.4g} s",
+                                  plan.begin, end)}};
   return std::visit(Measures{plan, facts, vehicle, start, series}, manoeuvre);
 }
 
