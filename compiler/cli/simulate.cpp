@@ -128,15 +128,24 @@ int run(SimulateOptions options) {
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
   count_notes(compilation);
   require_whole_periods(settings, compilation.model);
-  InputsOverTime inputs = inputs_of(compilation.model, options.engine.inputs, options.simulation);
-  inputs.is_constant = inputs.is_constant && !manoeuvre;
+  const InputsOverTime inputs = inputs_of(compilation.model, options.engine.inputs, options.simulation);
   for (const std::string& warning : inputs.warnings) fmt::print(stderr, "{}", warning);
   MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step,
                     options.every);
   const Run run = compute(compilation, choice, inputs, settings, control, table, manoeuvre.get());
-  SimulationRecord record{compilation,   choice,      settings,  run.summary, options.file,       table.finish(),
-                          options.every, run.verdict, run.moved, options.set, inputs.is_constant, run.control};
-  if (manoeuvre) record.manoeuvre_text = manoeuvre->text(), record.manoeuvre_json = manoeuvre->json();
+  const SimulationRecord record{compilation,
+                                choice,
+                                settings,
+                                run.summary,
+                                options.file,
+                                table.finish(),
+                                options.every,
+                                run.verdict,
+                                run.moved,
+                                options.set,
+                                inputs.is_constant && !manoeuvre,
+                                run.control,
+                                manoeuvre ? manoeuvre->words() : ManoeuvreWords()};
   table.commit(run_json(record));
   print_beside(options.file, options.json ? summary_json(record) : summary_text(record));
   return tell(record);

@@ -232,6 +232,7 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
   const Clock::time_point start = Clock::now();
   SimulationSummary summary;
   InputsOverTime inputs = given;
+  inputs.is_constant = inputs.is_constant && !control;
   Collector collector(settings.step);
   Notices notices(settings.step);
   Sample sample;

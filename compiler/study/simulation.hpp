@@ -84,7 +84,7 @@ using InputControl = std::function<bool(const Sample&, InputsOverTime&)>;
 /// Steps the engine from `state`; point k has the time of the start plus k times the step. on_sample gets every point,
 /// the start too. Where inputs change, the state is
 /// projected after each step under those of its time. When a step fails the motion ends at the last good state, and the
-/// summary says why. control, where given, is asked at every point; its inputs do not stand still.
+/// summary says why. control, where given, is asked at every point.
 SimulationSummary simulate(const Engine& engine, const GenericState& state, const InputsOverTime& inputs,
                            const SimulationSettings& settings, const std::function<void(const Sample&)>& on_sample,
                            const InputControl& control = {});

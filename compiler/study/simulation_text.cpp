@@ -163,7 +163,7 @@ Json results_json(const SimulationRecord& record) {
       {"inputs", ranges_json(summary.inputs, record.compilation.model.inputs)},
       {"every", record.every},
       {"rows", record.rows}};
-  if (!record.manoeuvre_json.empty()) results.update(Json::parse(record.manoeuvre_json));
+  if (!record.manoeuvre.members.empty()) results.update(Json::parse(record.manoeuvre.members));
   if (record.control) results["error_control"] = control_json(*record.control);
   return results;
 }
@@ -224,7 +224,7 @@ std::string summary_text(const SimulationRecord& record) {
                   summary.exchanges_energy() ? fmt::format("{:.1e} relative", energy.relative_error()) : "rounding");
   text += fmt::format("  status                    {} at t = {:.6g} s\n", status_text(record), summary.end_time);
   text += blocks_text(record);
-  text += record.manoeuvre_text;
+  text += record.manoeuvre.lines;
   if (!record.are_inputs_constant) text += ranges_text("input", summary.inputs, record.compilation.model.inputs);
   text += ranges_text("output", summary.outputs, record.compilation.model.outputs);
   return text + fmt::format("  table                     {} ({})\n", shown_name(record.file), rows_text(record));

@@ -19,6 +19,12 @@ std::vector<Heading> headings(const Compilation& compilation);
 /// The numbers of one point, in the order of the headings. decimals: of the step; the time has no more of them.
 std::vector<double> table_row(const Sample& sample, int decimals);
 
+/// What came of a manoeuvre, empty without one.
+struct ManoeuvreWords {
+  std::string lines;    ///< for people
+  std::string members;  ///< of a JSON object, as text
+};
+
 /// A finished simulation.
 struct SimulationRecord {
   const Compilation& compilation;
@@ -32,7 +38,7 @@ struct SimulationRecord {
   std::vector<std::string> set;   ///< parameters that the command line gave, name=value
   bool are_inputs_constant = true;
   std::shared_ptr<const ErrorControlRecord> control = nullptr;  ///< of a motion with error control
-  std::string manoeuvre_text = {}, manoeuvre_json = {};         ///< lines, and members of an object; empty without one
+  ManoeuvreWords manoeuvre = {};
 };
 
 /// Hint where loops that a motion drives cannot follow it; empty for other ends.

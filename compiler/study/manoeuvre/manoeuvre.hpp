@@ -98,7 +98,7 @@ struct WeaveManoeuvre : ManoeuvreBase, SteerAmplitude {
   double cycles = 0;
 };
 
-/// BrakingManoeuvre from a straight course.
+/// Braking from a straight course.
 struct BrakingManoeuvre : ManoeuvreBase {
   std::optional<double> brake, deceleration;  ///< N m of all wheels together, m/s^2
   double at = 0, over = 0;                    ///< s

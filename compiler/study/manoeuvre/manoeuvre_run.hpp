@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "compiler/study/manoeuvre/metrics.hpp"
 #include "compiler/study/manoeuvre/plan.hpp"
 #include "compiler/study/simulation_arguments.hpp"
-#include "compiler/study/step_verdict.hpp"
+#include "compiler/study/simulation_text.hpp"
 
 namespace mbgen {
 
@@ -28,10 +27,8 @@ class ManoeuvreRun {
 
   /// Adds what makes the motion another one than the manoeuvre asks for.
   void judge(StepVerdict& verdict) const;
-  VehicleMetrics metrics() const;
-  /// Lines for people, and members of a JSON object as text.
-  std::string text() const;
-  std::string json() const;
+  /// What came of it, after the motion.
+  ManoeuvreWords words() const;
 
  private:
   /// Takes a point of the motion. Result: false where the manoeuvre is over.

@@ -37,30 +37,29 @@ void ManoeuvreRun::judge(StepVerdict& verdict) const {
         fmt::format("the speed is off what it is to be by up to {:.3g} m/s", largest_speed_error_));
 }
 
-VehicleMetrics ManoeuvreRun::metrics() const {
-  return metrics_of(manoeuvre_, plan_, facts_, vehicle_, start_, series_);
-}
-
-std::string ManoeuvreRun::text() const {
-  std::string text = fmt::format("  manoeuvre                 {} ({}){}\n", type_of(manoeuvre_), file_,
-                                 ended_.empty() ? "" : ", ended where " + ended_);
-  if (plan_.has_driver) text += fmt::format("    course followed within  {:.4g} m\n", largest_offset_);
-  if (plan_.torques.front().holds_speed)
-    text += fmt::format("    speed held within       {:.4g} m/s\n", largest_speed_error_);
-  return text + metrics_text(metrics());
-}
-
-std::string ManoeuvreRun::json() const {
+ManoeuvreWords ManoeuvreRun::words() const {
+  const VehicleMetrics metrics = metrics_of(manoeuvre_, plan_, facts_, vehicle_, start_, series_);
+  ManoeuvreWords words;
+  words.lines = fmt::format("  manoeuvre                 {} ({}){}\n", type_of(manoeuvre_), file_,
+                            ended_.empty() ? "" : ", ended where " + ended_);
   Json manoeuvre = {{"file", file_}, {"type", type_of(manoeuvre_)}, {"ended", ended_.empty() ? Json() : Json(ended_)}};
-  if (plan_.has_driver) manoeuvre["largest_offset"] = largest_offset_;
-  if (plan_.torques.front().holds_speed) manoeuvre["largest_speed_error"] = largest_speed_error_;
+  if (plan_.has_driver) {
+    words.lines += fmt::format("    course followed within  {:.4g} m\n", largest_offset_);
+    manoeuvre["largest_offset"] = largest_offset_;
+  }
+  if (plan_.torques.front().holds_speed) {
+    words.lines += fmt::format("    speed held within       {:.4g} m/s\n", largest_speed_error_);
+    manoeuvre["largest_speed_error"] = largest_speed_error_;
+  }
   Json lifted = Json::object();
   for (std::size_t i = 0; i < lifted_.size(); ++i)
     if (lifted_[i] >= 0) lifted[series_.wheels[i].tyre] = lifted_[i];
   manoeuvre["wheels_without_load_since"] = lifted;
   Json run = {{"manoeuvre", manoeuvre}};
-  if (!std::holds_alternative<EventManoeuvre>(manoeuvre_)) add_metrics(run, metrics());
-  return json_text(run);
+  if (!std::holds_alternative<EventManoeuvre>(manoeuvre_)) add_metrics(run, metrics);
+  words.lines += metrics_text(metrics);
+  words.members = json_text(run);
+  return words;
 }
 
 }  // namespace mbgen

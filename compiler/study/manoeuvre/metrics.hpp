@@ -27,9 +27,10 @@ struct Diagram {
 };
 
 struct VehicleMetrics {
-  std::vector<VehicleMetric> values;
-  std::vector<Diagram> diagrams;
-  std::vector<std::string> notes;  ///< numbers that are not given with the reason; what to know about those that are
+  std::vector<VehicleMetric> values = {};
+  std::vector<Diagram> diagrams = {};
+  /// Numbers that are not given with the reason; what to know about those that are.
+  std::vector<std::string> notes = {};
 };
 
 /// Steady driving in a circle whose lateral acceleration grows slowly, ISO 4138.

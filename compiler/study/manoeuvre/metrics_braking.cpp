@@ -18,13 +18,12 @@ constexpr double kStandstill = 0.25;          ///< m/s: below, the rest of the w
 
 /// Speed along the path and the way so far, per point.
 struct Way {
-  Values t, speed, length;  ///< from the point on at which braking begins
+  Values t = {}, speed = {}, length = {};  ///< from the point on at which braking begins
   std::size_t first = 0;
 };
 
 Way way_of(const VehicleSeries& s, double begin) {
-  Way way;
-  while (way.first < s.t.size() && s.t[way.first] < begin - 1e-9) ++way.first;
+  Way way{.first = first_point(s, begin)};
   double length = 0;
   for (std::size_t i = way.first; i < s.t.size(); ++i) {
     if (i > way.first) length += std::hypot(s.x[i] - s.x[i - 1], s.y[i] - s.y[i - 1]);
@@ -96,7 +95,6 @@ void add_deviations(VehicleMetrics& metrics, const VehicleSeries& s, std::size_t
 }  // namespace
 
 VehicleMetrics braking_metrics(const VehicleSeries& s, const Braking& braking) {
-  VehicleMetrics metrics;
   std::string fault = fault_of(s, {{"x", &s.x},
                                    {"y", &s.y},
                                    {"heading", &s.heading},
@@ -112,10 +110,8 @@ VehicleMetrics braking_metrics(const VehicleSeries& s, const Braking& braking) {
       fault = fmt::format("the speed is {:.3g} m/s when braking begins", way.speed.front());
     }
   }
-  if (!fault.empty()) {
-    metrics.notes.push_back("braking: " + fault);
-    return metrics;
-  }
+  if (!fault.empty()) return refused("braking", fault);
+  VehicleMetrics metrics;
   add(metrics, "initial_speed", way.speed.front(), "m/s", "when braking begins");
   add_decelerations(metrics, way);
   add_deviations(metrics, s, way.first);

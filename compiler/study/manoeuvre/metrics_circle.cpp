@@ -52,10 +52,7 @@ std::string fault_of_circle(const VehicleSeries& s, const SteadyCircle& circle) 
                                          {"roll angle", &s.roll},
                                          {"steer angle", &s.steer}});
   if (!fault.empty()) return fault;
-  if (s.loads.size() != s.wheels.size()) return "loads of other wheels than those of the series";
-  for (const Values& load : s.loads) {
-    if (const std::string of_load = fault_of(s, {{"load of a tyre", &load}}); !of_load.empty()) return of_load;
-  }
+  if (const std::string of_loads = fault_of_loads(s); !of_loads.empty()) return of_loads;
   if (!(circle.wheelbase > 0)) return "the wheelbase is not known";
   if (!(std::abs(circle.steering_ratio) > 0)) return "the steering ratio is zero";
   return "";
@@ -148,11 +145,8 @@ void add_diagrams(VehicleMetrics& metrics, const VehicleSeries& s) {
 }  // namespace
 
 VehicleMetrics steady_circle_metrics(const VehicleSeries& s, const SteadyCircle& circle) {
+  if (const std::string fault = fault_of_circle(s, circle); !fault.empty()) return refused("steady circle", fault);
   VehicleMetrics metrics;
-  if (const std::string fault = fault_of_circle(s, circle); !fault.empty()) {
-    metrics.notes.push_back("steady circle: " + fault);
-    return metrics;
-  }
   add_diagrams(metrics, s);
   const auto width = static_cast<std::size_t>(std::lround(kWindow / step_of(s))) + 1;
   if (width > s.t.size()) {

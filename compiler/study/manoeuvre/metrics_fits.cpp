@@ -29,6 +29,22 @@ std::string fault_of(const VehicleSeries& series, std::initializer_list<Read> re
   return "";
 }
 
+std::string fault_of_loads(const VehicleSeries& series) {
+  if (series.loads.size() != series.wheels.size()) return "loads of other wheels than those of the series";
+  for (const Values& load : series.loads)
+    if (const std::string fault = fault_of(series, {{"load of a tyre", &load}}); !fault.empty()) return fault;
+  return "";
+}
+
+VehicleMetrics refused(const std::string& of, const std::string& why) { return {.notes = {of + ": " + why}}; }
+
+std::size_t first_point(const VehicleSeries& series, double begin) {
+  constexpr double kRounding = 1e-9;  // s
+  std::size_t i = 0;
+  while (i < series.t.size() && series.t[i] < begin - kRounding) ++i;
+  return i;
+}
+
 double step_of(const VehicleSeries& series) {
   return (series.t.back() - series.t.front()) / static_cast<double>(series.t.size() - 1);
 }

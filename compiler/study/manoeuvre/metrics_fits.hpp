@@ -23,6 +23,15 @@ struct Read {
 /// holds a number that is not finite.
 std::string fault_of(const VehicleSeries& series, std::initializer_list<Read> read);
 
+/// The same for the loads of its tyres.
+std::string fault_of_loads(const VehicleSeries& series);
+
+/// No value, and a note that says of what and why.
+VehicleMetrics refused(const std::string& of, const std::string& why);
+
+/// Index of the first point at or behind an instant, s.
+std::size_t first_point(const VehicleSeries& series, double begin);
+
 /// s between two points. Requires: at least two points.
 double step_of(const VehicleSeries& series);
 

@@ -135,11 +135,8 @@ void add_diagram(VehicleMetrics& metrics, const std::vector<PlanePose>& poses, c
 }  // namespace
 
 VehicleMetrics lane_change_metrics(const VehicleSeries& s, const LaneChange& lanes) {
+  if (const std::string fault = fault_of_lanes(s, lanes); !fault.empty()) return refused("lane change", fault);
   VehicleMetrics metrics;
-  if (const std::string fault = fault_of_lanes(s, lanes); !fault.empty()) {
-    metrics.notes.push_back("lane change: " + fault);
-    return metrics;
-  }
   std::vector<PlanePose> poses;
   for (std::size_t i = 0; i < s.t.size(); ++i) poses.push_back(pose_at(s, lanes, i));
   add_speeds(metrics, s, poses, lanes);

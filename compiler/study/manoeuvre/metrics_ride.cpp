@@ -92,23 +92,17 @@ void add_loads(VehicleMetrics& metrics, const VehicleSeries& s, Span span) {
 double vertical_weighting(double frequency) { return std::abs(weighting(frequency)); }
 
 VehicleMetrics ride_metrics(const VehicleSeries& s, const Ride& ride) {
-  VehicleMetrics metrics;
   std::string fault = fault_of(s, {{"vertical acceleration", &s.vertical_acceleration}, {"speed", &s.speed}});
-  if (fault.empty() && s.loads.size() != s.wheels.size()) fault = "loads of other wheels than those of the series";
-  for (const Values& load : s.loads)
-    if (fault.empty()) fault = fault_of(s, {{"load of a tyre", &load}});
-  Span span{0, s.t.size()};
+  if (fault.empty()) fault = fault_of_loads(s);
+  const Span span{first_point(s, ride.begin), s.t.size()};
   if (fault.empty()) {
-    while (span.begin < span.end && s.t[span.begin] < ride.begin - 1e-9) ++span.begin;
     const double duration = s.t.back() - std::max(ride.begin, s.t.front());
     if (duration < kShortestRide)
       fault = fmt::format("the series goes on for {:.4g} s from {:.4g} s; the weighting needs {:.4g} s",
                           std::max(duration, 0.0), ride.begin, kShortestRide);
   }
-  if (!fault.empty()) {
-    metrics.notes.push_back("ride: " + fault);
-    return metrics;
-  }
+  if (!fault.empty()) return refused("ride", fault);
+  VehicleMetrics metrics;
   add(metrics, "speed", mean(s.speed, span), "m/s", "mean");
   add_vibration(metrics, s, span);
   add_loads(metrics, s, span);

@@ -128,7 +128,6 @@ void add_angles(VehicleMetrics& metrics, const VehicleSeries& s, const SteerStep
 }  // namespace
 
 VehicleMetrics step_steer_metrics(const VehicleSeries& s, const StepSteer& asked) {
-  VehicleMetrics metrics;
   std::string fault = fault_of(s, {{"speed", &s.speed},
                                    {"lateral speed", &s.lateral_speed},
                                    {"lateral acceleration", &s.lateral_acceleration},
@@ -143,10 +142,8 @@ VehicleMetrics step_steer_metrics(const VehicleSeries& s, const StepSteer& asked
     step = found.step;
     fault = found.fault;
   }
-  if (!fault.empty()) {
-    metrics.notes.push_back("step steer: " + fault);
-    return metrics;
-  }
+  if (!fault.empty()) return refused("step steer", fault);
+  VehicleMetrics metrics;
   add(metrics, "steer_step", step.size, "rad", "change of the angle at the steering input");
   add(metrics, "speed", mean(s.speed, step.before), "m/s", "before the step");
   const StepResponse yaw = response_of(metrics, s, "yaw_rate", s.yaw_rate, step, reach);

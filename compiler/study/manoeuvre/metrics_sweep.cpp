@@ -197,7 +197,6 @@ void add_response_diagrams(VehicleMetrics& metrics, const FrequencyResponse& yaw
 }  // namespace
 
 VehicleMetrics sine_sweep_metrics(const VehicleSeries& s, const SineSweep& asked) {
-  VehicleMetrics metrics;
   std::string fault = fault_of(s, {{"speed", &s.speed},
                                    {"lateral acceleration", &s.lateral_acceleration},
                                    {"yaw rate", &s.yaw_rate},
@@ -210,10 +209,8 @@ VehicleMetrics sine_sweep_metrics(const VehicleSeries& s, const SineSweep& asked
                     duration, segment, std::max(3 * kShortestWindow, 2 * asked.segment));
   }
   if (fault.empty() && !(largest(s.steer) > 0)) fault = "the steer angle is zero";
-  if (!fault.empty()) {
-    metrics.notes.push_back("frequency response: " + fault);
-    return metrics;
-  }
+  if (!fault.empty()) return refused("frequency response", fault);
+  VehicleMetrics metrics;
   const auto width = static_cast<std::size_t>(segment / step_of(s));
   const auto response = [&](const std::string& name, const Values& values) {
     const Spectra spectra = spectra_with_begin(s.steer, values, step_of(s), width);

@@ -110,11 +110,8 @@ double lag(const Sine& of, const Sine& behind) {
 }  // namespace
 
 VehicleMetrics weave_metrics(const VehicleSeries& s, const Weave& weave) {
+  if (const std::string fault = fault_of_weave(s, weave); !fault.empty()) return refused("weave", fault);
   VehicleMetrics metrics;
-  if (const std::string fault = fault_of_weave(s, weave); !fault.empty()) {
-    metrics.notes.push_back("weave: " + fault);
-    return metrics;
-  }
   const Span span = whole_cycles(s, weave);
   const auto sine = [&](const Values& values) { return fitted_sine(s.t, values, span, weave.frequency); };
   const Sine steer = sine(s.steer), lateral = sine(s.lateral_acceleration), yaw = sine(s.yaw_rate);
