@@ -101,14 +101,14 @@ struct EnvelopeLine {
   T slope;   ///< 1, along the heading
 };
 
-/// How far the outline of a cam reaches down at a distance s (m) from its middle, m; 0 beyond its ends.
+/// How far the outline of a cam reaches down, over its half axis upwards. share: how far from its middle, over its half
+/// axis along the road; beyond 1 it ends.
 template <class T>
-T cam_outline(const TyreEnvelope& cams, const T& radius, const T& s) {
-  using mbgen::abs, std::pow;
+T cam_outline(const TyreEnvelope& cams, const T& share) {
+  using std::pow;
   constexpr double kLeast = 1e-12;  // its derivative is infinite at the ends
-  const T share = abs(s) / (T(cams.length) * radius);
   const T rest = max(T(1.0) - T(pow(share, T(cams.order))), T(kLeast));
-  return T(cams.height) * radius * T(pow(rest, T(1 / cams.order)));
+  return pow(rest, T(1 / cams.order));
 }
 
 /// The line of a row: below two cams, each as low as the road lets it. They stand upright on the line that fits the
@@ -136,9 +136,11 @@ EnvelopeLine<T> envelope_line(const EnvelopeRow<T>& row, const TyreEnvelope& cam
     };
     for (int i = -last; i <= last; ++i)
       if (const double place = spacing * i - middle; std::abs(place) < cams.length)
-        add(samples[i + last], T(cams.outline(place)) * row.radius);
-    for (const EnvelopePoint<T>& edge : edges)
-      add(edge, cam_outline(cams, row.radius, T(edge.s - T(middle) * row.radius)));
+        add(samples[i + last], T(cams.height * cam_outline<double>(cams, std::abs(place) / cams.length)) * row.radius);
+    for (const EnvelopePoint<T>& edge : edges) {
+      const T share = abs(T(edge.s - T(middle) * row.radius)) / (T(cams.length) * row.radius);
+      add(edge, T(cams.height) * row.radius * cam_outline(cams, share));
+    }
     T highest = heights[0];
     for (const T& height : heights) highest = max(highest, height);
     return highest;

@@ -135,8 +135,6 @@ struct TyreEnvelope {
   /// Places at spacing() * i, i = -last_sample() ... last_sample(), are looked at.
   double spacing() const { return 0.5 * base / steps; }
   int last_sample() const;
-  /// How far a cam reaches down at a distance s from its middle, |s| < length.
-  double outline(double s) const;
 };
 
 /// "enveloping, base 0.4, ...", for those who read.

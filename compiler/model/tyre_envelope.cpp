@@ -1,4 +1,4 @@
-// Enveloping contacts of tyres: the outline of their cams.
+// Enveloping contacts of tyres: how many places their cams look at, and their words.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,10 +11,6 @@ namespace mbgen {
 int TyreEnvelope::last_sample() const {
   constexpr double kAtEnd = 1e-9;  // a cam does not reach below its own end, but below its middle always
   return static_cast<int>(std::max(std::ceil((0.5 * base + length) / spacing() - kAtEnd) - 1, steps));
-}
-
-double TyreEnvelope::outline(double s) const {
-  return height * std::pow(1 - std::pow(std::abs(s) / length, order), 1 / order);
 }
 
 std::string to_text(const TyreEnvelope& envelope) {

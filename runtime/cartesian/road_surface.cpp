@@ -184,8 +184,7 @@ struct SeenRoad {
   double features(const Vector2d& at, bool obstacles) const {
     double height = 0;
     for (const RoadFeature& feature : road.features) {
-      const bool is_obstacle = feature.kind == RoadFeature::Kind::plank || feature.kind == RoadFeature::Kind::pothole;
-      if (is_obstacle != obstacles) continue;
+      if (feature.is_obstacle() != obstacles) continue;
       const double right = std::max(at.y() - strip / 2, feature.right ? value(*feature.right) : -1e300);
       const double left = std::min(at.y() + strip / 2, feature.left ? value(*feature.left) : 1e300);
       if (left > right)
@@ -206,9 +205,8 @@ struct SeenRoad {
     constexpr double kInside = 1e-9;  // m
     std::vector<double> places;
     for (const RoadFeature& feature : road.features) {
-      const bool is_plank = feature.kind == RoadFeature::Kind::plank;
-      if (!is_plank && feature.kind != RoadFeature::Kind::pothole) continue;
-      const bool stands_out = is_plank == (value(feature.height) >= 0);
+      if (!feature.is_obstacle()) continue;
+      const bool stands_out = (feature.kind == RoadFeature::Kind::plank) == (value(feature.height) >= 0);
       const double inset = stands_out ? feature.ramp + kInside : -kInside, from = value(feature.from);
       places.insert(places.end(), {from + inset, from + value(*feature.length) - inset});
     }

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "tests/support/dynamics.hpp"
+#include "tests/support/quarter_car.hpp"
 #include "tests/support/reaction_support.hpp"
 
 namespace mbgen::enveloping {
@@ -17,8 +18,6 @@ namespace {
 using namespace mbgen::testing;
 
 constexpr double kRadius = 0.3, kStiffness = 1e5;
-const std::string kRubber = R"("tyre_data": { "rubber": { "model": "pac2002", "coefficients": { "UNLOADED_RADIUS": 0.3,
-  "FNOMIN": 4000, "PCX1": 1.6, "PDX1": 1.1, "PKX1": 20, "PCY1": 1.3, "PDY1": 1, "PKY1": -15, "PKY2": 1.5 } } })";
 
 std::string with_features(const std::string& features) { return R"({ "features": {)" + features + " } }"; }
 const std::string kPlank = R"("plank": { "type": "plank", "from": 1, "length": 0.8, "height": 0.15, "ramp": 0 })";
@@ -149,31 +148,9 @@ TEST(Envelope, ForceDoesNotJump) {
 
 // --- a quarter car over a plank of half a wheel's radius ---
 
-constexpr double kSprung = 300, kUnsprung = 40;
-
-MechanismInState quarter_car(double speed) {
-  const double centre = kRadius - (kSprung + kUnsprung) * 9.81 / 2e5;
-  return MechanismInState(analysed(model_of(fmt::format(
-      R"({{ "mbgen": 1, "name": "quarter_car",
-    "bodies": {{ "ground": {{ "points": {{ "O": [0, 0, {0}] }} }},
-      "carriage": {{ "mass": 1, "com": [0, 0, {0}], "inertia": [1, 1, 1], "points": {{ "O": [0, 0, {0}] }} }},
-      "hub": {{ "mass": {1}, "com": [0, 0, {0}], "inertia": [1, 1, 1], "points": {{ "O": [0, 0, {0}] }} }},
-      "body": {{ "mass": {2}, "com": [0, 0, {0}], "inertia": [1, 1, 1], "points": {{ "O": [0, 0, {0}] }} }} }},
-    "joints": {{ "x": {{ "type": "prismatic", "from": "ground.O", "to": "carriage.O", "axis": "x" }},
-      "hub": {{ "type": "prismatic", "from": "carriage.O", "to": "hub.O", "axis": "z" }},
-      "body": {{ "type": "prismatic", "from": "carriage.O", "to": "body.O", "axis": "z" }} }},
-    "motions": {{ "pull": {{ "joint": "x", "position": "{3}*t" }} }},
-    "joint_springs": {{ "strut": {{ "joint": "body", "relative_to": "hub", "stiffness": 2e4, "damping": 1500,
-      "preload": {4} }} }}, {5}, "roads": {{ "road": {6} }},
-    "tyres": {{ "tyre": {{ "centre": "hub.O", "data": "rubber", "stiffness": 2e5, "damping": 200, "friction": 0,
-      "rolling_resistance": 0, "enveloping": {{}} }} }},
-    "outputs": {{ "load": {{ "tyre": "tyre", "quantity": "load" }} }} }})",
-      centre, kUnsprung, kSprung, speed, -kSprung * 9.81, kRubber, with_features(kPlank)))));
-}
-
 /// Largest load, and largest difference of loads of steps that follow each other, while the car crosses the plank.
 std::array<double, 2> crossing(double step) {
-  MechanismInState car = quarter_car(1);
+  MechanismInState car = quarter_car(with_features(kPlank), 1, R"(, "enveloping": {})");
   const Dynamics dynamics{car.solver()};
   EXPECT_TRUE(car.solver().project_motion(car.state()).ok());
   double largest = 0, difference = 0, last = 0;

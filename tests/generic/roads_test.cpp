@@ -12,6 +12,7 @@
 #include "compiler/formulation/road.hpp"
 #include "compiler/model/crg_road.hpp"
 #include "tests/support/dynamics.hpp"
+#include "tests/support/quarter_car.hpp"
 #include "tests/support/reaction_support.hpp"
 
 namespace mbgen {
@@ -19,34 +20,9 @@ namespace {
 
 using namespace mbgen::testing;
 
-constexpr double kPi = std::numbers::pi, kGravity = 9.81;
-const std::string kRubber = R"("tyre_data": { "rubber": { "model": "pac2002", "coefficients": { "UNLOADED_RADIUS": 0.3,
-  "FNOMIN": 4000, "PCX1": 1.6, "PDX1": 1.1, "PKX1": 20, "PCY1": 1.3, "PDY1": 1, "PKY1": -15, "PKY2": 1.5 } } })";
+constexpr double kPi = std::numbers::pi;
 
 // --- a quarter car ---
-
-constexpr double kSprung = 300, kUnsprung = 40, kSpring = 2e4, kDamper = 1500, kTyre = 2e5, kTyreDamper = 200;
-
-/// A quarter car that is pulled along a road at a speed; at rest on a flat one its coordinates are zero.
-MechanismInState quarter_car(const std::string& road, double speed) {
-  const double centre = 0.3 - (kSprung + kUnsprung) * kGravity / kTyre;
-  return MechanismInState(analysed(model_of(fmt::format(
-      R"({{ "mbgen": 1, "name": "quarter_car",
-    "bodies": {{ "ground": {{ "points": {{ "O": [0, 0, {0}] }} }},
-      "carriage": {{ "mass": 1, "com": [0, 0, {0}], "inertia": [1, 1, 1], "points": {{ "O": [0, 0, {0}] }} }},
-      "hub": {{ "mass": {1}, "com": [0, 0, {0}], "inertia": [1, 1, 1], "points": {{ "O": [0, 0, {0}] }} }},
-      "body": {{ "mass": {2}, "com": [0, 0, {0}], "inertia": [1, 1, 1], "points": {{ "O": [0, 0, {0}] }} }} }},
-    "joints": {{ "x": {{ "type": "prismatic", "from": "ground.O", "to": "carriage.O", "axis": "x" }},
-      "hub": {{ "type": "prismatic", "from": "carriage.O", "to": "hub.O", "axis": "z" }},
-      "body": {{ "type": "prismatic", "from": "carriage.O", "to": "body.O", "axis": "z" }} }},
-    "motions": {{ "pull": {{ "joint": "x", "position": "{3}*t" }} }},
-    "joint_springs": {{ "strut": {{ "joint": "body", "relative_to": "hub", "stiffness": {4}, "damping": {5},
-      "preload": {6} }} }}, {7},
-    "roads": {{ "road": {8} }},
-    "tyres": {{ "tyre": {{ "centre": "hub.O", "data": "rubber", "stiffness": {9}, "damping": {10}, "friction": 0,
-      "rolling_resistance": 0 }} }} }})",
-      centre, kUnsprung, kSprung, speed, kSpring, kDamper, -kSprung * kGravity, kRubber, road, kTyre, kTyreDamper))));
-}
 
 /// Complex amplitudes of hub and body over that of the road, by the equations of the two masses.
 std::array<std::complex<double>, 2> transfer(double omega) {
