@@ -40,8 +40,7 @@ struct StoredEnergies {
   T of_bushing(int index) const {
     const Bushing& bushing = system.model.bushings[index];
     const BushingState<T>& state = forces.bushings[index];
-    std::size_t branch = static_cast<std::size_t>(slip_state_count(system.model));
-    for (int b = 0; b < index; ++b) branch += maxwell_branches(system.model.bushings[b]);
+    auto branch = static_cast<std::size_t>(first_extension(system.model, static_cast<std::size_t>(index)));
     const auto deflection = [&](int i) { return component(i < 3 ? state.deflection : state.rotation, i % 3); };
     T energy(0.0);
     for (int i = 0; i < kBushingFreedoms; ++i) {

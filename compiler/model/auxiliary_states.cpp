@@ -88,11 +88,13 @@ std::vector<double> initial_auxiliary_states(const Model& model) {
   return values;
 }
 
-int first_user_state(const Model& model) {
-  int branches = 0;
-  for (const Bushing& bushing : model.bushings) branches += maxwell_branches(bushing);
-  return slip_state_count(model) + branches;
+int first_extension(const Model& model, std::size_t bushing) {
+  int place = slip_state_count(model);
+  for (std::size_t b = 0; b < bushing; ++b) place += maxwell_branches(model.bushings[b]);
+  return place;
 }
+
+int first_user_state(const Model& model) { return first_extension(model, model.bushings.size()); }
 
 int held_state_count(const Model& model) {
   int count = 0;

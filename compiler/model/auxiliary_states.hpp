@@ -28,6 +28,9 @@ int auxiliary_state_count(const Model& model);
 /// others then have the values at which their rates vanish.
 int slip_state_count(const Model& model);
 
+/// Place of the first extension of a bushing's Maxwell branches; they follow bushing after bushing.
+int first_extension(const Model& model, std::size_t bushing);
+
 /// Names of the auxiliary states.
 std::vector<std::string> auxiliary_state_names(const Model& model);
 

@@ -11,14 +11,10 @@
 namespace mbgen::reading {
 namespace {
 
-void take_tyre(Reader& reader, const Value& value, const std::string& name, AxleWheel& wheel) {
-  const auto found = find_visible(reader.names.tyres, name, current_scope(reader).visible);
-  if (found == reader.names.tyres.end()) {
-    report(reader, *find(value, "tyre"), "unknown tyre " + in_quotes(name),
-           suggestion(reader, name, reader.names.tyres));
-    return;
-  }
-  const Tyre& tyre = reader.model.tyres[static_cast<std::size_t>(found->second)];
+void take_tyre(Reader& reader, const Value& value, AxleWheel& wheel) {
+  const int index = find_named(reader, *find(value, "tyre"), "tyre", reader.names.tyres);
+  if (index < 0) return;
+  const Tyre& tyre = reader.model.tyres[static_cast<std::size_t>(index)];
   wheel.centre = tyre.centre;
   wheel.axis = tyre.axis;
   wheel.radius = tyre.radius.value;
@@ -34,7 +30,7 @@ AxleWheel read_wheel(Reader& reader, const Value& value) {
   if (!read_fields(reader, value, fields)) return wheel;
   if (fields.written_radius) wheel.radius = *fields.written_radius;
   if (fields.tyre) {
-    take_tyre(reader, value, *fields.tyre, wheel);
+    take_tyre(reader, value, wheel);
     if (fields.written_radius) wheel.radius = *fields.written_radius;
   } else if (!find(value, "tyre")) {
     if (!find(value, "centre")) report(reader, value, "a wheel needs \"tyre\" or \"centre\"");

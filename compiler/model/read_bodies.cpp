@@ -81,14 +81,8 @@ void read_points(Reader& reader, std::size_t body, const Value& value, PointPlac
 
 /// Index of the input that `value` names as the derivative of `input`, or -1 with a complaint.
 int derivative_of(Reader& reader, const Value& value, const InputFields& input) {
-  if (value.kind != Value::Kind::text) return -1;
-  const auto found = find_visible(reader.names.inputs, value.text, current_scope(reader).visible);
-  if (found == reader.names.inputs.end()) {
-    report(reader, value, "unknown input " + in_quotes(value.text),
-           suggestion(reader, value.text, reader.names.inputs));
-    return -1;
-  }
-  if (found->first != input.name) return found->second;
+  const int index = find_named(reader, value, "input", reader.names.inputs);
+  if (index < 0 || index != reader.names.inputs.find(input.name)->second) return index;
   report(reader, value, fmt::format("input {} cannot be its own derivative", in_quotes(input.name)));
   return -1;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 
 namespace mbgen::reading {
@@ -15,34 +16,14 @@ std::string input_name(const std::string& road, int which) {
   return fmt::format("{}_{}", road, kHostInputs[static_cast<std::size_t>(which)]);
 }
 
-/// Builds an expression over inputs and the place on the road.
-struct ExpressionBuilder {
-  Expression expression;
-  int add(ExpressionNode::Kind kind, int index, Function function = {}, int first = -1, int second = -1) {
-    ExpressionNode& node = expression.nodes.emplace_back();
-    node.kind = kind;
-    node.index = index;
-    node.function = function;
-    node.first = first;
-    node.second = second;
-    return static_cast<int>(expression.nodes.size()) - 1;
-  }
-  int input(int index) { return add(ExpressionNode::Kind::input, index); }
-  int local(int index) { return add(ExpressionNode::Kind::local, index); }
-  int call(Function function, int first, int second) {
-    return add(ExpressionNode::Kind::call, -1, function, first, second);
-  }
-  /// slope * (place - told place)
-  int rise(int slope, int place, int told) {
-    const int factor = input(slope), at = local(place);
-    return call(Function::multiply, factor, call(Function::subtract, at, input(told)));
-  }
-};
-
-int add_expression(Reader& reader, ExpressionBuilder builder, std::string text) {
-  builder.expression.text = std::move(text);
-  reader.model.expressions.push_back(std::move(builder.expression));
-  return static_cast<int>(reader.model.expressions.size()) - 1;
+/// Reads a field as if the road had this text for it.
+void read_field(Reader& reader, std::string_view name, Place place, std::string text, RoadFields& road) {
+  Value written;
+  written.kind = Value::Kind::text;
+  written.text = std::move(text);
+  written.place = place;
+  for (const Field<RoadFields>& field : fields<RoadFields>())
+    if (field.info.name == name) field.read(reader, written, field.info, road);
 }
 
 }  // namespace
@@ -75,24 +56,21 @@ void add_host_inputs(Reader& reader, const Entries& roads) {
   }
 }
 
-void lay_host_plane(Reader& reader, const Value& value, Road& road) {
+void lay_host_plane(Reader& reader, const Value& value, RoadFields& road) {
   for (const Member& member : value.members)
     if (member.key != "host")
       report(reader, member.place, fmt::format("a road of a host takes no {}", in_quotes(member.key)),
              "the host tells height, slopes and friction in global axes");
   const auto first = reader.names.inputs.find(input_name(road.name, kX));
   if (first == reader.names.inputs.end()) return;
-  const int input = road.host_input = first->second;
-  ExpressionBuilder plane, grip;
-  const int height = plane.input(input + kHeight);
-  const int along = plane.call(Function::add, height, plane.rise(input + kSlopeX, 0, input + kX));
-  plane.call(Function::add, along, plane.rise(input + kSlopeY, 1, input + kY));
-  grip.input(input + kFriction);
+  road.host_input = first->second;
+  const Place place = find_member(value, "host")->place;
   const auto name = [&](int which) { return input_name(road.name, which); };
-  road.height = add_expression(
-      reader, std::move(plane),
-      fmt::format("{} + {}*(x - {}) + {}*(y - {})", name(kHeight), name(kSlopeX), name(kX), name(kSlopeY), name(kY)));
-  road.friction = add_expression(reader, std::move(grip), name(kFriction));
+  read_field(
+      reader, "height", place,
+      fmt::format("{} + {}*(x - {}) + {}*(y - {})", name(kHeight), name(kSlopeX), name(kX), name(kSlopeY), name(kY)),
+      road);
+  read_field(reader, "friction", place, name(kFriction), road);
 }
 
 void check_host_road(Reader& reader, const Value& value, const Tyre& tyre, const std::vector<Tyre>& before) {

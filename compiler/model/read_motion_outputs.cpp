@@ -158,13 +158,7 @@ Quantities quantity_of(Reader& reader, const Value& value, const OutputFields& o
 }
 
 int find_element(Reader& reader, const Value& value, std::string_view key, const NameMap<int>& names) {
-  const Value& reference = *find(value, key);
-  if (reference.kind != Value::Kind::text) return -1;
-  const auto found = find_visible(names, reference.text, current_scope(reader).visible);
-  if (found != names.end()) return found->second;
-  report(reader, reference, fmt::format("unknown {} {}", key, in_quotes(reference.text)),
-         suggestion(reader, reference.text, names));
-  return -1;
+  return find_named(reader, *find(value, key), key, names);
 }
 
 const char* motion_unit(bool rotation, Quantities quantity) {

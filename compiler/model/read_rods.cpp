@@ -1,10 +1,10 @@
 // Rods, and the driven coordinates of those whose length is a function of time or of inputs.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "compiler/model/carried_body.hpp"
+#include "compiler/model/mentions.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 
@@ -16,11 +16,7 @@ constexpr std::string_view kDriveSuffix = "_length";
 
 /// Whether a value changes while a solver runs, but for its tunable parameters.
 bool moves(const Model& model, const Quantity& quantity) {
-  if (quantity.expression < 0) return false;
-  const std::vector<ExpressionNode>& nodes = model.expressions[static_cast<std::size_t>(quantity.expression)].nodes;
-  return std::any_of(nodes.begin(), nodes.end(), [](const ExpressionNode& node) {
-    return node.kind == ExpressionNode::Kind::time || node.kind == ExpressionNode::Kind::input;
-  });
+  return mentions(model, quantity.expression, {ExpressionNode::Kind::time, ExpressionNode::Kind::input});
 }
 
 /// Whether the names of the drive's body, joint and motion are free.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "compiler/model/curve.hpp"
+#include "compiler/model/mentions.hpp"
 #include "compiler/model/output_sources.hpp"
 
 namespace mbgen::reading {
@@ -12,13 +13,8 @@ namespace {
 using Of = StoredEnergyOutput::Of;
 
 bool depends_on_motion(const Model& model, const Quantity& quantity) {
-  if (quantity.expression < 0) return false;
-  const auto& nodes = model.expressions[static_cast<std::size_t>(quantity.expression)].nodes;
-  return std::any_of(nodes.begin(), nodes.end(), [](const ExpressionNode& node) {
-    using Kind = ExpressionNode::Kind;
-    return node.kind == Kind::position || node.kind == Kind::velocity || node.kind == Kind::state ||
-           node.kind == Kind::length || node.kind == Kind::rate;
-  });
+  using Kind = ExpressionNode::Kind;
+  return mentions(model, quantity.expression, {Kind::position, Kind::velocity, Kind::state, Kind::length, Kind::rate});
 }
 
 bool depends_on_motion(const Model& model, const std::optional<Law>& law) {

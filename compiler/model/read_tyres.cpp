@@ -207,13 +207,7 @@ void use_road(Reader& reader, const Value& value, TyreFields& tyre) {
              fmt::format("give it \"road\", for example \"road\": \"{}\"", roads.begin()->first));
     return;
   }
-  const auto found = find_visible(roads, *tyre.written_road, current_scope(reader).visible);
-  if (found != roads.end()) {
-    tyre.road = found->second;
-  } else if (!tyre.written_road->empty()) {
-    report(reader, *find(value, "road"), "unknown road " + in_quotes(*tyre.written_road),
-           suggestion(reader, *tyre.written_road, roads));
-  }
+  if (!tyre.written_road->empty()) tyre.road = find_named(reader, *find(value, "road"), "road", roads);
 }
 
 /// Takes coefficients from a .tir file, and properties of the tyre that the model does not give.
@@ -245,15 +239,10 @@ void check_source(Reader& reader, const Value& value) {
 }
 
 void use_set(Reader& reader, const Value& value, const std::vector<CoefficientSet>& sets, TyreFields& tyre) {
-  const auto found = find_visible(reader.names.tyre_data, tyre.data, current_scope(reader).visible);
-  if (found == reader.names.tyre_data.end()) {
-    const Value* data = find(value, "data");
-    if (!data || data->kind != Value::Kind::text) return;
-    report(reader, *data, "unknown tyre_data " + in_quotes(tyre.data),
-           suggestion(reader, tyre.data, reader.names.tyre_data));
-    return;
-  }
-  CoefficientSet set = sets[static_cast<std::size_t>(found->second)];
+  const Value* data = find(value, "data");
+  const int index = data ? find_named(reader, *data, "tyre_data", reader.names.tyre_data) : -1;
+  if (index < 0) return;
+  CoefficientSet set = sets[static_cast<std::size_t>(index)];
   use_coefficients(reader, value, set, tyre);
 }
 

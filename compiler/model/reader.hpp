@@ -18,6 +18,7 @@
 
 namespace mbgen::reading {
 
+struct RoadFields;
 struct TyreFields;
 
 /// Where a body's inertia stands, nullptr where it has none, and whether one that no rigid body has will do.
@@ -114,6 +115,10 @@ inline Quantity scaled(Reader& reader, double factor, const Quantity& quantity) 
 
 /// Index into info.words, or -1.
 int read_word(Reader& reader, const Value& value, const FieldInfo& info);
+
+/// Index of the element that a text names, -1 with a complaint; of any other value -1 alone. kind: of the elements, for
+/// people.
+int find_named(Reader& reader, const Value& reference, std::string_view kind, const NameMap<int>& names);
 
 /// The coordinate of this name. Fails: unknown, or a joint of several coordinates or none.
 CoordinateReference read_coordinate(Reader& reader, Place place, const std::string& name);
@@ -324,7 +329,7 @@ void read_roads(Reader& reader, const Entries& entries);
 /// Adds the inputs of roads that a host gives. Requires: the model's own inputs are read.
 void add_host_inputs(Reader& reader, const Entries& roads);
 /// The plane that a host tells, as height and friction of `road`.
-void lay_host_plane(Reader& reader, const Value& value, Road& road);
+void lay_host_plane(Reader& reader, const Value& value, RoadFields& road);
 /// Complains where a tyre stands on a road of a host, and one of `before` does so too.
 void check_host_road(Reader& reader, const Value& value, const Tyre& tyre, const std::vector<Tyre>& before);
 /// The road of an OpenCRG file, as a grid of `road`.

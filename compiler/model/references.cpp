@@ -106,6 +106,15 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::
   }
 }
 
+int find_named(Reader& reader, const Value& reference, std::string_view kind, const NameMap<int>& names) {
+  if (reference.kind != Value::Kind::text) return -1;
+  const auto found = find_visible(names, reference.text, current_scope(reader).visible);
+  if (found != names.end()) return found->second;
+  report(reader, reference, fmt::format("unknown {} {}", kind, in_quotes(reference.text)),
+         suggestion(reader, reference.text, names));
+  return -1;
+}
+
 CoordinateReference read_coordinate(Reader& reader, Place place, const std::string& name) {
   const Visibility& visible = current_scope(reader).visible;
   if (const CoordinateReference* found = find_coordinate(reader.names, name, visible)) return *found;

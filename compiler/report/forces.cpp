@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/report/mentions.hpp"
+#include "compiler/model/mentions.hpp"
 #include "compiler/report/table_states.hpp"
 #include "runtime/generic/generic.hpp"
 
@@ -110,8 +110,8 @@ std::vector<Column> element_forces(const ReportSource& source, const std::vector
   // No force of a spring, bushing or stop depends on accelerations or joint forces.
   const GenericDerivative none{std::vector<double>(count), std::vector<double>(auxiliary_state_names(model).size())};
   const std::vector<double> tau(count);
-  for (const GenericState& state :
-       table_states(source, rows)) {  // without columns of them Maxwell branches are relaxed
+  // Without columns of them Maxwell branches are relaxed.
+  for (const GenericState& state : table_states(source, rows)) {
     const GenericOutputs outputs = solver.outputs(state, tau, none);
     for (std::size_t f = 0; f < forces.size(); ++f) forces[f].values.push_back(outputs.y[f]);
   }

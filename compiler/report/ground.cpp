@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "compiler/report/mentions.hpp"
+#include "compiler/model/mentions.hpp"
 #include "compiler/report/places.hpp"
 #include "compiler/report/poses.hpp"
 #include "compiler/report/strip.hpp"
@@ -155,12 +155,11 @@ struct GroundWork {
 
 Json ground_json(const Model& model, const GenericSolver& solver, const std::vector<GenericState>& frames,
                  bool knows_inputs) {
-  GroundWork work{model, solver, frames, wheel_places(model, solver, frames)};
+  GroundWork work{model, solver, frames, {}};
   const auto is_known = [&](std::size_t tyre) {
     return knows_inputs || !looks_at(model, model.tyres[tyre], {Kind::input});
   };
   std::vector<Group> drawn = groups_of(model);
-  const bool has_roads = !drawn.empty();
   for (std::size_t t = 0; t < model.tyres.size(); ++t) {
     const Tyre& tyre = model.tyres[t];
     const std::string what = tyre.road < 0 ? "The road of tyre " + tyre.name : "Road " + work.road_of(t).name;
@@ -171,7 +170,8 @@ Json ground_json(const Model& model, const GenericSolver& solver, const std::vec
       work.note(fmt::format("{} moves: it is drawn as it is at {:g} s.", what, frames.front().t));
   }
   Json json = {{"strips", Json::array()}, {"tracks", Json::array()}, {"floor", nullptr}, {"notes", Json::array()}};
-  if (has_roads) {
+  if (!drawn.empty()) {
+    work.wheels = wheel_places(model, solver, frames);
     std::erase_if(drawn, [&](const Group& group) { return !is_known(group[0]); });
     for (const Group& group : drawn) json["strips"].push_back(work.strip(group, kMostRoadNumbers / drawn.size()));
     for (std::size_t t = 0; t < model.tyres.size(); ++t)

@@ -132,11 +132,10 @@ class Instant {
   }
 
   double value(const BushingOutput& output) const {
-    int x = slip_state_count(c_.model);
-    for (int b = 0; b < output.bushing; ++b) x += maxwell_branches(c_.model.bushings[b]);
-    const Bushing& bushing = c_.model.bushings[output.bushing];
-    const BushingAtWork at_work =
-        bushing_at_work(bushing, c_.parts.bushings[output.bushing], bodies_, state_.x.data() + x, values_);
+    const auto b = static_cast<std::size_t>(output.bushing);
+    const Bushing& bushing = c_.model.bushings[b];
+    const BushingAtWork at_work = bushing_at_work(bushing, c_.parts.bushings[b], bodies_,
+                                                  state_.x.data() + first_extension(c_.model, b), values_);
     const bool turns =
         output.what == BushingOutput::What::moment || output.what == BushingOutput::What::rotation_vector;
     const int place = output.axis + (turns ? 3 : 0);

@@ -98,12 +98,12 @@ double stored_energy(const CartesianMechanism& c, const StoredEnergyOutput& outp
     if (is_asked(Of::spring, s)) sum += energy_of(c.model.springs[s], c.parts.springs[s], bodies, values);
   for (std::size_t s = 0; s < c.model.joint_springs.size(); ++s)
     if (is_asked(Of::joint_spring, s)) sum += energy_of(c.model.joint_springs[s], values);
-  const double* extensions = x.data() + slip_state_count(c.model);
   for (std::size_t b = 0; b < c.model.bushings.size(); ++b) {
+    if (!is_asked(Of::bushing, b)) continue;
     const Bushing& bushing = c.model.bushings[b];
+    const double* extensions = x.data() + first_extension(c.model, b);
     const BushingAtWork at_work = bushing_at_work(bushing, c.parts.bushings[b], bodies, extensions, values);
-    if (is_asked(Of::bushing, b)) sum += energy_of(bushing, at_work.deflection, extensions, values);
-    extensions += at_work.xd.size();
+    sum += energy_of(bushing, at_work.deflection, extensions, values);
   }
   for (std::size_t s = 0; s < c.model.bump_stops.size(); ++s) {
     const BumpStop& stop = c.model.bump_stops[s];
