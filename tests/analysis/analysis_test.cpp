@@ -1,11 +1,8 @@
 // Rank, redundancy, dependent coordinates and the block-triangular form.
 
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
-
 #include "compiler/analysis/partition.hpp"
 #include "compiler/analysis/triangular.hpp"
+#include "tests/support/expected_text.hpp"
 #include "tests/support/mechanism_support.hpp"
 
 namespace mbgen {
@@ -118,16 +115,9 @@ TEST(Analysis, RefusesBadModelsWithExactMessages) {
   int cases = 0;
   for (const auto& entry : std::filesystem::directory_iterator(source_path("tests/errors/analysis"))) {
     if (entry.path().extension() != ".json") continue;
-    std::ifstream file(entry.path());
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const Result<Model> model = read_model(text, entry.path().filename().string());
+    const Result<Model> model = read_model(content(entry.path()), entry.path().filename().string());
     ASSERT_TRUE(model) << to_text(model.problems());
-    const std::string actual = to_text(problems_of(*model));
-    std::filesystem::path expected_path = entry.path();
-    expected_path.replace_extension(".txt");
-    if (std::getenv("MBGEN_UPDATE")) std::ofstream(expected_path) << actual;
-    std::ifstream expected_file(expected_path);
-    EXPECT_EQ(actual, std::string(std::istreambuf_iterator<char>(expected_file), {})) << entry.path();
+    expect_text(std::filesystem::path(entry.path()).replace_extension(".txt"), to_text(problems_of(*model)));
     ++cases;
   }
   EXPECT_GE(cases, 4);

@@ -1,6 +1,7 @@
 // What mbgen check says of models that are allowed and likely not meant: tests/errors/notes/<name>.json, and the exact
 // text in <name>.txt. MBGEN_UPDATE=1 cli_test --gtest_filter='Notes.*' rewrites the texts.
 #include "tests/support/cli_support.hpp"
+#include "tests/support/expected_text.hpp"
 
 namespace mbgen::cli_test {
 namespace {
@@ -20,11 +21,7 @@ TEST_F(Notes, HaveTheirExactTextAndTheModelIsOk) {
     EXPECT_EQ(run.exit_code, 0) << name << ": " << run.err;
     EXPECT_EQ(run.out.find(name + ".json: ok\n"), 0u) << run.out;
     EXPECT_NE(run.err.find(": note: "), std::string::npos) << name;
-    fs::path text = entry.path();
-    text.replace_extension(".txt");
-    if (std::getenv("MBGEN_UPDATE")) std::ofstream(text) << run.err;
-    std::ifstream expected(text);
-    EXPECT_EQ(run.err, std::string(std::istreambuf_iterator<char>(expected), {})) << name;
+    testing::expect_text(fs::path(entry.path()).replace_extension(".txt"), run.err);
     ++cases;
   }
   EXPECT_GE(cases, 17);

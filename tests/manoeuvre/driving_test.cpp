@@ -5,18 +5,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 
 #include "compiler/study/manoeuvre/driver.hpp"
 #include "compiler/study/manoeuvre/manoeuvre.hpp"
+#include "tests/support/expected_text.hpp"
 
 namespace mbgen {
 namespace {
 
+using namespace mbgen::testing;
 namespace fs = std::filesystem;
 
 /// Derivatives against central differences, everywhere but next to corners.
@@ -146,11 +145,6 @@ TEST(SpeedController, TakesALoadAndDoesNotWindUp) {
 
 const fs::path kErrors = fs::path(MBGEN_SOURCE_DIR) / "tests" / "errors" / "manoeuvres";
 
-std::string content(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 TEST(ManoeuvreFile, EveryRuleHasItsExactMessage) {
   fs::current_path(kErrors);
   int count = 0;
@@ -158,11 +152,7 @@ TEST(ManoeuvreFile, EveryRuleHasItsExactMessage) {
     if (entry.path().extension() != ".json") continue;
     const Result<Manoeuvre> result = read_manoeuvre_file(entry.path().filename().string());
     ASSERT_FALSE(result) << entry.path() << " was accepted";
-    const std::string text = to_text(result.problems());
-    fs::path expected = entry.path();
-    expected.replace_extension(".txt");
-    if (std::getenv("MBGEN_UPDATE")) std::ofstream(expected, std::ios::binary) << text;
-    EXPECT_EQ(text, content(expected)) << entry.path();
+    expect_text(fs::path(entry.path()).replace_extension(".txt"), to_text(result.problems()));
     ++count;
   }
   EXPECT_GT(count, 10);

@@ -5,12 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
+
+#include "tests/support/expected_text.hpp"
 
 namespace mbgen {
 namespace {
@@ -18,11 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kErrors = fs::path(MBGEN_SOURCE_DIR) / "tests" / "errors";
-
-std::string content(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::vector<std::string> names_with(const std::string& extension) {
   std::vector<std::string> names;
@@ -33,20 +27,17 @@ std::vector<std::string> names_with(const std::string& extension) {
   return names;
 }
 
-class Rule : public testing::TestWithParam<std::string> {};
+class Rule : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Rule, HasItsExactMessage) {
   fs::current_path(kErrors);  // messages name files as they were given
   const Result<Model> result = read_model_file(GetParam() + ".json");
   ASSERT_FALSE(result) << "the bad model was accepted";
-  const std::string text = to_text(result.problems());
-  const fs::path expected = kErrors / (GetParam() + ".txt");
-  if (std::getenv("MBGEN_UPDATE")) std::ofstream(expected, std::ios::binary) << text;
-  EXPECT_EQ(text, content(expected)) << "MBGEN_UPDATE=1 model_test rewrites the expected texts";
+  testing::expect_text(kErrors / (GetParam() + ".txt"), to_text(result.problems()));
 }
 
-std::string rule_name(const testing::TestParamInfo<std::string>& info) { return info.param; }
-INSTANTIATE_TEST_SUITE_P(Errors, Rule, testing::ValuesIn(names_with(".json")), rule_name);
+std::string rule_name(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
+INSTANTIATE_TEST_SUITE_P(Errors, Rule, ::testing::ValuesIn(names_with(".json")), rule_name);
 
 TEST(Rules, EveryTextHasItsModel) {
   const std::vector<std::string> models = names_with(".json"), texts = names_with(".txt");

@@ -4,23 +4,18 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+
+#include "tests/support/expected_text.hpp"
 
 namespace mbgen {
 namespace {
 
+using namespace mbgen::testing;
 namespace fs = std::filesystem;
 
 const fs::path kErrors = fs::path(MBGEN_SOURCE_DIR) / "tests" / "errors" / "results";
-
-std::string content(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 TEST(Results, EveryBadFileHasItsExactMessage) {
   int count = 0;
@@ -29,10 +24,7 @@ TEST(Results, EveryBadFileHasItsExactMessage) {
     const std::string name = entry.path().filename().string();
     const Result<Results> results = read_results(content(entry.path()), name);
     ASSERT_FALSE(results) << name << " was accepted";
-    const fs::path expected = fs::path(entry.path()).replace_extension(".txt");
-    const std::string text = to_text(results.problems());
-    if (std::getenv("MBGEN_UPDATE")) std::ofstream(expected, std::ios::binary) << text;
-    EXPECT_EQ(text, content(expected)) << name;
+    expect_text(fs::path(entry.path()).replace_extension(".txt"), to_text(results.problems()));
     ++count;
   }
   EXPECT_GE(count, 13);
