@@ -99,12 +99,13 @@ void add_programs(Compilation& c, const CompileOptions& options) {
     return true;
   };
   if (!lower(Lowered::whole, {&programs})) return;
-  Programs written = with_shared_laws(programs);  // laws that elements share stand for themselves in the text alone
+  // Laws that elements share, and pairs, are in the text alone.
+  Programs written = with_pairs(with_shared_laws(programs));
   c.whole = programs = without_shared_laws(std::move(programs));
   if (!lower(Lowered::lean, {&programs, &written})) return;
   c.programs = std::move(programs);
   if (!lower(Lowered::emitted, {&written})) return;
-  c.emitted = verified(std::move(written));
+  c.emitted = verified(with_pairs_apart(std::move(written)));
 }
 
 Result<Compilation> compile(Model model, const CompileOptions& options) {

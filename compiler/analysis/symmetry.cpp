@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/analysis/configuration.hpp"
+
 namespace mbgen {
 namespace {
 
@@ -131,6 +133,10 @@ Mirror find_mirror(const Topology& topology, const Constants<double>& constants)
     if (const int pairs = match(topology, constants, tolerance, plane); pairs > most)
       best = std::move(plane), most = pairs;
   return best;
+}
+
+Mirror find_mirror(const Model& model, const Topology& topology) {
+  return find_mirror(topology, NumericSystem(model, topology).constants());
 }
 
 bool is_symmetric(const Mirror& mirror, const LoopBlock& block, const std::vector<int>& columns) {

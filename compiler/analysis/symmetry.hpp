@@ -24,6 +24,9 @@ struct Mirror {
 /// the mechanism's extent. Cost: quadratic in the bodies with mass.
 Mirror find_mirror(const Topology& topology, const Constants<double>& constants);
 
+/// The same of a model at default parameters.
+Mirror find_mirror(const Model& model, const Topology& topology);
+
 /// Whether a set of a block's columns (local, ascending) holds the image of each that has its image in the block, and
 /// there is a pair to speak of.
 bool is_symmetric(const Mirror& mirror, const LoopBlock& block, const std::vector<int>& columns);

@@ -10,6 +10,7 @@
 #include "compiler/compile.hpp"
 #include "compiler/describe/dump_model.hpp"
 #include "compiler/describe/names.hpp"
+#include "compiler/program/kinds.hpp"
 #include "compiler/solver/titles.hpp"
 
 namespace mbgen {
@@ -79,6 +80,8 @@ std::string dump_programs(const Compilation& so_far, const Programs& programs) {
   for (const Program* program : all_programs(programs)) {
     text += fmt::format("; program {}\n{}\n", program->name, dump(*program, titles));
   }
+  if (!programs.in_pairs.outputs.empty())
+    text += fmt::format("; program {} in pairs\n{}\n", programs.in_pairs.name, dump(programs.in_pairs, titles));
   return text;
 }
 
@@ -96,6 +99,15 @@ std::string dump_of(const Stage& stage) {
   return dump_programs(so_far, programs);
 }
 
+/// How much of the accelerations in pairs is done on pairs.
+std::string pairs_text(const Program& program) {
+  if (program.outputs.empty()) return "";
+  const std::vector<int> widths = widths_of(program);
+  const std::vector<ValueId> statements = live_operations(program);
+  const auto is_pair = [&](ValueId v) { return widths[v] == 2 && program.nodes[v].op != Op::pack; };
+  return fmt::format("; in pairs {} of {} statements", std::ranges::count_if(statements, is_pair), statements.size());
+}
+
 /// The operations of the accelerations, and of all programs, after a stage.
 std::string stage_line(const Stage& stage) {
   const std::string line = fmt::format("{:<18}{:>10.1f} ms", stage.name, stage.milliseconds);
@@ -103,8 +115,8 @@ std::string stage_line(const Stage& stage) {
   if (programs.empty()) return line + "\n";
   long all = 0;
   for (const Program* program : programs) all += count_operations(*program).total();
-  return fmt::format("{}{:>9} operations, {:>8} of them in the accelerations\n", line, all,
-                     count_operations(stage.programs.accelerations).total());
+  return fmt::format("{}{:>9} operations, {:>8} of them in the accelerations{}\n", line, all,
+                     count_operations(stage.programs.accelerations).total(), pairs_text(stage.programs.in_pairs));
 }
 
 }  // namespace

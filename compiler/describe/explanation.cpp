@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 
-#include "compiler/analysis/configuration.hpp"
 #include "compiler/analysis/symmetry.hpp"
 #include "compiler/describe/counts.hpp"
 #include "compiler/describe/explained_elements.hpp"
@@ -236,7 +236,7 @@ std::string plane_of(const Mirror& mirror) {
 
 /// Left and right, where most bodies with mass have a mirror image: a number that differs may be a slip.
 std::string sides_explanation(const Compilation& c) {
-  const Mirror mirror = find_mirror(c.topology, NumericSystem(c.model, c.topology).constants());
+  const Mirror mirror = find_mirror(c.model, c.topology);
   std::vector<std::string> pairs, unlike, alone;
   std::size_t with_mass = 0;
   for (int i = 0; i < c.topology.size(); ++i) {
@@ -284,6 +284,31 @@ std::string freedoms_explanation(const Compilation& c) {
   return text + poles_explanation(c);
 }
 
+/// What the solver of one instance computes in pairs, by steps; empty where that is nothing.
+std::string pairs_explanation(const Program& program, const Titles& titles) {
+  const std::vector<int> widths = widths_of(program);
+  const std::map<Section, std::size_t> places = places_of_sections(program);
+  std::vector<long> counts(program.sections.size(), 0);
+  long in_pairs = 0, all = 0;
+  for (std::size_t v = 0; v < program.nodes.size(); ++v) {
+    const Node& node = program.nodes[v];
+    if (arity(node.op) == 0 || node.op >= Op::pack || node.op == Op::negate) continue;
+    ++all;
+    if (widths[v] < 2) continue;
+    ++in_pairs;
+    ++counts[places.at(node.section)];
+  }
+  if (in_pairs == 0) return "";
+  std::vector<std::string> steps;
+  for (std::size_t s = 0; s < counts.size(); ++s)
+    if (counts[s] > 0 && program.sections[s].step != Step::none)
+      steps.push_back(fmt::format("{} of {}", counts[s], titles.section(program.sections[s])));
+  return paragraph(fmt::format(
+      "The solver of one instance computes left and right in pairs, one instruction for both sides: {} of its "
+      "{} statements, {}.",
+      in_pairs, all, listed(steps)));
+}
+
 std::string operations_explanation(const Compilation& compilation) {
   const Programs& programs = compilation.programs;
   const Program& accelerations = programs.accelerations;
@@ -309,7 +334,7 @@ std::string operations_explanation(const Compilation& compilation) {
                         accelerations.sections[s].step == Step::none ? "before the first step"
                                                                      : titles.section(accelerations.sections[s]));
   }
-  return text;
+  return text + pairs_explanation(compilation.emitted.in_pairs, titles);
 }
 
 std::string notes_explanation(const Diagnostics& notes) {

@@ -24,8 +24,10 @@ FrameRows default_rows(const std::vector<NumberMember>& members, int lanes) {
   });
 }
 
-/// The program on vectors: a sibling of the scalar function, with the same name and arguments.
-ShapedProgram in_lanes(ShapedProgram shaped) {
+/// The program on vectors: a sibling of the scalar function, with the same name and arguments. Its lanes are instances:
+/// pairs are numbers one by one.
+ShapedProgram in_lanes(const EmitContext& context, ShapedProgram shaped) {
+  shaped.program = &program_of(context.programs, shaped.role);
   shaped.shape.scalar = "Lanes";
   shaped.shape.read_back_after = kReadBackAfter;
   shaped.shape.in_groups = shaped.role != Role::derived_constants;
@@ -53,7 +55,7 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
     if (scalar.role == Role::closure_terms || scalar.role == Role::accelerations_chosen ||
         scalar.role == Role::sampled || scalar.role == Role::ground_places)
       continue;  // of lanes that are alone
-    ShapedProgram shaped = in_lanes(scalar);
+    ShapedProgram shaped = in_lanes(context, scalar);
     shaped.shape.constants = &constants;
     const Schedule order = schedule(*shaped.program, {.order = ValueOrder::fewest_alive, .shares_places = true});
     const std::string laws = shaped.shape.laws.empty() ? "" : law_texts(context, shaped.shape.scalar, &constants);

@@ -102,6 +102,12 @@ Phrase operation_phrase(const std::string& scalar, Op wanted, const Phrase& firs
       return {fmt::format("mbgen::sample(kSamples, {})", a.text), Binding::primary};
     case Op::subtract_product:
       return {fmt::format("fnma({}, {}, {})", b.text, c.text, a.text), Binding::primary};
+    case Op::pack:
+      return {fmt::format("{}{{{}, {}}}", kPairType, a.text, b.text), Binding::primary};
+    case Op::first_lane:
+      return {operand(a, Binding::primary) + "[0]", Binding::primary};
+    case Op::second_lane:
+      return {operand(a, Binding::primary) + "[1]", Binding::primary};
     default:
       break;
   }

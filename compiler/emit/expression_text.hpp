@@ -7,6 +7,9 @@
 
 namespace mbgen {
 
+/// Type of values of two lanes, mbgen/pair.hpp.
+inline constexpr const char* kPairType = "Pair";
+
 /// How tightly the outermost operator of a text binds.
 enum class Binding { sum, product, sign, primary };
 

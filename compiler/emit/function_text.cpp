@@ -95,23 +95,30 @@ std::string declaration(const ProgramShape& shape, const std::set<std::string>& 
 }
 
 /// Members of such a struct: values by themselves, then those that share a place in unions.
-std::string member_declarations(const std::string& scalar, const CrossingStruct& work) {
-  std::string unions;
+std::string member_declarations(const CrossingStruct& work) {
+  std::string text, unions, type;
   std::vector<std::string> alone;
-  for (const std::vector<std::string>& names : work.places) {
-    if (names.size() == 1)
-      alone.push_back(names[0]);
-    else
-      unions += wrapped_statement("  union { " + scalar + " " + joined(names, ", ") + "; };") + "\n";
+  const auto write_alone = [&] {
+    if (!alone.empty()) text += "  " + type + "\n" + wrapped_list(alone, 6) + ";\n";
+    alone.clear();
+  };
+  for (const auto& [of_place, names] : work.places) {
+    if (names.size() > 1) {
+      unions += wrapped_statement("  union { " + of_place + " " + joined(names, ", ") + "; };") + "\n";
+      continue;
+    }
+    if (of_place != type) write_alone();
+    type = of_place;
+    alone.push_back(names[0]);
   }
-  return (alone.empty() ? "" : "  " + scalar + "\n" + wrapped_list(alone, 6) + ";\n") + unions;
+  write_alone();
+  return text + unions;
 }
 
 FrameRows work_rows(const ProgramShape& shape, const CrossingStructs& crossing) {
   return mapped(crossing, [&](const CrossingStruct& work) {
-    return FrameValues{{"type", work_type(shape, work)},
-                       {"argument", work.argument},
-                       {"values", member_declarations(shape.scalar, work)}};
+    return FrameValues{
+        {"type", work_type(shape, work)}, {"argument", work.argument}, {"values", member_declarations(work)}};
   });
 }
 

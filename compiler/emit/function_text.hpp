@@ -13,8 +13,11 @@ namespace mbgen {
 /// A struct of values that cross the parts of a program: an argument of the parts, and its members.
 struct CrossingStruct {
   std::string argument;  ///< "w1", "w2", ...
-  /// Declarators of the members; those of values that follow one another at one place stand together.
-  std::vector<std::vector<std::string>> places = {};
+  struct Place {
+    std::string type;
+    std::vector<std::string> names;  ///< declarators of the values that follow one another there
+  };
+  std::vector<Place> places = {};
 };
 
 using CrossingStructs = std::vector<CrossingStruct>;

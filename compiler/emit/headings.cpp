@@ -37,7 +37,7 @@ bool Headings::goes_on(std::size_t i, std::size_t length, bool with_owner) const
   const Node& first = node_at(i);
   for (std::size_t k = i; k < i + length; ++k)
     if (k >= schedule_.order.size() || section_of(k) != first.section ||
-        (with_owner && node_at(k).owner != first.owner))
+        (with_owner && (node_at(k).owner != first.owner || node_at(k).mirrored != first.mirrored)))
       return false;
   return true;
 }
@@ -58,10 +58,13 @@ void Headings::write_before(std::size_t i, bool has_owner, PartText& part) {
   if (section_ != node.section && (!is_known || goes_on(i, kShortestRun, false))) write_section(node, part);
   const bool is_sorted = schedule_.ordered == ValueOrder::by_section;
   const bool is_worth_it = node.label >= 0 || goes_on(i, is_sorted ? kShortestSortedRun : kShortestRun, true);
-  if (owner_ == node.owner || !has_owner || !is_worth_it) return;
-  const std::string title = titles_.owner(node.owner);
+  const Owners owners{node.owner, node.mirrored};
+  if (owner_ == owners || !has_owner || !is_worth_it) return;
+  std::string title = titles_.owner(node.owner);
+  if (node.mirrored != Owner{} && node.mirrored != node.owner)
+    title += "; and the image of " + titles_.owner(node.mirrored);
   if (!title.empty()) add_comment(part, comment_text(title));
-  owner_ = node.owner;
+  owner_ = owners;
 }
 
 void Headings::write_before_loop(const ScheduledUnit& loop, PartText& part) {

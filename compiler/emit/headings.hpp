@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "compiler/emit/function_text.hpp"
@@ -45,7 +46,8 @@ class Headings {
   std::map<Section, std::size_t> end_;  ///< place of the last value of each section
   std::set<Section> entered_;           ///< sections with a heading so far
   std::optional<Section> section_;
-  std::optional<Owner> owner_;
+  using Owners = std::pair<Owner, Owner>;  ///< that of a value, that of its second lane
+  std::optional<Owners> owner_;
 };
 
 }  // namespace mbgen

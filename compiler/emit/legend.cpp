@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "compiler/emit/frame.hpp"
+#include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
 #include "compiler/topology/names.hpp"
@@ -50,7 +51,8 @@ std::string loops_text(const EmitContext& context) {
 }  // namespace
 
 std::string legend_text(const EmitContext& context) {
-  return fill_template("legend.in", {{"tree", tree_text(context)}, {"loops", loops_text(context)}});
+  return fill_template("legend.in",
+                       {{"tree", tree_text(context)}, {"loops", loops_text(context)}, {"pairs", takes_pairs(context)}});
 }
 
 }  // namespace mbgen

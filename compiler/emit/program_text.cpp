@@ -57,7 +57,7 @@ class ProgramWriter {
   /// Turns the pending text of a value into a statement.
   void name_value(ValueId v, PartText& part) {
     const std::string name = texts_.name_of(v);
-    add_line(part, "const " + shape_.scalar + " " + name + " = " + texts_.phrase(v).text + ";");
+    add_line(part, "const " + texts_.type_of(v) + " " + name + " = " + texts_.phrase(v).text + ";");
     texts_.phrase(v) = {name, Binding::primary};
     pending_[v] = false;
   }
@@ -72,8 +72,11 @@ class ProgramWriter {
   void write_arguments(const ScheduledUnit& unit, const std::string& array, const Slices& values, PartText& part) {
     std::vector<std::string> list;
     for (const ValueId v : values) {
+      const bool is_pair = texts_.type_of(v) == kPairType;
+      if (is_pair && pending_[v]) name_value(v, part);
       const std::string text = texts_.phrase_of(unit, {v}, part).text;
-      list.push_back(program_.nodes[v].op == Op::constant ? texts_.number(text) : text);
+      if (is_pair) list.insert(list.end(), {text + "[0]", text + "[1]"});
+      if (!is_pair) list.push_back(program_.nodes[v].op == Op::constant ? texts_.number(text) : text);
       pending_[v] = false;
     }
     part.body += braced_list("  const " + shape_.scalar + " " + array + "[] = ", list, ";\n");
@@ -103,7 +106,7 @@ class ProgramWriter {
       const std::string name = texts_.name_of(value);
       const bool is_member = texts_.facts(value).crosses && !schedule_.has_loops();
       texts_.phrase(value) = {is_member ? texts_.crossing_place(value, name, part) : name, Binding::primary};
-      if (!is_member) declared += (declared.empty() ? shape_.scalar + " " : ", ") + name;
+      if (!is_member) declared += (declared.empty() ? texts_.type_of(v) + " " : ", ") + name;
     }
     if (!declared.empty()) add_line(part, declared + ";");
     const bool is_sine = program_.nodes[v].op == Op::sin;

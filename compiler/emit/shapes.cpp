@@ -198,6 +198,12 @@ ValueOrder order_of(Form form, const ShapedProgram& shaped) {
 
 }  // namespace
 
+bool takes_pairs(const EmitContext& context) {
+  const Program& program = context.programs.in_pairs;
+  return context.options.scalar == "double" && !program.outputs.empty() &&
+         program.nodes.size() <= context.options.roll_above;
+}
+
 LawShape law_shape(const EmitContext& context, std::size_t k) {
   const std::string number = k > 0 ? std::to_string(k + 1) : "";
   return {"tyres" + number, "Tyres" + number, "compute_tyres" + number, "kTyreLanes" + number,
@@ -281,6 +287,7 @@ std::vector<ShapedProgram> shaped_programs(const EmitContext& context) {
     if (!is_written(row.role, context)) continue;
     ShapedProgram shaped{&program_of(context.programs, row.role), row.role, shape_of(row, context)};
     if (context.options.scalar == "float") take_floats(shaped.shape);
+    if (row.role == Role::accelerations && takes_pairs(context)) shaped.program = &context.programs.in_pairs;
     shaped.shape.order = order_of(context.programs.form, shaped);
     shaped.schedule = schedule(*shaped.program, schedule_options(shaped.shape, context.options.roll_above));
     all.push_back(std::move(shaped));

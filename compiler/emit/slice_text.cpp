@@ -16,6 +16,18 @@ std::string common_label(const std::string& a, const std::string& b) {
   return a.substr(0, front) + a.substr(a.size() - back);
 }
 
+std::string label_of_both(const std::string& first, const std::string& second) {
+  const auto ends_word = [](const std::string& text, std::size_t at) { return at == text.size() || text[at] == '_'; };
+  const std::size_t shorter = std::min(first.size(), second.size());
+  std::size_t front = 0, back = 0;
+  for (std::size_t i = 0; i < shorter && first[i] == second[i]; ++i)
+    if (first[i] == '_') front = i + 1;
+  for (std::size_t i = 1; i + front < shorter && first[first.size() - i] == second[second.size() - i]; ++i)
+    if (first[first.size() - i] == '_') back = i;
+  if (first == second || !ends_word(first, first.size() - back)) return first;
+  return first.substr(0, first.size() - back) + "_and_" + second.substr(front);
+}
+
 std::string SliceTables::index(const std::vector<int>& indices) {
   const int first = indices[0], step = indices.size() > 1 ? indices[1] - first : 0;
   for (std::size_t slice = 0; slice < indices.size(); ++slice) {

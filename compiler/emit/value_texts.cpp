@@ -34,6 +34,7 @@ ValueTexts::ValueTexts(const Program& program, const Schedule& schedule, const P
     : program_(program),
       schedule_(schedule),
       shape_(shape),
+      widths_(widths_of(program)),
       phrases_(program.nodes.size()),
       outputs_(program.nodes.size()),
       names_(program),
@@ -55,7 +56,7 @@ void ValueTexts::reserve_names() {
   for (const auto& [group, place] : shape_.inputs) {
     for (const std::string& local : place.locals) names_.reserve(local);
   }
-  for (const char* name : {"result", "fma", "fms", "fnma"}) names_.reserve(name);
+  for (const char* name : {"result", "fma", "fms", "fnma", kPairType}) names_.reserve(name);
   if (schedule_.has_loops()) names_.reserve("k");
 }
 
@@ -64,7 +65,8 @@ CrossingStruct& ValueTexts::add_crossing() {
 }
 
 void ValueTexts::declare_crossing() {
-  if (schedule_.has_loops()) add_crossing().places = {{fmt::format("value[{}]", std::max(schedule_.stored, 1))}};
+  if (schedule_.has_loops())
+    add_crossing().places = {{shape_.scalar, {fmt::format("value[{}]", std::max(schedule_.stored, 1))}}};
   const auto places = static_cast<std::size_t>(schedule_.places);
   for (std::size_t first = 0; first < places; first += kPlacesTogether)
     add_crossing().places.resize(std::min(places - first, kPlacesTogether));
@@ -83,10 +85,10 @@ void ValueTexts::name_calls() {
     if (!names.exponents.empty()) names.exponents = names_.unique(names.exponents);
     for (std::string& array : names.results) {
       array = names_.unique(array);
-      const std::string declared = fmt::format("{}[{}]", array, calls[c].arguments.size());
+      const std::string declared = fmt::format("{}[{}]", array, calls[c].entries);
       if (crossing_calls.contains(static_cast<int>(c))) {
         CrossingStruct& home = crossing_.back();
-        home.places.push_back({declared});
+        home.places.push_back({shape_.scalar, {declared}});
         names.work.insert(home.argument);
         array = home.argument + "." + array;
       } else {
@@ -102,7 +104,8 @@ void ValueTexts::name_calls() {
 std::string ValueTexts::crossing_place(ValueId v, const std::string& name, PartText& part) {
   const auto place = static_cast<std::size_t>(facts(v).place);
   CrossingStruct& home = crossing_[place / kPlacesTogether];
-  home.places[place % kPlacesTogether].push_back(name);
+  home.places[place % kPlacesTogether].type = type_of(v);
+  home.places[place % kPlacesTogether].names.push_back(name);
   part.arguments.insert(work_of_[v] = home.argument);
   return home.argument + "." + name;
 }
@@ -148,7 +151,7 @@ Phrase ValueTexts::input_phrase(const Slices& values, PartText& part) {
 }
 
 Phrase ValueTexts::copied(ValueId v, const std::string& local, const std::string& place, PartText& part) {
-  if (copied_in_part_.insert(v).second) add_line(part, "const " + shape_.scalar + " " + local + " = " + place + ";");
+  if (copied_in_part_.insert(v).second) add_line(part, "const " + type_of(v) + " " + local + " = " + place + ";");
   return {local, Binding::primary};
 }
 
@@ -156,7 +159,9 @@ Phrase ValueTexts::result_phrase(ValueId v, PartText& part) {
   const CallNames& names = call_names_[place_in_call(v).call];
   part.arguments.insert(names.work.begin(), names.work.end());
   const std::string& array = program_.nodes[v].op == Op::cos ? names.results.back() : names.results.front();
-  const std::string place = fmt::format("{}[{}]", array, place_in_call(v).argument);
+  const int first = place_in_call(v).argument;
+  const std::string place =
+      widths_[v] == 2 ? fmt::format("mbgen::pair_at({} + {})", array, first) : fmt::format("{}[{}]", array, first);
   if (uses_in_part_[v] < 2) return {place, Binding::primary};
   std::string& local = local_of_[v];
   if (local.empty()) local = names_.of_value(v);
@@ -189,7 +194,7 @@ Phrase ValueTexts::compose(const ScheduledUnit& unit, ValueId v, PartText& part)
   Phrase operands[3];
   for (int k = 0; k < arity(node.op); ++k)
     operands[k] = phrase_of(unit, schedule_.operands_of(unit, facts(v).offset, k), part);
-  return operation_phrase(shape_.scalar, node.op, operands[0], operands[1], operands[2]);
+  return operation_phrase(type_of(v), node.op, operands[0], operands[1], operands[2]);
 }
 
 std::string ValueTexts::number(const std::string& text) const {
@@ -200,6 +205,8 @@ std::string ValueTexts::name_of(ValueId v) {
   const ScheduledUnit& unit = schedule_.units[facts(v).unit];
   const Node& first = program_.nodes[v];
   const Node& last = program_.nodes[schedule_.order[unit.last() - unit.period + facts(v).offset]];
+  if (first.mirrored_label >= 0)
+    return names_.identifier(label_of_both(program_.labels[first.label], program_.labels[first.mirrored_label]));
   if (!unit.is_loop() || first.label < 0 || last.label < 0) return names_.of_value(v);
   return names_.identifier(common_label(program_.labels[first.label], program_.labels[last.label]));
 }

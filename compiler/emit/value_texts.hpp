@@ -33,6 +33,8 @@ class ValueTexts {
   /// Begins a part: copies of inputs and tables of another one are not seen.
   void start_part(const PlaceRange& range);
 
+  /// The type of a value.
+  std::string type_of(ValueId v) const { return widths_[v] == 2 ? kPairType : shape_.scalar; }
   const ScheduledValue& facts(ValueId v) const { return schedule_.value[v]; }
   const ArrayPlace& place_in_call(ValueId v) const { return schedule_.calls.place[v]; }
   const CallNames& call_names(int call) const { return call_names_[static_cast<std::size_t>(call)]; }
@@ -83,6 +85,7 @@ class ValueTexts {
   const Program& program_;
   const Schedule& schedule_;
   const ProgramShape& shape_;
+  std::vector<int> widths_;  ///< see widths_of
   std::vector<Phrase> phrases_;
   std::vector<std::vector<Slot>> outputs_;  ///< per value
   LocalNames names_;

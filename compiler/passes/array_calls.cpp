@@ -28,6 +28,7 @@ struct Levels {
   std::vector<int> level;       ///< calls, one after the other, that the value waits for; its own too
   std::vector<int> least;       ///< that a value of a call waits for though it needs not
   Gathering gathering;
+  std::vector<int> widths;  ///< numbers in each value
 };
 
 /// Arguments of one call, before it is split, with the values that it computes for each.
@@ -110,8 +111,11 @@ Groups settle(const Program& program, Range range, Levels& levels) {
     find_levels(program, range, levels);
     Groups groups = groups_of(program, range, levels);
     if (of_vectors && wait_for_later(program, range, groups, levels)) continue;
-    const auto small = std::find_if(groups.begin(), groups.end(),
-                                    [&](const auto& entry) { return entry.second.arguments.size() < fewest; });
+    const auto small = std::ranges::find_if(groups, [&](const auto& entry) {
+      std::size_t entries = 0;
+      for (const auto& values : entry.second.values) entries += static_cast<std::size_t>(levels.widths[values[0]]);
+      return entries < fewest;
+    });
     if (small == groups.end()) return groups;
     for (const auto& values : small->second.values) {
       for (const ValueId v : values) levels.is_called[v] = false;
@@ -122,8 +126,8 @@ Groups settle(const Program& program, Range range, Levels& levels) {
 /// A range in its new order; it starts as before where calls stand already.
 class NewOrder {
  public:
-  NewOrder(const Program& program, Range range, ArrayCalls& result)
-      : program_(program), range_(range), result_(result), is_placed_(program.nodes.size(), false) {
+  NewOrder(const Program& program, const std::vector<int>& widths, Range range, ArrayCalls& result)
+      : program_(program), widths_(widths), range_(range), result_(result), is_placed_(program.nodes.size(), false) {
     std::size_t kept = range.size();
     while (kept > 0 && result.place[range[kept - 1]].call < 0) --kept;
     for (std::size_t i = 0; i < kept; ++i) add(range[i]);
@@ -149,13 +153,15 @@ class NewOrder {
 
   void add_calls(Op op, const Group& group) {
     for (std::size_t a = 0; a < group.arguments.size(); ++a) {
-      if (a % kMostInLanes == 0) result_.calls.push_back({op, {}, {}});
+      if (a == 0 || result_.calls.back().entries + widths_[group.values[a][0]] > kMostInLanes)
+        result_.calls.push_back({op, {}, {}});
       ArrayCall& call = result_.calls.back();
       for (const ValueId v : group.values[a]) {
-        result_.place[v] = {static_cast<int>(result_.calls.size()) - 1, static_cast<int>(call.arguments.size())};
+        result_.place[v] = {static_cast<int>(result_.calls.size()) - 1, call.entries};
         add(v);
       }
       call.arguments.push_back(group.arguments[a][0]);
+      call.entries += widths_[group.values[a][0]];
       if (op == Op::pow) call.exponents.push_back(group.arguments[a][1]);
     }
   }
@@ -174,16 +180,19 @@ class NewOrder {
   }
 
   const Program& program_;
+  const std::vector<int>& widths_;
   Range range_;
   ArrayCalls& result_;
   std::vector<bool> is_placed_;
   std::vector<ValueId> order_;
 };
 
-/// An input, a constant or one operation on them.
+/// An input, a constant or one operation on them; packed where it is a pair.
 bool is_given(const Program& program, ValueId v) {
   const auto is_leaf = [&](ValueId value) {
-    return program.nodes[value].op == Op::input || program.nodes[value].op == Op::constant;
+    const Node& node = program.nodes[value];
+    const Op op = program.nodes[node.op == Op::negate ? node.operands[0] : value].op;
+    return op == Op::input || op == Op::constant;
   };
   const Node& node = program.nodes[v];
   for (int k = 0; k < arity(node.op); ++k) {
@@ -203,7 +212,7 @@ void gather(const Program& program, std::span<ValueId> range, Levels& levels, Ar
   }
   const Groups groups = settle(program, range, levels);
   if (!groups.empty()) {
-    NewOrder new_order(program, range, result);
+    NewOrder new_order(program, levels.widths, range, result);
     for (const auto& [key, group] : groups) {
       new_order.add_needed(group);
       new_order.add_calls(key.second, group);
@@ -234,8 +243,13 @@ ArrayCalls gather_calls(const Program& program, std::vector<ValueId>& order, Gat
   ArrayCalls result;
   const std::size_t count = program.nodes.size();
   result.place.resize(count);
-  Levels levels{std::vector<bool>(count, false), std::vector<bool>(count, false), std::vector<int>(count, 0),
-                std::vector<int>(count, 0), gathering};
+  Levels levels{std::vector<bool>(count, false),
+                std::vector<bool>(count, false),
+                std::vector<int>(count, 0),
+                std::vector<int>(count, 0),
+                gathering,
+                widths_of(program)};
+  for (int& width : levels.widths) width = std::max(width, 1);
   gather_given(program, order, levels, result);
   const auto section_of = [&](std::size_t i) { return program.nodes[order[i]].section; };
   for (std::size_t first = 0, last = 0; first < order.size(); first = last) {

@@ -10,19 +10,20 @@ namespace mbgen {
 /// Fewer arguments than this are left to calls of their own.
 constexpr std::size_t kFewestInLanes = 4;
 /// More arguments than this are split into several calls: their values stay in one part of the program.
-constexpr std::size_t kMostInLanes = 64;
+constexpr int kMostInLanes = 64;
 
 /// One call. Its values stand one after the other in the order of the program.
 struct ArrayCall {
   Op op = Op::sin;  ///< sin: sine and cosine of each argument; atan, exp, tanh, pow
   std::vector<ValueId> arguments;
   std::vector<ValueId> exponents;  ///< of pow
+  int entries = 0;                 ///< numbers among the arguments: a pair is two
 };
 
 /// A value that a call for many arguments computes.
 struct ArrayPlace {
   int call = -1;     ///< index of the call, -1 for a value of none
-  int argument = 0;  ///< index of its argument in the call
+  int argument = 0;  ///< index of its first number among those of the arguments
 };
 
 struct ArrayCalls {

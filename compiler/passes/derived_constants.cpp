@@ -42,7 +42,7 @@ class Derivation {
     std::vector<ValueId> derived(program.nodes.size(), kNoValue);
     for (std::size_t i = 0; i < program.nodes.size(); ++i) {
       const Node& node = program.nodes[i];
-      bool is_derived = node.op != Op::input || program.inputs[node.input].group == group_;
+      bool is_derived = node.op != Op::pack && (node.op != Op::input || program.inputs[node.input].group == group_);
       for (int k = 0; k < arity(node.op); ++k) is_derived = is_derived && derived[node.operands[k]] != kNoValue;
       if (is_derived) derived[i] = builder_.copy(program, node, derived);
       if (is_derived && node.op == Op::input) slot_index_[derived[i]] = program.inputs[node.input].index;

@@ -83,7 +83,7 @@ class SumWriter {
     const Node& node = program_.nodes[v];
     builder_.set_origin(node);
     const ValueId sum = write(terms_of(v));
-    if (node.label >= 0) builder_.label(sum, program_.labels[static_cast<std::size_t>(node.label)]);
+    builder_.label_like(sum, program_, node);
     return sum;
   }
 

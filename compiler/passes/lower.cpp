@@ -7,10 +7,28 @@ namespace {
 
 using OnProgram = Program (*)(const Program&);
 
+/// Share of the code up to which pairs are worth their vectors in the text.
+constexpr double kWorthPairs = 0.97;
+
 /// A pass on each program by itself. Dead values go each time: what a pass replaces stays behind, and would count.
 template <OnProgram run>
 Programs on_each(Programs programs) {
   for (Program* program : solver_programs(programs)) *program = remove_dead_values(run(*program));
+  return programs;
+}
+
+Programs with_pairs_folded(Programs programs) {
+  const Program& written = programs.laws.empty() ? programs.accelerations : programs.around_laws;
+  programs.in_pairs = fold_pairs(written, programs.mirror);
+  return programs;
+}
+
+/// Pairs that do not pay leave no trace.
+Programs with_pairs_that_pay(Programs programs) {
+  const Program& written = programs.laws.empty() ? programs.accelerations : programs.around_laws;
+  if (!programs.in_pairs.outputs.empty() &&
+      static_cast<double>(size_of_code(programs.in_pairs)) > kWorthPairs * static_cast<double>(size_of_code(written)))
+    programs.in_pairs = {};
   return programs;
 }
 
@@ -22,8 +40,10 @@ Programs with_derived_constants(Programs programs) {
 constexpr Pass kPasses[] = {
     {"dead-values", "values that no output needs taken out", Lowered::whole, on_each<remove_dead_values>},
     {"divisions", "divisions by one value merged", Lowered::whole, on_each<merge_divisions>},
+    {"pairs", "left and right of a mirror in two lanes", Lowered::whole, with_pairs_folded},
     {"sums", "sums factored", Lowered::whole, on_each<factor_sums>},
     {"optimised", "sums of what that left factored", Lowered::whole, on_each<factor_sums>},
+    {"pairs-kept", "pairs left out that do not pay", Lowered::whole, with_pairs_that_pay},
     {"derived-constants", "what depends on parameters alone taken out", Lowered::lean, with_derived_constants},
     {"contraction", "products taken into sums, rounded once", Lowered::emitted, on_each<contract>},
 };

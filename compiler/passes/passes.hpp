@@ -24,6 +24,19 @@ Program remove_dead_values(const Program& program);
 ///   =>   %4 = constant 1; %5 = div %4 %3; %6 = mul %0 %5; %7 = mul %1 %5; %8 = mul %2 %5
 Program merge_divisions(const Program& program);
 
+/// Left and right of a mechanism as pairs: a value and what its mirror image is become one value of two lanes, each
+/// operation on it one for both sides. A second lane holds the image, not the value of the other side, so that both
+/// lanes have the same operations, constants and signs. Sums over both sides are summed in lanes. Pairs that cost more
+/// to pack and take apart than they save stay numbers. mirror: see Programs::mirror. Empty where no pair is worth it.
+/// Ensures: values equal up to rounding. Method: docs/method/pairs.md.
+///   %2 = mul %0 %0; %3 = mul %1 %1; %4 = add %2 %3      %0 left, %1 right
+///   =>   %2 = pack %0 %1; %3 = mul %2 %2; %4 = first_lane %3; %5 = second_lane %3; %6 = add %4 %5
+Program fold_pairs(const Program& program, std::span<const MirroredInput> mirror);
+
+/// Bytes of code, about, that a program without calls takes once its products are in sums: what is compared where
+/// programs of the same values compete.
+long size_of_code(const Program& program);
+
 /// Writes every sum as one chain: terms that cancel leave it, constants become one, a factor that several products
 /// share is taken out, plain terms come before products so that each product fuses with an addition. A sum is what
 /// additions, subtractions and negations of unnamed values of one use make; named values stay as they are. Ensures:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "compiler/program/kinds.hpp"
 
@@ -53,7 +54,8 @@ void find_uses(const Program& program, Schedule& schedule) {
 }
 
 /// Gives the values that cross parts their places: short addresses go to those that are read most.
-void place_crossing(Schedule& schedule, bool shares) {
+void place_crossing(const Program& program, Schedule& schedule, bool shares) {
+  const std::vector<int> widths = widths_of(program);
   const auto part_of = [&](ValueId v) { return schedule.units[static_cast<std::size_t>(schedule.value[v].unit)].part; };
   struct Place {
     std::vector<ValueId> values;  ///< one after the other
@@ -64,16 +66,20 @@ void place_crossing(Schedule& schedule, bool shares) {
     const ScheduledValue& value = schedule.value[v];
     if (!value.crosses || schedule.calls.place[v].call >= 0) continue;
     const auto is_free = [&](const Place& place) {
-      return shares && part_of(schedule.value[place.values.back()].user) < part_of(v);
+      return shares && widths[place.values.back()] == widths[v] &&
+             part_of(schedule.value[place.values.back()].user) < part_of(v);
     };
     auto place = std::ranges::find_if(places, is_free);
     if (place == places.end()) place = places.insert(places.end(), Place{});
     place->values.push_back(v);
     place->users += value.users;
   }
+  // Pairs have structs of their own, but for the last one: each begins where a vector may begin.
+  std::ranges::stable_partition(places, [&](const Place& place) { return widths[place.values[0]] == 2; });
   for (std::size_t first = 0; first < places.size(); first += kPlacesTogether)
     std::ranges::stable_sort(places.begin() + first, places.begin() + std::min(first + kPlacesTogether, places.size()),
-                             std::greater{}, &Place::users);
+                             std::greater{},
+                             [&](const Place& place) { return std::pair(widths[place.values[0]], place.users); });
   for (const Place& place : places) {
     for (const ValueId v : place.values) schedule.value[v].place = schedule.places;
     ++schedule.places;
@@ -103,6 +109,8 @@ bool can_be_inlined(const Program& program, const Schedule& schedule, const std:
   const Node& node = program.nodes[v];
   if (value.users != 1 || value.crosses || value.partner != kNoValue || is_output[v] || node.label >= 0) return false;
   const ScheduledValue& place = schedule.value[value.user];
+  const Op taken_by = program.nodes[value.user].op;
+  if (taken_by == Op::first_lane || taken_by == Op::second_lane) return false;
   if (schedule.has_loops() && (place.unit != value.unit || place.slice != value.slice)) return false;
   if (schedule.ordered == ValueOrder::fewest_alive) return true;
   const Node& user = program.nodes[value.user];
@@ -142,7 +150,7 @@ Schedule schedule(const Program& program, const ScheduleOptions& options) {
     result = rolled_schedule(program, rolling);
   }
   find_uses(program, result);
-  if (!result.has_loops()) place_crossing(result, options.shares_places);
+  if (!result.has_loops()) place_crossing(program, result, options.shares_places);
   find_partners(program, result);
   settle_slices(program, result);
   return result;

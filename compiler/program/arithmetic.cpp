@@ -21,6 +21,7 @@ int arity(Op op) {
     case Op::pow:
     case Op::min:
     case Op::max:
+    case Op::pack:
       return 2;
     case Op::select:
     case Op::multiply_add:
@@ -90,6 +91,12 @@ const char* op_name(Op op) {
       return "floor";
     case Op::sample:
       return "sample";
+    case Op::pack:
+      return "pack";
+    case Op::first_lane:
+      return "first_lane";
+    case Op::second_lane:
+      return "second_lane";
   }
   return "unknown";
 }
@@ -149,9 +156,12 @@ double apply(Op op, double first, double second, double third) {
     case Op::sample:
     case Op::constant:
     case Op::input:
+    case Op::pack:
+    case Op::first_lane:
+    case Op::second_lane:
       break;
   }
-  throw std::logic_error("constants, inputs and samples compute nothing");
+  throw std::logic_error("constants, inputs, samples and lanes compute nothing");
 }
 
 double fold(Op op, double first, double second, double third) {

@@ -91,7 +91,7 @@ ValueId ProgramBuilder::append(Op op, ValueId first, ValueId second, ValueId thi
   ValueId operands[3] = {first, second, third};
   const int count = arity(op);
   if (count == 0) throw std::logic_error("constants and inputs are not appended as operations");
-  bool all_constant = op != Op::sample;
+  bool all_constant = op < Op::sample;
   double values[3] = {0, 0, 0};
   for (int i = 0; i < 3; ++i) {
     if ((i < count) != (operands[i] < program_.nodes.size())) {
@@ -115,6 +115,7 @@ ValueId ProgramBuilder::append(Op op, ValueId first, ValueId second, ValueId thi
   std::ranges::copy(operands, node.operands);
   node.section = section_;
   node.owner = owner_;
+  node.mirrored = mirrored_;
   return share_or_push(node);
 }
 
@@ -181,7 +182,7 @@ ValueId ProgramBuilder::copy(const Program& source, const Node& node, std::span<
   ValueId operands[3] = {kNoValue, kNoValue, kNoValue};
   for (int i = 0; i < arity(node.op); ++i) operands[i] = renamed[node.operands[i]];
   const ValueId value = append(node.op, operands[0], operands[1], operands[2]);
-  if (node.label >= 0) label(value, source.labels[static_cast<std::size_t>(node.label)]);
+  label_like(value, source, node);
   return value;
 }
 
@@ -196,23 +197,33 @@ void ProgramBuilder::set_section(const Section& section) {
   if (known_sections_.insert(section).second) program_.sections.push_back(section);
 }
 
-void ProgramBuilder::set_owner(const Owner& owner) {
+void ProgramBuilder::set_owner(const Owner& owner, const Owner& mirrored) {
   ++moment_;
   owner_ = owner;
+  mirrored_ = mirrored;
 }
 
 void ProgramBuilder::set_origin(const Node& node) {
   set_section(node.section);
-  set_owner(node.owner);
+  set_owner(node.owner, node.mirrored);
 }
 
-void ProgramBuilder::label(ValueId value, const std::string& name) {
+void ProgramBuilder::label(ValueId value, const std::string& name, const std::string& of_second_lane) {
   ++moment_;
   Node& named = program_.nodes[value];
   if (named.op == Op::constant || named.op == Op::input || named.label >= 0) return;
   named.owner = owner_;  // what is named after a body belongs to it, whoever computed it
+  named.mirrored = mirrored_;
   named.label = static_cast<std::int32_t>(program_.labels.size());
   program_.labels.push_back(name);
+  if (of_second_lane.empty()) return;
+  named.mirrored_label = static_cast<std::int32_t>(program_.labels.size());
+  program_.labels.push_back(of_second_lane);
+}
+
+void ProgramBuilder::label_like(ValueId value, const Program& source, const Node& node) {
+  const auto name = [&](std::int32_t label) { return label < 0 ? "" : source.labels[static_cast<std::size_t>(label)]; };
+  if (node.label >= 0) label(value, name(node.label), name(node.mirrored_label));
 }
 
 bool ProgramBuilder::is_constant(ValueId value, double constant) const {

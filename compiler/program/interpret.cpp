@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "compiler/program/arithmetic.hpp"
@@ -8,31 +9,34 @@
 namespace mbgen {
 namespace {
 
-/// Counts one operation; negations, constants and inputs are free.
-void count(OperationCount& total, Op op) {
+/// Counts one operation in each of `lanes`; negations, constants, inputs and what packs and takes apart are free.
+void count(OperationCount& total, Op op, int lanes) {
   switch (op) {
     case Op::constant:
     case Op::input:
     case Op::negate:
+    case Op::pack:
+    case Op::first_lane:
+    case Op::second_lane:
       return;
     case Op::add:
     case Op::subtract:
-      ++total.add;
+      total.add += lanes;
       return;
     case Op::multiply:
-      ++total.multiply;
+      total.multiply += lanes;
       return;
     case Op::multiply_add:
     case Op::multiply_subtract:
     case Op::subtract_product:
-      ++total.multiply;
-      ++total.add;
+      total.multiply += lanes;
+      total.add += lanes;
       return;
     case Op::divide:
-      ++total.divide;
+      total.divide += lanes;
       return;
     case Op::sqrt:
-      ++total.sqrt;
+      total.sqrt += lanes;
       return;
     case Op::sin:
     case Op::cos:
@@ -41,10 +45,10 @@ void count(OperationCount& total, Op op) {
     case Op::acos:
     case Op::atan:
     case Op::atan2:
-      ++total.trigonometric;
+      total.trigonometric += lanes;
       return;
     default:
-      ++total.other;
+      total.other += lanes;
       return;
   }
 }
@@ -56,6 +60,7 @@ std::vector<double> interpret(const Program& program, std::span<const double> in
     throw std::invalid_argument(
         fmt::format("program {} has {} inputs, {} given", program.name, program.inputs.size(), inputs.size()));
   }
+  if (has_pairs(program)) return interpret(unfolded(program), inputs);
   std::vector<double> values(program.nodes.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Node& node = program.nodes[i];
@@ -90,9 +95,10 @@ std::vector<bool> needed_values(const Program& program) {
 
 OperationCount count_operations(const Program& program) {
   const std::vector<bool> needed = needed_values(program);
+  const std::vector<int> widths = widths_of(program);
   OperationCount total;
   for (std::size_t i = 0; i < needed.size(); ++i) {
-    if (needed[i]) count(total, program.nodes[i].op);
+    if (needed[i]) count(total, program.nodes[i].op, std::max(widths[i], 1));
   }
   return total;
 }
@@ -106,9 +112,10 @@ std::map<Section, std::size_t> places_of_sections(const Program& program) {
 std::vector<OperationCount> count_operations_by_section(const Program& program) {
   const std::vector<bool> needed = needed_values(program);
   const std::map<Section, std::size_t> places = places_of_sections(program);
+  const std::vector<int> widths = widths_of(program);
   std::vector<OperationCount> totals(program.sections.size());
   for (std::size_t i = 0; i < needed.size(); ++i) {
-    if (needed[i]) count(totals[places.at(program.nodes[i].section)], program.nodes[i].op);
+    if (needed[i]) count(totals[places.at(program.nodes[i].section)], program.nodes[i].op, std::max(widths[i], 1));
   }
   return totals;
 }

@@ -49,7 +49,11 @@ enum class Op : std::uint8_t {
   multiply_subtract,  ///< multiply_subtract(a, b, c): a b - c
   subtract_product,   ///< subtract_product(c, a, b): c - a b
   floor,              ///< the largest whole number not above it; no derivative
-  sample              ///< sample(i): number i of Program::samples, the first or last one outside; no derivative
+  sample,             ///< sample(i): number i of Program::samples, the first or last one outside; no derivative
+  // Pairs: values of two lanes, see widths_of. Only the pass `pairs` makes these.
+  pack,        ///< pack(a, b): the pair of two numbers
+  first_lane,  ///< first_lane(p): the first number of a pair
+  second_lane  ///< second_lane(p): the other one
 };
 
 /// A table that programs take numbers from; empty: none.
@@ -59,11 +63,13 @@ using Samples = std::shared_ptr<const std::vector<double>>;
 struct Node {
   Op op = Op::constant;
   ValueId operands[3] = {kNoValue, kNoValue, kNoValue};
-  double constant = 0;      ///< for Op::constant
-  std::int32_t input = -1;  ///< for Op::input: index into Program::inputs
-  std::int32_t label = -1;  ///< index into Program::labels, of a constant into Program::constants, or -1
-  Section section = {};     ///< one of Program::sections; inputs and constants have none
-  Owner owner = {};         ///< part of the mechanism that the value belongs to
+  double constant = 0;               ///< for Op::constant
+  std::int32_t input = -1;           ///< for Op::input: index into Program::inputs
+  std::int32_t label = -1;           ///< index into Program::labels, of a constant into Program::constants, or -1
+  Section section = {};              ///< one of Program::sections; inputs and constants have none
+  Owner owner = {};                  ///< part of the mechanism that the value belongs to
+  Owner mirrored = {};               ///< of a pair: the owner of its second lane
+  std::int32_t mirrored_label = -1;  ///< of a pair: likewise, index into Program::labels
 };
 
 /// A number of the model as the formulation takes it: a mass, a coordinate of a point.
@@ -132,12 +138,14 @@ class ProgramBuilder {
 
   /// Values appended from now on belong to this section / this part of the mechanism / where `node` does.
   void set_section(const Section& section);
-  void set_owner(const Owner& owner);
+  void set_owner(const Owner& owner, const Owner& mirrored = {});
   void set_origin(const Node& node);
   const Section& section() const { return section_; }
   const Owner& owner() const { return owner_; }
   /// Names a value; the first name given to a value stays. Constants and inputs are not named here.
-  void label(ValueId value, const std::string& name);
+  void label(ValueId value, const std::string& name, const std::string& of_second_lane = "");
+  /// The names of a value of `source`, where it has them.
+  void label_like(ValueId value, const Program& source, const Node& node);
 
   const Node& node(ValueId value) const { return program_.nodes[value]; }
   bool is_constant(ValueId value) const { return node(value).op == Op::constant; }
@@ -167,7 +175,7 @@ class ProgramBuilder {
   std::vector<std::pair<ValueId, Node>> repeats_;
   std::set<Section> known_sections_;
   Section section_;
-  Owner owner_;
+  Owner owner_, mirrored_;
   std::unordered_map<std::string, std::int32_t> named_;  ///< index into Program::constants by name, last of each
 };
 
@@ -196,10 +204,21 @@ struct Titles {
 /// (constants and inputs belong to none). Exact: constants shortest-round-trip, on any locale.
 std::string dump(const Program& program, const Titles& titles = {});
 
+/// Numbers in each value: 2 of a pair, 1 of a number, 0 of a constant, which counts for every lane. An operation on a
+/// pair is done in each of its lanes; with a number it is none before that is packed.
+std::vector<int> widths_of(const Program& program);
+
+/// Whether a value of the program is a pair.
+bool has_pairs(const Program& program);
+
+/// The same values to the bit, each lane of a pair a number of its own.
+///   %2 = pack %0 %1; %3 = mul %2 %2; %4 = second_lane %3   =>   %3 = mul %1 %1
+Program unfolded(const Program& program);
+
 /// Which values some output needs, one flag per node.
 std::vector<bool> needed_values(const Program& program);
 
-/// Numbers of operations after dead values are gone.
+/// Numbers of operations after dead values are gone, those on pairs twice.
 struct OperationCount {
   long add = 0, multiply = 0, divide = 0, sqrt = 0, trigonometric = 0, other = 0;
   long total() const {

@@ -19,8 +19,7 @@ Program rewritten(const Program& program, const Rewrite& rewrite) {
     const Node& node = program.nodes[v];
     builder.set_origin(node);
     const ValueId value = rewrite(builder, v, std::span<const ValueId>(renamed));
-    if (value != kNoValue && node.label >= 0)
-      builder.label(value, program.labels[static_cast<std::size_t>(node.label)]);
+    if (value != kNoValue) builder.label_like(value, program, node);
     renamed.push_back(value != kNoValue ? value : builder.copy(program, node, renamed));
   }
   for (const auto& [slot, value] : program.outputs) builder.output(slot.group, slot.index, renamed[value]);

@@ -113,6 +113,30 @@ ValueId simplify_unary(ProgramBuilder& builder, Op op, ValueId operand) {
   return kNoValue;
 }
 
+// pack(c, c)                            -> c, a constant counts for every lane
+// pack(-x, -y)                          -> -pack(x, y)
+// pack(first_lane(p), second_lane(p))   -> p
+ValueId simplify_pack(ProgramBuilder& builder, ValueId x, ValueId y) {
+  const Node &first = builder.node(x), &second = builder.node(y);
+  if (builder.is_constant(x) && builder.is_constant(y, first.constant)) return x;
+  if (first.op == Op::negate && second.op == Op::negate)
+    return builder.append(Op::negate, builder.append(Op::pack, first.operands[0], second.operands[0]));
+  const bool is_whole =
+      first.op == Op::first_lane && second.op == Op::second_lane && first.operands[0] == second.operands[0];
+  return is_whole ? first.operands[0] : kNoValue;
+}
+
+// first_lane(c)             -> c
+// first_lane(pack(x, y))    -> x, second_lane likewise
+// first_lane(-p)            -> -first_lane(p)
+ValueId simplify_lane(ProgramBuilder& builder, Op op, ValueId pair) {
+  const Node node = builder.node(pair);
+  if (node.op == Op::constant) return pair;
+  if (node.op == Op::pack) return node.operands[op == Op::first_lane ? 0 : 1];
+  if (node.op == Op::negate) return builder.append(Op::negate, builder.append(op, node.operands[0]));
+  return kNoValue;
+}
+
 }  // namespace
 
 void order_operands(const std::vector<Node>& nodes, Op op, ValueId (&operands)[3]) {
@@ -135,6 +159,11 @@ ValueId simplify(ProgramBuilder& builder, Op op, ValueId first, ValueId second, 
       return simplify_power(builder, first, second);
     case Op::select:
       return simplify_select(builder, first, second, third);
+    case Op::pack:
+      return simplify_pack(builder, first, second);
+    case Op::first_lane:
+    case Op::second_lane:
+      return simplify_lane(builder, op, first);
     default:
       return arity(op) == 1 ? simplify_unary(builder, op, first) : kNoValue;
   }

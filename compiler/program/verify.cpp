@@ -31,7 +31,7 @@ std::string verify_operands(const Program& program, std::size_t value) {
 std::string verify_node(const Program& program, std::size_t value, const std::set<Section>& sections,
                         std::vector<bool>& value_seen) {
   const Node& node = program.nodes[value];
-  if (node.op > Op::sample) return fmt::format("%{}: unknown operation {}", value, static_cast<int>(node.op));
+  if (node.op > Op::second_lane) return fmt::format("%{}: unknown operation {}", value, static_cast<int>(node.op));
   if (node.op == Op::sample && (!program.samples || program.samples->empty()))
     return fmt::format("%{}: no samples", value);
   if (std::string problem = verify_operands(program, value); !problem.empty()) return problem;
@@ -52,7 +52,10 @@ std::string verify_node(const Program& program, std::size_t value, const std::se
   if (!is_next && !sections.contains(node.section))
     return fmt::format("%{}: no section \"{}\"", value, text_of(node.section));
   const std::size_t labels = node.op == Op::constant ? program.constants.size() : program.labels.size();
-  if (node.label < -1 || (node.label >= 0 && static_cast<std::size_t>(node.label) >= labels)) {
+  const auto is_known = [&](std::int32_t label, std::size_t count) {
+    return label >= -1 && (label < 0 || static_cast<std::size_t>(label) < count);
+  };
+  if (!is_known(node.label, labels) || !is_known(node.mirrored_label, program.labels.size())) {
     return fmt::format("%{}: no label {}", value, node.label);
   }
   if (node.op == Op::constant && node.label >= 0 &&
@@ -81,6 +84,24 @@ std::string verify_slots(const Program& program) {
   return "";
 }
 
+/// Pairs are packed and taken apart where they meet numbers.
+std::string verify_widths(const Program& program) {
+  const std::vector<int> widths = widths_of(program);
+  for (std::size_t value = 0; value < program.nodes.size(); ++value) {
+    const Node& node = program.nodes[value];
+    const bool takes_apart = node.op == Op::first_lane || node.op == Op::second_lane;
+    for (int k = 0; k < arity(node.op); ++k) {
+      const int wanted = takes_apart ? 2 : node.op == Op::pack ? 1 : widths[value];
+      const int given = widths[node.operands[k]];
+      if (given != wanted && (given != 0 || takes_apart))
+        return fmt::format("%{}: operand {} of {} has width {}", value, k, op_name(node.op), given);
+    }
+  }
+  for (const auto& [slot, value] : program.outputs)
+    if (widths[value] == 2) return fmt::format("output {} is a pair", text_of(slot));
+  return "";
+}
+
 }  // namespace
 
 std::string verify(const Program& program) {
@@ -91,7 +112,8 @@ std::string verify(const Program& program) {
   for (std::size_t value = 0; value < program.nodes.size(); ++value) {
     if (std::string problem = verify_node(program, value, sections, value_seen); !problem.empty()) return problem;
   }
-  return verify_slots(program);
+  if (std::string problem = verify_slots(program); !problem.empty()) return problem;
+  return verify_widths(program);
 }
 
 Program verified(Program program) {

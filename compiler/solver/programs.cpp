@@ -74,6 +74,7 @@ std::vector<Program*> solver_programs(Programs& programs) {
       &programs.multipliers,   &programs.outputs, &programs.sampled,       &programs.ground_places,
       &programs.tangents,      &programs.changes};
   if (!programs.laws.empty()) list.push_back(&programs.around_laws);
+  if (!programs.in_pairs.outputs.empty()) list.push_back(&programs.in_pairs);
   for (SharedLaw& law : programs.laws) list.push_back(&law.program);
   return list;
 }
@@ -92,7 +93,20 @@ Programs with_shared_laws(Programs programs) {
 
 Programs without_shared_laws(Programs programs) {
   programs.around_laws = {};
+  programs.in_pairs = {};
   programs.laws.clear();
+  return programs;
+}
+
+Programs with_pairs(Programs programs) {
+  if (!programs.in_pairs.outputs.empty()) programs.accelerations = std::exchange(programs.in_pairs, {});
+  return programs;
+}
+
+Programs with_pairs_apart(Programs programs) {
+  if (!has_pairs(programs.accelerations)) return programs;
+  programs.in_pairs = std::move(programs.accelerations);
+  programs.accelerations = unfolded(programs.in_pairs);
   return programs;
 }
 

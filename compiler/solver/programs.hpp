@@ -69,12 +69,24 @@ struct SharedLaw {
 /// place.
 int argument_place(const SharedLaw& law, std::size_t argument, std::size_t element);
 
+/// What a mirror of the mechanism makes of an input: its value becomes sign times that of the image, and the other way
+/// round.
+struct MirroredInput {
+  Slot slot, image;
+  int sign = 1;
+};
+
 /// Programs that a model does not need are empty.
 struct Programs {
   Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, sampled, ground_places,
       tangents, changes, derived_constants;
   Program around_laws;  ///< `accelerations` without the laws that elements share; empty where they share none
   std::vector<SharedLaw> laws;
+  /// The accelerations, without shared laws where there are such, with left and right as pairs; empty where that does
+  /// not pay.
+  Program in_pairs;
+  /// Inputs that a mirror of the mechanism takes to others or to themselves; empty where it has none.
+  std::vector<MirroredInput> mirror;
   Form form = Form::recursive;  ///< of `accelerations` and `accelerations_chosen`
 };
 
@@ -86,8 +98,13 @@ std::vector<Program*> solver_programs(Programs& programs);
 
 /// `around_laws` in place of the accelerations, where there is one.
 Programs with_shared_laws(Programs programs);
-/// The same programs without them.
+/// The same programs without them, and without pairs.
 Programs without_shared_laws(Programs programs);
+
+/// `in_pairs` in place of the accelerations, where there is one.
+Programs with_pairs(Programs programs);
+/// The same programs with accelerations that have pairs as `in_pairs`, their numbers one by one as the accelerations.
+Programs with_pairs_apart(Programs programs);
 
 /// Every program with outputs but `around_laws`.
 std::vector<const Program*> all_programs(const Programs& programs);

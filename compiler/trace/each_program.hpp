@@ -19,6 +19,11 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
                                       Role role = Role::accelerations, RecursionChoices choices = {},
                                       const std::vector<SharedLaw>& laws = {});
 
+/// What the mirror of the mechanism makes of the inputs of the accelerations, results of these laws among them; empty
+/// where it has none.
+std::vector<MirroredInput> mirrored_inputs(const Model& model, const Topology& topology,
+                                           const std::vector<SharedLaw>& laws);
+
 /// The laws of tyres that have one set of coefficients, each of two or more; their programs are still empty.
 std::vector<SharedLaw> plan_shared_laws(const Model& model);
 /// Their programs. around: the accelerations traced with the planned laws; loses what it gives as numbers, and all but

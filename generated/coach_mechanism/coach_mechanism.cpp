@@ -68,12 +68,17 @@
 //   pivot of a coordinate: of its column of the closure Jacobian (60), or of its free direction (63)
 //   J entry of the closure Jacobian; Rz projection (61); zdd_star accelerations at zero free ones (62)
 //   s8_12 the 12th value without a name of step 8
+//
+// Pairs: values of a left and a right side that do the same operations, one in each lane. The second lane holds the
+// mirror image of its side's value: of (a)_and_(b) the first lane is a, the second one b or, where the mirror turns it
+// round, -b. T[0] + T[1] sums both sides.
 
 #include "coach_mechanism.hpp"
 
 #include "mbgen/elementary.hpp"
 #include "mbgen/fma.hpp"
 #include "mbgen/motion.hpp"
+#include "mbgen/pair.hpp"
 #include "mbgen/scalar.hpp"
 #include "mbgen/solver.hpp"
 
@@ -94,6 +99,7 @@ namespace coach_mechanism {
 using mbgen::fma;   // a b + c, rounded once
 using mbgen::fms;   // a b - c
 using mbgen::fnma;  // c - a b, of fnma(a, b, c)
+using mbgen::Pair;  // left, and right as its mirror image
 
 namespace {
 
@@ -413,138 +419,108 @@ struct Accelerations {
 
 /// Values of compute_accelerations that cross its parts.
 struct AccelerationsWork1 {
-  double
-      s4_8, s4_4, s4_5, s2_40, r_rear_axle_aux1_x, s2_41, r_rear_axle_aux3_z, w_chassis_y, s7_10,
-      s7_20, s7_24, w_chassis_x, s2_85, s2_86, R_rear_axle_x_y, R_rear_axle_y_y, s2_39, s2_63,
-      s2_64, R_rear_axle_z_y, s2_25, s2_29, pivot_rear_axle_tx, s2_72, s2_87, s2_88, s2_101, s2_102,
-      s2_7, s2_8, s2_9, s2_10, s2_11, s2_12, s2_23, s2_24, s2_27, s2_28, s2_31, s2_32, s2_34, s2_36,
-      s2_37, s2_48, s2_49, s2_51, s2_52, s2_60, s2_61, R_rear_axle_y_z, R_rear_axle_aux5_y_x,
-      R_rear_axle_aux5_x_x, s2_42, s2_43, s2_44, s2_45, s7_6, s7_17, s7_19, R_rear_axle_x_z,
-      R_rear_axle_z_z, s2_47, s2_55, s2_59, s2_67, s2_70, s2_54, s2_66, s2_69, s6_43, s2_71, s2_78,
-      s2_56, s6_46, s2_80, s2_82, s2_96, s7_8, R_chassis_z_y, s4_1, s2_13, s6_5, s2_14, s6_9, s6_10,
-      s2_15, s6_16, s2_16, s6_20, s6_21, s6_27, s6_29, s6_31, s6_36, s6_38, s6_40, s6_51, s6_53,
-      s6_55, s2_99, s7_22, R_rear_axle_aux5_x_z, R_rear_axle_aux5_y_z, s4_2, s4_3, s4_6, s1_5, s4_7,
-      s6_6, s6_7, s6_11, s6_17, s6_18, s6_22, pivot_rear_axle_rx, s6_26, s6_28, s6_30, s6_35, s6_37,
-      s6_39, s6_50, s6_52, s6_54, s2_57, s6_58, s2_83, s2_100;
+  Pair
+      s2_13, s2_41, r_carrier_left_and_right_aux1_y, r_carrier_left_aux1_z,
+      R_carrier_left_and_right_aux2_y_y, s4_25, s4_33, s4_35, s2_73, s2_89, s1_19, s1_25, s1_27,
+      s2_7, s2_28, s2_45, s2_79, s2_142, s2_27, s4_15, R_carrier_left_and_right_aux2_z_y, s0_21,
+      s2_3, s2_6, s2_20, s2_24, s2_36, s2_40, s2_72, s2_77, s2_87, s2_132, s2_136, s2_141, s2_143,
+      s6_54, s2_133, s4_7, s4_10, s0_19, s7_29, s2_25, s2_57, s7_31,
+      pivot_carrier_left_and_right_rx, s2_29, s2_42, s2_47, s2_51, s6_12, s2_62, s1_10,
+      R_carrier_left_and_right_aux1_y_x, R_carrier_left_and_right_aux1_z_x,
+      R_carrier_left_and_right_z_z, s1_4, s2_8, s1_5, s2_44, s2_49, s6_26, s2_63,
+      R_carrier_left_and_right_z_x, s2_26, s6_5, s6_7, s6_9, s6_13, s6_15, s6_21, s6_22, s2_59,
+      s2_78, s2_88, s2_101, s2_116, s6_29, s6_33, s6_36, s6_61, s2_126, s2_129, s4_30, s4_31, s6_75,
+      s2_10, s0_14, s0_17, s0_18, s2_53, s2_99, s2_112, s2_117, s4_21,
+      R_carrier_left_and_right_aux1_y_y, s1_14, R_carrier_left_and_right_aux2_x_z,
+      R_carrier_left_and_right_aux1_z_y, R_carrier_left_and_right_aux2_z_z, s4_22, s4_23, s4_24,
+      s4_26, s4_27, s4_28, s4_29, s4_32, s4_34, s6_4, s0_16, s6_6, s6_8, s6_18, s6_19, s6_20, s6_38,
+      s2_122, s6_70, s6_77, s2_14, s8_1, s8_2, s8_3, s8_4, s8_5, s8_6, s8_7, s7_27;
 };
 
 /// Values of compute_accelerations that cross its parts.
 struct AccelerationsWork2 {
-  double
-      s8_76, s8_106, s8_68, s8_56, s8_63, s8_92, Rz_rear_axle_rz_0, s3_2, Rz_rear_axle_ry_0,
-      Rz_rear_axle_ry_1, Rz_rear_axle_rx_0, s8_39, Rz_rear_axle_rx_1, s8_40, s8_41, w_chassis_z,
-      zdd_star_rear_axle_rz, s3_1, zdd_star_rear_axle_ry, Rz_rear_axle_tz_1, zdd_star_rear_axle_rx,
-      R_carrier_left_aux2_y_y, R_carrier_right_aux2_y_y, s1_21, s1_37, s3_7, zdd_star_rear_axle_tz,
-      R_carrier_left_aux2_z_y, R_carrier_right_aux2_z_y, s3_10, Rz_rear_axle_tx_0,
-      Rz_rear_axle_tx_1, s6_89, R_carrier_left_y_z, R_carrier_right_y_z, zdd_star_rear_axle_tx,
-      R_carrier_left_aux1_y_x, R_carrier_left_y_x, R_carrier_right_aux1_y_x, R_carrier_right_y_x,
-      R_carrier_left_aux1_z_x, R_carrier_right_aux1_z_x, s8_164, s8_166, s8_169, s8_170, s8_198,
-      s8_200, s8_202, s8_204, s8_206, s8_207, s8_209, s8_211, s8_213, s8_214, s8_216, s8_218,
-      s8_220, s8_222, s8_223, s8_225, s8_227, s8_229, s8_231, s8_233, R_chassis_z_z, f_rear_axle_z,
-      s2_112, s8_86, s8_87, s8_88, s8_89, s8_90, s8_91, s8_122, s8_123, s8_125, s8_127, s8_129,
-      s8_131, s8_132, s8_133, s8_135, s8_137, s8_139, s8_140, s7_26, f_rear_axle_y, f_rear_axle_x,
-      s7_29, s7_30, s7_33, s7_34, s2_113, s2_116, s7_25, n_rear_axle_x, s8_174, s8_181, s8_42,
-      s8_43, s8_44, n_rear_axle_y, n_rear_axle_z, R_carrier_left_aux2_z_z, s1_28, s1_29, s1_30,
-      s1_31, s1_32, s1_35, R_carrier_right_aux2_z_z, s1_44, s1_45, s1_46, s1_47, s1_48, s1_51,
-      s8_178, s8_185, s9_1, s9_2, s9_3, s2_115, s2_117, s9_4, s9_5;
+  Pair
+      Rz_rear_axle_rz_0, Rz_rear_axle_ry_1_and_0, Rz_rear_axle_rx_1_and_0, s3_1, s8_87,
+      Rz_rear_axle_tx_1_and_0, s2_144, s8_85, s7_70, s7_67, w_carrier_left_and_right_z, s2_163,
+      s2_166, s3_18, zdd_star_carrier_left_and_right_rz, zdd_star_carrier_left_and_right_ry, s7_89,
+      s0_29, s7_47, s7_60, s7_64, s8_84, s8_93, s8_99, s8_100, s8_102, s8_105,
+      zdd_star_carrier_left_and_right_rx, s3_13, s7_90, s8_90, s3_9, s8_166, s8_208, s8_211, s8_214,
+      s8_107, s8_130, s2_156, s6_96, s8_171, s8_174, s8_178, s8_205, s8_213, s8_217, s8_220, s8_221,
+      s8_223, s8_224, s8_225, s8_226, s8_227, s8_231, s8_242, s8_243, s2_145, s2_148, s7_45, s8_83,
+      s8_115, s8_116, s8_169, s8_234, s8_240, s4_36, s6_78, s4_37, s6_79, s6_81, s6_83, s2_149,
+      s2_155, s7_62, s8_112, s8_132, s8_138, s8_140, s2_157, s7_71, s7_72, s3_23, s8_188, s8_196,
+      s8_202, s8_239, s7_85, s7_86, s7_87, s7_88, s2_147, s2_151, s8_95, s8_119, s8_120, s8_121,
+      s8_122, s8_143, pivot_carrier_left_and_right_rz, s2_158, s2_159, s8_146, s8_147, s8_149,
+      s8_150, s8_155, s8_156, s7_91, s6_82, s6_84, s8_106, s2_160, s8_160, s8_162, s8_206, s8_268,
+      s8_92, s8_97, s8_128, s8_153, s8_164, s8_255, s7_79, s8_262, s8_274, s8_276, s8_282, s8_283;
 };
 
 /// Values of compute_accelerations that cross its parts.
 struct AccelerationsWork3 {
+  Pair
+      s3_29, s3_30, Rz_carrier_left_and_right_rz_2, s3_34, s2_175, s8_347, s3_35, s7_94, s2_176,
+      Rz_arb_front_left_0_and_right_1, s2_169, s2_174, Rz_arb_front_left_and_right_2,
+      zdd_star_arb_front_left_and_right, s0_33, Rz_upper_arm_left_0, s7_130, s7_132, s7_121, s7_123,
+      s2_171, s2_173, s3_28, s8_348, s8_350, s8_353, s8_354, s8_355, s8_356, s7_126, s7_128, s7_100,
+      s7_101, s7_106, s7_107, f_carrier_left_and_right_z, f_carrier_left_and_right_y, s2_177,
+      s8_315, s8_321, s8_328, s8_332, s7_112, s7_113, s8_342, s8_344, f_carrier_left_and_right_x,
+      s2_178, s2_179, s7_114, n_carrier_left_and_right_y, s7_116, pivot_arb_front_left_and_right,
+      s1_35, s1_36, s1_37, s1_38, s1_39, s1_40, s2_183, s7_124, s7_133, s8_746,
+      n_carrier_left_and_right_z, s7_119, s8_346, s8_373, s8_395, s8_419, s8_453, s8_457, s8_480,
+      s8_492, s8_494, s8_496, s8_503, s8_682, s8_740, s8_820, s8_876, s8_878, s8_892, s8_902,
+      s8_284, s8_286, s8_289, s8_292, s8_299, s8_300, s6_115, s8_305, s8_309, s8_340, s8_357,
+      s8_369, s8_446, s8_459, s8_461, s8_474, s8_477, s8_482, s8_485, s8_487, s8_491, s8_663,
+      s8_668, s8_669, s8_670, s8_687, s8_688, s8_696, s8_699, s8_726, s8_731, s8_735, s8_743, s8_747;
   double
-      s4_20, s4_22, s4_27, s1_72, s1_74, s2_124, s2_127, s2_130, s2_133, s2_136, s2_139, s7_41,
-      s7_42, s8_242, s8_470, s7_37, s7_38, s8_353, s8_471, s8_503, s8_504, s8_510,
-      R_carrier_left_x_z, R_carrier_right_x_z, s8_455, s8_514, s8_518, R_carrier_left_x_x,
-      R_carrier_right_x_x, s8_234, s8_236, s8_260, s8_286, s8_481, s8_512, R_carrier_left_z_z,
-      R_carrier_right_z_z, s2_141, s2_143, s8_521, s8_238, s8_240, s8_508, R_carrier_left_z_x,
-      R_carrier_right_z_x, s7_35, s7_36, s7_39, s7_40, s8_314, s8_316, s8_318, s8_352, s8_480,
-      s8_506, s4_23, s4_28, s6_94, s6_98, s6_100, s6_102, s8_246, s1_56, s1_59, s8_489, s8_507,
-      s4_14, s4_15, s4_17, s4_18, s4_19, s4_21, s4_24, s4_25, s4_26, s8_249, pivot_arb_rear_right,
-      s1_54, s1_57, s1_58, s1_60, s1_61, s8_382, s8_385, s8_479, s1_63, s1_64, s1_65, s1_66, s1_67,
-      pivot_arb_rear_left, s4_16, s6_95, s6_99, s8_281, s8_284, s8_285, s8_293, s8_300, s8_312,
-      s8_322, s8_327, s8_330, s8_334, s8_336, s8_338, s8_341, s8_343, s8_345, s8_348, s8_349,
-      s8_351, s8_359, s8_370, s9_6, s8_374, s8_381, s8_383, s8_388, s8_396, s8_451, s8_453, s8_459,
-      s8_465, s8_467, s8_469, s8_519, s8_520;
+      R_rear_axle_x_y, R_rear_axle_y_y, r_rear_axle_aux1_x, R_rear_axle_y_z, R_rear_axle_aux5_y_x,
+      R_rear_axle_aux5_x_x, R_rear_axle_x_z, R_rear_axle_aux5_x_z, R_rear_axle_aux5_y_z, s2_9, s2_30;
 };
 
 /// Values of compute_accelerations that cross its parts.
 struct AccelerationsWork4 {
   double
-      r_carrier_left_aux1_z, r_carrier_left_aux1_y, s1_79, r_carrier_right_aux1_y, s4_35, s4_37,
-      s4_42, Rz_carrier_left_rz_2, s3_17, Rz_carrier_right_rz_2, Rz_carrier_right_ry_1, s1_76,
-      s1_78, s3_18, s3_19, s2_200, Rz_arb_front_left_2, Rz_carrier_right_ry_2,
-      Rz_carrier_right_rx_1, s2_228, s2_182, s2_183, s3_20, s2_212, s2_213, Rz_carrier_right_rx_2,
-      s2_201, s2_229, s7_55, s2_150, s2_153, s2_157, s2_167, s2_170, s2_174, s2_184,
-      Rz_upper_arm_left_2, s2_199, Rz_arb_front_left_0, s2_214, s2_227, Rz_arb_front_right_1,
-      s2_238, Rz_arb_front_right_2, s2_236, s2_240, s2_154, zdd_star_arb_front_left, s3_25,
-      zdd_star_arb_front_right, Rz_upper_arm_left_0, zdd_star_carrier_left_rz,
-      zdd_star_carrier_left_ry, s3_24, zdd_star_carrier_right_rz, zdd_star_carrier_right_ry, s2_235,
-      s3_30, s7_72, zdd_star_carrier_left_rx, zdd_star_carrier_right_rx, s6_194, s2_145, s2_147,
-      pivot_carrier_left_rx, s6_159, s8_524, s8_525, s6_178, s8_527, s8_529, s3_16, s3_26, s2_234,
-      s2_237, s8_530, s6_189, s6_190, s7_74, s4_38, s4_43, s6_108, s6_113, s6_115, s8_522, s6_117,
-      s2_158, s2_160, s2_161, s6_125, s4_44, s6_128, s2_163, s2_164, s6_130, s6_131, s6_138, s6_142,
-      s4_45, s6_144, s6_145, s6_187, s7_51, s7_52, s4_29, s4_30, s4_32, s4_33, s4_34, s4_36, s6_105,
-      s4_39, s4_40, s4_41, s6_104, s4_31, s6_110, s6_114, s6_119, s6_123, s6_127, s6_132, s6_136,
-      s6_140, s6_143, s6_186, s6_188, s6_191;
+      s8_40, s8_38, s8_46, w_chassis_z, r_rear_axle_aux3_z, R_rear_axle_z_y, w_chassis_x, s8_18,
+      s8_19, s8_20, s2_191, s7_10, s2_189, s2_193, s7_20, s7_24, s8_35, s8_36, s8_576, s8_44,
+      s2_188, s3_33, s7_150, s8_568, R_rear_axle_z_z, s7_17, s6_126, s7_148, s7_149, s8_518, s4_4,
+      s4_5, s4_14, s7_6, s7_19, s8_250, s8_520, s8_574, zdd_star_rear_axle_rz,
+      zdd_star_rear_axle_rx, s6_66, s7_8, R_chassis_z_y, R_chassis_z_z, f_rear_axle_z,
+      f_rear_axle_y, f_rear_axle_x, s2_187, s2_190, s8_513, s8_575, s4_1, zdd_star_rear_axle_tz,
+      zdd_star_rear_axle_ry, zdd_star_rear_axle_tx, s7_22, s7_26, s8_267, s2_192, s8_522, s8_571,
+      s8_572, s4_2, s4_3, s4_12, s1_7, n_rear_axle_x, n_rear_axle_y, n_rear_axle_z, s3_21, s8_252,
+      s8_336, s1_45, s1_48, s8_573, s2_31, s4_13, s8_21, s8_22, s8_23, s7_32, s8_117, s8_129, s3_2,
+      s3_3, s3_7, s3_8, s3_11, s3_12, s3_22, s3_25, s3_26, s1_29, s1_30, s1_31, s1_32, s1_33, s7_95,
+      s2_195, s8_532, s8_535, s1_43, s1_46, s1_47, s1_49, s1_50, s2_66, s2_103, s2_120, s2_123,
+      s9_1, s9_2, s9_3, s8_74, s8_77, s8_79, s9_4, s8_417, s2_194, s2_196, s2_197, s8_548, s8_550,
+      s8_553, s8_555, s8_557, s8_560, s9_5;
 };
 
 /// Values of compute_accelerations that cross its parts.
 struct AccelerationsWork5 {
   double
-      s7_88, s7_136, s8_651, s8_699, s7_82, s7_109, s7_143, s7_169, s7_171, s7_185, s7_190, s7_192,
-      s7_196, s7_79, s7_84, s7_123, s7_133, s7_141, s7_177, s7_181, s7_180, s7_182, s7_183, s8_672,
-      s8_674, s8_680, s8_681, s8_684, s8_686, s8_698, s8_701, s8_704, s8_707, s8_716, s8_719,
-      s7_175, s7_179, s7_194, s7_125, s8_728, s8_759, s8_775, s7_86, s7_93, s7_94, s7_99, s7_100,
-      s7_105, s7_106, s7_138, s7_148, s7_149, s7_154, s7_155, s7_158, s7_159, s7_164, s7_165,
-      f_carrier_right_y, f_carrier_right_z, f_carrier_left_y, f_carrier_left_z, s8_665, s8_670,
-      s8_679, s8_690, s8_696, s8_713, s8_796, s8_550, f_carrier_right_x, s7_166, n_carrier_right_x,
-      s8_594, s8_595, s8_607, f_carrier_left_x, n_carrier_left_x, s8_650, s8_655, s8_659, s8_722,
-      s8_725, s8_729, s8_733, s8_739, s8_748, s8_757, s8_762, s8_551, s8_552, n_carrier_right_y,
-      n_carrier_right_z, s8_596, s8_597, n_carrier_left_y, n_carrier_left_z, s8_653, s8_657, s8_661,
-      s8_751, s8_754, s8_765, s8_781, s8_785, s8_531, s8_532, s8_533, s8_534, s8_535, s8_536,
-      s8_537, s8_538, s8_539, s8_540, s8_541, s8_640, s8_738, s8_743, s8_744, s8_761, s8_764,
-      s8_774, s8_776, s8_782, s8_786, s8_790, s8_791;
+      s8_694, s8_672, s8_712, s8_800, s8_805, s8_577, s8_580, s8_582, s8_692, s8_807, s8_808,
+      s8_811, s8_818, s8_578, s8_581, s8_583, s8_597, s8_806, s8_819, s8_821, s8_913, s8_985,
+      s8_987, s8_579, s8_804, s8_817, s8_933, s8_945, s8_949, s8_972, s8_974, s8_976, s8_978,
+      s8_979, s8_803, s8_814, s8_952, s8_953, s8_955, s8_956, s8_960, s8_962, s8_964, s8_966,
+      s8_967, s8_619, s8_621, s8_798, s8_802, s8_815, s8_829, s8_856, s8_944, s8_958, s8_591,
+      s8_594, s8_595, s8_596, s8_606, s8_609, s8_799, s8_809, s8_816, s8_923, s8_947, s8_590,
+      s8_592, s8_598, s8_600, pivot_bell_crank, s8_896, s8_912, s8_942, R_chassis_x_z,
+      R_chassis_y_z, R_chassis_x_y, R_chassis_y_y, R_chassis_aux5_x_x, R_chassis_aux5_y_x, s8_593,
+      s8_605, s8_611, s8_617, s8_624, s8_625, s8_631, s8_702, s8_707, s8_708, s8_709, s8_812,
+      s8_857, s8_914, s8_970, s8_982, s8_989;
 };
 
 /// Values of compute_accelerations that cross its parts.
 struct AccelerationsWork6 {
   double
-      s7_200, s8_1166, s7_207, s8_1149, s8_1239, s8_1290, s8_1299, s7_202, s7_205, s7_214, s8_1159,
-      s8_1300, s8_1301, s8_1304, s8_1317, s8_838, s8_1137, s8_1296, s8_1319, s8_876, s8_879,
-      s8_1074, s8_1077, s8_1161, s8_1293, s8_1314, s8_1302, s8_1313, s8_835, s8_845, s8_847, s8_855,
-      s8_893, s8_894, s8_1122, s8_1241, s8_1292, s8_1308, s8_804, s8_839, s8_840, s8_910, s8_916,
-      s8_917, s8_918, s8_924, s8_945, s8_955, s8_968, s8_991, s8_992, s8_995, s8_1001, s8_1002,
-      s8_1005, s8_1191, s8_1273, s8_1303, s8_1312, s8_908, s8_911, s8_925, s8_926, s8_962, s8_1053,
-      s8_1124, s8_1242, pivot_lower_arm_left, s8_817, s8_819, s8_822, s8_824, s8_826, s8_828,
-      s8_831, s8_842, s8_843, s8_883, s8_890, s8_901, s8_940, s8_958, s8_973, s8_975, s8_976,
-      s8_979, s8_980, s8_982, s8_983, s8_985, s8_988, s8_989, s8_993, s8_1000, s8_1003, s8_1009,
-      s8_1010, s8_1012, s8_1017, s8_1018, s8_1026, s8_1035, s8_1047, s8_1062, s8_1063, s8_1065,
-      s8_1066, s8_1067, s8_1072, s8_1081, s8_1085, s8_1086, s8_1088, s8_1090, s8_1095, s8_1096,
-      s8_1097, s8_1098, s8_1099, s8_1104, s8_1141, s8_1261, s8_1276, s8_1277, s8_1286, s8_1287,
-      s8_1288, s8_1289;
+      sines[24], cosines[24];
 };
 
-/// Values of compute_accelerations that cross its parts.
-struct AccelerationsWork7 {
-  double
-      s8_1320, s8_1360, s8_1361, s8_1345, s8_1347, s8_1336, s8_1341, s8_1381, s8_1322, s8_1329,
-      s8_1324, s8_1333, R_chassis_x_z, R_chassis_y_z, s8_1342, R_chassis_x_y, R_chassis_y_y,
-      s8_1358, R_chassis_aux5_x_x, R_chassis_aux5_y_x, s8_1382, s8_1337, s8_1350, s8_1352, s8_1354,
-      s8_1356, s8_1364, s8_1365, s8_1367, s8_1369, s8_1371, s8_1372, s8_1373, s8_1377, s8_1378,
-      s8_1379;
-};
-
-/// Values of compute_accelerations that cross its parts.
-struct AccelerationsWork8 {
-  double
-      sines[22], cosines[22];
-};
-
-/// Part 1 of compute_accelerations: step 1: poses and axes b; step 2: closure Jacobian Phi_z and
+/// Part 1 of compute_accelerations: ; step 1: poses and axes b; step 2: closure Jacobian Phi_z and
 /// its factors (60), long_rod_left .. arb_link_rear_right; step 4: velocities; step 6: c and dRz/dt
 /// zd (62), long_rod_left .. arb_link_rear_right.
 [[gnu::noinline]] void compute_accelerations_1(const State& state,
-    AccelerationsWork1& __restrict w1, AccelerationsWork8& __restrict w8,
+    AccelerationsWork1& __restrict w1, AccelerationsWork3& __restrict w3,
+    AccelerationsWork4& __restrict w4, AccelerationsWork6& __restrict w6,
     Accelerations& __restrict result) noexcept {
   // Results that need no operation.
   result.inertia[9] = I_wheel_front_left_polar;
@@ -552,3089 +528,2360 @@ struct AccelerationsWork8 {
   result.inertia[13] = I_wheel_rear_left_polar;
   result.inertia[14] = I_wheel_rear_right_polar;
 
+  const double s0_1 = -state.z[Coordinate::lower_arm_right];
+  const Pair s0_2 = Pair{state.z[Coordinate::lower_arm_left], s0_1};
+  const double s0_3 = -state.z[Coordinate::carrier_right_rz];
+  const double s0_4 = -state.z[Coordinate::carrier_right_rx];
+  const Pair s0_5 = Pair{state.z[Coordinate::carrier_left_rx], s0_4};
+  const double s0_6 = -state.z[Coordinate::upper_arm_right];
+  const Pair s0_7 = Pair{state.z[Coordinate::upper_arm_left], s0_6};
+  const Pair s0_8 = Pair{state.z[Coordinate::arb_rear_left], state.z[Coordinate::arb_rear_right]};
+  const Pair s0_9 = Pair{state.z[Coordinate::carrier_left_ry],
+      state.z[Coordinate::carrier_right_ry]};
+  const Pair s0_10 = Pair{state.z[Coordinate::arb_front_left],
+      state.z[Coordinate::arb_front_right]};
+
   // --- step 1: poses and axes b ---
+  const Pair s0_11 = Pair{state.z[Coordinate::carrier_left_rz], s0_3};
   const double angles[] = {
       state.z[Coordinate::chassis_rz], state.z[Coordinate::chassis_ry],
-      state.z[Coordinate::chassis_rx], state.z[Coordinate::lower_arm_left],
-      state.z[Coordinate::carrier_left_rz], state.z[Coordinate::carrier_left_rx],
-      state.z[Coordinate::carrier_left_ry], state.z[Coordinate::upper_arm_left],
-      state.z[Coordinate::arb_front_left], state.z[Coordinate::lower_arm_right],
-      state.z[Coordinate::carrier_right_rz], state.z[Coordinate::carrier_right_rx],
-      state.z[Coordinate::carrier_right_ry], state.z[Coordinate::upper_arm_right],
-      state.z[Coordinate::arb_front_right], state.z[Coordinate::pitman_arm],
+      state.z[Coordinate::chassis_rx], state.z[Coordinate::carrier_left_rz],
+      state.z[Coordinate::carrier_right_rz], state.z[Coordinate::pitman_arm],
       state.z[Coordinate::bell_crank], state.z[Coordinate::rear_axle_rz],
-      state.z[Coordinate::rear_axle_ry], state.z[Coordinate::rear_axle_rx],
-      state.z[Coordinate::arb_rear_left], state.z[Coordinate::arb_rear_right]};
-  mbgen::sincos(angles, w8.sines, w8.cosines);
+      state.z[Coordinate::rear_axle_ry], state.z[Coordinate::rear_axle_rx], s0_8[0], s0_8[1],
+      s0_2[0], s0_2[1], s0_11[0], s0_11[1], s0_9[0], s0_9[1], s0_5[0], s0_5[1], s0_7[0], s0_7[1],
+      s0_10[0], s0_10[1]};
+  mbgen::sincos(angles, w6.sines, w6.cosines);
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
-  const double R_rear_axle_aux4_x_x = w8.cosines[17];
-  const double s1_1 = w8.sines[18];
-  w1.R_rear_axle_aux5_x_z = R_rear_axle_aux4_x_x*s1_1;
-  const double s1_2 = w8.sines[19];
+  const double R_rear_axle_aux4_x_x = w6.cosines[7];
+  const double s1_1 = w6.sines[8];
+  w3.R_rear_axle_aux5_x_z = R_rear_axle_aux4_x_x*s1_1;
+  const double s1_2 = w6.sines[9];
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double R_rear_axle_aux4_y_x = w8.sines[17];
-  const double s1_3 = w8.cosines[19];
-  w1.R_rear_axle_x_y = fnma(R_rear_axle_aux4_y_x, s1_3, w1.R_rear_axle_aux5_x_z*s1_2);
-  w1.R_rear_axle_x_z = fma(w1.R_rear_axle_aux5_x_z, s1_3, R_rear_axle_aux4_y_x*s1_2);
-  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
-  w1.R_rear_axle_aux5_y_z = R_rear_axle_aux4_y_x*s1_1;
-  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  w1.R_rear_axle_y_y = fma(R_rear_axle_aux4_x_x, s1_3, w1.R_rear_axle_aux5_y_z*s1_2);
-  w1.R_rear_axle_y_z = fnma(R_rear_axle_aux4_x_x, s1_2, w1.R_rear_axle_aux5_y_z*s1_3);
-  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
-  const double R_rear_axle_aux5_z_z = w8.cosines[18];
-  w1.R_rear_axle_aux5_y_x = R_rear_axle_aux4_y_x*R_rear_axle_aux5_z_z;
+  const double R_rear_axle_aux4_y_x = w6.sines[7];
+  const double s1_3 = w6.cosines[9];
+  w3.R_rear_axle_x_y = fnma(R_rear_axle_aux4_y_x, s1_3, w3.R_rear_axle_aux5_x_z*s1_2);
+  w3.R_rear_axle_x_z = fma(w3.R_rear_axle_aux5_x_z, s1_3, R_rear_axle_aux4_y_x*s1_2);
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), long_rod_left .. arb_link_rear_right
   // ---
-  const double s2_1 = -p_arb_link_rear_left_to_x*w1.R_rear_axle_aux5_y_x;
-  const double s2_2 = fnma(p_arb_link_rear_left_to_z, w1.R_rear_axle_y_z, s2_1);
+  const double s2_1 = p_diag_rod_left_to_z*w3.R_rear_axle_x_z;
+  const double s2_2 = fnma(p_diag_rod_left_to_y, w3.R_rear_axle_x_y, s2_1);
+  w1.s2_3 = Pair{fma(p_diag_rod_left_to_y, w3.R_rear_axle_x_y, s2_1), s2_2};
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
-  w1.R_rear_axle_aux5_x_x = R_rear_axle_aux4_x_x*R_rear_axle_aux5_z_z;
-  const double s2_3 = -p_arb_link_rear_left_to_x*w1.R_rear_axle_aux5_x_x;
-  const double s2_4 = fnma(p_arb_link_rear_left_to_z, w1.R_rear_axle_x_z, s2_3);
+  w3.R_rear_axle_aux5_y_z = R_rear_axle_aux4_y_x*s1_1;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  w1.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_3;
-  const double s2_5 = -p_arb_link_rear_left_to_x*s1_1;
-  const double s2_6 = fma(p_arb_link_rear_left_to_z, w1.R_rear_axle_z_z, s2_5);
-  w1.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_2;
+  w3.R_rear_axle_y_y = fma(R_rear_axle_aux4_x_x, s1_3, w3.R_rear_axle_aux5_y_z*s1_2);
+  w3.R_rear_axle_y_z = fnma(R_rear_axle_aux4_x_x, s1_2, w3.R_rear_axle_aux5_y_z*s1_3);
+  const double s2_4 = p_diag_rod_left_to_y*w3.R_rear_axle_y_y;
+  const double s2_5 = fnma(p_diag_rod_left_to_z, w3.R_rear_axle_y_z, s2_4);
+  w1.s2_6 = Pair{fma(p_diag_rod_left_to_z, w3.R_rear_axle_y_z, s2_4), s2_5};
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
+  w3.r_rear_axle_aux1_x = state.z[Coordinate::rear_axle_tx] + p_rear_axle_tx_x;
+  w1.s1_4 = Pair{w3.r_rear_axle_aux1_x, w3.r_rear_axle_aux1_x};
+  w1.s2_7 = w1.s2_3 + (w1.s1_4 - p_diag_rod_left_from_x);
+  w1.s2_8 = 1.0/w1.s2_7;
+  w3.s2_9 = w1.s2_8[1];
+  w1.s2_10 = Pair{w3.s2_9, w1.s2_8[0]};
+  const Pair s2_11 = w1.s2_7*w1.s2_10;
+  const Pair s2_12 = Pair{s2_11[1], s2_11[0]};
+  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
+  const double s0_12 = -z_rear_axle_ty;
+  const Pair s0_13 = Pair{z_rear_axle_ty, s0_12};
+  w1.s0_14 = Pair{s0_12, z_rear_axle_ty};
+  w1.s2_13 = p_diag_rod_left_from_y - s0_13 - w1.s2_6;
+  w1.s2_14 = 0.6 - s0_13;
+  const Pair s2_15 = w1.s2_13*s2_12;
+  const Pair s2_16 = w1.s2_13 + Pair{s2_15[1], s2_15[0]};
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
+  const double R_rear_axle_aux5_z_z = w6.cosines[8];
+  w3.R_rear_axle_aux5_x_x = R_rear_axle_aux4_x_x*R_rear_axle_aux5_z_z;
+  const double s2_17 = p_long_rod_left_to_x*w3.R_rear_axle_aux5_x_x;
+  const double s2_18 = fma(p_long_rod_left_to_z, w3.R_rear_axle_x_z, s2_17);
+  const double s2_19 = fnma(p_long_rod_left_to_y, w3.R_rear_axle_x_y, s2_18);
+  w1.s2_20 = Pair{s2_19, fma(p_long_rod_left_to_y, w3.R_rear_axle_x_y, s2_18)};
+  w3.R_rear_axle_aux5_y_x = R_rear_axle_aux4_y_x*R_rear_axle_aux5_z_z;
+  const double s2_21 = p_long_rod_left_to_x*w3.R_rear_axle_aux5_y_x;
+  const double s2_22 = fma(p_long_rod_left_to_z, w3.R_rear_axle_y_z, s2_21);
+  const double s2_23 = fms(p_long_rod_left_to_y, w3.R_rear_axle_y_y, s2_22);
+  w1.s2_24 = Pair{s2_23, fma(p_long_rod_left_to_y, w3.R_rear_axle_y_y, s2_22)};
+  w1.s2_25 = fma(w1.s2_3, w1.s2_13, w1.s2_7*w1.s2_6);
+  w1.s2_26 = fma(s2_12, w1.s2_25, Pair{w1.s2_25[1], w1.s2_25[0]});
+  w1.s2_27 = w1.s2_20 + (w1.s1_4 - p_long_rod_left_from_x);
+  w1.s2_28 = p_long_rod_left_from_y - w1.s2_24 - w1.s0_14;
+  w1.s2_29 = 1.0/s2_16;
+  w3.s2_30 = 1.665350081353039*std::abs(s2_16[0]);
+  w4.s2_31 = w1.s2_29[0];
+  const Pair s2_32 = w1.s2_8*w1.s2_27;
+  const Pair s2_33 = fma(w1.s2_13, s2_32, w1.s2_28)*Pair{w1.s2_29[1], w4.s2_31};
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
+  w4.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_2;
+  w4.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_3;
+  const double s2_34 = p_diag_rod_left_to_y*w4.R_rear_axle_z_y;
+  const double s2_35 = fma(p_diag_rod_left_to_z, w4.R_rear_axle_z_z, s2_34);
+  w1.s2_36 = Pair{s2_35, fms(p_diag_rod_left_to_z, w4.R_rear_axle_z_z, s2_34)};
+  const double s2_37 = p_long_rod_left_to_x*s1_1;
+  const double s2_38 = fnma(p_long_rod_left_to_z, w4.R_rear_axle_z_z, s2_37);
+  const double s2_39 = -fma(p_long_rod_left_to_y, w4.R_rear_axle_z_y, s2_38);
+  w1.s2_40 = Pair{s2_39, fms(p_long_rod_left_to_y, w4.R_rear_axle_z_y, s2_38)};
+  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
+  w4.r_rear_axle_aux3_z = state.z[Coordinate::rear_axle_tz] + p_rear_axle_tx_z;
+  w1.s1_5 = Pair{w4.r_rear_axle_aux3_z, w4.r_rear_axle_aux3_z};
+  w1.s2_41 = w1.s2_36 + (w1.s1_5 - p_diag_rod_left_from_z);
+  w1.s2_42 = fma(w1.s2_6, w1.s2_41, w1.s2_13*w1.s2_36);
+  const Pair s2_43 = s2_12*w1.s2_42;
+  w1.s2_44 = w1.s2_42 + Pair{s2_43[1], s2_43[0]};
+  w1.s2_45 = w1.s2_40 + (w1.s1_5 - p_long_rod_left_from_z);
+  const Pair s2_46 = fma(s2_32, w1.s2_42, fma(w1.s2_24, w1.s2_45, w1.s2_28*w1.s2_40));
+  w1.s2_47 = fnma(s2_33, Pair{w1.s2_44[1], w1.s2_44[0]}, s2_46);
+  const Pair s2_48 = s2_12*w1.s2_41;
+  w1.s2_49 = w1.s2_41 - Pair{s2_48[1], s2_48[0]};
+  const Pair s2_50 = fnma(s2_32, w1.s2_41, w1.s2_45);
+  w1.s2_51 = fnma(s2_33, Pair{w1.s2_49[1], w1.s2_49[0]}, s2_50);
 
   // --- step 4: velocities ---
   const double zd_rear_axle_ry = state.zd[Coordinate::rear_axle_ry];
-  w1.s4_1 = zd_rear_axle_ry*R_rear_axle_aux4_y_x;
+  w4.s4_1 = zd_rear_axle_ry*R_rear_axle_aux4_y_x;
   const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
-  w1.s4_2 = zd_rear_axle_rx*w1.R_rear_axle_aux5_x_x;
-  w1.s4_3 = zd_rear_axle_rx*s1_1;
-  w1.s4_4 = state.zd[Coordinate::rear_axle_rz] - w1.s4_3;
-  w1.s4_5 = w1.s4_2 - w1.s4_1;
-  w1.s2_7 = fma(p_arb_link_rear_left_to_y, w1.R_rear_axle_z_y, s2_6);
-  w1.s2_8 = fnma(p_arb_link_rear_left_to_y, w1.R_rear_axle_z_y, s2_6);
-  w1.s2_9 = fms(p_arb_link_rear_left_to_y, w1.R_rear_axle_x_y, s2_4);
-  w1.s2_10 = fma(p_arb_link_rear_left_to_y, w1.R_rear_axle_x_y, s2_4);
+  w4.s4_2 = zd_rear_axle_rx*w3.R_rear_axle_aux5_x_x;
+  w4.s4_3 = zd_rear_axle_rx*s1_1;
+  w4.s4_4 = state.zd[Coordinate::rear_axle_rz] - w4.s4_3;
+  w4.s4_5 = w4.s4_2 - w4.s4_1;
+  const double s4_6 = -w4.s4_4;
+  w1.s4_7 = Pair{w4.s4_4, s4_6};
+  const Pair s4_8 = Pair{s4_6, w4.s4_4};
+  const double s4_9 = -w4.s4_5;
+  w1.s4_10 = Pair{w4.s4_5, s4_9};
+  const Pair s4_11 = Pair{s4_9, w4.s4_5};
 
   // --- step 6: c and dRz/dt zd (62), long_rod_left .. arb_link_rear_right ---
-  const double s6_1 = fnma(w1.s4_5, w1.s2_7, w1.s4_4*w1.s2_9);
-  w1.s4_6 = zd_rear_axle_ry*R_rear_axle_aux4_x_x;
-  w1.s4_7 = zd_rear_axle_rx*w1.R_rear_axle_aux5_y_x;
-  w1.s4_8 = w1.s4_6 + w1.s4_7;
-  w1.s2_11 = fms(p_arb_link_rear_left_to_y, w1.R_rear_axle_y_y, s2_2);
-  w1.s2_12 = fma(p_arb_link_rear_left_to_y, w1.R_rear_axle_y_y, s2_2);
-  const double s6_2 = fnma(w1.s4_4, w1.s2_11, w1.s4_8*w1.s2_7);
-  const double s6_3 = fnma(w1.s4_8, w1.s2_9, w1.s4_5*w1.s2_11);
-  w1.s2_13 = p_arb_link_rear_left_from_x*w8.cosines[20];
-  const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
-  const double s6_4 = zd_arb_rear_left*w1.s2_13;
-  const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
-  w1.s6_5 = s6_3 + (zd_rear_axle_tz + s6_4);
-  w1.s6_6 = fma(w1.s4_8, s6_3, fnma(w1.s4_4, s6_1, zd_arb_rear_left*s6_4));
-  w1.s6_7 = fnma(w1.s4_5, s6_3, w1.s4_4*s6_2);
-  w1.s2_14 = p_arb_link_rear_left_from_x*w8.sines[20];
-  const double s6_8 = zd_arb_rear_left*w1.s2_14;
-  const double zd_rear_axle_tx = state.zd[Coordinate::rear_axle_tx];
-  w1.s6_9 = s6_2 + (zd_rear_axle_tx + s6_8);
+  const Pair s6_1 = fnma(w1.s2_36, w1.s4_10, w1.s2_3*w1.s4_7);
+  w4.s4_12 = zd_rear_axle_ry*R_rear_axle_aux4_x_x;
+  w4.s4_13 = zd_rear_axle_rx*w3.R_rear_axle_aux5_y_x;
+  w4.s4_14 = w4.s4_12 + w4.s4_13;
+  w1.s4_15 = Pair{w4.s4_14, w4.s4_14};
+  const Pair s6_2 = fnma(w1.s2_6, w1.s4_7, w1.s2_36*w1.s4_15);
+  const Pair s6_3 = fnma(w1.s2_3, w1.s4_15, w1.s2_6*w1.s4_10);
+  w1.s6_4 = fnma(w1.s4_7, s6_1, w1.s4_15*s6_3);
   const double zd_rear_axle_ty = state.zd[Coordinate::rear_axle_ty];
-  w1.s6_10 = zd_rear_axle_ty + s6_1;
-  w1.s6_11 = fma(w1.s4_8, s6_2, fnma(w1.s4_5, s6_1, zd_arb_rear_left*s6_8));
-  const double s6_12 = fma(w1.s4_5, w1.s2_8, w1.s4_4*w1.s2_10);
-  const double s6_13 = fma(w1.s4_8, w1.s2_8, w1.s4_4*w1.s2_12);
-  const double s6_14 = fnma(w1.s4_5, w1.s2_12, w1.s4_8*w1.s2_10);
-  w1.s2_15 = p_arb_link_rear_right_from_x*w8.cosines[21];
-  const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
-  const double s6_15 = zd_arb_rear_right*w1.s2_15;
-  w1.s6_16 = s6_14 + (zd_rear_axle_tz + s6_15);
-  w1.s6_17 = fma(w1.s4_8, s6_14, fma(w1.s4_4, s6_12, zd_arb_rear_right*s6_15));
-  w1.s6_18 = fnma(w1.s4_5, s6_14, w1.s4_4*s6_13);
-  w1.s2_16 = p_arb_link_rear_right_from_x*w8.sines[21];
-  const double s6_19 = zd_arb_rear_right*w1.s2_16;
-  w1.s6_20 = s6_13 + (zd_rear_axle_tx + s6_19);
-  w1.s6_21 = zd_rear_axle_ty - s6_12;
-  w1.s6_22 = fma(w1.s4_8, s6_13, fma(w1.s4_5, s6_12, zd_arb_rear_right*s6_19));
+  const double s0_15 = -zd_rear_axle_ty;
+  w1.s0_16 = Pair{zd_rear_axle_ty, s0_15};
+  w1.s6_5 = w1.s0_16 + s6_1;
+  w1.s6_6 = fnma(w1.s4_15, s6_2, w1.s4_10*s6_1);
+  const double zd_rear_axle_tx = state.zd[Coordinate::rear_axle_tx];
+  w1.s0_17 = Pair{zd_rear_axle_tx, zd_rear_axle_tx};
+  w1.s6_7 = w1.s0_17 + s6_2;
+  w1.s6_8 = fnma(w1.s4_10, s6_3, w1.s4_7*s6_2);
+  const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
+  w1.s0_18 = Pair{zd_rear_axle_tz, zd_rear_axle_tz};
+  w1.s6_9 = w1.s0_18 + s6_3;
+  const Pair s6_10 = fma(w1.s6_9, w1.s6_9, fma(w1.s6_7, w1.s6_7, w1.s6_5*w1.s6_5));
+  const Pair s6_11 = fma(w1.s2_7, w1.s6_4, fma(w1.s2_41, w1.s6_6, s6_10));
+  w1.s6_12 = fnma(w1.s2_13, w1.s6_8, s6_11);
+  w1.s6_13 = fms(s2_11, Pair{w1.s6_12[1], w1.s6_12[0]}, w1.s6_12);
+  // long_rod_right; and the image of long_rod_left
+  const Pair s6_14 = fnma(w1.s2_40, s4_11, w1.s2_20*s4_8);
+  w1.s6_15 = Pair{s0_15, zd_rear_axle_ty} + s6_14;
+  const Pair s6_16 = fnma(w1.s2_24, s4_8, w1.s2_40*w1.s4_15);
+  const Pair s6_17 = fnma(w1.s2_20, w1.s4_15, w1.s2_24*s4_11);
+  w1.s6_18 = fnma(s4_8, s6_14, w1.s4_15*s6_17);
+  w1.s6_19 = fnma(w1.s4_15, s6_16, s4_11*s6_14);
+  w1.s6_20 = fnma(s4_11, s6_17, s4_8*s6_16);
+  w1.s6_21 = w1.s0_17 + s6_16;
+  w1.s6_22 = w1.s0_18 + s6_17;
+  const Pair s6_23 = fnma(w1.s6_21, w1.s6_21, fnma(w1.s6_15, w1.s6_15, s2_32*w1.s6_12));
+  const Pair s6_24 = fnma(w1.s2_45, w1.s6_19, fnma(w1.s6_22, w1.s6_22, s6_23));
+  const Pair s6_25 = fma(w1.s2_28, w1.s6_20, fnma(w1.s2_27, w1.s6_18, s6_24));
+  w1.s6_26 = fnma(s2_33, Pair{w1.s6_13[1], w1.s6_13[0]}, s6_25);
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), long_rod_left .. arb_link_rear_right,
   // continued ---
-  const double s2_17 = p_long_rod_left_to_x*s1_1;
-  const double s2_18 = fnma(p_long_rod_left_to_z, w1.R_rear_axle_z_z, s2_17);
-  const double s2_19 = p_long_rod_left_to_x*w1.R_rear_axle_aux5_x_x;
-  const double s2_20 = fma(p_long_rod_left_to_z, w1.R_rear_axle_x_z, s2_19);
-  const double s2_21 = p_long_rod_left_to_x*w1.R_rear_axle_aux5_y_x;
-  const double s2_22 = fma(p_long_rod_left_to_z, w1.R_rear_axle_y_z, s2_21);
-  w1.s2_23 = fma(p_long_rod_left_to_y, w1.R_rear_axle_y_y, s2_22);
-  w1.s2_24 = fnma(p_long_rod_left_to_y, w1.R_rear_axle_y_y, s2_22);
-  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  w1.s2_25 = p_long_rod_left_from_y - z_rear_axle_ty - w1.s2_23;
-  const double s2_26 = p_diag_rod_left_to_y*w1.R_rear_axle_y_y;
-  w1.s2_27 = fma(p_diag_rod_left_to_z, w1.R_rear_axle_y_z, s2_26);
-  w1.s2_28 = fms(p_diag_rod_left_to_z, w1.R_rear_axle_y_z, s2_26);
-  w1.s2_29 = p_diag_rod_left_from_y - z_rear_axle_ty - w1.s2_27;
-  const double s2_30 = p_diag_rod_left_to_z*w1.R_rear_axle_x_z;
-  w1.s2_31 = fma(p_diag_rod_left_to_y, w1.R_rear_axle_x_y, s2_30);
-  w1.s2_32 = fnma(p_diag_rod_left_to_y, w1.R_rear_axle_x_y, s2_30);
-  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
-  w1.r_rear_axle_aux1_x = state.z[Coordinate::rear_axle_tx] + p_rear_axle_tx_x;
-  const double s2_33 = w1.r_rear_axle_aux1_x - p_diag_rod_left_from_x;
-  w1.s2_34 = w1.s2_31 + s2_33;
-  w1.pivot_rear_axle_tx = s2_33 + w1.s2_32;
-  const double s2_35 = p_diag_rod_left_to_y*w1.R_rear_axle_z_y;
-  w1.s2_36 = fma(p_diag_rod_left_to_z, w1.R_rear_axle_z_z, s2_35);
-  w1.s2_37 = fms(p_diag_rod_left_to_z, w1.R_rear_axle_z_z, s2_35);
-  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
-  w1.r_rear_axle_aux3_z = state.z[Coordinate::rear_axle_tz] + p_rear_axle_tx_z;
-  const double s2_38 = w1.r_rear_axle_aux3_z - p_diag_rod_left_from_z;
-  w1.s2_39 = w1.s2_36 + s2_38;
-  w1.s2_40 = s2_38 + w1.s2_37;
-  w1.s2_41 = w1.s2_28 + (z_rear_axle_ty - p_diag_rod_right_from_y);
-  w1.s2_42 = fnma(w1.s2_40, w1.s2_28, w1.s2_37*w1.s2_41);
-  w1.s2_43 = fnma(w1.pivot_rear_axle_tx, w1.s2_37, w1.s2_32*w1.s2_40);
-  w1.s2_44 = fnma(w1.s2_32, w1.s2_41, w1.pivot_rear_axle_tx*w1.s2_28);
-  w1.s2_45 = 1.0/w1.pivot_rear_axle_tx;
-  const double s2_46 = w1.s2_34*w1.s2_45;
-  w1.s2_47 = fnma(w1.s2_31, w1.s2_29, fnma(w1.s2_34, w1.s2_27, w1.s2_44*s2_46));
-  w1.s2_48 = fma(p_long_rod_left_to_y, w1.R_rear_axle_x_y, s2_20);
-  w1.s2_49 = fnma(p_long_rod_left_to_y, w1.R_rear_axle_x_y, s2_20);
-  const double s2_50 = w1.r_rear_axle_aux1_x - p_long_rod_left_from_x;
-  w1.s2_51 = w1.s2_48 + s2_50;
-  w1.s2_52 = s2_50 + w1.s2_49;
-  const double s2_53 = fma(w1.s2_41, s2_46, w1.s2_29);
-  w1.s2_54 = w1.s2_51*w1.s2_45;
-  w1.s2_55 = 1.0/s2_53;
-  w1.s2_56 = fma(w1.s2_41, w1.s2_54, w1.s2_25)*w1.s2_55;
-  w1.s2_57 = 1.665350081353039*std::abs(s2_53);
-  const double s2_58 = fnma(w1.s2_48, w1.s2_25, fnma(w1.s2_51, w1.s2_23, w1.s2_44*w1.s2_54));
-  w1.pivot_rear_axle_rx = fnma(w1.s2_47, w1.s2_56, s2_58);
-  w1.s2_59 = fma(w1.s2_43, s2_46, fnma(w1.s2_39, w1.s2_31, w1.s2_36*w1.s2_34));
-  w1.s2_60 = fms(p_long_rod_left_to_y, w1.R_rear_axle_z_y, s2_18);
-  w1.s2_61 = fma(p_long_rod_left_to_y, w1.R_rear_axle_z_y, s2_18);
-  const double s2_62 = w1.r_rear_axle_aux3_z - p_long_rod_left_from_z;
-  w1.s2_63 = w1.s2_60 + s2_62;
-  w1.s2_64 = s2_62 - w1.s2_61;
-  const double s2_65 = fma(w1.s2_43, w1.s2_54, fnma(w1.s2_63, w1.s2_48, w1.s2_60*w1.s2_51));
-  w1.s2_66 = fnma(w1.s2_56, w1.s2_59, s2_65);
-  w1.s2_67 = fma(w1.s2_42, s2_46, fma(w1.s2_36, w1.s2_29, w1.s2_39*w1.s2_27));
-  const double s2_68 = fma(w1.s2_42, w1.s2_54, fma(w1.s2_60, w1.s2_25, w1.s2_63*w1.s2_23));
-  w1.s2_69 = fnma(w1.s2_56, w1.s2_67, s2_68);
-
-  // --- step 6: c and dRz/dt zd (62), long_rod_left .. arb_link_rear_right, continued ---
-  // diag_rod_left
-  const double s6_23 = fnma(w1.s4_4, w1.s2_27, w1.s4_8*w1.s2_36);
-  const double s6_24 = fnma(w1.s4_5, w1.s2_36, w1.s4_4*w1.s2_31);
-  const double s6_25 = fnma(w1.s4_8, w1.s2_31, w1.s4_5*w1.s2_27);
-  w1.s6_26 = fnma(w1.s4_4, s6_24, w1.s4_8*s6_25);
-  w1.s6_27 = zd_rear_axle_ty + s6_24;
-  w1.s6_28 = fnma(w1.s4_8, s6_23, w1.s4_5*s6_24);
-  w1.s6_29 = zd_rear_axle_tx + s6_23;
-  w1.s6_30 = fnma(w1.s4_5, s6_25, w1.s4_4*s6_23);
-  w1.s6_31 = zd_rear_axle_tz + s6_25;
-  // diag_rod_right
-  const double s6_32 = fnma(w1.s4_4, w1.s2_28, w1.s4_8*w1.s2_37);
-  const double s6_33 = fnma(w1.s4_5, w1.s2_37, w1.s4_4*w1.s2_32);
-  const double s6_34 = fnma(w1.s4_8, w1.s2_32, w1.s4_5*w1.s2_28);
-  w1.s6_35 = fnma(w1.s4_4, s6_33, w1.s4_8*s6_34);
-  w1.s6_36 = zd_rear_axle_ty + s6_33;
-  w1.s6_37 = fnma(w1.s4_8, s6_32, w1.s4_5*s6_33);
-  w1.s6_38 = zd_rear_axle_tx + s6_32;
-  w1.s6_39 = fnma(w1.s4_5, s6_34, w1.s4_4*s6_32);
-  w1.s6_40 = zd_rear_axle_tz + s6_34;
-  const double s6_41 = fma(w1.s6_40, w1.s6_40, fma(w1.s6_36, w1.s6_36, w1.s6_38*w1.s6_38));
-  const double s6_42 = fma(w1.s2_41, w1.s6_39, fma(w1.pivot_rear_axle_tx, w1.s6_35, s6_41));
-  w1.s6_43 = fma(w1.s2_40, w1.s6_37, s6_42);
-  const double s6_44 = fnma(w1.s6_27, w1.s6_27, fnma(w1.s6_29, w1.s6_29, w1.s2_29*w1.s6_30));
-  const double s6_45 = fnma(w1.s2_34, w1.s6_26, fnma(w1.s6_31, w1.s6_31, s6_44));
-  w1.s6_46 = fma(s2_46, w1.s6_43, fnma(w1.s2_39, w1.s6_28, s6_45));
-  w1.s2_70 = fnma(w1.s2_40, s2_46, w1.s2_39);
-  // long_rod_left
-  const double s6_47 = fnma(w1.s4_4, w1.s2_23, w1.s4_8*w1.s2_60);
-  const double s6_48 = fnma(w1.s4_5, w1.s2_60, w1.s4_4*w1.s2_48);
-  const double s6_49 = fnma(w1.s4_8, w1.s2_48, w1.s4_5*w1.s2_23);
-  w1.s6_50 = fnma(w1.s4_4, s6_48, w1.s4_8*s6_49);
-  w1.s6_51 = zd_rear_axle_ty + s6_48;
-  w1.s6_52 = fnma(w1.s4_8, s6_47, w1.s4_5*s6_48);
-  w1.s6_53 = zd_rear_axle_tx + s6_47;
-  w1.s6_54 = fnma(w1.s4_5, s6_49, w1.s4_4*s6_47);
-  w1.s6_55 = zd_rear_axle_tz + s6_49;
-  const double s6_56 = fnma(w1.s6_51, w1.s6_51, fnma(w1.s6_53, w1.s6_53, w1.s2_25*w1.s6_54));
-  const double s6_57 = fnma(w1.s2_51, w1.s6_50, fnma(w1.s6_55, w1.s6_55, s6_56));
-  w1.s6_58 = fma(w1.s2_54, w1.s6_43, fnma(w1.s2_63, w1.s6_52, s6_57));
+  const Pair s2_52 = fnma(w1.s2_27, w1.s2_24, fnma(w1.s2_25, s2_32, w1.s2_26*s2_33));
+  w1.s2_53 = fnma(w1.s2_20, w1.s2_28, s2_52);
+  const Pair s2_54 = w1.s2_10*w1.s2_27;
+  const Pair s2_55 = Pair{s2_54[1], s2_54[0]};
+  const Pair s2_56 = fnma(w1.s2_27, w1.s2_40, w1.s2_20*w1.s2_45);
+  w1.s2_57 = fnma(w1.s2_7, w1.s2_36, w1.s2_3*w1.s2_41);
+  const Pair s2_58 = w1.s2_13*s2_55;
+  w1.s2_59 = fms(s2_12, w1.s2_57, Pair{w1.s2_57[1], w1.s2_57[0]});
+  const Pair s2_60 = w1.s2_29*(w1.s2_28 - Pair{s2_58[1], s2_58[0]});
+  const Pair s2_61 = fms(w1.s2_57, s2_55, Pair{s2_56[1], s2_56[0]});
+  w1.s2_62 = fma(w1.s2_59, Pair{s2_60[1], s2_60[0]}, s2_61);
 }
 
 /// Part 2 of compute_accelerations: step 2: closure Jacobian Phi_z and its factors (60),
 /// long_rod_left .. arb_link_rear_right; step 6: c and dRz/dt zd (62), long_rod_left ..
+/// arb_link_rear_right; step 8: elimination from the leaves to the root (63), long_rod_left ..
 /// arb_link_rear_right; step 7: inertias of the bodies and forces on joints, long_rod_left ..
 /// arb_link_rear_right; step 8: elimination from the leaves to the root (63); step 9: accelerations
-/// from the root to the leaves (63), (62); step 8: elimination from the leaves to the root (63),
-/// long_rod_left .. arb_link_rear_right.
+/// from the root to the leaves (63), (62).
 [[gnu::noinline]] void compute_accelerations_2(const State& state, const double* tau,
-    AccelerationsWork1& __restrict w1, AccelerationsWork2& __restrict w2,
-    AccelerationsWork8& __restrict w8) noexcept {
+    AccelerationsWork1& __restrict w1, AccelerationsWork3& __restrict w3,
+    AccelerationsWork4& __restrict w4, AccelerationsWork6& __restrict w6) noexcept {
   // --- step 2: closure Jacobian Phi_z and its factors (60), long_rod_left .. arb_link_rear_right,
   // continued ---
-  const double s6_59 = fnma(w1.s2_56, w1.s6_46, w1.s6_58);
-  w1.s2_71 = fnma(w1.s2_56, w1.s2_70, fnma(w1.s2_40, w1.s2_54, w1.s2_63));
-  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  w1.s2_72 = w1.s2_24 + (z_rear_axle_ty - p_long_rod_right_from_y);
-  const double s2_73 = w1.s2_52*w1.s2_45;
-  const double s2_74 = w1.s2_55*fnma(w1.s2_41, s2_73, w1.s2_72);
-  const double s2_75 = fma(w1.s2_44, s2_73, fnma(w1.s2_24, w1.s2_52, w1.s2_72*w1.s2_49));
-  const double s2_76 = fnma(w1.s2_61, w1.s2_52, fnma(w1.s2_64, w1.s2_49, w1.s2_43*s2_73));
-  const double s2_77 = fma(w1.s2_42, s2_73, fma(w1.s2_24, w1.s2_64, w1.s2_61*w1.s2_72));
+  w1.s2_63 = 1.0/w1.s2_53;
+  const double s2_64 = w1.s2_63[1];
+  const Pair s2_65 = w1.s2_53*Pair{s2_64, w1.s2_63[0]};
+  w4.s2_66 = 2.1234888829989926*w1.s2_53[1];
+  const Pair s2_67 = w1.s2_62*s2_65;
+  const Pair s2_68 = w1.s2_62 + Pair{s2_67[1], s2_67[0]};
+  const double s2_69 = -p_arb_link_rear_left_to_x*w3.R_rear_axle_aux5_y_x;
+  const double s2_70 = fnma(p_arb_link_rear_left_to_z, w3.R_rear_axle_y_z, s2_69);
+  const double s2_71 = fms(p_arb_link_rear_left_to_y, w3.R_rear_axle_y_y, s2_70);
+  w1.s2_72 = Pair{s2_71, fma(p_arb_link_rear_left_to_y, w3.R_rear_axle_y_y, s2_70)};
+  w1.s2_73 = w1.s2_14 - w1.s2_72;
+  const double s2_74 = -p_arb_link_rear_left_to_x*w3.R_rear_axle_aux5_x_x;
+  const double s2_75 = fnma(p_arb_link_rear_left_to_z, w3.R_rear_axle_x_z, s2_74);
+  const double s2_76 = -fma(p_arb_link_rear_left_to_y, w3.R_rear_axle_x_y, s2_75);
+  w1.s2_77 = Pair{fms(p_arb_link_rear_left_to_y, w3.R_rear_axle_x_y, s2_75), s2_76};
+  w1.s2_78 = p_arb_link_rear_left_from_x*mbgen::pair_at(w6.cosines + 10);
+  w1.s2_79 = w1.s2_78 + p_arb_rear_left_x - w1.s1_4 - w1.s2_77;
+  const Pair s2_80 = w1.s2_10*w1.s2_79;
+  const Pair s2_81 = w1.s2_8*w1.s2_79;
+  const Pair s2_82 = fma(w1.s2_13, s2_81, w1.s2_73);
+  const Pair s2_83 = w1.s2_29*Pair{s2_82[1], s2_82[0]};
+  const double s1_1 = w6.sines[8];
+  const double s2_84 = -p_arb_link_rear_left_to_x*s1_1;
+  const double s2_85 = fma(p_arb_link_rear_left_to_z, w4.R_rear_axle_z_z, s2_84);
+  const double s2_86 = fnma(p_arb_link_rear_left_to_y, w4.R_rear_axle_z_y, s2_85);
+  w1.s2_87 = Pair{fma(p_arb_link_rear_left_to_y, w4.R_rear_axle_z_y, s2_85), s2_86};
+  w1.s2_88 = p_arb_link_rear_left_from_x*mbgen::pair_at(w6.sines + 10);
+  w1.s2_89 = w1.s2_87 + (w1.s2_88 + (w1.s1_5 - p_arb_rear_left_z));
+  const Pair s2_90 = fma(w1.s2_72, w1.s2_89, fma(w1.s2_73, w1.s2_87, w1.s2_42*s2_81));
+  const Pair s2_91 = Pair{s2_83[1], s2_83[0]};
+  const Pair s2_92 = fma(w1.s2_25, s2_81, fnma(w1.s2_72, w1.s2_79, w1.s2_73*w1.s2_77));
+  const Pair s2_93 = fnma(w1.s2_26, s2_91, s2_92);
+  const Pair s2_94 = fnma(w1.s2_79, w1.s2_87, fnma(w1.s2_57, s2_81, w1.s2_59*s2_91));
+  const Pair s2_95 = fnma(w1.s2_77, w1.s2_89, s2_94);
+  const Pair s2_96 = w1.s2_63*s2_93;
+  const Pair s2_97 = w1.s2_47*s2_96;
+  const Pair s2_98 = fms(w1.s2_44, s2_83, Pair{s2_90[1], s2_90[0]});
+  w1.s2_99 = fms(s2_65, Pair{w1.s2_47[1], w1.s2_47[0]}, w1.s2_47);
+  const Pair s6_27 = s2_96*w1.s6_26;
+  const Pair s2_100 = w1.s2_62*Pair{s2_96[1], s2_96[0]};
+  w1.s2_101 = 1.0/s2_68;
+  const Pair s2_102 = (s2_95 - Pair{s2_100[1], s2_100[0]})*w1.s2_101;
+  w4.s2_103 = 1.7864443153153613*std::abs(s2_68[1]);
+  const Pair s2_104 = s2_98 - Pair{s2_97[1], s2_97[0]};
+  const Pair pivot_rear_axle_rz = fnma(w1.s2_99, Pair{s2_102[1], s2_102[0]}, s2_104);
+  const Pair s2_105 = Pair{s2_80[1], s2_80[0]};
+  const Pair s2_106 = w1.s2_41*s2_105;
+  const Pair s2_107 = fms(w1.s2_13, s2_105, Pair{w1.s2_73[1], w1.s2_73[0]});
+  const Pair s2_108 = w1.s2_89 + Pair{s2_106[1], s2_106[0]};
+  const Pair s2_109 = w1.s2_63*Pair{s2_93[1], s2_93[0]};
+  const Pair s2_110 = w1.s2_51*s2_109;
+  const Pair s2_111 = fma(w1.s2_49, w1.s2_29*Pair{s2_107[1], s2_107[0]}, s2_108);
+  w1.s2_112 = fma(s2_65, Pair{w1.s2_51[1], w1.s2_51[0]}, w1.s2_51);
+  const Pair s2_113 = fma(w1.s2_62, Pair{s2_109[1], s2_109[0]}, s2_95);
+  const Pair s2_114 = w1.s2_101*Pair{s2_113[1], s2_113[0]};
+  const Pair s2_115 = Pair{s2_110[1], s2_110[0]} + s2_111;
+  w1.s2_116 = fnma(w1.s2_112, Pair{s2_114[1], s2_114[0]}, s2_115);
+  w1.s2_117 = 1.0/pivot_rear_axle_rz;
+  const double s2_118 = w1.s2_117[0];
+  const Pair s2_119 = pivot_rear_axle_rz*Pair{w1.s2_117[1], s2_118};
+  w4.s2_120 = 8.176955428452642*std::abs(pivot_rear_axle_rz[0]);
+  const Pair s2_121 = w1.s2_116*s2_119;
+  const Pair pivot_rear_axle_tz = w1.s2_116 + Pair{s2_121[1], s2_121[0]};
+  const Pair s6_28 = fnma(w1.s2_87, w1.s4_10, w1.s2_77*w1.s4_7);
+  w1.s6_29 = w1.s0_16 + s6_28;
+  w1.s0_19 = Pair{state.zd[Coordinate::arb_rear_left], state.zd[Coordinate::arb_rear_right]};
 
   // --- step 6: c and dRz/dt zd (62), long_rod_left .. arb_link_rear_right, continued ---
-  // long_rod_right
-  const double s6_60 = fma(w1.s4_4, w1.s2_24, w1.s4_8*w1.s2_61);
-  const double s6_61 = fma(w1.s4_4, w1.s2_49, w1.s4_5*w1.s2_61);
-  const double s6_62 = fnma(w1.s4_8, w1.s2_49, w1.s4_5*w1.s2_24);
-  const double s6_63 = fma(w1.s4_5, s6_61, w1.s4_8*s6_60);
-  const double s6_64 = fnma(w1.s4_4, s6_61, w1.s4_8*s6_62);
-  const double zd_rear_axle_ty = state.zd[Coordinate::rear_axle_ty];
-  const double s6_65 = zd_rear_axle_ty + s6_61;
-  const double zd_rear_axle_tx = state.zd[Coordinate::rear_axle_tx];
-  const double s6_66 = zd_rear_axle_tx - s6_60;
-  const double s6_67 = fma(w1.s4_5, s6_62, w1.s4_4*s6_60);
-  const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
-  const double s6_68 = zd_rear_axle_tz + s6_62;
-  const double s6_69 = fnma(s6_68, s6_68, fnma(s6_65, s6_65, w1.s2_72*s6_67));
-  const double s6_70 = fnma(w1.s2_52, s6_64, fnma(w1.s2_64, s6_63, fnma(s6_66, s6_66, s6_69)));
-  w1.s2_78 = 1.0/w1.pivot_rear_axle_rx;
-  const double s2_79 = fma(w1.s2_47, s2_74, s2_75)*w1.s2_78;
-  const double pivot_rear_axle_ry = fnma(w1.s2_66, s2_79, fma(w1.s2_59, s2_74, s2_76));
-  w1.s2_80 = fnma(s2_79, w1.s2_69, fma(s2_74, w1.s2_67, s2_77));
-  const double s2_81 = fma(s2_74, w1.s2_70, fnma(w1.s2_40, s2_73, w1.s2_64));
-  w1.s2_82 = fnma(s2_79, w1.s2_71, s2_81);
-  const double s6_71 = fnma(s2_79, s6_59, fma(s2_74, w1.s6_46, fma(s2_73, w1.s6_43, s6_70)));
+  // arb_link_rear_left; and the image of arb_link_rear_right
+  const Pair s6_30 = w1.s2_88*w1.s0_19;
+  const Pair s6_31 = w1.s2_78*w1.s0_19;
+  const Pair s6_32 = fnma(w1.s2_72, w1.s4_7, w1.s2_87*w1.s4_15);
+  w1.s6_33 = s6_32 + (w1.s0_17 + s6_30);
+  const Pair s6_34 = fma(w1.s4_15, s6_32, fnma(w1.s4_10, s6_28, w1.s0_19*s6_30));
+  const Pair s6_35 = fnma(w1.s2_77, w1.s4_15, w1.s2_72*w1.s4_10);
+  w1.s6_36 = s6_35 + (w1.s0_18 + s6_31);
+  const Pair s6_37 = fnma(w1.s4_10, s6_35, w1.s4_7*s6_32);
+  w1.s6_38 = fma(w1.s4_15, s6_35, fnma(w1.s4_7, s6_28, w1.s0_19*s6_31));
+  const Pair s6_39 = fma(w1.s6_33, w1.s6_33, fma(w1.s6_29, w1.s6_29, s2_81*w1.s6_12));
+  const Pair s6_40 = fnma(w1.s2_73, s6_37, fma(w1.s6_36, w1.s6_36, s6_39));
+  const Pair s6_41 = fnma(w1.s2_79, w1.s6_38, fnma(w1.s2_89, s6_34, s6_40));
+  const Pair s6_42 = fms(s2_83, w1.s6_13, Pair{s6_41[1], s6_41[0]});
+  const Pair s6_43 = fma(s2_65, Pair{w1.s6_26[1], w1.s6_26[0]}, w1.s6_26);
+  const Pair s6_44 = s2_102*Pair{s6_43[1], s6_43[0]};
+  const Pair s6_45 = s6_42 - Pair{s6_27[1], s6_27[0]} - Pair{s6_44[1], s6_44[0]};
+  const Pair s6_46 = fma(s2_119, Pair{s6_45[1], s6_45[0]}, s6_45);
+  w1.s2_122 = 1.0/pivot_rear_axle_tz;
+  w4.s2_123 = 2.7700489841913827*std::abs(pivot_rear_axle_tz[0]);
+  w4.zdd_star_rear_axle_tz = w1.s2_122[0]*s6_46[1];
+  const Pair s6_47 = Pair{w4.zdd_star_rear_axle_tz, w4.zdd_star_rear_axle_tz};
 
-  // --- step 2: closure Jacobian Phi_z and its factors (60), long_rod_left .. arb_link_rear_right,
-  // continued ---
-  w1.s2_83 = 2.1234888829989926*std::abs(w1.pivot_rear_axle_rx);
-  const double s2_84 = w1.r_rear_axle_aux3_z - p_arb_rear_left_z;
-  w1.s2_85 = s2_84 + (w1.s2_14 + w1.s2_7);
-  w1.s2_86 = w1.s2_8 + (s2_84 + w1.s2_16);
-  w1.s2_87 = 0.6 + z_rear_axle_ty - w1.s2_12;
-  w1.s2_88 = w1.s2_15 + (w1.s2_10 + p_arb_rear_right_x - w1.r_rear_axle_aux1_x);
-  const double s2_89 = w1.s2_88*w1.s2_45;
-  const double s2_90 = w1.s2_55*fma(w1.s2_41, s2_89, w1.s2_87);
-  const double s2_91 = fnma(w1.s2_12, w1.s2_88, fnma(w1.s2_10, w1.s2_87, w1.s2_47*s2_90));
-  const double s2_92 = w1.s2_78*fnma(w1.s2_44, s2_89, s2_91);
-  const double s2_93 = fnma(w1.s2_43, s2_89, fnma(w1.s2_8, w1.s2_88, w1.s2_10*w1.s2_86));
-  const double s2_94 = fnma(w1.s2_12, w1.s2_86, fnma(w1.s2_87, w1.s2_8, w1.s2_67*s2_90));
-  const double s6_72 = fnma(w1.s6_21, w1.s6_21, fnma(s2_89, w1.s6_43, w1.s2_88*w1.s6_17));
-  const double s2_95 = fma(s2_90, w1.s2_70, fma(w1.s2_40, s2_89, w1.s2_86));
-  const double s6_73 = fnma(w1.s6_16, w1.s6_16, fnma(w1.s6_20, w1.s6_20, s6_72));
-  const double s6_74 = fma(w1.s2_86, w1.s6_22, fnma(w1.s2_87, w1.s6_18, s6_73));
-  w1.s2_96 = 1.0/pivot_rear_axle_ry;
-  const double s2_97 = fnma(w1.s2_66, s2_92, fma(w1.s2_59, s2_90, s2_93))*w1.s2_96;
-  const double s2_98 = fnma(w1.s2_69, s2_92, fnma(w1.s2_42, s2_89, s2_94));
-  const double pivot_rear_axle_rz = fnma(w1.s2_80, s2_97, s2_98);
-  w1.s2_99 = fnma(s2_97, w1.s2_82, fnma(s2_92, w1.s2_71, s2_95));
-  const double s6_75 = fnma(s2_97, s6_71, fnma(s2_92, s6_59, fma(s2_90, w1.s6_46, s6_74)));
-  w1.s2_100 = 1.7864443153153613*std::abs(pivot_rear_axle_ry);
-  w1.s2_101 = 0.6 - z_rear_axle_ty - w1.s2_11;
-  w1.s2_102 = w1.s2_13 + p_arb_rear_left_x - w1.r_rear_axle_aux1_x - w1.s2_9;
-  const double s2_103 = w1.s2_102*w1.s2_45;
-  const double s2_104 = w1.s2_55*fms(w1.s2_41, s2_103, w1.s2_101);
-  const double s2_105 = fnma(w1.s2_44, s2_103, fnma(w1.s2_101, w1.s2_9, w1.s2_11*w1.s2_102));
-  const double s2_106 = w1.s2_78*fma(w1.s2_47, s2_104, s2_105);
-  const double s2_107 = fnma(w1.s2_7, w1.s2_102, fnma(w1.s2_85, w1.s2_9, w1.s2_59*s2_104));
-  const double s2_108 = w1.s2_96*fnma(w1.s2_66, s2_106, fnma(w1.s2_43, s2_103, s2_107));
-  const double s2_109 = fnma(w1.s2_42, s2_103, fma(w1.s2_7, w1.s2_101, w1.s2_85*w1.s2_11));
-  const double s2_110 = fnma(w1.s2_69, s2_106, fma(w1.s2_67, s2_104, s2_109));
-  const double s6_76 = fnma(w1.s6_9, w1.s6_9, fnma(w1.s6_10, w1.s6_10, w1.s2_101*w1.s6_7));
-  const double s6_77 = fma(w1.s2_102, w1.s6_6, fnma(w1.s6_5, w1.s6_5, s6_76));
-  const double s6_78 = fnma(s2_103, w1.s6_43, fma(w1.s2_85, w1.s6_11, s6_77));
-  const double s2_111 = fma(w1.s2_70, s2_104, fma(w1.s2_40, s2_103, w1.s2_85));
+  // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right
+  // ---
+
+  // --- step 6: c and dRz/dt zd (62), long_rod_left .. arb_link_rear_right, continued ---
+  const Pair s6_48 = w1.s2_116*s6_47;
+  const Pair s6_49 = s6_45 - Pair{s6_48[1], s6_48[0]};
+  w4.zdd_star_rear_axle_rz = s2_118*s6_49[0];
+  const double s6_50 = -w4.zdd_star_rear_axle_rz;
+  const Pair s6_51 = Pair{w4.zdd_star_rear_axle_rz, s6_50};
+  const Pair s6_52 = fnma(w1.s2_99, s6_51, fnma(w1.s2_112, s6_47, s6_43));
+  const Pair s6_53 = Pair{s6_50, w4.zdd_star_rear_axle_rz};
+  w1.s8_1 = fms(w1.s2_36, s6_51, w1.s6_8);
+  w1.s8_2 = fms(w1.s2_87, s6_51, s6_37);
+  w4.zdd_star_rear_axle_ry = w1.s2_101[1]*s6_52[0];
+  w1.s6_54 = Pair{w4.zdd_star_rear_axle_ry, w4.zdd_star_rear_axle_ry};
+  w1.s8_3 = fma(w1.s2_77, w1.s6_54, fnma(w1.s2_72, s6_51, s6_34 - s6_47));
+  const Pair s6_55 = fnma(w1.s2_41, s6_47, fms(w1.s2_57, w1.s6_54, w1.s6_12));
+  w1.s8_4 = fnma(w1.s2_24, s6_53, fms(w1.s2_20, w1.s6_54, w1.s6_19) - s6_47);
+  w1.s8_5 = fnma(w1.s2_6, s6_51, fms(w1.s2_3, w1.s6_54, w1.s6_6) - s6_47);
+  const Pair s6_56 = w1.s2_62*w1.s6_54;
+  const Pair s6_57 = fnma(w1.s2_51, s6_47, w1.s6_26) - Pair{s6_56[1], s6_56[0]};
+  const Pair s6_58 = fnma(w1.s2_47, s6_53, s6_57);
+  w4.zdd_star_rear_axle_rx = s2_64*s6_58[1];
+  const double s6_59 = -w4.zdd_star_rear_axle_rx;
+  const Pair s6_60 = Pair{s6_59, w4.zdd_star_rear_axle_rx};
+  w1.s6_61 = Pair{w4.zdd_star_rear_axle_rx, s6_59};
+  const Pair s6_62 = w1.s2_26*s6_60;
+  w1.s8_6 = fnma(w1.s2_40, w1.s6_54, fms(w1.s2_24, s6_60, w1.s6_18));
+  const Pair s6_63 = fnma(w1.s2_44, s6_51, fnma(w1.s2_49, s6_47, w1.s6_13));
+  const Pair s6_64 = w1.s2_59*w1.s6_54;
+  const Pair s6_65 = Pair{s6_62[1], s6_62[0]} + s6_63 - Pair{s6_64[1], s6_64[0]};
+  w4.s6_66 = w4.s2_31*s6_65[0];
+  const double s6_67 = -w4.s6_66;
+  const Pair s6_68 = Pair{s6_67, w4.s6_66};
+  const Pair s6_69 = fma(w1.s2_13, s6_68, fnma(w1.s2_25, s6_60, fma(w1.s2_42, s6_53, s6_55)));
+  w1.s8_7 = s6_68 + fnma(w1.s2_20, s6_60, fms(w1.s2_40, s6_53, w1.s6_20));
+  w1.s6_70 = Pair{w4.s6_66, s6_67};
+  w4.zdd_star_rear_axle_tx = w3.s2_9*s6_69[1];
 
   // --- step 7: inertias of the bodies and forces on joints, long_rod_left .. arb_link_rear_right
   // ---
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s7_1 = K_rear_axle_xx*w1.R_rear_axle_aux5_y_x;
-  const double s7_2 = fma(K_rear_axle_xz, w1.R_rear_axle_y_z, s7_1);
-  const double s7_3 = K_rear_axle_yy*w1.R_rear_axle_y_y;
-  const double s1_1 = w8.sines[18];
-  const double s7_4 = K_rear_axle_xz*w1.R_rear_axle_aux5_y_x;
-  const double s7_5 = fma(K_rear_axle_zz, w1.R_rear_axle_y_z, s7_4);
-  w1.s7_6 = fma(w1.R_rear_axle_z_z, s7_5, fnma(s1_1, s7_2, w1.R_rear_axle_z_y*s7_3));
-  const double s7_7 = fma(w1.R_rear_axle_y_y, s7_3, w1.R_rear_axle_aux5_y_x*s7_2);
-  w1.s7_8 = fma(w1.R_rear_axle_y_z, s7_5, s7_7);
-  const double s7_9 = h_rear_axle_x*w1.R_rear_axle_aux5_y_x;
-  w1.s7_10 = fma(h_rear_axle_z, w1.R_rear_axle_y_z, s7_9);
-  const double s7_11 = K_rear_axle_xx*w1.R_rear_axle_aux5_x_x;
-  const double s7_12 = fma(K_rear_axle_xz, w1.R_rear_axle_x_z, s7_11);
-  const double s7_13 = K_rear_axle_xz*w1.R_rear_axle_aux5_x_x;
-  const double s7_14 = fma(K_rear_axle_zz, w1.R_rear_axle_x_z, s7_13);
-  const double s7_15 = K_rear_axle_yy*w1.R_rear_axle_x_y;
-  const double s7_16 = fma(w1.R_rear_axle_y_y, s7_15, w1.R_rear_axle_aux5_y_x*s7_12);
-  w1.s7_17 = fma(w1.R_rear_axle_y_z, s7_14, s7_16);
-  const double s7_18 = fnma(s1_1, s7_12, w1.R_rear_axle_z_y*s7_15);
-  w1.s7_19 = fma(w1.R_rear_axle_z_z, s7_14, s7_18);
-  w1.s7_20 = fnma(h_rear_axle_x, s1_1, h_rear_axle_z*w1.R_rear_axle_z_z);
-  const double s7_21 = fma(w1.R_rear_axle_x_y, s7_15, w1.R_rear_axle_aux5_x_x*s7_12);
-  w1.s7_22 = fma(w1.R_rear_axle_x_z, s7_14, s7_21);
-  const double s7_23 = h_rear_axle_x*w1.R_rear_axle_aux5_x_x;
-  w1.s7_24 = fma(h_rear_axle_z, w1.R_rear_axle_x_z, s7_23);
-  const double s1_4 = w8.cosines[17]*w1.R_rear_axle_aux5_x_x;
-  w1.s1_5 = fma(w8.sines[17], w1.R_rear_axle_aux5_y_x, s1_4);
+  const double s7_1 = K_rear_axle_xx*w3.R_rear_axle_aux5_y_x;
+  const double s7_2 = fma(K_rear_axle_xz, w3.R_rear_axle_y_z, s7_1);
+  const double s7_3 = K_rear_axle_yy*w3.R_rear_axle_y_y;
+  const double s7_4 = K_rear_axle_xz*w3.R_rear_axle_aux5_y_x;
+  const double s7_5 = fma(K_rear_axle_zz, w3.R_rear_axle_y_z, s7_4);
+  w4.s7_6 = fma(w4.R_rear_axle_z_z, s7_5, fnma(s1_1, s7_2, w4.R_rear_axle_z_y*s7_3));
+  const double s7_7 = fma(w3.R_rear_axle_y_y, s7_3, w3.R_rear_axle_aux5_y_x*s7_2);
+  w4.s7_8 = fma(w3.R_rear_axle_y_z, s7_5, s7_7);
+  const double s7_9 = h_rear_axle_x*w3.R_rear_axle_aux5_y_x;
+  w4.s7_10 = fma(h_rear_axle_z, w3.R_rear_axle_y_z, s7_9);
+  const double s7_11 = K_rear_axle_xx*w3.R_rear_axle_aux5_x_x;
+  const double s7_12 = fma(K_rear_axle_xz, w3.R_rear_axle_x_z, s7_11);
+  const double s7_13 = K_rear_axle_xz*w3.R_rear_axle_aux5_x_x;
+  const double s7_14 = fma(K_rear_axle_zz, w3.R_rear_axle_x_z, s7_13);
+  const double s7_15 = K_rear_axle_yy*w3.R_rear_axle_x_y;
+  const double s7_16 = fma(w3.R_rear_axle_y_y, s7_15, w3.R_rear_axle_aux5_y_x*s7_12);
+  w4.s7_17 = fma(w3.R_rear_axle_y_z, s7_14, s7_16);
+  const double s7_18 = fnma(s1_1, s7_12, w4.R_rear_axle_z_y*s7_15);
+  w4.s7_19 = fma(w4.R_rear_axle_z_z, s7_14, s7_18);
+  w4.s7_20 = fnma(h_rear_axle_x, s1_1, h_rear_axle_z*w4.R_rear_axle_z_z);
+  const double s7_21 = fma(w3.R_rear_axle_x_y, s7_15, w3.R_rear_axle_aux5_x_x*s7_12);
+  w4.s7_22 = fma(w3.R_rear_axle_x_z, s7_14, s7_21);
+  const double s7_23 = h_rear_axle_x*w3.R_rear_axle_aux5_x_x;
+  w4.s7_24 = fma(h_rear_axle_z, w3.R_rear_axle_x_z, s7_23);
+  const double s1_6 = w6.cosines[7]*w3.R_rear_axle_aux5_x_x;
+  w4.s1_7 = fma(w6.sines[7], w3.R_rear_axle_aux5_y_x, s1_6);
   // chassis: chassis_rx, revolute, chassis_aux5
-  const double R_chassis_aux5_z_z = w8.cosines[1];
-  const double s1_6 = w8.sines[2];
-  w1.R_chassis_z_y = R_chassis_aux5_z_z*s1_6;
+  const double R_chassis_aux5_z_z = w6.cosines[1];
+  const double s1_8 = w6.sines[2];
+  w4.R_chassis_z_y = R_chassis_aux5_z_z*s1_8;
   const double zd_chassis_rz = state.zd[Coordinate::chassis_rz];
-  const double s4_9 = zd_chassis_rz*w8.sines[1];
+  const double s4_16 = zd_chassis_rz*w6.sines[1];
   const double zd_chassis_rx = state.zd[Coordinate::chassis_rx];
-  w1.w_chassis_x = zd_chassis_rx - s4_9;
-  const double s4_10 = zd_chassis_rz*w1.R_chassis_z_y;
+  w4.w_chassis_x = zd_chassis_rx - s4_16;
+  const double s4_17 = zd_chassis_rz*w4.R_chassis_z_y;
   const double zd_chassis_ry = state.zd[Coordinate::chassis_ry];
-  const double s1_7 = w8.cosines[2];
-  const double s4_11 = zd_chassis_ry*s1_7;
-  w1.w_chassis_y = s4_10 + s4_11;
+  const double s1_9 = w6.cosines[2];
+  const double s4_18 = zd_chassis_ry*s1_9;
+  const double w_chassis_y = s4_17 + s4_18;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double w_rear_axle_x = w1.w_chassis_x + w1.s4_5;
-  const double w_rear_axle_y = w1.w_chassis_y + w1.s4_8;
+  const double w_rear_axle_x = w4.w_chassis_x + w4.s4_5;
+  const double w_rear_axle_y = w_chassis_y + w4.s4_14;
 
   // --- step 8: elimination from the leaves to the root (63) ---
   // chassis: chassis_rx, revolute, chassis_aux5
-  w2.R_chassis_z_z = R_chassis_aux5_z_z*s1_7;
-  const double s4_12 = zd_chassis_rz*w2.R_chassis_z_z;
-  const double s4_13 = zd_chassis_ry*s1_6;
-  w2.w_chassis_z = s4_12 - s4_13;
+  w4.R_chassis_z_z = R_chassis_aux5_z_z*s1_9;
+  const double s4_19 = zd_chassis_rz*w4.R_chassis_z_z;
+  const double s4_20 = zd_chassis_ry*s1_8;
+  w4.w_chassis_z = s4_19 - s4_20;
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
-  w2.s9_1 = fma(s4_10, s4_13, s4_11*s4_12);
-  w2.s9_2 = fma(zd_chassis_rx, w1.w_chassis_y, s4_9*s4_11);
-  w2.s9_3 = fnma(zd_chassis_rx, w2.w_chassis_z, s4_9*s4_13);
+  w4.s9_1 = fma(s4_17, s4_20, s4_18*s4_19);
+  w4.s9_2 = fma(zd_chassis_rx, w_chassis_y, s4_16*s4_18);
+  w4.s9_3 = fnma(zd_chassis_rx, w4.w_chassis_z, s4_16*s4_20);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double w_rear_axle_z = w2.w_chassis_z + w1.s4_4;
-  const double s8_1 = fma(w1.R_rear_axle_y_y, w_rear_axle_y, w1.R_rear_axle_x_y*w_rear_axle_x);
-  const double s8_2 = fma(w1.R_rear_axle_z_y, w_rear_axle_z, s8_1);
+  const double w_rear_axle_z = w4.w_chassis_z + w4.s4_4;
+  const double s8_8 = fma(w3.R_rear_axle_y_y, w_rear_axle_y, w3.R_rear_axle_x_y*w_rear_axle_x);
+  const double s8_9 = fma(w4.R_rear_axle_z_y, w_rear_axle_z, s8_8);
+  const double s8_10 = state.zd[Coordinate::wheel_rear_right] + s8_9;
+  const double s8_11 = s8_10 + (state.zd[Coordinate::wheel_rear_left] + s8_9);
+  const double s8_12 = I_wheel_rear_right_polar*s8_11;
+  const double s8_13 = w3.R_rear_axle_y_y*w_rear_axle_x;
+  const double s8_14 = w3.R_rear_axle_x_y*w_rear_axle_z;
+  const double s8_15 = w4.R_rear_axle_z_y*w_rear_axle_y;
 
-  // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right
-  // ---
-  const double s8_3 = state.zd[Coordinate::wheel_rear_right] + s8_2;
-  const double s8_4 = s8_3 + (state.zd[Coordinate::wheel_rear_left] + s8_2);
-  const double s8_5 = I_wheel_rear_right_polar*s8_4;
-  const double s8_6 = w1.R_rear_axle_y_y*w_rear_axle_x;
-  const double s8_7 = w1.R_rear_axle_x_y*w_rear_axle_z;
-  const double s8_8 = w1.R_rear_axle_z_y*w_rear_axle_y;
-  w2.s2_112 = 1.0/pivot_rear_axle_rz;
-  w2.s2_113 = fnma(w1.s2_80, s2_108, s2_110)*w2.s2_112;
-  const double s2_114 = fnma(w1.s2_82, s2_108, fnma(w1.s2_71, s2_106, s2_111));
-  const double pivot_rear_axle_tz = fnma(w1.s2_99, w2.s2_113, s2_114);
-  const double s6_79 = fnma(s2_108, s6_71, fnma(s2_106, s6_59, fma(s2_104, w1.s6_46, s6_78)));
-  w2.s2_115 = 8.176955428452642*std::abs(pivot_rear_axle_rz);
-  w2.s2_116 = 1.0/pivot_rear_axle_tz;
-  w2.zdd_star_rear_axle_tz = w2.s2_116*fnma(w2.s2_113, s6_75, s6_79);
-  w2.s2_117 = 2.7700489841913827*std::abs(pivot_rear_axle_tz);
-  w2.zdd_star_rear_axle_rz = w2.s2_112*fnma(w1.s2_99, w2.zdd_star_rear_axle_tz, s6_75);
-  const double s6_80 = fnma(w1.s2_82, w2.zdd_star_rear_axle_tz, s6_71);
-  const double s6_81 = fnma(w1.s2_71, w2.zdd_star_rear_axle_tz, s6_59);
-  const double s6_82 = fnma(w1.s2_70, w2.zdd_star_rear_axle_tz, w1.s6_46);
-  const double s8_9 = w1.s6_11 - w2.zdd_star_rear_axle_tz;
-  const double s8_10 = w1.s6_22 - w2.zdd_star_rear_axle_tz;
-  w2.zdd_star_rear_axle_ry = w1.s2_96*fnma(w1.s2_80, w2.zdd_star_rear_axle_rz, s6_80);
-  const double s6_83 = fms(w1.s2_42, w2.zdd_star_rear_axle_rz, w1.s6_43);
-  const double s6_84 = fnma(w1.s2_69, w2.zdd_star_rear_axle_rz, s6_81);
-  const double s6_85 = fnma(w1.s2_67, w2.zdd_star_rear_axle_rz, s6_82);
-  const double s8_11 = fnma(w1.s2_11, w2.zdd_star_rear_axle_rz, s8_9);
-  const double s8_12 = fma(w1.s2_12, w2.zdd_star_rear_axle_rz, s8_10);
-  const double s6_86 = fnma(w1.s2_40, w2.zdd_star_rear_axle_tz, s6_83);
-  w2.zdd_star_rear_axle_rx = w1.s2_78*fnma(w1.s2_66, w2.zdd_star_rear_axle_ry, s6_84);
-  const double s8_13 = fms(w1.s2_48, w2.zdd_star_rear_axle_ry, w1.s6_52);
-  const double s8_14 = fms(w1.s2_31, w2.zdd_star_rear_axle_ry, w1.s6_28);
-  const double s8_15 = fms(w1.s2_49, w2.zdd_star_rear_axle_ry, s6_63);
-  const double s8_16 = fms(w1.s2_32, w2.zdd_star_rear_axle_ry, w1.s6_37);
-  const double s6_87 = fnma(w1.s2_59, w2.zdd_star_rear_axle_ry, s6_85);
-  const double s6_88 = fma(w1.s2_43, w2.zdd_star_rear_axle_ry, s6_86);
-  const double s8_17 = fms(w1.s2_60, w2.zdd_star_rear_axle_rz, w1.s6_54);
-  const double s8_18 = fms(w1.s2_36, w2.zdd_star_rear_axle_rz, w1.s6_30);
-  const double s8_19 = fms(w1.s2_7, w2.zdd_star_rear_axle_rz, w1.s6_7);
-  const double s8_20 = fnma(w1.s2_61, w2.zdd_star_rear_axle_rz, s6_67);
-  const double s8_21 = fms(w1.s2_61, w2.zdd_star_rear_axle_ry, s6_64);
-  const double s8_22 = fms(w1.s2_37, w2.zdd_star_rear_axle_rz, w1.s6_39);
-  const double s8_23 = fms(w1.s2_8, w2.zdd_star_rear_axle_rz, w1.s6_18);
-  const double s8_24 = s8_13 - w2.zdd_star_rear_axle_tz;
-  const double s8_25 = s8_14 - w2.zdd_star_rear_axle_tz;
-  const double s8_26 = s8_15 - w2.zdd_star_rear_axle_tz;
-  const double s8_27 = s8_16 - w2.zdd_star_rear_axle_tz;
-  w2.s6_89 = w1.s2_55*fnma(w1.s2_47, w2.zdd_star_rear_axle_rx, s6_87);
-  const double s8_28 = fms(w1.s2_23, w2.zdd_star_rear_axle_rx, w1.s6_50);
-  const double s8_29 = fms(w1.s2_27, w2.zdd_star_rear_axle_rx, w1.s6_26);
-  const double s8_30 = fms(w1.s2_11, w2.zdd_star_rear_axle_rx, w1.s6_6);
-  const double s8_31 = fms(w1.s2_28, w2.zdd_star_rear_axle_rx, w1.s6_35);
-  const double s6_90 = fma(w1.s2_41, w2.s6_89, fma(w1.s2_44, w2.zdd_star_rear_axle_rx, s6_88));
-  w2.zdd_star_rear_axle_tx = w1.s2_45*s6_90;
-  const double s8_32 = fnma(w1.s2_60, w2.zdd_star_rear_axle_ry, s8_28);
-  const double s8_33 = fnma(w1.s2_36, w2.zdd_star_rear_axle_ry, s8_29);
-  const double s8_34 = fnma(w1.s2_7, w2.zdd_star_rear_axle_ry, s8_30);
-  const double s8_35 = fma(w1.s2_24, w2.zdd_star_rear_axle_rx, s8_21);
-  const double s8_36 = fnma(w1.s2_37, w2.zdd_star_rear_axle_ry, s8_31);
-  const double s8_37 = w1.w_chassis_y*w1.w_chassis_y;
-  const double s8_38 = w1.w_chassis_x*w1.w_chassis_x;
-  w2.s8_39 = s8_37 + s8_38;
-  w2.s8_40 = fma(w2.w_chassis_z, w2.w_chassis_z, s8_37);
-  w2.s8_41 = fma(w2.w_chassis_z, w2.w_chassis_z, s8_38);
+  // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
+  // continued ---
+  const double s8_16 = w_chassis_y*w_chassis_y;
+  const double s8_17 = w4.w_chassis_x*w4.w_chassis_x;
+  w4.s8_18 = s8_16 + s8_17;
+  w4.s8_19 = fma(w4.w_chassis_z, w4.w_chassis_z, s8_16);
+  w4.s8_20 = fma(w4.w_chassis_z, w4.w_chassis_z, s8_17);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  w2.s8_42 = fnma(w1.w_chassis_y, w1.s4_5, w1.w_chassis_x*w1.s4_8);
-  w2.s8_43 = fnma(w1.w_chassis_x, w1.s4_4, w2.w_chassis_z*w1.s4_5);
-  w2.s8_44 = fnma(w2.w_chassis_z, w1.s4_8, w1.w_chassis_y*w1.s4_4);
-  const double s8_45 = w2.zdd_star_rear_axle_rx + w2.s8_42;
-  const double s8_46 = fms(w_rear_axle_x, w_rear_axle_y, s8_45);
-  const double s8_47 = fma(w_rear_axle_x, w_rear_axle_y, s8_45);
-  const double s8_48 = w2.zdd_star_rear_axle_rz + w2.s8_44;
-  const double s8_49 = fms(w_rear_axle_y, w_rear_axle_z, s8_48);
-  const double s8_50 = fma(w_rear_axle_y, w_rear_axle_z, s8_48);
-  const double s8_51 = w_rear_axle_y*w_rear_axle_y;
-  const double s8_52 = w2.zdd_star_rear_axle_ry + w2.s8_43;
-  const double s8_53 = fma(w_rear_axle_x, w_rear_axle_z, s8_52);
-  const double s8_54 = fms(w_rear_axle_x, w_rear_axle_z, s8_52);
-  const double s8_55 = w_rear_axle_z*w_rear_axle_z;
-  w2.s8_56 = w1.w_chassis_x + w1.w_chassis_x;
-  const double s8_57 = w2.s6_89 + fnma(w1.s2_48, w2.zdd_star_rear_axle_rx, s8_17);
-  const double s8_58 = w2.s6_89 + fnma(w1.s2_31, w2.zdd_star_rear_axle_rx, s8_18);
-  const double s8_59 = w2.s6_89 + fnma(w1.s2_9, w2.zdd_star_rear_axle_rx, s8_19);
-  const double s8_60 = w2.s6_89 + fnma(w1.s2_49, w2.zdd_star_rear_axle_rx, s8_20);
-  const double s8_61 = w2.s6_89 + fnma(w1.s2_32, w2.zdd_star_rear_axle_rx, s8_22);
-  const double s8_62 = w2.s6_89 + fma(w1.s2_10, w2.zdd_star_rear_axle_rx, s8_23);
-  w2.s8_63 = w2.w_chassis_z + w2.w_chassis_z;
-  const double s8_64 = fms(w1.s6_21, w2.s8_63, w1.s6_17);
-  const double s8_65 = fnma(w1.s2_8, w2.zdd_star_rear_axle_ry, s8_64);
-  const double s8_66 = fnma(w1.s2_12, w2.zdd_star_rear_axle_rx, s8_65);
-  const double s8_67 = fms(zd_rear_axle_tx, w2.s8_63, w2.s6_89);
-  w2.s8_68 = w1.w_chassis_x*w1.w_chassis_y;
-  const double s8_69 = fnma(zd_rear_axle_tz, w2.s8_56, s8_67);
-  const double s8_70 = fnma(w1.s6_53, w2.s8_63, fma(w1.s6_55, w2.s8_56, s8_57));
-  const double s8_71 = fnma(w1.s6_29, w2.s8_63, fma(w1.s6_31, w2.s8_56, s8_58));
-  const double s8_72 = fnma(w1.s6_9, w2.s8_63, fma(w1.s6_5, w2.s8_56, s8_59));
-  const double s8_73 = fnma(s6_66, w2.s8_63, fma(s6_68, w2.s8_56, s8_60));
-  const double s8_74 = fnma(w1.s6_38, w2.s8_63, fma(w1.s6_40, w2.s8_56, s8_61));
-  const double s8_75 = fnma(w1.s6_20, w2.s8_63, fma(w1.s6_16, w2.s8_56, s8_62));
-  w2.s8_76 = w1.w_chassis_y*w2.w_chassis_z;
-  const double s8_77 = fma(w1.r_rear_axle_aux1_x, w2.s8_68, s8_69);
-  const double s8_78 = fma(w1.r_rear_axle_aux3_z, w2.s8_76, s8_77);
-  const double s8_79 = fnma(z_rear_axle_ty, w2.s8_41, s8_78);
-  const double s8_80 = fnma(w1.s2_63, w2.s8_76, fnma(w1.s2_51, w2.s8_68, s8_70));
-  const double s8_81 = fnma(w1.s2_39, w2.s8_76, fnma(w1.s2_34, w2.s8_68, s8_71));
-  const double s8_82 = fnma(w1.s2_85, w2.s8_76, fma(w1.s2_102, w2.s8_68, s8_72));
-  const double s8_83 = fnma(w1.s2_64, w2.s8_76, fnma(w1.s2_52, w2.s8_68, s8_73));
-  const double s8_84 = fnma(w1.s2_40, w2.s8_76, fnma(w1.pivot_rear_axle_tx, w2.s8_68, s8_74));
-  const double s8_85 = fnma(w1.s2_86, w2.s8_76, fma(w1.s2_88, w2.s8_68, s8_75));
-  w2.s8_86 = 3.0*fnma(w1.s2_25, w2.s8_41, s8_80);
-  w2.s8_87 = 2.6666666666666665*fnma(w1.s2_29, w2.s8_41, s8_81);
-  w2.s8_88 = 0.3333333333333333*fnma(w1.s2_101, w2.s8_41, s8_82);
-  w2.s8_89 = 3.0*fma(w1.s2_72, w2.s8_41, s8_83);
-  w2.s8_90 = 2.6666666666666665*fma(w1.s2_41, w2.s8_41, s8_84);
-  w2.s8_91 = 0.3333333333333333*fma(w1.s2_87, w2.s8_41, s8_85);
-  w2.s8_92 = w1.w_chassis_y + w1.w_chassis_y;
-  const double s8_93 = fnma(w1.s6_55, w2.s8_92, s8_32 - w2.zdd_star_rear_axle_tx);
-  const double s8_94 = fma(w1.s6_53, w2.s8_92, fnma(w1.s2_23, w2.zdd_star_rear_axle_rz, s8_24));
-  const double s8_95 = fnma(w1.s6_31, w2.s8_92, s8_33 - w2.zdd_star_rear_axle_tx);
-  const double s8_96 = fma(w1.s6_29, w2.s8_92, fnma(w1.s2_27, w2.zdd_star_rear_axle_rz, s8_25));
-  const double s8_97 = fma(w1.s6_9, w2.s8_92, fma(w1.s2_9, w2.zdd_star_rear_axle_ry, s8_11));
-  const double s8_98 = fnma(w1.s6_5, w2.s8_92, s8_34 - w2.zdd_star_rear_axle_tx);
-  const double s8_99 = fma(s6_66, w2.s8_92, fnma(w1.s2_24, w2.zdd_star_rear_axle_rz, s8_26));
-  const double s8_100 = fnma(s6_68, w2.s8_92, s8_35 - w2.zdd_star_rear_axle_tx);
-  const double s8_101 = fma(w1.s6_38, w2.s8_92, fnma(w1.s2_28, w2.zdd_star_rear_axle_rz, s8_27));
-  const double s8_102 = fnma(w1.s6_40, w2.s8_92, s8_36 - w2.zdd_star_rear_axle_tx);
-  const double s8_103 = fma(w1.s6_20, w2.s8_92, fnma(w1.s2_10, w2.zdd_star_rear_axle_ry, s8_12));
-  const double s8_104 = fnma(w1.s6_16, w2.s8_92, s8_66 - w2.zdd_star_rear_axle_tx);
-  const double s8_105 = fnma(zd_rear_axle_tx, w2.s8_92, w2.zdd_star_rear_axle_tz);
-  w2.s8_106 = w1.w_chassis_x*w2.w_chassis_z;
-  const double s8_107 = fma(z_rear_axle_ty, w2.s8_76, fma(zd_rear_axle_ty, w2.s8_56, s8_105));
-  const double s8_108 = fma(w1.s2_25, w2.s8_68, fma(w1.s6_51, w2.s8_63, s8_93));
-  const double s8_109 = fma(w1.s2_25, w2.s8_76, fnma(w1.s6_51, w2.s8_56, s8_94));
-  const double s8_110 = fma(w1.s2_29, w2.s8_68, fma(w1.s6_27, w2.s8_63, s8_95));
-  const double s8_111 = fma(w1.s2_29, w2.s8_76, fnma(w1.s6_27, w2.s8_56, s8_96));
-  const double s8_112 = fma(w1.s2_101, w2.s8_76, fnma(w1.s6_10, w2.s8_56, s8_97));
-  const double s8_113 = fma(w1.s2_101, w2.s8_68, fma(w1.s6_10, w2.s8_63, s8_98));
-  const double s8_114 = fnma(w1.s2_72, w2.s8_76, fnma(s6_65, w2.s8_56, s8_99));
-  const double s8_115 = fnma(w1.s2_72, w2.s8_68, fma(s6_65, w2.s8_63, s8_100));
-  const double s8_116 = fnma(w1.s2_41, w2.s8_76, fnma(w1.s6_36, w2.s8_56, s8_101));
-  const double s8_117 = fnma(w1.s2_41, w2.s8_68, fma(w1.s6_36, w2.s8_63, s8_102));
-  const double s8_118 = fnma(w1.s2_87, w2.s8_76, fnma(w1.s6_21, w2.s8_56, s8_103));
-  const double s8_119 = fma(w1.r_rear_axle_aux1_x, w2.s8_106, s8_107);
-  const double s8_120 = fnma(w1.r_rear_axle_aux3_z, w2.s8_39, s8_119);
-  const double s8_121 = fnma(w1.s2_86, w2.s8_106, fnma(w1.s2_87, w2.s8_68, s8_104));
-  w2.s8_122 = 3.0*fma(w1.s2_51, w2.s8_40, fnma(w1.s2_63, w2.s8_106, s8_108));
-  w2.s8_123 = 3.0*fma(w1.s2_63, w2.s8_39, fnma(w1.s2_51, w2.s8_106, s8_109));
-  const double s8_124 = fma(w1.s2_34, w2.s8_40, fnma(w1.s2_39, w2.s8_106, s8_110));
-  w2.s8_125 = 2.6666666666666665*s8_124;
-  const double s8_126 = fma(w1.s2_39, w2.s8_39, fnma(w1.s2_34, w2.s8_106, s8_111));
-  w2.s8_127 = 2.6666666666666665*s8_126;
-  const double s8_128 = fma(w1.s2_85, w2.s8_39, fma(w1.s2_102, w2.s8_106, s8_112));
-  w2.s8_129 = 0.3333333333333333*s8_128;
-  const double s8_130 = fnma(w1.s2_102, w2.s8_40, fnma(w1.s2_85, w2.s8_106, s8_113));
-  w2.s8_131 = 0.3333333333333333*s8_130;
-  w2.s8_132 = 3.0*fma(w1.s2_64, w2.s8_39, fnma(w1.s2_52, w2.s8_106, s8_114));
-  w2.s8_133 = 3.0*fma(w1.s2_52, w2.s8_40, fnma(w1.s2_64, w2.s8_106, s8_115));
-  const double s8_134 = fma(w1.s2_40, w2.s8_39, fnma(w1.pivot_rear_axle_tx, w2.s8_106, s8_116));
-  w2.s8_135 = 2.6666666666666665*s8_134;
-  const double s8_136 = fma(w1.pivot_rear_axle_tx, w2.s8_40, fnma(w1.s2_40, w2.s8_106, s8_117));
-  w2.s8_137 = 2.6666666666666665*s8_136;
-  const double s8_138 = fma(w1.s2_86, w2.s8_39, fma(w1.s2_88, w2.s8_106, s8_118));
-  w2.s8_139 = 0.3333333333333333*s8_138;
-  w2.s8_140 = 0.3333333333333333*fnma(w1.s2_88, w2.s8_40, s8_121);
-  const double s8_141 = fma(w_rear_axle_x, w_rear_axle_x, s8_55);
-  const double s8_142 = s8_51 + s8_55;
-  const double s8_143 = fma(w_rear_axle_x, w_rear_axle_x, s8_51);
-  w2.s7_25 = K_rear_axle_trace - w1.s7_22;
-  w2.s7_26 = w2.s7_25 - w1.s7_8;
-  const double s8_144 = fnma(w1.s7_19, s8_47, fnma(w1.s7_20, s8_79, w1.s7_10*s8_120));
-  const double s8_145 = fma(w1.s7_17, s8_54, fma(w1.s7_8, s8_50, fnma(w2.s7_26, s8_49, s8_144)));
-  const double s8_146 = tau[Coordinate::wheel_rear_left] + tau[Coordinate::wheel_rear_right];
-  const double s8_147 = fma(w1.R_rear_axle_x_y, s8_146, fma(w1.s7_6, s8_141 - s8_143, s8_145));
-  w2.n_rear_axle_x = fma(fnma(w1.R_rear_axle_y_y, w_rear_axle_z, s8_8), s8_5, s8_147);
-  const double s8_148 = fma(zd_rear_axle_tz, w2.s8_92, w2.zdd_star_rear_axle_tx);
-  const double s8_149 = fma(z_rear_axle_ty, w2.s8_68, fnma(zd_rear_axle_ty, w2.s8_63, s8_148));
-  const double s8_150 = fma(w1.r_rear_axle_aux3_z, w2.s8_106, s8_149);
-  const double s8_151 = fnma(w1.r_rear_axle_aux1_x, w2.s8_40, s8_150);
-  const double s8_152 = fma(w2.s7_26, s8_53, fma(w1.s7_6, s8_46, w1.s7_20*s8_151));
-  const double s8_153 = fnma(w1.s7_17, s8_50, fnma(w1.s7_24, s8_120, s8_152));
-  const double s8_154 = fma(w1.s7_24, s8_54, fma(w1.s7_10, s8_50, m_rear_axle*s8_120));
-  w2.f_rear_axle_z = fnma(w1.s7_20, s8_143, s8_154);
-  const double s8_155 = fma(w1.R_rear_axle_y_y, s8_146, fnma(w1.s7_22, s8_54, s8_153));
-  const double s8_156 = fma(fnma(w1.R_rear_axle_z_y, w_rear_axle_x, s8_7), s8_5, s8_155);
-  w2.n_rear_axle_y = fma(w1.s7_19, s8_143 - s8_142, s8_156);
-  const double s8_157 = fnma(w1.s7_8, s8_46, fnma(w1.s7_10, s8_151, w1.s7_24*s8_79));
-  const double s8_158 = fma(w1.s7_20, s8_49, fma(w1.s7_24, s8_47, m_rear_axle*s8_79));
-  w2.f_rear_axle_y = fnma(w1.s7_10, s8_141, s8_158);
-  const double s8_159 = fma(w1.s7_20, s8_53, fma(w1.s7_10, s8_46, m_rear_axle*s8_151));
-  w2.f_rear_axle_x = fnma(w1.s7_24, s8_142, s8_159);
-  const double s8_160 = fma(w1.s7_19, s8_49, fma(w1.s7_22, s8_47, fnma(w1.s7_6, s8_53, s8_157)));
-  const double s8_161 = fnma(w1.R_rear_axle_x_y, w_rear_axle_y, s8_6);
-  const double s8_162 = fma(s8_161, s8_5, fma(w1.R_rear_axle_z_y, s8_146, s8_160));
-  w2.n_rear_axle_z = fma(w1.s7_17, s8_142 - s8_141, s8_162);
+  w4.s8_21 = fnma(w_chassis_y, w4.s4_5, w4.w_chassis_x*w4.s4_14);
+  w4.s8_22 = fnma(w4.w_chassis_x, w4.s4_4, w4.w_chassis_z*w4.s4_5);
+  w4.s8_23 = fnma(w4.w_chassis_z, w4.s4_14, w_chassis_y*w4.s4_4);
+  const double s8_24 = w4.zdd_star_rear_axle_rx + w4.s8_21;
+  const double s8_25 = fms(w_rear_axle_x, w_rear_axle_y, s8_24);
+  const double s8_26 = fma(w_rear_axle_x, w_rear_axle_y, s8_24);
+  const double s8_27 = w4.zdd_star_rear_axle_rz + w4.s8_23;
+  const double s8_28 = fms(w_rear_axle_y, w_rear_axle_z, s8_27);
+  const double s8_29 = fma(w_rear_axle_y, w_rear_axle_z, s8_27);
+  const double s8_30 = w_rear_axle_y*w_rear_axle_y;
+  const double s8_31 = w4.zdd_star_rear_axle_ry + w4.s8_22;
+  const double s8_32 = fma(w_rear_axle_x, w_rear_axle_z, s8_31);
+  const double s8_33 = fms(w_rear_axle_x, w_rear_axle_z, s8_31);
+  const double s8_34 = w_rear_axle_z*w_rear_axle_z;
+  w4.s8_35 = w4.w_chassis_x + w4.w_chassis_x;
+  w4.s8_36 = w4.w_chassis_z + w4.w_chassis_z;
+  const double zd_rear_axle_tx = state.zd[Coordinate::rear_axle_tx];
+  const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
+  const double s8_37 = fms(zd_rear_axle_tx, w4.s8_36, w4.s6_66);
+  w4.s8_38 = w4.w_chassis_x*w_chassis_y;
+  const double s8_39 = fnma(zd_rear_axle_tz, w4.s8_35, s8_37);
+  w4.s8_40 = w_chassis_y*w4.w_chassis_z;
+  const double s8_41 = fma(w3.r_rear_axle_aux1_x, w4.s8_38, s8_39);
+  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
+  const double s8_42 = fma(w4.r_rear_axle_aux3_z, w4.s8_40, s8_41);
+  const double s8_43 = fnma(z_rear_axle_ty, w4.s8_20, s8_42);
+  w4.s8_44 = w_chassis_y + w_chassis_y;
+  w1.s4_21 = Pair{w_chassis_y, w_chassis_y};
+  const double zd_rear_axle_ty = state.zd[Coordinate::rear_axle_ty];
+  const double s8_45 = fnma(zd_rear_axle_tx, w4.s8_44, w4.zdd_star_rear_axle_tz);
+  w4.s8_46 = w4.w_chassis_x*w4.w_chassis_z;
+  const double s8_47 = fma(z_rear_axle_ty, w4.s8_40, fma(zd_rear_axle_ty, w4.s8_35, s8_45));
+  const double s8_48 = fma(w3.r_rear_axle_aux1_x, w4.s8_46, s8_47);
+  const double s8_49 = fnma(w4.r_rear_axle_aux3_z, w4.s8_18, s8_48);
+  const double s8_50 = fma(w_rear_axle_x, w_rear_axle_x, s8_34);
+  const double s8_51 = s8_30 + s8_34;
+  const double s8_52 = fma(w_rear_axle_x, w_rear_axle_x, s8_30);
+  const double s7_25 = K_rear_axle_trace - w4.s7_22;
+  w4.s7_26 = s7_25 - w4.s7_8;
+  const double s8_53 = fnma(w4.s7_19, s8_26, fnma(w4.s7_20, s8_43, w4.s7_10*s8_49));
+  w1.s7_27 = Pair{s7_25, s7_25};
+  const double s8_54 = fma(w4.s7_17, s8_33, fma(w4.s7_8, s8_29, fnma(w4.s7_26, s8_28, s8_53)));
+  const double s8_55 = tau[Coordinate::wheel_rear_left] + tau[Coordinate::wheel_rear_right];
+  const double s8_56 = fma(w3.R_rear_axle_x_y, s8_55, fma(w4.s7_6, s8_50 - s8_52, s8_54));
+  w4.n_rear_axle_x = fma(fnma(w3.R_rear_axle_y_y, w_rear_axle_z, s8_15), s8_12, s8_56);
+  const double s8_57 = fma(zd_rear_axle_tz, w4.s8_44, w4.zdd_star_rear_axle_tx);
+  const double s8_58 = fma(z_rear_axle_ty, w4.s8_38, fnma(zd_rear_axle_ty, w4.s8_36, s8_57));
+  const double s8_59 = fma(w4.r_rear_axle_aux3_z, w4.s8_46, s8_58);
+  const double s8_60 = fnma(w3.r_rear_axle_aux1_x, w4.s8_19, s8_59);
+  const double s8_61 = fma(w4.s7_26, s8_32, fma(w4.s7_6, s8_25, w4.s7_20*s8_60));
+  const double s8_62 = fnma(w4.s7_17, s8_29, fnma(w4.s7_24, s8_49, s8_61));
+  const double s8_63 = fma(w4.s7_24, s8_33, fma(w4.s7_10, s8_29, m_rear_axle*s8_49));
+  w4.f_rear_axle_z = fnma(w4.s7_20, s8_52, s8_63);
+  const double s8_64 = fma(w3.R_rear_axle_y_y, s8_55, fnma(w4.s7_22, s8_33, s8_62));
+  const double s8_65 = fma(fnma(w4.R_rear_axle_z_y, w_rear_axle_x, s8_14), s8_12, s8_64);
+  w4.n_rear_axle_y = fma(w4.s7_19, s8_52 - s8_51, s8_65);
+  const double s8_66 = fnma(w4.s7_8, s8_25, fnma(w4.s7_10, s8_60, w4.s7_24*s8_43));
+  const double s8_67 = fma(w4.s7_20, s8_28, fma(w4.s7_24, s8_26, m_rear_axle*s8_43));
+  w4.f_rear_axle_y = fnma(w4.s7_10, s8_50, s8_67);
+  const double s8_68 = fma(w4.s7_20, s8_32, fma(w4.s7_10, s8_25, m_rear_axle*s8_60));
+  w4.f_rear_axle_x = fnma(w4.s7_24, s8_51, s8_68);
+  const double s8_69 = fma(w4.s7_19, s8_28, fma(w4.s7_22, s8_26, fnma(w4.s7_6, s8_32, s8_66)));
+  const double s8_70 = fnma(w3.R_rear_axle_x_y, w_rear_axle_y, s8_13);
+  const double s8_71 = fma(s8_70, s8_12, fma(w4.R_rear_axle_z_y, s8_55, s8_69));
+  w4.n_rear_axle_z = fma(w4.s7_17, s8_51 - s8_50, s8_71);
 }
 
-/// Part 3 of compute_accelerations: step 1: poses and axes b; step 3: Rz (61), long_rod_left ..
-/// arb_link_rear_right; step 7: inertias of the bodies and forces on joints, long_rod_left ..
-/// arb_link_rear_right; step 8: elimination from the leaves to the root (63), long_rod_left ..
-/// arb_link_rear_right.
+/// Part 3 of compute_accelerations: step 7: inertias of the bodies and forces on joints,
+/// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63),
+/// upper_ball_left .. tie_rod_right; step 2: closure Jacobian Phi_z and its factors (60),
+/// upper_ball_left .. tie_rod_right; step 6: c and dRz/dt zd (62), upper_ball_left ..
+/// tie_rod_right; step 8: elimination from the leaves to the root (63), long_rod_left ..
+/// arb_link_rear_right; step 3: Rz (61), long_rod_left .. arb_link_rear_right.
 [[gnu::noinline]] void compute_accelerations_3(const State& state, const double* tau,
     AccelerationsWork1& __restrict w1, AccelerationsWork2& __restrict w2,
-    AccelerationsWork3& __restrict w3, AccelerationsWork8& __restrict w8) noexcept {
-  // --- step 1: poses and axes b, continued ---
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  const double R_lower_arm_left_y_y = w8.cosines[3];
-  const double R_carrier_left_aux1_x_x = w8.cosines[4];
-  const double R_carrier_left_aux1_y_y = R_lower_arm_left_y_y*R_carrier_left_aux1_x_x;
-  const double R_lower_arm_left_z_y = w8.sines[3];
-  const double s1_8 = w8.cosines[5];
-  const double s1_9 = w8.sines[5];
-  const double s1_10 = fma(R_carrier_left_aux1_y_y, s1_9, R_lower_arm_left_z_y*s1_8);
-  const double s1_11 = w8.sines[4];
-  w2.R_carrier_left_aux1_y_x = R_lower_arm_left_y_y*s1_11;
-  const double s1_12 = w8.cosines[6];
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s1_13 = w8.sines[6];
-  w2.R_carrier_left_y_x = fma(s1_10, s1_13, w2.R_carrier_left_aux1_y_x*s1_12);
-  w2.R_carrier_left_y_z = fnma(s1_10, s1_12, w2.R_carrier_left_aux1_y_x*s1_13);
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  const double R_lower_arm_right_y_y = w8.cosines[9];
-  const double R_carrier_right_aux1_x_x = w8.cosines[10];
-  const double R_carrier_right_aux1_y_y = R_lower_arm_right_y_y*R_carrier_right_aux1_x_x;
-  const double R_lower_arm_right_z_y = w8.sines[9];
-  const double s1_14 = w8.cosines[11];
-  const double s1_15 = w8.sines[11];
-  const double s1_16 = fma(R_carrier_right_aux1_y_y, s1_15, R_lower_arm_right_z_y*s1_14);
-  const double s1_17 = w8.sines[10];
-  w2.R_carrier_right_aux1_y_x = R_lower_arm_right_y_y*s1_17;
-  const double s1_18 = w8.cosines[12];
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s1_19 = w8.sines[12];
-  w2.R_carrier_right_y_x = fma(s1_16, s1_19, w2.R_carrier_right_aux1_y_x*s1_18);
-  w2.R_carrier_right_y_z = fnma(s1_16, s1_18, w2.R_carrier_right_aux1_y_x*s1_19);
-  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
-  w2.R_carrier_left_aux2_y_y = fnma(R_lower_arm_left_z_y, s1_9, R_carrier_left_aux1_y_y*s1_8);
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  const double R_carrier_left_aux1_z_y = R_lower_arm_left_z_y*R_carrier_left_aux1_x_x;
-  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
-  w2.R_carrier_left_aux2_z_y = fma(R_lower_arm_left_y_y, s1_9, R_carrier_left_aux1_z_y*s1_8);
-  w2.R_carrier_left_aux2_z_z = fnma(R_carrier_left_aux1_z_y, s1_9, R_lower_arm_left_y_y*s1_8);
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  w2.R_carrier_left_aux1_z_x = R_lower_arm_left_z_y*s1_11;
-  const double s1_20 = R_lower_arm_left_y_y*w2.R_carrier_left_aux1_y_x;
-  w2.s1_21 = s1_11*s1_8;
-  const double s1_22 = w2.R_carrier_left_aux1_z_x*w2.s1_21;
-  const double s1_23 = fma(R_carrier_left_aux1_x_x, w2.R_carrier_left_aux2_z_y, s1_22);
-  const double s1_24 = w2.R_carrier_left_aux1_y_x*w2.s1_21;
-  const double s1_25 = fma(R_carrier_left_aux1_x_x, w2.R_carrier_left_aux2_y_y, s1_24);
-  const double s1_26 = fma(R_lower_arm_left_y_y, s1_25, R_lower_arm_left_z_y*s1_23);
-  const double s1_27 = 1.0/s1_26;
-  w2.s1_28 = R_carrier_left_aux1_z_y*s1_27;
-  w2.s1_29 = R_carrier_left_aux1_y_y*s1_27;
-  w2.s1_30 = s1_25*s1_27;
-  w2.s1_31 = fma(R_lower_arm_left_z_y, w2.R_carrier_left_aux1_z_x, s1_20)*s1_27;
-  w2.s1_32 = s1_23*s1_27;
-  w2.s9_4 = std::abs(s1_26);
-  const double s1_33 = w2.R_carrier_left_aux1_y_x*w2.R_carrier_left_aux2_z_y;
-  const double s1_34 = fnma(w2.R_carrier_left_aux1_z_x, w2.R_carrier_left_aux2_y_y, s1_33);
-  w2.s1_35 = s1_27*s1_34;
-  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
-  w2.R_carrier_right_aux2_y_y = fnma(R_lower_arm_right_z_y, s1_15, R_carrier_right_aux1_y_y*s1_14);
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  const double R_carrier_right_aux1_z_y = R_lower_arm_right_z_y*R_carrier_right_aux1_x_x;
-  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
-  w2.R_carrier_right_aux2_z_y = fma(R_lower_arm_right_y_y, s1_15, R_carrier_right_aux1_z_y*s1_14);
-  w2.R_carrier_right_aux2_z_z = fnma(R_carrier_right_aux1_z_y, s1_15, R_lower_arm_right_y_y*s1_14);
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  w2.R_carrier_right_aux1_z_x = R_lower_arm_right_z_y*s1_17;
-  const double s1_36 = R_lower_arm_right_y_y*w2.R_carrier_right_aux1_y_x;
-  w2.s1_37 = s1_17*s1_14;
-  const double s1_38 = w2.R_carrier_right_aux1_z_x*w2.s1_37;
-  const double s1_39 = fma(R_carrier_right_aux1_x_x, w2.R_carrier_right_aux2_z_y, s1_38);
-  const double s1_40 = w2.R_carrier_right_aux1_y_x*w2.s1_37;
-  const double s1_41 = fma(R_carrier_right_aux1_x_x, w2.R_carrier_right_aux2_y_y, s1_40);
-  const double s1_42 = fma(R_lower_arm_right_y_y, s1_41, R_lower_arm_right_z_y*s1_39);
-  const double s1_43 = 1.0/s1_42;
-  w2.s1_44 = R_carrier_right_aux1_z_y*s1_43;
-  w2.s1_45 = R_carrier_right_aux1_y_y*s1_43;
-  w2.s1_46 = s1_41*s1_43;
-  w2.s1_47 = fma(R_lower_arm_right_z_y, w2.R_carrier_right_aux1_z_x, s1_36)*s1_43;
-  w2.s1_48 = s1_39*s1_43;
-  w2.s9_5 = std::abs(s1_42);
-  const double s1_49 = w2.R_carrier_right_aux1_y_x*w2.R_carrier_right_aux2_z_y;
-  const double s1_50 = fnma(w2.R_carrier_right_aux1_z_x, w2.R_carrier_right_aux2_y_y, s1_49);
-  w2.s1_51 = s1_43*s1_50;
-
-  // --- step 3: Rz (61), long_rod_left .. arb_link_rear_right ---
-  w2.s3_1 = fnma(w1.s2_14, w1.s2_102, w1.s2_85*w1.s2_13)*w2.s2_116;
-  const double s2_118 = fnma(w1.s2_16, w1.s2_88, w1.s2_86*w1.s2_15);
-  w2.Rz_rear_axle_tz_1 = s2_118*w2.s2_113*w2.s2_116;
-  w2.s3_2 = w2.s2_112*fma(w1.s2_99, w2.Rz_rear_axle_tz_1, s2_118);
-  w2.Rz_rear_axle_rz_0 = w2.s2_112*(w1.s2_99*w2.s3_1);
-  w2.Rz_rear_axle_ry_0 = w1.s2_96*fnma(w1.s2_80, w2.Rz_rear_axle_rz_0, w1.s2_82*w2.s3_1);
-  const double s8_163 = fma(w1.s2_11, w2.Rz_rear_axle_rz_0, w1.s2_13 - w2.s3_1);
-  w2.s8_164 = fnma(w1.s2_9, w2.Rz_rear_axle_ry_0, s8_163);
-  w2.Rz_rear_axle_ry_1 = w1.s2_96*fnma(w1.s2_82, w2.Rz_rear_axle_tz_1, w1.s2_80*w2.s3_2);
-  const double s8_165 = fma(w1.s2_12, w2.s3_2, w1.s2_15 + w2.Rz_rear_axle_tz_1);
-  w2.s8_166 = fma(w1.s2_10, w2.Rz_rear_axle_ry_1, s8_165);
-  const double s3_3 = fnma(w1.s2_69, w2.Rz_rear_axle_rz_0, w1.s2_71*w2.s3_1);
-  w2.Rz_rear_axle_rx_0 = w1.s2_78*fnma(w1.s2_66, w2.Rz_rear_axle_ry_0, s3_3);
-  const double s8_167 = fma(w1.s2_7, w2.Rz_rear_axle_ry_0, w1.s2_14);
-  const double s3_4 = fnma(w1.s2_71, w2.Rz_rear_axle_tz_1, w1.s2_69*w2.s3_2);
-  w2.Rz_rear_axle_rx_1 = w1.s2_78*fnma(w1.s2_66, w2.Rz_rear_axle_ry_1, s3_4);
-  const double s8_168 = fma(w1.s2_8, w2.Rz_rear_axle_ry_1, w1.s2_16);
-  const double s3_5 = fnma(w1.s2_67, w2.Rz_rear_axle_rz_0, w1.s2_70*w2.s3_1);
-  const double s3_6 = fnma(w1.s2_59, w2.Rz_rear_axle_ry_0, s3_5);
-  w2.s3_7 = w1.s2_55*fnma(w1.s2_47, w2.Rz_rear_axle_rx_0, s3_6);
-  const double s3_8 = fnma(w1.s2_70, w2.Rz_rear_axle_tz_1, w1.s2_67*w2.s3_2);
-  const double s3_9 = fnma(w1.s2_59, w2.Rz_rear_axle_ry_1, s3_8);
-  w2.s3_10 = w1.s2_55*fnma(w1.s2_47, w2.Rz_rear_axle_rx_1, s3_9);
-  const double s3_11 = fma(w1.s2_42, w2.Rz_rear_axle_rz_0, w1.s2_40*w2.s3_1);
-  const double s3_12 = fma(w1.s2_43, w2.Rz_rear_axle_ry_0, s3_11);
-  const double s3_13 = fma(w1.s2_41, w2.s3_7, fma(w1.s2_44, w2.Rz_rear_axle_rx_0, s3_12));
-  w2.Rz_rear_axle_tx_0 = w1.s2_45*s3_13;
-  const double s3_14 = fnma(w1.s2_40, w2.Rz_rear_axle_tz_1, w1.s2_43*w2.Rz_rear_axle_ry_1);
-  w2.s8_169 = w2.Rz_rear_axle_tx_0 + fnma(w1.s2_11, w2.Rz_rear_axle_rx_0, s8_167);
-  const double s3_15 = fma(w1.s2_44, w2.Rz_rear_axle_rx_1, fnma(w1.s2_42, w2.s3_2, s3_14));
-  w2.Rz_rear_axle_tx_1 = w1.s2_45*fma(w1.s2_41, w2.s3_10, s3_15);
-  w2.s8_170 = w2.Rz_rear_axle_tx_1 + fma(w1.s2_12, w2.Rz_rear_axle_rx_1, s8_168);
-
-  // --- step 7: inertias of the bodies and forces on joints, long_rod_left .. arb_link_rear_right,
-  // continued ---
-  const double R_arb_rear_left_x_z = w8.sines[20];
-  const double s7_27 = K_arb_rear_left_zz*R_arb_rear_left_x_z;
-  const double R_arb_rear_left_x_x = w8.cosines[20];
-  const double s7_28 = K_arb_rear_left_xx*R_arb_rear_left_x_x;
-  w2.s7_29 = fnma(R_arb_rear_left_x_z, s7_28, R_arb_rear_left_x_x*s7_27);
-  w2.s7_30 = fma(R_arb_rear_left_x_x, s7_28, R_arb_rear_left_x_z*s7_27);
-  const double R_arb_rear_right_x_z = w8.sines[21];
-  const double s7_31 = K_arb_rear_right_zz*R_arb_rear_right_x_z;
-  const double R_arb_rear_right_x_x = w8.cosines[21];
-  const double s7_32 = K_arb_rear_right_xx*R_arb_rear_right_x_x;
-  w2.s7_33 = fnma(R_arb_rear_right_x_z, s7_32, R_arb_rear_right_x_x*s7_31);
-  w2.s7_34 = fma(R_arb_rear_right_x_x, s7_32, R_arb_rear_right_x_z*s7_31);
-
-  // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
-  // continued ---
-  const double s8_171 = fnma(w2.Rz_rear_axle_tz_1, w1.s7_24, w2.Rz_rear_axle_tx_1*w1.s7_20);
-  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s8_172 = K_rear_axle_trace - w1.s7_8;
-  const double s8_173 = fma(w2.s3_2, w1.s7_17, fnma(w2.Rz_rear_axle_rx_1, w1.s7_6, s8_171));
-  w2.s8_174 = fma(w2.Rz_rear_axle_ry_1, s8_172, s8_173);
-  const double s8_175 = fma(w2.Rz_rear_axle_tx_0, w1.s7_20, w2.s3_1*w1.s7_24);
-  const double s8_176 = fnma(w2.Rz_rear_axle_rx_0, w1.s7_6, s8_175);
-  const double s8_177 = fnma(w2.Rz_rear_axle_rz_0, w1.s7_17, s8_176);
-  w2.s8_178 = fma(w2.Rz_rear_axle_ry_0, s8_172, s8_177);
-  const double s8_179 = fma(w2.s3_10, w1.s7_20, w2.Rz_rear_axle_tz_1*w1.s7_10);
-  const double s8_180 = fnma(w2.Rz_rear_axle_rx_1, w1.s7_19, s8_179);
-  w2.s8_181 = fnma(w2.s3_2, w2.s7_25, fnma(w2.Rz_rear_axle_ry_1, w1.s7_17, s8_180));
-  const double s8_182 = fnma(w2.s3_1, w1.s7_10, w2.s3_7*w1.s7_20);
-  const double s8_183 = fnma(w2.Rz_rear_axle_rx_0, w1.s7_19, s8_182);
-  const double s8_184 = fnma(w2.Rz_rear_axle_ry_0, w1.s7_17, s8_183);
-  w2.s8_185 = fma(w2.Rz_rear_axle_rz_0, w2.s7_25, s8_184);
-  // long_rod_left
-  const double s8_186 = fnma(w1.s2_23, w2.Rz_rear_axle_rx_0, w1.s2_60*w2.Rz_rear_axle_ry_0);
-  const double s8_187 = w2.Rz_rear_axle_tx_0 + s8_186;
-  const double s8_188 = fnma(w1.s2_23, w2.Rz_rear_axle_rx_1, w1.s2_60*w2.Rz_rear_axle_ry_1);
-  const double s8_189 = w2.Rz_rear_axle_tx_1 + s8_188;
-  const double s8_190 = fnma(w1.s2_23, w2.s3_2, w2.Rz_rear_axle_tz_1);
-  const double s8_191 = fnma(w1.s2_48, w2.Rz_rear_axle_ry_1, s8_190);
-  const double s8_192 = fms(w1.s2_23, w2.Rz_rear_axle_rz_0, w2.s3_1);
-  const double s8_193 = fnma(w1.s2_48, w2.Rz_rear_axle_ry_0, s8_192);
-  const double s8_194 = fnma(w1.s2_60, w2.Rz_rear_axle_rz_0, w1.s2_48*w2.Rz_rear_axle_rx_0);
-  const double s8_195 = s8_194 - w2.s3_7;
-  const double s8_196 = fma(w1.s2_48, w2.Rz_rear_axle_rx_1, w1.s2_60*w2.s3_2) - w2.s3_10;
-  // diag_rod_left
-  const double s8_197 = fnma(w1.s2_27, w2.Rz_rear_axle_rx_0, w1.s2_36*w2.Rz_rear_axle_ry_0);
-  w2.s8_198 = w2.Rz_rear_axle_tx_0 + s8_197;
-  const double s8_199 = fnma(w1.s2_27, w2.Rz_rear_axle_rx_1, w1.s2_36*w2.Rz_rear_axle_ry_1);
-  w2.s8_200 = w2.Rz_rear_axle_tx_1 + s8_199;
-  const double s8_201 = fnma(w1.s2_27, w2.s3_2, w2.Rz_rear_axle_tz_1);
-  w2.s8_202 = fnma(w1.s2_31, w2.Rz_rear_axle_ry_1, s8_201);
-  const double s8_203 = fms(w1.s2_27, w2.Rz_rear_axle_rz_0, w2.s3_1);
-  w2.s8_204 = fnma(w1.s2_31, w2.Rz_rear_axle_ry_0, s8_203);
-  const double s8_205 = fnma(w1.s2_36, w2.Rz_rear_axle_rz_0, w1.s2_31*w2.Rz_rear_axle_rx_0);
-  w2.s8_206 = s8_205 - w2.s3_7;
-  w2.s8_207 = fma(w1.s2_31, w2.Rz_rear_axle_rx_1, w1.s2_36*w2.s3_2) - w2.s3_10;
-  const double s8_208 = fnma(w1.s2_11, w2.Rz_rear_axle_rx_1, w1.s2_7*w2.Rz_rear_axle_ry_1);
-  w2.s8_209 = w2.Rz_rear_axle_tx_1 + s8_208;
-  const double s8_210 = fnma(w1.s2_11, w2.s3_2, w2.Rz_rear_axle_tz_1);
-  w2.s8_211 = fnma(w1.s2_9, w2.Rz_rear_axle_ry_1, s8_210);
-  const double s8_212 = fnma(w1.s2_7, w2.Rz_rear_axle_rz_0, w1.s2_9*w2.Rz_rear_axle_rx_0);
-  w2.s8_213 = s8_212 - w2.s3_7;
-  w2.s8_214 = fma(w1.s2_9, w2.Rz_rear_axle_rx_1, w1.s2_7*w2.s3_2) - w2.s3_10;
-  // long_rod_right
-  const double s8_215 = fnma(w1.s2_24, w2.s3_2, w2.Rz_rear_axle_tz_1);
-  w2.s8_216 = fnma(w1.s2_49, w2.Rz_rear_axle_ry_1, s8_215);
-  const double s8_217 = fnma(w1.s2_61, w2.Rz_rear_axle_ry_0, w2.Rz_rear_axle_tx_0);
-  w2.s8_218 = fnma(w1.s2_24, w2.Rz_rear_axle_rx_0, s8_217);
-  const double s8_219 = fma(w1.s2_49, w2.Rz_rear_axle_rx_0, w1.s2_61*w2.Rz_rear_axle_rz_0);
-  w2.s8_220 = s8_219 - w2.s3_7;
-  const double s8_221 = fms(w1.s2_24, w2.Rz_rear_axle_rz_0, w2.s3_1);
-  w2.s8_222 = fnma(w1.s2_49, w2.Rz_rear_axle_ry_0, s8_221);
-  w2.s8_223 = fnma(w1.s2_61, w2.s3_2, w1.s2_49*w2.Rz_rear_axle_rx_1) - w2.s3_10;
-  const double s8_224 = fnma(w1.s2_61, w2.Rz_rear_axle_ry_1, w2.Rz_rear_axle_tx_1);
-  w2.s8_225 = fnma(w1.s2_24, w2.Rz_rear_axle_rx_1, s8_224);
-  // diag_rod_right
-  const double s8_226 = fnma(w1.s2_28, w2.Rz_rear_axle_rx_0, w1.s2_37*w2.Rz_rear_axle_ry_0);
-  w2.s8_227 = w2.Rz_rear_axle_tx_0 + s8_226;
-  const double s8_228 = fnma(w1.s2_28, w2.Rz_rear_axle_rx_1, w1.s2_37*w2.Rz_rear_axle_ry_1);
-  w2.s8_229 = w2.Rz_rear_axle_tx_1 + s8_228;
-  const double s8_230 = fnma(w1.s2_28, w2.s3_2, w2.Rz_rear_axle_tz_1);
-  w2.s8_231 = fnma(w1.s2_32, w2.Rz_rear_axle_ry_1, s8_230);
-  const double s8_232 = fms(w1.s2_28, w2.Rz_rear_axle_rz_0, w2.s3_1);
-  w2.s8_233 = fnma(w1.s2_32, w2.Rz_rear_axle_ry_0, s8_232);
-  w3.s8_234 = fma(w1.s2_32, w2.Rz_rear_axle_rx_1, w1.s2_37*w2.s3_2) - w2.s3_10;
-  const double s8_235 = fnma(w1.s2_37, w2.Rz_rear_axle_rz_0, w1.s2_32*w2.Rz_rear_axle_rx_0);
-  w3.s8_236 = s8_235 - w2.s3_7;
-  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s8_237 = fnma(w2.Rz_rear_axle_rx_1, w1.s7_10, m_rear_axle*w2.Rz_rear_axle_tx_1);
-  w3.s8_238 = fma(w2.Rz_rear_axle_ry_1, w1.s7_20, s8_237);
-  const double s8_239 = fnma(w2.s3_2, w1.s7_10, m_rear_axle*w2.Rz_rear_axle_tz_1);
-  w3.s8_240 = fnma(w2.Rz_rear_axle_ry_1, w1.s7_24, s8_239);
-  const double s8_241 = fnma(m_rear_axle, w2.s3_10, w2.Rz_rear_axle_rx_1*w1.s7_24);
-  w3.s8_242 = fma(w2.s3_2, w1.s7_20, s8_241);
-  const double s8_243 = fnma(w2.Rz_rear_axle_tx_1, w1.s7_10, w2.s3_2*w1.s7_19);
-  const double s8_244 = K_rear_axle_trace - w2.s7_26;
-  const double s8_245 = fnma(w2.Rz_rear_axle_ry_1, w1.s7_6, fnma(w2.s3_10, w1.s7_24, s8_243));
-  w3.s8_246 = fma(w2.Rz_rear_axle_rx_1, s8_244, s8_245);
-  const double s8_247 = fnma(w2.Rz_rear_axle_tx_0, w1.s7_10, w2.Rz_rear_axle_rx_0*s8_244);
-  const double s8_248 = fnma(w2.Rz_rear_axle_ry_0, w1.s7_6, fnma(w2.s3_7, w1.s7_24, s8_247));
-  w3.s8_249 = fnma(w2.Rz_rear_axle_rz_0, w1.s7_19, s8_248);
-  const double s8_250 = fma(s8_196, s8_196, fma(s8_191, s8_191, s8_189*s8_189));
-  const double s8_251 = fma(w2.s8_225, w2.s8_225, fma(w2.s8_216, w2.s8_216, s8_250));
-  const double s8_252 = fma(w2.Rz_rear_axle_tx_1, w3.s8_238, 0.4225);
-  const double s8_253 = fnma(w2.s3_10, w3.s8_242, fma(w2.Rz_rear_axle_tz_1, w3.s8_240, s8_252));
-  const double s8_254 = fma(w2.Rz_rear_axle_ry_1, w2.s8_174, fnma(w2.s3_2, w2.s8_181, s8_253));
-  const double s8_255 = fma(w2.Rz_rear_axle_rx_1, w3.s8_246, s8_254);
-  const double s8_256 = fma(w2.s8_202, w2.s8_202, w2.s8_200*w2.s8_200);
-  const double s8_257 = fma(w2.s8_229, w2.s8_229, fma(w2.s8_207, w2.s8_207, s8_256));
-  const double s8_258 = fma(w3.s8_234, w3.s8_234, fma(w2.s8_231, w2.s8_231, s8_257));
-  const double s8_259 = fnma(3.0, fma(w2.s8_223, w2.s8_223, s8_251), s8_255);
-  w3.s8_260 = fnma(w1.s2_10, w2.Rz_rear_axle_rx_1, w1.s2_8*w2.s3_2) - w2.s3_10;
-  const double s8_261 = fma(w2.s8_211, w2.s8_211, w2.s8_209*w2.s8_209);
-  const double s8_262 = fma(w3.s8_260, w3.s8_260, fma(w2.s8_214, w2.s8_214, s8_261));
-  const double s8_263 = fma(w2.s8_166, w2.s8_166, fma(w2.s8_170, w2.s8_170, s8_262));
-  const double s8_264 = fnma(2.6666666666666665, s8_258, s8_259);
-  w3.pivot_arb_rear_right = fnma(0.3333333333333333, s8_263, s8_264);
-  const double s8_265 = fma(p_arb_rear_right_z, w2.s8_106, -p_arb_rear_right_x*w2.s8_40);
-  w3.s7_35 = -K_arb_rear_right_xy*R_arb_rear_right_x_z;
-  w3.s7_36 = -K_arb_rear_right_xy*R_arb_rear_right_x_x;
-  const double s8_266 = fnma(w3.s7_35, w2.s8_68, tau[Coordinate::arb_rear_right]);
-  w3.s7_37 = h_arb_rear_right_x*R_arb_rear_right_x_z;
-  const double s8_267 = fma(p_arb_rear_right_y, w2.s8_68, s8_265);
-  const double s8_268 = fma(p_arb_rear_right_x, w2.s8_106, -p_arb_rear_right_z*w2.s8_39);
-  w3.s7_38 = h_arb_rear_right_x*R_arb_rear_right_x_x;
-  const double s8_269 = fma(w3.s7_37, s8_267, fnma(w3.s7_36, w2.s8_76, s8_266));
-  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s8_270 = fnma(p_arb_rear_right_y, w3.s7_38, w3.s7_36);
-  const double s8_271 = fma(z_rear_axle_ty, w3.s8_240, s8_270);
-  const double s8_272 = 3.0*w1.s2_25;
-  const double s8_273 = w2.s8_181 + fnma(w1.r_rear_axle_aux3_z, w3.s8_242, s8_271);
-  const double s8_274 = fms(w1.r_rear_axle_aux1_x, w3.s8_242, w3.s7_35);
-  const double s8_275 = fma(p_arb_rear_right_y, w3.s7_37, s8_274);
-  const double s8_276 = w3.s8_246 + fnma(z_rear_axle_ty, w3.s8_238, s8_275);
-  const double s8_277 = fma(p_arb_rear_right_x, w3.s7_38, 0.4225);
-  const double s8_278 = fnma(p_arb_rear_right_z, w3.s7_37, s8_277);
-  const double s8_279 = fma(w1.r_rear_axle_aux3_z, w3.s8_238, s8_278);
-  const double s8_280 = 3.0*w1.s2_51;
-  w3.s8_281 = fnma(s8_280, s8_196, fnma(s8_272, s8_189, s8_276));
-  const double s8_282 = w2.s8_174 + fnma(w1.r_rear_axle_aux1_x, w3.s8_240, s8_279);
-  const double s8_283 = 3.0*w1.s2_63;
-  w3.s8_284 = fma(s8_196, s8_283, fma(s8_272, s8_191, s8_273));
-  w3.s8_285 = fnma(s8_189, s8_283, fma(s8_280, s8_191, s8_282));
-  w3.s8_286 = w2.s8_39 - w2.s8_40;
-  const double s8_287 = fma(w3.s7_38, fma(p_arb_rear_right_y, w2.s8_76, s8_268), s8_269);
-  const double s8_288 = fnma(s8_189, w2.s8_122, fnma(w2.s7_33, w3.s8_286, s8_287));
-  const double s8_289 = fnma(s8_196, w2.s8_86, fnma(s8_191, w2.s8_123, s8_288));
-  const double s8_290 = fma(s8_196, s8_195, fma(s8_191, s8_193, s8_187*s8_189));
-  const double s8_291 = fnma(w2.s8_202, w2.s8_127, fnma(w2.s8_200, w2.s8_125, s8_289));
-  // arb_link_rear_right
-  const double s8_292 = fma(w2.s8_216, w2.s8_222, fma(w2.s8_218, w2.s8_225, s8_290));
-  w3.s8_293 = fma(w2.s8_220, w2.s8_223, s8_292);
-  const double s8_294 = fnma(w2.s8_211, w2.s8_129, fnma(w2.s8_207, w2.s8_87, s8_291));
-  const double s8_295 = fnma(w2.s8_214, w2.s8_88, fnma(w2.s8_209, w2.s8_131, s8_294));
-  const double s8_296 = fnma(w2.s8_216, w2.s8_132, fnma(w2.s8_223, w2.s8_89, s8_295));
-  const double s8_297 = fnma(w3.s8_234, w2.s8_90, fnma(w2.s8_225, w2.s8_133, s8_296));
-  const double s8_298 = fnma(w2.s8_229, w2.s8_137, fnma(w2.s8_231, w2.s8_135, s8_297));
-  const double s8_299 = fnma(w2.s8_166, w2.s8_139, fnma(w3.s8_260, w2.s8_91, s8_298));
-  w3.s8_300 = fnma(w2.s8_170, w2.s8_140, s8_299);
-  w3.s7_39 = K_arb_rear_left_xy*R_arb_rear_left_x_x;
-  w3.s7_40 = K_arb_rear_left_xy*R_arb_rear_left_x_z;
-  const double s8_301 = fma(w3.s7_40, w2.s8_68, tau[Coordinate::arb_rear_left]);
-  w3.s7_41 = h_arb_rear_left_x*R_arb_rear_left_x_z;
-  const double s8_302 = fnma(w2.s7_29, w3.s8_286, fma(w3.s7_39, w2.s8_76, s8_301));
-  w3.s7_42 = h_arb_rear_left_x*R_arb_rear_left_x_x;
-  const double s8_303 = fma(w3.s7_41, fnma(p_arb_rear_right_y, w2.s8_68, s8_265), s8_302);
-  const double s8_304 = fma(w3.s7_42, fnma(p_arb_rear_right_y, w2.s8_76, s8_268), s8_303);
-  const double s8_305 = fnma(s8_193, w2.s8_123, fnma(s8_187, w2.s8_122, s8_304));
-  const double s8_306 = fnma(w2.s8_198, w2.s8_125, fnma(s8_195, w2.s8_86, s8_305));
-  const double s8_307 = fnma(w2.s8_206, w2.s8_87, fnma(w2.s8_204, w2.s8_127, s8_306));
-  const double s8_308 = fnma(w2.s8_169, w2.s8_131, fnma(w2.s8_164, w2.s8_129, s8_307));
-  const double s8_309 = fnma(w2.s8_220, w2.s8_89, fnma(w2.s8_213, w2.s8_88, s8_308));
-  const double s8_310 = fnma(w2.s8_218, w2.s8_133, fnma(w2.s8_222, w2.s8_132, s8_309));
-  const double s8_311 = fnma(w2.s8_233, w2.s8_135, fnma(w3.s8_236, w2.s8_90, s8_310));
-  w3.s8_312 = fnma(w2.s8_227, w2.s8_137, s8_311);
-  const double s8_313 = fnma(w2.Rz_rear_axle_rx_0, w1.s7_10, m_rear_axle*w2.Rz_rear_axle_tx_0);
-  w3.s8_314 = fma(w2.Rz_rear_axle_ry_0, w1.s7_20, s8_313);
-  const double s8_315 = fnma(m_rear_axle, w2.s3_1, w2.Rz_rear_axle_rz_0*w1.s7_10);
-  w3.s8_316 = fnma(w2.Rz_rear_axle_ry_0, w1.s7_24, s8_315);
-  const double s8_317 = fnma(m_rear_axle, w2.s3_7, w2.Rz_rear_axle_rx_0*w1.s7_24);
-  w3.s8_318 = fnma(w2.Rz_rear_axle_rz_0, w1.s7_20, s8_317);
-  const double s8_319 = fma(p_arb_rear_left_y, w3.s7_41, w3.s7_40);
-  const double s8_320 = fnma(z_rear_axle_ty, w3.s8_314, s8_319);
-  const double s8_321 = w3.s8_249 + fma(w1.r_rear_axle_aux1_x, w3.s8_318, s8_320);
-  w3.s8_322 = fnma(s8_280, s8_195, fnma(s8_272, s8_187, s8_321));
-  const double s8_323 = fma(p_arb_rear_left_x, w3.s7_42, 0.4225);
-  const double s8_324 = fnma(p_arb_rear_left_z, w3.s7_41, s8_323);
-  const double s8_325 = fma(w1.r_rear_axle_aux3_z, w3.s8_314, s8_324);
-  const double s8_326 = w2.s8_178 + fnma(w1.r_rear_axle_aux1_x, w3.s8_316, s8_325);
-  w3.s8_327 = fnma(s8_187, s8_283, fma(s8_280, s8_193, s8_326));
-  const double s8_328 = fma(s8_195, s8_195, fma(s8_193, s8_193, s8_187*s8_187));
-  const double s8_329 = fma(w2.s8_220, w2.s8_220, fma(w2.s8_218, w2.s8_218, s8_328));
-  w3.s8_330 = fma(w2.s8_222, w2.s8_222, s8_329);
-  const double s8_331 = fms(z_rear_axle_ty, w3.s8_316, w3.s7_39);
-  const double s8_332 = fnma(p_arb_rear_left_y, w3.s7_42, s8_331);
-  const double s8_333 = w2.s8_185 + fnma(w1.r_rear_axle_aux3_z, w3.s8_318, s8_332);
-  w3.s8_334 = fma(s8_195, s8_283, fma(s8_272, s8_193, s8_333));
-  const double s8_335 = fma(593.0, z_rear_axle_ty, w1.s7_10);
-  w3.s8_336 = fma(m_rear_axle, z_rear_axle_ty, w1.s7_10);
-  const double s8_337 = fma(s8_335, z_rear_axle_ty + z_rear_axle_ty, w1.s7_8);
-  w3.s8_338 = fnma(w1.s2_25, s8_272, s8_337);
-  const double s8_339 = fma(593.0, w1.r_rear_axle_aux1_x, w1.s7_24);
-  const double s8_340 = fma(w1.r_rear_axle_aux1_x, s8_335, w1.s7_17);
-  w3.s8_341 = fma(w1.s2_25, s8_280, fma(z_rear_axle_ty, s8_339, s8_340));
-  const double s8_342 = fma(s8_339, w1.r_rear_axle_aux1_x + w1.r_rear_axle_aux1_x, w1.s7_22);
-  w3.s8_343 = fnma(w1.s2_51, s8_280, s8_342);
-  const double s8_344 = fma(593.0, w1.r_rear_axle_aux3_z, w1.s7_20);
-  w3.s8_345 = fma(m_rear_axle, w1.r_rear_axle_aux3_z, w1.s7_20);
-  const double s8_346 = fma(w1.r_rear_axle_aux1_x, s8_344, w1.s7_19);
-  const double s8_347 = fma(w1.r_rear_axle_aux3_z, s8_335, fma(z_rear_axle_ty, s8_344, w1.s7_6));
-  w3.s8_348 = fma(w1.s2_63, s8_272, s8_347);
-  w3.s8_349 = fnma(w1.s2_63, s8_280, fma(w1.r_rear_axle_aux3_z, s8_339, s8_346));
-  const double s8_350 = fma(s8_344, w1.r_rear_axle_aux3_z + w1.r_rear_axle_aux3_z, w2.s7_26);
-  w3.s8_351 = fnma(w1.s2_63, s8_283, s8_350);
-}
-
-/// Part 4 of compute_accelerations: step 1: poses and axes b; step 8: elimination from the leaves
-/// to the root (63), upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the
-/// root (63); step 8: elimination from the leaves to the root (63), long_rod_left ..
-/// arb_link_rear_right; step 7: inertias of the bodies and forces on joints; step 2: closure
-/// Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right; step 6: c and dRz/dt zd
-/// (62), upper_ball_left .. tie_rod_right.
-[[gnu::noinline]] void compute_accelerations_4(const State& state, const double* tau,
-    AccelerationsWork1& __restrict w1, AccelerationsWork2& __restrict w2,
-    AccelerationsWork3& __restrict w3, AccelerationsWork4& __restrict w4,
-    AccelerationsWork8& __restrict w8, Accelerations& __restrict result) noexcept {
-  // --- step 1: poses and axes b, continued ---
-  const double s1_6 = w8.sines[2];
-  const double s1_7 = w8.cosines[2];
-  const double s1_52 = fma(s1_7, w2.R_chassis_z_z, s1_6*w1.R_chassis_z_y);
-  const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
-  w3.s8_352 = zd_arb_rear_right*(zd_arb_rear_right + w2.s8_92);
-  const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
-  w3.s8_353 = zd_arb_rear_left*(zd_arb_rear_left + w2.s8_92);
-  const double s1_53 = 1.0/s1_52;
-  w3.s1_54 = s1_7*s1_53;
-  const double tau_chassis_rz = tau[Coordinate::chassis_rz];
-  const double tau_chassis_ry = tau[Coordinate::chassis_ry];
-  const double s1_55 = w8.sines[1];
-  w3.s1_56 = s1_55*s1_7;
-  w3.s1_57 = w3.s1_56*s1_53;
-  const double tau_chassis_rx = tau[Coordinate::chassis_rx];
-  const double s8_354 = fnma(s1_6, tau_chassis_ry, tau_chassis_rz*w3.s1_54);
-  const double s8_355 = zd_arb_rear_right*w2.s8_63;
-  const double s8_356 = fma(w3.s7_36, w3.s8_352, fma(tau_chassis_rx, w3.s1_57, s8_354));
-  const double s8_357 = zd_arb_rear_right*w2.s8_56;
-  const double s8_358 = fnma(w2.s7_34, s8_357, fnma(w2.s7_33, s8_355, s8_356));
+    AccelerationsWork4& __restrict w4, AccelerationsWork6& __restrict w6) noexcept {
+  // --- step 7: inertias of the bodies and forces on joints, upper_ball_left .. tie_rod_right ---
+  const Pair R_upper_arm_left_z_y = mbgen::pair_at(w6.sines + 20);
+  const Pair R_upper_arm_left_y_y = mbgen::pair_at(w6.cosines + 20);
+  const Pair s7_28 = h_upper_arm_left_y*R_upper_arm_left_z_y;
+  w1.s7_29 = fma(h_upper_arm_left_z, R_upper_arm_left_y_y, s7_28);
+  const Pair s7_30 = -h_upper_arm_left_z*R_upper_arm_left_z_y;
+  w1.s7_31 = fma(h_upper_arm_left_y, R_upper_arm_left_y_y, s7_30);
 
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right ---
-  w3.s8_359 = 11.55 + w3.s7_39 - w3.s7_36;
-  const double s8_360 = zd_arb_rear_left*w2.s8_63;
-  const double s8_361 = zd_arb_rear_left*w2.s8_56;
-
-  // --- step 8: elimination from the leaves to the root (63), continued ---
-  const double s8_362 = fnma(w2.s7_29, s8_360, fnma(w3.s7_39, w3.s8_353, s8_358));
-  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s8_363 = fma(z_rear_axle_ty, w2.f_rear_axle_x, fnma(w2.s7_30, s8_361, s8_362));
-  const double s8_364 = fnma(w1.r_rear_axle_aux1_x, w2.f_rear_axle_y, s8_363) - w2.n_rear_axle_z;
-  const double s8_365 = fnma(w1.s2_51, w2.s8_86, fnma(w1.s2_25, w2.s8_122, s8_364));
-  const double s8_366 = fnma(w1.s2_34, w2.s8_87, fnma(w1.s2_29, w2.s8_125, s8_365));
-  const double s8_367 = fma(w1.s2_102, w2.s8_88, fnma(w1.s2_101, w2.s8_131, s8_366));
-  const double s8_368 = fma(w1.s2_72, w2.s8_133, fnma(w1.s2_52, w2.s8_89, s8_367));
-  const double s8_369 = fma(w1.s2_41, w2.s8_137, fnma(w1.pivot_rear_axle_tx, w2.s8_90, s8_368));
-  w3.s8_370 = fma(w1.s2_87, w2.s8_140, fma(w1.s2_88, w2.s8_91, s8_369));
-  w3.s1_58 = s1_6*s1_53;
-  w3.s1_59 = s1_55*s1_6;
-  w3.s1_60 = w3.s1_59*s1_53;
-  w3.s1_61 = s1_52*s1_53;
-  const double s8_371 = fma(tau_chassis_rz, w3.s1_58, s1_7*tau_chassis_ry);
-  w3.s9_6 = fms(s1_52, s1_52, 1e-12);
-  const double s8_372 = fma(tau_chassis_rx, w3.s1_60, s8_371);
-  const double s8_373 = fnma(w1.r_rear_axle_aux3_z, w2.f_rear_axle_x, s8_372);
-  // chassis: chassis_rx, revolute, chassis_aux5
-  w3.s8_374 = w1.s7_24 + fma(m_rear_axle, w1.r_rear_axle_aux1_x, 1580.4);
-  const double s8_375 = fma(w1.r_rear_axle_aux1_x, w2.f_rear_axle_z, s8_373) - w2.n_rear_axle_y;
-  const double s8_376 = fma(w1.s2_51, w2.s8_123, fnma(w1.s2_63, w2.s8_122, s8_375));
-  const double s8_377 = fma(w1.s2_34, w2.s8_127, fnma(w1.s2_39, w2.s8_125, s8_376));
-  const double s8_378 = fnma(w1.s2_85, w2.s8_131, fnma(w1.s2_102, w2.s8_129, s8_377));
-  const double s8_379 = fnma(w1.s2_64, w2.s8_133, fma(w1.s2_52, w2.s8_132, s8_378));
-  const double s8_380 = fnma(w1.s2_40, w2.s8_137, fma(w1.pivot_rear_axle_tx, w2.s8_135, s8_379));
-  w3.s8_381 = fnma(w1.s2_86, w2.s8_140, fnma(w1.s2_88, w2.s8_139, s8_380));
-  w3.s8_382 = fnma(w3.s7_37, s8_355, w3.s7_38*s8_357);
-  w3.s8_383 = w3.s7_35 - 1.05 - w3.s7_40;
-  const double s7_43 = 0.4225 - w2.s7_34;
-  const double s8_384 = fma(s7_43, s8_355, fma(w3.s7_35, w3.s8_352, tau_chassis_rx*w3.s1_61));
-  w3.s8_385 = fnma(w3.s7_41, s8_360, w3.s7_42*s8_361);
-  const double s7_44 = 0.4225 - w2.s7_30;
-  const double s8_386 = fnma(w3.s7_40, w3.s8_353, fma(w2.s7_33, s8_357, s8_384));
-  const double s8_387 = fma(w2.s7_29, s8_361, fma(s7_44, s8_360, s8_386));
-  w3.s8_388 = w2.s7_33 + (w2.s7_29 - 70.9875);
-  const double s8_389 = fma(w1.r_rear_axle_aux3_z, w2.f_rear_axle_y, s8_387);
-  const double s8_390 = fnma(z_rear_axle_ty, w2.f_rear_axle_z, s8_389) - w2.n_rear_axle_x;
-  const double s8_391 = fma(w1.s2_63, w2.s8_86, fma(w1.s2_25, w2.s8_123, s8_390));
-  const double s8_392 = fma(w1.s2_39, w2.s8_87, fma(w1.s2_29, w2.s8_127, s8_391));
-  const double s8_393 = fma(w1.s2_85, w2.s8_88, fma(w1.s2_101, w2.s8_129, s8_392));
-  const double s8_394 = fnma(w1.s2_72, w2.s8_132, fma(w1.s2_64, w2.s8_89, s8_393));
-  const double s8_395 = fnma(w1.s2_41, w2.s8_135, fma(w1.s2_40, w2.s8_90, s8_394));
-  w3.s8_396 = fnma(w1.s2_87, w2.s8_139, fma(w1.s2_86, w2.s8_91, s8_395));
-  const double s8_397 = 2.6666666666666665*w1.s2_29;
-  const double s8_398 = 2.6666666666666665*w1.s2_39;
-  const double s8_399 = 0.3333333333333333*w1.s2_101;
-  const double s8_400 = fma(w2.s8_207, s8_398, fma(s8_397, w2.s8_202, w3.s8_284));
-  const double s8_401 = 0.3333333333333333*w1.s2_85;
-  const double s8_402 = fma(w2.s8_206, s8_398, fma(s8_397, w2.s8_204, w3.s8_334));
-  const double s8_403 = 3.0*w1.s2_72;
-  const double s8_404 = fma(w2.s8_214, s8_401, fma(s8_399, w2.s8_211, s8_400));
-  const double s8_405 = fnma(w1.s2_101, s8_399, fnma(w1.s2_29, s8_397, w3.s8_338));
-  const double s8_406 = fma(w1.s2_85, s8_399, fma(w1.s2_39, s8_397, w3.s8_348));
-  const double s8_407 = 3.0*w1.s2_64;
-  const double s8_408 = fma(s8_399, w2.s8_164, fma(w2.s8_213, s8_401, s8_402));
-  const double s8_409 = fnma(w1.s2_85, s8_401, fnma(w1.s2_39, s8_398, w3.s8_351));
-  const double s8_410 = 2.6666666666666665*w1.s2_34;
-
-  // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
-  // continued ---
-  const double s8_411 = fnma(s8_410, w2.s8_207, fnma(s8_397, w2.s8_200, w3.s8_281));
-  const double s8_412 = fnma(w2.s8_198, s8_398, fma(s8_410, w2.s8_204, w3.s8_327));
-  const double s8_413 = fma(w2.s8_207, w2.s8_206, w2.s8_198*w2.s8_200);
-  const double s8_414 = fma(w2.s8_206, w2.s8_206, w2.s8_198*w2.s8_198);
-  const double s8_415 = fma(w2.s8_227, w2.s8_229, fma(w2.s8_202, w2.s8_204, s8_413));
-  const double s8_416 = fma(w2.s8_227, w2.s8_227, fma(w2.s8_204, w2.s8_204, s8_414));
-  const double s8_417 = 0.3333333333333333*w1.s2_102;
-  const double s8_418 = fnma(w2.s8_200, s8_398, fma(s8_410, w2.s8_202, w3.s8_285));
-  const double s8_419 = fnma(s8_410, w2.s8_206, fnma(s8_397, w2.s8_198, w3.s8_322));
-  const double s8_420 = fma(s8_417, w2.s8_214, fnma(s8_399, w2.s8_209, s8_411));
-  const double s8_421 = fnma(s8_417, w2.s8_164, fnma(s8_401, w2.s8_169, s8_412));
-  const double s8_422 = fnma(s8_399, w2.s8_169, fma(s8_417, w2.s8_213, s8_419));
-  const double s8_423 = fma(w2.s8_209, w2.s8_169, w2.s8_214*w2.s8_213);
-  const double s8_424 = fma(w2.s8_169, w2.s8_169, w2.s8_213*w2.s8_213);
-  const double s8_425 = 3.0*w1.s2_52;
-  const double s8_426 = fnma(w2.s8_209, s8_401, fnma(s8_417, w2.s8_211, s8_418));
-  const double s8_427 = fnma(w1.s2_102, s8_417, fnma(w1.s2_34, s8_410, w3.s8_343));
-  const double s8_428 = fma(w1.s2_85, s8_417, fnma(w1.s2_39, s8_410, w3.s8_349));
-  const double s8_429 = fnma(w1.s2_101, s8_417, fma(w1.s2_29, s8_410, w3.s8_341));
-  const double s8_430 = fma(w1.s2_10, w2.Rz_rear_axle_rx_0, w1.s2_8*w2.Rz_rear_axle_rz_0);
-  const double s8_431 = w2.s3_7 + s8_430;
-  const double s8_432 = fms(w1.s2_10, w2.Rz_rear_axle_ry_0, w2.s3_1);
-  const double s8_433 = fnma(w1.s2_12, w2.Rz_rear_axle_rz_0, s8_432);
-  const double s8_434 = fma(w1.s2_12, w2.Rz_rear_axle_rx_0, w1.s2_8*w2.Rz_rear_axle_ry_0);
-  const double s8_435 = w2.Rz_rear_axle_tx_0 + s8_434;
-  const double s8_436 = fma(s8_431, s8_431, fma(w2.s8_164, w2.s8_164, s8_424));
-  const double s8_437 = fnma(w3.s8_260, s8_431, fma(w2.s8_211, w2.s8_164, s8_423));
-  const double s8_438 = fnma(s8_433, w2.s8_139, fma(s8_431, w2.s8_91, w3.s8_312));
-  const double s8_439 = 2.6666666666666665*w1.s2_41;
-  const double s8_440 = fma(s8_407, w2.s8_223, fnma(s8_403, w2.s8_216, s8_404));
-  const double s8_441 = fnma(s8_425, w2.s8_223, fma(s8_403, w2.s8_225, s8_420));
-  const double s8_442 = fnma(s8_425, w2.s8_220, fma(s8_403, w2.s8_218, s8_422));
-  const double s8_443 = 2.6666666666666665*w1.s2_40;
-  const double s8_444 = fnma(s8_407, w2.s8_225, fma(s8_425, w2.s8_216, s8_426));
-  const double s8_445 = fnma(s8_403, w2.s8_222, fma(s8_407, w2.s8_220, s8_408));
-  const double s8_446 = fma(s8_425, w2.s8_222, fnma(s8_407, w2.s8_218, s8_421));
-  const double s8_447 = 2.6666666666666665*w1.pivot_rear_axle_tx;
-  const double s2_119 = mbgen::min(1.2494533266510743*std::abs(w1.pivot_rear_axle_tx), w1.s2_57);
-  const double s2_120 = mbgen::min(mbgen::min(s2_119, w1.s2_83), w1.s2_100);
-  const double s8_448 = 0.3333333333333333*w1.s2_87;
-  const double s8_449 = fma(s8_443, w3.s8_234, fnma(s8_439, w2.s8_231, s8_440));
-  const double s8_450 = fnma(w1.s2_41, s8_439, fnma(w1.s2_72, s8_403, s8_405));
-  w3.s8_451 = fnma(w1.s2_87, s8_448, s8_450);
-  const double s8_452 = fnma(w1.s2_40, s8_439, fnma(w1.s2_64, s8_403, s8_406));
-  w3.s8_453 = fnma(w1.s2_86, s8_448, s8_452);
-  const double s8_454 = 0.3333333333333333*w1.s2_86;
-  w3.s8_455 = fma(w3.s8_260, s8_454, fnma(w2.s8_166, s8_448, s8_449));
-  const double s8_456 = fnma(s8_439, w2.s8_233, fma(s8_443, w3.s8_236, s8_445));
-  const double s8_457 = fma(s8_447, w2.s8_233, fnma(s8_443, w2.s8_227, s8_446));
-  const double s8_458 = fnma(w1.s2_40, s8_443, fnma(w1.s2_64, s8_407, s8_409));
-  w3.s8_459 = fnma(w1.s2_86, s8_454, s8_458);
-  const double s8_460 = 0.3333333333333333*w1.s2_88;
-  const double s8_461 = fnma(s8_447, w3.s8_234, fma(s8_439, w2.s8_229, s8_441));
-  const double s8_462 = fma(s8_447, w2.s8_231, fnma(s8_443, w2.s8_229, s8_444));
-  const double s8_463 = fnma(s8_447, w3.s8_236, fma(s8_439, w2.s8_227, s8_442));
-  const double s8_464 = fnma(w1.pivot_rear_axle_tx, s8_447, fnma(w1.s2_52, s8_425, s8_427));
-  w3.s8_465 = fnma(w1.s2_88, s8_460, s8_464);
-  const double s8_466 = fnma(w1.s2_40, s8_447, fnma(w1.s2_64, s8_425, s8_428));
-  w3.s8_467 = fma(w1.s2_86, s8_460, s8_466);
-  const double s8_468 = fnma(w1.s2_41, s8_447, fnma(w1.s2_72, s8_425, s8_429));
-  w3.s8_469 = fma(w1.s2_87, s8_460, s8_468);
-  w3.s8_470 = fma(w2.s8_170, s8_448, fma(w3.s8_260, s8_460, s8_461));
-  w3.s8_471 = fnma(w2.s8_170, s8_454, fnma(w2.s8_166, s8_460, s8_462));
-  const double s8_472 = fnma(w2.s3_1, w3.s8_316, fma(w2.Rz_rear_axle_tx_0, w3.s8_314, 0.4225));
-  const double s8_473 = fma(w2.Rz_rear_axle_rx_0, w3.s8_249, fnma(w2.s3_7, w3.s8_318, s8_472));
-  const double s8_474 = fma(w2.Rz_rear_axle_ry_0, w2.s8_178, s8_473);
-  const double s8_475 = fnma(3.0, w3.s8_330, fma(w2.Rz_rear_axle_rz_0, w2.s8_185, s8_474));
-  const double s8_476 = fma(w2.s8_233, w2.s8_233, fma(w3.s8_236, w3.s8_236, s8_416));
-  const double s8_477 = fma(s8_433, s8_433, fma(s8_435, s8_435, s8_436));
-  const double s8_478 = fnma(2.6666666666666665, s8_476, s8_475);
-  w3.s8_479 = fnma(0.3333333333333333, s8_477, s8_478);
-  w3.s8_480 = w3.s8_238 - w3.s7_37;
-  w3.s8_481 = w3.s8_240 - w3.s7_38;
-  const double s8_482 = fnma(w2.s3_1, w3.s8_240, w2.Rz_rear_axle_tx_0*w3.s8_238);
-  const double s8_483 = fma(w2.Rz_rear_axle_rz_0, w2.s8_181, fnma(w2.s3_7, w3.s8_242, s8_482));
-  const double s8_484 = fma(w2.Rz_rear_axle_ry_0, w2.s8_174, s8_483);
-  const double s8_485 = fnma(3.0, w3.s8_293, fma(w2.Rz_rear_axle_rx_0, w3.s8_246, s8_484));
-  const double s8_486 = fma(w2.s8_231, w2.s8_233, fma(w3.s8_234, w3.s8_236, s8_415));
-  const double s8_487 = fma(w2.s8_166, s8_433, fma(w2.s8_170, s8_435, s8_437));
-  const double s8_488 = fnma(2.6666666666666665, s8_486, s8_485);
-  w3.s8_489 = fnma(0.3333333333333333, s8_487, s8_488);
-  const double s1_62 = 1.0/w1.s1_5;
-  w3.s1_63 = w1.R_rear_axle_aux5_y_z*s1_62;
-  w3.s1_64 = w1.R_rear_axle_aux5_x_z*s1_62;
-  const double R_rear_axle_aux4_y_x = w8.sines[17];
-  w3.s1_65 = R_rear_axle_aux4_y_x*s1_62;
-  const double R_rear_axle_aux4_x_x = w8.cosines[17];
-  const double tau_rear_axle_ry = tau[Coordinate::rear_axle_ry];
-  const double tau_rear_axle_rx = tau[Coordinate::rear_axle_rx];
-  const double tau_rear_axle_rz = tau[Coordinate::rear_axle_rz];
-  const double s8_490 = fma(tau_rear_axle_rx, w3.s1_65, R_rear_axle_aux4_x_x*tau_rear_axle_ry);
-  const double s8_491 = fma(tau_rear_axle_rz, w3.s1_63, s8_490) - w2.n_rear_axle_y;
-  const double tau_rear_axle_tz = tau[Coordinate::rear_axle_tz];
-  const double s8_492 = tau_rear_axle_tz - w2.f_rear_axle_z;
-  w3.s1_66 = R_rear_axle_aux4_x_x*s1_62;
-  w3.s1_67 = w1.s1_5*s1_62;
-  const double s8_493 = fms(tau_rear_axle_rz, w3.s1_67, w2.n_rear_axle_z);
-  const double s8_494 = fma(w2.Rz_rear_axle_ry_0, s8_491, fnma(s8_435, w2.s8_140, s8_438));
-  const double s2_121 = mbgen::min(mbgen::min(s2_120, w2.s2_115), w2.s2_117);
-  result.pivot[1] = mbgen::min(s2_121, std::abs(w1.s1_5));
-
-  // --- step 7: inertias of the bodies and forces on joints ---
-  const double s7_45 = fnma(R_rear_axle_aux4_y_x, tau_rear_axle_ry, tau_rear_axle_rx*w3.s1_66);
-  const double s7_46 = fma(tau_rear_axle_rz, w3.s1_64, s7_45);
-
-  // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
-  // continued ---
-  const double s8_495 = fma(w2.Rz_rear_axle_tz_1, s8_492, w3.s8_300);
-  const double s8_496 = fma(w2.s3_2, w2.n_rear_axle_x - s7_46, s8_495);
-  const double s8_497 = fma(w2.Rz_rear_axle_ry_1, s8_491, s8_496);
-  const double s8_498 = w2.f_rear_axle_y - tau[Coordinate::rear_axle_ty];
-  const double s8_499 = tau[Coordinate::rear_axle_tx] - w2.f_rear_axle_x;
-  const double s8_500 = fma(w2.s3_10, s8_498, fma(w2.Rz_rear_axle_rx_1, s8_493, s8_497));
-  const double s8_501 = fma(w2.s3_7, s8_498, fma(w2.Rz_rear_axle_rx_0, s8_493, s8_494));
-  const double s8_502 = fma(w2.Rz_rear_axle_tx_1, s8_499, s8_500);
-  w3.s8_503 = fma(w2.s8_106, w2.s7_34 - s7_43, s8_502);
-  w3.s8_504 = 1.0/w3.pivot_arb_rear_right;
-  result.inertia[12] = w3.pivot_arb_rear_right - 1.5272999999999997e-20;
-  const double s8_505 = w3.s8_489*w3.s8_504;
-  w3.s8_506 = fnma(w3.s8_242, s8_505, w3.s8_318);
-  w3.s8_507 = fnma(w3.s8_480, s8_505, w3.s8_314 - w3.s7_41);
-  w3.s8_508 = fnma(w3.s8_481, s8_505, w3.s8_316 - w3.s7_42);
-  const double s8_509 = fma(s8_448, s8_435, fnma(s8_460, s8_431, s8_463));
-  w3.s8_510 = fnma(w3.s8_470, s8_505, s8_509);
-  const double s8_511 = fnma(s8_448, s8_433, fnma(s8_454, s8_431, s8_456));
-  w3.s8_512 = fnma(w3.s8_455, s8_505, s8_511);
-  const double s8_513 = fnma(s8_460, s8_433, fnma(s8_454, s8_435, s8_457));
-  w3.s8_514 = fnma(w3.s8_471, s8_505, s8_513);
-  w3.pivot_arb_rear_left = fnma(w3.s8_489, s8_505, w3.s8_479);
-  const double s8_515 = fnma(w3.s8_503, s8_505, fma(w2.Rz_rear_axle_tx_0, s8_499, s8_501));
-  const double s8_516 = fma(w2.s3_1, w2.f_rear_axle_z - tau_rear_axle_tz, s8_515);
-  const double s8_517 = fma(w2.Rz_rear_axle_rz_0, s7_46 - w2.n_rear_axle_x, s8_516);
-  w3.s8_518 = fma(w2.s8_106, w2.s7_30 - s7_44, s8_517);
-  w3.s8_519 = s7_43 + (10856.945 + s7_44);
-  w3.s8_520 = w2.s7_34 + (141129.72 + w2.s7_30);
-  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
-  const double R_carrier_left_aux2_x_z = w8.sines[4]*w8.sines[5];
-  const double R_carrier_left_aux1_x_x = w8.cosines[4];
-  const double s1_12 = w8.cosines[6];
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s1_13 = w8.sines[6];
-  w3.R_carrier_left_x_x = fnma(R_carrier_left_aux2_x_z, s1_13, R_carrier_left_aux1_x_x*s1_12);
-  w3.R_carrier_left_x_z = fma(R_carrier_left_aux1_x_x, s1_13, R_carrier_left_aux2_x_z*s1_12);
+  const double s8_72 = p_upper_arm_right_x*w4.s8_46;
+  const double s8_73 = fnma(p_upper_arm_right_z, w4.s8_18, s8_72);
+  w4.s7_32 = w1.s7_31[0];
+  w4.s8_74 = fma(p_rear_axle_tx_z, w4.s8_40, s8_73);
+  const double s8_75 = p_upper_arm_right_x*w4.s8_38;
+  const double s8_76 = fma(p_upper_arm_right_z, w4.s8_40, s8_75);
+  w4.s8_77 = fma(p_pitman_arm_y, w4.s8_20, s8_76);
+  const double s8_78 = w4.s7_32*fnma(p_rear_axle_tx_z, w4.s8_40, s8_73);
+  w4.s8_79 = fnma(w1.s7_29[0], fnma(p_pitman_arm_y, w4.s8_20, s8_76), s8_78);
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right ---
-  const double s2_122 = p_arb_link_front_left_to_x*w3.R_carrier_left_x_x;
-  const double s2_123 = w2.s1_21 + w3.R_carrier_left_x_z;
-  w3.s2_124 = fnma(p_arb_link_front_left_to_y, s2_123, s2_122);
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s1_68 = w2.R_carrier_left_aux1_z_x*s1_12;
-  w3.R_carrier_left_z_x = fnma(w2.R_carrier_left_aux2_z_z, s1_13, s1_68);
-  w3.R_carrier_left_z_z = fma(w2.R_carrier_left_aux1_z_x, s1_13, w2.R_carrier_left_aux2_z_z*s1_12);
-  const double s2_125 = w3.R_carrier_left_z_z - w2.R_carrier_left_aux2_z_y;
-  const double s2_126 = p_arb_link_front_left_to_x*w3.R_carrier_left_z_x;
-  w3.s2_127 = fnma(p_arb_link_front_left_to_y, s2_125, s2_126);
-  const double s2_128 = w2.R_carrier_left_y_z - w2.R_carrier_left_aux2_y_y;
-  const double s2_129 = p_arb_link_front_left_to_x*w2.R_carrier_left_y_x;
-  w3.s2_130 = fnma(p_arb_link_front_left_to_y, s2_128, s2_129);
+  const double R_bell_crank_y_x = w6.sines[6];
+  const double s2_124 = p_tie_rod_left_from_y*R_bell_crank_y_x;
+  const double R_bell_crank_x_x = w6.cosines[6];
+  const double s2_125 = fnma(p_tie_rod_left_from_x, R_bell_crank_x_x, s2_124);
+  w1.s2_126 = Pair{s2_125, fms(-p_tie_rod_left_from_x, R_bell_crank_x_x, s2_124)};
+  const double s2_127 = -p_tie_rod_left_from_x*R_bell_crank_y_x;
+  const double s2_128 = fms(p_tie_rod_left_from_y, R_bell_crank_x_x, s2_127);
+  w1.s2_129 = Pair{s2_128, fma(p_tie_rod_left_from_y, R_bell_crank_x_x, s2_127)};
+  w1.s1_10 = Pair{w6.cosines[3], w6.cosines[4]};
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and the image of
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  const Pair R_lower_arm_left_y_y = mbgen::pair_at(w6.cosines + 12);
+  w1.R_carrier_left_and_right_aux1_y_y = R_lower_arm_left_y_y*w1.s1_10;
+  const Pair R_lower_arm_left_z_y = mbgen::pair_at(w6.sines + 12);
+  const Pair s1_11 = mbgen::pair_at(w6.cosines + 18);
+  const Pair s1_12 = mbgen::pair_at(w6.sines + 18);
+  const Pair s1_13 = R_lower_arm_left_z_y*s1_11;
+  w1.s1_14 = fma(w1.R_carrier_left_and_right_aux1_y_y, s1_12, s1_13);
+  const Pair s1_15 = mbgen::pair_at(w6.sines + 14);
+  w1.R_carrier_left_and_right_aux1_y_x = R_lower_arm_left_y_y*s1_15;
+  const Pair s1_16 = mbgen::pair_at(w6.sines + 16);
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_right_ry, revolute, carrier_right_aux2
+  const Pair s1_17 = mbgen::pair_at(w6.cosines + 16);
+  const Pair R_carrier_left_and_right_y_z = fnma(w1.s1_14, s1_17,
+      w1.R_carrier_left_and_right_aux1_y_x*s1_16);
+  const Pair R_carrier_left_and_right_y_x = fma(w1.R_carrier_left_and_right_aux1_y_x, s1_17,
+      s1_16*w1.s1_14);
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1; and the image of
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
-  const double R_carrier_right_aux2_x_z = w8.sines[10]*w8.sines[11];
-  const double R_carrier_right_aux1_x_x = w8.cosines[10];
-  const double s1_18 = w8.cosines[12];
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s1_19 = w8.sines[12];
-  w3.R_carrier_right_x_x = fnma(R_carrier_right_aux2_x_z, s1_19, R_carrier_right_aux1_x_x*s1_18);
-  w3.R_carrier_right_x_z = fma(R_carrier_right_aux1_x_x, s1_19, R_carrier_right_aux2_x_z*s1_18);
-  const double s2_131 = p_arb_link_front_right_to_x*w3.R_carrier_right_x_x;
-  const double s2_132 = w3.R_carrier_right_x_z - w2.s1_37;
-  w3.s2_133 = fnma(p_arb_link_front_left_to_y, s2_132, s2_131);
-  const double s1_69 = w2.R_carrier_right_aux1_z_x*s1_18;
-  w3.R_carrier_right_z_x = fnma(w2.R_carrier_right_aux2_z_z, s1_19, s1_69);
-  const double s1_70 = w2.R_carrier_right_aux2_z_z*s1_18;
-  w3.R_carrier_right_z_z = fma(w2.R_carrier_right_aux1_z_x, s1_19, s1_70);
-  const double s2_134 = w2.R_carrier_right_aux2_z_y + w3.R_carrier_right_z_z;
-  const double s2_135 = p_arb_link_front_right_to_x*w3.R_carrier_right_z_x;
-  w3.s2_136 = fnma(p_arb_link_front_left_to_y, s2_134, s2_135);
-  const double s2_137 = w2.R_carrier_right_aux2_y_y + w2.R_carrier_right_y_z;
-  const double s2_138 = p_arb_link_front_right_to_x*w2.R_carrier_right_y_x;
-  w3.s2_139 = fnma(p_arb_link_front_left_to_y, s2_137, s2_138);
-  const double R_lower_arm_left_y_y = w8.cosines[3];
-  const double R_lower_arm_left_z_y = w8.sines[3];
-  const double s1_71 = p_carrier_left_rz_y*R_lower_arm_left_y_y;
-  w3.s1_72 = fnma(p_carrier_left_rz_z, R_lower_arm_left_z_y, s1_71);
-  const double R_arb_front_left_x_z = w8.sines[8];
-  const double R_arb_front_left_x_x = w8.cosines[8];
-  const double s2_140 = p_arb_link_front_left_from_z*R_arb_front_left_x_z;
-  w3.s2_141 = fma(p_arb_link_front_left_from_x, R_arb_front_left_x_x, s2_140);
-  const double zd_carrier_left_rz = state.zd[Coordinate::carrier_left_rz];
-  w3.s4_14 = zd_carrier_left_rz*R_lower_arm_left_y_y;
-  const double zd_carrier_left_rx = state.zd[Coordinate::carrier_left_rx];
-  w3.s4_15 = zd_carrier_left_rx*R_carrier_left_aux1_x_x;
-  w3.s4_16 = zd_carrier_left_rx*w2.R_carrier_left_aux1_z_x;
-  const double zd_carrier_left_ry = state.zd[Coordinate::carrier_left_ry];
-  w3.s4_17 = zd_carrier_left_ry*w2.s1_21;
-  w3.s4_18 = zd_carrier_left_ry*w2.R_carrier_left_aux2_z_y;
-  w3.s4_19 = w3.s4_14 + w3.s4_16;
-  w3.s4_20 = w3.s4_18 + w3.s4_19;
-  const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
-  w3.s4_21 = zd_lower_arm_left + w3.s4_15;
-  w3.s4_22 = w3.s4_21 - w3.s4_17;
+  const Pair s1_18 = s1_11*w1.R_carrier_left_and_right_aux1_y_y;
+  w1.R_carrier_left_and_right_aux2_y_y = fnma(R_lower_arm_left_z_y, s1_12, s1_18);
+  const Pair s2_130 = p_tie_rod_left_to_z*R_carrier_left_and_right_y_z;
+  const Pair s2_131 = -p_carrier_left_upper_ball_y*w1.R_carrier_left_and_right_aux2_y_y;
+  w1.s2_132 = fma(p_tie_rod_left_to_x, R_carrier_left_and_right_y_x, s2_130) - s2_131;
+  w1.s2_133 = fms(p_carrier_left_upper_ball_z, R_carrier_left_and_right_y_z, s2_131);
+  w1.R_carrier_left_and_right_aux2_x_z = s1_15*s1_12;
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_right_ry, revolute, carrier_right_aux2
+  const Pair R_carrier_left_and_right_x_z = fma(s1_17, w1.R_carrier_left_and_right_aux2_x_z,
+      s1_16*w1.s1_10);
+  const Pair R_carrier_left_and_right_x_x = fnma(s1_16, w1.R_carrier_left_and_right_aux2_x_z,
+      w1.s1_10*s1_17);
+  w1.s1_19 = s1_15*s1_11;
+  const Pair s2_134 = -p_carrier_left_upper_ball_y*w1.s1_19;
+  const Pair s2_135 = fma(p_tie_rod_left_to_z, R_carrier_left_and_right_x_z, s2_134);
+  w1.s2_136 = fma(p_tie_rod_left_to_x, R_carrier_left_and_right_x_x, s2_135);
+  const Pair s2_137 = fma(p_carrier_left_upper_ball_z, R_carrier_left_and_right_x_z, s2_134);
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and the image of
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  w1.R_carrier_left_and_right_aux1_z_y = R_lower_arm_left_z_y*w1.s1_10;
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1; and the image of
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
+  const Pair s1_20 = R_lower_arm_left_y_y*s1_11;
+  w1.R_carrier_left_and_right_aux2_z_z = fnma(s1_12, w1.R_carrier_left_and_right_aux1_z_y, s1_20);
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and the image of
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  w1.R_carrier_left_and_right_aux1_z_x = R_lower_arm_left_z_y*s1_15;
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_right_ry, revolute, carrier_right_aux2
+  const Pair s1_21 = s1_16*w1.R_carrier_left_and_right_aux1_z_x;
+  w1.R_carrier_left_and_right_z_z = fma(s1_17, w1.R_carrier_left_and_right_aux2_z_z, s1_21);
+  const Pair s1_22 = s1_17*w1.R_carrier_left_and_right_aux1_z_x;
+  w1.R_carrier_left_and_right_z_x = fnma(s1_16, w1.R_carrier_left_and_right_aux2_z_z, s1_22);
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1; and the image of
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
+  const Pair s1_23 = R_lower_arm_left_y_y*s1_12;
+  w1.R_carrier_left_and_right_aux2_z_y = fma(s1_11, w1.R_carrier_left_and_right_aux1_z_y, s1_23);
+  const Pair s2_138 = p_tie_rod_left_to_z*w1.R_carrier_left_and_right_z_z;
+  const Pair s2_139 = -p_carrier_left_upper_ball_y*w1.R_carrier_left_and_right_aux2_z_y;
+  const Pair s2_140 = fma(p_tie_rod_left_to_x, w1.R_carrier_left_and_right_z_x, s2_138);
+  w1.s2_141 = s2_140 - s2_139;
+  w1.pivot_carrier_left_and_right_rx = fms(p_carrier_left_upper_ball_z,
+      w1.R_carrier_left_and_right_z_z, s2_139);
+  const double s0_20 = -state.zd[Coordinate::lower_arm_right];
+  w1.s0_21 = Pair{state.zd[Coordinate::lower_arm_left], s0_20};
+  const double s0_22 = -state.zd[Coordinate::carrier_right_rx];
+  const Pair s0_23 = Pair{state.zd[Coordinate::carrier_left_rx], s0_22};
+  const double s0_24 = -state.zd[Coordinate::carrier_right_rz];
+  const Pair s0_25 = Pair{state.zd[Coordinate::carrier_left_rz], s0_24};
+  w1.s4_22 = w1.s1_10*s0_23;
+  const Pair s0_26 = Pair{state.zd[Coordinate::carrier_left_ry],
+      state.zd[Coordinate::carrier_right_ry]};
+  w1.s4_23 = w1.s1_19*s0_26;
+  w1.s4_24 = w1.s0_21 + w1.s4_22;
+  w1.s4_25 = w1.s4_24 - w1.s4_23;
+  w1.s4_26 = w1.R_carrier_left_and_right_aux2_y_y*s0_26;
+  w1.s4_27 = w1.R_carrier_left_and_right_aux2_z_y*s0_26;
+  w1.s4_28 = w1.R_carrier_left_and_right_aux1_y_x*s0_23;
+  w1.s4_29 = w1.R_carrier_left_and_right_aux1_z_x*s0_23;
+  w1.s4_30 = R_lower_arm_left_z_y*s0_25;
+  w1.s4_31 = R_lower_arm_left_y_y*s0_25;
+  w1.s4_32 = w1.s4_28 - w1.s4_30;
+  w1.s4_33 = w1.s4_26 + w1.s4_32;
 
   // --- step 6: c and dRz/dt zd (62), upper_ball_left .. tie_rod_right ---
-  const double s6_91 = fnma(w3.s4_22, w3.s2_127, w3.s4_20*w3.s2_124);
-  w3.s4_23 = zd_carrier_left_rz*R_lower_arm_left_z_y;
-  w3.s4_24 = zd_carrier_left_rx*w2.R_carrier_left_aux1_y_x;
-  w3.s4_25 = zd_carrier_left_ry*w2.R_carrier_left_aux2_y_y;
-  w3.s4_26 = w3.s4_24 - w3.s4_23;
-  w3.s4_27 = w3.s4_25 + w3.s4_26;
-  const double s6_92 = fnma(w3.s4_27, w3.s2_124, w3.s4_22*w3.s2_130);
-  w3.s4_28 = zd_lower_arm_left*w3.s1_72;
-  const double zd_arb_front_left = state.zd[Coordinate::arb_front_left];
-  const double s6_93 = zd_arb_front_left*w3.s2_141;
-  w3.s6_94 = s6_92 + (w3.s4_28 + s6_93);
-  w3.s6_95 = fma(w3.s4_27, s6_92, fnma(w3.s4_20, s6_91, zd_arb_front_left*s6_93));
-  const double s6_96 = fnma(w3.s4_20, w3.s2_130, w3.s4_27*w3.s2_127);
-  const double s6_97 = zd_lower_arm_left*zd_lower_arm_left;
-  w3.s6_98 = w3.s1_72*s6_97;
-  w3.s6_99 = fnma(w3.s4_22, s6_92, fms(w3.s4_20, s6_96, w3.s6_98));
-  const double s1_73 = p_carrier_left_rz_y*R_lower_arm_left_z_y;
-  w3.s1_74 = fma(p_carrier_left_rz_z, R_lower_arm_left_y_y, s1_73);
-  const double s2_142 = p_arb_link_front_left_from_z*R_arb_front_left_x_x;
-  w3.s2_143 = fnma(p_arb_link_front_left_from_x, R_arb_front_left_x_z, s2_142);
-  w3.s6_100 = w3.s1_74*s6_97;
-  w3.s8_521 = fma(zd_lower_arm_left, w2.s8_56, s6_97);
-  const double s6_101 = zd_arb_front_left*w3.s2_143;
-  w3.s6_102 = s6_101 - s6_96;
-  const double s6_103 = fma(w3.s4_22, s6_91, fms(zd_arb_front_left, s6_101, w3.s6_100));
-  w4.s6_104 = fnma(w3.s4_27, s6_96, s6_103);
-  const double R_lower_arm_right_z_y = w8.sines[9];
-  const double R_lower_arm_right_y_y = w8.cosines[9];
-  const double s1_75 = -p_carrier_right_rz_z*R_lower_arm_right_z_y;
-  w4.s1_76 = fma(p_carrier_right_rz_y, R_lower_arm_right_y_y, s1_75);
-  const double R_arb_front_right_x_z = w8.sines[14];
-  const double R_arb_front_right_x_x = w8.cosines[14];
-  const double s2_144 = p_arb_link_front_right_from_z*R_arb_front_right_x_z;
-  w4.s2_145 = fma(p_arb_link_front_right_from_x, R_arb_front_right_x_x, s2_144);
-  const double zd_carrier_right_rz = state.zd[Coordinate::carrier_right_rz];
-  w4.s4_29 = zd_carrier_right_rz*R_lower_arm_right_y_y;
-  const double zd_carrier_right_rx = state.zd[Coordinate::carrier_right_rx];
-  w4.s4_30 = zd_carrier_right_rx*R_carrier_right_aux1_x_x;
-  w4.s4_31 = zd_carrier_right_rx*w2.R_carrier_right_aux1_z_x;
-  const double zd_carrier_right_ry = state.zd[Coordinate::carrier_right_ry];
-  w4.s4_32 = zd_carrier_right_ry*w2.s1_37;
-  w4.s4_33 = zd_carrier_right_ry*w2.R_carrier_right_aux2_z_y;
-  w4.s4_34 = w4.s4_29 + w4.s4_31;
-  w4.s4_35 = w4.s4_33 + w4.s4_34;
-  const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
-  w4.s4_36 = zd_lower_arm_right + w4.s4_30;
-  w4.s4_37 = w4.s4_36 - w4.s4_32;
-  w4.s6_105 = fnma(w4.s4_37, w3.s2_136, w4.s4_35*w3.s2_133);
-  w4.s4_38 = zd_carrier_right_rz*R_lower_arm_right_z_y;
-  w4.s4_39 = zd_carrier_right_rx*w2.R_carrier_right_aux1_y_x;
-  w4.s4_40 = zd_carrier_right_ry*w2.R_carrier_right_aux2_y_y;
-  w4.s4_41 = w4.s4_39 - w4.s4_38;
-  w4.s4_42 = w4.s4_40 + w4.s4_41;
-  const double s6_106 = fnma(w4.s4_42, w3.s2_133, w4.s4_37*w3.s2_139);
-  w4.s4_43 = zd_lower_arm_right*w4.s1_76;
-  const double zd_arb_front_right = state.zd[Coordinate::arb_front_right];
-  const double s6_107 = zd_arb_front_right*w4.s2_145;
-  w4.s6_108 = s6_106 + (w4.s4_43 + s6_107);
-  const double s6_109 = fnma(w4.s4_35, w4.s6_105, zd_arb_front_right*s6_107);
-  w4.s6_110 = fma(w4.s4_42, s6_106, s6_109);
-  const double s6_111 = fnma(w4.s4_35, w3.s2_139, w4.s4_42*w3.s2_136);
-  const double s6_112 = zd_lower_arm_right*zd_lower_arm_right;
-  w4.s6_113 = w4.s1_76*s6_112;
-  w4.s6_114 = fnma(w4.s4_37, s6_106, fms(w4.s4_35, s6_111, w4.s6_113));
-  const double s1_77 = -p_carrier_right_rz_z*R_lower_arm_right_y_y;
-  w4.s1_78 = fnma(p_carrier_right_rz_y, R_lower_arm_right_z_y, s1_77);
-  const double s2_146 = p_arb_link_front_right_from_z*R_arb_front_right_x_x;
-  w4.s2_147 = fnma(p_arb_link_front_right_from_x, R_arb_front_right_x_z, s2_146);
-  w4.s6_115 = w4.s1_78*s6_112;
-  w4.s8_522 = fma(zd_lower_arm_right, w2.s8_56, s6_112);
-  const double s6_116 = zd_arb_front_right*w4.s2_147;
-  w4.s6_117 = s6_116 - s6_111;
-  const double s6_118 = fma(w4.s4_37, w4.s6_105, fma(zd_arb_front_right, s6_116, w4.s6_115));
-  w4.s6_119 = fnma(w4.s4_42, s6_111, s6_118);
-
-  // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right,
-  // continued ---
-  const double s2_148 = p_tie_rod_left_to_z*w3.R_carrier_left_z_z;
-  const double s2_149 = -p_carrier_left_upper_ball_y*w2.R_carrier_left_aux2_z_y;
-  w4.s2_150 = fma(p_tie_rod_left_to_x, w3.R_carrier_left_z_x, s2_148) - s2_149;
-  w4.pivot_carrier_left_rx = fms(p_carrier_left_upper_ball_z, w3.R_carrier_left_z_z, s2_149);
-  const double s2_151 = p_tie_rod_left_to_z*w2.R_carrier_left_y_z;
-  const double s2_152 = -p_carrier_left_upper_ball_y*w2.R_carrier_left_aux2_y_y;
-  w4.s2_153 = fma(p_tie_rod_left_to_x, w2.R_carrier_left_y_x, s2_151) - s2_152;
-  w4.s2_154 = fms(p_carrier_left_upper_ball_z, w2.R_carrier_left_y_z, s2_152);
-  const double s2_155 = p_tie_rod_left_to_z*w3.R_carrier_left_x_z;
-  const double s2_156 = -p_carrier_left_upper_ball_y*w2.s1_21;
-  w4.s2_157 = s2_156 + fma(p_tie_rod_left_to_x, w3.R_carrier_left_x_x, s2_155);
-  w4.s2_158 = fma(p_carrier_left_upper_ball_z, w3.R_carrier_left_x_z, s2_156);
-  const double s6_120 = fnma(w3.s4_27, w4.s2_157, w3.s4_22*w4.s2_153);
-  const double s6_121 = fnma(w3.s4_20, w4.s2_153, w3.s4_27*w4.s2_150);
-  const double s6_122 = fnma(w3.s4_22, w4.s2_150, w3.s4_20*w4.s2_157);
-  w4.s6_123 = fnma(w3.s4_27, s6_121, fms(w3.s4_22, s6_122, w3.s6_100));
-  const double R_bell_crank_y_x = w8.sines[16];
-  const double s2_159 = -p_tie_rod_left_from_x*R_bell_crank_y_x;
-  const double R_bell_crank_x_x = w8.cosines[16];
-  w4.s2_160 = fms(p_tie_rod_left_from_y, R_bell_crank_x_x, s2_159);
-  w4.s2_161 = fma(p_tie_rod_left_from_y, R_bell_crank_x_x, s2_159);
+  const Pair s6_71 = fnma(w1.s2_136, w1.s4_33, w1.s2_132*w1.s4_25);
   const double zd_bell_crank = state.zd[Coordinate::bell_crank];
-  const double s6_124 = zd_bell_crank*w4.s2_160;
-  w4.s6_125 = s6_124 + s6_121;
-  const double s6_126 = fnma(w3.s4_22, s6_120, fms(zd_bell_crank, s6_124, w3.s6_98));
-  w4.s6_127 = fma(w3.s4_20, s6_121, s6_126);
-  w4.s4_44 = zd_lower_arm_left*w3.s1_74;
-  w4.s6_128 = s6_91 - w4.s4_44;
-  const double s2_162 = p_tie_rod_left_from_y*R_bell_crank_y_x;
-  w4.s2_163 = fnma(p_tie_rod_left_from_x, R_bell_crank_x_x, s2_162);
-  w4.s2_164 = fma(p_tie_rod_left_from_x, R_bell_crank_x_x, s2_162);
-  const double s6_129 = zd_bell_crank*w4.s2_163;
-  w4.s6_130 = s6_122 + (s6_129 - w4.s4_44);
-  w4.s6_131 = w3.s4_28 + s6_120;
-  w4.s6_132 = fma(w3.s4_20, s6_122, fnma(w3.s4_27, s6_120, zd_bell_crank*s6_129));
-}
-
-/// Part 5 of compute_accelerations: step 2: closure Jacobian Phi_z and its factors (60),
-/// upper_ball_left .. tie_rod_right; step 6: c and dRz/dt zd (62), upper_ball_left ..
-/// tie_rod_right; step 3: Rz (61), upper_ball_left .. tie_rod_right; step 7: inertias of the bodies
-/// and forces on joints, upper_ball_left .. tie_rod_right.
-[[gnu::noinline]] void compute_accelerations_5(const State& state,
-    AccelerationsWork2& __restrict w2, AccelerationsWork3& __restrict w3,
-    AccelerationsWork4& __restrict w4, AccelerationsWork5& __restrict w5,
-    AccelerationsWork8& __restrict w8, Accelerations& __restrict result) noexcept {
-  // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right,
-  // continued ---
-  const double s2_165 = p_tie_rod_right_to_z*w3.R_carrier_right_z_z;
-  const double s2_166 = p_carrier_right_upper_ball_y*w2.R_carrier_right_aux2_z_y;
-  w4.s2_167 = s2_166 + fma(p_tie_rod_right_to_x, w3.R_carrier_right_z_x, s2_165);
-  const double pivot_carrier_right_rx = fma(p_carrier_right_upper_ball_z, w3.R_carrier_right_z_z,
-      s2_166);
-  const double s2_168 = p_tie_rod_right_to_z*w2.R_carrier_right_y_z;
-  const double s2_169 = p_carrier_right_upper_ball_y*w2.R_carrier_right_aux2_y_y;
-  w4.s2_170 = s2_169 + fma(p_tie_rod_right_to_x, w2.R_carrier_right_y_x, s2_168);
-  const double s2_171 = fma(p_carrier_right_upper_ball_z, w2.R_carrier_right_y_z, s2_169);
-  const double s2_172 = p_tie_rod_right_to_z*w3.R_carrier_right_x_z;
-  const double s2_173 = p_carrier_right_upper_ball_y*w2.s1_37;
-  w4.s2_174 = fma(p_tie_rod_right_to_x, w3.R_carrier_right_x_x, s2_172) - s2_173;
-  const double s2_175 = fms(p_carrier_right_upper_ball_z, w3.R_carrier_right_x_z, s2_173);
-
-  // --- step 6: c and dRz/dt zd (62), upper_ball_left .. tie_rod_right, continued ---
-  // tie_rod_right
-  const double s6_133 = fnma(w4.s4_42, w4.s2_174, w4.s4_37*w4.s2_170);
-  const double s6_134 = fnma(w4.s4_37, w4.s2_167, w4.s4_35*w4.s2_174);
-  const double s6_135 = fnma(w4.s4_35, w4.s2_170, w4.s4_42*w4.s2_167);
-  w4.s6_136 = fnma(w4.s4_42, s6_135, fma(w4.s4_37, s6_134, w4.s6_115));
-  const double zd_bell_crank = state.zd[Coordinate::bell_crank];
-  const double s6_137 = zd_bell_crank*w4.s2_161;
-  w4.s6_138 = s6_137 - s6_135;
-  const double s6_139 = fma(w4.s4_37, s6_133, fma(zd_bell_crank, s6_137, w4.s6_113));
-  w4.s6_140 = fnma(w4.s4_35, s6_135, s6_139);
-  const double s6_141 = zd_bell_crank*w4.s2_164;
-  w4.s6_142 = w4.s4_43 + s6_133;
-  w4.s6_143 = fnma(w4.s4_35, s6_134, fma(w4.s4_42, s6_133, zd_bell_crank*s6_141));
-  w4.s4_45 = state.zd[Coordinate::lower_arm_right]*w4.s1_78;
-  w4.s6_144 = w4.s4_45 + w4.s6_105;
-  w4.s6_145 = s6_141 - w4.s4_45 - s6_134;
-  const double R_upper_arm_left_z_y = w8.sines[7];
-  const double R_upper_arm_left_y_y = w8.cosines[7];
-  const double s2_176 = p_upper_arm_left_ball_y*R_upper_arm_left_z_y;
-  const double s2_177 = fma(p_upper_arm_left_ball_z, R_upper_arm_left_y_y, s2_176);
-  const double s2_178 = p_upper_arm_left_ball_y*R_upper_arm_left_y_y;
-  const double s2_179 = fnma(p_upper_arm_left_ball_z, R_upper_arm_left_z_y, s2_178);
-  const double s6_146 = fnma(w3.s4_27, w4.s2_158, w3.s4_22*w4.s2_154);
-  const double s6_147 = fnma(w3.s4_22, w4.pivot_carrier_left_rx, w3.s4_20*w4.s2_158);
-  const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
-  const double s6_148 = fms(zd_upper_arm_left, zd_upper_arm_left*s2_179, w3.s6_98);
-  const double s6_149 = fnma(w3.s4_20, s6_147, w3.s4_27*s6_146);
-  const double s6_150 = fnma(zd_upper_arm_left, zd_upper_arm_left*s2_177, w3.s6_100);
-  const double s6_151 = fnma(w3.s4_20, w4.s2_154, w3.s4_27*w4.pivot_carrier_left_rx);
-  const double s2_180 = 1.0/w4.pivot_carrier_left_rx;
-  const double s2_181 = w4.s2_158*s2_180;
-  const double s6_152 = fnma(s2_181, s6_149, fnma(w3.s4_22, s6_147, s6_150));
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  w4.r_carrier_left_aux1_z = w3.s1_74 + p_lower_arm_left_z;
-  w4.s2_182 = w4.s2_150 + (w4.r_carrier_left_aux1_z - p_bell_crank_z);
-  w4.r_carrier_left_aux1_y = p_lower_arm_left_y + w3.s1_72;
-
-  // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right,
-  // continued ---
-  w4.s2_183 = w4.s2_160 - w4.r_carrier_left_aux1_y - w4.s2_153;
-  w4.s2_184 = w4.s2_157 + (0.35 + w4.s2_163);
-  const double s2_185 = fnma(w4.s2_160, w4.s2_184, w4.s2_163*w4.s2_183);
-  const double s2_186 = fnma(w4.s2_150, w4.s2_184, w4.s2_182*w4.s2_157)*s2_180;
-  const double s2_187 = fma(w4.s2_150, w4.s2_183, w4.s2_182*w4.s2_153);
-  const double s2_188 = s2_187 + fma(w3.s1_74, w4.s2_183, w3.s1_72*w4.s2_182);
-  const double s2_189 = fma(w4.s2_154, s2_186, fma(w4.s2_153, w4.s2_184, w4.s2_183*w4.s2_157));
-  const double s6_153 = fma(w4.s6_125, w4.s6_125, fma(w4.s6_131, w4.s6_131, s2_186*s6_149));
-  const double s6_154 = fma(w4.s2_182, w4.s6_123, fma(w4.s6_130, w4.s6_130, s6_153));
-  const double s6_155 = fnma(w4.s2_184, w4.s6_132, fnma(w4.s2_183, w4.s6_127, s6_154));
-  const double s2_190 = 1.0/s2_189;
-  const double s2_191 = w4.s2_158*s2_190;
-  const double s2_192 = s2_190*(w4.s2_154*s2_181);
-  const double s6_156 = fma(w3.s4_20, s6_151, fnma(w3.s4_22, s6_146, s6_148));
-  const double s6_157 = fma(s2_191, s6_155, s6_156);
-  const double pivot_carrier_left_rz = fms(s2_187, s2_191, w4.pivot_carrier_left_rx);
-  const double s2_193 = 1.0/pivot_carrier_left_rz;
-  const double s2_194 = fnma(s2_187, s2_192, w4.s2_154)*s2_193;
-  const double s2_195 = fma(s2_177, s2_194, s2_179);
-  const double s2_196 = s2_185*s2_191;
-  const double s2_197 = fms(s2_188, s2_191, w3.s1_74) - w4.pivot_carrier_left_rx;
-  const double s2_198 = 1.0/s2_195;
-
-  // --- step 3: Rz (61), upper_ball_left .. tie_rod_right ---
-  w4.Rz_upper_arm_left_0 = fnma(s2_194, s2_197, fnma(s2_188, s2_192, w3.s1_72 + w4.s2_154))*s2_198;
-  w4.Rz_upper_arm_left_2 = fma(s2_194, s2_196, s2_185*s2_192)*s2_198;
-  const double s6_158 = fma(s2_194, s6_157, fma(s2_192, s6_155, fma(w3.s4_27, s6_151, s6_152)));
-  w4.s6_159 = s2_198*s6_158;
-  w4.s3_16 = s2_193*fma(s2_177, w4.Rz_upper_arm_left_0, s2_197);
-  w4.Rz_carrier_left_rz_2 = s2_193*fnma(s2_177, w4.Rz_upper_arm_left_2, s2_196);
-  w4.zdd_star_carrier_left_rz = s2_193*fms(s2_177, w4.s6_159, s6_157);
-  w4.s3_17 = s2_190*fms(s2_187, w4.s3_16, s2_188);
-  w4.s3_18 = s2_190*fnma(s2_187, w4.Rz_carrier_left_rz_2, s2_185);
-  w4.zdd_star_carrier_left_ry = s2_190*fma(s2_187, w4.zdd_star_carrier_left_rz, s6_155);
-  const double s8_523 = fms(w4.s2_150, w4.Rz_carrier_left_rz_2, w4.s2_163);
-  w4.s8_524 = fma(w4.s2_157, w4.s3_18, s8_523);
-  w4.zdd_star_carrier_left_rx = s2_180*fms(w4.s2_154, w4.zdd_star_carrier_left_ry, s6_149);
-  w4.s3_19 = s2_180*(w4.s2_154*w4.s3_17);
-  w4.s3_20 = s2_180*(w4.s2_154*w4.s3_18);
-  w4.s8_525 = fnma(w4.s2_150, w4.s3_20, fma(w4.s2_153, w4.s3_18, w4.s2_160));
-  w4.s2_199 = 0.35 + w3.s2_141 - w3.s2_124;
-  w4.s2_200 = w3.s2_143 + p_arb_front_left_z - w4.r_carrier_left_aux1_z - w3.s2_127;
-  w4.s2_201 = 0.72 - w4.r_carrier_left_aux1_y - w3.s2_130;
-  const double s2_202 = fnma(w4.s2_199, w3.s2_130, w3.s2_124*w4.s2_201);
-  const double s2_203 = fnma(w3.s2_127, w4.s2_201, w4.s2_200*w3.s2_130);
-  const double s3_21 = s2_203 + fnma(w3.s1_74, w4.s2_201, w3.s1_72*w4.s2_200);
-  const double s6_160 = fnma(w3.s6_94, w3.s6_94, fnma(w4.s6_128, w4.s6_128, w4.s2_199*w3.s6_95));
-  const double s6_161 = fma(w4.s2_200, w4.s6_104, fma(w4.s2_201, w3.s6_99, s6_160));
-  const double s6_162 = fnma(w3.s6_102, w3.s6_102, s6_161);
-  const double s6_163 = fma(s2_203, w4.zdd_star_carrier_left_rz, s6_162);
-  const double s2_204 = fnma(w3.s2_124, w4.s2_200, w4.s2_199*w3.s2_127);
-  const double s3_22 = fnma(s2_202, w4.s3_17, fnma(s2_203, w4.s3_16, s3_21));
-  const double s3_23 = fnma(s2_202, w4.s3_18, s2_203*w4.Rz_carrier_left_rz_2);
-  const double s6_164 = fma(s2_202, w4.zdd_star_carrier_left_ry, s6_163);
-  const double pivot_arb_front_left = fnma(w3.s2_141, w4.s2_200, w3.s2_143*w4.s2_199);
-  const double s2_205 = 1.0/pivot_arb_front_left;
-  w4.Rz_arb_front_left_0 = s2_205*fnma(s2_204, w4.s3_19, s3_22);
-  w4.Rz_arb_front_left_2 = s2_205*fnma(s2_204, w4.s3_20, s3_23);
-  w4.zdd_star_arb_front_left = s2_205*fma(s2_204, w4.zdd_star_carrier_left_rx, s6_164);
-  const double R_upper_arm_right_z_y = w8.sines[13];
-  const double R_upper_arm_right_y_y = w8.cosines[13];
-  const double s2_206 = -p_upper_arm_right_ball_z*R_upper_arm_right_z_y;
-  const double s2_207 = fma(p_upper_arm_right_ball_y, R_upper_arm_right_y_y, s2_206);
-  const double s2_208 = -p_upper_arm_right_ball_z*R_upper_arm_right_y_y;
-  const double s2_209 = fnma(p_upper_arm_right_ball_y, R_upper_arm_right_z_y, s2_208);
-
-  // --- step 6: c and dRz/dt zd (62), upper_ball_left .. tie_rod_right, continued ---
-  const double s6_165 = fnma(w4.s4_42, s2_175, w4.s4_37*s2_171);
-  const double s6_166 = fnma(w4.s4_37, pivot_carrier_right_rx, w4.s4_35*s2_175);
-  const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
-  const double s6_167 = fnma(zd_upper_arm_right, zd_upper_arm_right*s2_207, w4.s6_113);
-  const double s6_168 = fnma(w4.s4_35, s6_166, w4.s4_42*s6_165);
-  const double s6_169 = fnma(zd_upper_arm_right, zd_upper_arm_right*s2_209, w4.s6_115);
-  const double s6_170 = fnma(w4.s4_35, s2_171, w4.s4_42*pivot_carrier_right_rx);
-  const double s2_210 = 1.0/pivot_carrier_right_rx;
-  const double s2_211 = s2_175*s2_210;
-  const double s6_171 = fma(s2_211, s6_168, fma(w4.s4_37, s6_166, s6_169));
-  w4.s1_79 = w4.s1_78 - p_lower_arm_right_z;
-  w4.s2_212 = w4.s2_167 + (-p_bell_crank_z - w4.s1_79);
+  const Pair s0_27 = Pair{zd_bell_crank, -zd_bell_crank};
+  w1.s4_34 = w1.s4_31 + w1.s4_29;
+  w1.s4_35 = w1.s4_27 + w1.s4_34;
+  // tie_rod_left; and the image of tie_rod_right
+  const Pair s6_72 = fnma(w1.s2_132, w1.s4_35, w1.s2_141*w1.s4_33);
+  const Pair s6_73 = fnma(w1.s2_141, w1.s4_25, w1.s2_136*w1.s4_35);
+  const Pair s6_74 = w1.s2_129*s0_27;
+  w1.s6_75 = s6_74 + s6_72;
+  const Pair s6_76 = w1.s2_126*s0_27;
+  w1.s6_77 = fma(w1.s4_35, s6_73, fnma(w1.s4_33, s6_71, s0_27*s6_76));
+  const Pair s1_24 = -p_carrier_left_rz_z*R_lower_arm_left_z_y;
+  w1.s1_25 = fma(p_carrier_left_rz_y, R_lower_arm_left_y_y, s1_24);
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and the image of
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  w4.r_carrier_right_aux1_y = w4.s1_76 + p_lower_arm_right_y;
-
-  // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right,
-  // continued ---
-  w4.s2_213 = w4.s2_170 + (w4.r_carrier_right_aux1_y + w4.s2_161);
-  w4.s2_214 = w4.s2_164 - 0.35 - w4.s2_174;
-  const double s2_215 = fnma(w4.s2_213, w4.s2_164, w4.s2_161*w4.s2_214);
-  const double s2_216 = fma(w4.s2_167, w4.s2_214, w4.s2_212*w4.s2_174)*s2_210;
-  const double s2_217 = fnma(w4.s2_212, w4.s2_170, w4.s2_167*w4.s2_213);
-  const double s2_218 = fnma(w4.s1_78, w4.s2_213, fnma(w4.s1_76, w4.s2_212, s2_217));
-  const double pivot_carrier_right_ry = fnma(s2_171, s2_216, fma(w4.s2_170, w4.s2_214,
-      w4.s2_213*w4.s2_174));
-  const double s6_172 = fma(w4.s2_212, w4.s6_136, fma(w4.s6_142, w4.s6_142, s2_216*s6_168));
-  const double s6_173 = fnma(w4.s2_213, w4.s6_140, fnma(w4.s2_214, w4.s6_143, s6_172));
-  const double s6_174 = fma(w4.s6_145, w4.s6_145, fma(w4.s6_138, w4.s6_138, s6_173));
-  const double s2_219 = 1.0/pivot_carrier_right_ry;
-  const double s2_220 = s2_175*s2_219;
-  const double s2_221 = s2_219*(s2_171*s2_211);
-  const double s6_175 = fnma(w4.s4_35, s6_170, fma(w4.s4_37, s6_165, s6_167));
-  const double s6_176 = fma(s2_220, s6_174, s6_175);
-  const double pivot_carrier_right_rz = fms(s2_217, s2_220, pivot_carrier_right_rx);
-  const double s2_222 = 1.0/pivot_carrier_right_rz;
-  const double s2_223 = fnma(s2_217, s2_221, s2_171)*s2_222;
-  const double pivot_upper_arm_right = fms(s2_209, s2_223, s2_207);
-  const double s2_224 = fma(s2_218, s2_220, w4.s1_78 - pivot_carrier_right_rx);
-  const double s2_225 = s2_215*s2_220;
-  const double s2_226 = 1.0/pivot_upper_arm_right;
-  w4.s3_24 = fnma(s2_223, s2_224, fnma(s2_218, s2_221, w4.s1_76 + s2_171))*s2_226;
-  w4.s3_25 = fma(s2_223, s2_225, s2_215*s2_221)*s2_226;
-  const double s6_177 = fma(s2_223, s6_176, fma(s2_221, s6_174, fnma(w4.s4_42, s6_170, s6_171)));
-  w4.s6_178 = s2_226*s6_177;
-  w4.s3_26 = s2_222*fma(s2_209, w4.s3_24, s2_224);
-  w4.Rz_carrier_right_rz_2 = s2_222*fnma(s2_209, w4.s3_25, s2_225);
-  w4.zdd_star_carrier_right_rz = s2_222*fnma(s2_209, w4.s6_178, s6_176);
-  w4.Rz_carrier_right_ry_1 = s2_219*fnma(s2_217, w4.s3_26, s2_218);
-  w4.Rz_carrier_right_ry_2 = s2_219*fms(s2_217, w4.Rz_carrier_right_rz_2, s2_215);
-  w4.zdd_star_carrier_right_ry = s2_219*fms(s2_217, w4.zdd_star_carrier_right_rz, s6_174);
-  const double s8_526 = fma(w4.s2_167, w4.Rz_carrier_right_rz_2, w4.s2_164);
-  w4.s8_527 = fnma(w4.s2_174, w4.Rz_carrier_right_ry_2, s8_526);
-  w4.zdd_star_carrier_right_rx = s2_210*fms(s2_171, w4.zdd_star_carrier_right_ry, s6_168);
-  w4.Rz_carrier_right_rx_1 = s2_210*(s2_171*w4.Rz_carrier_right_ry_1);
-  w4.Rz_carrier_right_rx_2 = s2_210*(s2_171*w4.Rz_carrier_right_ry_2);
-  const double s8_528 = fma(w4.s2_170, w4.Rz_carrier_right_ry_2, w4.s2_161);
-  w4.s8_529 = fnma(w4.s2_167, w4.Rz_carrier_right_rx_2, s8_528);
-  w4.s2_227 = 0.35 + w4.s2_145 - w3.s2_133;
-  w4.s2_228 = w4.s2_147 + (w4.s1_79 + p_arb_front_right_z) - w3.s2_136;
-  w4.s2_229 = w3.s2_139 + (0.72 + w4.r_carrier_right_aux1_y);
-  const double s2_230 = fma(w3.s2_136, w4.s2_229, w4.s2_228*w3.s2_139);
-  const double s2_231 = fma(w3.s2_133, w4.s2_229, w4.s2_227*w3.s2_139);
-  const double s3_27 = s2_230 + fnma(w4.s1_78, w4.s2_229, w4.s1_76*w4.s2_228);
-  const double s6_179 = fnma(w4.s6_144, w4.s6_144, w4.s2_227*w4.s6_110);
-  const double s6_180 = fnma(w4.s2_229, w4.s6_114, fnma(w4.s6_108, w4.s6_108, s6_179));
-  const double s6_181 = fnma(w4.s6_117, w4.s6_117, fma(w4.s2_228, w4.s6_119, s6_180));
-  const double s6_182 = fma(s2_230, w4.zdd_star_carrier_right_rz, s6_181);
-  const double s2_232 = fnma(w3.s2_133, w4.s2_228, w4.s2_227*w3.s2_136);
-  const double s3_28 = fnma(s2_231, w4.Rz_carrier_right_ry_1, fnma(s2_230, w4.s3_26, s3_27));
-  const double s3_29 = fnma(s2_231, w4.Rz_carrier_right_ry_2, s2_230*w4.Rz_carrier_right_rz_2);
-  const double s6_183 = fnma(s2_231, w4.zdd_star_carrier_right_ry, s6_182);
-  const double pivot_arb_front_right = fnma(w4.s2_145, w4.s2_228, w4.s2_147*w4.s2_227);
-  const double s2_233 = 1.0/pivot_arb_front_right;
-  w4.Rz_arb_front_right_1 = s2_233*fma(s2_232, w4.Rz_carrier_right_rx_1, s3_28);
-  w4.Rz_arb_front_right_2 = s2_233*fma(s2_232, w4.Rz_carrier_right_rx_2, s3_29);
-  w4.zdd_star_arb_front_right = s2_233*fma(s2_232, w4.zdd_star_carrier_right_rx, s6_183);
-  w4.s2_234 = -p_drag_link_from_z*w8.sines[15];
-  w4.s2_235 = p_drag_link_to_y*w8.sines[16];
-  w4.s2_236 = w4.s2_235 + (1.15 - w4.s2_234);
-  w4.s2_237 = -p_drag_link_from_z*w8.cosines[15];
-  w4.s2_238 = 0.2 - w4.s2_237;
-  const double pivot_pitman_arm = fnma(w4.s2_237, w4.s2_236, w4.s2_234*w4.s2_238);
-  const double s2_239 = p_drag_link_to_y*w8.cosines[16];
-  w4.s2_240 = p_pitman_arm_y - s2_239;
-  const double s2_241 = 1.0/pivot_pitman_arm;
-  w4.s3_30 = fma(w4.s2_235, w4.s2_240, w4.s2_236*s2_239)*s2_241;
-  const double s2_242 = 16.504892200367603*std::abs(pivot_arb_front_right);
-  const double s2_243 = mbgen::min(3.9625229801272064*std::abs(pivot_pitman_arm), s2_242);
-  const double s2_244 = mbgen::min(16.679425973935604*std::abs(pivot_arb_front_left), s2_243);
-  const double s2_245 = mbgen::min(2.7028647671567816*std::abs(pivot_carrier_right_rx), s2_244);
-  const double s2_246 = mbgen::min(s2_245, 6.8514628664707224*std::abs(pivot_carrier_right_ry));
-  const double s2_247 = mbgen::min(s2_246, 2.7028647671567816*std::abs(pivot_carrier_right_rz));
-  const double s2_248 = mbgen::min(s2_247, 3.405476531191585*std::abs(pivot_upper_arm_right));
-  const double s2_249 = 2.7028219055711094*std::abs(w4.pivot_carrier_left_rx);
-  const double s2_250 = 6.915894223167946*std::abs(s2_189);
-  const double s2_251 = 2.7028219055711094*std::abs(pivot_carrier_left_rz);
-  const double s2_252 = mbgen::min(s2_251, mbgen::min(s2_250, mbgen::min(s2_249, s2_248)));
-  const double s2_253 = mbgen::min(3.3636363636363633*std::abs(s2_195), s2_252);
-  result.pivot[0] = mbgen::min(w2.s9_5, mbgen::min(s2_253, w2.s9_4));
-  const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
-  const double s6_184 = zd_pitman_arm*w4.s2_237;
-  const double s6_185 = zd_bell_crank*s2_239;
-  w4.s8_530 = fma(w4.s2_237, w4.s3_30, s2_239);
-
-  // --- step 6: c and dRz/dt zd (62), upper_ball_left .. tie_rod_right, continued ---
-  // drag_link
-  w4.s6_186 = zd_pitman_arm*s6_184;
-  w4.s6_187 = s6_185 - s6_184;
-  w4.s6_188 = zd_bell_crank*s6_185;
-  w4.s6_189 = zd_pitman_arm*w4.s2_234;
-  w4.s6_190 = zd_bell_crank*w4.s2_235;
-  w4.s6_191 = fnma(zd_bell_crank, w4.s6_190, zd_pitman_arm*w4.s6_189);
-  const double s6_192 = fma(w4.s6_190, w4.s6_190, w4.s6_189*w4.s6_189);
-  const double s6_193 = fma(w4.s2_240, w4.s6_188, fma(w4.s2_238, w4.s6_186, s6_192));
-  w4.s6_194 = s2_241*fma(w4.s2_236, w4.s6_191, fma(w4.s6_187, w4.s6_187, s6_193));
-
-  // --- step 7: inertias of the bodies and forces on joints, upper_ball_left .. tie_rod_right ---
-  const double R_lower_arm_left_y_y = w8.cosines[3];
-  const double R_lower_arm_left_z_y = w8.sines[3];
-  const double s7_47 = -K_lower_arm_left_yz*R_lower_arm_left_y_y;
-  const double s7_48 = fma(K_lower_arm_left_zz, R_lower_arm_left_z_y, s7_47);
-  const double s7_49 = K_lower_arm_left_yy*R_lower_arm_left_y_y;
-  const double s7_50 = fnma(K_lower_arm_left_yz, R_lower_arm_left_z_y, s7_49);
-  w4.s7_51 = fnma(R_lower_arm_left_y_y, s7_48, R_lower_arm_left_z_y*s7_50);
-  w4.s7_52 = fma(R_lower_arm_left_y_y, s7_50, R_lower_arm_left_z_y*s7_48);
-  const double s7_53 = h_carrier_left_y*w2.R_carrier_left_aux2_z_y;
-  const double s7_54 = fma(h_carrier_left_x, w3.R_carrier_left_z_x, s7_53);
-  w4.s7_55 = fma(h_carrier_left_z, w3.R_carrier_left_z_z, s7_54);
-  const double s7_56 = K_carrier_left_xy*w3.R_carrier_left_x_x;
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s7_57 = fnma(K_carrier_left_yy, w2.s1_21, s7_56);
-  const double s7_58 = fma(K_carrier_left_yz, w3.R_carrier_left_x_z, s7_57);
-  const double s7_59 = K_carrier_left_yy*w2.R_carrier_left_aux2_y_y;
-  const double s7_60 = fma(K_carrier_left_xy, w2.R_carrier_left_y_x, s7_59);
-  const double s7_61 = fma(K_carrier_left_yz, w2.R_carrier_left_y_z, s7_60);
-  const double s7_62 = K_carrier_left_yz*w2.R_carrier_left_aux2_y_y;
-  const double s7_63 = fma(K_carrier_left_xz, w2.R_carrier_left_y_x, s7_62);
-  const double s7_64 = fma(K_carrier_left_zz, w2.R_carrier_left_y_z, s7_63);
-  const double s7_65 = K_carrier_left_zz*w3.R_carrier_left_x_z;
-  const double s7_66 = fnma(K_carrier_left_yz, w2.s1_21, s7_65);
-  const double s7_67 = fma(K_carrier_left_xz, w3.R_carrier_left_x_x, s7_66);
-  const double s7_68 = K_carrier_left_xy*w2.R_carrier_left_aux2_y_y;
-  const double s7_69 = fma(K_carrier_left_xx, w2.R_carrier_left_y_x, s7_68);
-  const double s7_70 = fma(K_carrier_left_xz, w2.R_carrier_left_y_z, s7_69);
-  const double s7_71 = fma(w3.R_carrier_left_z_z, s7_64, w2.R_carrier_left_aux2_z_y*s7_61);
-  w4.s7_72 = fma(w3.R_carrier_left_z_x, s7_70, s7_71);
-  const double s7_73 = fma(w2.R_carrier_left_y_z, s7_64, w2.R_carrier_left_aux2_y_y*s7_61);
-  w4.s7_74 = fma(w2.R_carrier_left_y_x, s7_70, s7_73);
-  const double s7_75 = K_carrier_left_xx*w3.R_carrier_left_x_x;
-  const double s7_76 = fnma(K_carrier_left_xy, w2.s1_21, s7_75);
-  const double s7_77 = fma(K_carrier_left_xz, w3.R_carrier_left_x_z, s7_76);
-  const double s7_78 = fma(w3.R_carrier_left_z_z, s7_67, w2.R_carrier_left_aux2_z_y*s7_58);
-  w5.s7_79 = fma(w3.R_carrier_left_z_x, s7_77, s7_78);
-  const double s7_80 = h_carrier_left_y*w2.R_carrier_left_aux2_y_y;
-  const double s7_81 = fma(h_carrier_left_x, w2.R_carrier_left_y_x, s7_80);
-  w5.s7_82 = fma(h_carrier_left_z, w2.R_carrier_left_y_z, s7_81);
-  w5.s8_531 = w5.s7_82 + w3.s8_336;
-  const double s7_83 = fma(w2.R_carrier_left_y_z, s7_67, w2.R_carrier_left_aux2_y_y*s7_58);
-  w5.s7_84 = fma(w2.R_carrier_left_y_x, s7_77, s7_83);
-  const double s7_85 = fnma(w2.s1_21, s7_58, w3.R_carrier_left_x_z*s7_67);
-  w5.s7_86 = fma(w3.R_carrier_left_x_x, s7_77, s7_85);
-  const double s7_87 = fnma(h_carrier_left_y, w2.s1_21, h_carrier_left_z*w3.R_carrier_left_x_z);
-  w5.s7_88 = fma(h_carrier_left_x, w3.R_carrier_left_x_x, s7_87);
-  const double s7_89 = -K_upper_arm_left_yz*R_upper_arm_left_y_y;
-  const double s7_90 = fma(K_upper_arm_left_zz, R_upper_arm_left_z_y, s7_89);
-  const double s7_91 = K_upper_arm_left_yy*R_upper_arm_left_y_y;
-  const double s7_92 = fnma(K_upper_arm_left_yz, R_upper_arm_left_z_y, s7_91);
-  w5.s7_93 = fnma(R_upper_arm_left_y_y, s7_90, R_upper_arm_left_z_y*s7_92);
-  w5.s8_532 = w5.s7_93 + (w4.s7_51 + w3.s8_383);
-  w5.s7_94 = fma(R_upper_arm_left_y_y, s7_92, R_upper_arm_left_z_y*s7_90);
-  const double R_arb_front_left_x_z = w8.sines[8];
-  const double R_arb_front_left_x_x = w8.cosines[8];
-  const double s7_95 = K_arb_front_left_zz*R_arb_front_left_x_z;
-  const double s7_96 = fma(K_arb_front_left_xz, R_arb_front_left_x_x, s7_95);
-  const double s7_97 = K_arb_front_left_xx*R_arb_front_left_x_x;
-  const double s7_98 = fma(K_arb_front_left_xz, R_arb_front_left_x_z, s7_97);
-  w5.s7_99 = fnma(R_arb_front_left_x_z, s7_98, R_arb_front_left_x_x*s7_96);
-  w5.s8_533 = w5.s7_99 + w3.s8_388;
-  w5.s7_100 = fma(R_arb_front_left_x_x, s7_98, R_arb_front_left_x_z*s7_96);
-  w5.s8_534 = w5.s7_100 + w3.s8_520;
-  const double R_lower_arm_right_y_y = w8.cosines[9];
-  const double R_lower_arm_right_z_y = w8.sines[9];
-  const double s7_101 = K_lower_arm_right_yy*R_lower_arm_right_y_y;
-  const double s7_102 = fnma(K_lower_arm_right_yz, R_lower_arm_right_z_y, s7_101);
-  const double s7_103 = K_lower_arm_right_yz*R_lower_arm_right_y_y;
-  const double s7_104 = fnma(K_lower_arm_right_zz, R_lower_arm_right_z_y, s7_103);
-  w5.s7_105 = fma(R_lower_arm_right_y_y, s7_104, R_lower_arm_right_z_y*s7_102);
-  w5.s7_106 = fnma(R_lower_arm_right_z_y, s7_104, R_lower_arm_right_y_y*s7_102);
-  const double s7_107 = h_carrier_right_z*w3.R_carrier_right_z_z;
-  const double s7_108 = fma(h_carrier_right_y, w2.R_carrier_right_aux2_z_y, s7_107);
-  w5.s7_109 = fma(h_carrier_right_x, w3.R_carrier_right_z_x, s7_108);
-  w5.s8_535 = w5.s7_109 + (w4.s7_55 + w3.s8_345);
-  const double s7_110 = K_carrier_right_yy*w2.s1_37;
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s7_111 = fnma(K_carrier_right_xy, w3.R_carrier_right_x_x, s7_110);
-  const double s7_112 = fnma(K_carrier_right_yz, w3.R_carrier_right_x_z, s7_111);
-  const double s7_113 = K_carrier_right_yy*w2.R_carrier_right_aux2_y_y;
-  const double s7_114 = fma(K_carrier_right_xy, w2.R_carrier_right_y_x, s7_113);
-  const double s7_115 = fma(K_carrier_right_yz, w2.R_carrier_right_y_z, s7_114);
-  const double s7_116 = K_carrier_right_zz*w2.R_carrier_right_y_z;
-  const double s7_117 = fma(K_carrier_right_yz, w2.R_carrier_right_aux2_y_y, s7_116);
-  const double s7_118 = fma(K_carrier_right_xz, w2.R_carrier_right_y_x, s7_117);
-  const double s7_119 = K_carrier_right_xx*w2.R_carrier_right_y_x;
-  const double s7_120 = fma(K_carrier_right_xy, w2.R_carrier_right_aux2_y_y, s7_119);
-  const double s7_121 = fma(K_carrier_right_xz, w2.R_carrier_right_y_z, s7_120);
-  const double s7_122 = fma(w3.R_carrier_right_z_z, s7_118, w2.R_carrier_right_aux2_z_y*s7_115);
-  w5.s7_123 = fma(w3.R_carrier_right_z_x, s7_121, s7_122);
-  const double s7_124 = fma(w2.R_carrier_right_y_z, s7_118, w2.R_carrier_right_aux2_y_y*s7_115);
-  w5.s7_125 = fma(w2.R_carrier_right_y_x, s7_121, s7_124);
-  w5.s8_536 = w5.s7_125 + (w4.s7_74 + w3.s8_451);
-  const double s7_126 = -K_carrier_right_yz*w2.s1_37;
-  const double s7_127 = fma(K_carrier_right_xz, w3.R_carrier_right_x_x, s7_126);
-  const double s7_128 = fma(K_carrier_right_zz, w3.R_carrier_right_x_z, s7_127);
-  const double s7_129 = -K_carrier_right_xy*w2.s1_37;
-  const double s7_130 = fma(K_carrier_right_xx, w3.R_carrier_right_x_x, s7_129);
-  const double s7_131 = fma(K_carrier_right_xz, w3.R_carrier_right_x_z, s7_130);
-  const double s7_132 = fnma(w2.R_carrier_right_aux2_z_y, s7_112, w3.R_carrier_right_z_z*s7_128);
-  w5.s7_133 = fma(w3.R_carrier_right_z_x, s7_131, s7_132);
-  const double s7_134 = -h_carrier_right_y*w2.s1_37;
-  const double s7_135 = fma(h_carrier_right_x, w3.R_carrier_right_x_x, s7_134);
-  w5.s7_136 = fma(h_carrier_right_z, w3.R_carrier_right_x_z, s7_135);
-  w5.s8_537 = w5.s7_136 + (w5.s7_88 + w3.s8_374);
-  const double s7_137 = fma(w3.R_carrier_right_x_z, s7_128, w2.s1_37*s7_112);
-  w5.s7_138 = fma(w3.R_carrier_right_x_x, s7_131, s7_137);
-  w5.s8_538 = w5.s7_138 + (w5.s7_86 + w3.s8_465);
-  const double s7_139 = h_carrier_right_z*w2.R_carrier_right_y_z;
-  const double s7_140 = fnma(w2.R_carrier_right_aux2_y_y, s7_112, w2.R_carrier_right_y_z*s7_128);
-  w5.s7_141 = fma(w2.R_carrier_right_y_x, s7_131, s7_140);
-  const double s7_142 = fma(h_carrier_right_y, w2.R_carrier_right_aux2_y_y, s7_139);
-  w5.s7_143 = fma(h_carrier_right_x, w2.R_carrier_right_y_x, s7_142);
-}
-
-/// Part 6 of compute_accelerations: step 8: elimination from the leaves to the root (63); step 7:
-/// inertias of the bodies and forces on joints, upper_ball_left .. tie_rod_right; step 8:
-/// elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right.
-[[gnu::noinline]] void compute_accelerations_6(const State& state, const double* tau,
-    AccelerationsWork1& __restrict w1, AccelerationsWork2& __restrict w2,
-    AccelerationsWork3& __restrict w3, AccelerationsWork4& __restrict w4,
-    AccelerationsWork5& __restrict w5, AccelerationsWork8& __restrict w8) noexcept {
-  // --- step 8: elimination from the leaves to the root (63), continued ---
-  w5.s8_539 = w5.s7_143 + w5.s8_531;
+  w1.r_carrier_left_and_right_aux1_y = p_lower_arm_left_y + w1.s1_25;
+  w1.s2_142 = w1.s2_129 - w1.r_carrier_left_and_right_aux1_y - w1.s2_132;
+  w1.s2_143 = w1.s2_136 + (0.35 + w1.s2_126);
+  const Pair s1_26 = p_carrier_left_rz_y*R_lower_arm_left_z_y;
+  w1.s1_27 = fma(p_carrier_left_rz_z, R_lower_arm_left_y_y, s1_26);
+  w1.r_carrier_left_aux1_z = w1.s1_27 + p_lower_arm_left_z;
+  w2.s2_144 = w1.s2_141 + (w1.r_carrier_left_aux1_z - p_bell_crank_z);
+  w2.s2_145 = 1.0/w1.pivot_carrier_left_and_right_rx;
+  const Pair s2_146 = fnma(w1.s2_143, w1.s2_141, w1.s2_136*w2.s2_144)*w2.s2_145;
+  w2.s2_147 = fma(w1.s2_133, s2_146, fma(w1.s2_132, w1.s2_143, w1.s2_142*w1.s2_136));
+  w2.s4_36 = w1.s1_25*w1.s0_21;
+  w2.s6_78 = w2.s4_36 + s6_71;
+  w2.s4_37 = w1.s1_27*w1.s0_21;
+  w2.s6_79 = s6_76 + s6_73 - w2.s4_37;
+  const Pair s6_80 = w1.s0_21*w1.s0_21;
+  w2.s6_81 = w1.s1_27*s6_80;
+  w2.s6_82 = fnma(w1.s4_33, s6_72, w1.s4_25*s6_73) - w2.s6_81;
+  w2.s6_83 = w1.s1_25*s6_80;
+  w2.s6_84 = fma(w1.s4_35, s6_72, fnma(w1.s4_25, s6_71, s0_27*s6_74)) - w2.s6_83;
+  const Pair s6_85 = fnma(s2_137, w1.s4_33, w1.s2_133*w1.s4_25);
+  const Pair s6_86 = fnma(w1.pivot_carrier_left_and_right_rx, w1.s4_25, s2_137*w1.s4_35);
+  const Pair s6_87 = fnma(w1.s4_35, s6_86, w1.s4_33*s6_85);
+  const Pair s6_88 = fma(w2.s6_79, w2.s6_79, fma(w1.s6_75, w1.s6_75, w2.s6_78*w2.s6_78));
+  const Pair s6_89 = fnma(w1.s2_143, w1.s6_77, fma(w2.s2_144, w2.s6_82, s6_88));
+  const Pair s6_90 = fma(s2_146, s6_87, fnma(w1.s2_142, w2.s6_84, s6_89));
+  w2.s2_148 = 1.0/w2.s2_147;
+  w2.s2_149 = w2.s2_148*s2_137;
+  const Pair s2_150 = w2.s2_145*s2_137;
+  w2.s2_151 = w2.s2_148*(w1.s2_133*s2_150);
+  const Pair s6_91 = fnma(s2_150, s6_87, fnma(w1.s4_25, s6_86, w2.s6_81));
+  const Pair s2_152 = -p_upper_arm_left_ball_z*R_upper_arm_left_z_y;
+  const Pair s2_153 = fma(p_upper_arm_left_ball_y, R_upper_arm_left_y_y, s2_152);
+  const double s0_28 = -state.zd[Coordinate::upper_arm_right];
+  w2.s0_29 = Pair{state.zd[Coordinate::upper_arm_left], s0_28};
+  const Pair s6_92 = fnma(w1.s2_133, w1.s4_35, w1.pivot_carrier_left_and_right_rx*w1.s4_33);
+  const Pair s6_93 = fnma(w1.s4_25, s6_85, fms(w2.s2_149, s6_90, w2.s6_83));
+  const Pair s6_94 = fma(w2.s0_29, s2_153*w2.s0_29, fma(w1.s4_35, s6_92, s6_93));
+  const Pair s2_154 = p_upper_arm_left_ball_y*R_upper_arm_left_z_y;
+  w2.s2_155 = fma(p_upper_arm_left_ball_z, R_upper_arm_left_y_y, s2_154);
+  const Pair s6_95 = fnma(w2.s0_29, w2.s2_155*w2.s0_29, fma(w2.s2_151, s6_90, s6_91));
 
   // --- step 7: inertias of the bodies and forces on joints, upper_ball_left .. tie_rod_right,
   // continued ---
-  const double R_upper_arm_right_y_y = w8.cosines[13];
-  const double R_upper_arm_right_z_y = w8.sines[13];
-  const double s7_144 = K_upper_arm_right_yy*R_upper_arm_right_y_y;
-  const double s7_145 = fnma(K_upper_arm_right_yz, R_upper_arm_right_z_y, s7_144);
-  const double s7_146 = K_upper_arm_right_yz*R_upper_arm_right_y_y;
-  const double s7_147 = fnma(K_upper_arm_right_zz, R_upper_arm_right_z_y, s7_146);
-  w5.s7_148 = fma(R_upper_arm_right_y_y, s7_147, R_upper_arm_right_z_y*s7_145);
-  w5.s7_149 = fnma(R_upper_arm_right_z_y, s7_147, R_upper_arm_right_y_y*s7_145);
-  const double R_arb_front_right_x_z = w8.sines[14];
-  const double R_arb_front_right_x_x = w8.cosines[14];
-  const double s7_150 = K_arb_front_right_zz*R_arb_front_right_x_z;
-  const double s7_151 = fma(K_arb_front_right_xz, R_arb_front_right_x_x, s7_150);
-  const double s7_152 = K_arb_front_right_xx*R_arb_front_right_x_x;
-  const double s7_153 = fma(K_arb_front_right_xz, R_arb_front_right_x_z, s7_152);
-  w5.s7_154 = fnma(R_arb_front_right_x_z, s7_153, R_arb_front_right_x_x*s7_151);
-  w5.s7_155 = fma(R_arb_front_right_x_x, s7_153, R_arb_front_right_x_z*s7_151);
-  const double R_pitman_arm_x_z = w8.sines[15];
-  const double s7_156 = K_pitman_arm_zz*R_pitman_arm_x_z;
-  const double R_pitman_arm_x_x = w8.cosines[15];
-  const double s7_157 = K_pitman_arm_xx*R_pitman_arm_x_x;
-  w5.s7_158 = fnma(R_pitman_arm_x_z, s7_157, R_pitman_arm_x_x*s7_156);
-  w5.s8_540 = w5.s7_158 + (w5.s7_154 + w5.s8_533);
-  w5.s7_159 = fma(R_pitman_arm_x_x, s7_157, R_pitman_arm_x_z*s7_156);
-  const double R_bell_crank_x_x = w8.cosines[16];
-  const double R_bell_crank_y_x = w8.sines[16];
-  const double s7_160 = -K_bell_crank_xy*R_bell_crank_x_x;
-  const double s7_161 = fma(K_bell_crank_yy, R_bell_crank_y_x, s7_160);
-  const double s7_162 = K_bell_crank_xx*R_bell_crank_x_x;
-  const double s7_163 = fnma(K_bell_crank_xy, R_bell_crank_y_x, s7_162);
-  w5.s7_164 = fnma(R_bell_crank_x_x, s7_161, R_bell_crank_y_x*s7_163);
-  w5.s7_165 = fma(R_bell_crank_x_x, s7_163, R_bell_crank_y_x*s7_161);
-  w5.s8_541 = w5.s7_165 + (w5.s7_159 + (w5.s7_155 + w5.s8_534));
+  const Pair s7_33 = K_carrier_left_yz*R_carrier_left_and_right_y_z;
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_right_ry, revolute, carrier_right_aux2
+  const Pair s7_34 = fma(K_carrier_left_xy, R_carrier_left_and_right_y_x, s7_33);
+  const Pair s7_35 = fma(K_carrier_left_yy, w1.R_carrier_left_and_right_aux2_y_y, s7_34);
+  const Pair s7_36 = K_carrier_left_xx*R_carrier_left_and_right_y_x;
+  const Pair s7_37 = fma(K_carrier_left_xz, R_carrier_left_and_right_y_z, s7_36);
+  const Pair s7_38 = fma(K_carrier_left_xy, w1.R_carrier_left_and_right_aux2_y_y, s7_37);
+  const Pair s7_39 = w1.R_carrier_left_and_right_aux2_y_y*s7_35;
+  const Pair s7_40 = w1.R_carrier_left_and_right_aux2_z_y*s7_35;
+  const Pair s7_41 = K_carrier_left_zz*R_carrier_left_and_right_y_z;
+  const Pair s7_42 = fma(K_carrier_left_xz, R_carrier_left_and_right_y_x, s7_41);
+  const Pair s7_43 = fma(K_carrier_left_yz, w1.R_carrier_left_and_right_aux2_y_y, s7_42);
+  const Pair s7_44 = fma(R_carrier_left_and_right_y_x, s7_38, s7_39);
+  w2.s7_45 = fma(R_carrier_left_and_right_y_z, s7_43, s7_44);
+  const Pair s7_46 = fma(w1.R_carrier_left_and_right_z_x, s7_38, s7_40);
+  w2.s7_47 = fma(w1.R_carrier_left_and_right_z_z, s7_43, s7_46);
+  const Pair s7_48 = K_carrier_left_yz*R_carrier_left_and_right_x_z;
+  const Pair s7_49 = fnma(K_carrier_left_yy, w1.s1_19, s7_48);
+  const Pair s7_50 = fma(K_carrier_left_xy, R_carrier_left_and_right_x_x, s7_49);
+  const Pair s7_51 = K_carrier_left_xx*R_carrier_left_and_right_x_x;
+  const Pair s7_52 = fnma(K_carrier_left_xy, w1.s1_19, s7_51);
+  const Pair s7_53 = fma(K_carrier_left_xz, R_carrier_left_and_right_x_z, s7_52);
+  const Pair s7_54 = w1.R_carrier_left_and_right_aux2_y_y*s7_50;
+  const Pair s7_55 = w1.R_carrier_left_and_right_aux2_z_y*s7_50;
+  const Pair s7_56 = K_carrier_left_zz*R_carrier_left_and_right_x_z;
+  const Pair s7_57 = fnma(K_carrier_left_yz, w1.s1_19, s7_56);
+  const Pair s7_58 = fma(K_carrier_left_xz, R_carrier_left_and_right_x_x, s7_57);
+  const Pair s7_59 = fma(R_carrier_left_and_right_y_x, s7_53, s7_54);
+  w2.s7_60 = fma(R_carrier_left_and_right_y_z, s7_58, s7_59);
+  const Pair s7_61 = fnma(w1.s1_19, s7_50, R_carrier_left_and_right_x_x*s7_53);
+  w2.s7_62 = fma(R_carrier_left_and_right_x_z, s7_58, s7_61);
+  const Pair s7_63 = fma(w1.R_carrier_left_and_right_z_x, s7_53, s7_55);
+  w2.s7_64 = fma(w1.R_carrier_left_and_right_z_z, s7_58, s7_63);
+  const double s4_38 = -w4.w_chassis_z;
+  w2.w_carrier_left_and_right_z = w1.s4_35 + Pair{w4.w_chassis_z, s4_38};
+  const Pair s4_39 = Pair{s4_38, w4.w_chassis_z};
+  const double s4_40 = -w4.w_chassis_x;
+  const Pair w_carrier_left_and_right_x = w1.s4_25 + Pair{w4.w_chassis_x, s4_40};
+  const Pair s4_41 = Pair{s4_40, w4.w_chassis_x};
+  const Pair s8_80 = w1.R_carrier_left_and_right_aux2_z_y*w2.w_carrier_left_and_right_z;
+  const Pair s0_30 = Pair{state.zd[Coordinate::wheel_front_left],
+      state.zd[Coordinate::wheel_front_right]};
+  const double s8_81 = p_upper_arm_right_x*w4.s8_19;
+  const double s8_82 = -w4.s8_38;
+  w2.s8_83 = Pair{s8_82, w4.s8_38};
+  w2.s8_84 = Pair{w4.s8_38, s8_82};
+  w2.s8_85 = Pair{w4.s8_46, w4.s8_46};
+  const Pair s8_86 = w2.s8_85*w1.r_carrier_left_aux1_z;
+  w2.s8_87 = Pair{w4.s8_44, w4.s8_44};
+  const Pair s8_88 = fnma(w2.s8_83, w1.r_carrier_left_and_right_aux1_y, s8_86);
+  const double s8_89 = -w4.s8_36;
+  w2.s8_90 = Pair{s8_89, w4.s8_36};
+  const Pair s8_91 = fnma(w1.s2_45, w2.s8_85, fma(w1.s2_28, w2.s8_83, w1.s8_6));
+  w2.s8_92 = fma(w1.s6_15, w2.s8_90, s8_91);
+  w2.s8_93 = Pair{w4.s8_36, s8_89};
+  const Pair s8_94 = fnma(w2.s8_90, w2.s4_37, fma(w2.s8_87, w2.s4_36, s8_88));
+  w2.s8_95 = s8_94 - Pair{s8_81, s8_81};
+
+  // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
+  // continued ---
+  const Pair s8_96 = fnma(w1.s2_87, w1.s6_54, fms(w1.s6_29, w2.s8_93, w1.s6_38));
+  w2.s8_97 = fnma(w1.s2_89, w2.s8_85, s8_96);
+  const double s8_98 = -w4.s8_40;
+  w2.s8_99 = Pair{s8_98, w4.s8_40};
+  w2.s8_100 = Pair{w4.s8_40, s8_98};
+  const double s8_101 = -w4.s8_35;
+  w2.s8_102 = Pair{s8_101, w4.s8_35};
+  const Pair s8_103 = fnma(w1.s2_27, w2.s8_83, fnma(w1.s2_45, w2.s8_99, w1.s8_7));
+  const Pair s8_104 = fnma(w1.s2_27, w2.s8_85, fma(w1.s2_28, w2.s8_99, w1.s8_4));
+  w2.s8_105 = Pair{w4.s8_35, s8_101};
+  w2.s8_106 = fnma(w2.s8_102, w1.s0_21, s6_80);
+  w2.s8_107 = Pair{w4.s8_18, w4.s8_18};
+  const Pair s8_108 = fma(w1.s6_21, w2.s8_87, fnma(w1.s6_15, w2.s8_102, s8_104));
+  const Pair s8_109 = fma(w1.s6_7, w2.s8_87, fnma(w1.s2_7, w2.s8_85, w1.s8_5));
+  const Pair s8_110 = fma(w1.s6_33, w2.s8_87, fma(w1.s2_79, w2.s8_85, w1.s8_3));
+  const Pair s8_111 = fnma(w2.s8_99, w1.r_carrier_left_and_right_aux1_y, w2.s8_102*w2.s4_37);
+  w2.s8_112 = 3.0*fma(w1.s2_45, w2.s8_107, s8_108);
+  const Pair s8_113 = fnma(w1.s6_5, w2.s8_105, fma(w1.s2_41, w2.s8_107, s8_109));
+  const Pair s8_114 = fnma(w1.s6_29, w2.s8_105, fma(w1.s2_89, w2.s8_107, s8_110));
+  w2.s8_115 = 2.6666666666666665*fma(w1.s2_13, w2.s8_100, s8_113);
+  w2.s8_116 = 0.3333333333333333*fma(w1.s2_73, w2.s8_100, s8_114);
+  w4.s8_117 = fnma(p_lower_arm_right_z, w4.s8_18, s8_72);
+  const Pair s8_118 = fnma(w2.s8_107, w1.r_carrier_left_aux1_z, s8_111) - w2.s6_81;
+  w2.s8_119 = Pair{s8_72, s8_72} + s8_118;
+  w2.s8_120 = fma(w1.s4_33, s4_41, w1.s4_25*w1.s4_21);
+  w2.s8_121 = fnma(w1.s4_25, s4_39, w1.s4_35*s4_41);
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_right_ry, revolute, carrier_right_aux2
+  const Pair w_carrier_left_and_right_y = w1.s4_33 + w1.s4_21;
+  w2.s8_122 = fma(w1.s4_33, s4_39, w1.s4_35*w1.s4_21);
+  const Pair s8_123 = s0_30 + fnma(w1.s1_19, w_carrier_left_and_right_x, s8_80);
+  const Pair s8_124 = fma(w1.R_carrier_left_and_right_aux2_y_y, w_carrier_left_and_right_y, s8_123);
+  const Pair s8_125 = I_wheel_front_right_polar*s8_124;
+  const Pair s8_126 = w1.s1_19*w2.w_carrier_left_and_right_z;
+  const Pair s0_31 = Pair{tau[Coordinate::wheel_front_left], tau[Coordinate::wheel_front_right]};
+  const Pair s8_127 = fma(w1.R_carrier_left_and_right_aux2_z_y, w_carrier_left_and_right_x, s8_126);
+  w2.s8_128 = fnma(s8_127, s8_125, w1.R_carrier_left_and_right_aux2_y_y*s0_31);
+  w4.s8_129 = fma(p_lower_arm_right_z, w4.s8_40, s8_75);
+  w2.s8_130 = Pair{w4.s8_20, w4.s8_20};
+  const Pair s8_131 = fnma(w1.s6_21, w2.s8_90, fma(w1.s6_22, w2.s8_102, s8_103));
+  w2.s8_132 = 3.0*fnma(w1.s2_28, w2.s8_130, s8_131);
+  const Pair s8_133 = fma(w1.s6_9, w2.s8_105, fnma(w1.s2_13, w2.s8_130, w1.s8_1));
+  const Pair s8_134 = fma(w1.s6_36, w2.s8_105, fnma(w1.s2_73, w2.s8_130, w1.s8_2));
+  const Pair s8_135 = w1.s6_70 + fnma(w1.s2_3, w1.s6_61, fnma(w1.s6_7, w2.s8_93, s8_133));
+  const Pair s8_136 = w1.s6_70 + fnma(w1.s2_77, w1.s6_61, fnma(w1.s6_33, w2.s8_93, s8_134));
+  const Pair s8_137 = fnma(w1.s2_7, w2.s8_84, fnma(w1.s2_41, w2.s8_100, s8_135));
+  w2.s8_138 = 2.6666666666666665*s8_137;
+  const Pair s8_139 = fma(w1.s2_79, w2.s8_84, fnma(w1.s2_89, w2.s8_100, s8_136));
+  w2.s8_140 = 0.3333333333333333*s8_139;
+  const Pair s8_141 = w2.s8_130*w1.r_carrier_left_and_right_aux1_y;
+  const Pair s8_142 = fma(w2.s8_99, w1.r_carrier_left_aux1_z, s8_141);
+  w2.s8_143 = Pair{-s8_75, s8_75} + (w2.s6_83 + fnma(w2.s8_102, w2.s4_36, s8_142));
+  w2.s2_156 = fma(w1.s2_132, w2.s2_144, w1.s2_142*w1.s2_141);
+  w2.pivot_carrier_left_and_right_rz = fms(w2.s2_156, w2.s2_149,
+      w1.pivot_carrier_left_and_right_rx);
+  w2.s2_157 = 1.0/w2.pivot_carrier_left_and_right_rz;
+  w2.s2_158 = fms(w2.s2_151, w2.s2_156, w1.s2_133)*w2.s2_157;
+  w2.s2_159 = fnma(w2.s2_155, w2.s2_158, s2_153);
+  w2.s2_160 = 1.0/w2.s2_159;
+  w2.s6_96 = w2.s2_160*fnma(w2.s2_158, s6_94, fma(w1.s4_33, s6_92, s6_95));
+  w2.zdd_star_carrier_left_and_right_rz = w2.s2_157*fms(w2.s2_155, w2.s6_96, s6_94);
+  w2.zdd_star_carrier_left_and_right_ry = w2.s2_148*fma(w2.s2_156,
+      w2.zdd_star_carrier_left_and_right_rz, s6_90);
+  w2.zdd_star_carrier_left_and_right_rx = w2.s2_145*fms(w1.s2_133,
+      w2.zdd_star_carrier_left_and_right_ry, s6_87);
+  const Pair s7_65 = h_carrier_left_z*R_carrier_left_and_right_y_z;
+  const Pair s7_66 = fma(h_carrier_left_x, R_carrier_left_and_right_y_x, s7_65);
+  w2.s7_67 = fma(h_carrier_left_y, w1.R_carrier_left_and_right_aux2_y_y, s7_66);
+  const Pair s2_161 = R_carrier_left_and_right_y_z - w1.R_carrier_left_and_right_aux2_y_y;
+  const Pair s2_162 = p_arb_link_front_left_to_x*R_carrier_left_and_right_y_x;
+  w2.s2_163 = fnma(p_arb_link_front_left_to_y, s2_161, s2_162);
+  const Pair s8_144 = w1.R_carrier_left_and_right_aux2_y_y*w2.w_carrier_left_and_right_z;
 
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
   // continued ---
-  const double s8_542 = p_upper_arm_right_x*w2.s8_68;
-  const double s8_543 = fnma(w4.s1_79, w2.s8_76, fnma(w4.s4_43, w2.s8_56, s8_542));
-  const double s8_544 = fnma(w4.s4_45, w2.s8_63, w4.s4_43*w2.s8_92);
-  const double s8_545 = fnma(w4.r_carrier_right_aux1_y, w2.s8_41, s8_543) - w4.s6_113;
-  const double s8_546 = fma(w4.r_carrier_right_aux1_y, w2.s8_68, s8_544);
-  const double s8_547 = fnma(p_upper_arm_right_x, w2.s8_40, fnma(w4.s1_79, w2.s8_106, s8_546));
-  const double s8_548 = fma(w4.r_carrier_right_aux1_y, w2.s8_76, w4.s4_45*w2.s8_56);
-  const double s8_549 = fnma(w2.w_chassis_z, w4.s4_42, w1.w_chassis_y*w4.s4_35);
-  w5.s8_550 = w4.zdd_star_carrier_right_rz + s8_549;
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double w_carrier_right_y = w1.w_chassis_y + w4.s4_42;
-  w5.s8_551 = fnma(w1.w_chassis_y, w4.s4_37, w1.w_chassis_x*w4.s4_42);
-  const double w_carrier_right_x = w1.w_chassis_x + w4.s4_37;
-  w5.s8_552 = fnma(w1.w_chassis_x, w4.s4_35, w2.w_chassis_z*w4.s4_37);
-  const double w_carrier_right_z = w2.w_chassis_z + w4.s4_35;
-  const double s8_553 = w2.R_carrier_right_aux2_z_y*w_carrier_right_x;
-  const double s8_554 = w2.R_carrier_right_aux2_y_y*w_carrier_right_x;
-  const double s8_555 = fnma(w2.s1_37, w_carrier_right_x, state.zd[Coordinate::wheel_front_right]);
-  const double s8_556 = fma(w2.R_carrier_right_aux2_y_y, w_carrier_right_y, s8_555);
-  const double s8_557 = fma(w2.R_carrier_right_aux2_z_y, w_carrier_right_z, s8_556);
-  const double s8_558 = I_wheel_front_right_polar*s8_557;
-  const double s8_559 = w2.R_carrier_right_aux2_z_y*w_carrier_right_y;
-  const double tau_wheel_front_right = tau[Coordinate::wheel_front_right];
-  const double s8_560 = s8_558*fnma(w2.R_carrier_right_aux2_y_y, w_carrier_right_z, s8_559);
-  const double s8_561 = w4.zdd_star_carrier_right_ry + w5.s8_551;
-  const double s8_562 = fms(w_carrier_right_x, w_carrier_right_y, s8_561);
-  const double s8_563 = fma(w_carrier_right_x, w_carrier_right_y, s8_561);
-  const double s8_564 = fnma(w5.s7_109, s8_545, fnma(w2.s1_37, tau_wheel_front_right, s8_560));
-  const double s8_565 = w_carrier_right_y*w_carrier_right_y;
-  const double s8_566 = fms(w_carrier_right_y, w_carrier_right_z, w5.s8_550);
-  const double s8_567 = fma(w_carrier_right_y, w_carrier_right_z, w5.s8_550);
-  const double s8_568 = w4.zdd_star_carrier_right_rx + w5.s8_552;
-  const double s8_569 = fma(w_carrier_right_x, w_carrier_right_z, s8_568);
-  const double s8_570 = fms(w_carrier_right_x, w_carrier_right_z, s8_568);
-  const double s8_571 = w_carrier_right_z*w_carrier_right_z;
-  const double s8_572 = s8_565 + s8_571;
-  const double s8_573 = fma(w_carrier_right_x, w_carrier_right_x, s8_571);
-  const double s8_574 = fma(w_carrier_right_x, w_carrier_right_x, s8_565);
-  const double s8_575 = w2.R_carrier_right_aux2_y_y*tau_wheel_front_right;
-  const double s8_576 = fnma(fma(w2.s1_37, w_carrier_right_z, s8_553), s8_558, s8_575);
-  const double s8_577 = w2.R_carrier_right_aux2_z_y*tau_wheel_front_right;
-  const double s8_578 = fma(fma(w2.s1_37, w_carrier_right_y, s8_554), s8_558, s8_577);
-  const double s8_579 = fnma(w5.s7_125, s8_562, fnma(w5.s7_143, s8_547, s8_578));
-  const double s8_580 = fma(w5.s7_109, s8_569, fma(w5.s7_143, s8_562, m_carrier_right*s8_547));
-  w5.f_carrier_right_x = fnma(w5.s7_136, s8_572, s8_580);
-  const double s8_581 = fma(w5.s7_136, s8_545, fnma(w5.s7_123, s8_569, s8_579));
-  const double s8_582 = fma(w5.s7_109, s8_566, fma(w5.s7_136, s8_563, m_carrier_right*s8_545));
-  w5.f_carrier_right_y = fnma(w5.s7_143, s8_573, s8_582);
-  const double s8_583 = p_upper_arm_right_x*w2.s8_106;
-  const double s8_584 = s8_583 + (w4.s6_115 + fma(w4.s1_79, w2.s8_39, s8_548));
-  w5.s7_166 = K_carrier_right_trace - w5.s7_138;
-  const double s7_167 = w5.s7_166 - w5.s7_125;
-  const double s8_585 = fma(w5.s7_123, s8_562, fma(w5.s7_109, s8_547, s8_576));
-  const double s8_586 = fnma(s7_167, s8_566, fnma(w5.s7_133, s8_563, s8_564));
-  const double s8_587 = fnma(w5.s7_136, s8_584, fma(s7_167, s8_569, s8_585));
-  const double s8_588 = fma(w5.s7_125, s8_567, fma(w5.s7_143, s8_584, s8_586));
-  const double s8_589 = K_carrier_right_trace - w5.s7_125;
-  const double s8_590 = fma(w5.s7_136, s8_570, fma(w5.s7_143, s8_567, m_carrier_right*s8_584));
-  w5.f_carrier_right_z = fnma(w5.s7_109, s8_574, s8_590);
-  w5.n_carrier_right_x = fma(w5.s7_123, s8_573 - s8_574, fma(w5.s7_141, s8_570, s8_588));
-  const double s8_591 = fnma(w5.s7_138, s8_570, fnma(w5.s7_141, s8_567, s8_587));
-  w5.n_carrier_right_y = fma(w5.s7_133, s8_574 - s8_572, s8_591);
-  const double s8_592 = fma(w5.s7_133, s8_566, fma(w5.s7_138, s8_563, s8_581));
-  w5.n_carrier_right_z = fma(w5.s7_141, s8_572 - s8_573, s8_592);
-  const double R_upper_arm_left_y_y = w8.cosines[7];
-  const double R_upper_arm_left_z_y = w8.sines[7];
-  const double s7_168 = h_upper_arm_left_y*R_upper_arm_left_y_y;
-  w5.s7_169 = fnma(h_upper_arm_left_z, R_upper_arm_left_z_y, s7_168);
-  const double s7_170 = h_upper_arm_left_y*R_upper_arm_left_z_y;
-  w5.s7_171 = fma(h_upper_arm_left_z, R_upper_arm_left_y_y, s7_170);
-  const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
-  const double s8_593 = zd_upper_arm_left*(zd_upper_arm_left + w2.s8_56);
-  w5.s8_594 = fnma(w5.s7_169, s8_593, w4.s6_159*w5.s7_171);
-  w5.s8_595 = fma(w5.s7_171, s8_593, w4.s6_159*w5.s7_169);
-  w5.s8_596 = fnma(w1.w_chassis_y, w3.s4_22, w1.w_chassis_x*w3.s4_27);
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double w_carrier_left_x = w1.w_chassis_x + w3.s4_22;
-  w5.s8_597 = fnma(w1.w_chassis_x, w3.s4_20, w2.w_chassis_z*w3.s4_22);
-  const double s8_598 = fnma(w3.s4_28, w2.s8_56, w4.r_carrier_left_aux1_z*w2.s8_76);
-  const double s8_599 = fma(w4.s4_44, w2.s8_63, w3.s4_28*w2.s8_92);
-  const double s8_600 = s8_542 + (fnma(w4.r_carrier_left_aux1_y, w2.s8_41, s8_598) - w3.s6_98);
-  const double s8_601 = fma(w4.r_carrier_left_aux1_y, w2.s8_68, s8_599);
-  const double s8_602 = fma(w4.r_carrier_left_aux1_z, w2.s8_106, s8_601);
-  const double s8_603 = fnma(p_upper_arm_right_x, w2.s8_40, s8_602);
-  const double s8_604 = fnma(w4.s4_44, w2.s8_56, w4.r_carrier_left_aux1_y*w2.s8_76);
-  const double s8_605 = s8_583 + (fnma(w4.r_carrier_left_aux1_z, w2.s8_39, s8_604) - w3.s6_100);
-  const double w_carrier_left_y = w1.w_chassis_y + w3.s4_27;
-  const double w_carrier_left_z = w2.w_chassis_z + w3.s4_20;
-  const double s8_606 = fnma(w2.w_chassis_z, w3.s4_27, w1.w_chassis_y*w3.s4_20);
-  w5.s8_607 = w4.zdd_star_carrier_left_rz + s8_606;
-  const double s8_608 = w2.R_carrier_left_aux2_z_y*w_carrier_left_x;
-  const double s8_609 = w2.R_carrier_left_aux2_y_y*w_carrier_left_x;
-  const double s8_610 = fnma(w2.s1_21, w_carrier_left_x, state.zd[Coordinate::wheel_front_left]);
-  const double s8_611 = fma(w2.R_carrier_left_aux2_y_y, w_carrier_left_y, s8_610);
-  const double s8_612 = fma(w2.R_carrier_left_aux2_z_y, w_carrier_left_z, s8_611);
-  const double s8_613 = I_wheel_front_left_polar*s8_612;
-  const double s8_614 = w2.R_carrier_left_aux2_z_y*w_carrier_left_y;
-  const double tau_wheel_front_left = tau[Coordinate::wheel_front_left];
-  const double s8_615 = s8_613*fnma(w2.R_carrier_left_aux2_y_y, w_carrier_left_z, s8_614);
-  const double s8_616 = w4.zdd_star_carrier_left_ry + w5.s8_596;
-  const double s8_617 = fms(w_carrier_left_x, w_carrier_left_y, s8_616);
-  const double s8_618 = fma(w_carrier_left_x, w_carrier_left_y, s8_616);
-  const double s8_619 = w_carrier_left_y*w_carrier_left_y;
-  const double s8_620 = fms(w_carrier_left_y, w_carrier_left_z, w5.s8_607);
-  const double s8_621 = fma(w_carrier_left_y, w_carrier_left_z, w5.s8_607);
-  const double s8_622 = w4.zdd_star_carrier_left_rx + w5.s8_597;
-  const double s8_623 = fma(w_carrier_left_x, w_carrier_left_z, s8_622);
-  const double s8_624 = fms(w_carrier_left_x, w_carrier_left_z, s8_622);
-  const double s8_625 = w_carrier_left_z*w_carrier_left_z;
-  const double s8_626 = s8_619 + s8_625;
-  const double s8_627 = fma(w_carrier_left_x, w_carrier_left_x, s8_625);
-  const double s8_628 = fma(w_carrier_left_x, w_carrier_left_x, s8_619);
-  const double s8_629 = w2.R_carrier_left_aux2_y_y*tau_wheel_front_left;
-  const double s8_630 = fnma(fma(w2.s1_21, w_carrier_left_z, s8_608), s8_613, s8_629);
-  const double s8_631 = w2.R_carrier_left_aux2_z_y*tau_wheel_front_left;
-  const double s8_632 = fma(fma(w2.s1_21, w_carrier_left_y, s8_609), s8_613, s8_631);
-  const double s8_633 = fnma(w4.s7_74, s8_617, fnma(w5.s7_82, s8_603, s8_632));
-  const double s8_634 = fma(w4.s7_55, s8_623, fma(w5.s7_82, s8_617, m_carrier_left*s8_603));
-  w5.f_carrier_left_x = fnma(w5.s7_88, s8_626, s8_634);
-  const double s8_635 = fma(w5.s7_88, s8_600, fnma(w4.s7_72, s8_623, s8_633));
-  const double s8_636 = fma(w5.s7_88, s8_618, fma(w4.s7_55, s8_620, m_carrier_left*s8_600));
-  w5.f_carrier_left_y = fnma(w5.s7_82, s8_627, s8_636);
-  const double s7_172 = K_carrier_left_trace - w5.s7_86;
-  const double s7_173 = s7_172 - w4.s7_74;
-  const double s8_637 = fnma(w4.s7_55, s8_600, fnma(w2.s1_21, tau_wheel_front_left, s8_615));
-  const double s8_638 = fma(w4.s7_72, s8_617, fma(w4.s7_55, s8_603, s8_630));
-  const double s8_639 = K_carrier_left_trace - s7_173;
-  w5.s8_640 = s7_167 + (s7_173 + w3.s8_459);
-  const double s8_641 = fnma(w5.s7_79, s8_618, fnma(s7_173, s8_620, s8_637));
-  const double s8_642 = fnma(w5.s7_88, s8_605, fma(s7_173, s8_623, s8_638));
-  const double s8_643 = K_carrier_right_trace - s7_167;
-  const double s8_644 = fma(w4.s7_74, s8_621, fma(w5.s7_82, s8_605, s8_641));
-  const double s8_645 = K_carrier_left_trace - w4.s7_74;
-  const double s8_646 = fma(w5.s7_88, s8_624, fma(w5.s7_82, s8_621, m_carrier_left*s8_605));
-  w5.f_carrier_left_z = fnma(w4.s7_55, s8_628, s8_646);
-  w5.n_carrier_left_x = fma(w4.s7_72, s8_627 - s8_628, fma(w5.s7_84, s8_624, s8_644));
-  const double s8_647 = fnma(w5.s7_86, s8_624, fnma(w5.s7_84, s8_621, s8_642));
-  w5.n_carrier_left_y = fma(w5.s7_79, s8_628 - s8_626, s8_647);
-  const double s8_648 = fma(w5.s7_86, s8_618, fma(w5.s7_79, s8_620, s8_635));
-  w5.n_carrier_left_z = fma(w5.s7_84, s8_626 - s8_627, s8_648);
-  const double s8_649 = fnma(w4.Rz_carrier_left_rz_2, w5.s7_79, w4.s3_20*w4.s7_72);
-  w5.s8_650 = fnma(w4.s3_18, s8_639, s8_649);
-  w5.s8_651 = 1.0 - w4.s3_16;
-  const double s8_652 = fnma(w5.s7_79, w5.s8_651, fnma(w3.s1_74, w5.s7_88, w4.s3_19*w4.s7_72));
-  w5.s8_653 = fnma(w4.s3_17, s8_639, s8_652);
-  const double s8_654 = fnma(w4.Rz_carrier_left_rz_2, w5.s7_84, w4.s3_18*w4.s7_72);
-  w5.s8_655 = fnma(w4.s3_20, s8_645, s8_654);
-  const double s8_656 = fnma(w5.s7_84, w5.s8_651, fnma(w3.s1_72, w5.s7_88, w4.s3_17*w4.s7_72));
-  w5.s8_657 = fnma(w4.s3_19, s8_645, s8_656);
-  const double s8_658 = fma(w4.s3_20, w5.s7_84, w4.s3_18*w5.s7_79);
-  w5.s8_659 = fma(w4.Rz_carrier_left_rz_2, s7_172, s8_658);
-  const double s8_660 = fma(w4.s3_17, w5.s7_79, fma(w3.s1_72, w5.s7_82, w3.s1_74*w4.s7_55));
-  w5.s8_661 = fma(s7_172, w5.s8_651, fma(w4.s3_19, w5.s7_84, s8_660));
-  const double s8_662 = fnma(w2.s8_41, w4.s2_201, fma(w2.s8_76, w4.s2_200, w2.s8_68*w4.s2_199));
-  const double s8_663 = fma(w2.s8_63, w3.s6_102, fma(w2.s8_56, w3.s6_94, s8_662) - w3.s6_99);
-  const double s8_664 = fma(w3.s2_127, w4.zdd_star_carrier_left_rz, s8_663);
-  // arb_link_front_left
-  w5.s8_665 = 0.3333333333333333*fnma(w3.s2_124, w4.zdd_star_carrier_left_ry, s8_664);
-  const double s8_666 = fma(w2.s8_68, w4.s2_201, fnma(w2.s8_40, w4.s2_199, w2.s8_106*w4.s2_200));
-  const double s8_667 = fnma(w2.s8_92, w3.s6_94, fma(w2.s8_63, w4.s6_128, s8_666)) - w3.s6_95;
-  const double s8_668 = fma(w3.s2_130, w4.zdd_star_carrier_left_ry, s8_667);
-  const double s8_669 = fnma(w3.s2_127, w4.zdd_star_carrier_left_rx, s8_668);
-  w5.s8_670 = 0.3333333333333333*fma(w3.s2_143, w4.zdd_star_arb_front_left, s8_669);
-  const double s8_671 = fnma(w3.s2_130, w4.s3_18, w3.s2_127*w4.s3_20);
-  w5.s8_672 = fma(w3.s2_143, w4.Rz_arb_front_left_2, s8_671);
-  const double s8_673 = fnma(w3.s2_130, w4.s3_17, w3.s2_127*w4.s3_19);
-  w5.s8_674 = fma(w3.s2_143, w4.Rz_arb_front_left_0, s8_673);
-  const double s8_675 = fma(w2.s8_76, w4.s2_201, fnma(w2.s8_39, w4.s2_200, w2.s8_106*w4.s2_199));
-  const double s8_676 = fnma(w2.s8_92, w3.s6_102, fnma(w2.s8_56, w4.s6_128, s8_675) - w4.s6_104);
-  const double s8_677 = fnma(w3.s2_130, w4.zdd_star_carrier_left_rz, s8_676);
-  const double s8_678 = fma(w3.s2_124, w4.zdd_star_carrier_left_rx, s8_677);
-  w5.s8_679 = 0.3333333333333333*fnma(w3.s2_141, w4.zdd_star_arb_front_left, s8_678);
-  w5.s8_680 = fma(w3.s2_127, w5.s8_651, fma(w3.s2_124, w4.s3_17, w3.s1_74));
-  w5.s8_681 = fma(w3.s2_124, w4.s3_18, w3.s2_127*w4.Rz_carrier_left_rz_2);
-  const double s8_682 = fma(w3.s2_124, w4.s3_19, w3.s1_72);
-  const double s8_683 = fma(w3.s2_141, w4.Rz_arb_front_left_0, s8_682);
-  w5.s8_684 = fma(w3.s2_130, w5.s8_651, s8_683);
-  const double s8_685 = fma(w3.s2_124, w4.s3_20, w3.s2_130*w4.Rz_carrier_left_rz_2);
-  w5.s8_686 = fma(w3.s2_141, w4.Rz_arb_front_left_2, s8_685);
-  const double s8_687 = fma(w2.s8_41, w4.s2_229, fma(w2.s8_76, w4.s2_228, w2.s8_68*w4.s2_227));
-  const double s8_688 = fma(w2.s8_63, w4.s6_117, fma(w2.s8_56, w4.s6_108, s8_687) - w4.s6_114);
-  const double s8_689 = fma(w3.s2_136, w4.zdd_star_carrier_right_rz, s8_688);
-  // arb_link_front_right
-  w5.s8_690 = 0.3333333333333333*fnma(w3.s2_133, w4.zdd_star_carrier_right_ry, s8_689);
-  const double s8_691 = fnma(w2.s8_40, w4.s2_227, w2.s8_106*w4.s2_228);
-  const double s8_692 = fma(w2.s8_63, w4.s6_144, fnma(w2.s8_68, w4.s2_229, s8_691));
-  const double s8_693 = fnma(w2.s8_92, w4.s6_108, s8_692) - w4.s6_110;
-  const double s8_694 = fma(w3.s2_139, w4.zdd_star_carrier_right_ry, s8_693);
-  const double s8_695 = fnma(w3.s2_136, w4.zdd_star_carrier_right_rx, s8_694);
-  w5.s8_696 = 0.3333333333333333*fma(w4.s2_147, w4.zdd_star_arb_front_right, s8_695);
-  const double s8_697 = w3.s2_133*w4.Rz_carrier_right_ry_2;
-  w5.s8_698 = fnma(w3.s2_136, w4.Rz_carrier_right_rz_2, s8_697);
-  w5.s8_699 = 1.0 - w4.s3_26;
-  const double s8_700 = fma(w3.s2_133, w4.Rz_carrier_right_ry_1, w4.s1_78);
-  w5.s8_701 = fnma(w3.s2_136, w5.s8_699, s8_700);
-  const double s8_702 = w3.s2_139*w4.Rz_carrier_right_ry_2;
-  const double s8_703 = fnma(w3.s2_136, w4.Rz_carrier_right_rx_2, s8_702);
-  w5.s8_704 = fma(w4.s2_147, w4.Rz_arb_front_right_2, s8_703);
-  const double s8_705 = w3.s2_139*w4.Rz_carrier_right_ry_1;
-  const double s8_706 = fnma(w3.s2_136, w4.Rz_carrier_right_rx_1, s8_705);
-  w5.s8_707 = fma(w4.s2_147, w4.Rz_arb_front_right_1, s8_706);
-  const double s8_708 = fnma(w2.s8_39, w4.s2_228, w2.s8_106*w4.s2_227);
-  const double s8_709 = fnma(w2.s8_56, w4.s6_144, fnma(w2.s8_76, w4.s2_229, s8_708)) - w4.s6_119;
-  const double s8_710 = fnma(w2.s8_92, w4.s6_117, s8_709);
-  const double s8_711 = fnma(w3.s2_139, w4.zdd_star_carrier_right_rz, s8_710);
-  const double s8_712 = fma(w3.s2_133, w4.zdd_star_carrier_right_rx, s8_711);
-  w5.s8_713 = 0.3333333333333333*fnma(w4.s2_145, w4.zdd_star_arb_front_right, s8_712);
-  const double s8_714 = fnma(w3.s2_133, w4.Rz_carrier_right_rx_1, w4.s1_76);
-  const double s8_715 = fma(w4.s2_145, w4.Rz_arb_front_right_1, s8_714);
-  w5.s8_716 = fma(w3.s2_139, w5.s8_699, s8_715);
-  const double s8_717 = w3.s2_139*w4.Rz_carrier_right_rz_2;
-  const double s8_718 = fnma(w3.s2_133, w4.Rz_carrier_right_rx_2, s8_717);
-  w5.s8_719 = fma(w4.s2_145, w4.Rz_arb_front_right_2, s8_718);
-  const double s8_720 = fnma(w2.s8_41, w4.s2_240, fma(w2.s8_68, w4.s2_236, w2.s8_76*w4.s2_238));
+  const Pair s8_145 = w2.zdd_star_carrier_left_and_right_rx + w2.s8_121;
+  w2.s8_146 = fms(w2.w_carrier_left_and_right_z, w_carrier_left_and_right_x, s8_145);
+  w2.s8_147 = fma(w2.w_carrier_left_and_right_z, w_carrier_left_and_right_x, s8_145);
+  const Pair s8_148 = w2.zdd_star_carrier_left_and_right_rz + w2.s8_122;
+  w2.s8_149 = fma(w2.w_carrier_left_and_right_z, w_carrier_left_and_right_y, s8_148);
+  w2.s8_150 = fnma(w2.w_carrier_left_and_right_z, w_carrier_left_and_right_y, s8_148);
+  const Pair s8_151 = fnma(w2.s7_60, w2.s8_146, fnma(w2.s7_67, w2.s8_119, w1.s1_19*s0_31));
+  const Pair s8_152 = fnma(w1.R_carrier_left_and_right_aux2_z_y, w_carrier_left_and_right_y,
+      s8_144);
+  w2.s8_153 = fma(s8_125, s8_152, fnma(w2.s7_45, w2.s8_149, s8_151));
+  const Pair s7_68 = h_carrier_left_z*R_carrier_left_and_right_x_z;
+  const Pair s7_69 = fnma(h_carrier_left_y, w1.s1_19, s7_68);
+  w2.s7_70 = fma(h_carrier_left_x, R_carrier_left_and_right_x_x, s7_69);
+  const Pair s2_164 = p_arb_link_front_left_to_x*R_carrier_left_and_right_x_x;
+  const Pair s2_165 = w1.s1_19 + R_carrier_left_and_right_x_z;
+  w2.s2_166 = fnma(p_arb_link_front_left_to_y, s2_165, s2_164);
+  const Pair s8_154 = w2.s8_120 - w2.zdd_star_carrier_left_and_right_ry;
+  w2.s8_155 = fma(w_carrier_left_and_right_x, w_carrier_left_and_right_y, s8_154);
+  w2.s8_156 = fnma(w_carrier_left_and_right_x, w_carrier_left_and_right_y, s8_154);
+  const Pair s8_157 = fnma(w1.R_carrier_left_and_right_aux2_z_y, s0_31, w2.s7_67*w2.s8_95);
+  const Pair s8_158 = fma(w2.s7_47, w2.s8_147, fma(w2.s7_45, w2.s8_155, s8_157));
+  const Pair s8_159 = fma(w2.s7_64, w2.s8_150, fma(w2.s7_70, w2.s8_143, s8_158));
+  w2.s8_160 = w_carrier_left_and_right_x*w_carrier_left_and_right_x;
+  const Pair s8_161 = w1.R_carrier_left_and_right_aux2_y_y*w_carrier_left_and_right_x;
+  w2.s8_162 = w_carrier_left_and_right_y*w_carrier_left_and_right_y;
+  const Pair s8_163 = fma(w1.s1_19, w_carrier_left_and_right_y, s8_161);
+  w2.s8_164 = fnma(s8_125, s8_163, fma(w2.s7_62, w2.s8_156, s8_159));
+
+  // --- step 3: Rz (61), long_rod_left .. arb_link_rear_right ---
+  w2.s3_1 = w1.s2_122*fnma(w1.s2_79, w1.s2_88, w1.s2_78*w1.s2_89);
+  w4.s3_2 = w2.s3_1[1];
+  w4.s3_3 = w2.s3_1[0];
+  const Pair s3_4 = Pair{w4.s3_2, w4.s3_3};
+  const Pair s3_5 = w1.s2_116*s3_4;
+  w2.Rz_rear_axle_rz_0 = w1.s2_117*Pair{s3_5[1], s3_5[0]};
+  const Pair s3_6 = fnma(w1.s2_99, w2.Rz_rear_axle_rz_0, w1.s2_112*w2.s3_1);
+  w2.Rz_rear_axle_ry_1_and_0 = w1.s2_101*Pair{s3_6[1], s3_6[0]};
+  w4.s3_7 = w2.Rz_rear_axle_ry_1_and_0[1];
+  w4.s3_8 = w2.Rz_rear_axle_ry_1_and_0[0];
+  w2.s3_9 = Pair{w4.s3_7, w4.s3_8};
+  const Pair s3_10 = w1.s2_62*w2.s3_9;
+  const Pair s8_165 = fma(w1.s2_72, w2.Rz_rear_axle_rz_0, w1.s2_78 - w2.s3_1);
+  w2.s8_166 = fnma(w1.s2_77, w2.s3_9, s8_165);
+  w4.s3_11 = w2.Rz_rear_axle_rz_0[1];
+  w4.s3_12 = w2.Rz_rear_axle_rz_0[0];
+  w2.s3_13 = Pair{w4.s3_11, w4.s3_12};
+  const Pair s3_14 = fnma(w1.s2_47, w2.s3_13, w1.s2_51*s3_4) - Pair{s3_10[1], s3_10[0]};
+  w2.Rz_rear_axle_rx_1_and_0 = w1.s2_63*s3_14;
+  const Pair s3_15 = w1.s2_59*w2.Rz_rear_axle_ry_1_and_0;
+  const Pair s3_16 = fnma(w1.s2_26, w2.Rz_rear_axle_rx_1_and_0, s3_15);
+  const Pair s3_17 = fnma(w1.s2_44, w2.Rz_rear_axle_rz_0, w1.s2_49*w2.s3_1);
+  w2.s3_18 = w1.s2_29*(s3_17 - Pair{s3_16[1], s3_16[0]});
+  w2.s7_71 = Pair{w4.s7_24, w4.s7_24};
+  const Pair s8_167 = w2.Rz_rear_axle_rx_1_and_0*w2.s7_71;
+  w2.s7_72 = Pair{w4.s7_20, w4.s7_20};
+  const Pair s8_168 = fma(w2.Rz_rear_axle_rz_0, w2.s7_72, m_rear_axle*w2.s3_18);
+  w2.s8_169 = s8_168 - Pair{s8_167[1], s8_167[0]};
+  const Pair s3_19 = fma(w1.s2_57, w2.Rz_rear_axle_ry_1_and_0, w1.s2_41*s3_4);
+  const Pair s8_170 = fms(w1.s2_24, w2.s3_13, s3_4);
+  w2.s8_171 = fnma(w1.s2_20, w2.Rz_rear_axle_ry_1_and_0, s8_170);
+  const Pair s3_20 = fma(w1.s2_42, w2.s3_13, s3_19);
+  w4.s3_21 = w2.s3_18[0];
+  w4.s3_22 = w2.s3_18[1];
+  w2.s3_23 = Pair{w4.s3_22, w4.s3_21};
+  const Pair s3_24 = fnma(w1.s2_25, w2.Rz_rear_axle_rx_1_and_0, s3_20);
+  w2.Rz_rear_axle_tx_1_and_0 = w1.s2_8*fma(w1.s2_13, w2.s3_23, s3_24);
+}
+
+/// Part 4 of compute_accelerations: step 8: elimination from the leaves to the root (63),
+/// long_rod_left .. arb_link_rear_right; step 7: inertias of the bodies and forces on joints; step
+/// 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right; step 2:
+/// closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right; step 3: Rz (61),
+/// upper_ball_left .. tie_rod_right.
+[[gnu::noinline]] void compute_accelerations_4(const State& state, const double* tau,
+    AccelerationsWork1& __restrict w1, AccelerationsWork2& __restrict w2,
+    AccelerationsWork3& __restrict w3, AccelerationsWork4& __restrict w4,
+    AccelerationsWork6& __restrict w6) noexcept {
+  // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
+  // continued ---
+  const Pair s8_172 = w2.Rz_rear_axle_ry_1_and_0*w2.s7_72;
+  const double s7_73 = -w4.s7_10;
+  const Pair s7_74 = Pair{s7_73, w4.s7_10};
+  const Pair s8_173 = fma(m_rear_axle, w2.Rz_rear_axle_tx_1_and_0, s8_172);
+  w2.s8_174 = fnma(w2.Rz_rear_axle_rx_1_and_0, s7_74, s8_173);
+  const Pair s8_175 = w2.Rz_rear_axle_tx_1_and_0*Pair{w2.s8_174[1], w2.s8_174[0]};
+  const Pair s8_176 = w2.Rz_rear_axle_ry_1_and_0*w2.s7_71;
+  const Pair s8_177 = fma(w2.Rz_rear_axle_rz_0, s7_74, m_rear_axle*w2.s3_1);
+  w2.s8_178 = Pair{s8_176[1], s8_176[0]} + s8_177;
+  const Pair s8_179 = w2.Rz_rear_axle_tx_1_and_0*s7_74;
+  const Pair s8_180 = w2.s3_1*Pair{w2.s8_178[1], w2.s8_178[0]};
+  const Pair s8_181 = w2.s3_1*w2.s7_71;
+  const Pair s7_75 = Pair{-w4.s7_6, w4.s7_6};
+  const Pair s8_182 = w2.Rz_rear_axle_rx_1_and_0*s7_75;
+  const double s7_76 = -w4.s7_17;
+  const Pair s8_183 = Pair{s8_182[1], s8_182[0]};
+  const Pair s8_184 = fma(w2.Rz_rear_axle_rz_0, Pair{w4.s7_17, s7_76}, s8_183);
+  const double s8_185 = K_rear_axle_trace - w4.s7_8;
+  const Pair s8_186 = fma(w2.s7_72, w2.Rz_rear_axle_tx_1_and_0, Pair{s8_181[1], s8_181[0]});
+  const Pair s8_187 = fma(w2.Rz_rear_axle_ry_1_and_0, Pair{s8_185, s8_185}, s8_186);
+  w2.s8_188 = s8_187 - Pair{s8_184[1], s8_184[0]};
+  const Pair s8_189 = w2.Rz_rear_axle_ry_1_and_0*Pair{w2.s8_188[1], w2.s8_188[0]};
+  const Pair s7_77 = Pair{w4.s7_19, w4.s7_19};
+  const Pair s8_190 = w2.Rz_rear_axle_rx_1_and_0*s7_77;
+  const Pair s8_191 = w2.Rz_rear_axle_rz_0*s7_77;
+  const Pair s8_192 = fms(w2.Rz_rear_axle_rz_0, w1.s7_27, Pair{s8_190[1], s8_190[0]});
+  const Pair s8_193 = Pair{s8_192[1], s8_192[0]};
+  const Pair s8_194 = fnma(w2.Rz_rear_axle_ry_1_and_0, Pair{s7_76, w4.s7_17}, s8_193);
+  const Pair s8_195 = fnma(w2.s3_18, w2.s7_72, w2.s3_1*Pair{w4.s7_10, s7_73});
+  w2.s8_196 = s8_195 - Pair{s8_194[1], s8_194[0]};
+  const Pair s8_197 = w2.Rz_rear_axle_rz_0*Pair{w2.s8_196[1], w2.s8_196[0]};
+  const Pair s8_198 = fma(w2.s3_18, w2.s7_71, Pair{s8_179[1], s8_179[0]});
+  const double s8_199 = K_rear_axle_trace - w4.s7_26;
+  const Pair s8_200 = w2.Rz_rear_axle_rx_1_and_0*Pair{s8_199, s8_199};
+  const Pair s8_201 = fnma(w2.Rz_rear_axle_ry_1_and_0, s7_75, s8_200);
+  w2.s8_202 = s8_201 - Pair{s8_191[1], s8_191[0]} - Pair{s8_198[1], s8_198[0]};
+  const Pair s8_203 = w2.Rz_rear_axle_rx_1_and_0*Pair{w2.s8_202[1], w2.s8_202[0]};
+  w4.s3_25 = w2.Rz_rear_axle_rx_1_and_0[1];
+  w4.s3_26 = w2.Rz_rear_axle_rx_1_and_0[0];
+  const Pair s3_27 = Pair{w4.s3_25, w4.s3_26};
+  const Pair s8_204 = fma(w1.s2_24, s3_27, w1.s2_40*w2.s3_9);
+  w2.s8_205 = w2.Rz_rear_axle_tx_1_and_0 + Pair{s8_204[1], s8_204[0]};
+  w2.s8_206 = Pair{w2.s8_205[1], w2.s8_205[0]};
+  const Pair s8_207 = fnma(w1.s2_6, s3_27, w1.s2_36*w2.s3_9);
+  w2.s8_208 = w2.Rz_rear_axle_tx_1_and_0 + Pair{s8_207[1], s8_207[0]};
+  const Pair s8_209 = w1.s2_36*w2.Rz_rear_axle_ry_1_and_0;
+  const Pair s8_210 = fma(w1.s2_6, w2.Rz_rear_axle_rx_1_and_0, s8_209);
+  w2.s8_211 = w2.Rz_rear_axle_tx_1_and_0 + s8_210;
+  const Pair s8_212 = fma(w1.s2_6, w2.s3_13, w1.s2_3*w2.Rz_rear_axle_ry_1_and_0);
+  w2.s8_213 = w2.s3_1 + Pair{s8_212[1], s8_212[0]};
+  w2.s8_214 = fnma(w1.s2_3, w2.s3_9, fms(w1.s2_6, w2.Rz_rear_axle_rz_0, w2.s3_1));
+  const Pair s8_215 = w2.s8_208*Pair{w2.s8_211[1], w2.s8_211[0]};
+  const Pair s8_216 = fnma(w2.s8_213, Pair{w2.s8_214[1], w2.s8_214[0]}, s8_215);
+  w2.s8_217 = fnma(w1.s2_20, s3_27, fma(w1.s2_40, w2.Rz_rear_axle_rz_0, w2.s3_18));
+  const Pair s8_218 = w1.s2_40*w2.Rz_rear_axle_ry_1_and_0;
+  const Pair s8_219 = fnma(w1.s2_24, w2.Rz_rear_axle_rx_1_and_0, s8_218);
+  w2.s8_220 = w2.Rz_rear_axle_tx_1_and_0 + s8_219;
+  w2.s8_221 = fma(w1.s2_20, w2.s3_9, fma(w1.s2_24, w2.Rz_rear_axle_rz_0, w2.s3_1));
+  const Pair s8_222 = fnma(w1.s2_72, s3_27, w1.s2_87*w2.s3_9);
+  w2.s8_223 = fnma(w1.s2_40, w2.s3_13, w1.s2_20*w2.Rz_rear_axle_rx_1_and_0) - w2.s3_23;
+  w2.s8_224 = w2.s3_23 + fnma(w1.s2_3, w2.Rz_rear_axle_rx_1_and_0, w1.s2_36*w2.s3_13);
+  w2.s8_225 = fnma(w1.s2_36, w2.Rz_rear_axle_rz_0, w1.s2_3*s3_27) - w2.s3_18;
+  w2.s8_226 = fnma(w1.s2_87, w2.Rz_rear_axle_rz_0, w1.s2_77*s3_27) - w2.s3_18;
+  w2.s8_227 = w2.s3_23 + fnma(w1.s2_77, w2.Rz_rear_axle_rx_1_and_0, w1.s2_87*w2.s3_13);
+  const Pair s8_228 = w1.s2_87*w2.Rz_rear_axle_ry_1_and_0;
+  const Pair s8_229 = fma(w1.s2_72, w2.s3_13, w1.s2_77*w2.Rz_rear_axle_ry_1_and_0);
+  const Pair s8_230 = fma(w1.s2_72, w2.Rz_rear_axle_rx_1_and_0, s8_228);
+  w2.s8_231 = w2.Rz_rear_axle_tx_1_and_0 + s8_230;
+  const Pair s8_232 = Pair{w4.s8_19, w4.s8_19};
+  const Pair s8_233 = fnma(w1.s2_36, w1.s6_54, fms(w1.s2_7, s8_232, w1.s6_4));
+  const Pair s6_97 = Pair{w4.zdd_star_rear_axle_tx, w4.zdd_star_rear_axle_tx};
+  w2.s8_234 = 3.0*(fnma(w1.s6_22, w2.s8_87, fma(w1.s2_27, s8_232, w2.s8_92)) - s6_97);
+  const Pair s8_235 = fnma(w1.s6_9, w2.s8_87, fnma(w1.s2_41, w2.s8_85, s8_233)) - s6_97;
+  const Pair s8_236 = fnma(w1.s6_36, w2.s8_87, fnma(w1.s2_79, s8_232, w2.s8_97)) - s6_97;
+  const Pair s8_237 = fma(w1.s2_6, w1.s6_61, fma(w1.s6_5, w2.s8_93, s8_235));
+  const Pair s8_238 = fma(w1.s2_73, w2.s8_84, fma(w1.s2_72, w1.s6_61, s8_236));
+  w2.s8_239 = 0.3333333333333333*s8_238;
+  w2.s8_240 = 2.6666666666666665*fma(w1.s2_13, w2.s8_84, s8_237);
+  const Pair s8_241 = w2.Rz_rear_axle_tx_1_and_0 + Pair{s8_222[1], s8_222[0]};
+  w2.s8_242 = w1.s2_88 + Pair{s8_241[1], s8_241[0]};
+  w2.s8_243 = w2.s3_1 + Pair{s8_229[1], s8_229[0]};
+  const Pair s8_244 = w2.s8_243*Pair{w2.s8_166[1], w2.s8_166[0]};
+  const Pair s8_245 = fma(w2.s8_231, w2.s8_242, w2.s8_227*w2.s8_226);
+  const Pair s8_246 = fma(w2.s8_220, w2.s8_206, w2.s8_217*w2.s8_223);
+  const Pair s8_247 = fma(w2.s8_224, w2.s8_225, Pair{s8_216[1], s8_216[0]});
+  const Pair s8_248 = fma(2.6666666666666665, s8_247, 3.0*fnma(w2.s8_221, w2.s8_171, s8_246));
+  const Pair s8_249 = fma(0.3333333333333333, s8_245 - Pair{s8_244[1], s8_244[0]}, s8_248);
+  w4.s8_250 = w2.s8_169[1];
+  const double s8_251 = s8_189[1] + (s8_180[0] + fnma(w4.s3_21, w4.s8_250, s8_175[1]));
+  w4.s8_252 = s8_197[0] + s8_251 - s8_203[1] - s8_249[0] - s8_249[1];
+  const Pair s8_253 = w2.Rz_rear_axle_tx_1_and_0*w2.s8_174;
+  const Pair s8_254 = w2.Rz_rear_axle_rz_0*w2.s8_196;
+  w2.s8_255 = Pair{s8_254[1], s8_254[0]};
+  const double s1_28 = 1.0/w4.s1_7;
+  w4.s1_29 = w3.R_rear_axle_aux5_y_z*s1_28;
+  w4.s1_30 = w3.R_rear_axle_aux5_x_z*s1_28;
+  w4.s1_31 = w4.s1_7*s1_28;
+  w4.s9_4 = std::abs(w4.s1_7);
+
+  // --- step 7: inertias of the bodies and forces on joints ---
+  const double tau_rear_axle_rz = tau[Coordinate::rear_axle_rz];
+  const double s7_78 = tau_rear_axle_rz*w4.s1_31;
+  w2.s7_79 = Pair{-s7_78, s7_78};
+  w4.s1_32 = w6.cosines[7]*s1_28;
+  const double R_rear_axle_aux4_y_x = w6.sines[7];
+  w4.s1_33 = R_rear_axle_aux4_y_x*s1_28;
+  const double s7_80 = tau[Coordinate::rear_axle_rx]*w4.s1_32;
+  const double s7_81 = fnma(R_rear_axle_aux4_y_x, tau[Coordinate::rear_axle_ry], s7_80);
+  const double s7_82 = fma(tau_rear_axle_rz, w4.s1_30, s7_81);
+  const double tau_rear_axle_ty = tau[Coordinate::rear_axle_ty];
+  const Pair s8_256 = w2.s3_18*Pair{tau_rear_axle_ty, -tau_rear_axle_ty};
+  const double tau_rear_axle_tz = tau[Coordinate::rear_axle_tz];
+  const Pair s8_257 = w2.s3_1*Pair{tau_rear_axle_tz, tau_rear_axle_tz};
+  const double tau_rear_axle_tx = tau[Coordinate::rear_axle_tx];
+  const Pair s0_32 = Pair{tau_rear_axle_tx, tau_rear_axle_tx};
+  const Pair s8_258 = fms(w2.Rz_rear_axle_tx_1_and_0, s0_32, Pair{s8_256[1], s8_256[0]});
+  const Pair s8_259 = s8_258 - Pair{s8_257[1], s8_257[0]};
+  const Pair s8_260 = Pair{s8_259[1], s8_259[0]};
+  const Pair s8_261 = fma(w2.Rz_rear_axle_rz_0, Pair{s7_82, -s7_82}, s8_260);
+  w2.s8_262 = Pair{s8_261[1], s8_261[0]};
+  const Pair R_arb_rear_left_x_z = mbgen::pair_at(w6.sines + 10);
+  const Pair s7_83 = K_arb_rear_left_zz*R_arb_rear_left_x_z;
+  const Pair R_arb_rear_left_x_x = mbgen::pair_at(w6.cosines + 10);
+  const Pair s7_84 = K_arb_rear_left_xx*R_arb_rear_left_x_x;
+  w2.s7_85 = fma(R_arb_rear_left_x_x, s7_84, R_arb_rear_left_x_z*s7_83);
+  w2.s7_86 = fnma(R_arb_rear_left_x_z, s7_84, R_arb_rear_left_x_x*s7_83);
+  const double s8_263 = fma(p_arb_rear_right_z, w4.s8_46, -p_arb_rear_right_x*w4.s8_19);
+  const double s8_264 = fnma(p_arb_rear_right_y, w4.s8_38, s8_263);
+  const double s8_265 = fma(p_arb_rear_right_x, w4.s8_46, -p_arb_rear_right_z*w4.s8_18);
+  const double s8_266 = fnma(p_arb_rear_right_y, w4.s8_40, s8_265);
+  w2.s7_87 = K_arb_rear_left_xy*R_arb_rear_left_x_z;
+  w2.s7_88 = K_arb_rear_left_xy*R_arb_rear_left_x_x;
+  w4.s8_267 = w4.s8_18 - w4.s8_19;
+  w2.s8_268 = Pair{w4.s8_267, w4.s8_267};
+  w2.s7_89 = h_arb_rear_left_x*R_arb_rear_left_x_z;
+  const Pair s8_269 = fma(w2.s7_86, w2.s8_268, fma(w2.s7_87, w2.s8_83, w2.s7_88*w2.s8_99));
+  const Pair s8_270 = Pair{s8_264, fma(p_arb_rear_right_y, w4.s8_38, s8_263)};
+  w2.s7_90 = h_arb_rear_left_x*R_arb_rear_left_x_x;
+  const Pair s8_271 = Pair{s8_266, fma(p_arb_rear_right_y, w4.s8_40, s8_265)};
+  w2.s7_91 = 0.4225 - w2.s7_85;
+
+  // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
+  // continued ---
+  const Pair s8_272 = fnma(w2.s7_90, s8_271, fnma(w2.s7_89, s8_270, s8_269));
+  const Pair s8_273 = fma(w2.s8_85, w2.s7_91 - w2.s7_85, s8_272);
+  w2.s8_274 = Pair{s8_273[1], s8_273[0]};
+  const Pair s8_275 = w2.Rz_rear_axle_rz_0*Pair{-w4.n_rear_axle_x, w4.n_rear_axle_x};
+  w2.s8_276 = Pair{s8_275[1], s8_275[0]};
+  const Pair s8_277 = w2.Rz_rear_axle_tx_1_and_0*Pair{w4.f_rear_axle_x, w4.f_rear_axle_x};
+  const Pair s8_278 = Pair{w4.f_rear_axle_z, w4.f_rear_axle_z};
+  const Pair s8_279 = fnma(w2.s3_1, s8_278, Pair{s8_277[1], s8_277[0]});
+  const Pair s8_280 = fnma(w2.s3_18, Pair{w4.f_rear_axle_y, -w4.f_rear_axle_y}, s8_279);
+  const Pair s8_281 = fma(w2.s3_1, w2.s8_178, fma(w2.s3_18, w2.s8_169, 0.4225));
+  w2.s8_282 = Pair{s8_253[1], s8_253[0]} + s8_281;
+  w2.s8_283 = Pair{s8_280[1], s8_280[0]};
+  w3.s8_284 = Pair{w2.s8_234[1], w2.s8_234[0]};
+  const Pair s7_92 = h_carrier_left_z*w1.R_carrier_left_and_right_z_z;
+  const Pair s7_93 = fma(h_carrier_left_x, w1.R_carrier_left_and_right_z_x, s7_92);
+  w3.s7_94 = fma(h_carrier_left_y, w1.R_carrier_left_and_right_aux2_z_y, s7_93);
+  const Pair s2_167 = w1.R_carrier_left_and_right_z_z - w1.R_carrier_left_and_right_aux2_z_y;
+  const Pair s2_168 = p_arb_link_front_left_to_x*w1.R_carrier_left_and_right_z_x;
+  w3.s2_169 = fnma(p_arb_link_front_left_to_y, s2_167, s2_168);
+  const Pair s8_285 = fnma(w2.s7_70, w2.s8_119, fma(w3.s7_94, w2.s8_95, w2.s8_128));
+  w4.s7_95 = w1.s7_31[1];
+  w3.s8_286 = Pair{w4.s8_79, fma(w4.s7_95, w4.s8_74, w1.s7_29[1]*w4.s8_77)};
+  const Pair R_upper_arm_left_z_y = mbgen::pair_at(w6.sines + 20);
+  const Pair R_upper_arm_left_y_y = mbgen::pair_at(w6.cosines + 20);
+  const Pair s7_96 = K_upper_arm_left_zz*R_upper_arm_left_z_y;
+  const Pair s7_97 = fnma(K_upper_arm_left_yz, R_upper_arm_left_y_y, s7_96);
+  const Pair s7_98 = -K_upper_arm_left_yz*R_upper_arm_left_z_y;
+  const Pair s7_99 = fma(K_upper_arm_left_yy, R_upper_arm_left_y_y, s7_98);
+  w3.s7_100 = fma(R_upper_arm_left_y_y, s7_99, R_upper_arm_left_z_y*s7_97);
+  w3.s7_101 = fnma(R_upper_arm_left_y_y, s7_97, R_upper_arm_left_z_y*s7_99);
+  const Pair R_arb_front_left_x_z = mbgen::pair_at(w6.sines + 22);
+  const Pair R_arb_front_left_x_x = mbgen::pair_at(w6.cosines + 22);
+  const Pair s2_170 = p_arb_link_front_left_from_z*R_arb_front_left_x_z;
+  w3.s2_171 = fma(p_arb_link_front_left_from_x, R_arb_front_left_x_x, s2_170);
+  const Pair s6_98 = fnma(w3.s2_169, w1.s4_25, w2.s2_166*w1.s4_35);
+  const Pair s6_99 = s6_98 - w2.s4_37;
+  const Pair s6_100 = fnma(w1.s4_35, w2.s2_163, w3.s2_169*w1.s4_33);
+  w3.s0_33 = Pair{state.zd[Coordinate::arb_front_left], state.zd[Coordinate::arb_front_right]};
+  const Pair s6_101 = w3.s2_171*w3.s0_33;
+  const Pair s6_102 = fnma(w2.s2_166, w1.s4_33, w1.s4_25*w2.s2_163);
+  const Pair s6_103 = s6_102 + (w2.s4_36 + s6_101);
+  const Pair s6_104 = fnma(w1.s4_25, s6_102, fms(w1.s4_35, s6_100, w2.s6_83));
+  const Pair s6_105 = fma(w1.s4_33, s6_102, fnma(w1.s4_35, s6_98, w3.s0_33*s6_101));
+  const Pair s2_172 = -p_arb_link_front_left_from_x*R_arb_front_left_x_z;
+  w3.s2_173 = fma(p_arb_link_front_left_from_z, R_arb_front_left_x_x, s2_172);
+  const Pair s6_106 = w3.s2_173*w3.s0_33;
+  const Pair s6_107 = s6_106 - s6_100;
+  const Pair s6_108 = fma(w3.s0_33, s6_106, fms(w1.s4_25, s6_98, w2.s6_81));
+  const Pair s6_109 = fnma(w1.s4_33, s6_100, s6_108);
+  const Pair s7_102 = K_arb_front_left_zz*R_arb_front_left_x_z;
+  const Pair s7_103 = fma(K_arb_front_left_xz, R_arb_front_left_x_x, s7_102);
+  const Pair s7_104 = K_arb_front_left_xx*R_arb_front_left_x_x;
+  const Pair s7_105 = fma(K_arb_front_left_xz, R_arb_front_left_x_z, s7_104);
+  w3.s7_106 = fnma(R_arb_front_left_x_z, s7_105, R_arb_front_left_x_x*s7_103);
+  w3.s7_107 = fma(R_arb_front_left_x_x, s7_105, R_arb_front_left_x_z*s7_103);
+
+  // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
+  // continued ---
+  const double s8_287 = fma(p_arb_front_right_x, w4.s8_19, -p_rear_axle_tx_z*w4.s8_46);
+  const double s8_288 = fnma(p_arb_front_right_y, w4.s8_38, s8_287);
+  w3.s8_289 = Pair{fma(p_arb_front_right_y, w4.s8_38, s8_287), s8_288};
+  const double s8_290 = fnma(p_rear_axle_tx_z, w4.s8_18, p_arb_front_right_x*w4.s8_46);
+  const double s8_291 = fnma(p_arb_front_right_y, w4.s8_40, s8_290);
+  w3.s8_292 = Pair{s8_291, fma(p_arb_front_right_y, w4.s8_40, s8_290)};
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_right_ry, revolute, carrier_right_aux2
+  const Pair s8_293 = w2.s8_162 + w2.s8_160;
+  const Pair s8_294 = fma(w2.w_carrier_left_and_right_z, w2.w_carrier_left_and_right_z, w2.s8_162);
+  const Pair s8_295 = fma(w2.w_carrier_left_and_right_z, w2.w_carrier_left_and_right_z, w2.s8_160);
+  const Pair s8_296 = fma(w2.s7_67, w2.s8_155, m_carrier_right*w2.s8_95);
+  const Pair s8_297 = fnma(w3.s7_94, s8_293, m_carrier_right*w2.s8_119);
+  w3.f_carrier_left_and_right_x = fma(w3.s7_94, w2.s8_147, fnma(w2.s7_70, s8_294, s8_296));
+  const Pair s8_298 = fma(w2.s7_67, s8_295, m_carrier_right*w2.s8_143);
+  w3.f_carrier_left_and_right_z = fma(w2.s7_67, w2.s8_149, fma(w2.s7_70, w2.s8_146, s8_297));
+  w3.f_carrier_left_and_right_y = fma(w2.s7_70, w2.s8_156, fma(w3.s7_94, w2.s8_150, s8_298));
+  w3.s8_299 = fnma(w2.s7_47, s8_295 - s8_293, fnma(w3.s7_94, w2.s8_143, w2.s8_153));
+  w3.s8_300 = fma(w2.s7_64, s8_293 - s8_294, fma(w2.s7_47, w2.s8_155, s8_285));
+  w3.n_carrier_left_and_right_z = fnma(w2.s7_60, s8_294 - s8_295, w2.s8_164);
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right,
+  // continued ---
+  // arb_link_front_left; and the image of arb_link_front_right
+  w3.s2_174 = 0.35 + w3.s2_171 - w2.s2_166;
+  w3.s2_175 = w3.s2_173 + p_arb_front_left_z - w1.r_carrier_left_aux1_z - w3.s2_169;
+  w3.s2_176 = 0.72 - w1.r_carrier_left_and_right_aux1_y - w2.s2_163;
+  w3.s2_177 = fnma(w3.s2_169, w3.s2_176, w3.s2_175*w2.s2_163);
+  w3.s2_178 = fnma(w3.s2_174, w2.s2_163, w2.s2_166*w3.s2_176);
+  w3.s2_179 = fnma(w2.s2_166, w3.s2_175, w3.s2_174*w3.s2_169);
+  const Pair s6_110 = w3.s2_177*w2.zdd_star_carrier_left_and_right_rz;
+  const Pair s6_111 = fma(w3.s2_178, w2.zdd_star_carrier_left_and_right_ry, s6_110);
+  const Pair s6_112 = fma(w3.s2_179, w2.zdd_star_carrier_left_and_right_rx, s6_111);
+  const Pair s6_113 = fnma(s6_103, s6_103, fnma(s6_107, s6_107, fnma(s6_99, s6_99, s6_112)));
+  const Pair s6_114 = fma(w3.s2_174, s6_105, fma(w3.s2_176, s6_104, s6_113));
+  w3.s6_115 = fma(w3.s2_175, s6_109, s6_114);
+
+  // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
+  // continued ---
+  const Pair s8_301 = fnma(w2.s8_107, w3.s2_175, w2.s8_85*w3.s2_174);
+  const Pair s8_302 = fma(w2.s8_100, w3.s2_176, s8_301);
+  const Pair s8_303 = fnma(w2.s2_163, w2.zdd_star_carrier_left_and_right_rz, s8_302);
+  const Pair s8_304 = fma(w2.s2_166, w2.zdd_star_carrier_left_and_right_rx, s8_303);
+  // arb_link_front_left; and the image of arb_link_front_right
+  w3.s8_305 = fnma(w2.s8_87, s6_107, fnma(w2.s8_105, s6_99, s8_304)) - s6_109;
+  const Pair s8_306 = fma(w2.s8_84, w3.s2_176, fnma(s8_232, w3.s2_174, w2.s8_85*w3.s2_175));
+  const Pair s8_307 = fma(w2.s2_163, w2.zdd_star_carrier_left_and_right_ry, s8_306);
+  const Pair s8_308 = fnma(w3.s2_169, w2.zdd_star_carrier_left_and_right_rx, s8_307);
+  w3.s8_309 = fnma(w2.s8_87, s6_103, fma(w2.s8_93, s6_99, s8_308)) - s6_105;
+  const Pair s8_310 = fma(w2.s8_100, w3.s2_175, w2.s8_84*w3.s2_174);
+  const Pair s8_311 = fnma(w2.s8_130, w3.s2_176, s8_310);
+  const Pair s8_312 = fma(w3.s2_169, w2.zdd_star_carrier_left_and_right_rz, s8_311);
+  const Pair s8_313 = fnma(w2.s2_166, w2.zdd_star_carrier_left_and_right_ry, s8_312);
+  const Pair s8_314 = fma(w2.s8_105, s6_103, fma(w2.s8_93, s6_107, s8_313)) - s6_104;
+  w3.s8_315 = 0.3333333333333333*s8_314;
+  const Pair s8_316 = fnma(w2.s8_85, w2.s2_144, fma(s8_232, w1.s2_143, w2.s8_84*w1.s2_142));
+  const Pair s8_317 = w1.s6_77 + fma(w2.s8_93, w2.s6_79, fnma(w2.s8_87, w2.s6_78, s8_316));
+  const Pair s8_318 = fnma(w2.s8_130, w1.s2_142, w2.s8_105*w2.s6_78);
+  const Pair s8_319 = fma(w1.s2_132, w2.zdd_star_carrier_left_and_right_ry, s8_317);
+  // tie_rod_left; and the image of tie_rod_right
+  const Pair s8_320 = fnma(w1.s2_141, w2.zdd_star_carrier_left_and_right_rx, s8_319);
+  w3.s8_321 = 1.1666666666666667*s8_320;
+  const Pair s8_322 = fnma(w2.s8_100, w2.s2_144, fnma(w2.s8_84, w1.s2_143, s8_318));
+  const Pair s8_323 = fnma(w2.s8_85, w1.s2_143, w2.s8_100*w1.s2_142);
+  const Pair s8_324 = fnma(w2.s8_93, w1.s6_75, s8_322) - w2.s6_84;
+  const Pair s8_325 = fma(w1.s2_141, w2.zdd_star_carrier_left_and_right_rz, s8_324);
+  const Pair s8_326 = fma(w2.s8_87, w1.s6_75, fma(w2.s8_107, w2.s2_144, s8_323));
+  const Pair s8_327 = fnma(w1.s2_136, w2.zdd_star_carrier_left_and_right_ry, s8_325);
+  w3.s8_328 = 1.1666666666666667*s8_327;
+  const Pair s8_329 = fnma(w2.s8_105, w2.s6_79, s8_326) - w2.s6_82;
+  const Pair s8_330 = fnma(w1.s2_132, w2.zdd_star_carrier_left_and_right_rz, s8_329);
+  const Pair s8_331 = fma(w1.s2_136, w2.zdd_star_carrier_left_and_right_rx, s8_330);
+  w3.s8_332 = 1.1666666666666667*s8_331;
+  const Pair s2_180 = w2.s2_156 + fma(w1.s1_25, w2.s2_144, w1.s2_142*w1.s1_27);
+  const Pair s2_181 = fms(w2.s2_149, s2_180, w1.s1_27) - w1.pivot_carrier_left_and_right_rx;
+
+  // --- step 3: Rz (61), upper_ball_left .. tie_rod_right ---
+  const Pair s2_182 = fma(w2.s2_158, s2_181, fnma(w2.s2_151, s2_180, w1.s1_25 + w1.s2_133));
+  w3.Rz_upper_arm_left_0 = w2.s2_160*s2_182;
+  w3.s3_28 = w2.s2_157*fma(w2.s2_155, w3.Rz_upper_arm_left_0, s2_181);
+  w3.s3_29 = w2.s2_148*fms(w2.s2_156, w3.s3_28, s2_180);
+}
+
+/// Part 5 of compute_accelerations: step 7: inertias of the bodies and forces on joints,
+/// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63),
+/// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63),
+/// long_rod_left .. arb_link_rear_right; step 8: elimination from the leaves to the root (63); step
+/// 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right.
+[[gnu::noinline]] void compute_accelerations_5(const double* tau, AccelerationsWork1& __restrict w1,
+    AccelerationsWork2& __restrict w2, AccelerationsWork3& __restrict w3,
+    AccelerationsWork4& __restrict w4, AccelerationsWork6& __restrict w6,
+    Accelerations& __restrict result) noexcept {
+  // --- step 7: inertias of the bodies and forces on joints, upper_ball_left .. tie_rod_right,
+  // continued ---
+  const Pair R_lower_arm_left_z_y = mbgen::pair_at(w6.sines + 12);
+  const Pair R_lower_arm_left_y_y = mbgen::pair_at(w6.cosines + 12);
+  const Pair s7_108 = K_lower_arm_left_zz*R_lower_arm_left_z_y;
+  const Pair s7_109 = fnma(K_lower_arm_left_yz, R_lower_arm_left_y_y, s7_108);
+  const Pair s7_110 = -K_lower_arm_left_yz*R_lower_arm_left_z_y;
+  const Pair s7_111 = fma(K_lower_arm_left_yy, R_lower_arm_left_y_y, s7_110);
+  w3.s7_112 = fma(R_lower_arm_left_y_y, s7_111, R_lower_arm_left_z_y*s7_109);
+  w3.s7_113 = fnma(R_lower_arm_left_y_y, s7_109, R_lower_arm_left_z_y*s7_111);
+  w3.s7_114 = K_carrier_left_trace - w2.s7_62;
+  const Pair s7_115 = w3.s7_114 - w2.s7_45;
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_right_ry, revolute, carrier_right_aux2
+  const Pair n_carrier_left_and_right_x = fnma(w2.s7_64, w2.s8_156, fnma(s7_115, w2.s8_150,
+      w3.s8_299));
+  const Pair s8_333 = fnma(w2.s7_62, w2.s8_146, fma(s7_115, w2.s8_147, w3.s8_300));
+  w3.n_carrier_left_and_right_y = fnma(w2.s7_60, w2.s8_149, s8_333);
+  const double s8_334 = fms(-p_lower_arm_right_y, w4.s8_20, w4.s8_129);
+  const double s8_335 = fnma(p_pitman_arm_z, w4.s8_40, w4.s8_117);
+  w4.s8_336 = w4.s8_20 - w4.s8_18;
+  const Pair s8_337 = Pair{w4.s8_336, w4.s8_336};
+  const Pair s8_338 = 0.539*w2.s6_96;
+  w3.s7_116 = 0.539 - w3.s7_100;
+  const Pair s8_339 = fnma(s8_337, w3.s7_101, s8_338) - w3.s8_286;
+  w3.s8_340 = fma(w2.s8_99, w3.s7_100 - w3.s7_116, s8_339);
+  w3.pivot_arb_front_left_and_right = fnma(w3.s2_171, w3.s2_175, w3.s2_173*w3.s2_174);
+  const double s0_34 = -tau[Coordinate::carrier_right_rx];
+  const Pair s0_35 = Pair{tau[Coordinate::carrier_left_rx], s0_34};
+  const double s0_36 = -tau[Coordinate::carrier_right_rz];
+  const Pair s0_37 = Pair{tau[Coordinate::carrier_left_rz], s0_36};
+  const Pair s1_34 = 1.0/mbgen::pair_at(w6.cosines + 18);
+  w3.s1_35 = w1.R_carrier_left_and_right_aux2_x_z*s1_34;
+  w3.s1_36 = w1.R_carrier_left_and_right_aux1_y_y*s1_34;
+  w3.s1_37 = w1.s1_14*s1_34;
+  w3.s1_38 = w1.R_carrier_left_and_right_aux1_z_y*s1_34;
+  w3.s1_39 = w1.R_carrier_left_and_right_aux2_z_z*s1_34;
+  w3.s1_40 = mbgen::pair_at(w6.sines + 14)*s1_34;
+  const Pair s0_38 = Pair{tau[Coordinate::carrier_left_ry], tau[Coordinate::carrier_right_ry]};
+  const Pair s7_117 = fnma(s0_38, w3.s1_40, fma(s0_37, w3.s1_35, w1.s1_10*s0_35));
+  w3.s2_183 = 1.0/w3.pivot_arb_front_left_and_right;
+  w3.zdd_star_arb_front_left_and_right = w3.s2_183*w3.s6_115;
+  const Pair s8_341 = fnma(w3.s2_171, w3.zdd_star_arb_front_left_and_right, w3.s8_305);
+  w3.s8_342 = 0.3333333333333333*s8_341;
+  const Pair s8_343 = fma(w3.s2_173, w3.zdd_star_arb_front_left_and_right, w3.s8_309);
+  w3.s8_344 = 0.3333333333333333*s8_343;
+  const Pair s8_345 = fma(s0_38, w3.s1_38, w1.R_carrier_left_and_right_aux1_z_x*s0_35);
+  const Pair s7_118 = fma(s0_38, w3.s1_36, w1.R_carrier_left_and_right_aux1_y_x*s0_35);
+  w3.s7_119 = fnma(s0_37, w3.s1_37, s7_118);
+  w3.s8_346 = w3.n_carrier_left_and_right_z + fma(s0_37, w3.s1_39, s8_345);
+  w3.s3_30 = w2.s2_145*(w1.s2_133*w3.s3_29);
+  const Pair s3_31 = w3.s2_177 + fnma(w1.s1_27, w3.s2_176, w1.s1_25*w3.s2_175);
+  const Pair s3_32 = fnma(w3.s2_178, w3.s3_29, fnma(w3.s2_177, w3.s3_28, s3_31));
+  w3.Rz_arb_front_left_0_and_right_1 = w3.s2_183*fnma(w3.s2_179, w3.s3_30, s3_32);
+
+  // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
+  // continued ---
+  w3.s8_347 = 1.0 - w3.s3_28;
+  w3.s8_348 = fma(w3.s2_169, w3.s8_347, fma(w2.s2_166, w3.s3_29, w1.s1_27));
+  const Pair s8_349 = fnma(w2.s2_163, w3.s3_29, w3.s2_169*w3.s3_30);
+  w3.s8_350 = fma(w3.s2_173, w3.Rz_arb_front_left_0_and_right_1, s8_349);
+  const Pair s8_351 = fma(w2.s2_166, w3.s3_30, w1.s1_25);
+  const Pair s8_352 = fma(w3.s2_171, w3.Rz_arb_front_left_0_and_right_1, s8_351);
+  w3.s8_353 = fma(w2.s2_163, w3.s8_347, s8_352);
+  w3.s8_354 = fma(w1.s2_141, w3.s8_347, fma(w1.s2_136, w3.s3_29, w1.s1_27));
+  w3.s8_355 = fma(w1.s2_132, w3.s8_347, fma(w1.s2_136, w3.s3_30, w1.s1_25));
+  w3.s8_356 = fnma(w1.s2_141, w3.s3_30, w1.s2_132*w3.s3_29);
+  w3.s8_357 = s7_117 + n_carrier_left_and_right_x;
+  const Pair s8_358 = fma(w3.s8_346, w3.s3_29, s7_117*w3.s3_28);
+  const Pair s8_359 = fnma(n_carrier_left_and_right_x, w3.s8_347, s8_358);
+  const Pair s8_360 = fnma(w3.s8_344, w3.s8_350, fnma(w3.s8_315, w3.s8_348, s8_359));
+  const Pair s8_361 = fnma(w3.s8_328, w3.s8_354, fma(w3.s8_342, w3.s8_353, s8_360));
+  const Pair s8_362 = fma(w3.s8_321, w3.s8_356, fma(w3.s8_332, w3.s8_355, s8_361));
+  const Pair s0_39 = Pair{tau[Coordinate::lower_arm_left], -tau[Coordinate::lower_arm_right]};
+  const Pair s8_363 = fma(s8_337, w3.s7_113, s8_362) - s0_39;
+  const Pair s8_364 = fma(w1.s1_27, w3.f_carrier_left_and_right_y, s8_363);
+  const Pair s7_120 = h_lower_arm_left_y*R_lower_arm_left_z_y;
+  w3.s7_121 = fma(h_lower_arm_left_z, R_lower_arm_left_y_y, s7_120);
+  const Pair s8_365 = Pair{s8_334, fnma(p_lower_arm_right_y, w4.s8_20, w4.s8_129)};
+  const Pair s8_366 = fma(w1.s1_25, w3.f_carrier_left_and_right_z, s8_364);
+  const Pair s7_122 = -h_lower_arm_left_z*R_lower_arm_left_z_y;
+  w3.s7_123 = fma(h_lower_arm_left_y, R_lower_arm_left_y_y, s7_122);
+  const Pair s8_367 = Pair{s8_335, fma(p_pitman_arm_z, w4.s8_40, w4.s8_117)};
+  w3.s7_124 = 1.825625 - w3.s7_112;
+  const Pair s8_368 = fma(w3.s7_123, s8_367, fma(w3.s7_121, s8_365, s8_366));
+  w3.s8_369 = fma(w2.s8_99, w3.s7_124 - w3.s7_112, s8_368);
+  const Pair R_arb_front_left_x_z = mbgen::pair_at(w6.sines + 22);
+  const Pair R_arb_front_left_x_x = mbgen::pair_at(w6.cosines + 22);
+  const Pair s7_125 = K_arb_front_left_yz*R_arb_front_left_x_z;
+  w3.s7_126 = fma(K_arb_front_left_xy, R_arb_front_left_x_x, s7_125);
+  const Pair s7_127 = -K_arb_front_left_xy*R_arb_front_left_x_z;
+  w3.s7_128 = fma(K_arb_front_left_yz, R_arb_front_left_x_x, s7_127);
+  const Pair s8_370 = fnma(w2.s8_83, w3.s7_128, w2.s8_99*w3.s7_126);
+  const Pair s8_371 = fma(0.3477, w3.zdd_star_arb_front_left_and_right, s8_370);
+  const Pair s7_129 = -h_arb_front_left_x*R_arb_front_left_x_z;
+  w3.s7_130 = fma(h_arb_front_left_z, R_arb_front_left_x_x, s7_129);
+  const Pair s7_131 = h_arb_front_left_z*R_arb_front_left_x_z;
+  w3.s7_132 = fma(h_arb_front_left_x, R_arb_front_left_x_x, s7_131);
+  const Pair s8_372 = fnma(w3.s7_130, w3.s8_289, fma(w2.s8_268, w3.s7_106, s8_371));
+  w3.s7_133 = 0.3477 - w3.s7_107;
+  w3.s8_373 = fma(w2.s8_85, w3.s7_133 - w3.s7_107, fnma(w3.s7_132, w3.s8_292, s8_372));
+
+  // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
+  // continued ---
+  const Pair s8_374 = w2.s8_221*w2.s8_112;
+  const Pair s8_375 = fms(w2.s8_205, w3.s8_284, Pair{s8_374[1], s8_374[0]});
+  const Pair s8_376 = fma(w2.s8_217, w2.s8_132, Pair{s8_375[1], s8_375[0]});
+  const Pair s8_377 = w2.s8_213*Pair{w2.s8_115[1], w2.s8_115[0]};
+  const Pair s8_378 = w2.s8_243*Pair{w2.s8_116[1], w2.s8_116[0]};
+  const Pair s8_379 = w2.s8_214*w2.s8_115;
+  const Pair s8_380 = Pair{w2.s8_240[1], w2.s8_240[0]};
+  const Pair s8_381 = fma(w2.s8_208, s8_380, Pair{s8_379[1], s8_379[0]});
+  const Pair s8_382 = fma(w2.s8_225, w2.s8_138, Pair{s8_381[1], s8_381[0]});
+  const Pair s8_383 = fma(w2.s8_242, w2.s8_239, w2.s8_226*w2.s8_140);
+  const Pair s8_384 = fma(w2.s8_166, w2.s8_116, s8_383);
+  const double s7_134 = w6.cosines[7]*tau[Coordinate::rear_axle_ry];
+  const double s7_135 = fma(tau[Coordinate::rear_axle_rx], w4.s1_33, s7_134);
+  const double s7_136 = fma(tau[Coordinate::rear_axle_rz], w4.s1_29, s7_135);
+  const Pair s0_40 = Pair{tau[Coordinate::arb_rear_right], tau[Coordinate::arb_rear_left]};
+  const Pair s8_385 = w2.s8_276 + (s0_40 + w2.s8_262 - w2.s8_274) - w2.s8_283;
+  const Pair s8_386 = fnma(w2.s8_220, w2.s8_234, fnma(w2.s8_223, w2.s8_132, s8_385));
+  const Pair s8_387 = fnma(w2.s8_171, w2.s8_112, s8_386) - Pair{s8_376[1], s8_376[0]};
+  const Pair s8_388 = fnma(w2.s8_211, w2.s8_240, fnma(w2.s8_224, w2.s8_138, s8_387));
+  const Pair s8_389 = fnma(w2.s8_227, w2.s8_140, Pair{s8_377[1], s8_377[0]} + s8_388);
+  const Pair s8_390 = Pair{s8_378[1], s8_378[0]} + fnma(w2.s8_231, w2.s8_239, s8_389);
+  const Pair s8_391 = s8_390 - Pair{s8_382[1], s8_382[0]} - Pair{s8_384[1], s8_384[0]};
+  const Pair s8_392 = Pair{s7_136, s7_136} - Pair{w4.n_rear_axle_y, w4.n_rear_axle_y};
+  const Pair s8_393 = w2.s7_79 + Pair{w4.n_rear_axle_z, -w4.n_rear_axle_z};
+  const Pair s8_394 = fma(w2.Rz_rear_axle_ry_1_and_0, s8_392, s8_391);
+  w3.s8_395 = fma(w2.Rz_rear_axle_rx_1_and_0, s8_393, s8_394);
+  const Pair s8_396 = w2.Rz_rear_axle_ry_1_and_0*w2.s8_188;
+  const Pair s8_397 = fma(w2.Rz_rear_axle_rx_1_and_0, w2.s8_202, s8_396) - w2.s8_255;
+  const Pair s8_398 = w1.s0_14*w2.s8_174;
+  const Pair s8_399 = fma(w1.s0_14, w2.s8_178, w1.s1_5*w2.s8_169) - w2.s8_196;
+  const Pair s8_400 = w2.s8_221*w2.s8_221;
+  const Pair s8_401 = fma(w2.s8_205, w2.s8_205, Pair{s8_400[1], s8_400[0]});
+  const Pair s8_402 = fma(w2.s8_217, w2.s8_217, Pair{s8_401[1], s8_401[0]});
+  const Pair s8_403 = w2.s8_213*w2.s8_213;
+  const Pair s8_404 = fma(w2.s8_211, w2.s8_211, w2.s8_224*w2.s8_224);
+  const Pair s8_405 = 2.6666666666666665*(Pair{s8_403[1], s8_403[0]} + s8_404);
+  const Pair s8_406 = fnma(3.0, s8_402, Pair{s8_397[1], s8_397[0]} + w2.s8_282);
+  const Pair s8_407 = w2.s8_243*w2.s8_243;
+  const Pair s8_408 = fma(w2.s8_231, w2.s8_231, w2.s8_227*w2.s8_227);
+  const Pair s8_409 = 0.3333333333333333*(Pair{s8_407[1], s8_407[0]} + s8_408);
+  const Pair s8_410 = fma(w2.s8_220, w2.s8_220, w2.s8_223*w2.s8_223);
+  const Pair s8_411 = 3.0*fma(w2.s8_171, w2.s8_171, s8_410);
+  const Pair s8_412 = s8_406 - Pair{s8_405[1], s8_405[0]} - Pair{s8_409[1], s8_409[0]};
+  const Pair s8_413 = w2.s8_214*w2.s8_214;
+  const Pair s8_414 = fma(w2.s8_208, w2.s8_208, Pair{s8_413[1], s8_413[0]});
+  const Pair s8_415 = fma(w2.s8_225, w2.s8_225, Pair{s8_414[1], s8_414[0]});
+  const Pair s8_416 = fma(w1.s1_4, w2.s8_169, Pair{s8_398[1], s8_398[0]});
+  w4.s8_417 = w2.s8_169[0];
+  const Pair s8_418 = w1.s1_4*w2.s8_178;
+  w3.s8_419 = w2.s8_178 + w2.s7_90;
+  const Pair s8_420 = w2.s8_202 - Pair{s8_416[1], s8_416[0]};
+  const Pair s8_421 = 3.0*w1.s2_27;
+  const Pair s8_422 = 3.0*w1.s2_28;
+  const Pair s8_423 = fma(w2.s8_220, s8_422, w2.s8_223*s8_421);
+  const Pair s8_424 = fnma(p_arb_rear_right_y, w2.s7_89, w2.s7_87);
+  const Pair s8_425 = fma(w2.s8_217, s8_421, Pair{s8_420[1], s8_420[0]} + s8_424);
+  const Pair s8_426 = 2.6666666666666665*w1.s2_7;
+  const Pair s8_427 = fma(w2.s8_206, s8_422, s8_425) - Pair{s8_423[1], s8_423[0]};
+  const Pair s8_428 = 2.6666666666666665*w1.s2_13;
+  const Pair s8_429 = Pair{w2.s8_208[1], w2.s8_208[0]};
+  const Pair s8_430 = fma(w2.s8_221, s8_422, fma(p_arb_rear_right_y, w2.s7_90, s8_399));
+  const Pair s8_431 = 3.0*w1.s2_45;
+  const Pair s8_432 = fma(w2.s8_223, s8_431, w2.s8_171*s8_422);
+  const Pair s8_433 = fnma(w2.s8_220, s8_431, w2.s8_171*s8_421);
+  const Pair s8_434 = Pair{w2.s8_213[1], w2.s8_213[0]};
+  const Pair s8_435 = Pair{w2.s8_243[1], w2.s8_243[0]};
+  const Pair s8_436 = 0.3333333333333333*w1.s2_73;
+  const Pair s8_437 = fma(w2.s8_166, s8_436, fma(w2.s8_214, s8_428, s8_430)) - w2.s7_88;
+  const Pair s8_438 = 2.6666666666666665*w1.s2_41;
+  const Pair s8_439 = Pair{s8_432[1], s8_432[0]} + fnma(w2.s8_217, s8_431, s8_437);
+  const Pair s8_440 = fma(w2.s8_211, s8_428, w2.s8_224*s8_426);
+  const Pair s8_441 = fnma(s8_428, s8_434, w2.s8_224*s8_438);
+  const Pair s8_442 = fma(s8_426, s8_434, w2.s8_211*s8_438);
+  const Pair s8_443 = 0.3333333333333333*w1.s2_79;
+  const Pair s8_444 = fnma(s8_428, s8_429, fnma(w2.s8_225, s8_426, s8_427));
+  const Pair s8_445 = fnma(w1.s2_7, s8_426, fnma(w1.s2_27, s8_421, w2.s7_62));
+  w3.s8_446 = fnma(w1.s2_79, s8_443, s8_445);
+  const Pair s8_447 = fnma(w2.s8_231, s8_436, w2.s8_227*s8_443);
+  const Pair s8_448 = 0.3333333333333333*w1.s2_89;
+  const Pair s8_449 = fnma(s8_436, s8_435, w2.s8_227*s8_448);
+  const Pair s8_450 = fnma(s8_443, s8_435, w2.s8_231*s8_448);
+  const Pair s8_451 = fma(w2.s8_242, w2.s8_242, w2.s8_226*w2.s8_226);
+  const Pair s8_452 = fnma(2.6666666666666665, s8_415, s8_412 - Pair{s8_411[1], s8_411[0]});
+  w3.s8_453 = fnma(0.3333333333333333, fma(w2.s8_166, w2.s8_166, s8_451), s8_452);
+  const Pair s8_454 = fnma(p_arb_rear_right_z, w2.s7_89, 0.4225);
+  const Pair s8_455 = fnma(w2.s8_221, s8_421, fma(p_arb_rear_right_x, w2.s7_90, s8_454));
+  const Pair s8_456 = fnma(w2.s8_166, s8_443, fma(w2.s8_214, s8_426, s8_455));
+  w3.s8_457 = K_carrier_right_trace - w2.s7_45;
+  const Pair s8_458 = fnma(w1.s2_13, s8_428, fnma(w1.s2_28, s8_422, w2.s7_45));
+  w3.s8_459 = fnma(w1.s2_73, s8_436, s8_458);
+
+  // --- step 8: elimination from the leaves to the root (63), continued ---
+  // chassis: chassis_rx, revolute, chassis_aux5
+  const Pair s8_460 = fma(w1.s2_89, s8_436, fnma(w1.s2_45, s8_422, w1.s2_41*s8_428));
+  w3.s8_461 = w2.s7_47 + s8_460;
+  const Pair s8_462 = fnma(w1.s2_7, w2.s8_138, fma(w1.s2_28, w2.s8_234, w1.s2_27*w2.s8_132));
+  const Pair s8_463 = fma(w1.s2_79, w2.s8_140, fnma(w1.s2_13, w2.s8_240, s8_462));
+  const Pair s8_464 = fma(w1.s2_41, w2.s8_240, fnma(w1.s2_27, w2.s8_112, w1.s2_45*w2.s8_234));
+  const Pair s8_465 = fnma(w1.s2_73, w2.s8_239, s8_463);
+  const Pair s8_466 = fnma(w1.s2_28, w2.s8_112, fnma(w1.s2_45, w2.s8_132, w1.s2_41*w2.s8_138));
+  const Pair s8_467 = fma(w3.s7_128, w3.zdd_star_arb_front_left_and_right, s8_465);
+  const Pair s8_468 = fma(w1.s2_89, w2.s8_239, fnma(w1.s2_7, w2.s8_115, s8_464));
+  const Pair s8_469 = fma(w1.s2_89, w2.s8_140, fma(w1.s2_13, w2.s8_115, s8_466));
+  const Pair s8_470 = fma(w1.s2_79, w2.s8_116, s8_468);
+  const Pair s8_471 = fnma(w3.s2_176, w3.s8_344, w3.n_carrier_left_and_right_z + s8_467);
+  const Pair s8_472 = fma(0.3477, w3.zdd_star_arb_front_left_and_right, s8_470);
+  const Pair s8_473 = fnma(w1.s2_73, s8_443, fnma(w1.s2_28, s8_421, w1.s2_13*s8_426));
+  w3.s8_474 = w2.s7_60 + s8_473;
+  const Pair s8_475 = s8_338 + fma(w1.s2_73, w2.s8_116, s8_469);
+  const double s2_184 = mbgen::min(-(1.2494533266510743*w1.s2_7[1]), w3.s2_30);
+  const Pair s8_476 = fnma(w1.s2_142, w3.s8_321, fma(w3.s2_174, w3.s8_315, s8_471));
+  w3.s8_477 = fnma(w1.s2_143, w3.s8_328, s8_476);
+  const Pair s8_478 = fma(w3.s7_126, w3.zdd_star_arb_front_left_and_right, s8_475);
+  const Pair s8_479 = fma(w3.s2_174, w3.s8_342, w3.n_carrier_left_and_right_y + s8_472);
+  const double s2_185 = mbgen::min(mbgen::min(s2_184, w4.s2_66), w4.s2_103);
+  w3.s8_480 = K_carrier_right_trace - s7_115;
+  const Pair s8_481 = fnma(w1.s2_41, s8_426, fnma(w1.s2_45, s8_421, w1.s2_89*s8_443));
+  w3.s8_482 = w2.s7_64 + s8_481;
+  const Pair s8_483 = fma(w3.s2_176, w3.s8_342, n_carrier_left_and_right_x + s8_478);
+  const Pair s8_484 = fnma(w1.s2_143, w3.s8_332, fnma(w3.s2_175, w3.s8_344, s8_479));
+  w3.s8_485 = fma(w2.s2_144, w3.s8_321, s8_484);
+  const Pair s8_486 = fnma(w1.s2_41, s8_438, fnma(w1.s2_45, s8_431, s7_115));
+  w3.s8_487 = fnma(w1.s2_89, s8_448, s8_486);
+  const double s2_186 = mbgen::min(mbgen::min(s2_185, w4.s2_120), w4.s2_123);
+  result.pivot[1] = mbgen::min(s2_186, w4.s9_4);
+  const Pair s8_488 = fma(w1.s2_142, w3.s8_332, fnma(w3.s2_175, w3.s8_315, s8_483));
+  const Pair s8_489 = fma(w2.s2_144, w3.s8_328, s8_488);
+  const Pair s8_490 = fnma(w1.r_carrier_left_aux1_z, w3.f_carrier_left_and_right_y, s8_489);
+  w3.s8_491 = fnma(w1.r_carrier_left_and_right_aux1_y, w3.f_carrier_left_and_right_z, s8_490);
+
+  // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
+  // continued ---
+  w3.s8_492 = w2.s8_174 - Pair{w2.s7_89[1], w2.s7_89[0]};
+  const Pair s8_493 = fnma(w2.s8_242, s8_436, fma(w2.s8_226, s8_443, s8_444));
+  w3.s8_494 = Pair{s8_440[1], s8_440[0]} + s8_493 - Pair{s8_447[1], s8_447[0]};
+  const Pair s8_495 = fma(w2.s8_226, s8_448, fma(w2.s8_225, s8_438, s8_439));
+  w3.s8_496 = s8_495 - Pair{s8_441[1], s8_441[0]} - Pair{s8_449[1], s8_449[0]};
+  const Pair s8_497 = Pair{s8_418[1], s8_418[0]} + fma(w1.s1_5, w2.s8_174, w2.s8_188);
+  const Pair s8_498 = Pair{s8_497[1], s8_497[0]} + fnma(w2.s8_242, s8_448, s8_456);
+  const Pair s8_499 = w2.s8_208*Pair{s8_438[1], s8_438[0]};
+  const Pair s8_500 = w2.s8_205*Pair{s8_431[1], s8_431[0]};
+  const Pair s8_501 = Pair{s8_433[1], s8_433[0]} + s8_498 - Pair{s8_499[1], s8_499[0]};
+  const Pair s8_502 = s8_501 - Pair{s8_500[1], s8_500[0]} - Pair{s8_442[1], s8_442[0]};
+  w3.s8_503 = s8_502 - Pair{s8_450[1], s8_450[0]};
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right,
+  // continued ---
+  w4.s2_187 = -p_drag_link_from_z*w6.sines[5];
+  w4.s2_188 = p_drag_link_to_y*w6.sines[6];
+  w4.s2_189 = w4.s2_188 + (1.15 - w4.s2_187);
+  w4.s2_190 = -p_drag_link_from_z*w6.cosines[5];
+  w4.s2_191 = 0.2 - w4.s2_190;
+  const double pivot_pitman_arm = fnma(w4.s2_190, w4.s2_189, w4.s2_187*w4.s2_191);
+  w4.s2_192 = p_drag_link_to_y*w6.cosines[6];
+  w4.s2_193 = p_pitman_arm_y - w4.s2_192;
+  w4.s2_194 = fma(w4.s2_188, w4.s2_193, w4.s2_189*w4.s2_192);
+  w4.s2_195 = 1.0/pivot_pitman_arm;
+  w4.s2_196 = std::abs(pivot_pitman_arm);
+}
+
+/// Part 6 of compute_accelerations: step 3: Rz (61), upper_ball_left .. tie_rod_right; step 6: c
+/// and dRz/dt zd (62), upper_ball_left .. tie_rod_right; step 7: inertias of the bodies and forces
+/// on joints, upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root
+/// (63), upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63),
+/// long_rod_left .. arb_link_rear_right; step 8: elimination from the leaves to the root (63).
+[[gnu::noinline]] void compute_accelerations_6(const State& state, const double* tau,
+    AccelerationsWork1& __restrict w1, AccelerationsWork2& __restrict w2,
+    AccelerationsWork3& __restrict w3, AccelerationsWork4& __restrict w4,
+    AccelerationsWork5& __restrict w5, AccelerationsWork6& __restrict w6,
+    Accelerations& __restrict result) noexcept {
+  // --- step 3: Rz (61), upper_ball_left .. tie_rod_right, continued ---
+  w4.s3_33 = w4.s2_194*w4.s2_195;
+  w4.s2_197 = 3.9625229801272064*w4.s2_196;
+  const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
+  const double s6_116 = zd_pitman_arm*w4.s2_190;
+  const double zd_bell_crank = state.zd[Coordinate::bell_crank];
+  const double s6_117 = zd_bell_crank*w4.s2_192;
+  const double s8_504 = fma(w4.s2_190, w4.s3_33, w4.s2_192);
+
+  // --- step 6: c and dRz/dt zd (62), upper_ball_left .. tie_rod_right, continued ---
   // drag_link
-  const double s8_721 = fma(w2.s8_63, w4.s6_187, w4.s6_188 + fnma(w2.s8_56, w4.s6_189, s8_720));
-  w5.s8_722 = 1.5*s8_721;
-  const double s8_723 = fma(w2.s8_68, w4.s2_240, fnma(w2.s8_40, w4.s2_236, w2.s8_106*w4.s2_238));
-  const double s8_724 = w4.s6_191 + fnma(w2.s8_63, w4.s6_190, fma(w2.s8_92, w4.s6_189, s8_723));
-  w5.s8_725 = 1.5*fma(w4.s2_237, w4.s6_194, s8_724);
-  const double s8_726 = fma(w2.s8_76, w4.s2_240, fnma(w2.s8_39, w4.s2_238, w2.s8_106*w4.s2_236));
-  const double s8_727 = fnma(w2.s8_92, w4.s6_187, w4.s6_186 + fma(w2.s8_56, w4.s6_190, s8_726));
-  w5.s8_728 = w4.s2_234*w4.s3_30;
-  w5.s8_729 = 1.5*fnma(w4.s2_234, w4.s6_194, s8_727);
-  const double R_arb_front_left_x_x = w8.cosines[8];
-  const double R_arb_front_left_x_z = w8.sines[8];
-  const double s7_174 = K_arb_front_left_yz*R_arb_front_left_x_x;
-  w5.s7_175 = fnma(K_arb_front_left_xy, R_arb_front_left_x_z, s7_174);
-  const double s7_176 = h_arb_front_right_z*R_arb_front_right_x_x;
-  w5.s7_177 = fnma(h_arb_front_right_x, R_arb_front_right_x_z, s7_176);
-  const double s7_178 = -K_arb_front_right_yz*R_arb_front_right_x_x;
-  w5.s7_179 = fma(K_arb_front_right_xy, R_arb_front_right_x_z, s7_178);
-  w5.s7_180 = fma(h_bell_crank_x, R_bell_crank_y_x, h_bell_crank_y*R_bell_crank_x_x);
-  w5.s7_181 = fma(h_bell_crank_y, R_bell_crank_y_x, -h_bell_crank_x*R_bell_crank_x_x);
-  const double s8_730 = w4.Rz_carrier_right_rx_2*w5.s7_109;
-  const double s8_731 = fnma(w4.Rz_carrier_right_ry_2, w5.s7_143, s8_730);
-  w5.s7_182 = -h_pitman_arm_z*R_pitman_arm_x_x;
-  const double s8_732 = w4.s3_30*w5.s7_182;
-  w5.s8_733 = w4.Rz_arb_front_right_2*w5.s7_177;
-  const double s8_734 = fnma(w4.Rz_arb_front_left_2, w5.s7_175, 0.9515);
-  const double s8_735 = fma(w4.Rz_arb_front_right_2, w5.s7_179, s8_734);
-  const double s8_736 = fnma(p_pitman_arm_y, s8_732, fnma(p_bell_crank_x, w5.s7_181, s8_735));
-  const double s8_737 = -p_bell_crank_z*w5.s7_180;
-  w5.s8_738 = w5.s7_148 + (w5.s7_105 + (w5.s7_175 + w5.s8_532)) - w5.s7_179 - s8_737;
-  w5.s7_183 = -h_pitman_arm_z*R_pitman_arm_x_z;
-  w5.s8_739 = w4.s3_30*w5.s7_183;
-  const double s8_740 = 0.3504*w4.s3_30;
-  const double s8_741 = fma(p_pitman_arm_x, w5.s8_739, fma(p_pitman_arm_z, s8_732, s8_737));
-  const double s8_742 = 0.3477*w4.Rz_arb_front_right_2;
-  w5.s8_743 = fma(w4.Rz_arb_front_right_2, s8_742, fma(w4.s3_30, s8_740, 0.9515));
-  w5.s8_744 = w4.Rz_arb_front_right_1*s8_742;
-  const double s7_184 = h_arb_front_left_z*R_arb_front_left_x_x;
-  w5.s7_185 = fnma(h_arb_front_left_x, R_arb_front_left_x_z, s7_184);
-  const double s8_745 = s8_731 + (w5.s8_733 + (s8_732 - w5.s7_180));
-  const double s8_746 = w4.Rz_carrier_right_rx_2*s8_589;
-  const double s8_747 = fnma(w4.Rz_carrier_right_ry_2, w5.s7_123, s8_746);
-  w5.s8_748 = fnma(w4.Rz_carrier_right_rz_2, w5.s7_141, s8_747);
-  const double s8_749 = fnma(w4.s1_76, w5.s7_136, w4.Rz_carrier_right_rx_1*s8_589);
-  const double s8_750 = fnma(w4.Rz_carrier_right_ry_1, w5.s7_123, s8_749);
-  w5.s8_751 = fnma(w5.s7_141, w5.s8_699, s8_750);
-  const double s8_752 = fnma(w4.Rz_carrier_right_rx_1, w5.s7_123, w4.s1_78*w5.s7_136);
-  const double s8_753 = fnma(w5.s7_133, w5.s8_699, s8_752);
-  w5.s8_754 = fma(w4.Rz_carrier_right_ry_1, s8_643, s8_753);
-  const double s8_755 = w4.Rz_carrier_right_ry_2*s8_643;
-  const double s8_756 = fnma(w4.Rz_carrier_right_rx_2, w5.s7_123, s8_755);
-  w5.s8_757 = fnma(w4.Rz_carrier_right_rz_2, w5.s7_133, s8_756);
-  const double s8_758 = fnma(w4.s3_20, w4.s7_55, w4.s3_18*w5.s7_82);
-  w5.s8_759 = s8_758 + fma(w4.Rz_arb_front_left_2, w5.s7_185, s8_745);
-  const double s8_760 = w5.s8_757 + fnma(w4.r_carrier_right_aux1_y, s8_731, s8_736);
-  w5.s8_761 = w5.s8_650 + fnma(w4.r_carrier_left_aux1_y, s8_758, s8_760);
-  w5.s8_762 = 0.3477*w4.Rz_arb_front_left_2;
-  const double s8_763 = w5.s8_748 + fnma(w4.s1_79, s8_731, s8_742 + (s8_741 - s8_740));
-  w5.s8_764 = w5.s8_655 + fma(w4.r_carrier_left_aux1_z, s8_758, w5.s8_762 + s8_763);
-  w5.s8_765 = w2.s8_40 - w2.s8_41;
-  const double s8_766 = fma(p_bell_crank_x, w2.s8_40, -p_bell_crank_z*w2.s8_106);
-  const double s8_767 = fnma(w5.s8_765, w5.s7_164, tau[Coordinate::bell_crank]);
-  const double s8_768 = fma(p_bell_crank_z, w2.s8_76, p_bell_crank_x*w2.s8_68);
-  const double s8_769 = fma(w5.s7_181, s8_768, fnma(w5.s7_180, s8_766, s8_767));
-  const double s8_770 = fma(w5.s8_672, w5.s8_670, fma(w5.s8_681, w5.s8_665, s8_769));
-  const double s8_771 = fnma(w5.s8_698, w5.s8_690, fnma(w5.s8_686, w5.s8_679, s8_770));
-  const double s8_772 = fnma(w5.s8_719, w5.s8_713, fma(w5.s8_704, w5.s8_696, s8_771));
-  const double s8_773 = fma(w4.s8_530, w5.s8_725, fma(w4.s2_235, w5.s8_722, s8_772));
-  w5.s8_774 = fnma(w5.s8_728, w5.s8_729, s8_773);
-  const double s7_186 = w8.cosines[4]*tau[Coordinate::carrier_left_rx];
-  const double s7_187 = fma(tau[Coordinate::carrier_left_rz], w2.s1_35, s7_186);
-  const double s7_188 = fnma(tau[Coordinate::carrier_left_ry], w2.s1_31, s7_187);
-  const double R_lower_arm_left_y_y = w8.cosines[3];
-  const double R_lower_arm_left_z_y = w8.sines[3];
-  const double s7_189 = h_lower_arm_left_y*R_lower_arm_left_y_y;
-  w5.s7_190 = fnma(h_lower_arm_left_z, R_lower_arm_left_z_y, s7_189);
-  w5.s8_775 = w2.s8_41 - w2.s8_39;
-  w5.s8_776 = s7_188 - w5.n_carrier_left_x;
-  const double s8_777 = fnma(s7_188, w4.s3_16, tau[Coordinate::lower_arm_left]);
-  const double s8_778 = fma(w3.s1_74, w5.f_carrier_left_y, fnma(w5.s8_775, w4.s7_51, s8_777));
-  const double s8_779 = fnma(w3.s1_72, w5.f_carrier_left_z, s8_778);
-  const double s8_780 = fnma(p_lower_arm_right_z, w2.s8_39, s8_583);
-  w5.s8_781 = fnma(p_upper_arm_right_z, w2.s8_39, s8_583);
-  w5.s8_782 = fma(p_pitman_arm_z, w2.s8_76, s8_780);
-  const double s8_783 = fnma(w5.s8_651, w5.n_carrier_left_x, s8_779);
-  const double s7_191 = h_lower_arm_left_y*R_lower_arm_left_z_y;
-  w5.s7_192 = fma(h_lower_arm_left_z, R_lower_arm_left_y_y, s7_191);
-  const double s8_784 = fma(p_lower_arm_right_z, w2.s8_76, s8_542);
-  w5.s8_785 = fma(p_upper_arm_right_z, w2.s8_76, s8_542);
-  w5.s8_786 = fnma(p_lower_arm_right_y, w2.s8_41, s8_784);
-  const double s8_787 = fnma(w5.s7_190, fnma(p_pitman_arm_z, w2.s8_76, s8_780), s8_783);
-  const double s8_788 = fma(w5.s7_192, fma(p_lower_arm_right_y, w2.s8_41, s8_784), s8_787);
-  const double s8_789 = fma(w5.s8_674, w5.s8_670, fma(w5.s8_680, w5.s8_665, s8_788));
-  w5.s8_790 = fnma(w5.s8_684, w5.s8_679, s8_789);
-  const double s7_193 = K_arb_front_left_yz*R_arb_front_left_x_z;
-  w5.s7_194 = fma(K_arb_front_left_xy, R_arb_front_left_x_x, s7_193);
-  w5.s8_791 = w5.s7_194 + w3.s8_359;
-  const double s7_195 = h_arb_front_left_z*R_arb_front_left_x_z;
-  w5.s7_196 = fma(h_arb_front_left_x, R_arb_front_left_x_x, s7_195);
+  const double s6_118 = zd_pitman_arm*s6_116;
+  const double s6_119 = s6_117 - s6_116;
+  const double s6_120 = zd_bell_crank*s6_117;
+  const double s6_121 = zd_pitman_arm*w4.s2_187;
+  const double s6_122 = zd_bell_crank*w4.s2_188;
+  const double s6_123 = fnma(zd_bell_crank, s6_122, zd_pitman_arm*s6_121);
+  const double s6_124 = fma(w4.s2_191, s6_118, fma(s6_122, s6_122, s6_121*s6_121));
+  const double s6_125 = fma(s6_119, s6_119, fma(w4.s2_193, s6_120, s6_124));
+  w4.s6_126 = w4.s2_195*fma(w4.s2_189, s6_123, s6_125);
+
+  // --- step 7: inertias of the bodies and forces on joints, upper_ball_left .. tie_rod_right,
+  // continued ---
+  const double R_pitman_arm_x_z = w6.sines[5];
+  const double s7_137 = K_pitman_arm_zz*R_pitman_arm_x_z;
+  const double R_pitman_arm_x_x = w6.cosines[5];
+  const double s7_138 = K_pitman_arm_xx*R_pitman_arm_x_x;
+  const double s7_139 = fnma(R_pitman_arm_x_z, s7_138, R_pitman_arm_x_x*s7_137);
+  const double s7_140 = fma(R_pitman_arm_x_x, s7_138, R_pitman_arm_x_z*s7_137);
+  const double R_bell_crank_x_x = w6.cosines[6];
+  const double R_bell_crank_y_x = w6.sines[6];
+  const double s7_141 = -K_bell_crank_xy*R_bell_crank_x_x;
+  const double s7_142 = fma(K_bell_crank_yy, R_bell_crank_y_x, s7_141);
+  const double s7_143 = K_bell_crank_xx*R_bell_crank_x_x;
+  const double s7_144 = fnma(K_bell_crank_xy, R_bell_crank_y_x, s7_143);
+  const double s7_145 = fnma(R_bell_crank_x_x, s7_142, R_bell_crank_y_x*s7_144);
+  const double s7_146 = fma(R_bell_crank_x_x, s7_144, R_bell_crank_y_x*s7_142);
+  const Pair s2_198 = fnma(w1.s2_129, w1.s2_143, w1.s2_126*w1.s2_142);
+  w3.Rz_carrier_left_and_right_rz_2 = w2.s2_157*(s2_198*w2.s2_149);
+  w3.s3_34 = w2.s2_148*fnma(w2.s2_156, w3.Rz_carrier_left_and_right_rz_2, s2_198);
+  const Pair s8_505 = fms(w1.s2_141, w3.Rz_carrier_left_and_right_rz_2, w1.s2_126);
+  const Pair s8_506 = fma(w1.s2_136, w3.s3_34, s8_505);
+  w3.s3_35 = w2.s2_145*(w1.s2_133*w3.s3_34);
+  const Pair s3_36 = fnma(w3.s3_34, w3.s2_178, w3.Rz_carrier_left_and_right_rz_2*w3.s2_177);
+  const Pair s8_507 = fnma(w1.s2_141, w3.s3_35, fma(w1.s2_132, w3.s3_34, w1.s2_129));
+  const Pair s8_508 = fma(w1.s2_136, w3.s3_35, w1.s2_132*w3.Rz_carrier_left_and_right_rz_2);
+  w3.Rz_arb_front_left_and_right_2 = w3.s2_183*fnma(w3.s2_179, w3.s3_35, s3_36);
+  const double s7_147 = fma(h_bell_crank_x, R_bell_crank_y_x, h_bell_crank_y*R_bell_crank_x_x);
+  const Pair s8_509 = fnma(w3.s3_34, w2.s7_67, w3.s7_94*w3.s3_35);
+  w4.s7_148 = -h_pitman_arm_z*R_pitman_arm_x_x;
+
+  // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
+  // continued ---
+  const double s8_510 = w4.s3_33*w4.s7_148;
+  const Pair s8_511 = w3.Rz_arb_front_left_and_right_2*w3.s7_130;
+  const Pair s8_512 = s8_511 - s8_509;
+  w4.s8_513 = s8_512[0] + (s8_510 - s7_147) - s8_512[1];
+  const Pair s8_514 = fma(w3.Rz_carrier_left_and_right_rz_2, w2.s7_67, w2.s7_70*w3.s3_35);
+  const Pair s8_515 = w3.Rz_arb_front_left_and_right_2*w3.s7_132;
+  const Pair s8_516 = s8_514 - s8_515;
+  w4.s7_149 = -h_pitman_arm_z*R_pitman_arm_x_z;
+  const double s8_517 = w4.s3_33*w4.s7_149;
+  w4.s8_518 = s8_516[0] - s8_517 - s8_516[1];
+  w4.s7_150 = fma(h_bell_crank_y, R_bell_crank_y_x, -h_bell_crank_x*R_bell_crank_x_x);
+  const Pair s8_519 = fma(w3.Rz_carrier_left_and_right_rz_2, w3.s7_94, w3.s3_34*w2.s7_70);
+  w4.s8_520 = s8_519[0] + (w4.s7_150 + s8_519[1]);
+  const Pair s8_521 = 10.0 + w3.s7_123;
+  w4.s8_522 = s8_521[0] + (w4.s7_32 + (5.25 + s7_147 - w4.s7_95) - s8_521[1]);
+  const double s8_523 = fnma(w4.s8_20, w4.s2_193, fma(w4.s8_38, w4.s2_189, w4.s8_40*w4.s2_191));
+  // drag_link
+  const double s8_524 = 1.5*fma(w4.s8_36, s6_119, s6_120 + fnma(w4.s8_35, s6_121, s8_523));
+  const double s8_525 = fma(w4.s8_38, w4.s2_193, fnma(w4.s8_19, w4.s2_189, w4.s8_46*w4.s2_191));
+  const double s8_526 = s6_123 + fnma(w4.s8_36, s6_122, fma(w4.s8_44, s6_121, s8_525));
+  const double s8_527 = 1.5*fma(w4.s2_190, w4.s6_126, s8_526);
+  const double s8_528 = fma(w4.s8_40, w4.s2_193, fnma(w4.s8_18, w4.s2_191, w4.s8_46*w4.s2_189));
+  const double s8_529 = fnma(w4.s8_44, s6_119, s6_118 + fma(w4.s8_35, s6_122, s8_528));
+  const double s8_530 = w4.s2_187*w4.s3_33;
+  const double s8_531 = 1.5*fnma(w4.s2_187, w4.s6_126, s8_529);
+  w4.s8_532 = -p_bell_crank_z*s7_147;
+  const double s8_533 = 1.5*w4.s2_193;
+  const double s8_534 = fma(p_bell_crank_z, w4.s7_150, s8_530*s8_533);
+  w4.s8_535 = w4.s8_19 - w4.s8_20;
+  const double s8_536 = fma(p_bell_crank_x, w4.s8_19, -p_bell_crank_z*w4.s8_46);
+  const double s8_537 = fnma(w4.s8_535, s7_145, tau[Coordinate::bell_crank]);
+  const double s8_538 = fma(p_bell_crank_z, w4.s8_40, p_bell_crank_x*w4.s8_38);
+  const double s8_539 = fma(w4.s7_150, s8_538, fnma(s7_147, s8_536, s8_537));
+  const double s8_540 = fma(s8_504, s8_527, fma(w4.s2_188, s8_524, s8_539));
+  const double s8_541 = 1.5*w4.s2_191;
+  const double s8_542 = 1.5*w4.s2_189;
+  const double s8_543 = fnma(p_pitman_arm_y, s8_510, fnma(p_bell_crank_x, w4.s7_150, 0.9515));
+  const double s8_544 = 0.3504*w4.s3_33;
+  const double s8_545 = fma(p_pitman_arm_x, s8_517, fma(p_pitman_arm_z, s8_510, w4.s8_532));
+  const double s8_546 = fma(s8_504, s8_504, fma(s8_530, s8_530, w4.s2_188*w4.s2_188));
+  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
+  const double s8_547 = fma(593.0, z_rear_axle_ty, w4.s7_10);
+  w4.s8_548 = w4.s8_522 + fma(m_rear_axle, z_rear_axle_ty, w4.s7_10);
+  const double s8_549 = fma(s8_547, z_rear_axle_ty + z_rear_axle_ty, w4.s7_8);
+  w4.s8_550 = fnma(w4.s2_193, s8_533, s8_549);
+  const double s8_551 = fma(593.0, w3.r_rear_axle_aux1_x, w4.s7_24);
+  const double s8_552 = fma(w3.r_rear_axle_aux1_x, s8_547, w4.s7_17);
+  w4.s8_553 = fma(m_rear_axle, w3.r_rear_axle_aux1_x, w4.s7_24);
+  const double s8_554 = fma(s8_551, w3.r_rear_axle_aux1_x + w3.r_rear_axle_aux1_x, w4.s7_22);
+  w4.s8_555 = fnma(w4.s2_189, s8_542, s8_554);
+  const double s8_556 = fma(593.0, w4.r_rear_axle_aux3_z, w4.s7_20);
+  w4.s8_557 = fma(m_rear_axle, w4.r_rear_axle_aux3_z, w4.s7_20);
+  const double s8_558 = fma(w3.r_rear_axle_aux1_x, s8_556, w4.s7_19);
+  const double s8_559 = fma(s8_556, w4.r_rear_axle_aux3_z + w4.r_rear_axle_aux3_z, w4.s7_26);
+  w4.s8_560 = fnma(w4.s2_191, s8_541, s8_559);
+  const double s1_8 = w6.sines[2];
+  const double s1_9 = w6.cosines[2];
+  const double s1_41 = fma(s1_9, w4.R_chassis_z_z, s1_8*w4.R_chassis_z_y);
+  const double s1_42 = 1.0/s1_41;
+  w4.s1_43 = s1_9*s1_42;
+  const double tau_chassis_rz = tau[Coordinate::chassis_rz];
+  const double tau_chassis_ry = tau[Coordinate::chassis_ry];
+  const double s1_44 = w6.sines[1];
+  w4.s1_45 = s1_44*s1_9;
+  w4.s1_46 = w4.s1_45*s1_42;
+  const double tau_chassis_rx = tau[Coordinate::chassis_rx];
+  const double s8_561 = fnma(s1_8, tau_chassis_ry, tau_chassis_rz*w4.s1_43);
+  const double s8_562 = fma(tau_chassis_rx, w4.s1_46, s8_561);
+  const double s8_563 = fma(z_rear_axle_ty, w4.f_rear_axle_x, s8_562);
+  w4.s1_47 = s1_8*s1_42;
+  w4.s1_48 = s1_44*s1_8;
+  w4.s1_49 = w4.s1_48*s1_42;
+  w4.s1_50 = s1_41*s1_42;
+  const double s8_564 = fma(tau_chassis_rz, w4.s1_47, s1_9*tau_chassis_ry);
+  w4.s9_5 = fms(s1_41, s1_41, 1e-12);
+  const double s8_565 = fma(tau_chassis_rx, w4.s1_49, s8_564);
+  const double s8_566 = fnma(w4.r_rear_axle_aux3_z, w4.f_rear_axle_x, s8_565);
+
+  // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
+  // continued ---
+  const double s8_567 = w3.s8_453[1];
+  result.inertia[12] = s8_567;
+  w4.s8_568 = 1.0/s8_567;
+  const double s8_569 = w3.s8_453[0];
+  const double s8_570 = w4.s8_252*w4.s8_568;
+  w4.s8_571 = fma(w4.s8_250, s8_570, w4.s8_417);
+  w4.s8_572 = w3.s8_492[0];
+  w4.s8_573 = fnma(s8_570, w4.s8_572, w3.s8_492[1]);
+  w4.s8_574 = w3.s8_419[1];
+  w4.s8_575 = fms(s8_570, w4.s8_574, w3.s8_419[0]);
+  w4.s8_576 = w3.s8_494[1];
+  w5.s8_577 = fma(s8_570, w4.s8_576, w3.s8_494[0]);
+  w5.s8_578 = w3.s8_496[1];
+  w5.s8_579 = fma(s8_570, w5.s8_578, w3.s8_496[0]);
+  w5.s8_580 = w3.s8_503[1];
+  w5.s8_581 = fnma(s8_570, w5.s8_580, w3.s8_503[0]);
+  w5.s8_582 = w3.s8_395[0];
+  w5.s8_583 = fnma(s8_570, w5.s8_582, w3.s8_395[1]);
+  const double pivot_arb_rear_left = fnma(w4.s8_252, s8_570, s8_569);
+
+  // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
+  // continued ---
+  const double s8_584 = zd_bell_crank*(zd_bell_crank + w4.s8_36);
+  const double s8_585 = zd_pitman_arm*w4.s8_36;
+  const double s8_586 = zd_bell_crank*w4.s8_35;
+  const double s8_587 = zd_pitman_arm*w4.s8_35;
+  const double s8_588 = zd_bell_crank*w4.s8_44;
+  const double s8_589 = zd_pitman_arm*(zd_pitman_arm + w4.s8_44);
+  w5.s8_590 = fnma(w4.s7_150, s8_586, s7_147*s8_588);
+  w5.s8_591 = s7_147*s8_584;
+  w5.s8_592 = w4.s7_150*s8_584;
+  w5.s8_593 = s7_145 + fma(p_bell_crank_x, s7_147, 11.55);
+  w5.s8_594 = fma(w4.s7_148, s8_585, w4.s7_149*s8_587);
+  w5.s8_595 = fma(w4.s7_149, s8_589, w4.s6_126*w4.s7_148);
+  w5.s8_596 = fnma(w4.s6_126, w4.s7_149, w4.s7_148*s8_589);
+  w5.s8_597 = 1.0/pivot_arb_rear_left;
+  result.inertia[11] = fnma(1e-12, s8_569, pivot_arb_rear_left - 1.5272999999999997e-20);
+  w5.s8_598 = w5.s8_597*w5.s8_577;
+  const double s8_599 = fnma(w3.r_rear_axle_aux1_x, w4.f_rear_axle_y, s8_563) - w4.n_rear_axle_z;
+  w5.s8_600 = w4.s8_568*w4.s8_576;
+  const double s8_601 = fma(w5.s8_582, w5.s8_600, fnma(w5.s8_598, w5.s8_583, s8_599));
+  const double s8_602 = fnma(s7_140, s8_587, fma(p_bell_crank_x, w5.s8_591, s8_601));
+  const double s8_603 = fma(p_pitman_arm_x, w5.s8_594, fnma(s7_139, s8_585, s8_602));
+  const double s8_604 = fma(w4.s2_189, s8_524, fma(p_pitman_arm_y, w5.s8_595, s8_603));
+  w5.s8_605 = fnma(w4.s2_193, s8_527, s8_604);
+  w5.s8_606 = w5.s8_597*w5.s8_581;
+  const double s8_607 = fma(w4.r_rear_axle_aux3_z, s8_547, fma(z_rear_axle_ty, s8_556, w4.s7_6));
+  const double s8_608 = fma(w3.r_rear_axle_aux1_x, w4.f_rear_axle_z, s8_566) - w4.n_rear_axle_y;
+  w5.s8_609 = w4.s8_568*w5.s8_580;
+
+  // --- step 8: elimination from the leaves to the root (63), continued ---
+  // chassis: chassis_rx, revolute, chassis_aux5
+  const double s8_610 = fnma(w4.s8_576, w5.s8_609, fma(w5.s8_577, w5.s8_606, s8_607));
+  w5.s8_611 = fnma(w4.s2_191, s8_533, s8_610);
+  const double s8_612 = fnma(w5.s8_582, w5.s8_609, fnma(w5.s8_606, w5.s8_583, s8_608));
+  const double s8_613 = fma(s7_145, s8_588, fma(s7_146, s8_586, s8_612));
+  const double s8_614 = fnma(p_bell_crank_z, w5.s8_592, fma(p_bell_crank_x, w5.s8_590, s8_613));
+  const double s8_615 = fma(p_pitman_arm_x, w5.s8_596, fma(0.3504, w4.s6_126, s8_614));
+  const double s8_616 = fma(w4.s2_191, s8_527, fnma(p_pitman_arm_z, w5.s8_595, s8_615));
+  w5.s8_617 = fnma(w4.s2_189, s8_531, s8_616);
+  const double s8_618 = fma(w4.r_rear_axle_aux3_z, w4.f_rear_axle_y, tau_chassis_rx*w4.s1_50);
+  w5.s8_619 = w5.s8_597*w5.s8_579;
+  const double s8_620 = fnma(z_rear_axle_ty, w4.f_rear_axle_z, s8_618) - w4.n_rear_axle_x;
+  w5.s8_621 = w4.s8_568*w5.s8_578;
+  const double s8_622 = fma(w5.s8_577, w5.s8_619, fma(w4.r_rear_axle_aux3_z, s8_551, s8_558));
+  const double s8_623 = fma(w5.s8_619, w5.s8_581, fma(z_rear_axle_ty, s8_551, s8_552));
+  w5.s8_624 = fnma(w4.s2_191, s8_542, fma(w4.s8_576, w5.s8_621, s8_622));
+  w5.s8_625 = fnma(w4.s2_193, s8_542, fnma(w5.s8_580, w5.s8_621, s8_623));
+  const double s8_626 = fma(w5.s8_582, w5.s8_621, fnma(w5.s8_619, w5.s8_583, s8_620));
+  const double s7_151 = 0.9515 - s7_146;
+  const double s8_627 = fnma(s7_151, s8_588, fnma(s7_145, s8_586, s8_626));
+  const double s7_152 = 0.3504 - s7_140;
+  const double s8_628 = fma(s7_139, s8_587, fnma(p_bell_crank_z, w5.s8_591, s8_627));
+  const double s8_629 = fnma(p_pitman_arm_z, w5.s8_594, fma(s7_152, s8_585, s8_628));
+  const double s8_630 = fnma(w4.s2_191, s8_524, fnma(p_pitman_arm_y, w5.s8_596, s8_629));
+  w5.s8_631 = fma(w4.s2_193, s8_531, s8_630);
+
+  // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
+  // continued ---
+  const Pair s8_632 = fma(w2.s2_166, w3.s3_34, w3.s2_169*w3.Rz_carrier_left_and_right_rz_2);
+  const Pair s8_633 = fnma(w3.s3_34, w2.s2_163, w3.s2_169*w3.s3_35);
+  const Pair s8_634 = fma(w3.s2_173, w3.Rz_arb_front_left_and_right_2, s8_633);
+  const Pair s8_635 = fma(w2.s2_166, w3.s3_35, w3.Rz_carrier_left_and_right_rz_2*w2.s2_163);
+  const Pair s8_636 = fma(w3.s2_171, w3.Rz_arb_front_left_and_right_2, s8_635);
+  const Pair s8_637 = fma(s8_632, w3.s8_315, fnma(s8_636, w3.s8_342, s8_634*w3.s8_344));
+  const Pair s8_638 = fnma(s8_507, w3.s8_321, fnma(s8_508, w3.s8_332, s8_637));
+  const Pair s8_639 = fma(s8_506, w3.s8_328, s8_638);
+  const Pair s8_640 = fma(w3.Rz_carrier_left_and_right_rz_2, w3.s8_357, s8_639);
+  const Pair s8_641 = fma(w3.Rz_carrier_left_and_right_rz_2, w2.s7_60, w3.s3_35*w3.s8_457);
+  const Pair s8_642 = fnma(w3.s3_34, w2.s7_47, s8_641);
+  const Pair s8_643 = fma(w3.Rz_carrier_left_and_right_rz_2, w3.s7_114, w3.s3_35*w2.s7_60);
+  const Pair s8_644 = fma(w3.s3_34, w2.s7_64, s8_643);
+  const Pair s8_645 = fnma(w3.Rz_carrier_left_and_right_rz_2, w2.s7_64, w3.s3_35*w2.s7_47);
+  const Pair s8_646 = fnma(w3.s3_34, w3.s8_480, s8_645);
+  const Pair s8_647 = 0.3477*w3.Rz_arb_front_left_and_right_2;
+  const Pair s8_648 = fma(w3.s3_35, s8_642, w3.Rz_arb_front_left_and_right_2*s8_647);
+  const Pair s8_649 = fma(w3.Rz_carrier_left_and_right_rz_2, s8_644, s8_648);
+  const Pair s8_650 = fma(s8_634, s8_634, fma(s8_636, s8_636, s8_632*s8_632));
+  const Pair s8_651 = fnma(0.3333333333333333, s8_650, fnma(w3.s3_34, s8_646, s8_649));
+  const Pair s8_652 = fma(s8_507, s8_507, fma(s8_508, s8_508, s8_506*s8_506));
+  const Pair s8_653 = fnma(1.1666666666666667, s8_652, s8_651);
+  const double s8_654 = s8_653[0] + fnma(1.5, s8_546, fma(w4.s3_33, s8_544, 0.9515));
+  w5.pivot_bell_crank = s8_653[1] + s8_654;
+  const Pair s8_655 = fma(w1.r_carrier_left_aux1_z, s8_509, -p_arb_front_right_z*s8_511);
+  const Pair s8_656 = fnma(p_arb_front_right_x, s8_515, s8_655);
+  const Pair s8_657 = w1.r_carrier_left_and_right_aux1_y*s8_509;
+  const Pair s8_658 = fnma(p_lower_arm_right_x, s8_519, s8_657);
+  const Pair s8_659 = 0.3333333333333333*w3.s2_175;
+  const Pair s8_660 = s8_642 + (fma(p_lower_arm_right_x, s8_514, s8_656) - s8_647);
+  const Pair s8_661 = 0.3333333333333333*w3.s2_174;
+  const Pair s8_662 = 1.1666666666666667*w2.s2_144;
+  w3.s8_663 = fnma(w2.s2_144, s8_662, fnma(w3.s2_175, s8_659, w3.s8_487));
+  const Pair s8_664 = 1.1666666666666667*w1.s2_143;
+  const Pair s8_665 = fma(s8_507, s8_662, fma(s8_636, s8_661, fma(s8_634, s8_659, s8_660)));
+  const Pair s8_666 = fnma(s8_508, s8_664, s8_665);
+  const Pair s8_667 = fnma(s8_632, s8_661, s8_646 + fma(p_arb_front_right_y, s8_511, s8_658));
+  w3.s8_668 = fnma(w1.s2_143, s8_664, fnma(w3.s2_174, s8_661, w3.s8_446));
+  w3.s8_669 = fnma(w2.s2_144, s8_664, fnma(w3.s2_175, s8_661, w3.s8_482));
+  w3.s8_670 = fma(w1.s2_142, s8_664, fnma(w3.s2_176, s8_661, w3.s8_474));
+  const double s8_671 = fnma(s8_541, s8_504, fnma(s8_530, s8_542, s8_545 - s8_544)) - s8_666[0];
+  w5.s8_672 = s8_666[1] + s8_671;
+  const Pair s8_673 = fma(p_arb_front_right_y, s8_515, w1.r_carrier_left_aux1_z*s8_519);
+  const Pair s8_674 = s8_644 + fma(w1.r_carrier_left_and_right_aux1_y, s8_514, s8_673);
+  const Pair s8_675 = fnma(s8_646, w3.s3_29, fma(w1.s1_25, s8_514, w1.s1_27*s8_519));
+  const Pair s8_676 = fma(s8_642, w3.s3_30, s8_675);
+  const Pair s8_677 = fnma(s8_506, s8_662, fma(s8_632, s8_659, s8_674));
+  const Pair s8_678 = fma(s8_647, w3.Rz_arb_front_left_0_and_right_1, s8_676);
+  const Pair s8_679 = fma(s8_636, w3.s8_353, fma(s8_634, w3.s8_350, s8_632*w3.s8_348));
+  const Pair s8_680 = fnma(0.3333333333333333, s8_679, fma(s8_644, w3.s8_347, s8_678));
+  const Pair s8_681 = fma(s8_507, w3.s8_356, fma(s8_508, w3.s8_355, s8_506*w3.s8_354));
+  w3.s8_682 = fnma(1.1666666666666667, s8_681, s8_680);
+  const Pair s8_683 = 0.3333333333333333*w3.s2_176;
+  const Pair s8_684 = fnma(w3.Rz_arb_front_left_and_right_2, w3.s7_126, s8_677);
+  const Pair s8_685 = 1.1666666666666667*w1.s2_142;
+  const Pair s8_686 = fma(s8_508, s8_685, fma(s8_636, s8_683, s8_684));
+  w3.s8_687 = fnma(w1.s2_142, s8_685, fnma(w3.s2_176, s8_683, w3.s8_459));
+  w3.s8_688 = fma(w2.s2_144, s8_685, fnma(w3.s2_175, s8_683, w3.s8_461));
+  const Pair s8_689 = fnma(s8_507, s8_685, fma(s8_634, s8_683, fma(s8_506, s8_664, s8_667)));
+  const Pair s8_690 = fnma(w3.Rz_arb_front_left_and_right_2, w3.s7_128, s8_689);
+  const double s8_691 = s8_686[0] + fma(w4.s2_188, s8_541, fnma(p_pitman_arm_y, s8_517, s8_534));
+  w5.s8_692 = s8_686[1] + s8_691;
+  const double s8_693 = s8_690[0] + fma(s8_533, s8_504, fnma(w4.s2_188, s8_542, s8_543));
+  w5.s8_694 = s8_690[1] + s8_693;
+  const Pair s8_695 = w3.n_carrier_left_and_right_y - w3.s7_119;
+  w3.s8_696 = w3.s7_119 - w3.n_carrier_left_and_right_y;
+  const Pair s0_41 = Pair{tau[Coordinate::arb_front_left], tau[Coordinate::arb_front_right]};
+  const Pair s8_697 = fma(w3.s3_35, s8_695, fnma(w3.s3_34, w3.s8_346, s8_640));
+  const Pair s8_698 = fma(w3.Rz_arb_front_left_and_right_2, s0_41 - w3.s8_373, s8_697);
+  w3.s8_699 = w3.s8_373 - s0_41;
+  const double s8_700 = fnma(p_pitman_arm_z, w4.s8_18, p_pitman_arm_x*w4.s8_46);
+  const double s8_701 = fms(w4.s8_267, s7_139, tau[Coordinate::pitman_arm]);
+  w5.s8_702 = s7_139 - 0.0675;
+  const double s8_703 = fnma(p_rear_axle_tx_z, w4.s8_40, s8_700);
+  const double s8_704 = fma(p_pitman_arm_z, w4.s8_46, p_pitman_arm_y*w4.s8_38);
+  const double s8_705 = fma(w4.s7_149, s8_703, fnma(0.3504, w4.s6_126, s8_701));
+  const double s8_706 = fnma(w4.s7_148, fnma(p_pitman_arm_x, w4.s8_19, s8_704), s8_705);
+  w5.s8_707 = 10856.945 + s7_152;
+  w5.s8_708 = s7_146 + (141129.72 + s7_140);
+  w5.s8_709 = 5020.856800000031 + s7_151;
+  const double s8_710 = s8_698[0] + fnma(s8_530, s8_531, s8_540) - s8_698[1];
+  const double s8_711 = fma(w4.s8_46, s7_152 - s7_140, s8_706);
+  w5.s8_712 = fma(w4.s3_33, s8_711, fma(w4.s8_38, s7_151 - s7_146, s8_710));
+  const Pair s8_713 = fma(w3.s8_457, w3.s3_30, fnma(w2.s7_47, w3.s3_29, w1.s1_25*w2.s7_70));
+  const Pair s8_714 = fma(w2.s7_60, w3.s8_347, s8_713);
+  const Pair s8_715 = fnma(w3.s8_480, w3.s3_29, fnma(w1.s1_27, w2.s7_70, w2.s7_47*w3.s3_30));
+  const Pair s8_716 = fnma(w2.s7_64, w3.s8_347, s8_715);
+  const Pair s8_717 = fma(w2.s7_64, w3.s3_29, fma(w1.s1_25, w2.s7_67, w1.s1_27*w3.s7_94));
+  const Pair s8_718 = fma(w3.s7_114, w3.s8_347, fma(w2.s7_60, w3.s3_30, s8_717));
+  const Pair s8_719 = fnma(p_lower_arm_right_y, w3.s7_123, 1.825625);
+  const Pair s8_720 = fnma(w3.s7_126, w3.Rz_arb_front_left_0_and_right_1, s8_719);
+  const Pair s8_721 = fma(s8_683, w3.s8_353, fma(s8_659, w3.s8_348, s8_720));
+  const Pair s8_722 = fnma(w3.s7_128, w3.Rz_arb_front_left_0_and_right_1, s8_683*w3.s8_350);
+  const Pair s8_723 = fnma(s8_664, w3.s8_355, fma(s8_661, w3.s8_353, s8_659*w3.s8_350));
+  const Pair s8_724 = fma(s8_664, w3.s8_354, fnma(s8_661, w3.s8_348, s8_722));
+  const Pair s8_725 = fma(w3.s8_350, w3.s8_350, w3.s8_348*w3.s8_348);
+  w3.s8_726 = s8_716 + fnma(s8_685, w3.s8_356, s8_724);
+  const Pair s8_727 = fma(w3.s8_355, w3.s8_355, w3.s8_354*w3.s8_354);
+  const Pair s8_728 = fma(w2.s7_70, w3.s3_29, m_carrier_right*w1.s1_27);
+  const Pair s8_729 = fma(w3.s7_94, w3.s8_347, s8_728);
+  const Pair s8_730 = 0.3477*w3.Rz_arb_front_left_0_and_right_1;
+  w3.s8_731 = s8_714 + (fma(s8_662, w3.s8_356, s8_723) - s8_730);
+  const Pair s8_732 = 0.539*w3.Rz_upper_arm_left_0;
+  const Pair s8_733 = fma(w3.Rz_arb_front_left_0_and_right_1, s8_730, 1.825625);
+  const Pair s8_734 = s8_732 + fma(s8_685, w3.s8_355, fnma(s8_662, w3.s8_354, s8_721));
+  w3.s8_735 = s8_729 + w3.s7_121;
+  const Pair s8_736 = fma(w2.s7_70, w3.s3_30, m_carrier_right*w1.s1_25);
+  const Pair s8_737 = fma(w2.s7_67, w3.s8_347, s8_736);
+  const Pair s8_738 = fma(w1.s1_27, s8_729, fma(w3.Rz_upper_arm_left_0, s8_732, s8_733));
+  const Pair s8_739 = fma(w1.r_carrier_left_aux1_z, s8_729, s8_734);
+  w3.s8_740 = w3.s7_123 + s8_737;
+  const Pair s8_741 = fma(w3.s3_30, s8_714, fma(w1.s1_25, s8_737, s8_738));
+  const Pair s8_742 = s8_718 + fma(w1.r_carrier_left_and_right_aux1_y, s8_737, s8_739);
+  w3.s8_743 = fma(p_lower_arm_right_z, w3.s7_121, s8_742);
+  const Pair s8_744 = fma(w3.s8_347, s8_718, fnma(w3.s3_29, s8_716, s8_741));
+  const Pair s8_745 = fnma(0.3333333333333333, fma(w3.s8_353, w3.s8_353, s8_725), s8_744);
+  w3.s8_746 = fnma(1.1666666666666667, fma(w3.s8_356, w3.s8_356, s8_727), s8_745);
+  w3.s8_747 = w3.s7_126 + (33.232 + w2.s7_88);
 }
 
 /// Part 7 of compute_accelerations: step 8: elimination from the leaves to the root (63),
+/// long_rod_left .. arb_link_rear_right; step 8: elimination from the leaves to the root (63),
 /// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63).
-[[gnu::noinline]] void compute_accelerations_7(const State& state, const double* tau,
+[[gnu::noinline]] void compute_accelerations_7(const double* tau, AccelerationsWork1& __restrict w1,
     AccelerationsWork2& __restrict w2, AccelerationsWork3& __restrict w3,
     AccelerationsWork4& __restrict w4, AccelerationsWork5& __restrict w5,
-    AccelerationsWork6& __restrict w6, AccelerationsWork8& __restrict w8,
-    Accelerations& __restrict result) noexcept {
+    AccelerationsWork6& __restrict w6, Accelerations& __restrict result) noexcept {
+  // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
+  // continued ---
+  const Pair s8_748 = w2.s7_90 - 14.85;
+  const Pair s8_749 = 17.775 + w3.s7_132;
+  const Pair s8_750 = fnma(p_arb_rear_right_y, s8_748, w3.s8_747);
+  const Pair s8_751 = 3.75 + w1.s7_31;
+  const Pair s8_752 = 5.0 + w3.s7_123;
+  const Pair s8_753 = fnma(p_arb_front_right_y, s8_749, s8_750);
+  const Pair s8_754 = fma(p_lower_arm_left_x, s8_751 + s8_752, s8_753);
+  const double s8_755 = 23.1 - w4.s7_149;
+  const double s8_756 = 33.3125 - w4.s7_150;
+  const double s8_757 = s8_754[0] + fma(p_pitman_arm_y, s8_755, w5.s8_593) - s8_754[1];
+  const Pair s8_758 = w3.s7_100 + s8_751;
+  const Pair s8_759 = fnma(p_upper_arm_right_z, s8_751, 2.215 + w2.s7_87) - w3.s7_101;
+  const Pair s8_760 = fma(0.8, s8_752, w3.s7_112);
+  const Pair s8_761 = 2.025 + w2.s7_89;
+
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
   // continued ---
-  const double s8_792 = fnma(w4.s3_19, w4.s7_55, w4.s3_17*w5.s7_82);
-  const double s8_793 = fma(w4.s3_19, w5.s7_88, m_carrier_left*w3.s1_72);
-  const double s8_794 = fma(w5.s7_82, w5.s8_651, s8_793);
-  const double s8_795 = fma(w4.s3_17, w5.s7_88, m_carrier_left*w3.s1_74);
-  w5.s8_796 = fma(w4.s7_55, w5.s8_651, s8_795);
-  const double s8_797 = fma(w5.s8_686, w5.s8_684, w5.s8_681*w5.s8_680);
-  const double s8_798 = fma(p_lower_arm_left_y, w5.s7_190, 1.825625);
-  const double s8_799 = fma(p_lower_arm_left_z, w5.s7_192, s8_798);
-  const double s8_800 = w4.Rz_arb_front_left_0*w5.s7_196;
-  const double s8_801 = fnma(w4.Rz_arb_front_left_0, w5.s7_194, s8_799);
-  const double s8_802 = w4.Rz_upper_arm_left_0*w5.s7_169;
-  const double s8_803 = fnma(p_arb_front_left_y, s8_800, s8_801);
-  w6.s8_804 = w4.Rz_upper_arm_left_0*w5.s7_171;
-  const double s8_805 = fma(p_upper_arm_left_y, s8_802, s8_803);
-  const double s8_806 = 0.539*w4.Rz_upper_arm_left_0;
-  const double s8_807 = s8_806 + fma(p_upper_arm_left_z, w6.s8_804, s8_805);
-  const double s8_808 = fma(w4.r_carrier_left_aux1_y, s8_794, s8_807);
-  const double s8_809 = 0.3333333333333333*w4.s2_200;
-  const double s8_810 = w5.s8_661 + fma(w4.r_carrier_left_aux1_z, w5.s8_796, s8_808);
-  const double s8_811 = w4.Rz_arb_front_left_0*w5.s7_185;
-  const double s8_812 = fnma(w4.Rz_arb_front_left_0, w5.s7_175, w5.s8_653);
-  const double s8_813 = fnma(p_arb_front_left_y, s8_811, s8_812);
-  const double s8_814 = 0.3333333333333333*w4.s2_199;
-  const double s8_815 = fma(w5.s8_684, w5.s8_684, w5.s8_680*w5.s8_680);
-  const double s8_816 = 0.3333333333333333*w4.s2_201;
-  w6.s8_817 = fma(s8_816, w5.s8_684, fma(s8_809, w5.s8_680, s8_810));
-  const double s8_818 = fnma(s8_814, w5.s8_680, fnma(w4.r_carrier_left_aux1_y, s8_792, s8_813));
-  w6.s8_819 = fma(s8_816, w5.s8_674, s8_818);
-  const double s8_820 = 0.3477*w4.Rz_arb_front_left_0;
-  const double s8_821 = fma(w4.Rz_arb_front_left_0, s8_820, 1.825625);
-  w6.s8_822 = s8_811 + s8_792;
-  const double s8_823 = fma(p_arb_front_left_z, s8_811, fma(p_arb_front_left_x, s8_800, s8_820));
-  w6.s8_824 = s8_794 + (s8_802 + (w5.s7_190 - s8_800));
-  const double s8_825 = fma(w3.s1_72, s8_794, fma(w4.Rz_upper_arm_left_0, s8_806, s8_821));
-  w6.s8_826 = s8_794 + (w5.s7_190 + s8_802);
-  const double s8_827 = w5.s8_657 + fma(w4.r_carrier_left_aux1_z, s8_792, s8_823);
-  w6.s8_828 = fnma(s8_809, w5.s8_674, fnma(s8_814, w5.s8_684, s8_827));
-  const double s8_829 = fnma(w4.s3_17, w5.s8_653, fma(w3.s1_74, w5.s8_796, s8_825));
-  const double s8_830 = fma(w5.s8_651, w5.s8_661, fnma(w4.s3_19, w5.s8_657, s8_829));
-  w6.s8_831 = fnma(0.3333333333333333, fma(w5.s8_674, w5.s8_674, s8_815), s8_830);
-  const double s8_832 = fma(109.75, w4.r_carrier_right_aux1_y, w5.s7_143);
-  const double s8_833 = w4.r_carrier_right_aux1_y + w4.r_carrier_right_aux1_y;
-  const double s8_834 = fma(109.75, w4.r_carrier_left_aux1_y, w5.s7_82);
-  w6.s8_835 = fma(w4.s3_20, w5.s7_88, w4.Rz_carrier_left_rz_2*w5.s7_82);
-  const double s8_836 = w4.r_carrier_left_aux1_y + w4.r_carrier_left_aux1_y;
-  const double s8_837 = fma(s8_834, s8_836, fma(s8_832, s8_833, w5.s8_536));
-  w6.s8_838 = 1.0/w3.pivot_arb_rear_left;
-  result.inertia[11] = fnma(1e-12, w3.s8_479, w3.pivot_arb_rear_left - 1.5272999999999997e-20);
-  w6.s8_839 = w6.s8_838*w3.s8_514;
-  w6.s8_840 = w3.s8_471*w3.s8_504;
-  const double s8_841 = fma(w3.s8_470, w6.s8_840, fma(w3.s8_510, w6.s8_839, w3.s8_453));
-  w6.s8_842 = s8_832 + s8_834;
-  const double R_arb_front_right_x_x = w8.cosines[14];
-  const double R_arb_front_right_x_z = w8.sines[14];
-  const double s7_197 = K_arb_front_right_xy*R_arb_front_right_x_x;
-  const double s7_198 = fma(K_arb_front_right_yz, R_arb_front_right_x_z, s7_197);
-  w6.s8_843 = w5.s7_164 + fma(p_bell_crank_x, w5.s7_180, s7_198 + w5.s8_791);
-  const double s8_844 = w4.Rz_carrier_right_rz_2*w5.s7_143;
-  w6.s8_845 = fnma(w4.Rz_carrier_right_rx_2, w5.s7_136, s8_844);
-  const double s8_846 = w4.Rz_carrier_right_ry_2*w5.s7_136;
-  w6.s8_847 = fnma(w4.Rz_carrier_right_rz_2, w5.s7_109, s8_846);
-  const double s8_848 = fnma(w4.s1_78, w5.s7_109, w4.s1_76*w5.s7_143);
-  const double s8_849 = fnma(w4.Rz_carrier_right_ry_1, w5.s7_133, s8_848);
-  const double s8_850 = fnma(w4.Rz_carrier_right_rx_1, w5.s7_141, s8_849);
-  const double s8_851 = fma(w5.s7_166, w5.s8_699, s8_850);
-  const double s8_852 = w4.Rz_carrier_right_rz_2*w5.s7_166;
-  const double s8_853 = fnma(w4.Rz_carrier_right_ry_2, w5.s7_133, s8_852);
-  const double s8_854 = fnma(w4.Rz_carrier_right_rx_2, w5.s7_141, s8_853);
-  w6.s8_855 = fma(w4.s3_18, w5.s7_88, w4.Rz_carrier_left_rz_2*w4.s7_55);
-  const double s8_856 = fma(109.75, w4.r_carrier_left_aux1_z, w4.s7_55);
-  const double s8_857 = 395.1 + w5.s7_88;
-  const double s8_858 = w4.r_carrier_right_aux1_y*w6.s8_845;
-  const double s8_859 = fnma(w4.Rz_arb_front_left_2, w5.s7_194, s8_858);
-  const double s8_860 = fnma(w4.Rz_arb_front_right_2, s7_198, s8_859);
-  const double s8_861 = 0.539*w4.s3_25;
-  const double s8_862 = fma(w4.s3_25, s8_861, w5.s8_743);
-  const double s8_863 = fma(p_bell_crank_z, w5.s7_181, s8_860) - s8_861;
-  const double s8_864 = fma(w4.Rz_carrier_right_rx_2, w5.s8_748, s8_862);
-  const double s8_865 = fma(w4.s1_76, w6.s8_845, fma(w4.s3_24, s8_861, w5.s8_744));
-  const double s8_866 = fma(w4.Rz_carrier_right_ry_2, w5.s8_757, s8_864);
-  const double s8_867 = fma(w4.s1_78, w6.s8_847, s8_865);
-  const double s8_868 = fma(w4.Rz_carrier_right_rz_2, s8_854, s8_866);
-  const double s8_869 = fma(w4.Rz_carrier_right_rx_1, w5.s8_748, s8_867);
-  const double s8_870 = 0.539*w4.Rz_upper_arm_left_2;
-  const double s8_871 = fma(w4.Rz_arb_front_left_2, w5.s8_762, s8_868);
-  const double s8_872 = fma(w4.Rz_upper_arm_left_0, s8_870, w4.Rz_arb_front_left_0*w5.s8_762);
-  const double s8_873 = s8_870 + (s8_854 + fma(w4.s1_79, w6.s8_847, s8_863));
-  const double s8_874 = fnma(w4.s3_18, w5.s8_650, fma(w4.Rz_upper_arm_left_2, s8_870, s8_871));
-  const double s8_875 = fma(w4.r_carrier_left_aux1_y, w6.s8_835, s8_873);
-  w6.s8_876 = fma(w4.s2_153, w5.s8_651, fma(w4.s2_157, w4.s3_19, w3.s1_72));
-  const double s8_877 = fma(w3.s1_74, w6.s8_855, fma(w3.s1_72, w6.s8_835, s8_872));
-  const double s8_878 = fnma(w4.s3_20, w5.s8_655, s8_874);
-  w6.s8_879 = fma(w4.s2_150, w5.s8_651, fma(w4.s2_157, w4.s3_17, w3.s1_74));
-  const double s8_880 = w5.s8_659 + fma(w4.r_carrier_left_aux1_z, w6.s8_855, s8_875);
-  const double s8_881 = fnma(w4.s3_19, w5.s8_655, fnma(w4.s3_17, w5.s8_650, s8_877));
-  const double s8_882 = fma(w5.s8_651, w5.s8_659, s8_881);
-  w6.s8_883 = fnma(0.3333333333333333, fma(w5.s8_672, w5.s8_674, s8_797), s8_882);
-  const double s8_884 = fma(w5.s8_686, w5.s8_686, w5.s8_681*w5.s8_681);
-  const double s8_885 = fma(w5.s8_698, w5.s8_698, fma(w5.s8_672, w5.s8_672, s8_884));
-  const double s8_886 = fnma(109.75, w4.s1_79, w5.s7_109);
-  const double s8_887 = fnma(w4.s1_79, s8_832, w5.s7_123 + (w4.s7_72 + s8_841));
-  const double s8_888 = fma(w4.r_carrier_right_aux1_y, s8_886, s8_887);
-  const double s8_889 = fma(w4.r_carrier_left_aux1_y, s8_856, s8_888);
-  w6.s8_890 = s8_886 + s8_856;
-  const double s8_891 = w4.r_carrier_left_aux1_z + w4.r_carrier_left_aux1_z;
-  const double s8_892 = fma(s8_856, s8_891, fnma(w4.s1_79 + w4.s1_79, s8_886, w5.s8_640));
-  w6.s8_893 = w6.s8_838*w3.s8_512;
-  w6.s8_894 = w3.s8_455*w3.s8_504;
-  const double s8_895 = fma(w3.s8_470, w6.s8_894, fma(w3.s8_510, w6.s8_893, w3.s8_467));
-  const double s8_896 = fma(w3.s8_471, w6.s8_894, fma(w6.s8_893, w3.s8_514, w3.s8_469));
-  const double s8_897 = fnma(w3.s8_503, w6.s8_894, fnma(w6.s8_893, w3.s8_518, w3.s8_396));
-  const double s8_898 = fma(w4.zdd_star_arb_front_left, w5.s7_194, s8_897);
-  const double s8_899 = 395.1 + w5.s7_136;
-  const double s8_900 = fnma(w4.s1_79, s8_899, w5.s7_133 + (w5.s7_79 + s8_895));
-  w6.s8_901 = s8_899 + s8_857;
-  const double s8_902 = fma(w4.r_carrier_right_aux1_y, s8_899, w5.s7_141 + (w5.s7_84 + s8_896));
-  const double R_upper_arm_right_z_y = w8.sines[13];
-  const double R_upper_arm_right_y_y = w8.cosines[13];
-  const double s7_199 = -h_upper_arm_right_z*R_upper_arm_right_z_y;
-  w6.s7_200 = fma(h_upper_arm_right_y, R_upper_arm_right_y_y, s7_199);
-  const double s7_201 = -h_upper_arm_right_z*R_upper_arm_right_y_y;
-  w6.s7_202 = fnma(h_upper_arm_right_y, R_upper_arm_right_z_y, s7_201);
-  const double zd_bell_crank = state.zd[Coordinate::bell_crank];
-  const double s8_903 = zd_bell_crank*(zd_bell_crank + w2.s8_63);
-  const double s8_904 = zd_bell_crank*w2.s8_56;
-  const double s8_905 = fnma(w3.s8_503, w6.s8_840, fnma(w6.s8_839, w3.s8_518, w3.s8_381));
-  const double s8_906 = fma(w4.zdd_star_arb_front_right, s7_198, s8_898);
-  const double s8_907 = zd_bell_crank*w2.s8_92;
-  w6.s8_908 = fnma(w5.s7_181, s8_904, w5.s7_180*s8_907);
-  const double s8_909 = fma(w5.s7_164, s8_907, fma(w5.s7_165, s8_904, s8_905));
-  w6.s8_910 = w5.s7_180*s8_903;
-  w6.s8_911 = w5.s7_181*s8_903;
-  const double s8_912 = fnma(p_bell_crank_z, w6.s8_911, fma(p_bell_crank_x, w6.s8_908, s8_909));
-  const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
-  const double s8_913 = zd_pitman_arm*(zd_pitman_arm + w2.s8_92);
-  const double s8_914 = zd_pitman_arm*w2.s8_56;
-  const double s8_915 = zd_pitman_arm*w2.s8_63;
-  w6.s8_916 = fma(w5.s7_182, s8_915, w5.s7_183*s8_914);
-  w6.s8_917 = fma(w5.s7_183, s8_913, w4.s6_194*w5.s7_182);
-  w6.s8_918 = fnma(w4.s6_194, w5.s7_183, w5.s7_182*s8_913);
-  const double s8_919 = fma(p_pitman_arm_x, w6.s8_918, fma(0.3504, w4.s6_194, s8_912));
-  const double s8_920 = fnma(p_pitman_arm_z, w6.s8_917, s8_919);
-  const double zd_arb_front_right = state.zd[Coordinate::arb_front_right];
-  const double s8_921 = zd_arb_front_right*(zd_arb_front_right + w2.s8_92);
-  const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
-  const double s8_922 = zd_upper_arm_right*w2.s8_63;
-  const double s8_923 = zd_upper_arm_right*w2.s8_92;
-  w6.s8_924 = fnma(w6.s7_202, s8_922, w6.s7_200*s8_923);
-  w6.s8_925 = w6.s8_838*w3.s8_510;
-  w6.s8_926 = w3.s8_470*w3.s8_504;
-  const double s8_927 = fnma(w3.s8_503, w6.s8_926, fnma(w6.s8_925, w3.s8_518, w3.s8_370));
-  const double s8_928 = fma(w4.zdd_star_arb_front_left, w5.s7_175, s8_927);
-  const double s8_929 = fnma(w4.zdd_star_arb_front_right, w5.s7_179, s8_928);
-  const double s8_930 = fnma(w5.s7_159, s8_914, fma(p_bell_crank_x, w6.s8_910, s8_929));
-  const double s8_931 = fma(p_pitman_arm_x, w6.s8_916, fnma(w5.s7_158, s8_915, s8_930));
-  const double s8_932 = zd_arb_front_right*w2.s8_63;
-  const double s8_933 = zd_arb_front_right*w2.s8_56;
-  const double s8_934 = fnma(w5.s7_154, s8_932, fnma(s7_198, s8_921, s8_931));
-  const double s8_935 = fma(w5.s7_148, s8_922, fnma(w5.s7_155, s8_933, s8_934));
-  const double s8_936 = fma(w5.s7_149, s8_923, s8_935);
-  const double s8_937 = fma(w4.r_carrier_right_aux1_y, w5.f_carrier_right_x, s8_936);
-  const double s7_203 = 0.539 - w5.s7_149;
-  const double s8_938 = fnma(s7_203, s8_922, fnma(0.3477, w4.zdd_star_arb_front_right, s8_920));
-  const double s8_939 = fms(w5.s8_775, w5.s7_148, tau[Coordinate::upper_arm_right]);
-  w6.s8_940 = fnma(0.539, w4.s6_178, s8_939);
-  const double s8_941 = fma(w4.s1_79, w5.f_carrier_right_x, fnma(w5.s7_148, s8_923, s8_938));
-  const double R_lower_arm_right_z_y = w8.sines[9];
-  const double R_lower_arm_right_y_y = w8.cosines[9];
-  const double s7_204 = -h_lower_arm_right_z*R_lower_arm_right_z_y;
-  w6.s7_205 = fma(h_lower_arm_right_y, R_lower_arm_right_y_y, s7_204);
-  const double s7_206 = -h_lower_arm_right_z*R_lower_arm_right_y_y;
-  w6.s7_207 = fnma(h_lower_arm_right_y, R_lower_arm_right_z_y, s7_206);
-  const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
-  const double s8_942 = zd_lower_arm_right*w2.s8_63;
-  const double s8_943 = zd_lower_arm_right*w2.s8_92;
-  const double s8_944 = fma(w5.s7_105, s8_942, s8_937 - w5.n_carrier_right_z);
-  w6.s8_945 = fnma(w6.s7_207, s8_942, w6.s7_205*s8_943);
-  const double s7_208 = 1.825625 - w5.s7_106;
-  const double s8_946 = fnma(s7_208, s8_942, s8_941 - w5.n_carrier_right_y);
-  const double s8_947 = fnma(w5.s7_105, s8_943, s8_946);
-  const double zd_arb_front_left = state.zd[Coordinate::arb_front_left];
-  const double s8_948 = zd_arb_front_left*(zd_arb_front_left + w2.s8_92);
-  const double s8_949 = zd_arb_front_left*w2.s8_63;
-  const double s8_950 = fnma(w5.s7_194, s8_948, fma(w5.s7_106, s8_943, s8_944));
-  const double s8_951 = zd_arb_front_left*w2.s8_56;
-  const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
-  const double s8_952 = zd_upper_arm_left*w2.s8_92;
-  const double s8_953 = fnma(w5.s7_100, s8_951, fnma(w5.s7_99, s8_949, s8_950));
-  const double s8_954 = zd_upper_arm_left*w2.s8_63;
-  w6.s8_955 = fma(w5.s7_171, s8_954, w5.s7_169*s8_952);
-  const double s8_956 = fma(w5.s7_93, s8_954, fma(w5.s7_94, s8_952, s8_953));
-  const double s8_957 = fnma(w5.s8_775, w5.s7_93, tau[Coordinate::upper_arm_left]);
-  w6.s8_958 = fma(0.539, w4.s6_159, s8_957);
-  const double s8_959 = fma(w4.r_carrier_left_aux1_y, w5.f_carrier_left_x, s8_956);
-  const double s8_960 = fnma(w2.R_carrier_left_aux1_z_x, tau[Coordinate::carrier_left_rx],
-      w5.n_carrier_left_z);
-  const double s8_961 = fnma(tau[Coordinate::carrier_left_ry], w2.s1_28, s8_960);
-  w6.s8_962 = fnma(tau[Coordinate::carrier_left_rz], w2.s1_30, s8_961);
-  const double s7_209 = 0.539 - w5.s7_94;
-  const double s8_963 = fnma(w5.s7_93, s8_952, fnma(0.3477, w4.zdd_star_arb_front_left, s8_947));
-  const double s8_964 = fnma(s7_209, s8_954, s8_963);
-  const double s8_965 = fnma(w4.r_carrier_left_aux1_z, w5.f_carrier_left_x, s8_964);
-  const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
-  const double s8_966 = zd_lower_arm_left*w2.s8_92;
-  const double s8_967 = zd_lower_arm_left*w2.s8_63;
-  w6.s8_968 = fma(w5.s7_192, s8_967, w5.s7_190*s8_966);
-  const double s8_969 = fma(w4.s7_52, s8_966, s8_959 - w5.n_carrier_left_z);
-  const double s8_970 = fma(w4.s2_199, w5.s8_665, fma(w4.s7_51, s8_967, s8_969));
-  const double s8_971 = fma(w4.s2_227, w5.s8_690, fnma(w4.s2_201, w5.s8_670, s8_970));
-  const double s8_972 = fma(w4.s2_236, w5.s8_722, fma(w4.s2_229, w5.s8_696, s8_971));
-  w6.s8_973 = fnma(w4.s2_240, w5.s8_725, s8_972);
-  const double s7_210 = 1.825625 - w4.s7_52;
-  const double s8_974 = fnma(w4.s7_51, s8_966, s8_965 - w5.n_carrier_left_y);
-  w6.s8_975 = s7_210 - w4.s7_52;
-  w6.s8_976 = w5.s7_94 - s7_209;
-  const double s8_977 = fma(w4.s2_200, w5.s8_670, fnma(s7_210, s8_967, s8_974));
-  const double s8_978 = fma(w4.s2_228, w5.s8_696, fnma(w4.s2_199, w5.s8_679, s8_977));
-  w6.s8_979 = s7_208 - w5.s7_106;
-  w6.s8_980 = w5.s7_149 - s7_203;
-  const double s8_981 = fma(w4.s2_238, w5.s8_725, fnma(w4.s2_227, w5.s8_713, s8_978));
-  w6.s8_982 = fnma(w4.s2_236, w5.s8_729, s8_981);
-  const double s7_211 = 0.9515 - w5.s7_165;
-  w6.s8_983 = s7_211 - w5.s7_165;
-  const double s8_984 = w5.s7_149 + (w5.s7_106 + (w5.s7_94 + (5020.856800000031 + w4.s7_52)));
-  w6.s8_985 = s7_211 + s8_984;
-  const double s8_986 = fnma(s7_211, s8_907, fnma(w5.s7_164, s8_904, s8_906));
-  const double s8_987 = fms(w3.s8_286, w5.s7_158, tau[Coordinate::pitman_arm]);
-  w6.s8_988 = fnma(0.3504, w4.s6_194, s8_987);
-  const double s7_212 = 0.3504 - w5.s7_159;
-  w6.s8_989 = s7_212 - w5.s7_159;
-  const double s8_990 = fma(w5.s7_158, s8_914, fnma(p_bell_crank_z, w6.s8_910, s8_986));
-  const double s7_213 = h_arb_front_right_z*R_arb_front_right_x_z;
-  w6.s7_214 = fma(h_arb_front_right_x, R_arb_front_right_x_x, s7_213);
-  w6.s8_991 = fnma(w6.s7_214, s8_921, w4.zdd_star_arb_front_right*w5.s7_177);
-  w6.s8_992 = fma(w5.s7_177, s8_921, w4.zdd_star_arb_front_right*w6.s7_214);
-  const double s7_215 = 0.3477 - w5.s7_155;
-  w6.s8_993 = s7_215 - w5.s7_155;
-  const double s8_994 = fnma(w5.s7_179, s8_921, fma(s7_212, s8_915, s8_990));
-  w6.s8_995 = fma(w6.s7_214, s8_933, w5.s7_177*s8_932);
-  const double s8_996 = fma(w5.s7_154, s8_933, fma(s7_215, s8_932, s8_994));
-  const double s8_997 = fnma(w4.s1_79, w5.f_carrier_right_y, fma(0.539, w4.s6_178, s8_996));
-  const double s8_998 = fnma(w4.r_carrier_right_aux1_y, w5.f_carrier_right_z, s8_997);
-  const double s8_999 = fnma(w2.s8_68, w5.s7_175, tau[Coordinate::arb_front_left]);
-  w6.s8_1000 = fnma(w3.s8_286, w5.s7_99, fma(w2.s8_76, w5.s7_194, s8_999));
-  w6.s8_1001 = fnma(w5.s7_196, s8_948, w4.zdd_star_arb_front_left*w5.s7_185);
-  w6.s8_1002 = fma(w5.s7_185, s8_948, w4.zdd_star_arb_front_left*w5.s7_196);
-  const double s7_216 = 0.3477 - w5.s7_100;
-  w6.s8_1003 = s7_216 - w5.s7_100;
-  const double s8_1004 = fma(w5.s7_175, s8_948, s8_998 - w5.n_carrier_right_x);
-  w6.s8_1005 = fma(w5.s7_196, s8_951, w5.s7_185*s8_949);
+  const Pair s8_762 = fnma(p_lower_arm_right_z, s8_752, s8_759) - w3.s7_128;
+  const Pair s8_763 = w3.s7_130 - 2.25;
+  const Pair s8_764 = fnma(p_arb_rear_right_y, s8_761, s8_762);
+  const Pair s8_765 = 2.1 - w1.s7_29;
+  const Pair s8_766 = fma(p_arb_front_right_y, s8_763, s8_764);
+  const Pair s8_767 = 7.75 - w3.s7_121;
+  const Pair s8_768 = fnma(p_upper_arm_right_y, s8_765, s8_766) - w3.s7_113;
+  const Pair s8_769 = fnma(p_lower_arm_right_y, s8_767, s8_768);
+  const double s8_770 = 2.1 + w4.s7_148;
+  const double s8_771 = fnma(p_pitman_arm_y, s8_770, s8_769[1] - 1.05 - w4.s8_532) - s8_769[0];
+  const double s8_772 = fnma(p_pitman_arm_x, s8_770, fma(p_bell_crank_z, s8_756, w5.s8_702));
+  const Pair s8_773 = fma(109.75, w1.r_carrier_left_and_right_aux1_y, w2.s7_67);
+  const Pair s8_774 = w1.r_carrier_left_and_right_aux1_y + w1.r_carrier_left_and_right_aux1_y;
+  const Pair s8_775 = fma(s8_773, s8_774, w3.s8_687);
+  const Pair s8_776 = w1.s7_29*w3.Rz_upper_arm_left_0;
+  const Pair s8_777 = s8_776 + w3.s8_735;
+  const Pair s8_778 = w3.s7_132*w3.Rz_arb_front_left_0_and_right_1;
+  const Pair s8_779 = fma(p_upper_arm_right_z, s8_776, w3.s8_743);
+  const Pair s8_780 = w1.s7_31*w3.Rz_upper_arm_left_0;
+  const Pair s8_781 = fma(p_arb_front_right_y, s8_778, s8_779);
+  const Pair s8_782 = fnma(p_upper_arm_right_y, s8_780, s8_781);
+  const Pair s8_783 = w3.s8_740 + (s8_780 - s8_778);
+  const Pair s8_784 = fnma(w2.s7_67, w3.s3_29, w3.s7_94*w3.s3_30);
+  const Pair s8_785 = fma(m_carrier_right, w1.r_carrier_left_and_right_aux1_y, w2.s7_67);
+  const Pair s8_786 = w3.s7_130*w3.Rz_arb_front_left_0_and_right_1;
+  const Pair s8_787 = fnma(p_lower_arm_left_x, s8_777, w3.s8_726);
+  const Pair s8_788 = fma(p_arb_front_right_y, s8_786, s8_787);
+  const Pair s8_789 = fma(w1.r_carrier_left_and_right_aux1_y, s8_784, s8_788);
+  const Pair s8_790 = s8_784 - s8_786;
+  const Pair s8_791 = fnma(p_arb_front_right_z, s8_786, w3.s8_731);
+  const Pair s8_792 = fma(w1.r_carrier_left_aux1_z, s8_784, s8_791);
+  const Pair s8_793 = fnma(p_arb_front_right_x, s8_778, s8_792);
+  const Pair s8_794 = fma(p_lower_arm_left_x, s8_780 + w3.s8_740, s8_793);
+  const Pair s0_42 = Pair{tau[Coordinate::upper_arm_left], -tau[Coordinate::upper_arm_right]};
+  const Pair s8_795 = fnma(w3.Rz_upper_arm_left_0, s0_42 + w3.s8_340, w3.s8_369);
+  const Pair s8_796 = fma(w3.s3_30, w3.s8_696, s8_795);
+  const Pair s8_797 = fma(w3.Rz_arb_front_left_0_and_right_1, w3.s8_699, s8_796);
+  w5.s8_798 = w3.s8_682[0];
+  w5.s8_799 = w3.s8_682[1];
+  w5.s8_800 = 1.0/w5.pivot_bell_crank;
+  result.inertia[8] = w5.pivot_bell_crank - 1.5272999999999997e-20;
+  const double s8_801 = w5.s8_800*w5.s8_799;
+  const double pivot_lower_arm_right = fnma(w5.s8_799, s8_801, w3.s8_746[1]);
+  w5.s8_802 = fnma(w4.s8_513, s8_801, s8_790[1]);
+  w5.s8_803 = fms(w4.s8_520, s8_801, s8_777[1]);
+  w5.s8_804 = fma(w4.s8_518, s8_801, s8_783[1]);
+  w5.s8_805 = fnma(w5.s8_694, s8_801, s8_789[1]);
+  w5.s8_806 = fnma(w5.s8_692, s8_801, s8_782[1]);
+  w5.s8_807 = fnma(w5.s8_672, s8_801, s8_794[1]);
+  w5.s8_808 = fnma(w5.s8_712, s8_801, s8_797[1]);
+  w5.s8_809 = w5.s8_798*s8_801;
+  const double s8_810 = w5.s8_800*w5.s8_798;
+  w5.s8_811 = 1.0/pivot_lower_arm_right;
+  w5.s8_812 = pivot_lower_arm_right - 1.5272999999999997e-20;
+  const double s8_813 = w5.s8_809*w5.s8_811;
+  w5.s8_814 = fnma(s8_813, w5.s8_804, fnma(w4.s8_518, s8_810, s8_783[0]));
+  w5.s8_815 = fma(s8_813, w5.s8_803, fms(w4.s8_520, s8_810, s8_777[0]));
+  w5.s8_816 = fnma(w4.s8_513, s8_810, s8_813*w5.s8_802) - s8_790[0];
+  w5.s8_817 = s8_782[0] + fnma(w5.s8_692, s8_810, s8_813*w5.s8_806);
+  w5.s8_818 = s8_789[0] + fnma(w5.s8_694, s8_810, s8_813*w5.s8_805);
+  w5.s8_819 = fnma(w5.s8_672, s8_810, s8_813*w5.s8_807) - s8_794[0];
+  w3.s8_820 = 1e-12*w3.s8_746;
+  const double pivot_lower_arm_left = fnma(w5.s8_809, s8_813, fnma(w5.s8_798, s8_810,
+      w3.s8_746[0]));
+  w5.s8_821 = fnma(w5.s8_712, s8_810, s8_813*w5.s8_808) - s8_797[0];
 
   // --- step 8: elimination from the leaves to the root (63), continued ---
-  const double s8_1006 = fma(w5.s7_99, s8_951, fma(s7_216, s8_949, s8_1004));
-  const double s8_1007 = s7_203 + (s7_208 + (s7_216 + (s7_209 + (s7_210 + w3.s8_519))));
-  const double s8_1008 = fma(0.539, w4.s6_159, s8_1006);
-  w6.s8_1009 = s7_212 + (s7_215 + s8_1007);
-  w6.s8_1010 = w4.r_carrier_left_aux1_z - w4.s1_79;
-  const double s8_1011 = fma(w4.r_carrier_left_aux1_z, w5.f_carrier_left_y, s8_1008);
-  w6.s8_1012 = w4.r_carrier_left_aux1_y + w4.r_carrier_right_aux1_y;
-  const double s8_1013 = fnma(w4.r_carrier_left_aux1_y, w5.f_carrier_left_z, s8_1011);
-  const double s8_1014 = fnma(w4.s2_200, w5.s8_665, s8_1013 - w5.n_carrier_left_x);
-  const double s8_1015 = fnma(w4.s2_228, w5.s8_690, fma(w4.s2_201, w5.s8_679, s8_1014));
-  const double s8_1016 = fnma(w4.s2_238, w5.s8_722, fnma(w4.s2_229, w5.s8_713, s8_1015));
-  w6.s8_1017 = fma(w4.s2_240, w5.s8_729, s8_1016);
-  const double s7_217 = w8.cosines[10]*tau[Coordinate::carrier_right_rx];
-  const double s7_218 = fma(tau[Coordinate::carrier_right_rz], w2.s1_51, s7_217);
-  const double s7_219 = fnma(tau[Coordinate::carrier_right_ry], w2.s1_47, s7_218);
-
-  // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
-  // continued ---
-  w6.s8_1018 = s7_219 - w5.n_carrier_right_x;
-  const double s8_1019 = fnma(s7_219, w4.s3_26, tau[Coordinate::lower_arm_right]);
-  const double s8_1020 = fnma(w5.s8_775, w5.s7_105, s8_1019);
-  const double s8_1021 = fnma(w4.s1_78, w5.f_carrier_right_y, s8_1020);
-  const double s8_1022 = fnma(w4.s1_76, w5.f_carrier_right_z, s8_1021);
-  const double s8_1023 = fnma(w5.s8_699, w5.n_carrier_right_x, s8_1022);
-  const double s8_1024 = fnma(w6.s7_205, w5.s8_782, fnma(w6.s7_207, w5.s8_786, s8_1023));
-  const double s8_1025 = fma(w5.s8_707, w5.s8_696, fnma(w5.s8_701, w5.s8_690, s8_1024));
-  w6.s8_1026 = fnma(w5.s8_716, w5.s8_713, s8_1025);
-  const double s8_1027 = w4.Rz_carrier_right_rx_1*w5.s7_109;
-  const double s8_1028 = fnma(w4.Rz_carrier_right_ry_1, w5.s7_143, s8_1027);
-  const double s8_1029 = fma(w4.Rz_carrier_right_ry_1, w5.s7_136, m_carrier_right*w4.s1_78);
-  const double s8_1030 = fnma(w5.s7_109, w5.s8_699, s8_1029);
-  const double s8_1031 = fnma(w4.Rz_carrier_right_rx_1, w5.s7_136, m_carrier_right*w4.s1_76);
-  const double s8_1032 = fma(w5.s7_143, w5.s8_699, s8_1031);
-  const double s8_1033 = fma(w5.s8_719, w5.s8_716, w5.s8_698*w5.s8_701);
-  const double s8_1034 = fma(w5.s8_699, s8_854, fma(w4.Rz_carrier_right_ry_1, w5.s8_757, s8_869));
-  w6.s8_1035 = fnma(0.3333333333333333, fma(w5.s8_704, w5.s8_707, s8_1033), s8_1034);
-  const double s8_1036 = w4.Rz_arb_front_right_1*w5.s7_177;
-  const double s8_1037 = fnma(p_arb_front_right_y, s8_1036, w4.Rz_arb_front_right_1*w5.s7_179);
-  const double s8_1038 = 0.3333333333333333*w4.s2_227;
-  const double s8_1039 = fnma(s8_809, w5.s8_672, fnma(s8_814, w5.s8_686, w5.s8_764));
-  const double s8_1040 = fma(s8_816, w5.s8_672, fnma(s8_814, w5.s8_681, w5.s8_761));
-  const double s8_1041 = w5.s8_754 + fnma(w4.r_carrier_right_aux1_y, s8_1028, s8_1037);
-  const double s8_1042 = fnma(w4.s2_200, s8_814, fma(w4.r_carrier_left_aux1_z, s8_857, s8_900));
-  const double s8_1043 = fnma(w4.s2_201, s8_814, fma(w4.r_carrier_left_aux1_y, s8_857, s8_902));
-  const double s8_1044 = fma(p_lower_arm_right_y, w6.s7_205, 1.825625);
-  const double s8_1045 = fnma(p_lower_arm_right_z, w6.s7_207, s8_1044);
-  const double s8_1046 = fma(w2.s8_76, s7_198, tau[Coordinate::arb_front_right]);
-  w6.s8_1047 = fnma(w3.s8_286, w5.s7_154, fma(w2.s8_68, w5.s7_179, s8_1046));
-  const double s8_1048 = w4.Rz_arb_front_right_1*w6.s7_214;
-  const double s8_1049 = fnma(w4.Rz_arb_front_right_1, s7_198, s8_1045);
-  const double s8_1050 = 0.539*w4.s3_24;
-  const double s8_1051 = w4.s3_24*w6.s7_202;
-  const double s8_1052 = fnma(p_arb_front_right_y, s8_1048, s8_1049) - s8_1050;
-  w6.s8_1053 = s8_1030 + (w6.s7_207 - s8_1051);
-  const double s8_1054 = w4.s3_24*w6.s7_200;
-  const double s8_1055 = fma(p_upper_arm_right_z, s8_1051, s8_1052);
-  const double s8_1056 = fma(w4.s1_79, s8_1030, fnma(p_upper_arm_right_y, s8_1054, s8_1055));
-  const double s8_1057 = 0.3333333333333333*w4.s2_228;
-  const double s8_1058 = fma(s8_816, w5.s8_686, fma(s8_809, w5.s8_681, s8_880));
-  const double s8_1059 = s8_851 + fma(w4.r_carrier_right_aux1_y, s8_1032, s8_1056);
-  const double s8_1060 = fma(w5.s8_716, w5.s8_716, w5.s8_701*w5.s8_701);
-  const double s8_1061 = 0.3333333333333333*w4.s2_229;
-  w6.s8_1062 = fnma(s8_1061, w5.s8_707, fma(s8_1038, w5.s8_701, s8_1041));
-  w6.s8_1063 = fnma(s8_1061, w5.s8_716, fnma(s8_1057, w5.s8_701, s8_1059));
-  const double s8_1064 = fnma(w4.s2_200, s8_816, fma(w4.r_carrier_left_aux1_z, s8_834, s8_889));
-  w6.s8_1065 = s8_1036 + s8_1028;
-  w6.s8_1066 = s8_1032 + (w6.s7_205 - s8_1048 - s8_1054);
-  w6.s8_1067 = s8_1054 - w6.s7_205 - s8_1032;
-  const double s8_1068 = 0.3477*w4.Rz_arb_front_right_1;
-  const double s8_1069 = s8_1068 + fma(p_arb_front_right_z, s8_1036, p_arb_front_right_x*s8_1048);
-  const double s8_1070 = fma(w4.s3_24, s8_1050, fma(w4.Rz_arb_front_right_1, s8_1068, 1.825625));
-  const double s8_1071 = fnma(s8_1038, w5.s8_716, w5.s8_751 + fnma(w4.s1_79, s8_1028, s8_1069));
-  w6.s8_1072 = fnma(s8_1057, w5.s8_707, s8_1071);
-  const double s8_1073 = fma(w4.s2_174, w4.Rz_carrier_right_ry_1, w4.s1_78);
-  w6.s8_1074 = fnma(w4.s2_167, w5.s8_699, s8_1073);
-  const double s8_1075 = fma(w4.s1_76, s8_1032, fma(w4.s1_78, s8_1030, s8_1070));
-  const double s8_1076 = fnma(w4.s2_174, w4.Rz_carrier_right_rx_1, w4.s1_76);
-  w6.s8_1077 = fma(w4.s2_170, w5.s8_699, s8_1076);
-  const double s8_1078 = fma(w4.Rz_carrier_right_rx_1, w5.s8_751, s8_1075);
-  const double s8_1079 = fma(w4.Rz_carrier_right_ry_1, w5.s8_754, s8_1078);
-  const double s8_1080 = fma(w5.s8_707, w5.s8_707, s8_1060);
-  w6.s8_1081 = fnma(0.3333333333333333, s8_1080, fma(w5.s8_699, s8_851, s8_1079));
-  const double s8_1082 = 1.5*w4.s2_240;
-  const double s8_1083 = fnma(s8_1061, w5.s8_719, fnma(s8_1057, w5.s8_698, s8_1058));
-  const double s8_1084 = fnma(w4.s2_229, s8_1061, fnma(w4.s2_201, s8_816, s8_837));
-  w6.s8_1085 = fnma(w4.s2_240, s8_1082, s8_1084);
-  w6.s8_1086 = fnma(w4.s2_238, s8_1082, fma(w4.s2_228, s8_1061, s8_1064));
-  const double s8_1087 = 1.5*w4.s2_238;
-  w6.s8_1088 = fma(w4.s2_235, s8_1087, fma(w5.s8_728, s8_1082, s8_1083));
-  const double s8_1089 = fnma(w4.s2_228, s8_1057, fnma(w4.s2_200, s8_809, s8_892));
-  w6.s8_1090 = fnma(w4.s2_238, s8_1087, s8_1089);
-  const double s8_1091 = 1.5*w4.s2_236;
-  const double s8_1092 = fnma(s8_1057, w5.s8_704, fnma(s8_1038, w5.s8_719, s8_1039));
-  const double s8_1093 = fnma(s8_1061, w5.s8_704, fma(s8_1038, w5.s8_698, s8_1040));
-  const double s8_1094 = fnma(w4.s2_227, s8_1038, fnma(w4.s2_199, s8_814, w5.s8_538));
-  w6.s8_1095 = fnma(w4.s2_236, s8_1091, s8_1094);
-  w6.s8_1096 = fnma(w4.s2_238, s8_1091, fnma(w4.s2_228, s8_1038, s8_1042));
-  w6.s8_1097 = fnma(w4.s2_240, s8_1091, fma(w4.s2_229, s8_1038, s8_1043));
-  w6.s8_1098 = fnma(s8_1087, w4.s8_530, fnma(w5.s8_728, s8_1091, s8_1092));
-  w6.s8_1099 = fma(s8_1082, w4.s8_530, fnma(w4.s2_235, s8_1091, s8_1093));
-  const double s8_1100 = fma(w5.s8_728, w5.s8_728, w4.s2_235*w4.s2_235);
-  const double s8_1101 = fma(w4.Rz_carrier_left_rz_2, w5.s8_659, s8_878);
-  const double s8_1102 = fma(w5.s8_704, w5.s8_704, fma(w5.s8_719, w5.s8_719, s8_885));
-  const double s8_1103 = fnma(1.5, fma(w4.s8_530, w4.s8_530, s8_1100), s8_1101);
-  w6.s8_1104 = fnma(0.3333333333333333, s8_1102, s8_1103);
+  const Pair s8_822 = fma(p_arb_rear_right_z, s8_748, w3.s7_106 + (w2.s7_86 - 35.46));
+  const Pair s8_823 = fma(p_arb_front_right_z, s8_749, s8_822);
+  const Pair s8_824 = fnma(p_arb_rear_right_x, s8_761, s8_823);
+  // chassis: chassis_rx, revolute, chassis_aux5
+  const Pair s8_825 = fma(p_arb_front_right_x, s8_763, s8_824);
+  const Pair s8_826 = fnma(p_lower_arm_left_x, s8_765 + s8_767, s8_825);
+  const double s8_827 = s8_826[1] + (s8_826[0] + fma(p_pitman_arm_z, s8_755, s8_772));
+  const Pair s8_828 = w3.s7_121 + (w3.s7_130 + (w1.s7_29 - 28.25 - w2.s7_89));
+  w5.s8_829 = s8_828[1] + (s8_828[0] + (3346.2 - w4.s7_148));
+  const Pair s8_830 = w1.s0_19*(w1.s0_19 + w2.s8_87);
+  const Pair s8_831 = w1.s0_19*w2.s8_90;
+  const Pair s8_832 = w1.s0_19*w2.s8_102;
+  const Pair s8_833 = fma(w2.s7_85, s8_832, fma(w2.s7_86, s8_831, w3.s8_477));
+  const Pair s8_834 = fnma(w2.s7_86, s8_832, fnma(w2.s7_91, s8_831, w3.s8_491));
+  const Pair s8_835 = fnma(w2.s7_89, s8_831, w2.s7_90*s8_832);
+  const Pair s8_836 = fma(7.9, s8_749, fnma(6.6, s8_748, w2.s7_85 + w3.s7_107));
+  const Pair s8_837 = w2.s7_89*s8_830;
+  const Pair s8_838 = fma(0.9, s8_761, w3.s7_133 + (w2.s7_91 + w3.s7_116)) - s8_763;
+  const Pair s8_839 = w2.s7_90*s8_830;
+  const Pair s8_840 = fma(p_arb_rear_right_x, s8_835, fnma(w2.s7_88, s8_830, s8_833));
+  const Pair s8_841 = w3.s7_124 + fma(1.24, s8_767, fma(0.56, s8_765, s8_838));
+  const Pair s8_842 = w3.s7_132 + (5.85 + w2.s7_90);
+  const Pair s8_843 = w3.s0_33*(w2.s8_87 + w3.s0_33);
+  const Pair s8_844 = w2.s8_90*w3.s0_33;
+  const Pair s8_845 = w2.s8_102*w3.s0_33;
+  const Pair s8_846 = fnma(p_arb_rear_right_z, s8_835, fnma(w2.s7_87, s8_830, s8_834));
+  const Pair s8_847 = fma(w3.s7_106, s8_844, fma(p_arb_rear_right_y, s8_839, s8_840));
+  const Pair s8_848 = w2.s0_29*(w2.s0_29 - w2.s8_102);
+  const Pair s8_849 = fma(w3.s7_132, s8_845, w3.s7_130*s8_844);
+  const Pair s8_850 = fnma(w3.s7_106, s8_845, fnma(w3.s7_133, s8_844, s8_846));
+  const Pair s8_851 = fnma(w3.s7_132, s8_843, w3.s7_130*w3.zdd_star_arb_front_left_and_right);
+  const Pair s8_852 = fnma(w3.s7_126, s8_843, fma(w3.s7_107, s8_845, s8_847));
+  const Pair s8_853 = fnma(p_arb_rear_right_z, s8_839, w3.s8_485);
+  const Pair s8_854 = fnma(p_arb_front_right_y, s8_851, s8_852);
+  const Pair s8_855 = fma(w3.s7_130, s8_843, w3.s7_132*w3.zdd_star_arb_front_left_and_right);
+  w5.s8_856 = s8_842[1] + (s8_842[0] + (344.825 - w4.s7_149 - w4.s7_150));
+  w5.s8_857 = w5.s8_856 + w4.s8_553;
+  const Pair s8_858 = fnma(w1.s7_31, s8_848, w1.s7_29*w2.s6_96);
+  const Pair s8_859 = fma(w1.s7_29, s8_848, w1.s7_31*w2.s6_96);
+  const Pair s8_860 = w2.s8_87*w2.s0_29;
+  const Pair s8_861 = w2.s8_90*w2.s0_29;
+  const Pair s8_862 = w2.s8_87*w1.s0_21;
+  const Pair s8_863 = w2.s8_90*w1.s0_21;
+  const Pair s8_864 = fnma(w1.s7_29, s8_861, w1.s7_31*s8_860);
+  const Pair s8_865 = fma(w3.s7_100, s8_860, fma(p_arb_front_right_x, s8_849, s8_854));
+  const Pair s8_866 = fma(w3.s7_101, s8_860, fma(p_arb_front_right_z, s8_851, s8_853));
+  const Pair s8_867 = fnma(p_upper_arm_right_y, s8_864, fnma(w3.s7_101, s8_861, s8_865));
+  const Pair s8_868 = fma(p_upper_arm_right_z, s8_864, fnma(w3.s7_116, s8_861, s8_866));
+  const Pair s8_869 = fma(w1.r_carrier_left_and_right_aux1_y, w3.f_carrier_left_and_right_x,
+      s8_867);
+  const Pair s8_870 = fma(w1.r_carrier_left_aux1_z, w3.f_carrier_left_and_right_x, s8_868);
+  const Pair s8_871 = fnma(w3.s7_121, s8_863, w3.s7_123*s8_862);
+  const Pair s8_872 = w3.s7_123*w2.s8_106;
+  const Pair s8_873 = fnma(w3.s7_113, s8_863, fma(w3.s7_112, s8_862, s8_869));
+  const Pair s8_874 = w3.s7_121*w2.s8_106;
+  const Pair s8_875 = fnma(w3.s7_124, s8_863, fma(w3.s7_113, s8_862, s8_870));
+  w3.s8_876 = s8_839 - s8_851 - s8_864 - w3.f_carrier_left_and_right_x - s8_871;
+  const Pair s8_877 = fma(p_upper_arm_right_z, s8_858, fma(w3.s7_128, s8_843, s8_850));
+  w3.s8_878 = s8_872 + (s8_849 + (w3.f_carrier_left_and_right_y + s8_835) - s8_858);
+  const Pair s8_879 = fma(p_lower_arm_right_z, s8_871, s8_875);
+  const Pair s8_880 = s8_872 + (w3.f_carrier_left_and_right_y - s8_858);
+  const Pair s8_881 = fnma(p_lower_arm_right_y, s8_871, s8_873);
+  const Pair s8_882 = fma(p_lower_arm_left_x, s8_880, s8_881);
+  const Pair s8_883 = fnma(p_lower_arm_right_z, s8_872, s8_877);
+  const Pair s8_884 = fnma(p_arb_rear_right_x, s8_837, s8_879);
+  const Pair s8_885 = fma(p_arb_rear_right_y, s8_837, s8_883);
+  const Pair s8_886 = fnma(p_arb_front_right_y, s8_855, s8_885);
+  const Pair s8_887 = fnma(p_lower_arm_right_y, s8_874, s8_886);
+  const Pair s8_888 = fnma(p_rear_axle_tx_z, s8_849 + s8_859, s8_887);
+  const Pair s8_889 = s8_874 + (s8_859 - w3.f_carrier_left_and_right_z);
+  const Pair s8_890 = fma(p_arb_front_right_x, s8_855, s8_884);
+  const Pair s8_891 = fma(p_lower_arm_left_x, s8_889, s8_890);
+  w3.s8_892 = s8_874 + (s8_859 + (s8_855 - w3.f_carrier_left_and_right_z - s8_837));
+  const double s8_893 = s8_841[1] + (s8_841[0] + fma(0.8, s8_770, w5.s8_707));
+  const double s8_894 = s8_760[0] + (s8_758[0] + (s8_760[1] + (s8_758[1] + w5.s8_709)));
+  const double s8_895 = s8_836[1] + (s8_836[0] + fma(8.8, s8_755, fma(6.5, s8_756, w5.s8_708)));
+  w5.s8_896 = s8_785[0] + w4.s8_548 - s8_785[1];
+  const double s8_897 = s8_894 + (s8_775[1] + (s8_775[0] + w4.s8_550));
+  const Pair s8_898 = 395.1 + w2.s7_70;
+  const Pair s8_899 = fma(7.2, s8_898, w3.s8_668);
+  const Pair s8_900 = fma(p_lower_arm_right_x, s8_773, w3.s8_670);
+  const Pair s8_901 = fma(w1.r_carrier_left_and_right_aux1_y, s8_898, s8_900);
+  w3.s8_902 = 790.2 + w2.s7_70;
+  const double s8_903 = s8_899[1] + (s8_899[0] + (s8_895 + w4.s8_555));
+  const Pair s8_904 = fma(m_carrier_right, w1.r_carrier_left_aux1_z, w3.s7_94);
+  const Pair s8_905 = fma(109.75, w1.r_carrier_left_aux1_z, w3.s7_94);
+  const Pair s8_906 = fma(w1.r_carrier_left_aux1_z, s8_773, w3.s8_688);
+  const Pair s8_907 = fma(w1.r_carrier_left_and_right_aux1_y, s8_905, s8_906);
+  const Pair s8_908 = fma(w1.r_carrier_left_aux1_z, s8_898, w3.s8_669);
+  const Pair s8_909 = fma(p_lower_arm_right_x, s8_905, s8_908);
+  const Pair s8_910 = w1.r_carrier_left_aux1_z + w1.r_carrier_left_aux1_z;
+  const Pair s8_911 = fma(s8_905, s8_910, w3.s8_663);
+  w5.s8_912 = s8_904[1] + (s8_904[0] + (w5.s8_829 + w4.s8_557));
+  w5.s8_913 = 1.0/pivot_lower_arm_left;
+  w5.s8_914 = pivot_lower_arm_left - 1.5272999999999997e-20;
+  const double s8_915 = w5.s8_913*w5.s8_819;
+  const double s8_916 = fnma(w5.s8_580, w5.s8_609, fnma(w5.s8_581, w5.s8_606, s8_903));
+  const double s8_917 = w5.s8_811*w5.s8_807;
+  const double s8_918 = fnma(w4.s8_38, s8_771, fma(w4.s8_40, s8_757, w5.s8_617));
+  const double s8_919 = w5.s8_672*w5.s8_800;
+  const double s8_920 = fma(w5.s8_805, s8_917, fma(w5.s8_818, s8_915, s8_771 + w5.s8_611));
+  const double s8_921 = fnma(w5.s8_807, s8_917, fnma(w5.s8_819, s8_915, s8_916));
+  const double s8_922 = fnma(w5.s8_712, s8_919, fnma(w5.s8_808, s8_917, s8_918));
+  w5.s8_923 = s8_907[0] + fma(w5.s8_694, s8_919, s8_920) - s8_907[1];
+  const double s8_924 = s8_911[1] + (s8_911[0] + (s8_893 + w4.s8_560));
+  const double s8_925 = s8_924 + fnma(w5.s8_672, s8_919, s8_921);
+  const double s8_926 = w5.s8_913*w5.s8_818;
+  const double s8_927 = fnma(w4.s8_576, w5.s8_600, fnma(w5.s8_577, w5.s8_598, s8_897));
+  const double s8_928 = w5.s8_811*w5.s8_805;
+  const double s8_929 = fma(w4.s8_46, s8_771, fnma(w4.s8_535, s8_757, w5.s8_605));
+  const double s8_930 = w5.s8_694*w5.s8_800;
+  const double s8_931 = fnma(w5.s8_805, s8_928, fnma(w5.s8_818, s8_926, s8_927));
+  const double pivot_chassis_rx = s8_903 + fnma(w5.s8_694, s8_930, s8_931);
+  result.inertia[5] = pivot_chassis_rx;
+  const double s8_932 = fnma(w5.s8_712, s8_930, fnma(w5.s8_808, s8_928, s8_929));
+  w5.s8_933 = 1.0/pivot_chassis_rx;
+  const double s8_934 = w5.s8_913*w5.s8_817;
+  const double s8_935 = fnma(w5.s8_578, w5.s8_621, fnma(w5.s8_579, w5.s8_619, s8_897));
+  const double s8_936 = w5.s8_811*w5.s8_806;
+  const double s8_937 = fnma(w4.s8_336, s8_771, fnma(w4.s8_46, s8_757, w5.s8_631));
+  const double s8_938 = w5.s8_692*w5.s8_800;
+  const double s8_939 = fma(w5.s8_805, s8_936, fma(s8_934, w5.s8_818, w5.s8_624));
+  const double s8_940 = fma(w5.s8_807, s8_936, fma(s8_934, w5.s8_819, s8_757 + w5.s8_625));
+  const double s8_941 = fnma(w5.s8_806, s8_936, fnma(w5.s8_817, s8_934, s8_935));
+  w5.s8_942 = s8_924 + fnma(w5.s8_692, s8_938, s8_941);
+  const double s8_943 = fnma(w5.s8_712, s8_938, fnma(w5.s8_808, s8_936, s8_937));
+  w5.s8_944 = s8_909[1] + (s8_909[0] + (s8_827 + fma(w5.s8_694, s8_938, s8_939)));
+  w5.s8_945 = w5.s8_933*w5.s8_923;
+  const double s8_946 = s8_901[0] + fma(w5.s8_945, w5.s8_944, fma(w5.s8_672, s8_938, s8_940));
+  w5.s8_947 = s8_946 - s8_901[1];
+  const double s8_948 = s8_882[0] + fnma(w4.s8_40, s8_827, fnma(s8_926, w5.s8_821, s8_932));
+  w5.s8_949 = fma(w4.s8_38, s8_894 - s8_895, s8_948 - s8_882[1]);
+  const double s8_950 = fnma(w4.s8_267, s8_827, fnma(s8_915, w5.s8_821, s8_922));
+  const double s8_951 = fma(w5.s8_945, w5.s8_949, s8_950) - s8_891[0] - s8_891[1];
+  w5.s8_952 = fma(w4.s8_46, s8_895 - s8_893, s8_951);
+  w5.s8_953 = w5.s8_933*w5.s8_944;
+  const double s8_954 = fma(w4.s8_38, s8_827, fnma(s8_934, w5.s8_821, s8_943));
+  const double pivot_chassis_ry = fnma(w5.s8_923, w5.s8_945, s8_925);
+  w5.s8_955 = 1.0/pivot_chassis_ry;
+  result.inertia[4] = mbgen::min(fnma(1e-12, s8_925, pivot_chassis_ry), w4.s9_5);
+  w5.s8_956 = w5.s8_955*w5.s8_947;
+  const double s8_957 = s8_888[0] + fma(w5.s8_956, w5.s8_952, fma(w5.s8_953, w5.s8_949, s8_954));
+  w5.s8_958 = fma(w4.s8_40, s8_893 - s8_894, s8_957 - s8_888[1]);
+  const double R_chassis_aux4_y_x = w6.sines[0];
+  const double s1_8 = w6.sines[2];
+  const double R_chassis_aux4_x_x = w6.cosines[0];
+  w5.R_chassis_x_z = fma(R_chassis_aux4_x_x, w4.s1_45, R_chassis_aux4_y_x*s1_8);
+  w5.R_chassis_y_z = fnma(R_chassis_aux4_x_x, s1_8, R_chassis_aux4_y_x*w4.s1_45);
+  const double tau_chassis_tx = tau[Coordinate::chassis_tx];
+  const double tau_chassis_ty = tau[Coordinate::chassis_ty];
+  const double tau_chassis_tz = tau[Coordinate::chassis_tz];
+  const double s8_959 = fma(w5.R_chassis_y_z, tau_chassis_ty, w5.R_chassis_x_z*tau_chassis_tx);
+  w5.s8_960 = w5.s8_597*w4.s8_575;
+  const double s8_961 = fma(w4.R_chassis_z_z, tau_chassis_tz, s8_959) - w4.f_rear_axle_z;
+  w5.s8_962 = w4.s8_568*w4.s8_574;
+  const double s8_963 = fma(w5.s8_582, w5.s8_962, fnma(w5.s8_960, w5.s8_583, s8_961));
+  w5.s8_964 = w5.s8_811*w5.s8_804;
+  const double s8_965 = fnma(w4.s8_40, w4.s8_522, s8_963 - w5.s8_590 - w5.s8_596);
+  w5.s8_966 = w4.s8_518*w5.s8_800;
+  w5.s8_967 = w5.s8_913*w5.s8_814;
+  const double s8_968 = fnma(w5.s8_712, w5.s8_966, fma(w5.s8_808, w5.s8_964, s8_965));
+  const double s8_969 = fma(w4.s8_18, w5.s8_829, fnma(w5.s8_967, w5.s8_821, s8_968));
+  w5.s8_970 = fnma(w4.s8_46, w5.s8_856, s8_969);
+  const double s1_9 = w6.cosines[2];
+  w5.R_chassis_x_y = fnma(R_chassis_aux4_y_x, s1_9, R_chassis_aux4_x_x*w4.s1_48);
+  w5.R_chassis_y_y = fma(R_chassis_aux4_x_x, s1_9, R_chassis_aux4_y_x*w4.s1_48);
+  const double s8_971 = fma(w5.R_chassis_y_y, tau_chassis_ty, w5.R_chassis_x_y*tau_chassis_tx);
+  w5.s8_972 = w4.s8_250*w4.s8_568;
+  const double s8_973 = fma(w4.R_chassis_z_y, tau_chassis_tz, s8_971) - w4.f_rear_axle_y;
+  w5.s8_974 = w4.s8_571*w5.s8_597;
+  const double s8_975 = fma(w5.s8_974, w5.s8_583, fnma(w5.s8_972, w5.s8_582, s8_973));
+  w5.s8_976 = w5.s8_811*w5.s8_803;
+  const double s8_977 = fma(w4.s8_20, w4.s8_522, w5.s8_594 + (w5.s8_591 + s8_975));
+  w5.s8_978 = w4.s8_520*w5.s8_800;
+  w5.s8_979 = w5.s8_913*w5.s8_815;
+  const double s8_980 = fma(w5.s8_712, w5.s8_978, fnma(w5.s8_808, w5.s8_976, s8_977));
+  const double s8_981 = fnma(w4.s8_40, w5.s8_829, fnma(w5.s8_979, w5.s8_821, s8_980));
+  w5.s8_982 = fnma(w4.s8_38, w5.s8_856, s8_981);
+  // chassis_aux5: chassis_ry, revolute, chassis_aux4
+  const double R_chassis_aux5_z_z = w6.cosines[1];
+  w5.R_chassis_aux5_x_x = R_chassis_aux4_x_x*R_chassis_aux5_z_z;
+  w5.R_chassis_aux5_y_x = R_chassis_aux4_y_x*R_chassis_aux5_z_z;
+  const double s8_983 = w5.R_chassis_aux5_x_x*tau_chassis_tx;
+  const double s8_984 = fma(w5.R_chassis_aux5_y_x, tau_chassis_ty, s8_983);
+  w5.s8_985 = w5.s8_597*w4.s8_573;
+  const double s8_986 = fnma(w6.sines[1], tau_chassis_tz, s8_984) - w4.f_rear_axle_x;
+  w5.s8_987 = w4.s8_568*w4.s8_572;
+  const double s8_988 = fnma(w5.s8_582, w5.s8_987, fnma(w5.s8_985, w5.s8_583, s8_986));
+  w5.s8_989 = fnma(w4.s8_38, w4.s8_522, s8_988 - w5.s8_592 - w5.s8_595);
 }
 
 /// Part 8 of compute_accelerations: step 8: elimination from the leaves to the root (63),
-/// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63).
+/// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63); step 9:
+/// accelerations from the root to the leaves (63), (62); step 2: closure Jacobian Phi_z and its
+/// factors (60), upper_ball_left .. tie_rod_right.
 [[gnu::noinline]] void compute_accelerations_8(const State& state, const double* tau,
     AccelerationsWork1& __restrict w1, AccelerationsWork2& __restrict w2,
     AccelerationsWork3& __restrict w3, AccelerationsWork4& __restrict w4,
     AccelerationsWork5& __restrict w5, AccelerationsWork6& __restrict w6,
-    AccelerationsWork7& __restrict w7, AccelerationsWork8& __restrict w8,
     Accelerations& __restrict result) noexcept {
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
   // continued ---
-  const double s8_1105 = fnma(w2.s8_106, w4.s2_184, fma(w2.s8_76, w4.s2_183, w2.s8_39*w4.s2_182));
-  const double s8_1106 = fnma(w2.s8_56, w4.s6_130, fma(w2.s8_92, w4.s6_125, s8_1105)) - w4.s6_123;
-  const double s8_1107 = fnma(w4.s2_153, w4.zdd_star_carrier_left_rz, s8_1106);
-  const double s8_1108 = 1.1666666666666667*fma(w4.s2_157, w4.zdd_star_carrier_left_rx, s8_1107);
-  const double s8_1109 = fma(w2.s8_40, w4.s2_184, fnma(w2.s8_106, w4.s2_182, w2.s8_68*w4.s2_183));
-  const double s8_1110 = w4.s6_132 + fma(w2.s8_63, w4.s6_130, fnma(w2.s8_92, w4.s6_131, s8_1109));
-  const double s8_1111 = fma(w4.s2_153, w4.zdd_star_carrier_left_ry, s8_1110);
-  const double s8_1112 = fnma(w2.s8_41, w4.s2_183, fnma(w2.s8_76, w4.s2_182, w2.s8_56*w4.s6_131));
-  const double s8_1113 = 1.1666666666666667*fnma(w4.s2_150, w4.zdd_star_carrier_left_rx, s8_1111);
-  const double s8_1114 = fnma(w2.s8_63, w4.s6_125, fnma(w2.s8_68, w4.s2_184, s8_1112));
-  const double s8_1115 = fma(w4.s2_150, w4.zdd_star_carrier_left_rz, s8_1114 - w4.s6_127);
-  const double s8_1116 = 1.1666666666666667*fnma(w4.s2_157, w4.zdd_star_carrier_left_ry, s8_1115);
-  const double s8_1117 = fnma(w4.s2_150, w4.s3_19, w4.s2_153*w4.s3_17);
-  const double s8_1118 = fma(w4.s2_157, w4.s3_20, w4.s2_153*w4.Rz_carrier_left_rz_2);
-  const double s8_1119 = fnma(s8_1117, s8_1113, fnma(w6.s8_876, s8_1108, w5.s8_790));
-  const double s8_1120 = fnma(w4.s8_525, s8_1113, fnma(s8_1118, s8_1108, w5.s8_774));
-  const double s8_1121 = fma(w6.s8_879, w4.s8_524, fma(s8_1117, w4.s8_525, s8_1118*w6.s8_876));
-  w6.s8_1122 = fnma(1.1666666666666667, s8_1121, w6.s8_883);
-  const double s8_1123 = fma(w6.s8_879, w6.s8_879, fma(w6.s8_876, w6.s8_876, s8_1117*s8_1117));
-  w6.s8_1124 = fnma(1.1666666666666667, s8_1123, w6.s8_831);
-  const double s8_1125 = 1.1666666666666667*w4.s2_184;
-  const double s8_1126 = 1.1666666666666667*w4.s2_183;
-  const double s8_1127 = fma(w4.s8_524, w4.s8_524, fma(w4.s8_525, w4.s8_525, s8_1118*s8_1118));
-  const double s8_1128 = 1.1666666666666667*w4.s2_182;
-  const double s8_1129 = w4.s2_170*w4.Rz_carrier_right_rz_2;
-  const double s8_1130 = fnma(w4.s2_174, w4.Rz_carrier_right_rx_2, s8_1129);
-  const double s8_1131 = fma(s8_1130, s8_1130, fma(w4.s8_527, w4.s8_527, s8_1127));
-  const double pivot_bell_crank = fnma(1.1666666666666667, fma(w4.s8_529, w4.s8_529, s8_1131),
-      w6.s8_1104);
-  const double s8_1132 = w4.Rz_arb_front_right_2*w6.s7_214;
-  const double s8_1133 = fms(w4.s3_25, w6.s7_200, w6.s8_845);
-  const double s8_1134 = fms(w4.s3_25, w6.s7_200, w5.s8_739);
-  const double s8_1135 = fnma(w4.s3_25, w6.s7_200, w6.s8_845 - w5.s8_739 - s8_1132);
-  const double s8_1136 = fnma(w4.Rz_arb_front_left_2, w5.s7_196, s8_1135);
-  w6.s8_1137 = w6.s8_835 + fma(w4.Rz_upper_arm_left_2, w5.s7_169, s8_1136);
-  const double s8_1138 = 1.1666666666666667*w4.s2_214;
-  const double s8_1139 = fnma(w4.s8_525, s8_1128, fma(s8_1118, s8_1125, w6.s8_1098));
-  const double s8_1140 = fma(s8_1125, w4.s8_524, fnma(s8_1126, w4.s8_525, w6.s8_1099));
-  w6.s8_1141 = fma(w4.s2_212, s8_1138, fnma(w4.s2_182, s8_1125, w6.s8_1096));
-  const double s8_1142 = 1.1666666666666667*w4.s2_212;
-  const double s8_1143 = fnma(w4.Rz_upper_arm_left_2, w5.s7_169, s8_1133) - w6.s8_835;
-  const double s8_1144 = fma(w4.s8_529, s8_1142, fnma(s8_1130, s8_1138, s8_1139));
-  const double s8_1145 = fma(w4.Rz_arb_front_left_2, w5.s7_185, w5.s8_733);
-  const double s8_1146 = fma(p_lower_arm_left_x, s8_1143, s8_1144);
-  const double s8_1147 = fma(w4.Rz_arb_front_left_2, w5.s7_196, s8_1132);
-  const double s8_1148 = fma(p_rear_axle_tx_z, s8_1145, s8_1146);
-  w6.s8_1149 = fma(p_arb_front_left_x, s8_1147, s8_1148);
-  const double s8_1150 = 1.1666666666666667*w4.s2_213;
-  const double s8_1151 = fnma(s8_1128, w4.s8_524, fma(s8_1118, s8_1126, w6.s8_1088));
-  const double s8_1152 = fnma(w4.s8_527, s8_1142, fnma(s8_1130, s8_1150, s8_1151));
-  const double s8_1153 = fma(w4.Rz_upper_arm_left_2, w5.s7_169, s8_1134);
-  const double s8_1154 = w4.s3_25*w6.s7_202;
-  const double s8_1155 = fma(w4.Rz_upper_arm_left_2, w5.s7_171, s8_1154);
-  const double s8_1156 = fnma(p_rear_axle_tx_z, s8_1153, s8_1152);
-  const double s8_1157 = fnma(w4.Rz_arb_front_left_2, w5.s7_196, s8_1132);
-  const double s8_1158 = fma(p_upper_arm_right_z, s8_1155, s8_1156);
-  w6.s8_1159 = fnma(p_arb_front_right_y, s8_1157, s8_1158);
-  const double s8_1160 = fnma(w4.Rz_upper_arm_left_2, w5.s7_171, w6.s8_847 - w5.s7_181 - s8_1154);
-  w6.s8_1161 = s8_1160 - w6.s8_855;
-  const double s8_1162 = fnma(w4.Rz_upper_arm_left_2, w5.s7_171, w6.s8_847 - s8_1154) - w6.s8_855;
-  const double s8_1163 = fnma(w4.s8_529, s8_1150, fnma(w4.s8_527, s8_1138, s8_1140));
-  // tie_rod_right
-  const double s8_1164 = fnma(w4.Rz_arb_front_left_2, w5.s7_185, w5.s8_733);
-  const double s8_1165 = fma(p_lower_arm_left_x, s8_1162, s8_1163);
-  w6.s8_1166 = fnma(p_arb_front_right_y, s8_1164, s8_1165);
-  const double s8_1167 = fma(w2.s8_40, w4.s2_214, fma(w2.s8_68, w4.s2_213, w2.s8_106*w4.s2_212));
-  const double s8_1168 = fma(w2.s8_63, w4.s6_145, w4.s6_143 + fma(w2.s8_92, w4.s6_142, s8_1167));
-  const double s8_1169 = fnma(w4.s2_170, w4.zdd_star_carrier_right_ry, s8_1168);
-  const double s8_1170 = 1.1666666666666667*fma(w4.s2_167, w4.zdd_star_carrier_right_rx, s8_1169);
-  const double s8_1171 = fma(w2.s8_68, w4.s2_214, fnma(w2.s8_76, w4.s2_212, w2.s8_41*w4.s2_213));
-  const double s8_1172 = fma(w2.s8_63, w4.s6_138, w4.s6_140 + fma(w2.s8_56, w4.s6_142, s8_1171));
-  const double s8_1173 = fma(w4.s2_167, w4.zdd_star_carrier_right_rz, s8_1172);
-  const double s8_1174 = w4.s2_167*w4.Rz_carrier_right_rx_1;
-  const double s8_1175 = fnma(w4.s2_170, w4.Rz_carrier_right_ry_1, s8_1174);
-  const double s8_1176 = fnma(w4.s2_174, w4.zdd_star_carrier_right_ry, s8_1173);
-  const double s8_1177 = 1.1666666666666667*s8_1176;
-  const double s8_1178 = fnma(w4.s2_184, s8_1116, fnma(w4.s2_183, s8_1113, w6.s8_973));
-  const double s8_1179 = fma(w4.s2_182, s8_1116, fma(w4.s2_183, s8_1108, w6.s8_1017));
-  const double s8_1180 = fma(w2.s8_106, w4.s2_214, fnma(w2.s8_76, w4.s2_213, w2.s8_39*w4.s2_212));
-  const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
-  const double s8_1181 = fma(w2.s8_56, w4.s6_145, fnma(w2.s8_92, w4.s6_138, s8_1180 - w4.s6_136));
-  const double s8_1182 = zd_upper_arm_right*(zd_upper_arm_right + w2.s8_56);
-  const double s8_1183 = fnma(w4.s2_170, w4.zdd_star_carrier_right_rz, s8_1181);
-  const double s8_1184 = 1.1666666666666667*fma(w4.s2_174, w4.zdd_star_carrier_right_rx, s8_1183);
-  const double s8_1185 = fma(w4.s8_527, s8_1177, fma(w4.s8_524, s8_1116, s8_1120));
-  const double s8_1186 = fnma(w4.s2_182, s8_1113, fma(w4.s2_184, s8_1108, w6.s8_982));
-  const double s8_1187 = fnma(w6.s8_1077, s8_1184, fnma(w6.s8_1074, s8_1177, w6.s8_1026));
-  const double s8_1188 = fnma(w4.s8_529, s8_1170, fnma(s8_1130, s8_1184, s8_1185));
-  const double s8_1189 = fnma(w4.s8_529, s8_1175, s8_1130*w6.s8_1077);
-  const double s8_1190 = fnma(w4.s8_527, w6.s8_1074, s8_1189);
-  w6.s8_1191 = fnma(1.1666666666666667, s8_1190, w6.s8_1035);
-  const double s8_1192 = fma(w6.s8_1074, w6.s8_1074, s8_1175*s8_1175);
-  const double s8_1193 = fma(w6.s8_1077, w6.s8_1077, s8_1192);
-  const double s8_1194 = fnma(1.1666666666666667, s8_1193, w6.s8_1081);
-  const double s8_1195 = fma(w5.s7_171, fnma(p_pitman_arm_y, w2.s8_41, w5.s8_785), w6.s8_958);
-  const double s8_1196 = fma(w6.s7_202, fma(p_pitman_arm_y, w2.s8_41, w5.s8_785), w6.s8_940);
-  const double s8_1197 = fnma(w5.s7_169, fnma(p_rear_axle_tx_z, w2.s8_76, w5.s8_781), s8_1195);
-  const double s8_1198 = fnma(w2.s8_76, w6.s8_976, s8_1197);
-  const double s8_1199 = fma(w6.s7_200, fma(p_rear_axle_tx_z, w2.s8_76, w5.s8_781), s8_1196);
-  const double s8_1200 = fma(w2.s8_76, w6.s8_980, s8_1199);
-  const double s8_1201 = fma(w4.Rz_upper_arm_left_2, s8_1198, fma(w2.s8_68, w6.s8_983, s8_1188));
-  const double s8_1202 = fma(w4.Rz_upper_arm_left_0, s8_1198, fma(w6.s8_879, s8_1116, s8_1119));
-  const double s8_1203 = fma(w4.Rz_carrier_left_rz_2, w5.s8_776, s8_1201);
-  const double s8_1204 = tau[Coordinate::carrier_left_rz]*w2.s1_32;
-  const double s8_1205 = fnma(w2.R_carrier_left_aux1_y_x, tau[Coordinate::carrier_left_rx],
-      s8_1204);
-  const double s8_1206 = fnma(tau[Coordinate::carrier_left_ry], w2.s1_29, s8_1205);
-  const double s8_1207 = w5.n_carrier_left_y + s8_1206;
-  const double s8_1208 = fma(p_arb_front_right_x, w2.s8_40, -p_rear_axle_tx_z*w2.s8_106);
-  const double s8_1209 = fms(-p_arb_front_right_y, w2.s8_68, s8_1208);
-  const double s8_1210 = fnma(p_rear_axle_tx_z, w2.s8_39, p_arb_front_right_x*w2.s8_106);
-  const double s8_1211 = fnma(p_arb_front_right_y, w2.s8_76, s8_1210);
-  const double s8_1212 = fma(w5.s7_177, fnma(p_arb_front_right_y, w2.s8_68, s8_1208), w6.s8_1047);
-  const double s8_1213 = fma(w5.s7_196, s8_1211, fnma(w5.s7_185, s8_1209, w6.s8_1000));
-  const double s8_1214 = fma(w6.s7_214, fma(p_arb_front_right_y, w2.s8_76, s8_1210), s8_1212);
-  const double s8_1215 = fnma(0.3477, w4.zdd_star_arb_front_left, s8_1213);
-  const double s8_1216 = fnma(w2.s8_106, w6.s8_1003, s8_1215);
-  const double s8_1217 = fnma(0.3477, w4.zdd_star_arb_front_right, s8_1214);
-  const double s8_1218 = fnma(w2.s8_106, w6.s8_993, s8_1217);
-  const double s8_1219 = fma(w4.s3_20, s8_1207, fma(w4.s3_18, w6.s8_962, s8_1203));
-  const double s8_1220 = fma(w4.s3_19, s8_1207, fma(w4.s3_17, w6.s8_962, s8_1202));
-  const double s8_1221 = fma(w4.s3_25, s8_1200, fma(w4.Rz_arb_front_left_2, s8_1216, s8_1219));
-  const double tau_carrier_right_rx = tau[Coordinate::carrier_right_rx];
-  const double tau_carrier_right_ry = tau[Coordinate::carrier_right_ry];
-  const double s8_1222 = w2.R_carrier_right_aux1_z_x*tau_carrier_right_rx;
-  const double tau_carrier_right_rz = tau[Coordinate::carrier_right_rz];
-  const double s8_1223 = fma(tau_carrier_right_ry, w2.s1_44, s8_1222);
-  const double s8_1224 = fma(tau_carrier_right_rz, w2.s1_46, s8_1223) - w5.n_carrier_right_z;
-  const double s8_1225 = fma(w4.Rz_carrier_right_rz_2, w6.s8_1018, s8_1221);
-  const double s8_1226 = fma(w4.s3_24, s8_1200, fma(s8_1175, s8_1170, s8_1187));
-  const double s8_1227 = w2.R_carrier_right_aux1_y_x*tau_carrier_right_rx;
-  const double s8_1228 = fma(tau_carrier_right_ry, w2.s1_45, s8_1227);
-  const double s8_1229 = fnma(tau_carrier_right_rz, w2.s1_48, s8_1228) - w5.n_carrier_right_y;
-  const double s8_1230 = fma(w4.Rz_carrier_right_ry_2, s8_1224, s8_1225);
-  const double s8_1231 = fma(w4.Rz_carrier_right_ry_1, s8_1224, s8_1226);
-  const double s8_1232 = fma(w4.Rz_carrier_right_rx_2, s8_1229, s8_1230);
-  const double s8_1233 = fma(w4.Rz_carrier_right_rx_1, s8_1229, s8_1231);
-  const double s8_1234 = fnma(p_pitman_arm_z, w2.s8_39, p_pitman_arm_x*w2.s8_106);
-  const double s8_1235 = fma(p_pitman_arm_z, w2.s8_106, p_pitman_arm_y*w2.s8_68);
-  const double s8_1236 = fma(w5.s7_183, fnma(p_rear_axle_tx_z, w2.s8_76, s8_1234), w6.s8_988);
-  const double s8_1237 = fnma(w5.s7_182, fnma(p_pitman_arm_x, w2.s8_40, s8_1235), s8_1236);
-  const double s8_1238 = fma(w4.Rz_arb_front_right_2, s8_1218, s8_1232);
-  w6.s8_1239 = fma(w4.s3_30, fma(w2.s8_106, w6.s8_989, s8_1237), s8_1238);
-  const double s8_1240 = 3.75 + w5.s7_169;
-  w6.s8_1241 = w5.s7_180 + (w6.s7_200 + (w6.s7_205 + (w5.s7_169 + (5.25 + w5.s7_190))));
-  w6.s8_1242 = fma(m_carrier_right, w6.s8_1012, w6.s8_1241 + w5.s8_539);
-  const double s8_1243 = fma(w6.s7_200, s8_1182, w4.s6_178*w6.s7_202);
-  const double s8_1244 = fnma(w4.s6_178, w6.s7_200, w6.s7_202*s8_1182);
-  const double s8_1245 = w6.s7_200 - 3.75;
-  const double s8_1246 = w6.s7_205 - 5.0;
-  const double s8_1247 = w6.s7_205*w4.s8_522;
-  const double s8_1248 = 5.0 + w5.s7_190;
-  const double s8_1249 = 23.1 - w5.s7_183;
-  const double s8_1250 = s8_1248 + (s8_1240 + (s8_1245 + s8_1246));
-  const double s8_1251 = fma(p_pitman_arm_y, s8_1249, w6.s8_843);
-  const double s8_1252 = 17.775 + w6.s7_214;
-  const double s8_1253 = 17.775 + w5.s7_196;
-  const double s8_1254 = fma(p_lower_arm_left_x, s8_1250, s8_1251);
-  const double s8_1255 = s8_1252 + s8_1253;
-  const double s8_1256 = w3.s7_38 - 14.85;
-  const double s8_1257 = w3.s7_42 - 14.85;
-  const double s8_1258 = fnma(p_arb_front_right_y, s8_1253 - s8_1252, s8_1254);
-  const double s8_1259 = fnma(p_arb_rear_right_y, s8_1257 - s8_1256, s8_1258);
-  const double s8_1260 = s8_1256 + s8_1257;
-  w6.s8_1261 = s8_1259 + fma(w4.s2_213, s8_1138, fma(w4.s2_183, s8_1125, w6.s8_1097));
-  const double s8_1262 = fnma(w4.s2_213, s8_1170, fma(w4.s2_214, s8_1177, s8_1178));
-  const double s8_1263 = fma(w4.s2_212, s8_1170, fnma(w4.s2_214, s8_1184, s8_1186));
-  const double s8_1264 = fnma(w4.s2_213, s8_1184, fma(w4.s2_212, s8_1177, s8_1179));
-  const double s8_1265 = 2.1 + w5.s7_182;
-  const double s8_1266 = 2.1 + w6.s7_202;
-  const double s8_1267 = w5.s7_171 - 2.1;
-  const double s8_1268 = 7.75 + w6.s7_207;
-  const double s8_1269 = w5.s7_192 - 7.75;
-  const double s8_1270 = fnma(p_rear_axle_tx_z, s8_1267 + (s8_1266 - s8_1265), w5.s8_738);
-  const double s8_1271 = fma(p_lower_arm_left_y, s8_1268 + s8_1269, s8_1270);
-  const double s8_1272 = fma(p_lower_arm_left_z, s8_1246 + s8_1248, s8_1271);
-  w6.s8_1273 = fma(0.8, s8_1248 - s8_1246, s8_1240 + (w6.s8_985 - s8_1245));
-  const double s8_1274 = fnma(w4.s2_213, s8_1150, fnma(w4.s2_183, s8_1126, w6.s8_1085));
-  const double s8_1275 = w6.s8_1273 + s8_1274;
-  w6.s8_1276 = fnma(w3.s8_470, w6.s8_926, fnma(w3.s8_510, w6.s8_925, s8_1275));
-  w6.s8_1277 = fnma(w3.s8_455, w6.s8_894, fnma(w3.s8_512, w6.s8_893, s8_1275));
-  const double s8_1278 = w5.s7_177 - 2.25;
-  const double s8_1279 = w5.s7_185 - 2.25;
-  const double s8_1280 = fma(p_upper_arm_right_z, s8_1245 + s8_1240, s8_1272);
-  const double s8_1281 = 2.025 + w3.s7_37;
-  const double s8_1282 = 2.025 + w3.s7_41;
-  const double s8_1283 = fnma(p_arb_front_right_y, s8_1279 - s8_1278, s8_1280);
-  const double s8_1284 = fnma(p_arb_rear_right_y, s8_1281 - s8_1282, s8_1283);
-  const double s8_1285 = s8_1281 + s8_1282;
-  w6.s8_1286 = s8_1284 + fnma(w4.s2_212, s8_1150, fma(w4.s2_182, s8_1126, w6.s8_1086));
-  w6.s8_1287 = fma(w2.s8_106, s8_1284, fnma(w5.s8_765, s8_1259, s8_1262));
-  w6.s8_1288 = fnma(w2.s8_68, s8_1284, fma(w2.s8_76, s8_1259, s8_1263));
-  w6.s8_1289 = fnma(w5.s8_775, s8_1284, fnma(w2.s8_106, s8_1259, s8_1264));
-  w6.s8_1290 = 1.0/pivot_bell_crank;
-  result.inertia[8] = pivot_bell_crank - 1.5272999999999997e-20;
-  const double s8_1291 = w6.s8_1191*w6.s8_1290;
-  w6.s8_1292 = fnma(w5.s8_759, s8_1291, w6.s8_1065);
-  w6.s8_1293 = fnma(w6.s8_1137, s8_1291, w6.s8_1066);
-  const double s8_1294 = fma(s8_1138, w6.s8_1074, fma(s8_1150, s8_1175, w6.s8_1062));
-  const double s8_1295 = fnma(s8_1150, w6.s8_1077, fma(s8_1142, w6.s8_1074, w6.s8_1063));
-  w6.s8_1296 = fnma(w6.s8_1159, s8_1291, s8_1295);
-  const double s8_1297 = fnma(s8_1138, w6.s8_1077, fnma(s8_1175, s8_1142, w6.s8_1072));
-  const double s8_1298 = fma(w4.Rz_arb_front_right_1, s8_1218, s8_1233);
-  w6.s8_1299 = fma(p_lower_arm_left_x, w6.s8_1053, fnma(w6.s8_1166, s8_1291, s8_1294));
-  w6.s8_1300 = fma(p_lower_arm_left_x, w6.s8_1067, fnma(w6.s8_1149, s8_1291, s8_1297));
-  w6.s8_1301 = fma(w2.s8_76, w6.s8_979, fnma(w6.s8_1239, s8_1291, s8_1298));
-  w6.s8_1302 = fnma(w6.s8_1161, s8_1291, w6.s8_1053);
-  w6.s8_1303 = w6.s8_1122*s8_1291;
-  const double pivot_lower_arm_right = fnma(w6.s8_1191, s8_1291, s8_1194);
-  w6.s8_1304 = 1.0/pivot_lower_arm_right;
-  result.inertia[7] = fnma(1e-12, s8_1194, pivot_lower_arm_right - 1.5272999999999997e-20);
-  const double s8_1305 = w6.s8_1303*w6.s8_1304;
-  const double s8_1306 = w6.s8_1122*w6.s8_1290;
-  const double s8_1307 = fms(s8_1305, w6.s8_1302, w5.s7_192) - w6.s8_804 - w5.s8_796;
-  w6.s8_1308 = fnma(w6.s8_1161, s8_1306, s8_1307);
-  const double s8_1309 = fnma(w6.s8_879, s8_1128, fma(s8_1126, w6.s8_876, w6.s8_817));
-  const double s8_1310 = fma(s8_1125, w6.s8_879, fnma(s8_1117, s8_1126, w6.s8_819));
-  const double s8_1311 = fnma(s8_1117, s8_1128, fma(s8_1125, w6.s8_876, w6.s8_828));
-  w6.s8_1312 = fma(s8_1305, w6.s8_1292, fnma(w5.s8_759, s8_1306, w6.s8_822));
-  w6.s8_1313 = fma(s8_1305, w6.s8_1293, fnma(w6.s8_1137, s8_1306, w6.s8_824));
-  w6.s8_1314 = fma(s8_1305, w6.s8_1296, fnma(w6.s8_1159, s8_1306, s8_1309));
-  const double s8_1315 = fnma(w6.s8_1239, s8_1306, fma(w4.Rz_arb_front_left_0, s8_1216, s8_1220));
-  const double s8_1316 = fma(s8_1305, w6.s8_1299, fnma(w6.s8_1166, s8_1306, s8_1310));
-  w6.s8_1317 = fnma(p_lower_arm_left_x, w5.s8_796 + (w5.s7_192 + w6.s8_804), s8_1316);
-  const double s8_1318 = fma(s8_1305, w6.s8_1300, fnma(w6.s8_1149, s8_1306, s8_1311));
-  w6.s8_1319 = fnma(p_lower_arm_left_x, w6.s8_826, s8_1318);
-  w6.pivot_lower_arm_left = fnma(w6.s8_1303, s8_1305, fnma(w6.s8_1122, s8_1306, w6.s8_1124));
-  w7.s8_1320 = fma(w2.s8_76, w6.s8_975, fma(s8_1305, w6.s8_1301, s8_1315));
-  const double s8_1321 = fma(0.9, s8_1285, fma(0.8, s8_1265, w6.s8_1009) - s8_1278 - s8_1279);
-  w7.s8_1322 = fma(1.24, s8_1268 - s8_1269, fma(0.56, s8_1266 - s8_1267, s8_1321));
-  const double s8_1323 = fnma(w4.s2_212, s8_1142, fnma(w4.s2_182, s8_1128, w6.s8_1090));
-  w7.s8_1324 = w7.s8_1322 + s8_1323;
-  const double s8_1325 = 33.3125 - w5.s7_181;
+  const double s8_990 = w5.s8_811*w5.s8_802;
+  const double s8_991 = w4.s8_513*w5.s8_800;
+  const double s8_992 = w5.s8_816*w5.s8_913;
 
   // --- step 8: elimination from the leaves to the root (63), continued ---
-  const double s8_1326 = fnma(p_pitman_arm_x, s8_1265, fma(p_bell_crank_z, s8_1325, w5.s8_540));
-  const double s8_1327 = s8_1269 + (s8_1267 - s8_1266 - s8_1268);
-  const double s8_1328 = fnma(6.6, s8_1260, fma(8.8, s8_1249, fma(6.5, s8_1325, w5.s8_541)));
-  w7.s8_1329 = fma(7.9, s8_1255, s8_1328);
-  const double s8_1330 = fma(p_lower_arm_left_x, s8_1327, fma(p_pitman_arm_z, s8_1249, s8_1326));
-  const double s8_1331 = fnma(w4.s2_214, s8_1138, fnma(w4.s2_184, s8_1125, w6.s8_1095));
-  const double s8_1332 = fnma(p_carrier_left_rz_y, s8_1260, s8_1330);
-  w7.s8_1333 = fma(7.2, w6.s8_901, w7.s8_1329 + s8_1331);
-  const double s8_1334 = fma(p_rear_axle_tx_z, s8_1255, s8_1332);
-  const double s8_1335 = fma(p_arb_front_left_x, s8_1278 + s8_1279, s8_1334);
-  w7.s8_1336 = fnma(p_arb_rear_left_x, s8_1285, s8_1335);
-  w7.s8_1337 = fnma(w3.s8_471, w6.s8_840, fnma(w3.s8_514, w6.s8_839, w7.s8_1333));
-  const double R_chassis_aux4_y_x = w8.sines[0];
-  const double s1_6 = w8.sines[2];
+  const double s8_993 = fnma(w5.s8_712, s8_991, fnma(w5.s8_808, s8_990, w5.s8_989));
+  const double s8_994 = fnma(w4.s8_46, w5.s8_829, fnma(s8_992, w5.s8_821, s8_993));
   // chassis: chassis_rx, revolute, chassis_aux5
-  const double R_chassis_aux4_x_x = w8.cosines[0];
-  w7.R_chassis_x_z = fma(R_chassis_aux4_x_x, w3.s1_56, R_chassis_aux4_y_x*s1_6);
-  w7.R_chassis_y_z = fnma(R_chassis_aux4_x_x, s1_6, R_chassis_aux4_y_x*w3.s1_56);
-  const double s8_1338 = w3.s7_37*w3.s8_352;
-  const double s8_1339 = w3.s7_38*w3.s8_352;
-  const double s8_1340 = w5.s7_185 + (w5.s7_171 + (w5.s7_192 + (3289.7 - w3.s7_41 - w3.s7_37)));
-  w7.s8_1341 = w5.s7_177 + (s8_1340 - w6.s7_207 - w6.s7_202) - w5.s7_182;
-  w7.s8_1342 = fma(m_carrier_right, w6.s8_1010, w7.s8_1341 + w5.s8_535);
-  const double tau_chassis_tx = tau[Coordinate::chassis_tx];
-  const double tau_chassis_ty = tau[Coordinate::chassis_ty];
-  const double tau_chassis_tz = tau[Coordinate::chassis_tz];
-  const double s8_1343 = fma(w7.R_chassis_y_z, tau_chassis_ty, w7.R_chassis_x_z*tau_chassis_tx);
-  const double s8_1344 = fma(w2.R_chassis_z_z, tau_chassis_tz, s8_1343) - s8_1338;
-  w7.s8_1345 = w6.s8_838*w3.s8_508;
-  const double s8_1346 = fnma(w3.s7_41, w3.s8_353, s8_1344) - w2.f_rear_axle_z;
-  w7.s8_1347 = w3.s8_481*w3.s8_504;
-  const double s8_1348 = fnma(w3.s8_503, w7.s8_1347, fnma(w7.s8_1345, w3.s8_518, s8_1346));
-  const double s8_1349 = w6.s8_992 + (s8_1348 - w6.s8_908 - w6.s8_918) - s8_1244;
-  w7.s8_1350 = w5.s8_595 + (s8_1244 - w6.s8_918 - w6.s8_995 - w6.s8_1005);
-  const double s8_1351 = fma(w6.s7_207, w4.s8_522, s8_1244 + w5.f_carrier_right_z) - w5.s8_595;
-  w7.s8_1352 = fma(w5.s7_192, w3.s8_521, fma(w6.s7_207, w4.s8_522, w6.s8_916));
-  const double s8_1353 = w6.s8_1002 + fnma(w6.s7_207, w4.s8_522, s8_1349 - w5.f_carrier_right_z);
-  w7.s8_1354 = fnma(w5.s7_192, w3.s8_521, w5.f_carrier_left_z + s8_1351);
-  const double s8_1355 = fnma(w2.s8_76, w6.s8_1241, w5.s8_595 + s8_1353 - w5.f_carrier_left_z);
-  w7.s8_1356 = fma(w5.s7_192, w3.s8_521, s8_1355);
-  const double s1_7 = w8.cosines[2];
-  w7.R_chassis_x_y = fnma(R_chassis_aux4_y_x, s1_7, R_chassis_aux4_x_x*w3.s1_59);
-  w7.R_chassis_y_y = fma(R_chassis_aux4_x_x, s1_7, R_chassis_aux4_y_x*w3.s1_59);
-  const double s8_1357 = fma(w7.R_chassis_y_y, tau_chassis_ty, w7.R_chassis_x_y*tau_chassis_tx);
-  w7.s8_1358 = w3.s8_382 + w3.s8_385;
-  const double s8_1359 = fma(w1.R_chassis_z_y, tau_chassis_tz, s8_1357) - w3.s8_382 - w3.s8_385;
-  w7.s8_1360 = w3.s8_242*w3.s8_504;
-  w7.s8_1361 = w3.s8_506*w6.s8_838;
-  const double s8_1362 = fnma(w3.s8_503, w7.s8_1360, s8_1359 - w2.f_rear_axle_y);
-  const double s8_1363 = w6.s8_916 + (w6.s8_910 + fnma(w7.s8_1361, w3.s8_518, s8_1362));
-  w7.s8_1364 = w6.s8_995 + w6.s8_1005;
-  w7.s8_1365 = s8_1243 - w5.s8_594;
-  const double s8_1366 = s8_1247 + (s8_1243 + (s8_1363 - w6.s8_995) - w5.f_carrier_right_y);
-  w7.s8_1367 = fma(w5.s7_190, w3.s8_521, s8_1247);
-  const double s8_1368 = s8_1247 + (s8_1243 - w5.f_carrier_right_y) - w5.s8_594;
-  w7.s8_1369 = fma(w5.s7_190, w3.s8_521, s8_1368 - w5.f_carrier_left_y);
-  const double s8_1370 = s8_1366 - w6.s8_1005 - w5.s8_594 - w5.f_carrier_left_y;
-  w7.s8_1371 = fma(w5.s7_190, w3.s8_521, fma(w2.s8_41, w6.s8_1241, s8_1370));
-  w7.s8_1372 = fma(w3.s7_41, w3.s8_353, s8_1338);
-  w7.s8_1373 = fnma(w3.s7_41, w3.s8_353, s8_1338);
-  // chassis_aux5: chassis_ry, revolute, chassis_aux4
-  const double R_chassis_aux5_z_z = w8.cosines[1];
-  w7.R_chassis_aux5_x_x = R_chassis_aux4_x_x*R_chassis_aux5_z_z;
-  w7.R_chassis_aux5_y_x = R_chassis_aux4_y_x*R_chassis_aux5_z_z;
-  const double s8_1374 = w7.R_chassis_aux5_x_x*tau_chassis_tx;
-  const double s8_1375 = fma(w7.R_chassis_aux5_y_x, tau_chassis_ty, s8_1374);
-  const double s8_1376 = s8_1339 + fnma(w8.sines[1], tau_chassis_tz, s8_1375);
-  w7.s8_1377 = fma(w3.s7_42, w3.s8_353, s8_1376) - w2.f_rear_axle_x;
-  w7.s8_1378 = fnma(w3.s7_42, w3.s8_353, s8_1339);
-  w7.s8_1379 = fma(w3.s7_42, w3.s8_353, s8_1339);
-  const double s8_1380 = w6.s7_214 + (w5.s7_196 + (w3.s7_38 + (356.525 + w3.s7_42))) - w5.s7_183;
-  w7.s8_1381 = s8_1380 - w5.s7_181;
-  w7.s8_1382 = w7.s8_1381 + w5.s8_537;
-}
-
-/// Part 9 of compute_accelerations: step 8: elimination from the leaves to the root (63),
-/// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63); step 9:
-/// accelerations from the root to the leaves (63), (62).
-[[gnu::noinline]] void compute_accelerations_9(const State& state, const double* tau,
-    AccelerationsWork1& __restrict w1, AccelerationsWork2& __restrict w2,
-    AccelerationsWork3& __restrict w3, AccelerationsWork4& __restrict w4,
-    AccelerationsWork5& __restrict w5, AccelerationsWork6& __restrict w6,
-    AccelerationsWork7& __restrict w7, AccelerationsWork8& __restrict w8,
-    Accelerations& __restrict result) noexcept {
-  // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
-  // continued ---
-  const double s8_1383 = 1.0/w6.pivot_lower_arm_left;
-  const double s8_1384 = w6.pivot_lower_arm_left - 1.5272999999999997e-20;
-  result.inertia[6] = fnma(1e-12, w6.s8_1124, s8_1384);
-  const double s8_1385 = s8_1383*w6.s8_1317;
-  const double s8_1386 = w6.s8_1304*w6.s8_1299;
-  const double s8_1387 = w6.s8_1166*w6.s8_1290;
-  const double s8_1388 = fnma(w6.s8_1299, s8_1386, fnma(w6.s8_1317, s8_1385, w6.s8_1276));
-  // chassis: chassis_rx, revolute, chassis_aux5
-  const double pivot_chassis_rx = w7.s8_1333 + fnma(w6.s8_1166, s8_1387, s8_1388);
-  result.inertia[5] = pivot_chassis_rx;
-  const double s8_1389 = fnma(w6.s8_1239, s8_1387, fnma(w6.s8_1301, s8_1386, w6.s8_1287));
-  const double s8_1390 = 1.0/pivot_chassis_rx;
-  const double s8_1391 = fnma(w2.s8_76, w7.s8_1336, fnma(s8_1385, w7.s8_1320, s8_1389));
-  const double s8_1392 = s8_1383*w6.s8_1314;
-  const double s8_1393 = w6.s8_1304*w6.s8_1296;
-  const double s8_1394 = w6.s8_1159*w6.s8_1290;
-  const double s8_1395 = fma(w6.s8_1299, s8_1393, fma(s8_1392, w6.s8_1317, w6.s8_1141));
-  const double s8_1396 = fma(w6.s8_1300, s8_1393, fma(s8_1392, w6.s8_1319, w6.s8_1261));
-  const double s8_1397 = fnma(w6.s8_1296, s8_1393, fnma(w6.s8_1314, s8_1392, w6.s8_1277));
-  const double s8_1398 = w7.s8_1324 + fnma(w6.s8_1159, s8_1394, s8_1397);
-  const double s8_1399 = fnma(w6.s8_1239, s8_1394, fnma(w6.s8_1301, s8_1393, w6.s8_1289));
-  const double s8_1400 = w7.s8_1336 + fma(w6.s8_1166, s8_1394, s8_1395);
-  const double s8_1401 = fma(p_lower_arm_left_x, w6.s8_890, s8_1400);
-  const double s8_1402 = fma(w2.s8_68, w7.s8_1336, fnma(s8_1392, w7.s8_1320, s8_1399));
-  const double s8_1403 = s8_1383*w6.s8_1319;
-  const double s8_1404 = w6.s8_1304*w6.s8_1300;
-  const double s8_1405 = w6.s8_1149*w6.s8_1290;
-
-  // --- step 8: elimination from the leaves to the root (63), continued ---
-  // chassis: chassis_rx, revolute, chassis_aux5
-  const double s8_1406 = fma(w6.s8_1299, s8_1404, fma(w6.s8_1317, s8_1403, w6.s8_1286));
-  const double s8_1407 = fma(w6.s8_1166, s8_1405, s8_1406);
-  const double s8_1408 = fnma(w6.s8_1300, s8_1404, fnma(w6.s8_1319, s8_1403, w7.s8_1337));
-  const double s8_1409 = w7.s8_1324 + fnma(w6.s8_1149, s8_1405, s8_1408);
-  const double s8_1410 = fnma(w6.s8_1239, s8_1405, fnma(w6.s8_1301, s8_1404, w6.s8_1288));
-  const double s8_1411 = s8_1390*s8_1407;
-  const double s8_1412 = fma(s8_1411, s8_1401, fma(w6.s8_1149, s8_1394, s8_1396));
-  const double s8_1413 = fma(p_lower_arm_left_x, w6.s8_842, s8_1412);
-  const double s8_1414 = fma(p_lower_arm_left_x, w7.s8_1369, s8_1391);
-  const double s8_1415 = fnma(p_rear_axle_tx_z, w6.s8_955 + (w6.s8_917 - w6.s8_924), s8_1414);
-  const double s8_1416 = fma(p_lower_arm_left_y, w6.s8_968 - w6.s8_945, s8_1415);
-  const double s8_1417 = fnma(p_arb_front_left_x, w7.s8_1364, s8_1416);
-  const double s8_1418 = fnma(p_arb_front_right_y, w6.s8_1001 - w6.s8_991, s8_1417);
-  const double s8_1419 = fnma(p_arb_rear_left_x, w7.s8_1358, s8_1418);
-  const double s8_1420 = fnma(p_arb_rear_right_y, w7.s8_1378, s8_1419);
-  const double s8_1421 = fma(w2.s8_68, w6.s8_1273 - w7.s8_1329, s8_1420);
-  const double s8_1422 = fnma(w3.s8_286, w7.s8_1336, fnma(s8_1403, w7.s8_1320, s8_1410));
-  const double s8_1423 = fma(p_lower_arm_left_x, w7.s8_1354, fma(s8_1411, s8_1421, s8_1422));
-  const double s8_1424 = fnma(p_carrier_left_rz_y, w7.s8_1379, s8_1423);
-  const double s8_1425 = fnma(p_lower_arm_left_z, w6.s8_945 + w6.s8_968, s8_1424);
-  const double s8_1426 = fnma(p_rear_axle_tx_z, w6.s8_991 + w6.s8_1001, s8_1425);
-  const double s8_1427 = fnma(p_arb_front_left_x, w6.s8_992 + w6.s8_1002, s8_1426);
-  const double s8_1428 = fnma(p_upper_arm_right_z, w6.s8_924 + w6.s8_955, s8_1427);
-  const double s8_1429 = fma(p_arb_rear_left_x, w7.s8_1372, s8_1428);
-  const double s8_1430 = fma(w2.s8_106, w7.s8_1329 - w7.s8_1322, s8_1429);
-  const double s8_1431 = s8_1390*s8_1401;
-  const double pivot_chassis_ry = fnma(s8_1407, s8_1411, s8_1409);
-  const double s8_1432 = 1.0/pivot_chassis_ry;
-  result.inertia[4] = mbgen::min(fnma(1e-12, s8_1409, pivot_chassis_ry), w3.s9_6);
-  const double s8_1433 = s8_1432*s8_1413;
-  const double s8_1434 = fma(s8_1431, s8_1421, fnma(p_carrier_left_rz_y, w7.s8_1358, s8_1402));
-  const double s8_1435 = fnma(p_rear_axle_tx_z, w7.s8_1350, fma(s8_1433, s8_1430, s8_1434));
-  const double s8_1436 = fma(p_lower_arm_left_y, w7.s8_1352, s8_1435);
-  const double s8_1437 = fnma(p_lower_arm_left_z, w7.s8_1367, s8_1436);
-  const double s8_1438 = fnma(p_upper_arm_right_z, w7.s8_1365, s8_1437);
-  const double s8_1439 = fnma(p_arb_front_right_y, w6.s8_1002 - w6.s8_992, s8_1438);
-  const double s8_1440 = fnma(p_arb_rear_right_y, w7.s8_1373, s8_1439);
-  const double s8_1441 = fma(w2.s8_76, w7.s8_1322 - w6.s8_1273, s8_1440);
-  const double s8_1442 = w6.s8_1304*w6.s8_1293;
-  const double s8_1443 = w6.s8_1137*w6.s8_1290;
-  const double s8_1444 = s8_1383*w6.s8_1313;
-  const double s8_1445 = fnma(w6.s8_1239, s8_1443, fnma(w6.s8_1301, s8_1442, w7.s8_1356));
-  const double s8_1446 = fma(w2.s8_39, w7.s8_1341, fnma(s8_1444, w7.s8_1320, s8_1445));
-  const double s8_1447 = w6.s8_1304*w6.s8_1302;
-  const double s8_1448 = w6.s8_1161*w6.s8_1290;
-  const double s8_1449 = s8_1383*w6.s8_1308;
-  const double s8_1450 = fnma(w6.s8_1239, s8_1448, fnma(w6.s8_1301, s8_1447, w7.s8_1371));
-  const double s8_1451 = fnma(w2.s8_76, w7.s8_1341, fnma(s8_1449, w7.s8_1320, s8_1450));
-  const double s8_1452 = w6.s8_838*w3.s8_507;
-  const double s8_1453 = w3.s8_480*w3.s8_504;
-  const double s8_1454 = fnma(w3.s8_503, s8_1453, fnma(s8_1452, w3.s8_518, w7.s8_1377));
-  const double s8_1455 = s8_1454 - w6.s8_911 - w6.s8_917 - w6.s8_991 - w6.s8_924;
-  const double s8_1456 = s8_1455 - w5.f_carrier_right_x - w6.s8_945 - w6.s8_1001 - w6.s8_955;
-  const double s8_1457 = w6.s8_1304*w6.s8_1292;
-  const double s8_1458 = fnma(w2.s8_68, w6.s8_1241, s8_1456 - w5.f_carrier_left_x) - w6.s8_968;
-  const double s8_1459 = w5.s8_759*w6.s8_1290;
-  const double s8_1460 = w6.s8_1312*s8_1383;
-  const double s8_1461 = fnma(w6.s8_1239, s8_1459, fnma(w6.s8_1301, s8_1457, s8_1458));
-  const double s8_1462 = fnma(w2.s8_106, w7.s8_1341, fnma(s8_1460, w7.s8_1320, s8_1461));
-  const double s8_1463 = fma(w3.s8_470, w7.s8_1347, w7.s8_1345*w3.s8_510);
-  const double s8_1464 = fma(w6.s8_1299, s8_1442, fma(s8_1444, w6.s8_1317, s8_1463));
-  const double s8_1465 = fma(w6.s8_1166, s8_1443, s8_1464);
-  const double s8_1466 = fma(s8_1460, w6.s8_1317, fma(w3.s8_470, s8_1453, s8_1452*w3.s8_510));
-  const double s8_1467 = w6.s8_1242 + fma(w6.s8_1166, s8_1459, fma(w6.s8_1299, s8_1457, s8_1466));
-  const double s8_1468 = fnma(w3.s8_455, w7.s8_1347, fnma(w7.s8_1345, w3.s8_512, w6.s8_1242));
-  const double s8_1469 = fnma(w6.s8_1296, s8_1442, fnma(s8_1444, w6.s8_1314, s8_1468));
-  const double s8_1470 = fma(w3.s8_471, w7.s8_1347, w7.s8_1345*w3.s8_514);
-  const double s8_1471 = fnma(w3.s8_481, w7.s8_1347, fnma(w3.s8_508, w7.s8_1345, 15306.0));
-  const double s8_1472 = fma(w6.s8_1300, s8_1442, fma(s8_1444, w6.s8_1319, s8_1470));
-  const double s8_1473 = fnma(w6.s8_1293, s8_1442, fnma(w6.s8_1313, s8_1444, s8_1471));
-  const double s8_1474 = fnma(w6.s8_1137, s8_1443, s8_1473);
-  const double s8_1475 = w7.s8_1382 + fma(s8_1465, s8_1411, fma(w6.s8_1149, s8_1443, s8_1472));
-  const double s8_1476 = fnma(s8_1465, s8_1431, fnma(w6.s8_1159, s8_1443, s8_1469));
-  const double s8_1477 = fnma(s8_1433, s8_1475, s8_1476);
-  const double s8_1478 = fnma(w3.s8_470, w7.s8_1360, fnma(w7.s8_1361, w3.s8_510, w7.s8_1382));
-  const double s8_1479 = fnma(w6.s8_1299, s8_1447, fnma(s8_1449, w6.s8_1317, s8_1478));
-  const double s8_1480 = fnma(w6.s8_1166, s8_1448, s8_1479);
-  const double s8_1481 = fnma(w3.s8_471, s8_1453, fnma(s8_1452, w3.s8_514, w7.s8_1342));
-  const double s8_1482 = fnma(w6.s8_1300, s8_1457, fnma(s8_1460, w6.s8_1319, s8_1481));
-  const double s8_1483 = fnma(s8_1467, s8_1411, fnma(w6.s8_1149, s8_1459, s8_1482));
-  const double s8_1484 = fnma(w7.s8_1361, w3.s8_514, s8_1411*s8_1480);
-  const double s8_1485 = fnma(s8_1449, w6.s8_1319, fnma(w3.s8_471, w7.s8_1360, s8_1484));
-  const double s8_1486 = fnma(w6.s8_1149, s8_1448, fnma(w6.s8_1300, s8_1447, s8_1485));
-  const double s8_1487 = fnma(w3.s8_455, s8_1453, fnma(s8_1452, w3.s8_512, s8_1483*s8_1433));
-  const double s8_1488 = fnma(w6.s8_1296, s8_1457, fnma(s8_1460, w6.s8_1314, s8_1487));
-  const double s8_1489 = fnma(s8_1467, s8_1431, fnma(w6.s8_1159, s8_1459, s8_1488));
-  const double pivot_chassis_rz = fnma(s8_1401, s8_1431, fnma(s8_1413, s8_1433, s8_1398));
-  result.inertia[3] = fnma(1e-12, s8_1398, pivot_chassis_rz);
-  const double s8_1490 = 1.0/pivot_chassis_rz;
-  const double s8_1491 = fnma(w7.s8_1361, w3.s8_512, s8_1431*s8_1480);
-  const double s8_1492 = fnma(s8_1449, w6.s8_1314, fnma(w3.s8_455, w7.s8_1360, s8_1491));
-  const double s8_1493 = fnma(w6.s8_1159, s8_1448, fnma(w6.s8_1296, s8_1447, s8_1492));
-  const double s8_1494 = fma(s8_1433, s8_1486, s8_1493 - w7.s8_1342);
-  const double s8_1495 = s8_1432*s8_1475;
-  const double s8_1496 = fnma(w3.s8_481, s8_1453, fnma(s8_1452, w3.s8_508, s8_1483*s8_1495));
-  const double s8_1497 = fnma(w6.s8_1293, s8_1457, fnma(s8_1460, w6.s8_1313, s8_1496));
-  const double s8_1498 = s8_1390*s8_1480;
-  const double s8_1499 = fnma(w3.s8_242, s8_1453, fnma(w3.s8_506, s8_1452, s8_1467*s8_1498));
-  const double s8_1500 = fnma(w3.s8_480, s8_1453, fnma(w3.s8_507, s8_1452, 15306.0));
-  const double s8_1501 = fnma(w6.s8_1302, s8_1457, fnma(s8_1460, w6.s8_1308, s8_1499));
-  const double s8_1502 = fnma(w6.s8_1292, s8_1457, fnma(w6.s8_1312, s8_1460, s8_1500));
-  const double s8_1503 = fnma(w5.s8_759, s8_1459, s8_1502);
-  const double s8_1504 = s8_1465*s8_1390;
-  const double s8_1505 = fma(s8_1504, s8_1421, fnma(w2.s8_106, w7.s8_1381, s8_1446));
-  const double s8_1506 = fnma(w7.s8_1361, w3.s8_508, s8_1504*s8_1480);
-  const double s8_1507 = fnma(w6.s8_1313, s8_1449, fnma(w3.s8_481, w7.s8_1360, s8_1506));
-  const double s8_1508 = fnma(w3.s8_242, w7.s8_1360, fnma(w3.s8_506, w7.s8_1361, 15306.0));
-  const double s8_1509 = fnma(w6.s8_1137, s8_1448, fnma(w6.s8_1293, s8_1447, s8_1507));
-  const double s8_1510 = fnma(w6.s8_1302, s8_1447, fnma(w6.s8_1308, s8_1449, s8_1508));
-  const double s8_1511 = fnma(w6.s8_1161, s8_1448, s8_1510);
-  const double s8_1512 = s8_1490*s8_1477;
-  const double s8_1513 = fnma(s8_1467, s8_1504, fnma(w6.s8_1137, s8_1459, s8_1497));
-  const double s8_1514 = fnma(s8_1489, s8_1512, s8_1513);
-  const double s8_1515 = fnma(s8_1465, s8_1504, fnma(s8_1475, s8_1495, s8_1474));
-  const double pivot_chassis_tz = fnma(s8_1477, s8_1512, s8_1515);
-  const double s8_1516 = fnma(s8_1512, s8_1494, fma(s8_1495, s8_1486, s8_1509));
-  const double s8_1517 = fnma(s8_1512, s8_1441, fma(s8_1495, s8_1430, s8_1505));
-  result.inertia[2] = fnma(1e-12, s8_1474, pivot_chassis_tz);
-  const double s8_1518 = 1.0/pivot_chassis_tz;
-  const double s8_1519 = s8_1432*s8_1486;
-  const double s8_1520 = fnma(s8_1498, s8_1421, fnma(w2.s8_68, w7.s8_1381, s8_1451));
-  const double s8_1521 = s8_1490*s8_1494;
-  const double s8_1522 = fnma(s8_1483, s8_1519, fnma(w6.s8_1161, s8_1459, s8_1501));
-  const double s8_1523 = fnma(s8_1486, s8_1519, fnma(s8_1480, s8_1498, s8_1511));
-  const double s8_1524 = s8_1518*s8_1516;
-  const double s8_1525 = fnma(s8_1514, s8_1524, fnma(s8_1489, s8_1521, s8_1522));
-  const double pivot_chassis_ty = fnma(s8_1516, s8_1524, fnma(s8_1494, s8_1521, s8_1523));
-  const double s8_1526 = fnma(s8_1521, s8_1441, fnma(s8_1519, s8_1430, s8_1520));
-  const double s8_1527 = fnma(s8_1524, s8_1517, s8_1526);
-  result.inertia[1] = fnma(1e-12, s8_1511, pivot_chassis_ty);
-  const double s8_1528 = 1.0/pivot_chassis_ty;
-  const double s8_1529 = s8_1467*s8_1390;
-  const double s8_1530 = s8_1483*s8_1432;
-  const double s8_1531 = fma(s8_1529, s8_1421, fma(w2.s8_40, w7.s8_1381, s8_1462));
-  const double s8_1532 = s8_1489*s8_1490;
-  const double s8_1533 = fnma(s8_1483, s8_1530, fnma(s8_1467, s8_1529, s8_1503));
-  const double s8_1534 = s8_1514*s8_1518;
-  const double s8_1535 = fnma(s8_1532, s8_1441, fnma(s8_1530, s8_1430, s8_1531));
-  const double s8_1536 = s8_1525*s8_1528;
-  const double s8_1537 = fnma(s8_1514, s8_1534, fnma(s8_1489, s8_1532, s8_1533));
-  const double pivot_chassis_tx = fnma(s8_1525, s8_1536, s8_1537);
-  result.inertia[0] = fnma(1e-12, s8_1503, pivot_chassis_tx);
+  const double s8_995 = w3.s8_902[1] + (w3.s8_902[0] + w5.s8_857);
+  const double s8_996 = fma(s8_992, w5.s8_818, fnma(w4.s8_576, w5.s8_987, w5.s8_985*w5.s8_577));
+  const double s8_997 = w5.s8_896 + fma(w5.s8_694, s8_991, fma(w5.s8_805, s8_990, s8_996));
+  const double s8_998 = fnma(w5.s8_960, w5.s8_579, w5.s8_806*w5.s8_964);
+  const double s8_999 = fnma(w5.s8_967, w5.s8_817, fnma(w5.s8_578, w5.s8_962, s8_998));
+  const double s8_1000 = fma(w4.s8_576, w5.s8_962, w5.s8_960*w5.s8_577);
+  const double s8_1001 = fnma(w5.s8_805, w5.s8_964, fma(w5.s8_967, w5.s8_818, s8_1000));
+  const double s8_1002 = fma(w5.s8_694, w5.s8_966, s8_1001);
+  const double s8_1003 = fnma(w5.s8_580, w5.s8_962, w5.s8_960*w5.s8_581);
+  const double s8_1004 = fnma(w4.s8_574, w5.s8_962, fnma(w4.s8_575, w5.s8_960, 15306.0));
+  const double s8_1005 = fnma(w5.s8_807, w5.s8_964, fma(w5.s8_967, w5.s8_819, s8_1003));
+  const double s8_1006 = fnma(w5.s8_804, w5.s8_964, fnma(w5.s8_814, w5.s8_967, s8_1004));
+  const double s8_1007 = fnma(w4.s8_518, w5.s8_966, s8_1006);
+  const double s8_1008 = s8_995 + fma(s8_1002, w5.s8_945, fma(w5.s8_672, w5.s8_966, s8_1005));
+  const double s8_1009 = fnma(s8_1002, w5.s8_953, w5.s8_896 + fnma(w5.s8_692, w5.s8_966, s8_999));
+  const double s8_1010 = fnma(w5.s8_956, s8_1008, s8_1009);
+  const double s8_1011 = fma(w4.s8_576, w5.s8_972, w5.s8_974*w5.s8_577);
+  const double s8_1012 = fnma(w5.s8_805, w5.s8_976, fnma(w5.s8_979, w5.s8_818, s8_1011));
+  const double s8_1013 = s8_995 + fma(w5.s8_694, w5.s8_978, s8_1012);
+  const double s8_1014 = fnma(w5.s8_580, w5.s8_987, fnma(w5.s8_985, w5.s8_581, w5.s8_912));
+  const double s8_1015 = fnma(w5.s8_807, s8_990, fnma(s8_992, w5.s8_819, s8_1014));
+  const double s8_1016 = fnma(s8_997, w5.s8_945, fnma(w5.s8_672, s8_991, s8_1015));
+  const double s8_1017 = fnma(w5.s8_580, w5.s8_972, w5.s8_974*w5.s8_581);
+  const double s8_1018 = fnma(w5.s8_807, w5.s8_976, fnma(w5.s8_979, w5.s8_819, s8_1017));
+  const double s8_1019 = fma(w5.s8_945, s8_1013, fma(w5.s8_672, w5.s8_978, s8_1018));
+  const double s8_1020 = fma(w5.s8_578, w5.s8_972, w5.s8_974*w5.s8_579);
+  const double s8_1021 = fnma(w5.s8_806, w5.s8_976, fnma(w5.s8_979, w5.s8_817, s8_1020));
+  const double s8_1022 = fma(w5.s8_953, s8_1013, fma(w5.s8_692, w5.s8_978, s8_1021) - w5.s8_912);
+  const double s8_1023 = fma(w5.s8_956, s8_1019, s8_1022);
+  const double s8_1024 = fnma(s8_992, w5.s8_817, fnma(w5.s8_985, w5.s8_579, w5.s8_578*w5.s8_987));
+  const double s8_1025 = fnma(w5.s8_692, s8_991, fnma(w5.s8_806, s8_990, s8_1024));
+  const double s8_1026 = fnma(s8_997, w5.s8_953, fma(s8_1016, w5.s8_956, s8_1025));
+  const double pivot_chassis_rz = fnma(w5.s8_944, w5.s8_953, fnma(w5.s8_947, w5.s8_956, w5.s8_942));
+  result.inertia[3] = fnma(1e-12, w5.s8_942, pivot_chassis_rz);
+  const double s8_1027 = 1.0/pivot_chassis_rz;
+  const double s8_1028 = fnma(w4.s8_572, w5.s8_987, fnma(w4.s8_573, w5.s8_985, 15306.0));
+  const double s8_1029 = fnma(w5.s8_802, s8_990, fnma(w5.s8_816, s8_992, s8_1028));
+  const double s8_1030 = fnma(w4.s8_513, s8_991, s8_1029);
+  const double s8_1031 = fnma(s8_992, w5.s8_814, fnma(w5.s8_985, w4.s8_575, w4.s8_574*w5.s8_987));
+  const double s8_1032 = fnma(s8_992, w5.s8_815, fnma(w4.s8_250, w5.s8_987, w4.s8_571*w5.s8_985));
+  const double s8_1033 = fma(w4.s8_574, w5.s8_972, w5.s8_974*w4.s8_575);
+  const double s8_1034 = fnma(w4.s8_250, w5.s8_972, fnma(w4.s8_571, w5.s8_974, 15306.0));
+  const double s8_1035 = fma(w5.s8_804, w5.s8_976, fnma(w5.s8_814, w5.s8_979, s8_1033));
+  const double s8_1036 = fnma(w5.s8_803, w5.s8_976, fnma(w5.s8_815, w5.s8_979, s8_1034));
+  const double s8_1037 = fnma(w4.s8_520, w5.s8_978, s8_1036);
+  const double s8_1038 = w5.s8_955*s8_1008;
+  const double s8_1039 = fnma(w4.s8_518, s8_991, fma(w5.s8_804, s8_990, s8_1031));
+  const double s8_1040 = s8_1002*w5.s8_933;
+  const double s8_1041 = fma(s8_1040, s8_1013, fma(w4.s8_518, w5.s8_978, s8_1035));
+  const double s8_1042 = s8_1027*s8_1010;
+  const double s8_1043 = fnma(s8_997, s8_1040, fma(s8_1016, s8_1038, s8_1039));
+  const double s8_1044 = fnma(s8_1026, s8_1042, s8_1043);
+  const double s8_1045 = fnma(s8_1002, s8_1040, fnma(s8_1008, s8_1038, s8_1007));
+  const double pivot_chassis_tz = fnma(s8_1010, s8_1042, s8_1045);
+  const double s8_1046 = fnma(s8_1042, s8_1023, fma(s8_1038, s8_1019, s8_1041));
+  const double s8_1047 = fma(s8_1038, w5.s8_952, fma(s8_1040, w5.s8_949, w5.s8_970));
+  result.inertia[2] = fnma(1e-12, s8_1007, pivot_chassis_tz);
+  const double s8_1048 = 1.0/pivot_chassis_tz;
+  const double s8_1049 = w3.s8_892[1] + (w3.s8_892[0] + fnma(s8_1042, w5.s8_958, s8_1047));
+  const double s8_1050 = w5.s8_933*s8_1013;
+  const double s8_1051 = fma(w4.s8_520, s8_991, fnma(w5.s8_803, s8_990, s8_1032));
+  const double s8_1052 = w5.s8_955*s8_1019;
+  const double s8_1053 = s8_1027*s8_1023;
+  const double s8_1054 = fnma(s8_1016, s8_1052, fma(s8_997, s8_1050, s8_1051));
+  const double s8_1055 = fnma(s8_1019, s8_1052, fnma(s8_1013, s8_1050, s8_1037));
+  const double s8_1056 = fnma(s8_1052, w5.s8_952, fnma(s8_1050, w5.s8_949, w5.s8_982));
+  const double s8_1057 = s8_1048*s8_1046;
+  const double s8_1058 = fnma(s8_1044, s8_1057, fnma(s8_1026, s8_1053, s8_1054));
+  const double pivot_chassis_ty = fnma(s8_1046, s8_1057, fnma(s8_1023, s8_1053, s8_1055));
+  result.inertia[1] = fnma(1e-12, s8_1037, pivot_chassis_ty);
+  const double s8_1059 = 1.0/pivot_chassis_ty;
+  const double s8_1060 = w3.s8_878[0] + fnma(s8_1057, s8_1049, fnma(s8_1053, w5.s8_958, s8_1056));
+  const double s8_1061 = s8_1060 - w3.s8_878[1];
+  const double s8_1062 = s8_997*w5.s8_933;
+  const double s8_1063 = s8_1016*w5.s8_955;
+  const double s8_1064 = fma(s8_1062, w5.s8_949, fma(w4.s8_19, w5.s8_856, s8_994));
+  const double s8_1065 = s8_1026*s8_1027;
+  const double s8_1066 = fnma(s8_1016, s8_1063, fnma(s8_997, s8_1062, s8_1030));
+  const double s8_1067 = s8_1044*s8_1048;
+  const double s8_1068 = fnma(s8_1065, w5.s8_958, fnma(s8_1063, w5.s8_952, s8_1064));
+  const double s8_1069 = s8_1058*s8_1059;
+  const double s8_1070 = fnma(s8_1044, s8_1067, fnma(s8_1026, s8_1065, s8_1066));
+  const double pivot_chassis_tx = fnma(s8_1058, s8_1069, s8_1070);
+  result.inertia[0] = fnma(1e-12, s8_1030, pivot_chassis_tx);
+  const double s8_1071 = w3.s8_876[0] + fnma(s8_1069, s8_1061, fnma(s8_1067, s8_1049, s8_1068));
 
   // --- step 9: accelerations from the root to the leaves (63), (62), continued ---
   // chassis: chassis_rx, revolute, chassis_aux5
-  const double s8_1538 = fnma(s8_1536, s8_1527, fnma(s8_1534, s8_1517, s8_1535));
-  const double a_chassis_x = s8_1538*(1.0/pivot_chassis_tx);
-  const double a_chassis_y = s8_1528*fnma(s8_1525, a_chassis_x, s8_1527);
-  const double s1_55 = w8.sines[1];
-  const double s9_7 = fnma(g_z, s1_55, a_chassis_x);
-  const double a_chassis_z = s8_1518*fnma(s8_1516, a_chassis_y, fnma(s8_1514, a_chassis_x,
-      s8_1517));
-  const double s9_8 = fma(g_z, w1.R_chassis_z_y, a_chassis_y);
-  const double s9_9 = fnma(s8_1494, a_chassis_y, fnma(s8_1489, a_chassis_x, s8_1441));
-  const double s9_10 = fnma(s8_1486, a_chassis_y, fnma(s8_1483, a_chassis_x, s8_1430));
-  const double s9_11 = fnma(s8_1480, a_chassis_y, fma(s8_1467, a_chassis_x, s8_1421));
-  const double s9_12 = fnma(w6.s8_1308, a_chassis_y, fnma(w6.s8_1312, a_chassis_x, w7.s8_1320));
-  const double s9_13 = fnma(w6.s8_1302, a_chassis_y, fnma(w6.s8_1292, a_chassis_x, w6.s8_1301));
-  const double s9_14 = fnma(w6.s8_1161, a_chassis_y, fnma(w5.s8_759, a_chassis_x, w6.s8_1239));
-  const double s9_15 = fnma(w3.s8_506, a_chassis_y, fnma(w3.s8_507, a_chassis_x, w3.s8_518));
-  const double s9_16 = fnma(w3.s8_242, a_chassis_y, fnma(w3.s8_480, a_chassis_x, w3.s8_503));
-  const double alpha_chassis_x = s8_1490*fnma(s8_1477, a_chassis_z, s9_9);
-  const double s9_17 = fma(g_z, w2.R_chassis_z_z, a_chassis_z);
-  const double s9_18 = fma(w7.R_chassis_y_y, s9_8, w7.R_chassis_aux5_y_x*s9_7);
-  result.zdd[Coordinate::chassis_ty] = fma(w7.R_chassis_y_z, s9_17, s9_18);
-  const double s9_19 = fma(w7.R_chassis_x_y, s9_8, w7.R_chassis_aux5_x_x*s9_7);
-  result.zdd[Coordinate::chassis_tx] = fma(w7.R_chassis_x_z, s9_17, s9_19);
-  result.zdd[Coordinate::chassis_tz] = fma(w2.R_chassis_z_z, s9_17, fnma(s1_55, s9_7,
-      w1.R_chassis_z_y*s9_8));
-  const double alpha_chassis_y = s8_1432*fma(s8_1413, alpha_chassis_x, fma(s8_1475, a_chassis_z,
-      s9_10));
-  const double s9_20 = fma(s8_1401, alpha_chassis_x, fma(s8_1465, a_chassis_z, s9_11));
-  const double s9_21 = alpha_chassis_y + w2.s9_3;
-  const double s9_22 = fnma(w6.s8_1314, alpha_chassis_x, fnma(w6.s8_1313, a_chassis_z, s9_12));
-  const double s9_23 = fnma(w6.s8_1296, alpha_chassis_x, fnma(w6.s8_1293, a_chassis_z, s9_13));
-  const double s9_24 = fnma(w6.s8_1159, alpha_chassis_x, fnma(w6.s8_1137, a_chassis_z, s9_14));
-  const double s9_25 = fnma(w3.s8_512, alpha_chassis_x, fnma(w3.s8_508, a_chassis_z, s9_15));
-  const double s9_26 = fnma(w3.s8_455, alpha_chassis_x, fnma(w3.s8_481, a_chassis_z, s9_16));
-  const double alpha_chassis_z = s8_1390*fma(s8_1407, alpha_chassis_y, s9_20);
-  const double s9_27 = alpha_chassis_z + w2.s9_2;
-  const double s9_28 = fnma(w6.s8_1319, alpha_chassis_y, s9_22);
-  const double s9_29 = fnma(w6.s8_1300, alpha_chassis_y, s9_23);
-  const double s9_30 = fnma(w6.s8_1149, alpha_chassis_y, s9_24);
-  const double s9_31 = fnma(w3.s8_514, alpha_chassis_y, s9_25);
-  const double s9_32 = fnma(w3.s8_471, alpha_chassis_y, s9_26);
-  result.zdd[Coordinate::chassis_rz] = fma(w3.s1_54, s9_27, w3.s1_58*s9_21);
-  const double s9_33 = s8_1383*fnma(w6.s8_1317, alpha_chassis_z, s9_28);
-  result.zdd[Coordinate::lower_arm_left] = s9_33;
-  const double s9_34 = w6.s8_838*fnma(w3.s8_510, alpha_chassis_z, s9_31);
-  result.zdd[Coordinate::arb_rear_left] = s9_34;
-  result.zdd[Coordinate::chassis_ry] = fnma(w8.sines[2], s9_27, w8.cosines[2]*s9_21);
-  const double s9_35 = fma(w3.s1_57, s9_27, w3.s1_60*s9_21);
-  result.zdd[Coordinate::chassis_rx] = fma(w3.s1_61, alpha_chassis_x + w2.s9_1, s9_35);
-  const double s9_36 = fma(w6.s8_1303, s9_33, fnma(w6.s8_1299, alpha_chassis_z, s9_29));
-  const double s9_37 = w6.s8_1304*s9_36;
-  result.zdd[Coordinate::lower_arm_right] = s9_37;
-  const double s9_38 = fnma(w3.s8_489, s9_34, fnma(w3.s8_470, alpha_chassis_z, s9_32));
-  const double s9_39 = w3.s8_504*s9_38;
-  result.zdd[Coordinate::arb_rear_right] = s9_39;
-  const double s9_40 = fnma(w6.s8_1122, s9_33, fnma(w6.s8_1166, alpha_chassis_z, s9_30));
-  const double s9_41 = fma(w2.Rz_rear_axle_ry_0, s9_34, w2.zdd_star_rear_axle_ry);
-  const double s9_42 = fma(w2.Rz_rear_axle_ry_1, s9_39, s9_41);
-  const double s9_43 = fma(w2.Rz_rear_axle_rx_0, s9_34, w2.zdd_star_rear_axle_rx);
-  const double s9_44 = fma(w2.Rz_rear_axle_rx_1, s9_39, s9_43);
-  const double s9_45 = fma(w2.Rz_rear_axle_tx_0, s9_34, w2.zdd_star_rear_axle_tx);
-  result.zdd[Coordinate::rear_axle_tx] = fma(w2.Rz_rear_axle_tx_1, s9_39, s9_45);
-  const double s9_46 = fnma(w2.s3_1, s9_34, w2.zdd_star_rear_axle_tz);
-  result.zdd[Coordinate::rear_axle_tz] = fma(w2.Rz_rear_axle_tz_1, s9_39, s9_46);
-  const double s9_47 = fma(w2.Rz_rear_axle_rz_0, s9_34, w2.zdd_star_rear_axle_rz);
-  const double s9_48 = fnma(w2.s3_2, s9_39, s9_47);
-  const double s9_49 = w6.s8_1290*fnma(w6.s8_1191, s9_37, s9_40);
-  result.zdd[Coordinate::bell_crank] = s9_49;
+  const double a_chassis_x = (w3.s8_876[1] + s8_1071)*(1.0/pivot_chassis_tx);
+  const double a_chassis_y = s8_1059*fnma(s8_1058, a_chassis_x, s8_1061);
+  const double s1_44 = w6.sines[1];
+  const double s9_6 = fnma(g_z, s1_44, a_chassis_x);
+  const double a_chassis_z = s8_1048*fnma(s8_1046, a_chassis_y, fnma(s8_1044, a_chassis_x,
+      s8_1049));
+  const double s9_7 = fma(g_z, w4.R_chassis_z_y, a_chassis_y);
+  const double s9_8 = fnma(s8_1023, a_chassis_y, fnma(s8_1026, a_chassis_x, w5.s8_958));
+  const double s9_9 = fnma(s8_1019, a_chassis_y, fnma(s8_1016, a_chassis_x, w5.s8_952));
+  const double s9_10 = fnma(s8_1013, a_chassis_y, fma(s8_997, a_chassis_x, w5.s8_949));
+  const double s9_11 = fnma(w5.s8_815, a_chassis_y, fnma(w5.s8_816, a_chassis_x, w5.s8_821));
+  const double s9_12 = fnma(w5.s8_803, a_chassis_y, fnma(w5.s8_802, a_chassis_x, w5.s8_808));
+  const double s9_13 = fma(w4.s8_520, a_chassis_y, fnma(w4.s8_513, a_chassis_x, w5.s8_712));
+  const double s9_14 = fma(w4.s8_571, a_chassis_y, fnma(w4.s8_573, a_chassis_x, w5.s8_583));
+  const double s9_15 = fnma(w4.s8_250, a_chassis_y, fnma(w4.s8_572, a_chassis_x, w5.s8_582));
+  const double alpha_chassis_x = s8_1027*fnma(s8_1010, a_chassis_z, s9_8);
+  const double s9_16 = fma(g_z, w4.R_chassis_z_z, a_chassis_z);
+  const double s9_17 = fma(w5.R_chassis_y_y, s9_7, w5.R_chassis_aux5_y_x*s9_6);
+  result.zdd[Coordinate::chassis_ty] = fma(w5.R_chassis_y_z, s9_16, s9_17);
+  const double s9_18 = fma(w5.R_chassis_x_y, s9_7, w5.R_chassis_aux5_x_x*s9_6);
+  result.zdd[Coordinate::chassis_tx] = fma(w5.R_chassis_x_z, s9_16, s9_18);
+  result.zdd[Coordinate::chassis_tz] = fma(w4.R_chassis_z_z, s9_16, fnma(s1_44, s9_6,
+      w4.R_chassis_z_y*s9_7));
+  const double s9_19 = fma(w5.s8_947, alpha_chassis_x, fma(s8_1008, a_chassis_z, s9_9));
+  const double alpha_chassis_y = w5.s8_955*s9_19;
+  const double s9_20 = fma(w5.s8_944, alpha_chassis_x, fma(s8_1002, a_chassis_z, s9_10));
+  const double s9_21 = alpha_chassis_y + w4.s9_3;
+  const double s9_22 = fnma(w5.s8_817, alpha_chassis_x, fnma(w5.s8_814, a_chassis_z, s9_11));
+  const double s9_23 = fnma(w5.s8_806, alpha_chassis_x, fma(w5.s8_804, a_chassis_z, s9_12));
+  const double s9_24 = fnma(w5.s8_692, alpha_chassis_x, fnma(w4.s8_518, a_chassis_z, s9_13));
+  const double s9_25 = fnma(w5.s8_579, alpha_chassis_x, fnma(w4.s8_575, a_chassis_z, s9_14));
+  const double s9_26 = fma(w5.s8_578, alpha_chassis_x, fma(w4.s8_574, a_chassis_z, s9_15));
+  const double alpha_chassis_z = w5.s8_933*fma(w5.s8_923, alpha_chassis_y, s9_20);
+  const double s9_27 = alpha_chassis_z + w4.s9_2;
+  const double s9_28 = fnma(w5.s8_819, alpha_chassis_y, s9_22);
+  const double s9_29 = fnma(w5.s8_807, alpha_chassis_y, s9_23);
+  const double s9_30 = fnma(w5.s8_672, alpha_chassis_y, s9_24);
+  const double s9_31 = fnma(w5.s8_581, alpha_chassis_y, s9_25);
+  result.zdd[Coordinate::chassis_rz] = fma(w4.s1_43, s9_27, w4.s1_47*s9_21);
+  const double s9_32 = w5.s8_913*fnma(w5.s8_818, alpha_chassis_z, s9_28);
+  result.zdd[Coordinate::lower_arm_left] = s9_32;
+  const double s9_33 = w5.s8_597*fnma(w5.s8_577, alpha_chassis_z, s9_31);
+  result.zdd[Coordinate::arb_rear_left] = s9_33;
+  result.zdd[Coordinate::chassis_ry] = fnma(w6.sines[2], s9_27, w6.cosines[2]*s9_21);
+  const double s9_34 = fma(w4.s1_46, s9_27, w4.s1_49*s9_21);
+  result.zdd[Coordinate::chassis_rx] = fma(w4.s1_50, alpha_chassis_x + w4.s9_1, s9_34);
+  const double s9_35 = fma(w4.s8_576, alpha_chassis_z, fnma(w5.s8_580, alpha_chassis_y, s9_26));
+  const double s9_36 = w5.s8_811*fma(w5.s8_809, s9_32, fnma(w5.s8_805, alpha_chassis_z, s9_29));
+  result.zdd[Coordinate::lower_arm_right] = s9_36;
+  const double s9_37 = w4.s8_568*fnma(w4.s8_252, s9_33, s9_35);
+  result.zdd[Coordinate::arb_rear_right] = s9_37;
+  const double s9_38 = fnma(w5.s8_798, s9_32, fnma(w5.s8_694, alpha_chassis_z, s9_30));
+  const double s9_39 = fma(w4.s3_8, s9_37, fma(w4.s3_7, s9_33, w4.zdd_star_rear_axle_ry));
+  const double s9_40 = fnma(w4.s3_26, s9_37, fma(w4.s3_25, s9_33, w4.zdd_star_rear_axle_rx));
+  result.zdd[Coordinate::rear_axle_tz] = fnma(w4.s3_2, s9_37, fnma(w4.s3_3, s9_33,
+      w4.zdd_star_rear_axle_tz));
+  const double s9_41 = fnma(w4.s3_11, s9_37, fma(w4.s3_12, s9_33, w4.zdd_star_rear_axle_rz));
+  const double s9_42 = w5.s8_800*fnma(w5.s8_799, s9_36, s9_38);
+  result.zdd[Coordinate::bell_crank] = s9_42;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double alpha_rear_axle_y = s9_42 + (w2.s8_43 + alpha_chassis_y);
-  const double alpha_rear_axle_z = s9_44 + (w2.s8_42 + alpha_chassis_z);
-  const double alpha_rear_axle_x = s9_48 + (w2.s8_44 + alpha_chassis_x);
-  result.zdd[Coordinate::rear_axle_ty] = -fma(w2.s3_10, s9_39, fma(w2.s3_7, s9_34, w2.s6_89));
-  const double s9_50 = fma(w4.Rz_arb_front_left_0, s9_33, w4.zdd_star_arb_front_left);
-  result.zdd[Coordinate::arb_front_left] = fma(w4.Rz_arb_front_left_2, s9_49, s9_50);
-  const double s9_51 = fms(w4.Rz_upper_arm_left_0, s9_33, w4.s6_159);
-  result.zdd[Coordinate::upper_arm_left] = fma(w4.Rz_upper_arm_left_2, s9_49, s9_51);
-  const double s9_52 = fma(w4.Rz_carrier_right_ry_1, s9_37, w4.zdd_star_carrier_right_ry);
-  const double s9_53 = fma(w4.Rz_carrier_right_ry_2, s9_49, s9_52);
-  const double s9_54 = fma(w4.Rz_carrier_right_rx_1, s9_37, w4.zdd_star_carrier_right_rx);
-  const double s9_55 = fma(w4.Rz_carrier_right_rx_2, s9_49, s9_54);
-  const double s9_56 = fma(w4.Rz_arb_front_right_1, s9_37, w4.zdd_star_arb_front_right);
-  result.zdd[Coordinate::arb_front_right] = fma(w4.Rz_arb_front_right_2, s9_49, s9_56);
-  const double s9_57 = fnma(w4.s3_17, s9_33, w4.zdd_star_carrier_left_ry);
-  const double s9_58 = fnma(w4.s3_18, s9_49, s9_57);
-  const double s9_59 = fnma(w4.s3_19, s9_33, w4.zdd_star_carrier_left_rx);
-  const double s9_60 = fnma(w4.s3_20, s9_49, s9_59);
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s9_61 = fma(w5.s8_651, s9_33, w5.s8_607 + alpha_chassis_x);
-  const double alpha_carrier_left_x = fma(w4.Rz_carrier_left_rz_2, s9_49, s9_61);
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s9_62 = fma(w5.s8_699, s9_37, w5.s8_550 + alpha_chassis_x);
-  const double alpha_carrier_right_x = fma(w4.Rz_carrier_right_rz_2, s9_49, s9_62);
-  const double alpha_carrier_right_z = s9_53 + (w5.s8_551 + alpha_chassis_z);
-  const double alpha_carrier_right_y = s9_55 + (w5.s8_552 + alpha_chassis_y);
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double alpha_carrier_left_z = s9_58 + (w5.s8_596 + alpha_chassis_z);
-  const double alpha_carrier_left_y = s9_60 + (w5.s8_597 + alpha_chassis_y);
-  result.zdd[Coordinate::pitman_arm] = -fma(w4.s3_30, s9_49, w4.s6_194);
-  result.zdd[Coordinate::upper_arm_right] = -fma(w4.s3_25, s9_49, fma(w4.s3_24, s9_37, w4.s6_178));
-  const double s9_63 = w1.R_rear_axle_x_y*alpha_rear_axle_x;
+  const double alpha_rear_axle_y = s9_39 + (w4.s8_22 + alpha_chassis_y);
+  const double alpha_rear_axle_z = s9_40 + (w4.s8_21 + alpha_chassis_z);
+  const double alpha_rear_axle_x = s9_41 + (w4.s8_23 + alpha_chassis_x);
+  result.zdd[Coordinate::rear_axle_ty] = fnma(w4.s3_21, s9_33, fms(w4.s3_22, s9_37, w4.s6_66));
+  result.zdd[Coordinate::pitman_arm] = -fma(w4.s3_33, s9_42, w4.s6_126);
+  const double s9_43 = w3.R_rear_axle_x_y*alpha_rear_axle_x;
   const double zd_rear_axle_rz = state.zd[Coordinate::rear_axle_rz];
-  const double s9_64 = fma(w1.R_rear_axle_y_y, alpha_rear_axle_y, s9_63);
-  const double s9_65 = fma(w1.R_rear_axle_z_y, alpha_rear_axle_z, s9_64);
-  const double s9_66 = s9_48 + fma(zd_rear_axle_rz, w1.s4_8, w1.s4_6*w1.s4_3);
-  const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
-  const double s9_67 = fnma(w4.s4_32, w4.s4_41, fnma(w4.s4_38, w4.s4_30, s9_53));
-  const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
-  const double s9_68 = fnma(w3.s4_17, w3.s4_26, fnma(w3.s4_23, w3.s4_15, s9_58));
-  const double s9_69 = fma(zd_rear_axle_rz, w1.s4_1 - w1.s4_2, fma(w1.s4_1, w1.s4_3, s9_42));
-  result.zdd[Coordinate::rear_axle_rx] = fma(w3.s1_66, s9_66, w3.s1_65*s9_69);
-  result.zdd[Coordinate::rear_axle_ry] = fnma(w8.sines[17], s9_66, w8.cosines[17]*s9_69);
-  const double s9_70 = s9_44 + fma(w1.s4_1, w1.s4_7, w1.s4_6*w1.s4_2);
-  result.zdd[Coordinate::rear_axle_rz] = fma(w3.s1_67, s9_70, fma(w3.s1_64, s9_66, w3.s1_63*s9_69));
-  const double s9_71 = s9_55 + fnma(w4.s4_29, w4.s4_30, w4.s4_33*w4.s4_36);
-  const double s9_72 = fma(w4.s4_34, zd_lower_arm_right + w4.s4_32, s9_71);
-  const double s9_73 = s9_60 + fnma(w3.s4_14, w3.s4_15, w3.s4_18*w3.s4_21);
-  const double s9_74 = fma(w3.s4_19, zd_lower_arm_left + w3.s4_17, s9_73);
-  const double s9_75 = fnma(w4.s4_40, w4.s4_36, s9_67);
-  const double s9_76 = fma(zd_lower_arm_right, w4.s4_38 - w4.s4_39, s9_75);
-  const double s9_77 = fnma(w3.s4_25, w3.s4_21, s9_68);
-  const double s9_78 = fma(zd_lower_arm_left, w3.s4_23 - w3.s4_24, s9_77);
-  const double s9_79 = fma(w4.s4_40, w4.s4_34, fma(w4.s4_38, w4.s4_31, w4.s4_29*w4.s4_39));
-  const double s9_80 = fma(w3.s4_25, w3.s4_19, fma(w3.s4_23, w3.s4_16, w3.s4_14*w3.s4_24));
-  const double s9_81 = w4.zdd_star_carrier_right_rz + fnma(w4.s4_33, w4.s4_41, s9_79);
-  const double s9_82 = w4.zdd_star_carrier_left_rz + fnma(w3.s4_18, w3.s4_26, s9_80);
-  const double s9_83 = fma(w4.Rz_carrier_right_rz_2, s9_49, fnma(w4.s3_26, s9_37, s9_81));
-  const double s9_84 = fma(w4.Rz_carrier_left_rz_2, s9_49, fnma(w4.s3_16, s9_33, s9_82));
-  result.zdd[Coordinate::carrier_right_ry] = fma(w2.s1_44, s9_76, fnma(w2.s1_47, s9_83,
-      w2.s1_45*s9_72));
-  result.zdd[Coordinate::carrier_left_ry] = fma(w2.s1_28, s9_78, fnma(w2.s1_31, s9_84,
-      w2.s1_29*s9_74));
-  result.zdd[Coordinate::carrier_right_rz] = fma(w2.s1_46, s9_76, fnma(w2.s1_48, s9_72,
-      w2.s1_51*s9_83));
-  result.zdd[Coordinate::carrier_left_rz] = fma(w2.s1_30, s9_78, fnma(w2.s1_32, s9_74,
-      w2.s1_35*s9_84));
-  const double s9_85 = fma(w2.R_carrier_right_aux1_y_x, s9_72, w8.cosines[10]*s9_83);
-  result.zdd[Coordinate::carrier_right_rx] = fma(w2.R_carrier_right_aux1_z_x, s9_76, s9_85);
-  const double s9_86 = fma(w2.R_carrier_left_aux1_y_x, s9_74, w8.cosines[4]*s9_84);
-  result.zdd[Coordinate::carrier_left_rx] = fma(w2.R_carrier_left_aux1_z_x, s9_78, s9_86);
-  const double s9_87 = 0.09090909090909091*tau[Coordinate::wheel_front_left];
-  const double s9_88 = fma(w2.s1_21, alpha_carrier_left_x, s9_87);
-  const double s9_89 = fnma(w2.R_carrier_left_aux2_y_y, alpha_carrier_left_y, s9_88);
-  result.zdd[Coordinate::wheel_front_left] = fnma(w2.R_carrier_left_aux2_z_y, alpha_carrier_left_z,
-      s9_89);
-  const double s9_90 = 0.09090909090909091*tau[Coordinate::wheel_front_right];
-  const double s9_91 = fma(w2.s1_37, alpha_carrier_right_x, s9_90);
-  const double s9_92 = fnma(w2.R_carrier_right_aux2_y_y, alpha_carrier_right_y, s9_91);
-  result.zdd[Coordinate::wheel_front_right] = fnma(w2.R_carrier_right_aux2_z_y,
-      alpha_carrier_right_z, s9_92);
+  const double s9_44 = fma(w3.R_rear_axle_y_y, alpha_rear_axle_y, s9_43);
+  const double s9_45 = fma(w4.R_rear_axle_z_y, alpha_rear_axle_z, s9_44);
+  const double s9_46 = s9_41 + fma(zd_rear_axle_rz, w4.s4_14, w4.s4_12*w4.s4_3);
+  const double s9_47 = fma(zd_rear_axle_rz, w4.s4_1 - w4.s4_2, fma(w4.s4_1, w4.s4_3, s9_39));
+  result.zdd[Coordinate::rear_axle_rx] = fma(w4.s1_32, s9_46, w4.s1_33*s9_47);
+  result.zdd[Coordinate::rear_axle_ry] = fnma(w6.sines[7], s9_46, w6.cosines[7]*s9_47);
+  const double s9_48 = s9_40 + fma(w4.s4_1, w4.s4_13, w4.s4_12*w4.s4_2);
+  result.zdd[Coordinate::rear_axle_rz] = fma(w4.s1_31, s9_48, fma(w4.s1_30, s9_46, w4.s1_29*s9_47));
+  const Pair s9_49 = fnma(w1.s4_26, w1.s4_34, w1.s4_32*w1.s4_27);
+  const Pair s9_50 = fma(w1.s4_23, w1.s4_34, w1.s4_24*w1.s4_27);
+  const Pair s9_51 = fma(w1.s4_23, w1.s4_32, w1.s4_24*w1.s4_26);
+  const double s9_52 = fnma(s9_32, w3.s3_29[0], w2.zdd_star_carrier_left_and_right_ry[0]);
+  const double s9_53 = fnma(s9_42, w3.s3_34[0], s9_52);
+  const double s9_54 = fma(s9_36, w3.s3_29[1], w2.zdd_star_carrier_left_and_right_ry[1]);
+  const double s9_55 = fma(s9_42, w3.s3_34[1], s9_54);
+  const double s9_56 = fnma(s9_32, w3.s3_30[0], w2.zdd_star_carrier_left_and_right_rx[0]);
+  const double s9_57 = fnma(s9_42, w3.s3_35[0], s9_56);
+  const double s9_58 = fma(s9_36, w3.s3_30[1], w2.zdd_star_carrier_left_and_right_rx[1]);
+  const double s9_59 = fma(s9_42, w3.s3_35[1], s9_58);
+  const Pair s9_60 = fma(w1.s4_30, w1.s4_29, w1.s4_28*w1.s4_31);
+  const Pair s9_61 = fma(w1.s4_22, w1.s4_30, w1.s0_21*w1.s4_28);
+  const Pair s9_62 = w1.s0_21*w1.s4_30;
+  const Pair s9_63 = w1.s0_21*w1.s4_31;
+  const Pair s9_64 = fnma(w1.s0_21, w1.s4_29, w1.s4_22*w1.s4_31);
+  const double s6_127 = w2.zdd_star_carrier_left_and_right_rz[0];
+  const double s6_128 = w2.zdd_star_carrier_left_and_right_rz[1];
+  const double s3_37 = w3.Rz_carrier_left_and_right_rz_2[0];
+  const double s9_65 = s9_42*w3.Rz_carrier_left_and_right_rz_2[1];
+  const double s9_66 = s9_60[0] + fma(s9_42, s3_37, fnma(s9_32, w3.s3_28[0], s6_127));
+  const double s9_67 = s9_66 - s9_49[0];
+  const double s9_68 = s9_49[1] + (fnma(s9_36, w3.s3_28[1], s9_65) - s6_128 - s9_60[1]);
+  const double s9_69 = s9_50[0] + (s9_57 + s9_63[0] - s9_64[0]);
+  const double s9_70 = s9_50[1] + (s9_59 + s9_63[1] - s9_64[1]);
+  const double s9_71 = s9_53 + s9_62[0] - s9_61[0] - s9_51[0];
+  const double s9_72 = s9_51[1] + (s9_61[1] - s9_55 - s9_62[1]);
+  const double s9_73 = fma(s9_69, w1.R_carrier_left_and_right_aux1_y_x[0], w6.cosines[3]*s9_67);
+  result.zdd[Coordinate::carrier_left_rx] = fma(s9_71, w1.R_carrier_left_and_right_aux1_z_x[0],
+      s9_73);
+  result.zdd[Coordinate::carrier_left_ry] = fma(s9_71, w3.s1_38[0], fnma(s9_67, w3.s1_40[0],
+      s9_69*w3.s1_36[0]));
+  result.zdd[Coordinate::carrier_right_ry] = fnma(s9_72, w3.s1_38[1], fma(s9_70, w3.s1_36[1],
+      s9_68*w3.s1_40[1]));
+  result.zdd[Coordinate::carrier_left_rz] = fma(s9_67, w3.s1_35[0], fnma(s9_69, w3.s1_37[0],
+      s9_71*w3.s1_39[0]));
+  result.zdd[Coordinate::carrier_right_rz] = fma(s9_68, w3.s1_35[1], fma(s9_72, w3.s1_39[1],
+      s9_70*w3.s1_37[1]));
+  const double s1_51 = w1.R_carrier_left_and_right_aux1_y_x[1];
+  const double s1_52 = w1.R_carrier_left_and_right_aux1_z_x[1];
+  result.zdd[Coordinate::carrier_right_rx] = fma(s9_72, s1_52, fnma(s9_70, s1_51,
+      w6.cosines[4]*s9_68));
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
+  const double s9_74 = fma(s9_32, w3.s8_347[0], fma(s9_42, s3_37, alpha_chassis_x + s6_127));
+  const double alpha_carrier_left_x = w2.s8_122[0] + s9_74;
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
+  const double s9_75 = fma(s9_36, w3.s8_347[1], s9_65 + (alpha_chassis_x - s6_128));
+  const double alpha_carrier_right_x = s9_75 - w2.s8_122[1];
+  const double s9_76 = 0.09090909090909091*tau[Coordinate::wheel_front_left];
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
+  const double alpha_carrier_left_y = w2.s8_121[0] + (alpha_chassis_y + s9_57);
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
+  const double alpha_carrier_right_y = w2.s8_121[1] + (alpha_chassis_y + s9_59);
+  const double s9_77 = fma(alpha_carrier_left_x, w1.s1_19[0], s9_76);
+  const double s1_53 = w1.R_carrier_left_and_right_aux2_y_y[0];
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
+  const double alpha_carrier_left_z = alpha_chassis_z + s9_53 - w2.s8_120[0];
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
+  const double alpha_carrier_right_z = w2.s8_120[1] + (alpha_chassis_z - s9_55);
+  const double s9_78 = fnma(alpha_carrier_left_y, s1_53, s9_77);
+  const double s1_54 = w1.R_carrier_left_and_right_aux2_z_y[0];
+  result.zdd[Coordinate::wheel_front_left] = fnma(alpha_carrier_left_z, s1_54, s9_78);
+  const double s9_79 = 0.09090909090909091*tau[Coordinate::wheel_front_right];
+  const double s9_80 = fnma(alpha_carrier_right_x, w1.s1_19[1], s9_79);
+  const double s1_55 = w1.R_carrier_left_and_right_aux2_y_y[1];
+  const double s9_81 = fnma(alpha_carrier_right_y, s1_55, s9_80);
+  const double s1_56 = w1.R_carrier_left_and_right_aux2_z_y[1];
+  result.zdd[Coordinate::wheel_front_right] = fma(alpha_carrier_right_z, s1_56, s9_81);
+  const double s9_82 = fma(s9_33, w2.Rz_rear_axle_tx_1_and_0[1], w4.zdd_star_rear_axle_tx);
+  result.zdd[Coordinate::rear_axle_tx] = fma(s9_37, w2.Rz_rear_axle_tx_1_and_0[0], s9_82);
+  result.inertia[7] = w5.s8_812 - w3.s8_820[1];
+  result.inertia[6] = w5.s8_914 - w3.s8_820[0];
+  result.zdd[Coordinate::upper_arm_right] = fma(s9_36, w3.Rz_upper_arm_left_0[1], w2.s6_96[1]);
+  result.zdd[Coordinate::upper_arm_left] = fms(s9_32, w3.Rz_upper_arm_left_0[0], w2.s6_96[0]);
+  const double s6_129 = w3.zdd_star_arb_front_left_and_right[0];
+  const double s6_130 = w3.zdd_star_arb_front_left_and_right[1];
+  const double s9_83 = fma(s9_32, w3.Rz_arb_front_left_0_and_right_1[0], s6_129);
+  result.zdd[Coordinate::arb_front_left] = fma(s9_42, w3.Rz_arb_front_left_and_right_2[0], s9_83);
+  const double s9_84 = fnma(s9_36, w3.Rz_arb_front_left_0_and_right_1[1], s6_130);
+  result.zdd[Coordinate::arb_front_right] = fnma(s9_42, w3.Rz_arb_front_left_and_right_2[1], s9_84);
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right,
+  // continued ---
+  const double s2_199 = 16.504892200367603*w3.pivot_arb_front_left_and_right[1];
+  const double s2_200 = 16.679425973935604*w3.pivot_arb_front_left_and_right[0];
+  const double s2_201 = 2.7028647671567816*w1.pivot_carrier_left_and_right_rx[1];
+  const double s2_202 = mbgen::min(s2_201, mbgen::min(s2_200, mbgen::min(w4.s2_197, s2_199)));
+  const double s2_203 = -(2.7028647671567816*w2.pivot_carrier_left_and_right_rz[1]);
+  const double s2_204 = mbgen::min(mbgen::min(s2_202, 6.8514628664707224*w2.s2_147[1]), s2_203);
+  const double s2_205 = 2.7028219055711094*w1.pivot_carrier_left_and_right_rx[0];
+  const double s2_206 = mbgen::min(s2_205, mbgen::min(s2_204, 3.405476531191585*w2.s2_159[1]));
+  const double s2_207 = -(2.7028219055711094*w2.pivot_carrier_left_and_right_rz[0]);
+  const double s2_208 = mbgen::min(s2_207, mbgen::min(6.915894223167946*w2.s2_147[0], s2_206));
+  const Pair s1_11 = mbgen::pair_at(w6.cosines + 18);
+  const double s2_209 = mbgen::min(3.3636363636363633*w2.s2_159[0], s2_208);
+  result.pivot[0] = mbgen::min(mbgen::min(s2_209, s1_11[0]), s1_11[1]);
   result.zdd[Coordinate::wheel_rear_left] = fms(0.045454545454545456,
-      tau[Coordinate::wheel_rear_left], s9_65);
+      tau[Coordinate::wheel_rear_left], s9_45);
   result.zdd[Coordinate::wheel_rear_right] = fms(0.045454545454545456,
-      tau[Coordinate::wheel_rear_right], s9_65);
-  // operations of step 1: poses and axes b: 50 add, 134 multiply, 4 divide, 44 sin cos
+      tau[Coordinate::wheel_rear_right], s9_45);
+  // operations of step 1: poses and axes b: 40 add, 114 multiply, 4 divide, 44 sin cos
   // operations of step 4: velocities: 27 add, 30 multiply
-  // operations of step 7: inertias of the bodies and forces on joints: 6 add, 9 multiply
-  // operations of step 8: elimination from the leaves to the root (63): 681 add, 558 multiply, 6
+  // operations of step 7: inertias of the bodies and forces on joints: 12 add, 19 multiply
+  // operations of step 8: elimination from the leaves to the root (63): 670 add, 563 multiply, 6
   // divide
   // operations of step 2: closure Jacobian Phi_z and its factors (60), long_rod_left ..
-  // arb_link_rear_right: 134 add, 154 multiply, 6 divide, 11 other
-  // operations of step 3: Rz (61), long_rod_left .. arb_link_rear_right: 21 add, 42 multiply
-  // operations of step 6: c and dRz/dt zd (62), long_rod_left .. arb_link_rear_right: 122 add, 152
+  // arb_link_rear_right: 154 add, 183 multiply, 12 divide, 9 other
+  // operations of step 3: Rz (61), long_rod_left .. arb_link_rear_right: 20 add, 42 multiply
+  // operations of step 6: c and dRz/dt zd (62), long_rod_left .. arb_link_rear_right: 140 add, 170
   // multiply
   // operations of step 7: inertias of the bodies and forces on joints, long_rod_left ..
   // arb_link_rear_right: 25 add, 51 multiply
   // operations of step 8: elimination from the leaves to the root (63), long_rod_left ..
-  // arb_link_rear_right: 611 add, 642 multiply, 2 divide
+  // arb_link_rear_right: 612 add, 662 multiply, 2 divide
   // operations of step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left ..
-  // tie_rod_right: 114 add, 145 multiply, 11 divide, 21 other
-  // operations of step 3: Rz (61), upper_ball_left .. tie_rod_right: 22 add, 49 multiply
+  // tie_rod_right: 112 add, 141 multiply, 11 divide, 11 other
+  // operations of step 3: Rz (61), upper_ball_left .. tie_rod_right: 20 add, 45 multiply
   // operations of step 6: c and dRz/dt zd (62), upper_ball_left .. tie_rod_right: 125 add, 173
   // multiply
   // operations of step 7: inertias of the bodies and forces on joints, upper_ball_left ..
   // tie_rod_right: 116 add, 184 multiply
   // operations of step 8: elimination from the leaves to the root (63), upper_ball_left ..
-  // tie_rod_right: 846 add, 905 multiply, 3 divide
-  // operations of step 9: accelerations from the root to the leaves (63), (62): 181 add, 189
-  // multiply, 7 other
+  // tie_rod_right: 850 add, 914 multiply, 3 divide
+  // operations of step 9: accelerations from the root to the leaves (63), (62): 183 add, 192
+  // multiply, 5 other
 }
 
 /// All accelerations with the frozen partition of the loop blocks.
@@ -3646,17 +2893,14 @@ void compute_accelerations(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   AccelerationsWork4 w4;
   AccelerationsWork5 w5;
   AccelerationsWork6 w6;
-  AccelerationsWork7 w7;
-  AccelerationsWork8 w8;
-  compute_accelerations_1(state, w1, w8, result);
-  compute_accelerations_2(state, tau, w1, w2, w8);
-  compute_accelerations_3(state, tau, w1, w2, w3, w8);
-  compute_accelerations_4(state, tau, w1, w2, w3, w4, w8, result);
-  compute_accelerations_5(state, w2, w3, w4, w5, w8, result);
-  compute_accelerations_6(state, tau, w1, w2, w3, w4, w5, w8);
-  compute_accelerations_7(state, tau, w2, w3, w4, w5, w6, w8, result);
-  compute_accelerations_8(state, tau, w1, w2, w3, w4, w5, w6, w7, w8, result);
-  compute_accelerations_9(state, tau, w1, w2, w3, w4, w5, w6, w7, w8, result);
+  compute_accelerations_1(state, w1, w3, w4, w6, result);
+  compute_accelerations_2(state, tau, w1, w3, w4, w6);
+  compute_accelerations_3(state, tau, w1, w2, w4, w6);
+  compute_accelerations_4(state, tau, w1, w2, w3, w4, w6);
+  compute_accelerations_5(tau, w1, w2, w3, w4, w6, result);
+  compute_accelerations_6(state, tau, w1, w2, w3, w4, w5, w6, result);
+  compute_accelerations_7(tau, w1, w2, w3, w4, w5, w6, result);
+  compute_accelerations_8(state, tau, w1, w2, w3, w4, w5, w6, result);
 }
 
 /// Result of compute_closure.

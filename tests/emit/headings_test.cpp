@@ -34,19 +34,38 @@ std::string heading_of(const std::string& name, const std::map<std::string, std:
   return "";
 }
 
+/// "arm_left_and_right_pin" of two bodies that are mirror images: what they have in common before and after stands
+/// once.
+std::string name_of_both(const std::string& first, const std::string& second) {
+  static const std::regex kCommon("((?:\\w+_)?)(\\w+?)((?:_\\w+)?),\\1(\\w+?)\\3");
+  return std::regex_replace(first + "," + second, kCommon, "$1$2_and_$4$3");
+}
+
+/// Whether a pair of this name stands under a heading of both bodies. Names of several pairs may be the same.
+bool stands_under_both(const std::string& name, const std::string& heading,
+                       const std::map<std::string, std::string>& coordinates) {
+  for (const auto& [a, of_a] : coordinates)
+    for (const auto& [b, of_b] : coordinates) {
+      const bool names_both = heading.starts_with(a + ": " + of_a + ",") &&
+                              heading.find("; and the image of " + b + ": " + of_b + ",") != std::string::npos;
+      if (names_both && !heading_of(name, {{name_of_both(a, b), name_of_both(of_a, of_b)}}).empty()) return true;
+    }
+  return false;
+}
+
 class CommittedHeadings : public testing::TestWithParam<const char*> {};
 
 // A copy of a result that a call for many angles left in an array is a reading of it, and stands where it is read.
 TEST_P(CommittedHeadings, namedValuesStandUnderTheirBody) {
-  static const std::regex kValue(R"(  (?:const double |w\d+\.)(\w+) = (.*))");
-  static const std::regex kReading(R"((?:w\d+\.)?(?:sines|cosines)\w*\[\d+\];)");
+  static const std::regex kValue(R"(  (?:const (?:double|Pair) |w\d+\.)(\w+) = (.*))");
+  static const std::regex kReading(R"((?:mbgen::pair_at\()?(?:w\d+\.)?(?:sines|cosines)\w*(?:\[\d+\]| \+ \d+\));)");
   const std::string name = GetParam(),
                     path = std::string(MBGEN_SOURCE_DIR) + "/generated/" + name + "/" + name + ".cpp";
   const auto coordinates = coordinates_of_bodies(path);
   std::ifstream file(path);
   std::string heading;
-  bool is_hot = false;
-  int named = 0, number = 0;
+  bool is_hot = false, goes_on = false;
+  int named = 0, pairs = 0, number = 0;
   std::smatch match;
   for (std::string line; std::getline(file, line);) {
     ++number;
@@ -57,13 +76,21 @@ TEST_P(CommittedHeadings, namedValuesStandUnderTheirBody) {
     if (line.starts_with("  // --- "))
       heading.clear();
     else if (line.starts_with("  // "))
-      heading = line.substr(5);
+      heading = (goes_on ? heading + " " : "") + line.substr(5);
+    goes_on = line.starts_with("  // ") && !line.starts_with("  // --- ");
     if (!is_hot || !std::regex_match(line, match, kValue) || std::regex_match(match[2].str(), kReading)) continue;
+    static const std::regex kPairOfBodies("(?:R|r|v|w|a|alpha|f|n)_\\w+_and_\\w+(?:_[xyz]){1,2}(?:_\\d+)?");
+    if (std::regex_match(match[1].str(), kPairOfBodies)) {
+      ++pairs;
+      EXPECT_TRUE(stands_under_both(match[1], heading, coordinates))
+          << name << ".cpp:" << number << ": " << match[1] << " under " << heading;
+    }
     const std::string wanted = heading_of(match[1], coordinates);
     if (wanted.empty()) continue;
     ++named;
     EXPECT_TRUE(heading.starts_with(wanted)) << name << ".cpp:" << number << ": " << match[1] << " under " << heading;
   }
+  EXPECT_EQ(pairs > 10, name == "coach_mechanism") << pairs << " pairs named after two bodies";
   EXPECT_GT(named, 4) << "values named after bodies: the test has read too little";
 }
 

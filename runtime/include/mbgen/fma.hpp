@@ -115,6 +115,25 @@ typedef double Four __attribute__((vector_size(32), may_alias));
   return _mm_fmadd_pd(a, b, c);
 #endif
 }
+// clang makes one instruction of it with the sign, and has no builtins for these.
+[[gnu::always_inline]] inline Two fused_less(const Two& a, const Two& b, const Two& c) noexcept {
+#if defined(MBGEN_FMA_BUILTINS) && !defined(__clang__)
+  return __builtin_ia32_vfmsubpd(a, b, c);
+#elif defined(MBGEN_FMA_BUILTINS)
+  return fused(a, b, -c);
+#else
+  return _mm_fmsub_pd(a, b, c);
+#endif
+}
+[[gnu::always_inline]] inline Two fused_from(const Two& a, const Two& b, const Two& c) noexcept {
+#if defined(MBGEN_FMA_BUILTINS) && !defined(__clang__)
+  return __builtin_ia32_vfnmaddpd(a, b, c);
+#elif defined(MBGEN_FMA_BUILTINS)
+  return fused(-a, b, c);
+#else
+  return _mm_fnmadd_pd(a, b, c);
+#endif
+}
 [[gnu::always_inline]] inline Four fused(const Four& a, const Four& b, const Four& c) noexcept {
 #if defined(MBGEN_FMA_BUILTINS)
   return __builtin_ia32_vfmaddpd256(a, b, c);
@@ -122,7 +141,6 @@ typedef double Four __attribute__((vector_size(32), may_alias));
   return _mm256_fmadd_pd(a, b, c);
 #endif
 }
-// clang makes one instruction of it with the sign, and has no builtins for these.
 [[gnu::always_inline]] inline Four fused_less(const Four& a, const Four& b, const Four& c) noexcept {
 #if defined(MBGEN_FMA_BUILTINS) && !defined(__clang__)
   return __builtin_ia32_vfmsubpd256(a, b, c);

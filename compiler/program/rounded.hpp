@@ -1,0 +1,19 @@
+#pragma once
+// Values of a program with bounds of what their roundings may have made of them.
+
+#include <span>
+#include <vector>
+
+#include "compiler/program/program.hpp"
+
+namespace mbgen {
+
+struct Rounded {
+  double value = 0;
+  double error = 0;  ///< about what all roundings up to here amount to, not below
+};
+
+/// One per node of a program without pairs. inputs: exact, in the order of program.inputs.
+std::vector<Rounded> rounded_values(const Program& program, std::span<const double> inputs);
+
+}  // namespace mbgen

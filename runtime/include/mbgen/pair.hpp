@@ -1,0 +1,27 @@
+#pragma once
+// Left and right of a mechanism in one vector of two doubles (the vector_size extension of GCC and clang).
+
+#include "mbgen/array_lanes.hpp"
+#include "mbgen/fma.hpp"
+
+namespace mbgen {
+
+/// A number of one side, and what the same number of the other side is in a mirror. Operations go lane by lane; the
+/// result of one does not depend on the other.
+using Pair = array_detail::LanesOf<2>;
+
+/// Two numbers that stand one after the other.
+[[gnu::always_inline]] inline Pair pair_at(const double* numbers) noexcept {
+  return array_detail::lanes_at<2>(numbers);
+}
+
+/// Square roots, as std::sqrt.
+[[gnu::always_inline]] inline Pair sqrt(const Pair& x) noexcept {
+#if defined(__SSE2__)
+  return __builtin_ia32_sqrtpd(x);
+#else
+  return Pair{__builtin_sqrt(x[0]), __builtin_sqrt(x[1])};
+#endif
+}
+
+}  // namespace mbgen
