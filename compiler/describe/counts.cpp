@@ -14,7 +14,10 @@ constexpr std::pair<const char*, RecursionChoices> kTreatments[] = {
     {"rotors held by their base", {.rotors = false}},
     {"bodies of blocks held by the body below", {.subtrees = false}},
     {"bodies seen from their centres of mass", {.centres = false}},
-    {"arms turn with their base", {.arms = false}}};
+    {"arms turn with their base", {.arms = false}},
+    {"arms of other bodies of blocks turn with them", {.outer_arms = false}},
+    {"arms outside blocks turn with their base", {.arm_runs = false}},
+    {"bodies turning in a plane turn with their base", {.in_plane = false}}};
 
 }  // namespace
 

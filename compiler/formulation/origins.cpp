@@ -14,7 +14,7 @@ struct AlongAxis {
   double mass = 0, moment = 0;  ///< of all parts and of rotors on it, rods as two point masses at their ends
   std::vector<double> points;   ///< of elements and cut joints that hold on to the body
   std::vector<double> joints;   ///< of the bodies on it
-  bool in_block_alone = false;  ///< in a loop block, and no other unit moves on it
+  bool turns_alone = false;     ///< in a loop block or an arm, and no other unit moves on it: its inertia is constant
   double below = 0;             ///< origin of the body below
   bool has_below = false;
 };
@@ -97,19 +97,19 @@ std::vector<AlongAxis> numbers_along_axes(const Model& model, const Topology& to
     const int group = topology.group_of[i];
     const auto& children = topology.children[i];
     numbers[i].own = point[component(i)];
-    numbers[i].in_block_alone =
-        topology.groups[group].block >= 0 && std::all_of(children.begin(), children.end(), [&](int c) {
-          return topology.group_of[c] == group || layout.bodies[c].rotor;
-        });
+    const bool in_block = topology.groups[group].block >= 0;
+    numbers[i].turns_alone = (in_block || p != kGround) && std::all_of(children.begin(), children.end(), [&](int c) {
+                               return (in_block && topology.group_of[c] == group) || layout.bodies[c].rotor;
+                             });
   }
   return numbers;
 }
 
 /// Weight of the numbers that an origin at a place leaves: the first moment and two second moments, the step from the
-/// body below, places on the body. A constant inertia that is turned is worth most in a block; elsewhere it is added to
-/// a full one, and the steps by which full ones are shifted count.
+/// body below, places on the body. A constant inertia that is turned is worth most in a block and of an arm; elsewhere
+/// it is added to a full one, and the steps by which full ones are shifted count.
 int cost_of(const AlongAxis& n, double place) {
-  const int of_mass = n.in_block_alone ? 6 : 2, of_step = n.in_block_alone ? 2 : 6;
+  const int of_mass = n.turns_alone ? 6 : 2, of_step = n.turns_alone ? 2 : 6;
   const auto differs = [&](double other) { return std::abs(other - place) > 1e-14 * std::max(1.0, std::abs(place)); };
   int cost = n.mass > 0 && differs(n.moment / n.mass) ? of_mass : 0;
   if (n.has_below && differs(n.below)) cost += of_step;

@@ -29,6 +29,10 @@ void eliminate_block(RecursionState<T>& s, std::size_t u) {
 template <class T>
 void eliminate_run(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
+  if (is_arm_run(s, unit)) {
+    eliminate_arm_run(s, u);
+    return;
+  }
   UnitEquations<T>& equations = s.equations[u];
   const Matrix<T>& axes = s.k().orientation[unit.end()];
   const Vector<T> place = s.from_base(unit, unit.end());
@@ -162,7 +166,7 @@ void solve_run(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   const Spatial<T> below = base_acceleration(s, unit.base);
   const Spatial<T> base{transposed_times(axes, velocity_at(below, s.from_base(unit, e))),
                         transposed_times(axes, below.angular)};
-  std::vector<T> free = free_accelerations(s.equations[u], base);
+  std::vector<T> free = free_accelerations(s.equations[u], is_arm_run(s, unit) ? below : base);
   Spatial<T>& a = s.acceleration[e];
   if (is_free(unit)) {
     const std::vector<Spatial<T>> units = unit_motions<T>(unit);

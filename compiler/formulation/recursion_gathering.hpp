@@ -1,119 +1,10 @@
 #pragma once
 // Recursive form: the projected equations (63) of one loop block or run, and its share in its base.
 
-#include "compiler/formulation/recursion_bias.hpp"
+#include "compiler/formulation/recursion_arms.hpp"
 #include "compiler/formulation/rods.hpp"
 
 namespace mbgen::detail {
-
-/// Inertia and needed force of a body as its own block or run sees them at zero base and free accelerations.
-/// a, gradient: acceleration field of the body about its origin.
-template <class T>
-Spatial<T> needed_in(const CompositeBody<T>& c, const Vector<T>& a, const Vector<T>& alpha, const Matrix<T>& gradient) {
-  const Spatial<T> motion{a, alpha};
-  return c.needed + field_force(c.rigid, a, gradient) + c.above * motion + c.reduced * motion;
-}
-
-/// Composite inertia of the bodies of a block that move on one of its bodies, about the origin of that body.
-template <class T>
-struct SubtreeInertia {
-  bool is_empty = true;
-  PseudoInertia<T> inertia;
-  Spatial<T> needed;
-  std::vector<Spatial<T>> momentum;  ///< per free direction: of their motion against this body
-};
-
-/// Equations of a block in the making, and its share in its base about the base's origin.
-template <class T>
-struct BlockGathering {
-  const RecursionUnit& unit;
-  BlockParts<T>& parts;
-  UnitEquations<T>& equations;
-  Vector<T> turning, twice;  ///< angular velocity of the base, and twice that
-  Matrix<T> turning_field;   ///< w~w~ of it
-  CompositeBody<T> base;
-  PerBody<SubtreeInertia<T>> subtree;
-};
-
-/// The free directions: motion of the bodies, forces on the joints.
-template <class T>
-void start_equations(RecursionState<T>& s, BlockGathering<T>& g) {
-  const RecursionUnit& unit = g.unit;
-  const std::size_t free = g.parts.rz.empty() ? 0 : g.parts.rz[0].size();
-  for (std::size_t q = 0; q < free; ++q) {
-    std::vector<T> column(unit.joints.size());
-    for (std::size_t c = 0; c < column.size(); ++c) column[c] = g.parts.rz[c][q];
-    g.parts.partial.push_back(block_motion(s.work, unit, per_joint(unit, column)));
-    g.equations.mass.emplace_back(q + 1, T(0.0));
-    g.equations.momentum.emplace_back();
-    T force(0.0);
-    for (std::size_t c = 0; c < column.size(); ++c) force = force + column[c] * s.force[unit.joints[c]];
-    g.equations.force.push_back(force);
-  }
-  g.parts.zdd_star_motion = block_motion(s.work, unit, per_joint(unit, g.parts.zdd_star));
-}
-
-/// A motion about another point of the body, `arm` from where it is given.
-template <class T>
-Spatial<T> about_point(const Spatial<T>& motion, const Vector<T>& arm) {
-  return {velocity_at(motion, arm), motion.angular};
-}
-
-/// Adds a body's part of the projected equations, about the point `arm` from its origin and `place` from the base's.
-/// needed: by its own free directions.
-template <class T>
-void add_to_equations(BlockGathering<T>& g, int i, const Vector<T>& arm, const Vector<T>& place,
-                      const PseudoInertia<T>& whole, const ArticulatedInertia<T>& reduced, const Spatial<T>& needed) {
-  std::vector<Spatial<T>> partial;
-  for (const PerBody<Spatial<T>>& motion : g.parts.partial) partial.push_back(about_point(motion[i], arm));
-  for (std::size_t q = 0; q < partial.size(); ++q) {
-    const Spatial<T> momentum = whole * partial[q] + reduced * partial[q];
-    for (std::size_t d = 0; d <= q; ++d) g.equations.mass[q][d] = g.equations.mass[q][d] + dot(partial[d], momentum);
-    g.equations.momentum[q] = g.equations.momentum[q] + shifted(place, momentum);
-    g.equations.force[q] = g.equations.force[q] - dot(partial[q], needed);
-  }
-}
-
-/// An arm: one revolute joint on the base, nothing on it. The base's angular velocity acts on it as on a part of the
-/// base (there it costs nothing more), so that only its motion against the base and the Coriolis field are its own.
-template <class T>
-void gather_arm(RecursionState<T>& s, BlockGathering<T>& g, int i) {
-  const CompositeBody<T>& arm = s.composite[i];
-  const Vector<T>& w = g.parts.velocity[i].angular;
-  const Vector<T> alpha = g.parts.zdd_star_motion[i].angular;
-  const Matrix<T> own = acceleration_gradient(w, alpha);
-  const T along = dot(g.twice, w);
-  const Matrix<T> field = own + Matrix<T>{g.twice.x * w, g.twice.y * w, g.twice.z * w} -
-                          Matrix<T>{{along, T(0.0), T(0.0)}, {T(0.0), along, T(0.0)}, {T(0.0), T(0.0), along}};
-  const Spatial<T> needed = arm.needed + field_force(arm.rigid, Vector<T>{}, field);
-  const Vector<T>& place = s.k().position[i];
-  g.base.rigid = g.base.rigid + shifted(place, arm.rigid);
-  g.base.needed = g.base.needed + shifted(place, needed);
-  const Spatial<T> as_part_of_base = field_force(arm.rigid, g.turning_field * place, g.turning_field);
-  add_to_equations(g, i, Vector<T>{}, place, arm.rigid, {}, needed + as_part_of_base);
-}
-
-/// Whether a unit with a door of its own moves on a body.
-template <class T>
-bool bears_units(const RecursionState<T>& s, int body) {
-  return std::any_of(s.units().begin(), s.units().end(),
-                     [body](const RecursionUnit& u) { return u.base == body && !u.rotor; });
-}
-
-/// Force that a body of a block needs at zero base and free accelerations, about the point `arm` from its origin.
-template <class T>
-Spatial<T> needed_of(RecursionState<T>& s, BlockGathering<T>& g, int i, const CompositeBody<T>& body,
-                     const Vector<T>& arm) {
-  const Spatial<T> v = about_point(g.parts.velocity[i], arm), extra = about_point(g.parts.zdd_star_motion[i], arm);
-  const BodyAcceleration<T>& bias = g.parts.bias[i];
-  const Vector<T> place = s.k().position[i] + arm;
-  Vector<T> a = bias.linear + bias.gradient * arm + extra.linear + g.turning_field * place + cross(g.twice, v.linear);
-  if (g.unit.base == kGround) a = a - s.system().constants.gravity;
-  const Vector<T> alpha = bias.angular + extra.angular + cross(g.turning, v.angular);
-  const Spatial<T> needed = needed_in(body, a, alpha, acceleration_gradient(g.turning + v.angular, alpha));
-  name(s.system().scribe, needed, "f", "n", s.system().body_name(i));
-  return needed;
-}
 
 /// A body on another body of its block, by one joint: its motion is that of the body below and of its own joint, so
 /// that its inertia joins the subtree of the body below, and only its joint's motion b is projected here.
@@ -122,45 +13,18 @@ void gather_in_subtree(RecursionState<T>& s, BlockGathering<T>& g, const JointSt
   const int i = step.body(), below = s.work.parent(step);
   const Vector<T>& axis = s.k().axis[i];
   const Spatial<T> b = step.revolute ? Spatial<T>{{}, axis} : Spatial<T>{axis, {}};
-  const PseudoInertia<T> whole = s.composite[i].rigid + g.subtree[i].inertia;
-  const Spatial<T> needed = needed_of(s, g, i, s.composite[i], Vector<T>{}) + g.subtree[i].needed;
+  const CompositeBody<T> body = with_arms(s, g, i);
+  const PseudoInertia<T> whole = body.rigid + g.subtree[i].inertia;
+  const Spatial<T> needed = needed_of(s, g, i, body, Vector<T>{}) + g.subtree[i].needed;
   const Vector<T>& offset = s.work.offset[i];
-  const Spatial<T> momentum = whole * b, seen_below = shifted(offset, momentum);
-  const T half = T(0.5) * dot(b, momentum);
+  const Spatial<T> momentum = whole * b;
   SubtreeInertia<T>& subtree = g.subtree[below];
   subtree.is_empty = false;
   subtree.inertia = subtree.inertia + shifted(offset, whole);
   subtree.needed = subtree.needed + shifted(offset, needed);
-  subtree.momentum.resize(g.equations.size());
-  const std::vector<T>& rate = g.parts.rz[g.unit.column(i)];
-  std::vector<T> coupled;
-  for (std::size_t q = 0; q < g.equations.size(); ++q) {
-    coupled.push_back(dot(seen_below, g.parts.partial[q][below]) + half * rate[q]);
-    for (std::size_t d = 0; d <= q; ++d)
-      g.equations.mass[q][d] = g.equations.mass[q][d] + (rate[q] * coupled[d] + rate[d] * coupled[q]);
-    subtree.momentum[q] = subtree.momentum[q] + rate[q] * seen_below;
-    if (!g.subtree[i].is_empty)
-      subtree.momentum[q] = subtree.momentum[q] + shifted(offset, g.subtree[i].momentum[q]);
-    g.equations.force[q] = g.equations.force[q] - rate[q] * dot(b, needed);
-  }
-}
-
-/// Whether a body of a block is an arm.
-template <class T>
-bool is_arm(const RecursionState<T>& s, const RecursionUnit& unit, const JointStep& step) {
-  const int i = step.body();
-  if (!s.work.recursion.choices.arms) return false;
-  if (!step.revolute || step.quasi() || unit.base == kGround || s.work.own(i) || s.work.parent(step) != unit.base)
-    return false;
-  return std::none_of(s.units().begin(), s.units().end(), [i](const RecursionUnit& u) { return u.base == i; });
-}
-
-/// Whether the inertia of a body of a block joins the subtree of the body below.
-template <class T>
-bool is_in_subtree(const RecursionState<T>& s, const RecursionUnit& unit, const JointStep& step) {
-  const int below = s.work.parent(step);
-  if (!s.work.recursion.choices.subtrees || step.quasi() || below == unit.base || s.work.own(step.body())) return false;
-  return !bears_units(s, step.body()) && s.work.step[below] != nullptr && !is_arm(s, unit, *s.work.step[below]);
+  project_joint(g, i, below, shifted(offset, momentum), T(0.5) * dot(b, momentum), dot(b, needed));
+  for (std::size_t q = 0; q < g.subtree[i].momentum.size(); ++q)
+    subtree.momentum[q] = subtree.momentum[q] + shifted(offset, g.subtree[i].momentum[q]);
 }
 
 /// Any other body of a block: about its centre of mass where nothing moves on it and that was chosen, else its origin.
@@ -168,12 +32,9 @@ template <class T>
 void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
   const Matrix<T>& axes = s.k().orientation[i];
   const SubtreeInertia<T>& subtree = g.subtree[i];
-  CompositeBody<T> body = s.composite[i];
+  CompositeBody<T> body = with_arms(s, g, i);
   Vector<T> arm;
-  if (s.work.own(i))
-    body = {rotated(axes, body.rigid), rotated(axes, body.above), rotated(axes, body.reduced),
-            rotated(axes, body.needed)};
-  const bool is_bare = subtree.is_empty && !is_zero(s.constant[i].mass) && !bears_units(s, i);
+  const bool is_bare = subtree.is_empty && g.arms[i].is_empty && !is_zero(s.constant[i].mass) && !bears_units(s, i);
   if (s.work.recursion.choices.centres && is_bare) {
     const PseudoInertia<T>& constant = s.constant[i];
     const Vector<T> com = (T(1.0) / constant.mass) * constant.moment;
@@ -182,13 +43,22 @@ void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
     body.needed = shifted(-arm, body.needed);
   }
   const Vector<T> place = s.k().position[i] + arm;
-  const Spatial<T> needed = needed_of(s, g, i, body, arm) + subtree.needed;
   const PseudoInertia<T> whole = body.rigid + body.above + subtree.inertia;
-  g.base.above = g.base.above + shifted(place, whole);
   g.base.reduced = g.base.reduced + shifted(place, body.reduced);
-  g.base.needed = g.base.needed + shifted(place, needed);
   for (std::size_t q = 0; q < subtree.momentum.size(); ++q)
     g.equations.momentum[q] = g.equations.momentum[q] + shifted(place, subtree.momentum[q]);
+  if (turns_in_plane(s, g, i)) {
+    const NeededInPlane<T> parts = needed_in_plane(s, g, i, body, arm);
+    const Spatial<T> needed = parts.own + subtree.needed;
+    g.base.rigid = g.base.rigid + shifted(place, body.rigid);
+    g.base.above = g.base.above + shifted(place, body.above);
+    g.base.needed = g.base.needed + shifted(place, needed);
+    add_to_equations(g, i, arm, place, whole, body.reduced, needed + parts.as_part);
+    return;
+  }
+  const Spatial<T> needed = needed_of(s, g, i, body, arm) + subtree.needed;
+  g.base.above = g.base.above + shifted(place, whole);
+  g.base.needed = g.base.needed + shifted(place, needed);
   add_to_equations(g, i, arm, place, whole, body.reduced, needed);
 }
 
@@ -234,12 +104,15 @@ CompositeBody<T> gather_block(RecursionState<T>& s, std::size_t u) {
                       turning + turning,
                       acceleration_gradient(turning, Vector<T>{}),
                       {},
-                      PerBody<SubtreeInertia<T>>(unit)};
+                      PerBody<SubtreeInertia<T>>(unit),
+                      PerBody<OuterArms<T>>(unit)};
   start_equations(s, g);
   for (auto step = unit.steps.rbegin(); step != unit.steps.rend(); ++step) {
     const auto heading = system.scribe.within(OwnerKind::tree_body, step->body());
     if (is_arm(s, unit, *step))
       gather_arm(s, g, step->body());
+    else if (is_outer_arm(s, unit, *step))
+      gather_outer_arm(s, g, *step);
     else if (is_in_subtree(s, unit, *step))
       gather_in_subtree(s, g, *step);
     else

@@ -62,6 +62,9 @@ struct RecursionChoices {
   bool subtrees = true;  ///< bodies of blocks on others but arms hand their inertia to the body below
   bool centres = true;   ///< bodies of blocks that carry nothing are seen from their centres of mass, not their origins
   bool arms = true;      ///< the base's angular velocity acts on a block's single-joint bodies as on parts of the base
+  bool outer_arms = true;  ///< the same for single-joint bodies of a block on another of its bodies, in its axes
+  bool arm_runs = true;    ///< the same for single-joint bodies outside blocks
+  bool in_plane = true;    ///< the same for bodies of blocks that turn against the base about a coordinate axis
 };
 
 /// Frames and order of the recursive form.

@@ -62,13 +62,21 @@ CheapestRecursion cheapest_recursion(const Model& model, const Topology& topolog
                              choices};
   };
   CheapestRecursion cheapest = traced({});
-  if (topology.blocks.empty()) return cheapest;
-  for (const RecursionChoices choices :
-       {RecursionChoices{.subtrees = true, .centres = false}, RecursionChoices{.subtrees = false, .centres = true},
-        RecursionChoices{.subtrees = false, .centres = false}}) {
+  const auto compare = [&](RecursionChoices choices) {
     CheapestRecursion other = traced(choices);
     if (count_operations(other.program).total() < count_operations(cheapest.program).total())
       cheapest = std::move(other);
+  };
+  if (!topology.blocks.empty()) {
+    compare({.subtrees = true, .centres = false});
+    compare({.subtrees = false, .centres = true});
+    compare({.subtrees = false, .centres = false});
+  }
+  for (bool RecursionChoices::*treatment :
+       {&RecursionChoices::outer_arms, &RecursionChoices::arm_runs, &RecursionChoices::in_plane}) {
+    RecursionChoices without = cheapest.choices;
+    without.*treatment = false;
+    compare(without);
   }
   return cheapest;
 }

@@ -31,16 +31,20 @@ constexpr typename System::Mask every_lane() noexcept {
   return ~typename System::Mask{};
 }
 
-/// Sum of the first `count` rows with four accumulators, to halve the waiting twice.
+/// Sum of the first `count` rows with four accumulators, to halve the waiting twice: each by its name, for compilers
+/// keep an array of them in memory.
 template <class Row>
 [[gnu::always_inline]] inline Row sum(const Row* rows, int count) noexcept {
-  Row sums[4] = {};
+  Row a{}, b{}, c{}, d{};
   int i = 0;
   for (; i + 3 < count; i += 4) {
-    for (int k = 0; k < 4; ++k) sums[k] += rows[i + k];
+    a += rows[i];
+    b += rows[i + 1];
+    c += rows[i + 2];
+    d += rows[i + 3];
   }
-  for (; i < count; ++i) sums[0] += rows[i];
-  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  for (; i < count; ++i) a += rows[i];
+  return (a + b) + (c + d);
 }
 
 template <class Row>
@@ -213,23 +217,33 @@ typename System::Mask stayed_near(const typename System::State& from, const type
 
 }  // namespace batch_detail
 
-/// All accelerations at a state. least_pivot: of every block over its reference. Result: the good lanes.
+/// The program of all accelerations at a state. least_pivot: of every block over its reference. Result: the good lanes.
 template <class System>
-typename System::Mask accelerate_lanes(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
-                                       const typename System::State& state, const typename System::JointForces* forces,
-                                       double least_pivot, typename System::Derivative& derivative) noexcept {
+typename System::Mask evaluate_lanes(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
+                                     const typename System::State& state, const typename System::JointForces& forces,
+                                     double least_pivot, typename System::Accelerations& values) noexcept {
   using namespace batch_detail;
-  typename System::Accelerations values;
-  run_groups(System::accelerations, values, parameters, inputs, state, *forces);
-  typename System::Mask good =
-      arguments_are_finite<System>(parameters, inputs, state, forces) & pivots_reach<System>(values.pivot, least_pivot);
+  // First of all: that brings the arguments near, for the program as well.
+  typename System::Mask good = arguments_are_finite<System>(parameters, inputs, state, &forces);
+  run_groups(System::accelerations, values, parameters, inputs, state, forces);
+  // The array of a solver without auxiliary states has one entry all the same, and integrators integrate it.
+  if constexpr (System::kAuxiliaryStates == 0) values.xd[0] = typename System::Row{};
+  good &= pivots_reach<System>(values.pivot, least_pivot);
   good &= in_users_chart<System>(state);
   for (int k = 0; k < System::kFreeDirections; ++k) good &= values.inertia[k] > 0.0;
-  for (int i = 0; i < System::kCoordinates; ++i) derivative.zdd[i] = values.zdd[i];
-  for (int i = 0; i < System::kAuxiliaryStates; ++i) derivative.xd[i] = values.xd[i];
-  // The array of a solver without auxiliary states has one entry all the same, and integrators integrate it.
-  if constexpr (System::kAuxiliaryStates == 0) derivative.xd[0] = typename System::Row{};
   return good & is_finite(sum(values.zdd, System::kCoordinates) + sum(values.xd, System::kAuxiliaryStates));
+}
+
+/// The same for integrators.
+template <class System>
+typename System::Mask accelerate_lanes(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
+                                       const typename System::State& state, const typename System::JointForces& forces,
+                                       double least_pivot, typename System::Derivative& derivative) noexcept {
+  typename System::Accelerations values;
+  const typename System::Mask good = evaluate_lanes<System>(parameters, inputs, state, forces, least_pivot, values);
+  integrator_detail::copy(values.zdd, derivative.zdd);
+  integrator_detail::copy(values.xd, derivative.xd);
+  return good;
 }
 
 /// Closes every loop from the state as a guess, as project_state. Result: the good lanes.

@@ -22,7 +22,7 @@ struct LaneDynamics {
   Status derivative(const State& state, Derivative& derivative) const noexcept {
     static constexpr typename System::JointForces kNoForces = {};
     good &=
-        accelerate_lanes<System>(parameters, inputs_at(state.t), state, &kNoForces, kNearSingular<double>, derivative);
+        accelerate_lanes<System>(parameters, inputs_at(state.t), state, kNoForces, kNearSingular<double>, derivative);
     return {};
   }
   Status project(State& state) const noexcept {
@@ -84,6 +84,10 @@ void load_rows(const double (&from)[N][W], Row (&to)[N]) noexcept {
 /// Rows of the lanes in the mask.
 template <class Mask, class Row, int W, int N>
 void store_rows(const Mask& mask, const Row (&from)[N], double (&to)[N][W]) noexcept {
+  if (bits_of(~mask) == 0) {
+    for (int i = 0; i < N; ++i) store_row(from[i], to[i]);
+    return;
+  }
   for (int i = 0; i < N; ++i) store_row(choose(mask, from[i], load_row<Row>(to[i])), to[i]);
 }
 

@@ -43,6 +43,16 @@ template <class Mask, class Lanes>
 /// One bit per lane, the first the lowest.
 template <class Mask>
 [[gnu::always_inline]] inline unsigned bits_of(const Mask& mask) noexcept {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Mask) == 64 && kLanesOf<Mask> == 8) {
+    const auto lanes = __builtin_bit_cast(__m512i, mask);
+    return _mm512_test_epi64_mask(lanes, lanes);
+  }
+#endif
+#if defined(__AVX__) && defined(__FMA__)
+  if constexpr (sizeof(Mask) == 32 && kLanesOf<Mask> == 4)
+    return static_cast<unsigned>(_mm256_movemask_pd(__builtin_bit_cast(__m256d, mask)));
+#endif
   unsigned bits = 0;
   for (int lane = 0; lane < kLanesOf<Mask>; ++lane) bits |= mask[lane] != 0 ? 1u << lane : 0u;
   return bits;

@@ -177,6 +177,13 @@ template <class Row, int W>
     *reinterpret_cast<typename LaneTypes<width>::InArray*>(to + g * width) = part_of(row, g);
 }
 
+/// A struct of arrays of plain numbers, seen as the struct of the same arrays of rows: nothing is copied.
+template <class Rows, class Plain>
+[[gnu::always_inline]] inline const Rows& as_rows(const Plain& plain) noexcept {
+  static_assert(sizeof(Rows) == sizeof(Plain) && alignof(Rows) <= alignof(Plain));
+  return reinterpret_cast<const Rows&>(plain);
+}
+
 /// One struct of vectors for every group of instances: what programs read and iterations only pass on.
 template <class Struct, int G>
 struct Grouped {
