@@ -77,7 +77,7 @@ std::string two_chains(int bars) {
 
 TEST(Implicit, MatrixHasASpringBetweenChainsThatNothingElseCouples) {
   for (const int bars : {2, 6}) {  // few places between the chains are filled; many are left apart
-    const Free chains{mechanism_of(two_chains(bars).c_str())};
+    const Free chains{mechanism_of(two_chains(bars))};
     const GenericState state = reference_state(chains.m);
     EXPECT_LT(largest_difference(chains.matrix(state), chains.differences(state)), 1e-6) << bars;
   }
