@@ -15,18 +15,9 @@ std::vector<T> row_between(const ForceWork<T>& work, const SeenPlace<T>& s, cons
                            const Vector<T>& moment) {
   const System<T>& system = work.system;
   std::vector<T> row(system.topology.bodies.size(), T(0.0));
-  const auto add_end = [&](const Place<T>& end, int other, const Vector<T>& f, const Vector<T>& turn) {
-    if (end.body == kGround) return;
-    const int carrier = system.layout.frame_of(end.body);
-    const auto seen = [&](const Vector<T>& v) {
-      return direction_up(system, work.k, s.frame, direction_in(system, work.k, s.from.body, v, s.frame), carrier);
-    };
-    Spatial<T> wrench = force_at(seen(f), local_position(system, work.k, end));
-    wrench.angular = wrench.angular + seen(turn);
-    add_wrench(work, end.body, other, wrench, row);
-  };
-  add_end(s.from, s.to.body, -force, -moment - cross(s.gap, force));
-  add_end(s.to, s.from.body, force, moment);
+  const auto seen = [&](const Vector<T>& v) { return direction_in(system, work.k, s.from.body, v, s.frame); };
+  add_force(work, s.to, s.from.body, s.frame, seen(force), seen(moment), row);
+  add_force(work, s.from, s.to.body, s.frame, seen(-force), seen(-moment - cross(s.gap, force)), row);
   return row;
 }
 

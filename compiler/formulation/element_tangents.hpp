@@ -31,6 +31,8 @@ struct ElementTangents {
   std::vector<int> states;                                                        ///< auxiliary ones
   std::vector<std::vector<T>> by_position, by_velocity, by_state;                 ///< of forces
   std::vector<std::vector<T>> rate_by_position, rate_by_velocity, rate_by_state;  ///< of the rates of its states
+  /// Of its forces by velocities, states eliminated, the symmetric part counts.
+  bool counts_as_symmetric = false;
 };
 
 namespace detail {
@@ -57,7 +59,7 @@ void fit(ElementTangents<T>& e) {
 /// An element with no tangents yet.
 template <class T>
 ElementTangents<T> element_tangents(std::vector<LocalCoordinate<T>> coordinates, std::vector<int> states) {
-  ElementTangents<T> element{std::move(coordinates), std::move(states), {}, {}, {}, {}, {}, {}};
+  ElementTangents<T> element{std::move(coordinates), std::move(states), {}, {}, {}, {}, {}, {}, false};
   fit(element);
   return element;
 }
@@ -101,6 +103,37 @@ void add_wrench(const ForceWork<T>& work, int body, int other, Spatial<T> wrench
   }
 }
 
+/// Adds to a row how a force through a place and a moment, on its body, act on the tree's coordinates, without the
+/// joints that also move body `other`. frame: of their axes, which both bodies see. Joints are met in their base
+/// frames, where the axes of many are constant; those on the ground, which may be far away, in the frame that carries
+/// the body.
+template <class T>
+void add_force(const ForceWork<T>& work, const Place<T>& place, int other, int frame, const Vector<T>& force,
+               const Vector<T>& moment, std::vector<T>& row) {
+  const System<T>& system = work.system;
+  const Kinematics<T>& k = work.k;
+  if (place.body == kGround) return;
+  if (frame == kGround) {
+    const int carrier = system.layout.frame_of(place.body);
+    Spatial<T> wrench = force_at(direction_up(system, k, frame, force, carrier), local_position(system, k, place));
+    wrench.angular = wrench.angular + direction_up(system, k, frame, moment, carrier);
+    add_wrench(work, place.body, other, wrench, row);
+    return;
+  }
+  for (int j = place.body; j != kGround && !(other != kGround && on_path(system.topology, other, j));
+       j = system.topology.bodies[j].parent) {
+    const int base = system.layout.bodies[j].base;
+    const Vector<T> seen = direction_up(system, k, frame, force, base);
+    const Spatial<T>& column = k.base_column[j];
+    if (!system.revolute(j)) {
+      row[j] = row[j] + dot(column.linear, seen);
+      continue;
+    }
+    const Vector<T> arm = position_in(system, k, place, base) - k.position[j];
+    row[j] = row[j] + dot(column.angular, cross(arm, seen) + direction_up(system, k, frame, moment, base));
+  }
+}
+
 /// A coordinate of the tree; one that does not move where the tree does not have it.
 template <class T>
 LocalCoordinate<T> tree_local(const System<T>& system, const CoordinateReference& reference) {
@@ -124,14 +157,8 @@ LocalLine<T> local_line(const ForceWork<T>& work, const Attachment& from, const 
   const Line<T> line = line_between(system, work.k, work.v, from, to);
   const Vector<T> direction = line.reciprocal * line.gap;
   std::vector<T> row(system.topology.bodies.size(), T(0.0));
-  const auto add_end = [&](const Place<T>& place, int other, const Vector<T>& force) {
-    if (place.body == kGround) return;
-    const int carrier = system.layout.frame_of(place.body);
-    const Vector<T> seen = direction_up(system, work.k, line.frame, force, carrier);
-    add_wrench(work, place.body, other, force_at(seen, local_position(system, work.k, place)), row);
-  };
-  add_end(line.to, line.from.body, direction);
-  add_end(line.from, line.to.body, -direction);
+  add_force(work, line.to, line.from.body, line.frame, direction, {}, row);
+  add_force(work, line.from, line.to.body, line.frame, -direction, {}, row);
   const int shared = line_number < 0 ? -1 : system.topology.size() + line_number;
   return {{std::move(row), shared},
           line.length,
@@ -263,6 +290,7 @@ ElementTangents<T> scalar_element(ForceWork<T>& work, LocalCoordinate<T> coordin
 /// Adds an element to another one.
 template <class T>
 void join(ElementTangents<T>& to, const ElementTangents<T>& from) {
+  to.counts_as_symmetric = to.counts_as_symmetric && from.counts_as_symmetric;
   std::vector<std::size_t> coordinates, states;
   for (const LocalCoordinate<T>& coordinate : from.coordinates) coordinates.push_back(place_in(to, coordinate));
   for (const int state : from.states) states.push_back(place_of_state(to, state));

@@ -1,7 +1,7 @@
 #pragma once
 // The linear equations of an implicit step, (M - g D - g^2 K) v = right-hand side in the free directions, where v is
-// the change of their velocities, g the method's factor times the step, M the reduced mass matrix (63), and K and D are
-// the tangents of the force elements.
+// the change of their velocities beyond that of an explicit step, g the method's factor times the step, M the reduced
+// mass matrix (63), and K and D are the tangents of the force elements.
 // Source: docs/method/implicit.md.
 
 #include <cstddef>
@@ -9,27 +9,15 @@
 #include <vector>
 
 #include "compiler/formulation/dynamics.hpp"
-#include "compiler/formulation/implicit_factors.hpp"
-#include "compiler/formulation/tangents.hpp"
+#include "compiler/formulation/implicit_elements.hpp"
 
 namespace mbgen {
 
-/// Auxiliary states that depend on each other, and the factors of 1 / g less the derivatives of their rates.
-template <class T>
-struct StateEquations {
-  std::vector<int> states;
-  ImplicitFactors<T> factors;
-};
-
-/// Matrix of an implicit step, factorised, with what makes right-hand sides. Matrices are [row][column].
+/// Matrix of an implicit step, factorised, with what makes right-hand sides.
 template <class T>
 struct ImplicitEquations {
-  ImplicitFactors<T> directions;                ///< of the matrix
-  std::vector<std::vector<T>> mass, stiffness;  ///< g M, its lower triangle, and g^2 K
-  std::vector<StateEquations<T>> states;        ///< of those that are eliminated; the others change as they are told
-  std::vector<std::vector<T>> by_state;         ///< right-hand side by the changes of auxiliary states
-  /// changes of auxiliary states by those of velocities and by the rates of positions
-  std::vector<std::vector<T>> state_by_velocity, state_by_position;
+  ImplicitFactors<T> directions;  ///< of the matrix: the motions of elements by themselves, then the free directions
+  std::vector<ImplicitElement<T>> elements;
   std::vector<std::vector<std::vector<T>>> rz;  ///< per joint group: [coordinate][direction]
 };
 
@@ -59,160 +47,164 @@ void each_entry(ImplicitEquations<T>& equations, const Visit& visit) {
   const auto matrix = [&](std::vector<std::vector<T>>& values) {
     for (std::vector<T>& one : values) row(one);
   };
-  matrix(equations.directions.lower);
-  matrix(equations.directions.factor);
-  for (std::vector<std::vector<T>>* values : {&equations.mass, &equations.stiffness, &equations.by_state,
-                                              &equations.state_by_velocity, &equations.state_by_position})
-    matrix(*values);
-  row(equations.directions.reciprocal);
-  for (StateEquations<T>& block : equations.states) {
-    matrix(block.factors.lower);
-    matrix(block.factors.factor);
-    row(block.factors.reciprocal);
+  const auto factors = [&](ImplicitFactors<T>& f) {
+    matrix(f.lower);
+    matrix(f.factor);
+    row(f.reciprocal);
+  };
+  for (ImplicitElement<T>& element : equations.elements) {
+    for (SparseRow<T>& one : element.rows) row(one.values);
+    for (std::vector<std::vector<T>>* values :
+         {&element.both, &element.stiffness, &element.by_state, &element.state_by_velocity, &element.state_by_position})
+      matrix(*values);
+    factors(element.factors);
   }
+  factors(equations.directions);
   for (std::vector<std::vector<T>>& group : equations.rz) matrix(group);
 }
 
-/// sum of a_i b_i, without the products that are zero.
-template <class T>
-T product(const std::vector<T>& a, const std::vector<T>& b) {
-  T sum(0.0);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (!is_zero(a[i]) && !is_zero(b[i])) sum = sum + a[i] * b[i];
-  return sum;
-}
-
-/// A row over the tree's coordinates as one over the free directions.
-template <class T>
-std::vector<T> projected_row(const Topology& topology, const std::vector<GroupProjection<T>>& projections,
-                             const std::vector<T>& row) {
-  std::vector<T> result;
+/// Calls visit(row of Rz, coordinate, first free direction of the row).
+template <class T, class Visit>
+void each_rz_row(const Topology& topology, const std::vector<std::vector<std::vector<T>>>& rz, const Visit& visit) {
+  std::size_t first = 0;
   for (std::size_t g = 0; g < topology.groups.size(); ++g) {
     const std::vector<int>& joints = topology.groups[g].joints;
-    for (std::size_t q = 0; q < (projections[g].rz.empty() ? 0 : projections[g].rz[0].size()); ++q) {
-      T sum(0.0);
-      for (std::size_t c = 0; c < joints.size(); ++c)
-        if (!is_zero(row[joints[c]]) && !is_zero(projections[g].rz[c][q]))
-          sum = sum + row[joints[c]] * projections[g].rz[c][q];
-      result.push_back(sum);
-    }
+    for (std::size_t c = 0; c < joints.size(); ++c) visit(rz[g][c], joints[c], first);
+    first += rz[g].empty() ? 0 : rz[g][0].size();
+  }
+}
+
+/// Rz times values of the free directions: per coordinate of the tree.
+template <class T>
+std::vector<T> along_directions(const Topology& topology, const ImplicitEquations<T>& e, const std::vector<T>& free) {
+  std::vector<T> result(topology.bodies.size(), T(0.0));
+  each_rz_row(topology, e.rz, [&](const std::vector<T>& row, int coordinate, std::size_t first) {
+    for (std::size_t q = 0; q < row.size(); ++q)
+      result[coordinate] = result[coordinate] + Slope<T>::times(row[q], free[first + q]);
+  });
+  return result;
+}
+
+/// Rz' times values of the tree's coordinates: per free direction.
+template <class T>
+std::vector<T> onto_directions(const Topology& topology, const ImplicitEquations<T>& e, std::size_t directions,
+                               const std::vector<T>& values) {
+  std::vector<T> result(directions, T(0.0));
+  each_rz_row(topology, e.rz, [&](const std::vector<T>& row, int coordinate, std::size_t first) {
+    for (std::size_t q = 0; q < row.size(); ++q)
+      result[first + q] = result[first + q] + Slope<T>::times(row[q], values[coordinate]);
+  });
+  return result;
+}
+
+/// Rows over the tree's coordinates as rows over the free directions.
+template <class T>
+std::vector<SparseRow<T>> onto_directions(const Topology& topology, const ImplicitEquations<T>& e,
+                                          std::size_t directions, const std::vector<SparseRow<T>>& rows) {
+  std::vector<SparseRow<T>> result;
+  for (const SparseRow<T>& row : rows) {
+    std::vector<T> values(topology.bodies.size(), T(0.0));
+    for (std::size_t i = 0; i < row.columns.size(); ++i) values[row.columns[i]] = row.values[i];
+    result.push_back(without_zeros(onto_directions(topology, e, directions, values)));
   }
   return result;
 }
 
-/// Whether a row and a column of a matrix have no entry but that on the diagonal.
+/// Whether an element couples many more directions than the mass matrix and than its own row has: then its motion is an
+/// unknown by itself, whose row and column leave the directions apart. rows: over the free directions.
 template <class T>
-bool stands_alone(const std::vector<std::vector<T>>& matrix, std::size_t a) {
-  for (std::size_t b = 0; b < matrix.size(); ++b)
-    if (b != a && !(is_zero(matrix[a][b]) && is_zero(matrix[b][a]))) return false;
-  return true;
+bool couples_apart(const ImplicitElement<T>& element, const std::vector<SparseRow<T>>& rows,
+                   const std::vector<std::vector<T>>& mass) {
+  if (rows.size() != 1 || is_zero(element.both[0][0])) return false;
+  const std::vector<int>& directions = rows[0].columns;
+  std::size_t apart = 0;
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) apart += is_zero(mass[directions[i]][directions[j]]) ? 1 : 0;
+  return apart > 2 * directions.size();
 }
 
-/// to += rows' matrix rows. matrix: over the rows; a symmetric sum stays symmetric where all rows stand alone.
+/// The matrix of a step over the motions of elements by themselves, v_e = J v, and the free directions.
 template <class T>
-void add_projected(const std::vector<std::vector<T>>& rows, const std::vector<std::vector<T>>& matrix,
-                   std::vector<std::vector<T>>& to) {
-  const std::size_t n = to.size();
-  for (std::size_t a = 0; a < rows.size(); ++a) {
-    const bool is_alone = stands_alone(matrix, a);
-    std::vector<T> moved(n, T(0.0));
-    for (std::size_t b = 0; b < rows.size(); ++b)
-      for (std::size_t d = 0; d < n; ++d)
-        if (!is_zero(matrix[a][b]) && !is_zero(rows[b][d])) moved[d] = moved[d] + matrix[a][b] * rows[b][d];
-    for (std::size_t q = 0; q < n; ++q) {
-      for (std::size_t d = 0; d < (is_alone ? q + 1 : n); ++d) {
-        if (is_zero(rows[a][q]) || is_zero(moved[d])) continue;
-        const T value = rows[a][q] * moved[d];
-        to[q][d] = to[q][d] + value;
-        if (is_alone && d != q) to[d][q] = to[d][q] + value;
-      }
-    }
-  }
-}
-
-/// to += factors' rows.
-template <class T>
-void add_weighted(const std::vector<T>& factors, const std::vector<std::vector<T>>& rows, std::vector<T>& to) {
-  for (std::size_t b = 0; b < rows.size(); ++b)
-    for (std::size_t d = 0; d < to.size(); ++d)
-      if (!is_zero(factors[b]) && !is_zero(rows[b][d])) to[d] = to[d] + factors[b] * rows[b][d];
-}
-
-/// Sums over the elements: g D + g^2 K, and g^2 K alone.
-template <class T>
-struct TangentSums {
-  std::vector<std::vector<T>> both, stiffness;
+struct ImplicitMatrix {
+  MirroredMatrix<T> matrix;
+  std::vector<int> first_directions;  ///< per element by itself, of those that it moves with
 };
 
-/// Columns that solve the equations of states, for columns of a matrix [state][column].
+/// Forces of elements by velocities, summed: over the free directions. Of symmetric ones the lower triangle.
 template <class T>
-std::vector<std::vector<T>> solved_columns(const ImplicitFactors<T>& factors, std::vector<std::vector<T>> matrix) {
-  for (std::size_t b = 0; b < (matrix.empty() ? 0 : matrix[0].size()); ++b) {
-    std::vector<T> column;
-    for (const std::vector<T>& row : matrix) column.push_back(row[b]);
-    solve(factors, column);
-    for (std::size_t s = 0; s < column.size(); ++s) matrix[s][b] = column[s];
-  }
-  return matrix;
+struct ElementSums {
+  std::vector<std::vector<T>> symmetric, other;
+};
+
+/// Adds Rz' matrix Rz. matrix: over the tree's coordinates; is_symmetric: its lower triangle alone, as of the result.
+template <class T>
+void add_projected(const Topology& topology, const ImplicitEquations<T>& e, std::vector<std::vector<T>> matrix,
+                   bool is_symmetric, std::vector<std::vector<T>>& to) {
+  const std::size_t n = to.size();
+  for (std::size_t a = 0; a < (is_symmetric ? matrix.size() : 0); ++a)
+    for (std::size_t b = 0; b < a; ++b) matrix[b][a] = matrix[a][b];
+  for (std::vector<T>& row : matrix) row = onto_directions(topology, e, n, row);
+  each_rz_row(topology, e.rz, [&](const std::vector<T>& rz, int coordinate, std::size_t first) {
+    for (std::size_t r = 0; r < rz.size(); ++r)
+      for (std::size_t d = 0; d < (is_symmetric ? first + r + 1 : n); ++d)
+        to[first + r][d] = to[first + r][d] + Slope<T>::times(rz[r], matrix[coordinate][d]);
+  });
 }
 
-/// Eliminates the auxiliary states of an element into its tangents: their changes are those that solve
-/// (1 / g - F) change = rates + P (change of positions) + Q (change of velocities). rows: of the element over the free
-/// directions.
+/// The sums over all elements but those that couple directions apart, whose rows and factors go to `apart`. An element
+/// is summed over the tree's coordinates where it has no more of them than of directions: many then share one
+/// projection.
 template <class T>
-void eliminate_states(const std::vector<std::vector<T>>& rows, ElementTangents<T>& element, const T& g, int first_user,
-                      WatchedEquations<T>& watched) {
-  using S = Slope<T>;
-  ImplicitEquations<T>& e = watched.equations;
-  const std::size_t states = element.states.size(), size = rows.size();
-  const T reciprocal = T(1.0) / g;
-  std::vector<std::vector<T>> matrix = zeros<T>(states, states);
-  for (std::size_t s = 0; s < states; ++s)
-    for (std::size_t t = 0; t < states; ++t)
-      matrix[s][t] = (s == t ? reciprocal : T(0.0)) - element.rate_by_state[s][t];
-  WatchedFactors<T> factors = implicit_factors(std::move(matrix), false);
-  const std::vector<std::vector<T>> by_position = solved_columns(factors.factors, element.rate_by_position),
-                                    by_velocity = solved_columns(factors.factors, element.rate_by_velocity);
-  for (std::size_t s = 0; s < states; ++s) {
-    const int state = element.states[s];
-    if (state >= first_user) watched.state_pivot[state - first_user] = factors.pivot[s];
-    std::vector<T> of_velocity, of_position, forces;
-    for (std::size_t b = 0; b < size; ++b) {
-      of_position.push_back(S::times(g, by_position[s][b]));
-      of_velocity.push_back(by_velocity[s][b] + of_position[b]);
-      for (std::size_t a = 0; a < size; ++a) {
-        element.by_velocity[a][b] = element.by_velocity[a][b] + S::times(element.by_state[a][s], by_velocity[s][b]);
-        element.by_position[a][b] = element.by_position[a][b] + S::times(element.by_state[a][s], by_position[s][b]);
+ElementSums<T> element_sums(const Topology& topology, const ImplicitEquations<T>& e,
+                            const std::vector<std::vector<T>>& mass, std::vector<std::pair<SparseRow<T>, T>>& apart) {
+  const std::size_t n = mass.size(), coordinates = topology.bodies.size();
+  ElementSums<T> sums{zeros<T>(n, n), zeros<T>(n, n)};
+  std::vector<std::vector<T>> symmetric = zeros<T>(coordinates, coordinates), other = symmetric;
+  for (const ImplicitElement<T>& element : e.elements) {
+    const std::vector<SparseRow<T>> rows = onto_directions(topology, e, n, element.rows);
+    if (couples_apart(element, rows, mass)) {
+      apart.emplace_back(rows[0], element.both[0][0]);
+      continue;
+    }
+    const bool in_tree = columns_of(element.rows).size() <= columns_of(rows).size();
+    std::vector<std::vector<T>>& to = in_tree                ? element.is_symmetric ? symmetric : other
+                                      : element.is_symmetric ? sums.symmetric
+                                                             : sums.other;
+    add_projected(in_tree ? element.rows : rows, element.both, element.is_symmetric, to);
+  }
+  add_projected(topology, e, std::move(symmetric), true, sums.symmetric);
+  add_projected(topology, e, std::move(other), false, sums.other);
+  return sums;
+}
+
+/// mass: reduced, its lower triangle.
+template <class T>
+ImplicitMatrix<T> implicit_matrix(const Topology& topology, const ImplicitEquations<T>& e,
+                                  const std::vector<std::vector<T>>& mass) {
+  std::vector<std::pair<SparseRow<T>, T>> apart;
+  const auto [symmetric, other] = element_sums(topology, e, mass, apart);
+  const std::size_t n = mass.size(), first = apart.size();
+  ImplicitMatrix<T> result{MirroredMatrix<T>(first + n), {}};
+  for (std::size_t q = 0; q < n; ++q)
+    for (std::size_t d = 0; d <= q; ++d) {
+      const T shared = mass[q][d] - symmetric[q][d];
+      if (is_zero(other[q][d]) && is_zero(other[d][q])) {
+        result.matrix.set_pair(first + q, first + d, shared);
+      } else {
+        result.matrix.entry[first + q][first + d] = shared - other[q][d];
+        result.matrix.entry[first + d][first + q] = shared - other[d][q];
       }
     }
-    add_weighted(of_velocity, rows, e.state_by_velocity[state]);
-    add_weighted(of_position, rows, e.state_by_position[state]);
-    for (std::size_t a = 0; a < size; ++a) forces.push_back(S::times(g, element.by_state[a][s]));
-    std::vector<T> right(e.by_state.size(), T(0.0));
-    add_weighted(forces, rows, right);
-    for (std::size_t q = 0; q < right.size(); ++q) e.by_state[q][state] = e.by_state[q][state] + right[q];
-  }
-  e.states.push_back({element.states, std::move(factors.factors)});
-}
-
-/// One element's part of the matrix. rows: over the free directions. Result: whether its part is symmetric.
-template <class T>
-bool add_element(const std::vector<std::vector<T>>& rows, ElementTangents<T>& element, const T& g,
-                 TangentSums<T>& sums) {
-  using S = Slope<T>;
-  const std::size_t size = rows.size();
-  std::vector<std::vector<T>>&stiffness = element.by_position, &damping = element.by_velocity;
-  for (std::size_t a = 0; a < size; ++a) {
-    for (std::size_t b = 0; b < size; ++b) {
-      stiffness[a][b] = S::times(g * g, stiffness[a][b]);
-      damping[a][b] = S::times(g, damping[a][b]) + stiffness[a][b];
+  for (std::size_t u = 0; u < first; ++u) {
+    const auto& [row, both] = apart[u];
+    result.first_directions.push_back(row.columns[0]);
+    result.matrix.entry[u][u] = T(1.0);
+    for (std::size_t i = 0; i < row.columns.size(); ++i) {
+      result.matrix.entry[u][first + row.columns[i]] = -row.values[i];
+      result.matrix.entry[first + row.columns[i]][u] = Slope<T>::times(-both, row.values[i]);
     }
   }
-  add_projected(rows, damping, sums.both);
-  add_projected(rows, stiffness, sums.stiffness);
-  bool is_symmetric = true;
-  for (std::size_t a = 0; a < size; ++a) is_symmetric = is_symmetric && stands_alone(damping, a);
-  return is_symmetric;
+  return result;
 }
 
 }  // namespace detail
@@ -229,35 +221,24 @@ WatchedEquations<T> implicit_equations(System<T>& system, const Partitions& part
   const Velocities<T> v = velocities(system, k);
   const std::vector<GroupProjection<T>> projections =
       frozen_directions(system, k, partitions, driven, &watched.quality);
-  ReducedSystem<T> reduced =
-      reduced_system(system, k, inertias(system, k), projections, std::vector<T>(topology.bodies.size(), T(0.0)));
-  const std::size_t n = reduced.mass.size(), states = system.x.size();
-  detail::TangentSums<T> sums{detail::zeros<T>(n, n), detail::zeros<T>(n, n)};
-  e.by_state = detail::zeros<T>(n, states);
-  e.state_by_velocity = e.state_by_position = detail::zeros<T>(states, n);
-  watched.state_pivot.assign(system.model.states.size(), T(1.0));
-  bool is_symmetric = true;
-  for (ElementTangents<T>& element : force_tangents(system, k, v)) {
-    std::vector<std::vector<T>> rows;
-    for (const LocalCoordinate<T>& coordinate : element.coordinates)
-      rows.push_back(detail::projected_row(topology, projections, coordinate.row));
-    if (!element.states.empty()) detail::eliminate_states(rows, element, g, first_user_state(system.model), watched);
-    is_symmetric = detail::add_element(rows, element, g, sums) && is_symmetric;
-  }
-  std::vector<std::vector<T>> matrix = detail::zeros<T>(n, n);
-  for (std::size_t q = 0; q < n; ++q) {
-    e.mass.emplace_back();
-    for (std::size_t d = 0; d < n; ++d) {
-      const T& mass = d <= q ? reduced.mass[q][d] : reduced.mass[d][q];
-      matrix[q][d] = mass - sums.both[q][d];
-      if (d <= q) e.mass[q].push_back(Slope<T>::times(g, mass));
-    }
-  }
-  e.stiffness = std::move(sums.stiffness);
-  WatchedFactors<T> factors = implicit_factors(std::move(matrix), is_symmetric);
-  e.directions = std::move(factors.factors);
-  watched.pivot = std::move(factors.pivot);
   for (const GroupProjection<T>& p : projections) e.rz.push_back(p.rz);
+  watched.state_pivot.assign(system.model.states.size(), T(1.0));
+  for (ElementTangents<T>& element : force_tangents(system, k, v))
+    e.elements.push_back(
+        detail::implicit_element(std::move(element), g, first_user_state(system.model), watched.state_pivot));
+  e.elements = detail::united_where_less(std::move(e.elements));
+  const ReducedSystem<T> reduced =
+      reduced_system(system, k, inertias(system, k), projections, std::vector<T>(topology.bodies.size(), T(0.0)));
+  auto [matrix, first_directions] = detail::implicit_matrix(topology, e, reduced.mass);
+  WatchedFactors<T> factors = implicit_factors(std::move(matrix));
+  e.directions = std::move(factors.factors);
+  const auto pivots = factors.pivot.begin() + static_cast<std::ptrdiff_t>(first_directions.size());
+  watched.pivot.assign(pivots, factors.pivot.end());
+  using std::min;
+  for (std::size_t u = 0; u < first_directions.size(); ++u) {
+    T& pivot = watched.pivot[first_directions[u]];
+    pivot = min(pivot, factors.pivot[u]);
+  }
   return watched;
 }
 
@@ -266,14 +247,65 @@ template <class T>
 std::vector<T> state_changes(const ImplicitEquations<T>& e, const T& g, const std::vector<T>& rates) {
   std::vector<T> changes;
   for (const T& rate : rates) changes.push_back(g * rate);
-  for (const StateEquations<T>& block : e.states) {
+  for (const ImplicitElement<T>& element : e.elements) {
     std::vector<T> right;
-    for (const int state : block.states) right.push_back(rates[state]);
-    solve(block.factors, right);
-    for (std::size_t s = 0; s < right.size(); ++s) changes[block.states[s]] = right[s];
+    for (const int state : element.states) right.push_back(rates[state]);
+    solve(element.factors, right);
+    for (std::size_t s = 0; s < right.size(); ++s) changes[element.states[s]] = right[s];
   }
   return changes;
 }
+
+namespace detail {
+
+/// Rates and changes along the coordinates of the tree.
+template <class T>
+struct TreeChanges {
+  std::vector<T> zd;      ///< rates of positions
+  std::vector<T> change;  ///< of velocities
+};
+
+/// Forces of the elements by changes, times g: per coordinate of the tree. states: changes of the auxiliary states
+/// where nothing moves.
+template <class T>
+std::vector<T> element_forces(const ImplicitEquations<T>& e, const TreeChanges<T>& tree, const std::vector<T>& states) {
+  using S = Slope<T>;
+  std::vector<T> result(tree.zd.size(), T(0.0));
+  for (const ImplicitElement<T>& element : e.elements) {
+    std::vector<T> position, velocity, still;
+    for (const SparseRow<T>& row : element.rows) {
+      position.push_back(product(row, tree.zd));
+      velocity.push_back(product(row, tree.change));
+    }
+    for (const int state : element.states) still.push_back(states[state]);
+    for (std::size_t a = 0; a < element.rows.size(); ++a) {
+      T force = product(element.both[a], velocity) + product(element.stiffness[a], position);
+      if (!still.empty()) force = force + product(element.by_state[a], still);
+      const SparseRow<T>& row = element.rows[a];
+      for (std::size_t i = 0; i < row.columns.size(); ++i)
+        result[row.columns[i]] = result[row.columns[i]] + S::times(row.values[i], force);
+    }
+  }
+  return result;
+}
+
+/// Adds to changes of auxiliary states those by the motion.
+template <class T>
+void add_motion(const ImplicitEquations<T>& e, const TreeChanges<T>& tree, std::vector<T>& changes) {
+  for (const ImplicitElement<T>& element : e.elements) {
+    if (element.states.empty()) continue;
+    std::vector<T> position, velocity;
+    for (const SparseRow<T>& row : element.rows) {
+      position.push_back(product(row, tree.zd));
+      velocity.push_back(product(row, tree.change));
+    }
+    for (std::size_t s = 0; s < element.states.size(); ++s)
+      changes[element.states[s]] = changes[element.states[s]] + product(element.state_by_velocity[s], velocity) +
+                                   product(element.state_by_position[s], position);
+  }
+}
+
+}  // namespace detail
 
 /// Changes of velocities and auxiliary states, in place of given rates: those that solve (1 / g - A) change = rates, A
 /// with the tangents alone. rates: of coordinates, velocities and states. free: the coordinate of each free direction,
@@ -281,36 +313,27 @@ std::vector<T> state_changes(const ImplicitEquations<T>& e, const T& g, const st
 template <class T>
 ImplicitRates<T> implicit_changes(const Topology& topology, const std::vector<int>& free, const ImplicitEquations<T>& e,
                                   const T& g, const ImplicitRates<T>& rates) {
-  const std::size_t n = free.size();
   std::vector<T> zd, change;
-  for (const int i : free) zd.push_back(rates.zd[i]);
-  const std::vector<T> still = state_changes(e, g, rates.xd);
-  for (std::size_t q = 0; q < n; ++q) {
-    T right = detail::product(e.stiffness[q], zd) + detail::product(e.by_state[q], still);
-    for (std::size_t d = 0; d < n; ++d) {
-      const T& mass = d <= q ? e.mass[q][d] : e.mass[d][q];
-      if (!is_zero(mass)) right = right + mass * rates.zdd[free[d]];
-    }
-    change.push_back(right);
+  for (const int i : free) {
+    zd.push_back(rates.zd[i]);
+    change.push_back(g * rates.zdd[i]);
   }
-  solve(e.directions, change);
-  std::vector<T> more;  // than an explicit method changes
-  for (std::size_t q = 0; q < n; ++q) more.push_back(change[q] - g * rates.zdd[free[q]]);
+  detail::TreeChanges<T> tree{detail::along_directions(topology, e, zd), detail::along_directions(topology, e, change)};
   ImplicitRates<T> result;
-  for (const T& rate : rates.zdd) result.zdd.push_back(g * rate);
-  std::size_t first = 0;
-  for (std::size_t group = 0; group < topology.groups.size(); ++group) {
-    const std::vector<int>& joints = topology.groups[group].joints;
-    const std::size_t directions = e.rz[group].empty() ? 0 : e.rz[group][0].size();
-    const std::vector<T> own(more.begin() + first, more.begin() + first + directions);
-    for (std::size_t c = 0; c < joints.size(); ++c)
-      result.zdd[joints[c]] = result.zdd[joints[c]] + detail::product(e.rz[group][c], own);
-    first += directions;
+  result.xd = state_changes(e, g, rates.xd);
+  const std::vector<T> right =
+      detail::onto_directions(topology, e, free.size(), detail::element_forces(e, tree, result.xd));
+  std::vector<T> more(e.directions.reciprocal.size() - right.size(), T(0.0));  // than an explicit method changes
+  const auto directions = static_cast<std::ptrdiff_t>(more.size());
+  more.insert(more.end(), right.begin(), right.end());
+  solve(e.directions, more);
+  more.erase(more.begin(), more.begin() + directions);
+  const std::vector<T> along = detail::along_directions(topology, e, more);
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    result.zdd.push_back(g * rates.zdd[i] + along[i]);
+    tree.change[i] = tree.change[i] + along[i];
   }
-  for (std::size_t q = 0; q < n; ++q) result.zdd[free[q]] = change[q];
-  for (std::size_t s = 0; s < rates.xd.size(); ++s)
-    result.xd.push_back(still[s] + detail::product(e.state_by_velocity[s], change) +
-                        detail::product(e.state_by_position[s], zd));
+  detail::add_motion(e, tree, result.xd);
   return result;
 }
 

@@ -1,18 +1,36 @@
 #pragma once
-// A matrix that is eliminated from the last row to the first, without touching what is zero at every state.
+// A matrix that is eliminated from the last row to the first, without touching what is zero at every state, and once
+// where both entries of a pair are one value.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "compiler/formulation/slope.hpp"
 
 namespace mbgen {
 
-/// Factors of a matrix; matrices are [row][column].
+/// A square matrix. mirrored: [row][column < row], whether both entries of the pair are one value.
+template <class T>
+struct MirroredMatrix {
+  std::vector<std::vector<T>> entry;
+  std::vector<std::vector<bool>> mirrored;
+
+  explicit MirroredMatrix(std::size_t size)
+      : entry(size, std::vector<T>(size, T(0.0))), mirrored(size, std::vector<bool>(size, false)) {}
+  std::size_t size() const { return entry.size(); }
+  void set_pair(std::size_t a, std::size_t b, const T& value) {
+    entry[a][b] = entry[b][a] = value;
+    mirrored[std::max(a, b)][std::min(a, b)] = true;
+  }
+};
+
+/// Factors of a matrix after elimination from the last row to the first; matrices are [row][column].
 template <class T>
 struct ImplicitFactors {
-  std::vector<std::vector<T>> lower, factor;  ///< after elimination from the last row to the first
+  std::vector<std::vector<T>> factor, lower;  ///< columns above and rows left of the pivots, over them
   std::vector<T> reciprocal;                  ///< of the pivots
 };
 
@@ -23,9 +41,28 @@ struct WatchedFactors {
   std::vector<T> pivot;
 };
 
-/// Factors of a matrix. is_symmetric: it is, and only a half is worked on.
+namespace detail {
+
+/// Takes off a pair of entries of a matrix what the elimination of row q leaves there. a >= b.
 template <class T>
-WatchedFactors<T> implicit_factors(std::vector<std::vector<T>> matrix, bool is_symmetric) {
+void eliminate_pair(const ImplicitFactors<T>& f, std::size_t q, std::size_t a, std::size_t b, MirroredMatrix<T>& m) {
+  const bool changes_lower = !is_zero(f.factor[a][q]) && !is_zero(m.entry[q][b]);
+  const bool changes_upper = a != b && !is_zero(f.factor[b][q]) && !is_zero(m.entry[q][a]);
+  if (!changes_lower && !changes_upper) return;
+  if (changes_lower) m.entry[a][b] = m.entry[a][b] - f.factor[a][q] * m.entry[q][b];
+  if (a == b) return;
+  if (m.mirrored[a][b] && m.mirrored[q][a] && m.mirrored[q][b]) {
+    m.entry[b][a] = m.entry[a][b];
+    return;
+  }
+  m.mirrored[a][b] = false;
+  if (changes_upper) m.entry[b][a] = m.entry[b][a] - f.factor[b][q] * m.entry[q][a];
+}
+
+}  // namespace detail
+
+template <class T>
+WatchedFactors<T> implicit_factors(MirroredMatrix<T> matrix) {
   constexpr double kRounding = 1e-12;
   const std::size_t n = matrix.size();
   WatchedFactors<T> watched;
@@ -34,18 +71,17 @@ WatchedFactors<T> implicit_factors(std::vector<std::vector<T>> matrix, bool is_s
   f.reciprocal = watched.pivot = std::vector<T>(n, T(0.0));
   std::vector<T> diagonal;
   using std::abs;
-  for (std::size_t q = 0; q < n; ++q) diagonal.push_back(matrix[q][q]);
+  for (std::size_t q = 0; q < n; ++q) diagonal.push_back(matrix.entry[q][q]);
   for (std::size_t q = n; q-- > 0;) {
-    watched.pivot[q] = q + 1 == n ? matrix[q][q] : matrix[q][q] - T(kRounding) * T(abs(diagonal[q]));
-    f.reciprocal[q] = T(1.0) / matrix[q][q];
-    for (std::size_t b = 0; b < q; ++b) f.lower[q][b] = matrix[q][b];
-    for (std::size_t a = 0; a < q; ++a) {
-      const T& entry = is_symmetric ? matrix[q][a] : matrix[a][q];
-      if (is_zero(entry)) continue;
-      const T factor = f.factor[a][q] = entry * f.reciprocal[q];
-      for (std::size_t b = 0; b < (is_symmetric ? a + 1 : q); ++b)
-        if (!is_zero(matrix[q][b])) matrix[a][b] = matrix[a][b] - factor * matrix[q][b];
+    const T& pivot = matrix.entry[q][q];
+    watched.pivot[q] = q + 1 == n ? pivot : pivot - T(kRounding) * T(abs(diagonal[q]));
+    f.reciprocal[q] = T(1.0) / pivot;
+    for (std::size_t b = 0; b < q; ++b) {
+      f.factor[b][q] = Slope<T>::times(matrix.entry[b][q], f.reciprocal[q]);
+      f.lower[q][b] = matrix.mirrored[q][b] ? f.factor[b][q] : Slope<T>::times(matrix.entry[q][b], f.reciprocal[q]);
     }
+    for (std::size_t a = 0; a < q; ++a)
+      for (std::size_t b = 0; b <= a; ++b) detail::eliminate_pair(f, q, a, b, matrix);
   }
   return watched;
 }
@@ -58,9 +94,9 @@ void solve(const ImplicitFactors<T>& f, std::vector<T>& right) {
     for (std::size_t a = 0; a < q; ++a)
       if (!is_zero(f.factor[a][q]) && !is_zero(right[q])) right[a] = right[a] - f.factor[a][q] * right[q];
   for (std::size_t q = 0; q < n; ++q) {
+    right[q] = Slope<T>::times(right[q], f.reciprocal[q]);
     for (std::size_t b = 0; b < q; ++b)
       if (!is_zero(f.lower[q][b]) && !is_zero(right[b])) right[q] = right[q] - f.lower[q][b] * right[b];
-    right[q] = Slope<T>::times(right[q], f.reciprocal[q]);
   }
 }
 

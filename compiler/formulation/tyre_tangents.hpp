@@ -98,6 +98,7 @@ ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_
     const int first = static_cast<int>(2 * index);
     ElementTangents<T> element = element_tangents<T>(std::move(coordinates), {first, first + 1});
     add_law(set, properties, motion, element);
+    element.counts_as_symmetric = true;  // so that the matrix of a vehicle is, and a half of it is worked on
     return element;
   });
 }

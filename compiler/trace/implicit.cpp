@@ -2,19 +2,35 @@
 
 #include "compiler/formulation/implicit.hpp"
 
+#include <map>
+
 #include "compiler/trace/each_program.hpp"
 #include "compiler/trace/tracing.hpp"
 
 namespace mbgen {
 namespace {
 
-/// Puts inputs of another program in place of the values, numbered as they come; constants stay.
-void take_as_inputs(Tracing& tracing, ImplicitEquations<Expr>& equations) {
-  int next = 0;
-  detail::each_entry(equations, [&](Expr& value) {
-    if (!value.is_constant()) value = tracing.input(Array::tangent, next++);
-  });
-}
+/// Numbers of the values that the equations hold, each once; constants stay in the programs.
+class EntryNumbers {
+ public:
+  /// The equations' values become outputs of their program.
+  EntryNumbers(Tracing& tracing, ImplicitEquations<Expr>& equations) {
+    detail::each_entry(equations, [&](const Expr& value) {
+      if (value.is_constant()) return;
+      const auto [entry, is_new] = number_.emplace(value.value(tracing.builder), static_cast<int>(number_.size()));
+      if (is_new) tracing.output(Array::tangent, entry->second, value);
+    });
+  }
+  /// Puts inputs of another program in place of the values. from: their own program.
+  void take_as_inputs(Tracing& from, Tracing& to, ImplicitEquations<Expr>& equations) const {
+    detail::each_entry(equations, [&](Expr& value) {
+      if (!value.is_constant()) value = to.input(Array::tangent, number_.at(value.value(from.builder)));
+    });
+  }
+
+ private:
+  std::map<ValueId, int> number_;
+};
 
 }  // namespace
 
@@ -24,17 +40,14 @@ ImplicitPrograms trace_implicit(const Model& model, const Topology& topology, co
   WatchedEquations<Expr> watched = tracing.in(Step::tangents, [&] {
     return implicit_equations(tracing.system, analysis.blocks, analysis.driven, tracing.input(Array::step, 0));
   });
-  int next = 0;
-  detail::each_entry(watched.equations, [&](Expr& value) {
-    if (!value.is_constant()) tracing.output(Array::tangent, next++, value);
-  });
+  const EntryNumbers numbers(tracing, watched.equations);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) tracing.output_pivot(b, watched.quality[b]);
   tracing.outputs(Array::inertia, watched.pivot);
   tracing.outputs(Array::state_pivot, watched.state_pivot);
-  programs.tangents = tracing.builder.finish_in_canonical_order();
 
   Tracing changing(Role::changes, model, topology, analysis, Form::matrix);
-  take_as_inputs(changing, watched.equations);
+  numbers.take_as_inputs(tracing, changing, watched.equations);
+  programs.tangents = tracing.builder.finish_in_canonical_order();
   const auto step = changing.scribe.step(Step::tangents);
   const int n = topology.size(), states = auxiliary_state_count(model);
   const ImplicitRates<Expr> rates{changing.inputs(Array::zd, n), changing.inputs(Array::zdd, n),

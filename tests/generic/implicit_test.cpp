@@ -1,7 +1,10 @@
 // The linearly implicit integrator on mechanisms: its matrix against differences of the accelerations, orders, stiff
 // problems.
 
+#include <fmt/format.h>
+
 #include <cstdio>
+#include <string>
 
 #include "tests/support/implicit_support.hpp"
 
@@ -49,6 +52,35 @@ TEST(Implicit, MatrixIsThatOfTheMechanismWhereNoForceTurns) {
   const GenericState state = reference_state(sprung.m);
   ASSERT_LT(sprung.rates(state).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_LT(largest_difference(sprung.matrix(state), sprung.differences(state)), 1e-7);
+}
+
+/// Two chains of so many bars that hang side by side, their ends joined by a spring: it alone couples them, every joint
+/// of one with every joint of the other.
+std::string two_chains(int bars) {
+  std::string bodies, joints;
+  for (const char side : {'a', 'b'})
+    for (int i = 0; i < bars; ++i) {
+      const std::string below = i == 0 ? "ground" : fmt::format("{}{}", side, i - 1);
+      const double x = side == 'a' ? 0 : 1, top = -0.2 * i, end = -0.2 * (i + 1);
+      bodies += fmt::format(R"(, "{0}{1}": {{ "mass": 1, "com": [{2}, 0, {3}], "inertia": [0.01, 0.01, 0.001],
+        "points": {{ "top": [{2}, 0, {3}], "{0}end": [{2}, 0, {4}] }} }})",
+                            side, i, x, top, end);
+      joints += fmt::format(R"({0} "{1}{2}": {{ "type": "revolute", "from": "{3}.{1}end", "to": "{1}{2}.top",
+        "axis": "y" }})",
+                            joints.empty() ? "" : ",", side, i, below);
+    }
+  return fmt::format(R"({{ "mbgen": 1, "name": "chains", "gravity": [0, 0, 0],
+    "bodies": {{ "ground": {{ "points": {{ "aend": [0, 0, 0], "bend": [1, 0, 0] }} }}{} }}, "joints": {{ {} }},
+    "springs": {{ "ends": {{ "from": "a{}.aend", "to": "b{}.bend", "stiffness": 3e5, "damping": 2e3 }} }} }})",
+                     bodies, joints, bars - 1, bars - 1);
+}
+
+TEST(Implicit, MatrixHasASpringBetweenChainsThatNothingElseCouples) {
+  for (const int bars : {2, 6}) {  // few places between the chains are filled; many are left apart
+    const Free chains{mechanism_of(two_chains(bars))};
+    const GenericState state = reference_state(chains.m);
+    EXPECT_LT(largest_difference(chains.matrix(state), chains.differences(state)), 1e-6) << bars;
+  }
 }
 
 // Forces by load are left out, and the drag of the tyre on its hub.
