@@ -94,10 +94,11 @@ std::string states_explanation(const Model& model) {
     text += paragraph(fmt::format("{} is integrated with the motion: its derivative is {}, it starts at {:g}.",
                                   state.name, number_or_text(model, state.derivative), state.initial));
   for (const SampledValue& value : model.sampled)
-    text += paragraph(
-        fmt::format("{} is set every {:g} s to {}{} and holds in between; it starts at {:g}.", value.name, value.period,
-                    value.load ? reaction_text(model, *value.load) : number_or_text(model, value.value),
-                    value.delay > 0 ? ", " + counted(value.delay, "instant") + " later" : "", value.initial));
+    text +=
+        paragraph(fmt::format("{} is set every {:g} s to {}{} and holds in between{}.", value.name, value.period,
+                              value.load ? reaction_text(model, *value.load) : number_or_text(model, value.value),
+                              value.delay > 0 ? ", " + counted(value.delay, "instant") + " later" : "",
+                              value.load && value.delay == 0 ? "" : fmt::format("; it starts at {:g}", value.initial)));
   return text.empty() ? "" : heading("States") + text;
 }
 

@@ -102,7 +102,7 @@ void check_state_names(Reader& reader, const Entries& states, const Entries& sam
   const std::vector<std::string> all = auxiliary_state_names(reader.model);
   const auto own = all.begin() + first_user_state(reader.model);
   std::set<std::string> others(all.begin(), own);
-  others.insert(own + static_cast<std::ptrdiff_t>(reader.names.values.size()), all.end());
+  others.insert(own + static_cast<std::ptrdiff_t>(states.size() + sampled.size()), all.end());
   for (const Entries* entries : {&states, &sampled})
     for (const Entry& entry : *entries) {
       const InScope in_scope(reader, entry.scope);

@@ -11,8 +11,13 @@ namespace mbgen {
 
 LoadWatch::LoadWatch(const Model& model) {
   const auto first = static_cast<std::size_t>(first_sampled_value(model));
-  for (std::size_t i = 0; i < model.sampled.size(); ++i)
-    if (model.sampled[i].load) loads_.push_back({&model.sampled[i], first + i});
+  const auto watch = [&](const auto& frictions) {
+    for (const FrictionLaw& friction : frictions)
+      if (friction.load >= 0) loads_.push_back({&model.sampled[friction.load], first + friction.load});
+  };
+  watch(model.frictions);
+  watch(model.spring_frictions);
+  watch(model.rod_frictions);
 }
 
 void LoadWatch::add(const Sample& sample) {

@@ -114,8 +114,9 @@ void add_applied(const AppliedForce& applied, const Place& place, const std::vec
   forces.loads.push_back(load);
 }
 
-/// Moment against the turn of a body relative to the rod in whose end it sits, across the rod's line. A rod with mass
-/// is a body; one without is turned by forces at its ends. moment: N m, over the size of the turn, rad/s, against it.
+/// Moment against the turn of a body relative to the rod in whose end it sits, across the rod's line. The rod
+/// is turned by forces at its ends, beside those that its own equations carry. moment: N m, over the size of the turn,
+/// rad/s, against it.
 void add_rod_friction(const PartRod& rod, bool at_from, const std::vector<Moving>& bodies,
                       const std::function<double(double)>& moment, Forces& forces) {
   const Line line = line_of({rod.from, rod.to, 0}, bodies);
