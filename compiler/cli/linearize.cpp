@@ -132,7 +132,7 @@ std::string heading_text(const LinearizeOptions& options, const Compilation& com
   std::string text = fmt::format("{}: {} states, {} inputs, {} outputs\n", compilation.model.name, system.states.size(),
                                  compilation.model.inputs.size(), compilation.model.outputs.size());
   if (!compilation.model.sampled.empty())
-    text += "sampled values hold: the modes are those of the plant without its sampled controllers\n";
+    text += "sampled values hold: the modes belong to the plant without its sampled controllers\n";
   if (chosen.steady) return text + steady_text(compilation, *chosen.steady, options.state.steady);
   return text + fmt::format("rates of the states at this point: at most {:.3g}\n\n", largest_drift(system));
 }
@@ -150,9 +150,9 @@ std::string modes_text(const Compilation& compilation, const std::vector<Mode>& 
     const std::string damping = oscillates ? without_minus_zero(mode.damping_ratio()) : "-";
     const std::string imaginary = oscillates ? fmt::format("+-{:.4f} i", mode.eigenvalue.imag()) : "";
     const std::string real = without_minus_zero(mode.eigenvalue.real());
-    std::string line = fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}", number, real, imaginary, frequency, damping,
-                                   leading_coordinates(compilation.model, compilation.topology, compilation.analysis,
-                                                       mode));
+    std::string line =
+        fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}", number, real, imaginary, frequency, damping,
+                    leading_coordinates(compilation.model, compilation.topology, compilation.analysis, mode));
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
