@@ -9,6 +9,7 @@
 
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/emit/emit.hpp"
+#include "compiler/fmu/fmu.hpp"
 #include "compiler/linearisation/linearisation.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/solver/programs.hpp"

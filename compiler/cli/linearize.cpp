@@ -133,9 +133,9 @@ std::string heading_text(const LinearizeOptions& options, const Compilation& com
                                  compilation.model.inputs.size(), compilation.model.outputs.size());
   const auto is_load = [](const SampledValue& value) { return value.load.has_value(); };
   if (!std::ranges::all_of(compilation.model.sampled, is_load))
-    text += "sampled values hold: the modes are those of the plant without its sampled controllers\n";
+    text += "sampled values hold: the modes belong to the plant without its sampled controllers\n";
   if (std::ranges::any_of(compilation.model.sampled, is_load))
-    text += "reactions that press frictions hold: the modes are those under the loads of the start\n";
+    text += "reactions that press frictions hold: the modes belong to the loads of the start\n";
   if (chosen.steady) return text + steady_text(compilation, *chosen.steady, options.state.steady);
   return text + fmt::format("rates of the states at this point: at most {:.3g}\n\n", largest_drift(system));
 }

@@ -1,6 +1,5 @@
 #pragma once
-// The door of the emit room: Programs -> C++ text, alone or in a Functional Mock-up Unit of FMI 2 or 3. The same input
-// gives the same bytes on any machine.
+// The door of the emit room: Programs -> C++ text. The same input gives the same bytes on any machine.
 
 #include <optional>
 #include <string>
@@ -33,20 +32,6 @@ EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, co
 
 /// A number of the programs or a default of the model that is finite and no float is, none when all are.
 std::optional<double> beyond_single_precision(const Programs& programs, const Model& model);
-
-/// An FMU before it is compiled and packed.
-struct FmuFiles {
-  std::string identifier;            ///< modelIdentifier: the name of the solver
-  std::vector<EmittedFile> packed;   ///< modelDescription.xml and everything under sources/
-  std::vector<EmittedFile> headers;  ///< the standard's, for compiling here; importers have their own
-  std::vector<std::string> sources;  ///< files of sources/ that are compiled
-  std::string large;                 ///< the one of them that is large, and called too seldom to be made fast
-};
-
-/// programs: after the passes, with all that depends on parameters; emitted: as they are emitted. initial: the model's,
-/// loops closed.
-FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model& model, const Topology& topology,
-                  const Analysis& analysis, const InitialState& initial, FmiVersion version);
 
 /// Adds the runtime's headers that the files include, under mbgen/.
 void add_runtime_headers(std::vector<EmittedFile>& files);

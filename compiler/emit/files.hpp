@@ -16,9 +16,6 @@ constexpr const char* kMbgenVersion = "0.1.0";
 /// long as some thousand values.
 constexpr std::size_t kFilePartValues = 4000;
 
-/// Of the Functional Mock-up Interface.
-enum class FmiVersion { two = 2, three = 3 };
-
 /// A file to write, path relative to the output directory.
 struct EmittedFile {
   std::string path;

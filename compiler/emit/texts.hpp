@@ -9,8 +9,6 @@
 
 namespace mbgen {
 
-struct FmuLayout;
-
 /// Definitions of one program: the struct of its result (when the shape has members), the struct of values that cross
 /// its parts (when there are several), one static function per part and the function that calls them.
 /// Each section starts with its title and ends with its operation count. Unlabelled values of one use are written into
@@ -58,27 +56,5 @@ std::string calibration_text(const EmitContext& context);
 
 /// `<model>_a2l.h`, C99: the symbols that it links to.
 std::string calibration_header_text(const EmitContext& context);
-
-/// `<model>_directional.hpp` of an FMU: its programs differentiated along a direction.
-std::string directional_header_text(const EmitContext& context);
-
-/// `<model>_directional.cpp`. programs: after the passes, not contracted; context.programs is not looked at.
-std::string directional_source_text(const EmitContext& context, const Programs& programs);
-
-/// `modelDescription.xml`. sources: files to compile, relative to `sources/`.
-std::string model_description(const EmitContext& context, const FmuLayout& fmu, FmiVersion version,
-                              const std::vector<std::string>& sources);
-
-/// Token that an importer must give back to instantiate: of the model's content and mbgen's version.
-std::string fmu_token(const Model& model);
-
-/// `sources/buildDescription.xml`, as FMI 3 has it; importers take it from units of FMI 2, too.
-std::string build_description(const EmitContext& context, FmiVersion version, const std::vector<std::string>& sources);
-
-/// `documentation/index.html`: the model's description, its variables, bodies and joints.
-std::string documentation(const EmitContext& context, const FmuLayout& fmu, FmiVersion version);
-
-/// `terminalsAndIcons/terminalsAndIcons.xml` of FMI 3: a bus of the inputs, one of the outputs, and the icon.
-std::string terminals_and_icons(const FmuLayout& fmu);
 
 }  // namespace mbgen

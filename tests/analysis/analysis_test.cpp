@@ -10,13 +10,6 @@ namespace {
 
 using namespace mbgen::testing;
 
-Diagnostics problems_of(Model model) {
-  const Result<Topology> topology = build_topology(model);
-  if (!topology) return topology.problems();
-  const Result<Analysis> analysis = analyse(model, *topology);
-  return analysis ? Diagnostics{} : analysis.problems();
-}
-
 const BlockAnalysis& only_block(const Mechanism& m) {
   EXPECT_EQ(m.analysis.blocks.size(), 1u);
   return m.analysis.blocks[0];
@@ -84,7 +77,7 @@ TEST(Analysis, TwoMotionsOnOneFreedomAreRefused) {
     motion.joint = {m.topology.bodies[joint].joint, 0};
     m.model.motions.push_back(motion);
   }
-  const Diagnostics problems = problems_of(m.model);
+  const Diagnostics problems = analysis_problems(m.model);
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].message, "motions over-constrain a loop: 2 driven coordinates, but the loop leaves 1 free");
 }
@@ -93,7 +86,7 @@ TEST(Analysis, ALoopThatCannotCloseIsNamed) {
   Mechanism m = load("models/coach_mechanism.json");
   for (Rod& rod : m.model.rods)
     if (rod.name == "drag_link") rod.length = Quantity(0.2);
-  const Diagnostics problems = problems_of(m.model);
+  const Diagnostics problems = analysis_problems(m.model);
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_NE(problems[0].message.find("cannot be closed near the reference configuration"), std::string::npos);
 }
@@ -104,7 +97,7 @@ TEST(Analysis, AFreeDirectionWithoutInertiaIsNamed) {
     body.mass = 0.0;
     body.inertia.fill(0.0);
   }
-  const Diagnostics problems = problems_of(m.model);
+  const Diagnostics problems = analysis_problems(m.model);
   ASSERT_EQ(problems.size(), 2u);
   for (const Diagnostic& problem : problems) EXPECT_NE(problem.message.find("moves no inertia"), std::string::npos);
 }
@@ -117,7 +110,7 @@ TEST(Analysis, RefusesBadModelsWithExactMessages) {
     if (entry.path().extension() != ".json") continue;
     const Result<Model> model = read_model(content(entry.path()), entry.path().filename().string());
     ASSERT_TRUE(model) << to_text(model.problems());
-    expect_text(std::filesystem::path(entry.path()).replace_extension(".txt"), to_text(problems_of(*model)));
+    expect_text(std::filesystem::path(entry.path()).replace_extension(".txt"), to_text(analysis_problems(*model)));
     ++cases;
   }
   EXPECT_GE(cases, 4);

@@ -13,13 +13,6 @@ using namespace mbgen::testing;
 
 constexpr double kDegree = 0.017453292519943295;  // rad
 
-Diagnostics problems_of(const Model& model) {
-  const Result<Topology> topology = build_topology(model);
-  if (!topology) return topology.problems();
-  const Result<Analysis> analysis = analyse(model, *topology);
-  return analysis ? Diagnostics{} : analysis.problems();
-}
-
 Mechanism made(const std::string& text) {
   const Result<Model> model = read_model(text, "made.json");
   if (!model) throw std::runtime_error(to_text(model.problems()));
@@ -203,7 +196,7 @@ TEST(Incompatible, ATiltedPinIsNamedAtEveryAngle) {
              {0.01, " 0.01 deg off"}, {1, " 1 deg off"}, {5, " 5 deg off"}, {30, " 30 deg off"}, {60, " 60 deg off"}}) {
       Model model = model_of("models/four_bar.json");
       tilt(model, name, degrees);
-      const Diagnostics problems = problems_of(model);
+      const Diagnostics problems = analysis_problems(model);
       ASSERT_EQ(problems.size(), 1u) << name << " " << degrees;
       EXPECT_EQ(problems[0].where.pointer, std::string("/joints/") + name) << degrees;
       EXPECT_NE(problems[0].message.find("redundant equations of loop \"rocker_tip\" contradict each other"),
@@ -218,7 +211,7 @@ TEST(Incompatible, ATiltedPinIsNamedAtEveryAngle) {
 TEST(Incompatible, TheResidualIsThatOfAFiniteMotion) {
   Model model = model_of("models/four_bar.json");
   tilt(model, "rocker_tip", 1);
-  const Diagnostics problems = problems_of(model);
+  const Diagnostics problems = analysis_problems(model);
   ASSERT_EQ(problems.size(), 1u);
   const std::string& message = problems[0].message;
   const std::string before =
@@ -232,7 +225,7 @@ TEST(Incompatible, TheResidualIsThatOfAFiniteMotion) {
 TEST(Incompatible, ATiltBelowTheRankToleranceShowsAsAnOpenEquation) {
   Model model = model_of("models/four_bar.json");
   tilt(model, "coupler_pin", 2e-7);
-  const Diagnostics problems = problems_of(model);
+  const Diagnostics problems = analysis_problems(model);
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_NE(problems[0].message.find("contradict the others"), std::string::npos) << problems[0].message;
 }
@@ -246,7 +239,7 @@ TEST(Incompatible, OneTiltedPinOfTheTruckIsFoundInItsBlock) {
       if (joint == "pitman_arm" && degrees == 30.0) continue;  // see below
       Model model = model_of("models/truck_mechanism.json");
       tilt(model, joint, degrees);
-      const Diagnostics problems = problems_of(model);
+      const Diagnostics problems = analysis_problems(model);
       ASSERT_EQ(problems.size(), 1u) << joint << " " << degrees;
       const Where& written = joint_named(model, joint).where;
       EXPECT_EQ(problems[0].where.file, written.file) << joint;
@@ -278,7 +271,7 @@ TEST(Incompatible, TwoTiltedLinkagesAreBothNamed) {
   Model model = model_of("models/truck_mechanism.json");
   tilt(model, "cab", 1);
   tilt(model, "seat_link_right", 1);
-  const Diagnostics problems = problems_of(model);
+  const Diagnostics problems = analysis_problems(model);
   ASSERT_EQ(problems.size(), 2u) << to_text(problems);
   EXPECT_EQ(problems[0].where.pointer, "/joints/cab");
   EXPECT_EQ(problems[1].where.pointer, joint_named(model, "seat_link_right").where.pointer);
@@ -291,9 +284,9 @@ TEST(Incompatible, AMotionDoesNotHideIt) {
   for (std::size_t j = 0; j < model.joints.size(); ++j)
     if (model.joints[j].name == "crank_pin") motion.joint = {static_cast<int>(j), 0};
   model.motions = {motion};
-  EXPECT_TRUE(problems_of(model).empty());
+  EXPECT_TRUE(analysis_problems(model).empty());
   tilt(model, "coupler_pin", 1);
-  const Diagnostics problems = problems_of(model);
+  const Diagnostics problems = analysis_problems(model);
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_NE(problems[0].message.find("contradict each other"), std::string::npos) << problems[0].message;
 }
@@ -315,8 +308,8 @@ TEST(Compatible, ATrussInAPlaneIsRigid) {
   const Result<Model> tilted =
       read_model(truss("[0, 0, 0]", "[1, 0, 0]", "[0.4, 0, 0.6]", "\"y\"", "[0.1, 1, 0]"), "tilted.json");
   ASSERT_TRUE(tilted);
-  ASSERT_EQ(problems_of(*tilted).size(), 1u);
-  EXPECT_EQ(problems_of(*tilted)[0].where.pointer, "/joints/top");
+  ASSERT_EQ(analysis_problems(*tilted).size(), 1u);
+  EXPECT_EQ(analysis_problems(*tilted)[0].where.pointer, "/joints/top");
 }
 
 TEST(Compatible, OneRodMayHoldOneJoint) {
@@ -362,7 +355,7 @@ TEST(Compatible, ASecondHingeInLineChangesNothing) {
 
   const Result<Model> tilted = read_model(two_hinges("[0.01, 1, 0]"), "tilted.json");
   ASSERT_TRUE(tilted);
-  ASSERT_EQ(problems_of(*tilted).size(), 1u);
+  ASSERT_EQ(analysis_problems(*tilted).size(), 1u);
 }
 
 /// A redundant rod whose length changes at run time contradicts its twin: the generic engine says so.

@@ -7,22 +7,6 @@ namespace {
 
 const char* const kJudges[] = {"augmented", "range-space", "null-space", "maggi"};
 
-/// Largest difference over the largest acceleration of the state, over all states.
-double worst_error(const Json& answer, const Json& reference) {
-  double worst = 0;
-  for (std::size_t s = 0; s < answer["states"].size(); ++s) {
-    EXPECT_EQ(answer["states"][s]["status"], "ok");
-    const std::vector<double> expected = reference["states"][s]["zdd"], actual = answer["states"][s]["zdd"];
-    double error = 0, largest = 0;
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      error = std::max(error, std::abs(actual.at(i) - expected[i]));
-      largest = std::max(largest, std::abs(expected[i]));
-    }
-    worst = std::max(worst, error / largest);
-  }
-  return worst;
-}
-
 class JudgesOnVehicles : public CommandLine, public ::testing::WithParamInterface<const char*> {};
 
 // The reference was made by foreign software: reference/README.md.

@@ -47,6 +47,23 @@ struct Table {
   double last(const std::string& name) const { return at(rows.size() - 1, name); }
 };
 
+/// Largest error of the accelerations over the largest acceleration of the state, over all states of a reference, which
+/// has them under `key`.
+inline double worst_error(const Json& answer, const Json& reference, const std::string& key = "zdd") {
+  double worst = 0;
+  for (std::size_t s = 0; s < reference["states"].size(); ++s) {
+    EXPECT_EQ(answer["states"][s]["status"], "ok");
+    const std::vector<double> expected = reference["states"][s][key], actual = answer["states"][s]["zdd"];
+    double error = 0, largest = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      error = std::max(error, std::abs(actual.at(i) - expected[i]));
+      largest = std::max(largest, std::abs(expected[i]));
+    }
+    worst = std::max(worst, error / largest);
+  }
+  return worst;
+}
+
 /// Two tables of one motion: every column but the residuals differs by less than `tolerance` of its largest value.
 /// Columns that stay near zero are measured against a thousandth of their unit.
 inline void expect_same_motion(const Table& one, const Table& other, double tolerance) {

@@ -28,6 +28,14 @@ struct Mechanism {
 
 inline std::string source_path(const std::string& relative) { return std::string(MBGEN_SOURCE_DIR) + "/" + relative; }
 
+/// Problems of the topology or the analysis of a model, none when both succeed.
+inline Diagnostics analysis_problems(const Model& model) {
+  const Result<Topology> topology = build_topology(model);
+  if (!topology) return topology.problems();
+  const Result<Analysis> analysis = analyse(model, *topology);
+  return analysis ? Diagnostics{} : analysis.problems();
+}
+
 /// Analyses what was read; a failure stops the test with its diagnostics.
 inline Mechanism analysed(const Result<Model>& model) {
   if (!model) throw std::runtime_error(to_text(model.problems()));

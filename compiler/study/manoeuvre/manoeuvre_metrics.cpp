@@ -65,7 +65,7 @@ VehicleMetrics metrics_of(const Manoeuvre& manoeuvre, const Plan& plan, const Ve
                           const Vehicle& vehicle, const PlaneMotion& start, const VehicleSeries& series) {
   const double end = series.t.empty() ? 0 : series.t.back();
   if (end <= plan.begin)
-    return {.notes = {fmt::format("no numbers: they are those from {:.4g} s on, and the motion ends at {:.4g} s",
+    return {.notes = {fmt::format("no numbers: the metrics begin at {:.4g} s, and the motion ends at {:.4g} s",
                                   plan.begin, end)}};
   return std::visit(Measures{plan, facts, vehicle, start, series}, manoeuvre);
 }

@@ -34,7 +34,7 @@ void ManoeuvreRun::judge(StepVerdict& verdict) const {
   const std::optional<double>& speed = base_of(manoeuvre_).speed;
   if (speed && largest_speed_error_ > kSpeedMissed * *speed)
     verdict.warnings.push_back(
-        fmt::format("the speed is off what it is to be by up to {:.3g} m/s", largest_speed_error_));
+        fmt::format("the speed differs from the wanted one by up to {:.3g} m/s", largest_speed_error_));
 }
 
 ManoeuvreWords ManoeuvreRun::words() const {

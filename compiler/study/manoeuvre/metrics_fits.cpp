@@ -30,7 +30,7 @@ std::string fault_of(const VehicleSeries& series, std::initializer_list<Read> re
 }
 
 std::string fault_of_loads(const VehicleSeries& series) {
-  if (series.loads.size() != series.wheels.size()) return "loads of other wheels than those of the series";
+  if (series.loads.size() != series.wheels.size()) return "loads of other wheels than the wheels of the series";
   for (const Values& load : series.loads)
     if (const std::string fault = fault_of(series, {{"load of a tyre", &load}}); !fault.empty()) return fault;
   return "";

@@ -56,7 +56,7 @@ std::vector<Field<F>> with_common(FieldInfo speed, std::vector<Field<F>> own) {
                             .shape = Shape::number,
                             .doc = "version of the format, 1",
                             .need = Need::required}),
-      field<F, &F::type>({.name = "type", .shape = Shape::text, .doc = "what is driven", .need = Need::required}),
+      field<F, &F::type>({.name = "type", .shape = Shape::text, .doc = "kind of manoeuvre", .need = Need::required}),
       field<F, &F::description>({.name = "description", .shape = Shape::text, .doc = "for people", .longest = 4096}),
       field<F, &F::speed>(speed)};
   all.insert(all.end(), own.begin(), own.end());
@@ -68,7 +68,7 @@ std::vector<Field<F>> with_common(FieldInfo speed, std::vector<Field<F>> own) {
                {.name = "driver", .shape = Shape::object, .doc = "who steers along a course", .of = "driver"}),
            field<F, &F::written_speed_control>({.name = "speed_control",
                     .shape = Shape::object,
-                    .doc = "what holds the speed",
+                    .doc = "controller of the speed",
                     .of = "speed_control"})})
     all.push_back(row);
   return all;
@@ -97,7 +97,7 @@ std::span<const Field<DriverSettings>> fields<DriverSettings>() {
           number("anticipation", "time by which the driver turns in before the course does", "s", 0.3)),
       field<F, &F::gain>(number("gain", "of the correction", "1", 0.5)),
       field<F, &F::understeer>(number("understeer",
-                                      "what the driver knows of the vehicle: more angle of the road wheels for every "
+                                      "the driver's knowledge of the vehicle: more angle of the road wheels for every "
                                       "m/s^2 across",
                                       "rad s^2/m", 0, Bound::none)),
       field<F, &F::largest_rate>(number("largest_rate", "of the road wheels", "rad/s", 0.6)),
@@ -152,7 +152,7 @@ std::span<const Field<Written<EventManoeuvre>>> fields<Written<EventManoeuvre>>(
                   "m/s"),
       {field<F, &F::written_events>({.name = "events",
                                      .shape = Shape::rotations,
-                                     .doc = "what happens, in order of time",
+                                     .doc = "changes at instants, in order of time",
                                      .need = Need::required,
                                      .of = "event"})});
   return table;
@@ -165,7 +165,7 @@ std::span<const Field<Written<CircleManoeuvre>>> fields<Written<CircleManoeuvre>
       speed_info(),
       {field<F, &F::method>({.name = "method",
                              .shape = Shape::word,
-                             .doc = "ISO 4138: what is constant",
+                             .doc = "ISO 4138: the constant quantity",
                              .fallback_word = "constant_radius",
                              .words = kMethods}),
        field<F, &F::radius>(open_number("radius", "of the circle that the driver follows, at constant_radius", "m")),
@@ -207,14 +207,15 @@ template <>
 std::span<const Field<Written<LaneManoeuvre>>> fields<Written<LaneManoeuvre>>() {
   using F = Written<LaneManoeuvre>;
   static const std::vector table = with_common<F>(
-      speed_info(), {field<F, &F::track>({.name = "track",
-                                          .shape = Shape::word,
-                                          .doc = "standard of the track",
-                                          .fallback_word = "iso_3888_1",
-                                          .words = kTracks}),
-                     field<F, &F::approach>(number("approach", "straight way before the first section", "m", 50)),
-                     field<F, &F::width>(open_number("width", "of the vehicle; default: what the model says", "m")),
-                     field<F, &F::side>(side_info())});
+      speed_info(),
+      {field<F, &F::track>({.name = "track",
+                            .shape = Shape::word,
+                            .doc = "standard of the track",
+                            .fallback_word = "iso_3888_1",
+                            .words = kTracks}),
+       field<F, &F::approach>(number("approach", "straight way before the first section", "m", 50)),
+       field<F, &F::width>(open_number("width", "of the vehicle; default: the `width` of the model", "m")),
+       field<F, &F::side>(side_info())});
   return table;
 }
 
@@ -273,9 +274,8 @@ std::vector<ObjectKind> manoeuvre_kinds() {
       kind_of<Written<BrakingManoeuvre>>(
           kTypes[7], "braking on a road whose sides differ in friction; one of brake and deceleration", torque),
       kind_of<Written<RideManoeuvre>>(kTypes[8], "straight over the model's road at a speed"),
-      kind_of<Event>(
-          "event",
-          "what happens at an instant; exactly one of steer, steer_table, drive, brake, speed, free and input"),
+      kind_of<Event>("event",
+                     "change at an instant; exactly one of steer, steer_table, drive, brake, speed, free and input"),
       kind_of<DriverSettings>("driver", "a driver who looks ahead"),
       kind_of<SpeedSettings>("speed_control", "a controller of driving and braking torque with gain and integral"),
   };

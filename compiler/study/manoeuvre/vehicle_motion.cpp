@@ -40,9 +40,10 @@ void add_output(Model& model, const std::string& name, const char* unit, decltyp
 
 VehicleFacts vehicle_facts(const Model& model) {
   if (!model.vehicle) {
-    throw UserError(fmt::format(
-        "{}: the model has no vehicle\n  hint: say in \"vehicle\" what drives, see docs/use/manoeuvres.md\n",
-        model.file));
+    throw UserError(
+        fmt::format("{}: the model has no vehicle\n  hint: give it a section \"vehicle\" with its inputs, see "
+                    "docs/use/manoeuvres.md\n",
+                    model.file));
   }
   if (model.tyres.empty()) throw UserError(fmt::format("{}: the vehicle has no tyres\n", model.file));
   const Vehicle& vehicle = *model.vehicle;

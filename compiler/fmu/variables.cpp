@@ -1,4 +1,4 @@
-#include "compiler/emit/fmu_variables.hpp"
+#include "compiler/fmu/variables.hpp"
 
 #include <algorithm>
 #include <map>

@@ -3,6 +3,7 @@
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
+#include "compiler/fmu/texts.hpp"
 #include "compiler/passes/passes.hpp"
 
 namespace mbgen {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/emit/fmu_variables.hpp"
+#include "compiler/fmu/variables.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/box.hpp"
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/emit/context.hpp"
+#include "compiler/fmu/fmu.hpp"
 
 namespace mbgen {
 
@@ -47,12 +48,6 @@ struct FmuLayout {
   bool has_states = true;        ///< whether importers may integrate the model
   std::vector<FmuUnknown> outputs, derivatives, initial_unknowns;
 };
-
-/// Name of an input, parameter or output in an FMU: its own name, or with a prefix where that is taken: `time` is the
-/// independent variable.
-std::string fmu_input_name(const std::string& name);
-std::string fmu_parameter_name(const std::string& name);
-std::string fmu_output_name(const Model& model, const std::string& name);
 
 /// programs: after the passes. initial: state at the start. version: decides whether tunable parameters are among what
 /// outputs and derivatives depend on; FMI 2 knows them at the initialisation only.

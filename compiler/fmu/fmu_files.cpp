@@ -6,10 +6,10 @@
 
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/emit.hpp"
-#include "compiler/emit/fmu_variables.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
+#include "compiler/fmu/texts.hpp"
 #include "compiler/model/inputs.hpp"
 
 namespace mbgen {

@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
 #include "compiler/emit/context_values.hpp"
-#include "compiler/emit/fmu_variables.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
-#include "compiler/emit/texts.hpp"
+#include "compiler/fmu/texts.hpp"
 #include "compiler/model/unit_exponents.hpp"
 
 namespace mbgen {
