@@ -62,21 +62,21 @@ CheapestRecursion cheapest_recursion(const Model& model, const Topology& topolog
                              choices};
   };
   CheapestRecursion cheapest = traced({});
-  const auto compare = [&](RecursionChoices choices) {
+  const auto compare = [&](RecursionChoices choices, long least_saving) {
     CheapestRecursion other = traced(choices);
-    if (count_operations(other.program).total() < count_operations(cheapest.program).total())
+    if (count_operations(other.program).total() + least_saving <= count_operations(cheapest.program).total())
       cheapest = std::move(other);
   };
   if (!topology.blocks.empty()) {
-    compare({.subtrees = true, .centres = false});
-    compare({.subtrees = false, .centres = true});
-    compare({.subtrees = false, .centres = false});
+    compare({.subtrees = true, .centres = false}, 1);
+    compare({.subtrees = false, .centres = true}, 1);
+    compare({.subtrees = false, .centres = false}, 1);
   }
   for (bool RecursionChoices::*treatment :
        {&RecursionChoices::outer_arms, &RecursionChoices::arm_runs, &RecursionChoices::in_plane}) {
     RecursionChoices without = cheapest.choices;
     without.*treatment = false;
-    compare(without);
+    compare(without, 0);  // the body's own forces keep their names
   }
   return cheapest;
 }

@@ -71,12 +71,12 @@ constexpr double p_upper_from_x = 0.05;
 constexpr double l_upper = 0.4201190307520001;
 constexpr double h_arm_x = -1.26;
 constexpr double h_arm_z = 0.07;
-constexpr double m_arm = 7.0;
-constexpr double m_carriage = 320.0;
 constexpr double g_z = -9.81;
 constexpr double c_arm_x = -0.18;
 constexpr double c_arm_z = 0.01;
+constexpr double m_arm = 7.0;
 constexpr double I_arm_yy = 0.12;
+constexpr double m_carriage = 320.0;
 
 /// Projection of the loop blocks, chosen at run time.
 struct Projection {
@@ -257,27 +257,27 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   // knuckle: ball, revolute, arm
   const double s8_2 = 1.0 - s3_1;
   const double m_knuckle = parameters.derived[1];
-  const double s8_3 = fma(s7_1, s8_2, r_knuckle_x*m_knuckle);
-  const double s8_4 = fma(s8_2, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
-  const double s8_5 = fma(s7_2, s8_2, s1_2*m_knuckle);
-  const double s8_6 = fma(zdd_star_ball, s7_1, fma(s6_2, m_knuckle, load_tyre));
-  const double s8_7 = fma(s6_4, s7_2, s8_6);
-  const double s8_8 = fma(s6_2, s7_1, s8_1 + (s5_41 + fnma(s1_4, fx_tyre, s1_3*load_tyre)));
-  const double s8_9 = fma(zdd_star_ball, parameters.derived[2], fnma(s6_3, s7_2, s8_8));
-  const double s8_10 = fnma(s6_3, m_knuckle, fms(zdd_star_ball, s7_2, fx_tyre));
-  const double s8_11 = fnma(s6_4, s7_1, s8_10);
-  const double pivot_lower = fma(s1_2, s8_5, fma(s8_2, s8_4, fma(r_knuckle_x, s8_3, 0.3475)));
-  const double s8_12 = s8_3 + fma(h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
+  const double s8_3 = fnma(s6_3, m_knuckle, fms(zdd_star_ball, s7_2, fx_tyre));
+  const double f_knuckle_x = fnma(s6_4, s7_1, s8_3);
+  const double s8_4 = fma(zdd_star_ball, s7_1, fma(s6_2, m_knuckle, load_tyre));
+  const double s8_5 = fma(s6_4, s7_2, s8_4);
+  const double s8_6 = fma(s6_2, s7_1, s8_1 + (s5_41 + fnma(s1_4, fx_tyre, s1_3*load_tyre)));
+  const double n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_3, s7_2, s8_6));
+  const double s8_7 = fma(s7_1, s8_2, r_knuckle_x*m_knuckle);
+  const double s8_8 = fma(s8_2, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
+  const double s8_9 = fma(s7_2, s8_2, s1_2*m_knuckle);
+  const double pivot_lower = fma(s1_2, s8_9, fma(s8_2, s8_8, fma(r_knuckle_x, s8_7, 0.3475)));
+  const double s8_10 = s8_7 + fma(h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
   result.inertia[0] = pivot_lower - 5.52e-23;
-  const double s8_13 = 1.0/pivot_lower;
+  const double s8_11 = 1.0/pivot_lower;
   // operations: 23 add, 23 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   const double s9_1 = fnma(s5_1, s5_15, fnma(s5_3, s5_14, tau[Coordinate::lower]));
-  const double s9_2 = fnma(r_knuckle_x, s8_7, fnma(tau[Coordinate::ball], s3_1, s9_1));
-  const double s9_3 = fnma(g_z, s8_12, fnma(s1_2, s8_11, fnma(s8_2, s8_9, s9_2)));
+  const double s9_2 = fnma(s1_2, f_knuckle_x, fnma(tau[Coordinate::ball], s3_1, s9_1));
+  const double s9_3 = fnma(g_z, s8_10, fnma(s8_2, n_knuckle_y, fnma(r_knuckle_x, s8_5, s9_2)));
   // arm: lower, revolute, carriage
-  const double alpha_arm_y = s8_13*s9_3;
+  const double alpha_arm_y = s8_11*s9_3;
   result.zdd[Coordinate::lower] = alpha_arm_y;
   result.zdd[Coordinate::ball] = fnma(s3_1, alpha_arm_y, zdd_star_ball);
   // knuckle: ball, revolute, arm
@@ -659,30 +659,30 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s8_3 = s1_2*projection.Rz[0];
   const double s8_4 = r_knuckle_x*projection.Rz[0];
   const double s8_5 = projection.zdd_star[0] + projection.zdd_star[1];
-  const double s8_6 = fma(s1_2, s6_1, r_knuckle_x*projection.zdd_star[0]);
+  const double s8_6 = fnma(r_knuckle_x, s6_1, s1_2*projection.zdd_star[0]);
   const double m_knuckle = parameters.derived[1];
-  const double s8_7 = fma(s8_4, m_knuckle, s7_2*s8_2);
-  const double s8_8 = fma(s8_2, parameters.derived[2], fma(s7_2, s8_4, s7_3*s8_3));
-  const double s8_9 = fma(s8_3, m_knuckle, s7_3*s8_2);
-  const double s8_10 = fma(s8_6, m_knuckle, fma(s7_2, s8_5, fma(s6_2, s7_3, load_tyre)));
-  const double s8_11 = fnma(r_knuckle_x, s6_1, s1_2*projection.zdd_star[0]);
-  const double s8_12 = fma(s7_2, s8_6, s8_1 + (s5_41 + fnma(s1_4, fx_tyre, s1_3*load_tyre)));
-  const double s8_13 = fma(s7_3, s8_11, fma(s8_5, parameters.derived[2], s8_12));
-  const double s8_14 = fma(m_knuckle, s8_11, fnma(s6_2, s7_2, fms(s7_3, s8_5, fx_tyre)));
+  const double f_knuckle_x = fma(s8_6, m_knuckle, fnma(s6_2, s7_2, fms(s7_3, s8_5, fx_tyre)));
+  const double s8_7 = fma(s1_2, s6_1, r_knuckle_x*projection.zdd_star[0]);
+  const double s8_8 = fma(m_knuckle, s8_7, fma(s7_2, s8_5, fma(s6_2, s7_3, load_tyre)));
+  const double s8_9 = fma(s7_3, s8_6, s8_1 + (s5_41 + fnma(s1_4, fx_tyre, s1_3*load_tyre)));
+  const double n_knuckle_y = fma(s8_5, parameters.derived[2], fma(s7_2, s8_7, s8_9));
+  const double s8_10 = fma(s8_4, m_knuckle, s7_2*s8_2);
+  const double s8_11 = fma(s8_2, parameters.derived[2], fma(s7_2, s8_4, s7_3*s8_3));
+  const double s8_12 = fma(s8_3, m_knuckle, s7_3*s8_2);
   // arm: lower, revolute, carriage
-  const double s8_15 = fma(projection.Rz[0], s7_1, s8_7);
-  const double s8_16 = fma(s8_3, s8_9, fma(s8_2, s8_8, s8_4*s8_7));
-  const double s8_17 = fma(projection.Rz[0], 0.3475*projection.Rz[0], s8_16);
-  result.inertia[0] = s8_17 - 5.52e-23;
-  const double s8_18 = 1.0/s8_17;
+  const double s8_13 = fma(projection.Rz[0], s7_1, s8_10);
+  const double s8_14 = fma(s8_3, s8_12, fma(s8_2, s8_11, s8_4*s8_10));
+  const double s8_15 = fma(projection.Rz[0], 0.3475*projection.Rz[0], s8_14);
+  result.inertia[0] = s8_15 - 5.52e-23;
+  const double s8_16 = 1.0/s8_15;
   // operations: 25 add, 30 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   const double s9_1 = fnma(s5_1, s5_15, fnma(s5_3, s5_14, tau[Coordinate::lower]));
-  const double s9_2 = fnma(s8_4, s8_10, projection.Rz[1]*tau[Coordinate::ball]);
-  const double s9_3 = fnma(g_z, s8_15, fnma(s8_3, s8_14, fnma(s8_2, s8_13, s9_2)));
+  const double s9_2 = fnma(s8_3, f_knuckle_x, projection.Rz[1]*tau[Coordinate::ball]);
+  const double s9_3 = fnma(g_z, s8_13, fnma(s8_2, n_knuckle_y, fnma(s8_4, s8_8, s9_2)));
   const double s9_4 = fma(projection.Rz[0], fnma(0.3475, projection.zdd_star[0], s9_1), s9_3);
-  const double s9_5 = s8_18*s9_4;
+  const double s9_5 = s8_16*s9_4;
   // arm: lower, revolute, carriage
   result.zdd[Coordinate::lower] = fma(projection.Rz[0], s9_5, projection.zdd_star[0]);
   result.zdd[Coordinate::ball] = fma(projection.Rz[1], s9_5, projection.zdd_star[1]);

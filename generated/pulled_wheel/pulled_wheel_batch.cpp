@@ -101,12 +101,12 @@ constexpr double p_upper_from_x = 0.05;
 constexpr double l_upper = 0.4201190307520001;
 constexpr double h_arm_x = -1.26;
 constexpr double h_arm_z = 0.07;
-constexpr double m_arm = 7.0;
-constexpr double m_carriage = 320.0;
 constexpr double g_z = -9.81;
 constexpr double c_arm_x = -0.18;
 constexpr double c_arm_z = 0.01;
+constexpr double m_arm = 7.0;
 constexpr double I_arm_yy = 0.12;
+constexpr double m_carriage = 320.0;
 
 /// Constants that follow from tunable parameters.
 void compute_derived_constants(const Parameters& parameters, Tuned& __restrict result) noexcept {
@@ -284,22 +284,23 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s7_2 = R_knuckle_x_x*h_knuckle_z;
   const Lanes s8_2 = fma(zdd_star_ball, s7_1, fma(s6_6, m_knuckle, load_tyre));
   const Lanes s8_3 = fma(s6_6, s7_1, s8_1 + (s5_42 + fnma(s1_3, fx_tyre, s1_4*load_tyre)));
-  const Lanes s9_2 = fnma(tau[Coordinate::ball], s3_1, s9_1);
+  // knuckle: ball, revolute, arm
+  const Lanes n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_7, s7_2, s8_3));
   const Lanes s8_4 = fnma(s6_7, m_knuckle, fms(zdd_star_ball, s7_2, fx_tyre));
+  const Lanes f_knuckle_x = fnma(s6_8, s7_1, s8_4);
+  const Lanes s9_2 = fnma(s1_2, f_knuckle_x, fnma(tau[Coordinate::ball], s3_1, s9_1));
   const Lanes s8_5 = 1.0 - s3_1;
-  const Lanes s8_6 = fma(zdd_star_ball, parameters.derived[2], fnma(s6_7, s7_2, s8_3));
-  const Lanes s9_3 = fnma(s8_5, s8_6, fnma(r_knuckle_x, fma(s6_8, s7_2, s8_2), s9_2));
 
   // --- step 8: elimination from the leaves to the root (63), upper, continued ---
-  const Lanes s8_7 = fma(s7_1, s8_5, r_knuckle_x*m_knuckle);
-  const Lanes s8_8 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
-  const Lanes s8_9 = fma(s8_5, s8_8, fma(r_knuckle_x, s8_7, 0.3475));
-  const Lanes pivot_lower = fma(s1_2, fma(s7_2, s8_5, s1_2*m_knuckle), s8_9);
-  const Lanes s8_10 = s8_7 + fma(h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
+  const Lanes s8_6 = fma(s7_1, s8_5, r_knuckle_x*m_knuckle);
+  const Lanes s8_7 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
+  const Lanes s8_8 = fma(s8_5, s8_7, fma(r_knuckle_x, s8_6, 0.3475));
+  const Lanes pivot_lower = fma(s1_2, fma(s7_2, s8_5, s1_2*m_knuckle), s8_8);
+  const Lanes s9_3 = fnma(s8_5, n_knuckle_y, fnma(r_knuckle_x, fma(s6_8, s7_2, s8_2), s9_2));
   mbgen::read_back();
   result.inertia[0] = pivot_lower - 5.52e-23;
   // arm: lower, revolute, carriage
-  const Lanes s9_4 = fnma(g_z, s8_10, fnma(s1_2, fnma(s6_8, s7_1, s8_4), s9_3));
+  const Lanes s9_4 = fnma(g_z, s8_6 + fma(h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s9_3);
   const Lanes alpha_arm_y = 1.0/pivot_lower*s9_4;
   result.zdd[Coordinate::lower] = alpha_arm_y;
   result.zdd[Coordinate::ball] = fnma(s3_1, alpha_arm_y, zdd_star_ball);
