@@ -131,8 +131,11 @@ std::string heading_text(const LinearizeOptions& options, const Compilation& com
                          const LinearSystem& system) {
   std::string text = fmt::format("{}: {} states, {} inputs, {} outputs\n", compilation.model.name, system.states.size(),
                                  compilation.model.inputs.size(), compilation.model.outputs.size());
-  if (!compilation.model.sampled.empty())
+  const auto is_load = [](const SampledValue& value) { return value.load.has_value(); };
+  if (!std::ranges::all_of(compilation.model.sampled, is_load))
     text += "sampled values hold: the modes are those of the plant without its sampled controllers\n";
+  if (std::ranges::any_of(compilation.model.sampled, is_load))
+    text += "reactions that press frictions hold: the modes are those under the loads of the start\n";
   if (chosen.steady) return text + steady_text(compilation, *chosen.steady, options.state.steady);
   return text + fmt::format("rates of the states at this point: at most {:.3g}\n\n", largest_drift(system));
 }
@@ -150,9 +153,9 @@ std::string modes_text(const Compilation& compilation, const std::vector<Mode>& 
     const std::string damping = oscillates ? without_minus_zero(mode.damping_ratio()) : "-";
     const std::string imaginary = oscillates ? fmt::format("+-{:.4f} i", mode.eigenvalue.imag()) : "";
     const std::string real = without_minus_zero(mode.eigenvalue.real());
-    std::string line = fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}", number, real, imaginary, frequency, damping,
-                                   leading_coordinates(compilation.model, compilation.topology, compilation.analysis,
-                                                       mode));
+    std::string line =
+        fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}", number, real, imaginary, frequency, damping,
+                    leading_coordinates(compilation.model, compilation.topology, compilation.analysis, mode));
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }

@@ -16,6 +16,7 @@
 #include "compiler/study/contact_watch.hpp"
 #include "compiler/study/controlled_engine.hpp"
 #include "compiler/study/initial_state.hpp"
+#include "compiler/study/load_watch.hpp"
 #include "compiler/study/manoeuvre/manoeuvre_run.hpp"
 #include "compiler/study/motion_table.hpp"
 #include "compiler/study/simulation.hpp"
@@ -52,6 +53,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
   print_notes(start_notes(compilation, start));
   Progress progress(settings.steps);
   ContactWatch contacts(compilation);
+  LoadWatch loads(compilation.model);
   settings.has_multipliers = contacts.needs_multipliers();
   Run run;
   run.moved = start.moved;
@@ -63,6 +65,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
   }
   const auto on_sample = [&](const Sample& sample) {
     contacts.add(sample);
+    loads.add(sample);
     table.add(sample);
     progress.show(sample.step);
   };
@@ -74,6 +77,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
                              modes_near(compilation, start.state, inputs.at(0)));
   }
   judge_contacts(contacts, run.verdict);
+  judge_loads(loads, run.verdict);
   if (manoeuvre) manoeuvre->judge(run.verdict);
   return run;
 }

@@ -141,12 +141,17 @@ class ModelText : public ModelWords {
     }
     for (const JointFriction& friction : model_.frictions) {
       text += fmt::format("  {}: friction on {}, coulomb {}, viscous {}{}\n", friction.name, coordinate(friction.joint),
-                          quantity(friction.coulomb), quantity(friction.viscous), bristle(friction));
+                          quantity(friction.coulomb), quantity(friction.viscous), details(friction));
     }
     for (const SpringFriction& friction : model_.spring_frictions) {
       text += fmt::format("  {}: friction along spring {}, coulomb {}, viscous {}{}\n", friction.name,
                           model_.springs[friction.spring].name, quantity(friction.coulomb), quantity(friction.viscous),
-                          bristle(friction));
+                          details(friction));
+    }
+    for (const RodFriction& friction : model_.rod_frictions) {
+      text += fmt::format("  {}: friction in rod {} at {}, coulomb {}, viscous {}{}\n", friction.name,
+                          model_.rods[friction.rod].name, friction.at_from ? "from" : "to", quantity(friction.coulomb),
+                          quantity(friction.viscous), details(friction));
     }
     for (const Tyre& tyre : model_.tyres) {
       text += fmt::format("  {}: tyre at {}, axis ({}), count {}, radius {}, stiffness {}{}{}{}\n", tyre.name,
@@ -213,15 +218,24 @@ class ModelText : public ModelWords {
     text += model_.sampled.empty() ? "" : "sampled\n";
     for (const SampledValue& value : model_.sampled)
       text += fmt::format("  {} [{}]: every {} s {}, {} later, at the start {}\n", value.name, value.unit, value.period,
-                          quantity(value.value), value.delay, value.initial);
+                          value.load ? load(*value.load) : quantity(value.value), value.delay, value.initial);
     return text;
   }
 
-  std::string bristle(const FrictionLaw& friction) const {
-    if (!friction.has_bristle()) return "";
-    return fmt::format(", {} with stiffness {}, damping {}",
-                       friction.kind == FrictionLaw::Kind::lugre ? "lugre" : "elasto_plastic",
-                       quantity(friction.stiffness), quantity(friction.damping));
+  std::string load(const ReactionLoad& load) const {
+    static constexpr const char* kDirections[] = {"", " across", " along"};  // in the order of Direction
+    return fmt::format("{} of {}{}", load.what == ReactionOutput::What::force ? "force" : "moment",
+                       load.joint >= 0 ? model_.joints[load.joint].name : model_.rods[load.rod].name,
+                       kDirections[static_cast<int>(load.direction)]);
+  }
+
+  /// What presses, and bristles.
+  std::string details(const FrictionLaw& friction) const {
+    const std::string pressed = friction.load < 0 ? "" : ", pressed by " + model_.sampled[friction.load].name;
+    if (!friction.has_bristle()) return pressed;
+    return pressed + fmt::format(", {} with stiffness {}, damping {}",
+                                 friction.kind == FrictionLaw::Kind::lugre ? "lugre" : "elasto_plastic",
+                                 quantity(friction.stiffness), quantity(friction.damping));
   }
 
  private:

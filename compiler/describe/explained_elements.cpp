@@ -52,6 +52,24 @@ std::string friction_text(const std::string& name, const std::string& place, con
       law.kind == FrictionLaw::Kind::lugre ? "LuGre, which creeps under loads that vibrate" : "elasto-plastic", name);
 }
 
+/// "the force of crank_pin across its axis".
+std::string reaction_text(const Model& model, const ReactionLoad& load) {
+  static constexpr const char* kDirections[] = {"", " across its axis",
+                                                " along its axis"};  // in the order of Direction
+  return fmt::format("the {} of {}{}", load.what == ReactionOutput::What::force ? "force" : "moment",
+                     load.joint >= 0 ? model.joints[static_cast<std::size_t>(load.joint)].name
+                                     : model.rods[static_cast<std::size_t>(load.rod)].name,
+                     kDirections[static_cast<int>(load.direction)]);
+}
+
+/// Where a reaction presses a friction, what that is and how late it acts.
+std::string load_text(const Model& model, const std::string& name, const FrictionLaw& law) {
+  if (law.load < 0) return "";
+  const SampledValue& load = model.sampled[static_cast<std::size_t>(law.load)];
+  return paragraph(fmt::format("{} is pressed by {}, x.{}, as it was taken last: every {:g} s.", name,
+                               reaction_text(model, *load.load), load.name, load.period));
+}
+
 }  // namespace
 
 std::string elements_explanation(const Model& model) {
@@ -64,6 +82,9 @@ std::string elements_explanation(const Model& model) {
   for (const SpringFriction& friction : model.spring_frictions)
     if (friction.has_bristle())
       text += paragraph(friction_text(friction.name, "along " + model.springs[friction.spring].name, friction));
+  for (const JointFriction& friction : model.frictions) text += load_text(model, friction.name, friction);
+  for (const SpringFriction& friction : model.spring_frictions) text += load_text(model, friction.name, friction);
+  for (const RodFriction& friction : model.rod_frictions) text += load_text(model, friction.name, friction);
   return text.empty() ? "" : heading("What gives way, stops or sticks") + text;
 }
 
@@ -74,9 +95,10 @@ std::string states_explanation(const Model& model) {
                                   state.name, number_or_text(model, state.derivative), state.initial));
   for (const SampledValue& value : model.sampled)
     text +=
-        paragraph(fmt::format("{} is set every {:g} s to {}{} and holds in between; it starts at {:g}.", value.name,
-                              value.period, number_or_text(model, value.value),
-                              value.delay > 0 ? ", " + counted(value.delay, "instant") + " later" : "", value.initial));
+        paragraph(fmt::format("{} is set every {:g} s to {}{} and holds in between{}.", value.name, value.period,
+                              value.load ? reaction_text(model, *value.load) : number_or_text(model, value.value),
+                              value.delay > 0 ? ", " + counted(value.delay, "instant") + " later" : "",
+                              value.load && value.delay == 0 ? "" : fmt::format("; it starts at {:g}", value.initial)));
   return text.empty() ? "" : heading("States") + text;
 }
 

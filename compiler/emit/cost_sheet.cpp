@@ -32,14 +32,17 @@ CostJson call_json(const EmitContext& context, const CostJson& programs, const c
       operations("accelerations") + terms + (chooses ? operations("accelerations_chosen") : 0L);
   const long of_implicit = calls.matrices == 0 ? 0 : operations("tangents") + kImplicitStages * operations("changes");
   const bool is_step = std::string_view(function).starts_with("step_");
-  const long of_samples = is_step ? operations("sampled") : 0;  // once, where an instant begins the step
+  // Once, where an instant begins the step.
+  const bool takes = is_step && takes_reactions(context.model);
+  const long of_samples = is_step ? operations("sampled") + (takes ? operations("multipliers") : 0) : 0;
+  const int accelerations = calls.accelerations + (takes ? 1 : 0);
   return {{"function", function},
           {"case", title},
-          {"accelerations", calls.accelerations},
+          {"accelerations", accelerations},
           {"projections", projections},
           {"closures", closures},
-          {"factorisations", chooses ? calls.accelerations + closures : 0L},
-          {"operations", calls.accelerations * of_acceleration + closures * (operations("closure") + terms) +
+          {"factorisations", chooses ? accelerations + closures : 0L},
+          {"operations", accelerations * of_acceleration + closures * (operations("closure") + terms) +
                              calls.matrices * of_implicit + of_samples}};
 }
 

@@ -47,7 +47,7 @@ ProgramShape shape_along(const EmitContext& context, const AlongRow& row) {
   shape.function = row.function;
   shape.result = row.result;
   shape.titles = context.titles;
-  shape.arguments = arguments_of(row.role, true);
+  shape.arguments = arguments_of(row.role);
   shape.arguments.emplace_back("direction", "const Direction& direction");
   shape.inputs = input_places(context);
   shape.inputs[Array::seed] = {"direction", direction_texts(direction_groups(context))};

@@ -78,7 +78,7 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
        {"step_size", number_text(context.model.solver.step)},
        {"output_count", output_members(context).size()},
        {"has_closure", fmt::format("{}", layout.has_closure)},
-       {"takes_multipliers", fmt::format("{}", outputs_take_multipliers(context.programs))},
+       {"takes_multipliers", fmt::format("{}", takes_multipliers(context.programs.outputs))},
        {"velocity_count", fmu.independent.size()},
        {"velocities", integers("kVelocities", fmu.independent)},
        {"chosen_count", fmu.chosen.size()},

@@ -147,6 +147,14 @@ void add_laws(const EmitContext& context, ProgramShape& shape) {
   }
 }
 
+/// Arrays that the text of a program only takes where it looks at them.
+std::vector<Array> unused_arrays(const Program& program, Role role) {
+  std::vector<Array> unused;
+  if (!takes_multipliers(program)) unused.push_back(Array::lambda);
+  if (role == Role::sampled && !takes(program, Array::zdd)) unused.push_back(Array::zdd);
+  return unused;
+}
+
 ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
   ProgramShape shape;
   shape.title = row.title;
@@ -154,7 +162,7 @@ ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
   shape.result = row.result;
   shape.titles = context.titles;
   shape.inputs = input_places(context);
-  shape.arguments = arguments_of(row.role, outputs_take_multipliers(context.programs));
+  shape.arguments = arguments_of(row.role, unused_arrays(program_of(context.programs, row.role), row.role));
   if (context.layout.blocks.empty())
     std::erase_if(shape.arguments, [](const auto& argument) { return argument.first == "projection"; });
   if (row.role == Role::derived_constants) shape.inputs.erase(Array::derived);
@@ -210,12 +218,12 @@ std::vector<std::string> indexed(const std::string& array, int size, int first) 
   return texts;
 }
 
-Arguments arguments_of(Role role, bool with_multipliers) {
+Arguments arguments_of(Role role, const std::vector<Array>& unused) {
   if (role == Role::derived_constants) return {{"parameters", "const Parameters& parameters"}};
   Arguments arguments = {
       {"parameters", "const Tuned& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
   for (const auto& [array, name, declaration] : kArguments)
-    if (std::ranges::count(spec_of(role).inputs, array) > 0 && (array != Array::lambda || with_multipliers))
+    if (std::ranges::count(spec_of(role).inputs, array) > 0 && std::ranges::count(unused, array) == 0)
       arguments.emplace_back(name, declaration);
   return arguments;
 }
@@ -299,9 +307,10 @@ ShapedProgram clocked_accelerations(const EmitContext& context) {
   return {&program, Role::accelerations, shape, schedule(program, schedule_options(shape, kRollAbove))};
 }
 
-bool outputs_take_multipliers(const Programs& programs) {
-  return std::any_of(programs.outputs.inputs.begin(), programs.outputs.inputs.end(),
-                     [](const Slot& slot) { return slot.group == Array::lambda || slot.group == Array::drive; });
+bool takes(const Program& program, Array array) {
+  return std::ranges::any_of(program.inputs, [array](const Slot& slot) { return slot.group == array; });
 }
+
+bool takes_multipliers(const Program& program) { return takes(program, Array::lambda) || takes(program, Array::drive); }
 
 }  // namespace mbgen

@@ -53,8 +53,8 @@ LawShape law_shape(const EmitContext& context, std::size_t k);
 /// Arguments of a function: name, declaration; in order.
 using Arguments = std::vector<std::pair<std::string, std::string>>;
 
-/// The arguments of a program by its spec. with_multipliers: where its spec has them.
-Arguments arguments_of(Role role, bool with_multipliers);
+/// The arguments of a program by its spec but those that hold `unused` arrays.
+Arguments arguments_of(Role role, const std::vector<Array>& unused = {});
 
 /// Everything about one program but its values.
 struct ProgramShape {
@@ -107,8 +107,11 @@ std::vector<std::string> derived_constant_names(const Programs& programs);
 /// Whether a scalar type is that of plain numbers: double or float.
 bool is_number(const std::string& scalar);
 
-/// Whether the program of the outputs looks at multipliers or driving forces.
-bool outputs_take_multipliers(const Programs& programs);
+/// Whether a program looks at an array.
+bool takes(const Program& program, Array array);
+
+/// Whether a program looks at multipliers or driving forces.
+bool takes_multipliers(const Program& program);
 
 /// The programs of a solver; programs of closures are left out when there is nothing to close.
 std::vector<ShapedProgram> shaped_programs(const EmitContext& context);

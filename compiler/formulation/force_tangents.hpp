@@ -103,7 +103,9 @@ ElementTangents<T> friction_element(ForceWork<T>& work, const FrictionLaw& frict
     for (const int expression : expressions_of(normal->spring)) element.expressions.push_back(expression);
   }
   ElementTangents<T> tangents = differentiated(work, std::move(element), [&](const LawPoint<S>& at) {
-    const S pressing = normal ? normal->tension(work, at.position.back(), at.velocity.back()) : S(0.0);
+    const S pressing = normal               ? normal->tension(work, at.position.back(), at.velocity.back())
+                       : friction.load >= 0 ? S(held_load(work.system, friction))
+                                            : S(0.0);
     const S deflection = friction.has_bristle() ? at.state[0] : S(0.0);
     BristleResult<S> law = friction_law(work, friction, name, at.velocity[0], pressing, deflection);
     LawResult<S> result{{law.force}, {}};

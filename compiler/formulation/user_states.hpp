@@ -61,9 +61,10 @@ void user_states(ForceWork<T>& work) {
 }  // namespace detail
 
 /// The auxiliary states that hold between instants, as they are after those of `due` are set. due: per sampled value,
-/// 1 where its instant is now, else 0. Requires: see_states_and_lengths.
+/// 1 where its instant is now, else 0; loads: see reaction_loads, none where no value is a load.
+/// Requires: see_states_and_lengths.
 template <class T>
-std::vector<T> sampled_states(System<T>& system, const std::vector<T>& due) {
+std::vector<T> sampled_states(System<T>& system, const std::vector<T>& due, const std::vector<T>& loads) {
   using mbgen::select;
   const Model& model = system.model;
   const auto first_value = static_cast<std::size_t>(model.states.size());
@@ -74,7 +75,7 @@ std::vector<T> sampled_states(System<T>& system, const std::vector<T>& due) {
     const auto heading = system.scribe.within(OwnerKind::sampled, i);
     const T is_due = due[i] - T(0.5);
     // The last of those that wait is the next to take effect, and each moves up.
-    T next = value_of(model, sampled.value, system.environment);
+    T next = sampled.load ? loads[i] : value_of(model, sampled.value, system.environment);
     for (int k = 0; k < sampled.delay; ++k, ++waiting) {
       const T before = seen[waiting];
       seen[waiting] = select(is_due, next, before);

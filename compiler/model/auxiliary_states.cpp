@@ -96,10 +96,16 @@ int first_extension(const Model& model, std::size_t bushing) {
 
 int first_user_state(const Model& model) { return first_extension(model, model.bushings.size()); }
 
+int first_sampled_value(const Model& model) { return first_user_state(model) + static_cast<int>(model.states.size()); }
+
 int held_state_count(const Model& model) {
   int count = 0;
   for (const SampledValue& value : model.sampled) count += 1 + value.delay;
   return count;
+}
+
+bool takes_reactions(const Model& model) {
+  return std::ranges::any_of(model.sampled, [](const SampledValue& value) { return value.load.has_value(); });
 }
 
 double magnitude_of(const AuxiliaryState& state) {

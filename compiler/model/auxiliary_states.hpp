@@ -1,7 +1,8 @@
 #pragma once
 // Auxiliary states of a model, in their order: two slip deflections per tyre (m), the deflection of each bristle of a
 // friction (rad or m, those on coordinates first), the extension of the spring of each Maxwell branch of a bushing (m
-// or rad), the states of the user's own, the sampled values, and what sampled values with a delay will be.
+// or rad), the states of the user's own, the sampled values, those of the user before the loads that press frictions,
+// and what sampled values with a delay will be.
 
 #include <optional>
 #include <string>
@@ -40,8 +41,14 @@ std::vector<double> initial_auxiliary_states(const Model& model);
 /// Place of the first state of the user's own; sampled values follow them.
 int first_user_state(const Model& model);
 
+/// Place of the first sampled value.
+int first_sampled_value(const Model& model);
+
 /// How many of the last auxiliary states hold between the instants at which they are set: sampled values.
 int held_state_count(const Model& model);
+
+/// Whether a sampled value is the load of a reaction, so that to set it takes accelerations and multipliers.
+bool takes_reactions(const Model& model);
 
 /// Size of a state that counts as much as 1 rad or 1 m of a coordinate: in searches, differences and tolerances. Its
 /// nominal value, else its initial one, else what slips, bristles and Maxwell branches reach, else 1.

@@ -52,8 +52,8 @@ struct JointSpring {
   std::optional<int> force;      ///< expression; local 0 `position`, local 1 `rate`
 };
 
-/// Law of a friction between two parts that slide on each other, v their speed, F_n the factor of `normal` or 1. Level:
-/// g(v) = F_n (coulomb + (stiction - coulomb) exp(-(v/v_stribeck)^2)).
+/// Law of a friction between two parts that slide on each other, v their speed, F_n the force that presses them, or 1.
+/// Level: g(v) = F_n (coulomb + (stiction - coulomb) exp(-(v/v_stribeck)^2)).
 ///   smooth          f = -g(v) tanh(v/velocity) - viscous v: creeps at rest
 ///   elasto_plastic, lugre: a bristle of deflection b, an auxiliary state, see mbgen/bristle.hpp;
 ///                   f = -(stiffness b + damping db/dt) - viscous v: holds at rest
@@ -71,6 +71,7 @@ struct FrictionLaw {
   Quantity elastic;           ///< share of the largest deflection up to which a bristle does not slide, 0 to below 1
   std::optional<double> lag;  ///< s: a bristle follows no faster; the reader sets it to the step of the solver
   int normal = -1;            ///< index into Model::springs of the spring that presses the parts together, -1 for none
+  int load = -1;              ///< index into Model::sampled of the reaction that presses them, -1 for none
 
   bool has_bristle() const { return kind != Kind::smooth; }
 };
@@ -87,6 +88,14 @@ struct SpringFriction : FrictionLaw {
   std::string name;
   Where where;
   int spring = -1;  ///< index into Model::springs
+};
+
+/// Friction in the ball at an end of a rod, against the turn of the body there relative to the rod's line; smooth.
+struct RodFriction : FrictionLaw {
+  std::string name;
+  Where where;
+  int rod = -1;          ///< index into Model::rods
+  bool at_from = false;  ///< the ball is on the body of `from`, else on that of `to`
 };
 
 /// Polytropic air spring between two points: p V^n = const; the force (p - p_ambient) A(l) pushes the points apart.

@@ -104,6 +104,7 @@ struct Model {
   std::vector<JointSpring> joint_springs;
   std::vector<JointFriction> frictions;
   std::vector<SpringFriction> spring_frictions;
+  std::vector<RodFriction> rod_frictions;
   std::vector<AirSpring> air_springs;
   std::vector<Bushing> bushings;
   std::vector<BumpStop> bump_stops;

@@ -39,6 +39,15 @@ Quantities quantity_of(Reader& reader, const Value& value, const OutputFields& o
 /// Index of a named element, or -1 with a complaint.
 int find_element(Reader& reader, const Value& value, std::string_view key, const NameMap<int>& names);
 
+/// A joint, a rod or a coupling by its name; all -1 with a complaint.
+struct Connection {
+  int joint = -1, rod = -1, coupling = -1;
+};
+
+/// couplings: whether the name may be that of a coupling.
+Connection find_connection(Reader& reader, const Value& value, std::string_view key, const std::string& name,
+                           bool couplings);
+
 // Outputs of motions, energies and wheels: see docs/use/outputs.md.
 Resolved point_output(Reader& reader, const Value& value, const OutputFields& output);
 Resolved points_output(Reader& reader, const Value& value, const OutputFields& output);

@@ -88,17 +88,26 @@ struct UserStateFields : UserState, Presentation {
   const Value *written = nullptr;
 };
 
-struct SampledValueFields : SampledValue, Presentation {
+/// A reaction as a load.
+struct ReactionFields {
+  std::optional<std::string> reaction;
+  std::optional<ReactionOutput::What> quantity;
+  std::optional<ReactionLoad::Direction> direction;
+};
+
+struct SampledValueFields : SampledValue, Presentation, ReactionFields {
   const Value *written = nullptr;
   double written_delay = 0;
 };
 
-/// Friction on a coordinate or along a spring.
-struct FrictionFields : FrictionLaw {
+/// Friction on a coordinate, along a spring or in the ball at the end of a rod.
+struct FrictionFields : FrictionLaw, ReactionFields {
   std::string name;
   Where where;
   std::optional<CoordinateReference> joint;
-  std::optional<std::string> spring, pressing_spring;
+  std::optional<std::string> spring, rod, pressing_spring;
+  std::optional<ReactionOutput::End> end;
+  std::optional<double> period;
 };
 
 struct AirSpringFields : AirSpring {

@@ -4,6 +4,7 @@
 
 #include "compiler/model/output_sources.hpp"
 #include "compiler/model/raw.hpp"
+#include "compiler/model/reaction_loads.hpp"
 #include "compiler/model/reader.hpp"
 
 namespace mbgen::reading {
@@ -54,14 +55,51 @@ void check_levels(Reader& reader, const Value& value, FrictionFields& friction) 
 
 /// Complains unless it acts on exactly one thing. Result: whether it does.
 bool check_place(Reader& reader, const Value& value) {
-  const bool joint = find(value, "joint"), spring = find(value, "spring");
-  if (joint != spring) return true;
-  if (joint) {
-    report(reader, *find(value, "spring"), "friction acts on a joint and on a spring", "leave out one of them");
-  } else {
-    report(reader, value, "key \"joint\" is missing", "or \"spring\" for friction along the line of a spring");
+  std::string_view first;
+  for (const std::string_view key : {"joint", "spring", "rod"}) {
+    const Value* place = find(value, key);
+    if (!place) continue;
+    if (!first.empty()) {
+      report(reader, *place, fmt::format("friction acts on a {} and on a {}", first, key), "leave out one of them");
+      return false;
+    }
+    first = key;
   }
-  return false;
+  if (first.empty())
+    report(reader, value, "key \"joint\" is missing",
+           "or \"spring\" for friction along the line of a spring, or \"rod\" for friction in its end");
+  return !first.empty();
+}
+
+/// Friction in the end of a rod.
+RodFriction rod_friction(Reader& reader, const Value& value, const FrictionFields& friction) {
+  if (friction.has_bristle())
+    report(reader, *find(value, "law"), "friction in the end of a rod is smooth: it has no one direction to stick in");
+  if (!friction.end) report(reader, value, "key \"end\" is missing", "from or to: the ball of the rod that turns hard");
+  RodFriction result{friction, friction.name, friction.where, find_element(reader, value, "rod", reader.names.rods)};
+  result.at_from = friction.end == ReactionOutput::End::from;
+  return result;
+}
+
+/// The load of a friction as a value that is set at instants; -1 without one.
+int add_load(Reader& reader, const Value& value, const FrictionFields& friction) {
+  if (!friction.reaction) {
+    for (const std::string_view key : {"quantity", "direction", "period"})
+      if (const Value* member = find(value, key))
+        report(reader, *member, in_quotes(std::string(key)) + " is of friction with \"reaction\"", "leave it out");
+    return -1;
+  }
+  if (find(value, "normal"))
+    report(reader, *find(value, "reaction"), "friction has both normal and reaction", "leave out one of them");
+  SampledValue load;
+  load.name = friction.name + "_load";
+  load.where = friction.where;
+  load.period = friction.period.value_or(0);  // finish_frictions knows the step
+  load.load = read_reaction(reader, value, friction);
+  load.unit = unit_of(*load.load);
+  load.shown.description = "reaction that presses " + friction.name;
+  reader.model.sampled.push_back(std::move(load));
+  return static_cast<int>(reader.model.sampled.size()) - 1;
 }
 
 }  // namespace
@@ -72,8 +110,14 @@ void read_frictions(Reader& reader, const Entries& entries) {
     check_law(r, value, friction);
     check_levels(r, value, friction);
     if (!check_place(r, value)) return;
+    friction.load = add_load(r, value, friction);
     if (friction.pressing_spring) friction.normal = find_element(r, value, "normal", r.names.springs);
-    if (friction.spring) {
+    if (!friction.rod)
+      if (const Value* end = find(value, "end"))
+        report(r, *end, "\"end\" is of friction in the end of a rod", "leave it out");
+    if (friction.rod) {
+      r.model.rod_frictions.push_back(rod_friction(r, value, friction));
+    } else if (friction.spring) {
       const int spring = find_element(r, value, "spring", r.names.springs);
       r.model.spring_frictions.push_back({friction, friction.name, friction.where, spring});
     } else {
@@ -86,6 +130,9 @@ void finish_frictions(Reader& reader) {
   const double step = reader.model.solver.step;
   for (JointFriction& friction : reader.model.frictions) friction.lag = friction.lag.value_or(step);
   for (SpringFriction& friction : reader.model.spring_frictions) friction.lag = friction.lag.value_or(step);
+  for (RodFriction& friction : reader.model.rod_frictions) friction.lag = friction.lag.value_or(step);
+  for (SampledValue& value : reader.model.sampled)
+    if (value.load && value.period == 0) value.period = step;
 }
 
 }  // namespace mbgen::reading

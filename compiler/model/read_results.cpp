@@ -176,12 +176,8 @@ Resolved motion_output(Reader& reader, const Value& value) {
   return {DriveOutput{motion}, joint.joint >= 0 && is_rotation(reader.model, joint) ? "N m" : "N"};
 }
 
-/// A joint, a rod or a coupling by its name; all -1 with a complaint.
-struct Connection {
-  int joint = -1, rod = -1, coupling = -1;
-};
+}  // namespace
 
-/// couplings: whether the name may be that of a coupling.
 Connection find_connection(Reader& reader, const Value& value, std::string_view key, const std::string& name,
                            bool couplings) {
   struct Kind {
@@ -211,6 +207,8 @@ Connection find_connection(Reader& reader, const Value& value, std::string_view 
     report(reader, written, fmt::format("{} is {}", in_quotes(name), fmt::join(found, " and ")), "rename one of them");
   return {};
 }
+
+namespace {
 
 Resolved reaction_output(Reader& reader, const Value& value, const OutputFields& output) {
   const Quantities quantity = quantity_of(reader, value, output, kReactionQuantities, "reaction");

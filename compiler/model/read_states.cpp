@@ -8,6 +8,7 @@
 #include "compiler/model/named_functions.hpp"
 #include "compiler/model/presentation.hpp"
 #include "compiler/model/raw.hpp"
+#include "compiler/model/reaction_loads.hpp"
 #include "compiler/model/reader.hpp"
 
 namespace mbgen::reading {
@@ -45,6 +46,18 @@ int read_delay(Reader& reader, const Value& value, const SampledValueFields& sam
   return 0;
 }
 
+/// What a sampled value is set to, where that is a reaction.
+void read_source(Reader& reader, const Value& value, SampledValueFields& one) {
+  if (one.written && one.reaction) {
+    report(reader, *find(value, "reaction"), "sampled value has both value and reaction", "leave out one of them");
+  } else if (one.reaction) {
+    one.load = read_reaction(reader, value, one);
+    if (one.unit.empty()) one.unit = unit_of(*one.load);
+  } else if (!one.written) {
+    report(reader, value, "key \"value\" is missing", "or \"reaction\" for the load of a joint or rod");
+  }
+}
+
 /// The expressions, when the initial values of all are known. written: of each element of `list`, in its order.
 template <class Element>
 void read_expressions(Reader& reader, const Entries& entries, const std::vector<const Value*>& written,
@@ -68,6 +81,7 @@ void read_states(Reader& reader, const Entries& states, const Entries& sampled) 
   read_list(reader, sampled, sampled_fields, [](Reader& r, const Value& value, SampledValueFields& one) {
     check_presentation(r, value, one.unit, one, one.initial);
     one.delay = read_delay(r, value, one);
+    read_source(r, value, one);
   });
   std::vector<const Value*> derivatives, values;
   for (UserStateFields& state : state_fields) {
@@ -88,13 +102,13 @@ void check_state_names(Reader& reader, const Entries& states, const Entries& sam
   const std::vector<std::string> all = auxiliary_state_names(reader.model);
   const auto own = all.begin() + first_user_state(reader.model);
   std::set<std::string> others(all.begin(), own);
-  others.insert(own + static_cast<std::ptrdiff_t>(reader.model.states.size() + reader.model.sampled.size()), all.end());
+  others.insert(own + static_cast<std::ptrdiff_t>(states.size() + sampled.size()), all.end());
   for (const Entries* entries : {&states, &sampled})
     for (const Entry& entry : *entries) {
       const InScope in_scope(reader, entry.scope);
       if (others.contains(entry.name))
         report(reader, entry.place, in_quotes(entry.name) + " is the name of another auxiliary state, too",
-               "rename it: tyres have NAME_u and NAME_v, delays NAME_in1 and so on");
+               "rename it: tyres have NAME_u and NAME_v, loads NAME_load, delays NAME_in1 and so on");
     }
 }
 

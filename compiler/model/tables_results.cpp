@@ -151,11 +151,16 @@ std::vector<ObjectKind> object_kinds() {
                         {"relation", "curve"},
                         {{"curve", "joint"}, {"curve", "follows"}, {"joint", "curve"}, {"follows", "curve"}}),
       kind_of<UserStateFields>("state", "a state of your own, integrated with the motion"),
-      kind_of<SampledValueFields>("sampled_value", "a value that is set at t = 0, period, 2 period and so on"),
+      kind_of<SampledValueFields>(
+          "sampled_value",
+          "a value that is set at t = 0, period, 2 period and so on; exactly one of value and reaction",
+          {"value", "reaction"}),
       kind_of<PointSpring>("spring", "spring and damper between two points"),
       kind_of<JointSpring>("joint_spring", "spring and damper on a coordinate or a difference of two"),
-      kind_of<FrictionFields>("friction", "friction on a coordinate or along a spring; exactly one of joint and spring",
-                              {"joint", "spring"}),
+      kind_of<FrictionFields>("friction",
+                              "friction on a coordinate, along a spring or in the end of a rod; exactly one of joint, "
+                              "spring and rod",
+                              {"joint", "spring", "rod"}, {{"rod", "end"}, {"end", "rod"}}),
       kind_of<AirSpringFields>("air_spring", "polytropic air spring between two points"),
       kind_of<BushingFields>("bushing",
                              "compliant element of six freedoms between two frames, whose axes agree at the reference; "

@@ -3,6 +3,7 @@
 
 #include "compiler/model/presentation.hpp"
 #include "compiler/model/raw.hpp"
+#include "compiler/model/reaction_loads.hpp"
 #include "compiler/model/reader.hpp"
 
 namespace mbgen::reading {
@@ -40,8 +41,7 @@ std::span<const Field<SampledValueFields>> fields<SampledValueFields>() {
                                 .bound = Bound::positive}),
           field<F, &F::written>({.name = "value",
                                  .doc = "what the value is set to at an instant; sampled values above it are seen as "
-                                        "they are set there, itself and those below as they were before",
-                                 .need = Need::required}),
+                                        "they are set there, itself and those below as they were before"}),
           field<F, &F::initial>(kInitial),
           field<F, &F::written_delay>({.name = "delay",
                                        .shape = Shape::number,
@@ -50,7 +50,8 @@ std::span<const Field<SampledValueFields>> fields<SampledValueFields>() {
                                        .bound = Bound::not_negative}),
           field<F, &F::unit>(kUnit),
       },
-      presentation_fields<F>());
+      joined(reaction_fields<F>("in place of value: joint or rod whose transmitted force the value is set to"),
+             presentation_fields<F>()));
   return table;
 }
 

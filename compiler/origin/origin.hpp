@@ -47,6 +47,7 @@ enum class OwnerKind : std::uint8_t {
   joint_spring,
   friction,
   spring_friction,
+  rod_friction,
   joint_force,
   force,
   tyre,

@@ -37,9 +37,9 @@ std::string text_of(const Section& section) {
 
 std::string text_of(const Owner& owner) {
   constexpr const char* kKinds[] = {
-      "",           "tree_body",    "loop",     "loop_block",      "body",        "joint",  "spring",
-      "air_spring", "joint_spring", "friction", "spring_friction", "joint_force", "force",  "tyre",
-      "bushing",    "bump_stop",    "motion",   "output",          "state",       "sampled"};
+      "",           "tree_body",    "loop",      "loop_block",      "body",         "joint",       "spring",
+      "air_spring", "joint_spring", "friction",  "spring_friction", "rod_friction", "joint_force", "force",
+      "tyre",       "bushing",      "bump_stop", "motion",          "output",       "state",       "sampled"};
   static_assert(std::size(kKinds) == static_cast<std::size_t>(OwnerKind::sampled) + 1);
   return owner.kind == OwnerKind::none ? "" : fmt::format("{} {}", kKinds[static_cast<int>(owner.kind)], owner.index);
 }

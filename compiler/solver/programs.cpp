@@ -47,7 +47,7 @@ const std::vector<ProgramSpec>& program_specs() {
        {z, zd, x, t, tau, in, par, derived, charts, zdd},
        {lambda, drive, missing, pivot}},
       {Role::outputs, "outputs", {z, zd, x, t, tau, in, par, derived, charts, zdd, lambda, drive}, {y, energy, power}},
-      {Role::sampled, "sampled", {z, zd, x, t, in, par, derived, charts, due}, {held}},
+      {Role::sampled, "sampled", {z, zd, x, t, in, par, derived, charts, zdd, lambda, due}, {held}},
       {Role::ground_places, "ground_places", {z, t, in, par, derived, charts}, {place}},
       {Role::tangents,
        "tangents",

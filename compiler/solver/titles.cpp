@@ -65,6 +65,7 @@ constexpr std::pair<OwnerKind, std::string (*)(const Model&, std::size_t)> kName
     {OwnerKind::joint_spring, name_in<&Model::joint_springs>},
     {OwnerKind::friction, name_in<&Model::frictions>},
     {OwnerKind::spring_friction, name_in<&Model::spring_frictions>},
+    {OwnerKind::rod_friction, name_in<&Model::rod_frictions>},
     {OwnerKind::joint_force, name_in<&Model::joint_forces>},
     {OwnerKind::force, name_in<&Model::forces>},
     {OwnerKind::tyre, name_in<&Model::tyres>},

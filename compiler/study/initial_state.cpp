@@ -150,6 +150,7 @@ Start initial_start(const Compilation& compilation, const std::vector<double>& i
     velocities.push_back({one.coordinate, one.rate, one.asked->where});
   set_velocities(compilation, solver, velocities, start.state);
   add_moved(velocities, start.state.zd, true, start.moved);
+  solver.press(start.state);  // where it fails, as at a singular position, loads start from zero
   return start;
 }
 

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <utility>
 
+#include "compiler/formulation/reaction_loads.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/host_ground.hpp"
 #include "compiler/trace/each_program.hpp"
 #include "compiler/trace/tracing.hpp"
@@ -17,12 +20,12 @@ struct GivenState {
   GatheredForces<Expr> missing;  ///< per coordinate equal to Phi_z' lambda less the drives
 };
 
-/// The sweeps of the form that the tracing is in.
-GivenState given_state(Tracing& tracing) {
+/// The sweeps of the form that the tracing is in, with given forces on the joints.
+GivenState given_state(Tracing& tracing, std::vector<Expr> tau) {
   System<Expr>& system = tracing.system;
   const bool is_matrix = tracing.form == Form::matrix;
   GivenState s;
-  s.tau = tracing.inputs(Array::tau, tracing.size());
+  s.tau = std::move(tau);
   s.zdd = tracing.inputs(Array::zdd, tracing.size());
   s.kinematics = tracing.poses();
   const Inertias<Expr> m =
@@ -86,11 +89,21 @@ bool looks_at_multipliers(const Model& model) {
   });
 }
 
+/// The reactions that sampled values take, at given accelerations, without forces of a user on the joints.
+std::vector<Expr> reaction_loads_at(Tracing& tracing) {
+  const Topology& topology = tracing.system.topology;
+  const GivenState s = given_state(tracing, std::vector<Expr>(topology.bodies.size(), Expr(0.0)));
+  const auto step = tracing.scribe.step(Step::outputs);
+  std::vector<std::vector<Expr>> lambda;
+  if (!topology.loops.empty()) lambda = by_block(topology, tracing.inputs(Array::lambda, equation_count(topology)));
+  return reaction_loads(tracing.system, {s.kinematics, s.velocities, s.accelerations, s.forces, s.zdd, lambda, {}});
+}
+
 }  // namespace
 
 Program trace_multipliers(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
   Tracing tracing(Role::multipliers, model, topology, analysis, form);
-  const GivenState s = given_state(tracing);
+  const GivenState s = given_state(tracing, tracing.inputs(Array::tau, tracing.size()));
   const auto step = tracing.scribe.step(Step::multipliers);
   std::vector<std::vector<Expr>> lambda;
   std::vector<Expr> left = s.missing.joint;
@@ -112,7 +125,7 @@ Program trace_multipliers(const Model& model, const Topology& topology, const An
 Program trace_outputs(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
   Tracing tracing(Role::outputs, model, topology, analysis, form);
   System<Expr>& system = tracing.system;
-  const GivenState s = given_state(tracing);
+  const GivenState s = given_state(tracing, tracing.inputs(Array::tau, tracing.size()));
   const auto step = tracing.scribe.step(Step::outputs);
   std::vector<std::vector<Expr>> lambda;
   std::vector<Expr> drive;
@@ -135,13 +148,18 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
 Program trace_sampled(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
   Tracing tracing(Role::sampled, model, topology, analysis, form);
   System<Expr>& system = tracing.system;
-  const Kinematics<Expr> k = tracing.poses();
-  const MotionPoint point = form == Form::matrix ? MotionPoint::frame_origin : MotionPoint::body_origin;
-  const Velocities<Expr> v = tracing.in(Step::velocities, [&] { return velocities(system, k, point); });
+  std::vector<Expr> loads;
+  if (takes_reactions(model)) {
+    loads = reaction_loads_at(tracing);
+  } else {
+    const Kinematics<Expr> k = tracing.poses();
+    const MotionPoint point = form == Form::matrix ? MotionPoint::frame_origin : MotionPoint::body_origin;
+    const Velocities<Expr> v = tracing.in(Step::velocities, [&] { return velocities(system, k, point); });
+    see_states_and_lengths(system, k, v);
+  }
   const auto step = tracing.scribe.step(Step::outputs);
-  see_states_and_lengths(system, k, v);
   const std::vector<Expr> due = tracing.inputs(Array::due, static_cast<int>(model.sampled.size()));
-  tracing.outputs(Array::held, sampled_states(system, due));
+  tracing.outputs(Array::held, sampled_states(system, due, loads));
   return tracing.builder.finish_in_canonical_order();
 }
 

@@ -93,14 +93,18 @@ struct CartesianSolver::Content {
   /// Where a step of h seconds leads.
   Status advance(PlacedState& at, double h) {
     std::vector<int> equations;
-    if (const Status sampled = system.sample(at.bodies, at.z, h); !sampled.ok()) return sampled;
+    Solved before;
+    Status status;
+    if (system.takes_reactions()) status = solve_at(at, std::vector<double>(at.z.z.size(), 0.0), before);
+    if (status.ok()) status = system.sample(at.bodies, at.z, before.solution.lambda, h);
+    if (!status.ok()) return status;
     at.z.x = at.bodies.x;
     const GenericState start = at.z;
     const auto derivative = [&](const CartesianState& bodies, CartesianRates& rates) {
       advance_inputs(bodies.t - start.t);
       return stage({bodies, system.joint_state(bodies, start)}, equations, rates);
     };
-    const Status status = runge_kutta_step(derivative, at.bodies, h);
+    status = runge_kutta_step(derivative, at.bodies, h);
     if (!status.ok()) return status;
     advance_inputs(h);
     at.z = system.joint_state(at.bodies, start);

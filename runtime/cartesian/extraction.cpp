@@ -106,6 +106,36 @@ std::vector<CartesianWrench> CartesianSystem::joint_reactions(const CartesianSta
   return result;
 }
 
+std::vector<double> CartesianSystem::reaction_loads(const CartesianState& state, const GenericState& z,
+                                                    const Eigen::VectorXd& lambda) const {
+  const CartesianMechanism& c = *mechanism_;
+  const std::vector<Moving> bodies = c.bodies(state);
+  const std::vector<CartesianWrench> joints = joint_reactions(state, z, std::vector<double>(z.z.size(), 0.0), lambda);
+  const std::vector<Vector3d> rods = rod_forces(state, lambda);
+  std::vector<double> loads;
+  for (const SampledValue& sampled : c.model.sampled) {
+    loads.push_back(0);
+    if (!sampled.load) continue;
+    const ReactionLoad& load = *sampled.load;
+    Vector3d vector;
+    if (load.rod >= 0) {
+      vector = rods[static_cast<std::size_t>(load.rod)];
+    } else {
+      const CartesianWrench& wrench = joints[static_cast<std::size_t>(load.joint)];
+      vector = load.what == ReactionOutput::What::force ? wrench.force : wrench.moment;
+    }
+    if (load.direction == ReactionLoad::Direction::whole) {
+      loads.back() = vector.norm();
+      continue;
+    }
+    const PartJoint& joint = c.parts.joints[static_cast<std::size_t>(load.joint)];
+    const Vector3d axis = bodies[static_cast<std::size_t>(joint.from.body)].axes * joint.triad_from.col(2);
+    const double along = axis.dot(vector);
+    loads.back() = load.direction == ReactionLoad::Direction::along ? std::abs(along) : (vector - along * axis).norm();
+  }
+  return loads;
+}
+
 std::vector<Vector3d> CartesianSystem::rod_forces(const CartesianState& state, const Eigen::VectorXd& lambda) const {
   const CartesianMechanism& c = *mechanism_;
   const std::vector<Moving> bodies = c.bodies(state);

@@ -3,6 +3,7 @@
 #include "mbgen/forces.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/curve.hpp"
@@ -97,6 +98,7 @@ struct Frictions {
           friction_force(value(f.coulomb), value(f.stiction), 0.0, value(f.velocity), value(f.stribeck_velocity), rate);
     }
     if (f.normal >= 0) force *= std::abs(tensions[static_cast<std::size_t>(f.normal)]);
+    if (f.load >= 0) force *= std::abs(value.states[value.model.states.size() + static_cast<std::size_t>(f.load)]);
     return force - value(f.viscous) * rate;
   }
 };
@@ -110,6 +112,27 @@ void add_applied(const AppliedForce& applied, const Place& place, const std::vec
   Load load = force_at(end_of(bodies, place), vector(applied.force));
   load.wrench.tail<3>() += vector(applied.torque);
   forces.loads.push_back(load);
+}
+
+/// Moment against the turn of a body relative to the rod in whose end it sits, across the rod's line. The rod
+/// is turned by forces at its ends, beside those that its own equations carry. moment: N m, over the size of the turn,
+/// rad/s, against it.
+void add_rod_friction(const PartRod& rod, bool at_from, const std::vector<Moving>& bodies,
+                      const std::function<double(double)>& moment, Forces& forces) {
+  const Line line = line_of({rod.from, rod.to, 0}, bodies);
+  const End& end = at_from ? line.from : line.to;
+  const Vector3d& axis = line.direction;
+  const Vector3d rod_spin = rod.body >= 0 ? bodies[static_cast<std::size_t>(rod.body)].spin
+                                          : Vector3d(axis.cross(line.to.velocity - line.from.velocity) / line.length);
+  const Vector3d relative = end.spin - rod_spin, turn = relative - axis.dot(relative) * axis;
+  const double rate = turn.norm();
+  if (rate == 0) return;
+  const Vector3d on_body = moment(rate) / rate * turn;
+  forces.loads.push_back({end.body, (Vector6d() << Vector3d::Zero(), on_body).finished()});
+  // The rod turns with the pair: (to - from) x pair = -on_body.
+  const Vector3d pair = on_body.cross(-axis) / line.length;
+  forces.loads.push_back(force_at(line.to, pair));
+  forces.loads.push_back(force_at(line.from, -pair));
 }
 
 void add_joint_elements(const Model& model, const Values& value, std::vector<double>& joints) {
@@ -176,6 +199,11 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
     const Line line = line_of(parts.springs[friction.spring], bodies);
     add_tension(line, -frictions.force(friction, line.rate), forces);
   }
+  for (const RodFriction& friction : model.rod_frictions) {
+    const PartRod& rod = parts.rods[static_cast<std::size_t>(friction.rod)];
+    const auto moment = [&](double rate) { return frictions.force(friction, rate); };
+    add_rod_friction(rod, friction.at_from, bodies, moment, forces);
+  }
   forces.xd.insert(forces.xd.end(), frictions.rates.begin(), frictions.rates.end());
   add_bushings(model, parts, bodies, x, values, forces);
   add_bump_stops(model, parts, bodies, values, forces);
@@ -185,8 +213,8 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
   return forces;
 }
 
-Status CartesianMechanism::sample(const std::vector<Moving>& bodies, const Values& given, double h,
-                                  std::vector<double>& x) const {
+Status CartesianMechanism::sample(const std::vector<Moving>& bodies, const Values& given,
+                                  const std::vector<double>& loads, double h, std::vector<double>& x) const {
   Values values = complete(given, bodies, x);
   const int first = first_user_state(model) + static_cast<int>(model.states.size());
   std::size_t place = model.states.size(), queue = place + model.sampled.size();
@@ -200,7 +228,7 @@ Status CartesianMechanism::sample(const std::vector<Moving>& bodies, const Value
     if (is_due) {
       // A queue: the newest goes in front, the oldest comes out as the value.
       std::vector<double> line(waiting, waiting + sampled.delay);
-      line.insert(line.begin(), values(sampled.value));
+      line.insert(line.begin(), sampled.load ? loads[place - model.states.size()] : values(sampled.value));
       values.states[place] = line.back();
       std::copy(line.begin(), line.end() - 1, waiting);
     }

@@ -74,10 +74,11 @@ struct CartesianMechanism {
   /// Values with all that expressions may look at: states and lengths too.
   cartesian::Values complete(cartesian::Values values, const std::vector<cartesian::Moving>& bodies,
                              const std::vector<double>& x) const;
-  /// Sets the sampled values whose instant is at the start of a step of h seconds, in x.
+  /// Sets the sampled values whose instant is at the start of a step of h seconds, in x. loads: per value, where it is
+  /// one of a reaction.
   /// Fails: sample_inside_step, auxiliary_not_a_number; x is then unchanged.
-  Status sample(const std::vector<cartesian::Moving>& bodies, const cartesian::Values& values, double h,
-                std::vector<double>& x) const;
+  Status sample(const std::vector<cartesian::Moving>& bodies, const cartesian::Values& values,
+                const std::vector<double>& loads, double h, std::vector<double>& x) const;
   cartesian::Forces forces(const std::vector<cartesian::Moving>& bodies, const std::vector<double>& x,
                            const cartesian::Values& values) const;
 };

@@ -1,5 +1,6 @@
 #include "runtime/cartesian/system.hpp"
 
+#include "compiler/model/auxiliary_states.hpp"
 #include "runtime/cartesian/mechanism.hpp"
 
 namespace mbgen {
@@ -93,8 +94,12 @@ CartesianTerms CartesianSystem::terms(const CartesianState& state, const Generic
   return terms;
 }
 
-Status CartesianSystem::sample(CartesianState& state, const GenericState& z, double h) const {
-  return mechanism_->sample(mechanism_->bodies(state), mechanism_->values(z, state.t), h, state.x);
+bool CartesianSystem::takes_reactions() const { return mbgen::takes_reactions(mechanism_->model); }
+
+Status CartesianSystem::sample(CartesianState& state, const GenericState& z, const Eigen::VectorXd& lambda,
+                               double h) const {
+  const std::vector<double> loads = takes_reactions() ? reaction_loads(state, z, lambda) : std::vector<double>();
+  return mechanism_->sample(mechanism_->bodies(state), mechanism_->values(z, state.t), loads, h, state.x);
 }
 
 }  // namespace mbgen

@@ -58,9 +58,12 @@ class CartesianSystem {
                                           const Eigen::VectorXd& qdd) const;
   /// All terms of (5). tau: per tree coordinate, added to the model's joint forces.
   CartesianTerms terms(const CartesianState& state, const GenericState& z, const std::vector<double>& tau) const;
+  /// Whether sampled values are loads of reactions.
+  bool takes_reactions() const;
   /// Sets the sampled values whose instant is at the start of a step of h seconds. z: the coordinates at this state.
+  /// lambda: the multipliers there, where values are loads of reactions.
   /// Fails: sample_inside_step, auxiliary_not_a_number; the state is then unchanged.
-  Status sample(CartesianState& state, const GenericState& z, double h) const;
+  Status sample(CartesianState& state, const GenericState& z, const Eigen::VectorXd& lambda, double h) const;
   /// Moves the bodies by a small displacement (m, rad), n values; velocities stay.
   void displace(CartesianState& state, const Eigen::VectorXd& dq) const;
   /// Velocities of all bodies as n values, and back.
@@ -84,6 +87,10 @@ class CartesianSystem {
                       std::vector<double>& values) const;
 
  private:
+  /// Per sampled value the size of the reaction that it is set to, N or N m; zero where it is another one.
+  std::vector<double> reaction_loads(const CartesianState& state, const GenericState& z,
+                                     const Eigen::VectorXd& lambda) const;
+
   std::unique_ptr<CartesianMechanism> mechanism_;
 };
 

@@ -99,6 +99,9 @@ class GenericSolver {
   /// Sets the sampled values whose instant is at the start of a step of h seconds; any: whether there are such values.
   /// Fails: not_a_number, sample_inside_step; the state is then unchanged.
   Status sample(GenericState& state, double h, bool& any) const;
+  /// Sets the loads of frictions to the reactions at the state, as they are under the loads before.
+  /// Fails: as accelerations, auxiliary_not_a_number; the state is then unchanged.
+  Status press(GenericState& state) const;
   /// Static equilibrium, driven coordinates at their motions: at rest, closed, generalised forces of the free
   /// directions zero (least change of position where they are indifferent). First that to which the bodies sink, else
   /// one nearby from which they would fall. Where there is none `state` is the last that was tried.
@@ -107,6 +110,8 @@ class GenericSolver {
  private:
   /// How near a singular position the blocks are. Fails: loop_singular.
   Status notice(const GenericState& state) const;
+  /// The reactions that sampled values take, see reaction_loads. Fails: as accelerations.
+  Status take_loads(const GenericState& state, std::vector<double>& loads) const;
   /// Takes over a projected state unless it is a jump. Gives notices.
   Status without_jump(const GenericState& closed, GenericState& state) const;
 

@@ -106,6 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"tests/data/models/wheel_outputs.json", "wheel_outputs", kClang, 4, ""},
                     Case{"tests/data/models/bushings.json", "bushings", kClang, 4, ""},
                     Case{"tests/data/models/states.json", "states", kClang, 4, "", true},
+                    Case{"tests/data/models/pressed.json", "pressed", kClang, 4, "", true},
                     Case{"tests/data/models/all_elements.json", "all_elements", kGnu, 4, "-march=native"},
                     Case{"tests/data/models/all_elements.json", "all_elements", kClang, 4, "-march=native", true}),
     [](const auto& info) {

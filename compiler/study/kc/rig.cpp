@@ -20,6 +20,19 @@ Vector3 upwards_across(const Vector3& axis) {
   return {-axis[0] * axis[2] / level, -axis[1] * axis[2] / level, level};
 }
 
+/// Takes frictions away, and the loads that press them, which are the last sampled values.
+void take_frictions_away(Model& model) {
+  std::size_t loads = 0;
+  const auto take = [&loads](auto& frictions) {
+    for (const auto& friction : frictions) loads += friction.load >= 0 ? 1 : 0;
+    frictions.clear();
+  };
+  take(model.frictions);
+  take(model.spring_frictions);
+  take(model.rod_frictions);
+  model.sampled.resize(model.sampled.size() - loads);
+}
+
 /// What a wheel is to the rig.
 struct MountedWheel {
   std::string name;
@@ -82,8 +95,7 @@ class RigBuilder {
   /// Tyres, frictions, outputs, the start, and what the axle names.
   void take_away() {
     model_.tyres.clear();
-    model_.frictions.clear();
-    model_.spring_frictions.clear();
+    take_frictions_away(model_);
     model_.outputs.clear();
     model_.notes.clear();
     model_.initial = {};
@@ -260,7 +272,8 @@ class RigBuilder {
     return motion;
   }
 
-  /// Keeps the wheel from turning about its axis. A joint beside that axis is a pivot of the arm that carries the wheel.
+  /// Keeps the wheel from turning about its axis. A joint beside that axis is a pivot of the arm that carries the
+  /// wheel.
   void lock(const MountedWheel& wheel) {
     constexpr double kSameAxis = 1e-3, kOnAxis = 1e-3;  // 1, m
     const Vector3 centre = reference_position(model_, wheel.centre);

@@ -16,6 +16,7 @@
 #include "compiler/engines/engine_arguments.hpp"
 #include "compiler/study/contact_watch.hpp"
 #include "compiler/study/initial_state.hpp"
+#include "compiler/study/load_watch.hpp"
 #include "compiler/study/simulation_arguments.hpp"
 #include "compiler/study/step_verdict.hpp"
 
@@ -167,11 +168,13 @@ CaseResult measured(const Study& study, const Compilation& compilation, const En
   const GenericState start = initial_state(compilation, inputs.at(0));
   Recorder recorder(study, compilation, inputs);
   ContactWatch contacts(compilation);
+  LoadWatch loads(compilation.model);
   SimulationSettings settings = study.settings;
   settings.has_multipliers = contacts.needs_multipliers();
   const SimulationSummary summary = simulate(engine, start, inputs, settings, [&](const Sample& sample) {
     recorder.add(sample);
     contacts.add(sample);
+    loads.add(sample);
   });
   if (!summary.status.ok()) {
     return failed(study,
@@ -180,6 +183,7 @@ CaseResult measured(const Study& study, const Compilation& compilation, const En
   StepVerdict verdict = judge_step(compilation, study.choice.integrator, study.settings, summary,
                                    modes_near(compilation, start, inputs.at(0)));
   judge_contacts(contacts, verdict);
+  judge_loads(loads, verdict);
   if (!verdict.failure.empty()) return failed(study, verdict.failure);
   CaseResult result{"ok", evaluate(study.metrics, compilation.model.parameters, recorder.points()),
                     summary.energy.relative_error()};

@@ -242,12 +242,15 @@ Result<ForceElements> force_elements_of(const Model& model, const Topology& topo
   for (const Tyre& tyre : model.tyres)
     unknown.push_back({tyre.where, "tyre " + quoted(tyre.name) + " has no form in a foreign solver", "", ""});
   const auto refuse_friction = [&](const FrictionLaw& law, const auto& friction) {
-    if (law.has_bristle() || law.normal >= 0)
+    if (law.has_bristle() || law.normal >= 0 || law.load >= 0)
       unknown.push_back(
           {friction.where, "friction " + quoted(friction.name) + " has no form in a foreign solver", "", ""});
   };
   for (const JointFriction& friction : model.frictions) refuse_friction(friction, friction);
   for (const SpringFriction& friction : model.spring_frictions)
+    unknown.push_back(
+        {friction.where, "friction " + quoted(friction.name) + " has no form in a foreign solver", "", ""});
+  for (const RodFriction& friction : model.rod_frictions)
     unknown.push_back(
         {friction.where, "friction " + quoted(friction.name) + " has no form in a foreign solver", "", ""});
   for (const Bushing& bushing : model.bushings)

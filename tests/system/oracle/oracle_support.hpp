@@ -9,8 +9,10 @@ namespace mbgen::testing {
 
 /// The model without what no foreign engine has: tyres, with the outputs that ask for them, and Maxwell branches.
 inline Model without_tyres(Model model) {
-  std::erase_if(model.frictions, [](const JointFriction& f) { return f.has_bristle() || f.normal >= 0; });
+  std::erase_if(model.frictions,
+                [](const JointFriction& f) { return f.has_bristle() || f.normal >= 0 || f.load >= 0; });
   model.spring_frictions.clear();
+  model.rod_frictions.clear();
   model.tyres.clear();
   for (Bushing& bushing : model.bushings)
     for (std::optional<BushingFreedom>& own : bushing.freedoms)
