@@ -273,6 +273,8 @@ Complaint bytes_change(const RandomMechanism&, const Mechanism& m) {
 constexpr Property kProperties[] = {
     {"engines agree", engines_disagree},
     {"the compiled solver agrees", compiled_solver_disagrees},
+    {"implicit equations agree", implicit_equations_disagree},
+    {"implicit steps agree", implicit_steps_disagree},
     {"translation changes nothing", translation_shows},
     {"rotation changes nothing", rotation_shows},
     {"a mirror changes nothing", mirror_shows},

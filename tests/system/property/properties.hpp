@@ -33,6 +33,12 @@ constexpr double kTolerance = 1e-8;  ///< of the largest acceleration
 Complaint differ(const std::string& what, const std::vector<double>& actual, const std::vector<double>& expected,
                  double tolerance);
 
+/// The equations of an implicit step: the optimised programs give the changes of the generic runtime.
+Complaint implicit_equations_disagree(const RandomMechanism& random, const Mechanism& m);
+
+/// Implicit steps of the emitted solver, compiled, and of the generic runtime have the same limit.
+Complaint implicit_steps_disagree(const RandomMechanism& random, const Mechanism& m);
+
 int from_environment(const char* name, int otherwise);
 
 }  // namespace mbgen::testing
