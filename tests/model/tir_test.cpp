@@ -177,7 +177,7 @@ TEST_F(TirFile, TurnSlipActsWhereTheModelOrUseModeAsksForIt) {
   const Result<Model> without = turning(125, "");
   ASSERT_TRUE(without) << to_text(without.problems());
   EXPECT_FALSE(without->tyres[0].turn_slip);
-  EXPECT_EQ(without->notes[0].message, "turn slip, for which USE_MODE asks, is not in the file");
+  EXPECT_EQ(without->notes.back().message, "turn slip, for which USE_MODE asks, is not in the file");
   EXPECT_FALSE(turning(125, R"(, "turn_slip": true)"));
 }
 
