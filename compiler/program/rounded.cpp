@@ -7,6 +7,31 @@
 #include "compiler/program/arithmetic.hpp"
 
 namespace mbgen {
+namespace {
+
+/// A smooth function in place of one that is in pieces or has a branch, odd or even as that one is: values that are
+/// equal with it are equal whatever piece they are in.
+double smooth(Op op, double a, double b, double c) {
+  const double number = static_cast<double>(op);
+  switch (op) {
+    case Op::abs:
+      return 1.7134 + 0.41 * std::cos(1.37 * a);
+    case Op::atan2:
+      return std::sin(1.31 * a) * (1.7 + 0.4 * std::cos(0.9 * b) + 0.3 * std::sin(1.1 * b));
+    case Op::sqrt:
+    case Op::min:
+    case Op::max:
+    case Op::select:
+    case Op::floor:
+    case Op::sample:
+      return 1.9171 + 0.3 * std::sin(0.83 * a + 0.1 * number) + 0.21 * std::sin(1.17 * b + 0.3 * a + 0.7) +
+             0.17 * std::sin(1.43 * c - 0.4 * a + 0.2 * b + 0.3);
+    default:
+      return apply(op, a, b, c);
+  }
+}
+
+}  // namespace
 
 std::vector<Rounded> rounded_values(const Program& program, std::span<const double> inputs) {
   constexpr double kUnit = std::numeric_limits<double>::epsilon();
@@ -20,8 +45,7 @@ std::vector<Rounded> rounded_values(const Program& program, std::span<const doub
     double operands[3] = {0, 0, 0};
     const auto result = [&] {
       if (node.op == Op::constant) return node.constant;
-      return node.op == Op::sample ? sample_of(*program.samples, operands[0])
-                                   : apply(node.op, operands[0], operands[1], operands[2]);
+      return smooth(node.op, operands[0], operands[1], operands[2]);
     };
     for (int k = 0; k < arity(node.op); ++k) operands[k] = all[node.operands[k]].value;
     const double value = result();

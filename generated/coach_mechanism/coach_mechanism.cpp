@@ -467,13 +467,14 @@ struct AccelerationsWork3 {
       s2_178, s2_179, s7_114, n_carrier_left_and_right_y, s7_116, pivot_arb_front_left_and_right,
       s1_35, s1_36, s1_37, s1_38, s1_39, s1_40, s2_183, s7_124, s7_133, s8_746,
       n_carrier_left_and_right_z, s7_119, s8_346, s8_373, s8_395, s8_419, s8_453, s8_457, s8_480,
-      s8_492, s8_494, s8_496, s8_503, s8_682, s8_740, s8_820, s8_876, s8_878, s8_892, s8_902,
-      s8_284, s8_286, s8_289, s8_292, s8_299, s8_300, s6_115, s8_305, s8_309, s8_340, s8_357,
-      s8_369, s8_446, s8_459, s8_461, s8_474, s8_477, s8_482, s8_485, s8_487, s8_491, s8_663,
-      s8_668, s8_669, s8_670, s8_687, s8_688, s8_696, s8_699, s8_726, s8_731, s8_735, s8_743, s8_747;
+      s8_492, s8_494, s8_496, s8_503, s8_682, s8_740, s8_820, s8_875, s8_877, s8_891, s8_284,
+      s8_286, s8_289, s8_292, s8_299, s8_300, s6_115, s8_305, s8_309, s8_340, s8_357, s8_369,
+      s8_446, s8_459, s8_461, s8_474, s8_477, s8_482, s8_485, s8_487, s8_491, s8_663, s8_668,
+      s8_669, s8_670, s8_687, s8_688, s8_696, s8_699, s8_726, s8_731, s8_735, s8_743, s8_747;
   double
       R_rear_axle_x_y, R_rear_axle_y_y, r_rear_axle_aux1_x, R_rear_axle_y_z, R_rear_axle_aux5_y_x,
-      R_rear_axle_aux5_x_x, R_rear_axle_x_z, R_rear_axle_aux5_x_z, R_rear_axle_aux5_y_z, s2_9, s2_30;
+      R_rear_axle_aux5_x_x, R_rear_axle_x_z, R_rear_axle_aux5_x_z, R_rear_axle_aux5_y_z, s2_9,
+      s2_31, s2_30;
 };
 
 /// Values of compute_accelerations that cross its parts.
@@ -481,14 +482,14 @@ struct AccelerationsWork4 {
   double
       s8_40, s8_38, s8_46, w_chassis_z, r_rear_axle_aux3_z, R_rear_axle_z_y, w_chassis_x, s8_18,
       s8_19, s8_20, s2_191, s7_10, s2_189, s2_193, s7_20, s7_24, s8_35, s8_36, s8_576, s8_44,
-      s2_188, s3_33, s7_150, s8_568, R_rear_axle_z_z, s7_17, s6_126, s7_148, s7_149, s8_518, s4_4,
-      s4_5, s4_14, s7_6, s7_19, s8_250, s8_520, s8_574, zdd_star_rear_axle_rz,
+      s2_188, s3_33, s7_150, s8_568, s8_577, R_rear_axle_z_z, s7_17, s6_126, s7_148, s7_149, s8_518,
+      s4_4, s4_5, s4_14, s7_6, s7_19, s8_250, s8_520, s8_574, zdd_star_rear_axle_rz,
       zdd_star_rear_axle_rx, s6_66, s7_8, R_chassis_z_y, R_chassis_z_z, f_rear_axle_z,
       f_rear_axle_y, f_rear_axle_x, s2_187, s2_190, s8_513, s8_575, s4_1, zdd_star_rear_axle_tz,
       zdd_star_rear_axle_ry, zdd_star_rear_axle_tx, s7_22, s7_26, s8_267, s2_192, s8_522, s8_571,
       s8_572, s4_2, s4_3, s4_12, s1_7, n_rear_axle_x, n_rear_axle_y, n_rear_axle_z, s3_21, s8_252,
-      s8_336, s1_45, s1_48, s8_573, s2_31, s4_13, s8_21, s8_22, s8_23, s7_32, s8_117, s8_129, s3_2,
-      s3_3, s3_7, s3_8, s3_11, s3_12, s3_22, s3_25, s3_26, s1_29, s1_30, s1_31, s1_32, s1_33, s7_95,
+      s8_336, s1_45, s1_48, s8_573, s4_13, s8_21, s8_22, s8_23, s7_32, s8_117, s8_129, s3_2, s3_3,
+      s3_7, s3_8, s3_11, s3_12, s3_22, s3_25, s3_26, s1_29, s1_30, s1_31, s1_32, s1_33, s7_95,
       s2_195, s8_532, s8_535, s1_43, s1_46, s1_47, s1_49, s1_50, s2_66, s2_103, s2_120, s2_123,
       s9_1, s9_2, s9_3, s8_74, s8_77, s8_79, s9_4, s8_417, s2_194, s2_196, s2_197, s8_548, s8_550,
       s8_553, s8_555, s8_557, s8_560, s9_5;
@@ -497,16 +498,16 @@ struct AccelerationsWork4 {
 /// Values of compute_accelerations that cross its parts.
 struct AccelerationsWork5 {
   double
-      s8_694, s8_672, s8_712, s8_800, s8_805, s8_577, s8_580, s8_582, s8_692, s8_807, s8_808,
-      s8_811, s8_818, s8_578, s8_581, s8_583, s8_597, s8_806, s8_819, s8_821, s8_913, s8_985,
-      s8_987, s8_579, s8_804, s8_817, s8_933, s8_945, s8_949, s8_972, s8_974, s8_976, s8_978,
-      s8_979, s8_803, s8_814, s8_952, s8_953, s8_955, s8_956, s8_960, s8_962, s8_964, s8_966,
-      s8_967, s8_619, s8_621, s8_798, s8_802, s8_815, s8_829, s8_856, s8_944, s8_958, s8_591,
-      s8_594, s8_595, s8_596, s8_606, s8_609, s8_799, s8_809, s8_816, s8_923, s8_947, s8_590,
-      s8_592, s8_598, s8_600, pivot_bell_crank, s8_896, s8_912, s8_942, R_chassis_x_z,
-      R_chassis_y_z, R_chassis_x_y, R_chassis_y_y, R_chassis_aux5_x_x, R_chassis_aux5_y_x, s8_593,
-      s8_605, s8_611, s8_617, s8_624, s8_625, s8_631, s8_702, s8_707, s8_708, s8_709, s8_812,
-      s8_857, s8_914, s8_970, s8_982, s8_989;
+      s8_694, s8_672, s8_712, s8_800, s8_805, s8_580, s8_582, s8_692, s8_807, s8_808, s8_811,
+      s8_818, s8_578, s8_581, s8_583, s8_597, s8_806, s8_819, s8_821, s8_912, s8_984, s8_986,
+      s8_988, s8_990, s8_991, s8_579, s8_804, s8_817, s8_932, s8_944, s8_948, s8_971, s8_973,
+      s8_975, s8_977, s8_978, s8_803, s8_814, s8_951, s8_952, s8_954, s8_955, s8_959, s8_961,
+      s8_963, s8_965, s8_966, s8_619, s8_621, s8_798, s8_802, s8_815, s8_943, s8_957, s8_591,
+      s8_594, s8_595, s8_596, s8_606, s8_609, s8_799, s8_809, s8_816, s8_922, s8_946, s8_590,
+      s8_592, s8_598, s8_600, pivot_bell_crank, s8_895, s8_911, s8_941, R_chassis_x_z,
+      R_chassis_y_z, R_chassis_x_y, R_chassis_y_y, R_chassis_aux5_x_x, R_chassis_aux5_y_x, s8_995,
+      s8_593, s8_605, s8_611, s8_617, s8_624, s8_625, s8_631, s8_702, s8_707, s8_708, s8_709,
+      s8_812, s8_913, s8_969, s8_981, s8_994;
 };
 
 /// Values of compute_accelerations that cross its parts.
@@ -611,9 +612,9 @@ struct AccelerationsWork6 {
   w1.s2_28 = p_long_rod_left_from_y - w1.s2_24 - w1.s0_14;
   w1.s2_29 = 1.0/s2_16;
   w3.s2_30 = 1.665350081353039*std::abs(s2_16[0]);
-  w4.s2_31 = w1.s2_29[0];
+  w3.s2_31 = w1.s2_29[0];
   const Pair s2_32 = w1.s2_8*w1.s2_27;
-  const Pair s2_33 = fma(w1.s2_13, s2_32, w1.s2_28)*Pair{w1.s2_29[1], w4.s2_31};
+  const Pair s2_33 = fma(w1.s2_13, s2_32, w1.s2_28)*Pair{w1.s2_29[1], w3.s2_31};
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   w4.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_2;
   w4.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_3;
@@ -723,7 +724,7 @@ struct AccelerationsWork6 {
   w1.s2_63 = 1.0/w1.s2_53;
   const double s2_64 = w1.s2_63[1];
   const Pair s2_65 = w1.s2_53*Pair{s2_64, w1.s2_63[0]};
-  w4.s2_66 = 2.1234888829989926*w1.s2_53[1];
+  w4.s2_66 = 2.1234888829989926*std::abs(w1.s2_53[1]);
   const Pair s2_67 = w1.s2_62*s2_65;
   const Pair s2_68 = w1.s2_62 + Pair{s2_67[1], s2_67[0]};
   const double s2_69 = -p_arb_link_rear_left_to_x*w3.R_rear_axle_aux5_y_x;
@@ -842,7 +843,7 @@ struct AccelerationsWork6 {
   const Pair s6_63 = fnma(w1.s2_44, s6_51, fnma(w1.s2_49, s6_47, w1.s6_13));
   const Pair s6_64 = w1.s2_59*w1.s6_54;
   const Pair s6_65 = Pair{s6_62[1], s6_62[0]} + s6_63 - Pair{s6_64[1], s6_64[0]};
-  w4.s6_66 = w4.s2_31*s6_65[0];
+  w4.s6_66 = w3.s2_31*s6_65[0];
   const double s6_67 = -w4.s6_66;
   const Pair s6_68 = Pair{s6_67, w4.s6_66};
   const Pair s6_69 = fma(w1.s2_13, s6_68, fnma(w1.s2_25, s6_60, fma(w1.s2_42, s6_53, s6_55)));
@@ -1898,7 +1899,7 @@ struct AccelerationsWork6 {
   const Pair s8_473 = fnma(w1.s2_73, s8_443, fnma(w1.s2_28, s8_421, w1.s2_13*s8_426));
   w3.s8_474 = w2.s7_60 + s8_473;
   const Pair s8_475 = s8_338 + fma(w1.s2_73, w2.s8_116, s8_469);
-  const double s2_184 = mbgen::min(-(1.2494533266510743*w1.s2_7[1]), w3.s2_30);
+  const double s2_184 = mbgen::min(1.2494533266510743*std::abs(w1.s2_7[1]), w3.s2_30);
   const Pair s8_476 = fnma(w1.s2_142, w3.s8_321, fma(w3.s2_174, w3.s8_315, s8_471));
   w3.s8_477 = fnma(w1.s2_143, w3.s8_328, s8_476);
   const Pair s8_478 = fma(w3.s7_126, w3.zdd_star_arb_front_left_and_right, s8_475);
@@ -2103,7 +2104,7 @@ struct AccelerationsWork6 {
   w4.s8_574 = w3.s8_419[1];
   w4.s8_575 = fms(s8_570, w4.s8_574, w3.s8_419[0]);
   w4.s8_576 = w3.s8_494[1];
-  w5.s8_577 = fma(s8_570, w4.s8_576, w3.s8_494[0]);
+  w4.s8_577 = fma(s8_570, w4.s8_576, w3.s8_494[0]);
   w5.s8_578 = w3.s8_496[1];
   w5.s8_579 = fma(s8_570, w5.s8_578, w3.s8_496[0]);
   w5.s8_580 = w3.s8_503[1];
@@ -2129,7 +2130,7 @@ struct AccelerationsWork6 {
   w5.s8_596 = fnma(w4.s6_126, w4.s7_149, w4.s7_148*s8_589);
   w5.s8_597 = 1.0/pivot_arb_rear_left;
   result.inertia[11] = fnma(1e-12, s8_569, pivot_arb_rear_left - 1.5272999999999997e-20);
-  w5.s8_598 = w5.s8_597*w5.s8_577;
+  w5.s8_598 = w5.s8_597*w4.s8_577;
   const double s8_599 = fnma(w3.r_rear_axle_aux1_x, w4.f_rear_axle_y, s8_563) - w4.n_rear_axle_z;
   w5.s8_600 = w4.s8_568*w4.s8_576;
   const double s8_601 = fma(w5.s8_582, w5.s8_600, fnma(w5.s8_598, w5.s8_583, s8_599));
@@ -2144,7 +2145,7 @@ struct AccelerationsWork6 {
 
   // --- step 8: elimination from the leaves to the root (63), continued ---
   // chassis: chassis_rx, revolute, chassis_aux5
-  const double s8_610 = fnma(w4.s8_576, w5.s8_609, fma(w5.s8_577, w5.s8_606, s8_607));
+  const double s8_610 = fnma(w4.s8_576, w5.s8_609, fma(w4.s8_577, w5.s8_606, s8_607));
   w5.s8_611 = fnma(w4.s2_191, s8_533, s8_610);
   const double s8_612 = fnma(w5.s8_582, w5.s8_609, fnma(w5.s8_606, w5.s8_583, s8_608));
   const double s8_613 = fma(s7_145, s8_588, fma(s7_146, s8_586, s8_612));
@@ -2156,7 +2157,7 @@ struct AccelerationsWork6 {
   w5.s8_619 = w5.s8_597*w5.s8_579;
   const double s8_620 = fnma(z_rear_axle_ty, w4.f_rear_axle_z, s8_618) - w4.n_rear_axle_x;
   w5.s8_621 = w4.s8_568*w5.s8_578;
-  const double s8_622 = fma(w5.s8_577, w5.s8_619, fma(w4.r_rear_axle_aux3_z, s8_551, s8_558));
+  const double s8_622 = fma(w4.s8_577, w5.s8_619, fma(w4.r_rear_axle_aux3_z, s8_551, s8_558));
   const double s8_623 = fma(w5.s8_619, w5.s8_581, fma(z_rear_axle_ty, s8_551, s8_552));
   w5.s8_624 = fnma(w4.s2_191, s8_542, fma(w4.s8_576, w5.s8_621, s8_622));
   w5.s8_625 = fnma(w4.s2_193, s8_542, fnma(w5.s8_580, w5.s8_621, s8_623));
@@ -2392,7 +2393,7 @@ struct AccelerationsWork6 {
   const Pair s8_826 = fnma(p_lower_arm_left_x, s8_765 + s8_767, s8_825);
   const double s8_827 = s8_826[1] + (s8_826[0] + fma(p_pitman_arm_z, s8_755, s8_772));
   const Pair s8_828 = w3.s7_121 + (w3.s7_130 + (w1.s7_29 - 28.25 - w2.s7_89));
-  w5.s8_829 = s8_828[1] + (s8_828[0] + (3346.2 - w4.s7_148));
+  const double s8_829 = s8_828[1] + (s8_828[0] + (3346.2 - w4.s7_148));
   const Pair s8_830 = w1.s0_19*(w1.s0_19 + w2.s8_87);
   const Pair s8_831 = w1.s0_19*w2.s8_90;
   const Pair s8_832 = w1.s0_19*w2.s8_102;
@@ -2419,114 +2420,113 @@ struct AccelerationsWork6 {
   const Pair s8_853 = fnma(p_arb_rear_right_z, s8_839, w3.s8_485);
   const Pair s8_854 = fnma(p_arb_front_right_y, s8_851, s8_852);
   const Pair s8_855 = fma(w3.s7_130, s8_843, w3.s7_132*w3.zdd_star_arb_front_left_and_right);
-  w5.s8_856 = s8_842[1] + (s8_842[0] + (344.825 - w4.s7_149 - w4.s7_150));
-  w5.s8_857 = w5.s8_856 + w4.s8_553;
-  const Pair s8_858 = fnma(w1.s7_31, s8_848, w1.s7_29*w2.s6_96);
-  const Pair s8_859 = fma(w1.s7_29, s8_848, w1.s7_31*w2.s6_96);
-  const Pair s8_860 = w2.s8_87*w2.s0_29;
-  const Pair s8_861 = w2.s8_90*w2.s0_29;
-  const Pair s8_862 = w2.s8_87*w1.s0_21;
-  const Pair s8_863 = w2.s8_90*w1.s0_21;
-  const Pair s8_864 = fnma(w1.s7_29, s8_861, w1.s7_31*s8_860);
-  const Pair s8_865 = fma(w3.s7_100, s8_860, fma(p_arb_front_right_x, s8_849, s8_854));
-  const Pair s8_866 = fma(w3.s7_101, s8_860, fma(p_arb_front_right_z, s8_851, s8_853));
-  const Pair s8_867 = fnma(p_upper_arm_right_y, s8_864, fnma(w3.s7_101, s8_861, s8_865));
-  const Pair s8_868 = fma(p_upper_arm_right_z, s8_864, fnma(w3.s7_116, s8_861, s8_866));
-  const Pair s8_869 = fma(w1.r_carrier_left_and_right_aux1_y, w3.f_carrier_left_and_right_x,
-      s8_867);
-  const Pair s8_870 = fma(w1.r_carrier_left_aux1_z, w3.f_carrier_left_and_right_x, s8_868);
-  const Pair s8_871 = fnma(w3.s7_121, s8_863, w3.s7_123*s8_862);
-  const Pair s8_872 = w3.s7_123*w2.s8_106;
-  const Pair s8_873 = fnma(w3.s7_113, s8_863, fma(w3.s7_112, s8_862, s8_869));
-  const Pair s8_874 = w3.s7_121*w2.s8_106;
-  const Pair s8_875 = fnma(w3.s7_124, s8_863, fma(w3.s7_113, s8_862, s8_870));
-  w3.s8_876 = s8_839 - s8_851 - s8_864 - w3.f_carrier_left_and_right_x - s8_871;
-  const Pair s8_877 = fma(p_upper_arm_right_z, s8_858, fma(w3.s7_128, s8_843, s8_850));
-  w3.s8_878 = s8_872 + (s8_849 + (w3.f_carrier_left_and_right_y + s8_835) - s8_858);
-  const Pair s8_879 = fma(p_lower_arm_right_z, s8_871, s8_875);
-  const Pair s8_880 = s8_872 + (w3.f_carrier_left_and_right_y - s8_858);
-  const Pair s8_881 = fnma(p_lower_arm_right_y, s8_871, s8_873);
-  const Pair s8_882 = fma(p_lower_arm_left_x, s8_880, s8_881);
-  const Pair s8_883 = fnma(p_lower_arm_right_z, s8_872, s8_877);
-  const Pair s8_884 = fnma(p_arb_rear_right_x, s8_837, s8_879);
-  const Pair s8_885 = fma(p_arb_rear_right_y, s8_837, s8_883);
-  const Pair s8_886 = fnma(p_arb_front_right_y, s8_855, s8_885);
-  const Pair s8_887 = fnma(p_lower_arm_right_y, s8_874, s8_886);
-  const Pair s8_888 = fnma(p_rear_axle_tx_z, s8_849 + s8_859, s8_887);
-  const Pair s8_889 = s8_874 + (s8_859 - w3.f_carrier_left_and_right_z);
-  const Pair s8_890 = fma(p_arb_front_right_x, s8_855, s8_884);
-  const Pair s8_891 = fma(p_lower_arm_left_x, s8_889, s8_890);
-  w3.s8_892 = s8_874 + (s8_859 + (s8_855 - w3.f_carrier_left_and_right_z - s8_837));
-  const double s8_893 = s8_841[1] + (s8_841[0] + fma(0.8, s8_770, w5.s8_707));
-  const double s8_894 = s8_760[0] + (s8_758[0] + (s8_760[1] + (s8_758[1] + w5.s8_709)));
-  const double s8_895 = s8_836[1] + (s8_836[0] + fma(8.8, s8_755, fma(6.5, s8_756, w5.s8_708)));
-  w5.s8_896 = s8_785[0] + w4.s8_548 - s8_785[1];
-  const double s8_897 = s8_894 + (s8_775[1] + (s8_775[0] + w4.s8_550));
-  const Pair s8_898 = 395.1 + w2.s7_70;
-  const Pair s8_899 = fma(7.2, s8_898, w3.s8_668);
-  const Pair s8_900 = fma(p_lower_arm_right_x, s8_773, w3.s8_670);
-  const Pair s8_901 = fma(w1.r_carrier_left_and_right_aux1_y, s8_898, s8_900);
-  w3.s8_902 = 790.2 + w2.s7_70;
-  const double s8_903 = s8_899[1] + (s8_899[0] + (s8_895 + w4.s8_555));
-  const Pair s8_904 = fma(m_carrier_right, w1.r_carrier_left_aux1_z, w3.s7_94);
-  const Pair s8_905 = fma(109.75, w1.r_carrier_left_aux1_z, w3.s7_94);
-  const Pair s8_906 = fma(w1.r_carrier_left_aux1_z, s8_773, w3.s8_688);
-  const Pair s8_907 = fma(w1.r_carrier_left_and_right_aux1_y, s8_905, s8_906);
-  const Pair s8_908 = fma(w1.r_carrier_left_aux1_z, s8_898, w3.s8_669);
-  const Pair s8_909 = fma(p_lower_arm_right_x, s8_905, s8_908);
-  const Pair s8_910 = w1.r_carrier_left_aux1_z + w1.r_carrier_left_aux1_z;
-  const Pair s8_911 = fma(s8_905, s8_910, w3.s8_663);
-  w5.s8_912 = s8_904[1] + (s8_904[0] + (w5.s8_829 + w4.s8_557));
-  w5.s8_913 = 1.0/pivot_lower_arm_left;
-  w5.s8_914 = pivot_lower_arm_left - 1.5272999999999997e-20;
-  const double s8_915 = w5.s8_913*w5.s8_819;
-  const double s8_916 = fnma(w5.s8_580, w5.s8_609, fnma(w5.s8_581, w5.s8_606, s8_903));
-  const double s8_917 = w5.s8_811*w5.s8_807;
-  const double s8_918 = fnma(w4.s8_38, s8_771, fma(w4.s8_40, s8_757, w5.s8_617));
-  const double s8_919 = w5.s8_672*w5.s8_800;
-  const double s8_920 = fma(w5.s8_805, s8_917, fma(w5.s8_818, s8_915, s8_771 + w5.s8_611));
-  const double s8_921 = fnma(w5.s8_807, s8_917, fnma(w5.s8_819, s8_915, s8_916));
-  const double s8_922 = fnma(w5.s8_712, s8_919, fnma(w5.s8_808, s8_917, s8_918));
-  w5.s8_923 = s8_907[0] + fma(w5.s8_694, s8_919, s8_920) - s8_907[1];
-  const double s8_924 = s8_911[1] + (s8_911[0] + (s8_893 + w4.s8_560));
-  const double s8_925 = s8_924 + fnma(w5.s8_672, s8_919, s8_921);
-  const double s8_926 = w5.s8_913*w5.s8_818;
-  const double s8_927 = fnma(w4.s8_576, w5.s8_600, fnma(w5.s8_577, w5.s8_598, s8_897));
-  const double s8_928 = w5.s8_811*w5.s8_805;
-  const double s8_929 = fma(w4.s8_46, s8_771, fnma(w4.s8_535, s8_757, w5.s8_605));
-  const double s8_930 = w5.s8_694*w5.s8_800;
-  const double s8_931 = fnma(w5.s8_805, s8_928, fnma(w5.s8_818, s8_926, s8_927));
-  const double pivot_chassis_rx = s8_903 + fnma(w5.s8_694, s8_930, s8_931);
+  const double s8_856 = s8_842[1] + (s8_842[0] + (344.825 - w4.s7_149 - w4.s7_150));
+  const Pair s8_857 = fnma(w1.s7_31, s8_848, w1.s7_29*w2.s6_96);
+  const Pair s8_858 = fma(w1.s7_29, s8_848, w1.s7_31*w2.s6_96);
+  const Pair s8_859 = w2.s8_87*w2.s0_29;
+  const Pair s8_860 = w2.s8_90*w2.s0_29;
+  const Pair s8_861 = w2.s8_87*w1.s0_21;
+  const Pair s8_862 = w2.s8_90*w1.s0_21;
+  const Pair s8_863 = fnma(w1.s7_29, s8_860, w1.s7_31*s8_859);
+  const Pair s8_864 = fma(w3.s7_100, s8_859, fma(p_arb_front_right_x, s8_849, s8_854));
+  const Pair s8_865 = fma(w3.s7_101, s8_859, fma(p_arb_front_right_z, s8_851, s8_853));
+  const Pair s8_866 = fnma(p_upper_arm_right_y, s8_863, fnma(w3.s7_101, s8_860, s8_864));
+  const Pair s8_867 = fma(p_upper_arm_right_z, s8_863, fnma(w3.s7_116, s8_860, s8_865));
+  const Pair s8_868 = fma(w1.r_carrier_left_and_right_aux1_y, w3.f_carrier_left_and_right_x,
+      s8_866);
+  const Pair s8_869 = fma(w1.r_carrier_left_aux1_z, w3.f_carrier_left_and_right_x, s8_867);
+  const Pair s8_870 = fnma(w3.s7_121, s8_862, w3.s7_123*s8_861);
+  const Pair s8_871 = w3.s7_123*w2.s8_106;
+  const Pair s8_872 = fnma(w3.s7_113, s8_862, fma(w3.s7_112, s8_861, s8_868));
+  const Pair s8_873 = w3.s7_121*w2.s8_106;
+  const Pair s8_874 = fnma(w3.s7_124, s8_862, fma(w3.s7_113, s8_861, s8_869));
+  w3.s8_875 = s8_839 - s8_851 - s8_863 - w3.f_carrier_left_and_right_x - s8_870;
+  const Pair s8_876 = fma(p_upper_arm_right_z, s8_857, fma(w3.s7_128, s8_843, s8_850));
+  w3.s8_877 = s8_871 + (s8_849 + (w3.f_carrier_left_and_right_y + s8_835) - s8_857);
+  const Pair s8_878 = fma(p_lower_arm_right_z, s8_870, s8_874);
+  const Pair s8_879 = s8_871 + (w3.f_carrier_left_and_right_y - s8_857);
+  const Pair s8_880 = fnma(p_lower_arm_right_y, s8_870, s8_872);
+  const Pair s8_881 = fma(p_lower_arm_left_x, s8_879, s8_880);
+  const Pair s8_882 = fnma(p_lower_arm_right_z, s8_871, s8_876);
+  const Pair s8_883 = fnma(p_arb_rear_right_x, s8_837, s8_878);
+  const Pair s8_884 = fma(p_arb_rear_right_y, s8_837, s8_882);
+  const Pair s8_885 = fnma(p_arb_front_right_y, s8_855, s8_884);
+  const Pair s8_886 = fnma(p_lower_arm_right_y, s8_873, s8_885);
+  const Pair s8_887 = fnma(p_rear_axle_tx_z, s8_849 + s8_858, s8_886);
+  const Pair s8_888 = s8_873 + (s8_858 - w3.f_carrier_left_and_right_z);
+  const Pair s8_889 = fma(p_arb_front_right_x, s8_855, s8_883);
+  const Pair s8_890 = fma(p_lower_arm_left_x, s8_888, s8_889);
+  w3.s8_891 = s8_873 + (s8_858 + (s8_855 - w3.f_carrier_left_and_right_z - s8_837));
+  const double s8_892 = s8_841[1] + (s8_841[0] + fma(0.8, s8_770, w5.s8_707));
+  const double s8_893 = s8_760[0] + (s8_758[0] + (s8_760[1] + (s8_758[1] + w5.s8_709)));
+  const double s8_894 = s8_836[1] + (s8_836[0] + fma(8.8, s8_755, fma(6.5, s8_756, w5.s8_708)));
+  w5.s8_895 = s8_785[0] + w4.s8_548 - s8_785[1];
+  const double s8_896 = s8_893 + (s8_775[1] + (s8_775[0] + w4.s8_550));
+  const Pair s8_897 = 395.1 + w2.s7_70;
+  const Pair s8_898 = fma(7.2, s8_897, w3.s8_668);
+  const Pair s8_899 = fma(p_lower_arm_right_x, s8_773, w3.s8_670);
+  const Pair s8_900 = fma(w1.r_carrier_left_and_right_aux1_y, s8_897, s8_899);
+  const Pair s8_901 = 790.2 + w2.s7_70;
+  const double s8_902 = s8_898[1] + (s8_898[0] + (s8_894 + w4.s8_555));
+  const Pair s8_903 = fma(m_carrier_right, w1.r_carrier_left_aux1_z, w3.s7_94);
+  const Pair s8_904 = fma(109.75, w1.r_carrier_left_aux1_z, w3.s7_94);
+  const Pair s8_905 = fma(w1.r_carrier_left_aux1_z, s8_773, w3.s8_688);
+  const Pair s8_906 = fma(w1.r_carrier_left_and_right_aux1_y, s8_904, s8_905);
+  const Pair s8_907 = fma(w1.r_carrier_left_aux1_z, s8_897, w3.s8_669);
+  const Pair s8_908 = fma(p_lower_arm_right_x, s8_904, s8_907);
+  const Pair s8_909 = w1.r_carrier_left_aux1_z + w1.r_carrier_left_aux1_z;
+  const Pair s8_910 = fma(s8_904, s8_909, w3.s8_663);
+  w5.s8_911 = s8_903[1] + (s8_903[0] + (s8_829 + w4.s8_557));
+  w5.s8_912 = 1.0/pivot_lower_arm_left;
+  w5.s8_913 = pivot_lower_arm_left - 1.5272999999999997e-20;
+  const double s8_914 = w5.s8_912*w5.s8_819;
+  const double s8_915 = fnma(w5.s8_580, w5.s8_609, fnma(w5.s8_581, w5.s8_606, s8_902));
+  const double s8_916 = w5.s8_811*w5.s8_807;
+  const double s8_917 = fnma(w4.s8_38, s8_771, fma(w4.s8_40, s8_757, w5.s8_617));
+  const double s8_918 = w5.s8_672*w5.s8_800;
+  const double s8_919 = fma(w5.s8_805, s8_916, fma(w5.s8_818, s8_914, s8_771 + w5.s8_611));
+  const double s8_920 = fnma(w5.s8_807, s8_916, fnma(w5.s8_819, s8_914, s8_915));
+  const double s8_921 = fnma(w5.s8_712, s8_918, fnma(w5.s8_808, s8_916, s8_917));
+  w5.s8_922 = s8_906[0] + fma(w5.s8_694, s8_918, s8_919) - s8_906[1];
+  const double s8_923 = s8_910[1] + (s8_910[0] + (s8_892 + w4.s8_560));
+  const double s8_924 = s8_923 + fnma(w5.s8_672, s8_918, s8_920);
+  const double s8_925 = w5.s8_912*w5.s8_818;
+  const double s8_926 = fnma(w4.s8_576, w5.s8_600, fnma(w4.s8_577, w5.s8_598, s8_896));
+  const double s8_927 = w5.s8_811*w5.s8_805;
+  const double s8_928 = fma(w4.s8_46, s8_771, fnma(w4.s8_535, s8_757, w5.s8_605));
+  const double s8_929 = w5.s8_694*w5.s8_800;
+  const double s8_930 = fnma(w5.s8_805, s8_927, fnma(w5.s8_818, s8_925, s8_926));
+  const double pivot_chassis_rx = s8_902 + fnma(w5.s8_694, s8_929, s8_930);
   result.inertia[5] = pivot_chassis_rx;
-  const double s8_932 = fnma(w5.s8_712, s8_930, fnma(w5.s8_808, s8_928, s8_929));
-  w5.s8_933 = 1.0/pivot_chassis_rx;
-  const double s8_934 = w5.s8_913*w5.s8_817;
-  const double s8_935 = fnma(w5.s8_578, w5.s8_621, fnma(w5.s8_579, w5.s8_619, s8_897));
-  const double s8_936 = w5.s8_811*w5.s8_806;
-  const double s8_937 = fnma(w4.s8_336, s8_771, fnma(w4.s8_46, s8_757, w5.s8_631));
-  const double s8_938 = w5.s8_692*w5.s8_800;
-  const double s8_939 = fma(w5.s8_805, s8_936, fma(s8_934, w5.s8_818, w5.s8_624));
-  const double s8_940 = fma(w5.s8_807, s8_936, fma(s8_934, w5.s8_819, s8_757 + w5.s8_625));
-  const double s8_941 = fnma(w5.s8_806, s8_936, fnma(w5.s8_817, s8_934, s8_935));
-  w5.s8_942 = s8_924 + fnma(w5.s8_692, s8_938, s8_941);
-  const double s8_943 = fnma(w5.s8_712, s8_938, fnma(w5.s8_808, s8_936, s8_937));
-  w5.s8_944 = s8_909[1] + (s8_909[0] + (s8_827 + fma(w5.s8_694, s8_938, s8_939)));
-  w5.s8_945 = w5.s8_933*w5.s8_923;
-  const double s8_946 = s8_901[0] + fma(w5.s8_945, w5.s8_944, fma(w5.s8_672, s8_938, s8_940));
-  w5.s8_947 = s8_946 - s8_901[1];
-  const double s8_948 = s8_882[0] + fnma(w4.s8_40, s8_827, fnma(s8_926, w5.s8_821, s8_932));
-  w5.s8_949 = fma(w4.s8_38, s8_894 - s8_895, s8_948 - s8_882[1]);
-  const double s8_950 = fnma(w4.s8_267, s8_827, fnma(s8_915, w5.s8_821, s8_922));
-  const double s8_951 = fma(w5.s8_945, w5.s8_949, s8_950) - s8_891[0] - s8_891[1];
-  w5.s8_952 = fma(w4.s8_46, s8_895 - s8_893, s8_951);
-  w5.s8_953 = w5.s8_933*w5.s8_944;
-  const double s8_954 = fma(w4.s8_38, s8_827, fnma(s8_934, w5.s8_821, s8_943));
-  const double pivot_chassis_ry = fnma(w5.s8_923, w5.s8_945, s8_925);
-  w5.s8_955 = 1.0/pivot_chassis_ry;
-  result.inertia[4] = mbgen::min(fnma(1e-12, s8_925, pivot_chassis_ry), w4.s9_5);
-  w5.s8_956 = w5.s8_955*w5.s8_947;
-  const double s8_957 = s8_888[0] + fma(w5.s8_956, w5.s8_952, fma(w5.s8_953, w5.s8_949, s8_954));
-  w5.s8_958 = fma(w4.s8_40, s8_893 - s8_894, s8_957 - s8_888[1]);
+  const double s8_931 = fnma(w5.s8_712, s8_929, fnma(w5.s8_808, s8_927, s8_928));
+  w5.s8_932 = 1.0/pivot_chassis_rx;
+  const double s8_933 = w5.s8_912*w5.s8_817;
+  const double s8_934 = fnma(w5.s8_578, w5.s8_621, fnma(w5.s8_579, w5.s8_619, s8_896));
+  const double s8_935 = w5.s8_811*w5.s8_806;
+  const double s8_936 = fnma(w4.s8_336, s8_771, fnma(w4.s8_46, s8_757, w5.s8_631));
+  const double s8_937 = w5.s8_692*w5.s8_800;
+  const double s8_938 = fma(w5.s8_805, s8_935, fma(s8_933, w5.s8_818, w5.s8_624));
+  const double s8_939 = fma(w5.s8_807, s8_935, fma(s8_933, w5.s8_819, s8_757 + w5.s8_625));
+  const double s8_940 = fnma(w5.s8_806, s8_935, fnma(w5.s8_817, s8_933, s8_934));
+  w5.s8_941 = s8_923 + fnma(w5.s8_692, s8_937, s8_940);
+  const double s8_942 = fnma(w5.s8_712, s8_937, fnma(w5.s8_808, s8_935, s8_936));
+  w5.s8_943 = s8_908[1] + (s8_908[0] + (s8_827 + fma(w5.s8_694, s8_937, s8_938)));
+  w5.s8_944 = w5.s8_932*w5.s8_922;
+  const double s8_945 = s8_900[0] + fma(w5.s8_944, w5.s8_943, fma(w5.s8_672, s8_937, s8_939));
+  w5.s8_946 = s8_945 - s8_900[1];
+  const double s8_947 = s8_881[0] + fnma(w4.s8_40, s8_827, fnma(s8_925, w5.s8_821, s8_931));
+  w5.s8_948 = fma(w4.s8_38, s8_893 - s8_894, s8_947 - s8_881[1]);
+  const double s8_949 = fnma(w4.s8_267, s8_827, fnma(s8_914, w5.s8_821, s8_921));
+  const double s8_950 = fma(w5.s8_944, w5.s8_948, s8_949) - s8_890[0] - s8_890[1];
+  w5.s8_951 = fma(w4.s8_46, s8_894 - s8_892, s8_950);
+  w5.s8_952 = w5.s8_932*w5.s8_943;
+  const double s8_953 = fma(w4.s8_38, s8_827, fnma(s8_933, w5.s8_821, s8_942));
+  const double pivot_chassis_ry = fnma(w5.s8_922, w5.s8_944, s8_924);
+  w5.s8_954 = 1.0/pivot_chassis_ry;
+  result.inertia[4] = mbgen::min(fnma(1e-12, s8_924, pivot_chassis_ry), w4.s9_5);
+  w5.s8_955 = w5.s8_954*w5.s8_946;
+  const double s8_956 = s8_887[0] + fma(w5.s8_955, w5.s8_951, fma(w5.s8_952, w5.s8_948, s8_953));
+  w5.s8_957 = fma(w4.s8_40, s8_892 - s8_893, s8_956 - s8_887[1]);
   const double R_chassis_aux4_y_x = w6.sines[0];
   const double s1_8 = w6.sines[2];
   const double R_chassis_aux4_x_x = w6.cosines[0];
@@ -2535,48 +2535,55 @@ struct AccelerationsWork6 {
   const double tau_chassis_tx = tau[Coordinate::chassis_tx];
   const double tau_chassis_ty = tau[Coordinate::chassis_ty];
   const double tau_chassis_tz = tau[Coordinate::chassis_tz];
-  const double s8_959 = fma(w5.R_chassis_y_z, tau_chassis_ty, w5.R_chassis_x_z*tau_chassis_tx);
-  w5.s8_960 = w5.s8_597*w4.s8_575;
-  const double s8_961 = fma(w4.R_chassis_z_z, tau_chassis_tz, s8_959) - w4.f_rear_axle_z;
-  w5.s8_962 = w4.s8_568*w4.s8_574;
-  const double s8_963 = fma(w5.s8_582, w5.s8_962, fnma(w5.s8_960, w5.s8_583, s8_961));
-  w5.s8_964 = w5.s8_811*w5.s8_804;
-  const double s8_965 = fnma(w4.s8_40, w4.s8_522, s8_963 - w5.s8_590 - w5.s8_596);
-  w5.s8_966 = w4.s8_518*w5.s8_800;
-  w5.s8_967 = w5.s8_913*w5.s8_814;
-  const double s8_968 = fnma(w5.s8_712, w5.s8_966, fma(w5.s8_808, w5.s8_964, s8_965));
-  const double s8_969 = fma(w4.s8_18, w5.s8_829, fnma(w5.s8_967, w5.s8_821, s8_968));
-  w5.s8_970 = fnma(w4.s8_46, w5.s8_856, s8_969);
+  const double s8_958 = fma(w5.R_chassis_y_z, tau_chassis_ty, w5.R_chassis_x_z*tau_chassis_tx);
+  w5.s8_959 = w5.s8_597*w4.s8_575;
+  const double s8_960 = fma(w4.R_chassis_z_z, tau_chassis_tz, s8_958) - w4.f_rear_axle_z;
+  w5.s8_961 = w4.s8_568*w4.s8_574;
+  const double s8_962 = fma(w5.s8_582, w5.s8_961, fnma(w5.s8_959, w5.s8_583, s8_960));
+  w5.s8_963 = w5.s8_811*w5.s8_804;
+  const double s8_964 = fnma(w4.s8_40, w4.s8_522, s8_962 - w5.s8_590 - w5.s8_596);
+  w5.s8_965 = w4.s8_518*w5.s8_800;
+  w5.s8_966 = w5.s8_912*w5.s8_814;
+  const double s8_967 = fnma(w5.s8_712, w5.s8_965, fma(w5.s8_808, w5.s8_963, s8_964));
+  const double s8_968 = fma(w4.s8_18, s8_829, fnma(w5.s8_966, w5.s8_821, s8_967));
+  w5.s8_969 = fnma(w4.s8_46, s8_856, s8_968);
   const double s1_9 = w6.cosines[2];
   w5.R_chassis_x_y = fnma(R_chassis_aux4_y_x, s1_9, R_chassis_aux4_x_x*w4.s1_48);
   w5.R_chassis_y_y = fma(R_chassis_aux4_x_x, s1_9, R_chassis_aux4_y_x*w4.s1_48);
-  const double s8_971 = fma(w5.R_chassis_y_y, tau_chassis_ty, w5.R_chassis_x_y*tau_chassis_tx);
-  w5.s8_972 = w4.s8_250*w4.s8_568;
-  const double s8_973 = fma(w4.R_chassis_z_y, tau_chassis_tz, s8_971) - w4.f_rear_axle_y;
-  w5.s8_974 = w4.s8_571*w5.s8_597;
-  const double s8_975 = fma(w5.s8_974, w5.s8_583, fnma(w5.s8_972, w5.s8_582, s8_973));
-  w5.s8_976 = w5.s8_811*w5.s8_803;
-  const double s8_977 = fma(w4.s8_20, w4.s8_522, w5.s8_594 + (w5.s8_591 + s8_975));
-  w5.s8_978 = w4.s8_520*w5.s8_800;
-  w5.s8_979 = w5.s8_913*w5.s8_815;
-  const double s8_980 = fma(w5.s8_712, w5.s8_978, fnma(w5.s8_808, w5.s8_976, s8_977));
-  const double s8_981 = fnma(w4.s8_40, w5.s8_829, fnma(w5.s8_979, w5.s8_821, s8_980));
-  w5.s8_982 = fnma(w4.s8_38, w5.s8_856, s8_981);
+  const double s8_970 = fma(w5.R_chassis_y_y, tau_chassis_ty, w5.R_chassis_x_y*tau_chassis_tx);
+  w5.s8_971 = w4.s8_250*w4.s8_568;
+  const double s8_972 = fma(w4.R_chassis_z_y, tau_chassis_tz, s8_970) - w4.f_rear_axle_y;
+  w5.s8_973 = w4.s8_571*w5.s8_597;
+  const double s8_974 = fma(w5.s8_973, w5.s8_583, fnma(w5.s8_971, w5.s8_582, s8_972));
+  w5.s8_975 = w5.s8_811*w5.s8_803;
+  const double s8_976 = fma(w4.s8_20, w4.s8_522, w5.s8_594 + (w5.s8_591 + s8_974));
+  w5.s8_977 = w4.s8_520*w5.s8_800;
+  w5.s8_978 = w5.s8_912*w5.s8_815;
+  const double s8_979 = fma(w5.s8_712, w5.s8_977, fnma(w5.s8_808, w5.s8_975, s8_976));
+  const double s8_980 = fnma(w4.s8_40, s8_829, fnma(w5.s8_978, w5.s8_821, s8_979));
+  w5.s8_981 = fnma(w4.s8_38, s8_856, s8_980);
   // chassis_aux5: chassis_ry, revolute, chassis_aux4
   const double R_chassis_aux5_z_z = w6.cosines[1];
   w5.R_chassis_aux5_x_x = R_chassis_aux4_x_x*R_chassis_aux5_z_z;
   w5.R_chassis_aux5_y_x = R_chassis_aux4_y_x*R_chassis_aux5_z_z;
-  const double s8_983 = w5.R_chassis_aux5_x_x*tau_chassis_tx;
-  const double s8_984 = fma(w5.R_chassis_aux5_y_x, tau_chassis_ty, s8_983);
-  w5.s8_985 = w5.s8_597*w4.s8_573;
-  const double s8_986 = fnma(w6.sines[1], tau_chassis_tz, s8_984) - w4.f_rear_axle_x;
-  w5.s8_987 = w4.s8_568*w4.s8_572;
-  const double s8_988 = fnma(w5.s8_582, w5.s8_987, fnma(w5.s8_985, w5.s8_583, s8_986));
-  w5.s8_989 = fnma(w4.s8_38, w4.s8_522, s8_988 - w5.s8_592 - w5.s8_595);
+  const double s8_982 = w5.R_chassis_aux5_x_x*tau_chassis_tx;
+  const double s8_983 = fma(w5.R_chassis_aux5_y_x, tau_chassis_ty, s8_982);
+  w5.s8_984 = w5.s8_597*w4.s8_573;
+  const double s8_985 = fnma(w6.sines[1], tau_chassis_tz, s8_983) - w4.f_rear_axle_x;
+  w5.s8_986 = w4.s8_568*w4.s8_572;
+  const double s8_987 = fnma(w5.s8_582, w5.s8_986, fnma(w5.s8_984, w5.s8_583, s8_985));
+  w5.s8_988 = w5.s8_811*w5.s8_802;
+  const double s8_989 = fnma(w4.s8_38, w4.s8_522, s8_987 - w5.s8_592 - w5.s8_595);
+  w5.s8_990 = w4.s8_513*w5.s8_800;
+  w5.s8_991 = w5.s8_816*w5.s8_912;
+  const double s8_992 = fnma(w5.s8_712, w5.s8_990, fnma(w5.s8_808, w5.s8_988, s8_989));
+  // chassis: chassis_rx, revolute, chassis_aux5
+  const double s8_993 = fnma(w4.s8_46, s8_829, fnma(w5.s8_991, w5.s8_821, s8_992));
+  w5.s8_994 = fma(w4.s8_19, s8_856, s8_993);
+  w5.s8_995 = s8_901[1] + (s8_901[0] + (s8_856 + w4.s8_553));
 }
 
-/// Part 8 of compute_accelerations: step 8: elimination from the leaves to the root (63),
-/// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63); step 9:
+/// Part 8 of compute_accelerations: step 8: elimination from the leaves to the root (63); step 9:
 /// accelerations from the root to the leaves (63), (62); step 2: closure Jacobian Phi_z and its
 /// factors (60), upper_ball_left .. tie_rod_right.
 [[gnu::noinline]] void compute_accelerations_8(const State& state, const double* tau,
@@ -2584,120 +2591,114 @@ struct AccelerationsWork6 {
     AccelerationsWork3& __restrict w3, AccelerationsWork4& __restrict w4,
     AccelerationsWork5& __restrict w5, AccelerationsWork6& __restrict w6,
     Accelerations& __restrict result) noexcept {
-  // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
-  // continued ---
-  const double s8_990 = w5.s8_811*w5.s8_802;
-  const double s8_991 = w4.s8_513*w5.s8_800;
-  const double s8_992 = w5.s8_816*w5.s8_913;
-
   // --- step 8: elimination from the leaves to the root (63), continued ---
-  const double s8_993 = fnma(w5.s8_712, s8_991, fnma(w5.s8_808, s8_990, w5.s8_989));
-  const double s8_994 = fnma(w4.s8_46, w5.s8_829, fnma(s8_992, w5.s8_821, s8_993));
+  const double s8_996 = fnma(w4.s8_576, w5.s8_986, w5.s8_984*w4.s8_577);
+  const double s8_997 = fma(w5.s8_805, w5.s8_988, fma(w5.s8_991, w5.s8_818, s8_996));
+  const double s8_998 = w5.s8_895 + fma(w5.s8_694, w5.s8_990, s8_997);
+  const double s8_999 = fnma(w5.s8_959, w5.s8_579, w5.s8_806*w5.s8_963);
+  const double s8_1000 = fnma(w5.s8_966, w5.s8_817, fnma(w5.s8_578, w5.s8_961, s8_999));
+  const double s8_1001 = fma(w4.s8_576, w5.s8_961, w5.s8_959*w4.s8_577);
+  const double s8_1002 = fnma(w5.s8_805, w5.s8_963, fma(w5.s8_966, w5.s8_818, s8_1001));
+  const double s8_1003 = fma(w5.s8_694, w5.s8_965, s8_1002);
+  const double s8_1004 = w5.s8_895 + fnma(w5.s8_692, w5.s8_965, s8_1000);
+  const double s8_1005 = fnma(w5.s8_580, w5.s8_961, w5.s8_959*w5.s8_581);
+  const double s8_1006 = fnma(w4.s8_574, w5.s8_961, fnma(w4.s8_575, w5.s8_959, 15306.0));
+  const double s8_1007 = fnma(w5.s8_807, w5.s8_963, fma(w5.s8_966, w5.s8_819, s8_1005));
   // chassis: chassis_rx, revolute, chassis_aux5
-  const double s8_995 = w3.s8_902[1] + (w3.s8_902[0] + w5.s8_857);
-  const double s8_996 = fma(s8_992, w5.s8_818, fnma(w4.s8_576, w5.s8_987, w5.s8_985*w5.s8_577));
-  const double s8_997 = w5.s8_896 + fma(w5.s8_694, s8_991, fma(w5.s8_805, s8_990, s8_996));
-  const double s8_998 = fnma(w5.s8_960, w5.s8_579, w5.s8_806*w5.s8_964);
-  const double s8_999 = fnma(w5.s8_967, w5.s8_817, fnma(w5.s8_578, w5.s8_962, s8_998));
-  const double s8_1000 = fma(w4.s8_576, w5.s8_962, w5.s8_960*w5.s8_577);
-  const double s8_1001 = fnma(w5.s8_805, w5.s8_964, fma(w5.s8_967, w5.s8_818, s8_1000));
-  const double s8_1002 = fma(w5.s8_694, w5.s8_966, s8_1001);
-  const double s8_1003 = fnma(w5.s8_580, w5.s8_962, w5.s8_960*w5.s8_581);
-  const double s8_1004 = fnma(w4.s8_574, w5.s8_962, fnma(w4.s8_575, w5.s8_960, 15306.0));
-  const double s8_1005 = fnma(w5.s8_807, w5.s8_964, fma(w5.s8_967, w5.s8_819, s8_1003));
-  const double s8_1006 = fnma(w5.s8_804, w5.s8_964, fnma(w5.s8_814, w5.s8_967, s8_1004));
-  const double s8_1007 = fnma(w4.s8_518, w5.s8_966, s8_1006);
-  const double s8_1008 = s8_995 + fma(s8_1002, w5.s8_945, fma(w5.s8_672, w5.s8_966, s8_1005));
-  const double s8_1009 = fnma(s8_1002, w5.s8_953, w5.s8_896 + fnma(w5.s8_692, w5.s8_966, s8_999));
-  const double s8_1010 = fnma(w5.s8_956, s8_1008, s8_1009);
-  const double s8_1011 = fma(w4.s8_576, w5.s8_972, w5.s8_974*w5.s8_577);
-  const double s8_1012 = fnma(w5.s8_805, w5.s8_976, fnma(w5.s8_979, w5.s8_818, s8_1011));
-  const double s8_1013 = s8_995 + fma(w5.s8_694, w5.s8_978, s8_1012);
-  const double s8_1014 = fnma(w5.s8_580, w5.s8_987, fnma(w5.s8_985, w5.s8_581, w5.s8_912));
-  const double s8_1015 = fnma(w5.s8_807, s8_990, fnma(s8_992, w5.s8_819, s8_1014));
-  const double s8_1016 = fnma(s8_997, w5.s8_945, fnma(w5.s8_672, s8_991, s8_1015));
-  const double s8_1017 = fnma(w5.s8_580, w5.s8_972, w5.s8_974*w5.s8_581);
-  const double s8_1018 = fnma(w5.s8_807, w5.s8_976, fnma(w5.s8_979, w5.s8_819, s8_1017));
-  const double s8_1019 = fma(w5.s8_945, s8_1013, fma(w5.s8_672, w5.s8_978, s8_1018));
-  const double s8_1020 = fma(w5.s8_578, w5.s8_972, w5.s8_974*w5.s8_579);
-  const double s8_1021 = fnma(w5.s8_806, w5.s8_976, fnma(w5.s8_979, w5.s8_817, s8_1020));
-  const double s8_1022 = fma(w5.s8_953, s8_1013, fma(w5.s8_692, w5.s8_978, s8_1021) - w5.s8_912);
-  const double s8_1023 = fma(w5.s8_956, s8_1019, s8_1022);
-  const double s8_1024 = fnma(s8_992, w5.s8_817, fnma(w5.s8_985, w5.s8_579, w5.s8_578*w5.s8_987));
-  const double s8_1025 = fnma(w5.s8_692, s8_991, fnma(w5.s8_806, s8_990, s8_1024));
-  const double s8_1026 = fnma(s8_997, w5.s8_953, fma(s8_1016, w5.s8_956, s8_1025));
-  const double pivot_chassis_rz = fnma(w5.s8_944, w5.s8_953, fnma(w5.s8_947, w5.s8_956, w5.s8_942));
-  result.inertia[3] = fnma(1e-12, w5.s8_942, pivot_chassis_rz);
-  const double s8_1027 = 1.0/pivot_chassis_rz;
-  const double s8_1028 = fnma(w4.s8_572, w5.s8_987, fnma(w4.s8_573, w5.s8_985, 15306.0));
-  const double s8_1029 = fnma(w5.s8_802, s8_990, fnma(w5.s8_816, s8_992, s8_1028));
-  const double s8_1030 = fnma(w4.s8_513, s8_991, s8_1029);
-  const double s8_1031 = fnma(s8_992, w5.s8_814, fnma(w5.s8_985, w4.s8_575, w4.s8_574*w5.s8_987));
-  const double s8_1032 = fnma(s8_992, w5.s8_815, fnma(w4.s8_250, w5.s8_987, w4.s8_571*w5.s8_985));
-  const double s8_1033 = fma(w4.s8_574, w5.s8_972, w5.s8_974*w4.s8_575);
-  const double s8_1034 = fnma(w4.s8_250, w5.s8_972, fnma(w4.s8_571, w5.s8_974, 15306.0));
-  const double s8_1035 = fma(w5.s8_804, w5.s8_976, fnma(w5.s8_814, w5.s8_979, s8_1033));
-  const double s8_1036 = fnma(w5.s8_803, w5.s8_976, fnma(w5.s8_815, w5.s8_979, s8_1034));
-  const double s8_1037 = fnma(w4.s8_520, w5.s8_978, s8_1036);
-  const double s8_1038 = w5.s8_955*s8_1008;
-  const double s8_1039 = fnma(w4.s8_518, s8_991, fma(w5.s8_804, s8_990, s8_1031));
-  const double s8_1040 = s8_1002*w5.s8_933;
-  const double s8_1041 = fma(s8_1040, s8_1013, fma(w4.s8_518, w5.s8_978, s8_1035));
-  const double s8_1042 = s8_1027*s8_1010;
-  const double s8_1043 = fnma(s8_997, s8_1040, fma(s8_1016, s8_1038, s8_1039));
-  const double s8_1044 = fnma(s8_1026, s8_1042, s8_1043);
-  const double s8_1045 = fnma(s8_1002, s8_1040, fnma(s8_1008, s8_1038, s8_1007));
-  const double pivot_chassis_tz = fnma(s8_1010, s8_1042, s8_1045);
-  const double s8_1046 = fnma(s8_1042, s8_1023, fma(s8_1038, s8_1019, s8_1041));
-  const double s8_1047 = fma(s8_1038, w5.s8_952, fma(s8_1040, w5.s8_949, w5.s8_970));
-  result.inertia[2] = fnma(1e-12, s8_1007, pivot_chassis_tz);
-  const double s8_1048 = 1.0/pivot_chassis_tz;
-  const double s8_1049 = w3.s8_892[1] + (w3.s8_892[0] + fnma(s8_1042, w5.s8_958, s8_1047));
-  const double s8_1050 = w5.s8_933*s8_1013;
-  const double s8_1051 = fma(w4.s8_520, s8_991, fnma(w5.s8_803, s8_990, s8_1032));
-  const double s8_1052 = w5.s8_955*s8_1019;
-  const double s8_1053 = s8_1027*s8_1023;
-  const double s8_1054 = fnma(s8_1016, s8_1052, fma(s8_997, s8_1050, s8_1051));
-  const double s8_1055 = fnma(s8_1019, s8_1052, fnma(s8_1013, s8_1050, s8_1037));
-  const double s8_1056 = fnma(s8_1052, w5.s8_952, fnma(s8_1050, w5.s8_949, w5.s8_982));
-  const double s8_1057 = s8_1048*s8_1046;
-  const double s8_1058 = fnma(s8_1044, s8_1057, fnma(s8_1026, s8_1053, s8_1054));
-  const double pivot_chassis_ty = fnma(s8_1046, s8_1057, fnma(s8_1023, s8_1053, s8_1055));
-  result.inertia[1] = fnma(1e-12, s8_1037, pivot_chassis_ty);
-  const double s8_1059 = 1.0/pivot_chassis_ty;
-  const double s8_1060 = w3.s8_878[0] + fnma(s8_1057, s8_1049, fnma(s8_1053, w5.s8_958, s8_1056));
-  const double s8_1061 = s8_1060 - w3.s8_878[1];
-  const double s8_1062 = s8_997*w5.s8_933;
-  const double s8_1063 = s8_1016*w5.s8_955;
-  const double s8_1064 = fma(s8_1062, w5.s8_949, fma(w4.s8_19, w5.s8_856, s8_994));
-  const double s8_1065 = s8_1026*s8_1027;
-  const double s8_1066 = fnma(s8_1016, s8_1063, fnma(s8_997, s8_1062, s8_1030));
-  const double s8_1067 = s8_1044*s8_1048;
-  const double s8_1068 = fnma(s8_1065, w5.s8_958, fnma(s8_1063, w5.s8_952, s8_1064));
-  const double s8_1069 = s8_1058*s8_1059;
-  const double s8_1070 = fnma(s8_1044, s8_1067, fnma(s8_1026, s8_1065, s8_1066));
-  const double pivot_chassis_tx = fnma(s8_1058, s8_1069, s8_1070);
-  result.inertia[0] = fnma(1e-12, s8_1030, pivot_chassis_tx);
-  const double s8_1071 = w3.s8_876[0] + fnma(s8_1069, s8_1061, fnma(s8_1067, s8_1049, s8_1068));
+  const double s8_1008 = fnma(w5.s8_804, w5.s8_963, fnma(w5.s8_814, w5.s8_966, s8_1006));
+  const double s8_1009 = fnma(w4.s8_518, w5.s8_965, s8_1008);
+  const double s8_1010 = w5.s8_995 + fma(s8_1003, w5.s8_944, fma(w5.s8_672, w5.s8_965, s8_1007));
+  const double s8_1011 = fnma(w5.s8_955, s8_1010, fnma(s8_1003, w5.s8_952, s8_1004));
+  const double s8_1012 = fma(w4.s8_576, w5.s8_971, w5.s8_973*w4.s8_577);
+  const double s8_1013 = fnma(w5.s8_805, w5.s8_975, fnma(w5.s8_978, w5.s8_818, s8_1012));
+  const double s8_1014 = w5.s8_995 + fma(w5.s8_694, w5.s8_977, s8_1013);
+  const double s8_1015 = fnma(w5.s8_580, w5.s8_986, fnma(w5.s8_984, w5.s8_581, w5.s8_911));
+  const double s8_1016 = fnma(w5.s8_807, w5.s8_988, fnma(w5.s8_991, w5.s8_819, s8_1015));
+  const double s8_1017 = fnma(s8_998, w5.s8_944, fnma(w5.s8_672, w5.s8_990, s8_1016));
+  const double s8_1018 = fnma(w5.s8_580, w5.s8_971, w5.s8_973*w5.s8_581);
+  const double s8_1019 = fnma(w5.s8_807, w5.s8_975, fnma(w5.s8_978, w5.s8_819, s8_1018));
+  const double s8_1020 = fma(w5.s8_944, s8_1014, fma(w5.s8_672, w5.s8_977, s8_1019));
+  const double s8_1021 = fma(w5.s8_578, w5.s8_971, w5.s8_973*w5.s8_579);
+  const double s8_1022 = fnma(w5.s8_806, w5.s8_975, fnma(w5.s8_978, w5.s8_817, s8_1021));
+  const double s8_1023 = fma(w5.s8_952, s8_1014, fma(w5.s8_692, w5.s8_977, s8_1022) - w5.s8_911);
+  const double s8_1024 = fma(w5.s8_955, s8_1020, s8_1023);
+  const double s8_1025 = fnma(w5.s8_984, w5.s8_579, w5.s8_578*w5.s8_986);
+  const double s8_1026 = fnma(w5.s8_806, w5.s8_988, fnma(w5.s8_991, w5.s8_817, s8_1025));
+  const double s8_1027 = fma(s8_1017, w5.s8_955, fnma(w5.s8_692, w5.s8_990, s8_1026));
+  const double s8_1028 = fnma(s8_998, w5.s8_952, s8_1027);
+  const double pivot_chassis_rz = fnma(w5.s8_943, w5.s8_952, fnma(w5.s8_946, w5.s8_955, w5.s8_941));
+  result.inertia[3] = fnma(1e-12, w5.s8_941, pivot_chassis_rz);
+  const double s8_1029 = 1.0/pivot_chassis_rz;
+  const double s8_1030 = fnma(w4.s8_572, w5.s8_986, fnma(w4.s8_573, w5.s8_984, 15306.0));
+  const double s8_1031 = fnma(w5.s8_802, w5.s8_988, fnma(w5.s8_816, w5.s8_991, s8_1030));
+  const double s8_1032 = fnma(w4.s8_513, w5.s8_990, s8_1031);
+  const double s8_1033 = fnma(w5.s8_984, w4.s8_575, w4.s8_574*w5.s8_986);
+  const double s8_1034 = fma(w5.s8_804, w5.s8_988, fnma(w5.s8_991, w5.s8_814, s8_1033));
+  const double s8_1035 = fnma(w4.s8_250, w5.s8_986, w4.s8_571*w5.s8_984);
+  const double s8_1036 = fnma(w5.s8_803, w5.s8_988, fnma(w5.s8_991, w5.s8_815, s8_1035));
+  const double s8_1037 = fma(w4.s8_574, w5.s8_971, w5.s8_973*w4.s8_575);
+  const double s8_1038 = fnma(w4.s8_250, w5.s8_971, fnma(w4.s8_571, w5.s8_973, 15306.0));
+  const double s8_1039 = fma(w5.s8_804, w5.s8_975, fnma(w5.s8_814, w5.s8_978, s8_1037));
+  const double s8_1040 = fnma(w5.s8_803, w5.s8_975, fnma(w5.s8_815, w5.s8_978, s8_1038));
+  const double s8_1041 = fnma(w4.s8_520, w5.s8_977, s8_1040);
+  const double s8_1042 = w5.s8_954*s8_1010;
+  const double s8_1043 = s8_1003*w5.s8_932;
+  const double s8_1044 = fma(s8_1017, s8_1042, fnma(w4.s8_518, w5.s8_990, s8_1034));
+  const double s8_1045 = fma(s8_1043, s8_1014, fma(w4.s8_518, w5.s8_977, s8_1039));
+  const double s8_1046 = s8_1029*s8_1011;
+  const double s8_1047 = fnma(s8_1028, s8_1046, fnma(s8_998, s8_1043, s8_1044));
+  const double s8_1048 = fnma(s8_1003, s8_1043, fnma(s8_1010, s8_1042, s8_1009));
+  const double pivot_chassis_tz = fnma(s8_1011, s8_1046, s8_1048);
+  const double s8_1049 = fnma(s8_1046, s8_1024, fma(s8_1042, s8_1020, s8_1045));
+  const double s8_1050 = fma(s8_1042, w5.s8_951, fma(s8_1043, w5.s8_948, w5.s8_969));
+  result.inertia[2] = fnma(1e-12, s8_1009, pivot_chassis_tz);
+  const double s8_1051 = 1.0/pivot_chassis_tz;
+  const double s8_1052 = w3.s8_891[1] + (w3.s8_891[0] + fnma(s8_1046, w5.s8_957, s8_1050));
+  const double s8_1053 = w5.s8_932*s8_1014;
+  const double s8_1054 = w5.s8_954*s8_1020;
+  const double s8_1055 = fma(s8_998, s8_1053, fma(w4.s8_520, w5.s8_990, s8_1036));
+  const double s8_1056 = s8_1029*s8_1024;
+  const double s8_1057 = fnma(s8_1020, s8_1054, fnma(s8_1014, s8_1053, s8_1041));
+  const double s8_1058 = fnma(s8_1054, w5.s8_951, fnma(s8_1053, w5.s8_948, w5.s8_981));
+  const double s8_1059 = s8_1051*s8_1049;
+  const double s8_1060 = fnma(s8_1028, s8_1056, fnma(s8_1017, s8_1054, s8_1055));
+  const double s8_1061 = fnma(s8_1047, s8_1059, s8_1060);
+  const double pivot_chassis_ty = fnma(s8_1049, s8_1059, fnma(s8_1024, s8_1056, s8_1057));
+  result.inertia[1] = fnma(1e-12, s8_1041, pivot_chassis_ty);
+  const double s8_1062 = 1.0/pivot_chassis_ty;
+  const double s8_1063 = w3.s8_877[0] + fnma(s8_1059, s8_1052, fnma(s8_1056, w5.s8_957, s8_1058));
+  const double s8_1064 = s8_1063 - w3.s8_877[1];
+  const double s8_1065 = s8_998*w5.s8_932;
+  const double s8_1066 = s8_1017*w5.s8_954;
+  const double s8_1067 = s8_1028*s8_1029;
+  const double s8_1068 = fnma(s8_1017, s8_1066, fnma(s8_998, s8_1065, s8_1032));
+  const double s8_1069 = fnma(s8_1066, w5.s8_951, fma(s8_1065, w5.s8_948, w5.s8_994));
+  const double s8_1070 = s8_1047*s8_1051;
+  const double s8_1071 = s8_1061*s8_1062;
+  const double s8_1072 = fnma(s8_1047, s8_1070, fnma(s8_1028, s8_1067, s8_1068));
+  const double pivot_chassis_tx = fnma(s8_1061, s8_1071, s8_1072);
+  const double s8_1073 = fnma(s8_1070, s8_1052, fnma(s8_1067, w5.s8_957, s8_1069));
+  result.inertia[0] = fnma(1e-12, s8_1032, pivot_chassis_tx);
 
   // --- step 9: accelerations from the root to the leaves (63), (62), continued ---
   // chassis: chassis_rx, revolute, chassis_aux5
-  const double a_chassis_x = (w3.s8_876[1] + s8_1071)*(1.0/pivot_chassis_tx);
-  const double a_chassis_y = s8_1059*fnma(s8_1058, a_chassis_x, s8_1061);
+  const double s8_1074 = w3.s8_875[1] + (w3.s8_875[0] + fnma(s8_1071, s8_1064, s8_1073));
+  const double a_chassis_x = s8_1074*(1.0/pivot_chassis_tx);
+  const double a_chassis_y = s8_1062*fnma(s8_1061, a_chassis_x, s8_1064);
   const double s1_44 = w6.sines[1];
   const double s9_6 = fnma(g_z, s1_44, a_chassis_x);
-  const double a_chassis_z = s8_1048*fnma(s8_1046, a_chassis_y, fnma(s8_1044, a_chassis_x,
-      s8_1049));
+  const double a_chassis_z = s8_1051*fnma(s8_1049, a_chassis_y, fnma(s8_1047, a_chassis_x,
+      s8_1052));
   const double s9_7 = fma(g_z, w4.R_chassis_z_y, a_chassis_y);
-  const double s9_8 = fnma(s8_1023, a_chassis_y, fnma(s8_1026, a_chassis_x, w5.s8_958));
-  const double s9_9 = fnma(s8_1019, a_chassis_y, fnma(s8_1016, a_chassis_x, w5.s8_952));
-  const double s9_10 = fnma(s8_1013, a_chassis_y, fma(s8_997, a_chassis_x, w5.s8_949));
+  const double s9_8 = fnma(s8_1024, a_chassis_y, fnma(s8_1028, a_chassis_x, w5.s8_957));
+  const double s9_9 = fnma(s8_1020, a_chassis_y, fnma(s8_1017, a_chassis_x, w5.s8_951));
+  const double s9_10 = fnma(s8_1014, a_chassis_y, fma(s8_998, a_chassis_x, w5.s8_948));
   const double s9_11 = fnma(w5.s8_815, a_chassis_y, fnma(w5.s8_816, a_chassis_x, w5.s8_821));
   const double s9_12 = fnma(w5.s8_803, a_chassis_y, fnma(w5.s8_802, a_chassis_x, w5.s8_808));
   const double s9_13 = fma(w4.s8_520, a_chassis_y, fnma(w4.s8_513, a_chassis_x, w5.s8_712));
   const double s9_14 = fma(w4.s8_571, a_chassis_y, fnma(w4.s8_573, a_chassis_x, w5.s8_583));
   const double s9_15 = fnma(w4.s8_250, a_chassis_y, fnma(w4.s8_572, a_chassis_x, w5.s8_582));
-  const double alpha_chassis_x = s8_1027*fnma(s8_1010, a_chassis_z, s9_8);
+  const double alpha_chassis_x = s8_1029*fnma(s8_1011, a_chassis_z, s9_8);
   const double s9_16 = fma(g_z, w4.R_chassis_z_z, a_chassis_z);
   const double s9_17 = fma(w5.R_chassis_y_y, s9_7, w5.R_chassis_aux5_y_x*s9_6);
   result.zdd[Coordinate::chassis_ty] = fma(w5.R_chassis_y_z, s9_16, s9_17);
@@ -2705,25 +2706,25 @@ struct AccelerationsWork6 {
   result.zdd[Coordinate::chassis_tx] = fma(w5.R_chassis_x_z, s9_16, s9_18);
   result.zdd[Coordinate::chassis_tz] = fma(w4.R_chassis_z_z, s9_16, fnma(s1_44, s9_6,
       w4.R_chassis_z_y*s9_7));
-  const double s9_19 = fma(w5.s8_947, alpha_chassis_x, fma(s8_1008, a_chassis_z, s9_9));
-  const double alpha_chassis_y = w5.s8_955*s9_19;
-  const double s9_20 = fma(w5.s8_944, alpha_chassis_x, fma(s8_1002, a_chassis_z, s9_10));
+  const double s9_19 = fma(w5.s8_946, alpha_chassis_x, fma(s8_1010, a_chassis_z, s9_9));
+  const double alpha_chassis_y = w5.s8_954*s9_19;
+  const double s9_20 = fma(w5.s8_943, alpha_chassis_x, fma(s8_1003, a_chassis_z, s9_10));
   const double s9_21 = alpha_chassis_y + w4.s9_3;
   const double s9_22 = fnma(w5.s8_817, alpha_chassis_x, fnma(w5.s8_814, a_chassis_z, s9_11));
   const double s9_23 = fnma(w5.s8_806, alpha_chassis_x, fma(w5.s8_804, a_chassis_z, s9_12));
   const double s9_24 = fnma(w5.s8_692, alpha_chassis_x, fnma(w4.s8_518, a_chassis_z, s9_13));
   const double s9_25 = fnma(w5.s8_579, alpha_chassis_x, fnma(w4.s8_575, a_chassis_z, s9_14));
   const double s9_26 = fma(w5.s8_578, alpha_chassis_x, fma(w4.s8_574, a_chassis_z, s9_15));
-  const double alpha_chassis_z = w5.s8_933*fma(w5.s8_923, alpha_chassis_y, s9_20);
+  const double alpha_chassis_z = w5.s8_932*fma(w5.s8_922, alpha_chassis_y, s9_20);
   const double s9_27 = alpha_chassis_z + w4.s9_2;
   const double s9_28 = fnma(w5.s8_819, alpha_chassis_y, s9_22);
   const double s9_29 = fnma(w5.s8_807, alpha_chassis_y, s9_23);
   const double s9_30 = fnma(w5.s8_672, alpha_chassis_y, s9_24);
   const double s9_31 = fnma(w5.s8_581, alpha_chassis_y, s9_25);
   result.zdd[Coordinate::chassis_rz] = fma(w4.s1_43, s9_27, w4.s1_47*s9_21);
-  const double s9_32 = w5.s8_913*fnma(w5.s8_818, alpha_chassis_z, s9_28);
+  const double s9_32 = w5.s8_912*fnma(w5.s8_818, alpha_chassis_z, s9_28);
   result.zdd[Coordinate::lower_arm_left] = s9_32;
-  const double s9_33 = w5.s8_597*fnma(w5.s8_577, alpha_chassis_z, s9_31);
+  const double s9_33 = w5.s8_597*fnma(w4.s8_577, alpha_chassis_z, s9_31);
   result.zdd[Coordinate::arb_rear_left] = s9_33;
   result.zdd[Coordinate::chassis_ry] = fnma(w6.sines[2], s9_27, w6.cosines[2]*s9_21);
   const double s9_34 = fma(w4.s1_46, s9_27, w4.s1_49*s9_21);
@@ -2828,7 +2829,7 @@ struct AccelerationsWork6 {
   const double s9_82 = fma(s9_33, w2.Rz_rear_axle_tx_1_and_0[1], w4.zdd_star_rear_axle_tx);
   result.zdd[Coordinate::rear_axle_tx] = fma(s9_37, w2.Rz_rear_axle_tx_1_and_0[0], s9_82);
   result.inertia[7] = w5.s8_812 - w3.s8_820[1];
-  result.inertia[6] = w5.s8_914 - w3.s8_820[0];
+  result.inertia[6] = w5.s8_913 - w3.s8_820[0];
   result.zdd[Coordinate::upper_arm_right] = fma(s9_36, w3.Rz_upper_arm_left_0[1], w2.s6_96[1]);
   result.zdd[Coordinate::upper_arm_left] = fms(s9_32, w3.Rz_upper_arm_left_0[0], w2.s6_96[0]);
   const double s6_129 = w3.zdd_star_arb_front_left_and_right[0];
@@ -2840,19 +2841,21 @@ struct AccelerationsWork6 {
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right,
   // continued ---
-  const double s2_199 = 16.504892200367603*w3.pivot_arb_front_left_and_right[1];
-  const double s2_200 = 16.679425973935604*w3.pivot_arb_front_left_and_right[0];
-  const double s2_201 = 2.7028647671567816*w1.pivot_carrier_left_and_right_rx[1];
+  const double s2_199 = 16.504892200367603*std::abs(w3.pivot_arb_front_left_and_right[1]);
+  const double s2_200 = 16.679425973935604*std::abs(w3.pivot_arb_front_left_and_right[0]);
+  const double s2_201 = 2.7028647671567816*std::abs(w1.pivot_carrier_left_and_right_rx[1]);
   const double s2_202 = mbgen::min(s2_201, mbgen::min(s2_200, mbgen::min(w4.s2_197, s2_199)));
-  const double s2_203 = -(2.7028647671567816*w2.pivot_carrier_left_and_right_rz[1]);
-  const double s2_204 = mbgen::min(mbgen::min(s2_202, 6.8514628664707224*w2.s2_147[1]), s2_203);
-  const double s2_205 = 2.7028219055711094*w1.pivot_carrier_left_and_right_rx[0];
-  const double s2_206 = mbgen::min(s2_205, mbgen::min(s2_204, 3.405476531191585*w2.s2_159[1]));
-  const double s2_207 = -(2.7028219055711094*w2.pivot_carrier_left_and_right_rz[0]);
-  const double s2_208 = mbgen::min(s2_207, mbgen::min(6.915894223167946*w2.s2_147[0], s2_206));
+  const double s2_203 = 2.7028647671567816*std::abs(w2.pivot_carrier_left_and_right_rz[1]);
+  const double s2_204 = mbgen::min(s2_202, 6.8514628664707224*std::abs(w2.s2_147[1]));
+  const double s2_205 = 3.405476531191585*std::abs(w2.s2_159[1]);
+  const double s2_206 = 2.7028219055711094*std::abs(w1.pivot_carrier_left_and_right_rx[0]);
+  const double s2_207 = mbgen::min(s2_206, mbgen::min(mbgen::min(s2_204, s2_203), s2_205));
+  const double s2_208 = 2.7028219055711094*std::abs(w2.pivot_carrier_left_and_right_rz[0]);
+  const double s2_209 = mbgen::min(6.915894223167946*std::abs(w2.s2_147[0]), s2_207);
+  const double s2_210 = 3.3636363636363633*std::abs(w2.s2_159[0]);
   const Pair s1_11 = mbgen::pair_at(w6.cosines + 18);
-  const double s2_209 = mbgen::min(3.3636363636363633*w2.s2_159[0], s2_208);
-  result.pivot[0] = mbgen::min(mbgen::min(s2_209, s1_11[0]), s1_11[1]);
+  const double s2_211 = mbgen::min(s2_210, mbgen::min(s2_208, s2_209));
+  result.pivot[0] = mbgen::min(std::abs(s1_11[1]), mbgen::min(s2_211, std::abs(s1_11[0])));
   result.zdd[Coordinate::wheel_rear_left] = fms(0.045454545454545456,
       tau[Coordinate::wheel_rear_left], s9_45);
   result.zdd[Coordinate::wheel_rear_right] = fms(0.045454545454545456,
@@ -2863,7 +2866,7 @@ struct AccelerationsWork6 {
   // operations of step 8: elimination from the leaves to the root (63): 670 add, 563 multiply, 6
   // divide
   // operations of step 2: closure Jacobian Phi_z and its factors (60), long_rod_left ..
-  // arb_link_rear_right: 154 add, 183 multiply, 12 divide, 9 other
+  // arb_link_rear_right: 154 add, 183 multiply, 12 divide, 11 other
   // operations of step 3: Rz (61), long_rod_left .. arb_link_rear_right: 20 add, 42 multiply
   // operations of step 6: c and dRz/dt zd (62), long_rod_left .. arb_link_rear_right: 140 add, 170
   // multiply
@@ -2872,7 +2875,7 @@ struct AccelerationsWork6 {
   // operations of step 8: elimination from the leaves to the root (63), long_rod_left ..
   // arb_link_rear_right: 612 add, 662 multiply, 2 divide
   // operations of step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left ..
-  // tie_rod_right: 112 add, 141 multiply, 11 divide, 11 other
+  // tie_rod_right: 112 add, 141 multiply, 11 divide, 21 other
   // operations of step 3: Rz (61), upper_ball_left .. tie_rod_right: 20 add, 45 multiply
   // operations of step 6: c and dRz/dt zd (62), upper_ball_left .. tie_rod_right: 125 add, 173
   // multiply
@@ -2881,7 +2884,7 @@ struct AccelerationsWork6 {
   // operations of step 8: elimination from the leaves to the root (63), upper_ball_left ..
   // tie_rod_right: 850 add, 914 multiply, 3 divide
   // operations of step 9: accelerations from the root to the leaves (63), (62): 183 add, 192
-  // multiply, 5 other
+  // multiply, 7 other
 }
 
 /// All accelerations with the frozen partition of the loop blocks.

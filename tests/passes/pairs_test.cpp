@@ -95,6 +95,26 @@ TEST(MirrorImages, TellsWhatBothSidesShare) {
   EXPECT_NE(found[4].kind, Kind::shared) << "a number of one side differs in the thirteenth digit";
 }
 
+// Both ends of a table are the same on either side: that the state is there now says nothing of other states.
+TEST(MirrorImages, DoesNotTakeASaturatedValueForAConstant) {
+  const Program program = program_of([](const auto& z) {
+    return std::vector{min(z[2] + 100.0, 3.0) * z[4],
+                       min(z[3] + 100.0, 3.0) * z[4],
+                       max(z[2], -50.0),
+                       sqrt(z[2] * z[2]),
+                       abs(z[0]),
+                       abs(z[1])};
+  });
+  const std::vector<MirrorImage> found = images_of_outputs(program);
+  EXPECT_EQ(found[0].kind, Kind::paired);
+  EXPECT_EQ(found[0].first, found[1].first);
+  EXPECT_NE(found[0].is_crossed, found[1].is_crossed);
+  EXPECT_EQ(found[2].kind, Kind::lone) << "it is z2 here, not everywhere";
+  EXPECT_EQ(found[3].kind, Kind::lone);
+  EXPECT_EQ(found[4].first, found[5].first);
+  EXPECT_EQ(found[4].sign * found[5].sign, 1);
+}
+
 TEST(FoldPairs, DoesBothSidesInLanes) {
   const Program program = program_of([](const auto& z) {
     return std::vector{side(z[0], z[2]), side(-z[1], z[3]) * -1.0};
