@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kFrictionLaws = {"smooth", "elasto_plastic", "lugre"};
 /// In the order of ReactionOutput::End.
-constexpr std::array<std::string_view, 2> kEnds = {"to", "from"};
+constexpr std::array<std::string_view, 2> kRodEnds = {"to", "from"};
 
 }  // namespace
 
@@ -30,7 +30,7 @@ std::span<const Field<FrictionFields>> fields<FrictionFields>() {
                              .shape = Shape::reference,
                              .doc = "rod in whose end it acts, against the turn of the body there; its rates are rad/s",
                              .of = "rods"}),
-          field<S, &S::end>({.name = "end", .shape = Shape::word, .doc = "end of the rod", .words = kEnds}),
+          field<S, &S::end>({.name = "end", .shape = Shape::word, .doc = "end of the rod", .words = kRodEnds}),
           field<S, &S::kind>({.name = "law",
                               .shape = Shape::word,
                               .doc = "smooth: a force of the speed alone, which creeps at rest; elasto_plastic, lugre: "
