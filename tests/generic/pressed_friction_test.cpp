@@ -12,7 +12,7 @@
 namespace mbgen::testing {
 namespace {
 
-constexpr double kGravity = 9.81;
+constexpr double kFreeFall = 9.81;
 
 /// A mechanism that is stepped, its loads set at their instants.
 struct Pressed : Dynamics {
@@ -59,8 +59,8 @@ std::string text(double number) {
 
 /// A block of 2 kg on an incline, pressed by what its guide bears; step: of the solver, s; law: fields of its friction.
 std::string block(double slope, double step, const std::string& law) {
-  return R"({ "mbgen": 1, "gravity": [)" + text(kGravity * std::sin(slope)) + ", 0, " +
-         text(-kGravity * std::cos(slope)) + R"(],
+  return R"({ "mbgen": 1, "gravity": [)" + text(kFreeFall * std::sin(slope)) + ", 0, " +
+         text(-kFreeFall * std::cos(slope)) + R"(],
     "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
                 "block": { "mass": 2, "inertia": [0, 0, 0], "points": { "O": [0, 0, 0] } } },
     "joints": { "x": { "type": "prismatic", "from": "ground.O", "to": "block.O", "axis": "x" } },
@@ -75,7 +75,7 @@ TEST(PressedFriction, BlockHoldsOnAnIncline) {
       block(kSlope, 0.1, R"("law": "elasto_plastic", "coulomb": 0.8, "stiffness": 5e3, "damping": 20, "lag": 1e-3)"));
   course.step(1000, 1e-3);
   EXPECT_NEAR(course.state.z[0] * kStiffness / std::tan(kSlope), 1, 1e-9);
-  EXPECT_NEAR(course.x("floor_load"), 2 * kGravity * std::cos(kSlope), 1e-12);
+  EXPECT_NEAR(course.x("floor_load"), 2 * kFreeFall * std::cos(kSlope), 1e-12);
   const double bent = course.state.z[0];
   course.step(9990, 0.1, true);
   EXPECT_NEAR(course.state.t, 1000, 1e-9);
@@ -96,7 +96,7 @@ TEST(PressedFriction, BlockHoldsJustBelowTheAngleOfFriction) {
 // Above it the block slides at g (sin a - mu cos a).
 TEST(PressedFriction, BlockSlidesOnASteeperIncline) {
   constexpr double kSlope = 0.4, kCoefficient = 0.3;
-  const double expected = kGravity * (std::sin(kSlope) - kCoefficient * std::cos(kSlope));
+  const double expected = kFreeFall * (std::sin(kSlope) - kCoefficient * std::cos(kSlope));
   for (const std::string law : {R"("coulomb": 0.3, "velocity": 1e-3)",
                                 R"("law": "elasto_plastic", "coulomb": 0.3, "stiffness": 5e3, "damping": 20)"}) {
     Course course(block(kSlope, 1e-3, law));
