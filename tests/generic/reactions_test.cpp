@@ -229,9 +229,11 @@ class Balance {
     const Force spin = moved_along(b, tyre.axis);
     const Force up{0, 0, 1}, across = cross(spin, up), centre = at(probe[0]);
     const Force forward = (1 / norm(across)) * across, left = cross(up, forward), down = cross(spin, forward);
-    const Force arm = ((tyre.road_height.value - centre.z) / down.z) * down;
+    // Negative where a random state has the centre below the road.
+    const double loaded_radius = (tyre.road_height.value - centre.z) / down.z;
+    const Force arm = loaded_radius * down;
     // The longitudinal force acts at the rolling radius, two thirds of the deflection below the contact (tyre.hpp).
-    const double deflection = std::max(tyre.radius.value - norm(arm), 0.0);
+    const double deflection = std::max(tyre.radius.value - loaded_radius, 0.0);
     const Force moment = y_[probe[4]] * up - (2 * deflection / 3 * y_[probe[2]]) * left;
     act(b, y_[probe[2]] * forward + y_[probe[3]] * left + y_[probe[1]] * up, centre + arm, moment);
   }
