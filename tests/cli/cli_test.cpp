@@ -198,8 +198,8 @@ TEST_F(CommandLine, DumpsEveryStageAndNothingElse) {
   const Outcome run = mbgen("check four_bar.json --dump=everything");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(
-      run.err.find("model, topology, analysis, program, dead-values, divisions, sums, optimised, derived-constants, "
-                   "contraction, code, passes"),
+      run.err.find("model, topology, analysis, program, dead-values, divisions, pairs, sums, optimised, pairs-kept, "
+                   "derived-constants, contraction, code, passes"),
       std::string::npos)
       << run.err;
   EXPECT_EQ(leftovers(), Names{"four_bar.json"});
