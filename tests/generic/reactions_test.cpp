@@ -23,8 +23,8 @@ struct ReactionProbe {
   int point_to, point_from;  ///< outputs: where the wrench is about
 };
 
-/// A model with outputs for all that Newton's law needs. It has no forces by expressions, and tyres on flat roads
-/// without overturning moment and rolling resistance, which no output shows.
+/// A model with outputs for all that Newton's law needs. It has no forces by expressions, no friction in the ends of
+/// rods, and tyres on flat roads without overturning moment and rolling resistance, which no output shows.
 struct Probes {
   Model model;
   std::vector<BodyProbe> bodies;  ///< per Model::bodies
@@ -100,6 +100,7 @@ bool has_expression(const AppliedForce& applied) {
 
 Probes probes_of(Model model) {
   std::erase_if(model.forces, has_expression);
+  model.rod_frictions.clear();
   model.outputs.clear();
   Probes p{std::move(model), {}, {}, {}, {}, {}, {}, {}, {}, {}};
   const Model plain = p.model;
@@ -267,8 +268,8 @@ std::vector<double> outputs_after(const GenericSolver& solver, const GenericStat
 
 class ReactionsOf : public ::testing::TestWithParam<std::string> {};
 
-// Second differences of fourth order with steps of 0.25 ms keep seven digits of what happens in a second, shorter ones of
-// what happens faster: rubber far from its rest.
+// Second differences of fourth order with steps of 0.25 ms keep seven digits of what happens in a second, shorter ones
+// of what happens faster: rubber far from its rest.
 TEST_P(ReactionsOf, NewtonAndEulerHoldForEveryBody) {
   const Probes probes = probes_of(load(GetParam()).model);
   const Mechanism m = analysed(probes.model);
