@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "compiler/describe/paragraphs.hpp"
+#include "compiler/model/each_friction.hpp"
 #include "compiler/topology/names.hpp"
 
 namespace mbgen {
@@ -82,9 +83,7 @@ std::string elements_explanation(const Model& model) {
   for (const SpringFriction& friction : model.spring_frictions)
     if (friction.has_bristle())
       text += paragraph(friction_text(friction.name, "along " + model.springs[friction.spring].name, friction));
-  for (const JointFriction& friction : model.frictions) text += load_text(model, friction.name, friction);
-  for (const SpringFriction& friction : model.spring_frictions) text += load_text(model, friction.name, friction);
-  for (const RodFriction& friction : model.rod_frictions) text += load_text(model, friction.name, friction);
+  each_friction(model, [&](const auto& friction) { text += load_text(model, friction.name, friction); });
   return text.empty() ? "" : heading("What gives way, stops or sticks") + text;
 }
 

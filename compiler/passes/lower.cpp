@@ -18,18 +18,21 @@ Programs on_each(Programs programs) {
   return programs;
 }
 
+/// The accelerations of the text: those around laws that elements share.
+const Program& written_accelerations(const Programs& programs) {
+  return programs.laws.empty() ? programs.accelerations : programs.around_laws;
+}
+
 Programs with_pairs_folded(Programs programs) {
-  const Program& written = programs.laws.empty() ? programs.accelerations : programs.around_laws;
-  programs.in_pairs = fold_pairs(written, programs.mirror);
+  programs.in_pairs = fold_pairs(written_accelerations(programs), programs.mirror);
   return programs;
 }
 
 /// Pairs that do not pay leave no trace.
 Programs with_pairs_that_pay(Programs programs) {
-  const Program& written = programs.laws.empty() ? programs.accelerations : programs.around_laws;
-  if (!programs.in_pairs.outputs.empty() &&
-      static_cast<double>(size_of_code(programs.in_pairs)) > kWorthPairs * static_cast<double>(size_of_code(written)))
-    programs.in_pairs = {};
+  if (programs.in_pairs.outputs.empty()) return programs;
+  const double most = kWorthPairs * static_cast<double>(size_of_code(written_accelerations(programs)));
+  if (static_cast<double>(size_of_code(programs.in_pairs)) > most) programs.in_pairs = {};
   return programs;
 }
 

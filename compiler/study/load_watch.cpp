@@ -6,18 +6,15 @@
 #include <cmath>
 
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/model/each_friction.hpp"
 
 namespace mbgen {
 
 LoadWatch::LoadWatch(const Model& model) {
   const auto first = static_cast<std::size_t>(first_sampled_value(model));
-  const auto watch = [&](const auto& frictions) {
-    for (const FrictionLaw& friction : frictions)
-      if (friction.load >= 0) loads_.push_back({&model.sampled[friction.load], first + friction.load});
-  };
-  watch(model.frictions);
-  watch(model.spring_frictions);
-  watch(model.rod_frictions);
+  each_friction(model, [&](const FrictionLaw& friction) {
+    if (friction.load >= 0) loads_.push_back({&model.sampled[friction.load], first + friction.load});
+  });
 }
 
 void LoadWatch::add(const Sample& sample) {
@@ -40,8 +37,7 @@ std::vector<std::string> LoadWatch::warnings() const {
     if (!(load.jump > kLoadJump * load.scale)) continue;
     texts.push_back(fmt::format(
         "x.{} jumps by {:.3g} {} before t = {:.6g} s, {:.0f} % of its largest value: what it presses follows up to "
-        "{:g} "
-        "s late; give it a shorter \"period\" and step, or see docs/use/friction.md",
+        "{:g} s late; give it a shorter \"period\" and step, or see docs/use/friction.md",
         load.value->name, load.jump, load.value->unit, load.time, 100 * load.jump / load.scale, load.value->period));
   }
   return texts;

@@ -2,6 +2,7 @@
 
 #include "compiler/formulation/reaction_loads.hpp"
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/model/each_friction.hpp"
 #include "runtime/generic/equations.hpp"
 #include "runtime/generic/generic.hpp"
 
@@ -26,13 +27,9 @@ Status GenericSolver::press(GenericState& state) const {
   if (!status.ok()) return status;
   GenericState pressed = state;
   const auto first = static_cast<std::size_t>(first_sampled_value(model));
-  const auto take = [&](const auto& frictions) {
-    for (const FrictionLaw& friction : frictions)
-      if (friction.load >= 0) pressed.x[first + friction.load] = loads[friction.load];
-  };
-  take(model.frictions);
-  take(model.spring_frictions);
-  take(model.rod_frictions);
+  each_friction(model, [&](const FrictionLaw& friction) {
+    if (friction.load >= 0) pressed.x[first + friction.load] = loads[friction.load];
+  });
   const Status finite = equations_->check_arguments(pressed, {});
   if (finite.ok()) state = std::move(pressed);
   return finite;

@@ -7,6 +7,7 @@
 
 #include "compiler/base/user_error.hpp"
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/model/each_friction.hpp"
 #include "compiler/model/vectors.hpp"
 
 namespace mbgen::kc {
@@ -23,13 +24,10 @@ Vector3 upwards_across(const Vector3& axis) {
 /// Takes frictions away, and the loads that press them, which are the last sampled values.
 void take_frictions_away(Model& model) {
   std::size_t loads = 0;
-  const auto take = [&loads](auto& frictions) {
-    for (const auto& friction : frictions) loads += friction.load >= 0 ? 1 : 0;
-    frictions.clear();
-  };
-  take(model.frictions);
-  take(model.spring_frictions);
-  take(model.rod_frictions);
+  each_friction(model, [&loads](const FrictionLaw& friction) { loads += friction.load >= 0 ? 1 : 0; });
+  model.frictions.clear();
+  model.spring_frictions.clear();
+  model.rod_frictions.clear();
   model.sampled.resize(model.sampled.size() - loads);
 }
 
