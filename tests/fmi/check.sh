@@ -6,7 +6,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 mbgen=$(realpath "$1")
 shift
-[ $# -gt 0 ] || set -- described:3 described:2 triple_rocker:3 slider_crank:2 tuned_rod:2 driven_cart:2 driven_cart:3 tyre_rig:3 rolling_disc:3 tumbling:2 rod_ball:3 sampled_slide:2 sampled_slide:3
+[ $# -gt 0 ] || set -- described:3 described:2 triple_rocker:3 slider_crank:2 driven_cart:3 tyre_rig:3 sampled_slide:3
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() { echo "fmi: $*"; exit 1; }
