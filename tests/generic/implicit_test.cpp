@@ -97,6 +97,24 @@ TEST(Implicit, MatrixHasWhatIsStiffInATyre) {
   EXPECT_NEAR(own(2, 0) / whole(2, 0), 1, 0.01) << "vertical";
 }
 
+TEST(Implicit, MatrixHasThePatchesThatTurn) {
+  const Free axle{load("tests/data/models/parked_wheels.json")};
+  GenericState state = reference_state(axle.m);
+  const int left = find_coordinate(axle.m.topology, "left_steer"),
+            right = find_coordinate(axle.m.topology, "right_steer");
+  state.zd[left] = 0.3;
+  state.zd[right] = -0.2;
+  state.x = {0, 0, 0, 0, -0.03, 0.02};
+  state = axle.moved(state, Eigen::VectorXd::Zero(2 * axle.half() + 6));
+  const Eigen::MatrixXd own = axle.matrix(state), whole = axle.differences(state);
+  EXPECT_GT(whole.rightCols(2).cwiseAbs().maxCoeff(), 100) << "N m/rad over kg m^2";
+  EXPECT_LT(largest_difference(own.rightCols(2), whole.rightCols(2)), 1e-6) << "by the turns";
+  const auto rates = [&](const Eigen::MatrixXd& matrix) {
+    return matrix.bottomRows(2).middleCols(axle.half(), axle.half());
+  };
+  EXPECT_LT(largest_difference(rates(own), rates(whole)), 0.01) << "by the velocities";
+}
+
 // The fastest eigenvalue of the governor is -8117 1/s: beyond Runge-Kutta's region at steps above 3.4e-4 s.
 TEST(Implicit, FlyballGovernorAtAMillisecond) {
   const Free governor{load("models/iftomm/a05_flyball_governor.json")};
