@@ -73,7 +73,8 @@ void add_law(const Set& set, const TyreProperties<Slope<T>>& properties, const T
   }
 }
 
-/// Fills what the patch of a tyre with turning gives: its coordinate and its state are the last ones.
+/// Fills what the patch of a tyre with turning gives: its coordinate and its state are the last ones. What the motion
+/// of the patch over the road takes of the turn is left out: it is never stiff.
 template <class Set, class T>
 void add_turning(const Set& set, const TyreProperties<Slope<T>>& properties, const TyreContact<Slope<T>>& contact,
                  ElementTangents<T>& element) {
@@ -123,10 +124,10 @@ ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_
     }
     ElementTangents<T> element = element_tangents<T>(std::move(coordinates), std::move(states));
     add_law(set, properties, motion, element);
-    if (tyre.parking)
-      add_turning(set, properties, motion, element);
-    else
-      element.counts_as_symmetric = true;  // so that the matrix of a vehicle is, and a half of it is worked on
+    if (tyre.parking) add_turning(set, properties, motion, element);
+    // So that the matrix of a vehicle is, and a half of it is worked on; but no forces by turn slip without their
+    // mirror.
+    element.counts_as_symmetric = !tyre.turn_slip;
     return element;
   });
 }
