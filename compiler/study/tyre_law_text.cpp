@@ -67,8 +67,9 @@ std::string coefficients_text(const Tyre& tyre) {
   const std::span<const TyreField> fields = tyre_fields(tyre.model);
   for (std::size_t i = 0; i < tyre.coefficients.size(); ++i) {
     const double value = tyre.coefficients[i].value;
-    const bool neutral = fields.empty() ? value == 0 : value == (fields[i].name[0] == 'L' ? 1 : 0);
-    if (neutral) continue;
+    const bool is_factor = !fields.empty() && fields[i].default_value == 1;
+    const bool idle = tyre.model == TyreModel::mf61 && !tyre.turn_slip && is_of_turn_slip(fields[i].name);
+    if (idle || value == (is_factor ? 1 : 0)) continue;
     const std::size_t a = kPac89ACount, b = a + kPac89BCount;
     const std::string name = !fields.empty() ? fields[i].name
                              : i < a         ? fmt::format("a{}", i)

@@ -10,8 +10,12 @@ namespace {
 
 constexpr double kStiffness = 2000, kRadius = 0.05, kLoad = 4000;
 
-/// A wheel that bears 4000 N and is steered, its kingpin at its centre; its friction at this load is 1.
+/// A wheel that bears 4000 N and is steered, its kingpin at its centre; its friction at this load is 1. An angle of ""
+/// leaves the steering free.
 std::string parked(const std::string& angle) {
+  const std::string steering =
+      fmt::format(R"("motions": {{ "steering": {{ "joint": "steer", "angle": "{}" }} }},)", angle);
+  const std::string torque = R"(, "torque": { "unit": "N m", "motion": "steering" })";
   return fmt::format(R"({{ "mbgen": 1, "name": "parked", "gravity": [0, 0, -10],
     "bodies": {{
       "ground": {{ "points": {{ "start": [0, 0, 0.3] }} }},
@@ -22,16 +26,14 @@ std::string parked(const std::string& angle) {
       "up": {{ "type": "prismatic", "from": "ground.start", "to": "strut.pin", "axis": "z" }},
       "steer": {{ "type": "revolute", "from": "strut.pin", "to": "knuckle.hub", "axis": "z" }},
       "wheel": {{ "type": "revolute", "from": "knuckle.hub", "to": "wheel.hub", "axis": "y" }} }},
-    "motions": {{ "steering": {{ "joint": "steer", "angle": "{}" }} }},
-    "tyre_data": {{ "rubber": {{ "model": "pac2002", "coefficients": {{ "UNLOADED_RADIUS": 0.3, "FNOMIN": 4000,
+    {} "tyre_data": {{ "rubber": {{ "model": "pac2002", "coefficients": {{ "UNLOADED_RADIUS": 0.3, "FNOMIN": 4000,
       "PCX1": 1.6, "PDX1": 1.1, "PKX1": 20, "PCY1": 1.3, "PDY1": 1, "PKY1": -15, "PKY2": 1.5 }} }} }},
     "tyres": {{ "tyre": {{ "centre": "wheel.hub", "data": "rubber", "stiffness": 2e5,
       "parking": {{ "stiffness": {}, "radius": {} }} }} }},
-    "outputs": {{ "moment": {{ "tyre": "tyre", "quantity": "aligning_moment" }},
-      "torque": {{ "unit": "N m", "motion": "steering" }} }},
+    "outputs": {{ "moment": {{ "tyre": "tyre", "quantity": "aligning_moment" }}{} }},
     "initial": {{ "positions": {{ "up": -0.02 }} }},
     "solver": {{ "step": 1e-3, "duration": 1 }} }})",
-                     angle, kStiffness, kRadius);
+                     angle.empty() ? "" : steering, kStiffness, kRadius, angle.empty() ? "" : torque);
 }
 
 class Parked : public CommandLine {
@@ -70,6 +72,42 @@ TEST_F(Parked, ASteeredWheelThatIsHeldKeepsItsTorqueForAMinute) {
   EXPECT_GT(low, 0.9 * kRadius * kLoad);
   EXPECT_LT(high - low, 1e-6);
   EXPECT_EQ(motion.last("x.tyre_turn [rad]"), motion.at(motion.rows.size() - 2, "x.tyre_turn [rad]"));
+}
+
+// The patch is a spring of kStiffness, damped with 0.02 s of it; knuckle and wheel have 0.7 kg m^2 about the kingpin.
+TEST_F(Parked, AFreeSteeringSwingsOnItsPatch) {
+  write("m.json", parked(""));
+  const Outcome run = mbgen("linearize m.json --json");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const double rate = std::sqrt(kStiffness / 0.7), ratio = 0.02 * rate / 2;
+  const Json answer = Json::parse(run.out);
+  bool found = false;
+  for (const Json& mode : answer["modes"]) {
+    const double steer = mode["shape"]["steer"][0], frequency = mode["eigenvalue"][1];
+    if (steer < 0.99 || frequency == 0) continue;
+    found = true;
+    EXPECT_NEAR(mode["eigenvalue"][0].get<double>(), -ratio * rate, 1e-6 * rate);
+    EXPECT_NEAR(frequency, rate * std::sqrt(1 - ratio * ratio), 1e-6 * rate);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST_F(Parked, ExplainNamesTheCoefficientsThatAct) {
+  std::ifstream file(kSource + "/tests/data/models/turning_three_wheeler.json");
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  for (const bool acts : {true, false}) {
+    write("m.json", text);
+    const std::string law = mbgen("explain m.json --tyre left").out;
+    EXPECT_NE(law.find("LATERAL_STIFFNESS 60000"), std::string::npos) << law;
+    EXPECT_EQ(law.find("LONGITUDINAL_STIFFNESS"), std::string::npos) << "it is 0";
+    for (const char* part :
+         {"PECP1 0.55", "QDRP2 -1.2", "turn slip of the set acts", "Turned on the spot", "on a circle"})
+      EXPECT_EQ(law.find(part) != std::string::npos, acts) << part;
+    if (!acts) break;
+    for (std::size_t at = 0; (at = text.find("\"turn_slip\": true", at)) != std::string::npos;)
+      text.replace(at, 17, "\"turn_slip\": false");
+    text.replace(text.find("{ \"stiffness\": \"twist\" }"), 24, "{ \"stiffness\": \"twist\", \"radius\": 0.06 }");
+  }
 }
 
 }  // namespace
