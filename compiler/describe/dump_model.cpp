@@ -154,14 +154,21 @@ class ModelText : public ModelWords {
                           quantity(friction.viscous), details(friction));
     }
     for (const Tyre& tyre : model_.tyres) {
-      text += fmt::format("  {}: tyre at {}, axis ({}), count {}, radius {}, stiffness {}{}{}{}\n", tyre.name,
+      text += fmt::format("  {}: tyre at {}, axis ({}), count {}, radius {}, stiffness {}{}{}{}{}\n", tyre.name,
                           attachment(tyre.centre), fmt::join(tyre.axis, ", "), tyre.count, quantity(tyre.radius),
                           quantity(tyre.stiffness),
                           tyre.model == TyreModel::mf61 ? ", pressure " + quantity(tyre.pressure) : "",
                           tyre.road < 0 ? "" : ", on road " + model_.roads[tyre.road].name,
-                          tyre.envelope ? ", " + to_text(*tyre.envelope) : "");
+                          tyre.envelope ? ", " + to_text(*tyre.envelope) : "", tyre.parking ? turning(tyre) : "");
     }
     return text;
+  }
+
+  /// ", turns with stiffness 2000, ...". Requires: the tyre has a patch that turns.
+  std::string turning(const Tyre& tyre) const {
+    return fmt::format(", turns with stiffness {} and radius {} under {}{}", quantity(tyre.parking->stiffness),
+                       quantity(tyre.parking->radius), quantity(tyre.parking->load),
+                       tyre.turn_slip ? ", turn slip" : "");
   }
 
   /// "" without any.

@@ -1,7 +1,10 @@
 #pragma once
 // Tyres on roads, around the tyre law of the runtime's header tyre.hpp.
 
+#include <algorithm>
+
 #include "compiler/formulation/road_envelope.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 
 namespace mbgen {
 namespace detail {
@@ -61,6 +64,19 @@ RoadPlane<T> road_plane(const ForceWork<T>& work, const Tyre& tyre) {
           friction_of_road(work, road, x, y)};
 }
 
+/// Place of the turn of a tyre among the auxiliary states. Requires: the tyre has one.
+inline std::size_t turn_of(const Model& model, std::size_t tyre) {
+  const auto has_turn = [](const Tyre& t) { return t.parking.has_value(); };
+  const auto before =
+      std::count_if(model.tyres.begin(), model.tyres.begin() + static_cast<std::ptrdiff_t>(tyre), has_turn);
+  return static_cast<std::size_t>(first_turn(model) + before);
+}
+
+inline Turning turning_of(const Tyre& tyre) {
+  if (!tyre.parking) return Turning::none;
+  return tyre.turn_slip ? Turning::turn_slip : Turning::patch;
+}
+
 /// A wheel in the axes of the frame that carries it. road: what it stands on.
 template <class T>
 WheelMotion<T> wheel_motion(const ForceWork<T>& work, const Tyre& tyre, std::size_t index, const RoadPlane<T>& road) {
@@ -75,6 +91,7 @@ WheelMotion<T> wheel_motion(const ForceWork<T>& work, const Tyre& tyre, std::siz
   wheel.angular = velocity.angular;
   wheel.u = system.x[2 * index];
   wheel.v = system.x[2 * index + 1];
+  if (tyre.parking) wheel.turn = system.x[turn_of(system.model, index)];
   return wheel;
 }
 
@@ -93,19 +110,26 @@ PlacedContact<T> placed_contact(const ForceWork<T>& work, const Tyre& tyre, cons
 /// Properties of a mounted tyre; value: of a quantity of the tyre with the meaning of its name.
 template <class T, class Value>
 TyreProperties<T> tyre_properties(const Tyre& tyre, const Value& value) {
-  return {value(tyre.radius, "radius"),
-          value(tyre.stiffness, "k"),
-          value(tyre.damping, "d"),
-          value(tyre.friction, "friction"),
-          value(tyre.rolling_resistance, "rolling"),
-          value(tyre.relaxation_x, "relaxation_x"),
-          value(tyre.relaxation_y, "relaxation_y"),
-          value(tyre.low_speed, "low_speed"),
-          T(tyre.side),
-          T(tyre.count),
-          value(tyre.pressure, "pressure"),
-          T(tyre.over_load_x ? 1.0 : 0.0),
-          T(tyre.over_load_y ? 1.0 : 0.0)};
+  TyreProperties<T> properties{value(tyre.radius, "radius"),
+                               value(tyre.stiffness, "k"),
+                               value(tyre.damping, "d"),
+                               value(tyre.friction, "friction"),
+                               value(tyre.rolling_resistance, "rolling"),
+                               value(tyre.relaxation_x, "relaxation_x"),
+                               value(tyre.relaxation_y, "relaxation_y"),
+                               value(tyre.low_speed, "low_speed"),
+                               T(tyre.side),
+                               T(tyre.count),
+                               value(tyre.pressure, "pressure"),
+                               T(tyre.over_load_x ? 1.0 : 0.0),
+                               T(tyre.over_load_y ? 1.0 : 0.0)};
+  if (tyre.parking) {
+    properties.turn_stiffness = value(tyre.parking->stiffness, "turn_stiffness");
+    properties.turn_radius = value(tyre.parking->radius, "turn_radius");
+    properties.turn_load = value(tyre.parking->load, "turn_load");
+  }
+  properties.turning = turning_of(tyre);
+  return properties;
 }
 
 /// Calls use(set) with a tyre's set of coefficients as its model has them.
@@ -151,6 +175,7 @@ bool act_by_shared_law(ForceWork<T>& work, const Tyre& tyre, std::size_t i, cons
              arm_of(work.system, work.k, work.place(tyre.centre), work.v.about)});
   work.forces.xd[2 * i] = on_wheel->du;
   work.forces.xd[2 * i + 1] = on_wheel->dv;
+  if (tyre.parking) work.forces.xd[turn_of(work.system.model, i)] = on_wheel->dturn;
   return true;
 }
 
@@ -173,6 +198,7 @@ void tyres(ForceWork<T>& work) {
     act(work, {tyre.centre.body, wrench.linear, wrench.angular, point});
     work.forces.xd[2 * i] = result.du;
     work.forces.xd[2 * i + 1] = result.dv;
+    if (tyre.parking) work.forces.xd[turn_of(work.system.model, i)] = result.dturn;
     work.forces.tyres[i] = result;
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Tangents of a tyre: of its load by the deflection and its rate, and of its forces in the road's plane, with the rates
-// of its deflection states, by the velocities of the slips and these states.
+// Tangents of a tyre: of its load by the deflection and its rate, of its forces in the road's plane, with the rates of
+// its deflection states, by the velocities of the slips and these states, and of its moment against turning.
 
 #include "compiler/formulation/element_tangents.hpp"
 
@@ -26,10 +26,10 @@ SlipStiffness<T> slip_stiffness(const Set& set, const TyreProperties<Slope<T>>& 
   using S = Slope<T>;
   const T load = tyre_law::load(set, properties, contact).value;
   const tyre_law::Slip<S> slip = tyre_law::slip(set, properties, contact);
-  const S &side = properties.side, camber = side * contact.camber;
+  const S& side = properties.side;
   const auto forces = [&](const S& kappa, const S& alpha) {
-    const TyreForces<S> f =
-        tyre_law::formula<S>(set, S(load), kappa, side * alpha, camber, properties, S(slip.rolling.value));
+    const tyre_law::Slip<S> moved{kappa, alpha, S(), S(), S(slip.rolling.value)};
+    const TyreForces<S> f = tyre_law::turned_forces(set, properties, contact, S(load), moved).forces;
     return PlaneForces<T>{properties.count.value * f.fx.slope, properties.count.value * side.value * f.fy.slope};
   };
   return {forces(S(slip.kappa.value, T(1.0)), S(slip.alpha.value)),
@@ -73,7 +73,26 @@ void add_law(const Set& set, const TyreProperties<Slope<T>>& properties, const T
   }
 }
 
-/// Local coordinates: slip along the wheel, motion to the left, motion up, of the contact point.
+/// Fills what the patch of a tyre with turning gives: its coordinate and its state are the last ones. What the motion
+/// of the patch over the road takes of the turn is left out: it is never stiff.
+template <class Set, class T>
+void add_turning(const Set& set, const TyreProperties<Slope<T>>& properties, const TyreContact<Slope<T>>& contact,
+                 ElementTangents<T>& element) {
+  TyreContact<Slope<T>> turned = contact, turning = contact;
+  turned.turn.slope = T(1.0);
+  turning.turn_rate.slope = T(1.0);
+  const TyreResult<Slope<T>> by_turn = tyre_forces(set, properties, turned);
+  const TyreResult<Slope<T>> by_rate = tyre_forces(set, properties, turning);
+  element.by_state[0][2] = by_turn.fx.slope;
+  element.by_state[1][2] = by_turn.fy.slope;
+  element.by_state[3][2] = by_turn.mz.slope;
+  element.by_velocity[3][3] = by_rate.mz.slope;
+  element.rate_by_state[2][2] = by_turn.dturn.slope;
+  element.rate_by_velocity[2][3] = by_rate.dturn.slope;
+}
+
+/// Local coordinates: slip along the wheel, motion to the left, motion up, of the contact point; with turning also the
+/// rotation about the road's normal.
 template <class T>
 ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_t index) {
   using S = Slope<T>;
@@ -81,7 +100,8 @@ ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_
   const PlacedContact<T> placed = placed_contact(work, tyre, wheel_motion(work, tyre, index, road));
   const RoadContact<T>& contact = placed.contact;
   const TyreContact<T>& m = contact.motion;
-  const TyreContact<S> motion{m.deflection, m.deflection_rate, m.vx, m.vy, m.spin, m.camber, m.u, m.v};
+  const TyreContact<S> motion{m.deflection, m.deflection_rate, m.vx,  m.vy, m.spin, m.camber, m.u,
+                              m.v,          m.turn_rate,       m.turn};
   const TyreProperties<S> properties = properties_on<S>(work, tyre, road);
   std::vector<S> coefficients;
   for (const Quantity& q : tyre.coefficients) coefficients.push_back(S(work.value(q)));
@@ -96,9 +116,18 @@ ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_
     add_wrench(work, body, kGround, force_at(contact.left, placed.point), coordinates[1].row);
     add_wrench(work, body, kGround, force_at(contact.up, placed.point), coordinates[2].row);
     const int first = static_cast<int>(2 * index);
-    ElementTangents<T> element = element_tangents<T>(std::move(coordinates), {first, first + 1});
+    std::vector<int> states{first, first + 1};
+    if (tyre.parking) {
+      coordinates.push_back({std::vector<T>(work.system.topology.bodies.size(), T(0.0))});
+      add_wrench(work, body, kGround, Spatial<T>{{}, contact.up}, coordinates[3].row);
+      states.push_back(static_cast<int>(turn_of(work.system.model, index)));
+    }
+    ElementTangents<T> element = element_tangents<T>(std::move(coordinates), std::move(states));
     add_law(set, properties, motion, element);
-    element.counts_as_symmetric = true;  // so that the matrix of a vehicle is, and a half of it is worked on
+    if (tyre.parking) add_turning(set, properties, motion, element);
+    // So that the matrix of a vehicle is, and a half of it is worked on; but no forces by turn slip without their
+    // mirror.
+    element.counts_as_symmetric = !tyre.turn_slip;
     return element;
   });
 }

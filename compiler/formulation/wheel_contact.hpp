@@ -14,6 +14,7 @@ struct WheelMotion {
   T height{0.0};                ///< of the wheel centre above the road, along its normal, m
   Vector<T> velocity, angular;  ///< of the wheel centre, m/s; of the wheel, rad/s
   T u{0.0}, v{0.0};             ///< deflection states of the tyre, m
+  T turn{0.0};                  ///< deflection state of a tyre with turning, rad
 };
 
 /// Contact of a wheel: its axes, and its point from the wheel centre.
@@ -47,6 +48,8 @@ RoadContact<T> road_contact(const WheelMotion<T>& wheel, const T& radius) {
   c.motion.camber = atan(sine / cosine);
   c.motion.u = wheel.u;
   c.motion.v = wheel.v;
+  c.motion.turn_rate = dot(turning, wheel.up) / (cosine * cosine);
+  c.motion.turn = wheel.turn;
   return c;
 }
 
@@ -62,6 +65,7 @@ template <class T>
 struct WheelForces {
   Spatial<T> wrench;   ///< N, and N m at the wheel centre
   T du{0.0}, dv{0.0};  ///< m/s, rates of the tyre's deflection states
+  T dturn{0.0};        ///< rad/s, likewise, of a tyre with turning
 };
 
 }  // namespace mbgen

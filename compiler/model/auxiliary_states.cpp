@@ -10,7 +10,8 @@ namespace {
 constexpr double kSlipOfRadius = 0.1;  // of a tyre's radius, what its slip states reach
 constexpr double kExtension = 1e-3;    // m or rad, of the spring of a Maxwell branch
 constexpr double kBristle = 1e-4;      // m or rad, what bristles bend before they slide
-constexpr int kStatesOfTyre = 2;
+constexpr double kTurn = 0.01;         // rad, what a patch turns before it slides
+constexpr int kSlipsOfTyre = 2;
 
 AuxiliaryState hidden(const std::string& name, const std::string& unit, double size) {
   return {name, unit, unit + "/s", "auxiliary state", 0, {}, size};
@@ -43,6 +44,8 @@ std::vector<AuxiliaryState> auxiliary_states(const Model& model) {
     for (const char* suffix : {"_u", "_v"})
       states.push_back(hidden(tyre.name + suffix, "m", kSlipOfRadius * tyre.radius.value));
   }
+  for (const Tyre& tyre : model.tyres)
+    if (tyre.parking) states.push_back(hidden(tyre.name + "_turn", "rad", kTurn));
   const auto add_bristle = [&](const FrictionLaw& friction, const std::string& name, const char* unit) {
     if (friction.has_bristle()) states.push_back(hidden(name + "_bristle", unit, kBristle));
   };
@@ -68,7 +71,12 @@ int auxiliary_state_count(const Model& model) {
   return first_user_state(model) + static_cast<int>(model.states.size()) + held_state_count(model);
 }
 
-int first_bristle(const Model& model) { return kStatesOfTyre * static_cast<int>(model.tyres.size()); }
+int first_turn(const Model& model) { return kSlipsOfTyre * static_cast<int>(model.tyres.size()); }
+
+int first_bristle(const Model& model) {
+  const auto turns = std::ranges::count_if(model.tyres, [](const Tyre& tyre) { return tyre.parking.has_value(); });
+  return first_turn(model) + static_cast<int>(turns);
+}
 
 int slip_state_count(const Model& model) {
   const auto has_bristle = [](const FrictionLaw& friction) { return friction.has_bristle(); };

@@ -1,8 +1,8 @@
 #pragma once
-// Auxiliary states of a model, in their order: two slip deflections per tyre (m), the deflection of each bristle of a
-// friction (rad or m, those on coordinates first), the extension of the spring of each Maxwell branch of a bushing (m
-// or rad), the states of the user's own, the sampled values, those of the user before the loads that press frictions,
-// and what sampled values with a delay will be.
+// Auxiliary states of a model, in their order: two slip deflections per tyre (m), the turn of each tyre whose patch has
+// a moment against turning (rad), the deflection of each bristle of a friction (rad or m, those on coordinates first),
+// the extension of the spring of each Maxwell branch of a bushing (m or rad), the states of the user's own, the sampled
+// values, those of the user before the loads that press frictions, and what sampled values with a delay will be.
 
 #include <optional>
 #include <string>
@@ -25,8 +25,8 @@ std::vector<AuxiliaryState> auxiliary_states(const Model& model);
 
 int auxiliary_state_count(const Model& model);
 
-/// Number of the first of them that are slips of tyres and bristles of frictions. At rest these hold by themselves; the
-/// others then have the values at which their rates vanish.
+/// Number of the first of them that are slips and turns of tyres and bristles of frictions. At rest these hold by
+/// themselves; the others then have the values at which their rates vanish.
 int slip_state_count(const Model& model);
 
 /// Place of the first extension of a bushing's Maxwell branches; they follow bushing after bushing.
@@ -53,6 +53,9 @@ bool takes_reactions(const Model& model);
 /// Size of a state that counts as much as 1 rad or 1 m of a coordinate: in searches, differences and tolerances. Its
 /// nominal value, else its initial one, else what slips, bristles and Maxwell branches reach, else 1.
 double magnitude_of(const AuxiliaryState& state);
+
+/// The first turn of the tyres, behind their slips.
+int first_turn(const Model& model);
 
 /// The first state of the bristles.
 int first_bristle(const Model& model);

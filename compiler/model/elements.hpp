@@ -149,6 +149,13 @@ struct TyreEnvelope {
 /// "enveloping, base 0.4, ...", for those who read.
 std::string to_text(const TyreEnvelope& envelope);
 
+/// The patch of a tyre that turns about the road's normal, as of TyreProperties in tyre.hpp.
+struct TyrePatch {
+  Quantity stiffness;  ///< N m/rad, against turning under `load`, > 0
+  Quantity radius;     ///< m, moment of a patch that turns over its friction under `load`, > 0
+  Quantity load;       ///< N, > 0
+};
+
 /// Tyre of a wheel body on a road, or on a flat horizontal one (normal = global z).
 struct Tyre {
   std::string name;
@@ -175,6 +182,8 @@ struct Tyre {
   Quantity relaxation_x, relaxation_y;            ///< m, relaxation lengths of the slips, at nominal load
   bool over_load_x = false, over_load_y = false;  ///< the set gives them over the load
   Quantity low_speed;                             ///< m/s, below it slip is damped so that the wheel comes to rest
+  std::optional<TyrePatch> parking;               ///< none: turning gives no moment, and there is no state of it
+  bool turn_slip = false;                         ///< the set's turn slip acts; of mf61 alone, then there is `parking`
 };
 
 /// A relation between coordinates that always holds: the value of an expression over them stays zero, or one of them

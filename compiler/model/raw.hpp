@@ -168,7 +168,8 @@ struct RoadFields : Road {
 
 struct TyreFields : Tyre {
   std::optional<std::string> written_road;
-  const Value *enveloping = nullptr;
+  const Value *enveloping = nullptr, *written_parking = nullptr;
+  std::optional<bool> written_turn_slip;
   std::string data;
   std::optional<std::string> tir;  ///< file
 };
@@ -337,6 +338,8 @@ template <>
 std::span<const Field<RoadPatch>> fields<RoadPatch>();
 template <>
 std::span<const Field<TyreEnvelope>> fields<TyreEnvelope>();
+template <>
+std::span<const Field<TyrePatch>> fields<TyrePatch>();
 template <>
 std::span<const Field<TyreFields>> fields<TyreFields>();
 template <>

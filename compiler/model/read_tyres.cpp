@@ -6,6 +6,7 @@
 
 #include "compiler/model/positions.hpp"
 #include "compiler/model/raw.hpp"
+#include "compiler/model/read_turning.hpp"
 #include "compiler/model/reader.hpp"
 #include "compiler/model/tir_file.hpp"
 #include "compiler/model/tyre_sets.hpp"
@@ -214,7 +215,7 @@ void use_road(Reader& reader, const Value& value, TyreFields& tyre) {
 void use_file(Reader& reader, const Value& value, TyreFields& tyre) {
   const Value& file = *find(value, "tir");
   if (file.kind != Value::Kind::text) return;
-  const std::optional<TirTyre> read = read_tir(reader, file, tyre.enveloping != nullptr);
+  const std::optional<TirTyre> read = read_tir(reader, file, {tyre.enveloping != nullptr, tyre.written_turn_slip});
   if (!read) return;
   use_envelope(reader, read->cams, tyre);
   CoefficientSet set{read->model, read->coefficients};
@@ -228,6 +229,7 @@ void use_file(Reader& reader, const Value& value, TyreFields& tyre) {
   take("pressure", read->pressure, tyre.pressure);
   if (!find(value, "stiffness") && tyre.stiffness.value <= 0)
     report(reader, file, "file has no VERTICAL_STIFFNESS above zero", "give the tyre its \"stiffness\"");
+  use_turning(reader, value, read->turning, tyre);
 }
 
 /// Coefficients stand in a set of the model or in a file.
@@ -244,6 +246,7 @@ void use_set(Reader& reader, const Value& value, const std::vector<CoefficientSe
   if (index < 0) return;
   CoefficientSet set = sets[static_cast<std::size_t>(index)];
   use_coefficients(reader, value, set, tyre);
+  use_turning(reader, value, {}, tyre);
 }
 
 }  // namespace

@@ -237,6 +237,26 @@ std::span<const Field<TyreEnvelope>> fields<TyreEnvelope>() {
 }
 
 template <>
+std::span<const Field<TyrePatch>> fields<TyrePatch>() {
+  using S = TyrePatch;
+  const auto number = [](std::string_view name, std::string_view doc, std::string_view unit) {
+    return FieldInfo{.name = name, .doc = doc, .unit = unit, .bound = Bound::positive};
+  };
+  static const std::array table = {
+      field<S, &S::stiffness>(number("stiffness",
+                                     "torsional, of the patch under `load`; it grows with the load to the power 3/2; "
+                                     "default of turn slip: from its coefficients and YAW_STIFFNESS",
+                                     "N m/rad")),
+      field<S, &S::radius>(number("radius",
+                                  "moment of a patch that turns on the spot, over its friction, under `load`; it grows "
+                                  "with the root of the load; default of turn slip: QCRP1 times UNLOADED_RADIUS",
+                                  "m")),
+      field<S, &S::load>(number("load", "of one tyre, under which these hold; default: FNOMIN of the set", "N")),
+  };
+  return table;
+}
+
+template <>
 std::span<const Field<TyreFields>> fields<TyreFields>() {
   using S = TyreFields;
   const auto number = [](std::string_view name, std::string_view doc, std::string_view unit,
@@ -307,6 +327,17 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
                  "m", 0.6, Bound::positive)),
       field<S, &S::low_speed>(number("low_speed", "speed below which slip is damped so that the wheel comes to rest",
                                      "m/s", 2, Bound::positive)),
+      field<S, &S::written_turn_slip>(
+          {.name = "turn_slip",
+           .shape = Shape::boolean,
+           .doc = "turn slip of an mf61 set acts; default: as USE_MODE of a .tir file asks by its last digit, 5, else "
+                  "not"}),
+      field<S, &S::written_parking>({.name = "parking",
+                                     .shape = Shape::object,
+                                     .doc =
+                                         "moment of the patch against turning, as of a parked wheel that is steered; "
+                                         "default: none, with turn slip that of its coefficients",
+                                     .of = "tyre_patch"}),
   };
   return table;
 }

@@ -197,6 +197,7 @@ std::vector<ObjectKind> object_kinds() {
           "tyre_envelope",
           "four cams that make a plane of a road: a rear and a front one below each half of the tyre's "
           "width; lengths in unloaded radii of the tyre"),
+      kind_of<TyrePatch>("tyre_patch", "the patch of a tyre that turns about the road's normal, as of a parked wheel"),
       kind_of<AxleFields>("axle",
                           "an axle on a rig for kinematics and compliance; x forward, y to the left and z up at the "
                           "reference"),

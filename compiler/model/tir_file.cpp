@@ -184,6 +184,10 @@ double unit_of_coefficient(const TirUnits& units, std::string_view name) {
 void read_coefficients(Reader& reader, const Value& value, TirEntries& entries, const TirUnits& units, TirTyre& tyre) {
   for (const TyreField& row : tyre_fields(tyre.model)) {
     const std::string_view name = row.name;
+    if (tyre.model == TyreModel::mf61 && is_of_turn_slip(name) && !tyre.turning.turn_slip) {
+      tyre.coefficients.emplace_back(row.default_value);
+      continue;
+    }
     const std::optional<double> number = number_of_key(reader, entries, name);
     const TirEntry* entry = use_entry(entries, name);
     if (is_scale(tyre.model, name) && !entry) {
@@ -194,6 +198,27 @@ void read_coefficients(Reader& reader, const Value& value, TirEntries& entries, 
     const double unit = number ? unit_of_coefficient(units, name) : 1;
     tyre.coefficients.emplace_back(number.value_or(row.default_value) * unit);
   }
+}
+
+/// Whether turn slip acts: as the model says, else as the last digit of USE_MODE does, 5 of MF-Tyre: combined forces
+/// and turn slip. A file without its coefficients gets a note.
+TurningOfFile turning_of(Reader& reader, TirEntries& entries, const TirUnits& units, const WishesOfTyre& wishes) {
+  constexpr double kCombinedAndTurnSlip = 5;
+  TurningOfFile turning;
+  const std::optional<double> mode = number_of_key(reader, entries, "USE_MODE");
+  const bool asks = mode && std::fmod(std::abs(*mode), 10) == kCombinedAndTurnSlip;
+  const auto is_there = [&](std::string_view name) {
+    const auto entry = entries.keys.find(name);
+    return entry != entries.keys.end() && number_of(entry->second).value_or(0) != 0;
+  };
+  const bool complete = std::ranges::all_of(kTurnSlipNeeds, is_there);
+  if (asks && !wishes.turn_slip && !complete)
+    note(reader, entries.keys.find("USE_MODE")->second.place, "turn slip, for which USE_MODE asks, is not in the file",
+         std::string(kTurnSlipNeedsText));
+  turning.turn_slip = wishes.turn_slip.value_or(asks && complete);
+  if (turning.turn_slip) turning.yaw_stiffness = number_of_key(reader, entries, "YAW_STIFFNESS");
+  if (turning.yaw_stiffness) *turning.yaw_stiffness *= units.force * units.length;
+  return turning;
 }
 
 /// Stiffness and pressure of MF 6.1; what the file does not give is left to the tyre's own defaults.
@@ -250,7 +275,7 @@ std::optional<double> number_of(const TirEntry& entry) {
   return whole && std::isfinite(number) && std::abs(number) <= kLargestNumber ? std::optional(number) : std::nullopt;
 }
 
-std::optional<TirTyre> read_tir(Reader& reader, const Value& value, bool has_envelope) {
+std::optional<TirTyre> read_tir(Reader& reader, const Value& value, const WishesOfTyre& wishes) {
   const std::size_t problems = reader.problems.size();
   std::uint32_t file = 0;
   const Document* document = open_beside(reader, value, "tyre file", file);
@@ -260,6 +285,7 @@ std::optional<TirTyre> read_tir(Reader& reader, const Value& value, bool has_env
   if (!model || reader.problems.size() > problems) return std::nullopt;
   const TirUnits units = units_of(reader, entries);
   TirTyre tyre{.model = *model};
+  if (*model == TyreModel::mf61) tyre.turning = turning_of(reader, entries, units, wishes);
   read_coefficients(reader, value, entries, units, tyre);
   const auto number = [&](std::string_view key, double absent) {
     return number_of_key(reader, entries, key).value_or(absent);
@@ -274,7 +300,7 @@ std::optional<TirTyre> read_tir(Reader& reader, const Value& value, bool has_env
   }
   tyre.damping = number_of_key(reader, entries, "VERTICAL_DAMPING");
   if (tyre.damping) *tyre.damping *= units.force * units.time / units.length;
-  if (has_envelope) tyre.cams = cams_of(reader, entries, tyre);
+  if (wishes.cams) tyre.cams = cams_of(reader, entries, tyre);
   if (reader.problems.size() > problems) return std::nullopt;
   note_unused(reader, entries);
   return tyre;

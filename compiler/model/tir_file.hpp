@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/model/reader.hpp"
+#include "compiler/model/read_turning.hpp"
 
 namespace mbgen::reading {
 
@@ -25,6 +25,7 @@ struct TirTyre {
   std::optional<double> rolling_resistance = {};  ///< QSY1 of pac2002
   std::optional<double> pressure = {};            ///< Pa: INFLPRES
   CamsOfFile cams = {};                           ///< ELLIPS_..., where they are asked for
+  TurningOfFile turning = {};                     ///< of mf61
 };
 
 /// KEY = value of a section.
@@ -41,13 +42,19 @@ struct TirEntries {
   std::vector<std::pair<std::string_view, Place>> tables;  ///< sections with rows that have no key
 };
 
+/// What a tyre asks of its file.
+struct WishesOfTyre {
+  bool cams = false;                   ///< the tyre uses the cams of the file
+  std::optional<bool> turn_slip = {};  ///< as the model says; else the file's USE_MODE does
+};
+
 /// Reads a file of PAC2002 or Magic Formula 5.2, 6.1 or 6.2, relative to the file that names it. Sections, units,
 /// comments ($ and
 /// !) and texts in quotes are understood; entries without a part in the formulas of tyre.hpp are passed over, with a
 /// note. Fails: nothing, with complaints at lines of the file: another tyre model, units that are unknown, a
-/// coefficient that is no number or stands twice, no radius, nominal load or pressure. has_envelope: the tyre uses the
-/// cams of the file.
-std::optional<TirTyre> read_tir(Reader& reader, const Value& value, bool has_envelope);
+/// coefficient that is no number or stands twice, no radius, nominal load or pressure. Coefficients of turn slip are
+/// read where it acts.
+std::optional<TirTyre> read_tir(Reader& reader, const Value& value, const WishesOfTyre& wishes);
 
 /// Letters of the alphabet in capitals, as keys and sections are compared.
 std::string upper(std::string_view text);

@@ -29,4 +29,10 @@ inline bool is_scale(TyreModel model, std::string_view name) {
   return name == "UNLOADED_RADIUS" || name == "FNOMIN" || (model == TyreModel::mf61 && name == "NOMPRES");
 }
 
+/// Whether a coefficient of MF 6.1 is one of turn slip: the last of kMf61Fields, from LMP on.
+inline bool is_of_turn_slip(std::string_view name) {
+  const std::size_t place = tyre_field_index(kMf61Fields, name);
+  return place >= tyre_field_index(kMf61Fields, "LMP") && place < kMf61Count;
+}
+
 }  // namespace mbgen

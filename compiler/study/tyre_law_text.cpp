@@ -38,6 +38,11 @@ class TyreCurves {
     return {f.fx, side * f.fy, side * f.mz, side * f.mx};
   }
 
+  /// Of the tyre as it is mounted, in motion.
+  TyreResult<double> moving(const TyreContact<double>& contact) const {
+    return detail::tyre_law(tyre_.model, coefficients_, properties_, contact);
+  }
+
   /// Deflection under a load at rest, m, and the rolling radius there, m.
   std::pair<double, double> under(double load) const {
     double low = 0, high = tyre_.radius.value;
@@ -62,8 +67,9 @@ std::string coefficients_text(const Tyre& tyre) {
   const std::span<const TyreField> fields = tyre_fields(tyre.model);
   for (std::size_t i = 0; i < tyre.coefficients.size(); ++i) {
     const double value = tyre.coefficients[i].value;
-    const bool neutral = fields.empty() ? value == 0 : value == (fields[i].name[0] == 'L' ? 1 : 0);
-    if (neutral) continue;
+    const bool is_factor = !fields.empty() && fields[i].default_value == 1;
+    const bool idle = tyre.model == TyreModel::mf61 && !tyre.turn_slip && is_of_turn_slip(fields[i].name);
+    if (idle || value == (is_factor ? 1 : 0)) continue;
     const std::size_t a = kPac89ACount, b = a + kPac89BCount;
     const std::string name = !fields.empty() ? fields[i].name
                              : i < a         ? fmt::format("a{}", i)
@@ -97,6 +103,12 @@ std::string properties_text(const Tyre& tyre) {
   row("relaxation_x", tyre.relaxation_x, tyre.over_load_x ? "m at nominal load, follows the load" : "m");
   row("relaxation_y", tyre.relaxation_y, tyre.over_load_y ? "m at nominal load, follows the load" : "m");
   row("low_speed", tyre.low_speed, "m/s");
+  if (tyre.parking) {
+    row("parking stiffness", tyre.parking->stiffness, "N m/rad");
+    row("parking radius", tyre.parking->radius, "m");
+    row("parking load", tyre.parking->load, "N");
+  }
+  if (tyre.turn_slip) text += "  turn slip of the set acts\n";
   return tyre.envelope ? text + "\nContact\n  " + to_text(*tyre.envelope) + "\n" : text;
 }
 
@@ -145,6 +157,50 @@ std::string slips_text(const TyreCurves& law, double load) {
   return text;
 }
 
+/// The moment of a standing tyre that is turned to one side and back again, slowly.
+std::string parking_text(const TyreCurves& law, const Tyre& tyre, double load) {
+  constexpr double kRate = 1e-6;  // rad/s
+  constexpr int kStepsOfDegree = 1000;
+  constexpr int kDegrees[] = {0, 1, 2, 3, 5, 8, 12, 20, 30};
+  TyreContact<double> contact{};
+  contact.deflection = law.under(load).first;
+  int degree = 0;
+  const auto turned_to = [&](int degrees) {
+    const int sense = degrees > degree ? 1 : -1;
+    contact.turn_rate = sense * kRate;
+    for (int i = 0; i < std::abs(degrees - degree) * kStepsOfDegree; ++i)
+      contact.turn += kDegree / kStepsOfDegree / kRate * law.moving(contact).dturn;
+    degree = degrees;
+    return law.moving(contact).mz / tyre.count;
+  };
+  std::vector<double> out, back;
+  for (const int degrees : kDegrees) out.push_back(turned_to(degrees));
+  for (std::size_t i = out.size(); i-- > 0;) back.push_back(turned_to(kDegrees[i]));
+  std::string text = fmt::format("\nTurned on the spot\n\n  {:>9}{:>11}{:>11}\n", "left deg", "mz N m", "back N m");
+  for (std::size_t i = 0; i < out.size(); ++i)
+    text += fmt::format("  {:>9}{:>11.2f}{:>11.2f}\n", kDegrees[i], out[i], back[out.size() - 1 - i]);
+  return text;
+}
+
+/// Rolling upright without slip on circles to the left.
+std::string circles_text(const TyreCurves& law, const Tyre& tyre, double load) {
+  constexpr double kSpeed = 10;  // m/s, steady for so long
+  std::string text =
+      fmt::format("\nRolling on a circle to the left\n\n  {:>9}{:>11}{:>11}\n", "radius m", "fy N", "mz N m");
+  for (const double radius : {100., 50., 20., 10., 5., 2.}) {
+    TyreContact<double> contact{};
+    const auto [deflection, rolling_radius] = law.under(load);
+    contact.deflection = deflection;
+    contact.vx = kSpeed;
+    contact.spin = kSpeed / rolling_radius;
+    contact.turn_rate = kSpeed / radius;
+    for (int i = 0; i < 4000; ++i) contact.turn += 1e-4 * law.moving(contact).dturn;
+    const TyreResult<double> result = law.moving(contact);
+    text += fmt::format("  {:>9}{:>11.1f}{:>11.2f}\n", radius, result.fy / tyre.count, result.mz / tyre.count);
+  }
+  return text;
+}
+
 /// Load of one tyre at rest and where it is known from.
 std::pair<double, std::string> load_at_rest(const Compilation& compilation, std::size_t index) {
   const Tyre& tyre = compilation.model.tyres[index];
@@ -182,7 +238,8 @@ std::string tyre_law_text(const Compilation& compilation, const std::string& nam
   const TyreCurves law(*found);
   return properties_text(*found) + coefficients_text(*found) +
          fmt::format("\nRolling upright under {:.6g} N ({})\n", load, origin) + stiffness_text(law, load) +
-         slips_text(law, load);
+         slips_text(law, load) + (found->parking ? parking_text(law, *found, load) : "") +
+         (found->turn_slip ? circles_text(law, *found, load) : "");
 }
 
 }  // namespace mbgen

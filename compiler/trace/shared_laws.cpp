@@ -28,7 +28,7 @@ void each_component(const std::string& name, Vector<Expr>& v, const Use& use) {
 
 /// Calls use(name, number) for all that the law takes of a tyre and its wheel.
 template <class Use>
-void each_argument(Wheel& wheel, Properties& tyre, const Use& use) {
+void each_argument(const Tyre& of, Wheel& wheel, Properties& tyre, const Use& use) {
   each_component("up", wheel.up, use);
   each_component("axis", wheel.axis, use);
   use("height", wheel.height);
@@ -49,15 +49,21 @@ void each_argument(Wheel& wheel, Properties& tyre, const Use& use) {
   use("pressure", tyre.pressure);
   use("over_load_x", tyre.over_load_x);
   use("over_load_y", tyre.over_load_y);
+  if (!of.parking) return;
+  use("turn", wheel.turn);
+  use("turn_stiffness", tyre.turn_stiffness);
+  use("turn_radius", tyre.turn_radius);
+  use("turn_load", tyre.turn_load);
 }
 
 /// Calls use(name, number) for all that the law gives.
 template <class Use>
-void each_result(Forces& forces, const Use& use) {
+void each_result(const Tyre& of, Forces& forces, const Use& use) {
   each_component("force", forces.wrench.linear, use);
   each_component("moment", forces.wrench.angular, use);
   use("du", forces.du);
   use("dv", forces.dv);
+  if (of.parking) use("dturn", forces.dturn);
 }
 
 bool is_number(const Quantity& quantity) { return quantity.expression < 0; }
@@ -67,7 +73,8 @@ bool share_a_law(const Tyre& a, const Tyre& b) {
   const auto same = [](const Quantity& p, const Quantity& q) {
     return is_number(p) && is_number(q) && p.value == q.value;
   };
-  return a.model == b.model && std::ranges::equal(a.coefficients, b.coefficients, same);
+  return a.model == b.model && detail::turning_of(a) == detail::turning_of(b) &&
+         std::ranges::equal(a.coefficients, b.coefficients, same);
 }
 
 /// Groups of tyres that share a law, in the order of their first tyres.
@@ -83,13 +90,14 @@ std::vector<std::vector<int>> tyres_of_laws(const Model& model) {
 }
 
 /// A law whose program is still to be traced.
-SharedLaw planned_law(std::vector<int> tyres) {
+SharedLaw planned_law(const Model& model, std::vector<int> tyres) {
   SharedLaw law;
   Wheel wheel;
   Properties properties;
   Forces forces;
-  each_argument(wheel, properties, [&](const std::string& name, Expr&) { law.arguments.push_back({name}); });
-  each_result(forces, [&](const std::string& name, Expr&) { law.results.push_back(name); });
+  const Tyre& first = model.tyres[tyres.front()];
+  each_argument(first, wheel, properties, [&](const std::string& name, Expr&) { law.arguments.push_back({name}); });
+  each_result(first, forces, [&](const std::string& name, Expr&) { law.results.push_back(name); });
   law.tyres = std::move(tyres);
   return law;
 }
@@ -120,22 +128,23 @@ Program traced_law(const Model& model, const SharedLaw& law) {
   const auto step = scribe.step(Step::forces);
   Wheel wheel;
   Properties properties;
+  const Tyre& first = model.tyres[law.tyres.front()];
+  properties.turning = detail::turning_of(first);
   int argument = 0;
-  each_argument(wheel, properties, [&](const std::string&, Expr& number) {
+  each_argument(first, wheel, properties, [&](const std::string&, Expr& number) {
     const LawArgument& known = law.arguments[static_cast<std::size_t>(argument)];
     number = known.is_common && !known.numbers.empty() ? Expr(known.numbers[0])
                                                        : Expr(builder, builder.input(Array::law_argument, argument));
     ++argument;
   });
-  const Tyre& first = model.tyres[law.tyres.front()];
   std::vector<Expr> coefficients;
   for (const Quantity& q : first.coefficients) coefficients.emplace_back(q.value);
   const RoadContact<Expr> contact = road_contact(wheel, properties.radius);
   const TyreResult<Expr> tyre = detail::tyre_law(first.model, coefficients, properties, contact.motion);
-  Forces forces{tyre_wrench(contact, tyre), tyre.du, tyre.dv};
+  Forces forces{tyre_wrench(contact, tyre), tyre.du, tyre.dv, tyre.dturn};
   forces.wrench.angular = forces.wrench.angular + cross(contact.down, forces.wrench.linear);
   int result = 0;
-  each_result(forces, [&](const std::string& name, Expr& number) {
+  each_result(first, forces, [&](const std::string& name, Expr& number) {
     scribe.name(number, name);
     builder.output(Array::law_result, result++, number.value(builder));
   });
@@ -146,7 +155,7 @@ Program traced_law(const Model& model, const SharedLaw& law) {
 
 std::vector<SharedLaw> plan_shared_laws(const Model& model) {
   std::vector<SharedLaw> laws;
-  for (std::vector<int>& tyres : tyres_of_laws(model)) laws.push_back(planned_law(std::move(tyres)));
+  for (std::vector<int>& tyres : tyres_of_laws(model)) laws.push_back(planned_law(model, std::move(tyres)));
   return laws;
 }
 
@@ -165,11 +174,12 @@ detail::SharedTyreLaw<Expr> shared_tyre_law(Tracing& tracing, const std::vector<
       if (place == law.tyres.end()) continue;
       const int elements = static_cast<int>(law.tyres.size()), element = static_cast<int>(place - law.tyres.begin());
       int argument = element, result = element;
-      each_argument(wheel, properties, [&](const std::string&, Expr& number) {
+      const Tyre& of = tracing.system.model.tyres[tyre];
+      each_argument(of, wheel, properties, [&](const std::string&, Expr& number) {
         tracing.output(of_block(Array::law_argument, k), std::exchange(argument, argument + elements), number);
       });
       Forces forces;
-      each_result(forces, [&](const std::string&, Expr& number) {
+      each_result(of, forces, [&](const std::string&, Expr& number) {
         number = tracing.input(of_block(Array::law_result, k), std::exchange(result, result + elements));
       });
       return forces;

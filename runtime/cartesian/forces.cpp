@@ -182,13 +182,18 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
     add_line(model.air_springs[s], parts.air_springs[s], bodies, values, forces);
   for (std::size_t f = 0; f < model.forces.size(); ++f)
     add_applied(model.forces[f], parts.forces[f], bodies, values, forces);
+  std::vector<double> turn_rates;
+  const auto first_of_turns = static_cast<std::size_t>(first_turn(model));
   for (std::size_t w = 0; w < model.tyres.size(); ++w) {
-    const RoadWheel wheel =
-        road_wheel(model.tyres[w], parts.tyres[w], bodies[parts.tyres[w].centre.body], x[2 * w], x[2 * w + 1], values);
+    const double turn = model.tyres[w].parking ? x[first_of_turns + turn_rates.size()] : 0;
+    const RoadWheel wheel = road_wheel(model.tyres[w], parts.tyres[w], bodies[parts.tyres[w].centre.body],
+                                       {x[2 * w], x[2 * w + 1], turn}, values);
+    if (model.tyres[w].parking) turn_rates.push_back(wheel.dturn);
     forces.loads.push_back({parts.tyres[w].centre.body, wheel.wrench});
     forces.xd.push_back(wheel.du);
     forces.xd.push_back(wheel.dv);
   }
+  forces.xd.insert(forces.xd.end(), turn_rates.begin(), turn_rates.end());
   Frictions frictions{values, x, tensions};
   for (const JointFriction& friction : model.frictions) {
     const int i = values.table[friction.joint.joint][friction.joint.component];

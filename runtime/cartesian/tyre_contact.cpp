@@ -45,6 +45,9 @@ Contact contact_of(const Tyre& tyre, const PartTyre& part, const Moving& wheel, 
   c.motion.vy = (velocity + turning.cross(radius * down)).dot(c.left);
   c.motion.spin = spin;
   c.motion.camber = std::asin(sine);
+  // Rate of the heading: of the axis as it is seen from above.
+  const Vector3d across = axis - sine * c.up, across_rate = wheel.spin.cross(axis);
+  c.motion.turn_rate = c.up.dot(across.cross(across_rate)) / across.squaredNorm();
   return c;
 }
 
@@ -52,19 +55,25 @@ TyreResult<double> law_of(const Tyre& tyre, const TyreContact<double>& contact, 
                           const Values& value) {
   std::vector<double> coefficients;
   for (const Quantity& q : tyre.coefficients) coefficients.push_back(value(q));
-  const TyreProperties<double> properties{value(tyre.radius),
-                                          value(tyre.stiffness),
-                                          value(tyre.damping),
-                                          road_friction * value(tyre.friction),
-                                          value(tyre.rolling_resistance),
-                                          value(tyre.relaxation_x),
-                                          value(tyre.relaxation_y),
-                                          value(tyre.low_speed),
-                                          tyre.side,
-                                          tyre.count,
-                                          value(tyre.pressure),
-                                          tyre.over_load_x ? 1. : 0.,
-                                          tyre.over_load_y ? 1. : 0.};
+  TyreProperties<double> properties{value(tyre.radius),
+                                    value(tyre.stiffness),
+                                    value(tyre.damping),
+                                    road_friction * value(tyre.friction),
+                                    value(tyre.rolling_resistance),
+                                    value(tyre.relaxation_x),
+                                    value(tyre.relaxation_y),
+                                    value(tyre.low_speed),
+                                    tyre.side,
+                                    tyre.count,
+                                    value(tyre.pressure),
+                                    tyre.over_load_x ? 1. : 0.,
+                                    tyre.over_load_y ? 1. : 0.};
+  if (tyre.parking) {
+    properties.turning = tyre.turn_slip ? Turning::turn_slip : Turning::patch;
+    properties.turn_stiffness = value(tyre.parking->stiffness);
+    properties.turn_radius = value(tyre.parking->radius);
+    properties.turn_load = value(tyre.parking->load);
+  }
   if (tyre.model == TyreModel::mf61)
     return tyre_forces(MagicFormula61<double>::from_fields(coefficients.data()), properties, contact);
   if (tyre.model == TyreModel::pac2002)
@@ -74,11 +83,12 @@ TyreResult<double> law_of(const Tyre& tyre, const TyreContact<double>& contact, 
 
 }  // namespace
 
-RoadWheel road_wheel(const Tyre& tyre, const PartTyre& part, const Moving& wheel, double u, double v,
+RoadWheel road_wheel(const Tyre& tyre, const PartTyre& part, const Moving& wheel, const TyreStates& states,
                      const Values& value) {
   Contact contact = contact_of(tyre, part, wheel, value);
-  contact.motion.u = u;
-  contact.motion.v = v;
+  contact.motion.u = states.u;
+  contact.motion.v = states.v;
+  contact.motion.turn = states.turn;
   const TyreResult<double> result = law_of(tyre, contact.motion, contact.friction, value);
   const Vector3d force = result.fx * contact.forward + result.fy * contact.left + result.load * contact.up;
   const Vector3d moment = result.mx * contact.forward + result.my * contact.left + result.mz * contact.up;
@@ -86,6 +96,7 @@ RoadWheel road_wheel(const Tyre& tyre, const PartTyre& part, const Moving& wheel
   road.wrench << force, contact.arm.cross(force) + moment;
   road.du = result.du;
   road.dv = result.dv;
+  road.dturn = result.dturn;
   return road;
 }
 

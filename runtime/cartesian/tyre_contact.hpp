@@ -8,10 +8,17 @@ namespace mbgen::cartesian {
 struct RoadWheel {
   Vector6d wrench;        ///< on the wheel about its centre of mass, global axes
   double du = 0, dv = 0;  ///< rates of its deflection states, m/s
+  double dturn = 0;       ///< rad/s, likewise, of a tyre with turning
 };
 
-/// Forces of a tyre on its wheel. u, v: deflection states, m.
-RoadWheel road_wheel(const Tyre& tyre, const PartTyre& part, const Moving& wheel, double u, double v,
+/// Deflection states of a tyre.
+struct TyreStates {
+  double u, v;      ///< m
+  double turn = 0;  ///< rad, of a tyre with turning
+};
+
+/// Forces of a tyre on its wheel.
+RoadWheel road_wheel(const Tyre& tyre, const PartTyre& part, const Moving& wheel, const TyreStates& states,
                      const Values& value);
 
 }  // namespace mbgen::cartesian

@@ -81,10 +81,10 @@ Status stiffness_at(const GenericSolver& solver, GenericEquations& equations, co
                     const Balance& b, Eigen::MatrixXd& stiffness) {
   const Eigen::Index unknowns = unknowns_of(equations, b);
   stiffness.resize(b.force.size(), unknowns);
-  const Eigen::Index first_held = b.rz.cols() + first_bristle(equations.model);
+  const Eigen::Index first_held = b.rz.cols() + first_turn(equations.model);
   const Eigen::Index last_held = b.rz.cols() + slip_state_count(equations.model);
   for (Eigen::Index u = 0; u < unknowns; ++u) {
-    if (u >= first_held && u < last_held) {  // bristles stay straight: bent at rest they would bear any load
+    if (u >= first_held && u < last_held) {  // turns and bristles stay straight: bent at rest they would bear any load
       stiffness.col(u).setZero();
       continue;
     }
@@ -172,8 +172,8 @@ Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations,
 Status GenericSolver::equilibrium(GenericState& state) const {
   GenericState start = state;
   std::fill(start.zd.begin(), start.zd.end(), 0.0);
-  const auto x = start.x.begin();  // bristles straight, Maxwell branches relaxed
-  std::fill(x + first_bristle(equations_->model), x + first_user_state(equations_->model), 0.0);
+  const auto x = start.x.begin();  // turns and bristles straight, Maxwell branches relaxed
+  std::fill(x + first_turn(equations_->model), x + first_user_state(equations_->model), 0.0);
   if (const Status status = settled(*this, start); !status.ok()) return status;
   GenericState found = start;
   Status status = walk_to_balance(*this, *equations_, Search::downhill, kBalanceIterations, found);

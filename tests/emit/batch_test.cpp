@@ -103,6 +103,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"models/rolling_disc.json", "rolling_disc", kClang, 4, ""},
                     Case{"tests/data/models/three_wheeler.json", "three_wheeler", kGnu, 8, "-march=native"},
                     Case{"tests/data/models/mf61_three_wheeler.json", "mf61_three_wheeler", kClang, 4, ""},
+                    Case{"tests/data/models/turning_three_wheeler.json", "turning_three_wheeler", kGnu, 4, ""},
+                    Case{"tests/data/models/parked_wheels.json", "parked_wheels", kClang, 4, "", true},
                     Case{"tests/data/models/wheel_outputs.json", "wheel_outputs", kClang, 4, ""},
                     Case{"tests/data/models/bushings.json", "bushings", kClang, 4, ""},
                     Case{"tests/data/models/states.json", "states", kClang, 4, "", true},

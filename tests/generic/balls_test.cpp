@@ -29,8 +29,9 @@ struct Moving {
   GenericState state;
   AbmHistory<Moving> history{};
   mutable int evaluations = 0;
-  int changes = 0;  ///< steps after which other charts are taken
-  Status worst;     ///< the first that is not ok itself
+  bool fails = false;  ///< whether the next evaluation does
+  int changes = 0;     ///< steps after which other charts are taken
+  Status worst;        ///< the first that is not ok itself
 
   explicit Moving(const std::string& text) : m(mechanism_of(text)) {
     state.z.assign(m.topology.bodies.size(), 0.0);
@@ -46,6 +47,7 @@ struct Moving {
 
   Status derivative(const State& at, Derivative& rates) const noexcept {
     ++evaluations;
+    if (fails) return {Code::not_a_number, 0};
     return solver.solve_motion(at, rates);
   }
   Status project(State& at) const noexcept { return solver.project_motion(at); }
@@ -226,6 +228,29 @@ TEST(Racket, TakesItsHistoryThroughPoles) {
     EXPECT_LT(fine_error, coarse_error / 10) << sequence;
   }
   EXPECT_GT(changes, 15);
+}
+
+// A start whose second angle is beyond a quarter turn: the way back by the charts would lead to the other angles.
+TEST(Racket, KeepsItsHistoryWhereAStepFailsInOtherCharts) {
+  Moving flying(
+      racket("xyz", R"({ "positions": { "float_ry": 2.9 }, "velocities": { "float_ry": -3, "float_rz": 1 } })"));
+  flying.go(4, 5e-3, true);
+  while (!flying.leaves_charts(flying.state)) flying.go(1, 5e-3, true);
+  ASSERT_EQ(flying.changes, 0);
+  ASSERT_GT(std::abs(flying.state.z[static_cast<std::size_t>(find_coordinate(flying.m.topology, "float_ry"))]), 2);
+  const AbmHistory<Moving> before = flying.history;
+  const GenericState state = flying.state;
+  flying.fails = true;
+  EXPECT_EQ(step_abm4(flying, flying.state, flying.history, 5e-3).code, Code::not_a_number);
+  EXPECT_EQ(flying.state.z, state.z);
+  EXPECT_EQ(flying.history.count, before.count);
+  for (int k = 0; k < 4; ++k) {
+    const StateRates<Moving>&then = past_rates(before, k), &now = past_rates(flying.history, k);
+    EXPECT_EQ(now.zd, then.zd) << k;
+    EXPECT_EQ(now.derivative.zdd, then.derivative.zdd) << k;
+    const int place = (before.newest + k) % before.kRing;
+    EXPECT_EQ(flying.history.past_z[place], before.past_z[place]) << k;
+  }
 }
 
 // A start in the pole itself, by a quaternion: a quarter about y is the pole of zyx.

@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "tests/support/implicit_support.hpp"
 
@@ -95,6 +99,50 @@ TEST(Implicit, MatrixHasWhatIsStiffInATyre) {
   EXPECT_LT(largest_difference(own.rightCols(2), whole.rightCols(2)), 1e-6) << "by the deflection states";
   EXPECT_LT(largest_difference(own.bottomRows(2).middleCols(2, 2), whole.bottomRows(2).middleCols(2, 2)), 0.01);
   EXPECT_NEAR(own(2, 0) / whole(2, 0), 1, 0.01) << "vertical";
+}
+
+std::string text_of(const std::string& relative) {
+  std::ifstream file(source_path(relative));
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// An axle on wheels that are steered at standstill; their kingpins stand upright on upright wheels' patches, or not.
+Free steered_axle(bool on_patches) {
+  std::string text = text_of("tests/data/models/parked_wheels.json");
+  for (const auto& [lever, none] : {std::pair{"[0.02, 1.1, 0.5]", "[0, 1, 0.5]"},
+                                    {"[0.02, -1.1, 0.5]", "[0, -1, 0.5]"},
+                                    {"[0.05, 0.1, 1]", "[0, 0, 1]"},
+                                    {"[0.05, -0.1, 1]", "[0, 0, 1]"},
+                                    {"[0, 1, 0.03]", "[0, 1, 0]"}})
+    for (std::size_t at = 0; on_patches && (at = text.find(lever, at)) != std::string::npos;)
+      text.replace(at, std::string_view(lever).size(), none);
+  return Free{mechanism_of(text)};
+}
+GenericState steered(const Free& axle) {
+  GenericState state = reference_state(axle.m);
+  state.z[find_coordinate(axle.m.topology, "up")] = -0.02;
+  state.zd[find_coordinate(axle.m.topology, "left_steer")] = 0.3;
+  state.zd[find_coordinate(axle.m.topology, "right_steer")] = -0.2;
+  state.x = {0, 0, 0, 0, -0.03, 0.02};
+  return axle.moved(state, Eigen::VectorXd::Zero(2 * axle.half() + 6));
+}
+/// By all velocities but the vertical one, with which the load changes.
+Eigen::MatrixXd rates_of_turns(const Free& axle, const Eigen::MatrixXd& matrix) {
+  return matrix.bottomRows(2).middleCols(axle.half() + 1, axle.half() - 1);
+}
+
+// What rolling takes of the turn is left out, and the spin of a leaning wheel counts as turning: neither is there where
+// upright wheels turn on the spot.
+TEST(Implicit, MatrixHasThePatchesThatTurn) {
+  for (const bool on_patches : {true, false}) {
+    const Free axle = steered_axle(on_patches);
+    const GenericState state = steered(axle);
+    const Eigen::MatrixXd own = axle.matrix(state), whole = axle.differences(state);
+    EXPECT_GT(whole.rightCols(2).cwiseAbs().maxCoeff(), 100) << "N m/rad over kg m^2";
+    EXPECT_LT(largest_difference(own.rightCols(2), whole.rightCols(2)), 1e-6) << "by the turns";
+    if (!on_patches) continue;
+    EXPECT_LT(largest_difference(rates_of_turns(axle, own), rates_of_turns(axle, whole)), 1e-6) << "by the velocities";
+  }
 }
 
 // The fastest eigenvalue of the governor is -8117 1/s: beyond Runge-Kutta's region at steps above 3.4e-4 s.

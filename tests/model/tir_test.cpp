@@ -8,8 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "mbgen/mf61_set.hpp"
-#include "mbgen/pac2002.hpp"
+#include "compiler/model/tyre_sets.hpp"
 #include "tests/support/model_support.hpp"
 
 namespace mbgen {
@@ -134,6 +133,52 @@ TEST_F(TirFile, Of61GivesTheReferenceSetInSi) {
   ASSERT_EQ(model->notes.size(), 1u);
   EXPECT_EQ(model->notes[0].message,
             "the model does not use turn slip (PECP1); radius and stiffness over load and speed (Q_FCX)");
+}
+
+TEST_F(TirFile, TurnSlipActsWhereTheModelOrUseModeAsksForIt) {
+  nlohmann::json set =
+      nlohmann::json::parse(std::ifstream(MBGEN_SOURCE_DIR "/tests/data/tyre_mf61.json"))["parameters"];
+  set.update(
+      nlohmann::json::parse(std::ifstream(MBGEN_SOURCE_DIR "/tests/data/tyre_mf61_turn_slip.json"))["parameters"]);
+  set.erase("PECP1");  // in tir61_of already, as 0.5
+  const auto turning = [&](double mode, const std::string& fields, double yaw = 0) {
+    set["USE_MODE"] = mode;
+    set["YAW_STIFFNESS"] = yaw;
+    return wheel(tir61_of(set), fields);
+  };
+  for (const auto& [mode, fields, acts] : {std::tuple(125, "", true),
+                                           {25, "", true},
+                                           {124, "", false},
+                                           {124, R"(, "turn_slip": true)", true},
+                                           {5, R"(, "turn_slip": false)", false}}) {
+    const Result<Model> model = turning(mode, fields);
+    ASSERT_TRUE(model) << to_text(model.problems());
+    const Tyre& tyre = model->tyres[0];
+    EXPECT_EQ(tyre.turn_slip, acts) << mode << fields;
+    EXPECT_EQ(tyre.parking.has_value(), acts);
+    EXPECT_EQ(tyre.coefficients[tyre_field_index(kMf61Fields, "PDXP1")].value, acts ? 0.4 : 0);
+    EXPECT_EQ(model->notes[0].message.find("turn slip (") == std::string::npos, acts) << model->notes[0].message;
+  }
+  const TyrePatch soft = *turning(125, "", 4e6)->tyres[0].parking, own = *turning(125, "")->tyres[0].parking;
+  EXPECT_DOUBLE_EQ(own.radius.value, 0.2 * 0.317 * 1.05);
+  EXPECT_DOUBLE_EQ(own.load.value, 4100);
+  // Slopes at nominal load of the moment over alpha (t Ky) and over spin (K_zgammar0 R0 / (1 - eps)), the latter over
+  // half the patch; Q_DZ2 and others of df_z are nothing there.
+  const double cornering = 20.3 * 4100 * std::sin(2.02 * std::atan(1 / 1.62)) * 1.03, trail = 0.097 * 0.317 * 1.02;
+  const double of_spin = 4100 * 0.317 * 0.11 * 0.95 * 0.317 / (1 - 0.5);
+  const double patch = cornering * trail + of_spin / std::sqrt(0.317 * 4100 / 231e3);
+  EXPECT_NEAR(own.stiffness.value, patch, 1e-9 * patch);
+  EXPECT_NEAR(1 / soft.stiffness.value, 1 / patch + 1 / 4e3, 1e-12) << "4e6 N mm in series";
+  const TyrePatch given = *turning(125, R"(, "parking": { "stiffness": 1234, "load": 3000 })")->tyres[0].parking;
+  EXPECT_EQ(given.stiffness.value, 1234);
+  EXPECT_EQ(given.load.value, 3000);
+  EXPECT_EQ(given.radius.value, own.radius.value);
+  set.erase("QDRP1");
+  const Result<Model> without = turning(125, "");
+  ASSERT_TRUE(without) << to_text(without.problems());
+  EXPECT_FALSE(without->tyres[0].turn_slip);
+  EXPECT_EQ(without->notes.back().message, "turn slip, for which USE_MODE asks, is not in the file");
+  EXPECT_FALSE(turning(125, R"(, "turn_slip": true)"));
 }
 
 TEST_F(TirFile, GivesTheCamsOfAnEnvelope) {

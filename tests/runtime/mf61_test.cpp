@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "mbgen/tyre.hpp"
+#include "tests/runtime/mf61_sets.hpp"
 #include "tests/runtime/mirrored_tyre.hpp"
 
 namespace mbgen {
@@ -21,23 +22,9 @@ namespace {
 using Set = MagicFormula61<double>;
 
 const nlohmann::json& mf61_reference() {
-  static const nlohmann::json data =
-      nlohmann::json::parse(std::ifstream(MBGEN_SOURCE_DIR "/tests/data/tyre_mf61.json"));
+  static const nlohmann::json data = reference_data("tyre_mf61.json");
   return data;
 }
-
-template <class Numbers>
-Set mf61_set(const Numbers& number) {
-  std::vector<double> values;
-  for (const TyreField& field : kMf61Fields) values.push_back(number(field));
-  return Set::from_fields(values.data());
-}
-
-Set passenger_car() {
-  return mf61_set([](const TyreField& f) { return mf61_reference()["parameters"].value(f.name, f.default_value); });
-}
-
-constexpr double kPressure = 220e3;  // nominal of the set
 
 /// Sign that the reference has in (4.E24) over that of the book: it takes it from alpha, 0 at 0, in place of alpha_y.
 double sign_of_reference(const Set& set, double fz, double alpha, double sine, double pressure) {
@@ -86,9 +73,9 @@ TEST(Mf61, CamberMovesTheArmOfTheLongitudinalForce) {
   Set set = passenger_car(), without = set;
   without.ssz3 = without.ssz4 = 0;
   const magic::Mf61Slips<double> slips{0.05, 0.03, 0.06};
-  const TyreForces<double> f = magic_formula_61<double>(set, 5000, slips, kPressure);
+  const TyreForces<double> f = magic_formula_61<double>(set, 5000, slips, kNominalPressure);
   const double arm = set.unloaded_radius * (set.ssz3 + set.ssz4 * (5000 / 4100.0 - 1)) * std::sin(0.06);  // (4.E76)
-  EXPECT_NEAR(f.mz - magic_formula_61<double>(without, 5000, slips, kPressure).mz, arm * f.fx, 1e-9);
+  EXPECT_NEAR(f.mz - magic_formula_61<double>(without, 5000, slips, kNominalPressure).mz, arm * f.fx, 1e-9);
 }
 
 TEST(Mf61, IsPac2002WhereItsExtrasAreZero) {
@@ -136,7 +123,8 @@ TEST(Mf61, WithoutLoadIsExactlyZeroAndNeverNaN) {
       for (const double gamma : {-0.3, 0.0, 0.3}) {
         for (const double fz : {0.0, -1000.0, 1e-300, 1e-3, 1.0, 4e3, 1e5}) {
           for (const double friction : {0.0, 1e-3, 1.0}) {
-            const TyreForces<double> f = magic_formula_61<double>(set, fz, {kappa, alpha, gamma}, kPressure, friction);
+            const TyreForces<double> f =
+                magic_formula_61<double>(set, fz, {kappa, alpha, gamma}, kNominalPressure, friction);
             ASSERT_TRUE(std::isfinite(f.fx + f.fy + f.mz + f.mx)) << fz << " " << kappa << " " << alpha << " " << gamma;
             EXPECT_TRUE(fz > 0 || (f.fx == 0 && f.fy == 0 && f.mz == 0 && f.mx == 0));
           }
@@ -146,7 +134,7 @@ TEST(Mf61, WithoutLoadIsExactlyZeroAndNeverNaN) {
   }
 }
 
-TyreProperties<double> car_properties() { return {0.317, 2.1e5, 50, 1, 0.01, 0.2, 0.4, 2, 1, 1, kPressure}; }
+TyreProperties<double> car_properties() { return {0.317, 2.1e5, 50, 1, 0.01, 0.2, 0.4, 2, 1, 1, kNominalPressure}; }
 
 TEST(Mf61OnTheRoad, LoadAndRadiusFollowTheirCoefficients) {
   Set set = passenger_car();

@@ -142,7 +142,8 @@ Slots with_law_results(const Programs& programs, const Slots& around, Slots give
 }
 
 TEST(SharedLaws, AccelerationsAroundThemAreTheSame) {
-  for (const char* model : {"models/coach.json", "models/truck.json", "tests/data/models/three_wheeler.json"}) {
+  for (const char* model : {"models/coach.json", "models/truck.json", "tests/data/models/three_wheeler.json",
+                            "tests/data/models/turning_three_wheeler.json"}) {
     const Mechanism m = load(model);
     const Programs programs = trace(m.model, m.topology, m.analysis);
     ASSERT_EQ(programs.laws.size(), 1u) << model;

@@ -170,21 +170,22 @@ Status plainly_or_carefully(const State& state, State& result, const Attempt& at
 }
 
 /// Takes a step by `step` from the state with its charts settled; the state keeps its charts where the step fails.
-/// on_change: takes over from the charts of one state to those of another what the step remembers.
-template <class System, class Step, class OnChange>
+/// take_over: takes what the step remembers from the charts of one state to those of another; its result is a function
+/// that puts back what was remembered.
+template <class System, class Step, class TakeOver>
 Status with_settled_charts(const System& system, typename System::State& state, const Step& step,
-                           const OnChange& on_change) noexcept {
+                           const TakeOver& take_over) noexcept {
   if constexpr (kHasCharts<System>) {
     if (!system.leaves_charts(state)) return step(state);
     typename System::State settled;
     copy_state(state, settled);
     system.settle_charts(settled);
-    on_change(state, settled);
+    const auto put_back = take_over(state, settled);
     const Status status = step(settled);
     if (status.ok()) {
       copy_state(settled, state);
     } else {
-      on_change(settled, state);
+      put_back();
     }
     return status;
   } else {
@@ -225,7 +226,7 @@ Status one_step(const System& system, typename System::State& state, double h, c
     return stepped;
   };
   return with_samples(system, state, h, [&](State& sampled, bool) {
-    return with_settled_charts(system, sampled, from_settled, [](const State&, const State&) {});
+    return with_settled_charts(system, sampled, from_settled, [](const State&, const State&) { return [] {}; });
   });
 }
 
@@ -276,17 +277,45 @@ Status settled_abm4(const System& system, typename System::State& state, AbmHist
   return status;
 }
 
-/// Takes the rates of a history from the charts of one state to those of another.
+/// What a change of charts changes in a history, as it was: a way back by the charts would lose bits, and find the
+/// other angles of a turn whose second angle is beyond a quarter. Places as past_rates.
 template <class System>
-void change_history([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& from,
+struct HistoryBefore {
+  AbmHistory<System>& history;
+  decltype(System::State::z) z[4];
+  decltype(System::State::zd) zd[4];
+  decltype(System::Derivative::zdd) zdd[4];
+
+  explicit HistoryBefore(AbmHistory<System>& of) noexcept : history(of) {}  // rows of zeros would be a call of memset
+  /// Puts it back.
+  void operator()() const noexcept {
+    for (int k = 0; k < history.count; ++k) {
+      const int place = (history.newest + k) % history.kRing;
+      copy(z[k], history.past_z[place]);
+      copy(zd[k], history.rates[place].zd);
+      copy(zdd[k], history.rates[place].derivative.zdd);
+    }
+  }
+};
+
+/// Takes the rates of a history from the charts of one state to those of another. Result: what they were.
+template <class System>
+auto change_history([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& from,
                     [[maybe_unused]] const typename System::State& to,
                     [[maybe_unused]] AbmHistory<System>& history) noexcept {
   if constexpr (kHasCharts<System>) {
+    HistoryBefore<System> before(history);
     for (int k = 0; k < history.count; ++k) {
       const int place = (history.newest + k) % history.kRing;
       StateRates<System>& rates = history.rates[place];
+      copy(history.past_z[place], before.z[k]);
+      copy(rates.zd, before.zd[k]);
+      copy(rates.derivative.zdd, before.zdd[k]);
       system.change_charts(from, to, history.past_z[place], rates.zd, rates.derivative.zdd);
     }
+    return before;
+  } else {
+    return [] {};
   }
 }
 
@@ -294,9 +323,8 @@ void change_history([[maybe_unused]] const System& system, [[maybe_unused]] cons
 
 /// One step of h seconds by Adams-Bashforth-Moulton of order four, evaluated at the predicted and at the projected
 /// state: two evaluations a step. The first three steps, and those after a change of h, a jump of t or an instant of a
-/// sampled value, are by Runge-Kutta. A change of charts takes the history over; where the step then fails it goes
-/// back, which is exact but for rounding. Gives notices and fails as step_rk4. Source: L. F. Shampine, M. K. Gordon,
-/// Computer Solution of Ordinary Differential Equations, 1975 (PECE).
+/// sampled value, are by Runge-Kutta. A change of charts takes the history over. Gives notices and fails as step_rk4.
+/// Source: L. F. Shampine, M. K. Gordon, Computer Solution of Ordinary Differential Equations, 1975 (PECE).
 template <class System>
 Status step_abm4(const System& system, typename System::State& state, AbmHistory<System>& history, double h) noexcept {
   using namespace integrator_detail;
@@ -308,7 +336,7 @@ Status step_abm4(const System& system, typename System::State& state, AbmHistory
     if (any) history.count = 0;  // rates jump with the values
     return with_settled_charts(
         system, sampled, [&](State& settled) { return settled_abm4(system, settled, history, h); },
-        [&](const State& from, const State& to) { change_history(system, from, to, history); });
+        [&](const State& from, const State& to) { return change_history(system, from, to, history); });
   });
   if (!stepped.ok()) history.count = known;
   return stepped;

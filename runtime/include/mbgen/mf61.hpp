@@ -1,12 +1,12 @@
 #pragma once
-// The magic formula MF 6.1, and 6.2 as far as its equations are public, for combined slip, over a scalar T without
-// comparisons; without turn slip.
+// The magic formula MF 6.1, and 6.2 as far as its equations are public, for combined slip and turn slip
+// (mf61_turn_slip.hpp), over a scalar T without comparisons.
 // Source: H. B. Pacejka, Tire and Vehicle Dynamics, 3rd edition, 2012, section 4.3.2, equations (4.E1) to (4.E78), with
 // the readings of the library teasit/magic-formula-tyre-library: the slip of the pure lateral force is the angle, not
 // its tangent; PDX3 stands before the camber itself; QBZ4 is there and QBZ6 is not; the residual moment has the cosine
 // of the slip angle twice; friction is LMUX and LMUY throughout. QSX12 to QSX14: MF-Tyre 6.2.
 
-#include "mbgen/mf61_set.hpp"
+#include "mbgen/mf61_turn_slip.hpp"
 
 namespace mbgen {
 
@@ -36,19 +36,19 @@ T parabola(const T& a, const T& b, const T& x) {
 /// (4.E9) to (4.E18).
 template <class T>
 PureLongitudinal<T> mf61_longitudinal(const MagicFormula61<T>& set, const Mf61State<T>& at, const T& kappa,
-                                      const T& gamma) {
+                                      const T& gamma, const Mf61Turn<T>& turn = {}) {
   using std::exp;
   using std::sin;
   constexpr double kDigression = 10;  // A_mu of (4.E8): shifts fade out later than friction does
   const T dfz = at.dfz;
-  const T friction = set.lmux * at.friction;
+  const T friction = set.lmux * at.friction, zeta_1 = mf61_zeta_1(set, dfz, kappa, turn);
   const T sh = (set.phx1 + set.phx2 * dfz) * set.lhx * at.shifts;
   const T sv = at.load * (set.pvx1 + set.pvx2 * dfz) * set.lvx * at.shifts *
-               (kDigression * friction / (1.0 + (kDigression - 1) * friction));
+               (kDigression * friction / (1.0 + (kDigression - 1) * friction)) * zeta_1;
   const T slip = kappa + sh;
   const T c = set.pcx1 * set.lcx;
   const T d = (set.pdx1 + set.pdx2 * dfz) * parabola<T>(set.ppx3, set.ppx4, at.dpi) * (1.0 - set.pdx3 * gamma * gamma) *
-              friction * at.load;
+              friction * at.load * zeta_1;
   const T e = (set.pex1 + set.pex2 * dfz + set.pex3 * dfz * dfz) * (1.0 - set.pex4 * sign(slip)) * set.lex;
   const T stiffness =
       at.load * (set.pkx1 + set.pkx2 * dfz) * exp(set.pkx3 * dfz) * parabola<T>(set.ppx1, set.ppx2, at.dpi) * set.lkx;
@@ -56,26 +56,40 @@ PureLongitudinal<T> mf61_longitudinal(const MagicFormula61<T>& set, const Mf61St
   return {d * sin(angle<T>(b, c, curvature(e), slip)) + sv, stiffness};
 }
 
+/// K_yalpha without spin, N/rad: (4.E25), not held away from zero. sine: of the camber.
+template <class T>
+T mf61_cornering_stiffness(const MagicFormula61<T>& set, const Mf61State<T>& at, const T& sine) {
+  using std::atan;
+  using std::sin;
+  const T reach = (set.pky2 + set.pky5 * (sine * sine)) * (1.0 + set.ppy2 * at.dpi);
+  return set.pky1 * at.nominal * (1.0 + set.ppy1 * at.dpi) * (1.0 - set.pky3 * abs(sine)) *
+         sin(set.pky4 * atan(at.load / (at.nominal * reach))) * set.lky;
+}
+
 /// (4.E19) to (4.E30), its slip_shift (4.E38). sine: of the camber.
 template <class T>
-PureLateral<T> mf61_lateral(const MagicFormula61<T>& set, const Mf61State<T>& at, const T& alpha, const T& sine) {
-  using std::atan;
+PureLateral<T> mf61_lateral(const MagicFormula61<T>& set, const Mf61State<T>& at, const T& alpha, const T& sine,
+                            const Mf61Turn<T>& turn = {}) {
+  using std::cos;
   using std::sin;
   const T dfz = at.dfz, square = sine * sine;
   const T scale = set.lmuy * at.friction;
-  const T reach = (set.pky2 + set.pky5 * square) * (1.0 + set.ppy2 * at.dpi);
-  const T unguarded = set.pky1 * at.nominal * (1.0 + set.ppy1 * at.dpi) * (1.0 - set.pky3 * abs(sine)) *
-                      sin(set.pky4 * atan(at.load / (at.nominal * reach))) * set.lky;
-  const T stiffness = away_from_zero<T>(unguarded, 1e-9 * at.load);
+  const T zeta_2 = turn.acts ? mf61_zeta_2<T>(set, dfz, sin(alpha) / cos(alpha), turn) : T(1);
+  const T stiffness =
+      away_from_zero<T>(mf61_cornering_stiffness(set, at, sine) * mf61_zeta_3(set, turn), 1e-9 * at.load);
   const T camber_stiffness = at.load * (set.pky6 + set.pky7 * dfz) * (1.0 + set.ppy5 * at.dpi) * set.lkyc;
-  const T thrust = at.load * (set.pvy3 + set.pvy4 * dfz) * sine * set.lkyc * scale;
-  const T sv = (at.load * (set.pvy1 + set.pvy2 * dfz) * set.lvy * scale + thrust) * at.shifts;
-  const T sh = ((set.phy1 + set.phy2 * dfz) * set.lhy + (camber_stiffness * sine - thrust) / stiffness) * at.shifts;
+  const T thrust = at.load * (set.pvy3 + set.pvy4 * dfz) * sine * set.lkyc * scale * zeta_2;
+  const T sv = (at.load * (set.pvy1 + set.pvy2 * dfz) * set.lvy * scale * zeta_2 + thrust) * at.shifts;
+  const T of_camber = turn.acts ? mf61_spin_shift<T>(set, dfz, at.load, camber_stiffness,
+                                                     mf61_cornering_stiffness(set, at, T(0)), turn) -
+                                      thrust / stiffness
+                                : (camber_stiffness * sine - thrust) / stiffness;
+  const T sh = ((set.phy1 + set.phy2 * dfz) * set.lhy + of_camber) * at.shifts;
   const T slip = alpha + sh;
   const T c = set.pcy1 * set.lcy;
   const T friction =
       (set.pdy1 + set.pdy2 * dfz) * parabola<T>(set.ppy3, set.ppy4, at.dpi) * (1.0 - set.pdy3 * square) * scale;
-  const T d = friction * at.load;
+  const T d = friction * at.load * zeta_2;
   const T e =
       (set.pey1 + set.pey2 * dfz) * (1.0 + set.pey5 * square - (set.pey3 + set.pey4 * sine) * sign(slip)) * set.ley;
   const T b = stiffness / away_from_zero<T>(c * d, 1e-9 * at.load);
@@ -96,6 +110,29 @@ T mf61_trail(const MagicFormula61<T>& set, const Mf61State<T>& at, const T& tang
   const T e = (set.qez1 + set.qez2 * dfz + set.qez3 * dfz * dfz) *
               (1.0 + (set.qez4 + set.qez5 * sine) * (2.0 / kPi) * atan(b * set.qcz1 * tangent));
   return d * cos(angle<T>(b, set.qcz1, curvature(e), slip));
+}
+
+/// Residual aligning moment, N m.
+template <class T>
+struct ResidualMoment {
+  T aligning;  ///< before its factor cos^2 alpha
+  T turning;   ///< of spin
+};
+
+/// (4.E45) to (4.E47) where turn slip acts. slip: as of mf61_residual_moment; weight: G_ykappa.
+template <class T>
+ResidualMoment<T> mf61_residual_of_spin(const MagicFormula61<T>& set, const Mf61State<T>& at,
+                                        const PureLateral<T>& lateral, const T& slip, const T& sine, const T& zeta_2,
+                                        const T& weight, const Mf61Turn<T>& turn) {
+  using std::atan;
+  using std::cos;
+  const T friction = set.lmuy * at.friction;
+  const T zeta_6 = cos_of_arc<T>(set.qbrp1 * turn.spin);
+  const T b = (set.qbz9 * set.lky / friction + set.qbz10 * lateral.b * lateral.c) * zeta_6;
+  const T moment = mf61_turn_moment<T>(set, at.dfz, at.load, sine, turn);
+  const T shape = cos(mf61_zeta_7<T>(set, moment, weight, turn) * atan(b * slip));
+  return {at.load * set.unloaded_radius * friction * (set.qdz6 + set.qdz7 * at.dfz) * set.lres * zeta_2 * shape,
+          -moment * shape};
 }
 
 /// Residual aligning moment, N m, before its factor cos^2 alpha: (4.E36), (4.E45) to (4.E47). slip: tangent of the slip
@@ -150,15 +187,24 @@ struct Mf61Slips {
 
 }  // namespace magic
 
-/// Forces of MF 6.1 for combined slip.
+/// Forces of MF 6.1, and of them the moment of spin, N m, which is not in `forces`.
+template <class T>
+struct Mf61Forces {
+  TyreForces<T> forces;
+  T turning;
+};
+
+/// Forces of MF 6.1 for combined slip and turn slip.
 /// fz: N, vertical load; no load or less gives exactly zero. slips: kappa positive when driving; alpha below pi/2, its
 /// tangent is the lateral slip velocity over |forward velocity|; gamma: camber. pressure: Pa. friction, shifts and the
-/// result as of magic_formula_pac2002; the aligning moment is that of rolling forward.
-/// Requires: unloaded_radius, fnomin, nompres > 0; pcx1, pcy1, pky2 not zero; lmux, lmuy > 0.
+/// result as of magic_formula_pac2002; the aligning moment is that of rolling forward, the moment of spin that of
+/// either direction.
+/// Requires: unloaded_radius, fnomin, nompres > 0; pcx1, pcy1, pky2 not zero; lmux, lmuy > 0; where turn slip acts
+/// phyp1, phyp2, qdrp1 not zero.
 /// Source: Pacejka (2012), equations (4.E1) to (4.E78), with the readings at the head of this file.
 template <class T>
-TyreForces<T> magic_formula_61(const MagicFormula61<T>& set, const T& fz, const magic::Mf61Slips<T>& slips,
-                               const T& pressure, const T& friction = T(1), const T& shifts = T(1)) {
+Mf61Forces<T> mf61_forces(const MagicFormula61<T>& set, const T& fz, const magic::Mf61Slips<T>& slips,
+                          const T& pressure, const T& friction, const T& shifts, const magic::Mf61Turn<T>& turn) {
   using std::atan;
   using std::cos;
   using std::sin;
@@ -166,8 +212,9 @@ TyreForces<T> magic_formula_61(const MagicFormula61<T>& set, const T& fz, const 
   const magic::Mf61State<T> at = magic::mf61_state<T>(set, fz, pressure, friction, shifts);
   const T dfz = at.dfz, kappa = slips.kappa;
   const T sine = sin(slips.gamma), cosine = cos(slips.alpha), tangent = sin(slips.alpha) / cosine;
-  const magic::PureLongitudinal<T> longitudinal = magic::mf61_longitudinal<T>(set, at, kappa, slips.gamma);
-  const magic::PureLateral<T> lateral = magic::mf61_lateral<T>(set, at, slips.alpha, sine);
+  const magic::PureLongitudinal<T> longitudinal = magic::mf61_longitudinal<T>(set, at, kappa, slips.gamma, turn);
+  const magic::PureLateral<T> lateral = magic::mf61_lateral<T>(set, at, slips.alpha, sine, turn);
+  const T zeta_2 = magic::mf61_zeta_2<T>(set, dfz, tangent, turn);
 
   const T bx = (set.rbx1 + set.rbx3 * sine * sine) * magic::cos_of_arc<T>(set.rbx2 * kappa) * set.lxal;
   const T fx = longitudinal.force * magic::weight<T>(bx, set.rcx1, set.rex1 + set.rex2 * dfz, set.rhx1, tangent);
@@ -177,21 +224,37 @@ TyreForces<T> magic_formula_61(const MagicFormula61<T>& set, const T& fz, const 
     return magic::weight<T>(b, set.rcy1, set.rey1 + set.rey2 * dfz, set.rhy1 + set.rhy2 * dfz, kappa);
   };
   const T kappa_force = lateral.friction * at.load * (set.rvy1 + set.rvy2 * dfz + set.rvy3 * sine) *
-                        magic::cos_of_arc<T>(set.rvy4 * tangent) * sin(set.rvy5 * atan(set.rvy6 * kappa)) * set.lvyka;
+                        magic::cos_of_arc<T>(set.rvy4 * tangent) * sin(set.rvy5 * atan(set.rvy6 * kappa)) * set.lvyka *
+                        zeta_2;
   const T fy = y_weight(sine * sine) * lateral.force + kappa_force;
 
-  // The trail meets the side force of an upright wheel (4.E74), the residual moment its shifts.
+  // The trail meets the side force of an upright wheel without spin (4.E74), the residual moment its shifts.
   const magic::PureLateral<T> upright = magic::mf61_lateral<T>(set, at, slips.alpha, T(0));
   const T ratio = longitudinal.stiffness / lateral.stiffness * kappa;
   const auto with_kappa = [&ratio](const T& slip) { return sqrt(slip * slip + ratio * ratio + magic::kRootFloor); };
   const T trail_slip = tangent + set.qhz1 + set.qhz2 * dfz + (set.qhz3 + set.qhz4 * dfz) * sine;
-  const T trail = magic::mf61_trail<T>(set, at, trail_slip, with_kappa(trail_slip), sine);
-  const T residual = magic::mf61_residual_moment<T>(set, at, upright, with_kappa(tangent + upright.slip_shift), sine);
+  const T trail =
+      magic::mf61_trail<T>(set, at, trail_slip, with_kappa(trail_slip), sine) * magic::mf61_zeta_5(set, turn);
+  magic::ResidualMoment<T> residual{T(0), T(0)};
+  if (turn.acts)
+    residual = magic::mf61_residual_of_spin<T>(set, at, lateral, with_kappa(tangent + lateral.slip_shift), sine, zeta_2,
+                                               y_weight(sine * sine), turn);
+  else
+    residual.aligning =
+        magic::mf61_residual_moment<T>(set, at, upright, with_kappa(tangent + upright.slip_shift), sine);
   const T arm =
       set.unloaded_radius * set.ls * (set.ssz1 + set.ssz2 * fy / at.nominal + (set.ssz3 + set.ssz4 * dfz) * sine);
-  const T mz = (residual * cosine - trail * y_weight(T(0)) * upright.force) * cosine + arm * fx;
+  const T mz = (residual.aligning * cosine - trail * y_weight(T(0)) * upright.force) * cosine + arm * fx;
   const T mx = magic::mf61_overturning<T>(set, at, fy, slips.gamma);
-  return {at.proportion * fx, at.proportion * fy, at.proportion * mz, at.proportion * mx};
+  return {{at.proportion * fx, at.proportion * fy, at.proportion * mz, at.proportion * mx},
+          at.proportion * residual.turning};
+}
+
+/// The same without turn slip.
+template <class T>
+TyreForces<T> magic_formula_61(const MagicFormula61<T>& set, const T& fz, const magic::Mf61Slips<T>& slips,
+                               const T& pressure, const T& friction = T(1), const T& shifts = T(1)) {
+  return mf61_forces<T>(set, fz, slips, pressure, friction, shifts, magic::Mf61Turn<T>{}).forces;
 }
 
 /// Rolling resistance moment of MF 6.1, N m, against the rolling, >= 0 in the range of a fit; (4.E70).

@@ -1,5 +1,5 @@
 #pragma once
-// The coefficients of the magic formula MF 6.1, and of 6.2 as far as its equations are public; without turn slip.
+// The coefficients of the magic formula MF 6.1, and of 6.2 as far as its equations are public.
 
 #include "mbgen/magic_formula.hpp"
 
@@ -185,6 +185,28 @@ inline constexpr TyreField kMf61Fields[] = {
     {"PCFY1", 0.0},
     {"PCFY2", 0.0},
     {"PCFY3", 0.0},
+    // turn slip
+    {"LMP", 1.0},
+    {"PECP1", 0.0},
+    {"PECP2", 0.0},
+    {"PDXP1", 0.0},
+    {"PDXP2", 0.0},
+    {"PDXP3", 0.0},
+    {"PKYP1", 0.0},
+    {"PDYP1", 0.0},
+    {"PDYP2", 0.0},
+    {"PDYP3", 0.0},
+    {"PDYP4", 0.0},
+    {"PHYP1", 0.0},
+    {"PHYP2", 0.0},
+    {"PHYP3", 0.0},
+    {"PHYP4", 0.0},
+    {"QDTP1", 0.0},
+    {"QCRP1", 0.0},
+    {"QCRP2", 0.0},
+    {"QBRP1", 0.0},
+    {"QDRP1", 0.0},
+    {"QDRP2", 0.0},
 };
 
 /// Number of coefficients of an MF 6.1 set.
@@ -213,6 +235,8 @@ struct MagicFormula61 {
 
   T longitudinal_stiffness, pcfx1, pcfx2, pcfx3, lateral_stiffness, pcfy1, pcfy2,
       pcfy3;  ///< stiffness of the carcass, N/m, over load and pressure: relaxation lengths
+  T lmp, pecp1, pecp2, pdxp1, pdxp2, pdxp3, pkyp1, pdyp1, pdyp2, pdyp3, pdyp4, phyp1, phyp2, phyp3, phyp4, qdtp1, qcrp1,
+      qcrp2, qbrp1, qdrp1, qdrp2;  ///< turn slip
 
   /// Takes kMf61Count coefficients in the order of kMf61Fields.
   static MagicFormula61 from_fields(const T* fields) {

@@ -1,11 +1,15 @@
 #pragma once
-// A tyre on a flat road: load, slips with relaxation down to rest, forces and moments at the contact point.
+// A tyre on a flat road: load, slips with relaxation down to rest, turning, forces and moments at the contact point.
 
 #include "mbgen/mf61.hpp"
 #include "mbgen/pac2002.hpp"
 #include "mbgen/pac89.hpp"
 
 namespace mbgen {
+
+/// What a tyre makes of the turning of its contact about the road's normal: nothing, a moment of the patch, or that at
+/// rest and the turn slip of its set (of MF 6.1 alone) at speed.
+enum class Turning { none, patch, turn_slip };
 
 /// Properties of a mounted tyre. Units as stated, of one tyre.
 template <class T>
@@ -21,19 +25,25 @@ struct TyreProperties {
   T pressure = T(0);             ///< Pa, of inflation; of MF 6.1 alone
   /// 1: the set gives this relaxation length over load, the property is it at the nominal load; else 0
   T over_load_x = T(0), over_load_y = T(0);
+  T turn_stiffness = T(0);  ///< N m/rad, of the patch against turning under turn_load, > 0 unless turning is none
+  T turn_radius = T(0);     ///< m, moment of a patch that turns over its friction under turn_load, likewise
+  T turn_load = T(0);       ///< N, likewise
+  Turning turning = Turning::none;
 };
 
 /// Motion of the wheel in its contact frame: origin at the contact point, x along the wheel's heading on the road,
 /// y to the left, z the road's normal (up).
 template <class T>
 struct TyreContact {
-  T deflection;       ///< m, unloaded radius less the distance of the wheel centre from the contact point
-  T deflection_rate;  ///< m/s, its time derivative
-  T vx;               ///< m/s, velocity of the wheel centre along x
-  T vy;               ///< m/s, velocity of the contact point (moving with the wheel, without its spin) along y
-  T spin;             ///< rad/s, about the wheel's axis (the one to the left), positive when rolling forward
-  T camber;           ///< rad, rotation of the wheel plane from upright about x, top to the right positive
-  T u, v;             ///< m, deflection states along x and y, see TyreResult
+  T deflection;        ///< m, unloaded radius less the distance of the wheel centre from the contact point
+  T deflection_rate;   ///< m/s, its time derivative
+  T vx;                ///< m/s, velocity of the wheel centre along x
+  T vy;                ///< m/s, velocity of the contact point (moving with the wheel, without its spin) along y
+  T spin;              ///< rad/s, about the wheel's axis (the one to the left), positive when rolling forward
+  T camber;            ///< rad, rotation of the wheel plane from upright about x, top to the right positive
+  T u, v;              ///< m, deflection states along x and y, see TyreResult
+  T turn_rate = T(0);  ///< rad/s, of the heading about z
+  T turn = T(0);       ///< rad, deflection state about z, of a tyre with turning
 };
 
 /// Force and moment of a tyre on its wheel, at the contact point in contact axes, and the rates of its deflection
@@ -44,6 +54,7 @@ struct TyreResult {
   T mx, my, mz;    ///< N m: overturning, about the wheel's axis, aligning
   T du, dv;        ///< m/s, rates of u and v
   T kappa, alpha;  ///< slips behind the forces: 1, driving positive; rad, sliding left positive
+  T dturn = T(0);  ///< rad/s, rate of the turn
 };
 
 namespace tyre_law {
@@ -59,6 +70,12 @@ inline constexpr double kSlidingDeflectionAtSpeed = 0.5;
 inline constexpr double kShortestRelaxation = 0.2, kLongestRelaxation = 5;
 /// Largest resultant slip that the formulas are asked for: they are fitted to measurements below it.
 inline constexpr double kLargestSlip = 1.5;
+/// s, by which a standing patch that turns is damped: a ratio of about 0.3 for a wheel that swings about its kingpin.
+inline constexpr double kTurnDamping = 0.02;
+/// Least friction of a patch that turns: below it stiffness falls with friction, in place of the angle of sliding.
+inline constexpr double kLeastTurnFriction = 0.05;
+/// Largest spin that the formulas are asked for, over the unloaded radius; the tightest of the tests have about 1.
+inline constexpr double kLargestSpin = 30;
 
 /// What spin adds to the radius of a tyre that nothing presses, m.
 /// Source: Pacejka (2012), section 4.3.4 (R_Omega).
@@ -191,6 +208,79 @@ Slip<T> slip(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>
           1.0 - fade};
 }
 
+/// Friction of the lateral peak, 1, >= 0.
+template <class T>
+T peak_friction(const MagicFormula61<T>& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact,
+                const T& load) {
+  using std::sin;
+  const magic::Mf61State<T> at = magic::mf61_state<T>(set, load, tyre.pressure, tyre.friction, T(1));
+  return abs(magic::mf61_lateral<T>(set, at, T(0), sin(contact.camber)).friction);
+}
+template <class T>
+T peak_friction(const Pac2002<T>& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact, const T& load) {
+  const magic::LoadTerms<T> at = magic::load_terms<T>(set.fnomin * set.lfzo, load, tyre.friction, T(1));
+  return abs(magic::pac2002_lateral<T>(set, at, T(0), contact.camber).friction);
+}
+template <class T>
+T peak_friction(const Pac89<T>& set, const TyreProperties<T>& tyre, const TyreContact<T>&, const T& load) {
+  return abs(1e-3 * (set.a[1] * (1e-3 * load) + set.a[2])) * tyre.friction;
+}
+
+/// A patch that turns about the road's normal.
+template <class T>
+struct TurningPatch {
+  T limit;   ///< N m, its moment when it turns on the spot
+  T share;   ///< 1, its deflection over that at which it slides
+  T moment;  ///< N m, of the deflection and its damping
+  T speed;   ///< m/s, V_c, of its centre
+  T spin;    ///< 1/m, -(d psi/dt) / V_c in steady rolling
+  T rate;    ///< rad/s, of the deflection
+};
+
+/// The patch as P. R. Dahl's friction about the road's normal, which rolling carries away:
+///
+///   d turn/dt = -d psi/dt - (V_c / length + |d psi/dt| / angle) turn,    moment = limit turn / angle
+///
+/// At rest the moment grows by limit / angle = turn_stiffness (Fz / turn_load)^(3/2) and reaches limit = turn_radius
+/// mu Fz sqrt(Fz / turn_load); in steady rolling turn / (1 - |turn| / angle) / length = -(d psi/dt) / V_c exactly. The
+/// length is about half that of the patch under turn_load. Below low_speed a term in d psi/dt that fades out with the
+/// speed, and where the patch slides, damps it. load: N, of one tyre; rolling: 1, see Slip.
+/// Source: Pacejka (2012), equation (4.95) for the limit over the load (a patch whose length grows with the root of its
+/// load has the same exponent), (4.76) for the spin; Dahl as of `slip`.
+template <class Set, class T>
+TurningPatch<T> turning_patch(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact,
+                              const T& load, const T& rolling) {
+  using std::sqrt;
+  const T friction = peak_friction(set, tyre, contact, load);
+  const T angle = max(friction, T(kLeastTurnFriction)) * tyre.turn_radius * tyre.turn_load / tyre.turn_stiffness;
+  const T length = sqrt(tyre.radius * tyre.turn_load / tyre.stiffness);
+  TurningPatch<T> patch;
+  patch.limit = tyre.turn_radius * friction * load * sqrt(max(load / tyre.turn_load, T(magic::kLeastLoad)));
+  patch.share = contact.turn / angle;
+  const T damping = kTurnDamping * (1.0 - rolling) * max(1.0 - abs(patch.share), T(0));
+  patch.moment = patch.limit * (patch.share - damping * contact.turn_rate / angle);
+  patch.speed = sqrt(contact.vx * contact.vx + contact.vy * contact.vy + magic::kRootFloor);
+  const T along = contact.turn / length;
+  patch.spin = along / max(1.0 - abs(patch.share), abs(along) * (tyre.radius / kLargestSpin));
+  patch.rate = -contact.turn_rate - (patch.speed / length + abs(contact.turn_rate) / angle) * contact.turn;
+  return patch;
+}
+
+/// Spin for the formulas of MF 6.1, whose axes are mirrored for side -1; it fades in with the speed, as the shifts do.
+/// Camber spins a wheel by its own rolling: (4.75).
+template <class T>
+magic::Mf61Turn<T> spin_of(const MagicFormula61<T>& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact,
+                           const T& load, const T& rolling, const TurningPatch<T>& patch) {
+  using std::sin;
+  constexpr double kLeastSpeed = 0.05;  // of low_speed
+  const T nominal = set.fnomin * set.lfzo, sine = sin(contact.camber);
+  const T share = magic::mf61_camber_share<T>(set, (load - nominal) / nominal);
+  const T speed = max(patch.speed, kLeastSpeed * tyre.low_speed);
+  const T of_camber = -share * (contact.spin - contact.turn_rate * sine) * sine / speed;
+  const T scale = tyre.side * rolling * set.unloaded_radius;
+  return {scale * (patch.spin + of_camber), scale * patch.spin, magic::sign(contact.vx), patch.limit, true};
+}
+
 /// Forces of the set in contact axes (x forward, y left, z up). shifts: see magic_formula_pac2002.
 template <class T>
 TyreForces<T> formula(const Pac2002<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
@@ -209,6 +299,43 @@ TyreForces<T> formula(const Pac89<T>& set, const T& fz, const T& kappa, const T&
                       const TyreProperties<T>& tyre, const T& shifts) {
   const TyreForces<T> forces = magic_formula_pac89(set, fz, kappa, alpha, gamma, tyre.friction, shifts);
   return {forces.fx, -forces.fy, -forces.mz, forces.mx};
+}
+
+/// Forces of the set, with the patch that turns under it.
+template <class T>
+struct TurnedForces {
+  TyreForces<T> forces;
+  T turning;  ///< N m, about the road's normal, not in `forces` and not in the axes of a mirrored set
+  T rate;     ///< rad/s, of the deflection of the patch
+};
+
+/// Turn slip of the set where the tyre has it; else, and at rest, the moment of the patch.
+template <class Set, class T>
+TurnedForces<T> with_turn_slip(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact,
+                               const T& load, const Slip<T>& slip, const TurningPatch<T>& patch) {
+  return {formula<T>(set, load, slip.kappa, tyre.side * slip.alpha, tyre.side * contact.camber, tyre, slip.rolling),
+          patch.moment, patch.rate};
+}
+template <class T>
+TurnedForces<T> with_turn_slip(const MagicFormula61<T>& set, const TyreProperties<T>& tyre,
+                               const TyreContact<T>& contact, const T& load, const Slip<T>& slip,
+                               const TurningPatch<T>& patch) {
+  if (tyre.turning != Turning::turn_slip)
+    return with_turn_slip<MagicFormula61<T>, T>(set, tyre, contact, load, slip, patch);
+  const magic::Mf61Turn<T> turn = spin_of(set, tyre, contact, load, slip.rolling, patch);
+  const Mf61Forces<T> of_spin =
+      mf61_forces<T>(set, load, {slip.kappa, tyre.side * slip.alpha, tyre.side * contact.camber}, tyre.pressure,
+                     tyre.friction, slip.rolling, turn);
+  return {of_spin.forces, patch.moment + slip.rolling * (tyre.side * of_spin.turning - patch.moment), patch.rate};
+}
+
+template <class Set, class T>
+TurnedForces<T> turned_forces(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact,
+                              const T& load, const Slip<T>& slip) {
+  if (tyre.turning == Turning::none)
+    return {formula<T>(set, load, slip.kappa, tyre.side * slip.alpha, tyre.side * contact.camber, tyre, slip.rolling),
+            T(0), T(0)};
+  return with_turn_slip(set, tyre, contact, load, slip, turning_patch(set, tyre, contact, load, slip.rolling));
 }
 
 /// Moment against the rolling of a tyre that bears `load` and pulls with fx, N m.
@@ -233,7 +360,8 @@ T rolling_resistance(MagicFormula61<T> set, const TyreProperties<T>& tyre, const
 
 }  // namespace tyre_law
 
-/// Forces of a tyre on a flat road, and the rates of its two deflection states u and v (zero at the start).
+/// Forces of a tyre on a flat road, and the rates of its deflection states u and v, with turning also turn (zero at the
+/// start).
 /// Set: Pac2002<T>, MagicFormula61<T> or Pac89<T>. A tyre without load gives exactly zero forces and moments. A
 /// standing tyre has no horizontal forces but those of its deflections; what a set gives at zero slip comes with speed,
 /// up to low_speed. The aligning moment turns its sign with the direction of travel and fades out below low_speed, as
@@ -245,8 +373,8 @@ TyreResult<T> tyre_forces(const Set& set, const TyreProperties<T>& tyre, const T
   using std::tanh;
   const T load = tyre_law::load(set, tyre, contact);
   const tyre_law::Slip<T> slip = tyre_law::slip(set, tyre, contact);
-  const TyreForces<T> forces = tyre_law::formula<T>(set, load, slip.kappa, tyre.side * slip.alpha,
-                                                    tyre.side * contact.camber, tyre, slip.rolling);
+  const tyre_law::TurnedForces<T> turned = tyre_law::turned_forces(set, tyre, contact, load, slip);
+  const TyreForces<T>& forces = turned.forces;
   const T rolling_radius = tyre_law::rolling_radius(set, tyre, contact);
   const T rolling = contact.spin * rolling_radius / tyre.low_speed;
   const T resistance = tyre_law::rolling_resistance(set, tyre, contact, load, forces.fx) * tanh(rolling);
@@ -257,8 +385,10 @@ TyreResult<T> tyre_forces(const Set& set, const TyreProperties<T>& tyre, const T
   result.mx = tyre.count * tyre.side * forces.mx;
   result.my = -tyre.count * (resistance + forces.fx * (rolling_radius - (tyre.radius - contact.deflection)));
   result.mz = tyre.count * tyre.side * forces.mz * tanh(contact.vx / tyre.low_speed);
+  if (tyre.turning != Turning::none) result.mz = result.mz + tyre.count * turned.turning;
   result.du = slip.du;
   result.dv = slip.dv;
+  result.dturn = turned.rate;
   result.kappa = slip.kappa;
   result.alpha = slip.alpha;
   return result;

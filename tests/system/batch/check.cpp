@@ -210,6 +210,8 @@ void check(const Trouble& trouble) {
 }  // namespace
 
 int main() {
+  static char text_of_differences[1 << 16];  // else the first one that is printed asks for a buffer from the heap
+  std::setvbuf(stdout, text_of_differences, _IOFBF, sizeof text_of_differences);
   if (heap_calls != nullptr) {
     const long before = heap_calls();
     void* volatile block = std::malloc(1);  // volatile, or the compiler does without
