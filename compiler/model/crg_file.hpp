@@ -11,6 +11,17 @@
 
 namespace mbgen {
 
+/// What a reference line does at its ends.
+///   open     it goes straight on for ever
+///   meeting  its end is its start: sections follow each other in a ring
+///   apart    end and start go straight on until they meet, `before` and `behind` them
+struct CrgClosure {
+  enum class Kind { open, meeting, apart };
+  Kind kind = Kind::open;
+  double before = 0, behind = 0;  ///< m, >= 0
+  double gap = 0;                 ///< m, between end and start, of a line that is asked to close
+};
+
 /// A road of an OpenCRG file. u: along the reference line, v: to the left of it, m. Sections are the rows of the file.
 struct CrgRoad {
   double start = 0, increment = 1;               ///< m: u of the first section, and the distance of two
@@ -20,6 +31,7 @@ struct CrgRoad {
   double end_x = 0, end_y = 0, end_heading = 0;  ///< where the straight line behind the end begins
   std::vector<double> line_height;               ///< m, of the reference line at each section
   std::vector<double> banking;                   ///< 1, rise to the left at each section; empty: none
+  CrgClosure closure;
   bool has_gaps = false;                         ///< whether the file misses heights
   std::map<std::string, double> options, modifiers;  ///< what the file asks for, by names in capitals
 

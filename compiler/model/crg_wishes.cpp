@@ -59,6 +59,22 @@ RoadBorder border_of(const Entries& options, const char* name) {
                      : RoadBorder::keep;
 }
 
+/// Why the line of a road that is asked to close does not, or not in its end; empty where it does.
+std::string why_open(const CrgRoad& road, double asked) {
+  using Kind = CrgClosure::Kind;
+  if (asked == 0 || (asked == 1 && road.closure.kind == Kind::meeting)) return {};
+  if (asked != 1) return " (neither 0 nor 1: the line goes straight on at its ends)";
+  if (road.closure.kind == Kind::apart)
+    return fmt::format(
+        " to the letter (a closed track, but its end is {:.6g} m before its start: there the line goes straight on from "
+        "both, with the heights beyond its ends)",
+        road.closure.gap);
+  return fmt::format(
+      " (a closed track, but its end, {:.6g} m away from its start, does not lead to it: the line goes straight on at "
+      "its ends)",
+      road.closure.gap);
+}
+
 }  // namespace
 
 CrgRoad relocated(CrgRoad road) {
@@ -93,7 +109,7 @@ void follow_options(RoadGrid& grid) {
 
 std::vector<std::string> not_followed(const CrgRoad& road) {
   std::vector<std::string> list;
-  const auto add = [&](const std::string& name, double number, const char* why) {
+  const auto add = [&](const std::string& name, double number, std::string_view why) {
     list.push_back(fmt::format("{} = {:g}{}", name, number, why));
   };
   for (const auto& [name, number] : road.modifiers) {
@@ -116,7 +132,7 @@ std::vector<std::string> not_followed(const CrgRoad& road) {
       else if (number != 1 && number != 2 && number != 3 && number != 4)
         add(name, number, "");
     } else if (name == "REFLINE_CONTINUATION") {
-      if (number != 0) add(name, number, " (a closed track: the line goes straight on at its ends)");
+      if (const std::string why = why_open(road, number); !why.empty()) add(name, number, why);
     } else if (!is_harmless && !has(kOffsetsBeyond, name) && !(has(kSmoothing, name) && number >= 0)) {
       add(name, number, "");
     }

@@ -127,9 +127,9 @@ double height_of_grid(const RoadGrid& grid, const Vector2d& at) {
     height = grid.end_offset + kept;
   }
   const double from_start = place.u - road.start, to_end = road.end() - place.u;
-  if (from_start < grid.smooth_begin)
+  if (grid.smooth_begin > 0 && from_start < grid.smooth_begin)
     height = std::lerp(road.line_height.front(), height, std::max(from_start, 0.0) / grid.smooth_begin);
-  if (to_end < grid.smooth_end)
+  if (grid.smooth_end > 0 && to_end < grid.smooth_end)
     height = std::lerp(road.line_height.back(), height, std::max(to_end, 0.0) / grid.smooth_end);
   return height;
 }

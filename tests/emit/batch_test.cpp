@@ -104,6 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"tests/data/models/three_wheeler.json", "three_wheeler", kGnu, 8, "-march=native"},
                     Case{"tests/data/models/mf61_three_wheeler.json", "mf61_three_wheeler", kClang, 4, ""},
                     Case{"tests/data/models/wheel_outputs.json", "wheel_outputs", kClang, 4, ""},
+                    Case{"tests/data/models/closed_track.json", "closed_track", kGnu, 4, ""},
                     Case{"tests/data/models/bushings.json", "bushings", kClang, 4, ""},
                     Case{"tests/data/models/states.json", "states", kClang, 4, "", true},
                     Case{"tests/data/models/pressed.json", "pressed", kClang, 4, "", true},

@@ -172,14 +172,16 @@ TEST(CrgModifiers, TurnAndShift) {
 TEST(CrgWishes, ThatAreNotFollowedAreNamed) {
   const auto left = [](const std::string& block, const std::string& rows = kRows) {
     const std::string columns = kColumns;
-    return not_followed(road_of(with_block(file_of(kStep, columns, rows), block)));
+    return not_followed(closed_as_asked(road_of(with_block(file_of(kStep, columns, rows), block))));
   };
   using List = std::vector<std::string>;
   EXPECT_EQ(left("$ROAD_CRG_OPTS\nBORDER_MODE_U = 3\nBORDER_SMOOTH_UBEG = 1\nWARN_MSGS = 0\nCHECK_EPS = 1e-6\n"),
             List());
   EXPECT_EQ(left("$ROAD_CRG_OPTS\nBORDER_MODE_V = 0\nREFLINE_CONTINUATION = 1\nSPARKLE = 2\n"),
             (List{"BORDER_MODE_V = 0 (an error beyond the border: its heights go on there)",
-                  "REFLINE_CONTINUATION = 1 (a closed track: the line goes straight on at its ends)", "SPARKLE = 2"}));
+                  "REFLINE_CONTINUATION = 1 (a closed track, but its end, 1 m away from its start, does not lead to it: "
+                  "the line goes straight on at its ends)",
+                  "SPARKLE = 2"}));
   const std::string nan_modes = mods("GRID_NAN_MODE = 1\nGRID_NAN_OFFSET = 0.5\nSCALE_Z_GRID = 2\n");
   EXPECT_EQ(left(nan_modes), List()) << "there are no gaps";
   EXPECT_EQ(left(nan_modes, "****       0.2000000\n 0.3000000 0.4000000\n").size(), 2u);
