@@ -167,6 +167,17 @@ A height_at_border(RoadBorder border, double offset, const A& place, double size
   return select(place, select(A(size) - place, inside, outside), outside);
 }
 
+/// Not a number, with its slopes, where a place is beyond a border that refuses it. room: m, to the nearer border.
+template <class A>
+A unless_refused(RoadBorder border, const A& room, const A& height) {
+  using mbgen::select;
+  using std::sqrt;
+  constexpr double kRounding = 1e-8;  // m, of places on a border
+  if (border != RoadBorder::refuse) return height;
+  const A inside = room + A(kRounding);
+  return select(inside, height, sqrt(inside));  // the root of a negative number is none
+}
+
 /// Height above the plane of the road's origin where x or y moves.
 template <class T, class A>
 A height_on_grid(const GridTables<T>& tables, const A& x, const A& y) {
@@ -214,7 +225,8 @@ A height_on_grid(const GridTables<T>& tables, const A& x, const A& y) {
   const A u = begins_again ? A(road.start) + A(road.increment) * along : at.u;
   smooth(grid.smooth_begin, u - A(road.start), road.line_height.front());
   smooth(grid.smooth_end, A(road.end()) - u, road.line_height.back());
-  return z;
+  z = unless_refused(grid.ends, min(at.u - A(road.start), A(road.end()) - at.u), z);
+  return unless_refused(grid.sides, min(at.v - A(road.v.front()), A(road.v.back()) - at.v), z);
 }
 
 template <class T>

@@ -32,7 +32,6 @@ struct CrgRoad {
   std::vector<double> line_height;               ///< m, of the reference line at each section
   std::vector<double> banking;                   ///< 1, rise to the left at each section; empty: none
   CrgClosure closure;
-  bool has_gaps = false;                         ///< whether the file misses heights
   std::map<std::string, double> options, modifiers;  ///< what the file asks for, by names in capitals
 
   std::size_t sections() const { return x.size(); }
@@ -47,8 +46,9 @@ struct CrgProblem {
 };
 
 /// Reads a file: text (LRFI, LDFI) and binary (KRBI, KDBI) data; heights as single precision, as the C API keeps them.
-/// Heights that are no number become those of their neighbours to the right, else to the left. Modifiers that scale
-/// are applied, others and the options are not.
+/// Heights that are no number become what GRID_NAN_MODE says (2 without: the height to their right, else to their left; 1: 0; 0 is
+/// a problem), plus GRID_NAN_OFFSET. Modifiers that
+/// scale are applied, others and the options are not.
 /// Fails: with the first problem. Requires nothing of the text.
 std::optional<CrgProblem> read_crg(std::string_view text, CrgRoad& road);
 

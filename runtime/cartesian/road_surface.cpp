@@ -104,7 +104,8 @@ Profile along_track(const RoadTracks& tracks, const std::vector<double>& samples
 /// A place between two borders, for one beyond them too. is_outside: whether a border's own height counts there.
 double between_borders(RoadBorder border, double place, double first, double last, bool& is_outside) {
   is_outside = place < first || place > last;
-  if (!is_outside || border == RoadBorder::keep || border == RoadBorder::zero) return place;
+  if (!is_outside || border == RoadBorder::keep || border == RoadBorder::zero || border == RoadBorder::refuse)
+    return place;
   is_outside = false;
   const double size = last - first;
   double way = std::fmod(place - first, 2 * size);
@@ -113,10 +114,19 @@ double between_borders(RoadBorder border, double place, double first, double las
   return border == RoadBorder::repeat ? first + way - size : last - (way - size);
 }
 
+/// Whether a place is beyond a border where the road has no height.
+bool is_refused(RoadBorder border, double place, double first, double last) {
+  constexpr double kRounding = 1e-8;  // m
+  return border == RoadBorder::refuse && (place < first - kRounding || place > last + kRounding);
+}
+
 /// Height of a grid, with its borders and the smoothing of its ends.
 double height_of_grid(const RoadGrid& grid, const Vector2d& at) {
   const CrgRoad& road = *grid.road;
   CrgPlace place = road_place(road, {at.x(), at.y()});
+  if (is_refused(grid.ends, place.u, road.start, road.end()) ||
+      is_refused(grid.sides, place.v, road.v.front(), road.v.back()))
+    return std::nan("");
   bool is_beyond = false, is_beside = false;
   place.u = between_borders(grid.ends, place.u, road.start, road.end(), is_beyond);
   place.v = between_borders(grid.sides, place.v, road.v.front(), road.v.back(), is_beside);
