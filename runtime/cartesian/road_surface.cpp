@@ -188,8 +188,17 @@ void add_ground(const Road& road, const Vector2d& at, const Values& value, RoadS
 struct SeenRoad {
   const Road& road;
   const Values& value;
-  double strip;  ///< m
+  double strip;    ///< m
+  double breadth;  ///< m, of the strip along the road
 
+  /// Height 1 of an obstacle over a place, of one with steps by how much of the strip lies on it.
+  double share_of(const RoadFeature& feature, double x) const {
+    const double u = x - value(feature.from);
+    if (!feature.is_obstacle() || feature.ramp > 0) return shape(feature, u, value).height;
+    const double first = std::max(u - breadth / 2, 0.0), last = std::min(u + breadth / 2, value(*feature.length));
+    const double share = std::max(last - first, 0.0) / breadth;
+    return feature.kind == RoadFeature::Kind::plank ? share : -share;
+  }
   /// Height of the kinds of features that are asked for: each by how much of the strip it lies under.
   double features(const Vector2d& at, bool obstacles) const {
     double height = 0;
@@ -199,7 +208,7 @@ struct SeenRoad {
       const double left = std::min(at.y() + strip / 2, feature.left ? value(*feature.left) : 1e300);
       if (left > right)
         height +=
-            (left - right) / strip * value(feature.height) * shape(feature, at.x() - value(feature.from), value).height;
+            (left - right) / strip * value(feature.height) * share_of(feature, at.x());
     }
     return height;
   }
@@ -217,7 +226,8 @@ struct SeenRoad {
     for (const RoadFeature& feature : road.features) {
       if (!feature.is_obstacle()) continue;
       const bool stands_out = (feature.kind == RoadFeature::Kind::plank) == (value(feature.height) >= 0);
-      const double inset = stands_out ? feature.ramp + kInside : -kInside, from = value(feature.from);
+      const double half = feature.ramp > 0 ? 0 : breadth / 2, from = value(feature.from);
+      const double inset = stands_out ? half + feature.ramp + kInside : -half - kInside;
       places.insert(places.end(), {from + inset, from + value(*feature.length) - inset});
     }
     return places;
@@ -285,8 +295,10 @@ RoadSurface road_surface(const Tyre& tyre, const Vector2d& place, const Eigen::V
   surface.height += road.origin[2];
   if (tyre.envelope) {
     const double radius = value(tyre.radius);
-    const SeenRoad seen{road, value, tyre.envelope->width / 2 * radius};
-    add_envelope(seen, *tyre.envelope, radius, at, in_road(Vector2d(axis.y(), -axis.x()).normalized()), surface);
+    const Vector2d heading = in_road(Vector2d(axis.y(), -axis.x()).normalized());
+    const double strip = tyre.envelope->width / 2 * radius;
+    const SeenRoad seen{road, value, strip, std::max(strip * std::abs(heading.y()), 1e-9)};
+    add_envelope(seen, *tyre.envelope, radius, at, heading, surface);
   } else {
     surface.gradient = Vector2d(value(road.slope_x), value(road.slope_y));
     add_ground(road, at, value, surface);
