@@ -21,8 +21,8 @@ const std::string& input_name(const Model& model, int input) {
 std::string vehicle_dump(const Model& model) {
   if (!model.vehicle) return "";
   const Vehicle& vehicle = *model.vehicle;
-  std::string text =
-      fmt::format("vehicle\n  reference {}, steer_ratio {}\n", point_name(model, vehicle.reference), vehicle.steer_ratio);
+  std::string text = fmt::format("vehicle\n  reference {}, steer_ratio {}\n", point_name(model, vehicle.reference),
+                                 vehicle.steer_ratio);
   if (vehicle.towed.body >= 0) text += fmt::format("  towed {}\n", point_name(model, vehicle.towed));
   const auto input = [&](const char* name, int index, const std::optional<double>& limit) {
     if (index < 0) return;

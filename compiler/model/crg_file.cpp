@@ -232,8 +232,8 @@ std::optional<CrgProblem> place_columns(const CrgHeader& header, std::size_t hei
   return {};
 }
 
-/// Heights that are missing, by GRID_NAN_MODE: 2 (also for none and for numbers without a meaning) those to their right,
-/// else to their left; 1 zero; each plus GRID_NAN_OFFSET. 0 leaves them missing, and such a road bears no wheel.
+/// Heights that are missing, by GRID_NAN_MODE: 2 (also for none and for numbers without a meaning) those to their
+/// right, else to their left; 1 zero; each plus GRID_NAN_OFFSET. 0 leaves them missing, and such a road bears no wheel.
 std::optional<CrgProblem> fill_heights(const CrgHeader& header, CrgRoad& road) {
   const auto modifier = [&](const char* name, double fallback) {
     const auto found = header.modifiers.find(name);

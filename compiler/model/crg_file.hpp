@@ -46,9 +46,8 @@ struct CrgProblem {
 };
 
 /// Reads a file: text (LRFI, LDFI) and binary (KRBI, KDBI) data; heights as single precision, as the C API keeps them.
-/// Heights that are no number become what GRID_NAN_MODE says (2 without: the height to their right, else to their left; 1: 0; 0 is
-/// a problem), plus GRID_NAN_OFFSET. Modifiers that
-/// scale are applied, others and the options are not.
+/// Heights that are no number become what GRID_NAN_MODE says (2 without: the height to their right, else to their left;
+/// 1: 0; 0 is a problem), plus GRID_NAN_OFFSET. Modifiers that scale are applied, others and the options are not.
 /// Fails: with the first problem. Requires nothing of the text.
 std::optional<CrgProblem> read_crg(std::string_view text, CrgRoad& road);
 

@@ -110,8 +110,7 @@ CrgRoad closed_as_asked(CrgRoad road) {
   CrgClosure& closure = road.closure = {};
   if (option("REFLINE_CONTINUATION", 0) != 1) return road;
   const Way first{std::cos(road.heading[0]), std::sin(road.heading[0])},
-      last{std::cos(road.end_heading), std::sin(road.end_heading)},
-      gap{road.x[0] - road.end_x, road.y[0] - road.end_y};
+      last{std::cos(road.end_heading), std::sin(road.end_heading)}, gap{road.x[0] - road.end_x, road.y[0] - road.end_y};
   const double cosine = dot(first, last), sine = cross(first, last);
   closure.gap = std::hypot(gap.x, gap.y);
   if (cosine <= kLeastCosine || road.sections() < 4) return road;
@@ -148,7 +147,8 @@ CrgPlace road_place(const CrgRoad& road, PlanePlace at) {
     if (dot(to, to) < least) least = dot(to, to), nearest = k;
   }
   const Section i = interval_end(road, at, std::max<Section>(nearest, 1));
-  const Way interval = way(road, i - 1, i), to = between(place_of(road, i - 1), at), left = between(place_of(road, i), at);
+  const Way interval = way(road, i - 1, i), to = between(place_of(road, i - 1), at),
+            left = between(place_of(road, i), at);
   const Way first = way(road, i - 2, i), second = way(road, i - 1, i + 1);
   const double behind = dot(first, to) / dot(first, interval), ahead = -dot(second, left) / dot(second, interval);
   const double u = road.start + road.increment * (static_cast<double>(i - 1) + behind / (behind + ahead));

@@ -67,7 +67,8 @@ std::string why_open(const CrgRoad& road, double asked) {
   if (asked != 1) return " (neither 0 nor 1: the line goes straight on at its ends)";
   if (road.closure.kind == Kind::apart)
     return fmt::format(
-        " to the letter (a closed track, but its end is {:.6g} m before its start: there the line goes straight on from "
+        " to the letter (a closed track, but its end is {:.6g} m before its start: there the line goes straight on "
+        "from "
         "both, with the heights beyond its ends)",
         road.closure.gap);
   return fmt::format(

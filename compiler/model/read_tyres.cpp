@@ -178,11 +178,12 @@ void note_steps_below(Reader& reader, const Value& value, const TyreFields& tyre
            (node.function == Function::step || node.function == Function::sign || node.function == Function::select);
   };
   if (std::ranges::any_of(reader.model.expressions[static_cast<std::size_t>(*road.height)].nodes, may_jump))
-    note(reader, value.place,
-         fmt::format("where the \"height\" of road \"{}\" jumps (step, sign, select), the force of this enveloping tyre "
-                     "jumps too",
-                     road.name),
-         "make steps of planks and potholes: cams know their edges");
+    note(
+        reader, value.place,
+        fmt::format("where the \"height\" of road \"{}\" jumps (step, sign, select), the force of this enveloping tyre "
+                    "jumps too",
+                    road.name),
+        "make steps of planks and potholes: cams know their edges");
 }
 
 /// The envelope of a tyre, with what a file gives of its cams; after the road.

@@ -72,7 +72,8 @@ std::string RoadWatch::departure() const {
                                                 : nullptr;
       if (border)
         return fmt::format(
-            "tyre \"{}\" leaves the road \"{}\" beyond {} (u = {:.6g} m, v = {:.6g} m), where that has no height: {} is "
+            "tyre \"{}\" leaves the road \"{}\" beyond {} (u = {:.6g} m, v = {:.6g} m), where that has no height: {} "
+            "is "
             "\"refuse\"",
             wheel.tyre->name, road.name, border, at.u, at.v, is_wide ? "beyond_sides" : "beyond_ends");
     }

@@ -206,9 +206,7 @@ struct SeenRoad {
       if (feature.is_obstacle() != obstacles) continue;
       const double right = std::max(at.y() - strip / 2, feature.right ? value(*feature.right) : -1e300);
       const double left = std::min(at.y() + strip / 2, feature.left ? value(*feature.left) : 1e300);
-      if (left > right)
-        height +=
-            (left - right) / strip * value(feature.height) * share_of(feature, at.x());
+      if (left > right) height += (left - right) / strip * value(feature.height) * share_of(feature, at.x());
     }
     return height;
   }

@@ -313,10 +313,12 @@ TEST_F(Trust, ARoadThatIsLeftIsNamed) {
     "tyres": { "front": { "centre": "hub.o", "data": "rubber", "stiffness": 1e5, "friction": 0, "rolling_resistance": 0 } },
     "initial": { "velocities": { "hub": 3 } } })");
   for (const char* engine : {"generated", "generic", "augmented"}) {
-    const Outcome run = mbgen(std::string("simulate cart.json --step 1e-3 --duration 1 --out o.csv --engine ") + engine);
+    const Outcome run =
+        mbgen(std::string("simulate cart.json --step 1e-3 --duration 1 --out o.csv --engine ") + engine);
     EXPECT_EQ(run.exit_code, 1) << engine;
     EXPECT_NE(run.err.find("stopped after t = 0.3 s"), std::string::npos) << engine << run.err;
-    EXPECT_NE(run.err.find("hint: tyre \"front\" leaves the road \"short\" beyond its end (u = 1.00"), std::string::npos)
+    EXPECT_NE(run.err.find("hint: tyre \"front\" leaves the road \"short\" beyond its end (u = 1.00"),
+              std::string::npos)
         << engine << run.err;
     EXPECT_NE(run.err.find("v = 0 m), where that has no height: beyond_ends is \"refuse\""), std::string::npos);
   }

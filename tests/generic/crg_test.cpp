@@ -200,11 +200,12 @@ TEST(CrgWishes, ThatAreNotFollowedAreNamed) {
   using List = std::vector<std::string>;
   EXPECT_EQ(left("$ROAD_CRG_OPTS\nBORDER_MODE_U = 3\nBORDER_SMOOTH_UBEG = 1\nWARN_MSGS = 0\nCHECK_EPS = 1e-6\n"),
             List());
-  EXPECT_EQ(left("$ROAD_CRG_OPTS\nBORDER_MODE_V = 0\nBORDER_MODE_U = 7\nREFLINE_CONTINUATION = 1\nSPARKLE = 2\n"),
-            (List{"BORDER_MODE_U = 7",
-                  "REFLINE_CONTINUATION = 1 (a closed track, but its end, 1 m away from its start, does not lead to it: "
-                  "the line goes straight on at its ends)",
-                  "SPARKLE = 2"}));
+  EXPECT_EQ(
+      left("$ROAD_CRG_OPTS\nBORDER_MODE_V = 0\nBORDER_MODE_U = 7\nREFLINE_CONTINUATION = 1\nSPARKLE = 2\n"),
+      (List{"BORDER_MODE_U = 7",
+            "REFLINE_CONTINUATION = 1 (a closed track, but its end, 1 m away from its start, does not lead to it: "
+            "the line goes straight on at its ends)",
+            "SPARKLE = 2"}));
   EXPECT_EQ(left(mods("GRID_NAN_MODE = 1\nGRID_NAN_OFFSET = 0.5\nSCALE_Z_GRID = 2\n")), List());
   EXPECT_EQ(left(mods("GRID_NAN_MODE = 3\n")), List{"GRID_NAN_MODE = 3 (gaps get the height beside them)"});
   EXPECT_EQ(left(mods("REFPOINT_X = 1\nREFLINE_OFFSET_X = 2\n")),

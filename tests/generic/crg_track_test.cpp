@@ -56,7 +56,7 @@ Model model_with(const std::string& text) {
 }
 
 struct RingPlace {
-  int piece = 0;          ///< from the start
+  int piece = 0;            ///< from the start
   double share = 0, v = 0;  ///< of the piece; m
 };
 
@@ -123,7 +123,8 @@ TEST(CrgTrack, HasNoStepAtItsSeam) {
   const Model model = model_with(ring(seamless, kPieces, "REFLINE_CONTINUATION = 1\n"));
   for (const double radius : {kInner - 1.4, kInner + 0.1, kInner + 1.2})
     for (const double d : {1e-3, 1e-6, 1e-9}) {
-      const auto before = solver_height(model, in_plane(-d, radius)), behind = solver_height(model, in_plane(d, radius));
+      const auto before = solver_height(model, in_plane(-d, radius)),
+                 behind = solver_height(model, in_plane(d, radius));
       EXPECT_NEAR(before.z, behind.z, 0.02 * 3 * kTurn / kPiece * 2 * d * radius * 1.5);
       const auto section = solver_height(model, in_plane(-1e-4, radius));
       EXPECT_NEAR(section.by_x, before.by_x, 1e-3);
@@ -177,7 +178,8 @@ TEST(CrgTrack, GoesStraightOnUntilApartEndsMeet) {
   for (int k = 1; k < 1000; ++k) {
     const double angle = (kPieces - 2) * kTurn * k / 1000;
     ASSERT_NEAR(solver_height(model, in_plane(angle, kInner - 0.4)).z,
-                height_on_ring(stepped, on_ring(angle, kInner - 0.4)), angle < kTurn || angle > 21 * kTurn ? 2e-3 : 1e-9);
+                height_on_ring(stepped, on_ring(angle, kInner - 0.4)),
+                angle < kTurn || angle > 21 * kTurn ? 2e-3 : 1e-9);
   }
 }
 
@@ -192,7 +194,9 @@ TEST(CrgTrack, StaysOpenWhereItsEndsOverlap) {
   EXPECT_EQ(model_with(ring(seamless, kPieces, "REFLINE_CONTINUATION = 1\n", off)).roads[0].grids[0].road->closure.kind,
             CrgClosure::Kind::open);
   EXPECT_EQ(model_with(ring(seamless, kPieces, "REFLINE_CONTINUATION = 1\nCHECK_TOL = 0.001\n", off))
-                .roads[0].grids[0].road->closure.kind,
+                .roads[0]
+                .grids[0]
+                .road->closure.kind,
             CrgClosure::Kind::meeting);
 }
 

@@ -7,8 +7,7 @@ namespace {
 
 VehicleSeries towing_series(std::size_t n, double step) {
   VehicleSeries s = empty_series(n, step);
-  for (auto* values :
-       {&s.towed.x, &s.towed.y, &s.towed.heading, &s.towed.lateral_acceleration, &s.towed.yaw_rate})
+  for (auto* values : {&s.towed.x, &s.towed.y, &s.towed.heading, &s.towed.lateral_acceleration, &s.towed.yaw_rate})
     values->assign(n, 0.0);
   return s;
 }
@@ -78,7 +77,8 @@ TEST(Towing, DampingOfASwingThatDiesOut) {
       s.steer[i] = t < 0 ? std::sin(2 * kPi * s.t[i]) : 0;
       s.yaw_rate[i] = 0.1 * s.steer[i];
       s.towed.yaw_rate[i] =
-          t < 0 ? s.yaw_rate[i] : 0.2 * std::exp(-damping * omega * t) * std::sin(std::sqrt(1 - damping * damping) * omega * t);
+          t < 0 ? s.yaw_rate[i]
+                : 0.2 * std::exp(-damping * omega * t) * std::sin(std::sqrt(1 - damping * damping) * omega * t);
     }
     EXPECT_NEAR(value(towing_metrics(s, {}), "yaw_damping"), damping, 2e-3 * damping);
   }

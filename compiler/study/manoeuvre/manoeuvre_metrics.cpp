@@ -71,7 +71,8 @@ VehicleMetrics metrics_of(const Manoeuvre& manoeuvre, const Plan& plan, const Ve
     return {.notes = {fmt::format("no numbers: the metrics begin at {:.4g} s, and the motion ends at {:.4g} s",
                                   plan.begin, end)}};
   VehicleMetrics metrics = std::visit(Measures{plan, facts, vehicle, start, series}, manoeuvre);
-  const bool turns = !std::holds_alternative<BrakingManoeuvre>(manoeuvre) && !std::holds_alternative<RideManoeuvre>(manoeuvre);
+  const bool turns =
+      !std::holds_alternative<BrakingManoeuvre>(manoeuvre) && !std::holds_alternative<RideManoeuvre>(manoeuvre);
   if (vehicle.towed.body < 0 || !turns) return metrics;
   const auto* circle = std::get_if<CircleManoeuvre>(&manoeuvre);
   VehicleMetrics towing =

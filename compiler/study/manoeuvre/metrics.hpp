@@ -76,14 +76,16 @@ struct LaneSection {
 struct LaneChange {
   std::vector<LaneSection> sections;  ///< in the order in which they are driven
   double x = 0, y = 0, heading = 0;   ///< m, m, rad: the frame of the track in the world
-  double front = 0, rear = 0, to_left = 0, to_right = 0;  ///< m, >= 0: from the reference point to the sides of the body
+  double front = 0, rear = 0, to_left = 0,
+         to_right = 0;  ///< m, >= 0: from the reference point to the sides of the body
 };
 VehicleMetrics lane_change_metrics(const VehicleSeries& series, const LaneChange& lanes);
 
 /// The last towed unit against the first one, ISO 14791.
 struct Towing {
-  double front = 0, towed_rear = 0;  ///< m, from the points of both units to the foremost axle, and back to the rearmost
-  bool is_circle = false;            ///< of one radius: offtracking is that of the circle
+  double front = 0,
+         towed_rear = 0;   ///< m, from the points of both units to the foremost axle, and back to the rearmost
+  bool is_circle = false;  ///< of one radius: offtracking is that of the circle
 };
 VehicleMetrics towing_metrics(const VehicleSeries& series, const Towing& towing);
 

@@ -13,11 +13,11 @@ namespace {
 
 using namespace manoeuvre;
 
-constexpr double kLeastTurn = 0.1;   ///< m/s^2: below, a path says little of its radius
-constexpr double kLinearUpTo = 3;           ///< m/s^2, up to which a line is fitted
-constexpr double kLeastSwing = 0.02;    ///< of the largest: smaller extremes are noise
-constexpr double kRestOfSteer = 1e-6;   ///< of the largest angle
-constexpr double kLeastMotion = 1e-9;   ///< m/s^2 or rad/s, below which nothing moves
+constexpr double kLeastTurn = 0.1;     ///< m/s^2: below, a path says little of its radius
+constexpr double kLinearUpTo = 3;      ///< m/s^2, up to which a line is fitted
+constexpr double kLeastSwing = 0.02;   ///< of the largest: smaller extremes are noise
+constexpr double kRestOfSteer = 1e-6;  ///< of the largest angle
+constexpr double kLeastMotion = 1e-9;  ///< m/s^2 or rad/s, below which nothing moves
 
 /// A point of the vehicle's plane.
 struct At {
@@ -27,8 +27,8 @@ At ahead(double x, double y, double heading, double along) {
   return {x + along * std::cos(heading), y + along * std::sin(heading)};
 }
 
-/// How far the rearmost axle's middle is to the left of the path that the foremost one's went, at each point; NaN before
-/// that path begins.
+/// How far the rearmost axle's middle is to the left of the path that the foremost one's went, at each point; NaN
+/// before that path begins.
 Values offtracking(const VehicleSeries& s, const Towing& towing) {
   std::vector<At> path;
   for (std::size_t i = 0; i < s.t.size(); ++i) path.push_back(ahead(s.x[i], s.y[i], s.heading[i], towing.front));
