@@ -19,6 +19,7 @@
 #include "compiler/study/load_watch.hpp"
 #include "compiler/study/manoeuvre/manoeuvre_run.hpp"
 #include "compiler/study/motion_table.hpp"
+#include "compiler/study/road_watch.hpp"
 #include "compiler/study/simulation.hpp"
 #include "compiler/study/simulation_arguments.hpp"
 #include "compiler/study/simulation_text.hpp"
@@ -54,6 +55,8 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
   Progress progress(settings.steps);
   ContactWatch contacts(compilation);
   LoadWatch loads(compilation.model);
+  RoadWatch roads(compilation);
+  roads.add(start.state);
   settings.has_multipliers = contacts.needs_multipliers();
   Run run;
   run.moved = start.moved;
@@ -66,6 +69,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
   const auto on_sample = [&](const Sample& sample) {
     contacts.add(sample);
     loads.add(sample);
+    roads.add(sample.state);
     table.add(sample);
     progress.show(sample.step);
   };
@@ -78,6 +82,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
   }
   judge_contacts(contacts, run.verdict);
   judge_loads(loads, run.verdict);
+  judge_roads(roads, run.summary, run.verdict);
   if (manoeuvre) manoeuvre->judge(run.verdict);
   return run;
 }

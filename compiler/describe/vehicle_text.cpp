@@ -7,9 +7,9 @@
 namespace mbgen {
 namespace {
 
-std::string reference_of(const Model& model, const Vehicle& vehicle) {
-  const Body& body = model.bodies[static_cast<std::size_t>(vehicle.reference.body)];
-  return body.name + "." + body.points[static_cast<std::size_t>(vehicle.reference.point)].name;
+std::string point_name(const Model& model, const Attachment& at) {
+  const Body& body = model.bodies[static_cast<std::size_t>(at.body)];
+  return body.name + "." + body.points[static_cast<std::size_t>(at.point)].name;
 }
 
 const std::string& input_name(const Model& model, int input) {
@@ -21,8 +21,9 @@ const std::string& input_name(const Model& model, int input) {
 std::string vehicle_dump(const Model& model) {
   if (!model.vehicle) return "";
   const Vehicle& vehicle = *model.vehicle;
-  std::string text =
-      fmt::format("vehicle\n  reference {}, steer_ratio {}\n", reference_of(model, vehicle), vehicle.steer_ratio);
+  std::string text = fmt::format("vehicle\n  reference {}, steer_ratio {}\n", point_name(model, vehicle.reference),
+                                 vehicle.steer_ratio);
+  if (vehicle.towed.body >= 0) text += fmt::format("  towed {}\n", point_name(model, vehicle.towed));
   const auto input = [&](const char* name, int index, const std::optional<double>& limit) {
     if (index < 0) return;
     text += fmt::format("  {}: {}{}\n", name, input_name(model, index), limit ? fmt::format(", up to {}", *limit) : "");
@@ -47,7 +48,9 @@ std::string vehicle_explanation(const Model& model) {
   input("steers", vehicle.steer);
   input("drives", vehicle.drive);
   input("brakes", vehicle.brake);
-  std::string words = fmt::format("Its motion is that of {}", reference_of(model, vehicle));
+  std::string words = fmt::format("Its motion is that of {}", point_name(model, vehicle.reference));
+  if (vehicle.towed.body >= 0)
+    words += fmt::format(", that of the last towed unit is that of {}", point_name(model, vehicle.towed));
   words += inputs.empty() ? "; no input moves it." : fmt::format("; the inputs: {}.", listed(inputs));
   if (vehicle.speed >= 0)
     words += fmt::format(" A manoeuvre sets its speed at the start by the parameter {}.",

@@ -17,14 +17,17 @@ struct RoadPlace {
   T along_x, along_y;  ///< unit, the wheel's heading
 };
 
+constexpr double kInside = 1e-9;  ///< m: above the rounding of places, far below what a tyre feels
+
 /// A line along the wheel's heading, below the middle of the left or the right half of its width.
 template <class T>
 struct EnvelopeRow {
   const ForceWork<T>& work;
   const Road& road;
   RoadPlace<T> place;
-  T radius;  ///< m, unloaded
-  T strip;   ///< m, width of the half
+  T radius;   ///< m, unloaded
+  T strip;    ///< m, width of the half
+  T breadth;  ///< m, that this width takes up along the road's x, at least kInside
 
   T x_at(const T& s) const { return place.x + place.along_x * s; }
   T y_at(const T& s) const { return place.y + place.along_y * s; }
@@ -40,6 +43,17 @@ T share_between_sides(const EnvelopeRow<T>& row, const RoadStretch& stretch, con
   return share;
 }
 
+/// A feature of height 1 as the row sees it. Steps of an obstacle count by how much of the strip lies behind them, so
+/// that they are none for a wheel that runs along them.
+template <class T>
+T course_below(const EnvelopeRow<T>& row, const RoadFeature& feature, const T& x) {
+  if (!feature.is_obstacle() || feature.ramp > 0) return feature_course(row.work, feature, x).value;
+  const T u = x - row.work.value(feature.from), length = row.work.value(*feature.length);
+  const auto behind = [&](const T& inside) { return within(T(inside / row.breadth + T(0.5)), T(0.0), T(1.0)); };
+  const T share = behind(u) + behind(T(length - u)) - T(1.0);
+  return feature.kind == RoadFeature::Kind::plank ? share : T(-share);
+}
+
 /// Height of the features of a row's road, m: either the obstacles, or all others.
 template <class T>
 T height_of_features(const EnvelopeRow<T>& row, bool of_obstacles, const T& x, const T& y) {
@@ -47,7 +61,7 @@ T height_of_features(const EnvelopeRow<T>& row, bool of_obstacles, const T& x, c
   for (const RoadFeature& feature : row.road.features) {
     if (feature.is_obstacle() != of_obstacles) continue;
     const T share = share_between_sides(row, feature, y);
-    height = height + row.work.value(feature.height) * share * feature_course(row.work, feature, x).value;
+    height = height + row.work.value(feature.height) * share * course_below(row, feature, x);
   }
   return height;
 }
@@ -78,14 +92,14 @@ struct EnvelopePoint {
 template <class T>
 void add_edges(const EnvelopeRow<T>& row, const T& reach, std::vector<EnvelopePoint<T>>& points) {
   using mbgen::select;
-  constexpr double kInside = 1e-9;  // m: above the rounding of places, far below what a tyre feels
   const T along = magic::away_from_zero<T>(row.place.along_x, T(1e-9));
   for (const RoadFeature& feature : row.road.features) {
     if (!feature.is_obstacle()) continue;
     const T from = row.work.value(feature.from), to = from + row.work.value(*feature.length);
     const T height = row.work.value(feature.height);
-    const T inside =
-        select(feature.kind == RoadFeature::Kind::plank ? height : T(-height), T(feature.ramp + kInside), T(-kInside));
+    const T half = feature.ramp > 0 ? T(0.0) : T(0.5) * row.breadth;
+    const T inside = select(feature.kind == RoadFeature::Kind::plank ? height : T(-height),
+                            T(half + T(feature.ramp + kInside)), T(-half - T(kInside)));
     for (const T& edge : {T(from + inside), T(to - inside)}) {
       const T s = within(T((edge - row.place.x) / along), T(-reach), reach);
       const T x = row.x_at(s), y = row.y_at(s);
@@ -157,11 +171,12 @@ RoadHeight<T> height_of_envelope(const ForceWork<T>& work, const Tyre& tyre, con
   const TyreEnvelope& cams = *tyre.envelope;
   const T radius = work.value(tyre.radius, "radius", tyre.name);
   const T strip = T(0.5 * cams.width) * radius;
+  const T breadth = max(T(strip * T(abs(centre.along_y))), T(kInside));
   const auto line_at = [&](double side) {
     const T y = T(side) * strip;
     const RoadPlace<T> place{centre.x - y * centre.along_y, centre.y + y * centre.along_x, centre.along_x,
                              centre.along_y};
-    return envelope_line(EnvelopeRow<T>{work, road, place, radius, strip}, cams);
+    return envelope_line(EnvelopeRow<T>{work, road, place, radius, strip, breadth}, cams);
   };
   const EnvelopeLine<T> left = line_at(0.5), right = line_at(-0.5);
   const T along = T(0.5) * (left.slope + right.slope), across = (left.height - right.height) / strip;

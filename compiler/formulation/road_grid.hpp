@@ -48,6 +48,23 @@ struct LinePieces {
   }
 };
 
+/// Whether the section `end` is an end of the line beyond which a place lies, and where it goes on there: over the seam
+/// of a line whose ends are apart.
+template <class T>
+T over_seam(const GridTables<T>& tables, const T& end, const T& x, const T& y) {
+  using mbgen::select;
+  const CrgRoad& road = *tables.grid.road;
+  const std::size_t last = road.sections() - 1;
+  const auto ahead_of = [&](std::size_t at, std::size_t from) {
+    return T(road.x[from + 1] - road.x[from]) * (x - T(road.x[at])) +
+           T(road.y[from + 1] - road.y[from]) * (y - T(road.y[at]));
+  };
+  const T start = ahead_of(0, 0), finish = ahead_of(last, last - 1);
+  const T forward = select(end - T(tables.last() - 0.5), select(finish, select(start, T(1.0), end), end), end);
+  const T back = select(-start, select(-finish, T(tables.last()), end), end);
+  return select(T(1.5) - end, back, forward);
+}
+
 /// The section at which the interval below a place ends. From the cell's own section the way along the line is gone
 /// three times, which is enough where the road does not turn by more than about a radian within a cell; then two
 /// comparisons with the lines across the sections give the interval itself.
@@ -61,12 +78,17 @@ T interval_end(const GridTables<T>& tables, const T& x, const T& y) {
   };
   const T cell = T(grid.cells_x) * cell_of(y, grid.cell_y, grid.cells_y) + cell_of(x, grid.cell_x, grid.cells_x);
   T end = tables.at(grid.cells, cell);
-  const auto inside = [&](const T& section) { return within(section, T(1.0), T(tables.last())); };
+  const CrgClosure::Kind closure = grid.road->closure.kind;
+  const auto inside = [&](const T& section) {
+    if (closure != CrgClosure::Kind::meeting) return within(section, T(1.0), T(tables.last()));
+    return T(section - T(tables.last()) * T(floor(T(T(1 / tables.last()) * (section - T(0.5))))));
+  };
   const double per_interval = 1 / (grid.road->increment * grid.road->increment);
   for (int k = 0; k < 3; ++k) {
     const T x1 = tables.line(end - T(1.0), 0), y1 = tables.line(end - T(1.0), 1);
     const T along = (x - x1) * (tables.line(end, 0) - x1) + (y - y1) * (tables.line(end, 1) - y1);
     end = inside(T(end + floor(T(T(per_interval) * along))));
+    if (closure == CrgClosure::Kind::apart && k == 0) end = over_seam(tables, end, x, y);
   }
   for (int k = 0; k < 2; ++k) {
     const LinePieces<T> p(tables, end);
@@ -105,9 +127,17 @@ GridPlace<A> grid_place(const GridTables<T>& tables, const A& x, const A& y) {
   const A ahead = (A(second_x) * (A(p.x[2]) - x) + A(second_y) * (A(p.y[2]) - y)) / A(second_x * ex + second_y * ey);
   const A u = A(road.start) + A(road.increment) * (A(end - T(1.0)) + behind / (behind + ahead));
   const A v = (A(ex) * dy - A(ey) * dx) / A(T(sqrt(ex * ex + ey * ey)));
+  const CrgClosure& closure = road.closure;
+  if (closure.kind == CrgClosure::Kind::meeting) return {u, v};
   const GridPlace<A> finish = beyond_end(road.end(), road.end_x, road.end_y, road.end_heading, x, y);
+  const bool closes = closure.kind == CrgClosure::Kind::apart;
   const auto chosen = [&](A GridPlace<A>::*part, const A& on_line) {
-    return select(u - A(road.start), select(A(road.end()) - u, on_line, finish.*part), start.*part);
+    A before = start.*part, behind = finish.*part;
+    if (closes) {
+      before = select(start.u - A(road.start - closure.before), start.*part, finish.*part);
+      behind = select(A(road.end() + closure.behind) - finish.u, finish.*part, start.*part);
+    }
+    return select(u - A(road.start), select(A(road.end()) - u, on_line, behind), before);
   };
   return {chosen(&GridPlace<A>::u, u), chosen(&GridPlace<A>::v, v)};
 }
@@ -135,6 +165,17 @@ A height_at_border(RoadBorder border, double offset, const A& place, double size
   if (!is_flat && (border != RoadBorder::keep || offset == 0)) return inside;
   const A outside = (is_flat ? flat : inside) + A(offset);
   return select(place, select(A(size) - place, inside, outside), outside);
+}
+
+/// Not a number, with its slopes, where a place is beyond a border that refuses it. room: m, to the nearer border.
+template <class A>
+A unless_refused(RoadBorder border, const A& room, const A& height) {
+  using mbgen::select;
+  using std::sqrt;
+  constexpr double kRounding = 1e-8;  // m, of places on a border
+  if (border != RoadBorder::refuse) return height;
+  const A inside = room + A(kRounding);
+  return select(inside, height, sqrt(inside));  // the root of a negative number is none
 }
 
 /// Height above the plane of the road's origin where x or y moves.
@@ -184,7 +225,8 @@ A height_on_grid(const GridTables<T>& tables, const A& x, const A& y) {
   const A u = begins_again ? A(road.start) + A(road.increment) * along : at.u;
   smooth(grid.smooth_begin, u - A(road.start), road.line_height.front());
   smooth(grid.smooth_end, A(road.end()) - u, road.line_height.back());
-  return z;
+  z = unless_refused(grid.ends, min(at.u - A(road.start), A(road.end()) - at.u), z);
+  return unless_refused(grid.sides, min(at.v - A(road.v.front()), A(road.v.back()) - at.v), z);
 }
 
 template <class T>

@@ -232,14 +232,37 @@ std::optional<CrgProblem> place_columns(const CrgHeader& header, std::size_t hei
   return {};
 }
 
-/// Heights that are missing become those of their neighbours.
-void fill_heights(std::size_t columns, std::vector<double>& heights) {
-  for (std::size_t row = 0; row < heights.size(); row += columns) {
-    for (std::size_t k = row + 1; k < row + columns; ++k)
-      if (std::isnan(heights[k])) heights[k] = heights[k - 1];
-    for (std::size_t k = row + columns - 1; k > row; --k)
+/// Heights that are missing, by GRID_NAN_MODE: 2 (also for none and for numbers without a meaning) those to their
+/// right, else to their left; 1 zero; each plus GRID_NAN_OFFSET. 0 leaves them missing, and such a road bears no wheel.
+std::optional<CrgProblem> fill_heights(const CrgHeader& header, CrgRoad& road) {
+  const auto modifier = [&](const char* name, double fallback) {
+    const auto found = header.modifiers.find(name);
+    return found == header.modifiers.end() ? fallback : found->second;
+  };
+  const double mode = modifier("GRID_NAN_MODE", 2), offset = modifier("GRID_NAN_OFFSET", 0);
+  const std::size_t columns = road.v.size();
+  for (std::size_t row = 0; row < road.heights.size(); row += columns) {
+    double* const heights = &road.heights[row];
+    std::vector<std::size_t> gaps;
+    for (std::size_t k = 0; k < columns; ++k)
+      if (std::isnan(heights[k])) gaps.push_back(k);
+    if (gaps.empty()) continue;
+    if (mode == 0)
+      return CrgProblem{0, header.data,
+                        fmt::format("section {} has no height at v = {:g}, and GRID_NAN_MODE = 0 leaves it so",
+                                    row / columns + 1, road.v[gaps[0]]),
+                        "GRID_NAN_MODE = 2 takes the height beside it, 1 takes 0"};
+    if (mode != 1 && gaps.size() == columns)
+      return CrgProblem{0, header.data, fmt::format("section {} has no height", row / columns + 1), {}};
+    for (const std::size_t k : gaps)
+      if (mode == 1) heights[k] = 0;
+    for (const std::size_t k : gaps)
+      if (k > 0 && std::isnan(heights[k])) heights[k] = heights[k - 1];
+    for (std::size_t k = columns - 1; k > 0; --k)
       if (std::isnan(heights[k - 1])) heights[k - 1] = heights[k];
+    for (const std::size_t k : gaps) heights[k] = static_cast<double>(static_cast<float>(heights[k] + offset));
   }
+  return {};
 }
 
 /// Integrates the headings: forward, or where the end is given both ways, each weighted by how near it began.
@@ -296,7 +319,6 @@ std::optional<CrgProblem> make_road(const CrgHeader& header, const CrgData& data
       const CrgColumn column = header.columns[c];
       if (column == CrgColumn::height) {
         road.heights.push_back(static_cast<double>(higher * static_cast<float>(number)));
-        road.has_gaps = road.has_gaps || std::isnan(number);
         continue;
       }
       if (!std::isfinite(number) && i > 0)
@@ -305,7 +327,7 @@ std::optional<CrgProblem> make_road(const CrgHeader& header, const CrgData& data
       if (column == CrgColumn::slope) has_slope = true, slope[i] = steeper * number;
       if (column == CrgColumn::banking) road.banking.resize(data.sections, 0.0), road.banking[i] = banked * number;
     }
-  fill_heights(heights, road.heights);
+  if (std::optional<CrgProblem> problem = fill_heights(header, road)) return problem;
   for (std::size_t k = 0; k < road.heights.size(); ++k)
     if (!std::isfinite(road.heights[k]))
       return CrgProblem{0, header.data, fmt::format("section {} has no height", k / heights + 1), {}};

@@ -11,6 +11,17 @@
 
 namespace mbgen {
 
+/// What a reference line does at its ends.
+///   open     it goes straight on for ever
+///   meeting  its end is its start: sections follow each other in a ring
+///   apart    end and start go straight on until they meet, `before` and `behind` them
+struct CrgClosure {
+  enum class Kind { open, meeting, apart };
+  Kind kind = Kind::open;
+  double before = 0, behind = 0;  ///< m, >= 0
+  double gap = 0;                 ///< m, between end and start, of a line that is asked to close
+};
+
 /// A road of an OpenCRG file. u: along the reference line, v: to the left of it, m. Sections are the rows of the file.
 struct CrgRoad {
   double start = 0, increment = 1;               ///< m: u of the first section, and the distance of two
@@ -20,7 +31,7 @@ struct CrgRoad {
   double end_x = 0, end_y = 0, end_heading = 0;  ///< where the straight line behind the end begins
   std::vector<double> line_height;               ///< m, of the reference line at each section
   std::vector<double> banking;                   ///< 1, rise to the left at each section; empty: none
-  bool has_gaps = false;                         ///< whether the file misses heights
+  CrgClosure closure;
   std::map<std::string, double> options, modifiers;  ///< what the file asks for, by names in capitals
 
   std::size_t sections() const { return x.size(); }
@@ -35,8 +46,8 @@ struct CrgProblem {
 };
 
 /// Reads a file: text (LRFI, LDFI) and binary (KRBI, KDBI) data; heights as single precision, as the C API keeps them.
-/// Heights that are no number become those of their neighbours to the right, else to the left. Modifiers that scale
-/// are applied, others and the options are not.
+/// Heights that are no number become what GRID_NAN_MODE says (2 without: the height to their right, else to their left;
+/// 1: 0; 0 is a problem), plus GRID_NAN_OFFSET. Modifiers that scale are applied, others and the options are not.
 /// Fails: with the first problem. Requires nothing of the text.
 std::optional<CrgProblem> read_crg(std::string_view text, CrgRoad& road);
 

@@ -13,7 +13,12 @@ struct PlanePlace {
   double x = 0, y = 0;
 };
 
-/// Where u, v are. Before the start and behind the end the reference line goes straight on.
+/// The road with its line closed where REFLINE_CONTINUATION asks for it: in a ring where its ends are no farther apart
+/// than CHECK_TOL (0.1 mm without), else by straight lines as the C API does where it calls a line closed: headings
+/// within 60 degrees, and end and start ahead of each other. Otherwise it stays open.
+CrgRoad closed_as_asked(CrgRoad road);
+
+/// Where u, v are. Before the start and behind the end the reference line goes as its closure says.
 PlanePlace plane_place(const CrgRoad& road, CrgPlace at);
 
 /// The u, v of a place, found from the nearest section. Cost: linear in the sections.

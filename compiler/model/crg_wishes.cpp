@@ -27,8 +27,8 @@ constexpr std::array kPoints = {"REFPOINT_X", "REFPOINT_Y", "REFPOINT_Z",       
 constexpr std::array kShifts = {"REFLINE_ROTCENTER_X", "REFLINE_ROTCENTER_Y", "REFLINE_OFFSET_PHI",
                                 "REFLINE_OFFSET_X",    "REFLINE_OFFSET_Y",    "REFLINE_OFFSET_Z"};
 constexpr std::array kOffsets = {"REFPOINT_U_OFFSET", "REFPOINT_V_OFFSET"};
-constexpr std::array kScales = {"SCALE_Z_GRID", "SCALE_SLOPE", "SCALE_BANKING",
-                                "SCALE_LENGTH", "SCALE_WIDTH", "SCALE_CURVATURE"};
+constexpr std::array kOfData = {"SCALE_Z_GRID", "SCALE_SLOPE",     "SCALE_BANKING",  "SCALE_LENGTH",
+                                "SCALE_WIDTH",  "SCALE_CURVATURE", "GRID_NAN_OFFSET"};
 constexpr std::array kBorderModes = {"BORDER_MODE_U", "BORDER_MODE_V"};
 constexpr std::array kOffsetsBeyond = {"BORDER_OFFSET_U", "BORDER_OFFSET_V"};
 constexpr std::array kSmoothing = {"BORDER_SMOOTH_UBEG", "BORDER_SMOOTH_UEND"};
@@ -53,10 +53,28 @@ double reference(const Entries& m, const char* place, const char* fraction, cons
 
 RoadBorder border_of(const Entries& options, const char* name) {
   const double mode = find(options, name).value_or(2);
-  return mode == 1   ? RoadBorder::zero
+  return mode == 0   ? RoadBorder::refuse
+         : mode == 1 ? RoadBorder::zero
          : mode == 3 ? RoadBorder::repeat
          : mode == 4 ? RoadBorder::reflect
                      : RoadBorder::keep;
+}
+
+/// Why the line of a road that is asked to close does not, or not in its end; empty where it does.
+std::string why_open(const CrgRoad& road, double asked) {
+  using Kind = CrgClosure::Kind;
+  if (asked == 0 || (asked == 1 && road.closure.kind == Kind::meeting)) return {};
+  if (asked != 1) return " (neither 0 nor 1: the line goes straight on at its ends)";
+  if (road.closure.kind == Kind::apart)
+    return fmt::format(
+        " to the letter (a closed track, but its end is {:.6g} m before its start: there the line goes straight on "
+        "from "
+        "both, with the heights beyond its ends)",
+        road.closure.gap);
+  return fmt::format(
+      " (a closed track, but its end, {:.6g} m away from its start, does not lead to it: the line goes straight on at "
+      "its ends)",
+      road.closure.gap);
 }
 
 }  // namespace
@@ -93,17 +111,16 @@ void follow_options(RoadGrid& grid) {
 
 std::vector<std::string> not_followed(const CrgRoad& road) {
   std::vector<std::string> list;
-  const auto add = [&](const std::string& name, double number, const char* why) {
+  const auto add = [&](const std::string& name, double number, std::string_view why) {
     list.push_back(fmt::format("{} = {:g}{}", name, number, why));
   };
   for (const auto& [name, number] : road.modifiers) {
     const bool is_shift = has(kShifts, name);
     if (is_shift && has_point(road))
       add(name, number, " (beside a reference point)");
-    else if (name == "GRID_NAN_MODE" || name == "GRID_NAN_OFFSET") {
-      if (road.has_gaps && number != (name == "GRID_NAN_MODE" ? 2 : 0))
-        add(name, number, " (gaps get the height beside them)");
-    } else if (!is_shift && !has(kPoints, name) && !has(kOffsets, name) && !has(kScales, name))
+    else if (name == "GRID_NAN_MODE") {
+      if (number != 0 && number != 1 && number != 2) add(name, number, " (gaps get the height beside them)");
+    } else if (!is_shift && !has(kPoints, name) && !has(kOffsets, name) && !has(kOfData, name))
       add(name, number, "");
   }
   for (const auto& [name, number] : road.options) {
@@ -111,12 +128,9 @@ std::vector<std::string> not_followed(const CrgRoad& road) {
         std::any_of(kHarmless.begin(), kHarmless.end(),
                     [&option = name](std::string_view beginning) { return option.starts_with(beginning); });
     if (has(kBorderModes, name)) {
-      if (number == 0)
-        add(name, number, " (an error beyond the border: its heights go on there)");
-      else if (number != 1 && number != 2 && number != 3 && number != 4)
-        add(name, number, "");
+      if (number != 0 && number != 1 && number != 2 && number != 3 && number != 4) add(name, number, "");
     } else if (name == "REFLINE_CONTINUATION") {
-      if (number != 0) add(name, number, " (a closed track: the line goes straight on at its ends)");
+      if (const std::string why = why_open(road, number); !why.empty()) add(name, number, why);
     } else if (!is_harmless && !has(kOffsetsBeyond, name) && !(has(kSmoothing, name) && number >= 0)) {
       add(name, number, "");
     }

@@ -15,7 +15,7 @@ CrgRoad relocated(CrgRoad road);
 /// Takes over what the options of the grid's road say of its borders and of smoothing at its ends.
 void follow_options(RoadGrid& grid);
 
-/// Modifiers and options of a road that are not followed, a text each: "NAME = value", perhaps why.
+/// Modifiers and options of a road, closed as asked, that are not followed, a text each: "NAME = value", perhaps why.
 std::vector<std::string> not_followed(const CrgRoad& road);
 
 }  // namespace mbgen

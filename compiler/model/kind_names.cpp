@@ -46,7 +46,7 @@ const char* name_of(JointType type) {
 }
 
 const char* name_of(RoadBorder border) {
-  constexpr std::array kNames = {"keep", "zero", "repeat", "reflect"};
+  constexpr std::array kNames = {"keep", "zero", "repeat", "reflect", "refuse"};
   return kNames[static_cast<std::size_t>(border)];
 }
 

@@ -28,9 +28,11 @@ std::vector<double> line_of(const CrgRoad& road) {
   const auto add = [&](std::size_t i) {
     line.insert(line.end(), {road.x[i], road.y[i], road.line_height[i], road.banking.empty() ? 0 : road.banking[i]});
   };
-  add(0);
-  for (std::size_t i = 0; i < road.sections(); ++i) add(i);
-  add(road.sections() - 1);
+  const std::size_t last = road.sections() - 1;
+  const bool is_ring = road.closure.kind == CrgClosure::Kind::meeting;
+  add(is_ring ? last - 1 : 0);
+  for (std::size_t i = 0; i <= last; ++i) add(i);
+  add(is_ring ? 1 : last);
   return line;
 }
 
@@ -125,7 +127,7 @@ void read_crg_road(Reader& reader, const Value& value, Road& road) {
            "cut it shorter or thin it out");
     return;
   }
-  read = relocated(std::move(read));
+  read = closed_as_asked(relocated(std::move(read)));
   if (const std::vector<std::string> wishes = not_followed(read); !wishes.empty())
     note(reader, file.place, fmt::format("{} asks for what is not followed: {}", fields.file, fmt::join(wishes, "; ")));
   RoadGrid& grid = road.grids.emplace_back();
@@ -145,6 +147,7 @@ void read_crg_road(Reader& reader, const Value& value, Road& road) {
   take("smooth_end", grid.smooth_end, fields.smooth_end);
   take("beyond_ends", grid.ends, fields.beyond_ends);
   take("beyond_sides", grid.sides, fields.beyond_sides);
+  if (grid.road->closure.kind == CrgClosure::Kind::meeting) grid.ends = RoadBorder::keep, grid.end_offset = 0;
 }
 
 }  // namespace mbgen::reading

@@ -169,6 +169,24 @@ void use_coefficients(Reader& reader, const Value& value, CoefficientSet& set, T
   }
 }
 
+/// Cams know the edges of planks and potholes, not the steps of an expression.
+void note_steps_below(Reader& reader, const Value& value, const TyreFields& tyre) {
+  if (tyre.road < 0) return;
+  const Road& road = reader.model.roads[static_cast<std::size_t>(tyre.road)];
+  if (!road.height) return;
+  const auto may_jump = [](const ExpressionNode& node) {
+    return node.kind == ExpressionNode::Kind::call &&
+           (node.function == Function::step || node.function == Function::sign || node.function == Function::select);
+  };
+  if (std::ranges::any_of(reader.model.expressions[static_cast<std::size_t>(*road.height)].nodes, may_jump))
+    note(
+        reader, value.place,
+        fmt::format("where the \"height\" of road \"{}\" jumps (step, sign, select), the force of this enveloping tyre "
+                    "jumps too",
+                    road.name),
+        "make steps of planks and potholes: cams know their edges");
+}
+
 /// The envelope of a tyre, with what a file gives of its cams; after the road.
 void use_envelope(Reader& reader, const CamsOfFile& of_file, TyreFields& tyre) {
   constexpr int kMostSamples = 50;  // to each side
@@ -195,6 +213,7 @@ void use_envelope(Reader& reader, const CamsOfFile& of_file, TyreFields& tyre) {
   if (tyre.road >= 0 && reader.model.roads[static_cast<std::size_t>(tyre.road)].is_of_one_point())
     report(reader, value, "an envelope looks at a road at several places, but this road tells a plane below one",
            "leave out \"enveloping\", or give the road heights over x and y in place of \"host\", slope_x and slope_y");
+  note_steps_below(reader, value, tyre);
   if (reader.problems.size() == problems) tyre.envelope = cams;
 }
 

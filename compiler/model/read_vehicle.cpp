@@ -21,6 +21,11 @@ void read_vehicle(Reader& reader, const std::vector<Part>& parts) {
   if (fields.steer_ratio == 0) report(reader, *find(value, "steer_ratio"), "must not be zero");
   if (fields.reference.body >= 0 && fields.reference.body == reader.model.ground)
     report(reader, *find(value, "reference"), "the vehicle is no point of ground, which does not move");
+  if (fields.towed.body >= 0 &&
+      (fields.towed.body == reader.model.ground || fields.towed.body == fields.reference.body))
+    report(reader, *find(value, "towed"),
+           fields.towed.body == reader.model.ground ? "the towed unit is no point of ground, which does not move"
+                                                    : "the towed unit is another body than that of \"reference\"");
   reader.model.vehicle = fields;
 }
 

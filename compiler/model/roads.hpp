@@ -60,8 +60,9 @@ struct RoadTracks {
 
 struct CrgRoad;
 
-/// What lies beyond a border of a grid: its height on and on, height 0, the grid again, or its mirror image.
-enum class RoadBorder { keep, zero, repeat, reflect };
+/// What lies beyond a border of a grid: its height on and on, height 0, the grid again, its mirror image, or nothing: a
+/// height that is no number.
+enum class RoadBorder { keep, zero, repeat, reflect, refuse };
 const char* name_of(RoadBorder border);
 
 /// A grid of heights along a reference line, of an OpenCRG file, as tables in Model::samples. Whole numbers there are

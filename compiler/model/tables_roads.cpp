@@ -13,7 +13,7 @@ constexpr const char* kTrack = "distance of the left and the right track";
 /// In the order of IsoRoadFields::Class.
 constexpr std::array<std::string_view, 8> kRoadClasses = {"A", "B", "C", "D", "E", "F", "G", "H"};
 /// In the order of RoadBorder.
-constexpr std::array<std::string_view, 4> kBorders = {"keep", "zero", "repeat", "reflect"};
+constexpr std::array<std::string_view, 5> kBorders = {"keep", "zero", "repeat", "reflect", "refuse"};
 /// In the order of RoadFeature::Kind.
 constexpr std::array<std::string_view, 5> kFeatures = {"bump", "plank", "pothole", "sine", "sweep"};
 
@@ -167,12 +167,13 @@ std::span<const Field<CrgFields>> fields<CrgFields>() {
       field<S, &S::smooth_end>(zone("smooth_end",
                                     "length over which it fades into its reference line at its end; "
                                     "likewise")),
-      field<S, &S::beyond_ends>({.name = "beyond_ends",
-                                 .shape = Shape::word,
-                                 .doc =
-                                     "heights before its start and behind its end: those of the border on and on, 0, "
-                                     "the road again, or its mirror image; default: as the file asks, else keep",
-                                 .words = kBorders}),
+      field<S, &S::beyond_ends>(
+          {.name = "beyond_ends",
+           .shape = Shape::word,
+           .doc = "heights before its start and behind its end: those of the border on and on, 0, "
+                  "the road again, its mirror image, or none (refuse): there a wheel ends the motion; "
+                  "default: as the file asks, else keep",
+           .words = kBorders}),
       field<S, &S::beyond_sides>(
           {.name = "beyond_sides", .shape = Shape::word, .doc = "likewise to its left and right", .words = kBorders}),
   };

@@ -26,6 +26,10 @@ std::span<const Field<VehicleFields>> fields<VehicleFields>() {
                                .doc = "point whose place, speed and accelerations are the vehicle's; on the body whose "
                                       "heading, roll and pitch are the vehicle's, x forward, y to the left, z up",
                                .need = Need::required}),
+      field<F, &F::towed>({.name = "towed",
+                           .shape = Shape::attachment,
+                           .doc = "point whose lateral acceleration is that of the last towed unit, on its body; the "
+                                  "rearmost tyres are this unit's"}),
       field<F, &F::written_steer>(input("steer", "input that steers, rad; it moves with its derivatives where it has")),
       field<F, &F::steer_ratio>({.name = "steer_ratio",
                                  .shape = Shape::number,

@@ -104,7 +104,8 @@ Profile along_track(const RoadTracks& tracks, const std::vector<double>& samples
 /// A place between two borders, for one beyond them too. is_outside: whether a border's own height counts there.
 double between_borders(RoadBorder border, double place, double first, double last, bool& is_outside) {
   is_outside = place < first || place > last;
-  if (!is_outside || border == RoadBorder::keep || border == RoadBorder::zero) return place;
+  if (!is_outside || border == RoadBorder::keep || border == RoadBorder::zero || border == RoadBorder::refuse)
+    return place;
   is_outside = false;
   const double size = last - first;
   double way = std::fmod(place - first, 2 * size);
@@ -113,10 +114,19 @@ double between_borders(RoadBorder border, double place, double first, double las
   return border == RoadBorder::repeat ? first + way - size : last - (way - size);
 }
 
+/// Whether a place is beyond a border where the road has no height.
+bool is_refused(RoadBorder border, double place, double first, double last) {
+  constexpr double kRounding = 1e-8;  // m
+  return border == RoadBorder::refuse && (place < first - kRounding || place > last + kRounding);
+}
+
 /// Height of a grid, with its borders and the smoothing of its ends.
 double height_of_grid(const RoadGrid& grid, const Vector2d& at) {
   const CrgRoad& road = *grid.road;
   CrgPlace place = road_place(road, {at.x(), at.y()});
+  if (is_refused(grid.ends, place.u, road.start, road.end()) ||
+      is_refused(grid.sides, place.v, road.v.front(), road.v.back()))
+    return std::nan("");
   bool is_beyond = false, is_beside = false;
   place.u = between_borders(grid.ends, place.u, road.start, road.end(), is_beyond);
   place.v = between_borders(grid.sides, place.v, road.v.front(), road.v.back(), is_beside);
@@ -127,9 +137,9 @@ double height_of_grid(const RoadGrid& grid, const Vector2d& at) {
     height = grid.end_offset + kept;
   }
   const double from_start = place.u - road.start, to_end = road.end() - place.u;
-  if (from_start < grid.smooth_begin)
+  if (grid.smooth_begin > 0 && from_start < grid.smooth_begin)
     height = std::lerp(road.line_height.front(), height, std::max(from_start, 0.0) / grid.smooth_begin);
-  if (to_end < grid.smooth_end)
+  if (grid.smooth_end > 0 && to_end < grid.smooth_end)
     height = std::lerp(road.line_height.back(), height, std::max(to_end, 0.0) / grid.smooth_end);
   return height;
 }
@@ -178,8 +188,17 @@ void add_ground(const Road& road, const Vector2d& at, const Values& value, RoadS
 struct SeenRoad {
   const Road& road;
   const Values& value;
-  double strip;  ///< m
+  double strip;    ///< m
+  double breadth;  ///< m, of the strip along the road
 
+  /// Height 1 of an obstacle over a place, of one with steps by how much of the strip lies on it.
+  double share_of(const RoadFeature& feature, double x) const {
+    const double u = x - value(feature.from);
+    if (!feature.is_obstacle() || feature.ramp > 0) return shape(feature, u, value).height;
+    const double first = std::max(u - breadth / 2, 0.0), last = std::min(u + breadth / 2, value(*feature.length));
+    const double share = std::max(last - first, 0.0) / breadth;
+    return feature.kind == RoadFeature::Kind::plank ? share : -share;
+  }
   /// Height of the kinds of features that are asked for: each by how much of the strip it lies under.
   double features(const Vector2d& at, bool obstacles) const {
     double height = 0;
@@ -187,9 +206,7 @@ struct SeenRoad {
       if (feature.is_obstacle() != obstacles) continue;
       const double right = std::max(at.y() - strip / 2, feature.right ? value(*feature.right) : -1e300);
       const double left = std::min(at.y() + strip / 2, feature.left ? value(*feature.left) : 1e300);
-      if (left > right)
-        height +=
-            (left - right) / strip * value(feature.height) * shape(feature, at.x() - value(feature.from), value).height;
+      if (left > right) height += (left - right) / strip * value(feature.height) * share_of(feature, at.x());
     }
     return height;
   }
@@ -207,7 +224,8 @@ struct SeenRoad {
     for (const RoadFeature& feature : road.features) {
       if (!feature.is_obstacle()) continue;
       const bool stands_out = (feature.kind == RoadFeature::Kind::plank) == (value(feature.height) >= 0);
-      const double inset = stands_out ? feature.ramp + kInside : -kInside, from = value(feature.from);
+      const double half = feature.ramp > 0 ? 0 : breadth / 2, from = value(feature.from);
+      const double inset = stands_out ? half + feature.ramp + kInside : -half - kInside;
       places.insert(places.end(), {from + inset, from + value(*feature.length) - inset});
     }
     return places;
@@ -275,8 +293,10 @@ RoadSurface road_surface(const Tyre& tyre, const Vector2d& place, const Eigen::V
   surface.height += road.origin[2];
   if (tyre.envelope) {
     const double radius = value(tyre.radius);
-    const SeenRoad seen{road, value, tyre.envelope->width / 2 * radius};
-    add_envelope(seen, *tyre.envelope, radius, at, in_road(Vector2d(axis.y(), -axis.x()).normalized()), surface);
+    const Vector2d heading = in_road(Vector2d(axis.y(), -axis.x()).normalized());
+    const double strip = tyre.envelope->width / 2 * radius;
+    const SeenRoad seen{road, value, strip, std::max(strip * std::abs(heading.y()), 1e-9)};
+    add_envelope(seen, *tyre.envelope, radius, at, heading, surface);
   } else {
     surface.gradient = Vector2d(value(road.slope_x), value(road.slope_y));
     add_ground(road, at, value, surface);

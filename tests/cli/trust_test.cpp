@@ -299,5 +299,30 @@ TEST_F(Trust, ParametersAreSetFromTheCommandLine) {
   EXPECT_EQ(mbgen(simulate + " --set reach=long").err, "--set reach: \"long\" is not a finite number\n");
 }
 
+// A wheel that is pulled at 3 m/s over the end of a road that has no height there: by the border modes of the standard.
+TEST_F(Trust, ARoadThatIsLeftIsNamed) {
+  write("short.crg",
+        "$ROAD_CRG\nREFERENCE_LINE_INCREMENT = 1\n$\n$ROAD_CRG_OPTS\nBORDER_MODE_U = 0\n$\n$KD_Definition\n#:LRFI\n"
+        "D:long section at v = -1,m\nD:long section at v = 1,m\n$$$$\n 0.0000000 0.0000000\n 0.0000000 0.0000000\n");
+  write("cart.json", R"({ "mbgen": 1, "name": "cart", "bodies": { "ground": { "points": { "o": [0.0994, 0, 0.28] } },
+    "hub": { "mass": 10, "com": [0.0994, 0, 0.28], "inertia": [1, 1, 1], "points": { "o": [0.0994, 0, 0.28] } } },
+    "joints": { "hub": { "type": "prismatic", "from": "ground.o", "to": "hub.o", "axis": "x" } },
+    "tyre_data": { "rubber": { "model": "pac2002", "coefficients": { "UNLOADED_RADIUS": 0.3, "FNOMIN": 4000, "PCX1": 1.6,
+      "PDX1": 1.1, "PKX1": 20, "PCY1": 1.3, "PDY1": 1, "PKY1": -15, "PKY2": 1.5 } } },
+    "roads": { "short": { "crg": { "file": "short.crg" } } },
+    "tyres": { "front": { "centre": "hub.o", "data": "rubber", "stiffness": 1e5, "friction": 0, "rolling_resistance": 0 } },
+    "initial": { "velocities": { "hub": 3 } } })");
+  for (const char* engine : {"generated", "generic", "augmented"}) {
+    const Outcome run =
+        mbgen(std::string("simulate cart.json --step 1e-3 --duration 1 --out o.csv --engine ") + engine);
+    EXPECT_EQ(run.exit_code, 1) << engine;
+    EXPECT_NE(run.err.find("stopped after t = 0.3 s"), std::string::npos) << engine << run.err;
+    EXPECT_NE(run.err.find("hint: tyre \"front\" leaves the road \"short\" beyond its end (u = 1.00"),
+              std::string::npos)
+        << engine << run.err;
+    EXPECT_NE(run.err.find("v = 0 m), where that has no height: beyond_ends is \"refuse\""), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace mbgen::cli_test

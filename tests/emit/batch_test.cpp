@@ -106,6 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"tests/data/models/turning_three_wheeler.json", "turning_three_wheeler", kGnu, 4, ""},
                     Case{"tests/data/models/parked_wheels.json", "parked_wheels", kClang, 4, "", true},
                     Case{"tests/data/models/wheel_outputs.json", "wheel_outputs", kClang, 4, ""},
+                    Case{"tests/data/models/closed_track.json", "closed_track", kGnu, 4, ""},
                     Case{"tests/data/models/bushings.json", "bushings", kClang, 4, ""},
                     Case{"tests/data/models/states.json", "states", kClang, 4, "", true},
                     Case{"tests/data/models/pressed.json", "pressed", kClang, 4, "", true},

@@ -86,6 +86,29 @@ TEST(CrgText, IsReadWithItsSections) {
   EXPECT_NEAR(height_of(road, {1, 1}), 0.3, 1e-7);
 }
 
+// Offsets are not scaled and count for missing heights alone.
+TEST(CrgText, MissingHeightsAreWhatTheirModeSays) {
+  const std::string columns = kColumns + "D:long section at v = 3,m\nD:long section at v = 5,m\n";
+  const std::string rows = "****       0.2500000*          0.5000000\n 0.3750000****      ****       0.1250000\n";
+  const auto heights = [&](const std::string& lines) {
+    CrgRoad road;
+    EXPECT_FALSE(read_crg(with_block(file_of(kStep, columns, rows), "$ROAD_CRG_MODS\n" + lines), road));
+    return road.heights;
+  };
+  using List = std::vector<double>;
+  EXPECT_EQ(heights("GRID_NAN_MODE = 2\n"), (List{0.25, 0.25, 0.25, 0.5, 0.375, 0.375, 0.375, 0.125}));
+  EXPECT_EQ(heights("GRID_NAN_OFFSET = 0.5\n"), (List{0.75, 0.25, 0.75, 0.5, 0.375, 0.875, 0.875, 0.125}));
+  EXPECT_EQ(heights("GRID_NAN_MODE = 1\nSCALE_Z_GRID = 2\n"), (List{0, 0.5, 0, 1, 0.75, 0, 0, 0.25}));
+  EXPECT_EQ(heights("GRID_NAN_MODE = 1\nGRID_NAN_OFFSET = 0.5\nSCALE_Z_GRID = 2\n"),
+            (List{0.5, 0.5, 0.5, 1, 0.75, 0.5, 0.5, 0.25}));
+  CrgRoad road;
+  const auto problem = read_crg(with_block(file_of(kStep, columns, rows), "$ROAD_CRG_MODS\nGRID_NAN_MODE = 0\n"), road);
+  ASSERT_TRUE(problem);
+  EXPECT_EQ(problem->message, "section 1 has no height at v = -1, and GRID_NAN_MODE = 0 leaves it so");
+  // A file without gaps is as good with it.
+  EXPECT_FALSE(read_crg(with_block(file_of(kStep, kColumns, kRows), "$ROAD_CRG_MODS\nGRID_NAN_MODE = 0\n"), road));
+}
+
 TEST(CrgText, ThatIsNoRoadSaysWhereAndWhy) {
   const auto problem = [](const std::string& text) {
     CrgRoad road;
@@ -172,17 +195,19 @@ TEST(CrgModifiers, TurnAndShift) {
 TEST(CrgWishes, ThatAreNotFollowedAreNamed) {
   const auto left = [](const std::string& block, const std::string& rows = kRows) {
     const std::string columns = kColumns;
-    return not_followed(road_of(with_block(file_of(kStep, columns, rows), block)));
+    return not_followed(closed_as_asked(road_of(with_block(file_of(kStep, columns, rows), block))));
   };
   using List = std::vector<std::string>;
   EXPECT_EQ(left("$ROAD_CRG_OPTS\nBORDER_MODE_U = 3\nBORDER_SMOOTH_UBEG = 1\nWARN_MSGS = 0\nCHECK_EPS = 1e-6\n"),
             List());
-  EXPECT_EQ(left("$ROAD_CRG_OPTS\nBORDER_MODE_V = 0\nREFLINE_CONTINUATION = 1\nSPARKLE = 2\n"),
-            (List{"BORDER_MODE_V = 0 (an error beyond the border: its heights go on there)",
-                  "REFLINE_CONTINUATION = 1 (a closed track: the line goes straight on at its ends)", "SPARKLE = 2"}));
-  const std::string nan_modes = mods("GRID_NAN_MODE = 1\nGRID_NAN_OFFSET = 0.5\nSCALE_Z_GRID = 2\n");
-  EXPECT_EQ(left(nan_modes), List()) << "there are no gaps";
-  EXPECT_EQ(left(nan_modes, "****       0.2000000\n 0.3000000 0.4000000\n").size(), 2u);
+  EXPECT_EQ(
+      left("$ROAD_CRG_OPTS\nBORDER_MODE_V = 0\nBORDER_MODE_U = 7\nREFLINE_CONTINUATION = 1\nSPARKLE = 2\n"),
+      (List{"BORDER_MODE_U = 7",
+            "REFLINE_CONTINUATION = 1 (a closed track, but its end, 1 m away from its start, does not lead to it: "
+            "the line goes straight on at its ends)",
+            "SPARKLE = 2"}));
+  EXPECT_EQ(left(mods("GRID_NAN_MODE = 1\nGRID_NAN_OFFSET = 0.5\nSCALE_Z_GRID = 2\n")), List());
+  EXPECT_EQ(left(mods("GRID_NAN_MODE = 3\n")), List{"GRID_NAN_MODE = 3 (gaps get the height beside them)"});
   EXPECT_EQ(left(mods("REFPOINT_X = 1\nREFLINE_OFFSET_X = 2\n")),
             List{"REFLINE_OFFSET_X = 2 (beside a reference point)"});
 }

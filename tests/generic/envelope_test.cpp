@@ -146,6 +146,44 @@ TEST(Envelope, ForceDoesNotJump) {
   EXPECT_LT(largest_jump([&](double y) { return beside.force_at(2, y, 0.3, 0.3); }, -0.3, 1.3), kNothing);
 }
 
+// Edges of planks and potholes along the wheel, which moves sideways over them or turns on them.
+TEST(Envelope, ForceDoesNotJumpAtEdgesAlongTheWheel) {
+  constexpr double kNothing = 1e-8 * kStiffness;  // N
+  constexpr double kAcross = std::numbers::pi / 2;
+  const std::string hole = R"("hole": { "type": "pothole", "from": 1, "length": 0.3, "height": 0.1, "ramp": 0 })";
+  const std::string rail = R"("rail": { "type": "plank", "from": 1, "length": 0.05, "height": 0.1, "ramp": 0 })";
+  const std::string pit = R"("pit": { "type": "plank", "from": 1, "length": 0.5, "height": -0.1, "ramp": 0 })";
+  for (const std::string& features : {kPlank, hole, rail, pit}) {
+    Feeler wheel(with_features(features));
+    for (const double heading : {kAcross, -kAcross, kAcross - 1e-7, 1.5, 0.01})
+      EXPECT_LT(largest_jump([&](double x) { return wheel.force_at(x, 0.1, 0.3, heading); }, 0.4, 2.3), kNothing)
+          << features << heading;
+    for (const double x : {0.98, 1.0, 1.02})
+      EXPECT_LT(largest_jump([&](double turn) { return wheel.force_at(x, 0.1, 0.3, turn); }, -0.4, 3.5), kNothing)
+          << features << x;
+  }
+}
+
+// On a rail along it the wheel's halves lie on it by how much of them covers it: strips are 0.3 radii wide.
+TEST(Envelope, StandsOnARailByTheShareOfItsWidth) {
+  constexpr double kStrip = 0.3 * kRadius, kWide = 0.04, kHigh = 0.02;
+  Feeler wheel(with_features(
+      fmt::format(R"("rail": {{ "type": "plank", "from": 1, "length": {}, "height": {}, "ramp": 0 }})", kWide, kHigh)));
+  const auto overlap = [&](double from, double to) {
+    return std::max(std::min(to, 1 + kWide) - std::max(from, 1.0), 0.0) / kStrip;
+  };
+  for (const double x : {0.9, 0.95, 0.99, 1.02, 1.06, 1.1}) {
+    // Heading along y its left is along -x.
+    const double left = kHigh * overlap(x - kStrip, x), right = kHigh * overlap(x, x + kStrip);
+    const double slope = (right - left) / kStrip, height = (right + left) / 2, steepness = std::hypot(1, slope);
+    const double tilt = slope / steepness;  // of the plane against the wheel's axis
+    const double load = kStiffness * (kRadius - (0.28 - height) / steepness / std::sqrt(1 - tilt * tilt));
+    const auto force = wheel.force_at(x, 0, 0.28, std::numbers::pi / 2);
+    EXPECT_NEAR(force[2], load / steepness, 1e-6 * load) << x;
+    EXPECT_NEAR(force[0], -load * tilt, 1e-6 * load) << x;
+  }
+}
+
 // --- a quarter car over a plank of half a wheel's radius ---
 
 /// Largest load, and largest difference of loads of steps that follow each other, while the car crosses the plank.

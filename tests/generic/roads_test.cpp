@@ -303,6 +303,27 @@ TEST(CrgGrid, GoesOnBeyondItsBordersAsAsked) {
               height(kept, 0.25, 0).z, 1e-12);
 }
 
+// Beyond a border that refuses there is no height and no slope, up to it all is as it was.
+TEST(CrgGrid, HasNoHeightBeyondABorderThatRefuses) {
+  const Model kept = short_road(""), ends = short_road("BORDER_MODE_U = 0\n"),
+              sides = short_road("", R"(, "beyond_sides": "refuse")");
+  EXPECT_TRUE(ends.notes.empty());
+  const auto height = [](const Model& model, double x, double y) {
+    return detail::grid_height(*model.samples, model.roads[0].grids[0], x, y);
+  };
+  for (const double u : {-0.5, -1e-6, 0.0, 0.7, 2.0, 2.000001, 3.0})
+    for (const double v : {-2.0, -1.000001, -1.0, 0.3, 0.5, 0.500001, 4.0}) {
+      const bool is_beyond = u < 0 || u > 2, is_beside = v < -1 || v > 0.5;
+      const auto at_end = height(ends, u, v), at_side = height(sides, u, v), as_kept = height(kept, u, v);
+      EXPECT_EQ(std::isnan(at_end.z), is_beyond) << u << " " << v;
+      EXPECT_EQ(std::isnan(at_end.by_x), is_beyond) << u << " " << v;
+      EXPECT_EQ(std::isnan(at_side.z), is_beside) << u << " " << v;
+      EXPECT_EQ(std::isnan(at_side.by_y), is_beside) << u << " " << v;
+      EXPECT_TRUE(is_beyond || at_end.z == as_kept.z);
+      EXPECT_TRUE(is_beside || at_side.by_x == as_kept.by_x);
+    }
+}
+
 // Ground that a host gives: height and slopes of the place under the wheel.
 TEST_F(Roads, TakeHeightAndSlopesFromOutside) {
   // The wheel's axis is y: its load is along the normal, its loaded radius counts in the plane of the wheel.

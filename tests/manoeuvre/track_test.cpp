@@ -84,15 +84,6 @@ TEST(LaneChange, LeavingALaneIsSaid) {
   EXPECT_TRUE(notes(lane_change_metrics(straight_path(20, 0, 0, lanes), crossed), "is empty"));
 }
 
-TEST(LaneChange, RearwardAmplificationIsTheRatioOfPeaks) {
-  LaneChange lanes = three_lanes();
-  const VehicleSeries s = straight_path(20, 0.1, 0, lanes);
-  for (const double lateral : s.lateral_acceleration) lanes.towed_lateral_acceleration.push_back(-1.7 * lateral);
-  EXPECT_NEAR(value(lane_change_metrics(s, lanes), "rearward_amplification"), 1.7, 1e-12);
-  lanes.towed_lateral_acceleration.pop_back();
-  EXPECT_TRUE(notes(lane_change_metrics(s, lanes), "rearward_amplification: lateral acceleration of the towed unit"));
-}
-
 constexpr double kBrakeSpeed = 25, kBrakeBegin = 1, kBrakeRise = 0.4, kDeceleration = 6.5;
 
 /// From 1 s on the deceleration rises evenly in 0.4 s, then it stays; along a line at 30 degrees, drifting to the left.

@@ -18,6 +18,7 @@ VehicleSeries from(VehicleSeries series, double begin) {
         &VehicleSeries::steer})
     cut(series.*values);
   for (std::vector<double>& loads : series.loads) cut(loads);
+  series.towed = {};
   return series;
 }
 
@@ -43,12 +44,14 @@ struct Measures {
   }
   VehicleMetrics operator()(const LaneManoeuvre& lanes) const {
     const double half = lanes.width.value_or(vehicle.width.value_or(0)) / 2;
+    // The body is the first unit: what it tows goes its own way.
+    const double rear = vehicle.towed.body < 0 ? facts.rear : facts.wheelbase - facts.front;
     return lane_change_metrics(series, {.sections = plan.sections,
                                         .x = start.x,
                                         .y = start.y,
                                         .heading = start.heading,
                                         .front = std::max(0.0, facts.front),
-                                        .rear = std::max(0.0, facts.rear),
+                                        .rear = std::max(0.0, rear),
                                         .to_left = half,
                                         .to_right = half});
   }
@@ -67,7 +70,20 @@ VehicleMetrics metrics_of(const Manoeuvre& manoeuvre, const Plan& plan, const Ve
   if (end <= plan.begin)
     return {.notes = {fmt::format("no numbers: the metrics begin at {:.4g} s, and the motion ends at {:.4g} s",
                                   plan.begin, end)}};
-  return std::visit(Measures{plan, facts, vehicle, start, series}, manoeuvre);
+  VehicleMetrics metrics = std::visit(Measures{plan, facts, vehicle, start, series}, manoeuvre);
+  const bool turns =
+      !std::holds_alternative<BrakingManoeuvre>(manoeuvre) && !std::holds_alternative<RideManoeuvre>(manoeuvre);
+  if (vehicle.towed.body < 0 || !turns) return metrics;
+  const auto* circle = std::get_if<CircleManoeuvre>(&manoeuvre);
+  VehicleMetrics towing =
+      towing_metrics(series, {.front = facts.front,
+                              .towed_rear = facts.towed_rear,
+                              .is_circle = circle && circle->method == CircleManoeuvre::Method::radius});
+  const auto append = [](auto& all, auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+  append(metrics.values, towing.values);
+  append(metrics.diagrams, towing.diagrams);
+  append(metrics.notes, towing.notes);
+  return metrics;
 }
 
 }  // namespace mbgen

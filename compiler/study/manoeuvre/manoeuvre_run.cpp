@@ -58,6 +58,7 @@ ManoeuvreRun::ManoeuvreRun(const Model& model, const Manoeuvre& manoeuvre, const
       first_output_(first_vehicle_output(model)),
       lifted_(model.tyres.size(), -1.0) {
   series_.wheels = facts_.wheels;
+  reading_.has_towed = vehicle_.towed.body >= 0;
 }
 
 void ManoeuvreRun::complete(SimulationArguments& arguments) const {
@@ -80,7 +81,7 @@ InputControl ManoeuvreRun::control(double step) {
 
 bool ManoeuvreRun::take(const Sample& sample, InputsOverTime& inputs) {
   const double t = sample.state.t, end = t + period_;
-  reading_ = vehicle_reading(sample, first_output_, reading_.plane.heading);
+  reading_ = vehicle_reading(sample, first_output_, reading_);
   if (sample.step == 0) start(inputs);
   observe(t);
   append(series_, t, reading_, vehicle_.steer < 0 ? 0 : inputs.courses[static_cast<std::size_t>(vehicle_.steer)].at(t));

@@ -56,7 +56,7 @@ ManoeuvreWords ManoeuvreRun::words() const {
     if (lifted_[i] >= 0) lifted[series_.wheels[i].tyre] = lifted_[i];
   manoeuvre["wheels_without_load_since"] = lifted;
   Json run = {{"manoeuvre", manoeuvre}};
-  if (!std::holds_alternative<EventManoeuvre>(manoeuvre_)) add_metrics(run, metrics);
+  if (!std::holds_alternative<EventManoeuvre>(manoeuvre_) || vehicle_.towed.body >= 0) add_metrics(run, metrics);
   words.lines += metrics_text(metrics);
   words.members = json_text(run);
   return words;

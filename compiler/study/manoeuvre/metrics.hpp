@@ -77,10 +77,17 @@ struct LaneChange {
   std::vector<LaneSection> sections;  ///< in the order in which they are driven
   double x = 0, y = 0, heading = 0;   ///< m, m, rad: the frame of the track in the world
   double front = 0, rear = 0, to_left = 0,
-         to_right = 0;                                  ///< m, >= 0: from the reference point to the sides of the body
-  std::vector<double> towed_lateral_acceleration = {};  ///< m/s^2, of the last towed unit, at the times of the series
+         to_right = 0;  ///< m, >= 0: from the reference point to the sides of the body
 };
 VehicleMetrics lane_change_metrics(const VehicleSeries& series, const LaneChange& lanes);
+
+/// The last towed unit against the first one, ISO 14791.
+struct Towing {
+  double front = 0,
+         towed_rear = 0;   ///< m, from the points of both units to the foremost axle, and back to the rearmost
+  bool is_circle = false;  ///< of one radius: offtracking is that of the circle
+};
+VehicleMetrics towing_metrics(const VehicleSeries& series, const Towing& towing);
 
 /// Braking to standstill, straight ahead or on different frictions left and right; deceleration by UN Regulation 13.
 struct Braking {

@@ -141,18 +141,9 @@ VehicleMetrics lane_change_metrics(const VehicleSeries& s, const LaneChange& lan
   for (std::size_t i = 0; i < s.t.size(); ++i) poses.push_back(pose_at(s, lanes, i));
   add_speeds(metrics, s, poses, lanes);
   add_excess(metrics, s, poses, lanes);
-  const double most = largest(s.lateral_acceleration);
-  add(metrics, "largest_lateral_acceleration", most, "m/s^2", "either side");
+  add(metrics, "largest_lateral_acceleration", largest(s.lateral_acceleration), "m/s^2", "either side");
   add(metrics, "largest_yaw_rate", largest(s.yaw_rate), "rad/s", "either side");
   add(metrics, "largest_roll", largest(s.roll), "rad", "either side");
-  if (const Values& towed = lanes.towed_lateral_acceleration; !towed.empty()) {
-    if (const std::string fault = fault_of(s, {{"lateral acceleration of the towed unit", &towed}}); !fault.empty()) {
-      metrics.notes.push_back("rearward_amplification: " + fault);
-    } else if (most > 0) {
-      add(metrics, "rearward_amplification", largest(towed) / most, "1",
-          "largest lateral acceleration of the last unit over that of the first (ISO 14791)");
-    }
-  }
   add_diagram(metrics, poses, lanes);
   return metrics;
 }

@@ -12,7 +12,8 @@
 namespace mbgen {
 namespace {
 
-/// Outputs in this order, then the loads.
+/// Outputs in this order, then the loads; before them those of the towed unit: kX to kAy, its heading and yaw rate.
+constexpr std::size_t kTowed = 8;
 enum Index : std::size_t { kX, kY, kVx, kVy, kAx, kAy, kAz, kHeading, kPitch, kRoll, kYawRate, kLoads };
 
 Vector3 centre_of(const Model& model, const Tyre& tyre) { return reference_position(model, tyre.centre); }
@@ -34,6 +35,36 @@ void add_output(Model& model, const std::string& name, const char* unit, decltyp
         fmt::format("{}: output \"{}\" has the name of one that manoeuvres add: give it another\n", model.file, name));
   }
   model.outputs.push_back({name, {}, unit, std::move(source), {}});
+}
+
+/// kX to kAy of a point.
+void add_plane_outputs(Model& model, const std::string& of, const Attachment& at) {
+  using What = PointOutput::What;
+  const auto point = [&](const char* name, const char* unit, What what, int axis) {
+    add_output(model, of + name, unit, PointOutput{.what = what, .point = at, .axis = axis});
+  };
+  point("_x", "m", What::position, 0);
+  point("_y", "m", What::position, 1);
+  point("_vx", "m/s", What::velocity, 0);
+  point("_vy", "m/s", What::velocity, 1);
+  point("_ax", "m/s^2", What::acceleration, 0);
+  point("_ay", "m/s^2", What::acceleration, 1);
+}
+
+void add_turn(Model& model, const std::string& name, int body, int index) {
+  add_output(model, name, "rad", RotationOutput{.body = body, .turn = index});
+}
+
+void add_yaw_rate(Model& model, const std::string& name, int body) {
+  add_output(model, name, "rad/s",
+             RotationOutput{.what = RotationOutput::What::angular_velocity, .body = body, .axis = 2});
+}
+
+/// The motion by kX to kAy and a heading near the last one.
+PlaneMotion plane_motion(const double* y, double remainder, double last_heading) {
+  const double c = std::cos(remainder), s = std::sin(remainder);
+  const double heading = last_heading + std::remainder(remainder - last_heading, 2 * std::numbers::pi);
+  return {y[kX], y[kY], heading, c * y[kVx] + s * y[kVy], c * y[kVy] - s * y[kVx], c * y[kAy] - s * y[kAx]};
 }
 
 }  // namespace
@@ -70,6 +101,7 @@ VehicleFacts vehicle_facts(const Model& model) {
   }
   facts.front = places.front() - reference[0];
   facts.rear = reference[0] - places.back();
+  if (vehicle.towed.body >= 0) facts.towed_rear = reference_position(model, vehicle.towed)[0] - places.back();
   facts.wheelbase = vehicle.wheelbase.value_or(places.front() - places.back());
   if (!(facts.wheelbase > 0)) {
     throw UserError(
@@ -79,26 +111,19 @@ VehicleFacts vehicle_facts(const Model& model) {
 }
 
 void add_vehicle_outputs(Model& model) {
-  const Attachment reference = model.vehicle->reference;
-  using What = PointOutput::What;
-  const auto point = [&](const char* name, const char* unit, What what, int axis) {
-    add_output(model, name, unit, PointOutput{.what = what, .point = reference, .axis = axis});
-  };
-  const auto turn = [&](const char* name, int index) {
-    add_output(model, name, "rad", RotationOutput{.body = reference.body, .turn = index});
-  };
-  point("vehicle_x", "m", What::position, 0);
-  point("vehicle_y", "m", What::position, 1);
-  point("vehicle_vx", "m/s", What::velocity, 0);
-  point("vehicle_vy", "m/s", What::velocity, 1);
-  point("vehicle_ax", "m/s^2", What::acceleration, 0);
-  point("vehicle_ay", "m/s^2", What::acceleration, 1);
-  point("vehicle_az", "m/s^2", What::acceleration, 2);
-  turn("vehicle_heading", 0);
-  turn("vehicle_pitch", 1);
-  turn("vehicle_roll", 2);
-  add_output(model, "vehicle_yaw_rate", "rad/s",
-             RotationOutput{.what = RotationOutput::What::angular_velocity, .body = reference.body, .axis = 2});
+  const Attachment reference = model.vehicle->reference, towed = model.vehicle->towed;
+  if (towed.body >= 0) {
+    add_plane_outputs(model, "towed", towed);
+    add_turn(model, "towed_heading", towed.body, 0);
+    add_yaw_rate(model, "towed_yaw_rate", towed.body);
+  }
+  add_plane_outputs(model, "vehicle", reference);
+  add_output(model, "vehicle_az", "m/s^2",
+             PointOutput{.what = PointOutput::What::acceleration, .point = reference, .axis = 2});
+  add_turn(model, "vehicle_heading", reference.body, 0);
+  add_turn(model, "vehicle_pitch", reference.body, 1);
+  add_turn(model, "vehicle_roll", reference.body, 2);
+  add_yaw_rate(model, "vehicle_yaw_rate", reference.body);
   for (std::size_t i = 0; i < model.tyres.size(); ++i)
     add_output(model, "vehicle_load_" + model.tyres[i].name, "N",
                TyreOutput{TyreOutput::What::load, static_cast<int>(i)});
@@ -106,13 +131,17 @@ void add_vehicle_outputs(Model& model) {
 
 std::size_t first_vehicle_output(const Model& model) { return model.outputs.size() - model.tyres.size() - kLoads; }
 
-VehicleReading vehicle_reading(const Sample& sample, std::size_t first, double last_heading) {
+VehicleReading vehicle_reading(const Sample& sample, std::size_t first, const VehicleReading& last) {
   const double* y = sample.outputs.y.data() + first;
   VehicleReading reading;
   const double c = std::cos(y[kHeading]), s = std::sin(y[kHeading]);
-  constexpr double kTurn = 2 * std::numbers::pi;
-  const double heading = last_heading + std::remainder(y[kHeading] - last_heading, kTurn);
-  reading.plane = {y[kX], y[kY], heading, c * y[kVx] + s * y[kVy], c * y[kVy] - s * y[kVx], c * y[kAy] - s * y[kAx]};
+  reading.plane = plane_motion(y, y[kHeading], last.plane.heading);
+  reading.has_towed = last.has_towed;
+  if (reading.has_towed) {
+    const double* const towed = y - kTowed;
+    reading.towed = plane_motion(towed, towed[kTowed - 2], last.towed.heading);
+    reading.towed_yaw_rate = towed[kTowed - 1];
+  }
   reading.longitudinal_acceleration = c * y[kAx] + s * y[kAy];
   reading.vertical_acceleration = y[kAz];
   reading.yaw_rate = y[kYawRate];
@@ -136,6 +165,13 @@ void append(VehicleSeries& series, double t, const VehicleReading& reading, doub
   series.roll.push_back(reading.roll);
   series.pitch.push_back(reading.pitch);
   series.steer.push_back(steer);
+  if (reading.has_towed) {
+    series.towed.x.push_back(reading.towed.x);
+    series.towed.y.push_back(reading.towed.y);
+    series.towed.heading.push_back(reading.towed.heading);
+    series.towed.lateral_acceleration.push_back(reading.towed.lateral_acceleration);
+    series.towed.yaw_rate.push_back(reading.towed_yaw_rate);
+  }
   series.loads.resize(reading.loads.size());
   for (std::size_t i = 0; i < reading.loads.size(); ++i) series.loads[i].push_back(reading.loads[i]);
 }

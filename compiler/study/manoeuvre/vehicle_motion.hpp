@@ -16,6 +16,7 @@ struct VehicleFacts {
   double mass = 0;                           ///< kg, of all bodies and rods
   double radius = 0;                         ///< m, mean of the tyres
   double wheelbase = 0;                      ///< m
+  double towed_rear = 0;                     ///< m, from the point of the towed unit back to the rearmost tyres
   double front = 0, rear = 0;                ///< m, from the reference point to the foremost and the rearmost tyres
   std::vector<double> tracks;                ///< m, per axle, between its outermost tyres
   std::vector<VehicleSeries::Wheel> wheels;  ///< per tyre of the model; axles from front to rear
@@ -26,7 +27,8 @@ struct VehicleFacts {
 VehicleFacts vehicle_facts(const Model& model);
 constexpr double kSameAxle = 0.3;  // m
 
-/// Appends the outputs that vehicle_reading takes: `vehicle_x` and so on, and `vehicle_load_TYRE`; they are columns of
+/// Appends the outputs that vehicle_reading takes: `vehicle_x` and so on, and `vehicle_load_TYRE`, before
+/// them those of a towed unit, `towed_x` and so on; they are columns of
 /// the table too. Fails: UserError where the model has an output of such a name.
 void add_vehicle_outputs(Model& model);
 
@@ -38,12 +40,15 @@ struct VehicleReading {
   PlaneMotion plane;
   double longitudinal_acceleration = 0, vertical_acceleration = 0;  ///< m/s^2
   double yaw_rate = 0, roll = 0, pitch = 0;                         ///< rad/s, rad, rad
-  std::vector<double> loads;                                        ///< N, per tyre
+  PlaneMotion towed;                                                ///< of the towed unit, where there is one
+  double towed_yaw_rate = 0;                                        ///< rad/s
+  bool has_towed = false;
+  std::vector<double> loads;  ///< N, per tyre
 };
 
-/// Of a sample of a model with these outputs. first: first_vehicle_output. last_heading: rad, near which
-/// the heading is, which is no remainder of a turn.
-VehicleReading vehicle_reading(const Sample& sample, std::size_t first, double last_heading);
+/// Of a sample of a model with these outputs. first: first_vehicle_output. last: the reading before, near whose
+/// headings these are, which are no remainders of a turn; has_towed is taken from it.
+VehicleReading vehicle_reading(const Sample& sample, std::size_t first, const VehicleReading& last);
 
 /// Adds a point.
 void append(VehicleSeries& series, double t, const VehicleReading& reading, double steer);

@@ -22,6 +22,11 @@ struct VehicleSeries {
     bool is_left = false;
   };
   std::vector<Wheel> wheels;
+  /// Of the point of the last towed unit, as above; empty: there is none.
+  struct Towed {
+    std::vector<double> x, y, heading, lateral_acceleration, yaw_rate;
+  };
+  Towed towed;
 };
 
 /// A number that a standard defines.
