@@ -43,10 +43,12 @@ Programs with_derived_constants(Programs programs) {
 
 constexpr Pass kPasses[] = {
     {"dead-values", "values that no output needs taken out", Lowered::whole, on_each<remove_dead_values>},
+    {"equal-values", "values that are equal by algebra merged", Lowered::whole, on_each<merge_equal_values>},
     {"divisions", "divisions by one value merged", Lowered::whole, on_each<merge_divisions>},
     {"pairs", "left and right of a mirror in two lanes", Lowered::whole, with_pairs_folded},
     {"sums", "sums factored", Lowered::whole, on_each<factor_sums>},
     {"optimised", "sums of what that left factored", Lowered::whole, on_each<factor_sums>},
+    {"equal-sums", "values that are equal after that merged", Lowered::whole, on_each<merge_equal_values>},
     {"pairs-kept", "pairs left out that do not pay", Lowered::whole, with_pairs_that_pay},
     {"derived-constants", "what depends on parameters alone taken out", Lowered::lean, with_derived_constants},
     {"contraction", "products taken into sums, rounded once", Lowered::emitted, on_each<contract>},

@@ -16,6 +16,11 @@ namespace mbgen {
 ///   %0 = input z[0]; %1 = sin %0; %2 = cos %0; out zdd[0] = %1   =>   %0 = input z[0]; %1 = sin %0; out zdd[0] = %1
 Program remove_dead_values(const Program& program);
 
+/// Values that are equal by algebra, up to sign, become one, the first of them; those that are zero leave. See
+/// identities.hpp for what is equal. Ensures: values equal up to rounding.
+///   %2 = mul %0 %1; %3 = mul %2 %0; %4 = mul %0 %0; %5 = mul %4 %1   =>   %5 is %3
+Program merge_equal_values(const Program& program);
+
 /// Three or more divisions by one value become one reciprocal and products: a division costs several products.
 /// Ensures: each replaced quotient within 1.5 units in the last place while the reciprocal is a normal number; the
 /// reciprocal stands where the first of the divisions stood. Leaves single reciprocals as they are; constants divide
