@@ -49,6 +49,7 @@ constexpr Pass kPasses[] = {
     {"sums", "sums factored", Lowered::whole, on_each<factor_sums>},
     {"optimised", "sums of what that left factored", Lowered::whole, on_each<factor_sums>},
     {"equal-sums", "values that are equal after that merged", Lowered::whole, on_each<merge_equal_values>},
+    {"shorter-forms", "values written as one operation on others", Lowered::whole, on_each<write_shorter_forms>},
     {"pairs-kept", "pairs left out that do not pay", Lowered::whole, with_pairs_that_pay},
     {"derived-constants", "what depends on parameters alone taken out", Lowered::lean, with_derived_constants},
     {"contraction", "products taken into sums, rounded once", Lowered::emitted, on_each<contract>},
