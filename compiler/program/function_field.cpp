@@ -12,7 +12,7 @@ namespace {
 /// 2^60 with 2^26 / 2^60 at most, at four with 2^-136, and 2^17 values make 2^34 differences.
 constexpr double kMostDegree = 1 << 22;
 
-constexpr std::size_t kSeenParts = 1 << 20;  ///< many times the values of a program: most others are told apart by them
+constexpr std::size_t kPlacesOfAPart = 64;  ///< for each function: one number in 64 is taken for one that came up
 
 bool is_negative(const Residue& residue) {
   const Residue opposite = -residue;
@@ -21,15 +21,15 @@ bool is_negative(const Residue& residue) {
 
 }  // namespace
 
-FunctionField::FunctionField() : seen_parts_(kSeenParts) { element_of({Residue{}, 0, {}}); }
+FunctionField::FunctionField() : seen_parts_(kPlacesOfAPart) { element_of({.degree = 0}); }
 
-Element FunctionField::constant(double value) { return element_of({residue_of(value), 0, {}}); }
+Element FunctionField::constant(double value) { return element_of({.key = residue_of(value), .degree = 0}); }
 
-Element FunctionField::variable() { return element_of({random_residue(variables_++), 1, {}}); }
+Element FunctionField::variable() { return element_of({.key = random_residue(variables_++)}); }
 
 Element FunctionField::sum(Element a, Element b) {
   const Function &first = at(a), &second = at(b);
-  Function result{residue(a) + residue(b), 0, common(first.exponents, second.exponents)};
+  Function result{.key = residue(a) + residue(b), .exponents = common(first.exponents, second.exponents)};
   result.degree = std::max(raised(first, result.exponents), raised(second, result.exponents));
   return element_of(std::move(result));
 }
@@ -37,8 +37,9 @@ Element FunctionField::sum(Element a, Element b) {
 Element FunctionField::product(Element a, Element b) {
   if (a.number == 0 || b.number == 0) return {};
   const Function &first = at(a), &second = at(b);
-  return element_of(
-      {residue(a) * residue(b), first.degree + second.degree, added(first.exponents, second.exponents, 1)});
+  return element_of({.key = residue(a) * residue(b),
+                     .degree = first.degree + second.degree,
+                     .exponents = added(first.exponents, second.exponents, 1)});
 }
 
 // A variable where the divisor is zero, which no program means.
@@ -46,7 +47,9 @@ Element FunctionField::quotient(Element a, Element b) {
   if (a.number == 0 && b.number != 0) return {};
   if (!invertible(at(b).residue)) return variable();
   const Function &dividend = at(a), &divisor = at(b);
-  Function result{residue(a) * inverse(residue(b)), dividend.degree, added(dividend.exponents, divisor.exponents, -1)};
+  Function result{.key = residue(a) * inverse(residue(b)),
+                  .degree = dividend.degree,
+                  .exponents = added(dividend.exponents, divisor.exponents, -1)};
   if (divisor.degree > 0) {
     const auto [found, is_new] = divisors_.try_emplace(b.number, static_cast<int>(degrees_.size()));
     if (is_new) degrees_.push_back(divisor.degree);
@@ -60,8 +63,8 @@ Element FunctionField::circle(Op op, Element angle) {
   const auto [found, is_new] = circles_.try_emplace(angle.number);
   if (is_new) {
     const Residue t = random_residue(variables_++), one = residue_of(1), square = t * t, scale = inverse(one + square);
-    found->second.first = element_of({(t + t) * scale, 1, {}});
-    found->second.second = element_of({(one - square) * scale, 1, {}});
+    found->second.first = element_of({.key = (t + t) * scale});
+    found->second.second = element_of({.key = (one - square) * scale});
   }
   if (op == Op::cos) return found->second.second;
   return with_sign(found->second.first, angle.negative);
@@ -95,31 +98,35 @@ Element FunctionField::value(Op op, std::span<const Element> operands) {
   }
 }
 
-std::optional<Element> FunctionField::known(const Residue& residue) const {
-  const bool negative = is_negative(residue);
-  const auto found = numbers_.find(negative ? -residue : residue);
-  if (found == numbers_.end()) return {};
-  return Element{found->second, negative};
+int FunctionField::number_of(std::uint64_t part) const {
+  if (!seen_parts_[part % seen_parts_.size()]) return -1;
+  const auto found = numbers_.find(part);
+  return found == numbers_.end() ? -1 : found->second;
+}
+
+std::optional<Element> FunctionField::up_to_sign(int number, const Residue& key) const {
+  const Residue& known = functions_[static_cast<std::size_t>(number)].key;
+  if (known == key) return Element{number, false};
+  if (-known == key) return Element{number, true};
+  return {};
 }
 
 std::optional<Element> FunctionField::known_difference(Element a, Element b) const {
   const Residue first = residue(a), second = residue(b);
-  if (!came_up(first_part_of_difference(first, second))) return {};
-  return known(first - second);
+  const int number = number_of(first_part_of_difference(first, second));
+  if (number < 0) return {};
+  return up_to_sign(number, first - second);
 }
 
 std::optional<Element> FunctionField::known_quotient(Element a, Element b) {
   if (!invertible(at(b).residue)) return {};
   if (inverse_parts_.size() < functions_.size()) invert_first_parts();
-  const std::uint64_t part =
-      first_part_of_quotient(at(a).residue, inverse_parts_[static_cast<std::size_t>(b.number)]);
-  if (!came_up(part)) return {};
-  const auto found = number_of_part_.find(part);
-  if (found == number_of_part_.end()) return {};
-  const Element quotient{found->second, false};
-  const Residue product = residue(quotient) * residue(b);
-  if (product == residue(a)) return quotient;
-  if (-product == residue(a)) return with_sign(quotient, true);
+  const int number =
+      number_of(first_part_of_quotient(at(a).residue, inverse_parts_[static_cast<std::size_t>(b.number)]));
+  if (number < 0) return {};
+  const Residue product = residue({number, false}) * residue(b);
+  if (product == residue(a)) return Element{number, false};
+  if (-product == residue(a)) return Element{number, true};
   return {};
 }
 
@@ -173,19 +180,27 @@ double FunctionField::degree_of(const Function& value) const {
   return std::max(above, below);
 }
 
+// Functions that share a first part by chance are told apart, and the later one is not found again.
 Element FunctionField::element_of(Function value) {
-  const bool negative = is_negative(value.residue);
-  if (negative) value.residue = -value.residue;
-  const auto [found, is_new] = numbers_.try_emplace(value.residue, static_cast<int>(functions_.size()));
-  const int number = found->second;
-  if (is_new) {
-    const std::uint64_t part = first_part(value.residue);
-    seen_parts_[part % seen_parts_.size()] = true;
-    number_of_part_.try_emplace(part, number);
-    if (degree_of(value) > kMostDegree) value = {random_residue(variables_++), 1, {}};
-    functions_.push_back(std::move(value));
+  const std::uint64_t part = first_part(value.key);
+  const auto [found, is_new] = numbers_.try_emplace(part, static_cast<int>(functions_.size()));
+  if (!is_new)
+    if (const auto element = up_to_sign(found->second, value.key)) return *element;
+  const bool negative = is_negative(value.key);
+  if (negative) value.key = -value.key;
+  value.residue = value.key;
+  if (degree_of(value) > kMostDegree) {
+    value.residue = random_residue(variables_++);
+    value.degree = 1;
+    value.exponents = {};
   }
-  return {number, negative};
+  functions_.push_back(std::move(value));
+  if (kPlacesOfAPart * functions_.size() > seen_parts_.size()) {
+    seen_parts_.assign(2 * seen_parts_.size(), false);
+    for (const auto& [seen, number] : numbers_) seen_parts_[seen % seen_parts_.size()] = true;
+  }
+  seen_parts_[part % seen_parts_.size()] = true;
+  return {static_cast<int>(functions_.size() - 1), negative};
 }
 
 std::vector<std::array<Element, 2>> elements_of(const Program& program, FunctionField& field) {

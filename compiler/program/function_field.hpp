@@ -50,12 +50,10 @@ class FunctionField {
   using Exponents = std::vector<Power>;
   /// Up to its sign, which makes the residue the smaller one.
   struct Function {
-    Residue residue;
+    Residue key = {};      ///< as it came up
+    Residue residue = {};  ///< the same, or that of a variable in its place
     double degree = 1;  ///< of the numerator, at most
-    Exponents exponents;
-  };
-  struct HashOfResidue {
-    std::size_t operator()(const Residue& r) const { return static_cast<std::size_t>(r.parts[0]); }
+    Exponents exponents = {};
   };
 
   const Function& at(Element element) const { return functions_[static_cast<std::size_t>(element.number)]; }
@@ -67,8 +65,8 @@ class FunctionField {
   double raised(const Function& value, const Exponents& lesser) const;
   double degree_of(const Function& value) const;
   Element element_of(Function value);
-  std::optional<Element> known(const Residue& residue) const;
-  bool came_up(std::uint64_t first_part) const { return seen_parts_[first_part % seen_parts_.size()]; }
+  int number_of(std::uint64_t first_part) const;  ///< -1: none
+  std::optional<Element> up_to_sign(int number, const Residue& key) const;
 
   void invert_first_parts();
 
@@ -80,11 +78,10 @@ class FunctionField {
 
   std::vector<Function> functions_;
   std::vector<double> degrees_;  ///< of the numerators of divisors
-  std::unordered_map<Residue, int, HashOfResidue> numbers_;
+  std::unordered_map<std::uint64_t, int> numbers_;  ///< by the first parts of keys
   std::unordered_map<int, int> divisors_;  ///< number of a divisor by its function
   std::vector<std::uint64_t> inverse_parts_;  ///< first_parts_of_inverses of the functions so far
   std::vector<bool> seen_parts_;              ///< first parts that came up, by their last bits
-  std::unordered_map<std::uint64_t, int> number_of_part_;
   std::map<int, std::pair<Element, Element>> circles_;
   std::map<std::pair<Op, std::array<Element, 3>>, Element> others_;
   std::uint64_t variables_ = 0;
