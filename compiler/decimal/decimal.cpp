@@ -73,7 +73,8 @@ double decimal_sum(double a, double b) {
   if (std::abs(first->exponent - second->exponent) > kMostShift) return sum;
   const int exponent = first->exponent < second->exponent ? first->exponent : second->exponent;
   return nearest({with_exponent({first->digits, first->exponent}, exponent).digits +
-                      with_exponent({second->digits, second->exponent}, exponent).digits, exponent});
+                      with_exponent({second->digits, second->exponent}, exponent).digits,
+                  exponent});
 }
 
 double decimal_product(double a, double b) {

@@ -16,7 +16,8 @@ namespace {
 constexpr std::size_t kMostLeaves = 30;
 constexpr std::size_t kMostFreed = 100;  ///< values that may go with one: more are not looked at
 constexpr std::size_t kTriedStates = 2;
-/// Times the roundings of a value that those of another form of it may amount to: a difference of large numbers is none.
+/// Times the roundings of a value that those of another form of it may amount to: a difference of large numbers is
+/// none.
 constexpr double kMoreRounding = 2;
 
 /// An operation on values known earlier.
@@ -35,7 +36,10 @@ int cost_of(Op op) {
 class ShorterForms {
  public:
   explicit ShorterForms(const Program& program)
-      : program_(program), uses_(program.nodes.size(), 0), operands_(program.nodes.size()), forms_(program.nodes.size()) {
+      : program_(program),
+        uses_(program.nodes.size(), 0),
+        operands_(program.nodes.size()),
+        forms_(program.nodes.size()) {
     for (const auto& lanes : elements_of(program, field_)) elements_.push_back(lanes[0]);
     value_of_.assign(field_.size(), kNoValue);
     for (ValueId v = 0; v < elements_.size(); ++v) {
@@ -46,7 +50,8 @@ class ShorterForms {
     }
     std::vector<ValueId> taken;
     for (const OutputValue& output : program.outputs) take(output.value, taken);
-    for (std::size_t s = 0; s < kTriedStates; ++s) rounded_.push_back(rounded_values(program, ordinary_inputs(program, s)));
+    for (std::size_t s = 0; s < kTriedStates; ++s)
+      rounded_.push_back(rounded_values(program, ordinary_inputs(program, s)));
   }
 
   Program rewritten_program() {

@@ -8,8 +8,8 @@ namespace mbgen {
 namespace {
 
 /// Above it a value counts as a variable of its own. A difference of three values below has a numerator of at most six
-/// times this degree, twice that in the parameters of the circles: it vanishes by chance at a point modulo a prime above
-/// 2^60 with 2^26 / 2^60 at most, at four with 2^-136, and 2^17 values make 2^34 differences.
+/// times this degree, twice that in the parameters of the circles: it vanishes by chance at a point modulo a prime
+/// above 2^60 with 2^26 / 2^60 at most, at four with 2^-136, and 2^17 values make 2^34 differences.
 constexpr double kMostDegree = 1 << 22;
 
 constexpr std::size_t kPlacesOfAPart = 64;  ///< for each function: one number in 64 is taken for one that came up

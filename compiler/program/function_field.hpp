@@ -52,7 +52,7 @@ class FunctionField {
   struct Function {
     Residue key = {};      ///< as it came up
     Residue residue = {};  ///< the same, or that of a variable in its place
-    double degree = 1;  ///< of the numerator, at most
+    double degree = 1;     ///< of the numerator, at most
     Exponents exponents = {};
   };
 
@@ -77,11 +77,11 @@ class FunctionField {
   Element other(Op op, std::array<Element, 3> arguments);
 
   std::vector<Function> functions_;
-  std::vector<double> degrees_;  ///< of the numerators of divisors
+  std::vector<double> degrees_;                     ///< of the numerators of divisors
   std::unordered_map<std::uint64_t, int> numbers_;  ///< by the first parts of keys
-  std::unordered_map<int, int> divisors_;  ///< number of a divisor by its function
-  std::vector<std::uint64_t> inverse_parts_;  ///< first_parts_of_inverses of the functions so far
-  std::vector<bool> seen_parts_;              ///< first parts that came up, by their last bits
+  std::unordered_map<int, int> divisors_;           ///< number of a divisor by its function
+  std::vector<std::uint64_t> inverse_parts_;        ///< first_parts_of_inverses of the functions so far
+  std::vector<bool> seen_parts_;                    ///< first parts that came up, by their last bits
   std::map<int, std::pair<Element, Element>> circles_;
   std::map<std::pair<Op, std::array<Element, 3>>, Element> others_;
   std::uint64_t variables_ = 0;

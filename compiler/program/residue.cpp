@@ -103,9 +103,7 @@ Residue inverse(const Residue& a) {
   return for_each_prime([&](std::size_t k, const Prime& p) { return inverse_part(a.parts[k], p); });
 }
 
-static std::uint64_t smaller_of_signs(std::uint64_t part) {
-  return std::min(part, kPrimes[0].value - part);
-}
+static std::uint64_t smaller_of_signs(std::uint64_t part) { return std::min(part, kPrimes[0].value - part); }
 
 std::uint64_t first_part(const Residue& a) { return smaller_of_signs(a.parts[0]); }
 

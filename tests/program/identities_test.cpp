@@ -43,8 +43,8 @@ Found found(const Make& make) {
 
 TEST(Identities, FindOtherSpellings) {
   const Found f = found([](const auto& x) -> std::vector<Expr> {
-    return {(x[0] * x[1]) * x[2], x[0] * (x[1] * x[2]), x[3] * (x[0] - x[1]),
-            x[3] * x[1] - x[3] * x[0], (x[0] / x[1]) * x[1] - x[0]};
+    return {(x[0] * x[1]) * x[2], x[0] * (x[1] * x[2]), x[3] * (x[0] - x[1]), x[3] * x[1] - x[3] * x[0],
+            (x[0] / x[1]) * x[1] - x[0]};
   });
   EXPECT_EQ(f.sign(0, 1), 1);
   EXPECT_EQ(f.sign(2, 3), -1);
@@ -88,8 +88,18 @@ TEST(Identities, TakeNumbersAsTyped) {
 TEST(Identities, OtherFunctionsAreVariables) {
   const Found f = found([](const auto& x) -> std::vector<Expr> {
     const Expr sum = x[0] * x[2] + x[1] * x[2], product = x[2] * (x[1] + x[0]);
-    return {exp(sum), exp(product), exp(-sum), tanh(sum), tanh(-product), abs(sum), abs(-product),
-            select(sum, x[0], x[1]), select(-product, x[0], x[1]), min(x[0], x[1]), sqrt(x[0]) * sqrt(x[0]), x[0]};
+    return {exp(sum),
+            exp(product),
+            exp(-sum),
+            tanh(sum),
+            tanh(-product),
+            abs(sum),
+            abs(-product),
+            select(sum, x[0], x[1]),
+            select(-product, x[0], x[1]),
+            min(x[0], x[1]),
+            sqrt(x[0]) * sqrt(x[0]),
+            x[0]};
   });
   EXPECT_EQ(f.sign(0, 1), 1);
   EXPECT_EQ(f.sign(0, 2), 0);
