@@ -23,29 +23,6 @@ constexpr int kMostShift = 18;    ///< 15 + 18 digits fit into Wide
 constexpr int kFreedDigits = 11;  ///< one number in a thousand that nobody typed lies that near to so short a decimal
 constexpr double kRounding = 4e-15;  ///< of the size of a number: what some twenty roundings leave
 
-/// The shortest decimal that reads back as `value`, none when it is longer than people type.
-std::optional<Decimal> typed_decimal(double value) {
-  char text[32];
-  const auto written = std::to_chars(text, text + sizeof text, std::abs(value), std::chars_format::scientific);
-  std::int64_t digits = 0;
-  int count = 0, after_point = 0;
-  const char* at = text;
-  for (bool is_after_point = false; at != written.ptr && *at != 'e'; ++at) {
-    if (*at == '.') {
-      is_after_point = true;
-      continue;
-    }
-    digits = 10 * digits + (*at - '0');
-    ++count;
-    if (is_after_point) ++after_point;
-  }
-  if (at == written.ptr || count > kMostDigits) return {};
-  const bool has_sign = at[1] == '+';
-  int exponent = 0;
-  std::from_chars(at + (has_sign ? 2 : 1), written.ptr, exponent);
-  return Decimal{value < 0 ? -digits : digits, exponent - after_point};
-}
-
 /// The nearest double.
 double nearest(Decimal decimal) {
   const bool is_negative = decimal.digits < 0;
@@ -66,22 +43,46 @@ Decimal with_exponent(Decimal decimal, int exponent) {
 
 }  // namespace
 
+std::optional<TypedDecimal> typed_decimal(double value) {
+  char text[32];
+  const auto written = std::to_chars(text, text + sizeof text, std::abs(value), std::chars_format::scientific);
+  std::int64_t digits = 0;
+  int count = 0, after_point = 0;
+  const char* at = text;
+  for (bool is_after_point = false; at != written.ptr && *at != 'e'; ++at) {
+    if (*at == '.') {
+      is_after_point = true;
+      continue;
+    }
+    digits = 10 * digits + (*at - '0');
+    ++count;
+    if (is_after_point) ++after_point;
+  }
+  if (at == written.ptr || count > kMostDigits) return {};
+  const bool has_sign = at[1] == '+';
+  int exponent = 0;
+  std::from_chars(at + (has_sign ? 2 : 1), written.ptr, exponent);
+  return TypedDecimal{value < 0 ? -digits : digits, exponent - after_point};
+}
+
 double decimal_sum(double a, double b) {
   const double sum = a + b;
   if (!std::isfinite(sum)) return sum;
-  const std::optional<Decimal> first = typed_decimal(a), second = typed_decimal(b);
+  const std::optional<TypedDecimal> first = typed_decimal(a), second = typed_decimal(b);
   if (!first || !second) return without_rounding(sum, std::max(std::abs(a), std::abs(b)));
   if (std::abs(first->exponent - second->exponent) > kMostShift) return sum;
   const int exponent = first->exponent < second->exponent ? first->exponent : second->exponent;
-  return nearest({with_exponent(*first, exponent).digits + with_exponent(*second, exponent).digits, exponent});
+  return nearest({with_exponent({first->digits, first->exponent}, exponent).digits +
+                      with_exponent({second->digits, second->exponent}, exponent).digits,
+                  exponent});
 }
 
 double decimal_product(double a, double b) {
   const double product = a * b;
   if (!std::isnormal(product)) return product;
-  const std::optional<Decimal> first = typed_decimal(a), second = typed_decimal(b);
+  const std::optional<TypedDecimal> first = typed_decimal(a), second = typed_decimal(b);
   if (!first || !second) return without_rounding(product, product);
-  return nearest({first->digits * second->digits, first->exponent + second->exponent});
+  return nearest({Wide{first->digits} * second->digits, first->exponent + second->exponent});
 }
 
 double without_rounding(double value, double size) {

@@ -34,21 +34,19 @@ void eliminate_run(RecursionState<T>& s, std::size_t u) {
     return;
   }
   UnitEquations<T>& equations = s.equations[u];
-  const Matrix<T>& axes = s.k().orientation[unit.end()];
-  const Vector<T> place = s.from_base(unit, unit.end());
   ArticulatedInertia<T> inertia;
   Spatial<T> needed;
   if (is_free(unit)) {
     gather_free(s, u, equations, needed);
     eliminate(equations);
-    hand_down(s, unit.base, axes, place, {}, needed);
+    hand_down(s, u, {}, needed);
     return;
   }
   gather_run(s, u, equations, inertia, needed);
   eliminate(equations);
   reduce(equations, inertia, needed);
   clear_directions(s.runs[u].directions, inertia);
-  hand_down(s, unit.base, axes, place, inertia, needed);
+  hand_down(s, u, inertia, needed);
 }
 
 /// A rotor spins freely on its base, which holds its inertia across the axis and its mass.
@@ -132,6 +130,8 @@ void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   for (std::size_t c = 0; c < local.size(); ++c)
     for (std::size_t q = 0; q < free.size(); ++q) local[c] = local[c] + rz[c][q] * free[q];
   for (std::size_t c = 0; c < local.size(); ++c) zdd[unit.joints[c]] = local[c];
+  if (parts.chosen) local = quasi_accelerations(s.work, unit, parts.velocity, local);
+  const PerBody<Spatial<T>> moved = block_motion(s.work, unit, per_joint(unit, local));
   const Vector<T> turning = s.omega_of(unit.base), twice = turning + turning;
   const Matrix<T> base_gradient = acceleration_gradient(turning, base.angular);
   for (const JointStep& step : unit.steps) {
@@ -142,8 +142,7 @@ void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
                               quasi_of(step, zdd), zdd);
     }
     const Spatial<T>& v = parts.velocity[i];
-    Spatial<T> a = parts.zdd_star_motion[i];
-    for (std::size_t q = 0; q < free.size(); ++q) a = a + free[q] * parts.partial[q][i];
+    Spatial<T> a = moved[i];
     a.linear =
         a.linear + parts.bias[i].linear + base.linear + base_gradient * s.k().position[i] + cross(twice, v.linear);
     a.angular = a.angular + parts.bias[i].angular + base.angular + cross(turning, v.angular);
@@ -164,9 +163,11 @@ void solve_run(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   const int e = unit.end();
   const Matrix<T>& axes = s.k().orientation[e];
   const Spatial<T> below = base_acceleration(s, unit.base);
-  const Spatial<T> base{transposed_times(axes, velocity_at(below, s.from_base(unit, e))),
+  const Spatial<T> base{transposed_times(axes, velocity_at(below, s.from_base(unit, e)) + run.carried),
                         transposed_times(axes, below.angular)};
-  std::vector<T> free = free_accelerations(s.equations[u], is_arm_run(s, unit) ? below : base);
+  std::vector<T> free = is_arm_run(s, unit) ? free_accelerations(s.equations[u], below)
+                        : is_free(unit)     ? free_accelerations(s.equations[u], base)
+                                            : free_accelerations(s.equations[u], run.directions, base);
   Spatial<T>& a = s.acceleration[e];
   if (is_free(unit)) {
     const std::vector<Spatial<T>> units = unit_motions<T>(unit);

@@ -90,7 +90,7 @@ void set_run_bias(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
   RunParts<T>& run = s.runs[u];
   const Matrix<T> base_gradient = acceleration_gradient(s.omega_of(unit.base), Vector<T>{});
-  run.bias.linear = transposed_times(s.k().orientation[unit.end()], base_gradient * s.from_base(unit, unit.end()));
+  run.carried = base_gradient * s.from_base(unit, unit.end());
   Vector<T> turning = run.before;
   for (const JointStep& step : unit.steps) {
     const Vector<T>& pin = s.k().pin[step.joints[0]];

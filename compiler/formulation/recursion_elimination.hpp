@@ -46,21 +46,50 @@ std::vector<T> free_accelerations(const UnitEquations<T>& u, const Spatial<T>& b
   return substitute(u.mass, u.reciprocal, [&](std::size_t q) { return u.force[q] - dot(u.momentum[q], base); });
 }
 
+/// Component 0 to 5, linear ones first.
+template <class T>
+T& component(Spatial<T>& s, int c) {
+  T* const components[] = {&s.linear.x, &s.linear.y, &s.linear.z, &s.angular.x, &s.angular.y, &s.angular.z};
+  return *components[c];
+}
+
+/// The component of a direction that is known to be 1 or -1, all others zero; -1: there is none.
+template <class T>
+int unit_component(Spatial<T> direction) {
+  int unit = -1, others = 0;
+  for (int c = 0; c < 6; ++c) {
+    const T& value = component(direction, c);
+    if (known_size(value) == 1.0)
+      unit = c;
+    else if (!is_zero(value))
+      ++others;
+  }
+  return others > 0 ? -1 : unit;
+}
+
+/// The same of a body with these directions. Where a direction is a component, the unknown is that of the body's
+/// acceleration: its own and that of the base meet the same column of the equations.
+template <class T>
+std::vector<T> free_accelerations(const UnitEquations<T>& u, std::vector<Spatial<T>> directions,
+                                  const Spatial<T>& base) {
+  Spatial<T> moving = base, rest = base;
+  for (const Spatial<T>& d : directions)
+    if (const int c = unit_component(d); c >= 0) component(rest, c) = T(0.0);
+  std::vector<T> free = free_accelerations(u, rest);
+  for (std::size_t q = 0; q < free.size(); ++q)
+    if (const int c = unit_component(directions[q]); c >= 0)
+      free[q] = free[q] - component(directions[q], c) * component(moving, c);
+  return free;
+}
+
 /// The symmetric operator without the rows and columns of directions that are unit vectors: elimination leaves zeros
 /// there, known before any arithmetic.
 template <class T>
 void clear_directions(const std::vector<Spatial<T>>& directions, ArticulatedInertia<T>& m) {
   const T zero(0.0);
   for (const Spatial<T>& d : directions) {
-    const T* components[] = {&d.linear.x, &d.linear.y, &d.linear.z, &d.angular.x, &d.angular.y, &d.angular.z};
-    int unit = -1, others = 0;
-    for (int c = 0; c < 6; ++c) {
-      if (known_size(*components[c]) == 1.0)
-        unit = c;
-      else if (!is_zero(*components[c]))
-        ++others;
-    }
-    if (unit < 0 || others > 0) continue;
+    const int unit = unit_component(d);
+    if (unit < 0) continue;
     Symmetric<T>& s = unit < 3 ? m.linear : m.angular;
     T* const in_symmetric[3][3] = {{&s.xx, &s.xy, &s.xz}, {&s.xy, &s.yy, &s.yz}, {&s.xz, &s.yz, &s.zz}};
     for (int c = 0; c < 3; ++c) *in_symmetric[unit % 3][c] = zero;

@@ -185,15 +185,19 @@ void gather_free(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equation
   }
 }
 
-/// Adds what a unit carries to the body that it moves on. axes, place: of the frame that it is given in, seen from
-/// the frame that carries the base.
+/// Adds what a run carries to the body that it moves on. The acceleration of its end's place by the velocities of the
+/// base meets the inertia that is left, in the axes of the base: fewer entries than the whole.
 template <class T>
-void hand_down(RecursionState<T>& s, int base, const Matrix<T>& axes, const Vector<T>& place,
-               const ArticulatedInertia<T>& inertia, const Spatial<T>& needed) {
-  if (base == kGround) return;
-  CompositeBody<T>& below = s.composite[base];
-  below.reduced = below.reduced + shifted(place, rotated(axes, inertia));
-  below.needed = below.needed + shifted(place, rotated(axes, needed));
+void hand_down(RecursionState<T>& s, std::size_t u, const ArticulatedInertia<T>& inertia, const Spatial<T>& needed) {
+  const RecursionUnit& unit = s.units()[u];
+  if (unit.base == kGround) return;
+  const Matrix<T>& axes = s.k().orientation[unit.end()];
+  const Vector<T> place = s.from_base(unit, unit.end());
+  const ArticulatedInertia<T> left = rotated(axes, inertia);
+  const Spatial<T> force = rotated(axes, needed) + left * Spatial<T>{s.runs[u].carried, {}};
+  CompositeBody<T>& below = s.composite[unit.base];
+  below.reduced = below.reduced + shifted(place, left);
+  below.needed = below.needed + shifted(place, force);
 }
 
 }  // namespace mbgen::detail

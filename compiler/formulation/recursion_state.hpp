@@ -63,7 +63,8 @@ struct RunParts {
   std::vector<Spatial<T>> directions;  ///< motion of the end per free (quasi-)velocity
   std::vector<int> columns;            ///< their tree joints
   Vector<T> before;                    ///< angular velocity of the base, end's axes
-  Spatial<T> bias;                     ///< acceleration of the end at zero (quasi-)accelerations
+  Vector<T> carried;                   ///< acceleration of the end's place as a point of the base, by its velocities
+  Spatial<T> bias;                     ///< acceleration of the end at zero (quasi-)accelerations, less that
 };
 
 /// The recursion in the making: the passes of recursive_accelerations share it.

@@ -43,10 +43,14 @@ Programs with_derived_constants(Programs programs) {
 
 constexpr Pass kPasses[] = {
     {"dead-values", "values that no output needs taken out", Lowered::whole, on_each<remove_dead_values>},
+    {"equal-values", "values that are equal by algebra merged", Lowered::whole, on_each<merge_equal_values>},
+    {"shorter-forms", "values written as one operation on others", Lowered::whole, on_each<write_shorter_forms>},
     {"divisions", "divisions by one value merged", Lowered::whole, on_each<merge_divisions>},
     {"pairs", "left and right of a mirror in two lanes", Lowered::whole, with_pairs_folded},
     {"sums", "sums factored", Lowered::whole, on_each<factor_sums>},
     {"optimised", "sums of what that left factored", Lowered::whole, on_each<factor_sums>},
+    {"equal-sums", "equal values of what that left merged", Lowered::whole, on_each<merge_equal_values>},
+    {"shorter-sums", "values of what that left written shorter", Lowered::whole, on_each<write_shorter_forms>},
     {"pairs-kept", "pairs left out that do not pay", Lowered::whole, with_pairs_that_pay},
     {"derived-constants", "what depends on parameters alone taken out", Lowered::lean, with_derived_constants},
     {"contraction", "products taken into sums, rounded once", Lowered::emitted, on_each<contract>},

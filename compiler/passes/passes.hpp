@@ -16,6 +16,17 @@ namespace mbgen {
 ///   %0 = input z[0]; %1 = sin %0; %2 = cos %0; out zdd[0] = %1   =>   %0 = input z[0]; %1 = sin %0; out zdd[0] = %1
 Program remove_dead_values(const Program& program);
 
+/// Values that are equal by algebra, up to sign, become one, the first of them; those that are zero leave. See
+/// identities.hpp for what is equal. Ensures: values equal up to rounding.
+///   %2 = mul %0 %1; %3 = mul %2 %0; %4 = mul %0 %0; %5 = mul %4 %1   =>   %5 is %3
+Program merge_equal_values(const Program& program);
+
+/// A value whose operations nothing else needs becomes one sum, difference or product of earlier values where it is
+/// equal to that by algebra (identities.hpp) and fewer operations are left. Values are as accurate as before but for a
+/// factor of 2. A program with pairs stays as it is.
+///   %3 = mul %0 %1; %4 = mul %0 %2; %5 = mul %4 %1, out %3, out %5   =>   %5 = mul %3 %2, %4 is dead
+Program write_shorter_forms(const Program& program);
+
 /// Three or more divisions by one value become one reciprocal and products: a division costs several products.
 /// Ensures: each replaced quotient within 1.5 units in the last place while the reciprocal is a normal number; the
 /// reciprocal stands where the first of the divisions stood. Leaves single reciprocals as they are; constants divide

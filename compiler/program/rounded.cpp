@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "compiler/program/arithmetic.hpp"
+#include "compiler/program/residue.hpp"
 
 namespace mbgen {
 namespace {
@@ -63,6 +64,18 @@ std::vector<Rounded> rounded_values(const Program& program, std::span<const doub
     all[v] = {value, error};
   }
   return all;
+}
+
+std::vector<double> ordinary_inputs(const Program& program, std::size_t number) {
+  std::vector<double> inputs;
+  for (const Slot& slot : program.inputs) {
+    const Residue random = random_residue(number * program.inputs.size() + inputs.size());
+    const double unit = static_cast<double>(random.parts[0] % 2048) / 1024 - 1;  // -1 to 1
+    const bool is_position = slot.group.array == Array::z || slot.group.array == Array::x;
+    const bool is_scale = slot.group.array == Array::par || slot.group.array == Array::t;
+    inputs.push_back(is_position ? 0.2 * unit : is_scale ? 1 + 0.5 * unit : unit);
+  }
+  return inputs;
 }
 
 }  // namespace mbgen

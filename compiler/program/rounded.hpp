@@ -18,4 +18,8 @@ struct Rounded {
 /// values of a saturated table are not taken for constants. inputs: exact, in the order of program.inputs.
 std::vector<Rounded> rounded_values(const Program& program, std::span<const double> inputs);
 
+/// Inputs of a state as models have them, random: small angles and lengths, rates about 1. Set `number`, the same on
+/// every machine.
+std::vector<double> ordinary_inputs(const Program& program, std::size_t number);
+
 }  // namespace mbgen

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compiler/passes/passes.hpp"
 #include "compiler/trace/each_program.hpp"
 #include "compiler/trace/shared_laws.hpp"
 #include "compiler/trace/tracing.hpp"
@@ -56,16 +57,24 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
   return tracing.builder.finish_in_canonical_order();
 }
 
+/// Operations of a program without what is spelled twice: passes take that out.
+static long operations_of(const Program& program) {
+  return count_operations(merge_equal_values(remove_dead_values(program))).total();
+}
+
 CheapestRecursion cheapest_recursion(const Model& model, const Topology& topology, const Analysis& analysis) {
   const auto traced = [&](RecursionChoices choices) {
     return CheapestRecursion{trace_recursive_accelerations(model, topology, analysis, Role::accelerations, choices),
                              choices};
   };
   CheapestRecursion cheapest = traced({});
+  long least = operations_of(cheapest.program);
   const auto compare = [&](RecursionChoices choices, long least_saving) {
     CheapestRecursion other = traced(choices);
-    if (count_operations(other.program).total() + least_saving <= count_operations(cheapest.program).total())
-      cheapest = std::move(other);
+    const long count = operations_of(other.program);
+    if (count + least_saving > least) return;
+    cheapest = std::move(other);
+    least = count;
   };
   if (!topology.blocks.empty()) {
     compare({.subtrees = true, .centres = false}, 1);

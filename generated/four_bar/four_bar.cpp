@@ -159,13 +159,10 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   // rocker_tip
   const double s6_5 = zd_rocker_pin*s2_1;
-  const double s6_6 = w_coupler_y*s2_4;
-  const double s6_7 = fms(zd_rocker_pin, zd_rocker_pin*s2_3, s6_2);
-  const double s6_8 = fnma(w_coupler_y, w_coupler_y*s2_2, s6_7);
-  const double s6_9 = fma(s2_7, s6_8, fnma(w_coupler_y, s6_6, fms(zd_rocker_pin, s6_5, s6_3)));
-  const double s6_10 = s2_9*s6_9;
-  const double s6_11 = s2_6*fms(s2_4, s6_10, s6_8);
-  // operations: 6 add, 16 multiply
+  const double s6_6 = fnma(s2_2, s6_4, fms(zd_rocker_pin, zd_rocker_pin*s2_3, s6_2));
+  const double s6_7 = s2_9*fma(s2_7, s6_6, fnma(s2_4, s6_4, fms(zd_rocker_pin, s6_5, s6_3)));
+  const double s6_8 = s2_6*fms(s2_4, s6_7, s6_6);
+  // operations: 6 add, 14 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
   const double s7_1 = fma(h_crank_z, R_crank_x_z, h_crank_x*R_crank_x_x);
@@ -179,10 +176,10 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double s8_1 = 1.0 - s3_1;
   const double s8_2 = 0.02195*s3_2;
   // coupler: coupler_pin, revolute, crank
-  const double s8_3 = fma(s6_10, s7_3, fma(s6_4, s7_2, m_coupler*s6_2));
+  const double s8_3 = fma(s6_7, s7_3, fma(s6_4, s7_2, m_coupler*s6_2));
   const double s8_4 = -g_z - s6_3;
-  const double f_coupler_z = fma(m_coupler, s8_4, fnma(s6_4, s7_3, s6_10*s7_2));
-  const double s8_5 = fma(s7_2, s8_4, fma(s6_2, s7_3, 0.0729*s6_10));
+  const double f_coupler_z = fma(m_coupler, s8_4, fnma(s6_4, s7_3, s6_7*s7_2));
+  const double s8_5 = fma(s7_2, s8_4, fma(s6_2, s7_3, 0.0729*s6_7));
   const double s8_6 = fma(s7_2, s8_1, m_coupler*r_coupler_x);
   const double s8_7 = fma(s7_3, s8_1, m_coupler*r_coupler_z);
   const double s8_8 = fma(0.0729, s8_1, fma(r_coupler_z, s7_3, r_coupler_x*s7_2));
@@ -192,7 +189,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double s8_11 = inputs.torque + tau[Coordinate::crank_pin];
   const double s8_12 = fnma(g_z, s7_1, fnma(tau[Coordinate::coupler_pin], s3_1, s8_11));
   const double s8_13 = fma(r_coupler_x, f_coupler_z, fma(r_coupler_z, s8_3, s8_12));
-  const double s8_14 = fnma(g_z, s7_4, fma(0.02195, s6_11, s8_10));
+  const double s8_14 = fnma(g_z, s7_4, fma(0.02195, s6_8, s8_10));
   const double s8_15 = fnma(s3_2, s8_14, fma(s8_1, s8_5, s8_13));
   const double s8_16 = 1.0/pivot_crank_pin;
   result.inertia[0] = pivot_crank_pin - 5.44e-25;
@@ -203,8 +200,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double alpha_crank_y = s8_15*s8_16;
   result.zdd[Coordinate::crank_pin] = alpha_crank_y;
   // rocker: rocker_pin, revolute, ground
-  result.zdd[Coordinate::rocker_pin] = -fma(s3_2, alpha_crank_y, s6_11);
-  result.zdd[Coordinate::coupler_pin] = -fma(s3_1, alpha_crank_y, s6_10);
+  result.zdd[Coordinate::rocker_pin] = -fma(s3_2, alpha_crank_y, s6_8);
+  result.zdd[Coordinate::coupler_pin] = -fma(s3_1, alpha_crank_y, s6_7);
   // operations: 2 add, 3 multiply
 }
 

@@ -85,8 +85,8 @@ struct Parameters {
 
 /// Tunable parameters with the 7 constants that follow from them. Functions take plain Parameters
 /// as well, and then work these out each time: keep one of these, and assign Parameters to it where
-/// they change, at the boundary of a step. Among them: [0] h_knuckle_z, [1] m_knuckle, [3]
-/// c_knuckle_z, [4] m_knuckle_2, [5] I_knuckle_yy.
+/// they change, at the boundary of a step. Among them: [1] m_knuckle, [3] c_knuckle_z, [4]
+/// m_knuckle_2, [5] I_knuckle_yy.
 struct Tuned : Parameters {
   double derived[7];
   Tuned() noexcept : Tuned(Parameters{}) {}

@@ -31,8 +31,8 @@ struct Parameters {
 };
 /// Tunable parameters with the 7 constants that follow from them. Functions take plain Parameters
 /// as well, and then work these out each time: keep one of these, and assign Parameters to it where
-/// they change, at the boundary of a step. Among them: [0] h_knuckle_z, [1] m_knuckle, [3]
-/// c_knuckle_z, [4] m_knuckle_2, [5] I_knuckle_yy.
+/// they change, at the boundary of a step. Among them: [1] m_knuckle, [3] c_knuckle_z, [4]
+/// m_knuckle_2, [5] I_knuckle_yy.
 struct Tuned : Parameters {
   Lanes derived[7];
 };
@@ -114,28 +114,30 @@ void compute_derived_constants(const Parameters& parameters, Tuned& __restrict r
   const Lanes m_knuckle = 22.0 + parameters.ballast;
   result.derived[4] = m_knuckle;
   const Lanes s1_1 = parameters.ballast/m_knuckle;
+  const Lanes s1_2 = 0.0121*(22.0*s1_1);
   const Lanes c_knuckle_z = 0.04 + 0.11*s1_1;
   result.derived[3] = c_knuckle_z;
-  const Lanes s1_2 = 0.0121*(22.0*s1_1);
   const Lanes I_knuckle_xx = 0.31 + s1_2;
   const Lanes I_knuckle_yy = 0.36 + s1_2;
   result.derived[5] = I_knuckle_yy;
   const Lanes s1_3 = 0.5*(I_knuckle_yy + (I_knuckle_zz + I_knuckle_xx));
   const Lanes K_knuckle_xx = s1_3 - I_knuckle_xx;
-  const Lanes K_knuckle_yy = s1_3 + (0.6 - I_knuckle_yy);
   const Lanes s1_4 = m_knuckle*c_knuckle_z;
-  result.derived[0] = 0.72 + s1_4;
+  const Lanes h_knuckle_z = 0.72 + s1_4;
   const Lanes K_knuckle_zz = s1_3 + (c_knuckle_z*s1_4 - 0.2312);
-  const Lanes K_knuckle_trace = K_knuckle_zz + (K_knuckle_xx + K_knuckle_yy);
 
   // --- step 8: elimination from the leaves to the root (63), upper ---
-  result.derived[2] = K_knuckle_trace - K_knuckle_yy;
-  result.derived[1] = m_wheel + m_knuckle;
+  const Lanes m_knuckle_2 = m_wheel + m_knuckle;
+  result.derived[1] = m_knuckle_2;
 
   // --- step 9: outputs, energies, power ---
+  const Lanes s8_1 = h_knuckle_z*(1.0/m_knuckle_2);
+  result.derived[0] = s8_1;
   result.derived[6] = p_pull_z*(345.0 + m_knuckle);
-  // operations of step 1: poses and axes b: 15 add, 6 multiply, 1 divide
-  // operations of step 8: elimination from the leaves to the root (63), upper: 1 add
+  result.derived[2] = K_knuckle_xx + K_knuckle_zz - h_knuckle_z*s8_1;
+  // operations of step 1: poses and axes b: 11 add, 6 multiply, 1 divide
+  // operations of step 8: elimination from the leaves to the root (63), upper: 2 add, 2 multiply, 1
+  // divide
   // operations of step 9: outputs, energies, power: 1 add, 1 multiply
 }
 
@@ -151,9 +153,8 @@ using Accelerations = AccelerationsOf<Lanes>;
 
 /// Part 1 of compute_accelerations: step 1: poses and axes b; step 5: applied forces Q (48); step
 /// 9: accelerations from the root to the leaves (63), (62); step 2: closure Jacobian Phi_z and its
-/// factors (60), upper; step 4: velocities; step 8: elimination from the leaves to the root (63),
-/// upper; step 8: elimination from the leaves to the root (63); step 6: c and dRz/dt zd (62),
-/// upper; step 3: Rz (61), upper; step 7: inertias of the bodies and forces on joints, upper.
+/// factors (60), upper; step 4: velocities; step 6: c and dRz/dt zd (62), upper; step 3: Rz (61),
+/// upper; step 8: elimination from the leaves to the root (63), upper.
 [[gnu::noinline]] void compute_accelerations_1(const Tuned& parameters, const State& state,
     const Lanes* tau, Accelerations& __restrict result) noexcept {
   // Results that need no operation.
@@ -176,14 +177,12 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s5_5 = mbgen::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
   const Lanes s5_6 = 1.0/s5_5;
   const Lanes s5_7 = fma(zd_lower*s5_1, s5_4, s5_3*(zd_lower*s5_2))*s5_6;
-  const Lanes s5_8 = 0.2 + s5_7;
-  const Lanes s5_9 = fms(725.0, 1.0 + s5_7, 900.0);
-  const Lanes s5_10 = mbgen::select(s5_8, fms(1600.0, s5_8, 320.0), s5_9);
-  const Lanes s5_11 = s5_7 - 0.2;
-  const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
-  const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
-  const Lanes tension_spring = s5_13 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
-  const Lanes s5_14 = s5_6*tension_spring;
+  const Lanes s5_8 = mbgen::select(0.2 + s5_7, 1600.0*s5_7, fms(725.0, 1.0 + s5_7, 900.0));
+  const Lanes s5_9 = s5_7 - 0.2;
+  const Lanes s5_10 = mbgen::select(s5_7, 3200.0*s5_7, s5_8);
+  const Lanes s5_11 = mbgen::select(s5_9, fma(1575.0, s5_9, 640.0), s5_10);
+  const Lanes tension_spring = s5_11 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
+  const Lanes s5_12 = s5_6*tension_spring;
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   const Lanes s1_1 = z_lower + state.z[Coordinate::ball];
@@ -196,68 +195,59 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s1_3 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
   const Lanes r_wheel_z = r_knuckle_z + s1_3;
-  const Lanes s5_15 = p_pull_z + r_wheel_z;
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
-  const Lanes s5_16 = radius_tyre - s5_15;
-  const Lanes s5_17 = mbgen::max(0.0, k_tyre*s5_16);
-  const Lanes s5_18 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
+  const Lanes s5_13 = radius_tyre - (p_pull_z + r_wheel_z);
+  const Lanes s5_14 = mbgen::max(0.0, k_tyre*s5_13);
+  const Lanes s5_15 = fnma(0.3333333333333333, mbgen::max(0.0, s5_13), radius_tyre);
   const Lanes s1_4 = p_wheel_z*R_knuckle_x_z;
 
   // --- step 4: velocities ---
   const Lanes s4_1 = zd_lower*r_knuckle_x;
   // knuckle: ball, revolute, arm
   const Lanes w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
-  // tyre
-  const Lanes s5_19 = s5_17 + mbgen::min(s5_17, d_tyre*fma(s1_4, w_knuckle_y, s4_1));
-  const Lanes load_tyre = mbgen::max(0.0, s5_19);
-
-  // --- step 8: elimination from the leaves to the root (63), upper ---
-  mbgen::read_back();
 
   // --- step 5: applied forces Q (48), continued ---
   // tyre
-  const Lanes s5_20 = mbgen::max(0.004, load_tyre);
-  const Lanes s5_21 = 1.1*s5_20;
-  const Lanes s5_22 = 1.6*s5_21;
-  const Lanes s5_23 = 1e-09*s5_20;
-  const Lanes s5_24 = mbgen::min(s5_22, -s5_23);
+  const Lanes s5_16 = s5_14 + mbgen::min(s5_14, d_tyre*fma(s1_4, w_knuckle_y, s4_1));
+  const Lanes load_tyre = mbgen::max(0.0, s5_16);
+  const Lanes s5_17 = mbgen::max(0.004, load_tyre);
+  const Lanes s5_18 = 1.1*s5_17;
+  const Lanes s5_19 = 1.6*s5_18;
+  const Lanes s5_20 = 1e-09*s5_17;
+  mbgen::read_back();
+  const Lanes s5_21 = mbgen::min(s5_19, -s5_20);
   // knuckle: ball, revolute, arm
   const Lanes v_knuckle_x = fma(zd_lower, s1_2, state.zd[Coordinate::pull]);
   // wheel: wheel, revolute, knuckle
   const Lanes v_wheel_x = fma(s1_3, w_knuckle_y, v_knuckle_x);
-  const Lanes s5_25 = state.x[0]/relaxation_x_tyre;
-  const Lanes s5_26 = state.x[1]/relaxation_y_tyre;
-  const Lanes s5_27 = mbgen::sqrt(fma(s5_26, s5_26, fma(s5_25, s5_25, 1e-30)));
+  const Lanes s5_22 = state.x[0]/relaxation_x_tyre;
+  const Lanes s5_23 = state.x[1]/relaxation_y_tyre;
+  const Lanes s5_24 = mbgen::sqrt(fma(s5_23, s5_23, fma(s5_22, s5_22, 1e-30)));
   const Lanes w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
   // tyre
-  const Lanes s5_28 = w_wheel_y*s5_18;
-  const Lanes s5_29 = mbgen::abs(v_wheel_x);
-  const Lanes s5_30 = v_wheel_x - s5_28;
-  const Lanes s5_31 = mbgen::sqrt(fma(s5_30, s5_30, 1e-30));
-  const Lanes s5_32 = mbgen::min(0.5, 0.1*fma(0.5, s5_29 + s5_31, 1.0));
-  const Lanes s5_33 = s5_29 + s5_31/s5_32;
-  const Lanes s5_34 = 1.0 - s5_27/s5_32;
-  result.xd[1] = -(s5_26*s5_33);
-  result.xd[0] = -fma(s5_25, s5_33, s5_30);
-  const Lanes s5_35 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_29));
-  const Lanes s5_36 = s5_25*(1.0/mbgen::max(0.6666666666666666*s5_27, s5_34));
-  const Lanes s5_37 = fnma(s5_30, 0.06*fma(0.5, s5_35, 0.5)*mbgen::max(0.0, s5_34), s5_36);
-  const Lanes s5_38 = 20.0*s5_20/mbgen::select(s5_22, mbgen::max(s5_22, s5_23), s5_24)*s5_37;
-  const Lanes s5_39 = s5_21*mbgen::sine(1.6*mbgen::arc_tangent(s5_38));
-  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_20*s5_39;
-  const Lanes s5_40 = mbgen::hyperbolic_tangent(0.5*s5_28);
-  const Lanes s5_41 = s5_40*(radius_tyre*(rolling_tyre*load_tyre));
-  const Lanes s5_42 = fma(fx_tyre, s5_18 + (s5_16 + (s5_15 - radius_tyre)), s5_41);
-  mbgen::read_back();
-
-  // --- step 8: elimination from the leaves to the root (63) ---
-  const Lanes s8_1 = tau[Coordinate::wheel] - s5_42;
+  const Lanes s5_25 = w_wheel_y*s5_15;
+  const Lanes s5_26 = mbgen::abs(v_wheel_x);
+  const Lanes s5_27 = v_wheel_x - s5_25;
+  const Lanes s5_28 = mbgen::sqrt(fma(s5_27, s5_27, 1e-30));
+  const Lanes s5_29 = mbgen::min(0.5, 0.1*fma(0.5, s5_26 + s5_28, 1.0));
+  const Lanes s5_30 = s5_26 + s5_28/s5_29;
+  const Lanes s5_31 = 1.0 - s5_24/s5_29;
+  result.xd[1] = -(s5_23*s5_30);
+  result.xd[0] = -fma(s5_22, s5_30, s5_27);
+  const Lanes s5_32 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_26));
+  const Lanes s5_33 = s5_22*(1.0/mbgen::max(0.6666666666666666*s5_24, s5_31));
+  const Lanes s5_34 = fnma(s5_27, 0.06*fma(0.5, s5_32, 0.5)*mbgen::max(0.0, s5_31), s5_33);
+  const Lanes s5_35 = 20.0*s5_17/mbgen::select(s5_19, mbgen::max(s5_19, s5_20), s5_21)*s5_34;
+  const Lanes s5_36 = s5_18*mbgen::sine(1.6*mbgen::arc_tangent(s5_35));
+  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_17*s5_36;
+  const Lanes tau_wheel = tau[Coordinate::wheel];
   const Lanes s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const Lanes s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const Lanes s2_3 = s2_2 + (r_knuckle_z - p_upper_from_z);
   const Lanes s2_4 = p_upper_from_x - r_knuckle_x - s2_1;
   const Lanes s2_5 = fma(s2_2, s2_4, s2_1*s2_3);
+  mbgen::read_back();
 
   // --- step 6: c and dRz/dt zd (62), upper ---
   const Lanes s6_1 = w_knuckle_y*s2_1;
@@ -267,7 +257,6 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s6_5 = zd_lower*zd_lower;
   const Lanes s6_6 = s1_2*s6_5;
   const Lanes s6_7 = r_knuckle_x*s6_5;
-  const Lanes m_knuckle = parameters.derived[1];
   const Lanes s6_8 = w_knuckle_y*w_knuckle_y;
   const Lanes s6_9 = fnma(s2_3, fma(w_knuckle_y, s6_2, s6_6), fma(s6_3, s6_3, s6_4*s6_4));
   const Lanes s2_6 = 1.0/s2_5;
@@ -276,50 +265,50 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s3_1 = (s2_5 + fma(s1_2, s2_4, r_knuckle_x*s2_3))*s2_6;
   const Lanes zdd_star_ball = s2_6*fma(s2_4, fma(w_knuckle_y, s6_1, s6_7), s6_9);
   result.pivot[0] = 12.094222040829795*mbgen::abs(s2_5);
-  const Lanes s9_1 = fnma(s5_1, s5_4*s5_14, fnma(s5_2, s5_3*s5_14, tau[Coordinate::lower]));
+  const Lanes s9_1 = fnma(s5_1, s5_4*s5_12, fnma(s5_2, s5_3*s5_12, tau[Coordinate::lower]));
 
-  // --- step 7: inertias of the bodies and forces on joints, upper ---
-  const Lanes h_knuckle_z = parameters.derived[0];
-  const Lanes s7_1 = R_knuckle_x_z*h_knuckle_z;
-  const Lanes s7_2 = R_knuckle_x_x*h_knuckle_z;
-  const Lanes s8_2 = fma(zdd_star_ball, s7_1, fma(s6_6, m_knuckle, load_tyre));
-  const Lanes s8_3 = fma(s6_6, s7_1, s8_1 + (s5_42 + fnma(s1_3, fx_tyre, s1_4*load_tyre)));
+  // --- step 8: elimination from the leaves to the root (63), upper ---
   // knuckle: ball, revolute, arm
-  const Lanes n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_7, s7_2, s8_3));
-  const Lanes s8_4 = fnma(s6_7, m_knuckle, fms(zdd_star_ball, s7_2, fx_tyre));
-  const Lanes f_knuckle_x = fnma(s6_8, s7_1, s8_4);
-  const Lanes s9_2 = fnma(s1_2, f_knuckle_x, fnma(tau[Coordinate::ball], s3_1, s9_1));
-  const Lanes s8_5 = 1.0 - s3_1;
-
-  // --- step 8: elimination from the leaves to the root (63), upper, continued ---
-  const Lanes s8_6 = fma(s7_1, s8_5, r_knuckle_x*m_knuckle);
-  const Lanes s8_7 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
-  const Lanes s8_8 = fma(s8_5, s8_7, fma(r_knuckle_x, s8_6, 0.3475));
-  const Lanes pivot_lower = fma(s1_2, fma(s7_2, s8_5, s1_2*m_knuckle), s8_8);
-  const Lanes s9_3 = fnma(s8_5, n_knuckle_y, fnma(r_knuckle_x, fma(s6_8, s7_2, s8_2), s9_2));
-  mbgen::read_back();
+  const Lanes s8_1 = R_knuckle_x_z*parameters.derived[0];
+  const Lanes s8_2 = R_knuckle_x_x*parameters.derived[0];
+  const Lanes m_knuckle = parameters.derived[1];
+  const Lanes s8_3 = fnma(s6_8, s8_1, fms(zdd_star_ball, s8_2, s6_7));
+  const Lanes f_knuckle_x = fms(s8_3, m_knuckle, fx_tyre);
+  const Lanes s8_4 = fma(zdd_star_ball, s8_1, fma(s6_8, s8_2, s6_6));
+  const Lanes s8_5 = fma(zdd_star_ball, parameters.derived[2], tau_wheel);
+  const Lanes n_knuckle_y = fma(fx_tyre, s8_2 - s1_3, fma(load_tyre, s1_4 - s8_1, s8_5));
+  const Lanes s5_37 = mbgen::hyperbolic_tangent(0.5*s5_25);
+  const Lanes s5_38 = radius_tyre*(rolling_tyre*load_tyre);
+  const Lanes s8_6 = 1.0 - s3_1;
+  const Lanes s8_7 = fma(s8_6, s8_1, r_knuckle_x);
+  const Lanes s8_8 = fma(s8_6, s8_2, s1_2);
+  const Lanes s9_2 = fnma(s8_6, n_knuckle_y, fnma(tau[Coordinate::ball], s3_1, s9_1));
+  const Lanes s9_3 = fnma(fma(m_knuckle, s8_4, load_tyre), s8_7, s9_2);
+  const Lanes s8_9 = m_knuckle*s8_7;
+  const Lanes s8_10 = fma(s8_6, s8_6*parameters.derived[2], fma(s8_7, s8_9, 0.3475));
+  const Lanes pivot_lower = fma(s8_8, m_knuckle*s8_8, s8_10);
+  const Lanes s8_11 = s8_9 + fma(h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
   result.inertia[0] = pivot_lower - 5.52e-23;
   // arm: lower, revolute, carriage
-  const Lanes s9_4 = fnma(g_z, s8_6 + fma(h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s9_3);
-  const Lanes alpha_arm_y = 1.0/pivot_lower*s9_4;
+  const Lanes alpha_arm_y = 1.0/pivot_lower*fnma(g_z, s8_11, fnma(f_knuckle_x, s8_8, s9_3));
   result.zdd[Coordinate::lower] = alpha_arm_y;
-  result.zdd[Coordinate::ball] = fnma(s3_1, alpha_arm_y, zdd_star_ball);
+  const Lanes s9_4 = fnma(s3_1, alpha_arm_y, zdd_star_ball);
+  result.zdd[Coordinate::ball] = s9_4;
   // knuckle: ball, revolute, arm
-  const Lanes alpha_knuckle_y = fma(s8_5, alpha_arm_y, zdd_star_ball);
-  result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
+  const Lanes alpha_knuckle_y = alpha_arm_y + s9_4;
+  result.zdd[Coordinate::wheel] = fnma(s5_37, s5_38, fnma(s5_15, fx_tyre,
+      tau_wheel)) - alpha_knuckle_y;
   // operations of step 1: poses and axes b: 5 add, 6 multiply, 4 sin cos
   // operations of step 4: velocities: 5 add, 4 multiply
-  // operations of step 5: applied forces Q (48): 34 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos,
+  // operations of step 5: applied forces Q (48): 29 add, 49 multiply, 8 divide, 3 sqrt, 3 sin cos,
   // 18 other
-  // operations of step 8: elimination from the leaves to the root (63): 1 add
   // operations of step 2: closure Jacobian Phi_z and its factors (60), upper: 9 add, 9 multiply, 1
   // divide, 1 other
   // operations of step 3: Rz (61), upper: 1 multiply
   // operations of step 6: c and dRz/dt zd (62), upper: 7 add, 14 multiply
-  // operations of step 7: inertias of the bodies and forces on joints, upper: 2 multiply
-  // operations of step 8: elimination from the leaves to the root (63), upper: 23 add, 23 multiply,
+  // operations of step 8: elimination from the leaves to the root (63), upper: 20 add, 21 multiply,
   // 1 divide
-  // operations of step 9: accelerations from the root to the leaves (63), (62): 10 add, 10 multiply
+  // operations of step 9: accelerations from the root to the leaves (63), (62): 12 add, 11 multiply
 }
 
 /// All accelerations with the frozen partition of the loop blocks.
@@ -427,15 +416,13 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes s5_5 = mbgen::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
   const Lanes s5_6 = 1.0/s5_5;
   const Lanes s5_7 = fma(zd_lower*s5_1, s5_4, s5_3*(zd_lower*s5_2))*s5_6;
-  const Lanes s5_8 = 0.2 + s5_7;
-  const Lanes s5_9 = fms(725.0, 1.0 + s5_7, 900.0);
-  const Lanes s5_10 = mbgen::select(s5_8, fms(1600.0, s5_8, 320.0), s5_9);
-  const Lanes s5_11 = s5_7 - 0.2;
-  const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
-  const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
-  const Lanes tension_spring = s5_13 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
-  const Lanes s5_14 = s5_6*tension_spring;
-  const Lanes s5_15 = s5_3*s5_14;
+  const Lanes s5_8 = mbgen::select(0.2 + s5_7, 1600.0*s5_7, fms(725.0, 1.0 + s5_7, 900.0));
+  const Lanes s5_9 = s5_7 - 0.2;
+  const Lanes s5_10 = mbgen::select(s5_7, 3200.0*s5_7, s5_8);
+  const Lanes s5_11 = mbgen::select(s5_9, fma(1575.0, s5_9, 640.0), s5_10);
+  const Lanes tension_spring = s5_11 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
+  const Lanes s5_12 = s5_6*tension_spring;
+  const Lanes s5_13 = s5_3*s5_12;
   const Lanes s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
   Lanes R_knuckle_x_x, R_knuckle_x_z;
@@ -451,80 +438,77 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes s1_4 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
   const Lanes r_wheel_z = r_knuckle_z + s1_4;
-  const Lanes s5_16 = p_pull_z + r_wheel_z;
 
   // --- step 9: multipliers of the closures and driving forces ---
-  const Lanes s5_17 = radius_tyre - s5_16;
-
-  // --- step 7: inertias of the bodies and forces on joints ---
-  const Lanes s5_18 = mbgen::max(0.0, k_tyre*s5_17);
-  const Lanes s5_19 = fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
-  const Lanes s5_20 = mbgen::min(s5_18, d_tyre*fma(s1_3, w_knuckle_y, zd_lower*r_knuckle_x));
 
   // --- step 5: applied forces Q (48), continued ---
   // tyre
-  const Lanes load_tyre = mbgen::max(0.0, s5_18 + s5_20);
-  const Lanes s5_21 = mbgen::max(0.004, load_tyre);
-  const Lanes s5_22 = 1.1*s5_21;
-  const Lanes s5_23 = 1.6*s5_22;
+  const Lanes s5_14 = radius_tyre - (p_pull_z + r_wheel_z);
+  const Lanes s5_15 = mbgen::max(0.0, k_tyre*s5_14);
+  const Lanes s5_16 = fnma(0.3333333333333333, mbgen::max(0.0, s5_14), radius_tyre);
+  const Lanes s5_17 = mbgen::min(s5_15, d_tyre*fma(s1_3, w_knuckle_y, zd_lower*r_knuckle_x));
+  const Lanes load_tyre = mbgen::max(0.0, s5_15 + s5_17);
+  const Lanes s5_18 = mbgen::max(0.004, load_tyre);
+  const Lanes s5_19 = 1.1*s5_18;
+  const Lanes s5_20 = 1.6*s5_19;
+  const Lanes s5_21 = 1e-09*s5_18;
   mbgen::read_back();
-  const Lanes s5_24 = 1e-09*s5_21;
-  const Lanes s5_25 = mbgen::min(s5_23, -s5_24);
-  const Lanes s5_26 = state.x[0]/relaxation_x_tyre;
-  const Lanes s5_27 = state.x[1]/relaxation_y_tyre;
-  const Lanes s5_28 = mbgen::sqrt(fma(s5_27, s5_27, fma(s5_26, s5_26, 1e-30)));
+  const Lanes s5_22 = mbgen::min(s5_20, -s5_21);
+  const Lanes s5_23 = state.x[0]/relaxation_x_tyre;
+  const Lanes s5_24 = state.x[1]/relaxation_y_tyre;
+  const Lanes s5_25 = mbgen::sqrt(fma(s5_24, s5_24, fma(s5_23, s5_23, 1e-30)));
   // knuckle: ball, revolute, arm
   const Lanes v_knuckle_x = fma(zd_lower, s1_2, state.zd[Coordinate::pull]);
   // wheel: wheel, revolute, knuckle
   const Lanes v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
   const Lanes w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
-  const Lanes s5_29 = w_wheel_y*s5_19;
+  const Lanes s5_26 = w_wheel_y*s5_16;
+
+  // --- step 7: inertias of the bodies and forces on joints ---
   const Lanes s7_1 = w_knuckle_y*w_knuckle_y;
+
+  // --- step 5: applied forces Q (48), continued ---
   // tyre
-  const Lanes s5_30 = mbgen::abs(v_wheel_x);
-  const Lanes s5_31 = v_wheel_x - s5_29;
-  const Lanes s5_32 = 0.1*fma(0.5, s5_30 + mbgen::sqrt(fma(s5_31, s5_31, 1e-30)), 1.0);
-  const Lanes s5_33 = 1.0 - s5_28/mbgen::min(0.5, s5_32);
-  const Lanes s5_34 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_30));
-  const Lanes s5_35 = s5_26*(1.0/mbgen::max(0.6666666666666666*s5_28, s5_33));
+  const Lanes s5_27 = mbgen::abs(v_wheel_x);
+  const Lanes s5_28 = v_wheel_x - s5_26;
+  const Lanes s5_29 = 0.1*fma(0.5, s5_27 + mbgen::sqrt(fma(s5_28, s5_28, 1e-30)), 1.0);
+  const Lanes s5_30 = 1.0 - s5_25/mbgen::min(0.5, s5_29);
+  const Lanes s5_31 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_27));
+  const Lanes s5_32 = s5_23*(1.0/mbgen::max(0.6666666666666666*s5_25, s5_30));
+  const Lanes s5_33 = fnma(s5_28, 0.06*fma(0.5, s5_31, 0.5)*mbgen::max(0.0, s5_30), s5_32);
+  const Lanes s5_34 = 20.0*s5_18/mbgen::select(s5_20, mbgen::max(s5_20, s5_21), s5_22)*s5_33;
+  const Lanes s5_35 = s5_19*mbgen::sine(1.6*mbgen::arc_tangent(s5_34));
+  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_18*s5_35;
 
   // --- step 7: inertias of the bodies and forces on joints, continued ---
-  // knuckle: ball, revolute, arm
+  const Lanes s5_36 = mbgen::hyperbolic_tangent(0.5*s5_26);
   const Lanes zdd_lower = derivative.zdd[Coordinate::lower];
-  const Lanes alpha_knuckle_y = zdd_lower + derivative.zdd[Coordinate::ball];
-  // wheel: wheel, revolute, knuckle
-  const Lanes alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
-  const Lanes s5_36 = mbgen::hyperbolic_tangent(0.5*s5_29);
   const Lanes s7_2 = fnma(c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
   const Lanes s7_3 = fma(c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
   const Lanes s7_4 = zd_lower*zd_lower;
   const Lanes zdd_pull = derivative.zdd[Coordinate::pull];
   const Lanes s7_5 = m_arm*fnma(s7_4, s7_3, fma(zdd_lower, s7_2, zdd_pull));
-  const Lanes s7_6 = fma(s5_1, s5_4*s5_14, fma(s5_2, s5_15, I_arm_yy*zdd_lower));
+  const Lanes s7_6 = fma(s5_1, s5_4*s5_12, fma(s5_2, s5_13, I_arm_yy*zdd_lower));
   // arm: lower, revolute, carriage
-  const Lanes f_arm_x = s5_15 + s7_5;
+  const Lanes f_arm_x = s5_13 + s7_5;
+  mbgen::read_back();
   // carriage: pull, prismatic, ground
-  const Lanes f_carriage_x = fms(m_carriage, zdd_pull, s5_15);
+  const Lanes f_carriage_x = fms(m_carriage, zdd_pull, s5_13);
   // arm: lower, revolute, carriage
   const Lanes s7_7 = m_arm*fnma(zdd_lower, s7_3, fnma(s7_4, s7_2, -g_z));
   const Lanes n_arm_y = fnma(s7_3, s7_7, fma(s7_2, s7_5, s7_6));
-  mbgen::read_back();
-  const Lanes s5_37 = fnma(s5_31, 0.06*fma(0.5, s5_34, 0.5)*mbgen::max(0.0, s5_33), s5_35);
-  const Lanes s5_38 = 20.0*s5_21/mbgen::select(s5_23, mbgen::max(s5_23, s5_24), s5_25)*s5_37;
-  // tyre
-  const Lanes s5_39 = s5_22*mbgen::sine(1.6*mbgen::arc_tangent(s5_38));
-  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_21*s5_39;
-  // wheel: wheel, revolute, knuckle
-  const Lanes s7_8 = fma(s5_36, radius_tyre*(rolling_tyre*load_tyre), alpha_wheel_y);
-  const Lanes n_wheel_y = fma(fx_tyre, s5_19 + (s5_17 + (s5_16 - radius_tyre)), s7_8);
   // knuckle: ball, revolute, arm
   const Lanes a_knuckle_x = fnma(r_knuckle_x, s7_4, fma(zdd_lower, s1_2, zdd_pull));
   const Lanes a_knuckle_z = fnma(s1_2, s7_4, fnma(zdd_lower, r_knuckle_x, -g_z));
+  const Lanes alpha_knuckle_y = zdd_lower + derivative.zdd[Coordinate::ball];
   // wheel: wheel, revolute, knuckle
   const Lanes a_wheel_x = fnma(s1_3, s7_1, fma(s1_4, alpha_knuckle_y, a_knuckle_x));
   const Lanes f_wheel_x = fms(m_wheel, a_wheel_x, fx_tyre);
   const Lanes a_wheel_z = fnma(s1_4, s7_1, fnma(s1_3, alpha_knuckle_y, a_knuckle_z));
   const Lanes f_wheel_z = fms(m_wheel, a_wheel_z, load_tyre);
+  const Lanes alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
+  const Lanes s7_8 = fma(s5_36, radius_tyre*(rolling_tyre*load_tyre), s5_16*fx_tyre);
+  const Lanes n_wheel_y = alpha_wheel_y + s7_8;
   // knuckle: ball, revolute, arm
   const Lanes c_knuckle_z = parameters.derived[3];
   const Lanes s7_9 = R_knuckle_x_x*c_knuckle_z;
@@ -555,9 +539,9 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   result.lambda[0] = -(l_upper*(Q_ball*(1.0/s9_4)));
   // operations of step 1: poses and axes b: 5 add, 6 multiply, 4 sin cos
   // operations of step 4: velocities: 5 add, 4 multiply
-  // operations of step 5: applied forces Q (48): 28 add, 47 multiply, 7 divide, 3 sqrt, 3 sin cos,
+  // operations of step 5: applied forces Q (48): 27 add, 47 multiply, 7 divide, 3 sqrt, 3 sin cos,
   // 18 other
-  // operations of step 7: inertias of the bodies and forces on joints: 48 add, 45 multiply
+  // operations of step 7: inertias of the bodies and forces on joints: 45 add, 45 multiply
   // operations of step 9: multipliers of the closures and driving forces: 7 add, 9 multiply, 1
   // divide, 1 other
 }
@@ -570,8 +554,8 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
     compute_multipliers_1(parameters[g], state[g], tau[g].tau, derivative[g], result[g]);
 }
 
-/// Part 1 of compute_outputs: step 1: poses and axes b; step 5: applied forces Q (48); step 9:
-/// outputs, energies, power; step 4: velocities; step 7: inertias of the bodies and forces on
+/// Part 1 of compute_outputs: step 1: poses and axes b; step 5: applied forces Q (48); step 4:
+/// velocities; step 9: outputs, energies, power; step 7: inertias of the bodies and forces on
 /// joints.
 [[gnu::noinline]] void compute_outputs_1(const Tuned& parameters, const State& state,
     const Lanes* tau, const Multipliers& multipliers, Outputs& __restrict result) noexcept {
@@ -587,24 +571,18 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   // --- step 5: applied forces Q (48) ---
   // spring
   const Lanes s5_1 = fma(p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const Lanes s5_2 = fnma(p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
-  const Lanes s5_3 = s5_1 - p_carriage_seat_x;
+  const Lanes s5_2 = s5_1 - p_carriage_seat_x;
   const Lanes zd_lower = state.zd[Coordinate::lower];
-  const Lanes s5_4 = 0.37 - s5_2;
-  const Lanes s5_5 = mbgen::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
-  const Lanes s5_6 = 1.0/s5_5;
-  const Lanes s5_7 = fma(zd_lower*s5_1, s5_4, s5_3*(zd_lower*s5_2))*s5_6;
-  const Lanes s5_8 = 0.2 + s5_7;
-  const Lanes s5_9 = fms(725.0, 1.0 + s5_7, 900.0);
-  const Lanes s5_10 = mbgen::select(s5_8, fms(1600.0, s5_8, 320.0), s5_9);
-  const Lanes s5_11 = s5_7 - 0.2;
-  const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
-  const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
-  const Lanes tension_spring = s5_13 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
+  const Lanes s5_3 = fnma(p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
+  const Lanes s5_4 = 0.37 - s5_3;
+  const Lanes s5_5 = mbgen::sqrt(fma(s5_4, s5_4, s5_2*s5_2));
+  const Lanes s5_6 = fma(zd_lower*s5_1, s5_4, s5_2*(zd_lower*s5_3))*(1.0/s5_5);
+  const Lanes s5_7 = mbgen::select(0.2 + s5_6, 1600.0*s5_6, fms(725.0, 1.0 + s5_6, 900.0));
+  const Lanes s5_8 = s5_6 - 0.2;
+  const Lanes s5_9 = mbgen::select(s5_6, 3200.0*s5_6, s5_7);
+  const Lanes s5_10 = mbgen::select(s5_8, fma(1575.0, s5_8, 640.0), s5_9);
+  const Lanes tension_spring = s5_10 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
   result.spring_force = tension_spring;
-  const Lanes s5_14 = s5_6*tension_spring;
-
-  // --- step 9: outputs, energies, power ---
   const Lanes s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
   Lanes R_knuckle_x_x, R_knuckle_x_z;
@@ -625,53 +603,56 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   // wheel: wheel, revolute, knuckle
   const Lanes r_wheel_z = r_knuckle_z + s1_3;
   const Lanes v_wheel_x = fma(s1_3, w_knuckle_y, v_knuckle_x);
-  const Lanes s5_15 = p_pull_z + r_wheel_z;
-  result.hub_height = s5_15;
+  const Lanes s5_11 = p_pull_z + r_wheel_z;
+  result.hub_height = s5_11;
+  const Lanes s5_12 = radius_tyre - s5_11;
+
+  // --- step 9: outputs, energies, power ---
 
   // --- step 5: applied forces Q (48), continued ---
   // tyre
-  const Lanes s5_16 = radius_tyre - s5_15;
-  const Lanes s5_17 = mbgen::max(0.0, k_tyre*s5_16);
-  const Lanes s5_18 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
-  mbgen::read_back();
-  const Lanes load_tyre = mbgen::max(0.0, s5_17 + mbgen::min(s5_17, d_tyre*s4_2));
+  const Lanes s5_13 = mbgen::max(0.0, k_tyre*s5_12);
+  const Lanes s5_14 = fnma(0.3333333333333333, mbgen::max(0.0, s5_12), radius_tyre);
+  const Lanes load_tyre = mbgen::max(0.0, s5_13 + mbgen::min(s5_13, d_tyre*s4_2));
   result.load = load_tyre;
-  const Lanes s5_19 = mbgen::max(0.004, load_tyre);
-  const Lanes s5_20 = 1.1*s5_19;
-  const Lanes s5_21 = 1.6*s5_20;
-  const Lanes s5_22 = 1e-09*s5_19;
-  const Lanes s5_23 = mbgen::min(s5_21, -s5_22);
-  const Lanes s5_24 = state.x[0]/relaxation_x_tyre;
-  const Lanes s5_25 = state.x[1]/relaxation_y_tyre;
-  const Lanes s5_26 = mbgen::sqrt(fma(s5_25, s5_25, fma(s5_24, s5_24, 1e-30)));
+  const Lanes s5_15 = mbgen::max(0.004, load_tyre);
+  const Lanes s5_16 = 1.1*s5_15;
+  const Lanes s5_17 = 1.6*s5_16;
+  const Lanes s5_18 = 1e-09*s5_15;
+  mbgen::read_back();
+  const Lanes s5_19 = mbgen::min(s5_17, -s5_18);
+  const Lanes s5_20 = state.x[0]/relaxation_x_tyre;
+  const Lanes s5_21 = state.x[1]/relaxation_y_tyre;
+  const Lanes s5_22 = mbgen::sqrt(fma(s5_21, s5_21, fma(s5_20, s5_20, 1e-30)));
   // wheel: wheel, revolute, knuckle
   const Lanes zd_wheel = state.zd[Coordinate::wheel];
   const Lanes w_wheel_y = zd_wheel + w_knuckle_y;
   // tyre
-  const Lanes s5_27 = w_wheel_y*s5_18;
-  const Lanes s5_28 = v_wheel_x - s5_27;
-  const Lanes s5_29 = mbgen::abs(v_wheel_x);
-  const Lanes s5_30 = 0.1*fma(0.5, s5_29 + mbgen::sqrt(fma(s5_28, s5_28, 1e-30)), 1.0);
-  const Lanes s5_31 = 1.0 - s5_26/mbgen::min(0.5, s5_30);
-  const Lanes s5_32 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_29));
-  const Lanes s5_33 = s5_24*(1.0/mbgen::max(0.6666666666666666*s5_26, s5_31));
-  const Lanes s5_34 = fnma(s5_28, 0.06*fma(0.5, s5_32, 0.5)*mbgen::max(0.0, s5_31), s5_33);
-  const Lanes s5_35 = 20.0*s5_19/mbgen::select(s5_21, mbgen::max(s5_21, s5_22), s5_23)*s5_34;
-  const Lanes s5_36 = s5_20*mbgen::sine(1.6*mbgen::arc_tangent(s5_35));
-  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*s5_36;
-  const Lanes s5_37 = mbgen::hyperbolic_tangent(0.5*s5_27);
-  const Lanes s5_38 = s5_37*(radius_tyre*(rolling_tyre*load_tyre));
-  const Lanes s9_1 = fma(zd_wheel, tau[Coordinate::wheel], zd_ball*tau[Coordinate::ball]);
-  const Lanes s5_39 = fma(fx_tyre, s5_18 + (s5_16 + (s5_15 - radius_tyre)), s5_38);
-  const Lanes s9_2 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_1));
-  mbgen::read_back();
-  const Lanes s9_3 = tau[Coordinate::pull] + multipliers.drive[0];
-  const Lanes s9_4 = fnma(s5_1, s5_4*s5_14, fnma(s5_2, s5_3*s5_14, tau[Coordinate::lower]));
-  result.applied_power = fma(zd_lower, s9_4, fma(zd_pull, s9_3, fnma(w_wheel_y, s5_39, s9_2)));
+  const Lanes s5_23 = w_wheel_y*s5_14;
+  const Lanes s5_24 = v_wheel_x - s5_23;
+  const Lanes s5_25 = mbgen::abs(v_wheel_x);
+  const Lanes s5_26 = 0.1*fma(0.5, s5_25 + mbgen::sqrt(fma(s5_24, s5_24, 1e-30)), 1.0);
+  const Lanes s5_27 = 1.0 - s5_22/mbgen::min(0.5, s5_26);
+  const Lanes s5_28 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_25));
+  const Lanes s5_29 = s5_20*(1.0/mbgen::max(0.6666666666666666*s5_22, s5_27));
+  const Lanes s5_30 = fnma(s5_24, 0.06*fma(0.5, s5_28, 0.5)*mbgen::max(0.0, s5_27), s5_29);
+  const Lanes s5_31 = 20.0*s5_15/mbgen::select(s5_17, mbgen::max(s5_17, s5_18), s5_19)*s5_30;
+  const Lanes s5_32 = s5_16*mbgen::sine(1.6*mbgen::arc_tangent(s5_31));
+  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_15*s5_32;
+  const Lanes s5_33 = mbgen::hyperbolic_tangent(0.5*s5_23);
+
+  // --- step 9: outputs, energies, power, continued ---
+  const Lanes s9_1 = fma(zd_ball, tau[Coordinate::ball], zd_lower*tau[Coordinate::lower]);
+  const Lanes s9_2 = fnma(s5_6, tension_spring, fma(zd_wheel, tau[Coordinate::wheel], s9_1));
+  const Lanes s5_34 = fma(s5_33, radius_tyre*(rolling_tyre*load_tyre), s5_14*fx_tyre);
+  const Lanes s9_3 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_2));
+  const Lanes s9_4 = tau[Coordinate::pull] + multipliers.drive[0];
+  result.applied_power = fma(zd_pull, s9_4, fnma(w_wheel_y, s5_34, s9_3));
 
   // --- step 7: inertias of the bodies and forces on joints ---
   const Lanes s7_1 = fnma(c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
   const Lanes s9_5 = zd_lower*fma(c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
+  mbgen::read_back();
   const Lanes c_knuckle_z = parameters.derived[3];
   const Lanes s7_2 = R_knuckle_x_x*c_knuckle_z;
   const Lanes s9_6 = fma(w_knuckle_y, R_knuckle_x_z*c_knuckle_z, s4_1);
@@ -690,10 +671,10 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   result.kinetic_energy = 0.5*fma(m_arm, fma(s9_9, s9_9, s9_5*s9_5), s9_15);
   // operations of step 1: poses and axes b: 5 add, 6 multiply, 4 sin cos
   // operations of step 4: velocities: 5 add, 4 multiply
-  // operations of step 5: applied forces Q (48): 32 add, 49 multiply, 7 divide, 3 sqrt, 3 sin cos,
+  // operations of step 5: applied forces Q (48): 28 add, 46 multiply, 7 divide, 3 sqrt, 3 sin cos,
   // 18 other
   // operations of step 7: inertias of the bodies and forces on joints: 2 add, 8 multiply
-  // operations of step 9: outputs, energies, power: 26 add, 32 multiply
+  // operations of step 9: outputs, energies, power: 25 add, 31 multiply
 }
 
 /// Outputs, energies and power, at given accelerations.

@@ -1,0 +1,234 @@
+#include "compiler/program/function_field.hpp"
+
+#include <algorithm>
+
+#include "compiler/program/arithmetic.hpp"
+
+namespace mbgen {
+namespace {
+
+/// Above it a value counts as a variable of its own. A difference of three values below has a numerator of at most six
+/// times this degree, twice that in the parameters of the circles: it vanishes by chance at a point modulo a prime
+/// above 2^60 with 2^26 / 2^60 at most, at four with 2^-136, and 2^17 values make 2^34 differences.
+constexpr double kMostDegree = 1 << 22;
+
+constexpr std::size_t kPlacesOfAPart = 64;  ///< for each function: one number in 64 is taken for one that came up
+
+bool is_negative(const Residue& residue) {
+  const Residue opposite = -residue;
+  return opposite < residue;
+}
+
+}  // namespace
+
+FunctionField::FunctionField() : seen_parts_(kPlacesOfAPart) { element_of({.degree = 0}); }
+
+Element FunctionField::constant(double value) { return element_of({.key = residue_of(value), .degree = 0}); }
+
+Element FunctionField::variable() { return element_of({.key = random_residue(variables_++)}); }
+
+Element FunctionField::sum(Element a, Element b) {
+  const Function &first = at(a), &second = at(b);
+  Function result{.key = residue(a) + residue(b), .exponents = common(first.exponents, second.exponents)};
+  result.degree = std::max(raised(first, result.exponents), raised(second, result.exponents));
+  return element_of(std::move(result));
+}
+
+Element FunctionField::product(Element a, Element b) {
+  if (a.number == 0 || b.number == 0) return {};
+  const Function &first = at(a), &second = at(b);
+  return element_of({.key = residue(a) * residue(b),
+                     .degree = first.degree + second.degree,
+                     .exponents = added(first.exponents, second.exponents, 1)});
+}
+
+// A variable where the divisor is zero, which no program means.
+Element FunctionField::quotient(Element a, Element b) {
+  if (a.number == 0 && b.number != 0) return {};
+  if (!invertible(at(b).residue)) return variable();
+  const Function &dividend = at(a), &divisor = at(b);
+  Function result{.key = residue(a) * inverse(residue(b)),
+                  .degree = dividend.degree,
+                  .exponents = added(dividend.exponents, divisor.exponents, -1)};
+  if (divisor.degree > 0) {
+    const auto [found, is_new] = divisors_.try_emplace(b.number, static_cast<int>(degrees_.size()));
+    if (is_new) degrees_.push_back(divisor.degree);
+    result.exponents = added(result.exponents, {{found->second, 1}}, -1);
+  }
+  return element_of(std::move(result));
+}
+
+// A point of the circle belongs to the angle: ((1 - t^2) / (1 + t^2), 2 t / (1 + t^2)).
+Element FunctionField::circle(Op op, Element angle) {
+  const auto [found, is_new] = circles_.try_emplace(angle.number);
+  if (is_new) {
+    const Residue t = random_residue(variables_++), one = residue_of(1), square = t * t, scale = inverse(one + square);
+    found->second.first = element_of({.key = (t + t) * scale});
+    found->second.second = element_of({.key = (one - square) * scale});
+  }
+  if (op == Op::cos) return found->second.second;
+  return with_sign(found->second.first, angle.negative);
+}
+
+Element FunctionField::other(Op op, std::array<Element, 3> arguments) {
+  const bool negative = arguments[0].negative;
+  if (is_odd(op) || op == Op::abs) arguments[0].negative = false;
+  const auto [found, is_new] = others_.try_emplace({op, arguments});
+  if (is_new) found->second = variable();
+  return with_sign(found->second, is_odd(op) && negative);
+}
+
+Element FunctionField::value(Op op, std::span<const Element> operands) {
+  switch (op) {
+    case Op::add:
+      return sum(operands[0], operands[1]);
+    case Op::subtract:
+      return sum(operands[0], with_sign(operands[1], true));
+    case Op::multiply:
+      return product(operands[0], operands[1]);
+    case Op::divide:
+      return quotient(operands[0], operands[1]);
+    case Op::negate:
+      return with_sign(operands[0], true);
+    case Op::sin:
+    case Op::cos:
+      return circle(op, operands[0]);
+    default:
+      return other(op, {operands[0], operands[1], operands[2]});
+  }
+}
+
+int FunctionField::number_of(std::uint64_t part) const {
+  if (!seen_parts_[part % seen_parts_.size()]) return -1;
+  const auto found = numbers_.find(part);
+  return found == numbers_.end() ? -1 : found->second;
+}
+
+std::optional<Element> FunctionField::up_to_sign(int number, const Residue& key) const {
+  const Residue& known = functions_[static_cast<std::size_t>(number)].key;
+  if (known == key) return Element{number, false};
+  if (-known == key) return Element{number, true};
+  return {};
+}
+
+std::optional<Element> FunctionField::known_difference(Element a, Element b) const {
+  const Residue first = residue(a), second = residue(b);
+  const int number = number_of(first_part_of_difference(first, second));
+  if (number < 0) return {};
+  return up_to_sign(number, first - second);
+}
+
+std::optional<Element> FunctionField::known_quotient(Element a, Element b) {
+  if (!invertible(at(b).residue)) return {};
+  if (inverse_parts_.size() < functions_.size()) invert_first_parts();
+  const int number =
+      number_of(first_part_of_quotient(at(a).residue, inverse_parts_[static_cast<std::size_t>(b.number)]));
+  if (number < 0) return {};
+  const Residue product = residue({number, false}) * residue(b);
+  if (product == residue(a)) return Element{number, false};
+  if (-product == residue(a)) return Element{number, true};
+  return {};
+}
+
+void FunctionField::invert_first_parts() {
+  std::vector<Residue> residues;
+  for (const Function& function : functions_) residues.push_back(function.residue);
+  inverse_parts_ = first_parts_of_inverses(residues);
+}
+
+/// Exponents combined one by one, those that are missing being 0.
+template <class Combine>
+FunctionField::Exponents FunctionField::combined(const Exponents& a, const Exponents& b, const Combine& combine) {
+  Exponents result;
+  result.reserve(a.size() + b.size());
+  auto x = a.begin(), y = b.begin();
+  while (x != a.end() || y != b.end()) {
+    const bool from_a = y == b.end() || (x != a.end() && x->divisor <= y->divisor);
+    const bool from_b = x == a.end() || (y != b.end() && y->divisor <= x->divisor);
+    const int divisor = from_a ? x->divisor : y->divisor;
+    const int exponent = combine(from_a ? x->exponent : 0, from_b ? y->exponent : 0);
+    if (exponent != 0) result.push_back({divisor, exponent});
+    if (from_a) ++x;
+    if (from_b) ++y;
+  }
+  return result;
+}
+
+// a + scale b
+FunctionField::Exponents FunctionField::added(const Exponents& a, const Exponents& b, int scale) {
+  return combined(a, b, [&](int x, int y) { return x + scale * y; });
+}
+
+// The lesser powers: those of the sum of two values.
+FunctionField::Exponents FunctionField::common(const Exponents& a, const Exponents& b) {
+  return combined(a, b, [](int x, int y) { return std::min(x, y); });
+}
+
+// Degree of the numerator of `value` with powers that are not higher.
+double FunctionField::raised(const Function& value, const Exponents& lesser) const {
+  double degree = value.degree;
+  for (const auto& [divisor, exponent] : added(value.exponents, lesser, -1))
+    degree += exponent * degrees_[static_cast<std::size_t>(divisor)];
+  return degree;
+}
+
+// The larger degree of numerator and denominator, all powers written out.
+double FunctionField::degree_of(const Function& value) const {
+  double above = value.degree, below = 0;
+  for (const auto& [divisor, exponent] : value.exponents)
+    (exponent > 0 ? above : below) += std::abs(exponent) * degrees_[static_cast<std::size_t>(divisor)];
+  return std::max(above, below);
+}
+
+// Functions that share a first part by chance are told apart, and the later one is not found again.
+Element FunctionField::element_of(Function value) {
+  const std::uint64_t part = first_part(value.key);
+  const auto [found, is_new] = numbers_.try_emplace(part, static_cast<int>(functions_.size()));
+  if (!is_new)
+    if (const auto element = up_to_sign(found->second, value.key)) return *element;
+  const bool negative = is_negative(value.key);
+  if (negative) value.key = -value.key;
+  value.residue = value.key;
+  if (degree_of(value) > kMostDegree) {
+    value.residue = random_residue(variables_++);
+    value.degree = 1;
+    value.exponents = {};
+  }
+  functions_.push_back(std::move(value));
+  if (kPlacesOfAPart * functions_.size() > seen_parts_.size()) {
+    seen_parts_.assign(2 * seen_parts_.size(), false);
+    for (const auto& [seen, number] : numbers_) seen_parts_[seen % seen_parts_.size()] = true;
+  }
+  seen_parts_[part % seen_parts_.size()] = true;
+  return {static_cast<int>(functions_.size() - 1), negative};
+}
+
+std::vector<std::array<Element, 2>> elements_of(const Program& program, FunctionField& field) {
+  using Lanes = std::array<Element, 2>;
+  std::vector<Lanes> all(program.nodes.size());
+  for (std::size_t v = 0; v < all.size(); ++v) {
+    const Node& node = program.nodes[v];
+    Lanes operands[3];
+    for (int k = 0; k < arity(node.op); ++k) operands[k] = all[node.operands[k]];
+    const auto in_lane = [&](std::size_t lane) {
+      const Element of_lane[3] = {operands[0][lane], operands[1][lane], operands[2][lane]};
+      return field.value(node.op, of_lane);
+    };
+    if (node.op == Op::constant) {
+      all[v].fill(field.constant(node.constant));
+    } else if (node.op == Op::input) {
+      all[v].fill(field.variable());
+    } else if (node.op == Op::pack) {
+      all[v] = {operands[0][0], operands[1][0]};
+    } else if (node.op == Op::first_lane || node.op == Op::second_lane) {
+      all[v].fill(operands[0][node.op == Op::first_lane ? 0 : 1]);
+    } else {
+      all[v][0] = in_lane(0);
+      const bool are_alike = std::ranges::all_of(operands, [](const Lanes& lanes) { return lanes[0] == lanes[1]; });
+      all[v][1] = are_alike ? all[v][0] : in_lane(1);
+    }
+  }
+  return all;
+}
+
+}  // namespace mbgen
