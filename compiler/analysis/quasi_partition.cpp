@@ -1,7 +1,10 @@
 #include "compiler/analysis/quasi_partition.hpp"
 
 #include <algorithm>
+#include <map>
+#include <string>
 
+#include "compiler/analysis/block_structure.hpp"
 #include "compiler/analysis/partition.hpp"
 #include "compiler/analysis/symmetry.hpp"
 
@@ -81,10 +84,16 @@ void set_quasi_partitions(NumericSystem& numbers, const std::vector<Configuratio
   }
   std::vector<std::vector<Eigen::MatrixXd>> jacobians;
   if (!with_balls.empty()) jacobians = quasi_jacobians(numbers, configurations, recursion, with_balls);
+  const System<double>& at_reference = numbers.at(std::vector<double>(topology.bodies.size(), 0.0));
+  std::map<std::string, int> first_of;  // block of each structure
   for (std::size_t u = 0; u < with_balls.size(); ++u) {
-    BlockAnalysis& block = analysis.blocks[with_balls[u]->block];
+    const int b = with_balls[u]->block;
+    const auto [first, is_new] = first_of.try_emplace(structure_of(at_reference, b), b);
+    BlockAnalysis& block = analysis.blocks[b];
     keep_equations(block, jacobians[u]);
-    BlockAnalysis quasi = choose_partition(jacobians[u], block.rank, block.driven);
+    std::span<const PartitionCandidate> like;
+    if (!is_new) like = analysis.blocks[first->second].candidates;
+    BlockAnalysis quasi = choose_partition(jacobians[u], block.rank, block.driven, like);
     block.quasi = quasi;
     block.candidates = std::move(quasi.candidates);
   }

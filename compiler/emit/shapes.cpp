@@ -209,7 +209,7 @@ ValueOrder order_of(Form form, const ShapedProgram& shaped) {
 bool takes_pairs(const EmitContext& context) {
   const Program& program = context.programs.in_pairs;
   return context.options.scalar == "double" && !program.outputs.empty() &&
-         program.nodes.size() <= context.options.roll_above;
+         program.nodes.size() <= 2 * context.options.roll_above;
 }
 
 LawShape law_shape(const EmitContext& context, std::size_t k) {

@@ -1,4 +1,5 @@
 #include <utility>
+#include <cstdlib>
 
 #include "compiler/passes/passes.hpp"
 
@@ -9,7 +10,7 @@ using OnProgram = Program (*)(const Program&);
 
 /// Share of the code, by size_of_code, up to which pairs are worth it: at 0.97 truck.json took 2 % more bytes than
 /// without, at 0.90 and less coach.json and others took 19 % fewer.
-constexpr double kWorthPairs = 0.93;
+const double kWorthPairs = getenv("K_WORTH") ? atof(getenv("K_WORTH")) : 0.93;
 
 /// A pass on each program by itself. Dead values go each time: what a pass replaces stays behind, and would count.
 template <OnProgram run>
@@ -23,8 +24,16 @@ const Program& written_accelerations(const Programs& programs) {
   return programs.laws.empty() ? programs.accelerations : programs.around_laws;
 }
 
+/// Left and right as pairs, or twins: what takes less code.
 Programs with_pairs_folded(Programs programs) {
-  programs.in_pairs = fold_pairs(written_accelerations(programs), programs.mirror);
+  const Program& program = written_accelerations(programs);
+  programs.in_pairs = fold_pairs(program, programs.mirror);
+  if (getenv("NO_MIRROR")) programs.in_pairs = {};
+  Program twins = getenv("NO_TWINS") ? Program{} : fold_twins(program, programs.twins);
+  const auto size = [](const Program& folded) { return size_of_code(remove_dead_values(factor_sums(folded))); };
+  const bool are_both = !programs.in_pairs.outputs.empty() && !twins.outputs.empty();
+  if (programs.in_pairs.outputs.empty() || (are_both && size(twins) < size(programs.in_pairs)))
+    programs.in_pairs = std::move(twins);
   return programs;
 }
 
