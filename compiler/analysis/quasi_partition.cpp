@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <string>
 
 #include "compiler/analysis/block_structure.hpp"
 #include "compiler/analysis/partition.hpp"
@@ -84,15 +83,15 @@ void set_quasi_partitions(NumericSystem& numbers, const std::vector<Configuratio
   }
   std::vector<std::vector<Eigen::MatrixXd>> jacobians;
   if (!with_balls.empty()) jacobians = quasi_jacobians(numbers, configurations, recursion, with_balls);
-  const System<double>& at_reference = numbers.at(std::vector<double>(topology.bodies.size(), 0.0));
-  std::map<std::string, int> first_of;  // block of each structure
+  const std::vector<int> firsts = first_of_structure(numbers);
+  std::map<int, int> chosen_first;  // of each structure, units are in an order of their own
   for (std::size_t u = 0; u < with_balls.size(); ++u) {
     const int b = with_balls[u]->block;
-    const auto [first, is_new] = first_of.try_emplace(structure_of(at_reference, b), b);
     BlockAnalysis& block = analysis.blocks[b];
     keep_equations(block, jacobians[u]);
+    const int first = chosen_first.try_emplace(firsts[b], b).first->second;
     std::span<const PartitionCandidate> like;
-    if (!is_new) like = analysis.blocks[first->second].candidates;
+    if (first != b) like = analysis.blocks[first].candidates;
     BlockAnalysis quasi = choose_partition(jacobians[u], block.rank, block.driven, like);
     block.quasi = quasi;
     block.candidates = std::move(quasi.candidates);

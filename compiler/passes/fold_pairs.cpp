@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <cstdio>
 #include <map>
 #include <string>
 #include <utility>
@@ -60,35 +58,6 @@ class Folding {
     for (ValueId v = 0; v < program.nodes.size(); ++v)
       if (images_[v].kind != Kind::unknown) sides_[leader(v)][side(v)].push_back(v);
     choose_lanes();
-    if (getenv("DBG")) {
-      std::map<std::string, std::array<int, 3>> by;
-      for (ValueId v = 0; v < program.nodes.size(); ++v) {
-        const Op op = program.nodes[v].op;
-        if (op != Op::add && op != Op::subtract && op != Op::multiply && op != Op::divide) continue;
-        auto& c = by[text_of(program.nodes[v].section) + " " + text_of(program.nodes[v].owner)];
-        ++c[0];
-        if (images_[v].kind == Kind::paired) ++c[1];
-        if (is_pair_[v]) ++c[2];
-      }
-      for (ValueId v = 0; v < program.nodes.size() && values_.are_twins(); ++v) {
-        const Node& node = program.nodes[v];
-        if (images_[v].kind != Kind::paired || images_[v].is_crossed || node.op == Op::input) continue;
-        for (int k = 0; k < arity(node.op); ++k) {
-          const auto& o = values_.beside[v][k];
-          const ValueId x = node.operands[k];
-          if (values_.are_one_pair(x, o) || (node.op != Op::input && program.nodes[x].op == Op::constant && program.nodes[o.value].op == Op::constant)) continue;
-          const bool sign = values_.are_one_pair(x, {o.value, -o.sign});
-          ValueId w = 0; for (ValueId u = 0; u < program.nodes.size(); ++u) if (images_[u].kind == Kind::paired && images_[u].first == v && u != v) w = u;
-          fprintf(stderr, "SLOT %s %s %%%u(%s)~%%%u(%s) k%d %%%u %s ~ %%%u %s sign %d chosen %d\n", sign ? "SIGN" : x == o.value ? "SAME" : "PACK", text_of(node.section).c_str(), v, op_name(node.op), w, op_name(program.nodes[w].op), k, x, op_name(program.nodes[x].op), o.value, op_name(program.nodes[o.value].op), o.sign, (int)is_pair_[v]);
-        }
-      }
-      std::array<int, 3> t{};
-      for (auto& [k, c] : by) {
-        fprintf(stderr, "%5d %5d %5d %s\n", c[0], c[1], c[2], k.c_str());
-        for (int i = 0; i < 3; ++i) t[i] += c[i];
-      }
-      fprintf(stderr, "%5d %5d %5d all\n", t[0], t[1], t[2]);
-    }
   }
 
   /// The program with pairs, empty where there is none.

@@ -1,5 +1,4 @@
 #include <utility>
-#include <cstdlib>
 
 #include "compiler/passes/passes.hpp"
 
@@ -10,7 +9,7 @@ using OnProgram = Program (*)(const Program&);
 
 /// Share of the code, by size_of_code, up to which pairs are worth it: at 0.97 truck.json took 2 % more bytes than
 /// without, at 0.90 and less coach.json and others took 19 % fewer.
-const double kWorthPairs = getenv("K_WORTH") ? atof(getenv("K_WORTH")) : 0.93;
+constexpr double kWorthPairs = 0.93;
 
 /// A pass on each program by itself. Dead values go each time: what a pass replaces stays behind, and would count.
 template <OnProgram run>
@@ -28,8 +27,7 @@ const Program& written_accelerations(const Programs& programs) {
 Programs with_pairs_folded(Programs programs) {
   const Program& program = written_accelerations(programs);
   programs.in_pairs = fold_pairs(program, programs.mirror);
-  if (getenv("NO_MIRROR")) programs.in_pairs = {};
-  Program twins = getenv("NO_TWINS") ? Program{} : fold_twins(program, programs.twins);
+  Program twins = fold_twins(program, programs.twins);
   const auto size = [](const Program& folded) { return size_of_code(remove_dead_values(factor_sums(folded))); };
   const bool are_both = !programs.in_pairs.outputs.empty() && !twins.outputs.empty();
   if (programs.in_pairs.outputs.empty() || (are_both && size(twins) < size(programs.in_pairs)))
@@ -53,7 +51,7 @@ Programs with_derived_constants(Programs programs) {
 constexpr Pass kPasses[] = {
     {"dead-values", "values that no output needs taken out", Lowered::whole, on_each<remove_dead_values>},
     {"divisions", "divisions by one value merged", Lowered::whole, on_each<merge_divisions>},
-    {"pairs", "left and right of a mirror in two lanes", Lowered::whole, with_pairs_folded},
+    {"pairs", "left and right of a mirror, or twins, in two lanes", Lowered::whole, with_pairs_folded},
     {"sums", "sums factored", Lowered::whole, on_each<factor_sums>},
     {"optimised", "sums of what that left factored", Lowered::whole, on_each<factor_sums>},
     {"pairs-kept", "pairs left out that do not pay", Lowered::whole, with_pairs_that_pay},

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <map>
-#include <cstdlib>
 #include <tuple>
 #include <utility>
 
@@ -16,9 +15,8 @@ using Kind = MirrorImage::Kind;
 using Question = Decisions::Question;
 
 // Costs, about in bytes of code.
-static long env(const char* n, long d) { const char* s = getenv(n); return s ? atol(s) : d; }
-const long kOperation = env("K_OP", 6), kDivision = 9, kFusedProduct = env("K_FP", 1);
-const long kPack = env("K_PACK", 9), kBroadcast = env("K_BC", 6), kBroadcastBothSigns = kBroadcast + 5, kTakeApart = env("K_APART", 6);
+constexpr long kOperation = 6, kDivision = 9, kFusedProduct = 1;
+constexpr long kPack = 9, kBroadcast = 6, kBroadcastBothSigns = 11, kTakeApart = 6;
 
 constexpr Question kNone = 0;
 

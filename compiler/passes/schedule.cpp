@@ -139,8 +139,12 @@ void settle_slices(const Program& program, Schedule& schedule) {
 
 }  // namespace
 
+bool is_rolled(const Program& program, const ScheduleOptions& options) {
+  return !has_shared_laws(program) && !worthwhile_loops(program, options).loops.empty();
+}
+
 Schedule schedule(const Program& program, const ScheduleOptions& options) {
-  const bool can_roll = options.division == Division::cheapest && !has_shared_laws(program);
+  const bool can_roll = options.division == Division::cheapest && !has_shared_laws(program) && !has_pairs(program);
   const Rolling rolling = can_roll ? worthwhile_loops(program, options) : Rolling{};
   Schedule result;
   if (rolling.loops.empty()) {
