@@ -29,9 +29,9 @@ Programs with_pairs_folded(Programs programs) {
   programs.in_pairs = fold_pairs(program, programs.mirror);
   Program twins = fold_twins(program, programs.twins);
   const auto size = [](const Program& folded) { return size_of_code(remove_dead_values(factor_sums(folded))); };
-  const bool are_both = !programs.in_pairs.outputs.empty() && !twins.outputs.empty();
-  if (programs.in_pairs.outputs.empty() || (are_both && size(twins) < size(programs.in_pairs)))
-    programs.in_pairs = std::move(twins);
+  if (twins.outputs.empty()) return programs;
+  programs.holds_twins = programs.in_pairs.outputs.empty() || size(twins) < size(programs.in_pairs);
+  if (programs.holds_twins) programs.in_pairs = std::move(twins);
   return programs;
 }
 

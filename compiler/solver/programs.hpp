@@ -93,6 +93,7 @@ struct Programs {
   /// Inputs that a mirror of the mechanism takes to others or to themselves; empty where it has none.
   std::vector<MirroredInput> mirror;
   std::vector<TwinInput> twins;  ///< inputs of parts that are equal, each pair once
+  bool holds_twins = false;      ///< whether lanes of `in_pairs` hold twins, not left and right
   Form form = Form::recursive;  ///< of `accelerations` and `accelerations_chosen`
 };
 
