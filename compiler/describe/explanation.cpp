@@ -320,9 +320,11 @@ std::string pairs_explanation(const Programs& programs, const Titles& titles) {
   for (std::size_t s = 0; s < counts.size(); ++s)
     if (counts[s] > 0 && program.sections[s].step != Step::none)
       steps.push_back(fmt::format("{} of {}", counts[s], titles.section(program.sections[s])));
+  const char* what = "left and right";
+  if (programs.holds_twins) what = programs.mirror.empty() ? "twins" : "twins, and left and right of the rest,";
   return paragraph(fmt::format(
       "The solver of one instance computes {} in pairs, one instruction for both{}: {} of its {} statements, {}.",
-      programs.holds_twins ? "twins" : "left and right", programs.holds_twins ? "" : " sides", in_pairs, all,
+      what, programs.holds_twins ? "" : " sides", in_pairs, all,
       listed(steps)));
 }
 

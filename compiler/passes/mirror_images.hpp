@@ -46,7 +46,7 @@ struct PairedValues {
   }
 };
 
-/// One per value of a program without pairs. Decided by values alone, at random states and their images, within what
+/// One per value; pairs are unknown. Decided by values alone, at random states and their images, within what
 /// roundings amount to: how the two sides are spelled does not matter. Any mirror is sound: one that the mechanism does
 /// not have leaves no value paired.
 std::vector<MirrorImage> mirror_images(const Program& program, std::span<const MirroredInput> mirror);
