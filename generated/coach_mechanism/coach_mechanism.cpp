@@ -69,9 +69,9 @@
 //   J entry of the closure Jacobian; Rz projection (61); zdd_star accelerations at zero free ones (62)
 //   s8_12 the 12th value without a name of step 8
 //
-// Pairs: values of a left and a right side that do the same operations, one in each lane. The second lane holds the
-// mirror image of its side's value: of (a)_and_(b) the first lane is a, the second one b or, where the mirror turns it
-// round, -b. T[0] + T[1] sums both sides.
+// Pairs: values of a left and a right side, or of two equal parts, that do the same operations, one in each lane. The
+// second lane holds the mirror image of its side's value, or that of the other part: of (a)_and_(b) the first lane is
+// a, the second one b or, where a sign differs, -b. T[0] + T[1] sums both.
 
 #include "coach_mechanism.hpp"
 
@@ -99,7 +99,7 @@ namespace coach_mechanism {
 using mbgen::fma;   // a b + c, rounded once
 using mbgen::fms;   // a b - c
 using mbgen::fnma;  // c - a b, of fnma(a, b, c)
-using mbgen::Pair;  // left, and right as its mirror image
+using mbgen::Pair;  // left, and right as its mirror image; or a part and its twin
 
 namespace {
 
@@ -680,7 +680,7 @@ struct AccelerationsWork6 {
   const Pair s6_11 = fma(w1.s2_7, w1.s6_4, fma(w1.s2_41, w1.s6_6, s6_10));
   w1.s6_12 = fnma(w1.s2_13, w1.s6_8, s6_11);
   w1.s6_13 = fms(s2_11, Pair{w1.s6_12[1], w1.s6_12[0]}, w1.s6_12);
-  // long_rod_right; and the image of long_rod_left
+  // long_rod_right; and likewise long_rod_left
   const Pair s6_14 = fnma(w1.s2_40, s4_11, w1.s2_20*s4_8);
   w1.s6_15 = Pair{s0_15, zd_rear_axle_ty} + s6_14;
   const Pair s6_16 = fnma(w1.s2_24, s4_8, w1.s2_40*w1.s4_15);
@@ -789,7 +789,7 @@ struct AccelerationsWork6 {
   w1.s0_19 = Pair{state.zd[Coordinate::arb_rear_left], state.zd[Coordinate::arb_rear_right]};
 
   // --- step 6: c and dRz/dt zd (62), long_rod_left .. arb_link_rear_right, continued ---
-  // arb_link_rear_left; and the image of arb_link_rear_right
+  // arb_link_rear_left; and likewise arb_link_rear_right
   const Pair s6_30 = w1.s2_88*w1.s0_19;
   const Pair s6_31 = w1.s2_78*w1.s0_19;
   const Pair s6_32 = fnma(w1.s2_72, w1.s4_7, w1.s2_87*w1.s4_15);
@@ -1032,8 +1032,8 @@ struct AccelerationsWork6 {
   const double s2_128 = fms(p_tie_rod_left_from_y, R_bell_crank_x_x, s2_127);
   w1.s2_129 = Pair{s2_128, fma(p_tie_rod_left_from_y, R_bell_crank_x_x, s2_127)};
   w1.s1_10 = Pair{w6.cosines[3], w6.cosines[4]};
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and the image of
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and likewise carrier_right_aux1:
+  // carrier_right_rz, revolute, lower_arm_right
   const Pair R_lower_arm_left_y_y = mbgen::pair_at(w6.cosines + 12);
   w1.R_carrier_left_and_right_aux1_y_y = R_lower_arm_left_y_y*w1.s1_10;
   const Pair R_lower_arm_left_z_y = mbgen::pair_at(w6.sines + 12);
@@ -1044,14 +1044,14 @@ struct AccelerationsWork6 {
   const Pair s1_15 = mbgen::pair_at(w6.sines + 14);
   w1.R_carrier_left_and_right_aux1_y_x = R_lower_arm_left_y_y*s1_15;
   const Pair s1_16 = mbgen::pair_at(w6.sines + 16);
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair s1_17 = mbgen::pair_at(w6.cosines + 16);
   const Pair R_carrier_left_and_right_y_z = fnma(w1.s1_14, s1_17,
       w1.R_carrier_left_and_right_aux1_y_x*s1_16);
   const Pair R_carrier_left_and_right_y_x = fma(w1.R_carrier_left_and_right_aux1_y_x, s1_17,
       s1_16*w1.s1_14);
-  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1; and the image of
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1; and likewise
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const Pair s1_18 = s1_11*w1.R_carrier_left_and_right_aux1_y_y;
   w1.R_carrier_left_and_right_aux2_y_y = fnma(R_lower_arm_left_z_y, s1_12, s1_18);
@@ -1060,7 +1060,7 @@ struct AccelerationsWork6 {
   w1.s2_132 = fma(p_tie_rod_left_to_x, R_carrier_left_and_right_y_x, s2_130) - s2_131;
   w1.s2_133 = fms(p_carrier_left_upper_ball_z, R_carrier_left_and_right_y_z, s2_131);
   w1.R_carrier_left_and_right_aux2_x_z = s1_15*s1_12;
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair R_carrier_left_and_right_x_z = fma(s1_17, w1.R_carrier_left_and_right_aux2_x_z,
       s1_16*w1.s1_10);
@@ -1071,23 +1071,23 @@ struct AccelerationsWork6 {
   const Pair s2_135 = fma(p_tie_rod_left_to_z, R_carrier_left_and_right_x_z, s2_134);
   w1.s2_136 = fma(p_tie_rod_left_to_x, R_carrier_left_and_right_x_x, s2_135);
   const Pair s2_137 = fma(p_carrier_left_upper_ball_z, R_carrier_left_and_right_x_z, s2_134);
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and the image of
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and likewise carrier_right_aux1:
+  // carrier_right_rz, revolute, lower_arm_right
   w1.R_carrier_left_and_right_aux1_z_y = R_lower_arm_left_z_y*w1.s1_10;
-  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1; and the image of
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1; and likewise
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const Pair s1_20 = R_lower_arm_left_y_y*s1_11;
   w1.R_carrier_left_and_right_aux2_z_z = fnma(s1_12, w1.R_carrier_left_and_right_aux1_z_y, s1_20);
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and the image of
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and likewise carrier_right_aux1:
+  // carrier_right_rz, revolute, lower_arm_right
   w1.R_carrier_left_and_right_aux1_z_x = R_lower_arm_left_z_y*s1_15;
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair s1_21 = s1_16*w1.R_carrier_left_and_right_aux1_z_x;
   w1.R_carrier_left_and_right_z_z = fma(s1_17, w1.R_carrier_left_and_right_aux2_z_z, s1_21);
   const Pair s1_22 = s1_17*w1.R_carrier_left_and_right_aux1_z_x;
   w1.R_carrier_left_and_right_z_x = fnma(s1_16, w1.R_carrier_left_and_right_aux2_z_z, s1_22);
-  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1; and the image of
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1; and likewise
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const Pair s1_23 = R_lower_arm_left_y_y*s1_12;
   w1.R_carrier_left_and_right_aux2_z_y = fma(s1_11, w1.R_carrier_left_and_right_aux1_z_y, s1_23);
@@ -1124,7 +1124,7 @@ struct AccelerationsWork6 {
   const Pair s0_27 = Pair{zd_bell_crank, -zd_bell_crank};
   w1.s4_34 = w1.s4_31 + w1.s4_29;
   w1.s4_35 = w1.s4_27 + w1.s4_34;
-  // tie_rod_left; and the image of tie_rod_right
+  // tie_rod_left; and likewise tie_rod_right
   const Pair s6_72 = fnma(w1.s2_132, w1.s4_35, w1.s2_141*w1.s4_33);
   const Pair s6_73 = fnma(w1.s2_141, w1.s4_25, w1.s2_136*w1.s4_35);
   const Pair s6_74 = w1.s2_129*s0_27;
@@ -1133,8 +1133,8 @@ struct AccelerationsWork6 {
   w1.s6_77 = fma(w1.s4_35, s6_73, fnma(w1.s4_33, s6_71, s0_27*s6_76));
   const Pair s1_24 = -p_carrier_left_rz_z*R_lower_arm_left_z_y;
   w1.s1_25 = fma(p_carrier_left_rz_y, R_lower_arm_left_y_y, s1_24);
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and the image of
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and likewise carrier_right_aux1:
+  // carrier_right_rz, revolute, lower_arm_right
   w1.r_carrier_left_and_right_aux1_y = p_lower_arm_left_y + w1.s1_25;
   w1.s2_142 = w1.s2_129 - w1.r_carrier_left_and_right_aux1_y - w1.s2_132;
   w1.s2_143 = w1.s2_136 + (0.35 + w1.s2_126);
@@ -1179,7 +1179,7 @@ struct AccelerationsWork6 {
   // --- step 7: inertias of the bodies and forces on joints, upper_ball_left .. tie_rod_right,
   // continued ---
   const Pair s7_33 = K_carrier_left_yz*R_carrier_left_and_right_y_z;
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair s7_34 = fma(K_carrier_left_xy, R_carrier_left_and_right_y_x, s7_33);
   const Pair s7_35 = fma(K_carrier_left_yy, w1.R_carrier_left_and_right_aux2_y_y, s7_34);
@@ -1265,7 +1265,7 @@ struct AccelerationsWork6 {
   w2.s8_119 = Pair{s8_72, s8_72} + s8_118;
   w2.s8_120 = fma(w1.s4_33, s4_41, w1.s4_25*w1.s4_21);
   w2.s8_121 = fnma(w1.s4_25, s4_39, w1.s4_35*s4_41);
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair w_carrier_left_and_right_y = w1.s4_33 + w1.s4_21;
   w2.s8_122 = fma(w1.s4_33, s4_39, w1.s4_35*w1.s4_21);
@@ -1600,7 +1600,7 @@ struct AccelerationsWork6 {
   const double s8_290 = fnma(p_rear_axle_tx_z, w4.s8_18, p_arb_front_right_x*w4.s8_46);
   const double s8_291 = fnma(p_arb_front_right_y, w4.s8_40, s8_290);
   w3.s8_292 = Pair{s8_291, fma(p_arb_front_right_y, w4.s8_40, s8_290)};
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair s8_293 = w2.s8_162 + w2.s8_160;
   const Pair s8_294 = fma(w2.w_carrier_left_and_right_z, w2.w_carrier_left_and_right_z, w2.s8_162);
@@ -1617,7 +1617,7 @@ struct AccelerationsWork6 {
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right,
   // continued ---
-  // arb_link_front_left; and the image of arb_link_front_right
+  // arb_link_front_left; and likewise arb_link_front_right
   w3.s2_174 = 0.35 + w3.s2_171 - w2.s2_166;
   w3.s2_175 = w3.s2_173 + p_arb_front_left_z - w1.r_carrier_left_aux1_z - w3.s2_169;
   w3.s2_176 = 0.72 - w1.r_carrier_left_and_right_aux1_y - w2.s2_163;
@@ -1637,7 +1637,7 @@ struct AccelerationsWork6 {
   const Pair s8_302 = fma(w2.s8_100, w3.s2_176, s8_301);
   const Pair s8_303 = fnma(w2.s2_163, w2.zdd_star_carrier_left_and_right_rz, s8_302);
   const Pair s8_304 = fma(w2.s2_166, w2.zdd_star_carrier_left_and_right_rx, s8_303);
-  // arb_link_front_left; and the image of arb_link_front_right
+  // arb_link_front_left; and likewise arb_link_front_right
   w3.s8_305 = fnma(w2.s8_87, s6_107, fnma(w2.s8_105, s6_99, s8_304)) - s6_109;
   const Pair s8_306 = fma(w2.s8_84, w3.s2_176, fnma(s8_232, w3.s2_174, w2.s8_85*w3.s2_175));
   const Pair s8_307 = fma(w2.s2_163, w2.zdd_star_carrier_left_and_right_ry, s8_306);
@@ -1653,7 +1653,7 @@ struct AccelerationsWork6 {
   const Pair s8_317 = w1.s6_77 + fma(w2.s8_93, w2.s6_79, fnma(w2.s8_87, w2.s6_78, s8_316));
   const Pair s8_318 = fnma(w2.s8_130, w1.s2_142, w2.s8_105*w2.s6_78);
   const Pair s8_319 = fma(w1.s2_132, w2.zdd_star_carrier_left_and_right_ry, s8_317);
-  // tie_rod_left; and the image of tie_rod_right
+  // tie_rod_left; and likewise tie_rod_right
   const Pair s8_320 = fnma(w1.s2_141, w2.zdd_star_carrier_left_and_right_rx, s8_319);
   w3.s8_321 = 1.1666666666666667*s8_320;
   const Pair s8_322 = fnma(w2.s8_100, w2.s2_144, fnma(w2.s8_84, w1.s2_143, s8_318));
@@ -1698,7 +1698,7 @@ struct AccelerationsWork6 {
   w3.s7_113 = fnma(R_lower_arm_left_y_y, s7_109, R_lower_arm_left_z_y*s7_111);
   w3.s7_114 = K_carrier_left_trace - w2.s7_62;
   const Pair s7_115 = w3.s7_114 - w2.s7_45;
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair n_carrier_left_and_right_x = fnma(w2.s7_64, w2.s8_156, fnma(s7_115, w2.s8_150,
       w3.s8_299));
