@@ -15,7 +15,7 @@ constexpr int kDepth = 4;             // operands of operands that are compared
 constexpr double kAlike = 0.6;        // least likeness of twins
 constexpr double kPerOperation = 0.9; // likeness that an operation between two values and what they share leaves
 constexpr double kPerSign = 0.95;     // what is left where one is added and the other subtracted
-constexpr int kRounds = 4;            // pairs found late may make others known
+constexpr int kRounds = 8;            // pairs found late may make others known
 
 /// Whether two are one operation but for signs of their operands.
 bool are_one_operation(const Node& a, const Node& b) { return a.op == b.op || (is_sum(a) && is_sum(b)); }
@@ -57,16 +57,19 @@ class TwinFinder {
   }
 
  private:
+  /// What is alike to one other value alone comes first: that tells which of several the others are alike to.
   void find() {
-    bool goes_on = true;
-    for (int round = 0; goes_on && round < kRounds; ++round) {
-      goes_on = false;
+    bool takes_nearest = false;
+    for (int round = 0; round < kRounds; ++round) {
+      bool goes_on = false;
       for (ValueId v = 0; v < twin_.size(); ++v) {
-        const ValueId twin = twin_[v] == kNoValue ? best_match(v) : kNoValue;
+        const ValueId twin = twin_[v] == kNoValue ? best_match(v, takes_nearest) : kNoValue;
         if (twin == kNoValue) continue;
         pair_up(v, twin);
         goes_on = true;
       }
+      if (!goes_on && takes_nearest) return;
+      takes_nearest = !goes_on;
     }
   }
 
@@ -97,10 +100,16 @@ class TwinFinder {
     return (one.op == other.op ? 1 : kPerSign) * kPerOperation * best;
   }
 
+  struct Match {
+    ValueId twin = kNoValue;
+    double like = 0;
+    bool is_alone = true;  ///< nothing else is as much alike
+  };
+
   /// The value most like v among the users of the twins of its operands, the one nearest of several.
-  std::pair<ValueId, double> most_like(ValueId v) const {
+  Match most_like(ValueId v) const {
     const Node& node = program_.nodes[v];
-    std::pair<ValueId, double> best{kNoValue, 0};
+    Match best;
     const auto far = [&](ValueId w) { return w > v ? w - v : v - w; };
     for (int k = 0; k < arity(node.op); ++k) {
       if (twin_[node.operands[k]] == kNoValue) continue;
@@ -109,17 +118,22 @@ class TwinFinder {
         if (w == v || twin_[w] != kNoValue || !are_one_operation(node, other)) continue;
         if (other.section.step != node.section.step) continue;
         const double like = (other.op == node.op ? 1 : kPerSign) * likeness(node, beside(v, w), kDepth);
-        if (like < kAlike || like < best.second || (like == best.second && far(w) >= far(best.first))) continue;
-        best = {w, like};
+        if (like < kAlike || like < best.like || w == best.twin) continue;
+        const bool is_alone = like > best.like;
+        if (is_alone || far(w) < far(best.twin)) best = {w, like};
+        best.is_alone = is_alone;
       }
     }
     return best;
   }
 
-  /// The twin of v, kNoValue when nothing is alike or what is alike is more like another one.
-  ValueId best_match(ValueId v) const {
-    const auto [twin, like] = most_like(v);
-    return twin != kNoValue && most_like(twin).second <= like ? twin : kNoValue;
+  /// The twin of v, kNoValue when nothing is alike or what is alike is more like another one; where several are alike,
+  /// only with `takes_nearest`.
+  ValueId best_match(ValueId v, bool takes_nearest) const {
+    const Match match = most_like(v);
+    if (match.twin == kNoValue || (!match.is_alone && !takes_nearest)) return kNoValue;
+    const Match back = most_like(match.twin);
+    return back.like <= match.like && (back.is_alone || takes_nearest) ? match.twin : kNoValue;
   }
 
   /// Twins, and operands of theirs that are the same operation without being twins yet.
