@@ -92,8 +92,7 @@ std::vector<int> first_of_structure(NumericSystem& numbers) {
   std::map<std::string, int> first;
   std::vector<int> result;
   for (std::size_t b = 0; b < numbers.topology().blocks.size(); ++b)
-    result.push_back(
-        first.try_emplace(structure_of(system, static_cast<int>(b)), static_cast<int>(b)).first->second);
+    result.push_back(first.try_emplace(structure_of(system, static_cast<int>(b)), static_cast<int>(b)).first->second);
   return result;
 }
 

@@ -292,8 +292,8 @@ std::string twins_explanation(const Compilation& c) {
   std::vector<std::string> pairs;
   for (int i = 0; i < c.topology.size(); ++i)
     if (twin[static_cast<std::size_t>(i)] > i && !c.topology.bodies[static_cast<std::size_t>(i)].massless)
-      pairs.push_back(fmt::format("{} and {}", body_name(c.topology, i),
-                                  body_name(c.topology, twin[static_cast<std::size_t>(i)])));
+      pairs.push_back(
+          fmt::format("{} and {}", body_name(c.topology, i), body_name(c.topology, twin[static_cast<std::size_t>(i)])));
   return heading("Twins") +
          paragraph(fmt::format("These are built alike, on one body: {}. Their numbers may differ. What is the same "
                                "operation for both is computed in pairs, see Operations.",
@@ -323,9 +323,8 @@ std::string pairs_explanation(const Programs& programs, const Titles& titles) {
   const char* what = "left and right";
   if (programs.holds_twins) what = programs.mirror.empty() ? "twins" : "twins, and left and right of the rest,";
   return paragraph(fmt::format(
-      "The solver of one instance computes {} in pairs, one instruction for both{}: {} of its {} statements, {}.",
-      what, programs.holds_twins ? "" : " sides", in_pairs, all,
-      listed(steps)));
+      "The solver of one instance computes {} in pairs, one instruction for both{}: {} of its {} statements, {}.", what,
+      programs.holds_twins ? "" : " sides", in_pairs, all, listed(steps)));
 }
 
 std::string operations_explanation(const Compilation& compilation) {

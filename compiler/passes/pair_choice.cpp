@@ -191,11 +191,11 @@ class Choice {
   Decisions decisions_;
   std::vector<ValueId> only_user_;
   std::vector<bool> is_possible_, is_leading_;
-  std::vector<Question> question_;              ///< by leader: is it computed in lanes?
-  std::vector<Question> packed_;                ///< by leader: is its pair needed?
-  std::vector<std::array<Question, 2>> apart_;  ///< by leader and side: is it needed in lanes alone?
+  std::vector<Question> question_;                              ///< by leader: is it computed in lanes?
+  std::vector<Question> packed_;                                ///< by leader: is its pair needed?
+  std::vector<std::array<Question, 2>> apart_;                  ///< by leader and side: is it needed in lanes alone?
   std::map<std::tuple<ValueId, ValueId, int>, Question> both_;  ///< of numbers that are no twins: is their pair needed?
-  std::vector<std::array<bool, 2>> is_apart_;   ///< likewise: is it needed as a number whatever is decided?
+  std::vector<std::array<bool, 2>> is_apart_;  ///< likewise: is it needed as a number whatever is decided?
 };
 
 }  // namespace

@@ -50,8 +50,7 @@ class TwinSigns {
   }
 
   PairedValues found() const {
-    PairedValues values{std::vector<MirrorImage>(twin_.size()),
-                        std::vector<std::array<SignedTerm, 3>>(twin_.size())};
+    PairedValues values{std::vector<MirrorImage>(twin_.size()), std::vector<std::array<SignedTerm, 3>>(twin_.size())};
     for (ValueId v = 0; v < twin_.size(); ++v) {
       const ValueId other = twin_[v];
       if (other == kNoValue || other < v) continue;

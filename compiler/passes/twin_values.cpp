@@ -11,11 +11,11 @@
 namespace mbgen {
 namespace {
 
-constexpr int kDepth = 4;             // operands of operands that are compared
-constexpr double kAlike = 0.6;        // least likeness of twins
-constexpr double kPerOperation = 0.9; // likeness that an operation between two values and what they share leaves
-constexpr double kPerSign = 0.95;     // what is left where one is added and the other subtracted
-constexpr int kRounds = 8;            // pairs found late may make others known
+constexpr int kDepth = 4;              // operands of operands that are compared
+constexpr double kAlike = 0.6;         // least likeness of twins
+constexpr double kPerOperation = 0.9;  // likeness that an operation between two values and what they share leaves
+constexpr double kPerSign = 0.95;      // what is left where one is added and the other subtracted
+constexpr int kRounds = 8;             // pairs found late may make others known
 
 /// Whether two are one operation but for signs of their operands.
 bool are_one_operation(const Node& a, const Node& b) { return a.op == b.op || (is_sum(a) && is_sum(b)); }
@@ -139,7 +139,8 @@ class TwinFinder {
   /// Twins, and operands of theirs that are the same operation without being twins yet.
   void pair_up(ValueId a, ValueId b) {
     const bool are_free = a != b && twin_[a] == kNoValue && twin_[b] == kNoValue;
-    if (!are_free || !are_one_operation(program_.nodes[a], program_.nodes[b]) || !is_operation(program_.nodes[a])) return;
+    if (!are_free || !are_one_operation(program_.nodes[a], program_.nodes[b]) || !is_operation(program_.nodes[a]))
+      return;
     settle(a, b);
     const std::array<ValueId, 3> others = beside(a, b);
     for (int k = 0; k < arity(program_.nodes[a].op); ++k)

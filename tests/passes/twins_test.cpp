@@ -142,7 +142,9 @@ TEST(FoldTwins, PartsTwinsThatNeedOneAnother) {
 }
 
 TEST(FoldTwins, LeavesWhatDoesNotPayAndPartsThatDiffer) {
-  const Program small = program_with_parts([](const auto& z) { return std::vector{z[0] * z[2] + z[1] * z[3], z[4] * z[5]}; });
+  const Program small = program_with_parts([](const auto& z) {
+    return std::vector{z[0] * z[2] + z[1] * z[3], z[4] * z[5]};
+  });
   EXPECT_TRUE(fold_twins(small, kTwins).outputs.empty());
   EXPECT_TRUE(fold_twins(small, {}).outputs.empty());
   const Program other = program_with_parts([](const auto& z) {
