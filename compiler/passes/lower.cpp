@@ -28,11 +28,10 @@ Programs with_pairs_folded(Programs programs) {
   const Program& program = written_accelerations(programs);
   programs.in_pairs = fold_pairs(program, programs.mirror);
   Program twins = fold_twins(program, programs.twins);
-  const auto size = [](const Program& folded) { return size_of_code(remove_dead_values(factor_sums(folded))); };
   if (twins.outputs.empty()) return programs;
   Program both = fold_pairs(twins, programs.mirror);
   if (!both.outputs.empty()) twins = std::move(both);
-  programs.holds_twins = programs.in_pairs.outputs.empty() || size(twins) < size(programs.in_pairs);
+  programs.holds_twins = programs.in_pairs.outputs.empty() || size_of_code(twins) < size_of_code(programs.in_pairs);
   if (programs.holds_twins) programs.in_pairs = std::move(twins);
   return programs;
 }
