@@ -75,7 +75,7 @@ void place_crossing(const Program& program, Schedule& schedule, bool shares) {
     place->users += value.users;
   }
   // Pairs have structs of their own, but for the last one: each begins where a vector may begin.
-  std::ranges::stable_partition(places, [&](const Place& place) { return widths[place.values[0]] == 2; });
+  std::stable_partition(places.begin(), places.end(), [&](const Place& place) { return widths[place.values[0]] == 2; });
   for (std::size_t first = 0; first < places.size(); first += kPlacesTogether)
     std::ranges::stable_sort(places.begin() + first, places.begin() + std::min(first + kPlacesTogether, places.size()),
                              std::greater{},
