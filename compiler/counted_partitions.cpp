@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <string>
 
 #include "compiler/analysis/block_structure.hpp"
 #include "compiler/analysis/sampling.hpp"
@@ -25,13 +24,12 @@ using Twins = std::vector<int>;
 /// Groups of blocks that have something to choose, those with short lists first.
 std::vector<Twins> groups_of_twins(const Model& model, const Topology& topology, const Analysis& analysis) {
   NumericSystem numbers(model, topology);
-  const System<double>& system = numbers.at(std::vector<double>(topology.bodies.size(), 0.0));
-  std::map<std::string, Twins> by_structure;
+  const std::vector<int> firsts = first_of_structure(numbers);
+  std::map<int, Twins> by_first;
   for (std::size_t b = 0; b < topology.blocks.size(); ++b)
-    if (analysis.blocks[b].candidates.size() > 1)
-      by_structure[structure_of(system, static_cast<int>(b))].push_back(static_cast<int>(b));
+    if (analysis.blocks[b].candidates.size() > 1) by_first[firsts[b]].push_back(static_cast<int>(b));
   std::vector<Twins> groups;
-  for (auto& [structure, twins] : by_structure) groups.push_back(std::move(twins));
+  for (auto& [first, twins] : by_first) groups.push_back(std::move(twins));
   const auto order = [&](const Twins& twins) {
     return std::pair(analysis.blocks[twins[0]].candidates.size(), twins[0]);
   };

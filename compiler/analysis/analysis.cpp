@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "compiler/analysis/block_structure.hpp"
 #include "compiler/analysis/branch.hpp"
 #include "compiler/analysis/certificate.hpp"
 #include "compiler/analysis/contradiction.hpp"
@@ -128,9 +130,9 @@ BlockAnalysis analyse_large_block(NumericSystem& numbers, std::size_t b,
   return result;
 }
 
-/// Rank, certificate and partition of block `b`; its problems go to `found`.
+/// Rank, certificate and partition of block `b`; its problems go to `found`. like: see choose_partition.
 BlockAnalysis analyse_block(NumericSystem& numbers, std::size_t b, const std::vector<Configuration>& configurations,
-                            const Analysis& analysis, Findings& found) {
+                            std::span<const PartitionCandidate> like, const Analysis& analysis, Findings& found) {
   const Model& model = numbers.model();
   const Topology& topology = numbers.topology();
   const LoopBlock& block = topology.blocks[b];
@@ -152,7 +154,7 @@ BlockAnalysis analyse_block(NumericSystem& numbers, std::size_t b, const std::ve
   }
   std::vector<Eigen::MatrixXd> jacobians;
   for (int i : whole.configurations) jacobians.push_back(configurations[i].blocks[b].jacobian);
-  BlockAnalysis result = choose_partition(jacobians, whole.rank, driven_columns(block, analysis.driven));
+  BlockAnalysis result = choose_partition(jacobians, whole.rank, driven_columns(block, analysis.driven), like);
   for (int e : result.redundant_equations) result.redundant_names.push_back(equations[e].name);
   result.certificate = certificate;
   return result;
@@ -280,8 +282,11 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
   for (const LoopBlock& block : topology.blocks) found.equations.push_back(closure_equations(model, topology, block));
   found.other_modes = stay_on_branch(numbers, found.equations, configurations);
   int held = 0;
+  const std::vector<int> firsts = first_of_structure(numbers);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
-    analysis.blocks.push_back(analyse_block(numbers, b, configurations, analysis, found));
+    std::span<const PartitionCandidate> like;
+    if (firsts[b] < static_cast<int>(b)) like = analysis.blocks[firsts[b]].candidates;
+    analysis.blocks.push_back(analyse_block(numbers, b, configurations, like, analysis, found));
     analysis.independent_equations += analysis.blocks.back().rank;
     if (found.problems.empty())
       held += position_rank(numbers, b, found.views.back(), analysis.blocks.back().rank, configurations);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <map>
 
 namespace mbgen {
 namespace {
@@ -84,6 +85,15 @@ std::string structure_of(const System<double>& system, int block) {
     }
   }
   return std::move(structure).text();
+}
+
+std::vector<int> first_of_structure(NumericSystem& numbers) {
+  const System<double>& system = numbers.at(std::vector<double>(numbers.topology().bodies.size(), 0.0));
+  std::map<std::string, int> first;
+  std::vector<int> result;
+  for (std::size_t b = 0; b < numbers.topology().blocks.size(); ++b)
+    result.push_back(first.try_emplace(structure_of(system, static_cast<int>(b)), static_cast<int>(b)).first->second);
+  return result;
 }
 
 }  // namespace mbgen

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "compiler/analysis/partition_numbers.hpp"
 #include "compiler/analysis/sparse_elimination.hpp"
@@ -75,14 +77,19 @@ double median_pivot(const Elimination& e, int row, int column) {
   return values[values.size() / 2];
 }
 
-/// Eliminates one diagonal block of the triangular form and appends its pivots.
+/// Eliminates one diagonal block of the triangular form and appends its pivots. given: the pivots, chosen where there
+/// are none; the first of them are taken away.
 void order_block(Elimination& e, const Candidate& candidate, const std::vector<std::pair<int, int>>& block,
-                 Ordering& ordering) {
+                 std::span<const std::pair<int, int>>& given, Ordering& ordering) {
   std::vector<int> rows, columns;
   for (const auto& [r, c] : block) rows.push_back(r), columns.push_back(c);
   while (!rows.empty()) {
     double ratio = 0;
-    const auto [row, column] = choose_pivot(e, rows, columns, ratio);
+    const auto [row, column] = given.empty() ? choose_pivot(e, rows, columns, ratio) : given[0];
+    if (!given.empty()) {
+      ratio = pivot_ratio(e, row, column, rows);
+      given = given.subspan(1);
+    }
     ordering.worst_ratio = std::min(ordering.worst_ratio, ratio);
     ordering.pivots.push_back({candidate.rows[row], candidate.columns[column], median_pivot(e, row, column)});
     rows.erase(std::find(rows.begin(), rows.end(), row));
@@ -112,20 +119,60 @@ MatrixXd part_of(const MatrixXd& m, const std::vector<int>& rows, const std::vec
   return result;
 }
 
-Ordering order_pivots(const std::vector<MatrixXd>& jacobians, const std::vector<bool>& used,
-                      const Candidate& candidate) {
+namespace {
+
+/// Whether pivots take a triangular form block by block.
+bool fit(std::span<const std::pair<int, int>> pivots, const std::vector<std::vector<std::pair<int, int>>>& form) {
+  for (const auto& block : form) {
+    std::vector<int> rows, columns, pivot_rows, pivot_columns;
+    for (std::size_t k = 0; k < block.size(); ++k) {
+      rows.push_back(block[k].first);
+      columns.push_back(block[k].second);
+      pivot_rows.push_back(pivots[k].first);
+      pivot_columns.push_back(pivots[k].second);
+    }
+    if (!std::ranges::is_permutation(rows, pivot_rows) || !std::ranges::is_permutation(columns, pivot_columns))
+      return false;
+    pivots = pivots.subspan(block.size());
+  }
+  return true;
+}
+
+Ordering ordered(const std::vector<MatrixXd>& jacobians, const std::vector<bool>& used, const Candidate& candidate,
+                 std::span<const std::pair<int, int>> given) {
   Ordering ordering;
   Elimination e = equilibrated(jacobians, used, candidate);
   const std::size_t n = candidate.rows.size();
   std::vector<std::vector<bool>> pattern(n, std::vector<bool>(n));
   for (std::size_t r = 0; r < n; ++r)
     for (std::size_t c = 0; c < n; ++c) pattern[r][c] = e.largest(r, c) > kStructuralZero;
-  for (const auto& block : block_triangular_form(pattern)) {
+  const auto form = block_triangular_form(pattern);
+  if (!given.empty() && !fit(given, form)) return {};
+  for (const auto& block : form) {
     ordering.triangular_sizes.push_back(static_cast<int>(block.size()));
-    order_block(e, candidate, block, ordering);
+    order_block(e, candidate, block, given, ordering);
   }
   ordering.cost += 2 * static_cast<double>((e.largest.array() > kStructuralZero).count());
   return ordering;
+}
+
+}  // namespace
+
+Ordering order_pivots(const std::vector<MatrixXd>& jacobians, const std::vector<bool>& used,
+                      const Candidate& candidate) {
+  return ordered(jacobians, used, candidate, {});
+}
+
+Ordering order_like(const std::vector<Pivot>& pivots, const std::vector<MatrixXd>& jacobians,
+                    const std::vector<bool>& used, const Candidate& candidate) {
+  std::vector<std::pair<int, int>> places;
+  for (const Pivot& pivot : pivots) {
+    const auto row = std::ranges::find(candidate.rows, pivot.equation);
+    const auto column = std::ranges::find(candidate.columns, pivot.coordinate);
+    if (row == candidate.rows.end() || column == candidate.columns.end()) return {};
+    places.emplace_back(row - candidate.rows.begin(), column - candidate.columns.begin());
+  }
+  return places.size() == candidate.rows.size() ? ordered(jacobians, used, candidate, places) : Ordering{};
 }
 
 }  // namespace mbgen

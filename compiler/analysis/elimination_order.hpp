@@ -29,4 +29,9 @@ struct Ordering {
 Ordering order_pivots(const std::vector<Eigen::MatrixXd>& jacobians, const std::vector<bool>& used,
                       const Candidate& candidate);
 
+/// The same with these pivots, of a block of the same structure: their equations and coordinates in the same order, if
+/// that is one of the candidate; empty otherwise. Their references and ratios are its own.
+Ordering order_like(const std::vector<Pivot>& pivots, const std::vector<Eigen::MatrixXd>& jacobians,
+                    const std::vector<bool>& used, const Candidate& candidate);
+
 }  // namespace mbgen

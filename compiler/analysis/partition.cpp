@@ -88,9 +88,10 @@ std::set<Candidate> candidates(const std::vector<MatrixXd>& jacobians, int rank,
 class Search {
  public:
   /// jacobians: of full rank. best: weakest singular value of all columns, per sample. columns: those that may depend.
+  /// like: see choose_partition.
   Search(const std::vector<MatrixXd>& jacobians, const std::vector<double>& best, const std::vector<int>& columns,
-         int rank)
-      : jacobians_(jacobians), best_(best), columns_(columns), rank_(rank) {}
+         int rank, std::span<const PartitionCandidate> like)
+      : jacobians_(jacobians), best_(best), columns_(columns), rank_(rank), like_(like) {}
 
   /// The cheapest by its estimate of the well conditioned ones.
   Candidate best_estimate() {
@@ -150,6 +151,12 @@ class Search {
     for (const double condition : judgement.conditions) good.push_back(condition >= kPivotRatio);
     if (std::find(good.begin(), good.end(), true) == good.end()) good.assign(good.size(), true);
     judgement.ordering = order_pivots(jacobians_, good, candidate);
+    const auto twin = std::ranges::find(like_, candidate.columns, &PartitionCandidate::dependent);
+    if (twin != like_.end()) {
+      Ordering same = order_like(twin->pivots, jacobians_, good, candidate);
+      const double bound = std::min(kPivotRatio, judgement.ordering->worst_ratio);
+      if (!same.pivots.empty() && same.worst_ratio >= bound) judgement.ordering = std::move(same);
+    }
     judgement.ordering->cost += projection_cost(candidate, good);
     return *judgement.ordering;
   }
@@ -217,6 +224,7 @@ class Search {
   const std::vector<double>& best_;
   const std::vector<int>& columns_;
   int rank_;
+  std::span<const PartitionCandidate> like_;
   double top_ = 0;  ///< best score of the random candidates
   std::map<Candidate, Judgement> judged_;
 };
@@ -263,7 +271,8 @@ void take(BlockAnalysis& block, const PartitionCandidate& candidate) {
   block.worst_pivot_ratio = candidate.worst_pivot_ratio;
 }
 
-BlockAnalysis choose_partition(const std::vector<MatrixXd>& jacobians, int rank, const std::vector<int>& driven) {
+BlockAnalysis choose_partition(const std::vector<MatrixXd>& jacobians, int rank, const std::vector<int>& driven,
+                               std::span<const PartitionCandidate> like) {
   BlockAnalysis result;
   result.rank = rank;
   result.driven = driven;
@@ -282,7 +291,7 @@ BlockAnalysis choose_partition(const std::vector<MatrixXd>& jacobians, int rank,
     }
     if (usable.empty()) usable = {jacobians[0]}, best = {1.0};
     result.typical_pivot = typical_pivot(usable, rank, driven);
-    Search search(usable, best, columns, rank);
+    Search search(usable, best, columns, rank, like);
     result.candidates = search.short_list(search.best_estimate());
     for (PartitionCandidate& candidate : result.candidates) candidate.driven = driven;
     take(result, result.candidates[0]);

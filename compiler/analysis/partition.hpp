@@ -2,6 +2,7 @@
 // Rank, dependent coordinates and elimination order of one loop block from its Jacobians at many closed configurations.
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "compiler/analysis/findings.hpp"
@@ -20,7 +21,9 @@ void take(BlockAnalysis& block, const PartitionCandidate& candidate);
 
 /// Chooses dependent coordinates and leading equations: well conditioned over all samples, then cheapest by an
 /// estimate; with a short list of others (BlockAnalysis::candidates). driven: local columns that must stay independent.
-/// Requires: `rank` is reached without the driven columns.
-BlockAnalysis choose_partition(const std::vector<Eigen::MatrixXd>& jacobians, int rank, const std::vector<int>& driven);
+/// like: of a block of the same structure, whose pivots candidates take where they hold as well, so that programs of
+/// twins are alike. Requires: `rank` is reached without the driven columns.
+BlockAnalysis choose_partition(const std::vector<Eigen::MatrixXd>& jacobians, int rank, const std::vector<int>& driven,
+                               std::span<const PartitionCandidate> like = {});
 
 }  // namespace mbgen

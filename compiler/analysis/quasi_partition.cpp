@@ -1,7 +1,9 @@
 #include "compiler/analysis/quasi_partition.hpp"
 
 #include <algorithm>
+#include <map>
 
+#include "compiler/analysis/block_structure.hpp"
 #include "compiler/analysis/partition.hpp"
 #include "compiler/analysis/symmetry.hpp"
 
@@ -81,10 +83,16 @@ void set_quasi_partitions(NumericSystem& numbers, const std::vector<Configuratio
   }
   std::vector<std::vector<Eigen::MatrixXd>> jacobians;
   if (!with_balls.empty()) jacobians = quasi_jacobians(numbers, configurations, recursion, with_balls);
+  const std::vector<int> firsts = first_of_structure(numbers);
+  std::map<int, int> chosen_first;  // of each structure, units are in an order of their own
   for (std::size_t u = 0; u < with_balls.size(); ++u) {
-    BlockAnalysis& block = analysis.blocks[with_balls[u]->block];
+    const int b = with_balls[u]->block;
+    BlockAnalysis& block = analysis.blocks[b];
     keep_equations(block, jacobians[u]);
-    BlockAnalysis quasi = choose_partition(jacobians[u], block.rank, block.driven);
+    const int first = chosen_first.try_emplace(firsts[b], b).first->second;
+    std::span<const PartitionCandidate> like;
+    if (first != b) like = analysis.blocks[first].candidates;
+    BlockAnalysis quasi = choose_partition(jacobians[u], block.rank, block.driven, like);
     block.quasi = quasi;
     block.candidates = std::move(quasi.candidates);
   }

@@ -19,6 +19,7 @@
 #include "compiler/model/vectors.hpp"
 #include "compiler/solver/titles.hpp"
 #include "compiler/topology/poles.hpp"
+#include "compiler/topology/twins.hpp"
 
 namespace mbgen {
 namespace {
@@ -284,8 +285,24 @@ std::string freedoms_explanation(const Compilation& c) {
   return text + poles_explanation(c);
 }
 
+/// Equal parts that the solver computes in pairs.
+std::string twins_explanation(const Compilation& c) {
+  if (!c.emitted.holds_twins || c.emitted.in_pairs.outputs.empty()) return "";
+  const std::vector<int> twin = find_twins(c.topology);
+  std::vector<std::string> pairs;
+  for (int i = 0; i < c.topology.size(); ++i)
+    if (twin[static_cast<std::size_t>(i)] > i && !c.topology.bodies[static_cast<std::size_t>(i)].massless)
+      pairs.push_back(
+          fmt::format("{} and {}", body_name(c.topology, i), body_name(c.topology, twin[static_cast<std::size_t>(i)])));
+  return heading("Twins") +
+         paragraph(fmt::format("These are built alike, on one body: {}. Their numbers may differ. What is the same "
+                               "operation for both is computed in pairs, see Operations.",
+                               fmt::join(pairs, "; ")));
+}
+
 /// What the solver of one instance computes in pairs, by steps; empty where that is nothing.
-std::string pairs_explanation(const Program& program, const Titles& titles) {
+std::string pairs_explanation(const Programs& programs, const Titles& titles) {
+  const Program& program = programs.in_pairs;
   const std::vector<int> widths = widths_of(program);
   const std::map<Section, std::size_t> places = places_of_sections(program);
   std::vector<long> counts(program.sections.size(), 0);
@@ -303,10 +320,11 @@ std::string pairs_explanation(const Program& program, const Titles& titles) {
   for (std::size_t s = 0; s < counts.size(); ++s)
     if (counts[s] > 0 && program.sections[s].step != Step::none)
       steps.push_back(fmt::format("{} of {}", counts[s], titles.section(program.sections[s])));
+  const char* what = "left and right";
+  if (programs.holds_twins) what = programs.mirror.empty() ? "twins" : "twins, and left and right of the rest,";
   return paragraph(fmt::format(
-      "The solver of one instance computes left and right in pairs, one instruction for both sides: {} of its "
-      "{} statements, {}.",
-      in_pairs, all, listed(steps)));
+      "The solver of one instance computes {} in pairs, one instruction for both{}: {} of its {} statements, {}.", what,
+      programs.holds_twins ? "" : " sides", in_pairs, all, listed(steps)));
 }
 
 std::string operations_explanation(const Compilation& compilation) {
@@ -334,7 +352,7 @@ std::string operations_explanation(const Compilation& compilation) {
                         accelerations.sections[s].step == Step::none ? "before the first step"
                                                                      : titles.section(accelerations.sections[s]));
   }
-  return text + pairs_explanation(compilation.emitted.in_pairs, titles);
+  return text + pairs_explanation(compilation.emitted, titles);
 }
 
 std::string notes_explanation(const Diagnostics& notes) {
@@ -350,7 +368,7 @@ std::string explanation_text(const Compilation& compilation) {
   std::string text =
       overview_text(compilation) + tree_explanation(compilation.topology) + cuts_explanation(compilation);
   for (std::size_t b = 0; b < compilation.topology.blocks.size(); ++b) text += block_explanation(compilation, b);
-  return text + sides_explanation(compilation) + freedoms_explanation(compilation) +
+  return text + sides_explanation(compilation) + twins_explanation(compilation) + freedoms_explanation(compilation) +
          elements_explanation(compilation.model) + states_explanation(compilation.model) +
          vehicle_explanation(compilation.model) + operations_explanation(compilation) +
          notes_explanation(all_notes(compilation));

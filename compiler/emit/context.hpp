@@ -11,6 +11,10 @@
 
 namespace mbgen {
 
+struct EmitContext;
+/// Whether the accelerations of the solver are those in pairs: of doubles, where no loops are better.
+bool takes_pairs(const EmitContext& context);
+
 /// Source of every emitted file. Requires: what it refers to lives as long.
 struct EmitContext {
   EmitContext(const Programs& of_solver, const Model& of_model, const Topology& tree, const Analysis& decisions,
@@ -22,7 +26,8 @@ struct EmitContext {
         options(std::move(chosen)),
         names(solver_names(model, topology)),
         layout(solver_layout(model, topology, analysis)),
-        titles(titles_of(programs.form, model, topology)) {}
+        titles(titles_of(programs.form, model, topology)),
+        in_pairs(takes_pairs(*this)) {}
 
   const Programs& programs;
   const Model& model;
@@ -32,6 +37,7 @@ struct EmitContext {
   SolverNames names;
   SolverLayout layout;
   Titles titles;
+  bool in_pairs;  ///< see takes_pairs
 };
 
 }  // namespace mbgen

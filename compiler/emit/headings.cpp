@@ -62,7 +62,7 @@ void Headings::write_before(std::size_t i, bool has_owner, PartText& part) {
   if (owner_ == owners || !has_owner || !is_worth_it) return;
   std::string title = titles_.owner(node.owner);
   if (node.mirrored != Owner{} && node.mirrored != node.owner)
-    title += "; and the image of " + titles_.owner(node.mirrored);
+    title += "; and likewise " + titles_.owner(node.mirrored);
   if (!title.empty()) add_comment(part, comment_text(title));
   owner_ = owners;
 }

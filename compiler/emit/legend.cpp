@@ -52,7 +52,7 @@ std::string loops_text(const EmitContext& context) {
 
 std::string legend_text(const EmitContext& context) {
   return fill_template("legend.in",
-                       {{"tree", tree_text(context)}, {"loops", loops_text(context)}, {"pairs", takes_pairs(context)}});
+                       {{"tree", tree_text(context)}, {"loops", loops_text(context)}, {"pairs", context.in_pairs}});
 }
 
 }  // namespace mbgen

@@ -206,12 +206,6 @@ ValueOrder order_of(Form form, const ShapedProgram& shaped) {
 
 }  // namespace
 
-bool takes_pairs(const EmitContext& context) {
-  const Program& program = context.programs.in_pairs;
-  return context.options.scalar == "double" && !program.outputs.empty() &&
-         program.nodes.size() <= context.options.roll_above;
-}
-
 LawShape law_shape(const EmitContext& context, std::size_t k) {
   const std::string number = k > 0 ? std::to_string(k + 1) : "";
   return {"tyres" + number, "Tyres" + number, "compute_tyres" + number, "kTyreLanes" + number,
@@ -289,13 +283,20 @@ ScheduleOptions schedule_options(const ProgramShape& shape, std::size_t roll_abo
 
 bool is_number(const std::string& scalar) { return scalar == "double" || scalar == "float"; }
 
+bool takes_pairs(const EmitContext& context) {
+  if (context.options.scalar != "double" || context.programs.in_pairs.outputs.empty()) return false;
+  const auto& row = *std::ranges::find(kShapes, Role::accelerations, &ShapeRow::role);
+  return !is_rolled(context.programs.accelerations,
+                    schedule_options(shape_of(row, context), context.options.roll_above));
+}
+
 std::vector<ShapedProgram> shaped_programs(const EmitContext& context) {
   std::vector<ShapedProgram> all;
   for (const ShapeRow& row : kShapes) {
     if (!is_written(row.role, context)) continue;
     ShapedProgram shaped{&program_of(context.programs, row.role), row.role, shape_of(row, context)};
     if (context.options.scalar == "float") take_floats(shaped.shape);
-    if (row.role == Role::accelerations && takes_pairs(context)) shaped.program = &context.programs.in_pairs;
+    if (row.role == Role::accelerations && context.in_pairs) shaped.program = &context.programs.in_pairs;
     shaped.shape.order = order_of(context.programs.form, shaped);
     shaped.schedule = schedule(*shaped.program, schedule_options(shaped.shape, context.options.roll_above));
     all.push_back(std::move(shaped));

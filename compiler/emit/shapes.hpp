@@ -104,9 +104,6 @@ int tangent_count(const Programs& programs);
 /// Identifier of each derived constant: that of its body or element; empty where it is none of theirs.
 std::vector<std::string> derived_constant_names(const Programs& programs);
 
-/// Whether the accelerations of the solver are those in pairs: of doubles, one after another without loops.
-bool takes_pairs(const EmitContext& context);
-
 /// Whether a scalar type is that of plain numbers: double or float.
 bool is_number(const std::string& scalar);
 

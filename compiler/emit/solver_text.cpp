@@ -84,7 +84,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
       {"rare_parts", rare_parts > 0 ? std::to_string(rare_parts) : ""},
       {"all_parts", rare_parts + 1},
       {"for_importers", for_importers},
-      {"pairs", takes_pairs(context)},
+      {"pairs", context.in_pairs},
       {"laws", !context.programs.laws.empty() && context.options.scalar == "double"},
       {"hot", hot},
       {"rare", rare},

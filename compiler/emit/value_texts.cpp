@@ -8,6 +8,7 @@
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/names.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/program/kinds.hpp"
 
 namespace mbgen {
 namespace {
@@ -183,6 +184,9 @@ Phrase ValueTexts::phrase_of(const ScheduledUnit& unit, const Slices& values, Pa
   const Node& node = program_.nodes[v];
   if (node.op == Op::constant) return constants_phrase(values);
   if (node.op == Op::input) return input_phrase(values, part);
+  if (is_constant_pair(program_, node))
+    return operation_phrase(type_of(v), node.op, constants_phrase({node.operands[0]}),
+                            constants_phrase({node.operands[1]}), {});
   if (place_in_call(v).call >= 0) return result_phrase(v, part);
   if (schedule_.has_loops() && !schedule_.is_local(unit, values)) return {stored_place(values, part), Binding::primary};
   if (const auto work = work_of_.find(v); work != work_of_.end()) part.arguments.insert(work->second);

@@ -6,6 +6,7 @@
 
 #include "compiler/passes/pair_choice.hpp"
 #include "compiler/passes/passes.hpp"
+#include "compiler/passes/twin_values.hpp"
 #include "compiler/program/kinds.hpp"
 
 namespace mbgen {
@@ -43,11 +44,12 @@ class LaneChoice {
 
 class Folding {
  public:
-  Folding(const Program& program, std::span<const MirroredInput> mirror)
+  Folding(const Program& program, PairedValues values)
       : program_(program),
-        images_(mirror_images(program, mirror)),
+        values_(std::move(values)),
+        images_(values_.images),
         sums_(sums_of_sides(program, images_)),
-        is_pair_(chosen_pairs(program, images_, sums_)),
+        is_pair_(chosen_pairs(program, values_, sums_)),
         lanes_(program.nodes.size()),
         builder_(ProgramBuilder::like(program)),
         numbers_(program.nodes.size(), kNoValue),
@@ -83,6 +85,8 @@ class Folding {
       if (!is_pair_[v] || leader(v) != v) continue;
       for (int k = 0; k < arity(node.op); ++k) {
         const ValueId operand = node.operands[k];
+        if (values_.are_twins() && !values_.are_one_pair(operand, values_.beside[v][static_cast<std::size_t>(k)]))
+          continue;
         if (images_[operand].kind != Kind::shared) lanes_.ask(leader(operand), v, images_[operand].is_crossed);
       }
     }
@@ -129,7 +133,8 @@ class Folding {
     }
     const Node& node = program_.nodes[v];
     ValueId operands[3] = {kNoValue, kNoValue, kNoValue};
-    for (int k = 0; k < arity(node.op); ++k) operands[k] = pair_with(node.operands[k], lane(v));
+    for (int k = 0; k < arity(node.op); ++k)
+      operands[k] = values_.are_twins() ? pair_beside(v, k) : pair_with(node.operands[k], lane(v));
     append_named(v, operands);
     return pairs_[v];
   }
@@ -151,6 +156,18 @@ class Folding {
       pair = builder_.append(Op::pack, second, builder_.append(Op::first_lane, pair));
     }
     return signed_value(pair, image.sign);
+  }
+
+  /// An operand of a twin and of the one that shares its pair.
+  ValueId pair_beside(ValueId v, int k) {
+    const ValueId one = program_.nodes[v].operands[k];
+    const SignedTerm& other = values_.beside[v][static_cast<std::size_t>(k)];
+    if (values_.are_one_pair(one, other)) return pair_with(one, lane(v));
+    std::array<ValueId, 2> ends = {number(one), number(other.value)};
+    builder_.set_origin(program_.nodes[v]);
+    ends[1] = signed_value(ends[1], other.sign);
+    if (lane(v) == 1) std::swap(ends[0], ends[1]);
+    return builder_.append(Op::pack, ends[0], ends[1]);
   }
 
   void add(ValueId& to, ValueId term, int sign) {
@@ -210,7 +227,8 @@ class Folding {
   }
 
   const Program& program_;
-  std::vector<MirrorImage> images_;
+  PairedValues values_;
+  const std::vector<MirrorImage>& images_;
   SumsOfSides sums_;
   std::vector<bool> is_pair_;
   LaneChoice lanes_;
@@ -223,7 +241,11 @@ class Folding {
 }  // namespace
 
 Program fold_pairs(const Program& program, std::span<const MirroredInput> mirror) {
-  return mirror.empty() ? Program{} : Folding(program, mirror).folded();
+  return mirror.empty() ? Program{} : Folding(program, {mirror_images(program, mirror)}).folded();
+}
+
+Program fold_twins(const Program& program, std::span<const TwinInput> twins) {
+  return twins.empty() ? Program{} : Folding(program, twin_values(program, twins)).folded();
 }
 
 }  // namespace mbgen

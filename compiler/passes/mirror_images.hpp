@@ -1,6 +1,7 @@
 #pragma once
 // Left and right among the values of a program: which value is another one's image in a mirror of the mechanism.
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,30 @@ struct MirrorImage {
   ValueId first = kNoValue;  ///< of its pair, the earliest; kNoValue of all but paired values
 };
 
-/// One per value of a program without pairs. Decided by values alone, at random states and their images, within what
+/// A value with its sign.
+struct SignedTerm {
+  ValueId value = kNoValue;
+  int sign = 1;
+};
+
+/// What pairs may be made of.
+struct PairedValues {
+  std::vector<MirrorImage> images;  ///< one per value
+  /// Twins, where there are no mirror images: per value that is the earlier twin, the operands of the other one, each
+  /// beside the value's own that it shares a pair with. That pair may hold twins, two constants, one value twice or any
+  /// two numbers. kNoValue of inputs and of values without a twin.
+  std::vector<std::array<SignedTerm, 3>> beside = {};
+
+  bool are_twins() const { return !beside.empty(); }
+  /// Whether the pair of a value holds what is beside it.
+  bool are_one_pair(ValueId a, const SignedTerm& b) const {
+    const MirrorImage &one = images[a], &other = images[b.value];
+    return one.kind == MirrorImage::Kind::paired && other.kind == MirrorImage::Kind::paired &&
+           one.first == other.first && one.is_crossed != other.is_crossed && one.sign * other.sign == b.sign;
+  }
+};
+
+/// One per value; pairs are unknown. Decided by values alone, at random states and their images, within what
 /// roundings amount to: how the two sides are spelled does not matter. Any mirror is sound: one that the mechanism does
 /// not have leaves no value paired.
 std::vector<MirrorImage> mirror_images(const Program& program, std::span<const MirroredInput> mirror);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "compiler/passes/least_cut.hpp"
@@ -21,8 +22,8 @@ constexpr Question kNone = 0;
 
 class Choice {
  public:
-  Choice(const Program& program, std::span<const MirrorImage> images, const SumsOfSides& sums)
-      : program_(program), images_(images), sums_(sums) {
+  Choice(const Program& program, const PairedValues& values, const SumsOfSides& sums)
+      : program_(program), values_(values), images_(values.images), sums_(sums) {
     const std::size_t count = program.nodes.size();
     question_.assign(count, kNone);
     packed_.assign(count, kNone);
@@ -65,7 +66,7 @@ class Choice {
     for (ValueId v = 0; v < program_.nodes.size(); ++v) {
       const Node& node = program_.nodes[v];
       bool all = is_done_in_lanes(node.op);
-      for (int k = 0; k < arity(node.op); ++k) {
+      for (int k = 0; k < arity(node.op) && !values_.are_twins(); ++k) {
         const ValueId operand = node.operands[k];
         const Kind kind = images_[operand].kind;
         all = all && kind != Kind::unknown && (kind != Kind::lone || is_possible_[operand]);
@@ -110,11 +111,25 @@ class Choice {
   void add_operands(ValueId v) {
     if (sums_.is_sum(v)) return add_sum(v);
     const Question question = asked(v);
+    if (values_.are_twins() && question != kNone) return add_operands_of_twins(v);
     const Node& node = program_.nodes[v];
     for (int k = 0; k < arity(node.op); ++k) {
       const ValueId operand = node.operands[k];
       if (images_[operand].kind != Kind::shared) need_number(operand, question);
       if (question != kNone && leader(v) == v && is_leading_[v]) need_pair(operand, question);
+    }
+  }
+
+  /// Both of them: the operands that meet in a pair may be twins or not.
+  void add_operands_of_twins(ValueId v) {
+    if (leader(v) != v) return;
+    for (int k = 0; k < arity(program_.nodes[v].op); ++k) {
+      const ValueId one = program_.nodes[v].operands[k];
+      const SignedTerm& other = values_.beside[v][static_cast<std::size_t>(k)];
+      const bool are_one_pair = values_.are_one_pair(one, other);
+      need_number(one, are_one_pair ? asked(v) : kNone);
+      need_number(other.value, are_one_pair ? asked(v) : kNone);
+      are_one_pair ? need_pair(one, asked(v)) : need_both(one, other, asked(v));
     }
   }
 
@@ -160,16 +175,27 @@ class Choice {
     decisions_.add_cost(user, packed, Decisions::kNever);
   }
 
+  /// A pair of two numbers that are no twins is needed where `user` is answered yes.
+  void need_both(ValueId one, const SignedTerm& other, Question user) {
+    if (program_.nodes[one].op == Op::constant && program_.nodes[other.value].op == Op::constant) return;
+    Question& question = both_[{one, other.value, other.sign}];
+    const long broadcast = other.sign < 0 ? kBroadcastBothSigns : kBroadcast;
+    if (question == kNone) question = decisions_.add(one == other.value ? broadcast : kPack, 0);
+    decisions_.add_cost(user, question, Decisions::kNever);
+  }
+
   const Program& program_;
+  const PairedValues& values_;
   std::span<const MirrorImage> images_;
   const SumsOfSides& sums_;
   Decisions decisions_;
   std::vector<ValueId> only_user_;
   std::vector<bool> is_possible_, is_leading_;
-  std::vector<Question> question_;              ///< by leader: is it computed in lanes?
-  std::vector<Question> packed_;                ///< by leader: is its pair needed?
-  std::vector<std::array<Question, 2>> apart_;  ///< by leader and side: is it needed in lanes alone?
-  std::vector<std::array<bool, 2>> is_apart_;   ///< likewise: is it needed as a number whatever is decided?
+  std::vector<Question> question_;                              ///< by leader: is it computed in lanes?
+  std::vector<Question> packed_;                                ///< by leader: is its pair needed?
+  std::vector<std::array<Question, 2>> apart_;                  ///< by leader and side: is it needed in lanes alone?
+  std::map<std::tuple<ValueId, ValueId, int>, Question> both_;  ///< of numbers that are no twins: is their pair needed?
+  std::vector<std::array<bool, 2>> is_apart_;  ///< likewise: is it needed as a number whatever is decided?
 };
 
 }  // namespace
@@ -179,8 +205,8 @@ bool is_done_in_lanes(Op op) {
          op == Op::sqrt || op == Op::sin || op == Op::cos;
 }
 
-std::vector<bool> chosen_pairs(const Program& program, std::span<const MirrorImage> images, const SumsOfSides& sums) {
-  return Choice(program, images, sums).made();
+std::vector<bool> chosen_pairs(const Program& program, const PairedValues& values, const SumsOfSides& sums) {
+  return Choice(program, values, sums).made();
 }
 
 }  // namespace mbgen

@@ -1,7 +1,6 @@
 #pragma once
 // Which values are worth computing as pairs.
 
-#include <span>
 #include <vector>
 
 #include "compiler/passes/sums_of_sides.hpp"
@@ -13,6 +12,6 @@ bool is_done_in_lanes(Op op);
 
 /// Per value: whether its pair, or that of which it is the image, is computed in lanes, one operation for both sides.
 /// The choice costs the fewest operations, those that pack and take apart counted: a minimum cut.
-std::vector<bool> chosen_pairs(const Program& program, std::span<const MirrorImage> images, const SumsOfSides& sums);
+std::vector<bool> chosen_pairs(const Program& program, const PairedValues& values, const SumsOfSides& sums);
 
 }  // namespace mbgen

@@ -44,6 +44,11 @@ Program merge_divisions(const Program& program);
 ///   =>   %2 = pack %0 %1; %3 = mul %2 %2; %4 = first_lane %3; %5 = second_lane %3; %6 = add %4 %5
 Program fold_pairs(const Program& program, std::span<const MirroredInput> mirror);
 
+/// Twins as pairs, likewise: the same operations on other operands become one operation, the second lane of a pair the
+/// value of the other part. twins: see Programs::twins.
+///   %2 = mul %0 0.5; %3 = mul %1 0.7      %0 and %1 twins   =>   %2 = pack %0 %1; %3 = pack 0.5 0.7; %4 = mul %2 %3
+Program fold_twins(const Program& program, std::span<const TwinInput> twins);
+
 /// Bytes of code, about, that a program without calls takes once its products are in sums: what is compared where
 /// programs of the same values compete.
 long size_of_code(const Program& program);

@@ -75,7 +75,7 @@ void place_crossing(const Program& program, Schedule& schedule, bool shares) {
     place->users += value.users;
   }
   // Pairs have structs of their own, but for the last one: each begins where a vector may begin.
-  std::ranges::stable_partition(places, [&](const Place& place) { return widths[place.values[0]] == 2; });
+  std::stable_partition(places.begin(), places.end(), [&](const Place& place) { return widths[place.values[0]] == 2; });
   for (std::size_t first = 0; first < places.size(); first += kPlacesTogether)
     std::ranges::stable_sort(places.begin() + first, places.begin() + std::min(first + kPlacesTogether, places.size()),
                              std::greater{},
@@ -139,8 +139,12 @@ void settle_slices(const Program& program, Schedule& schedule) {
 
 }  // namespace
 
+bool is_rolled(const Program& program, const ScheduleOptions& options) {
+  return !has_shared_laws(program) && !worthwhile_loops(program, options).loops.empty();
+}
+
 Schedule schedule(const Program& program, const ScheduleOptions& options) {
-  const bool can_roll = options.division == Division::cheapest && !has_shared_laws(program);
+  const bool can_roll = options.division == Division::cheapest && !has_shared_laws(program) && !has_pairs(program);
   const Rolling rolling = can_roll ? worthwhile_loops(program, options) : Rolling{};
   Schedule result;
   if (rolling.loops.empty()) {

@@ -21,6 +21,9 @@ struct ScheduleOptions {
   Gathering gathering = Gathering::in_lanes;  ///< of elementary functions into calls
 };
 
+/// Whether loops over equal subsystems are worth it.
+bool is_rolled(const Program& program, const ScheduleOptions& options);
+
 /// Schedules a program.
 /// Straight code: the order that is asked for, with the cosine of an angle right after its sine (or the other way
 /// round) where both are in one section; then gather_calls. The cheapest division has the fewest values that cross from

@@ -12,6 +12,7 @@ long size_of_code(const Program& program) {
   long size = 0;
   for (const ValueId v : live_operations(contracted)) {
     const Node& node = contracted.nodes[v];
+    if (is_constant_pair(contracted, node)) continue;
     switch (node.op) {
       case Op::pack:
         size += node.operands[0] == node.operands[1] ? kBroadcastBytes : kPackBytes;

@@ -184,6 +184,7 @@ std::vector<PlaceRange> section_ranges(const Program& program, const std::vector
 
 Schedule straight_schedule(const Program& program, Division division, ValueOrder wanted, Gathering gathering) {
   std::vector<ValueId> order = live_operations(program);
+  std::erase_if(order, [&](ValueId v) { return is_constant_pair(program, program.nodes[v]); });
   sort_by_section(program, order);
   const std::vector<ValueId> partner = angle_partners(program, order);
   Schedule result;

@@ -8,12 +8,6 @@
 
 namespace mbgen {
 
-/// A term with its sign.
-struct SignedTerm {
-  ValueId value = kNoValue;
-  int sign = 1;
-};
-
 /// A value and its image in one sum: `sign` times the value `first` of the pair, and `parity` times that at the image.
 struct TermPair {
   ValueId first = kNoValue;

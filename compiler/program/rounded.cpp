@@ -1,6 +1,7 @@
 #include "compiler/program/rounded.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +10,8 @@
 
 namespace mbgen {
 namespace {
+
+constexpr double kUnit = std::numeric_limits<double>::epsilon();
 
 /// A smooth function in place of one that is in pieces or has a branch, odd or even as that one is: values that are
 /// equal with it are equal whatever piece they are in.
@@ -32,36 +35,53 @@ double smooth(Op op, double a, double b, double c) {
   }
 }
 
+using Lanes = std::vector<std::array<Rounded, 2>>;
+
+Rounded operand_or_none(const Node& node, const Lanes& lanes, int k, std::size_t lane) {
+  return k < arity(node.op) ? lanes[node.operands[k]][lane] : Rounded{};
+}
+
+/// The value of an operation on rounded operands.
+Rounded rounded(const Node& node, const std::array<Rounded, 3>& given) {
+  if (node.op == Op::constant) return {node.constant, kUnit * std::abs(node.constant)};
+  double operands[3] = {given[0].value, given[1].value, given[2].value};
+  const auto result = [&] { return smooth(node.op, operands[0], operands[1], operands[2]); };
+  const double value = result();
+  double error = kUnit * std::abs(value);
+  for (int k = 0; k < arity(node.op); ++k) {
+    const auto [exact, off] = given[static_cast<std::size_t>(k)];
+    double moved = 0;
+    for (const double there : {exact - off, exact + off}) {
+      operands[k] = there;
+      moved = std::max(moved, std::abs(result() - value));
+    }
+    operands[k] = exact;
+    error += moved;
+  }
+  return {value, error};
+}
+
 }  // namespace
 
 std::vector<Rounded> rounded_values(const Program& program, std::span<const double> inputs) {
-  constexpr double kUnit = std::numeric_limits<double>::epsilon();
+  const std::vector<int> widths = widths_of(program);
+  Lanes lanes(program.nodes.size());
   std::vector<Rounded> all(program.nodes.size());
   for (std::size_t v = 0; v < all.size(); ++v) {
     const Node& node = program.nodes[v];
-    if (node.op == Op::input) {
-      all[v].value = inputs[static_cast<std::size_t>(node.input)];
-      continue;
-    }
-    double operands[3] = {0, 0, 0};
-    const auto result = [&] {
-      if (node.op == Op::constant) return node.constant;
-      return smooth(node.op, operands[0], operands[1], operands[2]);
-    };
-    for (int k = 0; k < arity(node.op); ++k) operands[k] = all[node.operands[k]].value;
-    const double value = result();
-    double error = kUnit * std::abs(value);
-    for (int k = 0; k < arity(node.op); ++k) {
-      const auto [exact, off] = all[node.operands[k]];
-      double moved = 0;
-      for (const double there : {exact - off, exact + off}) {
-        operands[k] = there;
-        moved = std::max(moved, std::abs(result() - value));
-      }
-      operands[k] = exact;
-      error += moved;
-    }
-    all[v] = {value, error};
+    const auto operand = [&](int k, std::size_t lane) { return lanes[node.operands[k]][lane]; };
+    if (node.op == Op::input)
+      lanes[v][0].value = inputs[static_cast<std::size_t>(node.input)];
+    else if (node.op == Op::pack)
+      lanes[v] = {operand(0, 0), operand(1, 0)};
+    else if (node.op == Op::first_lane || node.op == Op::second_lane)
+      lanes[v][0] = operand(0, node.op == Op::first_lane ? 0 : 1);
+    else
+      for (std::size_t lane = 0; lane < (widths[v] == 2 ? 2 : 1); ++lane)
+        lanes[v][lane] = rounded(node, {operand_or_none(node, lanes, 0, lane), operand_or_none(node, lanes, 1, lane),
+                                        operand_or_none(node, lanes, 2, lane)});
+    if (widths[v] != 2) lanes[v][1] = lanes[v][0];
+    all[v] = widths[v] == 2 ? Rounded{std::numeric_limits<double>::quiet_NaN(), 0} : lanes[v][0];
   }
   return all;
 }

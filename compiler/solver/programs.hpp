@@ -76,18 +76,25 @@ struct MirroredInput {
   int sign = 1;
 };
 
+/// An input, and that of an equal part of the mechanism which is no mirror image.
+struct TwinInput {
+  Slot slot, twin;
+};
+
 /// Programs that a model does not need are empty.
 struct Programs {
   Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, sampled, ground_places,
       tangents, changes, derived_constants;
   Program around_laws;  ///< `accelerations` without the laws that elements share; empty where they share none
   std::vector<SharedLaw> laws;
-  /// The accelerations, without shared laws where there are such, with left and right as pairs; empty where that does
-  /// not pay.
+  /// The accelerations, without shared laws where there are such, with left and right, or with twins, as pairs; empty
+  /// where that does not pay.
   Program in_pairs;
   /// Inputs that a mirror of the mechanism takes to others or to themselves; empty where it has none.
   std::vector<MirroredInput> mirror;
-  Form form = Form::recursive;  ///< of `accelerations` and `accelerations_chosen`
+  std::vector<TwinInput> twins;  ///< inputs of parts that are equal, each pair once
+  bool holds_twins = false;      ///< whether lanes of `in_pairs` hold twins, not left and right
+  Form form = Form::recursive;   ///< of `accelerations` and `accelerations_chosen`
 };
 
 Program& program_of(Programs& programs, Role role);

@@ -24,6 +24,9 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
 std::vector<MirroredInput> mirrored_inputs(const Model& model, const Topology& topology,
                                            const std::vector<SharedLaw>& laws);
 
+/// Inputs of the accelerations that belong to parts of the mechanism which are equal, results of these laws among them.
+std::vector<TwinInput> twin_inputs(const Model& model, const Topology& topology, const std::vector<SharedLaw>& laws);
+
 /// The laws of tyres that have one set of coefficients, each of two or more; their programs are still empty.
 std::vector<SharedLaw> plan_shared_laws(const Model& model);
 /// Their programs. around: the accelerations traced with the planned laws; loses what it gives as numbers, and all but

@@ -39,6 +39,7 @@ Programs trace(const Model& model, const Topology& topology, const Analysis& ana
           trace_recursive_accelerations(model, topology, analysis, Role::accelerations_chosen, choices);
     programs.laws = plan_shared_laws(model);
     programs.mirror = mirrored_inputs(model, topology, programs.laws);
+    programs.twins = twin_inputs(model, topology, programs.laws);
     if (!programs.laws.empty()) {
       programs.around_laws =
           trace_recursive_accelerations(model, topology, analysis, Role::accelerations, choices, programs.laws);

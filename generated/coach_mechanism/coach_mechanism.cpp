@@ -69,9 +69,9 @@
 //   J entry of the closure Jacobian; Rz projection (61); zdd_star accelerations at zero free ones (62)
 //   s8_12 the 12th value without a name of step 8
 //
-// Pairs: values of a left and a right side that do the same operations, one in each lane. The second lane holds the
-// mirror image of its side's value: of (a)_and_(b) the first lane is a, the second one b or, where the mirror turns it
-// round, -b. T[0] + T[1] sums both sides.
+// Pairs: values of a left and a right side, or of two equal parts, that do the same operations, one in each lane. The
+// second lane holds the mirror image of its side's value, or that of the other part: of (a)_and_(b) the first lane is
+// a, the second one b or, where a sign differs, -b. T[0] + T[1] sums both.
 
 #include "coach_mechanism.hpp"
 
@@ -99,7 +99,7 @@ namespace coach_mechanism {
 using mbgen::fma;   // a b + c, rounded once
 using mbgen::fms;   // a b - c
 using mbgen::fnma;  // c - a b, of fnma(a, b, c)
-using mbgen::Pair;  // left, and right as its mirror image
+using mbgen::Pair;  // left, and right as its mirror image; or a part and its twin
 
 namespace {
 
@@ -670,7 +670,7 @@ struct AccelerationsWork6 {
   const Pair s6_11 = fma(w1.s2_7, w1.s6_4, fma(w1.s2_40, w1.s6_6, s6_10));
   w1.s6_12 = fnma(w1.s2_13, w1.s6_8, s6_11);
   w1.s6_13 = fms(s2_11, Pair{w1.s6_12[1], w1.s6_12[0]}, w1.s6_12);
-  // long_rod_right; and the image of long_rod_left
+  // long_rod_right; and likewise long_rod_left
   const Pair s6_14 = fms(w1.s2_39, w1.s4_7, w1.s2_19*w1.s4_3);
   const Pair s6_15 = fma(w1.s2_23, w1.s4_3, w1.s2_39*w1.s4_11);
   const Pair s6_16 = fma(w1.s2_19, w1.s4_11, w1.s2_23*w1.s4_7);
@@ -778,7 +778,7 @@ struct AccelerationsWork6 {
   w1.s0_12 = Pair{state.zd[Coordinate::arb_rear_left], state.zd[Coordinate::arb_rear_right]};
 
   // --- step 6: c and dRz/dt zd (62), long_rod_left .. arb_link_rear_right, continued ---
-  // arb_link_rear_left; and the image of arb_link_rear_right
+  // arb_link_rear_left; and likewise arb_link_rear_right
   const Pair s6_30 = w1.s2_87*w1.s0_12;
   const Pair s6_31 = w1.s2_77*w1.s0_12;
   const Pair s6_32 = fnma(w1.s2_71, w1.s4_3, w1.s2_86*w1.s4_11);
@@ -998,27 +998,27 @@ struct AccelerationsWork6 {
   const Pair s1_9 = Pair{w6.sines[4], -w6.sines[6]};
   const Pair s1_10 = Pair{w6.cosines[4], w6.cosines[6]};
   w1.s1_11 = Pair{w6.cosines[3], w6.cosines[5]};
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and the image of
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and likewise carrier_right_aux1:
+  // carrier_right_rz, revolute, lower_arm_right
   const Pair R_lower_arm_left_y_y = mbgen::pair_at(w6.cosines + 16);
   const Pair R_carrier_left_and_right_aux1_y_y = R_lower_arm_left_y_y*w1.s1_11;
   const Pair R_lower_arm_left_z_y = mbgen::pair_at(w6.sines + 16);
   const Pair s1_12 = fma(R_carrier_left_and_right_aux1_y_y, s1_9, R_lower_arm_left_z_y*s1_10);
   w1.R_carrier_left_and_right_aux1_y_x = R_lower_arm_left_y_y*s1_8;
   const Pair s1_13 = mbgen::pair_at(w6.sines + 18);
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair s1_14 = mbgen::pair_at(w6.cosines + 18);
   const Pair R_carrier_left_and_right_y_z = fnma(s1_12, s1_14,
       w1.R_carrier_left_and_right_aux1_y_x*s1_13);
-  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1; and the image of
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1; and likewise
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const Pair s1_15 = s1_10*R_carrier_left_and_right_aux1_y_y;
   w1.R_carrier_left_and_right_aux2_y_y = fnma(R_lower_arm_left_z_y, s1_9, s1_15);
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and the image of
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and likewise carrier_right_aux1:
+  // carrier_right_rz, revolute, lower_arm_right
   const Pair R_carrier_left_and_right_aux1_z_y = R_lower_arm_left_z_y*w1.s1_11;
-  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1; and the image of
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1; and likewise
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const Pair s1_16 = R_lower_arm_left_y_y*s1_10;
   const Pair R_carrier_left_and_right_aux2_z_z = fnma(s1_9, R_carrier_left_and_right_aux1_z_y,
@@ -1026,10 +1026,10 @@ struct AccelerationsWork6 {
   w1.R_carrier_left_and_right_aux2_z_y = fma(s1_10, R_carrier_left_and_right_aux1_z_y,
       R_lower_arm_left_y_y*s1_9);
   const Pair R_carrier_left_and_right_aux2_x_z = s1_8*s1_9;
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and the image of
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and likewise carrier_right_aux1:
+  // carrier_right_rz, revolute, lower_arm_right
   w1.R_carrier_left_and_right_aux1_z_x = s1_8*R_lower_arm_left_z_y;
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair s1_17 = s1_14*w1.R_carrier_left_and_right_aux1_z_x;
   w1.R_carrier_left_and_right_z_x = fnma(s1_13, R_carrier_left_and_right_aux2_z_z, s1_17);
@@ -1045,7 +1045,7 @@ struct AccelerationsWork6 {
   const Pair s7_33 = fma(K_carrier_left_xx, R_carrier_left_and_right_y_x, s7_32);
   const Pair s7_34 = w1.R_carrier_left_and_right_aux2_y_y*s7_30;
   const Pair s7_35 = w1.R_carrier_left_and_right_aux2_z_y*s7_30;
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair s1_18 = s1_13*w1.R_carrier_left_and_right_aux1_z_x;
   w1.R_carrier_left_and_right_z_z = fma(s1_14, R_carrier_left_and_right_aux2_z_z, s1_18);
@@ -1058,7 +1058,7 @@ struct AccelerationsWork6 {
   w1.s7_42 = fma(w1.R_carrier_left_and_right_z_z, s7_38, s7_41);
 
   // --- step 1: poses and axes b, continued ---
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair R_carrier_left_and_right_x_z = fma(s1_14, R_carrier_left_and_right_aux2_x_z,
       s1_13*w1.s1_11);
@@ -1076,7 +1076,7 @@ struct AccelerationsWork6 {
   // --- step 7: inertias of the bodies and forces on joints, upper_ball_left .. tie_rod_right,
   // continued ---
   const Pair s7_43 = K_carrier_left_yz*R_carrier_left_and_right_x_z;
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair s7_44 = fnma(K_carrier_left_yy, w1.s1_19, s7_43);
   const Pair s7_45 = fma(K_carrier_left_xy, R_carrier_left_and_right_x_x, s7_44);
@@ -1137,7 +1137,7 @@ struct AccelerationsWork6 {
   const Pair s0_20 = Pair{zd_bell_crank, -zd_bell_crank};
   w1.s4_30 = w1.s4_27 + w1.s4_25;
   w1.s4_31 = w1.s4_23 + w1.s4_30;
-  // tie_rod_left; and the image of tie_rod_right
+  // tie_rod_left; and likewise tie_rod_right
   const Pair s6_67 = fnma(w1.s2_135, w1.s4_31, w1.s2_131*w1.s4_29);
   const Pair s6_68 = fnma(w1.s2_131, w1.s4_21, w1.s2_139*w1.s4_31);
   const Pair s6_69 = w1.s2_125*s0_20;
@@ -1146,8 +1146,8 @@ struct AccelerationsWork6 {
   w1.s6_72 = fma(w1.s4_31, s6_68, fnma(w1.s4_29, s6_66, s0_20*s6_71));
   const Pair s1_27 = p_carrier_left_rz_y*R_lower_arm_left_z_y;
   w1.s1_28 = fma(p_carrier_left_rz_z, R_lower_arm_left_y_y, s1_27);
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and the image of
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left; and likewise carrier_right_aux1:
+  // carrier_right_rz, revolute, lower_arm_right
   w1.r_carrier_left_aux1_z = w1.s1_28 + p_lower_arm_left_z;
   w1.s2_140 = w1.s2_131 + (w1.r_carrier_left_aux1_z - p_bell_crank_z);
   const Pair s1_29 = p_carrier_left_rz_y*R_lower_arm_left_y_y;
@@ -1206,7 +1206,7 @@ struct AccelerationsWork6 {
   w2.s2_159 = s2_133 + w1.s1_30;
   const Pair s4_34 = Pair{w4.w_chassis_x, -w4.w_chassis_x};
   const Pair s4_35 = Pair{w4.w_chassis_z, -w4.w_chassis_z};
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   w2.w_carrier_left_and_right_z = w1.s4_31 + s4_35;
   const Pair w_carrier_left_and_right_x = w1.s4_21 + s4_34;
@@ -1255,7 +1255,7 @@ struct AccelerationsWork6 {
   w2.s8_104 = Pair{w4.s8_102, w4.s8_102} + s8_103;
   w2.s8_105 = fnma(w1.s4_29, s4_34, w1.s4_21*w1.s4_17);
   w2.s8_106 = fms(w1.s4_21, s4_35, w1.s4_31*s4_34);
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair w_carrier_left_and_right_y = w1.s4_29 + w1.s4_17;
   w2.s8_107 = fnma(w1.s4_29, s4_35, w1.s4_31*w1.s4_17);
@@ -1607,7 +1607,7 @@ struct AccelerationsWork6 {
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
   // continued ---
   w3.s8_286 = fma(w2.s8_76, w3.s7_101 - w3.s7_92, fnma(w3.s7_100, s8_284, s8_285));
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair s8_287 = w2.s8_148 + w2.s8_146;
   const Pair s8_288 = fma(w2.w_carrier_left_and_right_z, w2.w_carrier_left_and_right_z, w2.s8_148);
@@ -1696,7 +1696,7 @@ struct AccelerationsWork6 {
   const double s8_332 = fnma(p_rear_axle_tx_z, w4.s8_40, s8_330);
   w3.s7_114 = K_carrier_left_trace - w1.s7_57;
   const Pair s7_115 = w3.s7_114 - w1.s7_40;
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and the image of carrier_right:
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2; and likewise carrier_right:
   // carrier_right_ry, revolute, carrier_right_aux2
   const Pair n_carrier_left_and_right_x = fnma(w1.s7_59, w2.s8_142, fma(s7_115, w2.s8_136,
       w3.s8_293));

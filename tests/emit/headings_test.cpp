@@ -34,8 +34,8 @@ std::string heading_of(const std::string& name, const std::map<std::string, std:
   return "";
 }
 
-/// "arm_left_and_right_pin" of two bodies that are mirror images: what they have in common before and after stands
-/// once.
+/// "arm_left_and_right_pin" of two bodies that are mirror images or twins: what they have in common before and after
+/// stands once.
 std::string name_of_both(const std::string& first, const std::string& second) {
   static const std::regex kCommon("((?:\\w+_)?)(\\w+?)((?:_\\w+)?),\\1(\\w+?)\\3");
   return std::regex_replace(first + "," + second, kCommon, "$1$2_and_$4$3");
@@ -47,7 +47,7 @@ bool stands_under_both(const std::string& name, const std::string& heading,
   for (const auto& [a, of_a] : coordinates)
     for (const auto& [b, of_b] : coordinates) {
       const bool names_both = heading.starts_with(a + ": " + of_a + ",") &&
-                              heading.find("; and the image of " + b + ": " + of_b + ",") != std::string::npos;
+                              heading.find("; and likewise " + b + ": " + of_b + ",") != std::string::npos;
       if (names_both && !heading_of(name, {{name_of_both(a, b), name_of_both(of_a, of_b)}}).empty()) return true;
     }
   return false;

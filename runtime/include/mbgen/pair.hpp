@@ -1,13 +1,13 @@
 #pragma once
-// Left and right of a mechanism in one vector of two doubles (the vector_size extension of GCC and clang).
+// Left and right of a mechanism, or two equal parts, in one vector of two doubles (the vector_size extension of GCC and clang).
 
 #include "mbgen/array_lanes.hpp"
 #include "mbgen/fma.hpp"
 
 namespace mbgen {
 
-/// A number of one side, and what the same number of the other side is in a mirror. Operations go lane by lane; the
-/// result of one does not depend on the other.
+/// A number of one side, and what the same number of the other side is in a mirror; or of a part and of its twin.
+/// Operations go lane by lane; the result of one does not depend on the other.
 using Pair = array_detail::LanesOf<2>;
 
 /// Two numbers that stand one after the other.

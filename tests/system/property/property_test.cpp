@@ -63,6 +63,8 @@ constexpr NamedFamily kFamilies[] = {
     {Family::mirror_halves, "mirror_halves"},
     {Family::nearly_mirror_halves, "nearly_mirror_halves"},
     {Family::equal_legs, "equal_legs"},
+    {Family::equal_cells, "equal_cells"},
+    {Family::alike_cells, "alike_cells"},
 };
 
 class EveryFamily : public ::testing::TestWithParam<NamedFamily> {};

@@ -309,6 +309,8 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
   if (family == Family::mirror_halves) return random_mirror_halves(seed);
   if (family == Family::nearly_mirror_halves) return with_one_other_number(random_mirror_halves(seed), seed);
   if (family == Family::equal_legs) return random_equal_legs(seed);
+  if (family == Family::equal_cells) return random_equal_cells(seed);
+  if (family == Family::alike_cells) return random_alike_cells(seed);
   Dice dice(seed * 1000003 + static_cast<std::uint64_t>(family));
   Workshop shop(dice, seed);
   switch (family) {
@@ -359,6 +361,8 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
     case Family::mirror_halves:
     case Family::nearly_mirror_halves:
     case Family::equal_legs:
+    case Family::equal_cells:
+    case Family::alike_cells:
       break;
   }
   if (shop.size() > 1 && dice.chance(0.5)) shop.add_spring(0, shop.size() - 1);

@@ -113,6 +113,8 @@ enum class Family {
   mirror_halves,   ///< a left half and its mirror image on a base between them
   nearly_mirror_halves,  ///< the same, but for one number
   equal_legs,            ///< three equal legs, a third of a turn apart, under a platform
+  equal_cells,           ///< a row of equal four-bars on a base
+  alike_cells,           ///< the same with masses of their own
   rolling,               ///< a free body with a tail, on discs, balls and blades that roll on ground or a moving body
   by_equations,          ///< closed by joints that have no coordinates: points on lines and planes, directions, shafts
   driven_cuts            ///< chains that a joint closes which is driven where it is cut

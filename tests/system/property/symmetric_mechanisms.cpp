@@ -94,4 +94,41 @@ RandomMechanism random_equal_legs(std::uint64_t seed) {
   return all;
 }
 
+RandomMechanism random_equal_cells(std::uint64_t seed) {
+  Dice dice(seed * 1000003 + 15);
+  Workshop shop(dice, seed);
+  add_base(shop);
+  const Point at = plus(shop.place_of(0), dice.point(0.2)), along{0, 1, 0};
+  const double width = dice.between(0.3, 0.6), height = dice.between(0.2, 0.5), lean = dice.between(-0.1, 0.1);
+  const auto corner = [&](double x, double z) { return plus(at, {x, 0, z}); };
+  const int left = shop.add_body(corner(0, height / 2)), coupler = shop.add_body(corner(width / 2, height));
+  const int right = shop.add_body(corner(width, height / 2));
+  shop.add_joint("revolute", 0, left, corner(0, 0), along);
+  shop.add_joint("revolute", left, coupler, corner(lean, height), along);
+  shop.add_joint("revolute", 0, right, corner(width, 0), along);
+  shop.add_joint("revolute", coupler, right, corner(width + lean, 1.1 * height), along, true);
+  shop.hang("revolute", coupler);
+  if (dice.chance(0.5)) shop.add_spring(0, coupler);
+  RandomMechanism all = std::move(shop).made();
+  const RandomMechanism cell = all;
+  const std::array<Point, 3> same{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const int cells = 2 + dice.upto(3);
+  for (int k = 1; k < cells; ++k) {
+    RandomMechanism next = moved(cell, same, {0.1 * k, 0.7 * k, 0});
+    append_image(all, next, 1, "_" + std::to_string(k));
+  }
+  return all;
+}
+
+RandomMechanism random_alike_cells(std::uint64_t seed) {
+  RandomMechanism all = random_equal_cells(seed);
+  Dice dice(seed);
+  for (RandomBody& body : all.bodies) {
+    const double share = dice.between(0.8, 1.25);
+    body.mass *= share;
+    for (double& entry : body.inertia) entry *= share;
+  }
+  return all;
+}
+
 }  // namespace mbgen::testing

@@ -17,4 +17,11 @@ RandomMechanism with_one_other_number(RandomMechanism halves, std::uint64_t seed
 /// Three equal legs of pins on ground, and a platform on the balls of their feet.
 RandomMechanism random_equal_legs(std::uint64_t seed);
 
+/// Two to five equal planar four-bars side by side on a base that turns or slides, each with a body that hangs on its
+/// coupler; half of the time springs from the base. Body 0 is the base, then a cell after another.
+RandomMechanism random_equal_cells(std::uint64_t seed);
+
+/// The same, but masses of all cells and the place of each one differ: other numbers in equal operations.
+RandomMechanism random_alike_cells(std::uint64_t seed);
+
 }  // namespace mbgen::testing
