@@ -95,7 +95,9 @@ TEST(Envelope, TendsToTheContactInOnePointOnLongWaves) {
       const double z = 0.28 + 0.005 * length * std::sin(2 * std::numbers::pi * x / length);
       largest = std::max(largest, std::abs(point.force_at(x, 0, z)[2] - enveloping.force_at(x, 0, z)[2]));
     }
-    if (last > 0) EXPECT_LT(largest, 0.6 * last) << length;
+    if (last > 0) {
+      EXPECT_LT(largest, 0.6 * last) << length;
+    }
     last = largest;
   }
   EXPECT_LT(last, 0.01 * 2000) << "of the load";
