@@ -18,6 +18,14 @@ Programs on_each(Programs programs) {
   return programs;
 }
 
+/// The same of the accelerations alone, where a pass takes longer than it gains in programs that run less often.
+template <OnProgram run>
+Programs on_accelerations(Programs programs) {
+  for (Program* program : {&programs.accelerations, &programs.around_laws})
+    if (!program->outputs.empty()) *program = remove_dead_values(run(*program));
+  return programs;
+}
+
 /// The accelerations of the text: those around laws that elements share.
 const Program& written_accelerations(const Programs& programs) {
   return programs.laws.empty() ? programs.accelerations : programs.around_laws;
@@ -52,13 +60,13 @@ Programs with_derived_constants(Programs programs) {
 constexpr Pass kPasses[] = {
     {"dead-values", "values that no output needs taken out", Lowered::whole, on_each<remove_dead_values>},
     {"equal-values", "values that are equal by algebra merged", Lowered::whole, on_each<merge_equal_values>},
-    {"shorter-forms", "values written as one operation on others", Lowered::whole, on_each<write_shorter_forms>},
+    {"shorter-forms", "accelerations: values written as one operation on others", Lowered::whole, on_accelerations<write_shorter_forms>},
     {"divisions", "divisions by one value merged", Lowered::whole, on_each<merge_divisions>},
     {"pairs", "left and right of a mirror, or twins, in two lanes", Lowered::whole, with_pairs_folded},
     {"sums", "sums factored", Lowered::whole, on_each<factor_sums>},
     {"optimised", "sums of what that left factored", Lowered::whole, on_each<factor_sums>},
     {"equal-sums", "equal values of what that left merged", Lowered::whole, on_each<merge_equal_values>},
-    {"shorter-sums", "values of what that left written shorter", Lowered::whole, on_each<write_shorter_forms>},
+    {"shorter-sums", "accelerations: values of what that left written shorter", Lowered::whole, on_accelerations<write_shorter_forms>},
     {"pairs-kept", "pairs left out that do not pay", Lowered::whole, with_pairs_that_pay},
     {"derived-constants", "what depends on parameters alone taken out", Lowered::lean, with_derived_constants},
     {"contraction", "products taken into sums, rounded once", Lowered::emitted, on_each<contract>},

@@ -197,10 +197,10 @@ TEST_F(CommandLine, DumpsEveryStageAndNothingElse) {
   std::filesystem::remove_all(path("made"));
   const Outcome run = mbgen("check four_bar.json --dump=everything");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(
-      run.err.find("model, topology, analysis, program, dead-values, divisions, pairs, sums, optimised, pairs-kept, "
-                   "derived-constants, contraction, code, passes"),
-      std::string::npos)
+  EXPECT_NE(run.err.find("model, topology, analysis, program, dead-values, equal-values, shorter-forms, divisions, pairs, "
+                         "sums, optimised, equal-sums, shorter-sums, pairs-kept, derived-constants, contraction, code, "
+                         "passes"),
+            std::string::npos)
       << run.err;
   EXPECT_EQ(leftovers(), Names{"four_bar.json"});
 }
