@@ -390,39 +390,40 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s5_6 = 1.0/s5_5;
   const double s5_7 = fma(zd_lower*s5_1, s5_4, s5_2*(zd_lower*s5_3))*s5_6;
   const double s5_8 = s5_7 - 0.2;
-  const double s5_9 = (0.2 + s5_7 >= 0.0 ? 1600.0*s5_7 : fms(725.0, 1.0 + s5_7, 900.0));
-  const double s5_10 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_9);
-  const double s5_11 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_10);
-  const double tension_spring = s5_11 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
-  const double s5_12 = s5_6*tension_spring;
-  const double s5_13 = s5_2*s5_12;
-  const double s5_14 = s5_4*s5_12;
+  const double s5_9 = 0.2 + s5_7;
+  const double s5_10 = (s5_9 >= 0.0 ? fms(1600.0, s5_9, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
+  const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_10);
+  const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11);
+  const double tension_spring = s5_12 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
+  const double s5_13 = s5_6*tension_spring;
+  const double s5_14 = s5_2*s5_13;
+  const double s5_15 = s5_4*s5_13;
   // tyre
-  const double s5_15 = radius_tyre - (p_pull_z + r_wheel_z);
-  const double s5_16 = mbgen::max(0.0, k_tyre*s5_15);
-  const double load_tyre = mbgen::max(0.0, s5_16 + mbgen::min(s5_16, d_tyre*s4_1));
-  const double s5_17 = mbgen::max(0.004, load_tyre);
-  const double s5_18 = 1.1*s5_17;
-  const double s5_19 = 1.6*s5_18;
-  const double s5_20 = 1e-09*s5_17;
-  const double s5_21 = (s5_19 >= 0.0 ? mbgen::max(s5_19, s5_20) : mbgen::min(s5_19, -s5_20));
-  const double s5_22 = state.x[0]/relaxation_x_tyre;
-  const double s5_23 = state.x[1]/relaxation_y_tyre;
-  const double s5_24 = std::sqrt(fma(s5_23, s5_23, fma(s5_22, s5_22, 1e-30)));
-  const double s5_25 = std::abs(v_wheel_x);
-  const double s5_26 = fnma(0.3333333333333333, mbgen::max(0.0, s5_15), radius_tyre);
-  const double s5_27 = w_wheel_y*s5_26;
-  const double s5_28 = v_wheel_x - s5_27;
-  const double s5_29 = 0.1*fma(0.5, s5_25 + std::sqrt(fma(s5_28, s5_28, 1e-30)), 1.0);
-  const double s5_30 = 1.0 - s5_24/mbgen::min(0.5, s5_29);
-  const double s5_31 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_25));
-  const double s5_32 = s5_22*(1.0/mbgen::max(0.6666666666666666*s5_24, s5_30));
-  const double s5_33 = fnma(s5_28, 0.06*fma(0.5, s5_31, 0.5)*mbgen::max(0.0, s5_30), s5_32);
-  const double s5_34 = s5_18*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_17/s5_21*s5_33));
-  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_17*s5_34;
-  const double s5_35 = mbgen::hyperbolic_tangent(0.5*s5_27);
-  const double s5_36 = radius_tyre*(rolling_tyre*load_tyre);
-  // operations: 27 add, 47 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+  const double s5_16 = radius_tyre - (p_pull_z + r_wheel_z);
+  const double s5_17 = mbgen::max(0.0, k_tyre*s5_16);
+  const double load_tyre = mbgen::max(0.0, s5_17 + mbgen::min(s5_17, d_tyre*s4_1));
+  const double s5_18 = mbgen::max(0.004, load_tyre);
+  const double s5_19 = 1.1*s5_18;
+  const double s5_20 = 1.6*s5_19;
+  const double s5_21 = 1e-09*s5_18;
+  const double s5_22 = (s5_20 >= 0.0 ? mbgen::max(s5_20, s5_21) : mbgen::min(s5_20, -s5_21));
+  const double s5_23 = state.x[0]/relaxation_x_tyre;
+  const double s5_24 = state.x[1]/relaxation_y_tyre;
+  const double s5_25 = std::sqrt(fma(s5_24, s5_24, fma(s5_23, s5_23, 1e-30)));
+  const double s5_26 = std::abs(v_wheel_x);
+  const double s5_27 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
+  const double s5_28 = w_wheel_y*s5_27;
+  const double s5_29 = v_wheel_x - s5_28;
+  const double s5_30 = 0.1*fma(0.5, s5_26 + std::sqrt(fma(s5_29, s5_29, 1e-30)), 1.0);
+  const double s5_31 = 1.0 - s5_25/mbgen::min(0.5, s5_30);
+  const double s5_32 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_26));
+  const double s5_33 = s5_23*(1.0/mbgen::max(0.6666666666666666*s5_25, s5_31));
+  const double s5_34 = fnma(s5_29, 0.06*fma(0.5, s5_32, 0.5)*mbgen::max(0.0, s5_31), s5_33);
+  const double s5_35 = s5_19*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_18/s5_22*s5_34));
+  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_18*s5_35;
+  const double s5_36 = mbgen::hyperbolic_tangent(0.5*s5_28);
+  const double s5_37 = radius_tyre*(rolling_tyre*load_tyre);
+  // operations: 28 add, 47 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 7: inertias of the bodies and forces on joints ---
   const double s7_1 = zd_lower*zd_lower;
@@ -439,7 +440,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
   const double f_wheel_x = fms(m_wheel, a_wheel_x, fx_tyre);
   const double f_wheel_z = fms(m_wheel, a_wheel_z, load_tyre);
-  const double n_wheel_y = alpha_wheel_y + fma(s5_35, s5_36, s5_26*fx_tyre);
+  const double n_wheel_y = alpha_wheel_y + fma(s5_36, s5_37, s5_27*fx_tyre);
   // knuckle: ball, revolute, arm
   const double c_knuckle_z = parameters.derived[3];
   const double s7_3 = R_knuckle_x_x*c_knuckle_z;
@@ -459,13 +460,13 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s7_9 = fnma(c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
   const double s7_10 = fma(c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
   const double s7_11 = m_arm*fnma(s7_1, s7_10, fma(zdd_lower, s7_9, zdd_pull));
-  const double f_arm_x = s5_13 + s7_11;
-  const double s7_12 = fma(s7_9, s7_11, fma(s5_1, s5_14, fma(s5_3, s5_13, I_arm_yy*zdd_lower)));
+  const double f_arm_x = s5_14 + s7_11;
+  const double s7_12 = fma(s7_9, s7_11, fma(s5_1, s5_15, fma(s5_3, s5_14, I_arm_yy*zdd_lower)));
   const double n_arm_y = fnma(s7_10, m_arm*fnma(zdd_lower, s7_10, fnma(s7_1, s7_9, -g_z)), s7_12);
   const double s7_13 = fma(r_knuckle_x, s7_8, fnma(s1_2, s7_7, tau[Coordinate::lower] - s7_6));
   result.missing[0] = s7_13 - n_arm_y;
   // carriage: pull, prismatic, ground
-  const double f_carriage_x = fms(m_carriage, zdd_pull, s5_13);
+  const double f_carriage_x = fms(m_carriage, zdd_pull, s5_14);
   const double Q_pull = tau[Coordinate::pull] - s7_7 - f_arm_x - f_carriage_x;
   // operations: 45 add, 45 multiply
 
@@ -588,43 +589,49 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s5_6 = 1.0/s5_5;
   const double s5_7 = fma(zd_lower*s5_1, s5_4, s5_2*(zd_lower*s5_3))*s5_6;
   const double s5_8 = s5_7 - 0.2;
-  const double s5_9 = (0.2 + s5_7 >= 0.0 ? 1600.0*s5_7 : fms(725.0, 1.0 + s5_7, 900.0));
-  const double s5_10 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_9);
-  const double s5_11 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_10);
-  const double tension_spring = s5_11 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
-  const double s5_12 = s5_6*tension_spring;
-  const double s5_13 = s5_2*s5_12;
-  const double s5_14 = s5_4*s5_12;
+  const double s5_9 = 0.2 + s5_7;
+  const double s5_10 = (s5_9 >= 0.0 ? fms(1600.0, s5_9, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
+  const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_10);
+  const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11);
+  const double tension_spring = s5_12 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
+  const double s5_13 = s5_6*tension_spring;
+  const double s5_14 = s5_2*s5_13;
+  const double s5_15 = s5_4*s5_13;
   // tyre
-  const double s5_15 = radius_tyre - (p_pull_z + r_wheel_z);
-  const double s5_16 = mbgen::max(0.0, k_tyre*s5_15);
-  const double load_tyre = mbgen::max(0.0, s5_16 + mbgen::min(s5_16, d_tyre*s4_1));
-  const double s5_17 = mbgen::max(0.004, load_tyre);
-  const double s5_18 = 1.1*s5_17;
-  const double s5_19 = 1.6*s5_18;
-  const double s5_20 = 1e-09*s5_17;
-  const double s5_21 = (s5_19 >= 0.0 ? mbgen::max(s5_19, s5_20) : mbgen::min(s5_19, -s5_20));
-  const double s5_22 = state.x[0]/relaxation_x_tyre;
-  const double s5_23 = state.x[1]/relaxation_y_tyre;
-  const double s5_24 = std::sqrt(fma(s5_23, s5_23, fma(s5_22, s5_22, 1e-30)));
-  const double s5_25 = std::abs(v_wheel_x);
-  const double s5_26 = fnma(0.3333333333333333, mbgen::max(0.0, s5_15), radius_tyre);
-  const double s5_27 = w_wheel_y*s5_26;
-  const double s5_28 = v_wheel_x - s5_27;
-  const double s5_29 = std::sqrt(fma(s5_28, s5_28, 1e-30));
-  const double s5_30 = mbgen::min(0.5, 0.1*fma(0.5, s5_25 + s5_29, 1.0));
-  const double s5_31 = 1.0 - s5_24/s5_30;
-  const double s5_32 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_25));
-  const double s5_33 = s5_22*(1.0/mbgen::max(0.6666666666666666*s5_24, s5_31));
-  const double s5_34 = fnma(s5_28, 0.06*fma(0.5, s5_32, 0.5)*mbgen::max(0.0, s5_31), s5_33);
-  const double s5_35 = s5_18*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_17/s5_21*s5_34));
-  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_17*s5_35;
-  const double s5_36 = s5_25 + s5_29/s5_30;
-  result.xd[1] = -(s5_23*s5_36);
-  result.xd[0] = -fma(s5_22, s5_36, s5_28);
-  const double s5_37 = mbgen::hyperbolic_tangent(0.5*s5_27);
-  const double s5_38 = radius_tyre*(rolling_tyre*load_tyre);
-  // operations: 29 add, 49 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
+  const double s5_16 = radius_tyre - (p_pull_z + r_wheel_z);
+  const double s5_17 = mbgen::max(0.0, k_tyre*s5_16);
+  const double load_tyre = mbgen::max(0.0, s5_17 + mbgen::min(s5_17, d_tyre*s4_1));
+  const double s5_18 = mbgen::max(0.004, load_tyre);
+  const double s5_19 = 1.1*s5_18;
+  const double s5_20 = 1.6*s5_19;
+  const double s5_21 = 1e-09*s5_18;
+  const double s5_22 = (s5_20 >= 0.0 ? mbgen::max(s5_20, s5_21) : mbgen::min(s5_20, -s5_21));
+  const double s5_23 = state.x[0]/relaxation_x_tyre;
+  const double s5_24 = state.x[1]/relaxation_y_tyre;
+  const double s5_25 = std::sqrt(fma(s5_24, s5_24, fma(s5_23, s5_23, 1e-30)));
+  const double s5_26 = std::abs(v_wheel_x);
+  const double s5_27 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
+  const double s5_28 = w_wheel_y*s5_27;
+  const double s5_29 = v_wheel_x - s5_28;
+  const double s5_30 = std::sqrt(fma(s5_29, s5_29, 1e-30));
+  const double s5_31 = mbgen::min(0.5, 0.1*fma(0.5, s5_26 + s5_30, 1.0));
+  const double s5_32 = 1.0 - s5_25/s5_31;
+  const double s5_33 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_26));
+  const double s5_34 = s5_23*(1.0/mbgen::max(0.6666666666666666*s5_25, s5_32));
+  const double s5_35 = fnma(s5_29, 0.06*fma(0.5, s5_33, 0.5)*mbgen::max(0.0, s5_32), s5_34);
+  const double s5_36 = s5_19*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_18/s5_22*s5_35));
+  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_18*s5_36;
+  const double s5_37 = s5_26 + s5_30/s5_31;
+  result.xd[1] = -(s5_24*s5_37);
+  result.xd[0] = -fma(s5_23, s5_37, s5_29);
+  const double s5_38 = mbgen::hyperbolic_tangent(0.5*s5_28);
+  const double s5_39 = fma(s5_38, radius_tyre*(rolling_tyre*load_tyre), s5_27*fx_tyre);
+  // operations: 31 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
+
+  // --- step 8: elimination from the leaves to the root (63) ---
+  const double tau_wheel = tau[Coordinate::wheel];
+  const double s8_1 = tau_wheel - s5_39;
+  // operations: 1 add
 
   // --- step 6: c and dRz/dt zd (62), upper ---
   const double s6_1 = zd_lower*zd_lower;
@@ -637,37 +644,36 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
 
   // --- step 8: elimination from the leaves to the root (63), upper ---
   // knuckle: ball, revolute, arm
-  const double s8_1 = projection.Rz[0] + projection.Rz[1];
-  const double s8_2 = projection.zdd_star[0] + projection.zdd_star[1];
-  const double s8_3 = R_knuckle_x_x*parameters.derived[0];
-  const double s8_4 = R_knuckle_x_z*parameters.derived[0];
-  const double s8_5 = fma(s8_2, s8_3, fnma(r_knuckle_x, s6_1, s1_2*projection.zdd_star[0]));
+  const double s8_2 = projection.Rz[0] + projection.Rz[1];
+  const double s8_3 = projection.zdd_star[0] + projection.zdd_star[1];
+  const double s8_4 = R_knuckle_x_x*parameters.derived[0];
+  const double s8_5 = R_knuckle_x_z*parameters.derived[0];
+  const double s8_6 = fma(s8_3, s8_4, fnma(r_knuckle_x, s6_1, s1_2*projection.zdd_star[0]));
   const double m_knuckle = parameters.derived[1];
-  const double f_knuckle_x = fms(fnma(s6_2, s8_4, s8_5), m_knuckle, fx_tyre);
-  const double s8_6 = fma(s6_2, s8_3, fma(s1_2, s6_1, r_knuckle_x*projection.zdd_star[0]));
-  const double s8_7 = fma(m_knuckle, fma(s8_2, s8_4, s8_6), load_tyre);
-  const double tau_wheel = tau[Coordinate::wheel];
-  const double s8_8 = fma(load_tyre, s1_3 - s8_4, fma(s8_2, parameters.derived[2], tau_wheel));
-  const double n_knuckle_y = fma(fx_tyre, s8_3 - s1_4, s8_8);
-  const double s8_9 = fma(s8_1, s8_4, r_knuckle_x*projection.Rz[0]);
-  const double s8_10 = m_knuckle*s8_9;
-  const double s8_11 = s8_1*parameters.derived[2];
-  const double s8_12 = fma(s8_1, s8_3, s1_2*projection.Rz[0]);
-  const double s8_13 = m_knuckle*s8_12;
+  const double f_knuckle_x = fms(fnma(s6_2, s8_5, s8_6), m_knuckle, fx_tyre);
+  const double s8_7 = fma(s6_2, s8_4, fma(s1_2, s6_1, r_knuckle_x*projection.zdd_star[0]));
+  const double s8_8 = fma(m_knuckle, fma(s8_3, s8_5, s8_7), load_tyre);
+  const double s8_9 = fma(load_tyre, s1_3 - s8_5, fma(s8_3, parameters.derived[2], tau_wheel));
+  const double n_knuckle_y = fma(fx_tyre, s8_4 - s1_4, s8_9);
+  const double s8_10 = fma(s8_2, s8_5, r_knuckle_x*projection.Rz[0]);
+  const double s8_11 = m_knuckle*s8_10;
+  const double s8_12 = s8_2*parameters.derived[2];
+  const double s8_13 = fma(s8_2, s8_4, s1_2*projection.Rz[0]);
+  const double s8_14 = m_knuckle*s8_13;
   // arm: lower, revolute, carriage
-  const double s8_14 = fma(projection.Rz[0], s7_1, s8_10);
-  const double s8_15 = fma(s8_12, s8_13, fma(s8_1, s8_11, s8_9*s8_10));
-  const double s8_16 = fma(projection.Rz[0], 0.3475*projection.Rz[0], s8_15);
-  result.inertia[0] = s8_16 - 5.52e-23;
-  const double s8_17 = 1.0/s8_16;
+  const double s8_15 = fma(projection.Rz[0], s7_1, s8_11);
+  const double s8_16 = fma(s8_13, s8_14, fma(s8_2, s8_12, s8_10*s8_11));
+  const double s8_17 = fma(projection.Rz[0], 0.3475*projection.Rz[0], s8_16);
+  result.inertia[0] = s8_17 - 5.52e-23;
+  const double s8_18 = 1.0/s8_17;
   // operations: 22 add, 28 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
-  const double s9_1 = fnma(s5_1, s5_14, fnma(s5_3, s5_13, tau[Coordinate::lower]));
-  const double s9_2 = fnma(s8_1, n_knuckle_y, projection.Rz[1]*tau[Coordinate::ball]);
-  const double s9_3 = fnma(g_z, s8_14, fnma(f_knuckle_x, s8_12, fnma(s8_7, s8_9, s9_2)));
+  const double s9_1 = fnma(s5_1, s5_15, fnma(s5_3, s5_14, tau[Coordinate::lower]));
+  const double s9_2 = fnma(s8_2, n_knuckle_y, projection.Rz[1]*tau[Coordinate::ball]);
+  const double s9_3 = fnma(g_z, s8_15, fnma(f_knuckle_x, s8_13, fnma(s8_8, s8_10, s9_2)));
   const double s9_4 = fma(projection.Rz[0], fnma(0.3475, projection.zdd_star[0], s9_1), s9_3);
-  const double s9_5 = s8_17*s9_4;
+  const double s9_5 = s8_18*s9_4;
   // arm: lower, revolute, carriage
   const double alpha_arm_y = fma(projection.Rz[0], s9_5, projection.zdd_star[0]);
   result.zdd[Coordinate::lower] = alpha_arm_y;
@@ -675,9 +681,8 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   result.zdd[Coordinate::ball] = s9_6;
   // knuckle: ball, revolute, arm
   const double alpha_knuckle_y = alpha_arm_y + s9_6;
-  result.zdd[Coordinate::wheel] = fnma(s5_37, s5_38, fnma(s5_26, fx_tyre,
-      tau_wheel)) - alpha_knuckle_y;
-  // operations: 14 add, 14 multiply
+  result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
+  // operations: 12 add, 12 multiply
 }
 
 /// Outputs, energies and power, at given accelerations.
@@ -727,42 +732,47 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s5_3 = fnma(p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
   const double s5_4 = 0.37 - s5_3;
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_2*s5_2));
-  const double s5_6 = fma(zd_lower*s5_1, s5_4, s5_2*(zd_lower*s5_3))*(1.0/s5_5);
-  const double s5_7 = s5_6 - 0.2;
-  const double s5_8 = (0.2 + s5_6 >= 0.0 ? 1600.0*s5_6 : fms(725.0, 1.0 + s5_6, 900.0));
-  const double s5_9 = (s5_6 >= 0.0 ? 3200.0*s5_6 : s5_8);
-  const double s5_10 = (s5_7 >= 0.0 ? fma(1575.0, s5_7, 640.0) : s5_9);
-  const double tension_spring = s5_10 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
+  const double s5_6 = 1.0/s5_5;
+  const double s5_7 = fma(zd_lower*s5_1, s5_4, s5_2*(zd_lower*s5_3))*s5_6;
+  const double s5_8 = s5_7 - 0.2;
+  const double s5_9 = 0.2 + s5_7;
+  const double s5_10 = (s5_9 >= 0.0 ? fms(1600.0, s5_9, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
+  const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_10);
+  const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11);
+  const double tension_spring = s5_12 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
   result.spring_force = tension_spring;
+  const double s5_13 = s5_6*tension_spring;
+  const double s5_14 = s5_2*s5_13;
+  const double s5_15 = s5_4*s5_13;
   // tyre
-  const double s5_11 = p_pull_z + r_wheel_z;
-  result.hub_height = s5_11;
-  const double s5_12 = radius_tyre - s5_11;
-  const double s5_13 = mbgen::max(0.0, k_tyre*s5_12);
-  const double load_tyre = mbgen::max(0.0, s5_13 + mbgen::min(s5_13, d_tyre*s4_2));
+  const double s5_16 = p_pull_z + r_wheel_z;
+  result.hub_height = s5_16;
+  const double s5_17 = radius_tyre - s5_16;
+  const double s5_18 = mbgen::max(0.0, k_tyre*s5_17);
+  const double load_tyre = mbgen::max(0.0, s5_18 + mbgen::min(s5_18, d_tyre*s4_2));
   result.load = load_tyre;
-  const double s5_14 = mbgen::max(0.004, load_tyre);
-  const double s5_15 = 1.1*s5_14;
-  const double s5_16 = 1.6*s5_15;
-  const double s5_17 = 1e-09*s5_14;
-  const double s5_18 = (s5_16 >= 0.0 ? mbgen::max(s5_16, s5_17) : mbgen::min(s5_16, -s5_17));
-  const double s5_19 = state.x[0]/relaxation_x_tyre;
-  const double s5_20 = state.x[1]/relaxation_y_tyre;
-  const double s5_21 = std::sqrt(fma(s5_20, s5_20, fma(s5_19, s5_19, 1e-30)));
-  const double s5_22 = std::abs(v_wheel_x);
-  const double s5_23 = fnma(0.3333333333333333, mbgen::max(0.0, s5_12), radius_tyre);
-  const double s5_24 = w_wheel_y*s5_23;
-  const double s5_25 = v_wheel_x - s5_24;
-  const double s5_26 = 0.1*fma(0.5, s5_22 + std::sqrt(fma(s5_25, s5_25, 1e-30)), 1.0);
-  const double s5_27 = 1.0 - s5_21/mbgen::min(0.5, s5_26);
-  const double s5_28 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_22));
-  const double s5_29 = s5_19*(1.0/mbgen::max(0.6666666666666666*s5_21, s5_27));
-  const double s5_30 = fnma(s5_25, 0.06*fma(0.5, s5_28, 0.5)*mbgen::max(0.0, s5_27), s5_29);
-  const double s5_31 = s5_15*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_14/s5_18*s5_30));
-  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_14*s5_31;
-  const double s5_32 = mbgen::hyperbolic_tangent(0.5*s5_24);
-  const double s5_33 = fma(s5_32, radius_tyre*(rolling_tyre*load_tyre), s5_23*fx_tyre);
-  // operations: 28 add, 46 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+  const double s5_19 = mbgen::max(0.004, load_tyre);
+  const double s5_20 = 1.1*s5_19;
+  const double s5_21 = 1.6*s5_20;
+  const double s5_22 = 1e-09*s5_19;
+  const double s5_23 = (s5_21 >= 0.0 ? mbgen::max(s5_21, s5_22) : mbgen::min(s5_21, -s5_22));
+  const double s5_24 = state.x[0]/relaxation_x_tyre;
+  const double s5_25 = state.x[1]/relaxation_y_tyre;
+  const double s5_26 = std::sqrt(fma(s5_25, s5_25, fma(s5_24, s5_24, 1e-30)));
+  const double s5_27 = std::abs(v_wheel_x);
+  const double s5_28 = fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
+  const double s5_29 = w_wheel_y*s5_28;
+  const double s5_30 = v_wheel_x - s5_29;
+  const double s5_31 = 0.1*fma(0.5, s5_27 + std::sqrt(fma(s5_30, s5_30, 1e-30)), 1.0);
+  const double s5_32 = 1.0 - s5_26/mbgen::min(0.5, s5_31);
+  const double s5_33 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_27));
+  const double s5_34 = s5_24*(1.0/mbgen::max(0.6666666666666666*s5_26, s5_32));
+  const double s5_35 = fnma(s5_30, 0.06*fma(0.5, s5_33, 0.5)*mbgen::max(0.0, s5_32), s5_34);
+  const double s5_36 = s5_20*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_19/s5_23*s5_35));
+  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*s5_36;
+  const double s5_37 = mbgen::hyperbolic_tangent(0.5*s5_29);
+  const double s5_38 = fma(s5_37, radius_tyre*(rolling_tyre*load_tyre), s5_28*fx_tyre);
+  // operations: 29 add, 49 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 7: inertias of the bodies and forces on joints ---
   // knuckle: ball, revolute, arm
@@ -784,11 +794,11 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s9_3 = fma(m_wheel, r_wheel_z, parameters.derived[6]);
   const double s9_4 = fma(m_arm, s7_4 + p_lower_z, fma(r_knuckle_z + s7_1, m_knuckle_2, s9_3));
   result.potential_energy = -g_z*s9_4;
-  const double s9_5 = fma(zd_ball, tau[Coordinate::ball], zd_lower*tau[Coordinate::lower]);
-  const double s9_6 = fnma(s5_6, tension_spring, fma(zd_wheel, tau[Coordinate::wheel], s9_5));
-  const double s9_7 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_6));
-  const double s9_8 = tau[Coordinate::pull] + multipliers.drive[0];
-  result.applied_power = fma(zd_pull, s9_8, fnma(w_wheel_y, s5_33, s9_7));
+  const double s9_5 = fma(zd_wheel, tau[Coordinate::wheel], zd_ball*tau[Coordinate::ball]);
+  const double s9_6 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_5));
+  const double s9_7 = tau[Coordinate::pull] + multipliers.drive[0];
+  const double s9_8 = fnma(s5_1, s5_15, fnma(s5_3, s5_14, tau[Coordinate::lower]));
+  result.applied_power = fma(zd_lower, s9_8, fma(zd_pull, s9_7, fnma(w_wheel_y, s5_38, s9_6)));
   const double s9_9 = fma(w_knuckle_y, s7_1, v_knuckle_x);
   const double s9_10 = fma(zd_lower, s7_4, zd_pull);
   const double s9_11 = fma(zd_lower, s7_6, fma(w_knuckle_y, s7_3, w_wheel_y*w_wheel_y));
@@ -796,7 +806,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s9_13 = fma(m_knuckle_2, fma(s9_9, s9_9, s9_2*s9_2), s9_12);
   const double s9_14 = fma(m_carriage, zd_pull*zd_pull, s9_13);
   result.kinetic_energy = 0.5*fma(m_arm, fma(s9_10, s9_10, s9_1*s9_1), s9_14);
-  // operations: 25 add, 31 multiply
+  // operations: 26 add, 32 multiply
 }
 
 

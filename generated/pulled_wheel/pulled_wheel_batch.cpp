@@ -416,13 +416,15 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes s5_5 = mbgen::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
   const Lanes s5_6 = 1.0/s5_5;
   const Lanes s5_7 = fma(zd_lower*s5_1, s5_4, s5_3*(zd_lower*s5_2))*s5_6;
-  const Lanes s5_8 = mbgen::select(0.2 + s5_7, 1600.0*s5_7, fms(725.0, 1.0 + s5_7, 900.0));
-  const Lanes s5_9 = s5_7 - 0.2;
-  const Lanes s5_10 = mbgen::select(s5_7, 3200.0*s5_7, s5_8);
-  const Lanes s5_11 = mbgen::select(s5_9, fma(1575.0, s5_9, 640.0), s5_10);
-  const Lanes tension_spring = s5_11 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
-  const Lanes s5_12 = s5_6*tension_spring;
-  const Lanes s5_13 = s5_3*s5_12;
+  const Lanes s5_8 = 0.2 + s5_7;
+  const Lanes s5_9 = fms(725.0, 1.0 + s5_7, 900.0);
+  const Lanes s5_10 = mbgen::select(s5_8, fms(1600.0, s5_8, 320.0), s5_9);
+  const Lanes s5_11 = s5_7 - 0.2;
+  const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
+  const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
+  const Lanes tension_spring = s5_13 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
+  const Lanes s5_14 = s5_6*tension_spring;
+  const Lanes s5_15 = s5_3*s5_14;
   const Lanes s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
   Lanes R_knuckle_x_x, R_knuckle_x_z;
@@ -443,57 +445,57 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
 
   // --- step 5: applied forces Q (48), continued ---
   // tyre
-  const Lanes s5_14 = radius_tyre - (p_pull_z + r_wheel_z);
-  const Lanes s5_15 = mbgen::max(0.0, k_tyre*s5_14);
-  const Lanes s5_16 = fnma(0.3333333333333333, mbgen::max(0.0, s5_14), radius_tyre);
-  const Lanes s5_17 = mbgen::min(s5_15, d_tyre*fma(s1_3, w_knuckle_y, zd_lower*r_knuckle_x));
-  const Lanes load_tyre = mbgen::max(0.0, s5_15 + s5_17);
-  const Lanes s5_18 = mbgen::max(0.004, load_tyre);
-  const Lanes s5_19 = 1.1*s5_18;
-  const Lanes s5_20 = 1.6*s5_19;
-  const Lanes s5_21 = 1e-09*s5_18;
+  const Lanes s5_16 = radius_tyre - (p_pull_z + r_wheel_z);
+  const Lanes s5_17 = mbgen::max(0.0, k_tyre*s5_16);
+  const Lanes s5_18 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
+  const Lanes s5_19 = mbgen::min(s5_17, d_tyre*fma(s1_3, w_knuckle_y, zd_lower*r_knuckle_x));
+  const Lanes load_tyre = mbgen::max(0.0, s5_17 + s5_19);
+  const Lanes s5_20 = mbgen::max(0.004, load_tyre);
+  const Lanes s5_21 = 1.1*s5_20;
+  const Lanes s5_22 = 1.6*s5_21;
+  const Lanes s5_23 = 1e-09*s5_20;
   mbgen::read_back();
-  const Lanes s5_22 = mbgen::min(s5_20, -s5_21);
-  const Lanes s5_23 = state.x[0]/relaxation_x_tyre;
-  const Lanes s5_24 = state.x[1]/relaxation_y_tyre;
-  const Lanes s5_25 = mbgen::sqrt(fma(s5_24, s5_24, fma(s5_23, s5_23, 1e-30)));
+  const Lanes s5_24 = mbgen::min(s5_22, -s5_23);
+  const Lanes s5_25 = state.x[0]/relaxation_x_tyre;
+  const Lanes s5_26 = state.x[1]/relaxation_y_tyre;
+  const Lanes s5_27 = mbgen::sqrt(fma(s5_26, s5_26, fma(s5_25, s5_25, 1e-30)));
   // knuckle: ball, revolute, arm
   const Lanes v_knuckle_x = fma(zd_lower, s1_2, state.zd[Coordinate::pull]);
   // wheel: wheel, revolute, knuckle
   const Lanes v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
   const Lanes w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
-  const Lanes s5_26 = w_wheel_y*s5_16;
+  const Lanes s5_28 = w_wheel_y*s5_18;
 
   // --- step 7: inertias of the bodies and forces on joints ---
   const Lanes s7_1 = w_knuckle_y*w_knuckle_y;
 
   // --- step 5: applied forces Q (48), continued ---
   // tyre
-  const Lanes s5_27 = mbgen::abs(v_wheel_x);
-  const Lanes s5_28 = v_wheel_x - s5_26;
-  const Lanes s5_29 = 0.1*fma(0.5, s5_27 + mbgen::sqrt(fma(s5_28, s5_28, 1e-30)), 1.0);
-  const Lanes s5_30 = 1.0 - s5_25/mbgen::min(0.5, s5_29);
-  const Lanes s5_31 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_27));
-  const Lanes s5_32 = s5_23*(1.0/mbgen::max(0.6666666666666666*s5_25, s5_30));
-  const Lanes s5_33 = fnma(s5_28, 0.06*fma(0.5, s5_31, 0.5)*mbgen::max(0.0, s5_30), s5_32);
-  const Lanes s5_34 = 20.0*s5_18/mbgen::select(s5_20, mbgen::max(s5_20, s5_21), s5_22)*s5_33;
-  const Lanes s5_35 = s5_19*mbgen::sine(1.6*mbgen::arc_tangent(s5_34));
-  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_18*s5_35;
+  const Lanes s5_29 = mbgen::abs(v_wheel_x);
+  const Lanes s5_30 = v_wheel_x - s5_28;
+  const Lanes s5_31 = 0.1*fma(0.5, s5_29 + mbgen::sqrt(fma(s5_30, s5_30, 1e-30)), 1.0);
+  const Lanes s5_32 = 1.0 - s5_27/mbgen::min(0.5, s5_31);
+  const Lanes s5_33 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_29));
+  const Lanes s5_34 = s5_25*(1.0/mbgen::max(0.6666666666666666*s5_27, s5_32));
+  const Lanes s5_35 = fnma(s5_30, 0.06*fma(0.5, s5_33, 0.5)*mbgen::max(0.0, s5_32), s5_34);
+  const Lanes s5_36 = 20.0*s5_20/mbgen::select(s5_22, mbgen::max(s5_22, s5_23), s5_24)*s5_35;
+  const Lanes s5_37 = s5_21*mbgen::sine(1.6*mbgen::arc_tangent(s5_36));
+  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_20*s5_37;
 
   // --- step 7: inertias of the bodies and forces on joints, continued ---
-  const Lanes s5_36 = mbgen::hyperbolic_tangent(0.5*s5_26);
+  const Lanes s5_38 = mbgen::hyperbolic_tangent(0.5*s5_28);
   const Lanes zdd_lower = derivative.zdd[Coordinate::lower];
   const Lanes s7_2 = fnma(c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
   const Lanes s7_3 = fma(c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
   const Lanes s7_4 = zd_lower*zd_lower;
   const Lanes zdd_pull = derivative.zdd[Coordinate::pull];
   const Lanes s7_5 = m_arm*fnma(s7_4, s7_3, fma(zdd_lower, s7_2, zdd_pull));
-  const Lanes s7_6 = fma(s5_1, s5_4*s5_12, fma(s5_2, s5_13, I_arm_yy*zdd_lower));
+  const Lanes s7_6 = fma(s5_1, s5_4*s5_14, fma(s5_2, s5_15, I_arm_yy*zdd_lower));
   // arm: lower, revolute, carriage
-  const Lanes f_arm_x = s5_13 + s7_5;
+  const Lanes f_arm_x = s5_15 + s7_5;
   mbgen::read_back();
   // carriage: pull, prismatic, ground
-  const Lanes f_carriage_x = fms(m_carriage, zdd_pull, s5_13);
+  const Lanes f_carriage_x = fms(m_carriage, zdd_pull, s5_15);
   // arm: lower, revolute, carriage
   const Lanes s7_7 = m_arm*fnma(zdd_lower, s7_3, fnma(s7_4, s7_2, -g_z));
   const Lanes n_arm_y = fnma(s7_3, s7_7, fma(s7_2, s7_5, s7_6));
@@ -507,7 +509,7 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes a_wheel_z = fnma(s1_4, s7_1, fnma(s1_3, alpha_knuckle_y, a_knuckle_z));
   const Lanes f_wheel_z = fms(m_wheel, a_wheel_z, load_tyre);
   const Lanes alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
-  const Lanes s7_8 = fma(s5_36, radius_tyre*(rolling_tyre*load_tyre), s5_16*fx_tyre);
+  const Lanes s7_8 = fma(s5_38, radius_tyre*(rolling_tyre*load_tyre), s5_18*fx_tyre);
   const Lanes n_wheel_y = alpha_wheel_y + s7_8;
   // knuckle: ball, revolute, arm
   const Lanes c_knuckle_z = parameters.derived[3];
@@ -539,7 +541,7 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   result.lambda[0] = -(l_upper*(Q_ball*(1.0/s9_4)));
   // operations of step 1: poses and axes b: 5 add, 6 multiply, 4 sin cos
   // operations of step 4: velocities: 5 add, 4 multiply
-  // operations of step 5: applied forces Q (48): 27 add, 47 multiply, 7 divide, 3 sqrt, 3 sin cos,
+  // operations of step 5: applied forces Q (48): 28 add, 47 multiply, 7 divide, 3 sqrt, 3 sin cos,
   // 18 other
   // operations of step 7: inertias of the bodies and forces on joints: 45 add, 45 multiply
   // operations of step 9: multipliers of the closures and driving forces: 7 add, 9 multiply, 1
@@ -554,8 +556,8 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
     compute_multipliers_1(parameters[g], state[g], tau[g].tau, derivative[g], result[g]);
 }
 
-/// Part 1 of compute_outputs: step 1: poses and axes b; step 5: applied forces Q (48); step 4:
-/// velocities; step 9: outputs, energies, power; step 7: inertias of the bodies and forces on
+/// Part 1 of compute_outputs: step 1: poses and axes b; step 5: applied forces Q (48); step 9:
+/// outputs, energies, power; step 4: velocities; step 7: inertias of the bodies and forces on
 /// joints.
 [[gnu::noinline]] void compute_outputs_1(const Tuned& parameters, const State& state,
     const Lanes* tau, const Multipliers& multipliers, Outputs& __restrict result) noexcept {
@@ -571,18 +573,24 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   // --- step 5: applied forces Q (48) ---
   // spring
   const Lanes s5_1 = fma(p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const Lanes s5_2 = s5_1 - p_carriage_seat_x;
+  const Lanes s5_2 = fnma(p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
+  const Lanes s5_3 = s5_1 - p_carriage_seat_x;
   const Lanes zd_lower = state.zd[Coordinate::lower];
-  const Lanes s5_3 = fnma(p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
-  const Lanes s5_4 = 0.37 - s5_3;
-  const Lanes s5_5 = mbgen::sqrt(fma(s5_4, s5_4, s5_2*s5_2));
-  const Lanes s5_6 = fma(zd_lower*s5_1, s5_4, s5_2*(zd_lower*s5_3))*(1.0/s5_5);
-  const Lanes s5_7 = mbgen::select(0.2 + s5_6, 1600.0*s5_6, fms(725.0, 1.0 + s5_6, 900.0));
-  const Lanes s5_8 = s5_6 - 0.2;
-  const Lanes s5_9 = mbgen::select(s5_6, 3200.0*s5_6, s5_7);
-  const Lanes s5_10 = mbgen::select(s5_8, fma(1575.0, s5_8, 640.0), s5_9);
-  const Lanes tension_spring = s5_10 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
+  const Lanes s5_4 = 0.37 - s5_2;
+  const Lanes s5_5 = mbgen::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
+  const Lanes s5_6 = 1.0/s5_5;
+  const Lanes s5_7 = fma(zd_lower*s5_1, s5_4, s5_3*(zd_lower*s5_2))*s5_6;
+  const Lanes s5_8 = 0.2 + s5_7;
+  const Lanes s5_9 = fms(725.0, 1.0 + s5_7, 900.0);
+  const Lanes s5_10 = mbgen::select(s5_8, fms(1600.0, s5_8, 320.0), s5_9);
+  const Lanes s5_11 = s5_7 - 0.2;
+  const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
+  const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
+  const Lanes tension_spring = s5_13 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
   result.spring_force = tension_spring;
+  const Lanes s5_14 = s5_6*tension_spring;
+
+  // --- step 9: outputs, energies, power ---
   const Lanes s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
   Lanes R_knuckle_x_x, R_knuckle_x_z;
@@ -603,56 +611,52 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   // wheel: wheel, revolute, knuckle
   const Lanes r_wheel_z = r_knuckle_z + s1_3;
   const Lanes v_wheel_x = fma(s1_3, w_knuckle_y, v_knuckle_x);
-  const Lanes s5_11 = p_pull_z + r_wheel_z;
-  result.hub_height = s5_11;
-  const Lanes s5_12 = radius_tyre - s5_11;
-
-  // --- step 9: outputs, energies, power ---
+  const Lanes s5_15 = p_pull_z + r_wheel_z;
+  result.hub_height = s5_15;
+  const Lanes s5_16 = radius_tyre - s5_15;
 
   // --- step 5: applied forces Q (48), continued ---
   // tyre
-  const Lanes s5_13 = mbgen::max(0.0, k_tyre*s5_12);
-  const Lanes s5_14 = fnma(0.3333333333333333, mbgen::max(0.0, s5_12), radius_tyre);
-  const Lanes load_tyre = mbgen::max(0.0, s5_13 + mbgen::min(s5_13, d_tyre*s4_2));
+  const Lanes s5_17 = mbgen::max(0.0, k_tyre*s5_16);
+  const Lanes s5_18 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
+  const Lanes load_tyre = mbgen::max(0.0, s5_17 + mbgen::min(s5_17, d_tyre*s4_2));
   result.load = load_tyre;
-  const Lanes s5_15 = mbgen::max(0.004, load_tyre);
-  const Lanes s5_16 = 1.1*s5_15;
-  const Lanes s5_17 = 1.6*s5_16;
-  const Lanes s5_18 = 1e-09*s5_15;
+  const Lanes s5_19 = mbgen::max(0.004, load_tyre);
+  const Lanes s5_20 = 1.1*s5_19;
   mbgen::read_back();
-  const Lanes s5_19 = mbgen::min(s5_17, -s5_18);
-  const Lanes s5_20 = state.x[0]/relaxation_x_tyre;
-  const Lanes s5_21 = state.x[1]/relaxation_y_tyre;
-  const Lanes s5_22 = mbgen::sqrt(fma(s5_21, s5_21, fma(s5_20, s5_20, 1e-30)));
+  const Lanes s5_21 = 1.6*s5_20;
+  const Lanes s5_22 = 1e-09*s5_19;
+  const Lanes s5_23 = mbgen::min(s5_21, -s5_22);
+  const Lanes s5_24 = state.x[0]/relaxation_x_tyre;
+  const Lanes s5_25 = state.x[1]/relaxation_y_tyre;
+  const Lanes s5_26 = mbgen::sqrt(fma(s5_25, s5_25, fma(s5_24, s5_24, 1e-30)));
   // wheel: wheel, revolute, knuckle
   const Lanes zd_wheel = state.zd[Coordinate::wheel];
   const Lanes w_wheel_y = zd_wheel + w_knuckle_y;
   // tyre
-  const Lanes s5_23 = w_wheel_y*s5_14;
-  const Lanes s5_24 = v_wheel_x - s5_23;
-  const Lanes s5_25 = mbgen::abs(v_wheel_x);
-  const Lanes s5_26 = 0.1*fma(0.5, s5_25 + mbgen::sqrt(fma(s5_24, s5_24, 1e-30)), 1.0);
-  const Lanes s5_27 = 1.0 - s5_22/mbgen::min(0.5, s5_26);
-  const Lanes s5_28 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_25));
-  const Lanes s5_29 = s5_20*(1.0/mbgen::max(0.6666666666666666*s5_22, s5_27));
-  const Lanes s5_30 = fnma(s5_24, 0.06*fma(0.5, s5_28, 0.5)*mbgen::max(0.0, s5_27), s5_29);
-  const Lanes s5_31 = 20.0*s5_15/mbgen::select(s5_17, mbgen::max(s5_17, s5_18), s5_19)*s5_30;
-  const Lanes s5_32 = s5_16*mbgen::sine(1.6*mbgen::arc_tangent(s5_31));
-  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_15*s5_32;
-  const Lanes s5_33 = mbgen::hyperbolic_tangent(0.5*s5_23);
-
-  // --- step 9: outputs, energies, power, continued ---
-  const Lanes s9_1 = fma(zd_ball, tau[Coordinate::ball], zd_lower*tau[Coordinate::lower]);
-  const Lanes s9_2 = fnma(s5_6, tension_spring, fma(zd_wheel, tau[Coordinate::wheel], s9_1));
-  const Lanes s5_34 = fma(s5_33, radius_tyre*(rolling_tyre*load_tyre), s5_14*fx_tyre);
-  const Lanes s9_3 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_2));
-  const Lanes s9_4 = tau[Coordinate::pull] + multipliers.drive[0];
-  result.applied_power = fma(zd_pull, s9_4, fnma(w_wheel_y, s5_34, s9_3));
+  const Lanes s5_27 = w_wheel_y*s5_18;
+  const Lanes s5_28 = v_wheel_x - s5_27;
+  const Lanes s5_29 = mbgen::abs(v_wheel_x);
+  const Lanes s5_30 = 0.1*fma(0.5, s5_29 + mbgen::sqrt(fma(s5_28, s5_28, 1e-30)), 1.0);
+  const Lanes s5_31 = 1.0 - s5_26/mbgen::min(0.5, s5_30);
+  const Lanes s5_32 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_29));
+  const Lanes s5_33 = s5_24*(1.0/mbgen::max(0.6666666666666666*s5_26, s5_31));
+  const Lanes s5_34 = fnma(s5_28, 0.06*fma(0.5, s5_32, 0.5)*mbgen::max(0.0, s5_31), s5_33);
+  const Lanes s5_35 = 20.0*s5_19/mbgen::select(s5_21, mbgen::max(s5_21, s5_22), s5_23)*s5_34;
+  const Lanes s5_36 = s5_20*mbgen::sine(1.6*mbgen::arc_tangent(s5_35));
+  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*s5_36;
+  const Lanes s5_37 = mbgen::hyperbolic_tangent(0.5*s5_27);
+  const Lanes s9_1 = fma(zd_wheel, tau[Coordinate::wheel], zd_ball*tau[Coordinate::ball]);
+  const Lanes s5_38 = fma(s5_37, radius_tyre*(rolling_tyre*load_tyre), s5_18*fx_tyre);
+  const Lanes s9_2 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_1));
+  const Lanes s9_3 = tau[Coordinate::pull] + multipliers.drive[0];
+  const Lanes s9_4 = fnma(s5_1, s5_4*s5_14, fnma(s5_2, s5_3*s5_14, tau[Coordinate::lower]));
+  result.applied_power = fma(zd_lower, s9_4, fma(zd_pull, s9_3, fnma(w_wheel_y, s5_38, s9_2)));
 
   // --- step 7: inertias of the bodies and forces on joints ---
+  mbgen::read_back();
   const Lanes s7_1 = fnma(c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
   const Lanes s9_5 = zd_lower*fma(c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
-  mbgen::read_back();
   const Lanes c_knuckle_z = parameters.derived[3];
   const Lanes s7_2 = R_knuckle_x_x*c_knuckle_z;
   const Lanes s9_6 = fma(w_knuckle_y, R_knuckle_x_z*c_knuckle_z, s4_1);
@@ -671,10 +675,10 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   result.kinetic_energy = 0.5*fma(m_arm, fma(s9_9, s9_9, s9_5*s9_5), s9_15);
   // operations of step 1: poses and axes b: 5 add, 6 multiply, 4 sin cos
   // operations of step 4: velocities: 5 add, 4 multiply
-  // operations of step 5: applied forces Q (48): 28 add, 46 multiply, 7 divide, 3 sqrt, 3 sin cos,
+  // operations of step 5: applied forces Q (48): 29 add, 49 multiply, 7 divide, 3 sqrt, 3 sin cos,
   // 18 other
   // operations of step 7: inertias of the bodies and forces on joints: 2 add, 8 multiply
-  // operations of step 9: outputs, energies, power: 25 add, 31 multiply
+  // operations of step 9: outputs, energies, power: 26 add, 32 multiply
 }
 
 /// Outputs, energies and power, at given accelerations.
