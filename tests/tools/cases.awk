@@ -5,9 +5,10 @@ function add(kind, number) {
   count[kind] += number
 }
 
-/^[0-9]+\/[0-9]+ Testing: / { split($3, word, /[.:]/); room = word[1]; tests = 0 }
+/^[0-9]+\/[0-9]+ Testing: / { split($3, word, /[.:]/); room = word[1]; tests = skipped = 0 }
 /^\[  PASSED  \] [0-9]+ tests?\./ { tests = $4 }
-/^Test Passed\.$/ { add("tests of " room, tests ? tests : 1) }
+/^\[  SKIPPED \] [0-9]+ tests?, listed below/ { skipped = $4 }
+/^Test Passed\.$/ { add("tests of " room, tests ? tests : 1); if (skipped) add("tests of " room " that skipped", skipped) }
 /^Test (Skipped|Failed|time)/ && !/^Test time/ { add("tests of " room " that " tolower($2), 1) }
 
 / mechanisms, [0-9]+ refused, / {
