@@ -3,6 +3,8 @@
 #include SOLVER_HEADER
 #include BATCH_HEADER
 
+#include <cstddef>
+
 namespace {
 
 constexpr int kStates = 16, kRestart = 256;
@@ -32,8 +34,9 @@ extern "C" {
 
 int coordinates() { return SOLVER::kCoordinates; }
 int count_of_states() { return kStates; }
-int doubles_of_states() { return static_cast<int>(sizeof states / sizeof(double)); }
-double* first_of_states() { return reinterpret_cast<double*>(states); }
+/// Up to the time, which every mbgen has; what stands behind it, as charts of balls, is 0 in these states.
+int doubles_of_state() { return static_cast<int>(offsetof(SOLVER::State, t) / sizeof(double)) + 1; }
+double* state_at(int k) { return reinterpret_cast<double*>(&states[k]); }
 
 /// Consistent states near the start; the start itself where the loops do not close.
 void make_states() {

@@ -15,8 +15,8 @@ constexpr double kAgreement = 1e-9;  ///< of the largest acceleration
 struct Solver {
   int (*coordinates)();
   int (*count_of_states)();
-  int (*doubles_of_states)();
-  double* (*first_of_states)();
+  int (*doubles_of_state)();
+  double* (*state_at)(int);
   void (*make_states)();
   void (*load_states)();
   const double* (*accelerations_at)(int);
@@ -35,8 +35,8 @@ Solver loaded(const char* path) {
   Solver solver;
   find(solver.coordinates, "coordinates");
   find(solver.count_of_states, "count_of_states");
-  find(solver.doubles_of_states, "doubles_of_states");
-  find(solver.first_of_states, "first_of_states");
+  find(solver.doubles_of_state, "doubles_of_state");
+  find(solver.state_at, "state_at");
   find(solver.make_states, "make_states");
   find(solver.load_states, "load_states");
   find(solver.accelerations_at, "accelerations_at");
@@ -75,11 +75,12 @@ int main(int argc, char** argv) {
   const Solver both[] = {loaded(argv[1]), loaded(argv[2])};
   both[0].make_states();
   both[0].load_states();
-  if (both[0].doubles_of_states() != both[1].doubles_of_states()) {
+  if (both[0].doubles_of_state() != both[1].doubles_of_state()) {
     std::fprintf(stderr, "the two solvers have other states\n");
     return 1;
   }
-  std::copy_n(both[0].first_of_states(), both[0].doubles_of_states(), both[1].first_of_states());
+  for (int k = 0; k < both[0].count_of_states(); ++k)
+    std::copy_n(both[0].state_at(k), both[0].doubles_of_state(), both[1].state_at(k));
   both[1].load_states();
   const double apart = deviation(both[0], both[1]);
   if (!(apart < kAgreement)) {
