@@ -4,8 +4,6 @@
 #include <limits>
 #include <map>
 
-#include "compiler/analysis/block_structure.hpp"
-#include "compiler/analysis/sampling.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/trace/each_program.hpp"
 
@@ -22,12 +20,11 @@ constexpr std::size_t kMostOptimised = 3;  // of a block: a pass takes longer th
 using Twins = std::vector<int>;
 
 /// Groups of blocks that have something to choose, those with short lists first.
-std::vector<Twins> groups_of_twins(const Model& model, const Topology& topology, const Analysis& analysis) {
-  NumericSystem numbers(model, topology);
-  const std::vector<int> firsts = first_of_structure(numbers);
+std::vector<Twins> groups_of_twins(const Analysis& analysis) {
   std::map<int, Twins> by_first;
-  for (std::size_t b = 0; b < topology.blocks.size(); ++b)
-    if (analysis.blocks[b].candidates.size() > 1) by_first[firsts[b]].push_back(static_cast<int>(b));
+  for (std::size_t b = 0; b < analysis.blocks.size(); ++b)
+    if (analysis.blocks[b].candidates.size() > 1)
+      by_first[analysis.blocks[b].first_alike].push_back(static_cast<int>(b));
   std::vector<Twins> groups;
   for (auto& [first, twins] : by_first) groups.push_back(std::move(twins));
   const auto order = [&](const Twins& twins) {
@@ -86,7 +83,7 @@ void take_like(int twin, const Analysis& analysis, BlockAnalysis& block) {
 }  // namespace
 
 void choose_by_counting(const Model& model, const Topology& topology, Analysis& analysis) {
-  const std::vector<Twins> groups = groups_of_twins(model, topology, analysis);
+  const std::vector<Twins> groups = groups_of_twins(analysis);
   int left = kMostCounted;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const int share = left / static_cast<int>(groups.size() - g);

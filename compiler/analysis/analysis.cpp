@@ -287,6 +287,7 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
     std::span<const PartitionCandidate> like;
     if (firsts[b] < static_cast<int>(b)) like = analysis.blocks[firsts[b]].candidates;
     analysis.blocks.push_back(analyse_block(numbers, b, configurations, like, analysis, found));
+    analysis.blocks.back().first_alike = firsts[b];
     analysis.independent_equations += analysis.blocks.back().rank;
     if (found.problems.empty())
       held += position_rank(numbers, b, found.views.back(), analysis.blocks.back().rank, configurations);

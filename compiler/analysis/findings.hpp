@@ -74,6 +74,7 @@ struct BlockAnalysis : LoopPartition {
   /// large block and one of rank 0.
   std::vector<PartitionCandidate> candidates;
   int chosen = 0;        ///< index into candidates
+  int first_alike = -1;  ///< the first block of the same structure, itself where that is new
   int chosen_like = -1;  ///< block of the same structure whose candidates were counted for it, -1 for itself
 };
 

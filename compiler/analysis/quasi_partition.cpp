@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "compiler/analysis/block_structure.hpp"
 #include "compiler/analysis/partition.hpp"
 #include "compiler/analysis/symmetry.hpp"
 
@@ -83,13 +82,12 @@ void set_quasi_partitions(NumericSystem& numbers, const std::vector<Configuratio
   }
   std::vector<std::vector<Eigen::MatrixXd>> jacobians;
   if (!with_balls.empty()) jacobians = quasi_jacobians(numbers, configurations, recursion, with_balls);
-  const std::vector<int> firsts = first_of_structure(numbers);
   std::map<int, int> chosen_first;  // of each structure, units are in an order of their own
   for (std::size_t u = 0; u < with_balls.size(); ++u) {
     const int b = with_balls[u]->block;
     BlockAnalysis& block = analysis.blocks[b];
     keep_equations(block, jacobians[u]);
-    const int first = chosen_first.try_emplace(firsts[b], b).first->second;
+    const int first = chosen_first.try_emplace(block.first_alike, b).first->second;
     std::span<const PartitionCandidate> like;
     if (first != b) like = analysis.blocks[first].candidates;
     BlockAnalysis quasi = choose_partition(jacobians[u], block.rank, block.driven, like);
