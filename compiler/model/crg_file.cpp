@@ -50,23 +50,17 @@ struct CrgFormat {
 
 /// The text part of a file.
 struct CrgHeader {
-  std::map<std::string, double> parameters, options, modifiers;
+  CrgEntries parameters, options, modifiers;
   std::vector<CrgColumn> columns;
   std::vector<double> v;  ///< of columns of heights that tell theirs
   CrgFormat format;
   std::size_t data = 0, lines = 0;  ///< where the data begin: byte, and lines before it
   std::size_t definition = 1;       ///< line of the block of columns
 
-  std::optional<double> value(const char* name) const {
-    const auto found = parameters.find(name);
-    return found == parameters.end() ? std::nullopt : std::optional(found->second);
-  }
+  std::optional<double> value(const char* name) const { return entry_of(parameters, name); }
   double value(const char* name, double fallback) const { return value(name).value_or(fallback); }
   /// A modifier that scales; 1 without.
-  double scale(const char* name) const {
-    const auto found = modifiers.find(name);
-    return found == modifiers.end() ? 1 : found->second;
-  }
+  double scale(const char* name) const { return entry_of(modifiers, name).value_or(1); }
   /// Of elevations: 0 stands for none.
   double scale_of_height(const char* name) const { return scale(name) == 0 ? 1 : scale(name); }
 };
@@ -75,8 +69,7 @@ CrgProblem at_line(std::size_t line, std::string message, std::string hint = {})
   return {line, 0, std::move(message), std::move(hint)};
 }
 
-std::optional<CrgProblem> read_parameter(std::string_view text, std::size_t line,
-                                         std::map<std::string, double>& parameters) {
+std::optional<CrgProblem> read_parameter(std::string_view text, std::size_t line, CrgEntries& parameters) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos)
     return at_line(line, fmt::format("must be NAME = number, got \"{}\"", text.substr(0, 60)));
@@ -235,11 +228,8 @@ std::optional<CrgProblem> place_columns(const CrgHeader& header, std::size_t hei
 /// Heights that are missing, by GRID_NAN_MODE: 2 (also for none and for numbers without a meaning) those to their
 /// right, else to their left; 1 zero; each plus GRID_NAN_OFFSET. 0 leaves them missing, and such a road bears no wheel.
 std::optional<CrgProblem> fill_heights(const CrgHeader& header, CrgRoad& road) {
-  const auto modifier = [&](const char* name, double fallback) {
-    const auto found = header.modifiers.find(name);
-    return found == header.modifiers.end() ? fallback : found->second;
-  };
-  const double mode = modifier("GRID_NAN_MODE", 2), offset = modifier("GRID_NAN_OFFSET", 0);
+  const double mode = entry_of(header.modifiers, "GRID_NAN_MODE").value_or(2);
+  const double offset = entry_of(header.modifiers, "GRID_NAN_OFFSET").value_or(0);
   const std::size_t columns = road.v.size();
   for (std::size_t row = 0; row < road.heights.size(); row += columns) {
     double* const heights = &road.heights[row];
@@ -252,8 +242,6 @@ std::optional<CrgProblem> fill_heights(const CrgHeader& header, CrgRoad& road) {
                         fmt::format("section {} has no height at v = {:g}, and GRID_NAN_MODE = 0 leaves it so",
                                     row / columns + 1, road.v[gaps[0]]),
                         "GRID_NAN_MODE = 2 takes the height beside it, 1 takes 0"};
-    if (mode != 1 && gaps.size() == columns)
-      return CrgProblem{0, header.data, fmt::format("section {} has no height", row / columns + 1), {}};
     for (const std::size_t k : gaps)
       if (mode == 1) heights[k] = 0;
     for (const std::size_t k : gaps)
@@ -344,6 +332,11 @@ std::optional<CrgProblem> make_road(const CrgHeader& header, const CrgData& data
 }
 
 }  // namespace
+
+std::optional<double> entry_of(const CrgEntries& entries, const char* name) {
+  const auto found = entries.find(name);
+  return found == entries.end() ? std::nullopt : std::optional(found->second);
+}
 
 std::optional<CrgProblem> read_crg(std::string_view text, CrgRoad& road) {
   CrgHeader header;

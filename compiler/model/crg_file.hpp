@@ -11,6 +11,10 @@
 
 namespace mbgen {
 
+/// Numbers of a block of the text part, by names in capitals.
+using CrgEntries = std::map<std::string, double>;
+std::optional<double> entry_of(const CrgEntries& entries, const char* name);
+
 /// What a reference line does at its ends.
 ///   open     it goes straight on for ever
 ///   meeting  its end is its start: sections follow each other in a ring
@@ -32,7 +36,7 @@ struct CrgRoad {
   std::vector<double> line_height;               ///< m, of the reference line at each section
   std::vector<double> banking;                   ///< 1, rise to the left at each section; empty: none
   CrgClosure closure;
-  std::map<std::string, double> options, modifiers;  ///< what the file asks for, by names in capitals
+  CrgEntries options, modifiers;  ///< what the file asks for
 
   std::size_t sections() const { return x.size(); }
   double end() const { return start + increment * static_cast<double>(sections() - 1); }

@@ -103,18 +103,14 @@ CrgPlace beside_extension(const CrgRoad& road, bool is_behind, const PlanePlace&
 
 CrgRoad closed_as_asked(CrgRoad road) {
   constexpr double kTolerance = 1e-4, kLeastCosine = 0.5, kParallel = 1e-7;  // m, 1, 1
-  const auto option = [&](const char* name, double fallback) {
-    const auto found = road.options.find(name);
-    return found == road.options.end() ? fallback : found->second;
-  };
   CrgClosure& closure = road.closure = {};
-  if (option("REFLINE_CONTINUATION", 0) != 1) return road;
+  if (entry_of(road.options, "REFLINE_CONTINUATION") != 1) return road;
   const Way first{std::cos(road.heading[0]), std::sin(road.heading[0])},
       last{std::cos(road.end_heading), std::sin(road.end_heading)}, gap{road.x[0] - road.end_x, road.y[0] - road.end_y};
   const double cosine = dot(first, last), sine = cross(first, last);
   closure.gap = std::hypot(gap.x, gap.y);
   if (cosine <= kLeastCosine || road.sections() < 4) return road;
-  if (closure.gap <= option("CHECK_TOL", kTolerance)) {
+  if (closure.gap <= entry_of(road.options, "CHECK_TOL").value_or(kTolerance)) {
     closure.kind = CrgClosure::Kind::meeting;
     return road;
   }

@@ -14,13 +14,7 @@
 namespace mbgen {
 namespace {
 
-using Entries = std::map<std::string, double>;
-
-std::optional<double> find(const Entries& entries, const char* name) {
-  const auto found = entries.find(name);
-  return found == entries.end() ? std::nullopt : std::optional(found->second);
-}
-double value(const Entries& entries, const char* name) { return find(entries, name).value_or(0); }
+double value(const CrgEntries& entries, const char* name) { return entry_of(entries, name).value_or(0); }
 
 constexpr std::array kPoints = {"REFPOINT_X", "REFPOINT_Y", "REFPOINT_Z",          "REFPOINT_PHI",
                                 "REFPOINT_U", "REFPOINT_V", "REFPOINT_U_FRACTION", "REFPOINT_V_FRACTION"};
@@ -45,14 +39,15 @@ bool has_point(const CrgRoad& road) {
 }
 
 /// Of a reference point along one axis, from `first` to `last`.
-double reference(const Entries& m, const char* place, const char* fraction, const char* offset, double first,
+double reference(const CrgEntries& m, const char* place, const char* fraction, const char* offset, double first,
                  double last, double fallback) {
-  if (const std::optional<double> share = find(m, fraction)) return std::lerp(first, last, *share) + value(m, offset);
-  return find(m, place).value_or(fallback);
+  if (const std::optional<double> share = entry_of(m, fraction))
+    return std::lerp(first, last, *share) + value(m, offset);
+  return entry_of(m, place).value_or(fallback);
 }
 
-RoadBorder border_of(const Entries& options, const char* name) {
-  const double mode = find(options, name).value_or(2);
+RoadBorder border_of(const CrgEntries& options, const char* name) {
+  const double mode = entry_of(options, name).value_or(2);
   return mode == 0   ? RoadBorder::refuse
          : mode == 1 ? RoadBorder::zero
          : mode == 3 ? RoadBorder::repeat
@@ -67,9 +62,8 @@ std::string why_open(const CrgRoad& road, double asked) {
   if (asked != 1) return " (neither 0 nor 1: the line goes straight on at its ends)";
   if (road.closure.kind == Kind::apart)
     return fmt::format(
-        " to the letter (a closed track, but its end is {:.6g} m before its start: there the line goes straight on "
-        "from "
-        "both, with the heights beyond its ends)",
+        " to the letter (a closed track, but its end is {:.6g} m before its start: there the line goes "
+        "straight on from both, with the heights beyond its ends)",
         road.closure.gap);
   return fmt::format(
       " (a closed track, but its end, {:.6g} m away from its start, does not lead to it: the line goes straight on at "
@@ -80,7 +74,7 @@ std::string why_open(const CrgRoad& road, double asked) {
 }  // namespace
 
 CrgRoad relocated(CrgRoad road) {
-  const Entries& m = road.modifiers;
+  const CrgEntries& m = road.modifiers;
   if (has_point(road)) {
     const CrgPlace at{
         reference(m, "REFPOINT_U", "REFPOINT_U_FRACTION", "REFPOINT_U_OFFSET", road.start, road.end(), road.start),
@@ -91,8 +85,8 @@ CrgRoad relocated(CrgRoad road) {
                                    value(m, "REFPOINT_Z") - height_of(road, at)});
   }
   if (std::none_of(kShifts.begin(), kShifts.end(), [&](const char* name) { return m.contains(name); })) return road;
-  const PlanePlace centre{find(m, "REFLINE_ROTCENTER_X").value_or(road.x[0]),
-                          find(m, "REFLINE_ROTCENTER_Y").value_or(road.y[0])};
+  const PlanePlace centre{entry_of(m, "REFLINE_ROTCENTER_X").value_or(road.x[0]),
+                          entry_of(m, "REFLINE_ROTCENTER_Y").value_or(road.y[0])};
   return turned_and_moved(road, {centre,
                                  {centre.x + value(m, "REFLINE_OFFSET_X"), centre.y + value(m, "REFLINE_OFFSET_Y")},
                                  value(m, "REFLINE_OFFSET_PHI"),
@@ -100,7 +94,7 @@ CrgRoad relocated(CrgRoad road) {
 }
 
 void follow_options(RoadGrid& grid) {
-  const Entries& options = grid.road->options;
+  const CrgEntries& options = grid.road->options;
   grid.ends = border_of(options, "BORDER_MODE_U");
   grid.sides = border_of(options, "BORDER_MODE_V");
   grid.end_offset = value(options, "BORDER_OFFSET_U");

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler/model/crg_road.hpp"
+#include "compiler/model/vectors.hpp"
 
 namespace mbgen {
 namespace {
@@ -13,11 +14,7 @@ namespace {
 Vector3 centre_of(const Model& model, const Tyre& tyre, const std::vector<Pose>& poses) {
   const auto body = static_cast<std::size_t>(tyre.centre.body), point = static_cast<std::size_t>(tyre.centre.point);
   const Vector3Quantity& arm = model.bodies[body].points[point].position;
-  const Pose& pose = poses[body];
-  Vector3 place = pose.origin;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) place[i] += pose.rotation[3 * i + k] * arm[k].value;
-  return place;
+  return to_global(poses[body], {arm[0].value, arm[1].value, arm[2].value});
 }
 
 /// A global place in u and v of a road.
@@ -72,9 +69,8 @@ std::string RoadWatch::departure() const {
                                                 : nullptr;
       if (border)
         return fmt::format(
-            "tyre \"{}\" leaves the road \"{}\" beyond {} (u = {:.6g} m, v = {:.6g} m), where that has no height: {} "
-            "is "
-            "\"refuse\"",
+            "tyre \"{}\" leaves the road \"{}\" beyond {} (u = {:.6g} m, v = {:.6g} m), where that has no height: "
+            "{} is \"refuse\"",
             wheel.tyre->name, road.name, border, at.u, at.v, is_wide ? "beyond_sides" : "beyond_ends");
     }
   }
