@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "compiler/program/mixed_words.hpp"
 #include "compiler/program/rounded.hpp"
 
 namespace mbgen {
@@ -17,12 +18,9 @@ constexpr std::size_t kStates = 4;
 /// are some 1e-14 of what was summed.
 constexpr double kRoundings = 16;
 
-/// A number from 0 to 1 that follows from `seed` alone, on every machine (splitmix64).
+/// A number from 0 to 1 that follows from `seed` alone, on every machine.
 double random_number(std::uint64_t seed) {
-  seed = (seed + 1) * 0x9e3779b97f4a7c15u;
-  seed = (seed ^ (seed >> 30)) * 0xbf58476d1ce4e5b9u;
-  seed = (seed ^ (seed >> 27)) * 0x94d049bb133111ebu;
-  return static_cast<double>((seed ^ (seed >> 31)) >> 11) * 0x1p-53;
+  return static_cast<double>(random_word(seed) >> 11) * 0x1p-53;
 }
 
 /// Inputs of the size that they may have: angles small enough for lengths and roots to stay what they are.

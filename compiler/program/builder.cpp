@@ -8,21 +8,12 @@
 
 #include "compiler/program/arithmetic.hpp"
 #include "compiler/program/canonical_order.hpp"
+#include "compiler/program/mixed_words.hpp"
 #include "compiler/program/program.hpp"
 #include "compiler/program/rules.hpp"
 
 namespace mbgen {
-namespace {
-
-/// Mixes one more word into a hash (the finaliser of splitmix64).
-std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
-  hash += word + 0x9e3779b97f4a7c15u;
-  hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
-  hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
-  return hash ^ (hash >> 31);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 ProgramBuilder::ProgramBuilder(std::string name) {
   program_.name = std::move(name);
@@ -121,10 +112,10 @@ ValueId ProgramBuilder::append(Op op, ValueId first, ValueId second, ValueId thi
 
 // Operations are the same when their constants have the same value, whatever their names.
 std::uint64_t ProgramBuilder::hash_of(const Node& node) const {
-  std::uint64_t hash = mix(static_cast<std::uint64_t>(node.op), std::bit_cast<std::uint64_t>(node.constant));
+  std::uint64_t hash = mixed_word(static_cast<std::uint64_t>(node.op), std::bit_cast<std::uint64_t>(node.constant));
   for (const ValueId operand : node.operands) {
     const bool is_number = operand != kNoValue && is_constant(operand);
-    hash = mix(hash, is_number ? std::bit_cast<std::uint64_t>(this->node(operand).constant) : operand);
+    hash = mixed_word(hash, is_number ? std::bit_cast<std::uint64_t>(this->node(operand).constant) : operand);
   }
   return hash;
 }

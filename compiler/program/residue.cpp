@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "compiler/decimal/decimal.hpp"
+#include "compiler/program/mixed_words.hpp"
 
 namespace mbgen {
 namespace {
@@ -68,14 +69,6 @@ Residue scaled(std::uint64_t digits, const Base& base, int exponent) {
   return for_each_prime([&](std::size_t k, const Prime& p) {
     return product(digits % p.value, power(exponent < 0 ? base.inverse[k] : base.value, size, p), p);
   });
-}
-
-/// Number `number` of the sequence splitmix64.
-std::uint64_t random_word(std::uint64_t number) {
-  std::uint64_t word = (number + 1) * 0x9e3779b97f4a7c15u;
-  word = (word ^ (word >> 30)) * 0xbf58476d1ce4e5b9u;
-  word = (word ^ (word >> 27)) * 0x94d049bb133111ebu;
-  return word ^ (word >> 31);
 }
 
 }  // namespace
