@@ -1,8 +1,6 @@
 #pragma once
 // Tyres on roads, around the tyre law of the runtime's header tyre.hpp.
 
-#include <algorithm>
-
 #include "compiler/formulation/road_envelope.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 
@@ -64,14 +62,6 @@ RoadPlane<T> road_plane(const ForceWork<T>& work, const Tyre& tyre) {
           friction_of_road(work, road, x, y)};
 }
 
-/// Place of the turn of a tyre among the auxiliary states. Requires: the tyre has one.
-inline std::size_t turn_of(const Model& model, std::size_t tyre) {
-  const auto has_turn = [](const Tyre& t) { return t.parking.has_value(); };
-  const auto before =
-      std::count_if(model.tyres.begin(), model.tyres.begin() + static_cast<std::ptrdiff_t>(tyre), has_turn);
-  return static_cast<std::size_t>(first_turn(model) + before);
-}
-
 inline Turning turning_of(const Tyre& tyre) {
   if (!tyre.parking) return Turning::none;
   return tyre.turn_slip ? Turning::turn_slip : Turning::patch;
@@ -91,7 +81,7 @@ WheelMotion<T> wheel_motion(const ForceWork<T>& work, const Tyre& tyre, std::siz
   wheel.angular = velocity.angular;
   wheel.u = system.x[2 * index];
   wheel.v = system.x[2 * index + 1];
-  if (tyre.parking) wheel.turn = system.x[turn_of(system.model, index)];
+  if (tyre.parking) wheel.turn = system.x[turn_state(system.model, index)];
   return wheel;
 }
 
@@ -175,7 +165,7 @@ bool act_by_shared_law(ForceWork<T>& work, const Tyre& tyre, std::size_t i, cons
              arm_of(work.system, work.k, work.place(tyre.centre), work.v.about)});
   work.forces.xd[2 * i] = on_wheel->du;
   work.forces.xd[2 * i + 1] = on_wheel->dv;
-  if (tyre.parking) work.forces.xd[turn_of(work.system.model, i)] = on_wheel->dturn;
+  if (tyre.parking) work.forces.xd[turn_state(work.system.model, i)] = on_wheel->dturn;
   return true;
 }
 
@@ -198,7 +188,7 @@ void tyres(ForceWork<T>& work) {
     act(work, {tyre.centre.body, wrench.linear, wrench.angular, point});
     work.forces.xd[2 * i] = result.du;
     work.forces.xd[2 * i + 1] = result.dv;
-    if (tyre.parking) work.forces.xd[turn_of(work.system.model, i)] = result.dturn;
+    if (tyre.parking) work.forces.xd[turn_state(work.system.model, i)] = result.dturn;
     work.forces.tyres[i] = result;
   }
 }

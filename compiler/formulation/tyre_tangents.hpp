@@ -120,7 +120,7 @@ ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_
     if (tyre.parking) {
       coordinates.push_back({std::vector<T>(work.system.topology.bodies.size(), T(0.0))});
       add_wrench(work, body, kGround, Spatial<T>{{}, contact.up}, coordinates[3].row);
-      states.push_back(static_cast<int>(turn_of(work.system.model, index)));
+      states.push_back(turn_state(work.system.model, index));
     }
     ElementTangents<T> element = element_tangents<T>(std::move(coordinates), std::move(states));
     add_law(set, properties, motion, element);

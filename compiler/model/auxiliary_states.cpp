@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace mbgen {
@@ -73,10 +74,13 @@ int auxiliary_state_count(const Model& model) {
 
 int first_turn(const Model& model) { return kSlipsOfTyre * static_cast<int>(model.tyres.size()); }
 
-int first_bristle(const Model& model) {
-  const auto turns = std::ranges::count_if(model.tyres, [](const Tyre& tyre) { return tyre.parking.has_value(); });
-  return first_turn(model) + static_cast<int>(turns);
+int turn_state(const Model& model, std::size_t tyre) {
+  const auto has_turn = [](const Tyre& t) { return t.parking.has_value(); };
+  const auto before = std::ranges::count_if(std::span(model.tyres).first(tyre), has_turn);
+  return first_turn(model) + static_cast<int>(before);
 }
+
+int first_bristle(const Model& model) { return turn_state(model, model.tyres.size()); }
 
 int slip_state_count(const Model& model) {
   const auto has_bristle = [](const FrictionLaw& friction) { return friction.has_bristle(); };

@@ -54,8 +54,9 @@ bool takes_reactions(const Model& model);
 /// nominal value, else its initial one, else what slips, bristles and Maxwell branches reach, else 1.
 double magnitude_of(const AuxiliaryState& state);
 
-/// The first turn of the tyres, behind their slips.
+/// The first turn of the tyres, behind their slips, and that of a tyre. Requires: this tyre has one.
 int first_turn(const Model& model);
+int turn_state(const Model& model, std::size_t tyre);
 
 /// The first state of the bristles.
 int first_bristle(const Model& model);

@@ -183,9 +183,8 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
   for (std::size_t f = 0; f < model.forces.size(); ++f)
     add_applied(model.forces[f], parts.forces[f], bodies, values, forces);
   std::vector<double> turn_rates;
-  const auto first_of_turns = static_cast<std::size_t>(first_turn(model));
   for (std::size_t w = 0; w < model.tyres.size(); ++w) {
-    const double turn = model.tyres[w].parking ? x[first_of_turns + turn_rates.size()] : 0;
+    const double turn = model.tyres[w].parking ? x[static_cast<std::size_t>(turn_state(model, w))] : 0;
     const RoadWheel wheel = road_wheel(model.tyres[w], parts.tyres[w], bodies[parts.tyres[w].centre.body],
                                        {x[2 * w], x[2 * w + 1], turn}, values);
     if (model.tyres[w].parking) turn_rates.push_back(wheel.dturn);

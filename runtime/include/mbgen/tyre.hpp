@@ -309,12 +309,18 @@ struct TurnedForces {
   T rate;     ///< rad/s, of the deflection of the patch
 };
 
+/// Forces of the set without turn slip.
+template <class Set, class T>
+TyreForces<T> straight_forces(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact,
+                              const T& load, const Slip<T>& slip) {
+  return formula<T>(set, load, slip.kappa, tyre.side * slip.alpha, tyre.side * contact.camber, tyre, slip.rolling);
+}
+
 /// Turn slip of the set where the tyre has it; else, and at rest, the moment of the patch.
 template <class Set, class T>
 TurnedForces<T> with_turn_slip(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact,
                                const T& load, const Slip<T>& slip, const TurningPatch<T>& patch) {
-  return {formula<T>(set, load, slip.kappa, tyre.side * slip.alpha, tyre.side * contact.camber, tyre, slip.rolling),
-          patch.moment, patch.rate};
+  return {straight_forces(set, tyre, contact, load, slip), patch.moment, patch.rate};
 }
 template <class T>
 TurnedForces<T> with_turn_slip(const MagicFormula61<T>& set, const TyreProperties<T>& tyre,
@@ -332,9 +338,7 @@ TurnedForces<T> with_turn_slip(const MagicFormula61<T>& set, const TyrePropertie
 template <class Set, class T>
 TurnedForces<T> turned_forces(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact,
                               const T& load, const Slip<T>& slip) {
-  if (tyre.turning == Turning::none)
-    return {formula<T>(set, load, slip.kappa, tyre.side * slip.alpha, tyre.side * contact.camber, tyre, slip.rolling),
-            T(0), T(0)};
+  if (tyre.turning == Turning::none) return {straight_forces(set, tyre, contact, load, slip), T(0), T(0)};
   return with_turn_slip(set, tyre, contact, load, slip, turning_patch(set, tyre, contact, load, slip.rolling));
 }
 
