@@ -58,7 +58,7 @@ ManoeuvreRun::ManoeuvreRun(const Model& model, const Manoeuvre& manoeuvre, const
       first_output_(first_vehicle_output(model)),
       lifted_(model.tyres.size(), -1.0) {
   series_.wheels = facts_.wheels;
-  reading_.has_towed = vehicle_.towed.body >= 0;
+  if (vehicle_.towed.body >= 0) reading_.towed.emplace();
 }
 
 void ManoeuvreRun::complete(SimulationArguments& arguments) const {

@@ -136,11 +136,9 @@ VehicleReading vehicle_reading(const Sample& sample, std::size_t first, const Ve
   VehicleReading reading;
   const double c = std::cos(y[kHeading]), s = std::sin(y[kHeading]);
   reading.plane = plane_motion(y, y[kHeading], last.plane.heading);
-  reading.has_towed = last.has_towed;
-  if (reading.has_towed) {
+  if (last.towed) {
     const double* const towed = y - kTowed;
-    reading.towed = plane_motion(towed, towed[kTowed - 2], last.towed.heading);
-    reading.towed_yaw_rate = towed[kTowed - 1];
+    reading.towed = {plane_motion(towed, towed[kTowed - 2], last.towed->plane.heading), towed[kTowed - 1]};
   }
   reading.longitudinal_acceleration = c * y[kAx] + s * y[kAy];
   reading.vertical_acceleration = y[kAz];
@@ -165,12 +163,12 @@ void append(VehicleSeries& series, double t, const VehicleReading& reading, doub
   series.roll.push_back(reading.roll);
   series.pitch.push_back(reading.pitch);
   series.steer.push_back(steer);
-  if (reading.has_towed) {
-    series.towed.x.push_back(reading.towed.x);
-    series.towed.y.push_back(reading.towed.y);
-    series.towed.heading.push_back(reading.towed.heading);
-    series.towed.lateral_acceleration.push_back(reading.towed.lateral_acceleration);
-    series.towed.yaw_rate.push_back(reading.towed_yaw_rate);
+  if (const auto& towed = reading.towed) {
+    series.towed.x.push_back(towed->plane.x);
+    series.towed.y.push_back(towed->plane.y);
+    series.towed.heading.push_back(towed->plane.heading);
+    series.towed.lateral_acceleration.push_back(towed->plane.lateral_acceleration);
+    series.towed.yaw_rate.push_back(towed->yaw_rate);
   }
   series.loads.resize(reading.loads.size());
   for (std::size_t i = 0; i < reading.loads.size(); ++i) series.loads[i].push_back(reading.loads[i]);

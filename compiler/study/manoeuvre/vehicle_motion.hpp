@@ -1,6 +1,7 @@
 #pragma once
 // The vehicle of a model: what it is, and how it moves.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,14 +41,16 @@ struct VehicleReading {
   PlaneMotion plane;
   double longitudinal_acceleration = 0, vertical_acceleration = 0;  ///< m/s^2
   double yaw_rate = 0, roll = 0, pitch = 0;                         ///< rad/s, rad, rad
-  PlaneMotion towed;                                                ///< of the towed unit, where there is one
-  double towed_yaw_rate = 0;                                        ///< rad/s
-  bool has_towed = false;
-  std::vector<double> loads;  ///< N, per tyre
+  std::vector<double> loads;                                        ///< N, per tyre
+  struct Towed {
+    PlaneMotion plane;
+    double yaw_rate = 0;  ///< rad/s
+  };
+  std::optional<Towed> towed;  ///< the last unit
 };
 
 /// Of a sample of a model with these outputs. first: first_vehicle_output. last: the reading before, near whose
-/// headings these are, which are no remainders of a turn; has_towed is taken from it.
+/// headings these are, which are no remainders of a turn; it has a towed unit where the model has one.
 VehicleReading vehicle_reading(const Sample& sample, std::size_t first, const VehicleReading& last);
 
 /// Adds a point.
