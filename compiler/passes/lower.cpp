@@ -1,3 +1,5 @@
+#include <array>
+#include <span>
 #include <utility>
 
 #include "compiler/passes/passes.hpp"
@@ -7,22 +9,25 @@ namespace {
 
 using OnProgram = Program (*)(const Program&);
 
-/// Share of the code, by size_of_code, up to which pairs are worth it: with left and right alone the truck took 1 % fewer
-/// bytes than without; at 0.90 and less coach.json and others took 19 % fewer.
+/// Share of the code, by size_of_code, up to which pairs are worth it: with left and right alone the truck took 1 %
+/// fewer bytes than without; at 0.90 and less coach.json and others took 19 % fewer.
 constexpr double kWorthPairs = 0.93;
 
-/// A pass on each program by itself. Dead values go each time: what a pass replaces stays behind, and would count.
+/// A pass on programs by themselves. Dead values go each time: what a pass replaces stays behind, and would count.
+void run_on(std::span<Program* const> programs, OnProgram run) {
+  for (Program* program : programs) *program = remove_dead_values(run(*program));
+}
+
 template <OnProgram run>
 Programs on_each(Programs programs) {
-  for (Program* program : solver_programs(programs)) *program = remove_dead_values(run(*program));
+  run_on(solver_programs(programs), run);
   return programs;
 }
 
 /// The same of the accelerations alone, where a pass takes longer than it gains in programs that run less often.
 template <OnProgram run>
 Programs on_accelerations(Programs programs) {
-  for (Program* program : {&programs.accelerations, &programs.around_laws})
-    if (!program->outputs.empty()) *program = remove_dead_values(run(*program));
+  run_on(std::array{&programs.accelerations, &programs.around_laws}, run);
   return programs;
 }
 
@@ -60,13 +65,15 @@ Programs with_derived_constants(Programs programs) {
 constexpr Pass kPasses[] = {
     {"dead-values", "values that no output needs taken out", Lowered::whole, on_each<remove_dead_values>},
     {"equal-values", "values that are equal by algebra merged", Lowered::whole, on_each<merge_equal_values>},
-    {"shorter-forms", "accelerations: values written as one operation on others", Lowered::whole, on_accelerations<write_shorter_forms>},
+    {"shorter-forms", "accelerations: values written as one operation on others", Lowered::whole,
+     on_accelerations<write_shorter_forms>},
     {"divisions", "divisions by one value merged", Lowered::whole, on_each<merge_divisions>},
     {"pairs", "left and right of a mirror, or twins, in two lanes", Lowered::whole, with_pairs_folded},
     {"sums", "sums factored", Lowered::whole, on_each<factor_sums>},
     {"optimised", "sums of what that left factored", Lowered::whole, on_each<factor_sums>},
     {"equal-sums", "equal values of what that left merged", Lowered::whole, on_each<merge_equal_values>},
-    {"shorter-sums", "accelerations: values of what that left written shorter", Lowered::whole, on_accelerations<write_shorter_forms>},
+    {"shorter-sums", "accelerations: values of what that left written shorter", Lowered::whole,
+     on_accelerations<write_shorter_forms>},
     {"pairs-kept", "pairs left out that do not pay", Lowered::whole, with_pairs_that_pay},
     {"derived-constants", "what depends on parameters alone taken out", Lowered::lean, with_derived_constants},
     {"contraction", "products taken into sums, rounded once", Lowered::emitted, on_each<contract>},

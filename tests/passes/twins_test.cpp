@@ -57,6 +57,17 @@ void expect_values_and_bits(const Program& program, const Program& other) {
   }
 }
 
+/// Both parts in lanes, with nothing packed but two inputs.
+Program expect_all_in_pairs(const Program& program) {
+  Program folded = fold_twins(program, kTwins);
+  expect_values_and_bits(program, folded);
+  const Counts found = counts_of(folded);
+  EXPECT_EQ(found.numbers, 0);
+  EXPECT_EQ(2 * found.pairs, counts_of(program).numbers);
+  EXPECT_EQ(found.packs, 2) << "of the inputs";
+  return folded;
+}
+
 /// Enough operations of one part to be worth a pair; with numbers of its own, one of a sign of its own.
 Expr part(const Expr& a, const Expr& b, double number, double offset) {
   Expr x = a * a + offset;
@@ -68,12 +79,7 @@ TEST(FoldTwins, DoesBothPartsInLanesWithNumbersOfTheirOwn) {
   const Program program = program_with_parts([](const auto& z) {
     return std::vector{part(z[0], z[2], 0.25, 1.5), part(z[1], z[3], 0.75, 2.5)};
   });
-  const Program folded = fold_twins(program, kTwins);
-  expect_values_and_bits(program, folded);
-  const Counts found = counts_of(folded);
-  EXPECT_EQ(found.numbers, 0);
-  EXPECT_EQ(2 * found.pairs, counts_of(program).numbers);
-  EXPECT_EQ(found.packs, 2) << "of the inputs";
+  const Program folded = expect_all_in_pairs(program);
   EXPECT_EQ(count_operations(folded).total(), count_operations(program).total());
 }
 
@@ -94,12 +100,7 @@ TEST(FoldTwins, TakesSignsIntoConstants) {
   const Program program = program_with_parts([](const auto& z) {
     return std::vector{part(z[0], z[2], 0.25, 1.5), part(z[1], z[3], -0.75, -2.5)};
   });
-  const Program folded = fold_twins(program, kTwins);
-  expect_values_and_bits(program, folded);
-  const Counts found = counts_of(folded);
-  EXPECT_EQ(found.numbers, 0);
-  EXPECT_EQ(2 * found.pairs, counts_of(program).numbers);
-  EXPECT_EQ(found.packs, 2) << "of the inputs";
+  expect_all_in_pairs(program);
 }
 
 // -z1 for z1 turns signs round where no constant takes them up: squares do not mind, products carry them on.
