@@ -46,9 +46,9 @@ struct PairedValues {
   }
 };
 
-/// One per value; pairs are unknown. Decided by values alone, at random states and their images, within what
-/// roundings amount to: how the two sides are spelled does not matter. Any mirror is sound: one that the mechanism does
-/// not have leaves no value paired.
+/// One per value; pairs are unknown. Decided by algebra, as the identities are (identities.hpp): how the two sides are
+/// spelled does not matter, and nothing is an image because it is near. Any mirror is sound: one that the mechanism
+/// does not have leaves no value paired.
 std::vector<MirrorImage> mirror_images(const Program& program, std::span<const MirroredInput> mirror);
 
 }  // namespace mbgen

@@ -203,7 +203,14 @@ Element FunctionField::element_of(Function value) {
   return {static_cast<int>(functions_.size() - 1), negative};
 }
 
-std::vector<std::array<Element, 2>> elements_of(const Program& program, FunctionField& field) {
+std::vector<Element> input_variables(const Program& program, FunctionField& field) {
+  std::vector<Element> variables;
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) variables.push_back(field.variable());
+  return variables;
+}
+
+std::vector<std::array<Element, 2>> elements_of(const Program& program, FunctionField& field,
+                                                std::span<const Element> inputs) {
   using Lanes = std::array<Element, 2>;
   std::vector<Lanes> all(program.nodes.size());
   for (std::size_t v = 0; v < all.size(); ++v) {
@@ -217,7 +224,7 @@ std::vector<std::array<Element, 2>> elements_of(const Program& program, Function
     if (node.op == Op::constant) {
       all[v].fill(field.constant(node.constant));
     } else if (node.op == Op::input) {
-      all[v].fill(field.variable());
+      all[v].fill(inputs[static_cast<std::size_t>(node.input)]);
     } else if (node.op == Op::pack) {
       all[v] = {operands[0][0], operands[1][0]};
     } else if (node.op == Op::first_lane || node.op == Op::second_lane) {

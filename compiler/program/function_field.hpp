@@ -87,7 +87,11 @@ class FunctionField {
   std::uint64_t variables_ = 0;
 };
 
-/// Both lanes of each value of a program; those of a number are equal.
-std::vector<std::array<Element, 2>> elements_of(const Program& program, FunctionField& field);
+/// Both lanes of each value of a program; those of a number are equal. inputs: in the order of program.inputs.
+std::vector<std::array<Element, 2>> elements_of(const Program& program, FunctionField& field,
+                                                std::span<const Element> inputs);
+
+/// A variable for each input of a program.
+std::vector<Element> input_variables(const Program& program, FunctionField& field);
 
 }  // namespace mbgen

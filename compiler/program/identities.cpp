@@ -12,7 +12,7 @@ namespace mbgen {
 std::vector<Identity> identities(const Program& program) {
   using Lanes = std::array<Element, 2>;
   FunctionField field;
-  const std::vector<Lanes> all = elements_of(program, field);
+  const std::vector<Lanes> all = elements_of(program, field, input_variables(program, field));
   const std::vector<int> widths = widths_of(program);
   std::map<std::pair<int, Lanes>, ValueId> first;  // by width, up to the sign of the first lane
   std::vector<Identity> result(all.size());

@@ -13,22 +13,18 @@ namespace {
 
 constexpr double kUnit = std::numeric_limits<double>::epsilon();
 
-/// A smooth function in place of one that is in pieces or has a branch, odd or even as that one is: values that are
-/// equal with it are equal whatever piece they are in.
+/// A smooth function in place of one that is in pieces or has a branch: bounds are finite at every state.
 double smooth(Op op, double a, double b, double c) {
-  const double number = static_cast<double>(op);
   switch (op) {
-    case Op::abs:
-      return 1.7134 + 0.41 * std::cos(1.37 * a);
-    case Op::atan2:
-      return std::sin(1.31 * a) * (1.7 + 0.4 * std::cos(0.9 * b) + 0.3 * std::sin(1.1 * b));
     case Op::sqrt:
+    case Op::atan2:
+    case Op::abs:
     case Op::min:
     case Op::max:
     case Op::select:
     case Op::floor:
     case Op::sample:
-      return 1.9171 + 0.3 * std::sin(0.83 * a + 0.1 * number) + 0.21 * std::sin(1.17 * b + 0.3 * a + 0.7) +
+      return 1.9171 + 0.3 * std::sin(0.83 * a) + 0.21 * std::sin(1.17 * b + 0.3 * a + 0.7) +
              0.17 * std::sin(1.43 * c - 0.4 * a + 0.2 * b + 0.3);
     default:
       return apply(op, a, b, c);

@@ -480,7 +480,7 @@ struct AccelerationsWork3 {
 struct AccelerationsWork4 {
   double
       s8_40, s8_46, s8_38, w_chassis_z, s8_18, s8_19, w_chassis_x, s8_20, s2_189, s2_187, s2_191,
-      s7_10, s7_20, s7_22, s8_571, s8_35, s8_36, s8_44, s2_186, s3_34, s7_144, s8_563, s8_572,
+      s7_10, s7_20, s7_22, s8_571, s8_35, s8_36, s8_44, s2_186, s3_34, s7_144, s8_564, s8_572,
       s8_575, s8_577, s6_122, s7_142, s7_143, s8_510, s8_573, s8_576, s8_578, s8_592, s7_6, s7_17,
       s7_19, s8_235, s8_512, s8_569, s8_574, s7_8, f_rear_axle_z, f_rear_axle_y, f_rear_axle_x,
       s2_185, s2_188, s8_505, s8_570, zdd_star_rear_axle_rx, s6_62, zdd_star_rear_axle_tx, s7_24,
@@ -2068,10 +2068,10 @@ struct AccelerationsWork6 {
   // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
   // continued ---
   const double s8_562 = w3.s8_445[1];
-  result.inertia[12] = s8_562;
-  w4.s8_563 = 1.0/s8_562;
-  const double s8_564 = w3.s8_445[0];
-  const double s8_565 = w4.s8_237*w4.s8_563;
+  const double s8_563 = w3.s8_445[0];
+  w4.s8_564 = 1.0/s8_562;
+  result.inertia[12] = s8_562 - 1.5272999999999997e-20;
+  const double s8_565 = w4.s8_237*w4.s8_564;
   w4.s8_566 = fma(w4.s8_235, s8_565, w4.s8_409);
   w4.s8_567 = w3.s8_484[0];
   w4.s8_568 = fnma(s8_565, w4.s8_567, w3.s8_484[1]);
@@ -2085,7 +2085,7 @@ struct AccelerationsWork6 {
   w4.s8_576 = fnma(s8_565, w4.s8_575, w3.s8_495[0]);
   w4.s8_577 = w3.s8_387[0];
   w4.s8_578 = fnma(s8_565, w4.s8_577, w3.s8_387[1]);
-  const double pivot_arb_rear_left = fnma(w4.s8_237, s8_565, s8_564);
+  const double pivot_arb_rear_left = fnma(w4.s8_237, s8_565, s8_563);
 
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
   // continued ---
@@ -2103,10 +2103,10 @@ struct AccelerationsWork6 {
   w4.s8_590 = fma(w4.s7_143, s8_584, w4.s6_122*w4.s7_142);
   w4.s8_591 = fnma(w4.s6_122, w4.s7_143, w4.s7_142*s8_584);
   w4.s8_592 = 1.0/pivot_arb_rear_left;
-  result.inertia[11] = fnma(1e-12, s8_564, pivot_arb_rear_left - 1.5272999999999997e-20);
+  result.inertia[11] = fnma(1e-12, s8_563, pivot_arb_rear_left - 1.5272999999999997e-20);
   w4.s8_593 = w4.s8_592*w4.s8_572;
   const double s8_594 = fnma(w3.r_rear_axle_aux1_x, w4.f_rear_axle_y, s8_557) - w4.n_rear_axle_z;
-  w4.s8_595 = w4.s8_563*w4.s8_571;
+  w4.s8_595 = w4.s8_564*w4.s8_571;
   const double s8_596 = fma(w4.s8_577, w4.s8_595, fnma(w4.s8_593, w4.s8_578, s8_594));
   const double s8_597 = fnma(s7_134, s8_582, fma(p_bell_crank_x, w4.s8_586, s8_596));
   const double s8_598 = fma(p_pitman_arm_x, w4.s8_589, fnma(s7_133, s8_580, s8_597));
@@ -2115,7 +2115,7 @@ struct AccelerationsWork6 {
   w4.s8_601 = w4.s8_592*w4.s8_576;
   const double s8_602 = fma(w3.r_rear_axle_aux3_z, s8_541, fma(z_rear_axle_ty, s8_550, w4.s7_6));
   const double s8_603 = fma(w3.r_rear_axle_aux1_x, w4.f_rear_axle_z, s8_560) - w4.n_rear_axle_y;
-  w4.s8_604 = w4.s8_563*w4.s8_575;
+  w4.s8_604 = w4.s8_564*w4.s8_575;
 
   // --- step 8: elimination from the leaves to the root (63), continued ---
   const double s8_605 = fnma(w4.s8_571, w4.s8_604, fma(w4.s8_572, w4.s8_601, s8_602));
@@ -2128,7 +2128,7 @@ struct AccelerationsWork6 {
   w4.s8_612 = fnma(w4.s2_187, s8_525, s8_611);
   w4.s8_613 = w4.s8_592*w4.s8_574;
   const double s8_614 = fnma(z_rear_axle_ty, w4.f_rear_axle_z, s8_561) - w4.n_rear_axle_x;
-  w4.s8_615 = w4.s8_563*w4.s8_573;
+  w4.s8_615 = w4.s8_564*w4.s8_573;
   const double s8_616 = fma(w4.s8_572, w4.s8_613, fma(w3.r_rear_axle_aux3_z, s8_545, s8_552));
   const double s8_617 = fma(w4.s8_613, w4.s8_576, fma(z_rear_axle_ty, s8_545, s8_546));
   w4.s8_618 = fnma(w4.s2_189, s8_536, fma(w4.s8_571, w4.s8_615, s8_616));
@@ -2507,7 +2507,7 @@ struct AccelerationsWork6 {
   const double s8_951 = fma(w5.R_chassis_y_z, tau_chassis_ty, w5.R_chassis_x_z*tau_chassis_tx);
   w5.s8_952 = w4.s8_592*w4.s8_570;
   const double s8_953 = fma(w4.R_chassis_z_z, tau_chassis_tz, s8_951) - w4.f_rear_axle_z;
-  w5.s8_954 = w4.s8_563*w4.s8_569;
+  w5.s8_954 = w4.s8_564*w4.s8_569;
   const double s8_955 = fma(w4.s8_577, w5.s8_954, fnma(w5.s8_952, w4.s8_578, s8_953));
   w5.s8_956 = w5.s8_799*w5.s8_792;
   const double s8_957 = fnma(w4.s8_40, w4.s8_516, s8_955 - w4.s8_585 - w4.s8_591);
@@ -2520,7 +2520,7 @@ struct AccelerationsWork6 {
   w5.R_chassis_x_y = fnma(R_chassis_aux4_y_x, s1_7, R_chassis_aux4_x_x*w4.s1_41);
   w5.R_chassis_y_y = fma(R_chassis_aux4_x_x, s1_7, R_chassis_aux4_y_x*w4.s1_41);
   const double s8_963 = fma(w5.R_chassis_y_y, tau_chassis_ty, w5.R_chassis_x_y*tau_chassis_tx);
-  w5.s8_964 = w4.s8_235*w4.s8_563;
+  w5.s8_964 = w4.s8_235*w4.s8_564;
   const double s8_965 = fma(w4.R_chassis_z_y, tau_chassis_tz, s8_963) - w4.f_rear_axle_y;
   w5.s8_966 = w4.s8_566*w4.s8_592;
   const double s8_967 = fma(w5.s8_966, w4.s8_578, fnma(w5.s8_964, w4.s8_577, s8_965));
@@ -2539,7 +2539,7 @@ struct AccelerationsWork6 {
   const double s8_976 = fma(w5.R_chassis_aux5_y_x, tau_chassis_ty, s8_975);
   w5.s8_977 = w4.s8_592*w4.s8_568;
   const double s8_978 = fnma(w6.sines[1], tau_chassis_tz, s8_976) - w4.f_rear_axle_x;
-  w5.s8_979 = w4.s8_563*w4.s8_567;
+  w5.s8_979 = w4.s8_564*w4.s8_567;
   const double s8_980 = fnma(w4.s8_577, w5.s8_979, fnma(w5.s8_977, w4.s8_578, s8_978));
   w5.s8_981 = w5.s8_799*w5.s8_790;
   const double s8_982 = fnma(w4.s8_38, w4.s8_516, s8_980 - w4.s8_587 - w4.s8_590);
@@ -2704,7 +2704,7 @@ struct AccelerationsWork6 {
   const double s9_34 = fma(w4.s8_571, alpha_chassis_z, fnma(w4.s8_575, alpha_chassis_y, s9_26));
   const double s9_35 = w5.s8_799*fma(w5.s8_797, s9_32, fnma(w5.s8_793, alpha_chassis_z, s9_29));
   result.zdd[Coordinate::lower_arm_right] = s9_35;
-  const double s9_36 = w4.s8_563*fnma(w4.s8_237, s9_33, s9_34);
+  const double s9_36 = w4.s8_564*fnma(w4.s8_237, s9_33, s9_34);
   result.zdd[Coordinate::arb_rear_right] = s9_36;
   const double s9_37 = fnma(w5.s8_786, s9_32, fnma(w5.s8_688, alpha_chassis_z, s9_30));
   const double s9_38 = fma(w4.s3_8, s9_36, fma(w4.s3_7, s9_33, w3.zdd_star_rear_axle_ry));
@@ -2846,7 +2846,7 @@ struct AccelerationsWork6 {
   // operations of step 7: inertias of the bodies and forces on joints, long_rod_left ..
   // arb_link_rear_right: 25 add, 51 multiply
   // operations of step 8: elimination from the leaves to the root (63), long_rod_left ..
-  // arb_link_rear_right: 612 add, 662 multiply, 2 divide
+  // arb_link_rear_right: 613 add, 662 multiply, 2 divide
   // operations of step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left ..
   // tie_rod_right: 110 add, 139 multiply, 11 divide, 21 other
   // operations of step 3: Rz (61), upper_ball_left .. tie_rod_right: 20 add, 41 multiply

@@ -95,6 +95,31 @@ TEST(MirrorImages, TellsWhatBothSidesShare) {
   EXPECT_NE(found[4].kind, Kind::shared) << "a number of one side differs in the thirteenth digit";
 }
 
+// The force of a spring beside a far larger one: sums with and without it are no twins however near they are.
+TEST(MirrorImages, TellsASmallTermOfALargeSum) {
+  const Program program = program_of([](const auto& z) {
+    const Expr left = z[2] * z[2] * 1e14, right = z[3] * z[3] * 1e14;
+    return std::vector{left, right, left + z[2], right + z[3]};
+  });
+  const std::vector<MirrorImage> found = images_of_outputs(program);
+  EXPECT_EQ(found[0].first, found[1].first);
+  EXPECT_EQ(found[2].first, found[3].first);
+  EXPECT_NE(found[0].first, found[2].first);
+}
+
+// Rounding leaves nothing of a sine of a large number: what is known to no digit is another one's image by no chance.
+TEST(MirrorImages, PairsNothingBecauseRoundingsAreLarge) {
+  const Program program = program_of([](const auto& z) {
+    std::vector<Expr> values;
+    for (int k = 0; k < 40; ++k) {
+      values.push_back(sin(z[2] * (2e13 + 1e12 * k)));
+      values.push_back(sin(z[3] * (2.05e13 + 1e12 * k)));
+    }
+    return values;
+  });
+  for (const MirrorImage& image : images_of_outputs(program)) EXPECT_EQ(image.kind, Kind::lone);
+}
+
 // Both ends of a table are the same on either side: that the state is there now says nothing of other states.
 TEST(MirrorImages, DoesNotTakeASaturatedValueForAConstant) {
   const Program program = program_of([](const auto& z) {
