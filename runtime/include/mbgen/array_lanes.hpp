@@ -98,4 +98,17 @@ class Total {
   Real rest_;
 };
 
+/// Whether every entry is above zero; a NaN is not.
+template <class Real>
+[[gnu::always_inline]] inline bool all_positive(const Real* values, int count) noexcept {
+  using namespace array_detail;
+  constexpr int width = kLanes<Real>;
+  auto above = LanesOf<width, Real>{} == 0;
+  for (int i = 0; i + width <= count; i += width) above &= lanes_at<width>(values + i) > 0;
+  bool all = true;
+  for (int lane = 0; lane < width; ++lane) all = all && above[lane] != 0;
+  for (int i = count - count % width; i < count; ++i) all = all && values[i] > 0;
+  return all;
+}
+
 }  // namespace mbgen

@@ -86,8 +86,9 @@ Status pivoted_accelerations(const typename System::Parameters& parameters, cons
 /// The same of a program for a known partition, when all its inertias are positive.
 template <class System, class Values>
 Status deliver_sound(const Values& values, typename System::Derivative& derivative) noexcept {
-  for (int k = 0; k < System::kFreeDirections; ++k) {
-    if (!(values.inertia[k] > 0)) return {Code::no_inertia, System::kFreeDirection[k].coordinate};
+  if (!all_positive(values.inertia, System::kFreeDirections)) {
+    for (int k = 0; k < System::kFreeDirections; ++k)
+      if (!(values.inertia[k] > 0)) return {Code::no_inertia, System::kFreeDirection[k].coordinate};
   }
   return deliver<System>(values, derivative);
 }
@@ -164,14 +165,17 @@ template <class System>
 Status evaluate(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                 const typename System::State& state, const RealOf<System>* tau, typename System::Accelerations& values,
                 typename System::Derivative& derivative) noexcept {
-  const Status status = check_arguments<System>(parameters, inputs, state, tau);
-  if (!status.ok()) return status;
   if constexpr (kChartsOf < typename System::State >> 0) {
     if (in_other_chart(state)) {
+      const Status status = check_arguments<System>(parameters, inputs, state, tau);
+      if (!status.ok()) return status;
       return other_chart_accelerations<System>(parameters, inputs, state, tau, values, derivative);
     }
   }
   System::accelerations(parameters, inputs, state, tau, values);
+  // After the program: its last operations wait for each other, and the arguments are at hand by then.
+  const Status status = check_arguments<System>(parameters, inputs, state, tau);
+  if (!status.ok()) return status;
   if constexpr (System::kBlocks > 0 && !kChoosesAgain<System>) {
     const Status frozen = frozen_status<System>(values.pivot);
     if (!frozen.ok()) return frozen;

@@ -70,7 +70,8 @@ Compilation compiled(const Mechanism& m) {
   return compilation;
 }
 
-/// Generic, both forms of the symbolic program and the four Cartesian judges say the same.
+/// Generic, both forms of the symbolic program, the emitted one with its pairs and the four Cartesian judges say the
+/// same.
 Complaint engines_disagree(const RandomMechanism&, const Mechanism& m) {
   const GenericSolver generic(m.model, m.topology, m.analysis);
   const Compilation compilation = compiled(m);
@@ -84,6 +85,9 @@ Complaint engines_disagree(const RandomMechanism&, const Mechanism& m) {
       return c;
     if (const Complaint c =
             differ("the recursive form", interpreted(programs.accelerations, state, tau), expected.zdd, kTolerance))
+      return c;
+    if (const Complaint c = differ("the emitted program", interpreted(compilation.emitted.accelerations, state, tau),
+                                   expected.zdd, kTolerance))
       return c;
     for (const CartesianMethod method : {CartesianMethod::augmented, CartesianMethod::range_space,
                                          CartesianMethod::null_space, CartesianMethod::maggi}) {
