@@ -38,7 +38,7 @@ struct Stage {
 /// Looks at a stage. Result: false to stop there.
 using StageWatch = std::function<bool(const Stage&)>;
 
-/// Names of the stages in order: model, topology, analysis, program, every pass (see passes/lower.hpp).
+/// Names of the stages in order: model, topology, analysis, program, every pass (see passes/passes.hpp).
 std::vector<std::string> stage_names();
 
 struct CompileOptions {

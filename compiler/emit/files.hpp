@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/passes/roll.hpp"
+#include "compiler/schedule/roll.hpp"
 
 namespace mbgen {
 

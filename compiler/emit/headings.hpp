@@ -9,7 +9,7 @@
 
 #include "compiler/emit/function_text.hpp"
 #include "compiler/emit/shapes.hpp"
-#include "compiler/passes/schedule.hpp"
+#include "compiler/schedule/schedule.hpp"
 
 namespace mbgen {
 

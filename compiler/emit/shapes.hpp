@@ -8,7 +8,7 @@
 
 #include "compiler/emit/context.hpp"
 #include "compiler/emit/local_names.hpp"
-#include "compiler/passes/schedule.hpp"
+#include "compiler/schedule/schedule.hpp"
 
 namespace mbgen {
 

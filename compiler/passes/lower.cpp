@@ -2,6 +2,7 @@
 #include <span>
 #include <utility>
 
+#include "compiler/pairs/pairs.hpp"
 #include "compiler/passes/passes.hpp"
 
 namespace mbgen {
@@ -39,10 +40,10 @@ const Program& written_accelerations(const Programs& programs) {
 /// Left and right as pairs, or twins and then left and right of what they leave: what takes less code.
 Programs with_pairs_folded(Programs programs) {
   const Program& program = written_accelerations(programs);
-  programs.in_pairs = fold_pairs(program, programs.mirror);
-  Program twins = fold_twins(program, programs.twins);
+  programs.in_pairs = remove_dead_values(fold_pairs(program, programs.mirror));
+  Program twins = remove_dead_values(fold_twins(program, programs.twins));
   if (twins.outputs.empty()) return programs;
-  Program both = fold_pairs(twins, programs.mirror);
+  Program both = remove_dead_values(fold_pairs(twins, programs.mirror));
   if (!both.outputs.empty()) twins = std::move(both);
   programs.holds_twins = programs.in_pairs.outputs.empty() || size_of_code(twins) < size_of_code(programs.in_pairs);
   if (programs.holds_twins) programs.in_pairs = std::move(twins);

@@ -35,20 +35,6 @@ Program write_shorter_forms(const Program& program);
 ///   =>   %4 = constant 1; %5 = div %4 %3; %6 = mul %0 %5; %7 = mul %1 %5; %8 = mul %2 %5
 Program merge_divisions(const Program& program);
 
-/// Left and right of a mechanism as pairs: a value and what its mirror image is become one value of two lanes, each
-/// operation on it one for both sides. A second lane holds the image, not the value of the other side, so that both
-/// lanes have the same operations, constants and signs. Sums over both sides are summed in lanes. Pairs that cost more
-/// to pack and take apart than they save stay numbers. mirror: see Programs::mirror. Empty where no pair is worth it.
-/// Ensures: values equal up to rounding. Method: docs/method/pairs.md.
-///   %2 = mul %0 %0; %3 = mul %1 %1; %4 = add %2 %3      %0 left, %1 right
-///   =>   %2 = pack %0 %1; %3 = mul %2 %2; %4 = first_lane %3; %5 = second_lane %3; %6 = add %4 %5
-Program fold_pairs(const Program& program, std::span<const MirroredInput> mirror);
-
-/// Twins as pairs, likewise: the same operations on other operands become one operation, the second lane of a pair the
-/// value of the other part. twins: see Programs::twins.
-///   %2 = mul %0 0.5; %3 = mul %1 0.7      %0 and %1 twins   =>   %2 = pack %0 %1; %3 = pack 0.5 0.7; %4 = mul %2 %3
-Program fold_twins(const Program& program, std::span<const TwinInput> twins);
-
 /// Bytes of code, about, that a program without calls takes once its products are in sums: what is compared where
 /// programs of the same values compete.
 long size_of_code(const Program& program);
@@ -74,14 +60,6 @@ Program take_out_derived(std::span<Program* const> programs, SlotGroup group, co
 /// in each of them.
 ///   %3 = mul %0 %1; %4 = sub %2 %3   =>   %3 = submul %2 %0 %1
 Program contract(const Program& program);
-
-/// An order of operations in which few values are alive at a time, wherever their sections are: registers and
-/// first-level cache hold few numbers, and eight times fewer vectors. Built from the end: of the operations whose users
-/// all stand, the one that brings the fewest new values to life comes next; then each operation that ends the life of a
-/// value moves up to where its operands are known. bundles: the operations in an order that is sound, those that
-/// stay together in one bundle; all that they need of others stands before them.
-///   %2 = mul %0 %1; %3 = sin %0; %4 = mul %3 %3; %5 = add %4 %2   =>   %3 %4 %2 %5
-std::vector<ValueId> fewest_alive(const Program& program, std::span<const std::vector<ValueId>> bundles);
 
 /// How far programs are from the emitted ones.
 enum class Lowered {

@@ -40,7 +40,8 @@ class ShorterForms {
         uses_(program.nodes.size(), 0),
         operands_(program.nodes.size()),
         forms_(program.nodes.size()) {
-    for (const auto& lanes : elements_of(program, field_, input_variables(program, field_))) elements_.push_back(lanes[0]);
+    for (const auto& lanes : elements_of(program, field_, input_variables(program, field_)))
+      elements_.push_back(lanes[0]);
     value_of_.assign(field_.size(), kNoValue);
     for (ValueId v = 0; v < elements_.size(); ++v) {
       const Node& node = program.nodes[v];

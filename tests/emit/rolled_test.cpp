@@ -6,7 +6,7 @@
 #include <random>
 
 #include "compiler/compile.hpp"
-#include "compiler/passes/roll.hpp"
+#include "compiler/schedule/roll.hpp"
 #include "tests/support/compiled_solver.hpp"
 
 namespace mbgen::test {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "compiler/passes/sums_of_sides.hpp"
+#include "compiler/pairs/sums_of_sides.hpp"
 
 namespace mbgen {
 

@@ -1,4 +1,4 @@
-#include "compiler/passes/least_cut.hpp"
+#include "compiler/pairs/least_cut.hpp"
 
 #include <algorithm>
 

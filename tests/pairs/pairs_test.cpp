@@ -1,12 +1,14 @@
 // Left and right as pairs of two lanes.
 
+#include "compiler/pairs/pairs.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "compiler/passes/least_cut.hpp"
-#include "compiler/passes/mirror_images.hpp"
+#include "compiler/pairs/least_cut.hpp"
+#include "compiler/pairs/mirror_images.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/program/kinds.hpp"
 

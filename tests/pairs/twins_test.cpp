@@ -5,8 +5,9 @@
 #include <cmath>
 #include <functional>
 
+#include "compiler/pairs/pairs.hpp"
+#include "compiler/pairs/twin_values.hpp"
 #include "compiler/passes/passes.hpp"
-#include "compiler/passes/twin_values.hpp"
 #include "compiler/program/kinds.hpp"
 
 namespace mbgen {

@@ -1,8 +1,9 @@
+#include "compiler/schedule/fewest_alive.hpp"
+
 #include <algorithm>
 #include <queue>
 #include <utility>
 
-#include "compiler/passes/passes.hpp"
 #include "compiler/program/kinds.hpp"
 
 namespace mbgen {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "compiler/passes/passes.hpp"
-#include "compiler/passes/schedule.hpp"
 #include "compiler/program/kinds.hpp"
 #include "compiler/program/program.hpp"
+#include "compiler/schedule/fewest_alive.hpp"
+#include "compiler/schedule/schedule.hpp"
 
 namespace mbgen {
 namespace {

@@ -1,4 +1,4 @@
-#include "compiler/passes/schedule.hpp"
+#include "compiler/schedule/schedule.hpp"
 
 #include <algorithm>
 #include <functional>

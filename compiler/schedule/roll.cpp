@@ -1,4 +1,4 @@
-#include "compiler/passes/roll.hpp"
+#include "compiler/schedule/roll.hpp"
 
 #include <algorithm>
 #include <cstdint>

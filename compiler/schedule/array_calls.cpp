@@ -1,4 +1,4 @@
-#include "compiler/passes/array_calls.hpp"
+#include "compiler/schedule/array_calls.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "compiler/passes/mirror_images.hpp"
+#include "compiler/pairs/mirror_images.hpp"
 
 namespace mbgen {
 

@@ -1,11 +1,11 @@
-#include "compiler/passes/pair_choice.hpp"
+#include "compiler/pairs/pair_choice.hpp"
 
 #include <array>
 #include <map>
 #include <tuple>
 #include <utility>
 
-#include "compiler/passes/least_cut.hpp"
+#include "compiler/pairs/least_cut.hpp"
 #include "compiler/program/kinds.hpp"
 
 namespace mbgen {

@@ -1,4 +1,4 @@
-#include "compiler/passes/mirror_images.hpp"
+#include "compiler/pairs/mirror_images.hpp"
 
 #include <map>
 #include <utility>

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "compiler/passes/mirror_images.hpp"
+#include "compiler/pairs/mirror_images.hpp"
 
 namespace mbgen {
 

@@ -1,4 +1,4 @@
-#include "compiler/passes/twin_signs.hpp"
+#include "compiler/pairs/twin_signs.hpp"
 
 #include <algorithm>
 #include <utility>

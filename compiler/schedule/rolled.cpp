@@ -2,8 +2,8 @@
 #include <tuple>
 #include <utility>
 
-#include "compiler/passes/scheduled_program.hpp"
 #include "compiler/program/kinds.hpp"
+#include "compiler/schedule/scheduled_program.hpp"
 
 namespace mbgen {
 namespace {

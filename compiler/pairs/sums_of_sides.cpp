@@ -1,4 +1,4 @@
-#include "compiler/passes/sums_of_sides.hpp"
+#include "compiler/pairs/sums_of_sides.hpp"
 
 #include <array>
 #include <deque>

@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "compiler/passes/pair_choice.hpp"
-#include "compiler/passes/passes.hpp"
-#include "compiler/passes/twin_values.hpp"
+#include "compiler/pairs/pair_choice.hpp"
+#include "compiler/pairs/pairs.hpp"
+#include "compiler/pairs/twin_values.hpp"
 #include "compiler/program/kinds.hpp"
 
 namespace mbgen {
@@ -68,7 +68,7 @@ class Folding {
       if (!sums_.is_inside[v] && !is_pair_[v]) number(v);
     for (const auto& [slot, value] : program_.outputs) builder_.output(slot.group, slot.index, number(value));
     if (is_void_) return {};
-    return remove_dead_values(builder_.finish());
+    return builder_.finish();
   }
 
  private:

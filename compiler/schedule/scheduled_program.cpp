@@ -1,4 +1,4 @@
-#include "compiler/passes/scheduled_program.hpp"
+#include "compiler/schedule/scheduled_program.hpp"
 
 #include <algorithm>
 

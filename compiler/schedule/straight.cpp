@@ -4,9 +4,9 @@
 #include <span>
 #include <utility>
 
-#include "compiler/passes/passes.hpp"
-#include "compiler/passes/scheduled_program.hpp"
 #include "compiler/program/kinds.hpp"
+#include "compiler/schedule/fewest_alive.hpp"
+#include "compiler/schedule/scheduled_program.hpp"
 
 namespace mbgen {
 namespace {

@@ -1,13 +1,13 @@
 #pragma once
-// The last decisions about a program: the order of its values, calls for many arguments, loops over equal subsystems,
-// and its division into functions. Whoever writes it decides nothing more.
+// The door of the schedule room: the last decisions about a program: the order of its values, calls for many arguments,
+// loops over equal subsystems, and its division into functions. Whoever writes it decides nothing more.
 
 #include <cstddef>
 #include <limits>
 #include <set>
 
-#include "compiler/passes/scheduled_program.hpp"
 #include "compiler/program/program.hpp"
+#include "compiler/schedule/scheduled_program.hpp"
 
 namespace mbgen {
 

@@ -1,10 +1,10 @@
-#include "compiler/passes/twin_values.hpp"
+#include "compiler/pairs/twin_values.hpp"
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "compiler/passes/twin_signs.hpp"
+#include "compiler/pairs/twin_signs.hpp"
 #include "compiler/program/arithmetic.hpp"
 #include "compiler/program/kinds.hpp"
 

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "compiler/passes/array_calls.hpp"
-#include "compiler/passes/roll.hpp"
 #include "compiler/program/program.hpp"
+#include "compiler/schedule/array_calls.hpp"
+#include "compiler/schedule/roll.hpp"
 
 namespace mbgen {
 
