@@ -32,7 +32,8 @@ constexpr std::pair<Array, const char*> kMembers[] = {
     {Array::c, "right-hand side of the accelerations"},
     {Array::rate, "Jacobian times velocities"},
     {Array::missing, "what multipliers and drives must provide, block after block"},
-    {Array::Jz, "Jacobian of each block, row by row"}};
+    {Array::Jz, "Jacobian of each block, row by row"},
+    {Array::Rz, "free directions of each block, row by row"}};
 
 /// One number a coordinate, at the coordinate's name.
 bool is_by_coordinate(Array array) {
@@ -175,6 +176,7 @@ ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
   for (const Array array : spec_of(row.role).outputs) {
     if (array == Array::law_argument || array == (context.layout.chooses_again ? Array::rate : Array::Jz)) continue;
     if (array == Array::state_pivot && context.layout.own_states == 0) continue;
+    if (array == Array::Rz && (context.layout.blocks.empty() || !context.layout.chooses_again)) continue;
     for (const auto& [member, comment] : kMembers)
       if (member == array) shape.members.push_back({name_of(array), size_in(context, array), comment});
     add_array(shape.outputs, "result", array, context);

@@ -200,12 +200,12 @@ std::vector<T> moved_over(const std::vector<SparseRow<T>>& jacobian, std::vector
   return right_hand_side;
 }
 
-/// Rz of a block by the frozen order (61).
+/// Rz of a block by the frozen order (61), or the same for other coordinates that are not dependent.
 template <class T>
 std::vector<std::vector<T>> frozen_rz(const FrozenFactors<T>& factors, const LoopPartition& partition,
-                                      std::size_t coordinates) {
+                                      std::size_t coordinates, const std::vector<int>& given) {
   std::vector<std::vector<T>> rz(coordinates);
-  for (int free : partition.independent) {
+  for (int free : given) {
     std::vector<T> y;
     for (const SparseRow<T>& row : factors.rows) y.push_back(-row.at(free));
     detail::substitute_back(factors, y);
@@ -214,6 +214,11 @@ std::vector<std::vector<T>> frozen_rz(const FrozenFactors<T>& factors, const Loo
     for (std::size_t c = 0; c < coordinates; ++c) rz[c].push_back(column[c]);
   }
   return rz;
+}
+template <class T>
+std::vector<std::vector<T>> frozen_rz(const FrozenFactors<T>& factors, const LoopPartition& partition,
+                                      std::size_t coordinates) {
+  return frozen_rz(factors, partition, coordinates, partition.independent);
 }
 
 /// Rz of every joint group at a position by the frozen order, zdd_star zero. partitions: one LoopPartition per block;

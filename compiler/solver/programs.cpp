@@ -33,7 +33,7 @@ const std::vector<ProgramSpec>& program_specs() {
        "accelerations",
        {z, zd, x, t, tau, in, par, derived, law_result},
        {zdd, xd, pivot, inertia, law_argument}},
-      {Role::closure, "closure", {z, zd, t, in, par, derived}, {residual, dz, zd, pivot}},
+      {Role::closure, "closure", {z, zd, t, in, par, derived}, {residual, dz, zd, pivot, Rz}},
       {Role::closure_terms,
        "closure_terms",
        {z, zd, t, in, par, derived, charts},

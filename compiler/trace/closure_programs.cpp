@@ -56,6 +56,30 @@ std::vector<Expr> rates_of(const System<Expr>& system, const SparseClosure<Expr>
   return rates;
 }
 
+/// Consistent velocities of a block: per coordinate, of the dependent ones. given: independent coordinates, then driven
+/// ones; zd: per coordinate, of these. Where partitions are chosen again, Rz becomes an output: steps shorten
+/// corrections with it.
+std::vector<Expr> consistent_velocities(Tracing& tracing, const SparseClosure<Expr>& closed,
+                                        const FrozenFactors<Expr>& factors, std::size_t b,
+                                        const std::vector<int>& given, const std::vector<Expr>& zd) {
+  const BlockAnalysis& partition = tracing.analysis.blocks[b];
+  if (!chooses_again(tracing.system.topology)) {
+    const std::vector<Expr> still(closed.residual.size(), Expr(0.0));
+    return solve_frozen(factors, partition, moved_over(closed.jacobian, still, given, zd), zd.size());
+  }
+  const auto rz = tracing.in(Step::projection, [&] { return frozen_rz(factors, partition, zd.size(), given); });
+  name_rz(tracing.system, tracing.system.topology.blocks[b].joints, rz);
+  const std::size_t free = partition.independent.size();
+  std::vector<Expr> velocity;
+  for (std::size_t c = 0; c < zd.size(); ++c) {
+    for (std::size_t q = 0; q < free; ++q)
+      tracing.output(of_block(Array::Rz, b), static_cast<int>(c * free + q), rz[c][q]);
+    velocity.emplace_back(0.0);
+    for (std::size_t q = 0; q < given.size(); ++q) velocity.back() += rz[c][q] * zd[given[q]];
+  }
+  return velocity;
+}
+
 }  // namespace
 
 Program trace_closure(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
@@ -81,7 +105,7 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
     });
     const auto step = tracing.scribe.step(Step::velocities);
     const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
-    std::vector<Expr> open, still(closed.residual.size(), Expr(0.0)), known_z, known_zd;
+    std::vector<Expr> open, known_z, known_zd;
     for (const Expr& value : closed.residual) open.push_back(-value);
     for (int j : block.joints) {
       known_z.push_back(dz[j]);
@@ -91,8 +115,7 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
     known.insert(known.end(), partition.driven.begin(), partition.driven.end());
     const auto correction = solve_frozen(
         factors, partition, moved_over(closed.jacobian, open, partition.driven, known_z), block.joints.size());
-    const auto velocity =
-        solve_frozen(factors, partition, moved_over(closed.jacobian, still, known, known_zd), block.joints.size());
+    const auto velocity = consistent_velocities(tracing, closed, factors, b, known, known_zd);
     for (int c : partition.dependent) {
       dz[block.joints[c]] = correction[c];
       zd[block.joints[c]] = velocity[c];

@@ -2885,14 +2885,17 @@ struct Closure {
   double dz[32];  ///< Newton correction; driven coordinates go to their motions
   double zd[32];  ///< consistent velocities
   double pivot[2];  ///< smallest pivot of each block over its reference
+  double Rz[58];  ///< free directions of each block, row by row
 };
 
 /// Values of compute_closure that cross its parts.
 struct ClosureWork1 {
   double
-      R_carrier_left_aux2_y_y, R_carrier_left_aux1_y_x, s1_13, R_carrier_left_aux2_z_y,
-      R_carrier_left_aux1_z_x, s2_24, s4_24, s4_26, s1_15, s2_23, s2_13, s2_16, s2_57, s4_25, s4_27,
-      s4_28, s4_30, s2_109, s2_178, s2_25, s2_179;
+      R_carrier_right_aux2_y_y, R_carrier_right_aux1_y_x, s1_16, R_carrier_right_aux2_z_y,
+      R_carrier_right_aux1_z_x, s2_37, s2_107, s2_109, s2_118, s2_120, s2_36, s2_123, s2_136,
+      s2_138, s3_4, s4_10, s4_11, s2_191, s2_26, s2_29, s2_96, s2_100, s2_104, s2_110, s2_128,
+      s2_129, s2_130, s2_131, s2_141, s3_7, s3_1, s3_10, s2_188, s4_12, s2_189, s2_190, s2_193,
+      s3_11;
 };
 
 /// Values of compute_closure that cross its parts.
@@ -2902,10 +2905,18 @@ struct ClosureWork2 {
 };
 
 /// Part 1 of compute_closure: step 1: poses and axes b; step 2: closure Jacobian Phi_z and its
-/// factors (60); step 4: velocities.
+/// factors (60); step 4: velocities; step 3: Rz (61).
 [[gnu::noinline]] void compute_closure_1(const State& state, ClosureWork1& __restrict w1,
     ClosureWork2& __restrict w2, Closure& __restrict result) noexcept {
   // Results that need no operation.
+  for (int k = 0; k < 42; ++k) result.Rz[k] = 0.0;
+  result.Rz[0] = 1.0;
+  result.Rz[19] = 1.0;
+  result.Rz[41] = 1.0;
+  result.Rz[46] = 1.0;
+  result.Rz[47] = 0.0;
+  result.Rz[52] = 0.0;
+  result.Rz[53] = 1.0;
   for (int k = 0; k < 32; ++k) result.dz[k] = 0.0;
   result.zd[Coordinate::chassis_tx] = state.zd[Coordinate::chassis_tx];
   result.zd[Coordinate::chassis_ty] = state.zd[Coordinate::chassis_ty];
@@ -2951,9 +2962,6 @@ struct ClosureWork2 {
   const double s2_8 = p_drag_link_to_y*R_bell_crank_x_x;
   const double s2_9 = p_pitman_arm_y - s2_8;
   const double s2_10 = 0.8565801464479954*s2_9;
-
-  // --- step 4: velocities ---
-  const double zd_bell_crank = state.zd[Coordinate::bell_crank];
   const double s2_11 = 0.5*fma(s2_9, s2_10, fma(s2_3, s2_7, fms(s2_5, s2_6, l_drag_link)));
   result.residual[8] = s2_11;
 
@@ -2967,15 +2975,16 @@ struct ClosureWork2 {
   const double s1_2 = w2.sines[2];
   const double s1_3 = fma(R_carrier_left_aux1_y_y, s1_2, R_lower_arm_left_z_y*s1_1);
   // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
-  w1.R_carrier_left_aux2_y_y = fnma(R_lower_arm_left_z_y, s1_2, R_carrier_left_aux1_y_y*s1_1);
+  const double R_carrier_left_aux2_y_y = fnma(R_lower_arm_left_z_y, s1_2,
+      R_carrier_left_aux1_y_y*s1_1);
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s1_4 = w2.sines[1];
-  w1.R_carrier_left_aux1_y_x = R_lower_arm_left_y_y*s1_4;
+  const double R_carrier_left_aux1_y_x = R_lower_arm_left_y_y*s1_4;
   const double s1_5 = w2.cosines[3];
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s1_6 = w2.sines[3];
-  const double R_carrier_left_y_x = fma(s1_3, s1_6, w1.R_carrier_left_aux1_y_x*s1_5);
-  const double R_carrier_left_y_z = fnma(s1_3, s1_5, w1.R_carrier_left_aux1_y_x*s1_6);
+  const double R_carrier_left_y_x = fma(s1_3, s1_6, R_carrier_left_aux1_y_x*s1_5);
+  const double R_carrier_left_y_z = fnma(s1_3, s1_5, R_carrier_left_aux1_y_x*s1_6);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double R_lower_arm_right_y_y = w2.cosines[6];
   const double R_carrier_right_aux1_x_x = w2.cosines[7];
@@ -2985,16 +2994,15 @@ struct ClosureWork2 {
   const double s1_8 = w2.sines[8];
   const double s1_9 = fma(R_carrier_right_aux1_y_y, s1_8, R_lower_arm_right_z_y*s1_7);
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
-  const double R_carrier_right_aux2_y_y = fnma(R_lower_arm_right_z_y, s1_8,
-      R_carrier_right_aux1_y_y*s1_7);
+  w1.R_carrier_right_aux2_y_y = fnma(R_lower_arm_right_z_y, s1_8, R_carrier_right_aux1_y_y*s1_7);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s1_10 = w2.sines[7];
-  const double R_carrier_right_aux1_y_x = R_lower_arm_right_y_y*s1_10;
+  w1.R_carrier_right_aux1_y_x = R_lower_arm_right_y_y*s1_10;
   const double s1_11 = w2.cosines[9];
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s1_12 = w2.sines[9];
-  const double R_carrier_right_y_x = fma(s1_9, s1_12, R_carrier_right_aux1_y_x*s1_11);
-  const double R_carrier_right_y_z = fnma(s1_9, s1_11, R_carrier_right_aux1_y_x*s1_12);
+  const double R_carrier_right_y_x = fma(s1_9, s1_12, w1.R_carrier_right_aux1_y_x*s1_11);
+  const double R_carrier_right_y_z = fnma(s1_9, s1_11, w1.R_carrier_right_aux1_y_x*s1_12);
   // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double R_carrier_left_aux2_x_z = s1_4*s1_2;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
@@ -3002,41 +3010,41 @@ struct ClosureWork2 {
       R_carrier_left_aux1_x_x*s1_5);
   const double R_carrier_left_x_z = fma(R_carrier_left_aux1_x_x, s1_6,
       R_carrier_left_aux2_x_z*s1_5);
-  w1.s1_13 = s1_4*s1_1;
+  const double s1_13 = s1_4*s1_1;
   const double s2_12 = p_arb_link_front_left_to_x*R_carrier_left_x_x;
-  w1.s2_13 = fnma(p_arb_link_front_left_to_y, w1.s1_13 + R_carrier_left_x_z, s2_12);
+  const double s2_13 = fnma(p_arb_link_front_left_to_y, s1_13 + R_carrier_left_x_z, s2_12);
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double R_carrier_left_aux1_z_y = R_lower_arm_left_z_y*R_carrier_left_aux1_x_x;
   // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double R_carrier_left_aux2_z_z = fnma(R_carrier_left_aux1_z_y, s1_2,
       R_lower_arm_left_y_y*s1_1);
-  w1.R_carrier_left_aux2_z_y = fma(R_lower_arm_left_y_y, s1_2, R_carrier_left_aux1_z_y*s1_1);
+  const double R_carrier_left_aux2_z_y = fma(R_lower_arm_left_y_y, s1_2,
+      R_carrier_left_aux1_z_y*s1_1);
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  w1.R_carrier_left_aux1_z_x = R_lower_arm_left_z_y*s1_4;
+  const double R_carrier_left_aux1_z_x = R_lower_arm_left_z_y*s1_4;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double R_carrier_left_z_x = fnma(R_carrier_left_aux2_z_z, s1_6,
-      w1.R_carrier_left_aux1_z_x*s1_5);
-  const double R_carrier_left_z_z = fma(w1.R_carrier_left_aux1_z_x, s1_6,
+      R_carrier_left_aux1_z_x*s1_5);
+  const double R_carrier_left_z_z = fma(R_carrier_left_aux1_z_x, s1_6,
       R_carrier_left_aux2_z_z*s1_5);
-  const double s2_14 = R_carrier_left_z_z - w1.R_carrier_left_aux2_z_y;
-  const double s2_15 = p_arb_link_front_left_to_x*R_carrier_left_z_x;
-  w1.s2_16 = fnma(p_arb_link_front_left_to_y, s2_14, s2_15);
+  const double s2_14 = p_arb_link_front_left_to_x*R_carrier_left_z_x;
+  const double s2_15 = R_carrier_left_z_z - R_carrier_left_aux2_z_y;
+  const double s2_16 = fnma(p_arb_link_front_left_to_y, s2_15, s2_14);
   const double s1_14 = p_carrier_left_rz_y*R_lower_arm_left_z_y;
-  w1.s1_15 = fma(p_carrier_left_rz_z, R_lower_arm_left_y_y, s1_14);
+  const double s1_15 = fma(p_carrier_left_rz_z, R_lower_arm_left_y_y, s1_14);
   const double R_arb_front_left_x_x = w2.cosines[5];
   const double R_arb_front_left_x_z = w2.sines[5];
   const double s2_17 = p_arb_link_front_left_from_z*R_arb_front_left_x_x;
   const double s2_18 = fnma(p_arb_link_front_left_from_x, R_arb_front_left_x_z, s2_17);
   const double s2_19 = p_arb_link_front_left_from_z*R_arb_front_left_x_z;
   const double s2_20 = fma(p_arb_link_front_left_from_x, R_arb_front_left_x_x, s2_19);
-  const double s2_21 = 0.35 + s2_20 - w1.s2_13;
+  const double s2_21 = 0.35 + s2_20 - s2_13;
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  const double r_carrier_left_aux1_z = w1.s1_15 + p_lower_arm_left_z;
-  const double s2_22 = s2_18 + p_arb_front_left_z - r_carrier_left_aux1_z - w1.s2_16;
-  w1.s2_23 = 3.846153846153846*s2_21;
-  w1.s2_24 = 3.846153846153846*s2_22;
-  const double pivot_arb_front_left = fnma(s2_20, w1.s2_24, s2_18*w1.s2_23);
-  w1.s2_25 = fma(s2_22, w1.s2_24, fms(s2_21, w1.s2_23, l_arb_link_front_left));
+  const double r_carrier_left_aux1_z = s1_15 + p_lower_arm_left_z;
+  const double s2_22 = s2_18 + p_arb_front_left_z - r_carrier_left_aux1_z - s2_16;
+  const double s2_23 = 3.846153846153846*s2_21;
+  const double s2_24 = 3.846153846153846*s2_22;
+  const double pivot_arb_front_left = fnma(s2_20, s2_24, s2_18*s2_23);
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double R_carrier_right_aux2_x_z = s1_10*s1_8;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
@@ -3044,301 +3052,345 @@ struct ClosureWork2 {
       R_carrier_right_aux1_x_x*s1_11);
   const double R_carrier_right_x_z = fma(R_carrier_right_aux1_x_x, s1_12,
       R_carrier_right_aux2_x_z*s1_11);
-  const double s1_16 = s1_10*s1_7;
-  const double s2_26 = p_arb_link_front_right_to_x*R_carrier_right_x_x;
-  const double s2_27 = fnma(p_arb_link_front_left_to_y, R_carrier_right_x_z - s1_16, s2_26);
+  w1.s1_16 = s1_10*s1_7;
+  const double s2_25 = p_arb_link_front_right_to_x*R_carrier_right_x_x;
+  w1.s2_26 = fnma(p_arb_link_front_left_to_y, R_carrier_right_x_z - w1.s1_16, s2_25);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double R_carrier_right_aux1_z_y = R_lower_arm_right_z_y*R_carrier_right_aux1_x_x;
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double R_carrier_right_aux2_z_z = fnma(R_carrier_right_aux1_z_y, s1_8,
       R_lower_arm_right_y_y*s1_7);
-  const double R_carrier_right_aux2_z_y = fma(R_lower_arm_right_y_y, s1_8,
-      R_carrier_right_aux1_z_y*s1_7);
+  w1.R_carrier_right_aux2_z_y = fma(R_lower_arm_right_y_y, s1_8, R_carrier_right_aux1_z_y*s1_7);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  const double R_carrier_right_aux1_z_x = R_lower_arm_right_z_y*s1_10;
+  w1.R_carrier_right_aux1_z_x = R_lower_arm_right_z_y*s1_10;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double R_carrier_right_z_x = fnma(R_carrier_right_aux2_z_z, s1_12,
-      R_carrier_right_aux1_z_x*s1_11);
-  const double R_carrier_right_z_z = fma(R_carrier_right_aux1_z_x, s1_12,
+      w1.R_carrier_right_aux1_z_x*s1_11);
+  const double R_carrier_right_z_z = fma(w1.R_carrier_right_aux1_z_x, s1_12,
       R_carrier_right_aux2_z_z*s1_11);
+  const double s2_27 = w1.R_carrier_right_aux2_z_y + R_carrier_right_z_z;
   const double s2_28 = p_arb_link_front_right_to_x*R_carrier_right_z_x;
-  const double s2_29 = R_carrier_right_aux2_z_y + R_carrier_right_z_z;
-  const double s2_30 = fnma(p_arb_link_front_left_to_y, s2_29, s2_28);
+  w1.s2_29 = fnma(p_arb_link_front_left_to_y, s2_27, s2_28);
   const double s1_17 = -p_carrier_right_rz_z*R_lower_arm_right_y_y;
   const double s1_18 = fnma(p_carrier_right_rz_y, R_lower_arm_right_z_y, s1_17);
   const double R_arb_front_right_x_x = w2.cosines[11];
   const double R_arb_front_right_x_z = w2.sines[11];
-  const double s2_31 = p_arb_link_front_right_from_z*R_arb_front_right_x_x;
-  const double s2_32 = fnma(p_arb_link_front_right_from_x, R_arb_front_right_x_z, s2_31);
-  const double s2_33 = p_arb_link_front_right_from_z*R_arb_front_right_x_z;
-  const double s2_34 = fma(p_arb_link_front_right_from_x, R_arb_front_right_x_x, s2_33);
-  const double s2_35 = 0.35 + s2_34 - s2_27;
+  const double s2_30 = p_arb_link_front_right_from_z*R_arb_front_right_x_x;
+  const double s2_31 = fnma(p_arb_link_front_right_from_x, R_arb_front_right_x_z, s2_30);
+  const double s2_32 = p_arb_link_front_right_from_z*R_arb_front_right_x_z;
+  const double s2_33 = fma(p_arb_link_front_right_from_x, R_arb_front_right_x_x, s2_32);
+  const double s2_34 = 0.35 + s2_33 - w1.s2_26;
   const double s1_19 = s1_18 - p_lower_arm_right_z;
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), continued ---
-  const double s2_36 = s2_32 + (s1_19 + p_arb_front_right_z) - s2_30;
-  const double s2_37 = 3.846153846153846*s2_35;
-  const double s2_38 = 3.846153846153846*s2_36;
-  const double pivot_arb_front_right = fnma(s2_34, s2_38, s2_32*s2_37);
-  const double s2_39 = p_tie_rod_left_to_z*R_carrier_left_x_z;
-  const double s2_40 = -p_carrier_left_upper_ball_y*w1.s1_13;
-  const double s2_41 = fma(p_carrier_left_upper_ball_z, R_carrier_left_x_z, s2_40);
-  result.residual[0] = s2_41;
-  const double s2_42 = s2_40 + fma(p_tie_rod_left_to_x, R_carrier_left_x_x, s2_39);
-  const double s2_43 = p_tie_rod_left_to_z*R_carrier_left_z_z;
-  const double s2_44 = -p_carrier_left_upper_ball_y*w1.R_carrier_left_aux2_z_y;
-  const double s2_45 = fms(p_carrier_left_upper_ball_z, R_carrier_left_z_z, s2_44);
-  const double s2_46 = fma(p_tie_rod_left_to_x, R_carrier_left_z_x, s2_43) - s2_44;
+  const double s2_35 = s2_31 + (s1_19 + p_arb_front_right_z) - w1.s2_29;
+  w1.s2_36 = 3.846153846153846*s2_34;
+  w1.s2_37 = 3.846153846153846*s2_35;
+  const double pivot_arb_front_right = fnma(s2_33, w1.s2_37, s2_31*w1.s2_36);
+  const double s2_38 = p_tie_rod_left_to_z*R_carrier_left_x_z;
+  const double s2_39 = -p_carrier_left_upper_ball_y*s1_13;
+  const double s2_40 = fma(p_carrier_left_upper_ball_z, R_carrier_left_x_z, s2_39);
+  result.residual[0] = s2_40;
+  const double s2_41 = s2_39 + fma(p_tie_rod_left_to_x, R_carrier_left_x_x, s2_38);
+  const double s2_42 = p_tie_rod_left_to_z*R_carrier_left_z_z;
+  const double s2_43 = -p_carrier_left_upper_ball_y*R_carrier_left_aux2_z_y;
+  const double s2_44 = fms(p_carrier_left_upper_ball_z, R_carrier_left_z_z, s2_43);
+  const double s2_45 = fma(p_tie_rod_left_to_x, R_carrier_left_z_x, s2_42) - s2_43;
   const double s1_20 = p_carrier_left_rz_y*R_lower_arm_left_y_y;
   const double s1_21 = fnma(p_carrier_left_rz_z, R_lower_arm_left_z_y, s1_20);
-  const double s2_47 = p_tie_rod_left_from_y*R_bell_crank_y_x;
-  const double s2_48 = fnma(p_tie_rod_left_from_x, R_bell_crank_x_x, s2_47);
-  const double s2_49 = fma(p_tie_rod_left_from_x, R_bell_crank_x_x, s2_47);
-  const double s2_50 = s2_48 + (0.35 + s2_42);
-  const double s2_51 = p_tie_rod_left_to_z*R_carrier_left_y_z;
-  const double s2_52 = -p_carrier_left_upper_ball_y*w1.R_carrier_left_aux2_y_y;
-  const double s2_53 = fma(p_tie_rod_left_to_x, R_carrier_left_y_x, s2_51) - s2_52;
-  const double s2_54 = fms(p_carrier_left_upper_ball_z, R_carrier_left_y_z, s2_52);
-  const double s2_55 = R_carrier_left_y_z - w1.R_carrier_left_aux2_y_y;
-  const double s2_56 = p_arb_link_front_left_to_x*R_carrier_left_y_x;
-  w1.s2_57 = fnma(p_arb_link_front_left_to_y, s2_55, s2_56);
+  const double s2_46 = p_tie_rod_left_from_y*R_bell_crank_y_x;
+  const double s2_47 = fnma(p_tie_rod_left_from_x, R_bell_crank_x_x, s2_46);
+  const double s2_48 = fma(p_tie_rod_left_from_x, R_bell_crank_x_x, s2_46);
+  const double s2_49 = s2_47 + (0.35 + s2_41);
+  const double s2_50 = p_tie_rod_left_to_z*R_carrier_left_y_z;
+  const double s2_51 = -p_carrier_left_upper_ball_y*R_carrier_left_aux2_y_y;
+  const double s2_52 = fma(p_tie_rod_left_to_x, R_carrier_left_y_x, s2_50) - s2_51;
+  const double s2_53 = fms(p_carrier_left_upper_ball_z, R_carrier_left_y_z, s2_51);
+  const double s2_54 = p_arb_link_front_left_to_x*R_carrier_left_y_x;
+  const double s2_55 = R_carrier_left_y_z - R_carrier_left_aux2_y_y;
+  const double s2_56 = fnma(p_arb_link_front_left_to_y, s2_55, s2_54);
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double r_carrier_left_aux1_y = p_lower_arm_left_y + s1_21;
-  const double s2_58 = p_tie_rod_left_from_y*R_bell_crank_x_x;
-  const double s2_59 = fma(p_tie_rod_left_from_x, R_bell_crank_y_x, s2_58);
-  const double s2_60 = fnma(p_tie_rod_left_from_x, R_bell_crank_y_x, s2_58);
-  const double s2_61 = s2_59 - r_carrier_left_aux1_y - s2_53;
-  const double s2_62 = 1.262590031797617*s2_61;
-  const double s2_63 = 1.262590031797617*s2_50;
+  const double s2_57 = p_tie_rod_left_from_y*R_bell_crank_x_x;
+  const double s2_58 = fma(p_tie_rod_left_from_x, R_bell_crank_y_x, s2_57);
+  const double s2_59 = fnma(p_tie_rod_left_from_x, R_bell_crank_y_x, s2_57);
+  const double s2_60 = s2_58 - r_carrier_left_aux1_y - s2_52;
+  const double s2_61 = 1.262590031797617*s2_60;
+  const double s2_62 = 1.262590031797617*s2_49;
+  const double s2_63 = fnma(s2_62, s2_58, s2_47*s2_61);
   // tie_rod_left
-  const double s2_64 = s2_46 + (r_carrier_left_aux1_z - p_bell_crank_z);
+  const double s2_64 = s2_45 + (r_carrier_left_aux1_z - p_bell_crank_z);
   const double s2_65 = 1.262590031797617*s2_64;
-  const double s2_66 = fma(s2_61, s2_62, fma(s2_50, s2_63, fms(s2_64, s2_65, l_tie_rod_left)));
+  const double s2_66 = fma(s2_60, s2_61, fma(s2_49, s2_62, fms(s2_64, s2_65, l_tie_rod_left)));
   const double s2_67 = 0.5*s2_66;
   result.residual[9] = s2_67;
-  const double s2_68 = fnma(s2_46, s2_63, s2_42*s2_65);
-  const double s2_69 = fma(s2_42, s2_62, s2_63*s2_53);
-  const double s2_70 = fma(s2_46, s2_62, s2_65*s2_53);
-  const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
-  const double s4_1 = zd_bell_crank*fnma(s2_63, s2_59, s2_48*s2_62);
-  const double s4_2 = fnma(zd_lower_arm_left, s2_70 + fma(w1.s1_15, s2_62, s1_21*s2_65), s4_1);
-  const double s2_71 = fma(w1.R_carrier_left_aux1_z_x, s2_69, w1.R_carrier_left_aux1_y_x*s2_68);
-  const double s2_72 = fnma(R_carrier_left_aux1_x_x, s2_70, s2_71);
-  const double s2_73 = fnma(R_lower_arm_left_z_y, s2_68, R_lower_arm_left_y_y*s2_69);
-  const double s2_74 = fma(w1.R_carrier_left_aux2_z_y, s2_69, w1.R_carrier_left_aux2_y_y*s2_68);
-  const double s2_75 = fma(w1.s1_13, s2_70, s2_74);
-  const double s2_76 = p_tie_rod_right_to_z*R_carrier_right_z_z;
-  const double s2_77 = p_carrier_right_upper_ball_y*R_carrier_right_aux2_z_y;
-  const double s2_78 = fma(p_carrier_right_upper_ball_z, R_carrier_right_z_z, s2_77);
-  const double s2_79 = s2_77 + fma(p_tie_rod_right_to_x, R_carrier_right_z_x, s2_76);
-  const double s2_80 = p_tie_rod_right_to_z*R_carrier_right_x_z;
-  const double s2_81 = p_carrier_right_upper_ball_y*s1_16;
-  const double s2_82 = fms(p_carrier_right_upper_ball_z, R_carrier_right_x_z, s2_81);
-  result.residual[3] = s2_82;
-  const double s2_83 = fma(p_tie_rod_right_to_x, R_carrier_right_x_x, s2_80) - s2_81;
+  const double s2_68 = fnma(s2_45, s2_62, s2_41*s2_65);
+  const double s2_69 = fma(s2_41, s2_61, s2_62*s2_52);
+  const double s2_70 = fma(s2_45, s2_61, s2_65*s2_52);
+  const double s2_71 = s2_70 + fma(s1_15, s2_61, s1_21*s2_65);
+  const double s2_72 = fma(R_carrier_left_aux1_z_x, s2_69, R_carrier_left_aux1_y_x*s2_68);
+  const double s2_73 = fnma(R_carrier_left_aux1_x_x, s2_70, s2_72);
+  const double s2_74 = fnma(R_lower_arm_left_z_y, s2_68, R_lower_arm_left_y_y*s2_69);
+  const double s2_75 = fma(R_carrier_left_aux2_z_y, s2_69, R_carrier_left_aux2_y_y*s2_68);
+  const double s2_76 = fma(s1_13, s2_70, s2_75);
+  const double s2_77 = p_tie_rod_right_to_z*R_carrier_right_z_z;
+  const double s2_78 = p_carrier_right_upper_ball_y*w1.R_carrier_right_aux2_z_y;
+  const double s2_79 = fma(p_carrier_right_upper_ball_z, R_carrier_right_z_z, s2_78);
+  const double s2_80 = s2_78 + fma(p_tie_rod_right_to_x, R_carrier_right_z_x, s2_77);
+  const double s2_81 = p_tie_rod_right_to_z*R_carrier_right_x_z;
+  const double s2_82 = p_carrier_right_upper_ball_y*w1.s1_16;
+  const double s2_83 = fms(p_carrier_right_upper_ball_z, R_carrier_right_x_z, s2_82);
+  result.residual[3] = s2_83;
+  const double s2_84 = fma(p_tie_rod_right_to_x, R_carrier_right_x_x, s2_81) - s2_82;
   const double s1_22 = -p_carrier_right_rz_z*R_lower_arm_right_z_y;
   const double s1_23 = fma(p_carrier_right_rz_y, R_lower_arm_right_y_y, s1_22);
-  const double s2_84 = s2_49 - 0.35 - s2_83;
-  const double s2_85 = s2_79 + (-p_bell_crank_z - s1_19);
-  const double s2_86 = 1.262590031797617*s2_84;
+  const double s2_85 = s2_48 - 0.35 - s2_84;
+  const double s2_86 = s2_80 + (-p_bell_crank_z - s1_19);
   const double s2_87 = 1.262590031797617*s2_85;
-  const double s2_88 = fma(s2_83, s2_87, s2_79*s2_86);
-  const double s2_89 = p_tie_rod_right_to_z*R_carrier_right_y_z;
-  const double s2_90 = p_carrier_right_upper_ball_y*R_carrier_right_aux2_y_y;
-  const double s2_91 = s2_90 + fma(p_tie_rod_right_to_x, R_carrier_right_y_x, s2_89);
-  const double s2_92 = fma(p_carrier_right_upper_ball_z, R_carrier_right_y_z, s2_90);
-  const double s2_93 = p_arb_link_front_right_to_x*R_carrier_right_y_x;
-  const double s2_94 = R_carrier_right_aux2_y_y + R_carrier_right_y_z;
-  const double s2_95 = fnma(p_arb_link_front_left_to_y, s2_94, s2_93);
+  const double s2_88 = 1.262590031797617*s2_86;
+  const double s2_89 = fma(s2_84, s2_88, s2_80*s2_87);
+  const double s2_90 = p_tie_rod_right_to_z*R_carrier_right_y_z;
+  const double s2_91 = p_carrier_right_upper_ball_y*w1.R_carrier_right_aux2_y_y;
+  const double s2_92 = s2_91 + fma(p_tie_rod_right_to_x, R_carrier_right_y_x, s2_90);
+  const double s2_93 = fma(p_carrier_right_upper_ball_z, R_carrier_right_y_z, s2_91);
+  const double s2_94 = w1.R_carrier_right_aux2_y_y + R_carrier_right_y_z;
+  const double s2_95 = p_arb_link_front_right_to_x*R_carrier_right_y_x;
+  w1.s2_96 = fnma(p_arb_link_front_left_to_y, s2_94, s2_95);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double r_carrier_right_aux1_y = s1_23 + p_lower_arm_right_y;
   // tie_rod_right
-  const double s2_96 = s2_60 + (r_carrier_right_aux1_y + s2_91);
-  const double s2_97 = 1.262590031797617*s2_96;
-  const double s2_98 = fma(s2_83, s2_97, s2_86*s2_91);
-  const double s2_99 = fnma(s2_87, s2_91, s2_79*s2_97);
-  const double s2_100 = fma(s2_96, s2_97, fma(s2_85, s2_87, fms(s2_84, s2_86, l_tie_rod_right)));
-  const double s2_101 = 0.5*s2_100;
-  result.residual[10] = s2_101;
-  const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
-  const double s4_3 = zd_lower_arm_right*fnma(s1_18, s2_97, fnma(s1_23, s2_87, s2_99));
-  const double s4_4 = fnma(zd_bell_crank, fnma(s2_49, s2_97, s2_86*s2_60), s4_3);
-  const double pivot_carrier_right_rz = fma(R_lower_arm_right_y_y, s2_98,
-      R_lower_arm_right_z_y*s2_88);
-  const double s2_102 = fnma(R_carrier_right_aux1_z_x, s2_98, R_carrier_right_aux1_y_x*s2_88);
-  const double s2_103 = fma(R_carrier_right_aux1_x_x, s2_99, s2_102);
-  const double s2_104 = fnma(R_carrier_right_aux2_z_y, s2_98, R_carrier_right_aux2_y_y*s2_88);
-  const double s2_105 = fnma(s1_16, s2_99, s2_104);
-  const double s2_106 = 1.0/pivot_arb_front_right;
-  const double s2_107 = 1.0/pivot_pitman_arm;
-  const double s2_108 = 4.291271972095581*std::abs(pivot_arb_front_right);
-  result.dz[Coordinate::pitman_arm] = -(s2_11*s2_107);
-  result.zd[Coordinate::pitman_arm] = -(s2_107*(zd_bell_crank*fma(s2_2, s2_10, s2_7*s2_8)));
-  w1.s2_109 = 1.0/pivot_arb_front_left;
-  const double s2_110 = mbgen::min(s2_108, 4.625980413576839*std::abs(pivot_pitman_arm));
-  const double R_upper_arm_right_z_y = w2.sines[10];
-  const double R_upper_arm_right_y_y = w2.cosines[10];
-  const double s2_111 = -p_upper_arm_right_ball_z*R_upper_arm_right_z_y;
-  const double s2_112 = fma(p_upper_arm_right_ball_y, R_upper_arm_right_y_y, s2_111);
-  const double s2_113 = mbgen::min(4.336650753223258*std::abs(pivot_arb_front_left), s2_110);
-  const double s2_114 = 1.0/pivot_carrier_right_rz;
-  const double s2_115 = mbgen::min(3.3503257942070226*std::abs(s2_112), s2_113);
-  const double s2_116 = fma(R_lower_arm_right_y_y, s2_92, R_lower_arm_right_z_y*s2_78)*s2_114;
-  const double s2_117 = fnma(R_carrier_right_aux2_z_y, s2_92, R_carrier_right_aux2_y_y*s2_78);
-  const double pivot_carrier_right_ry = fnma(s2_105, s2_116, s2_117);
-  const double s2_118 = 1.0/pivot_carrier_right_ry;
-  const double s2_119 = mbgen::min(5.556930741705859*std::abs(pivot_carrier_right_rz), s2_115);
-  const double s2_120 = -p_upper_arm_right_ball_z*R_upper_arm_right_y_y;
-  const double s2_121 = fnma(p_upper_arm_right_ball_y, R_upper_arm_right_z_y, s2_120);
-  const double s2_122 = s2_121 + (s2_78 + (-p_upper_arm_right_z - s1_19));
-  result.residual[5] = s2_122;
-  const double s2_123 = fnma(R_carrier_right_aux1_y_x, s2_82, R_carrier_right_aux1_x_x*s2_92);
-  const double s2_124 = fma(s1_16, s2_92, R_carrier_right_aux2_y_y*s2_82);
-  const double s2_125 = R_lower_arm_right_z_y*s2_82;
-  const double s2_126 = 1.0/s2_112;
-  const double s2_127 = s2_121*s2_126;
-  const double s2_128 = s2_114*fnma(s2_125, s2_127, R_lower_arm_right_y_y*s2_82);
-  const double s2_129 = fnma(R_carrier_right_aux1_z_x, s2_92, R_carrier_right_aux1_y_x*s2_78);
-  const double s2_130 = fnma(s2_103, s2_116, s2_129);
-  const double s2_131 = fma(s2_124, s2_127, fma(s1_16, s2_78, R_carrier_right_aux2_z_y*s2_82));
-  const double s2_132 = s2_118*fma(s2_105, s2_128, s2_131);
-  const double s4_5 = fma(s2_101, s2_116, s2_82);
-  const double s2_133 = fnma(R_carrier_right_aux1_x_x, s2_78, R_carrier_right_aux1_z_x*s2_82);
-  const double s4_6 = s2_116*s4_4;
-  const double pivot_carrier_right_rx = fnma(s2_130, s2_132, fma(s2_103, s2_128, fnma(s2_123,
-      s2_127, s2_133)));
-  const double s2_134 = 1.0/pivot_carrier_right_rx;
-  const double s2_135 = mbgen::min(2.6620449619787987*std::abs(pivot_carrier_right_ry), s2_119);
-  const double R_upper_arm_left_y_y = w2.cosines[4];
-  const double R_upper_arm_left_z_y = w2.sines[4];
-  const double s2_136 = p_upper_arm_left_ball_y*R_upper_arm_left_y_y;
-  const double s2_137 = fnma(p_upper_arm_left_ball_z, R_upper_arm_left_z_y, s2_136);
-  const double s2_138 = mbgen::min(s2_135, 2.732781487945307*std::abs(pivot_carrier_right_rx));
-  const double s2_139 = 1.0/s2_72;
-  const double s2_140 = mbgen::min(3.3514772255331233*std::abs(s2_137), s2_138);
-  const double s2_141 = p_upper_arm_left_ball_y*R_upper_arm_left_z_y;
-  const double s2_142 = fma(p_upper_arm_left_ball_z, R_upper_arm_left_y_y, s2_141);
-  const double s2_143 = s2_45 + (r_carrier_left_aux1_z - p_upper_arm_left_z - s2_142);
-  result.residual[2] = s2_143;
-  const double s2_144 = fnma(w1.R_carrier_left_aux1_y_x, s2_41, R_carrier_left_aux1_x_x*s2_54);
-  const double s2_145 = fma(w1.s1_13, s2_54, w1.R_carrier_left_aux2_y_y*s2_41);
-  const double s2_146 = 1.0/s2_137;
-  const double s2_147 = s2_142*s2_146;
-  const double s2_148 = fnma(R_carrier_left_aux1_x_x, s2_45, w1.R_carrier_left_aux1_z_x*s2_41);
-  const double s2_149 = s2_139*fma(s2_144, s2_147, s2_148);
-  const double s2_150 = fma(w1.s1_13, s2_45, w1.R_carrier_left_aux2_z_y*s2_41);
-  const double pivot_carrier_left_ry = fnma(s2_75, s2_149, fnma(s2_145, s2_147, s2_150));
-  const double s2_151 = 1.0/pivot_carrier_left_ry;
-  const double s2_152 = mbgen::min(15.714736645766752*std::abs(s2_72), s2_140);
-  const double s2_153 = w1.R_carrier_left_aux1_y_x*s2_45;
-  const double s2_154 = fnma(w1.R_carrier_left_aux1_z_x, s2_54, s2_153)*s2_139;
-  const double s2_155 = R_lower_arm_left_z_y*s2_41;
-  const double s2_156 = fnma(s2_73, s2_149, fma(s2_155, s2_147, R_lower_arm_left_y_y*s2_41));
-  const double s2_157 = w1.R_carrier_left_aux2_y_y*s2_45;
-  const double s2_158 = fnma(s2_75, s2_154, fnma(w1.R_carrier_left_aux2_z_y, s2_54, s2_157));
-  const double s2_159 = s2_158*s2_151;
-  const double s2_160 = fma(R_lower_arm_left_y_y, s2_54, R_lower_arm_left_z_y*s2_45);
-  const double s2_161 = fma(s2_156, s2_159, fma(s2_73, s2_154, s2_160));
-  const double s2_162 = 1.0/s2_161;
-  const double s2_163 = mbgen::min(5.864463449986124*std::abs(pivot_carrier_left_ry), s2_152);
-  result.pivot[0] = mbgen::min(0.43888841273380513*std::abs(s2_161), s2_163);
-  const double s2_164 = s2_95 + (0.72 + r_carrier_right_aux1_y);
-  const double s2_165 = s2_92 + (r_carrier_right_aux1_y - p_upper_arm_right_y - s2_112);
-  result.residual[4] = s2_165;
+  const double s2_97 = s2_59 + (r_carrier_right_aux1_y + s2_92);
+  const double s2_98 = 1.262590031797617*s2_97;
+  const double s2_99 = fma(s2_84, s2_98, s2_87*s2_92);
+  w1.s2_100 = fnma(s2_48, s2_98, s2_87*s2_59);
+  const double s2_101 = fnma(s2_88, s2_92, s2_80*s2_98);
+  const double s2_102 = fma(s2_97, s2_98, fma(s2_86, s2_88, fms(s2_85, s2_87, l_tie_rod_right)));
+  const double s2_103 = 0.5*s2_102;
+  result.residual[10] = s2_103;
+  w1.s2_104 = fnma(s1_18, s2_98, fnma(s1_23, s2_88, s2_101));
+  const double pivot_carrier_right_rz = fma(R_lower_arm_right_y_y, s2_99,
+      R_lower_arm_right_z_y*s2_89);
+  const double s2_105 = w1.R_carrier_right_aux1_y_x*s2_89;
+  const double s2_106 = fnma(w1.R_carrier_right_aux1_z_x, s2_99, s2_105);
+  w1.s2_107 = fma(R_carrier_right_aux1_x_x, s2_101, s2_106);
+  const double s2_108 = w1.R_carrier_right_aux2_y_y*s2_89;
+  w1.s2_109 = fnma(w1.s1_16, s2_101, fnma(w1.R_carrier_right_aux2_z_y, s2_99, s2_108));
+  w1.s2_110 = 1.0/pivot_arb_front_right;
+  const double s2_111 = 1.0/pivot_pitman_arm;
 
-  // --- step 4: velocities, continued ---
-  // loop block 0
-  const double s4_7 = zd_lower_arm_right*(s1_23 + s2_92);
-  const double s4_8 = fma(s2_132, s4_5, fma(s2_101, s2_128, fms(s2_122, s2_127, s2_165)));
-  const double s4_9 = s2_134*s4_8;
-  result.dz[Coordinate::carrier_right_rx] = s4_9;
-  const double s4_10 = fnma(s2_128, s4_4, fnma(zd_lower_arm_right, s1_18 - s2_78, s2_127*s4_7));
-  const double s4_11 = s2_118*fma(s2_130, s4_9, s4_5);
-  const double s4_12 = s2_134*fnma(s2_132, s4_6, s4_10);
-  result.zd[Coordinate::carrier_right_rx] = s4_12;
-  const double s4_13 = s2_114*fnma(s2_105, s4_11, fms(s2_103, s4_9, s2_101));
-  result.dz[Coordinate::carrier_right_rz] = s4_13;
-  const double s4_14 = s2_118*fnma(s2_130, s4_12, s4_6);
-  result.zd[Coordinate::carrier_right_ry] = s4_14;
-  result.dz[Coordinate::upper_arm_right] = s2_126*fma(s2_125, s4_13, fma(s2_124, s4_11, fma(s2_123,
-      s4_9, s2_122)));
-  const double s4_15 = s2_114*fma(s2_105, s4_14, fma(s2_103, s4_12, s4_4));
-  result.zd[Coordinate::carrier_right_rz] = s4_15;
-  const double s4_16 = fnma(s2_125, s4_15, fnma(s2_123, s4_12, fms(s2_124, s4_14, s4_7)));
-  result.zd[Coordinate::upper_arm_right] = -(s2_126*s4_16);
+  // --- step 4: velocities ---
+
+  // --- step 3: Rz (61) ---
+  w1.s3_1 = fma(s2_2, s2_10, s2_7*s2_8)*s2_111;
+  const double s2_112 = 4.291271972095581*std::abs(pivot_arb_front_right);
+  result.dz[Coordinate::pitman_arm] = -(s2_11*s2_111);
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), continued ---
-  // arb_link_front_right
-  const double s2_166 = 3.846153846153846*s2_164;
-  const double s2_167 = fma(s2_36, s2_38, fms(s2_35, s2_37, l_arb_link_front_right));
-  const double s2_168 = 0.5*fma(s2_164, s2_166, s2_167);
-  result.residual[7] = s2_168;
-  const double s2_169 = fma(s2_27, s2_166, s2_37*s2_95);
-  const double s2_170 = fma(s2_30, s2_166, s2_38*s2_95);
-  const double s2_171 = fnma(s2_27, s2_38, s2_37*s2_30);
-  const double s2_172 = fnma(R_carrier_right_aux2_z_y, s2_169, R_carrier_right_aux2_y_y*s2_171);
-  const double s2_173 = fnma(s1_16, s2_170, s2_172);
-  const double s2_174 = fnma(R_carrier_right_aux1_z_x, s2_169, R_carrier_right_aux1_x_x*s2_170);
-  const double s2_175 = fma(R_carrier_right_aux1_y_x, s2_171, s2_174);
-  const double s2_176 = fma(R_lower_arm_right_z_y, s2_171, R_lower_arm_right_y_y*s2_169);
-  const double s4_17 = zd_lower_arm_right*(s2_170 + fnma(s1_18, s2_166, s1_23*s2_38));
-  result.dz[Coordinate::carrier_right_ry] = -s4_11;
-  const double s4_18 = fnma(s2_176, s4_13, fnma(s2_173, s4_11, fms(s2_175, s4_9, s2_168)));
-  result.dz[Coordinate::arb_front_right] = s2_106*s4_18;
-  const double s4_19 = fnma(s2_176, s4_15, fma(s2_173, s4_14, fma(s2_175, s4_12, s4_17)));
-  result.zd[Coordinate::arb_front_right] = s2_106*s4_19;
-  const double s2_177 = s2_54 + (r_carrier_left_aux1_y - p_upper_arm_left_y - s2_137);
-  result.residual[1] = s2_177;
-  w1.s2_178 = 0.72 - r_carrier_left_aux1_y - w1.s2_57;
-  w1.s2_179 = s1_21*w1.s2_24;
-
-  // --- step 4: velocities, continued ---
+  const double s2_113 = 1.0/pivot_arb_front_left;
+  const double s2_114 = mbgen::min(s2_112, 4.625980413576839*std::abs(pivot_pitman_arm));
+  const double R_upper_arm_right_z_y = w2.sines[10];
+  const double R_upper_arm_right_y_y = w2.cosines[10];
+  const double s2_115 = -p_upper_arm_right_ball_z*R_upper_arm_right_z_y;
+  const double s2_116 = fma(p_upper_arm_right_ball_y, R_upper_arm_right_y_y, s2_115);
+  const double s2_117 = mbgen::min(4.336650753223258*std::abs(pivot_arb_front_left), s2_114);
+  w1.s2_118 = 1.0/pivot_carrier_right_rz;
+  const double s2_119 = mbgen::min(3.3503257942070226*std::abs(s2_116), s2_117);
+  w1.s2_120 = fma(R_lower_arm_right_y_y, s2_93, R_lower_arm_right_z_y*s2_79)*w1.s2_118;
+  const double s2_121 = w1.R_carrier_right_aux2_y_y*s2_79;
+  const double s2_122 = fnma(w1.R_carrier_right_aux2_z_y, s2_93, s2_121);
+  const double pivot_carrier_right_ry = fnma(w1.s2_109, w1.s2_120, s2_122);
+  w1.s2_123 = 1.0/pivot_carrier_right_ry;
+  const double s2_124 = mbgen::min(5.556930741705859*std::abs(pivot_carrier_right_rz), s2_119);
+  const double s2_125 = -p_upper_arm_right_ball_z*R_upper_arm_right_y_y;
+  const double s2_126 = fnma(p_upper_arm_right_ball_y, R_upper_arm_right_z_y, s2_125);
+  const double s2_127 = s2_126 + (s2_79 + (-p_upper_arm_right_z - s1_19));
+  result.residual[5] = s2_127;
+  w1.s2_128 = fnma(w1.R_carrier_right_aux1_y_x, s2_83, R_carrier_right_aux1_x_x*s2_93);
+  w1.s2_129 = fma(w1.s1_16, s2_93, w1.R_carrier_right_aux2_y_y*s2_83);
+  w1.s2_130 = R_lower_arm_right_z_y*s2_83;
+  w1.s2_131 = 1.0/s2_116;
+  const double s2_132 = s2_126*w1.s2_131;
+  const double s2_133 = w1.s2_118*fnma(w1.s2_130, s2_132, R_lower_arm_right_y_y*s2_83);
+  const double s2_134 = w1.R_carrier_right_aux1_y_x*s2_79;
+  const double s2_135 = fnma(w1.R_carrier_right_aux1_z_x, s2_93, s2_134);
+  w1.s2_136 = fnma(w1.s2_107, w1.s2_120, s2_135);
+  const double s2_137 = fma(w1.s1_16, s2_79, w1.R_carrier_right_aux2_z_y*s2_83);
+  w1.s2_138 = w1.s2_123*fma(w1.s2_109, s2_133, fma(w1.s2_129, s2_132, s2_137));
+  const double s4_1 = fma(s2_103, w1.s2_120, s2_83);
+  const double s2_139 = fnma(R_carrier_right_aux1_x_x, s2_79, w1.R_carrier_right_aux1_z_x*s2_83);
+  const double s2_140 = fma(w1.s2_107, s2_133, fnma(w1.s2_128, s2_132, s2_139));
+  const double pivot_carrier_right_rx = fnma(w1.s2_136, w1.s2_138, s2_140);
+  w1.s2_141 = 1.0/pivot_carrier_right_rx;
+  const double s2_142 = mbgen::min(2.6620449619787987*std::abs(pivot_carrier_right_ry), s2_124);
+  const double R_upper_arm_left_y_y = w2.cosines[4];
+  const double R_upper_arm_left_z_y = w2.sines[4];
+  const double s2_143 = p_upper_arm_left_ball_y*R_upper_arm_left_y_y;
+  const double s2_144 = fnma(p_upper_arm_left_ball_z, R_upper_arm_left_z_y, s2_143);
+  const double s2_145 = mbgen::min(s2_142, 2.732781487945307*std::abs(pivot_carrier_right_rx));
+  const double s2_146 = 1.0/s2_73;
+  const double s2_147 = mbgen::min(3.3514772255331233*std::abs(s2_144), s2_145);
+  const double s2_148 = p_upper_arm_left_ball_y*R_upper_arm_left_z_y;
+  const double s2_149 = fma(p_upper_arm_left_ball_z, R_upper_arm_left_y_y, s2_148);
+  const double s2_150 = s2_44 + (r_carrier_left_aux1_z - p_upper_arm_left_z - s2_149);
+  result.residual[2] = s2_150;
+  const double s2_151 = fnma(R_carrier_left_aux1_y_x, s2_40, R_carrier_left_aux1_x_x*s2_53);
+  const double s2_152 = fma(s1_13, s2_53, R_carrier_left_aux2_y_y*s2_40);
+  const double s2_153 = 1.0/s2_144;
+  const double s2_154 = s2_149*s2_153;
+  const double s2_155 = fnma(R_carrier_left_aux1_x_x, s2_44, R_carrier_left_aux1_z_x*s2_40);
+  const double s2_156 = s2_146*fma(s2_151, s2_154, s2_155);
+  const double s2_157 = fnma(s2_152, s2_154, fma(s1_13, s2_44, R_carrier_left_aux2_z_y*s2_40));
+  const double pivot_carrier_left_ry = fnma(s2_76, s2_156, s2_157);
+  const double s2_158 = 1.0/pivot_carrier_left_ry;
+  const double s2_159 = mbgen::min(15.714736645766752*std::abs(s2_73), s2_147);
+  const double s2_160 = fnma(R_carrier_left_aux1_z_x, s2_53, R_carrier_left_aux1_y_x*s2_44);
+  const double s2_161 = s2_160*s2_146;
+  const double s2_162 = R_lower_arm_left_z_y*s2_40;
+  const double s2_163 = fnma(s2_74, s2_156, fma(s2_162, s2_154, R_lower_arm_left_y_y*s2_40));
+  const double s2_164 = fnma(R_carrier_left_aux2_z_y, s2_53, R_carrier_left_aux2_y_y*s2_44);
+  const double s2_165 = fnma(s2_76, s2_161, s2_164)*s2_158;
+  const double s2_166 = fma(R_lower_arm_left_y_y, s2_53, R_lower_arm_left_z_y*s2_44);
+  const double s2_167 = fma(s2_163, s2_165, fma(s2_74, s2_161, s2_166));
+  const double s2_168 = 1.0/s2_167;
+  const double s2_169 = mbgen::min(5.864463449986124*std::abs(pivot_carrier_left_ry), s2_159);
+  result.pivot[0] = mbgen::min(0.43888841273380513*std::abs(s2_167), s2_169);
+  const double s2_170 = s2_53 + (r_carrier_left_aux1_y - p_upper_arm_left_y - s2_144);
+  result.residual[1] = s2_170;
+  const double s2_171 = 0.72 - r_carrier_left_aux1_y - s2_56;
+  const double s2_172 = s1_21 + s2_53;
+  const double s4_2 = fma(s2_67, s2_156, fma(s2_150, s2_154, s2_170));
+  const double s2_173 = fma(s2_71, s2_156, fms(s2_172, s2_154, s1_15) - s2_44);
+  const double s2_174 = s2_63*s2_156;
+  const double s4_3 = s2_168*fnma(s2_67, s2_161, fms(s2_165, s4_2, s2_40));
+  const double s4_4 = s2_158*fms(s2_163, s4_3, s4_2);
+  result.dz[Coordinate::carrier_left_ry] = s4_4;
+  const double s4_5 = s2_146*fnma(s2_74, s4_3, fms(s2_76, s4_4, s2_67));
+  const double s4_6 = s2_153*fma(s2_151, s4_5, fma(s2_152, s4_4, fms(s2_162, s4_3, s2_150)));
+  result.dz[Coordinate::upper_arm_left] = -s4_6;
+  const double s2_175 = 3.846153846153846*s2_171;
+  const double s2_176 = fma(s2_22, s2_24, fms(s2_21, s2_23, l_arb_link_front_left));
+  const double s2_177 = 0.5*fma(s2_171, s2_175, s2_176);
+  result.residual[6] = s2_177;
+  const double s2_178 = fnma(s2_23, s2_56, s2_13*s2_175);
+  const double s2_179 = fnma(s2_16, s2_175, s2_24*s2_56);
+  const double s2_180 = fnma(s2_13, s2_24, s2_23*s2_16);
+  const double s2_181 = fnma(s1_13, s2_179, R_carrier_left_aux2_z_y*s2_178);
+  const double s2_182 = fma(R_carrier_left_aux2_y_y, s2_180, s2_181);
+  const double s2_183 = fma(R_carrier_left_aux1_z_x, s2_178, R_carrier_left_aux1_x_x*s2_179);
+  const double s2_184 = fma(R_carrier_left_aux1_y_x, s2_180, s2_183);
+  const double s2_185 = fnma(R_lower_arm_left_z_y, s2_180, R_lower_arm_left_y_y*s2_178);
+  result.dz[Coordinate::carrier_left_rz] = -s4_3;
+  result.dz[Coordinate::carrier_left_rx] = -s4_5;
+  result.dz[Coordinate::arb_front_left] = s2_113*fnma(s2_184, s4_5, fnma(s2_185, s4_3, fms(s2_182,
+      s4_4, s2_177)));
   // loop block 0
-  const double s4_20 = zd_lower_arm_left*(s1_21 + s2_54);
-  const double s4_21 = fma(s2_67, s2_149, fma(s2_143, s2_147, s2_177));
-  const double s4_22 = fnma(s2_147, s4_20, zd_lower_arm_left*(w1.s1_15 + s2_45));
-  const double s4_23 = fma(s2_149, s4_2, s4_22);
-  w1.s4_24 = s2_162*fnma(s2_67, s2_154, fms(s2_159, s4_21, s2_41));
-  w1.s4_25 = s2_151*fms(s2_156, w1.s4_24, s4_21);
-  result.dz[Coordinate::carrier_left_ry] = w1.s4_25;
-  w1.s4_26 = s2_162*fnma(s2_159, s4_23, s2_154*s4_2);
-  w1.s4_27 = s2_151*fma(s2_156, w1.s4_26, s4_23);
-  result.zd[Coordinate::carrier_left_ry] = w1.s4_27;
-  w1.s4_28 = s2_139*fnma(s2_73, w1.s4_24, fms(s2_75, w1.s4_25, s2_67));
-  const double s4_29 = fma(s2_145, w1.s4_25, fms(s2_155, w1.s4_24, s2_143));
-  w1.s4_30 = s2_139*fma(s2_75, w1.s4_27, fnma(s2_73, w1.s4_26, s4_2));
-  const double s4_31 = fma(s2_145, w1.s4_27, fms(s2_155, w1.s4_26, s4_20));
-  result.dz[Coordinate::upper_arm_left] = -(s2_146*fma(s2_144, w1.s4_28, s4_29));
-  result.zd[Coordinate::upper_arm_left] = -(s2_146*fma(s2_144, w1.s4_30, s4_31));
+  const double Rz_carrier_left_rz_0 = fnma(s2_165, s2_173, s2_71*s2_161)*s2_168;
+  result.Rz[3] = Rz_carrier_left_rz_0;
+
+  // --- step 3: Rz (61), continued ---
+  const double s3_2 = s2_179 + fnma(s1_15, s2_175, s1_21*s2_24);
+  // loop block 0
+  const double Rz_carrier_left_rz_2 = fnma(s2_63, s2_161, s2_165*s2_174)*s2_168;
+  result.Rz[5] = Rz_carrier_left_rz_2;
+  const double s3_3 = s2_158*fma(s2_163, Rz_carrier_left_rz_0, s2_173);
+  const double Rz_carrier_left_ry_2 = s2_158*fnma(s2_163, Rz_carrier_left_rz_2, s2_174);
+  result.Rz[11] = Rz_carrier_left_ry_2;
+  w1.s3_4 = s2_146*fnma(s2_76, s3_3, fms(s2_74, Rz_carrier_left_rz_0, s2_71));
+  const double s3_5 = fma(s2_74, Rz_carrier_left_rz_2, s2_63);
+  const double s3_6 = fnma(s2_182, s3_3, fma(s2_185, Rz_carrier_left_rz_0, s3_2));
+  w1.s3_7 = s2_146*fma(s2_76, Rz_carrier_left_ry_2, s3_5);
+  const double zd_bell_crank = state.zd[Coordinate::bell_crank];
+  const double Rz_arb_front_left_0 = s2_113*fnma(s2_184, w1.s3_4, s3_6);
+  result.Rz[15] = Rz_arb_front_left_0;
+  const double s3_8 = fma(s2_182, Rz_carrier_left_ry_2, s2_185*Rz_carrier_left_rz_2);
+  const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
+  result.zd[Coordinate::carrier_left_ry] = fnma(zd_lower_arm_left, s3_3,
+      zd_bell_crank*Rz_carrier_left_ry_2);
+  const double s3_9 = fnma(s2_162, Rz_carrier_left_rz_0, fms(s2_151, w1.s3_4, s2_172));
+  const double Rz_arb_front_left_2 = s2_113*fnma(s2_184, w1.s3_7, s3_8);
+  result.Rz[17] = Rz_arb_front_left_2;
+  result.Rz[9] = -s3_3;
+  w1.s3_10 = s2_153*fnma(s2_152, s3_3, s3_9);
+  const double s4_7 = zd_lower_arm_left*Rz_carrier_left_rz_0;
+  result.zd[Coordinate::carrier_left_rz] = fma(zd_bell_crank, Rz_carrier_left_rz_2, s4_7);
+  const double s4_8 = zd_lower_arm_left*Rz_arb_front_left_0;
+  result.zd[Coordinate::arb_front_left] = fma(zd_bell_crank, Rz_arb_front_left_2, s4_8);
+  const double s2_186 = s2_93 + (r_carrier_right_aux1_y - p_upper_arm_right_y - s2_116);
+  result.residual[4] = s2_186;
+  const double s2_187 = w1.s2_96 + (0.72 + r_carrier_right_aux1_y);
+  w1.s2_188 = s1_23 + s2_93;
+  w1.s2_189 = fma(w1.s2_104, s2_133, fnma(w1.s2_188, s2_132, s1_18 - s2_79));
+  w1.s2_190 = w1.s2_100*s2_133;
+  const double s4_9 = fma(w1.s2_138, s4_1, fma(s2_103, s2_133, fms(s2_127, s2_132, s2_186)));
+  w1.s4_10 = w1.s2_141*s4_9;
+  result.dz[Coordinate::carrier_right_rx] = w1.s4_10;
+  w1.s4_11 = w1.s2_123*fma(w1.s2_136, w1.s4_10, s4_1);
+  w1.s4_12 = w1.s2_118*fnma(w1.s2_109, w1.s4_11, fms(w1.s2_107, w1.s4_10, s2_103));
+  result.dz[Coordinate::carrier_right_rz] = w1.s4_12;
+  const double s4_13 = fma(w1.s2_129, w1.s4_11, fma(w1.s2_128, w1.s4_10, s2_127));
+  result.dz[Coordinate::upper_arm_right] = w1.s2_131*fma(w1.s2_130, w1.s4_12, s4_13);
+  w1.s2_191 = 3.846153846153846*s2_187;
+  const double s2_192 = fma(s2_35, w1.s2_37, fms(s2_34, w1.s2_36, l_arb_link_front_right));
+  w1.s2_193 = fma(s2_187, w1.s2_191, s2_192);
+  w1.s3_11 = fnma(s1_18, w1.s2_191, s1_23*w1.s2_37);
 }
 
-/// Part 2 of compute_closure: step 2: closure Jacobian Phi_z and its factors (60); step 4:
-/// velocities.
+/// Part 2 of compute_closure: step 2: closure Jacobian Phi_z and its factors (60); step 3: Rz (61).
 [[gnu::noinline]] void compute_closure_2(const State& state, ClosureWork1& __restrict w1,
     ClosureWork2& __restrict w2, Closure& __restrict result) noexcept {
   // --- step 2: closure Jacobian Phi_z and its factors (60), continued ---
-  // arb_link_front_left
-  const double s2_180 = 3.846153846153846*w1.s2_178;
-  const double s2_181 = 0.5*fma(w1.s2_178, s2_180, w1.s2_25);
-  result.residual[6] = s2_181;
-  const double s2_182 = fnma(w1.s2_23, w1.s2_57, w1.s2_13*s2_180);
-  const double s2_183 = fnma(w1.s2_16, s2_180, w1.s2_24*w1.s2_57);
-  const double s2_184 = fnma(w1.s2_13, w1.s2_24, w1.s2_23*w1.s2_16);
-  const double s2_185 = s2_183 + fnma(w1.s1_15, s2_180, w1.s2_179);
-  const double s2_186 = fnma(w1.s1_13, s2_183, w1.R_carrier_left_aux2_z_y*s2_182);
-  const double s2_187 = fma(w1.R_carrier_left_aux2_y_y, s2_184, s2_186);
-  const double s2_188 = fma(w1.R_carrier_left_aux1_z_x, s2_182, w2.cosines[1]*s2_183);
-  const double s2_189 = fma(w1.R_carrier_left_aux1_y_x, s2_184, s2_188);
-  const double s2_190 = fnma(w2.sines[0], s2_184, w2.cosines[0]*s2_182);
-  result.dz[Coordinate::carrier_left_rz] = -w1.s4_24;
-  const double s4_32 = fnma(s2_190, w1.s4_24, fms(s2_187, w1.s4_25, s2_181));
-  result.zd[Coordinate::carrier_left_rz] = -w1.s4_26;
-  const double s4_33 = fnma(s2_190, w1.s4_26, state.zd[Coordinate::lower_arm_left]*s2_185);
-  result.dz[Coordinate::carrier_left_rx] = -w1.s4_28;
-  result.dz[Coordinate::arb_front_left] = w1.s2_109*fnma(s2_189, w1.s4_28, s4_32);
-  result.zd[Coordinate::carrier_left_rx] = -w1.s4_30;
-  result.zd[Coordinate::arb_front_left] = w1.s2_109*fnma(s2_189, w1.s4_30, fma(s2_187, w1.s4_27,
-      s4_33));
+  const double s2_194 = 0.5*w1.s2_193;
+  result.residual[7] = s2_194;
+  const double s2_195 = fma(w1.s2_26, w1.s2_191, w1.s2_36*w1.s2_96);
+  const double s2_196 = fma(w1.s2_29, w1.s2_191, w1.s2_37*w1.s2_96);
+  const double s2_197 = fnma(w1.s2_26, w1.s2_37, w1.s2_36*w1.s2_29);
+  const double s2_198 = w1.R_carrier_right_aux2_y_y*s2_197;
+  const double s2_199 = fnma(w1.R_carrier_right_aux2_z_y, s2_195, s2_198);
+  const double s2_200 = fnma(w1.s1_16, s2_196, s2_199);
+  const double s2_201 = fnma(w1.R_carrier_right_aux1_z_x, s2_195, w2.cosines[7]*s2_196);
+  const double s2_202 = fma(w1.R_carrier_right_aux1_y_x, s2_197, s2_201);
+  const double s2_203 = fma(w2.sines[6], s2_197, w2.cosines[6]*s2_195);
+  result.dz[Coordinate::carrier_right_ry] = -w1.s4_11;
+  const double s4_14 = fnma(s2_200, w1.s4_11, fms(s2_202, w1.s4_10, s2_194));
+  result.dz[Coordinate::arb_front_right] = w1.s2_110*fnma(s2_203, w1.s4_12, s4_14);
+  const double s2_204 = w1.s2_100*w1.s2_120;
+  const double s2_205 = w1.s2_104*w1.s2_120;
+
+  // --- step 3: Rz (61), continued ---
+  // loop block 0
+  const double Rz_carrier_right_rx_2 = w1.s2_141*fma(w1.s2_138, s2_204, w1.s2_190);
+  result.Rz[26] = Rz_carrier_right_rx_2;
+  const double s3_12 = fma(w1.s2_138, s2_205, w1.s2_189)*w1.s2_141;
+  const double s3_13 = w1.s2_123*fma(w1.s2_136, Rz_carrier_right_rx_2, s2_204);
+  const double Rz_carrier_right_ry_1 = w1.s2_123*fma(w1.s2_136, s3_12, s2_205);
+  result.Rz[28] = Rz_carrier_right_ry_1;
+  const double s3_14 = fnma(s2_202, s3_12, s2_196 + w1.s3_11);
+  const double zd_bell_crank = state.zd[Coordinate::bell_crank];
+  const double s3_15 = fnma(w1.s2_109, s3_13, fms(w1.s2_107, Rz_carrier_right_rx_2, w1.s2_100));
+  const double Rz_carrier_right_rz_2 = w1.s2_118*s3_15;
+  result.Rz[23] = Rz_carrier_right_rz_2;
+  const double s3_16 = fma(w1.s2_109, Rz_carrier_right_ry_1, fnma(w1.s2_107, s3_12, w1.s2_104));
+  const double Rz_carrier_right_rz_1 = w1.s2_118*s3_16;
+  result.Rz[22] = Rz_carrier_right_rz_1;
+  const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
+  result.zd[Coordinate::carrier_right_rx] = fnma(zd_lower_arm_right, s3_12,
+      zd_bell_crank*Rz_carrier_right_rx_2);
+  const double s3_17 = fnma(s2_200, s3_13, s2_202*Rz_carrier_right_rx_2);
+  const double s3_18 = fma(w1.s2_129, Rz_carrier_right_ry_1, fms(w1.s2_128, s3_12, w1.s2_188));
+  const double s3_19 = fma(s2_200, Rz_carrier_right_ry_1, s3_14);
+  result.zd[Coordinate::carrier_right_ry] = fnma(zd_bell_crank, s3_13,
+      zd_lower_arm_right*Rz_carrier_right_ry_1);
+  result.Rz[25] = -s3_12;
+  const double Rz_arb_front_right_2 = w1.s2_110*fnma(s2_203, Rz_carrier_right_rz_2, s3_17);
+  result.Rz[35] = Rz_arb_front_right_2;
+  const double s3_20 = w1.s2_131*fnma(w1.s2_130, Rz_carrier_right_rz_1, s3_18);
+  const double Rz_arb_front_right_1 = w1.s2_110*fnma(s2_203, Rz_carrier_right_rz_1, s3_19);
+  result.Rz[34] = Rz_arb_front_right_1;
+  result.Rz[29] = -s3_13;
+  const double s4_15 = zd_lower_arm_right*Rz_carrier_right_rz_1;
+  result.zd[Coordinate::carrier_right_rz] = fma(zd_bell_crank, Rz_carrier_right_rz_2, s4_15);
+  const double s4_16 = zd_lower_arm_right*Rz_arb_front_right_1;
+  result.zd[Coordinate::arb_front_right] = fma(zd_bell_crank, Rz_arb_front_right_2, s4_16);
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double R_rear_axle_aux4_x_x = w2.cosines[14];
   const double s1_24 = w2.sines[15];
@@ -3356,226 +3408,261 @@ struct ClosureWork2 {
   const double R_rear_axle_y_z = fnma(R_rear_axle_aux4_x_x, s1_25, R_rear_axle_aux5_y_z*s1_26);
   const double R_rear_axle_aux5_z_z = w2.cosines[15];
   const double R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_26;
-  const double s2_191 = fnma(p_long_rod_left_to_z, R_rear_axle_z_z, p_long_rod_left_to_x*s1_24);
+  const double s2_206 = fnma(p_long_rod_left_to_z, R_rear_axle_z_z, p_long_rod_left_to_x*s1_24);
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double R_rear_axle_aux5_x_x = R_rear_axle_aux4_x_x*R_rear_axle_aux5_z_z;
-  const double s2_192 = p_long_rod_left_to_x*R_rear_axle_aux5_x_x;
-  const double s2_193 = fma(p_long_rod_left_to_z, R_rear_axle_x_z, s2_192);
+  const double s2_207 = p_long_rod_left_to_x*R_rear_axle_aux5_x_x;
+  const double s2_208 = fma(p_long_rod_left_to_z, R_rear_axle_x_z, s2_207);
   const double R_rear_axle_aux5_y_x = R_rear_axle_aux4_y_x*R_rear_axle_aux5_z_z;
-  const double s2_194 = p_long_rod_left_to_x*R_rear_axle_aux5_y_x;
-  const double s2_195 = fma(p_long_rod_left_to_z, R_rear_axle_y_z, s2_194);
-  const double s2_196 = fma(p_long_rod_left_to_y, R_rear_axle_y_y, s2_195);
-  const double s2_197 = fnma(p_long_rod_left_to_y, R_rear_axle_y_y, s2_195);
+  const double s2_209 = p_long_rod_left_to_x*R_rear_axle_aux5_y_x;
+  const double s2_210 = fma(p_long_rod_left_to_z, R_rear_axle_y_z, s2_209);
+  const double s2_211 = fma(p_long_rod_left_to_y, R_rear_axle_y_y, s2_210);
+  const double s2_212 = fnma(p_long_rod_left_to_y, R_rear_axle_y_y, s2_210);
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s2_198 = p_long_rod_left_from_y - z_rear_axle_ty - s2_196;
+  const double s2_213 = p_long_rod_left_from_y - z_rear_axle_ty - s2_211;
   // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   const double r_rear_axle_aux3_z = state.z[Coordinate::rear_axle_tz] + p_rear_axle_tx_z;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_25;
-  const double s2_199 = fms(p_long_rod_left_to_y, R_rear_axle_z_y, s2_191);
-  const double s2_200 = fma(p_long_rod_left_to_y, R_rear_axle_z_y, s2_191);
-  const double s2_201 = r_rear_axle_aux3_z - p_long_rod_left_from_z;
-  const double s2_202 = s2_199 + s2_201;
-  const double s2_203 = s2_201 - s2_200;
-  const double s2_204 = 1.1757385222540735*s2_202;
-  const double s2_205 = 1.1757385222540735*s2_198;
-  const double s2_206 = fma(s2_199, s2_205, s2_204*s2_196);
+  const double s2_214 = fms(p_long_rod_left_to_y, R_rear_axle_z_y, s2_206);
+  const double s2_215 = fma(p_long_rod_left_to_y, R_rear_axle_z_y, s2_206);
+  const double s2_216 = r_rear_axle_aux3_z - p_long_rod_left_from_z;
+  const double s2_217 = s2_214 + s2_216;
+  const double s2_218 = s2_216 - s2_215;
+  const double s2_219 = 1.1757385222540735*s2_217;
+  const double s2_220 = 1.1757385222540735*s2_213;
+  const double s2_221 = fma(s2_214, s2_220, s2_219*s2_211);
   // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   const double r_rear_axle_aux1_x = state.z[Coordinate::rear_axle_tx] + p_rear_axle_tx_x;
-  const double s2_207 = fma(p_long_rod_left_to_y, R_rear_axle_x_y, s2_193);
-  const double s2_208 = fnma(p_long_rod_left_to_y, R_rear_axle_x_y, s2_193);
-  const double s2_209 = r_rear_axle_aux1_x - p_long_rod_left_from_x;
-  const double s2_210 = s2_207 + s2_209;
-  const double s2_211 = s2_209 + s2_208;
-  const double s2_212 = 1.1757385222540735*s2_210;
-  const double s2_213 = fma(s2_207, s2_205, s2_212*s2_196);
-  const double s2_214 = fma(s2_210, s2_212, fms(s2_202, s2_204, l_long_rod_left));
-  const double s2_215 = 0.5*fma(s2_198, s2_205, s2_214);
-  result.residual[11] = s2_215;
-  const double s2_216 = fnma(s2_199, s2_212, s2_207*s2_204);
-  const double s2_217 = p_diag_rod_left_to_y*R_rear_axle_y_y;
-  const double s2_218 = fma(p_diag_rod_left_to_z, R_rear_axle_y_z, s2_217);
-  const double s2_219 = fms(p_diag_rod_left_to_z, R_rear_axle_y_z, s2_217);
-  const double s2_220 = p_diag_rod_left_from_y - z_rear_axle_ty - s2_218;
-  const double s2_221 = p_diag_rod_left_to_y*R_rear_axle_z_y;
-  const double s2_222 = fma(p_diag_rod_left_to_z, R_rear_axle_z_z, s2_221);
-  const double s2_223 = fms(p_diag_rod_left_to_z, R_rear_axle_z_z, s2_221);
-  const double s2_224 = r_rear_axle_aux3_z - p_diag_rod_left_from_z;
-  const double s2_225 = r_rear_axle_aux3_z - p_arb_rear_left_z;
-  const double s2_226 = s2_222 + s2_224;
-  const double s2_227 = s2_224 + s2_223;
-  const double s2_228 = 1.162476387438193*s2_226;
-  const double s2_229 = 1.162476387438193*s2_220;
-  const double s2_230 = fma(s2_222, s2_229, s2_228*s2_218);
-  const double s2_231 = p_diag_rod_left_to_z*R_rear_axle_x_z;
-  const double s2_232 = fma(p_diag_rod_left_to_y, R_rear_axle_x_y, s2_231);
-  const double s2_233 = fnma(p_diag_rod_left_to_y, R_rear_axle_x_y, s2_231);
-  const double s2_234 = r_rear_axle_aux1_x - p_diag_rod_left_from_x;
-  const double s2_235 = s2_232 + s2_234;
-  const double s2_236 = s2_234 + s2_233;
-  const double s2_237 = 1.162476387438193*s2_235;
-  const double s2_238 = fma(s2_232, s2_229, s2_237*s2_218);
-  const double s2_239 = fma(s2_235, s2_237, fms(s2_226, s2_228, l_diag_rod_left));
-  const double s2_240 = 0.5*fma(s2_220, s2_229, s2_239);
-  result.residual[12] = s2_240;
-  const double s2_241 = fnma(s2_222, s2_237, s2_232*s2_228);
-  const double s2_242 = -p_arb_link_rear_left_to_x*R_rear_axle_aux5_x_x;
-  const double s2_243 = fnma(p_arb_link_rear_left_to_z, R_rear_axle_x_z, s2_242);
-  const double s2_244 = -p_arb_link_rear_left_to_x*s1_24;
-  const double s2_245 = fma(p_arb_link_rear_left_to_z, R_rear_axle_z_z, s2_244);
-  const double s2_246 = p_arb_link_rear_left_from_x*w2.sines[17];
-  const double s2_247 = fma(p_arb_link_rear_left_to_y, R_rear_axle_z_y, s2_245);
-  const double s2_248 = fnma(p_arb_link_rear_left_to_y, R_rear_axle_z_y, s2_245);
-  const double s2_249 = s2_225 + (s2_246 + s2_247);
-  const double s2_250 = p_arb_link_rear_left_from_x*w2.cosines[17];
-  const double s2_251 = fms(p_arb_link_rear_left_to_y, R_rear_axle_x_y, s2_243);
-  const double s2_252 = s2_250 + p_arb_rear_left_x - r_rear_axle_aux1_x - s2_251;
-  const double s2_253 = fma(p_arb_link_rear_left_to_y, R_rear_axle_x_y, s2_243);
-  const double s2_254 = 4.47213595499958*s2_249;
-  const double s2_255 = 4.47213595499958*s2_252;
-  const double pivot_arb_rear_left = fnma(s2_246, s2_255, s2_250*s2_254);
-  // long_rod_right
-  const double s2_256 = s2_197 + (z_rear_axle_ty - p_long_rod_right_from_y);
-  const double s2_257 = 1.1757385222540735*s2_256;
-  const double s2_258 = 1.1757385222540735*s2_203;
-  const double s2_259 = fma(s2_197, s2_258, s2_200*s2_257);
-  const double s2_260 = 1.1757385222540735*s2_211;
-  const double s2_261 = fma(s2_203, s2_258, fms(s2_256, s2_257, l_long_rod_right));
-  const double s2_262 = fnma(s2_208, s2_257, s2_197*s2_260);
-  const double s2_263 = 0.5*fma(s2_211, s2_260, s2_261);
-  result.residual[14] = s2_263;
-  const double s2_264 = fma(s2_200, s2_260, s2_208*s2_258);
-  const double s2_265 = s2_219 + (z_rear_axle_ty - p_diag_rod_right_from_y);
-  const double pivot_rear_axle_tx = 1.162476387438193*s2_236;
-  const double s2_266 = 1.162476387438193*s2_265;
-  const double s2_267 = fnma(s2_233, s2_266, pivot_rear_axle_tx*s2_219);
-  const double s2_268 = 1.162476387438193*s2_227;
-  const double s2_269 = fnma(pivot_rear_axle_tx, s2_223, s2_233*s2_268);
-  const double s2_270 = fma(s2_227, s2_268, fms(s2_236, pivot_rear_axle_tx, l_diag_rod_right));
-  const double s2_271 = 0.5*fma(s2_265, s2_266, s2_270);
-  result.residual[15] = s2_271;
-  const double s2_272 = fnma(s2_219, s2_268, s2_223*s2_266);
-  const double s2_273 = p_arb_link_rear_right_from_x*w2.cosines[18];
-  const double s2_274 = s2_253 + (s2_273 + p_arb_rear_right_x - r_rear_axle_aux1_x);
-  const double s2_275 = p_arb_link_rear_right_from_x*w2.sines[18];
-  const double s2_276 = s2_275 + (s2_225 + s2_248);
-  const double s2_277 = 4.47213595499958*s2_276;
-  const double s2_278 = 4.47213595499958*s2_274;
-  const double pivot_arb_rear_right = fnma(s2_275, s2_278, s2_273*s2_277);
-  const double s2_279 = 1.0/pivot_arb_rear_left;
-  const double s2_280 = 1.0/pivot_arb_rear_right;
-  const double s2_281 = 3.204642123170383*std::abs(pivot_arb_rear_right);
-  const double s2_282 = 1.0/pivot_rear_axle_tx;
-  const double s2_283 = s2_212*s2_282;
-  const double s2_284 = s2_260*s2_282;
-  const double s2_285 = s2_237*s2_282;
-  const double s2_286 = mbgen::min(3.194382824999693*std::abs(pivot_arb_rear_left), s2_281);
-  const double s2_287 = fma(s2_266, s2_283, s2_205);
-  const double s4_34 = fms(s2_271, s2_283, s2_215);
-  const double pivot_rear_axle_rz = fms(s2_267, s2_283, s2_213);
-  const double s2_288 = 1.0/pivot_rear_axle_rz;
-  const double s2_289 = mbgen::min(1.0748203921841*std::abs(pivot_rear_axle_tx), s2_286);
-  const double s2_290 = fnma(R_rear_axle_aux4_y_x, s2_272, R_rear_axle_aux4_x_x*s2_269);
-  const double s2_291 = fnma(s1_24, s2_267, R_rear_axle_aux5_y_x*s2_269);
-  const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
-  const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
-  const double s4_35 = zd_rear_axle_rx*fma(R_rear_axle_aux5_x_x, s2_272, s2_291);
-  const double s4_36 = fnma(zd_rear_axle_tz, s2_268, s4_35);
-  const double s2_292 = fnma(R_rear_axle_aux4_y_x, s2_206, s2_290*s2_283);
-  const double s2_293 = fnma(R_rear_axle_aux4_x_x, s2_216, s2_292);
-  const double s2_294 = fnma(R_rear_axle_aux5_x_x, s2_206, R_rear_axle_aux5_y_x*s2_216);
-  const double s4_37 = zd_rear_axle_rx*fnma(s1_24, s2_213, s2_294);
-  const double s4_38 = fnma(s2_283, s4_36, fnma(zd_rear_axle_tz, s2_204, s4_37));
-  const double s2_295 = fms(s2_267, s2_284, s2_262)*s2_288;
-  const double s2_296 = fma(s2_295, s2_287, fnma(s2_266, s2_284, s2_257));
-  const double s4_39 = fnma(s2_295, s4_34, fms(s2_271, s2_284, s2_263));
-  const double s2_297 = fnma(R_rear_axle_aux4_y_x, s2_259, s2_290*s2_284);
-  const double pivot_rear_axle_ry = fnma(s2_293, s2_295, fnma(R_rear_axle_aux4_x_x, s2_264,
-      s2_297));
-  const double s2_298 = fnma(R_rear_axle_aux5_x_x, s2_259, R_rear_axle_aux5_y_x*s2_264);
-  const double s4_40 = zd_rear_axle_rx*fnma(s1_24, s2_262, s2_298);
-  const double s4_41 = fnma(s2_284, s4_36, fnma(zd_rear_axle_tz, s2_258, s4_40));
-  const double s4_42 = fnma(s2_295, s4_38, s4_41);
-  const double s2_299 = 1.0/pivot_rear_axle_ry;
-  const double s2_300 = mbgen::min(s2_289, 1.5318884572025857*std::abs(pivot_rear_axle_rz));
-  const double s2_301 = s2_288*fms(s2_267, s2_285, s2_238);
-  const double s2_302 = fnma(R_rear_axle_aux4_y_x, s2_230, s2_290*s2_285);
-  const double s2_303 = fnma(s2_293, s2_301, fnma(R_rear_axle_aux4_x_x, s2_241, s2_302))*s2_299;
-  const double s2_304 = fnma(R_rear_axle_aux5_x_x, s2_230, R_rear_axle_aux5_y_x*s2_241);
-  const double pivot_rear_axle_ty = fnma(s2_296, s2_303, fnma(s2_266, s2_285, fms(s2_287, s2_301,
-      s2_229)));
-  const double s4_43 = zd_rear_axle_rx*fnma(s1_24, s2_238, s2_304);
-  const double s4_44 = fnma(s2_285, s4_36, fnma(zd_rear_axle_tz, s2_228, s4_43));
-  const double s2_305 = 1.0/pivot_rear_axle_ty;
-  const double s4_45 = fnma(s2_303, s4_39, fnma(s2_301, s4_34, fms(s2_271, s2_285, s2_240)));
-  const double s4_46 = s2_305*s4_45;
-  result.dz[Coordinate::rear_axle_ty] = s4_46;
-  const double s4_47 = s2_305*fnma(s2_303, s4_42, fnma(s2_301, s4_38, s4_44));
-  result.zd[Coordinate::rear_axle_ty] = s4_47;
-  const double s2_306 = mbgen::min(s2_300, 1.7893247478820993*std::abs(pivot_rear_axle_ry));
-  result.pivot[1] = mbgen::min(s2_306, 1.4337752588788297*std::abs(pivot_rear_axle_ty));
-
-  // --- step 4: velocities, continued ---
-  // loop block 1
-  const double s4_48 = s2_299*fnma(s2_296, s4_46, s4_39);
-  result.dz[Coordinate::rear_axle_ry] = s4_48;
-  const double s4_49 = s2_299*fnma(s2_296, s4_47, s4_42);
-  result.zd[Coordinate::rear_axle_ry] = s4_49;
-  const double s4_50 = s2_288*fnma(s2_293, s4_48, fma(s2_287, s4_46, s4_34));
-  result.dz[Coordinate::rear_axle_rz] = s4_50;
-  const double s4_51 = s2_288*fnma(s2_293, s4_49, fma(s2_287, s4_47, s4_38));
-  result.zd[Coordinate::rear_axle_rz] = s4_51;
-  const double s4_52 = fma(s2_267, s4_50, fnma(s2_266, s4_46, fms(s2_290, s4_48, s2_271)));
-  const double s4_53 = s2_282*s4_52;
-  result.dz[Coordinate::rear_axle_tx] = s4_53;
-  const double s4_54 = fma(s2_267, s4_51, fma(s2_290, s4_49, fnma(s2_266, s4_47, s4_36)));
-  const double s4_55 = s2_282*s4_54;
-  result.zd[Coordinate::rear_axle_tx] = s4_55;
-  const double s2_307 = -p_arb_link_rear_left_to_x*R_rear_axle_aux5_y_x;
-  const double s2_308 = fnma(p_arb_link_rear_left_to_z, R_rear_axle_y_z, s2_307);
-  const double s2_309 = fms(p_arb_link_rear_left_to_y, R_rear_axle_y_y, s2_308);
-  const double s2_310 = fma(p_arb_link_rear_left_to_y, R_rear_axle_y_y, s2_308);
-  const double s2_311 = 0.6 - z_rear_axle_ty - s2_309;
-  const double s2_312 = 4.47213595499958*s2_311;
-  const double s2_313 = fma(s2_252, s2_255, fms(s2_249, s2_254, l_arb_link_rear_left));
-  const double s2_314 = 0.5*fma(s2_311, s2_312, s2_313);
-  result.residual[13] = s2_314;
-  const double s2_315 = fnma(s2_255, s2_309, s2_251*s2_312);
-  const double s2_316 = fma(s2_247, s2_255, s2_254*s2_251);
-  const double s2_317 = fma(s2_247, s2_312, s2_254*s2_309);
-  const double s2_318 = fma(R_rear_axle_aux4_x_x, s2_316, R_rear_axle_aux4_y_x*s2_317);
-  const double s2_319 = fnma(R_rear_axle_aux5_x_x, s2_317, R_rear_axle_aux5_y_x*s2_316);
-  const double s4_56 = fma(s2_315, s4_50, fma(s2_318, s4_48, fms(s2_312, s4_46, s2_314)));
-  result.dz[Coordinate::arb_rear_left] = s2_279*fma(s2_255, s4_53, s4_56);
-  const double s4_57 = zd_rear_axle_rx*fnma(s1_24, s2_315, s2_319);
-  const double s4_58 = fma(s2_312, s4_47, fnma(zd_rear_axle_tz, s2_254, s4_57));
-  result.zd[Coordinate::arb_rear_left] = s2_279*fma(s2_255, s4_55, fma(s2_315, s4_51, fma(s2_318,
-      s4_49, s4_58)));
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), continued ---
-  // arb_link_rear_right
-  const double s2_320 = 0.6 + z_rear_axle_ty - s2_310;
-  const double s2_321 = 4.47213595499958*s2_320;
-  const double s2_322 = fma(s2_274, s2_278, fms(s2_276, s2_277, l_arb_link_rear_right));
-  const double s2_323 = 0.5*fma(s2_320, s2_321, s2_322);
-  result.residual[16] = s2_323;
-  const double s2_324 = fma(s2_253, s2_321, s2_278*s2_310);
-  const double s2_325 = fma(s2_248, s2_321, s2_277*s2_310);
-  const double s2_326 = fnma(s2_277, s2_253, s2_248*s2_278);
-  const double s2_327 = fnma(R_rear_axle_aux4_y_x, s2_325, R_rear_axle_aux4_x_x*s2_326);
-  const double s2_328 = fnma(s1_24, s2_324, R_rear_axle_aux5_y_x*s2_326);
-
-  // --- step 4: velocities, continued ---
-  const double s4_59 = zd_rear_axle_rx*fma(R_rear_axle_aux5_x_x, s2_325, s2_328);
-  const double s4_60 = fma(s2_324, s4_50, fnma(s2_321, s4_46, fms(s2_327, s4_48, s2_323)));
-  const double s4_61 = fnma(s2_321, s4_47, fnma(zd_rear_axle_tz, s2_277, s4_59));
-  result.dz[Coordinate::arb_rear_right] = s2_280*fma(s2_278, s4_53, s4_60);
-  result.zd[Coordinate::arb_rear_right] = s2_280*fma(s2_278, s4_55, fma(s2_324, s4_51, fma(s2_327,
-      s4_49, s4_61)));
+  const double s2_222 = fma(p_long_rod_left_to_y, R_rear_axle_x_y, s2_208);
+  const double s2_223 = fnma(p_long_rod_left_to_y, R_rear_axle_x_y, s2_208);
+  const double s2_224 = r_rear_axle_aux1_x - p_long_rod_left_from_x;
+  const double s2_225 = s2_222 + s2_224;
+  const double s2_226 = s2_224 + s2_223;
+  const double s2_227 = 1.1757385222540735*s2_225;
+  const double s2_228 = fma(s2_222, s2_220, s2_227*s2_211);
+  const double s2_229 = fma(s2_225, s2_227, fms(s2_217, s2_219, l_long_rod_left));
+  const double s2_230 = 0.5*fma(s2_213, s2_220, s2_229);
+  result.residual[11] = s2_230;
+  const double s2_231 = fnma(s2_214, s2_227, s2_222*s2_219);
+  const double s2_232 = p_diag_rod_left_to_y*R_rear_axle_y_y;
+  const double s2_233 = fma(p_diag_rod_left_to_z, R_rear_axle_y_z, s2_232);
+  const double s2_234 = fms(p_diag_rod_left_to_z, R_rear_axle_y_z, s2_232);
+  const double s2_235 = p_diag_rod_left_from_y - z_rear_axle_ty - s2_233;
+  const double s2_236 = p_diag_rod_left_to_y*R_rear_axle_z_y;
+  const double s2_237 = fma(p_diag_rod_left_to_z, R_rear_axle_z_z, s2_236);
+  const double s2_238 = fms(p_diag_rod_left_to_z, R_rear_axle_z_z, s2_236);
+  const double s2_239 = r_rear_axle_aux3_z - p_diag_rod_left_from_z;
+  const double s2_240 = r_rear_axle_aux3_z - p_arb_rear_left_z;
+  const double s2_241 = s2_237 + s2_239;
+  const double s2_242 = s2_239 + s2_238;
+  const double s2_243 = 1.162476387438193*s2_241;
+  const double s2_244 = 1.162476387438193*s2_235;
+  const double s2_245 = fma(s2_237, s2_244, s2_243*s2_233);
+  const double s2_246 = p_diag_rod_left_to_z*R_rear_axle_x_z;
+  const double s2_247 = fma(p_diag_rod_left_to_y, R_rear_axle_x_y, s2_246);
+  const double s2_248 = fnma(p_diag_rod_left_to_y, R_rear_axle_x_y, s2_246);
+  const double s2_249 = r_rear_axle_aux1_x - p_diag_rod_left_from_x;
+  const double s2_250 = s2_247 + s2_249;
+  const double s2_251 = s2_249 + s2_248;
+  const double s2_252 = 1.162476387438193*s2_250;
+  const double s2_253 = fma(s2_247, s2_244, s2_252*s2_233);
+  const double s2_254 = fma(s2_250, s2_252, fms(s2_241, s2_243, l_diag_rod_left));
+  const double s2_255 = 0.5*fma(s2_235, s2_244, s2_254);
+  result.residual[12] = s2_255;
+  const double s2_256 = fnma(s2_237, s2_252, s2_247*s2_243);
+  const double s2_257 = -p_arb_link_rear_left_to_x*R_rear_axle_aux5_x_x;
+  const double s2_258 = fnma(p_arb_link_rear_left_to_z, R_rear_axle_x_z, s2_257);
+  const double s2_259 = -p_arb_link_rear_left_to_x*s1_24;
+  const double s2_260 = fma(p_arb_link_rear_left_to_z, R_rear_axle_z_z, s2_259);
+  const double s2_261 = p_arb_link_rear_left_from_x*w2.sines[17];
+  const double s2_262 = fma(p_arb_link_rear_left_to_y, R_rear_axle_z_y, s2_260);
+  const double s2_263 = fnma(p_arb_link_rear_left_to_y, R_rear_axle_z_y, s2_260);
+  const double s2_264 = s2_240 + (s2_261 + s2_262);
+  const double s2_265 = p_arb_link_rear_left_from_x*w2.cosines[17];
+  const double s2_266 = fms(p_arb_link_rear_left_to_y, R_rear_axle_x_y, s2_258);
+  const double s2_267 = s2_265 + p_arb_rear_left_x - r_rear_axle_aux1_x - s2_266;
+  const double s2_268 = fma(p_arb_link_rear_left_to_y, R_rear_axle_x_y, s2_258);
+  const double s2_269 = 4.47213595499958*s2_264;
+  const double s2_270 = 4.47213595499958*s2_267;
+  const double pivot_arb_rear_left = fnma(s2_261, s2_270, s2_265*s2_269);
+  // long_rod_right
+  const double s2_271 = s2_212 + (z_rear_axle_ty - p_long_rod_right_from_y);
+  const double s2_272 = 1.1757385222540735*s2_271;
+  const double s2_273 = 1.1757385222540735*s2_218;
+  const double s2_274 = fma(s2_212, s2_273, s2_215*s2_272);
+  const double s2_275 = 1.1757385222540735*s2_226;
+  const double s2_276 = fma(s2_218, s2_273, fms(s2_271, s2_272, l_long_rod_right));
+  const double s2_277 = fnma(s2_223, s2_272, s2_212*s2_275);
+  const double s2_278 = 0.5*fma(s2_226, s2_275, s2_276);
+  result.residual[14] = s2_278;
+  const double s2_279 = fma(s2_215, s2_275, s2_223*s2_273);
+  const double s2_280 = s2_234 + (z_rear_axle_ty - p_diag_rod_right_from_y);
+  const double pivot_rear_axle_tx = 1.162476387438193*s2_251;
+  const double s2_281 = 1.162476387438193*s2_280;
+  const double s2_282 = fnma(s2_248, s2_281, pivot_rear_axle_tx*s2_234);
+  const double s2_283 = 1.162476387438193*s2_242;
+  const double s2_284 = fnma(pivot_rear_axle_tx, s2_238, s2_248*s2_283);
+  const double s2_285 = fma(s2_242, s2_283, fms(s2_251, pivot_rear_axle_tx, l_diag_rod_right));
+  const double s2_286 = 0.5*fma(s2_280, s2_281, s2_285);
+  result.residual[15] = s2_286;
+  const double s2_287 = fnma(s2_234, s2_283, s2_238*s2_281);
+  const double s2_288 = p_arb_link_rear_right_from_x*w2.cosines[18];
+  const double s2_289 = s2_268 + (s2_288 + p_arb_rear_right_x - r_rear_axle_aux1_x);
+  const double s2_290 = p_arb_link_rear_right_from_x*w2.sines[18];
+  const double s2_291 = s2_290 + (s2_240 + s2_263);
+  const double s2_292 = 4.47213595499958*s2_291;
+  const double s2_293 = 4.47213595499958*s2_289;
+  const double pivot_arb_rear_right = fnma(s2_290, s2_293, s2_288*s2_292);
+  const double s2_294 = 1.0/pivot_arb_rear_left;
+  const double s2_295 = 1.0/pivot_arb_rear_right;
+  const double s2_296 = 3.204642123170383*std::abs(pivot_arb_rear_right);
+  const double s2_297 = 1.0/pivot_rear_axle_tx;
+  const double s2_298 = s2_227*s2_297;
+  const double s2_299 = s2_275*s2_297;
+  const double s2_300 = s2_252*s2_297;
+  const double s2_301 = mbgen::min(3.194382824999693*std::abs(pivot_arb_rear_left), s2_296);
+  const double s2_302 = fma(s2_281, s2_298, s2_220);
+  const double s2_303 = fnma(s2_283, s2_298, s2_219);
+  const double s4_17 = fms(s2_286, s2_298, s2_230);
+  const double pivot_rear_axle_rz = fms(s2_282, s2_298, s2_228);
+  const double s2_304 = 1.0/pivot_rear_axle_rz;
+  const double s2_305 = mbgen::min(1.0748203921841*std::abs(pivot_rear_axle_tx), s2_301);
+  const double s2_306 = fnma(R_rear_axle_aux4_y_x, s2_287, R_rear_axle_aux4_x_x*s2_284);
+  const double s2_307 = fnma(s1_24, s2_282, R_rear_axle_aux5_y_x*s2_284);
+  const double s2_308 = fma(R_rear_axle_aux5_x_x, s2_287, s2_307);
+  const double s2_309 = fnma(R_rear_axle_aux4_y_x, s2_221, s2_306*s2_298);
+  const double s2_310 = fnma(R_rear_axle_aux4_x_x, s2_231, s2_309);
+  const double s2_311 = fma(s1_24, s2_228, R_rear_axle_aux5_x_x*s2_221);
+  const double s2_312 = fma(s2_308, s2_298, fnma(R_rear_axle_aux5_y_x, s2_231, s2_311));
+  const double s2_313 = fms(s2_282, s2_299, s2_277)*s2_304;
+  const double s2_314 = fma(s2_313, s2_302, fnma(s2_281, s2_299, s2_272));
+  const double s2_315 = fnma(s2_313, s2_303, fnma(s2_283, s2_299, s2_273));
+  const double s4_18 = fnma(s2_313, s4_17, fms(s2_286, s2_299, s2_278));
+  const double s2_316 = fnma(R_rear_axle_aux4_y_x, s2_274, s2_306*s2_299);
+  const double pivot_rear_axle_ry = fnma(s2_310, s2_313, fnma(R_rear_axle_aux4_x_x, s2_279,
+      s2_316));
+  const double s2_317 = fma(s1_24, s2_277, R_rear_axle_aux5_x_x*s2_274);
+  const double s2_318 = fma(s2_308, s2_299, fnma(R_rear_axle_aux5_y_x, s2_279, s2_317));
+  const double s2_319 = fnma(s2_313, s2_312, s2_318);
+  const double s2_320 = 1.0/pivot_rear_axle_ry;
+  const double s2_321 = mbgen::min(s2_305, 1.5318884572025857*std::abs(pivot_rear_axle_rz));
+  const double s2_322 = s2_304*fms(s2_282, s2_300, s2_253);
+  const double s2_323 = fnma(R_rear_axle_aux4_y_x, s2_245, s2_306*s2_300);
+  const double s2_324 = fnma(s2_310, s2_322, fnma(R_rear_axle_aux4_x_x, s2_256, s2_323))*s2_320;
+  const double s2_325 = fma(s1_24, s2_253, R_rear_axle_aux5_x_x*s2_245);
+  const double pivot_rear_axle_ty = fnma(s2_314, s2_324, fnma(s2_281, s2_300, fms(s2_302, s2_322,
+      s2_244)));
+  const double s2_326 = fma(s2_308, s2_300, fnma(R_rear_axle_aux5_y_x, s2_256, s2_325));
+  const double s2_327 = 1.0/pivot_rear_axle_ty;
+  const double s4_19 = fnma(s2_324, s4_18, fnma(s2_322, s4_17, fms(s2_286, s2_300, s2_255)));
+  const double s4_20 = s2_327*s4_19;
+  result.dz[Coordinate::rear_axle_ty] = s4_20;
+  const double s2_328 = fnma(s2_324, s2_315, fnma(s2_322, s2_303, fnma(s2_283, s2_300, s2_243)));
+  const double s3_21 = s2_328*s2_327;
+  const double s3_22 = fnma(s2_324, s2_319, fnma(s2_322, s2_312, s2_326))*s2_327;
+  const double s2_329 = mbgen::min(s2_321, 1.7893247478820993*std::abs(pivot_rear_axle_ry));
+  result.pivot[1] = mbgen::min(s2_329, 1.4337752588788297*std::abs(pivot_rear_axle_ty));
+  const double s4_21 = s2_320*fnma(s2_314, s4_20, s4_18);
+  result.dz[Coordinate::rear_axle_ry] = s4_21;
+  // loop block 1
+  const double Rz_rear_axle_ry_0 = s2_320*fms(s2_314, s3_21, s2_315);
+  result.Rz[50] = Rz_rear_axle_ry_0;
+  const double Rz_rear_axle_ry_1 = s2_320*fms(s2_314, s3_22, s2_319);
+  result.Rz[51] = Rz_rear_axle_ry_1;
+  const double s4_22 = s2_304*fnma(s2_310, s4_21, fma(s2_302, s4_20, s4_17));
+  result.dz[Coordinate::rear_axle_rz] = s4_22;
+  const double s3_23 = s2_304*fma(s2_310, Rz_rear_axle_ry_0, fma(s2_302, s3_21, s2_303));
+  const double s3_24 = s2_304*fma(s2_310, Rz_rear_axle_ry_1, fma(s2_302, s3_22, s2_312));
+  const double s3_25 = fma(s2_306, Rz_rear_axle_ry_0, fms(s2_281, s3_21, s2_283));
+  const double s3_26 = fma(s2_306, Rz_rear_axle_ry_1, fma(s2_281, s3_22, s2_308));
+  const double s4_23 = fma(s2_282, s4_22, fnma(s2_281, s4_20, fms(s2_306, s4_21, s2_286)));
+  const double s4_24 = s2_297*s4_23;
+  result.dz[Coordinate::rear_axle_tx] = s4_24;
+  const double Rz_rear_axle_tx_0 = s2_297*fnma(s2_282, s3_23, s3_25);
+  result.Rz[42] = Rz_rear_axle_tx_0;
+  const double Rz_rear_axle_tx_1 = s2_297*fnma(s2_282, s3_24, s3_26);
+  result.Rz[43] = Rz_rear_axle_tx_1;
+  const double s2_330 = -p_arb_link_rear_left_to_x*R_rear_axle_aux5_y_x;
+  const double s2_331 = fnma(p_arb_link_rear_left_to_z, R_rear_axle_y_z, s2_330);
+  const double s2_332 = fms(p_arb_link_rear_left_to_y, R_rear_axle_y_y, s2_331);
+  const double s2_333 = fma(p_arb_link_rear_left_to_y, R_rear_axle_y_y, s2_331);
+  const double s2_334 = 0.6 - z_rear_axle_ty - s2_332;
+  const double s2_335 = 4.47213595499958*s2_334;
+  const double s2_336 = fma(s2_267, s2_270, fms(s2_264, s2_269, l_arb_link_rear_left));
+  const double s2_337 = 0.5*fma(s2_334, s2_335, s2_336);
+  result.residual[13] = s2_337;
+  const double s2_338 = fnma(s2_270, s2_332, s2_266*s2_335);
+  const double s2_339 = fma(s2_262, s2_270, s2_269*s2_266);
+  const double s2_340 = fma(s2_262, s2_335, s2_269*s2_332);
+  const double s2_341 = 0.6 + z_rear_axle_ty - s2_333;
+  const double s2_342 = 4.47213595499958*s2_341;
+  const double s2_343 = fma(s2_289, s2_293, fms(s2_291, s2_292, l_arb_link_rear_right));
+  const double s2_344 = 0.5*fma(s2_341, s2_342, s2_343);
+  result.residual[16] = s2_344;
+  const double s2_345 = fma(s2_268, s2_342, s2_293*s2_333);
+  const double s2_346 = fma(s2_263, s2_342, s2_292*s2_333);
+  const double s2_347 = fnma(s2_292, s2_268, s2_263*s2_293);
+  const double s2_348 = fma(R_rear_axle_aux4_x_x, s2_339, R_rear_axle_aux4_y_x*s2_340);
+  const double s4_25 = fma(s2_338, s4_22, fma(s2_348, s4_21, fms(s2_335, s4_20, s2_337)));
+  const double s3_27 = fnma(s2_335, s3_21, fms(s2_348, Rz_rear_axle_ry_0, s2_269));
+  const double s3_28 = fnma(R_rear_axle_aux5_x_x, s2_340, R_rear_axle_aux5_y_x*s2_339);
+  result.dz[Coordinate::arb_rear_left] = s2_294*fma(s2_270, s4_24, s4_25);
+  const double s2_349 = fnma(R_rear_axle_aux4_y_x, s2_346, R_rear_axle_aux4_x_x*s2_347);
+  const double s3_29 = fma(R_rear_axle_aux5_x_x, s2_346, R_rear_axle_aux5_y_x*s2_347);
+  const double Rz_arb_rear_left_0 = s2_294*fma(s2_270, Rz_rear_axle_tx_0, fnma(s2_338, s3_23,
+      s3_27));
+  result.Rz[54] = Rz_arb_rear_left_0;
+  const double s3_30 = fma(s2_348, Rz_rear_axle_ry_1, fnma(s2_335, s3_22, s3_28));
+  const double s3_31 = s1_24 + s3_24;
+  const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
+  const double s3_32 = fma(s2_349, Rz_rear_axle_ry_0, fms(s2_342, s3_21, s2_292));
+  const double s3_33 = fma(s2_349, Rz_rear_axle_ry_1, fma(s2_342, s3_22, s3_29));
+  const double Rz_arb_rear_left_1 = s2_294*fnma(s2_338, s3_31, fma(s2_270, Rz_rear_axle_tx_1,
+      s3_30));
+  result.Rz[55] = Rz_arb_rear_left_1;
+  const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
+  const double s4_26 = zd_rear_axle_tz*Rz_rear_axle_ry_0;
+  result.zd[Coordinate::rear_axle_ry] = fma(zd_rear_axle_rx, Rz_rear_axle_ry_1, s4_26);
+  const double s4_27 = fma(s2_345, s4_22, fnma(s2_342, s4_20, fms(s2_349, s4_21, s2_344)));
+  const double s4_28 = zd_rear_axle_tz*Rz_arb_rear_left_0;
+  result.zd[Coordinate::arb_rear_left] = fma(zd_rear_axle_rx, Rz_arb_rear_left_1, s4_28);
+  const double Rz_arb_rear_right_0 = s2_295*fma(s2_293, Rz_rear_axle_tx_0, fnma(s2_345, s3_23,
+      s3_32));
+  result.Rz[56] = Rz_arb_rear_right_0;
+  const double Rz_arb_rear_right_1 = s2_295*fnma(s2_345, s3_31, fma(s2_293, Rz_rear_axle_tx_1,
+      s3_33));
+  result.Rz[57] = Rz_arb_rear_right_1;
+  result.dz[Coordinate::arb_rear_right] = s2_295*fma(s2_293, s4_24, s4_27);
+  const double s4_29 = zd_rear_axle_tz*Rz_rear_axle_tx_0;
+  result.zd[Coordinate::rear_axle_tx] = fma(zd_rear_axle_rx, Rz_rear_axle_tx_1, s4_29);
+  const double s4_30 = zd_rear_axle_tz*Rz_arb_rear_right_0;
+  result.zd[Coordinate::arb_rear_right] = fma(zd_rear_axle_rx, Rz_arb_rear_right_1, s4_30);
+  // loop block 0
+  result.Rz[6] = -w1.s3_4;
+  const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
+  result.Rz[8] = -w1.s3_7;
+  result.zd[Coordinate::carrier_left_rx] = -fma(zd_bell_crank, w1.s3_7, zd_lower_arm_left*w1.s3_4);
+  result.Rz[12] = -w1.s3_10;
+  result.zd[Coordinate::upper_arm_left] = -(zd_lower_arm_left*w1.s3_10);
+  result.Rz[31] = -s3_20;
+  result.zd[Coordinate::upper_arm_right] = -(zd_lower_arm_right*s3_20);
+  result.Rz[38] = -w1.s3_1;
+  result.zd[Coordinate::pitman_arm] = -(zd_bell_crank*w1.s3_1);
+  // loop block 1
+  result.Rz[44] = -s3_21;
+  result.Rz[45] = -s3_22;
+  result.zd[Coordinate::rear_axle_ty] = -fma(zd_rear_axle_rx, s3_22, zd_rear_axle_tz*s3_21);
+  result.Rz[48] = -s3_23;
+  result.Rz[49] = -s3_24;
+  result.zd[Coordinate::rear_axle_rz] = -fma(zd_rear_axle_rx, s3_24, zd_rear_axle_tz*s3_23);
   // operations of step 1: poses and axes b: 34 add, 74 multiply, 38 sin cos
-  // operations of step 4: velocities: 98 add, 149 multiply
-  // operations of step 2: closure Jacobian Phi_z and its factors (60): 308 add, 415 multiply, 17
+  // operations of step 4: velocities: 60 add, 94 multiply
+  // operations of step 2: closure Jacobian Phi_z and its factors (60): 320 add, 431 multiply, 17
   // divide, 32 other
+  // operations of step 3: Rz (61): 63 add, 97 multiply
 }
 
 /// One Newton step of the frozen partition, and consistent velocities.

@@ -211,12 +211,14 @@ struct Closure {
   double dz[3];  ///< Newton correction; driven coordinates go to their motions
   double zd[3];  ///< consistent velocities
   double pivot[1];  ///< smallest pivot of each block over its reference
+  double Rz[3];  ///< free directions of each block, row by row
 };
 
 /// One Newton step of the frozen partition, and consistent velocities.
 void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
   // Results that need no operation.
+  result.Rz[1] = 1.0;
   result.dz[Coordinate::coupler_pin] = 0.0;
   result.residual[1] = 0.0;
   result.residual[3] = 0.0;
@@ -255,22 +257,29 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   const double s2_9 = 1.0/s2_1;
   const double s2_10 = s2_3*s2_9;
   const double pivot_crank_pin = fms(s2_7, s2_10, s2_5);
-  const double s2_11 = 1.0/pivot_crank_pin;
-  const double s2_12 = 3.999888870509994*std::abs(s2_1);
-  result.pivot[0] = mbgen::min(s2_12, 2.5*std::abs(pivot_crank_pin));
-  // operations: 10 add, 12 multiply, 2 divide, 3 other
+  const double s2_11 = fms(s2_4, s2_10, s2_2);
+  const double s2_12 = 1.0/pivot_crank_pin;
+  const double s2_13 = 3.999888870509994*std::abs(s2_1);
+  result.pivot[0] = mbgen::min(s2_13, 2.5*std::abs(pivot_crank_pin));
+  // operations: 11 add, 13 multiply, 2 divide, 3 other
 
   // --- step 4: velocities ---
   // loop block 0
+  const double s4_1 = s2_12*fma(s2_6, s2_10, s2_8);
+  result.dz[Coordinate::crank_pin] = -s4_1;
+  result.dz[Coordinate::rocker_pin] = -(s2_9*fms(s2_7, s4_1, s2_6));
+
+  // --- step 3: Rz (61) ---
+  const double s3_1 = s2_11*s2_12;
+  // loop block 0
+  result.Rz[0] = -s3_1;
+  const double s3_2 = s2_9*fms(s2_7, s3_1, s2_4);
+  result.Rz[2] = -s3_2;
+  // operations: 1 add, 3 multiply
   const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
-  const double s4_1 = zd_coupler_pin*s2_4;
-  const double s4_2 = s2_11*fma(s2_6, s2_10, s2_8);
-  result.dz[Coordinate::crank_pin] = -s4_2;
-  const double s4_3 = s2_11*fnma(s2_10, s4_1, zd_coupler_pin*s2_2);
-  result.zd[Coordinate::crank_pin] = s4_3;
-  result.zd[Coordinate::rocker_pin] = s2_9*fma(s2_7, s4_3, s4_1);
-  result.dz[Coordinate::rocker_pin] = -(s2_9*fms(s2_7, s4_2, s2_6));
-  // operations: 4 add, 10 multiply
+  result.zd[Coordinate::crank_pin] = -(zd_coupler_pin*s3_1);
+  result.zd[Coordinate::rocker_pin] = -(zd_coupler_pin*s3_2);
+  // operations: 2 add, 6 multiply
 }
 
 /// Result of compute_multipliers.

@@ -288,12 +288,14 @@ struct Closure {
   double dz[4];  ///< Newton correction; driven coordinates go to their motions
   double zd[4];  ///< consistent velocities
   double pivot[1];  ///< smallest pivot of each block over its reference
+  double Rz[2];  ///< free directions of each block, row by row
 };
 
 /// One Newton step of the frozen partition, and consistent velocities.
 void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
   // Results that need no operation.
+  result.Rz[1] = 1.0;
   result.dz[Coordinate::ball] = 0.0;
   result.dz[Coordinate::wheel] = 0.0;
   result.zd[Coordinate::pull] = 15.0;
@@ -334,10 +336,15 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   // operations: 11 add, 14 multiply, 1 divide, 1 other
 
   // --- step 4: velocities ---
-  // loop block 0
   result.dz[Coordinate::lower] = s2_9*s2_10;
-  result.zd[Coordinate::lower] = -(s2_10*(state.zd[Coordinate::ball]*s2_7));
-  // operations: 3 multiply
+
+  // --- step 3: Rz (61) ---
+  const double s3_1 = s2_7*s2_10;
+  // loop block 0
+  result.Rz[0] = -s3_1;
+  // operations: 1 multiply
+  result.zd[Coordinate::lower] = -(state.zd[Coordinate::ball]*s3_1);
+  // operations: 2 multiply
 }
 
 /// Result of compute_multipliers.

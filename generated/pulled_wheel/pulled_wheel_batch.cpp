@@ -325,13 +325,15 @@ struct ClosureOf {
   Lanes dz[4];  ///< Newton correction; driven coordinates go to their motions
   Lanes zd[4];  ///< consistent velocities
   Lanes pivot[1];  ///< smallest pivot of each block over its reference
+  Lanes Rz[2];  ///< free directions of each block, row by row
 };
 using Closure = ClosureOf<Lanes>;
 
 /// Part 1 of compute_closure: step 1: poses and axes b; step 2: closure Jacobian Phi_z and its
-/// factors (60); step 4: velocities.
+/// factors (60); step 4: velocities; step 3: Rz (61).
 [[gnu::noinline]] void compute_closure_1(const State& state, Closure& __restrict result) noexcept {
   // Results that need no operation.
+  result.Rz[1] = Lanes{} + 1.0;
   result.dz[Coordinate::ball] = Lanes{} + 0.0;
   result.dz[Coordinate::wheel] = Lanes{} + 0.0;
   result.zd[Coordinate::pull] = Lanes{} + 15.0;
@@ -363,19 +365,25 @@ using Closure = ClosureOf<Lanes>;
   const Lanes s2_8 = s2_7 + fma(r_knuckle_x, s2_6, s1_1*s2_5);
   const Lanes s2_9 = 0.5*fma(s2_4, s2_6, fms(s2_3, s2_5, l_upper));
   result.residual[0] = s2_9;
-
-  // --- step 4: velocities ---
   result.pivot[0] = 4.409001792788769*mbgen::abs(s2_8);
   const Lanes s2_10 = 1.0/s2_8;
+
+  // --- step 4: velocities ---
   result.dz[Coordinate::lower] = s2_9*s2_10;
-  result.zd[Coordinate::lower] = -(s2_10*(state.zd[Coordinate::ball]*s2_7));
+
+  // --- step 3: Rz (61) ---
+  const Lanes s3_1 = s2_7*s2_10;
+  // loop block 0
+  result.Rz[0] = -s3_1;
+  result.zd[Coordinate::lower] = -(state.zd[Coordinate::ball]*s3_1);
   const Lanes s1_3 = fms(15.0, state.t, state.z[Coordinate::pull]);
   result.residual[1] = s1_3;
   result.dz[Coordinate::pull] = s1_3;
   // operations of step 1: poses and axes b: 5 add, 5 multiply, 4 sin cos
-  // operations of step 4: velocities: 3 multiply
+  // operations of step 4: velocities: 2 multiply
   // operations of step 2: closure Jacobian Phi_z and its factors (60): 11 add, 14 multiply, 1
   // divide, 1 other
+  // operations of step 3: Rz (61): 1 multiply
 }
 
 /// One Newton step of the frozen partition, and consistent velocities.
@@ -712,8 +720,10 @@ struct System {
   static constexpr bool kHasClosure = true;
   static constexpr int kDrives = 1;
   static constexpr double kClosureTolerance = 1e-12;
+  static constexpr int kBlockCoordinates = 2;
   static constexpr unsigned char kDriven[] = {1, 0, 0, 0};
   static constexpr unsigned char kRedundant[] = {0};
+  static constexpr mbgen::BlockLayout kBlockLayout[] = {{1, 2, 1, 1, 0, 0, 0, 0, 0.23}};
   static constexpr int kBlockCoordinate[] = {1, 2};
   using Accelerations = lanes::AccelerationsOf<Row>;
   static constexpr auto accelerations = &lanes::compute_accelerations;

@@ -46,6 +46,7 @@ TEST(EmittedFiles, areFiveAndTheHeadersTheyInclude) {
                                                  "mbgen/blocks.hpp",
                                                  "mbgen/charts.hpp",
                                                  "mbgen/closure.hpp",
+                                                 "mbgen/corrections.hpp",
                                                  "mbgen/driver.hpp",
                                                  "mbgen/elementary.hpp",
                                                  "mbgen/exponential.hpp",

@@ -152,27 +152,38 @@ typename System::Mask accept(const typename System::Closure& closure, const type
   return (largest_residual<System>(closure, 1) <= kRedundantTolerance<double>)&is_finite(total);
 }
 
-/// Lanes in which every block is hardly corrected, see is_slight of closure.hpp.
+/// Lanes in which a block is hardly corrected, see is_slight of closure.hpp.
 template <class System>
-typename System::Mask is_slight(const typename System::State& state, const typename System::Closure& closure) noexcept {
+typename System::Mask is_slight(const BlockLayout& block, const typename System::State& state,
+                                const typename System::Closure& closure) noexcept {
   constexpr double limit = kSlightCorrection<double> * System::kClosureTolerance;
   typename System::Mask slight = every_lane<System>();
-  for (int i = 0; i < System::kCoordinates; ++i) {
+  for (int c = block.first_coordinate; c < block.first_coordinate + block.coordinates; ++c) {
+    const int i = System::kBlockCoordinate[c];
     slight &= (mbgen::abs(closure.dz[i]) <= limit) & (mbgen::abs(closure.zd[i] - state.zd[i]) <= limit);
   }
   return slight;
 }
 
-/// Lanes that the frozen partition corrects as the scalar solver does, see is_watched and is_replaced of closure.hpp.
-template <class System, solver_detail::Correction correction>
-typename System::Mask frozen_serves(const typename System::State& state,
-                                    const typename System::Closure& closure) noexcept {
-  const typename System::Mask far = pivots_reach<System>(closure.pivot, kNearSingular<double>);
-  if constexpr (correction == solver_detail::Correction::in_steps && kChoosesAgain<System>) {
-    const typename System::Mask fair = pivots_reach<System>(closure.pivot, kFairPivot<double>);
-    if (bits_of(far & ~fair) != 0) return far & (fair | is_slight<System>(state, closure));
+/// Shortens dz and zd of the blocks and lanes whose frozen partition is not a fair choice, see is_unfair of
+/// closure.hpp. open: lanes that matter.
+template <class System>
+void shorten_unfair(const typename System::Mask& open, const typename System::State& state,
+                    typename System::Closure& closure) noexcept {
+  for (int b = 0; b < System::kBlocks; ++b) {
+    const BlockLayout& block = System::kBlockLayout[b];
+    typename System::Mask unfair = open & (closure.pivot[b] < kFairPivot<double>);
+    if (block.free == 0 || bits_of(unfair) == 0) continue;
+    unfair &= ~is_slight<System>(block, state, closure);
+    if (bits_of(unfair) == 0) continue;
+    const solver_detail::ShortestCorrection<System> shortest(b, state, closure);
+    for (int c = 0; c < block.coordinates; ++c) {
+      const int i = System::kBlockCoordinate[block.first_coordinate + c];
+      if (System::kDriven[i] != 0) continue;
+      take(unfair, shortest.dz[c], closure.dz[i]);
+      take(unfair, state.zd[i] + shortest.dzd[c], closure.zd[i]);
+    }
   }
-  return far;
 }
 
 /// Newton on z and t of `trial`, far from singular positions; at the end its velocities are consistent. wanted: lanes
@@ -187,7 +198,9 @@ typename System::Mask close_lanes(const ParametersOf<System>& parameters, const 
   Row previous = Row{} + std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration <= kNewtonIterations && bits_of(open) != 0; ++iteration) {
     run_groups(System::closure, closure, parameters, inputs, trial);
-    open &= frozen_serves<System, correction>(trial, closure);
+    open &= pivots_reach<System>(closure.pivot, kNearSingular<double>);
+    if constexpr (correction == solver_detail::Correction::in_steps && kChoosesAgain<System>)
+      shorten_unfair<System>(open, trial, closure);
     const Row misfit = largest_residual<System>(closure, 0);
     const Row driven = largest_driven_step<System>(closure);
     const Row size = choose(driven > misfit, driven, misfit);

@@ -15,8 +15,9 @@
 //              kFreeDirection[direction] kMultiplierPlace[equation] kDriveCoordinate[motion]; kParameterMember
 //              kInputMember, null in place of none
 //   programs   accelerations, argument_sum; with a closure: closure, multipliers; with loops: closure_terms,
-//              chosen_accelerations. With kFrozenOnly there are no chosen_accelerations and no Projection, and
-//              closure_terms gives `rate` = Phi_z zd for Jz
+//              chosen_accelerations. closure gives the free directions Rz of the frozen partition, too. With
+//              kFrozenOnly there are no chosen_accelerations, no Projection and no Rz, and closure_terms gives
+//              `rate` = Phi_z zd for Jz
 
 #include <cmath>
 #include <initializer_list>
@@ -67,6 +68,7 @@ inline constexpr float kPivotThreshold<float> = 0.1f;
 /// Smallest pivot of a block, over its median, from which the frozen partition serves to correct the drift of a step:
 /// the cosine of an eighth of a turn, where of two coordinates the other one becomes the better pivot. Where the pivot
 /// is smaller, a correction of dependents alone moves the mechanism along its free directions by more than the drift.
+/// Then it is shortened by the free directions of the frozen partition, which below kNearSingular is chosen again.
 template <class Real>
 inline constexpr Real kFairPivot = Real(0.7);
 /// Corrections below this many closure tolerances are slight: so much the closures may be open.

@@ -5,77 +5,12 @@
 #include <limits>
 
 #include "mbgen/blocks.hpp"
+#include "mbgen/corrections.hpp"
 #include "mbgen/newton.hpp"
 
 namespace mbgen {
 
 namespace solver_detail {
-
-/// Which of all corrections of a block is taken.
-enum class Correction {
-  of_dependents,  ///< independent coordinates and velocities stay; frozen partition where it is good
-  in_steps,       ///< of dependents where the frozen choice is a fair one, else the shortest
-  shortest        ///< least sum of squares, which does not depend on a choice of coordinates
-};
-
-/// Largest number of free directions of a block, at least 1.
-template <class System>
-constexpr int most_free() noexcept {
-  int most = 1;
-  for (int b = 0; b < System::kBlocks; ++b) {
-    most = System::kBlockLayout[b].free > most ? System::kBlockLayout[b].free : most;
-  }
-  return most;
-}
-
-/// Memory for the corrections of one block.
-template <class System>
-struct CorrectionWork {
-  using Real = RealOf<System>;
-  BlockFactors<System> factors;
-  typename System::Projection projection;
-  Real gram[most_free<System>() * most_free<System>()];
-  Real along[most_free<System>()];
-  Real right_hand_side[System::kEquations];
-  Real solution[System::kBlockCoordinates];
-};
-
-/// dz and zd of block b by its factors: of dependents, or else the shortest. Driven coordinates take the position and
-/// velocity of their motions.
-template <class System, Correction correction>
-void correct_block(int b, const LoopFactorsOf<RealOf<System>>& loop, const typename System::ClosureTerms& terms,
-                   const typename System::State& state, CorrectionWork<System>& work,
-                   typename System::Closure& closure) noexcept {
-  const BlockLayout& block = System::kBlockLayout[b];
-  const int* coordinate = System::kBlockCoordinate + block.first_coordinate;
-  constexpr bool is_shortest = correction != Correction::of_dependents;
-  const auto shortened = [&] {
-    if constexpr (is_shortest) {
-      shorten(loop.coordinates, block.free, work.projection.Rz + block.first_projection, work.gram, work.along,
-              work.solution);
-    }
-  };
-  if constexpr (is_shortest) {
-    free_directions(loop, System::kBlockDriven + block.first_coordinate, work.projection.Rz + block.first_projection,
-                    work.factors.work);
-  }
-  for (int e = 0; e < block.equations; ++e) work.right_hand_side[e] = -terms.Phi[block.first_equation + e];
-  for (int c = 0; c < block.coordinates; ++c) {
-    work.solution[c] = System::kDriven[coordinate[c]] != 0 ? closure.dz[coordinate[c]] : RealOf<System>(0);
-  }
-  solve_dependent(loop, work.right_hand_side, work.solution, work.factors.work);
-  shortened();
-  for (int c = 0; c < block.coordinates; ++c) closure.dz[coordinate[c]] = work.solution[c];
-
-  for (int c = 0; c < block.coordinates; ++c) {
-    work.solution[c] = System::kDriven[coordinate[c]] != 0 ? closure.zd[coordinate[c]] : state.zd[coordinate[c]];
-  }
-  for (int e = 0; e < block.equations; ++e) work.right_hand_side[e] = 0;
-  solve_dependent(loop, work.right_hand_side, work.solution, work.factors.work);
-  for (int c = 0; c < block.coordinates; ++c) work.solution[c] -= state.zd[coordinate[c]];
-  shortened();
-  for (int c = 0; c < block.coordinates; ++c) closure.zd[coordinate[c]] = state.zd[coordinate[c]] + work.solution[c];
-}
 
 /// Largest residual that ends Newton: the model's, as far as the precision has it.
 template <class System>
@@ -97,13 +32,19 @@ bool is_slight(int b, const typename System::State& state, const typename System
   return slight;
 }
 
+/// True when a step is not to correct the dependents of block b alone.
+template <class System, Correction correction>
+bool is_unfair(int b, const typename System::State& state, const typename System::Closure& closure) noexcept {
+  if (correction != Correction::in_steps || System::kBlockLayout[b].free == 0) return false;
+  return closure.pivot[b] < kFairPivot<RealOf<System>> && !is_slight<System>(b, state, closure);
+}
+
 /// True when a pivoted correction is to be taken in place of the one by the frozen partition.
 template <class System, Correction correction>
 bool is_replaced(int b, const typename System::State& state, const typename System::Closure& closure) noexcept {
   using Real = RealOf<System>;
   if (correction == Correction::shortest || !(closure.pivot[b] >= kPivotThreshold<Real>)) return true;
-  if (correction == Correction::of_dependents || System::kBlockLayout[b].free == 0) return false;
-  return closure.pivot[b] < kFairPivot<Real> && !is_slight<System>(b, state, closure);
+  return closure.pivot[b] < kNearSingular<Real> && is_unfair<System, correction>(b, state, closure);
 }
 
 /// True when block b may be near a singular position, or is to be looked at in any case.
@@ -112,15 +53,19 @@ bool is_watched(int b, const typename System::Closure& closure) noexcept {
   return correction == Correction::shortest || !(closure.pivot[b] >= kNearSingular<RealOf<System>>);
 }
 
-/// Replaces dz and zd of the blocks whose frozen partition is not good enough at this position, or of all of them for
-/// the shortest correction, by the corrections of a pivoted one. The status may be a notice. Fails: loop_singular.
+/// Shortens dz and zd of the blocks whose frozen partition is not a fair choice at this position, and replaces those of
+/// blocks where it is bad, or of all of them for the shortest correction, by the corrections of a pivoted one. The
+/// status may be a notice. Fails: loop_singular.
 template <class System, Correction correction>
 Status correct_closure(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                        const typename System::State& state, typename System::Closure& closure) noexcept {
   bool serves = true;
   for (int b = 0; b < System::kBlocks; ++b) {
-    serves =
-        serves && !is_watched<System, correction>(b, closure) && !is_replaced<System, correction>(b, state, closure);
+    if (is_watched<System, correction>(b, closure)) {
+      serves = false;
+    } else if (is_unfair<System, correction>(b, state, closure)) {
+      shorten_block<System>(b, state, closure);
+    }
   }
   if (serves) return {};
   typename System::ClosureTerms terms;
@@ -128,13 +73,12 @@ Status correct_closure(const typename System::Parameters& parameters, const type
   CorrectionWork<System> work;
   Status notice;
   for (int b = 0; b < System::kBlocks; ++b) {
-    const bool watched = is_watched<System, correction>(b, closure);
+    if (!is_watched<System, correction>(b, closure)) continue;
     const bool replaced = is_replaced<System, correction>(b, state, closure);
-    if (!watched && !replaced) continue;
     const BlockLayout& block = System::kBlockLayout[b];
     const LoopFactorsOf<RealOf<System>> loop = work.factors.factors_of(b, terms);
     if (loop.rank < block.rank) return {Code::loop_singular, b};
-    if (watched) notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), closure.pivot[b]));
+    notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), closure.pivot[b]));
     if (replaced) correct_block<System, correction>(b, loop, terms, state, work, closure);
   }
   return notice;

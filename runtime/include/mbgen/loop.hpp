@@ -217,32 +217,37 @@ inline void free_directions(const LoopFactorsOf<Real>& loop, const unsigned char
 
 /// Takes out of x what lies along the free directions: the shortest of all x that differ by them.
 /// rz: coordinates x free row by row, of full column rank; x: per coordinate; gram: free * free numbers; along: free.
+/// Real: a row of lanes as well.
 template <class Real>
 inline void shorten(int coordinates, int free, const Real* rz, Real* gram, Real* along, Real* x) noexcept {
   for (int p = 0; p < free; ++p) {
-    along[p] = 0;
-    for (int c = 0; c < coordinates; ++c) along[p] += rz[c * free + p] * x[c];
+    along[p] = Real{};
+    for (int c = 0; c < coordinates; ++c) along[p] = along[p] + rz[c * free + p] * x[c];
     for (int q = 0; q <= p; ++q) {
-      gram[p * free + q] = 0;
-      for (int c = 0; c < coordinates; ++c) gram[p * free + q] += rz[c * free + p] * rz[c * free + q];
+      gram[p * free + q] = Real{};
+      for (int c = 0; c < coordinates; ++c)
+        gram[p * free + q] = gram[p * free + q] + rz[c * free + p] * rz[c * free + q];
     }
   }
-  // Cholesky's factor in place of the lower triangle, then both substitutions.
+  // Factors L D L' in place of the lower triangle, then both substitutions: no square root, which lanes are slow at.
   for (int p = 0; p < free; ++p) {
-    for (int q = 0; q <= p; ++q) {
-      Real& entry = gram[p * free + q];
-      for (int k = 0; k < q; ++k) entry -= gram[p * free + k] * gram[q * free + k];
-      entry = p == q ? std::sqrt(entry) : entry / gram[q * free + q];
+    Real* row = gram + p * free;
+    for (int q = 0; q < p; ++q) {
+      for (int k = 0; k < q; ++k) row[q] = row[q] - row[k] * gram[q * free + k];
     }
-    for (int k = 0; k < p; ++k) along[p] -= gram[p * free + k] * along[k];
-    along[p] /= gram[p * free + p];
+    for (int k = 0; k < p; ++k) {
+      const Real factor = row[k] / gram[k * free + k];
+      row[p] = row[p] - factor * row[k];
+      row[k] = factor;
+      along[p] = along[p] - factor * along[k];
+    }
   }
   for (int p = free - 1; p >= 0; --p) {
-    for (int k = p + 1; k < free; ++k) along[p] -= gram[k * free + p] * along[k];
-    along[p] /= gram[p * free + p];
+    along[p] = along[p] / gram[p * free + p];
+    for (int k = p + 1; k < free; ++k) along[p] = along[p] - gram[k * free + p] * along[k];
   }
   for (int c = 0; c < coordinates; ++c) {
-    for (int p = 0; p < free; ++p) x[c] -= rz[c * free + p] * along[p];
+    for (int p = 0; p < free; ++p) x[c] = x[c] - rz[c * free + p] * along[p];
   }
 }
 
