@@ -3,7 +3,7 @@
 #   bench/beside.sh OTHER_MBGEN [MODEL.json...]
 # Default: the coach and the truck, with forces and as mechanisms. MBGEN: this one (build/release/mbgen), TURNS (60).
 # Columns: least processor time in microseconds of the other solver, of this one, and their ratio, for one evaluation,
-# one Runge-Kutta step, and one such step of an instance in eight lanes; largest difference of an acceleration.
+# one Runge-Kutta step, and both of an instance in eight lanes; largest difference of an acceleration.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/.." && pwd)
@@ -27,7 +27,8 @@ library() {
 }
 
 c++ -std=c++17 -O2 "$here/beside/turns.cpp" -o "$scratch/turns" -ldl
-printf '%-16s | %-24s | %-24s | %-24s | %s\n' 'other, this, ratio' 'one evaluation, us' 'one step, us' 'a step in lanes, us' deviation
+printf '%-18s | %-24s | %-24s | %-24s | %-24s | %s\n' 'other, this, ratio' 'one evaluation, us' 'one step, us' \
+  'evaluation in lanes, us' 'a step in lanes, us' deviation
 for model in "$@"; do
   library "$this" "$model" "$scratch/this"
   library "$other" "$model" "$scratch/other"

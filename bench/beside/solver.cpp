@@ -18,6 +18,8 @@ double tau[SOLVER::kCoordinates];
 SOLVER::batch::Parameters many_parameters;
 SOLVER::batch::Inputs many_inputs;
 SOLVER::batch::State many_states, many;
+SOLVER::batch::JointForces many_forces;
+SOLVER::batch::Derivative many_derivatives;
 
 /// From -0.5 to 0.5, the same numbers every time.
 double next_random() {
@@ -72,7 +74,12 @@ void step(int count) {
   }
 }
 
-/// count: of instances; a multiple of the lanes.
+/// count, here and below: of instances; a multiple of the lanes.
+void evaluate_in_lanes(int count) {
+  for (int k = 0; k < count / SOLVER::batch::kLanes; ++k)
+    (void)SOLVER::batch::accelerations(many_parameters, many_inputs, many_states, many_forces, many_derivatives);
+}
+
 void step_in_lanes(int count) {
   for (int k = 0; k < count / SOLVER::batch::kLanes; ++k) {
     if (k % kRestart == 0) many = many_states;

@@ -10,6 +10,7 @@
 
 namespace {
 
+constexpr int kFigures = 4;
 constexpr double kAgreement = 1e-9;  ///< of the largest acceleration
 
 struct Solver {
@@ -20,7 +21,7 @@ struct Solver {
   void (*make_states)();
   void (*load_states)();
   const double* (*accelerations_at)(int);
-  void (*figures[3])(int);
+  void (*figures[kFigures])(int);
 };
 
 Solver loaded(const char* path) {
@@ -42,7 +43,8 @@ Solver loaded(const char* path) {
   find(solver.accelerations_at, "accelerations_at");
   find(solver.figures[0], "evaluate");
   find(solver.figures[1], "step");
-  find(solver.figures[2], "step_in_lanes");
+  find(solver.figures[2], "evaluate_in_lanes");
+  find(solver.figures[3], "step_in_lanes");
   return solver;
 }
 
@@ -87,11 +89,11 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "the two solvers do not agree: %.1e\n", apart);
     return 1;
   }
-  constexpr int kCalls[] = {400, 100, 400};
-  double least[3][2];
-  std::fill_n(&least[0][0], 6, std::numeric_limits<double>::infinity());
+  constexpr int kCalls[kFigures] = {400, 100, 400, 400};
+  double least[kFigures][2];
+  std::fill_n(&least[0][0], 2 * kFigures, std::numeric_limits<double>::infinity());
   for (int turn = 0; turn < std::atoi(argv[3]); ++turn)
-    for (int figure = 0; figure < 3; ++figure)
+    for (int figure = 0; figure < kFigures; ++figure)
       for (int who = 0; who < 2; ++who) {
         both[who].figures[figure](kCalls[figure] / 4);
         const double start = seconds();
