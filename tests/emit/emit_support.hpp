@@ -149,6 +149,8 @@ inline Program bead_closure() {
   output(builder, Array::zd, 0, -(s.y / s.x) * s.yd);
   output(builder, Array::zd, 1, s.yd);
   output(builder, Array::pivot, 0, abs(s.x));
+  output(builder, {Array::Rz, 0}, 0, -(s.y / s.x));
+  output(builder, {Array::Rz, 0}, 1, Expr(1.0));
   return builder.finish_in_canonical_order();
 }
 
@@ -273,6 +275,8 @@ inline Example redundant_bead(double gap) {
     output(closure, Array::zd, 0, -(s.y / s.x) * s.yd);
     output(closure, Array::zd, 1, s.yd);
     output(closure, Array::pivot, 0, abs(s.x));
+    output(closure, {Array::Rz, 0}, 0, -(s.y / s.x));
+    output(closure, {Array::Rz, 0}, 1, Expr(1.0));
   }
   ProgramBuilder terms("closure_terms");
   const Symbols s(terms);
