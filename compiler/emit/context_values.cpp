@@ -5,6 +5,7 @@
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/host_ground.hpp"
 #include "compiler/model/inputs.hpp"
 

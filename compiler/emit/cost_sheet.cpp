@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/emit/mapped.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 #include "mbgen/worst_case.hpp"
 
 namespace mbgen {
