@@ -46,8 +46,7 @@ struct TyreContact {
   T turn = T(0);       ///< rad, deflection state about z, of a tyre with turning
 };
 
-/// Force and moment of a tyre on its wheel, at the contact point in contact axes, and the rates of its deflection
-/// states.
+/// Force and moment of a tyre on its wheel, at the contact point in contact axes; rates of its deflection states.
 template <class T>
 struct TyreResult {
   T load, fx, fy;  ///< N: along z, x, y; load >= 0
