@@ -37,7 +37,9 @@ std::vector<double> shortest(const BlockFactors& factors, const std::vector<doub
   std::vector<double> x(rz.size(), 0.0), flat, gram(static_cast<std::size_t>(free) * free), along(free);
   for (const std::vector<double>& row : rz) flat.insert(flat.end(), row.begin(), row.end());
   factors.solve(right_hand_side, x);
-  shorten(static_cast<int>(rz.size()), free, flat.data(), gram.data(), along.data(), x.data());
+  const int coordinates = static_cast<int>(rz.size());
+  factorise_gram(coordinates, free, flat.data(), gram.data());
+  shorten(coordinates, free, flat.data(), gram.data(), along.data(), x.data());
   return x;
 }
 

@@ -176,13 +176,8 @@ void shorten_unfair(const typename System::Mask& open, const typename System::St
     if (block.free == 0 || bits_of(unfair) == 0) continue;
     unfair &= ~is_slight<System>(block, state, closure);
     if (bits_of(unfair) == 0) continue;
-    const solver_detail::ShortestCorrection<System> shortest(b, state, closure);
-    for (int c = 0; c < block.coordinates; ++c) {
-      const int i = System::kBlockCoordinate[block.first_coordinate + c];
-      if (System::kDriven[i] != 0) continue;
-      take(unfair, shortest.dz[c], closure.dz[i]);
-      take(unfair, state.zd[i] + shortest.dzd[c], closure.zd[i]);
-    }
+    solver_detail::shorten_block<System>(b, state, closure,
+                                         [&](const auto& value, auto& to) { take(unfair, value, to); });
   }
 }
 

@@ -64,7 +64,7 @@ Status correct_closure(const typename System::Parameters& parameters, const type
     if (is_watched<System, correction>(b, closure)) {
       serves = false;
     } else if (is_unfair<System, correction>(b, state, closure)) {
-      shorten_block<System>(b, state, closure);
+      shorten_block<System>(b, state, closure, [](const auto& value, auto& to) { to = value; });
     }
   }
   if (serves) return {};

@@ -46,16 +46,14 @@ void correct_block(int b, const LoopFactorsOf<RealOf<System>>& loop, const typen
   const BlockLayout& block = System::kBlockLayout[b];
   const int* coordinate = System::kBlockCoordinate + block.first_coordinate;
   constexpr bool is_shortest = correction != Correction::of_dependents;
-  const auto shortened = [&] {
-    if constexpr (is_shortest) {
-      shorten(loop.coordinates, block.free, work.projection.Rz + block.first_projection, work.gram, work.along,
-              work.solution);
-    }
-  };
+  [[maybe_unused]] RealOf<System>* const rz = work.projection.Rz + block.first_projection;
   if constexpr (is_shortest) {
-    free_directions(loop, System::kBlockDriven + block.first_coordinate, work.projection.Rz + block.first_projection,
-                    work.factors.work);
+    free_directions(loop, System::kBlockDriven + block.first_coordinate, rz, work.factors.work);
+    factorise_gram(loop.coordinates, block.free, rz, work.gram);
   }
+  const auto shortened = [&] {
+    if constexpr (is_shortest) shorten(loop.coordinates, block.free, rz, work.gram, work.along, work.solution);
+  };
   for (int e = 0; e < block.equations; ++e) work.right_hand_side[e] = -terms.Phi[block.first_equation + e];
   for (int c = 0; c < block.coordinates; ++c) {
     work.solution[c] = System::kDriven[coordinate[c]] != 0 ? closure.dz[coordinate[c]] : RealOf<System>(0);
@@ -74,38 +72,29 @@ void correct_block(int b, const LoopFactorsOf<RealOf<System>>& loop, const typen
   for (int c = 0; c < block.coordinates; ++c) closure.zd[coordinate[c]] = state.zd[coordinate[c]] + work.solution[c];
 }
 
-/// Shortest corrections of a block by the free directions of its frozen partition, per coordinate. Real: a row of lanes
-/// as well.
-template <class System>
-struct ShortestCorrection {
-  using Real = RealOf<System>;
-  Real dz[System::kBlockCoordinates];
-  Real dzd[System::kBlockCoordinates];  ///< of velocities
-
-  /// Requires: pivots from kNearSingular on; of other lanes the numbers mean nothing.
-  ShortestCorrection(int b, const typename System::State& state, const typename System::Closure& closure) noexcept {
-    const BlockLayout& block = System::kBlockLayout[b];
-    const int* coordinate = System::kBlockCoordinate + block.first_coordinate;
-    for (int c = 0; c < block.coordinates; ++c) {
-      dz[c] = closure.dz[coordinate[c]];
-      dzd[c] = closure.zd[coordinate[c]] - state.zd[coordinate[c]];
-    }
-    const Real* rz = closure.Rz + block.first_projection;
-    Real gram[most_free<System>() * most_free<System>()], along[most_free<System>()];
-    shorten(block.coordinates, block.free, rz, gram, along, dz);
-    shorten(block.coordinates, block.free, rz, gram, along, dzd);
-  }
-};
-
-template <class System>
-void shorten_block(int b, const typename System::State& state, typename System::Closure& closure) noexcept {
-  const ShortestCorrection<System> shortest(b, state, closure);
+/// Shortens dz and zd of a block by the free directions of its frozen partition. put(value, to) replaces what is to be
+/// replaced, for rows some of the lanes. Requires: pivots from kNearSingular on, where it replaces.
+template <class System, class Put>
+void shorten_block(int b, const typename System::State& state, typename System::Closure& closure,
+                   const Put& put) noexcept {
+  using Real = RealOf<System>;  // a row of lanes as well
   const BlockLayout& block = System::kBlockLayout[b];
+  const int* coordinate = System::kBlockCoordinate + block.first_coordinate;
+  Real dz[System::kBlockCoordinates], dzd[System::kBlockCoordinates];
   for (int c = 0; c < block.coordinates; ++c) {
-    const int i = System::kBlockCoordinate[block.first_coordinate + c];
+    dz[c] = closure.dz[coordinate[c]];
+    dzd[c] = closure.zd[coordinate[c]] - state.zd[coordinate[c]];
+  }
+  const Real* rz = closure.Rz + block.first_projection;
+  Real gram[most_free<System>() * most_free<System>()], along[most_free<System>()];
+  factorise_gram(block.coordinates, block.free, rz, gram);
+  shorten(block.coordinates, block.free, rz, gram, along, dz);
+  shorten(block.coordinates, block.free, rz, gram, along, dzd);
+  for (int c = 0; c < block.coordinates; ++c) {
+    const int i = coordinate[c];
     if (System::kDriven[i] != 0) continue;
-    closure.dz[i] = shortest.dz[c];
-    closure.zd[i] = state.zd[i] + shortest.dzd[c];
+    put(dz[c], closure.dz[i]);
+    put(state.zd[i] + dzd[c], closure.zd[i]);
   }
 }
 

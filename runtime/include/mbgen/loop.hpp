@@ -215,23 +215,16 @@ inline void free_directions(const LoopFactorsOf<Real>& loop, const unsigned char
   }
 }
 
-/// Takes out of x what lies along the free directions: the shortest of all x that differ by them.
-/// rz: coordinates x free row by row, of full column rank; x: per coordinate; gram: free * free numbers; along: free.
-/// Real: a row of lanes as well.
+/// Factors L D L' of Rz' Rz in place of the lower triangle: no square root, which lanes are slow at.
+/// rz: coordinates x free row by row, of full column rank; gram: free * free numbers. Real: a row of lanes as well.
 template <class Real>
-inline void shorten(int coordinates, int free, const Real* rz, Real* gram, Real* along, Real* x) noexcept {
-  for (int p = 0; p < free; ++p) {
-    along[p] = Real{};
-    for (int c = 0; c < coordinates; ++c) along[p] = along[p] + rz[c * free + p] * x[c];
-    for (int q = 0; q <= p; ++q) {
-      gram[p * free + q] = Real{};
-      for (int c = 0; c < coordinates; ++c)
-        gram[p * free + q] = gram[p * free + q] + rz[c * free + p] * rz[c * free + q];
-    }
-  }
-  // Factors L D L' in place of the lower triangle, then both substitutions: no square root, which lanes are slow at.
+inline void factorise_gram(int coordinates, int free, const Real* rz, Real* gram) noexcept {
   for (int p = 0; p < free; ++p) {
     Real* row = gram + p * free;
+    for (int q = 0; q <= p; ++q) {
+      row[q] = Real{};
+      for (int c = 0; c < coordinates; ++c) row[q] = row[q] + rz[c * free + p] * rz[c * free + q];
+    }
     for (int q = 0; q < p; ++q) {
       for (int k = 0; k < q; ++k) row[q] = row[q] - row[k] * gram[q * free + k];
     }
@@ -239,8 +232,18 @@ inline void shorten(int coordinates, int free, const Real* rz, Real* gram, Real*
       const Real factor = row[k] / gram[k * free + k];
       row[p] = row[p] - factor * row[k];
       row[k] = factor;
-      along[p] = along[p] - factor * along[k];
     }
+  }
+}
+
+/// Takes out of x what lies along the free directions: the shortest of all x that differ by them.
+/// gram: of factorise_gram; x: per coordinate; along: free.
+template <class Real>
+inline void shorten(int coordinates, int free, const Real* rz, const Real* gram, Real* along, Real* x) noexcept {
+  for (int p = 0; p < free; ++p) {
+    along[p] = Real{};
+    for (int c = 0; c < coordinates; ++c) along[p] = along[p] + rz[c * free + p] * x[c];
+    for (int k = 0; k < p; ++k) along[p] = along[p] - gram[p * free + k] * along[k];
   }
   for (int p = free - 1; p >= 0; --p) {
     along[p] = along[p] / gram[p * free + p];
