@@ -31,12 +31,6 @@ double smooth(Op op, double a, double b, double c) {
   }
 }
 
-using Lanes = std::vector<std::array<Rounded, 2>>;
-
-Rounded operand_or_none(const Node& node, const Lanes& lanes, int k, std::size_t lane) {
-  return k < arity(node.op) ? lanes[node.operands[k]][lane] : Rounded{};
-}
-
 /// The value of an operation on rounded operands.
 Rounded rounded(const Node& node, const std::array<Rounded, 3>& given) {
   if (node.op == Op::constant) return {node.constant, kUnit * std::abs(node.constant)};
@@ -60,24 +54,16 @@ Rounded rounded(const Node& node, const std::array<Rounded, 3>& given) {
 }  // namespace
 
 std::vector<Rounded> rounded_values(const Program& program, std::span<const double> inputs) {
-  const std::vector<int> widths = widths_of(program);
-  Lanes lanes(program.nodes.size());
   std::vector<Rounded> all(program.nodes.size());
   for (std::size_t v = 0; v < all.size(); ++v) {
     const Node& node = program.nodes[v];
-    const auto operand = [&](int k, std::size_t lane) { return lanes[node.operands[k]][lane]; };
-    if (node.op == Op::input)
-      lanes[v][0].value = inputs[static_cast<std::size_t>(node.input)];
-    else if (node.op == Op::pack)
-      lanes[v] = {operand(0, 0), operand(1, 0)};
-    else if (node.op == Op::first_lane || node.op == Op::second_lane)
-      lanes[v][0] = operand(0, node.op == Op::first_lane ? 0 : 1);
-    else
-      for (std::size_t lane = 0; lane < (widths[v] == 2 ? 2 : 1); ++lane)
-        lanes[v][lane] = rounded(node, {operand_or_none(node, lanes, 0, lane), operand_or_none(node, lanes, 1, lane),
-                                        operand_or_none(node, lanes, 2, lane)});
-    if (widths[v] != 2) lanes[v][1] = lanes[v][0];
-    all[v] = widths[v] == 2 ? Rounded{std::numeric_limits<double>::quiet_NaN(), 0} : lanes[v][0];
+    if (node.op == Op::input) {
+      all[v].value = inputs[static_cast<std::size_t>(node.input)];
+      continue;
+    }
+    std::array<Rounded, 3> operands;
+    for (int k = 0; k < arity(node.op); ++k) operands[static_cast<std::size_t>(k)] = all[node.operands[k]];
+    all[v] = rounded(node, operands);
   }
   return all;
 }
