@@ -4,13 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
-
 #include "compiler/pairs/least_cut.hpp"
 #include "compiler/pairs/mirror_images.hpp"
-#include "compiler/passes/passes.hpp"
-#include "compiler/program/kinds.hpp"
+#include "tests/pairs/small_programs.hpp"
 
 namespace mbgen {
 namespace {
@@ -23,16 +19,6 @@ const std::vector<MirroredInput> kMirror = {{{Array::z, 0}, {Array::z, 1}, -1}, 
                                             {{Array::z, 2}, {Array::z, 3}, 1},  {{Array::z, 3}, {Array::z, 2}, 1},
                                             {{Array::z, 4}, {Array::z, 4}, 1},  {{Array::z, 5}, {Array::z, 5}, -1}};
 
-Program program_of(const std::function<std::vector<Expr>(const std::vector<Expr>&)>& body) {
-  ProgramBuilder builder("f");
-  std::vector<Expr> z;
-  for (int i = 0; i < 7; ++i) z.emplace_back(builder, builder.input(Array::z, i));
-  builder.set_section({Step::inertias});
-  int index = 0;
-  for (const Expr& y : body(z)) builder.output(Array::y, index++, y.value(builder));
-  return remove_dead_values(builder.finish());
-}
-
 /// What the mirror makes of each output.
 std::vector<MirrorImage> images_of_outputs(const Program& program) {
   const std::vector<MirrorImage> images = mirror_images(program, kMirror);
@@ -41,25 +27,8 @@ std::vector<MirrorImage> images_of_outputs(const Program& program) {
   return result;
 }
 
-/// Operations that are done on pairs, and on numbers.
-std::pair<int, int> pairs_and_numbers(const Program& program) {
-  const std::vector<int> widths = widths_of(program);
-  std::pair<int, int> counts{0, 0};
-  for (const ValueId v : live_operations(program)) {
-    const Op op = program.nodes[v].op;
-    if (op == Op::pack || op == Op::first_lane || op == Op::second_lane || op == Op::negate) continue;
-    ++(widths[v] == 2 ? counts.first : counts.second);
-  }
-  return counts;
-}
-
 void expect_same_values(const Program& program, const Program& other) {
-  std::vector<double> inputs;
-  for (const Slot& slot : program.inputs) inputs.push_back(0.3 + 0.17 * slot.index);
-  ASSERT_EQ(program.inputs, other.inputs);
-  const std::vector<double> expected = interpret(program, inputs), found = interpret(other, inputs);
-  for (std::size_t i = 0; i < expected.size(); ++i)
-    EXPECT_NEAR(found[i], expected[i], 1e-14 * (1 + std::abs(expected[i]))) << i;
+  expect_values(program, other, inputs_of(program, 0.17), 1e-14);
 }
 
 /// Enough operations on one side to be worth a pair.
@@ -148,9 +117,9 @@ TEST(FoldPairs, DoesBothSidesInLanes) {
   });
   const Program folded = fold_pairs(program, kMirror);
   expect_same_values(program, folded);
-  const auto [pairs, numbers] = pairs_and_numbers(folded);
-  EXPECT_EQ(numbers, 0);
-  EXPECT_EQ(2 * pairs, pairs_and_numbers(program).second);
+  const Counts found = counts_of(folded);
+  EXPECT_EQ(found.numbers, 0);
+  EXPECT_EQ(2 * found.pairs, counts_of(program).numbers);
   EXPECT_EQ(count_operations(folded).total(), count_operations(program).total());
   EXPECT_EQ(count_operations(unfolded(folded)).total(), count_operations(program).total());
 }

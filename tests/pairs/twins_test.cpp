@@ -2,13 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
-
 #include "compiler/pairs/pairs.hpp"
 #include "compiler/pairs/twin_values.hpp"
-#include "compiler/passes/passes.hpp"
-#include "compiler/program/kinds.hpp"
+#include "tests/pairs/small_programs.hpp"
 
 namespace mbgen {
 namespace {
@@ -16,45 +12,11 @@ namespace {
 /// z[0] and z[1] are inputs of twins, likewise z[2] and z[3]; z[4] and z[5] belong to both.
 const std::vector<TwinInput> kTwins = {{{Array::z, 0}, {Array::z, 1}}, {{Array::z, 2}, {Array::z, 3}}};
 
-Program program_with_parts(const std::function<std::vector<Expr>(const std::vector<Expr>&)>& body) {
-  ProgramBuilder builder("f");
-  std::vector<Expr> z;
-  for (int i = 0; i < 6; ++i) z.emplace_back(builder, builder.input(Array::z, i));
-  builder.set_section({Step::inertias});
-  int index = 0;
-  for (const Expr& y : body(z)) builder.output(Array::y, index++, y.value(builder));
-  return remove_dead_values(builder.finish());
-}
-
-struct Counts {
-  int pairs = 0, numbers = 0, packs = 0, lanes = 0;
-};
-
-Counts counts_of(const Program& program) {
-  const std::vector<int> widths = widths_of(program);
-  Counts counts;
-  for (const ValueId v : live_operations(program)) {
-    const Node& node = program.nodes[v];
-    if (node.op == Op::negate || is_constant_pair(program, node)) continue;
-    if (node.op == Op::pack)
-      ++counts.packs;
-    else if (node.op == Op::first_lane || node.op == Op::second_lane)
-      ++counts.lanes;
-    else
-      ++(widths[v] == 2 ? counts.pairs : counts.numbers);
-  }
-  return counts;
-}
-
 void expect_values_and_bits(const Program& program, const Program& other) {
-  ASSERT_EQ(program.inputs, other.inputs);
   for (const double scale : {0.17, -0.31}) {
-    std::vector<double> inputs;
-    for (const Slot& slot : program.inputs) inputs.push_back(0.3 + scale * slot.index);
-    const std::vector<double> expected = interpret(program, inputs), found = interpret(other, inputs);
-    for (std::size_t i = 0; i < expected.size(); ++i)
-      EXPECT_NEAR(found[i], expected[i], 1e-13 * (1 + std::abs(expected[i]))) << i;
-    EXPECT_EQ(found, interpret(unfolded(other), inputs));
+    const std::vector<double> inputs = inputs_of(program, scale);
+    expect_values(program, other, inputs, 1e-13);
+    EXPECT_EQ(interpret(other, inputs), interpret(unfolded(other), inputs));
   }
 }
 
@@ -77,7 +39,7 @@ Expr part(const Expr& a, const Expr& b, double number, double offset) {
 }
 
 TEST(FoldTwins, DoesBothPartsInLanesWithNumbersOfTheirOwn) {
-  const Program program = program_with_parts([](const auto& z) {
+  const Program program = program_of([](const auto& z) {
     return std::vector{part(z[0], z[2], 0.25, 1.5), part(z[1], z[3], 0.75, 2.5)};
   });
   const Program folded = expect_all_in_pairs(program);
@@ -86,7 +48,7 @@ TEST(FoldTwins, DoesBothPartsInLanesWithNumbersOfTheirOwn) {
 
 /// A difference of which one part takes the negative.
 Program program_of_signs() {
-  return program_with_parts([](const auto& z) {
+  return program_of([](const auto& z) {
     const auto one = [&](const Expr& difference, const Expr& b, double number) {
       Expr x = difference * b;
       for (int k = 0; k < 6; ++k) x = x * (difference * difference + number * (k + 1)) + difference * (b * b);
@@ -98,7 +60,7 @@ Program program_of_signs() {
 
 // The builder takes signs out of constants, so that one part adds where the other subtracts.
 TEST(FoldTwins, TakesSignsIntoConstants) {
-  const Program program = program_with_parts([](const auto& z) {
+  const Program program = program_of([](const auto& z) {
     return std::vector{part(z[0], z[2], 0.25, 1.5), part(z[1], z[3], -0.75, -2.5)};
   });
   expect_all_in_pairs(program);
@@ -113,7 +75,7 @@ TEST(FoldTwins, CarriesSignsOn) {
 }
 
 TEST(FoldTwins, SumsBothPartsInLanesOnce) {
-  const Program program = program_with_parts([](const auto& z) {
+  const Program program = program_of([](const auto& z) {
     const Expr one = part(z[0], z[2], 0.25, 1.5), other = part(z[1], z[3], 0.75, 2.5);
     return std::vector{one + z[4] + other, one * z[2] - z[5] - other * z[3]};
   });
@@ -124,7 +86,7 @@ TEST(FoldTwins, SumsBothPartsInLanesOnce) {
 
 // Each of two values of one part is alike to each of the other one; what one part takes of the other decides.
 TEST(FoldTwins, PartsTwinsThatNeedOneAnother) {
-  const Program program = program_with_parts([](const auto& z) {
+  const Program program = program_of([](const auto& z) {
     const Expr one = part(z[0], z[2], 0.25, 1.5);
     const Expr other = part(z[1], z[3] + one, 0.75, 2.5);
     const Expr last = part(z[0] * other, z[2], 0.25, 1.5);
@@ -144,12 +106,10 @@ TEST(FoldTwins, PartsTwinsThatNeedOneAnother) {
 }
 
 TEST(FoldTwins, LeavesWhatDoesNotPayAndPartsThatDiffer) {
-  const Program small = program_with_parts([](const auto& z) {
-    return std::vector{z[0] * z[2] + z[1] * z[3], z[4] * z[5]};
-  });
+  const Program small = program_of([](const auto& z) { return std::vector{z[0] * z[2] + z[1] * z[3], z[4] * z[5]}; });
   EXPECT_TRUE(fold_twins(small, kTwins).outputs.empty());
   EXPECT_TRUE(fold_twins(small, {}).outputs.empty());
-  const Program other = program_with_parts([](const auto& z) {
+  const Program other = program_of([](const auto& z) {
     Expr x = z[1];
     for (int k = 0; k < 20; ++k) x = sqrt(x / (z[3] - x) + 2.0);
     return std::vector{part(z[0], z[2], 0.25, 1.5), x};
@@ -158,7 +118,7 @@ TEST(FoldTwins, LeavesWhatDoesNotPayAndPartsThatDiffer) {
 }
 
 TEST(FoldTwins, PairsOnlyWhatIsEqualWhereOnePartHasMore) {
-  const Program program = program_with_parts([](const auto& z) {
+  const Program program = program_of([](const auto& z) {
     return std::vector{part(z[0], z[2], 0.25, 1.5), part(z[1] - 1.35, z[3], 0.75, 2.5) / z[3]};
   });
   const Program folded = fold_twins(program, kTwins);
@@ -169,7 +129,7 @@ TEST(FoldTwins, PairsOnlyWhatIsEqualWhereOnePartHasMore) {
 }
 
 TEST(FoldTwins, KeepsPassesAndLanesEqualToTheBit) {
-  const Program program = program_with_parts([](const auto& z) {
+  const Program program = program_of([](const auto& z) {
     return std::vector{part(z[0], sin(z[2]), 0.25, 1.5) / (z[4] * z[4] + 1.5),
                        part(z[1], sin(z[3]), 0.75, -2.5) / (z[4] * z[4] + 1.5)};
   });
