@@ -14,19 +14,24 @@ namespace mbgen {
 namespace {
 
 /// Names before they are made unique, for the function of an ArrayCall; no declaration.
-CallNames names_of_call(Op op) {
-  switch (op) {
-    case Op::atan:
-      return {"mbgen::arc_tangents", "tangents", "", {"arcs"}, "", {}};
-    case Op::exp:
-      return {"mbgen::exponentials", "exponents", "", {"exponentials"}, "", {}};
-    case Op::tanh:
-      return {"mbgen::hyperbolic_tangents", "arguments", "", {"hyperbolic_tangents"}, "", {}};
-    case Op::pow:
-      return {"mbgen::powers", "bases", "exponents", {"powers"}, "", {}};
-    default:
+CallNames names_of_call(ArrayFunction function) {
+  switch (function) {
+    case ArrayFunction::sine_and_cosine:
       return {"mbgen::sincos", "angles", "", {"sines", "cosines"}, "", {}};
+    case ArrayFunction::sine:
+      return {"mbgen::sines", "angles", "", {"sines"}, "", {}};
+    case ArrayFunction::cosine:
+      return {"mbgen::cosines", "angles", "", {"cosines"}, "", {}};
+    case ArrayFunction::arc_tangent:
+      return {"mbgen::arc_tangents", "tangents", "", {"arcs"}, "", {}};
+    case ArrayFunction::exponential:
+      return {"mbgen::exponentials", "exponents", "", {"exponentials"}, "", {}};
+    case ArrayFunction::hyperbolic_tangent:
+      return {"mbgen::hyperbolic_tangents", "arguments", "", {"hyperbolic_tangents"}, "", {}};
+    case ArrayFunction::power:
+      return {"mbgen::powers", "bases", "exponents", {"powers"}, "", {}};
   }
+  throw std::logic_error("no such function");
 }
 
 }  // namespace
@@ -81,7 +86,7 @@ void ValueTexts::name_calls() {
   crossing_calls.erase(-1);
   if (!crossing_calls.empty()) add_crossing();
   for (std::size_t c = 0; c < calls.size(); ++c) {
-    CallNames names = names_of_call(calls[c].op);
+    CallNames names = names_of_call(calls[c].function);
     names.arguments = names_.unique(names.arguments);
     if (!names.exponents.empty()) names.exponents = names_.unique(names.exponents);
     for (std::string& array : names.results) {

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -14,10 +16,35 @@ namespace {
 using Range = std::span<const ValueId>;
 using Arguments = std::array<ValueId, 2>;  ///< the second is kNoValue for functions of one
 
-/// The function that a call for many arguments has for an operation; constant for those that have none.
-Op called_function(Op op) {
-  if (op == Op::sin || op == Op::cos) return Op::sin;
-  return op == Op::atan || op == Op::exp || op == Op::tanh || op == Op::pow ? op : Op::constant;
+/// The function that a call for many arguments has for an operation.
+std::optional<ArrayFunction> called_function(Op op) {
+  switch (op) {
+    case Op::sin:
+    case Op::cos:
+      return ArrayFunction::sine_and_cosine;
+    case Op::atan:
+      return ArrayFunction::arc_tangent;
+    case Op::exp:
+      return ArrayFunction::exponential;
+    case Op::tanh:
+      return ArrayFunction::hyperbolic_tangent;
+    case Op::pow:
+      return ArrayFunction::power;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Sines, or cosines, of angles that have no value of the other kind in the program, see Gathering::of_vectors.
+std::vector<bool> found_alone(const Program& program) {
+  std::set<std::pair<Op, ValueId>> found;
+  for (const Node& node : program.nodes)
+    if (node.op == Op::sin || node.op == Op::cos) found.insert({node.op, node.operands[0]});
+  std::vector<bool> is_alone;
+  for (const Node& node : program.nodes)
+    is_alone.push_back((node.op == Op::sin && !found.contains({Op::cos, node.operands[0]})) ||
+                       (node.op == Op::cos && !found.contains({Op::sin, node.operands[0]})));
+  return is_alone;
 }
 
 /// What is known of the values of the range at hand. Members by value id; the others of the program are not looked
@@ -28,7 +55,8 @@ struct Levels {
   std::vector<int> level;       ///< calls, one after the other, that the value waits for; its own too
   std::vector<int> least;       ///< that a value of a call waits for though it needs not
   Gathering gathering;
-  std::vector<int> widths;  ///< numbers in each value
+  std::vector<int> widths;     ///< numbers in each value
+  std::vector<bool> is_alone;  ///< a sine, or a cosine, that a call of its own computes
 };
 
 /// Arguments of one call, before it is split, with the values that it computes for each.
@@ -37,7 +65,13 @@ struct Group {
   std::vector<std::vector<ValueId>> values;  ///< per argument
 };
 
-using Groups = std::map<std::pair<int, Op>, Group>;  ///< by level and function
+using Groups = std::map<std::pair<int, ArrayFunction>, Group>;  ///< by level and function
+
+ArrayFunction function_of(const Program& program, const Levels& levels, ValueId v) {
+  const Op op = program.nodes[v].op;
+  if (levels.is_alone[v]) return op == Op::sin ? ArrayFunction::sine : ArrayFunction::cosine;
+  return *called_function(op);
+}
 
 void find_levels(const Program& program, Range range, Levels& levels) {
   for (const ValueId v : range) {
@@ -53,11 +87,11 @@ void find_levels(const Program& program, Range range, Levels& levels) {
 
 Groups groups_of(const Program& program, Range range, const Levels& levels) {
   Groups groups;
-  std::map<std::pair<int, Op>, std::map<Arguments, std::size_t>> place_of;
+  std::map<std::pair<int, ArrayFunction>, std::map<Arguments, std::size_t>> place_of;
   for (const ValueId v : range) {
     if (!levels.is_called[v]) continue;
     const Node& node = program.nodes[v];
-    const std::pair<int, Op> key{levels.level[v], called_function(node.op)};
+    const std::pair key{levels.level[v], function_of(program, levels, v)};
     Group& group = groups[key];
     const Arguments arguments = {node.operands[0], node.operands[1]};
     const auto [place, is_new] = place_of[key].try_emplace(arguments, group.arguments.size());
@@ -92,8 +126,8 @@ bool wait_for_later(const Program& program, Range range, const Groups& groups, L
     for (const auto& values : group->second.values)
       for (const ValueId v : values) until = std::min(until, latest[v]);
     const auto later = std::find_if(std::next(group), groups.end(), [&](const auto& entry) {
-      const auto& [level, op] = entry.first;
-      return op == group->first.second && level > group->first.first && level <= until;
+      const auto& [level, function] = entry.first;
+      return function == group->first.second && level > group->first.first && level <= until;
     });
     if (later == groups.end()) continue;
     for (const auto& values : group->second.values)
@@ -106,7 +140,10 @@ bool wait_for_later(const Program& program, Range range, const Groups& groups, L
 /// Groups that are large enough: the values of the others are computed alone, which may bring later ones together.
 Groups settle(const Program& program, Range range, Levels& levels) {
   const bool of_vectors = levels.gathering == Gathering::of_vectors;
-  const std::size_t fewest = of_vectors ? 2 : kFewestInLanes;
+  const auto fewest_of = [&](ArrayFunction function) -> std::size_t {
+    if (function == ArrayFunction::sine || function == ArrayFunction::cosine) return 1;
+    return of_vectors ? 2 : kFewestInLanes;
+  };
   while (true) {
     find_levels(program, range, levels);
     Groups groups = groups_of(program, range, levels);
@@ -114,7 +151,7 @@ Groups settle(const Program& program, Range range, Levels& levels) {
     const auto small = std::ranges::find_if(groups, [&](const auto& entry) {
       std::size_t entries = 0;
       for (const auto& values : entry.second.values) entries += static_cast<std::size_t>(levels.widths[values[0]]);
-      return entries < fewest;
+      return entries < fewest_of(entry.first.second);
     });
     if (small == groups.end()) return groups;
     for (const auto& values : small->second.values) {
@@ -151,10 +188,10 @@ class NewOrder {
     for (std::size_t i = found.size(); i-- > 0;) add(found[i]);
   }
 
-  void add_calls(Op op, const Group& group) {
+  void add_calls(ArrayFunction function, const Group& group) {
     for (std::size_t a = 0; a < group.arguments.size(); ++a) {
       if (a == 0 || result_.calls.back().entries + widths_[group.values[a][0]] > kMostInLanes)
-        result_.calls.push_back({op, {}, {}});
+        result_.calls.push_back({function, {}, {}});
       ArrayCall& call = result_.calls.back();
       for (const ValueId v : group.values[a]) {
         result_.place[v] = {static_cast<int>(result_.calls.size()) - 1, call.entries};
@@ -162,7 +199,7 @@ class NewOrder {
       }
       call.arguments.push_back(group.arguments[a][0]);
       call.entries += widths_[group.values[a][0]];
-      if (op == Op::pow) call.exponents.push_back(group.arguments[a][1]);
+      if (function == ArrayFunction::power) call.exponents.push_back(group.arguments[a][1]);
     }
   }
 
@@ -206,7 +243,7 @@ template <class IsCandidate>
 void gather(const Program& program, std::span<ValueId> range, Levels& levels, ArrayCalls& result,
             IsCandidate is_candidate) {
   for (const ValueId v : range) {
-    const bool is_free = called_function(program.nodes[v].op) != Op::constant && result.place[v].call < 0;
+    const bool is_free = called_function(program.nodes[v].op).has_value() && result.place[v].call < 0;
     levels.is_here[v] = true;
     levels.is_called[v] = is_free && is_candidate(v);
   }
@@ -248,7 +285,8 @@ ArrayCalls gather_calls(const Program& program, std::vector<ValueId>& order, Gat
                 std::vector<int>(count, 0),
                 std::vector<int>(count, 0),
                 gathering,
-                widths_of(program)};
+                widths_of(program),
+                gathering == Gathering::of_vectors ? found_alone(program) : std::vector<bool>(count, false)};
   for (int& width : levels.widths) width = std::max(width, 1);
   gather_given(program, order, levels, result);
   const auto section_of = [&](std::size_t i) { return program.nodes[order[i]].section; };

@@ -12,11 +12,14 @@ constexpr std::size_t kFewestInLanes = 4;
 /// More arguments than this are split into several calls: their values stay in one part of the program.
 constexpr int kMostInLanes = 64;
 
+/// What a call computes of each argument.
+enum class ArrayFunction { sine_and_cosine, sine, cosine, arc_tangent, exponential, hyperbolic_tangent, power };
+
 /// One call. Its values stand one after the other in the order of the program.
 struct ArrayCall {
-  Op op = Op::sin;  ///< sin: sine and cosine of each argument; atan, exp, tanh, pow
+  ArrayFunction function = ArrayFunction::sine_and_cosine;
   std::vector<ValueId> arguments;
-  std::vector<ValueId> exponents;  ///< of pow
+  std::vector<ValueId> exponents;  ///< of powers
   int entries = 0;                 ///< numbers among the arguments: a pair is two
 };
 
@@ -35,7 +38,8 @@ struct ArrayCalls {
 enum class Gathering {
   in_lanes,   ///< of kFewestInLanes arguments or more: fewer are as fast alone
   of_vectors  ///< of two or more, each a vector that needs no others: a call is a loop, so that its text stands there
-              ///< once. Functions wait for later ones of their kind where nothing needs them before
+              ///< once. Functions wait for later ones of their kind where nothing needs them before; sines whose
+              ///< cosines nobody needs, and cosines likewise, are calls of their own
 };
 
 /// Brings elementary functions of a section together in `order`, as far as none needs another: first what

@@ -112,14 +112,19 @@ if __name__ == '__main__':
     edge = (pi / 4 * (1 + mpf(2) ** -20)) ** 2
     show('sin', *rounded(sin_rest, lambda z: z * sqrt(z) / sin(sqrt(z)), TINY, edge, 6))
     show('cos', *rounded(cos_rest, lambda z: z * z / cos(sqrt(z)), TINY, edge, 6))
-    show('atan', *rounded(atan_rest, lambda z: z * sqrt(z) / atan(sqrt(z)), TINY, mpf(1), 20))
+    half_turn = (pi / 2 * (1 + mpf(2) ** -20)) ** 2
+    show('sin alone', *rounded(sin_rest, lambda z: z * sqrt(z) / sin(sqrt(z)), TINY, half_turn, 8))
+    half = (1 + mpf(2) ** -20) / 4
+    show('atan', *rounded(atan_rest, lambda z: z * sqrt(z) / atan(sqrt(z)), TINY, half, 12))
     edge = (log(2) / 2 * (1 + mpf(2) ** -20)) ** 2
     show('exp, even powers', *rounded(cosh_rest, lambda z: sqrt(z), TINY, edge, 6))
     show('exp, odd powers', *rounded(sinh_rest, lambda z: z, TINY, edge, 5))
     edge = ((sqrt(2) - 1) / (sqrt(2) + 1)) ** 2 * (1 + mpf(2) ** -20)
     show('log', *rounded(log_rest, lambda z: z * sqrt(z) / atanh(sqrt(z)) / 2, TINY, edge, 9))
-    print('pi/2:')
+    print('pi/2, pi/2 for fused products, and what a double lacks of it:')
     parts(pi / 2, (33, 33, 33, 53))
+    parts(pi / 2, (53, 33, 53))
+    print("   ", float((pi - mpf(float(pi))) / pi).hex())
     print('log(2):')
     parts(log(2), (32, 53))
 

@@ -154,8 +154,8 @@ TEST(Schedules, gatherWhatOneCallAfterTheOtherNeeds) {
   for (const ValueId v : scheduled.order) ops += std::string(op_name(program.nodes[v].op)) + " ";
   EXPECT_EQ(ops, "mul mul mul mul atan atan atan atan mul mul mul mul sin sin sin sin ");
   ASSERT_EQ(scheduled.calls.calls.size(), 2u);
-  EXPECT_EQ(scheduled.calls.calls[0].op, Op::atan);
-  EXPECT_EQ(scheduled.calls.calls[1].op, Op::sin);
+  EXPECT_EQ(scheduled.calls.calls[0].function, ArrayFunction::arc_tangent);
+  EXPECT_EQ(scheduled.calls.calls[1].function, ArrayFunction::sine_and_cosine);
 }
 
 TEST(EmittedProgram, refusesSlotsThatHaveNoPlace) {

@@ -64,7 +64,8 @@ TEST(EmittedFiles, areFiveAndTheHeadersTheyInclude) {
                                                  "mbgen/solver.hpp",
                                                  "mbgen/states.hpp",
                                                  "mbgen/status.hpp",
-                                                 "mbgen/step_clock.hpp"}));
+                                                 "mbgen/step_clock.hpp",
+                                                 "mbgen/vector_instructions.hpp"}));
 }
 
 TEST(EmittedFiles, beginWithTheirBanner) {

@@ -56,6 +56,43 @@ TEST(SineAndCosine, areWithinOneUnitInTheLastPlace) {
   EXPECT_LE(largest_cosine, 1.0);
 }
 
+/// The sine or the cosine alone, by the function for many angles.
+template <class T>
+T sine_alone(const T& angle) {
+  const T angles[1] = {angle};
+  T values[1];
+  sines(angles, values);
+  return values[0];
+}
+template <class T>
+T cosine_alone(const T& angle) {
+  const T angles[1] = {angle};
+  T values[1];
+  cosines(angles, values);
+  return values[0];
+}
+
+TEST(SineOrCosineAlone, isWithinTwoUnitsInTheLastPlace) {
+  double largest_sine = 0, largest_cosine = 0;
+  for (const double angle : angles()) {
+    const long double exact = angle;
+    largest_sine = std::max(largest_sine, error_in_ulp(sine_alone(angle), std::sin(exact)));
+    largest_cosine = std::max(largest_cosine, error_in_ulp(cosine_alone(angle), std::cos(exact)));
+  }
+  std::printf("largest errors: sine %.3f ulp, cosine %.3f ulp\n", largest_sine, largest_cosine);
+  EXPECT_LE(largest_sine, 2.0);
+  EXPECT_LE(largest_cosine, 2.0);
+}
+
+TEST(SineOrCosineAlone, isTheLibrarysBeyondTheReduction) {
+  for (const double angle : {std::nextafter(kLargestAngle, 1e9), -3e7, 1e22, 1e300}) {
+    EXPECT_EQ(sine_alone(angle), std::sin(angle));
+    EXPECT_EQ(cosine_alone(angle), std::cos(angle));
+  }
+  for (const double angle : {INFINITY, -INFINITY, NAN})
+    EXPECT_TRUE(std::isnan(sine_alone(angle)) && std::isnan(cosine_alone(angle))) << angle;
+}
+
 TEST(SineAndCosine, areTheLibrarysBeyondTheReduction) {
   for (const double angle : {std::nextafter(kLargestAngle, 1e9), -3e7, 1e22, 1e300}) {
     double s = 0, c = 0;
@@ -90,6 +127,28 @@ void expect_same_bits_of(const std::vector<double>& all) {
       sincos(four, s4, c4);
       const double s2 = s4[2], c2 = c4[2];
       ASSERT_TRUE(same_bits(s, s2) && same_bits(c, c2)) << angle[i];
+    }
+  }
+}
+
+TEST(SineOrCosineAlone, hasTheSameBitsInVectorsAndInArrays) {
+  typedef double Eight __attribute__((vector_size(64)));
+  std::vector<double> some = {1e7, 0.3, NAN, -2.0, INFINITY, 1e22, 0.7, -0.7, 2.5, 1e6, -1e7, 0.1};
+  const std::vector<double> all = angles();
+  for (std::size_t i = 0; i < all.size(); i += 101) some.push_back(all[i]);
+  for (std::size_t first = 0; first + 9 <= some.size(); first += 7) {
+    const double numbers[3] = {some[first], some[first + 1], some[first + 2]};
+    Eight eight{};
+    for (int lane = 0; lane < 8; ++lane) eight[lane] = some[first + static_cast<std::size_t>(lane) + 1];
+    double s[3], c[3];
+    sines(numbers, s);
+    cosines(numbers, c);
+    const Eight s8 = sine_alone(eight), c8 = cosine_alone(eight);
+    for (int k = 0; k < 3; ++k)
+      ASSERT_TRUE(same_bits(s[k], sine_alone(numbers[k])) && same_bits(c[k], cosine_alone(numbers[k]))) << numbers[k];
+    for (int lane = 0; lane < 8; ++lane) {
+      const double angle = eight[lane], s1 = s8[lane], c1 = c8[lane];
+      ASSERT_TRUE(same_bits(s1, sine_alone(angle)) && same_bits(c1, cosine_alone(angle))) << angle;
     }
   }
 }

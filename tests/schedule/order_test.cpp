@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 #include "compiler/program/kinds.hpp"
@@ -89,12 +90,12 @@ TEST(FewestAlive, OneCallForManyArgumentsStaysOne) {
   EXPECT_EQ(found.calls.calls[0].arguments.size(), 4u);
 }
 
-/// cos a, atan b, cos(atan b): what the first cosine gives is needed last.
+/// tanh a, atan b, tanh(atan b): what the first of them gives is needed last.
 TEST(Schedule, AVectorsFunctionWaitsForALaterOneOfItsKind) {
   ProgramBuilder builder("f");
   const ValueId a = builder.append(Op::sqrt, builder.input(Array::z, 0));
   const ValueId b = builder.append(Op::sqrt, builder.input(Array::z, 1));
-  const ValueId early = builder.append(Op::cos, a), late = builder.append(Op::cos, builder.append(Op::atan, b));
+  const ValueId early = builder.append(Op::tanh, a), late = builder.append(Op::tanh, builder.append(Op::atan, b));
   builder.output(Array::zdd, 0, builder.append(Op::multiply, early, late));
   const Program program = builder.finish();
   EXPECT_TRUE(schedule(program).calls.calls.empty());
@@ -107,9 +108,27 @@ TEST(Schedule, AVectorsFunctionWaitsForALaterOneOfItsKind) {
 
 TEST(Schedule, AVectorsFunctionDoesNotWaitForOneThatNeedsIt) {
   ProgramBuilder builder("f");
-  const ValueId first = builder.append(Op::cos, builder.append(Op::sqrt, builder.input(Array::z, 0)));
-  builder.output(Array::zdd, 0, builder.append(Op::cos, builder.append(Op::atan, first)));
+  const ValueId first = builder.append(Op::tanh, builder.append(Op::sqrt, builder.input(Array::z, 0)));
+  builder.output(Array::zdd, 0, builder.append(Op::tanh, builder.append(Op::atan, first)));
   EXPECT_TRUE(schedule(builder.finish(), {.gathering = Gathering::of_vectors}).calls.calls.empty());
+}
+
+/// sin a and cos a, sin b, cos c: b and c need one of the two alone.
+TEST(Schedule, VectorsThatNeedTheSineOrTheCosineAloneHaveCallsOfTheirOwn) {
+  ProgramBuilder builder("f");
+  ValueId angle[3];
+  for (int k = 0; k < 3; ++k) angle[k] = builder.append(Op::sqrt, builder.input(Array::z, k));
+  const ValueId values[] = {builder.append(Op::sin, angle[0]), builder.append(Op::cos, angle[0]),
+                            builder.append(Op::sin, angle[1]), builder.append(Op::cos, angle[2])};
+  for (int k = 0; k < 4; ++k) builder.output(Array::zdd, k, values[k]);
+  const Program program = builder.finish();
+  EXPECT_TRUE(schedule(program).calls.calls.empty()) << "fewer than lanes ask for";
+  const ArrayCalls calls = schedule(program, {.gathering = Gathering::of_vectors}).calls;
+  std::map<ArrayFunction, std::vector<ValueId>> arguments;
+  for (const ArrayCall& call : calls.calls) arguments[call.function] = call.arguments;
+  EXPECT_EQ(arguments, (std::map<ArrayFunction, std::vector<ValueId>>{{ArrayFunction::sine, {angle[1]}},
+                                                                      {ArrayFunction::cosine, {angle[2]}}}));
+  EXPECT_EQ(calls.place[values[0]].call, -1);
 }
 
 TEST(FewestAlive, EmptyProgram) { EXPECT_TRUE(fewest_alive(Program{}).empty()); }

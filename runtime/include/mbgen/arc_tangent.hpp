@@ -1,7 +1,8 @@
 #pragma once
 // The arc tangent of one and of two arguments without branches: for double, for vectors of double and for arrays of
-// either. As in sincos.hpp each lane is computed as a double alone is. Method: the reciprocal of arguments above one,
-// and one minimax polynomial on [0, 1] by docs/method/minimax.py.
+// either. As in sincos.hpp each lane is computed as a double alone is. Method: the reciprocal of arguments above one;
+// for quotients a / b above a half the angle pi/4 + atan((a - b) / (a + b)), whose difference is exact; one minimax
+// polynomial on [0, 1/2] by docs/method/minimax.py.
 
 #include "mbgen/sincos.hpp"
 
@@ -9,55 +10,76 @@ namespace mbgen {
 
 namespace elementary_detail {
 
-/// (atan x - x) / x^3 in powers of x^2 on [0, 1]; relative error of the function 2^-57.6.
-constexpr double kArcTangent[20] = {
-    -0x1.5555555555526p-2, 0x1.99999999955b1p-3,  -0x1.249249237f4aep-3, 0x1.c71c717fcc8a0p-4,   -0x1.745d11ae449dcp-4,
-    0x1.3b13669828843p-4,  -0x1.110e51181bdd9p-4, 0x1.e1bba5cb709c0p-5,  -0x1.ae5e7036936fep-5,  0x1.82dacfc011cd8p-5,
-    -0x1.59a3ec519fa3ep-5, 0x1.2c2e39980f1a1p-5,  -0x1.e9f9a6edc5ce2p-6, 0x1.683c551993452p-6,   -0x1.c78f027ef9045p-7,
-    0x1.d7b81d7230aa7p-8,  -0x1.7a389c1ee4d06p-9, 0x1.b3f97ce2c59e9p-11, -0x1.3f353ebe9bc54p-13, 0x1.bbec0ab1795f7p-17};
+/// (atan x - x) / x^3 in powers of x^2 on [0, 1/2]; relative error of the function 2^-57.8.
+constexpr double kArcTangent[12] = {-0x1.5555555555516p-2, 0x1.999999999113bp-3,  -0x1.249249215da9dp-3,
+                                    0x1.c71c7090d1600p-4,  -0x1.745cf4c8ab164p-4, 0x1.3b113d967ddf1p-4,
+                                    -0x1.10f31d534faf3p-4, 0x1.dfe95eb16b396p-5,  -0x1.a397f265f0f3ap-5,
+                                    0x1.56f477ff08135p-5,  -0x1.c17b86567f83bp-6, 0x1.4b7de8f174f56p-7};
 
-constexpr double kHalfPiHigh = 0x1.921fb54442d18p+0, kHalfPiLow = 0x1.1a62633145c07p-54;
+constexpr double kQuarterPi = 0x1.921fb54442d18p-1;
+/// What a double lacks of a multiple of pi/4, over the double.
+constexpr double kPiRest = 0x1.678afae35cdd1p-55;
 
 /// first where the mask is set (all bits of a lane), else second.
-template <class T>
-inline void choose(const Bits<T>& mask, const T& first, const T& second, T& result) noexcept {
-  result = __builtin_bit_cast(
-      T, (__builtin_bit_cast(Bits<T>, first) & mask) | (__builtin_bit_cast(Bits<T>, second) & ~mask));
+inline double chosen(std::int64_t mask, double first, double second) noexcept {
+  return __builtin_bit_cast(
+      double, (__builtin_bit_cast(std::int64_t, first) & mask) | (__builtin_bit_cast(std::int64_t, second) & ~mask));
+}
+template <class B, class T>
+[[gnu::always_inline]] inline T chosen(const B& mask, const T& first, const T& second) noexcept {
+  return mask ? first : second;
 }
 
-/// base minus or plus the angle whose tangent is t, 0 <= t <= 1: minus in the lanes whose sign bit is set in `flip`.
-/// base: zero or at least t, and what it lacks.
+/// All bits of the lanes in which a is less than b.
+inline std::int64_t mask_of_less(double a, double b) noexcept { return -static_cast<std::int64_t>(a < b); }
 template <class T>
-inline void turn_from(const T& base, const T& base_rest, const T& t, const Bits<T>& flip, T& result) noexcept {
+[[gnu::always_inline]] inline Bits<T> mask_of_less(const T& a, const T& b) noexcept {
+  return a < b;
+}
+
+/// number where the mask is set, else zero; its sign turned where `flip` has the sign bit.
+template <class T>
+[[gnu::always_inline]] inline T masked(const Bits<T>& mask, double number, const Bits<T>& flip) noexcept {
+  return __builtin_bit_cast(T, (__builtin_bit_cast(Bits<T>, T() + number) & mask) ^ flip);
+}
+
+/// t with atan(a / b) = atan t, or pi/4 + atan t where is_middle has all bits of a lane. Requires: 0 <= a <= b, b > 0.
+template <class T>
+inline void reduce_quotient(const T& a, const T& b, T& t, Bits<T>& is_middle) noexcept {
+  is_middle = mask_of_less(b, a + a);
+  t = chosen(is_middle, a - b, a) / chosen(is_middle, a + b, b);
+}
+
+/// base + rest minus or plus the angle whose tangent is t, |t| <= 1/2: minus in the lanes whose sign bit is set in
+/// `flip`. base: zero or larger than |t|.
+template <class T>
+inline void turn_from(const T& base, const T& rest, const T& t, const Bits<T>& flip, T& result) noexcept {
   const auto& p = kArcTangent;
   const T z = t * t, z2 = z * z, z4 = z2 * z2;
   const auto four = [&](int i) -> T { return fma(z2, fma(z, p[i + 3], p[i + 2]), fma(z, p[i + 1], p[i])); };
-  const T polynomial = fma(z4, fma(z4, fma(z4, fma(z4, four(16), four(12)), four(8)), four(4)), four(0));
+  const T polynomial = fma(z4, fma(z4, four(8), four(4)), four(0));
   const T turn = __builtin_bit_cast(T, __builtin_bit_cast(Bits<T>, t) ^ flip);
-  const T cube = turn * z;
-  const T sum = base + turn;
-  const T rest = base_rest + ((base - sum) + turn);
-  result = sum + fma(cube, polynomial, rest);
+  result = base + (turn + fma(turn * z, polynomial, rest));
 }
 
-/// The angle whose tangent is x. T, here and above, by reference: see reduced_sincos.
+/// The angle whose tangent is x. T, here and above, by reference: see take_off_quarters.
 template <class T>
 inline void find_arc_tangent(const T& x, T& angle) noexcept {
   using B = Bits<T>;
-  const T one = T() + 1.0, high = T() + kHalfPiHigh, low = T() + kHalfPiLow;
+  const T one = T() + 1.0;
   const B sign = __builtin_bit_cast(B, x) & kSign, magnitude = __builtin_bit_cast(B, x) & kSignless;
   const T size = __builtin_bit_cast(T, magnitude);
   const B is_large = (__builtin_bit_cast(B, one) - magnitude) >> 63;  // all bits of the lanes above one
-  T numerator, denominator, positive;
-  choose(is_large, one, size, numerator);
-  choose(is_large, size, one, denominator);
-  const T base = __builtin_bit_cast(T, __builtin_bit_cast(B, high) & is_large);
-  const T base_rest = __builtin_bit_cast(T, __builtin_bit_cast(B, low) & is_large);
-  turn_from<T>(base, base_rest, numerator / denominator, is_large & kSign, positive);
-  angle = __builtin_bit_cast(T, __builtin_bit_cast(B, positive) ^ sign);
+  const B flip = is_large & kSign;
+  T t, positive;
+  B is_middle;
+  reduce_quotient<T>(smaller_of(size, one), larger_of(one, size), t, is_middle);                     // NaN stays
+  const T base = masked<T>(is_large, 2 * kQuarterPi, B{}) + masked<T>(is_middle, kQuarterPi, flip);  // exact
+  turn_from<T>(base, kPiRest * base, t, flip, positive);
+  angle = __builtin_bit_cast(T, __builtin_bit_cast(B, positive) | sign);
 }
 
-/// The direction of (x, y); marks the lanes where both are zero or one is not finite.
+/// The direction of (x, y); marks the lanes where both are zero or one is not finite, or nearly so.
 template <class T>
 inline void find_direction(const T& y, const T& x, T& angle, Bits<T>& marked) noexcept {
   using B = Bits<T>;
@@ -66,18 +88,16 @@ inline void find_direction(const T& y, const T& x, T& angle, Bits<T>& marked) no
   const B is_steep = (x_size - y_size) >> 63;
   const B is_behind = x_bits >> 63;
   const B larger = (y_size & is_steep) | (x_size & ~is_steep), smaller = (x_size & is_steep) | (y_size & ~is_steep);
-  marked |= (larger == 0) | (larger >= kInfinity);
-  // Half a turn is exactly twice the quarter, in both parts.
-  const T quarter = T() + kHalfPiHigh, quarter_rest = T() + kHalfPiLow;
-  const T half = quarter + quarter, half_rest = quarter_rest + quarter_rest;
-  T base, base_rest, positive;
-  choose(is_steep, quarter, half, base);
-  choose(is_steep, quarter_rest, half_rest, base_rest);
-  const B has_base = is_steep | is_behind;
-  base = __builtin_bit_cast(T, __builtin_bit_cast(B, base) & has_base);
-  base_rest = __builtin_bit_cast(T, __builtin_bit_cast(B, base_rest) & has_base);
-  const T t = __builtin_bit_cast(T, smaller) / __builtin_bit_cast(T, larger);
-  turn_from<T>(base, base_rest, t, (is_steep ^ is_behind) & kSign, positive);
+  constexpr std::int64_t largest = __builtin_bit_cast(std::int64_t, 0x1p1022);
+  marked |= (larger == 0) | (larger >= largest);
+  const B flip = (is_steep ^ is_behind) & kSign;
+  T t, positive;
+  B is_middle;
+  reduce_quotient<T>(__builtin_bit_cast(T, smaller), __builtin_bit_cast(T, larger), t, is_middle);
+  const T half_turns = masked<T>(is_steep, 2 * kQuarterPi, B{}) + masked<T>(is_behind & ~is_steep, 4 * kQuarterPi, B{});
+  const T quarter = masked<T>(is_middle, kQuarterPi, flip);
+  const T base = half_turns + quarter;
+  turn_from<T>(base, fma(kPiRest, base, (half_turns - base) + quarter), t, flip, positive);
   angle = __builtin_bit_cast(T, __builtin_bit_cast(B, positive) | (y_bits & kSign));
 }
 

@@ -22,15 +22,14 @@ constexpr double kLeastExponent = -746, kLargestExponent = 710;
 /// Below this (-2|x|) the hyperbolic tangent is one.
 constexpr double kFlatExponent = -80;
 
-/// e^(x + x_rest) = 2^n e^r with |r| <= log(2) / 2, n in the low bits of `rounded`; e^r = 1 + r + more.
-/// Requires: |x| < 2^19; x_rest: small next to the last place of one.
+/// e^x = 2^n e^r with |r| <= log(2) / 2, n in the low bits of `rounded`; e^r = 1 + r + more. Requires: |x| < 2^19.
 template <class T>
-inline void reduce_exponential(const T& x, const T& x_rest, T& rounded, T& r, T& more) noexcept {
+inline void reduce_exponential(const T& x, T& rounded, T& r, T& more) noexcept {
   rounded = fma(x, kLog2E, kRounding);
   const T multiple = rounded - kRounding;
   const T high = fnma(multiple, kLog2High, x);  // exact
   r = fnma(multiple, kLog2Low, high);
-  const T rest = fnma(multiple, kLog2Low, high - r) + x_rest;
+  const T rest = fnma(multiple, kLog2Low, high - r);
   const T z = r * r, zz = z * z;
   const auto& e = kEvenPowers;
   const auto& o = kOddPowers;
@@ -45,16 +44,31 @@ inline void power_of_two(const Bits<T>& low_bits, T& power) noexcept {
   power = __builtin_bit_cast(T, shifted_left(low_bits + 1023, 52));
 }
 
-/// e^(x + x_rest), 0 and infinity beyond the range of doubles.
+/// 1 + r + more.
 template <class T>
-inline void find_exponential(const T& x, const T& x_rest, T& result) noexcept {
-  const T one = T() + 1.0, least = T() + kLeastExponent, largest = T() + kLargestExponent;
-  const T above = x < least ? least : x;  // NaN stays
-  const T within = above > largest ? largest : above;
-  T rounded, r, more, first, second;
-  reduce_exponential(within, x_rest, rounded, r, more);
-  const T sum = one + r;
-  const T value = sum + (((one - sum) + r) + more);
+inline void sum_of_exponential(const T& r, const T& more, T& value) noexcept {
+  const T one = T() + 1.0, sum = one + r;
+  value = sum + (((one - sum) + r) + more);
+}
+
+/// e^(x + x_rest). Requires: |x| up to 700 (others give some number), x_rest up to its last place.
+template <class T>
+inline void find_moderate_exponential(const T& x, const T& x_rest, T& result) noexcept {
+  T rounded, r, more, value, power;
+  reduce_exponential(x, rounded, r, more);
+  sum_of_exponential<T>(r, fma(x_rest, (1.0 + r) + more, more), value);
+  power_of_two<T>(__builtin_bit_cast(Bits<T>, rounded), power);
+  result = value * power;
+}
+
+/// e^x, 0 and infinity beyond the range of doubles.
+template <class T>
+inline void find_exponential(const T& x, T& result) noexcept {
+  const T least = T() + kLeastExponent, largest = T() + kLargestExponent;
+  const T within = smaller_of(larger_of(x, least), largest);  // NaN stays
+  T rounded, r, more, value, first, second;
+  reduce_exponential(within, rounded, r, more);
+  sum_of_exponential(r, more, value);
   // In two steps, for results that are nearly infinite or have lost digits.
   const T half = fma(rounded - kRounding, 0.5, kRounding);
   power_of_two<T>(__builtin_bit_cast(Bits<T>, half), first);
@@ -68,9 +82,9 @@ inline void find_hyperbolic_tangent(const T& x, T& result) noexcept {
   const B sign = __builtin_bit_cast(B, x) & kSign;
   const T minus_twice = -2.0 * __builtin_bit_cast(T, __builtin_bit_cast(B, x) & kSignless);
   const T least = T() + kFlatExponent;
-  const T within = minus_twice < least ? least : minus_twice;
+  const T within = larger_of(minus_twice, least);
   T rounded, r, more, power;
-  reduce_exponential(within, T(), rounded, r, more);
+  reduce_exponential(within, rounded, r, more);
   power_of_two<T>(__builtin_bit_cast(B, rounded), power);
   // d = e^within - 1 = (power - 1) + power r + power more, in two parts; tanh |x| = -d / (2 + d)
   const T base = power - 1.0;
@@ -81,7 +95,8 @@ inline void find_hyperbolic_tangent(const T& x, T& result) noexcept {
   const T divisor = 2.0 + d;
   const T divisor_rest = (d - (divisor - 2.0)) + d_rest;
   const T quotient = d / divisor;
-  const T positive = -(quotient + fnma(quotient, divisor_rest, d_rest) / divisor);
+  const T reciprocal = fnma(0.5, quotient, 0.5);  // 1 / (2 + d) = (1 - d / (2 + d)) / 2
+  const T positive = -fma(fnma(quotient, divisor_rest, d_rest), reciprocal, quotient);
   result = __builtin_bit_cast(T, (__builtin_bit_cast(B, positive) & kSignless) | sign);
 }
 
@@ -91,7 +106,7 @@ inline void find_hyperbolic_tangent(const T& x, T& result) noexcept {
 template <class T>
 inline T exponential(const T& x) noexcept {
   T result;
-  elementary_detail::find_exponential(x, T(), result);
+  elementary_detail::find_exponential(x, result);
   return result;
 }
 
@@ -106,9 +121,8 @@ inline T hyperbolic_tangent(const T& x) noexcept {
 /// The same of many arguments. The arrays must not overlap.
 template <class T, std::size_t N>
 inline void exponentials(const T (&arguments)[N], T (&values)[N]) noexcept {
-  elementary_detail::each_entry(
-      [](const auto& x, auto& value) { elementary_detail::find_exponential(x, std::decay_t<decltype(x)>(), value); },
-      values, arguments);
+  elementary_detail::each_entry([](const auto& x, auto& value) { elementary_detail::find_exponential(x, value); },
+                                values, arguments);
 }
 template <class T, std::size_t N>
 inline void hyperbolic_tangents(const T (&arguments)[N], T (&values)[N]) noexcept {

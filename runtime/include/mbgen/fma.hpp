@@ -26,6 +26,13 @@
 
 namespace mbgen {
 
+/// Whether the functions below round once.
+#if defined(__FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
+constexpr bool kFusesProducts = true;
+#else
+constexpr bool kFusesProducts = false;
+#endif
+
 /// a b + c. clang 14 does not define the macro that g++ has for this.
 inline double fma(double a, double b, double c) noexcept {
 #if defined(__FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)

@@ -13,6 +13,7 @@
 #include "mbgen/elementary.hpp"
 #include "mbgen/fma.hpp"
 #include "mbgen/scalar.hpp"
+#include "mbgen/vector_instructions.hpp"
 
 namespace mbgen {
 
@@ -89,14 +90,14 @@ template <class Lanes, class A, class B, class = std::enable_if_t<!std::is_arith
 template <class A, class B, class Lanes = WidestOf<A, B>>
 [[gnu::always_inline]] inline Lanes min(const A& a, const B& b) noexcept {
   const Lanes first = lanes_detail::all<Lanes>(a), second = lanes_detail::all<Lanes>(b);
-  return second < first ? second : first;
+  return smaller_of(first, second);
 }
 
 /// The larger of two; the first when they are equal or not comparable.
 template <class A, class B, class Lanes = WidestOf<A, B>>
 [[gnu::always_inline]] inline Lanes max(const A& a, const B& b) noexcept {
   const Lanes first = lanes_detail::all<Lanes>(a), second = lanes_detail::all<Lanes>(b);
-  return first < second ? second : first;
+  return larger_of(first, second);
 }
 
 /// Absolute value.

@@ -40,23 +40,35 @@ struct UnsignedOf<double> {
   using Type = std::uint64_t;
 };
 
-/// log x = high + low, high of 26 digits. Requires: x a positive normal number (others give some number).
+/// (m - 1) / (m + 1) = u + u_rest, m + 1 rounded to d; quotient: the same in one double.
 template <class T>
-inline void find_logarithm(const T& x, T& high, T& low) noexcept {
+inline void divide_for_logarithm(const T& m, T& quotient, T& u, T& u_rest) noexcept {
+  const T f = m - 1.0, d = m + 1.0;
+  const T d_rest = m - (d - 1.0);
+  quotient = f / d;
+  const T reciprocal = fnma(0.5, quotient, 0.5);  // 1 / (m + 1) = (1 - (m - 1) / (m + 1)) / 2
+  if constexpr (kFusesProducts) {
+    u = quotient;
+    u_rest = fnma(u, d_rest, fnma(u, d, f)) * reciprocal;  // the second product is exact
+  } else {
+    T d_upper;
+    upper_half(quotient, u);
+    upper_half(d, d_upper);
+    const T d_lower = (d - d_upper) + d_rest;
+    u_rest = fnma(u, d_lower, fnma(u, d_upper, f)) * reciprocal;  // the second product is exact
+  }
+}
+
+/// log x = total + low, low: what total lacks. Requires: x a positive normal number (others give some number).
+template <class T>
+inline void find_logarithm(const T& x, T& total, T& low) noexcept {
   using Word = typename UnsignedOf<T>::Type;
   const Word bits = __builtin_bit_cast(Word, x);
   const Word exponent = (bits + (kOne - kRootOfHalf)) >> 52;  // k + 1023
   const T k = __builtin_bit_cast(T, exponent | kWholeNumber) - (0x1p52 + 1023);
   const T m = __builtin_bit_cast(T, bits - (exponent << 52) + kOne);
-
-  const T f = m - 1.0, d = m + 1.0;
-  const T d_rest = m - (d - 1.0);
-  const T quotient = f / d;
-  T u, d_upper;
-  upper_half(quotient, u);
-  upper_half(d, d_upper);
-  const T d_lower = (d - d_upper) + d_rest;
-  const T u_rest = fnma(u, d_lower, fnma(u, d_upper, f)) / d;  // the first product is exact
+  T quotient, u, u_rest;
+  divide_for_logarithm(m, quotient, u, u_rest);
 
   const auto& p = kLogarithm;
   const T z = quotient * quotient, zz = z * z;
@@ -68,9 +80,27 @@ inline void find_logarithm(const T& x, T& high, T& low) noexcept {
   const T of_power = k * kLog2High, twice = u + u;  // exact
   const T sum = of_power + twice;
   const T rest = ((of_power - sum) + twice) + fma(k, kLog2Low, of_m);
-  const T total = sum + rest;
-  upper_half(total, high);
-  low = (sum - high) + rest;
+  total = sum + rest;
+  low = (sum - total) + rest;
+}
+
+/// y (total + low) = product + rest.
+template <class T>
+inline void multiply_exactly(const T& y, const T& total, const T& low, T& product, T& rest) noexcept {
+  if constexpr (kFusesProducts) {
+    product = y * total;
+    rest = fma(y, low, fms(y, total, product));
+  } else {
+    T high, y_upper;
+    upper_half(total, high);
+    upper_half(y, y_upper);
+    const T y_lower = y - y_upper, high_rest = (total - high) + low;
+    const T upper = y_upper * high;  // exact, as is y_lower * high
+    const T sum = fma(y_lower, high, upper);
+    const T sum_rest = fma(y, high_rest, fma(y_lower, high, upper - sum));
+    product = sum + sum_rest;
+    rest = (sum - product) + sum_rest;
+  }
 }
 
 /// Marks the lanes whose logarithm is not ours: zero, negative, subnormal or not finite.
@@ -83,20 +113,15 @@ inline void mark_no_logarithm(const T& x, Bits<T>& marked) noexcept {
 /// x^y, by the C library where it is not ours.
 template <class T>
 inline void find_power(const T& x, const T& y, T& result) noexcept {
-  T high, low, y_upper;
-  find_logarithm(x, high, low);
-  upper_half(y, y_upper);
-  const T y_lower = y - y_upper;
-  const T product = y_upper * high;           // exact, as is y_lower * high
-  const T sum = fma(y_lower, high, product);  // y high, rounded
-  const T rest = fma(y, low, fma(y_lower, high, product - sum));
-  const T total = sum + rest;
+  T total, low, product, rest;
+  find_logarithm(x, total, low);
+  multiply_exactly(y, total, low, product, rest);
   constexpr std::int64_t largest = __builtin_bit_cast(std::int64_t, kLargestPower);
   Bits<T> marked = {};
   mark_no_logarithm(x, marked);
-  marked |= (__builtin_bit_cast(Bits<T>, total) & kSignless) > largest;
+  marked |= (__builtin_bit_cast(Bits<T>, product) & kSignless) > largest;
   const T kept_x = x, kept_y = y;  // the result may take their place
-  find_exponential<T>(total, (sum - total) + rest, result);
+  find_moderate_exponential<T>(product, rest, result);
   if (__builtin_expect(any(marked), 0)) {
     replace_marked(
         marked, [](double a, double b) { return std::pow(a, b); }, result, kept_x, kept_y);
@@ -109,11 +134,10 @@ inline void find_power(const T& x, const T& y, T& result) noexcept {
 template <class T>
 inline T logarithm(const T& x) noexcept {
   using namespace elementary_detail;
-  T high, low;
+  T result, low;
   Bits<T> marked = {};
-  find_logarithm(x, high, low);
+  find_logarithm(x, result, low);
   mark_no_logarithm(x, marked);
-  T result = high + low;
   if (__builtin_expect(any(marked), 0))
     replace_marked(
         marked, [](double a) { return std::log(a); }, result, x);

@@ -6,10 +6,11 @@
 // Products in sums are fused by name (fma.hpp), none is left to the compiler: g++ and clang++ give the same bits, one
 // set on processors with fused multiply-add, another on those without.
 //
-// Method: reduction by a multiple of pi/2 whose parts have 33 bits each, so that products with a multiple below 2^20
-// are exact (W. J. Cody, W. Waite, Software Manual for the Elementary Functions, 1980); rounding errors of the
-// differences are carried along. Minimax polynomials on [-pi/4, pi/4], coefficients by docs/method/minimax.py: relative
-// error 2^-57.9 of the sine and 2^-63.9 of the cosine.
+// Method: reduction by a multiple of pi/2 in parts, so short that products with a multiple below 2^20 are exact (W. J.
+// Cody, W. Waite, Software Manual for the Elementary Functions, 1980); rounding errors of the differences are carried
+// along. A fused product is exact at any length as long as the difference is: there the first part has all bits.
+// Minimax polynomials by docs/method/minimax.py: on [-pi/4, pi/4] of relative error 2^-57.9 for the sine and 2^-63.9
+// for the cosine, on [-pi/2, pi/2] 2^-61.5 for the sine alone.
 
 #include <cmath>
 #include <cstddef>
@@ -18,6 +19,7 @@
 
 #include "mbgen/array_lanes.hpp"
 #include "mbgen/fma.hpp"
+#include "mbgen/vector_instructions.hpp"
 
 namespace mbgen {
 
@@ -33,13 +35,19 @@ using Bits = std::conditional_t<std::is_same_v<T, double>, std::int64_t, decltyp
 constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
 /// 1.5 * 2^52: adding it rounds to a whole number and leaves that in the low bits.
 constexpr double kRounding = 0x1.8p52;
-/// pi/2 in parts of 33 bits, the last of 53.
+/// The same for even numbers, and half of them in the low bits.
+constexpr double kRoundingToEven = 0x1.8p53;
+/// pi/2 in parts of 33 bits, the last of 53; and in parts of 53, 33 and 53 bits for fused products.
 constexpr double kHalfPi[4] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2ep-69, 0x1.b839a252049c1p-104};
+constexpr double kHalfPiFused[3] = {0x1.921fb54442d18p+0, 0x1.1a626331p-54, 0x1.1701b839a252p-88};
 /// (sin x - x) / x^3 and (cos x - 1 + x^2/2) / x^4 in powers of x^2.
 constexpr double kSine[6] = {-0x1.5555555555548p-3, 0x1.111111110f730p-7,   -0x1.a01a019be9217p-13,
                              0x1.71de35552b52cp-19, -0x1.ae5e4b83e46f4p-26, 0x1.5d8b559495e22p-33};
 constexpr double kCosine[6] = {0x1.555555555554bp-5,   -0x1.6c16c16c15015p-10, 0x1.a01a019c8f254p-16,
                                -0x1.27e4f7f19148bp-22, 0x1.1ee9dbcefbdc4p-29,  -0x1.8fa684873cb97p-37};
+constexpr double kSineOfHalfTurn[8] = {-0x1.5555555555555p-3,  0x1.11111111110c8p-7,   -0x1.a01a01a014d6fp-13,
+                                       0x1.71de3a52a0b16p-19,  -0x1.ae6454d474683p-26, 0x1.6123cd0749583p-33,
+                                       -0x1.ae4384744a182p-41, 0x1.8832a85611f80p-49};
 constexpr std::int64_t kSignless = 0x7fffffffffffffff, kSign = -0x7fffffffffffffff - 1;
 constexpr std::int64_t kInfinity = 0x7ff0000000000000;
 
@@ -52,18 +60,31 @@ template <class B, class = std::enable_if_t<!std::is_integral_v<B>>>
   return bits << places;
 }
 
+/// angle - multiple pi/2 = x + rest, rest small next to x. Requires: a whole multiple up to 2^20.
+/// References here and below, not values: vectors wider than the processor's have no settled way to be passed.
+template <class T>
+inline void take_off_quarters(const T& angle, const T& multiple, T& x, T& rest) noexcept {
+  if constexpr (kFusesProducts) {
+    const auto& part = kHalfPiFused;
+    const T first = fnma(multiple, part[0], angle);  // exact
+    x = fnma(multiple, part[1], first);
+    rest = fnma(multiple, part[2], fnma(multiple, part[1], first - x));
+  } else {
+    const T first = fnma(multiple, kHalfPi[0], angle);  // exact
+    const T second = fnma(multiple, kHalfPi[1], first);
+    x = fnma(multiple, kHalfPi[2], second);
+    const T lost = fnma(multiple, kHalfPi[1], first - second) + fnma(multiple, kHalfPi[2], second - x);
+    rest = fnma(multiple, kHalfPi[3], lost);
+  }
+}
+
 /// Sine and cosine by reduction, for |angle| up to kLargestAngle.
-/// References, not values: vectors wider than the processor's have no settled way to be passed.
 template <class T>
 inline void reduced_sincos(const T& angle, T& sine, T& cosine) noexcept {
   using B = Bits<T>;
   const T rounded = fma(angle, kTwoOverPi, kRounding);
-  const T multiple = rounded - kRounding;
-  const T first = fnma(multiple, kHalfPi[0], angle);  // exact
-  const T second = fnma(multiple, kHalfPi[1], first);
-  const T x = fnma(multiple, kHalfPi[2], second);
-  const T lost = fnma(multiple, kHalfPi[1], first - second) + fnma(multiple, kHalfPi[2], second - x);
-  const T rest = fnma(multiple, kHalfPi[3], lost);
+  T x, rest;
+  take_off_quarters<T>(angle, rounded - kRounding, x, rest);
 
   const T z = x * x, zz = z * z, half = 0.5 * z, cube = z * x;
   const auto& a = kSine;
@@ -82,35 +103,41 @@ inline void reduced_sincos(const T& angle, T& sine, T& cosine) noexcept {
   cosine = __builtin_bit_cast(T, (cosine_bits ^ exchange) ^ (((quarter + 1) & 2) << 62));
 }
 
+/// Sine of x + rest, |x| <= pi/2, its sign turned where `flip` has the sign bit.
+template <class T>
+inline void sine_of_half_turn(const T& x, const T& rest, const Bits<T>& flip, T& sine) noexcept {
+  const auto& a = kSineOfHalfTurn;
+  const T z = x * x, z2 = z * z, z4 = z2 * z2;
+  const T high = fma(z4, fma(z, a[7], a[6]), fma(z2, fma(z, a[5], a[4]), fma(z, a[3], a[2])));
+  const T s = fma(z, fma(z, high, a[1]), a[0]);
+  const T positive = x + fma(x, z * s, fnma(0.5 * z, rest, rest));
+  sine = __builtin_bit_cast(T, __builtin_bit_cast(Bits<T>, positive) ^ flip);
+}
+
+/// The sine alone: of the angle less an even number of quarters, with a sign.
+template <class T>
+inline void reduced_sine(const T& angle, T& sine) noexcept {
+  const T rounded = fma(angle, kTwoOverPi, kRoundingToEven);
+  T x, rest;
+  take_off_quarters<T>(angle, rounded - kRoundingToEven, x, rest);
+  sine_of_half_turn<T>(x, rest, shifted_left(__builtin_bit_cast(Bits<T>, rounded), 63), sine);
+}
+
+/// The cosine alone: the sine less an odd number of quarters. Of small angles that difference is rounded, where the
+/// sine is flat.
+template <class T>
+inline void reduced_cosine(const T& angle, T& cosine) noexcept {
+  const T rounded = fma(angle, kTwoOverPi, -1.0) + kRoundingToEven;
+  T x, rest;
+  take_off_quarters<T>(angle, (rounded - kRoundingToEven) + 1.0, x, rest);
+  sine_of_half_turn<T>(x, rest, shifted_left(~__builtin_bit_cast(Bits<T>, rounded), 63), cosine);
+}
+
 /// Marks the lanes whose angle is beyond the reduction, or no number.
 template <class T>
 inline void mark_beyond(const T& angle, Bits<T>& beyond) noexcept {
   constexpr std::int64_t largest = __builtin_bit_cast(std::int64_t, kLargestAngle);
   beyond |= (__builtin_bit_cast(Bits<T>, angle) & kSignless) > largest;
-}
-
-inline bool any(std::int64_t mark) noexcept { return mark != 0; }
-template <class B>
-inline bool any(const B& lanes) noexcept {
-  std::int64_t found = 0;
-  for (int i = 0; i < static_cast<int>(sizeof(B) / sizeof found); ++i) found |= lanes[i];
-  return found != 0;
-}
-
-/// The C library's, where the angle is beyond the reduction.
-inline void replace_beyond(double angle, double& sine, double& cosine) noexcept {
-  if (std::abs(angle) <= kLargestAngle) return;
-  sine = std::sin(angle);
-  cosine = std::cos(angle);
-}
-template <class T>
-inline void replace_beyond(const T& angle, T& sine, T& cosine) noexcept {
-  for (int i = 0; i < kLanesOf<T>; ++i) {
-    double s = sine[i], c = cosine[i];
-    replace_beyond(static_cast<double>(angle[i]), s, c);
-    sine[i] = s;
-    cosine[i] = c;
-  }
 }
 
 /// Calls the C library for the marked lanes: result = function(x) or function(x, y).
@@ -123,6 +150,17 @@ inline void replace_marked(const B& marked, Function function, T& result, const 
   for (int lane = 0; lane < kLanesOf<T>; ++lane) {
     if (marked[lane] != 0) result[lane] = function(static_cast<double>(arguments[lane])...);
   }
+}
+
+/// The C library's, where the angle is beyond the reduction.
+template <class T>
+inline void replace_beyond(const T& angle, T& sine, T& cosine) noexcept {
+  Bits<T> beyond = {};
+  mark_beyond(angle, beyond);
+  replace_marked(
+      beyond, [](double x) { return std::sin(x); }, sine, angle);
+  replace_marked(
+      beyond, [](double x) { return std::cos(x); }, cosine, angle);
 }
 
 using array_detail::lanes_at;
@@ -144,6 +182,23 @@ inline void each_entry(Function function, T (&values)[N], const Arguments&... ar
     array_detail::for_all<N>(several, one);
   } else {
     for (std::size_t i = 0; i < N; ++i) one(i);
+  }
+}
+
+/// values[i] by one of the functions alone; `library` where an angle is beyond the reduction.
+template <class T, std::size_t N, class Function, class Library>
+inline void each_angle(Function function, Library library, const T (&angles)[N], T (&values)[N]) noexcept {
+  Bits<T> beyond = {};
+  for (std::size_t i = 0; i < N; ++i) {
+    function(angles[i], values[i]);
+    mark_beyond(angles[i], beyond);
+  }
+  if (__builtin_expect(any(beyond), 0)) {
+    for (std::size_t i = 0; i < N; ++i) {
+      Bits<T> mark = {};
+      mark_beyond(angles[i], mark);
+      replace_marked(mark, library, values[i], angles[i]);
+    }
   }
 }
 
@@ -220,6 +275,21 @@ inline void sincos(const double (&angles)[N], double (&sines)[N], double (&cosin
       for (std::size_t i = 0; i < N; ++i) replace_beyond(angles[i], sines[i], cosines[i]);
     }
   }
+}
+
+/// Sines of angles (rad) whose cosines nobody needs, or the other way round: within 2 ulp, in half the operations. NaN
+/// for an angle that is not finite. T: double or a vector of double. The arrays must not overlap.
+template <class T, std::size_t N>
+inline void sines(const T (&angles)[N], T (&values)[N]) noexcept {
+  using namespace elementary_detail;
+  each_angle([](const T& angle, T& value) { reduced_sine(angle, value); }, [](double x) { return std::sin(x); }, angles,
+             values);
+}
+template <class T, std::size_t N>
+inline void cosines(const T (&angles)[N], T (&values)[N]) noexcept {
+  using namespace elementary_detail;
+  each_angle([](const T& angle, T& value) { reduced_cosine(angle, value); }, [](double x) { return std::cos(x); },
+             angles, values);
 }
 
 }  // namespace mbgen
