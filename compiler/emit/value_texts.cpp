@@ -22,6 +22,10 @@ CallNames names_of_call(ArrayFunction function) {
       return {"mbgen::sines", "angles", "", {"sines"}, "", {}};
     case ArrayFunction::cosine:
       return {"mbgen::cosines", "angles", "", {"cosines"}, "", {}};
+    case ArrayFunction::bounded_sine:
+      return {"mbgen::bounded_sines", "angles", "", {"sines"}, "", {}};
+    case ArrayFunction::bounded_cosine:
+      return {"mbgen::bounded_cosines", "angles", "", {"cosines"}, "", {}};
     case ArrayFunction::arc_tangent:
       return {"mbgen::arc_tangents", "tangents", "", {"arcs"}, "", {}};
     case ArrayFunction::exponential:

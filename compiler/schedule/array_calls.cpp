@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <span>
@@ -32,6 +34,27 @@ std::optional<ArrayFunction> called_function(Op op) {
       return ArrayFunction::power;
     default:
       return std::nullopt;
+  }
+}
+
+/// What no value of it exceeds in size, infinity where that is not known: of arcs and their multiples.
+double bound_of(const Program& program, ValueId v) {
+  const Node& node = program.nodes[v];
+  switch (node.op) {
+    case Op::constant:
+      return std::abs(node.constant);
+    case Op::atan:
+    case Op::asin:
+      return std::numbers::pi / 2;
+    case Op::acos:
+    case Op::atan2:
+      return std::numbers::pi;
+    case Op::negate:
+      return bound_of(program, node.operands[0]);
+    case Op::multiply:
+      return bound_of(program, node.operands[0]) * bound_of(program, node.operands[1]);
+    default:
+      return std::numeric_limits<double>::infinity();
   }
 }
 
@@ -68,9 +91,11 @@ struct Group {
 using Groups = std::map<std::pair<int, ArrayFunction>, Group>;  ///< by level and function
 
 ArrayFunction function_of(const Program& program, const Levels& levels, ValueId v) {
-  const Op op = program.nodes[v].op;
-  if (levels.is_alone[v]) return op == Op::sin ? ArrayFunction::sine : ArrayFunction::cosine;
-  return *called_function(op);
+  const Node& node = program.nodes[v];
+  if (!levels.is_alone[v]) return *called_function(node.op);
+  const bool is_bounded = bound_of(program, node.operands[0]) <= std::numbers::pi;
+  if (node.op == Op::sin) return is_bounded ? ArrayFunction::bounded_sine : ArrayFunction::sine;
+  return is_bounded ? ArrayFunction::bounded_cosine : ArrayFunction::cosine;
 }
 
 void find_levels(const Program& program, Range range, Levels& levels) {
@@ -140,8 +165,8 @@ bool wait_for_later(const Program& program, Range range, const Groups& groups, L
 /// Groups that are large enough: the values of the others are computed alone, which may bring later ones together.
 Groups settle(const Program& program, Range range, Levels& levels) {
   const bool of_vectors = levels.gathering == Gathering::of_vectors;
-  const auto fewest_of = [&](ArrayFunction function) -> std::size_t {
-    if (function == ArrayFunction::sine || function == ArrayFunction::cosine) return 1;
+  const auto fewest_of = [&](ValueId v) -> std::size_t {
+    if (levels.is_alone[v]) return 1;
     return of_vectors ? 2 : kFewestInLanes;
   };
   while (true) {
@@ -151,7 +176,7 @@ Groups settle(const Program& program, Range range, Levels& levels) {
     const auto small = std::ranges::find_if(groups, [&](const auto& entry) {
       std::size_t entries = 0;
       for (const auto& values : entry.second.values) entries += static_cast<std::size_t>(levels.widths[values[0]]);
-      return entries < fewest_of(entry.first.second);
+      return entries < fewest_of(entry.second.values[0][0]);
     });
     if (small == groups.end()) return groups;
     for (const auto& values : small->second.values) {

@@ -12,8 +12,18 @@ constexpr std::size_t kFewestInLanes = 4;
 /// More arguments than this are split into several calls: their values stay in one part of the program.
 constexpr int kMostInLanes = 64;
 
-/// What a call computes of each argument.
-enum class ArrayFunction { sine_and_cosine, sine, cosine, arc_tangent, exponential, hyperbolic_tangent, power };
+/// What a call computes of each argument. Bounded: of angles up to pi either way.
+enum class ArrayFunction {
+  sine_and_cosine,
+  sine,
+  cosine,
+  bounded_sine,
+  bounded_cosine,
+  arc_tangent,
+  exponential,
+  hyperbolic_tangent,
+  power
+};
 
 /// One call. Its values stand one after the other in the order of the program.
 struct ArrayCall {

@@ -113,21 +113,29 @@ TEST(Schedule, AVectorsFunctionDoesNotWaitForOneThatNeedsIt) {
   EXPECT_TRUE(schedule(builder.finish(), {.gathering = Gathering::of_vectors}).calls.calls.empty());
 }
 
-/// sin a and cos a, sin b, cos c: b and c need one of the two alone.
+/// sin a and cos a, sin b, cos c, sin(2 atan b), cos(2.1 atan c): but for a each needs one of the two alone, and twice
+/// an arc is within half a turn.
 TEST(Schedule, VectorsThatNeedTheSineOrTheCosineAloneHaveCallsOfTheirOwn) {
   ProgramBuilder builder("f");
   ValueId angle[3];
   for (int k = 0; k < 3; ++k) angle[k] = builder.append(Op::sqrt, builder.input(Array::z, k));
+  const auto multiple = [&](double factor, ValueId v) {
+    return builder.append(Op::multiply, builder.constant(factor), builder.append(Op::atan, v));
+  };
+  const ValueId near = multiple(2, angle[1]), far = multiple(2.1, angle[2]);
   const ValueId values[] = {builder.append(Op::sin, angle[0]), builder.append(Op::cos, angle[0]),
-                            builder.append(Op::sin, angle[1]), builder.append(Op::cos, angle[2])};
-  for (int k = 0; k < 4; ++k) builder.output(Array::zdd, k, values[k]);
+                            builder.append(Op::sin, angle[1]), builder.append(Op::cos, angle[2]),
+                            builder.append(Op::sin, near),     builder.append(Op::cos, far)};
+  for (int k = 0; k < 6; ++k) builder.output(Array::zdd, k, values[k]);
   const Program program = builder.finish();
   EXPECT_TRUE(schedule(program).calls.calls.empty()) << "fewer than lanes ask for";
   const ArrayCalls calls = schedule(program, {.gathering = Gathering::of_vectors}).calls;
   std::map<ArrayFunction, std::vector<ValueId>> arguments;
   for (const ArrayCall& call : calls.calls) arguments[call.function] = call.arguments;
+  arguments.erase(ArrayFunction::arc_tangent);
   EXPECT_EQ(arguments, (std::map<ArrayFunction, std::vector<ValueId>>{{ArrayFunction::sine, {angle[1]}},
-                                                                      {ArrayFunction::cosine, {angle[2]}}}));
+                                                                      {ArrayFunction::cosine, {angle[2], far}},
+                                                                      {ArrayFunction::bounded_sine, {near}}}));
   EXPECT_EQ(calls.place[values[0]].call, -1);
 }
 

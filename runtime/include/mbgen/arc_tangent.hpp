@@ -20,29 +20,6 @@ constexpr double kQuarterPi = 0x1.921fb54442d18p-1;
 /// What a double lacks of a multiple of pi/4, over the double.
 constexpr double kPiRest = 0x1.678afae35cdd1p-55;
 
-/// first where the mask is set (all bits of a lane), else second.
-inline double chosen(std::int64_t mask, double first, double second) noexcept {
-  return __builtin_bit_cast(
-      double, (__builtin_bit_cast(std::int64_t, first) & mask) | (__builtin_bit_cast(std::int64_t, second) & ~mask));
-}
-template <class B, class T>
-[[gnu::always_inline]] inline T chosen(const B& mask, const T& first, const T& second) noexcept {
-  return mask ? first : second;
-}
-
-/// All bits of the lanes in which a is less than b.
-inline std::int64_t mask_of_less(double a, double b) noexcept { return -static_cast<std::int64_t>(a < b); }
-template <class T>
-[[gnu::always_inline]] inline Bits<T> mask_of_less(const T& a, const T& b) noexcept {
-  return a < b;
-}
-
-/// number where the mask is set, else zero; its sign turned where `flip` has the sign bit.
-template <class T>
-[[gnu::always_inline]] inline T masked(const Bits<T>& mask, double number, const Bits<T>& flip) noexcept {
-  return __builtin_bit_cast(T, (__builtin_bit_cast(Bits<T>, T() + number) & mask) ^ flip);
-}
-
 /// t with atan(a / b) = atan t, or pi/4 + atan t where is_middle has all bits of a lane. Requires: 0 <= a <= b, b > 0.
 template <class T>
 inline void reduce_quotient(const T& a, const T& b, T& t, Bits<T>& is_middle) noexcept {
