@@ -31,6 +31,7 @@
 
 #include "mbgen/elementary.hpp"
 #include "mbgen/fma.hpp"
+#include "mbgen/middle.hpp"
 #include "mbgen/motion.hpp"
 #include "mbgen/scalar.hpp"
 #include "mbgen/solver.hpp"
@@ -59,8 +60,6 @@ constexpr double p_pull_z = 0.5;
 constexpr double radius_tyre = 0.32;
 constexpr double k_tyre = 2e+05;
 constexpr double d_tyre = 500.0;
-constexpr double relaxation_x_tyre = 0.3;
-constexpr double relaxation_y_tyre = 0.6;
 constexpr double rolling_tyre = 0.007;
 constexpr double m_wheel = 18.0;
 constexpr double I_knuckle_zz = 0.26;
@@ -188,8 +187,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s5_19 = 1.6*s5_18;
   const double s5_20 = 1e-09*s5_17;
   const double s5_21 = (s5_19 >= 0.0 ? mbgen::max(s5_19, s5_20) : mbgen::min(s5_19, -s5_20));
-  const double s5_22 = state.x[0]/relaxation_x_tyre;
-  const double s5_23 = state.x[1]/relaxation_y_tyre;
+  const double s5_22 = 3.3333333333333335*state.x[0];
+  const double s5_23 = 1.6666666666666667*state.x[1];
   const double s5_24 = std::sqrt(fma(s5_23, s5_23, fma(s5_22, s5_22, 1e-30)));
   const double s5_25 = std::abs(v_wheel_x);
   const double s5_26 = fnma(0.3333333333333333, mbgen::max(0.0, s5_15), radius_tyre);
@@ -208,7 +207,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   result.xd[0] = -fma(s5_22, s5_36, s5_28);
   const double s5_37 = mbgen::hyperbolic_tangent(0.5*s5_27);
   const double s5_38 = radius_tyre*(rolling_tyre*load_tyre);
-  // operations: 29 add, 49 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
+  // operations: 29 add, 51 multiply, 6 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
   // upper
@@ -414,8 +413,8 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s5_20 = 1.6*s5_19;
   const double s5_21 = 1e-09*s5_18;
   const double s5_22 = (s5_20 >= 0.0 ? mbgen::max(s5_20, s5_21) : mbgen::min(s5_20, -s5_21));
-  const double s5_23 = state.x[0]/relaxation_x_tyre;
-  const double s5_24 = state.x[1]/relaxation_y_tyre;
+  const double s5_23 = 3.3333333333333335*state.x[0];
+  const double s5_24 = 1.6666666666666667*state.x[1];
   const double s5_25 = std::sqrt(fma(s5_24, s5_24, fma(s5_23, s5_23, 1e-30)));
   const double s5_26 = std::abs(v_wheel_x);
   const double s5_27 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
@@ -430,7 +429,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_18*s5_35;
   const double s5_36 = mbgen::hyperbolic_tangent(0.5*s5_28);
   const double s5_37 = radius_tyre*(rolling_tyre*load_tyre);
-  // operations: 28 add, 47 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+  // operations: 28 add, 49 multiply, 5 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 7: inertias of the bodies and forces on joints ---
   const double s7_1 = zd_lower*zd_lower;
@@ -613,8 +612,8 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s5_20 = 1.6*s5_19;
   const double s5_21 = 1e-09*s5_18;
   const double s5_22 = (s5_20 >= 0.0 ? mbgen::max(s5_20, s5_21) : mbgen::min(s5_20, -s5_21));
-  const double s5_23 = state.x[0]/relaxation_x_tyre;
-  const double s5_24 = state.x[1]/relaxation_y_tyre;
+  const double s5_23 = 3.3333333333333335*state.x[0];
+  const double s5_24 = 1.6666666666666667*state.x[1];
   const double s5_25 = std::sqrt(fma(s5_24, s5_24, fma(s5_23, s5_23, 1e-30)));
   const double s5_26 = std::abs(v_wheel_x);
   const double s5_27 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
@@ -633,7 +632,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   result.xd[0] = -fma(s5_23, s5_37, s5_29);
   const double s5_38 = mbgen::hyperbolic_tangent(0.5*s5_28);
   const double s5_39 = fma(s5_38, radius_tyre*(rolling_tyre*load_tyre), s5_27*fx_tyre);
-  // operations: 31 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
+  // operations: 31 add, 53 multiply, 6 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 8: elimination from the leaves to the root (63) ---
   const double tau_wheel = tau[Coordinate::wheel];
@@ -763,8 +762,8 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s5_21 = 1.6*s5_20;
   const double s5_22 = 1e-09*s5_19;
   const double s5_23 = (s5_21 >= 0.0 ? mbgen::max(s5_21, s5_22) : mbgen::min(s5_21, -s5_22));
-  const double s5_24 = state.x[0]/relaxation_x_tyre;
-  const double s5_25 = state.x[1]/relaxation_y_tyre;
+  const double s5_24 = 3.3333333333333335*state.x[0];
+  const double s5_25 = 1.6666666666666667*state.x[1];
   const double s5_26 = std::sqrt(fma(s5_25, s5_25, fma(s5_24, s5_24, 1e-30)));
   const double s5_27 = std::abs(v_wheel_x);
   const double s5_28 = fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
@@ -779,7 +778,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*s5_36;
   const double s5_37 = mbgen::hyperbolic_tangent(0.5*s5_29);
   const double s5_38 = fma(s5_37, radius_tyre*(rolling_tyre*load_tyre), s5_28*fx_tyre);
-  // operations: 29 add, 49 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+  // operations: 29 add, 51 multiply, 5 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 7: inertias of the bodies and forces on joints ---
   // knuckle: ball, revolute, arm

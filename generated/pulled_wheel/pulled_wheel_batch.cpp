@@ -89,8 +89,6 @@ constexpr double p_pull_z = 0.5;
 constexpr double radius_tyre = 0.32;
 constexpr double k_tyre = 2e+05;
 constexpr double d_tyre = 500.0;
-constexpr double relaxation_x_tyre = 0.3;
-constexpr double relaxation_y_tyre = 0.6;
 constexpr double rolling_tyre = 0.007;
 constexpr double m_wheel = 18.0;
 constexpr double I_knuckle_zz = 0.26;
@@ -221,8 +219,8 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes v_knuckle_x = fma(zd_lower, s1_2, state.zd[Coordinate::pull]);
   // wheel: wheel, revolute, knuckle
   const Lanes v_wheel_x = fma(s1_3, w_knuckle_y, v_knuckle_x);
-  const Lanes s5_22 = state.x[0]/relaxation_x_tyre;
-  const Lanes s5_23 = state.x[1]/relaxation_y_tyre;
+  const Lanes s5_22 = 3.3333333333333335*state.x[0];
+  const Lanes s5_23 = 1.6666666666666667*state.x[1];
   const Lanes s5_24 = mbgen::sqrt(fma(s5_23, s5_23, fma(s5_22, s5_22, 1e-30)));
   const Lanes w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
   // tyre
@@ -300,7 +298,7 @@ using Accelerations = AccelerationsOf<Lanes>;
       tau_wheel)) - alpha_knuckle_y;
   // operations of step 1: poses and axes b: 5 add, 6 multiply, 4 sin cos
   // operations of step 4: velocities: 5 add, 4 multiply
-  // operations of step 5: applied forces Q (48): 29 add, 49 multiply, 8 divide, 3 sqrt, 3 sin cos,
+  // operations of step 5: applied forces Q (48): 29 add, 51 multiply, 6 divide, 3 sqrt, 3 sin cos,
   // 18 other
   // operations of step 2: closure Jacobian Phi_z and its factors (60), upper: 9 add, 9 multiply, 1
   // divide, 1 other
@@ -464,8 +462,8 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes s5_23 = 1e-09*s5_20;
   mbgen::read_back();
   const Lanes s5_24 = mbgen::min(s5_22, -s5_23);
-  const Lanes s5_25 = state.x[0]/relaxation_x_tyre;
-  const Lanes s5_26 = state.x[1]/relaxation_y_tyre;
+  const Lanes s5_25 = 3.3333333333333335*state.x[0];
+  const Lanes s5_26 = 1.6666666666666667*state.x[1];
   const Lanes s5_27 = mbgen::sqrt(fma(s5_26, s5_26, fma(s5_25, s5_25, 1e-30)));
   // knuckle: ball, revolute, arm
   const Lanes v_knuckle_x = fma(zd_lower, s1_2, state.zd[Coordinate::pull]);
@@ -549,7 +547,7 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   result.lambda[0] = -(l_upper*(Q_ball*(1.0/s9_4)));
   // operations of step 1: poses and axes b: 5 add, 6 multiply, 4 sin cos
   // operations of step 4: velocities: 5 add, 4 multiply
-  // operations of step 5: applied forces Q (48): 28 add, 47 multiply, 7 divide, 3 sqrt, 3 sin cos,
+  // operations of step 5: applied forces Q (48): 28 add, 49 multiply, 5 divide, 3 sqrt, 3 sin cos,
   // 18 other
   // operations of step 7: inertias of the bodies and forces on joints: 45 add, 45 multiply
   // operations of step 9: multipliers of the closures and driving forces: 7 add, 9 multiply, 1
@@ -635,8 +633,8 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   const Lanes s5_21 = 1.6*s5_20;
   const Lanes s5_22 = 1e-09*s5_19;
   const Lanes s5_23 = mbgen::min(s5_21, -s5_22);
-  const Lanes s5_24 = state.x[0]/relaxation_x_tyre;
-  const Lanes s5_25 = state.x[1]/relaxation_y_tyre;
+  const Lanes s5_24 = 3.3333333333333335*state.x[0];
+  const Lanes s5_25 = 1.6666666666666667*state.x[1];
   const Lanes s5_26 = mbgen::sqrt(fma(s5_25, s5_25, fma(s5_24, s5_24, 1e-30)));
   // wheel: wheel, revolute, knuckle
   const Lanes zd_wheel = state.zd[Coordinate::wheel];
@@ -683,7 +681,7 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   result.kinetic_energy = 0.5*fma(m_arm, fma(s9_9, s9_9, s9_5*s9_5), s9_15);
   // operations of step 1: poses and axes b: 5 add, 6 multiply, 4 sin cos
   // operations of step 4: velocities: 5 add, 4 multiply
-  // operations of step 5: applied forces Q (48): 29 add, 49 multiply, 7 divide, 3 sqrt, 3 sin cos,
+  // operations of step 5: applied forces Q (48): 29 add, 51 multiply, 5 divide, 3 sqrt, 3 sin cos,
   // 18 other
   // operations of step 7: inertias of the bodies and forces on joints: 2 add, 8 multiply
   // operations of step 9: outputs, energies, power: 26 add, 32 multiply

@@ -54,6 +54,7 @@ TEST(EmittedFiles, areFiveAndTheHeadersTheyInclude) {
                                                  "mbgen/integrators.hpp",
                                                  "mbgen/logarithm.hpp",
                                                  "mbgen/loop.hpp",
+                                                 "mbgen/middle.hpp",
                                                  "mbgen/motion.hpp",
                                                  "mbgen/newton.hpp",
                                                  "mbgen/precision.hpp",
