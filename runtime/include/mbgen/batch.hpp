@@ -225,33 +225,23 @@ typename System::Mask stayed_near(const typename System::State& from, const type
 
 }  // namespace batch_detail
 
-/// The program of all accelerations at a state. least_pivot: of every block over its reference. Result: the good lanes.
+/// The program of all accelerations at a state. forces: null for none. least_pivot: of every block over its reference.
+/// Result: the good lanes.
 template <class System>
 typename System::Mask evaluate_lanes(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
-                                     const typename System::State& state, const typename System::JointForces& forces,
+                                     const typename System::State& state, const typename System::JointForces* forces,
                                      double least_pivot, typename System::Accelerations& values) noexcept {
   using namespace batch_detail;
+  static constexpr typename System::JointForces kNoForces = {};
   // First of all: that brings the arguments near, for the program as well.
-  typename System::Mask good = arguments_are_finite<System>(parameters, inputs, state, &forces);
-  run_groups(System::accelerations, values, parameters, inputs, state, forces);
+  typename System::Mask good = arguments_are_finite<System>(parameters, inputs, state, forces);
+  run_groups(System::accelerations, values, parameters, inputs, state, forces != nullptr ? *forces : kNoForces);
   // The array of a solver without auxiliary states has one entry all the same, and integrators integrate it.
   if constexpr (System::kAuxiliaryStates == 0) values.xd[0] = typename System::Row{};
   good &= pivots_reach<System>(values.pivot, least_pivot);
   good &= in_users_chart<System>(state);
   for (int k = 0; k < System::kFreeDirections; ++k) good &= values.inertia[k] > 0.0;
   return good & is_finite(sum(values.zdd, System::kCoordinates) + sum(values.xd, System::kAuxiliaryStates));
-}
-
-/// The same for integrators.
-template <class System>
-typename System::Mask accelerate_lanes(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
-                                       const typename System::State& state, const typename System::JointForces& forces,
-                                       double least_pivot, typename System::Derivative& derivative) noexcept {
-  typename System::Accelerations values;
-  const typename System::Mask good = evaluate_lanes<System>(parameters, inputs, state, forces, least_pivot, values);
-  integrator_detail::copy(values.zdd, derivative.zdd);
-  integrator_detail::copy(values.xd, derivative.xd);
-  return good;
 }
 
 /// Closes every loop from the state as a guess, as project_state. Result: the good lanes.

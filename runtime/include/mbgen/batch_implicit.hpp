@@ -16,6 +16,13 @@ struct ImplicitLaneDynamics : LaneDynamics<System> {
   using Derivative = typename System::Derivative;
   using Tangents = typename System::Tangents;
 
+  Status derivative(const State& state, Derivative& derivative) const noexcept {
+    typename System::Accelerations values;
+    LaneDynamics<System>::derivative(state, values);
+    integrator_detail::copy(values.zdd, derivative.zdd);
+    integrator_detail::copy(values.xd, derivative.xd);
+    return {};
+  }
   Status tangents(const State& state, double g, Tangents& values) const noexcept {
     run_groups(System::tangents, values, this->parameters, this->inputs_at(state.t), state, size_of_step(g));
     this->good &= pivots_reach<System>(values.pivot, kPivotThreshold<double>);

@@ -13,16 +13,14 @@ namespace batch_detail {
 template <class System>
 struct LaneDynamics {
   using State = typename System::State;
-  using Derivative = typename System::Derivative;
+  using Derivative = typename System::Accelerations;  ///< with rates where the program puts them
   const ParametersOf<System>& parameters;
   const InputsOf<System>& inputs;
   const typename System::Row& start;  ///< s, time of the inputs
   typename System::Mask& good;
 
   Status derivative(const State& state, Derivative& derivative) const noexcept {
-    static constexpr typename System::JointForces kNoForces = {};
-    good &=
-        accelerate_lanes<System>(parameters, inputs_at(state.t), state, kNoForces, kNearSingular<double>, derivative);
+    good &= evaluate_lanes<System>(parameters, inputs_at(state.t), state, nullptr, kNearSingular<double>, derivative);
     return {};
   }
   Status project(State& state) const noexcept {
