@@ -26,6 +26,8 @@ fill() {
 "$root/bench/compare.sh" "$@" > "$scratch/table"
 fill compare
 if [ -n "${OTHER_MBGEN:-}" ]; then
-  MBGEN=${MBGEN_BUILD:-$root/build/compare}/mbgen "$root/bench/beside.sh" "$OTHER_MBGEN" > "$scratch/table"
+  build=${MBGEN_BUILD:-$root/build/compare}
+  cmake --build "$build" --target mbgen >&2
+  MBGEN=$build/mbgen "$root/bench/beside.sh" "$OTHER_MBGEN" > "$scratch/table"
   fill beside
 fi
