@@ -39,10 +39,9 @@ std::optional<ArrayFunction> called_function(Op op) {
 
 /// What no value of it exceeds in size, infinity where that is not known: of arcs and their multiples.
 double bound_of(const Program& program, ValueId v) {
-  const Node& node = program.nodes[v];
-  switch (node.op) {
-    case Op::constant:
-      return std::abs(node.constant);
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const auto& [first, second, third] = program.nodes[v].operands;
+  switch (program.nodes[v].op) {
     case Op::atan:
     case Op::asin:
       return std::numbers::pi / 2;
@@ -50,11 +49,12 @@ double bound_of(const Program& program, ValueId v) {
     case Op::atan2:
       return std::numbers::pi;
     case Op::negate:
-      return bound_of(program, node.operands[0]);
-    case Op::multiply:
-      return bound_of(program, node.operands[0]) * bound_of(program, node.operands[1]);
+      return bound_of(program, first);
+    case Op::multiply:  // constants stand first
+      if (program.nodes[first].op != Op::constant) return kUnknown;
+      return std::abs(program.nodes[first].constant) * bound_of(program, second);
     default:
-      return std::numeric_limits<double>::infinity();
+      return kUnknown;
   }
 }
 

@@ -929,7 +929,7 @@ Statuses accelerations(const Parameters& parameters, const Inputs& inputs, const
                        const JointForces& forces, Derivative& derivative) noexcept {
   System::Accelerations values;
   const Mask good = mbgen::evaluate_lanes<System>(in_lanes(parameters), in_lanes(inputs), as_rows<System::State>(state),
-                                                  as_rows<System::JointForces>(forces), mbgen::kPivotThreshold<double>,
+                                                  &as_rows<System::JointForces>(forces), mbgen::kPivotThreshold<double>,
                                                   values);
   store_rows(good, values.zdd, derivative.zdd);
   store_rows(good, values.xd, derivative.xd);
