@@ -1,7 +1,5 @@
 #include "compiler/emit/function_text.hpp"
 
-#include <fmt/format.h>
-
 #include "compiler/emit/frame.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
@@ -20,9 +18,6 @@ struct TakenArgument {
   bool is_used = false;
 };
 
-/// Parts get structs of the numbers that cross them by their middle; vectors are near by their size.
-bool goes_by_middle(const ProgramShape& shape) { return is_number(shape.scalar); }
-
 /// The arguments of a program, the structs of values that cross its parts, and the result. Nothing else reaches the
 /// last two: without the promise every store would make the compiler read the state again.
 std::vector<TakenArgument> taken_arguments(const ProgramShape& shape, const CrossingStructs& crossing,
@@ -30,15 +25,10 @@ std::vector<TakenArgument> taken_arguments(const ProgramShape& shape, const Cros
   std::vector<TakenArgument> list;
   for (const auto& [name, declaration] : shape.arguments)
     list.push_back({name, declaration.substr(0, declaration.size() - name.size())});
-  for (const CrossingStruct& work : crossing) {
-    const std::string type = work_type(shape, work);
-    list.push_back(goes_by_middle(shape) ? TakenArgument{work.middle, "mbgen::Middle<" + type + ">& __restrict "}
-                                         : TakenArgument{work.argument, type + "& __restrict "});
-    if (used.contains(work.argument)) list.back().is_used = true;
-  }
+  for (const CrossingStruct& work : crossing) list.push_back({work.argument, work_type(shape, work) + "& __restrict "});
   for (const LawShape& law : shape.laws) list.push_back({law.argument, law.type + "& __restrict "});
   if (!shape.result.empty()) list.push_back({"result", shape.result + "& __restrict "});
-  for (TakenArgument& argument : list) argument.is_used = argument.is_used || used.contains(argument.name);
+  for (TakenArgument& argument : list) argument.is_used = used.contains(argument.name);
   return list;
 }
 
@@ -59,16 +49,6 @@ std::string part_parameters(const ProgramShape& shape, const CrossingStructs& cr
   for (const auto& [name, type, is_used] : taken_arguments(shape, crossing, used))
     if (is_used) list.push_back(type + name);
   return joined(list, ", ");
-}
-
-/// Statements that come first in a part: the structs of which it gets the middle.
-std::string structs_of_middles(const ProgramShape& shape, const CrossingStructs& crossing,
-                               const std::set<std::string>& used) {
-  std::string text;
-  for (const CrossingStruct& work : crossing)
-    if (goes_by_middle(shape) && used.contains(work.argument))
-      text += fmt::format("  {}& {} = mbgen::whole_of({});\n", work_type(shape, work), work.argument, work.middle);
-  return text;
 }
 
 /// The arguments of a part, those of group g where it is called for each.
@@ -102,10 +82,9 @@ FrameRows part_rows(const ProgramShape& shape, const std::vector<PartText>& part
     rows.push_back(
         {{"comment", wrapped_words(comment, "/// ")},
          {"declaration", wrapped_statement("[[gnu::noinline]] void " + function + "(" + parameters + ") noexcept {")},
-         {"body", structs_of_middles(shape, crossing, part.arguments) + part.body},
+         {"body", part.body},
          {"laws", rows.size() == law_part ? law_rows(shape) : FrameRows{}},
-         {"call", wrapped_statement((shape.in_groups ? "    " : "  ") + function + "(" +
-                                    part_arguments(shape, crossing, part.arguments) + ");")},
+         {"call", function + "(" + part_arguments(shape, crossing, part.arguments) + ")"},
          {"ended_step", tells_step ? std::to_string(*part.ended_step) : ""}});
   }
   return rows;
@@ -136,12 +115,10 @@ std::string member_declarations(const CrossingStruct& work) {
   return text + unions;
 }
 
-FrameRows work_rows(const ProgramShape& shape, const CrossingStructs& crossing, bool has_parts) {
+FrameRows work_rows(const ProgramShape& shape, const CrossingStructs& crossing) {
   return mapped(crossing, [&](const CrossingStruct& work) {
-    return FrameValues{{"type", work_type(shape, work)},
-                       {"argument", work.argument},
-                       {"middle", has_parts && goes_by_middle(shape) ? work.middle : ""},
-                       {"values", member_declarations(work)}};
+    return FrameValues{
+        {"type", work_type(shape, work)}, {"argument", work.argument}, {"values", member_declarations(work)}};
   });
 }
 
@@ -186,7 +163,7 @@ std::string function_text(const ProgramShape& shape, const std::vector<PartText>
                         {"members", members},
                         {"file_part", shape.file_part > 0 ? std::to_string(shape.file_part) : ""},
                         {"announcement", declaration(shape, all, ";")},
-                        {"work", work_rows(shape, crossing, !is_whole)},
+                        {"work", work_rows(shape, crossing)},
                         {"law_structs", mapped(shape.laws,
                                                [](const LawShape& law) {
                                                  return FrameValues{{"type", law.type}, {"argument", law.argument}};

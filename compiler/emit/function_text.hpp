@@ -13,7 +13,6 @@ namespace mbgen {
 /// A struct of values that cross the parts of a program: an argument of the parts, and its members.
 struct CrossingStruct {
   std::string argument;  ///< "w1", "w2", ...
-  std::string middle;    ///< "middle1", "middle2", ...: see mbgen/middle.hpp
   struct Place {
     std::string type;
     std::vector<std::string> names;  ///< declarators of the values that follow one another there

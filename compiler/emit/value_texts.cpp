@@ -71,9 +71,7 @@ void ValueTexts::reserve_names() {
 }
 
 CrossingStruct& ValueTexts::add_crossing() {
-  const std::size_t number = crossing_.size() + 1;
-  return crossing_.emplace_back(
-      CrossingStruct{names_.unique(fmt::format("w{}", number)), names_.unique(fmt::format("middle{}", number))});
+  return crossing_.emplace_back(CrossingStruct{names_.unique(fmt::format("w{}", crossing_.size() + 1))});
 }
 
 void ValueTexts::declare_crossing() {

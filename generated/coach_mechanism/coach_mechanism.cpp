@@ -77,7 +77,6 @@
 
 #include "mbgen/elementary.hpp"
 #include "mbgen/fma.hpp"
-#include "mbgen/middle.hpp"
 #include "mbgen/motion.hpp"
 #include "mbgen/pair.hpp"
 #include "mbgen/scalar.hpp"
@@ -518,13 +517,8 @@ struct AccelerationsWork6 {
 /// zd (62), long_rod_left .. arb_link_rear_right; step 9: accelerations from the root to the leaves
 /// (63), (62).
 [[gnu::noinline]] void compute_accelerations_1(const State& state,
-    mbgen::Middle<AccelerationsWork1>& __restrict middle1,
-    mbgen::Middle<AccelerationsWork3>& __restrict middle3,
-    mbgen::Middle<AccelerationsWork6>& __restrict middle6,
-    Accelerations& __restrict result) noexcept {
-  AccelerationsWork1& w1 = mbgen::whole_of(middle1);
-  AccelerationsWork3& w3 = mbgen::whole_of(middle3);
-  AccelerationsWork6& w6 = mbgen::whole_of(middle6);
+    AccelerationsWork1& __restrict w1, AccelerationsWork3& __restrict w3,
+    AccelerationsWork6& __restrict w6, Accelerations& __restrict result) noexcept {
   // Results that need no operation.
   result.inertia[9] = I_wheel_front_left_polar;
   result.inertia[10] = I_wheel_front_right_polar;
@@ -712,14 +706,8 @@ struct AccelerationsWork6 {
 /// arb_link_rear_right; step 7: inertias of the bodies and forces on joints, long_rod_left ..
 /// arb_link_rear_right; step 8: elimination from the leaves to the root (63).
 [[gnu::noinline]] void compute_accelerations_2(const State& state, const double* tau,
-    mbgen::Middle<AccelerationsWork1>& __restrict middle1,
-    mbgen::Middle<AccelerationsWork3>& __restrict middle3,
-    mbgen::Middle<AccelerationsWork4>& __restrict middle4,
-    mbgen::Middle<AccelerationsWork6>& __restrict middle6) noexcept {
-  AccelerationsWork1& w1 = mbgen::whole_of(middle1);
-  AccelerationsWork3& w3 = mbgen::whole_of(middle3);
-  AccelerationsWork4& w4 = mbgen::whole_of(middle4);
-  AccelerationsWork6& w6 = mbgen::whole_of(middle6);
+    AccelerationsWork1& __restrict w1, AccelerationsWork3& __restrict w3,
+    AccelerationsWork4& __restrict w4, AccelerationsWork6& __restrict w6) noexcept {
   // --- step 2: closure Jacobian Phi_z and its factors (60), long_rod_left .. arb_link_rear_right,
   // continued ---
   w1.s2_62 = 1.0/w1.s2_52;
@@ -993,14 +981,8 @@ struct AccelerationsWork6 {
 /// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63),
 /// long_rod_left .. arb_link_rear_right; step 3: Rz (61), long_rod_left .. arb_link_rear_right.
 [[gnu::noinline]] void compute_accelerations_3(const State& state, const double* tau,
-    mbgen::Middle<AccelerationsWork1>& __restrict middle1,
-    mbgen::Middle<AccelerationsWork2>& __restrict middle2,
-    mbgen::Middle<AccelerationsWork4>& __restrict middle4,
-    mbgen::Middle<AccelerationsWork6>& __restrict middle6) noexcept {
-  AccelerationsWork1& w1 = mbgen::whole_of(middle1);
-  AccelerationsWork2& w2 = mbgen::whole_of(middle2);
-  AccelerationsWork4& w4 = mbgen::whole_of(middle4);
-  AccelerationsWork6& w6 = mbgen::whole_of(middle6);
+    AccelerationsWork1& __restrict w1, AccelerationsWork2& __restrict w2,
+    AccelerationsWork4& __restrict w4, AccelerationsWork6& __restrict w6) noexcept {
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right ---
   const double R_bell_crank_y_x = w6.sines[8];
   const double s2_123 = -p_tie_rod_left_from_x*R_bell_crank_y_x;
@@ -1404,16 +1386,9 @@ struct AccelerationsWork6 {
 /// elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right; step 3: Rz (61),
 /// upper_ball_left .. tie_rod_right.
 [[gnu::noinline]] void compute_accelerations_4(const State& state, const double* tau,
-    mbgen::Middle<AccelerationsWork1>& __restrict middle1,
-    mbgen::Middle<AccelerationsWork2>& __restrict middle2,
-    mbgen::Middle<AccelerationsWork3>& __restrict middle3,
-    mbgen::Middle<AccelerationsWork4>& __restrict middle4,
-    mbgen::Middle<AccelerationsWork6>& __restrict middle6) noexcept {
-  AccelerationsWork1& w1 = mbgen::whole_of(middle1);
-  AccelerationsWork2& w2 = mbgen::whole_of(middle2);
-  AccelerationsWork3& w3 = mbgen::whole_of(middle3);
-  AccelerationsWork4& w4 = mbgen::whole_of(middle4);
-  AccelerationsWork6& w6 = mbgen::whole_of(middle6);
+    AccelerationsWork1& __restrict w1, AccelerationsWork2& __restrict w2,
+    AccelerationsWork3& __restrict w3, AccelerationsWork4& __restrict w4,
+    AccelerationsWork6& __restrict w6) noexcept {
   // --- step 7: inertias of the bodies and forces on joints, long_rod_left .. arb_link_rear_right,
   // continued ---
   const Pair s7_69 = Pair{-w4.s7_6, w4.s7_6};
@@ -1692,17 +1667,9 @@ struct AccelerationsWork6 {
 /// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63),
 /// long_rod_left .. arb_link_rear_right; step 8: elimination from the leaves to the root (63); step
 /// 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right.
-[[gnu::noinline]] void compute_accelerations_5(const double* tau,
-    mbgen::Middle<AccelerationsWork1>& __restrict middle1,
-    mbgen::Middle<AccelerationsWork2>& __restrict middle2,
-    mbgen::Middle<AccelerationsWork3>& __restrict middle3,
-    mbgen::Middle<AccelerationsWork4>& __restrict middle4,
-    mbgen::Middle<AccelerationsWork6>& __restrict middle6) noexcept {
-  AccelerationsWork1& w1 = mbgen::whole_of(middle1);
-  AccelerationsWork2& w2 = mbgen::whole_of(middle2);
-  AccelerationsWork3& w3 = mbgen::whole_of(middle3);
-  AccelerationsWork4& w4 = mbgen::whole_of(middle4);
-  AccelerationsWork6& w6 = mbgen::whole_of(middle6);
+[[gnu::noinline]] void compute_accelerations_5(const double* tau, AccelerationsWork1& __restrict w1,
+    AccelerationsWork2& __restrict w2, AccelerationsWork3& __restrict w3,
+    AccelerationsWork4& __restrict w4, AccelerationsWork6& __restrict w6) noexcept {
   // --- step 7: inertias of the bodies and forces on joints, upper_ball_left .. tie_rod_right,
   // continued ---
   const Pair R_upper_arm_left_z_y = mbgen::pair_at(w6.sines + 14);
@@ -1963,19 +1930,10 @@ struct AccelerationsWork6 {
 /// (63), upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63),
 /// long_rod_left .. arb_link_rear_right; step 8: elimination from the leaves to the root (63).
 [[gnu::noinline]] void compute_accelerations_6(const State& state, const double* tau,
-    mbgen::Middle<AccelerationsWork1>& __restrict middle1,
-    mbgen::Middle<AccelerationsWork2>& __restrict middle2,
-    mbgen::Middle<AccelerationsWork3>& __restrict middle3,
-    mbgen::Middle<AccelerationsWork4>& __restrict middle4,
-    mbgen::Middle<AccelerationsWork5>& __restrict middle5,
-    mbgen::Middle<AccelerationsWork6>& __restrict middle6,
+    AccelerationsWork1& __restrict w1, AccelerationsWork2& __restrict w2,
+    AccelerationsWork3& __restrict w3, AccelerationsWork4& __restrict w4,
+    AccelerationsWork5& __restrict w5, AccelerationsWork6& __restrict w6,
     Accelerations& __restrict result) noexcept {
-  AccelerationsWork1& w1 = mbgen::whole_of(middle1);
-  AccelerationsWork2& w2 = mbgen::whole_of(middle2);
-  AccelerationsWork3& w3 = mbgen::whole_of(middle3);
-  AccelerationsWork4& w4 = mbgen::whole_of(middle4);
-  AccelerationsWork5& w5 = mbgen::whole_of(middle5);
-  AccelerationsWork6& w6 = mbgen::whole_of(middle6);
   // --- step 3: Rz (61), upper_ball_left .. tie_rod_right, continued ---
   w4.s3_34 = w4.s2_192*w4.s2_193;
   w4.s2_195 = 3.9625229801272064*w4.s2_194;
@@ -2306,20 +2264,10 @@ struct AccelerationsWork6 {
 /// Part 7 of compute_accelerations: step 8: elimination from the leaves to the root (63),
 /// long_rod_left .. arb_link_rear_right; step 8: elimination from the leaves to the root (63),
 /// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63).
-[[gnu::noinline]] void compute_accelerations_7(const double* tau,
-    mbgen::Middle<AccelerationsWork1>& __restrict middle1,
-    mbgen::Middle<AccelerationsWork2>& __restrict middle2,
-    mbgen::Middle<AccelerationsWork3>& __restrict middle3,
-    mbgen::Middle<AccelerationsWork4>& __restrict middle4,
-    mbgen::Middle<AccelerationsWork5>& __restrict middle5,
-    mbgen::Middle<AccelerationsWork6>& __restrict middle6,
-    Accelerations& __restrict result) noexcept {
-  AccelerationsWork1& w1 = mbgen::whole_of(middle1);
-  AccelerationsWork2& w2 = mbgen::whole_of(middle2);
-  AccelerationsWork3& w3 = mbgen::whole_of(middle3);
-  AccelerationsWork4& w4 = mbgen::whole_of(middle4);
-  AccelerationsWork5& w5 = mbgen::whole_of(middle5);
-  AccelerationsWork6& w6 = mbgen::whole_of(middle6);
+[[gnu::noinline]] void compute_accelerations_7(const double* tau, AccelerationsWork1& __restrict w1,
+    AccelerationsWork2& __restrict w2, AccelerationsWork3& __restrict w3,
+    AccelerationsWork4& __restrict w4, AccelerationsWork5& __restrict w5,
+    AccelerationsWork6& __restrict w6, Accelerations& __restrict result) noexcept {
   // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
   // continued ---
   const Pair s8_739 = w2.s7_82 - 14.85;
@@ -2608,19 +2556,10 @@ struct AccelerationsWork6 {
 /// accelerations from the root to the leaves (63), (62); step 2: closure Jacobian Phi_z and its
 /// factors (60), upper_ball_left .. tie_rod_right.
 [[gnu::noinline]] void compute_accelerations_8(const State& state, const double* tau,
-    mbgen::Middle<AccelerationsWork1>& __restrict middle1,
-    mbgen::Middle<AccelerationsWork2>& __restrict middle2,
-    mbgen::Middle<AccelerationsWork3>& __restrict middle3,
-    mbgen::Middle<AccelerationsWork4>& __restrict middle4,
-    mbgen::Middle<AccelerationsWork5>& __restrict middle5,
-    mbgen::Middle<AccelerationsWork6>& __restrict middle6,
+    AccelerationsWork1& __restrict w1, AccelerationsWork2& __restrict w2,
+    AccelerationsWork3& __restrict w3, AccelerationsWork4& __restrict w4,
+    AccelerationsWork5& __restrict w5, AccelerationsWork6& __restrict w6,
     Accelerations& __restrict result) noexcept {
-  AccelerationsWork1& w1 = mbgen::whole_of(middle1);
-  AccelerationsWork2& w2 = mbgen::whole_of(middle2);
-  AccelerationsWork3& w3 = mbgen::whole_of(middle3);
-  AccelerationsWork4& w4 = mbgen::whole_of(middle4);
-  AccelerationsWork5& w5 = mbgen::whole_of(middle5);
-  AccelerationsWork6& w6 = mbgen::whole_of(middle6);
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
   // continued ---
   const double s8_989 = fma(w4.s8_571, w5.s8_954, w5.s8_952*w4.s8_572);
@@ -2925,25 +2864,19 @@ struct AccelerationsWork6 {
 void compute_accelerations(const Tuned& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, const double* tau, Accelerations& __restrict result) noexcept {
   AccelerationsWork1 w1;
-  mbgen::Middle<AccelerationsWork1>& middle1 = mbgen::middle_of(w1);
   AccelerationsWork2 w2;
-  mbgen::Middle<AccelerationsWork2>& middle2 = mbgen::middle_of(w2);
   AccelerationsWork3 w3;
-  mbgen::Middle<AccelerationsWork3>& middle3 = mbgen::middle_of(w3);
   AccelerationsWork4 w4;
-  mbgen::Middle<AccelerationsWork4>& middle4 = mbgen::middle_of(w4);
   AccelerationsWork5 w5;
-  mbgen::Middle<AccelerationsWork5>& middle5 = mbgen::middle_of(w5);
   AccelerationsWork6 w6;
-  mbgen::Middle<AccelerationsWork6>& middle6 = mbgen::middle_of(w6);
-  compute_accelerations_1(state, middle1, middle3, middle6, result);
-  compute_accelerations_2(state, tau, middle1, middle3, middle4, middle6);
-  compute_accelerations_3(state, tau, middle1, middle2, middle4, middle6);
-  compute_accelerations_4(state, tau, middle1, middle2, middle3, middle4, middle6);
-  compute_accelerations_5(tau, middle1, middle2, middle3, middle4, middle6);
-  compute_accelerations_6(state, tau, middle1, middle2, middle3, middle4, middle5, middle6, result);
-  compute_accelerations_7(tau, middle1, middle2, middle3, middle4, middle5, middle6, result);
-  compute_accelerations_8(state, tau, middle1, middle2, middle3, middle4, middle5, middle6, result);
+  compute_accelerations_1(state, w1, w3, w6, result);
+  compute_accelerations_2(state, tau, w1, w3, w4, w6);
+  compute_accelerations_3(state, tau, w1, w2, w4, w6);
+  compute_accelerations_4(state, tau, w1, w2, w3, w4, w6);
+  compute_accelerations_5(tau, w1, w2, w3, w4, w6);
+  compute_accelerations_6(state, tau, w1, w2, w3, w4, w5, w6, result);
+  compute_accelerations_7(tau, w1, w2, w3, w4, w5, w6, result);
+  compute_accelerations_8(state, tau, w1, w2, w3, w4, w5, w6, result);
 }
 
 /// Result of compute_closure.
@@ -2973,11 +2906,8 @@ struct ClosureWork2 {
 
 /// Part 1 of compute_closure: step 1: poses and axes b; step 2: closure Jacobian Phi_z and its
 /// factors (60); step 4: velocities; step 3: Rz (61).
-[[gnu::noinline]] void compute_closure_1(const State& state,
-    mbgen::Middle<ClosureWork1>& __restrict middle1,
-    mbgen::Middle<ClosureWork2>& __restrict middle2, Closure& __restrict result) noexcept {
-  ClosureWork1& w1 = mbgen::whole_of(middle1);
-  ClosureWork2& w2 = mbgen::whole_of(middle2);
+[[gnu::noinline]] void compute_closure_1(const State& state, ClosureWork1& __restrict w1,
+    ClosureWork2& __restrict w2, Closure& __restrict result) noexcept {
   // Results that need no operation.
   for (int k = 0; k < 42; ++k) result.Rz[k] = 0.0;
   result.Rz[0] = 1.0;
@@ -3406,11 +3336,8 @@ struct ClosureWork2 {
 }
 
 /// Part 2 of compute_closure: step 2: closure Jacobian Phi_z and its factors (60); step 3: Rz (61).
-[[gnu::noinline]] void compute_closure_2(const State& state,
-    mbgen::Middle<ClosureWork1>& __restrict middle1,
-    mbgen::Middle<ClosureWork2>& __restrict middle2, Closure& __restrict result) noexcept {
-  ClosureWork1& w1 = mbgen::whole_of(middle1);
-  ClosureWork2& w2 = mbgen::whole_of(middle2);
+[[gnu::noinline]] void compute_closure_2(const State& state, ClosureWork1& __restrict w1,
+    ClosureWork2& __restrict w2, Closure& __restrict result) noexcept {
   // --- step 2: closure Jacobian Phi_z and its factors (60), continued ---
   const double s2_194 = 0.5*w1.s2_193;
   result.residual[7] = s2_194;
@@ -3742,11 +3669,9 @@ struct ClosureWork2 {
 void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
   ClosureWork1 w1;
-  mbgen::Middle<ClosureWork1>& middle1 = mbgen::middle_of(w1);
   ClosureWork2 w2;
-  mbgen::Middle<ClosureWork2>& middle2 = mbgen::middle_of(w2);
-  compute_closure_1(state, middle1, middle2, result);
-  compute_closure_2(state, middle1, middle2, result);
+  compute_closure_1(state, w1, w2, result);
+  compute_closure_2(state, w1, w2, result);
 }
 
 #endif  // part 0
@@ -3850,12 +3775,8 @@ struct ConstraintForcesWork4 {
 /// Part 1 of compute_multipliers: step 1: poses and axes b; step 4: velocities; step 7: inertias of
 /// the bodies and forces on joints.
 [[gnu::noinline]] void compute_multipliers_1(const State& state, const Derivative& derivative,
-    mbgen::Middle<ConstraintForcesWork1>& __restrict middle1,
-    mbgen::Middle<ConstraintForcesWork2>& __restrict middle2,
-    mbgen::Middle<ConstraintForcesWork4>& __restrict middle4) noexcept {
-  ConstraintForcesWork1& w1 = mbgen::whole_of(middle1);
-  ConstraintForcesWork2& w2 = mbgen::whole_of(middle2);
-  ConstraintForcesWork4& w4 = mbgen::whole_of(middle4);
+    ConstraintForcesWork1& __restrict w1, ConstraintForcesWork2& __restrict w2,
+    ConstraintForcesWork4& __restrict w4) noexcept {
   // --- step 1: poses and axes b ---
   const double angles[] = {
       state.z[Coordinate::chassis_rz], state.z[Coordinate::chassis_ry],
@@ -4581,15 +4502,9 @@ struct ConstraintForcesWork4 {
 
 /// Part 2 of compute_multipliers: step 7: inertias of the bodies and forces on joints.
 [[gnu::noinline]] void compute_multipliers_2(const State& state, const double* tau,
-    const Derivative& derivative, mbgen::Middle<ConstraintForcesWork1>& __restrict middle1,
-    mbgen::Middle<ConstraintForcesWork2>& __restrict middle2,
-    mbgen::Middle<ConstraintForcesWork3>& __restrict middle3,
-    mbgen::Middle<ConstraintForcesWork4>& __restrict middle4,
-    ConstraintForces& __restrict result) noexcept {
-  ConstraintForcesWork1& w1 = mbgen::whole_of(middle1);
-  ConstraintForcesWork2& w2 = mbgen::whole_of(middle2);
-  ConstraintForcesWork3& w3 = mbgen::whole_of(middle3);
-  ConstraintForcesWork4& w4 = mbgen::whole_of(middle4);
+    const Derivative& derivative, ConstraintForcesWork1& __restrict w1,
+    ConstraintForcesWork2& __restrict w2, ConstraintForcesWork3& __restrict w3,
+    ConstraintForcesWork4& __restrict w4, ConstraintForces& __restrict result) noexcept {
   // --- step 7: inertias of the bodies and forces on joints, continued ---
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s7_182 = w1.w_rear_axle_y*w1.w_rear_axle_y;
@@ -5219,15 +5134,9 @@ struct ConstraintForcesWork4 {
 /// Part 3 of compute_multipliers: step 7: inertias of the bodies and forces on joints; step 9:
 /// multipliers of the closures and driving forces.
 [[gnu::noinline]] void compute_multipliers_3(const State& state, const double* tau,
-    mbgen::Middle<ConstraintForcesWork1>& __restrict middle1,
-    mbgen::Middle<ConstraintForcesWork2>& __restrict middle2,
-    mbgen::Middle<ConstraintForcesWork3>& __restrict middle3,
-    mbgen::Middle<ConstraintForcesWork4>& __restrict middle4,
+    ConstraintForcesWork1& __restrict w1, ConstraintForcesWork2& __restrict w2,
+    ConstraintForcesWork3& __restrict w3, ConstraintForcesWork4& __restrict w4,
     ConstraintForces& __restrict result) noexcept {
-  ConstraintForcesWork1& w1 = mbgen::whole_of(middle1);
-  ConstraintForcesWork2& w2 = mbgen::whole_of(middle2);
-  ConstraintForcesWork3& w3 = mbgen::whole_of(middle3);
-  ConstraintForcesWork4& w4 = mbgen::whole_of(middle4);
   // --- step 7: inertias of the bodies and forces on joints, continued ---
   const double s7_669 = c_carrier_right_z*w1.R_carrier_right_y_z;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
@@ -5806,16 +5715,12 @@ struct ConstraintForcesWork4 {
 void compute_multipliers(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     const double* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
   ConstraintForcesWork1 w1;
-  mbgen::Middle<ConstraintForcesWork1>& middle1 = mbgen::middle_of(w1);
   ConstraintForcesWork2 w2;
-  mbgen::Middle<ConstraintForcesWork2>& middle2 = mbgen::middle_of(w2);
   ConstraintForcesWork3 w3;
-  mbgen::Middle<ConstraintForcesWork3>& middle3 = mbgen::middle_of(w3);
   ConstraintForcesWork4 w4;
-  mbgen::Middle<ConstraintForcesWork4>& middle4 = mbgen::middle_of(w4);
-  compute_multipliers_1(state, derivative, middle1, middle2, middle4);
-  compute_multipliers_2(state, tau, derivative, middle1, middle2, middle3, middle4, result);
-  compute_multipliers_3(state, tau, middle1, middle2, middle3, middle4, result);
+  compute_multipliers_1(state, derivative, w1, w2, w4);
+  compute_multipliers_2(state, tau, derivative, w1, w2, w3, w4, result);
+  compute_multipliers_3(state, tau, w1, w2, w3, w4, result);
 }
 #endif  // part 1
 
@@ -5849,12 +5754,8 @@ struct ClosureTermsWork2 {
 
 /// Part 1 of compute_closure_terms: step 1: poses and axes b; step 4: velocities; step 2: closure
 /// Jacobian Phi_z and its factors (60).
-[[gnu::noinline]] void compute_closure_terms_1(const State& state,
-    mbgen::Middle<ClosureTermsWork1>& __restrict middle1,
-    mbgen::Middle<ClosureTermsWork2>& __restrict middle2,
-    ClosureTerms& __restrict result) noexcept {
-  ClosureTermsWork1& w1 = mbgen::whole_of(middle1);
-  ClosureTermsWork2& w2 = mbgen::whole_of(middle2);
+[[gnu::noinline]] void compute_closure_terms_1(const State& state, ClosureTermsWork1& __restrict w1,
+    ClosureTermsWork2& __restrict w2, ClosureTerms& __restrict result) noexcept {
   // Results that need no operation.
   for (int k = 0; k < 154; ++k) result.Jz[k] = 0.0;
   for (int k = 154; k < 202; ++k) result.Jz[k] = 0.0;
@@ -6381,12 +6282,8 @@ struct ClosureTermsWork2 {
 }
 
 /// Part 2 of compute_closure_terms: step 2: closure Jacobian Phi_z and its factors (60).
-[[gnu::noinline]] void compute_closure_terms_2(const State& state,
-    mbgen::Middle<ClosureTermsWork1>& __restrict middle1,
-    mbgen::Middle<ClosureTermsWork2>& __restrict middle2,
-    ClosureTerms& __restrict result) noexcept {
-  ClosureTermsWork1& w1 = mbgen::whole_of(middle1);
-  ClosureTermsWork2& w2 = mbgen::whole_of(middle2);
+[[gnu::noinline]] void compute_closure_terms_2(const State& state, ClosureTermsWork1& __restrict w1,
+    ClosureTermsWork2& __restrict w2, ClosureTerms& __restrict result) noexcept {
   // --- step 2: closure Jacobian Phi_z and its factors (60), continued ---
   const double s2_222 = fma(w1.s4_23, w1.s4_33 - w1.s4_32, w1.s4_24*w1.s4_34);
   const double s2_223 = fma(w1.s4_26, w1.s4_33, fnma(w1.s4_27, w1.s4_29, w1.s4_30*w1.s4_32));
@@ -6658,11 +6555,9 @@ struct ClosureTermsWork2 {
 void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, ClosureTerms& __restrict result) noexcept {
   ClosureTermsWork1 w1;
-  mbgen::Middle<ClosureTermsWork1>& middle1 = mbgen::middle_of(w1);
   ClosureTermsWork2 w2;
-  mbgen::Middle<ClosureTermsWork2>& middle2 = mbgen::middle_of(w2);
-  compute_closure_terms_1(state, middle1, middle2, result);
-  compute_closure_terms_2(state, middle1, middle2, result);
+  compute_closure_terms_1(state, w1, w2, result);
+  compute_closure_terms_2(state, w1, w2, result);
 }
 #endif  // part 1
 
@@ -6809,13 +6704,9 @@ struct ChosenAccelerationsWork8 {
 /// long_rod_left .. arb_link_rear_right; step 8: elimination from the leaves to the root (63),
 /// long_rod_left .. arb_link_rear_right.
 [[gnu::noinline]] void compute_chosen_accelerations_1(const State& state, const double* tau,
-    const Projection& projection, mbgen::Middle<ChosenAccelerationsWork1>& __restrict middle1,
-    mbgen::Middle<ChosenAccelerationsWork2>& __restrict middle2,
-    mbgen::Middle<ChosenAccelerationsWork8>& __restrict middle8,
+    const Projection& projection, ChosenAccelerationsWork1& __restrict w1,
+    ChosenAccelerationsWork2& __restrict w2, ChosenAccelerationsWork8& __restrict w8,
     ChosenAccelerations& __restrict result) noexcept {
-  ChosenAccelerationsWork1& w1 = mbgen::whole_of(middle1);
-  ChosenAccelerationsWork2& w2 = mbgen::whole_of(middle2);
-  ChosenAccelerationsWork8& w8 = mbgen::whole_of(middle8);
   // Results that need no operation.
   result.inertia[9] = I_wheel_front_left_polar;
   result.inertia[10] = I_wheel_front_right_polar;
@@ -7364,15 +7255,9 @@ struct ChosenAccelerationsWork8 {
 /// Part 2 of compute_chosen_accelerations: step 8: elimination from the leaves to the root (63),
 /// long_rod_left .. arb_link_rear_right.
 [[gnu::noinline]] void compute_chosen_accelerations_2(const State& state, const double* tau,
-    const Projection& projection, mbgen::Middle<ChosenAccelerationsWork1>& __restrict middle1,
-    mbgen::Middle<ChosenAccelerationsWork2>& __restrict middle2,
-    mbgen::Middle<ChosenAccelerationsWork3>& __restrict middle3,
-    mbgen::Middle<ChosenAccelerationsWork8>& __restrict middle8,
-    ChosenAccelerations& __restrict result) noexcept {
-  ChosenAccelerationsWork1& w1 = mbgen::whole_of(middle1);
-  ChosenAccelerationsWork2& w2 = mbgen::whole_of(middle2);
-  ChosenAccelerationsWork3& w3 = mbgen::whole_of(middle3);
-  ChosenAccelerationsWork8& w8 = mbgen::whole_of(middle8);
+    const Projection& projection, ChosenAccelerationsWork1& __restrict w1,
+    ChosenAccelerationsWork2& __restrict w2, ChosenAccelerationsWork3& __restrict w3,
+    ChosenAccelerationsWork8& __restrict w8, ChosenAccelerations& __restrict result) noexcept {
   // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
   // continued ---
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
@@ -7867,18 +7752,10 @@ struct ChosenAccelerationsWork8 {
 /// tie_rod_right; step 8: elimination from the leaves to the root (63), upper_ball_left ..
 /// tie_rod_right.
 [[gnu::noinline]] void compute_chosen_accelerations_3(const State& state, const double* tau,
-    const Projection& projection, mbgen::Middle<ChosenAccelerationsWork1>& __restrict middle1,
-    mbgen::Middle<ChosenAccelerationsWork2>& __restrict middle2,
-    mbgen::Middle<ChosenAccelerationsWork3>& __restrict middle3,
-    mbgen::Middle<ChosenAccelerationsWork4>& __restrict middle4,
-    mbgen::Middle<ChosenAccelerationsWork5>& __restrict middle5,
-    mbgen::Middle<ChosenAccelerationsWork8>& __restrict middle8) noexcept {
-  ChosenAccelerationsWork1& w1 = mbgen::whole_of(middle1);
-  ChosenAccelerationsWork2& w2 = mbgen::whole_of(middle2);
-  ChosenAccelerationsWork3& w3 = mbgen::whole_of(middle3);
-  ChosenAccelerationsWork4& w4 = mbgen::whole_of(middle4);
-  ChosenAccelerationsWork5& w5 = mbgen::whole_of(middle5);
-  ChosenAccelerationsWork8& w8 = mbgen::whole_of(middle8);
+    const Projection& projection, ChosenAccelerationsWork1& __restrict w1,
+    ChosenAccelerationsWork2& __restrict w2, ChosenAccelerationsWork3& __restrict w3,
+    ChosenAccelerationsWork4& __restrict w4, ChosenAccelerationsWork5& __restrict w5,
+    ChosenAccelerationsWork8& __restrict w8) noexcept {
   // --- step 8: elimination from the leaves to the root (63), continued ---
   // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s8_566 = w1.R_carrier_right_aux2_z_y*w1.w_carrier_right_x;
@@ -8551,20 +8428,10 @@ struct ChosenAccelerationsWork8 {
 /// Part 4 of compute_chosen_accelerations: step 8: elimination from the leaves to the root (63),
 /// upper_ball_left .. tie_rod_right.
 [[gnu::noinline]] void compute_chosen_accelerations_4(const State& state, const double* tau,
-    const Projection& projection, mbgen::Middle<ChosenAccelerationsWork1>& __restrict middle1,
-    mbgen::Middle<ChosenAccelerationsWork2>& __restrict middle2,
-    mbgen::Middle<ChosenAccelerationsWork3>& __restrict middle3,
-    mbgen::Middle<ChosenAccelerationsWork4>& __restrict middle4,
-    mbgen::Middle<ChosenAccelerationsWork5>& __restrict middle5,
-    mbgen::Middle<ChosenAccelerationsWork6>& __restrict middle6,
-    mbgen::Middle<ChosenAccelerationsWork8>& __restrict middle8) noexcept {
-  ChosenAccelerationsWork1& w1 = mbgen::whole_of(middle1);
-  ChosenAccelerationsWork2& w2 = mbgen::whole_of(middle2);
-  ChosenAccelerationsWork3& w3 = mbgen::whole_of(middle3);
-  ChosenAccelerationsWork4& w4 = mbgen::whole_of(middle4);
-  ChosenAccelerationsWork5& w5 = mbgen::whole_of(middle5);
-  ChosenAccelerationsWork6& w6 = mbgen::whole_of(middle6);
-  ChosenAccelerationsWork8& w8 = mbgen::whole_of(middle8);
+    const Projection& projection, ChosenAccelerationsWork1& __restrict w1,
+    ChosenAccelerationsWork2& __restrict w2, ChosenAccelerationsWork3& __restrict w3,
+    ChosenAccelerationsWork4& __restrict w4, ChosenAccelerationsWork5& __restrict w5,
+    ChosenAccelerationsWork6& __restrict w6, ChosenAccelerationsWork8& __restrict w8) noexcept {
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
   // continued ---
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
@@ -9084,21 +8951,11 @@ struct ChosenAccelerationsWork8 {
 /// Part 5 of compute_chosen_accelerations: step 8: elimination from the leaves to the root (63),
 /// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63).
 [[gnu::noinline]] void compute_chosen_accelerations_5(const State& state, const double* tau,
-    const Projection& projection, mbgen::Middle<ChosenAccelerationsWork1>& __restrict middle1,
-    mbgen::Middle<ChosenAccelerationsWork2>& __restrict middle2,
-    mbgen::Middle<ChosenAccelerationsWork3>& __restrict middle3,
-    mbgen::Middle<ChosenAccelerationsWork4>& __restrict middle4,
-    mbgen::Middle<ChosenAccelerationsWork5>& __restrict middle5,
-    mbgen::Middle<ChosenAccelerationsWork6>& __restrict middle6,
-    mbgen::Middle<ChosenAccelerationsWork7>& __restrict middle7,
+    const Projection& projection, ChosenAccelerationsWork1& __restrict w1,
+    ChosenAccelerationsWork2& __restrict w2, ChosenAccelerationsWork3& __restrict w3,
+    ChosenAccelerationsWork4& __restrict w4, ChosenAccelerationsWork5& __restrict w5,
+    ChosenAccelerationsWork6& __restrict w6, ChosenAccelerationsWork7& __restrict w7,
     ChosenAccelerations& __restrict result) noexcept {
-  ChosenAccelerationsWork1& w1 = mbgen::whole_of(middle1);
-  ChosenAccelerationsWork2& w2 = mbgen::whole_of(middle2);
-  ChosenAccelerationsWork3& w3 = mbgen::whole_of(middle3);
-  ChosenAccelerationsWork4& w4 = mbgen::whole_of(middle4);
-  ChosenAccelerationsWork5& w5 = mbgen::whole_of(middle5);
-  ChosenAccelerationsWork6& w6 = mbgen::whole_of(middle6);
-  ChosenAccelerationsWork7& w7 = mbgen::whole_of(middle7);
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
   // continued ---
   // tie_rod_right
@@ -9519,23 +9376,11 @@ struct ChosenAccelerationsWork8 {
 /// Part 6 of compute_chosen_accelerations: step 8: elimination from the leaves to the root (63);
 /// step 9: accelerations from the root to the leaves (63), (62).
 [[gnu::noinline]] void compute_chosen_accelerations_6(const State& state, const double* tau,
-    const Projection& projection, mbgen::Middle<ChosenAccelerationsWork1>& __restrict middle1,
-    mbgen::Middle<ChosenAccelerationsWork2>& __restrict middle2,
-    mbgen::Middle<ChosenAccelerationsWork3>& __restrict middle3,
-    mbgen::Middle<ChosenAccelerationsWork4>& __restrict middle4,
-    mbgen::Middle<ChosenAccelerationsWork5>& __restrict middle5,
-    mbgen::Middle<ChosenAccelerationsWork6>& __restrict middle6,
-    mbgen::Middle<ChosenAccelerationsWork7>& __restrict middle7,
-    mbgen::Middle<ChosenAccelerationsWork8>& __restrict middle8,
-    ChosenAccelerations& __restrict result) noexcept {
-  ChosenAccelerationsWork1& w1 = mbgen::whole_of(middle1);
-  ChosenAccelerationsWork2& w2 = mbgen::whole_of(middle2);
-  ChosenAccelerationsWork3& w3 = mbgen::whole_of(middle3);
-  ChosenAccelerationsWork4& w4 = mbgen::whole_of(middle4);
-  ChosenAccelerationsWork5& w5 = mbgen::whole_of(middle5);
-  ChosenAccelerationsWork6& w6 = mbgen::whole_of(middle6);
-  ChosenAccelerationsWork7& w7 = mbgen::whole_of(middle7);
-  ChosenAccelerationsWork8& w8 = mbgen::whole_of(middle8);
+    const Projection& projection, ChosenAccelerationsWork1& __restrict w1,
+    ChosenAccelerationsWork2& __restrict w2, ChosenAccelerationsWork3& __restrict w3,
+    ChosenAccelerationsWork4& __restrict w4, ChosenAccelerationsWork5& __restrict w5,
+    ChosenAccelerationsWork6& __restrict w6, ChosenAccelerationsWork7& __restrict w7,
+    ChosenAccelerationsWork8& __restrict w8, ChosenAccelerations& __restrict result) noexcept {
   // --- step 8: elimination from the leaves to the root (63), continued ---
   // chassis: chassis_rx, revolute, chassis_aux5
   const double s8_1795 = w7.s8_1766*w7.s8_1794;
@@ -9978,32 +9823,19 @@ void compute_chosen_accelerations(const Tuned& /*parameters*/, const Inputs& /*i
     const State& state, const double* tau, const Projection& projection,
     ChosenAccelerations& __restrict result) noexcept {
   ChosenAccelerationsWork1 w1;
-  mbgen::Middle<ChosenAccelerationsWork1>& middle1 = mbgen::middle_of(w1);
   ChosenAccelerationsWork2 w2;
-  mbgen::Middle<ChosenAccelerationsWork2>& middle2 = mbgen::middle_of(w2);
   ChosenAccelerationsWork3 w3;
-  mbgen::Middle<ChosenAccelerationsWork3>& middle3 = mbgen::middle_of(w3);
   ChosenAccelerationsWork4 w4;
-  mbgen::Middle<ChosenAccelerationsWork4>& middle4 = mbgen::middle_of(w4);
   ChosenAccelerationsWork5 w5;
-  mbgen::Middle<ChosenAccelerationsWork5>& middle5 = mbgen::middle_of(w5);
   ChosenAccelerationsWork6 w6;
-  mbgen::Middle<ChosenAccelerationsWork6>& middle6 = mbgen::middle_of(w6);
   ChosenAccelerationsWork7 w7;
-  mbgen::Middle<ChosenAccelerationsWork7>& middle7 = mbgen::middle_of(w7);
   ChosenAccelerationsWork8 w8;
-  mbgen::Middle<ChosenAccelerationsWork8>& middle8 = mbgen::middle_of(w8);
-  compute_chosen_accelerations_1(state, tau, projection, middle1, middle2, middle8, result);
-  compute_chosen_accelerations_2(state, tau, projection, middle1, middle2, middle3, middle8,
-      result);
-  compute_chosen_accelerations_3(state, tau, projection, middle1, middle2, middle3, middle4,
-      middle5, middle8);
-  compute_chosen_accelerations_4(state, tau, projection, middle1, middle2, middle3, middle4,
-      middle5, middle6, middle8);
-  compute_chosen_accelerations_5(state, tau, projection, middle1, middle2, middle3, middle4,
-      middle5, middle6, middle7, result);
-  compute_chosen_accelerations_6(state, tau, projection, middle1, middle2, middle3, middle4,
-      middle5, middle6, middle7, middle8, result);
+  compute_chosen_accelerations_1(state, tau, projection, w1, w2, w8, result);
+  compute_chosen_accelerations_2(state, tau, projection, w1, w2, w3, w8, result);
+  compute_chosen_accelerations_3(state, tau, projection, w1, w2, w3, w4, w5, w8);
+  compute_chosen_accelerations_4(state, tau, projection, w1, w2, w3, w4, w5, w6, w8);
+  compute_chosen_accelerations_5(state, tau, projection, w1, w2, w3, w4, w5, w6, w7, result);
+  compute_chosen_accelerations_6(state, tau, projection, w1, w2, w3, w4, w5, w6, w7, w8, result);
 }
 #endif  // part 1
 
@@ -10061,13 +9893,8 @@ struct OutputsWork3 {
 
 /// Part 1 of compute_outputs: step 1: poses and axes b; step 4: velocities; step 7: inertias of the
 /// bodies and forces on joints.
-[[gnu::noinline]] void compute_outputs_1(const State& state,
-    mbgen::Middle<OutputsWork1>& __restrict middle1,
-    mbgen::Middle<OutputsWork2>& __restrict middle2,
-    mbgen::Middle<OutputsWork3>& __restrict middle3) noexcept {
-  OutputsWork1& w1 = mbgen::whole_of(middle1);
-  OutputsWork2& w2 = mbgen::whole_of(middle2);
-  OutputsWork3& w3 = mbgen::whole_of(middle3);
+[[gnu::noinline]] void compute_outputs_1(const State& state, OutputsWork1& __restrict w1,
+    OutputsWork2& __restrict w2, OutputsWork3& __restrict w3) noexcept {
   // --- step 1: poses and axes b ---
   const double angles[] = {
       state.z[Coordinate::chassis_rz], state.z[Coordinate::chassis_ry],
@@ -10531,12 +10358,8 @@ struct OutputsWork3 {
 /// Part 2 of compute_outputs: step 7: inertias of the bodies and forces on joints; step 9: outputs,
 /// energies, power.
 [[gnu::noinline]] void compute_outputs_2(const State& state, const double* tau,
-    mbgen::Middle<OutputsWork1>& __restrict middle1,
-    mbgen::Middle<OutputsWork2>& __restrict middle2,
-    mbgen::Middle<OutputsWork3>& __restrict middle3, Outputs& __restrict result) noexcept {
-  OutputsWork1& w1 = mbgen::whole_of(middle1);
-  OutputsWork2& w2 = mbgen::whole_of(middle2);
-  OutputsWork3& w3 = mbgen::whole_of(middle3);
+    OutputsWork1& __restrict w1, OutputsWork2& __restrict w2, OutputsWork3& __restrict w3,
+    Outputs& __restrict result) noexcept {
   // --- step 7: inertias of the bodies and forces on joints, continued ---
   const double s7_52 = fma(p_tie_rod_right_to_x, w1.R_carrier_right_y_x, w2.s7_51);
   const double s7_53 = fma(p_tie_rod_right_to_z, w1.R_carrier_right_y_z, s7_52);
@@ -11210,13 +11033,10 @@ struct OutputsWork3 {
 void compute_outputs(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     const double* tau, const Derivative& /*derivative*/, Outputs& __restrict result) noexcept {
   OutputsWork1 w1;
-  mbgen::Middle<OutputsWork1>& middle1 = mbgen::middle_of(w1);
   OutputsWork2 w2;
-  mbgen::Middle<OutputsWork2>& middle2 = mbgen::middle_of(w2);
   OutputsWork3 w3;
-  mbgen::Middle<OutputsWork3>& middle3 = mbgen::middle_of(w3);
-  compute_outputs_1(state, middle1, middle2, middle3);
-  compute_outputs_2(state, tau, middle1, middle2, middle3, result);
+  compute_outputs_1(state, w1, w2, w3);
+  compute_outputs_2(state, tau, w1, w2, w3, result);
 }
 #endif  // part 1
 

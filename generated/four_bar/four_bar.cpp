@@ -30,7 +30,6 @@
 
 #include "mbgen/elementary.hpp"
 #include "mbgen/fma.hpp"
-#include "mbgen/middle.hpp"
 #include "mbgen/motion.hpp"
 #include "mbgen/scalar.hpp"
 #include "mbgen/solver.hpp"

@@ -250,10 +250,9 @@ TEST(ProgramText, tellsTheClockTheEndOfEverySection) {
   std::string calls = text.substr(text.rfind("Work1 w1;"));
   calls.erase(std::remove(calls.begin(), calls.end(), '\n'), calls.end());
   const std::string f = shape.function;
-  EXPECT_EQ(calls, "Work1 w1;  mbgen::Middle<AccelerationsWork1>& middle1 = mbgen::middle_of(w1);  " + f +
-                       "_1(state, middle1, result);  clock.at_end_of(1);  " + f + "_2(middle1);  " + f +
-                       "_3(middle1);  " + f + "_4(middle1);  " + f + "_5(middle1);  clock.at_end_of(4);  " + f +
-                       "_6(middle1, result);  clock.at_end_of(9);}");
+  EXPECT_EQ(calls, "Work1 w1;  " + f + "_1(state, w1, result);  clock.at_end_of(1);  " + f + "_2(w1);  " + f +
+                       "_3(w1);  " + f + "_4(w1);  " + f + "_5(w1);  clock.at_end_of(4);  " + f +
+                       "_6(w1, result);  clock.at_end_of(9);}");
 }
 
 TEST(Schedules, leaveDeadValuesOut) {

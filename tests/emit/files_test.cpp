@@ -54,7 +54,6 @@ TEST(EmittedFiles, areFiveAndTheHeadersTheyInclude) {
                                                  "mbgen/integrators.hpp",
                                                  "mbgen/logarithm.hpp",
                                                  "mbgen/loop.hpp",
-                                                 "mbgen/middle.hpp",
                                                  "mbgen/motion.hpp",
                                                  "mbgen/newton.hpp",
                                                  "mbgen/precision.hpp",
