@@ -13,9 +13,9 @@ struct Rounded {
   double error = 0;  ///< about what all roundings up to here amount to, not below
 };
 
-/// One per node, of a program without pairs; for telling how well values are known. Functions that are in pieces (abs, min,
-/// max, select, floor, sample) or have a branch (sqrt, atan2) stand aside for smooth ones, whose roundings do not jump.
-/// inputs: exact, in the order of program.inputs.
+/// One per node, of a program without pairs; for telling how well values are known. Functions that are in pieces (abs,
+/// min, max, select, floor, sample) or have a branch (sqrt, atan2) stand aside for smooth ones, whose roundings do not
+/// jump. inputs: exact, in the order of program.inputs.
 std::vector<Rounded> rounded_values(const Program& program, std::span<const double> inputs);
 
 /// Inputs of a state as models have them, random: small angles and lengths, rates about 1. Set `number`, the same on

@@ -58,20 +58,30 @@ TEST(SineAndCosine, areWithinOneUnitInTheLastPlace) {
   EXPECT_LE(largest_cosine, 1.0);
 }
 
-/// The sine or the cosine alone, by the function for many angles.
+/// A function of many arguments, of one.
+template <class Function, class T>
+T of_one(Function function, const T& argument) {
+  const T arguments[1] = {argument};
+  T values[1];
+  function(arguments, values);
+  return values[0];
+}
+
 template <class T>
 T sine_alone(const T& angle) {
-  const T angles[1] = {angle};
-  T values[1];
-  sines(angles, values);
-  return values[0];
+  return of_one([](const auto& angles, auto& values) { sines(angles, values); }, angle);
 }
 template <class T>
 T cosine_alone(const T& angle) {
-  const T angles[1] = {angle};
-  T values[1];
-  cosines(angles, values);
-  return values[0];
+  return of_one([](const auto& angles, auto& values) { cosines(angles, values); }, angle);
+}
+template <class T>
+T bounded_sine_alone(const T& angle) {
+  return of_one([](const auto& angles, auto& values) { bounded_sines(angles, values); }, angle);
+}
+template <class T>
+T bounded_cosine_alone(const T& angle) {
+  return of_one([](const auto& angles, auto& values) { bounded_cosines(angles, values); }, angle);
 }
 
 TEST(SineOrCosineAlone, isWithinTwoAndAHalfUnitsInTheLastPlace) {
@@ -94,18 +104,12 @@ TEST(SineOrCosineAlone, ofABoundedAngleIsWithinTwoAndAHalfUnitsInTheLastPlace) {
   for (const double angle : angles())
     if (std::abs(angle) <= kPi) all.push_back(angle);
   for (const double angle : all) {
-    const double numbers[1] = {angle};
-    const Two pairs[1] = {{0.5, angle}};
-    double s[1], c[1];
-    Two s2[1], c2[1];
-    bounded_sines(numbers, s);
-    bounded_cosines(numbers, c);
-    bounded_sines(pairs, s2);
-    bounded_cosines(pairs, c2);
-    const double second_sine = s2[0][1], second_cosine = c2[0][1];
-    ASSERT_TRUE(same_bits(s[0], second_sine) && same_bits(c[0], second_cosine)) << angle;
-    largest_sine = std::max(largest_sine, error_in_ulp(s[0], std::sin(static_cast<long double>(angle))));
-    largest_cosine = std::max(largest_cosine, error_in_ulp(c[0], std::cos(static_cast<long double>(angle))));
+    const double s = bounded_sine_alone(angle), c = bounded_cosine_alone(angle);
+    const Two two = {0.5, angle};
+    const double second_sine = bounded_sine_alone(two)[1], second_cosine = bounded_cosine_alone(two)[1];
+    ASSERT_TRUE(same_bits(s, second_sine) && same_bits(c, second_cosine)) << angle;
+    largest_sine = std::max(largest_sine, error_in_ulp(s, std::sin(static_cast<long double>(angle))));
+    largest_cosine = std::max(largest_cosine, error_in_ulp(c, std::cos(static_cast<long double>(angle))));
   }
   std::printf("largest errors: sine %.3f ulp, cosine %.3f ulp\n", largest_sine, largest_cosine);
   EXPECT_LE(largest_sine, 2.5);

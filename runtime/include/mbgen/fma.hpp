@@ -26,20 +26,19 @@
 
 namespace mbgen {
 
-/// Whether the functions below round once.
+/// Whether the functions below round once. clang 14 does not define the macro that g++ has for this.
 #if defined(__FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
 constexpr bool kFusesProducts = true;
 #else
 constexpr bool kFusesProducts = false;
 #endif
 
-/// a b + c. clang 14 does not define the macro that g++ has for this.
+/// a b + c.
 inline double fma(double a, double b, double c) noexcept {
-#if defined(__FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
-  return __builtin_fma(a, b, c);
-#else
-  return a * b + c;
-#endif
+  if constexpr (kFusesProducts)
+    return __builtin_fma(a, b, c);
+  else
+    return a * b + c;
 }
 
 inline float fma(float a, float b, float c) noexcept {

@@ -197,14 +197,20 @@ inline void replace_marked(const B& marked, Function function, T& result, const 
 }
 
 /// The C library's, where the angle is beyond the reduction.
-template <class T>
-inline void replace_beyond(const T& angle, T& sine, T& cosine) noexcept {
+template <class T, class Library>
+inline void replace_beyond(Library library, const T& angle, T& value) noexcept {
   Bits<T> beyond = {};
   mark_beyond(angle, beyond);
-  replace_marked(
-      beyond, [](double x) { return std::sin(x); }, sine, angle);
-  replace_marked(
-      beyond, [](double x) { return std::cos(x); }, cosine, angle);
+  replace_marked(beyond, library, value, angle);
+}
+
+/// The functions of the C library, for the sine and the cosine alone and for both.
+constexpr auto kLibrarySine = [](double x) { return std::sin(x); };
+constexpr auto kLibraryCosine = [](double x) { return std::cos(x); };
+template <class T>
+inline void replace_beyond(const T& angle, T& sine, T& cosine) noexcept {
+  replace_beyond(kLibrarySine, angle, sine);
+  replace_beyond(kLibraryCosine, angle, cosine);
 }
 
 using array_detail::lanes_at;
@@ -238,11 +244,7 @@ inline void each_angle(Function function, Library library, const T (&angles)[N],
     mark_beyond(angles[i], beyond);
   }
   if (__builtin_expect(any(beyond), 0)) {
-    for (std::size_t i = 0; i < N; ++i) {
-      Bits<T> mark = {};
-      mark_beyond(angles[i], mark);
-      replace_marked(mark, library, values[i], angles[i]);
-    }
+    for (std::size_t i = 0; i < N; ++i) replace_beyond(library, angles[i], values[i]);
   }
 }
 
@@ -326,14 +328,12 @@ inline void sincos(const double (&angles)[N], double (&sines)[N], double (&cosin
 template <class T, std::size_t N>
 inline void sines(const T (&angles)[N], T (&values)[N]) noexcept {
   using namespace elementary_detail;
-  each_angle([](const T& angle, T& value) { reduced_sine(angle, value); }, [](double x) { return std::sin(x); }, angles,
-             values);
+  each_angle([](const T& angle, T& value) { reduced_sine(angle, value); }, kLibrarySine, angles, values);
 }
 template <class T, std::size_t N>
 inline void cosines(const T (&angles)[N], T (&values)[N]) noexcept {
   using namespace elementary_detail;
-  each_angle([](const T& angle, T& value) { reduced_cosine(angle, value); }, [](double x) { return std::cos(x); },
-             angles, values);
+  each_angle([](const T& angle, T& value) { reduced_cosine(angle, value); }, kLibraryCosine, angles, values);
 }
 
 /// The same of angles up to pi either way, in fewer operations.
