@@ -33,8 +33,7 @@ std::string depfile_text(const std::string& output, const std::vector<std::strin
 std::optional<AtomicFile> depfile_of(const std::string& path, const std::string& output,
                                      const std::vector<std::string>& inputs) {
   if (path.empty()) return {};
-  require_other_file(path, inputs);
-  AtomicFile file(path);
+  AtomicFile file(path, inputs);
   file.write(depfile_text(output, inputs));
   file.close();
   return file;

@@ -10,12 +10,15 @@
 #include <cstring>
 #include <utility>
 
+#include "compiler/base/message.hpp"
 #include "compiler/base/own_directory.hpp"
 #include "compiler/base/user_error.hpp"
+#include "compiler/model/characters.hpp"
 
 namespace mbgen {
 namespace {
 
+constexpr int kMostLinks = 40;  // as the kernel follows
 constexpr std::size_t kReadPiece = 1 << 16;
 constexpr std::size_t kMostRead = std::size_t{1} << 30;
 
@@ -23,12 +26,17 @@ constexpr std::size_t kMostRead = std::size_t{1} << 30;
   throw UserError(fmt::format("{}: cannot {}: {}\n", path.string(), action, std::strerror(errno)));
 }
 
-/// The file that a path stands for: where a symbolic link leads, so that the link stays one.
-std::filesystem::path behind_links(const std::filesystem::path& path) {
+/// The file that a path stands for: where symbolic links lead, so that they stay links, also to a file that is still
+/// to be written. Fails: UserError for links in a circle.
+std::filesystem::path behind_links(std::filesystem::path path) {
   std::error_code problem;
-  if (!std::filesystem::is_symlink(path, problem)) return path;
-  const std::filesystem::path target = std::filesystem::canonical(path, problem);
-  return problem ? path : target;
+  for (int links = 0; std::filesystem::is_symlink(path, problem); ++links) {
+    if (links == kMostLinks) {
+      throw UserError(fmt::format("{}: cannot write: {}\n", path.string(), std::strerror(ELOOP)));
+    }
+    path = path.parent_path() / std::filesystem::read_symlink(path);
+  }
+  return path;
 }
 
 void make_directories(const std::filesystem::path& path) {
@@ -79,12 +87,14 @@ void require_other_file(const std::filesystem::path& output, const std::vector<s
   for (const std::string& input : inputs) {
     if (is_standard_output(output)) return;
     std::error_code problem;
-    if (!std::filesystem::equivalent(output, input, problem) || problem) continue;
+    if (input.empty() || !std::filesystem::equivalent(output, input, problem) || problem) continue;
     throw UserError(fmt::format("{}: cannot write: it is read by this command\n", output.string()));
   }
 }
 
-AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(behind_links(path)) {
+AtomicFile::AtomicFile(const std::filesystem::path& path, const std::vector<std::string>& read)
+    : path_(behind_links(path)) {
+  require_other_file(path_, read);
   if (is_standard_output(path_)) {
     std::fflush(stdout);
     stream_ = ::fdopen(::dup(STDOUT_FILENO), "wb");
@@ -138,52 +148,37 @@ void AtomicFile::commit() {
   temporary_.clear();
 }
 
-TemporaryDirectory::TemporaryDirectory(const std::filesystem::path& parent) {
-  if (const std::string fault = foreign_hand(parent, true); !fault.empty()) {
-    throw UserError(
-        fmt::format("{}: not used for temporary files, others could exchange the files that are compiled there: {}\n"
-                    "  hint: name a directory of your own in TMPDIR, or make this one sticky (chmod +t)\n",
-                    parent.string(), fault));
-  }
-  std::string name = (parent / "build-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) fail_with(parent, "create a directory in it");
-  path_ = name;
-}
-
-TemporaryDirectory::~TemporaryDirectory() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-void write_files(const std::filesystem::path& directory, const std::vector<NamedText>& files) {
+void write_files(const std::filesystem::path& directory, const std::vector<NamedText>& files,
+                 const std::vector<std::string>& read) {
   make_directories(directory);
   std::vector<AtomicFile> written;
   written.reserve(files.size());
   for (const NamedText& file : files) {
     const std::filesystem::path path = directory / file.path;
     make_directories(path.parent_path());
-    written.emplace_back(path);
+    written.emplace_back(path, read);
     written.back().write(file.text);
     written.back().close();
   }
   for (AtomicFile& file : written) file.commit();
 }
 
-void print(std::string_view text) {
+void print(std::string_view any_text) {
+  const std::string text = terminal_text(any_text);
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
     throw UserError(fmt::format("standard output: cannot write: {}\n", std::strerror(errno)));
   }
 }
 
-void write_file(const std::filesystem::path& path, std::string_view text) {
-  AtomicFile file(path);
+void write_file(const std::filesystem::path& path, std::string_view text, const std::vector<std::string>& read) {
+  AtomicFile file(path, read);
   file.write(text);
   file.commit();
 }
 
 void print_beside(const std::filesystem::path& result, std::string_view text) {
   if (!is_standard_output(result)) return print(text);
-  fmt::print(stderr, "{}", text);
+  print_message("{}", text);
 }
 
 std::string shown_name(const std::filesystem::path& result) {

@@ -12,7 +12,8 @@ namespace mbgen {
 /// Content of a file. Fails: UserError when it cannot be read, or is larger than 1 GB.
 std::string read_text(const std::filesystem::path& path);
 
-/// Fails: UserError when `output` is one of the files that are read: writing would destroy it.
+/// Fails: UserError when `output` is one of the files that are read: writing would destroy it. Every function here that
+/// writes asks this; a long command asks it before it starts. Empty names among `inputs` are no files.
 void require_other_file(const std::filesystem::path& output, const std::vector<std::string>& inputs);
 
 /// Whether a name means standard output: "-". A file of that name is "./-".
@@ -26,8 +27,9 @@ bool is_special(const std::filesystem::path& path);
 /// are written directly.
 class AtomicFile {
  public:
-  /// Creates the temporary file. Fails: UserError when the directory is missing or not writable.
-  explicit AtomicFile(const std::filesystem::path& path);
+  /// Creates the temporary file. read: the files that the command reads. Fails: UserError when the directory is missing
+  /// or not writable, or the path is a file that is read.
+  AtomicFile(const std::filesystem::path& path, const std::vector<std::string>& read);
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&&) = delete;
   /// Removes the temporary file when it was not committed.
@@ -46,20 +48,6 @@ class AtomicFile {
   std::FILE* stream_ = nullptr;
 };
 
-/// A directory of the user alone (mode 0700) that is removed with all it holds at the end of its life.
-class TemporaryDirectory {
- public:
-  /// Creates it in `parent`. Fails: UserError; also where others could put another in its place.
-  explicit TemporaryDirectory(const std::filesystem::path& parent);
-  TemporaryDirectory(const TemporaryDirectory&) = delete;
-  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-  ~TemporaryDirectory();
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// A file of a set, `path` relative to the set's directory.
 struct NamedText {
   std::string path;
@@ -68,10 +56,12 @@ struct NamedText {
 
 /// Writes a set of files; directories are created. No file gets its name before all are written; then they do in the
 /// order given, so that the last one is new only where all are.
-/// Fails: UserError; files that were there before are then as they were.
-void write_files(const std::filesystem::path& directory, const std::vector<NamedText>& files);
+/// read: the files that the command reads. Fails: UserError; files that were there before are then as they were.
+void write_files(const std::filesystem::path& directory, const std::vector<NamedText>& files,
+                 const std::vector<std::string>& read);
 
-/// Writes to standard output. Fails: UserError when it does not take the text.
+/// Writes to standard output; characters that would command a terminal are shown as `?` (terminal_text). Fails:
+/// UserError when it does not take the text.
 void print(std::string_view text);
 
 /// Prints messages beside a result: to standard error where `result` is standard output, which then holds
@@ -81,7 +71,7 @@ void print_beside(const std::filesystem::path& result, std::string_view text);
 /// The name of a result for a message.
 std::string shown_name(const std::filesystem::path& result);
 
-/// Writes a file whole. Fails: UserError.
-void write_file(const std::filesystem::path& path, std::string_view text);
+/// Writes a file whole. read: the files that the command reads. Fails: UserError.
+void write_file(const std::filesystem::path& path, std::string_view text, const std::vector<std::string>& read);
 
 }  // namespace mbgen

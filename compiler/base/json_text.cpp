@@ -2,10 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "compiler/model/characters.hpp"
+
 namespace mbgen {
 
 std::string json_text(const nlohmann::ordered_json& report) {
-  return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_shown(report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace mbgen

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <deque>
 
+#include "compiler/base/message.hpp"
 #include "compiler/base/user_error.hpp"
 
 namespace mbgen {
@@ -134,11 +135,11 @@ fs::path own_cache() {
   if (directory.empty()) return {};
   const std::string fault = fault_of_cache(directory);
   if (fault.empty()) return directory;
-  fmt::print(stderr,
-             "{}: note: nothing is kept or loaded here: {}\n"
-             "  hint: name a directory that only you can write in XDG_CACHE_HOME; mbgen loads its compiled solvers "
-             "from there\n",
-             directory.string(), fault);
+  print_message(
+      "{}: note: nothing is kept or loaded here: {}\n"
+      "  hint: name a directory that only you can write in XDG_CACHE_HOME; mbgen loads its compiled solvers "
+      "from there\n",
+      directory.string(), fault);
   return {};
 }
 

@@ -13,6 +13,7 @@ namespace mbgen {
 struct Command {
   std::vector<std::string> arguments;
   std::filesystem::path log;
+  std::filesystem::path result = {};  ///< file that it makes; empty for none
 };
 
 /// Exit code of a program that was not started.

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "compiler/base/message.hpp"
+#include "compiler/model/characters.hpp"
+
 namespace mbgen {
 namespace {
 
@@ -30,14 +33,12 @@ bool StatusLine::is_due() const { return is_terminal_ && Clock::now() - last_ >=
 void StatusLine::show(const std::string& text) {
   last_ = Clock::now();
   is_shown_ = true;
-  fmt::print(stderr, "\r{}\x1b[K", text.substr(0, columns()));
-  std::fflush(stderr);
+  print_styled(fmt::format("\r{}\x1b[K", terminal_text(text).substr(0, columns())));
 }
 
 void StatusLine::clear() {
   if (!is_shown_) return;
-  fmt::print(stderr, "\r\x1b[K");
-  std::fflush(stderr);
+  print_styled("\r\x1b[K");
   is_shown_ = false;
 }
 

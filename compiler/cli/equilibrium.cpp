@@ -25,9 +25,8 @@ struct EquilibriumOptions {
 
 /// A file to include: a model that starts there.
 void write_start(const EquilibriumOptions& options, const Compilation& compilation, const Equilibrium& found) {
-  require_other_file(options.file, compilation.model.files);
   const nlohmann::ordered_json positions = equilibrium_json(compilation, found)["positions"];
-  write_file(options.file, json_text({{"mbgen", 1}, {"initial", {{"positions", positions}}}}));
+  write_file(options.file, json_text({{"mbgen", 1}, {"initial", {{"positions", positions}}}}), compilation.model.files);
 }
 
 int run(const EquilibriumOptions& options) {

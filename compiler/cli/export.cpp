@@ -15,6 +15,7 @@
 #include "compiler/base/json_text.hpp"
 #include "compiler/base/own_directory.hpp"
 #include "compiler/base/process.hpp"
+#include "compiler/base/temporary_directory.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/base/zip_archive.hpp"
 #include "compiler/cli/commands.hpp"
@@ -104,7 +105,6 @@ int run(const ExportOptions& options) {
     throw UserError("--out: an FMU is no text for standard output, name a file\n  hint: a file of this name is ./-\n");
   const Compilation compilation =
       expect(compile(read_set_model(options.model, options.set), {chosen_form(options.form)}));
-  require_other_file(options.file, compilation.model.files);
   print_notes(compilation.model.notes);
   print_notes(renamed_notes(compilation.model));
   note_rolling(compilation);
@@ -113,7 +113,7 @@ int run(const ExportOptions& options) {
   refuse_pole(compilation, initial);
   const FmuFiles files = emit_fmu(compilation, initial, version);
 
-  AtomicFile file(options.file);
+  AtomicFile file(options.file, compilation.model.files);
   std::optional<AtomicFile> depfile = depfile_of(options.depfile, options.file, compilation.model.files);
   const TemporaryDirectory scratch(temporary_parent());
   const fs::path content = scratch.path() / "content";

@@ -66,13 +66,12 @@ std::vector<std::string> write_all(const GenerateOptions& options, const Model& 
   std::vector<std::string> paths;
   for (EmittedFile& file : emitted) {
     paths.push_back((std::filesystem::path(options.directory) / file.path).string());
-    require_other_file(paths.back(), model.files);  // the manifest is named like the model
     files.push_back({std::move(file.path), std::move(file.text)});
   }
   std::optional<AtomicFile> depfile = depfile_of(options.depfile, paths.back(), model.files);
   // Killed in between, mbgen leaves the manifest older than the model: a build tool starts it again.
   if (depfile) depfile->commit();
-  write_files(options.directory, files);
+  write_files(options.directory, files, model.files);  // the manifest is named like the model
   return paths;
 }
 

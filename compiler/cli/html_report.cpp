@@ -84,7 +84,7 @@ int run(const HtmlReportOptions& options) {
   const Topology topology = expect(build_topology(model));
   const Analysis analysis = expect(analyse(model, topology));
   const std::string file = std::filesystem::path(options.result).filename().string();
-  write_file(options.file, expect(report_html({model, topology, analysis, results}, file)));
+  write_file(options.file, expect(report_html({model, topology, analysis, results}, file)), model.files);
   return kDone;
 }
 

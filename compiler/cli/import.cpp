@@ -59,9 +59,9 @@ int run(const ImportOptions& options) {
     throw std::logic_error("the imported model cannot be read:\n" + to_text(read.problems()));
   }
   if (!options.file.empty()) {
-    require_other_file(options.file, model.files);
-    if (!options.loops.empty()) require_other_file(options.file, {options.loops});
-    write_file(options.file, model.json);
+    std::vector<std::string> read = model.files;
+    read.push_back(options.loops);
+    write_file(options.file, model.json, read);
   }
   if (options.json) {
     print(json_text(import_json(options, model)));

@@ -59,8 +59,7 @@ int run(const InspectOptions& options) {
   Compilation compilation = expect(decide(read_set_model(options.model, options.set)));
   if (!options.svg.empty()) {
     const std::string drawing = topology_svg(compilation.model, compilation.topology, compilation.analysis);
-    require_other_file(options.svg, compilation.model.files);
-    write_file(options.svg, drawing);
+    write_file(options.svg, drawing, compilation.model.files);
     return kDone;
   }
   const Diagnostics problems = too_large(compilation, form);

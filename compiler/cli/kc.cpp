@@ -29,7 +29,8 @@ int run(const KcOptions& options) {
   const Axle& axle = find_axle(compilation.model, options.axle);
   const OperatingPoint at = operating_point(compilation, options.at).point;
   const KcReport report = kinematics_and_compliance(compilation, axle, at, options.wish);
-  if (!options.directory.empty()) write_files(options.directory, kc_files(report));
+  if (!options.directory.empty())
+    write_files(options.directory, kc_files(report), files_read(compilation.model, options.at));
   print(options.json ? json_text(kc_json(report)) : kc_text(report));
   return kDone;
 }

@@ -178,10 +178,11 @@ std::string state_text(const StateArguments& state) {
 
 void write_page(const LinearizeOptions& options, const Compilation& compilation, const OperatingPoint& point,
                 const LinearSystem& system, const std::vector<Mode>& list) {
-  require_other_file(options.page, compilation.model.files);
   if (list.empty()) throw UserError(fmt::format("--report: {} has no modes, nothing is free\n", options.model));
-  write_file(options.page, modes_html({compilation.model, compilation.topology, compilation.analysis, point, list,
-                                       state_text(options.state), largest_drift(system)}));
+  write_file(options.page,
+             modes_html({compilation.model, compilation.topology, compilation.analysis, point, list,
+                         state_text(options.state), largest_drift(system)}),
+             files_read(compilation.model, options.state));
 }
 
 int run(const LinearizeOptions& options) {
@@ -196,10 +197,7 @@ int run(const LinearizeOptions& options) {
   std::vector<Mode> list = modes(system);
   if (chosen.steady) mark_places(*chosen.steady, list);
   const std::string json = json_text(linear_json(compilation, point, system, list, places));
-  if (!options.file.empty()) {
-    require_other_file(options.file, compilation.model.files);
-    write_file(options.file, json);
-  }
+  if (!options.file.empty()) write_file(options.file, json, files_read(compilation.model, options.state));
   if (!options.page.empty()) write_page(options, compilation, point, system, list);
   const std::string& result = is_standard_output(options.page) ? options.page : options.file;
   print_beside(

@@ -6,6 +6,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
+#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +15,7 @@
 
 #include "compiler/base/assignments.hpp"
 #include "compiler/base/files.hpp"
+#include "compiler/base/message.hpp"
 #include "compiler/base/process.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
@@ -68,7 +71,7 @@ int run(int argc, char** argv) {
   }
   const std::optional<int> refused = line.parse(argc, argv);
   if (!refused) return exit_code;
-  if (*refused != 0) fmt::print(stderr, "{}", hint_of(line.application()));
+  if (*refused != 0) print_message("{}", hint_of(line.application()));
   return *refused == 0 ? kDone : kUserFault;
 }
 
@@ -81,14 +84,20 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const mbgen::UserError& error) {
-    fmt::print(stderr, "{}", error.text(style_of_errors()));
+    mbgen::print_styled(error.text(style_of_errors()));
     return kUserFault;
   } catch (const mbgen::Interrupted& interrupted) {
     std::raise(interrupted.signal);
+  } catch (const std::bad_alloc&) {
+    mbgen::print_message("mbgen: not enough memory\n  hint: simplify the model, or run it on a larger machine\n");
+    return kUserFault;
+  } catch (const std::filesystem::filesystem_error& error) {
+    mbgen::print_message("{}: {}\n", error.path1().string(), error.code().message());
+    return kUserFault;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "mbgen: a defect of mbgen, please report it with the model: {}\n", error.what());
+    mbgen::print_message("mbgen: a defect of mbgen, please report it with the model: {}\n", error.what());
   } catch (...) {
-    fmt::print(stderr, "mbgen: a defect of mbgen, please report it with the model\n");
+    mbgen::print_message("mbgen: a defect of mbgen, please report it with the model\n");
   }
   return kOurDefect;
 }

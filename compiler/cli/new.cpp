@@ -74,7 +74,7 @@ int run(const NewOptions& options) {
       std::filesystem::exists(std::filesystem::symlink_status(path, ignored)))
     throw UserError(
         fmt::format("{}: file exists\n  hint: name another one with --out, or overwrite it with --force\n", path));
-  write_file(path, starter.text);
+  write_file(path, starter.text, {});
   if (is_standard_output(path)) return kDone;
   print(options.json ? json_text({{"kind", starter.kind}, {"file", path}}) : path + "\n");
   return kDone;

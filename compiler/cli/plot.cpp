@@ -9,6 +9,7 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
 #include "compiler/drawing/drawing.hpp"
+#include "compiler/study/motion_table.hpp"
 #include "compiler/study/result_file.hpp"
 
 namespace mbgen::cli {
@@ -123,7 +124,6 @@ void require_same_axis(const std::vector<PlotSource>& sources) {
 }
 
 int run(const PlotOptions& options) {
-  require_other_file(options.file, options.results);
   std::vector<PlotSource> sources;
   for (const std::string& path : options.results) sources.push_back(read_source(path, options));
   require_same_axis(sources);
@@ -134,7 +134,9 @@ int run(const PlotOptions& options) {
   }
   const Heading& over = sources.front().over.heading;
   const Abscissa abscissa{over.name == "t" ? "time" : over.name, over.unit == "1" ? "" : over.unit};
-  write_file(options.file, plot_svg(abscissa, panels, options.size));
+  std::vector<std::string> read = options.results;
+  for (const std::string& result : options.results) read.push_back(run_file(result));
+  write_file(options.file, plot_svg(abscissa, panels, options.size), read);
   return kDone;
 }
 

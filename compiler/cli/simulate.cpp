@@ -6,6 +6,7 @@
 
 #include "compiler/base/assignments.hpp"
 #include "compiler/base/files.hpp"
+#include "compiler/base/message.hpp"
 #include "compiler/base/progress.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
@@ -90,20 +91,20 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
 /// Warnings, and why there is no good result, on standard error.
 int tell(const SimulationRecord& record) {
   const StepVerdict& verdict = record.verdict;
-  for (const std::string& warning : verdict.warnings) fmt::print(stderr, "simulate: warning: {}\n", warning);
+  for (const std::string& warning : verdict.warnings) print_message("simulate: warning: {}\n", warning);
   const SimulationSummary& summary = record.summary;
   if (summary.status.ok() && verdict.failure.empty()) return kDone;
   if (summary.status.ok()) {
-    fmt::print(stderr, "simulate: {}; {} holds the motion\n", verdict.failure, shown_name(record.file));
+    print_message("simulate: {}; {} holds the motion\n", verdict.failure, shown_name(record.file));
     return kUserFault;
   }
   const bool of_control = record.control && !record.control->failure.empty();
-  fmt::print(stderr, "simulate: stopped after t = {:.10g} s: {}{}; {} holds the motion up to there\n", summary.end_time,
-             describe(record.compilation, summary.status),
-             of_control ? fmt::format(" ({})", record.control->failure) : "", shown_name(record.file));
+  print_message("simulate: stopped after t = {:.10g} s: {}{}; {} holds the motion up to there\n", summary.end_time,
+                describe(record.compilation, summary.status),
+                of_control ? fmt::format(" ({})", record.control->failure) : "", shown_name(record.file));
   const std::string hint =
       verdict.failure.empty() ? hint_of_reach(record.compilation, summary.status) : verdict.failure;
-  if (!hint.empty()) fmt::print(stderr, "  hint: {}\n", hint);
+  if (!hint.empty()) print_message("  hint: {}\n", hint);
   return kUserFault;
 }
 
@@ -115,7 +116,7 @@ SolverSettings::Integrator chosen_integrator(const Model& model, const SimulateO
   const auto inputs = inputs_of(decided.model, options.engine.inputs, options.simulation).at(0);
   const auto modes = modes_near(decided, initial_start(decided, inputs).state, inputs);
   const IntegratorChoice chosen = choose_integrator(decided, settings, modes);
-  fmt::print(stderr, "simulate: integrator {}: {}\n", name_of(chosen.integrator), chosen.reason);
+  print_message("simulate: integrator {}: {}\n", name_of(chosen.integrator), chosen.reason);
   return chosen.integrator;
 }
 
@@ -132,15 +133,15 @@ int run(SimulateOptions options) {
           : integrator_of(control ? "" : options.simulation.integrator, model.solver.integrator, choice.name);
   const Compilation compilation =
       expect(choice.name == "generated" ? compile(std::move(model), {form}) : decide(std::move(model)));
-  require_other_file(options.file, compilation.model.files);
-  require_other_file(options.file, {options.simulation.input_table, options.manoeuvre});
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
   count_notes(compilation);
   require_whole_periods(settings, compilation.model);
   const InputsOverTime inputs = inputs_of(compilation.model, options.engine.inputs, options.simulation);
-  for (const std::string& warning : inputs.warnings) fmt::print(stderr, "{}", warning);
-  MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step,
-                    options.every);
+  for (const std::string& warning : inputs.warnings) print_message("{}", warning);
+  std::vector<std::string> read = compilation.model.files;
+  read.insert(read.end(), {options.simulation.input_table, options.manoeuvre});
+  MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step, options.every,
+                    std::move(read));
   const Run run = compute(compilation, choice, inputs, settings, control, table, manoeuvre.get());
   const SimulationRecord record{compilation,
                                 choice,

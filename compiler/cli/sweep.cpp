@@ -10,9 +10,11 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <utility>
 
 #include "compiler/base/files.hpp"
 #include "compiler/base/json_text.hpp"
+#include "compiler/base/message.hpp"
 #include "compiler/base/progress.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
@@ -33,6 +35,8 @@ constexpr long kSlurmParts = 8;
 constexpr std::chrono::milliseconds kFirstLook{10}, kLastLook{1000};
 /// How long it waits while no other rank is seen at work.
 constexpr std::chrono::minutes kPatience{5};
+/// How long it waits in silence then.
+constexpr std::chrono::seconds kSilence{5};
 
 struct SweepOptions {
   StudyArguments study;
@@ -90,6 +94,7 @@ void gather(const SweepOptions& options, const std::string& words, const SweepPa
             CaseResults& results) {
   auto look = kFirstLook;
   auto last_seen = steady_clock::now();
+  bool is_told = false;
   while (static_cast<long>(results.size()) < size) {
     std::this_thread::sleep_for(look);
     look = std::min(2 * look, kLastLook);
@@ -105,7 +110,12 @@ void gather(const SweepOptions& options, const std::string& words, const SweepPa
       }
     }
     if (results.size() > before || is_at_work) last_seen = steady_clock::now();
-    if (steady_clock::now() - last_seen > kPatience) {
+    const auto alone = steady_clock::now() - last_seen;
+    if (alone > kSilence && !std::exchange(is_told, true)) {
+      print_message("sweep: {} of {} cases are missing and no other rank is at work; waits {} min for one\n",
+                    size - static_cast<long>(results.size()), size, kPatience.count());
+    }
+    if (alone > kPatience) {
       throw UserError(
           fmt::format("sweep: {} of {} cases are missing and no other rank is at work; run again to go on\n",
                       size - static_cast<long>(results.size()), size));
@@ -149,11 +159,17 @@ std::vector<std::string> words_of(const SweepOptions& options) {
   return words;
 }
 
+std::vector<std::string> files_read(const SweepOptions& options, const Study& study) {
+  std::vector<std::string> files = study.model.files;
+  files.push_back(options.study.simulation.input_table);
+  return files;
+}
+
 int write_slurm_script(const SweepOptions& options, const Study& study) {
   if (options.parts < 1) throw UserError(fmt::format("--parts: must be positive, found {}\n", options.parts));
   const long parts = std::min(options.parts, study.grid.size());
-  require_other_file(options.slurm, study.model.files);
-  write_file(options.slurm, slurm_script(study.model.name, words_of(options), parts, std::max(options.jobs, 1)));
+  write_file(options.slurm, slurm_script(study.model.name, words_of(options), parts, std::max(options.jobs, 1)),
+             files_read(options, study));
   print_beside(options.slurm, fmt::format("{}: {} cases in {} parts; submit with: sh {}\n", options.slurm,
                                           study.grid.size(), parts, options.slurm));
   return kDone;
@@ -173,22 +189,21 @@ void check(const SweepOptions& options) {
 }
 
 void finish(const SweepOptions& options, const Study& study, const CaseResults& results) {
-  write_file(options.file, results_csv(study, results));
+  write_file(options.file, results_csv(study, results), files_read(options, study));
   print(options.json ? results_json(study, results, options.file) : results_text(study, results, options.file));
 }
 
 int run(const SweepOptions& options) {
   check(options);
   const Study study = read_study(options.study);
-  require_other_file(options.file, study.model.files);
-  require_other_file(options.file, {options.study.simulation.input_table});
+  require_other_file(options.file, files_read(options, study));
   if (!options.slurm.empty()) return write_slurm_script(options, study);
   const std::string words = description(study);
   const std::optional<SweepPart> rank = options.part.empty() ? part_of_rank() : std::nullopt;
   const SweepPart part = rank ? *rank : options.part.empty() ? SweepPart{} : part_from(options.part);
   const bool is_first = part.index == 0 && options.part.empty();
   for (const std::string& warning : study.warnings) {
-    if (is_first) fmt::print(stderr, "{}", warning);
+    if (is_first) print_message("{}", warning);
   }
   CaseResults results;
   if (!options.restart) {
@@ -205,8 +220,8 @@ int run(const SweepOptions& options) {
   }
   Journal journal(journal_path(options.file, part), words, options.restart);
   const long before = of_part - static_cast<long>(cases.size());
-  if (is_first && !study.is_tuned) fmt::print(stderr, "sweep: each case is analysed anew: {}\n", study.why_not_tuned);
-  if (is_first && before > 0) fmt::print(stderr, "sweep: {} of {} cases were done before\n", before, of_part);
+  if (is_first && !study.is_tuned) print_message("sweep: each case is analysed anew: {}\n", study.why_not_tuned);
+  if (is_first && before > 0) print_message("sweep: {} of {} cases were done before\n", before, of_part);
   const int jobs = options.jobs > 0 ? options.jobs : rank ? 1 : processors();
   if (!cases.empty()) compute(study, cases, jobs, is_first, journal, results);
   if (!options.part.empty()) {

@@ -6,6 +6,7 @@
 
 #include "compiler/analysis/notes.hpp"
 #include "compiler/analysis/unrestrained.hpp"
+#include "compiler/base/message.hpp"
 
 namespace mbgen {
 
@@ -22,8 +23,8 @@ void count_notes(const Compilation& compilation) {
   const std::size_t count = all_notes(compilation).size();
   if (count == 0) return;
   const std::string& file = compilation.model.file;
-  fmt::print(stderr, "{0}: {1} on the model, mbgen check {0} prints {2}\n", file,
-             count == 1 ? "1 note" : fmt::format("{} notes", count), count == 1 ? "it" : "them");
+  print_message("{0}: {1} on the model, mbgen check {0} prints {2}\n", file,
+                count == 1 ? "1 note" : fmt::format("{} notes", count), count == 1 ? "it" : "them");
 }
 
 std::string note_text(const Diagnostic& note) {
@@ -36,7 +37,7 @@ std::string note_text(const Diagnostic& note) {
 }
 
 void print_notes(const Diagnostics& notes) {
-  for (const Diagnostic& note : notes) fmt::print(stderr, "{}", note_text(note));
+  for (const Diagnostic& note : notes) print_message("{}", note_text(note));
 }
 
 nlohmann::ordered_json diagnostics_json(const Diagnostics& diagnostics) {

@@ -2,27 +2,9 @@
 
 #include <fmt/format.h>
 
-namespace mbgen::svg {
+#include "compiler/model/characters.hpp"
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char letter : text) {
-    if (letter == '&') {
-      result += "&amp;";
-    } else if (letter == '<') {
-      result += "&lt;";
-    } else if (letter == '>') {
-      result += "&gt;";
-    } else if (letter == '"') {
-      result += "&quot;";
-    } else if (static_cast<unsigned char>(letter) < ' ') {
-      result += ' ';
-    } else {
-      result += letter;
-    }
-  }
-  return result;
-}
+namespace mbgen::svg {
 
 std::string number(double value) {
   std::string text = fmt::format("{:.2f}", value);
@@ -32,7 +14,7 @@ std::string number(double value) {
 }
 
 std::string text_at(double x, double y, std::string_view text, std::string_view attributes) {
-  return fmt::format("<text x=\"{}\" y=\"{}\"{}>{}</text>\n", number(x), number(y), attributes, escaped(text));
+  return fmt::format("<text x=\"{}\" y=\"{}\"{}>{}</text>\n", number(x), number(y), attributes, xml_text(text));
 }
 
 double text_width(std::string_view text, double font_size) {

@@ -6,9 +6,6 @@
 
 namespace mbgen::svg {
 
-/// Text as it stands between tags or in attributes: & < > " escaped, control characters (XML has none) replaced.
-std::string escaped(std::string_view text);
-
 /// A number with at most two decimals, none where it is whole: enough for pixels.
 std::string number(double value);
 

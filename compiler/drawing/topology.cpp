@@ -9,6 +9,7 @@
 
 #include "compiler/drawing/drawing.hpp"
 #include "compiler/drawing/svg.hpp"
+#include "compiler/model/characters.hpp"
 #include "compiler/topology/names.hpp"
 
 namespace mbgen {
@@ -204,13 +205,13 @@ std::string mark(const Sheet& sheet, double x, double y, int coordinate) {
     return fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"8\" height=\"8\" fill=\"#d9822b\" stroke=\"#fff\"><title>{}, "
         "driven</title></rect>\n",
-        svg::number(x - 4), svg::number(y - 4), svg::escaped(name));
+        svg::number(x - 4), svg::number(y - 4), xml_text(name));
   }
   const bool is_free = sheet.is_free[coordinate];
   return fmt::format(
       "<circle cx=\"{}\" cy=\"{}\" r=\"4\" fill=\"{}\" stroke=\"#2d3742\" stroke-width=\"1.2\"><title>{}, "
       "{}</title></circle>\n",
-      svg::number(x), svg::number(y), is_free ? "#2d3742" : "#fff", svg::escaped(name),
+      svg::number(x), svg::number(y), is_free ? "#2d3742" : "#fff", xml_text(name),
       is_free ? "independent" : "dependent");
 }
 
@@ -222,7 +223,7 @@ std::string tree_line(const Sheet& sheet, const Row& row) {
   std::string text =
       fmt::format("<path d=\"M{} {}V{}H{}\" fill=\"none\" stroke=\"#7a8692\" stroke-width=\"1.4\"/>\n",
                   svg::number(trunk), svg::number(parent.y + parent.height), svg::number(y), svg::number(row.x));
-  text += fmt::format("<g><title>joint {}{}</title>{}</g>\n", svg::escaped(sheet.model.joints[joint.joint].name),
+  text += fmt::format("<g><title>joint {}{}</title>{}</g>\n", xml_text(sheet.model.joints[joint.joint].name),
                       joint.reversed ? ", held at its to side" : "",
                       svg::text_at(trunk + 8, y - 7, kind_at(sheet, row), " font-size=\"10\" fill=\"#4a5560\""));
   double x = trunk + 14;
@@ -326,7 +327,7 @@ std::string topology_svg(const Model& model, const Topology& topology, const Ana
              "<svg xmlns=\"http://www.w3.org/2000/svg\" font-family=\"sans-serif\" font-size=\"{0}\" fill=\"#1b232b\" "
              "width=\"{1}\" height=\"{2}\" viewBox=\"0 0 {1} {2}\">\n<title>topology of {3}</title>\n"
              "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-             kFont, svg::number(sheet.width), svg::number(sheet.height), svg::escaped(model.name)) +
+             kFont, svg::number(sheet.width), svg::number(sheet.height), xml_text(model.name)) +
          text + "</svg>\n";
 }
 

@@ -54,19 +54,9 @@ std::string string_literal(std::string_view text) {
 }
 
 std::string comment_text(std::string_view text) {
-  std::string result;
-  for (const auto& [character, is_plain] : characters_of(text)) result += is_plain ? character : " ";
+  std::string result = line_text(text);
   // Both would join the next line to the comment.
   if (result.ends_with('\\') || result.ends_with("?\?/")) result += '.';
-  return result;
-}
-
-std::string xml_text(std::string_view text) {
-  std::string result;
-  for (const char c : comment_text(text)) {
-    const char* escaped = c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : nullptr;
-    result += escaped == nullptr ? std::string(1, c) : escaped;
-  }
   return result;
 }
 

@@ -33,9 +33,6 @@ std::string string_literal(std::string_view text);
 /// end is followed by a full stop.
 std::string comment_text(std::string_view text);
 
-/// A text between tags of XML or as the value of an attribute.
-std::string xml_text(std::string_view text);
-
 /// All texts, with a separator between them.
 std::string joined(const std::vector<std::string>& texts, std::string_view separator);
 

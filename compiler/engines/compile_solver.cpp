@@ -10,8 +10,10 @@
 #include "compiler/base/files.hpp"
 #include "compiler/base/hash.hpp"
 #include "compiler/base/own_directory.hpp"
+#include "compiler/base/temporary_directory.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/engines/host_compiler.hpp"
+#include "compiler/engines/kept_object.hpp"
 
 namespace mbgen {
 namespace {
@@ -55,11 +57,11 @@ fs::path build(const fs::path& scratch, const std::string& solver, const std::ve
     texts.push_back({file.path, file.text});
     if (file.path.ends_with(".cpp")) sources.push_back({scratch / file.path, file.rare_parts});
   }
-  write_files(scratch, texts);
+  write_files(scratch, texts, {});
   compiler.flags.emplace_back("-fPIC");
   const std::string product = "the solver of " + solver;
   const fs::path result = scratch / "solver.so";
-  Command link{compiler.words, scratch / "link.log"};
+  Command link{compiler.words, scratch / "link.log", result};
   link.arguments.insert(link.arguments.end(), {"-shared", "-o", result.string()});
   for (std::string& object : compile_sources(compiler, {scratch}, sources, scratch, product)) {
     link.arguments.push_back(std::move(object));
@@ -97,14 +99,13 @@ std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, c
   const std::string name = solver_name(compilation.model);
   const fs::path kept = cache / object_name(name, files, compiler);
 
-  if (has_cache && is_own_file(kept)) {
+  if (has_cache && is_own_file(kept) && is_sealed(kept)) {
     if (auto solver = open_solver(kept, compilation.model.hash)) return solver;
   }
   fs::path object = build(scratch.path(), name, files, compiler);
   if (has_cache) {
-    fs::permissions(object, fs::perms::owner_all);  // whatever the umask leaves to others
-    fs::rename(object, kept);                       // atomic, and onto the same bytes when another mbgen was faster
-    object = kept;
+    seal(object);
+    if (keep(object, kept)) object = kept;
   }
   auto solver = open_solver(object, compilation.model.hash);
   if (!solver) throw std::runtime_error(fmt::format("the compiled solver {} does not load", object.string()));

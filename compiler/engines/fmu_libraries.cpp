@@ -77,7 +77,7 @@ void compile_library(const Platform& platform, const fs::path& scratch, const fs
     sources.push_back({content / file.path, file.rare_parts, name == files.large});
   }
   const std::string product = fmt::format("the unit of {} for {}", files.identifier, platform.name);
-  Command link{compiler.words, objects / "link.log"};
+  Command link{compiler.words, objects / "link.log", library};
   const std::vector<std::string> flags = link_flags(platform, exported);
   link.arguments.insert(link.arguments.end(), flags.begin(), flags.end());
   link.arguments.insert(link.arguments.end(), {"-o", library.string()});
@@ -103,7 +103,7 @@ std::string fmu_platform_of_this_machine() { return kThisPlatform; }
 void write_entries(const fs::path& directory, const std::vector<EmittedFile>& files) {
   std::vector<NamedText> texts;
   for (const EmittedFile& file : files) texts.push_back({file.path, file.text});
-  write_files(directory, texts);
+  write_files(directory, texts, {});
   for (const EmittedFile& file : files) fs::permissions(directory / file.path, kReadable);
 }
 

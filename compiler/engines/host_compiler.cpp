@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
+#include <iterator>
 #include <stdexcept>
 
 #include "compiler/base/files.hpp"
@@ -17,11 +20,37 @@ namespace {
 
 constexpr std::size_t kMessageTail = 2000;  // characters of the compiler's messages that a person still reads
 
-[[noreturn]] void reject(const Command& command) {
+/// Words of compilers and of the kernel for a machine that has too little of something.
+constexpr const char* kShortages[] = {"No space left on device", "Disk quota exceeded", "File too large",
+                                      "Cannot allocate memory",  "out of memory",       "virtual memory exhausted"};
+
+/// Whether a compiler ended for want of memory or room on a disk, or was killed, which the kernel does for memory.
+bool is_short_of_something(const std::string& messages, int code) {
+  if (code == 128 + SIGKILL || messages.find("Killed") != std::string::npos) return true;
+  return std::any_of(std::begin(kShortages), std::end(kShortages),
+                     [&](const char* words) { return messages.find(words) != std::string::npos; });
+}
+
+[[noreturn]] void reject(const Command& command, int code) {
   std::string messages = read_text(command.log);
+  if (is_short_of_something(messages, code)) {
+    throw UserError(fmt::format("the compiler was stopped by this machine (exit code {}): {}\n{}", code,
+                                command.arguments.front(),
+                                messages.substr(messages.size() - std::min(messages.size(), kMessageTail))));
+  }
   if (messages.size() > kMessageTail) messages = "...\n" + messages.substr(messages.size() - kMessageTail);
   throw std::runtime_error(
       fmt::format("the compiler rejects the generated code: {}\n{}", fmt::join(command.arguments, " "), messages));
+}
+
+/// Fails: UserError where a program that ended well has not made its file.
+void require_result(const Command& command) {
+  if (command.result.empty()) return;
+  std::error_code missing;
+  const auto size = std::filesystem::file_size(command.result, missing);
+  if (!missing && size > 0) return;
+  throw UserError(fmt::format("no C++ compiler: `{}` ended well and wrote no code; name another one in CXX\n",
+                              command.arguments.front()));
 }
 
 }  // namespace
@@ -82,8 +111,9 @@ void run_all(const std::vector<Command>& commands, const std::string& product) {
   });
   line.clear();
   for (std::size_t i = 0; i < codes.size(); ++i) {
-    if (codes[i] != 0) reject(commands[i]);
+    if (codes[i] != 0) reject(commands[i], codes[i]);
   }
+  for (const Command& command : commands) require_result(command);
 }
 
 std::vector<std::string> compile_sources(const HostCompiler& compiler,
@@ -96,7 +126,7 @@ std::vector<std::string> compile_sources(const HostCompiler& compiler,
     for (int part = 0; part <= source.rare_parts; ++part) {
       const std::string base = (objects / source.path.filename()).string() + (part > 0 ? fmt::format(".{}", part) : "");
       names.push_back(base + ".o");
-      Command compilation{compilation_of(compiler, directories), base + ".log"};
+      Command compilation{compilation_of(compiler, directories), base + ".log", names.back()};
       std::vector<std::string>& words = compilation.arguments;
       const std::vector<std::string>& further = source.is_rare || part > 0 ? compiler.rare_flags : compiler.hot_flags;
       words.insert(words.end(), further.begin(), further.end());

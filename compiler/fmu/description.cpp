@@ -4,6 +4,7 @@
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/fmu/texts.hpp"
+#include "compiler/model/characters.hpp"
 #include "compiler/model/unit_exponents.hpp"
 
 namespace mbgen {

@@ -1,6 +1,7 @@
 #pragma once
 // Characters of text that people write, in UTF-8.
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,5 +16,18 @@ struct Character {
 
 /// The characters of a text, in order. The views are into the text.
 std::vector<Character> characters_of(std::string_view text);
+
+/// Text on one line: characters that are not plain become spaces. For comments, fields of tables, titles.
+std::string line_text(std::string_view text);
+
+/// Text that cannot command a terminal: `?` for characters that are not plain, but for ends of lines and tabs.
+std::string terminal_text(std::string_view text);
+
+/// Text on one line between tags of XML or HTML, or as the value of an attribute.
+std::string xml_text(std::string_view text);
+
+/// JSON that a terminal can show: characters that are not plain are escaped (\u202e); they stand in strings only.
+/// Requires: JSON in UTF-8.
+std::string json_shown(std::string_view json);
 
 }  // namespace mbgen

@@ -3,14 +3,21 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <optional>
 
 #include "compiler/model/read_text.hpp"
 
 namespace mbgen::reading {
 namespace {
+
+/// Endings of files that people make for models; of any other, which may be of the machine, messages show no text.
+constexpr std::string_view kDataEndings[] = {".csv", ".tsv", ".txt", ".dat", ".tir", ".crg"};
 
 /// A field of a line, without blanks and quotes around it.
 struct CsvField {
@@ -55,6 +62,8 @@ std::optional<double> number_of(std::string_view text) {
   return number;
 }
 
+bool is_shown(const Reader& reader, Place place) { return reader.documents[place.file].is_shown; }
+
 /// Index of a named column; nothing with a complaint.
 std::optional<std::size_t> find_column(Reader& reader, const Value& table, std::string_view key,
                                        const std::string& wanted, const std::vector<CsvField>& header) {
@@ -70,7 +79,7 @@ std::optional<std::size_t> find_column(Reader& reader, const Value& table, std::
     if (header[i].text == wanted || names.back() == wanted) return i;
   }
   report(reader, *find(table, key), fmt::format("file has no column {}", in_quotes(wanted)),
-         did_you_mean(wanted, names));
+         is_shown(reader, header[0].place) ? did_you_mean(wanted, names) : "");
   return std::nullopt;
 }
 
@@ -83,11 +92,20 @@ std::optional<double> number_in(Reader& reader, const std::vector<CsvField>& fie
   }
   const std::optional<double> number = number_of(field.text);
   if (!number || std::abs(*number) > kLargestNumber) {
-    report(reader, field.place, fmt::format("must be a number, got {}", in_quotes(field.text)),
+    report(reader, field.place,
+           is_shown(reader, field.place) ? fmt::format("must be a number, got {}", in_quotes(field.text))
+                                         : "must be a number",
            "fields are separated by commas, numbers have a decimal point");
     return std::nullopt;
   }
   return number;
+}
+
+/// Whether a file that a model names is one that its author made, to go by its name.
+bool has_ending_of_data(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return std::find(std::begin(kDataEndings), std::end(kDataEndings), ending) != std::end(kDataEndings);
 }
 
 }  // namespace
@@ -108,6 +126,7 @@ const Document* open_beside(Reader& reader, const Value& value, std::string_view
   index = static_cast<std::uint32_t>(add_document(reader, named.path, std::move(content.text)));
   Document& document = reader.documents[index];
   document.identity = named.identity;
+  document.is_shown = has_ending_of_data(named.path);
   find_lines(document);
   return &document;
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "compiler/model/characters.hpp"
+
 namespace mbgen {
 namespace {
 
@@ -77,7 +79,8 @@ std::string hint_of_missing(std::string_view name) {
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 80;
   std::string result = "\"";
-  for (const char c : text.substr(0, kLongest)) result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+  for (const auto& [character, is_plain] : characters_of(text.substr(0, kLongest)))
+    result += is_plain ? character : "?";
   if (text.size() > kLongest) result += "...";
   result += '"';
   return result;
@@ -103,17 +106,18 @@ int marked_length(const std::string& line, int column) {
 
 std::string to_text(const Diagnostic& diagnostic, Style style) {
   const Where& where = diagnostic.where;
-  std::string place = where.file;
+  std::string place = terminal_text(where.file);
   if (where.line > 0) place += fmt::format(":{}:{}", where.line, where.column);
   std::string text = coloured(style, kBold, place + ":") + " ";
-  if (!where.pointer.empty()) text += where.pointer + ": ";
-  text += coloured(style, kRed, diagnostic.message) + "\n";
+  if (!where.pointer.empty()) text += terminal_text(where.pointer) + ": ";
+  text += coloured(style, kRed, terminal_text(diagnostic.message)) + "\n";
   const std::string& line = diagnostic.source_line.empty() ? where.line_text : diagnostic.source_line;
   if (!line.empty()) {
-    text +=
-        "  " + line + "\n  " + padding(line, where.column) + coloured(style, kGreen, mark(line, where.column)) + "\n";
+    text += "  " + terminal_text(line) + "\n  " + padding(line, where.column) +
+            coloured(style, kGreen, mark(line, where.column)) + "\n";
   }
-  if (!diagnostic.hint.empty()) text += "  " + coloured(style, kCyan, "hint:") + " " + diagnostic.hint + "\n";
+  if (!diagnostic.hint.empty())
+    text += "  " + coloured(style, kCyan, "hint:") + " " + terminal_text(diagnostic.hint) + "\n";
   return text;
 }
 

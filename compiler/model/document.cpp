@@ -250,6 +250,11 @@ bool parse_document(Document& document, std::uint32_t index, Problems& problems)
   if (skip_separators(text, start) == text.size() && text.find_first_of(",:") == std::string::npos) {
     return fail(start, "file is empty", "the smallest model starts with { \"mbgen\": 1, \"bodies\": ...");
   }
+  const bool is_named_by_model = index > 0;
+  if (is_named_by_model && text[skip_separators(text, start)] != '{') {
+    document.is_shown = false;
+    return fail(start, "file is no model, which begins with {", {});
+  }
   TreeBuilder builder(document, index, problems);
   constexpr bool kStrict = true, kIgnoreComments = true;
   const bool parsed = nlohmann::json::sax_parse(text.begin(), text.end(), &builder,

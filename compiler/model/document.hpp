@@ -48,6 +48,7 @@ struct Document {
   std::string text;
   std::string identity;  ///< canonical path: a file that is used several times is parsed once
   bool parsed = false;   ///< without problems of syntax
+  bool is_shown = true;  ///< false where a model names a file that is none of its kind: messages keep its text to it
   std::vector<std::uint32_t> line_starts;
   Value root;
 };

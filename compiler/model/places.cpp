@@ -73,7 +73,7 @@ Where where_of(const Documents& documents, Place place) {
   // Only so far as a line is shown: a file may be one line.
   const std::string_view shown = std::string_view(document.text).substr(start, kLongestShownLine + 2);
   const std::size_t length = std::min(shown.find('\n'), shown.size());
-  if (length <= kLongestShownLine) {
+  if (document.is_shown && length <= kLongestShownLine) {
     where.line_text = shown.substr(0, length);
     if (where.line_text.ends_with('\r')) where.line_text.pop_back();
     std::replace_if(

@@ -118,7 +118,8 @@ void read_crg_road(Reader& reader, const Value& value, Road& road) {
   if (const std::optional<CrgProblem> problem = read_crg(document->text, read)) {
     const std::string where =
         problem->line > 0 ? fmt::format("line {}", problem->line) : fmt::format("byte {}", problem->byte);
-    report(reader, file, fmt::format("{}, {}: {}", fields.file, where, problem->message), problem->hint);
+    const std::string message = document->is_shown ? problem->message : "file is no OpenCRG file";
+    report(reader, file, fmt::format("{}, {}: {}", fields.file, where, message), problem->hint);
     return;
   }
   if (read.heights.size() > kMostHeights) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/drawing/drawing.hpp"
+#include "compiler/model/characters.hpp"
 #include "compiler/report/ground.hpp"
 #include "compiler/report/modes.hpp"
 #include "compiler/report/motion.hpp"
@@ -28,20 +29,6 @@ std::string script_text(const Json& json) {
     }
   }
   return text;
-}
-
-std::string html_text(const std::string& text) {
-  std::string escaped;
-  for (const char letter : text) {
-    if (letter == '&') {
-      escaped += "&amp;";
-    } else if (letter == '<') {
-      escaped += "&lt;";
-    } else {
-      escaped += letter;
-    }
-  }
-  return escaped;
 }
 
 Json blocks_json(const Topology& topology, const Analysis& analysis) {
@@ -108,7 +95,7 @@ void add_ground(Json ground, Json& data) {
 }
 
 std::string page_of(const Model& model, const Json& data) {
-  return filled(page_file("index.html"), {{{"title", html_text(model.name)},
+  return filled(page_file("index.html"), {{{"title", xml_text(model.name)},
                                            {"style", page_file("report.css")},
                                            {"data", script_text(data)},
                                            {"script", page_file("report.js")}}});

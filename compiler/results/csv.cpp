@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "compiler/model/characters.hpp"
 #include "compiler/results/faults.hpp"
 
 namespace mbgen {
@@ -49,16 +50,18 @@ std::string read_row(std::string_view rest, Results& results) {
 }  // namespace
 
 Heading heading_of(const std::string& field) {
-  const std::size_t bracket = field.rfind('[');
+  const std::size_t blank = field.find(" [");  // as mbgen writes; a unit may have brackets
+  const std::size_t bracket = blank != std::string::npos ? blank + 1 : field.rfind('[');
   if (bracket == std::string::npos || field.back() != ']') return {field, ""};
   return {std::string(without_blanks(std::string_view(field).substr(0, bracket))),
           field.substr(bracket + 1, field.size() - bracket - 2)};
 }
 
 std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  const std::string line = line_text(text);
+  if (line.find_first_of(",\"") == std::string::npos) return line;
   std::string quoted = "\"";
-  for (const char letter : text) {
+  for (const char letter : line) {
     if (letter == '"') quoted += '"';
     quoted += letter;
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/base/assignments.hpp"
+#include "compiler/base/message.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/engines/engine.hpp"
 #include "compiler/model/evaluate.hpp"
@@ -226,8 +227,8 @@ std::optional<InitialState> known_start(const Compilation& compilation) {
   try {
     return default_initial_state(compilation);
   } catch (const UserError& error) {
-    fmt::print(stderr, "{}{}: note: the solver is written without initial_state(): start from a state of your own\n",
-               error.text(Style::plain), compilation.model.file);
+    print_message("{}{}: note: the solver is written without initial_state(): start from a state of your own\n",
+                  error.text(Style::plain), compilation.model.file);
     return {};
   }
 }

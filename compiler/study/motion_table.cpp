@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <utility>
 
 #include "compiler/base/number.hpp"
 #include "compiler/base/user_error.hpp"
@@ -40,8 +41,14 @@ TableFormat table_format(const std::string& name, const std::string& file) {
 std::string run_file(const std::string& table) { return table + ".run.json"; }
 
 MotionTable::MotionTable(const std::string& path, TableFormat format, const Compilation& compilation, double step,
-                         long every)
-    : path_(path), format_(format), file_(path), decimals_(decimals_of(step)), every_(every) {
+                         long every, std::vector<std::string> read)
+    : path_(path),
+      read_(std::move(read)),
+      format_(format),
+      file_(path, read_),
+      decimals_(decimals_of(step)),
+      every_(every) {
+  if (format_ == TableFormat::csv && !is_special(path_)) require_other_file(run_file(path_), read_);
   for (Heading& heading : headings(compilation)) results_.columns.push_back({std::move(heading), {}});
   if (format_ == TableFormat::csv) file_.write(csv_header(results_.columns));
 }
@@ -69,7 +76,7 @@ void MotionTable::commit(const std::string& run) {
   const bool stands_alone = format_ == TableFormat::mat || is_special(path_);
   file_.commit();
   if (stands_alone) return;
-  write_file(run_file(path_), run);
+  write_file(run_file(path_), run, read_);
 }
 
 void MotionTable::write(const Sample& sample) {

@@ -22,8 +22,9 @@ std::string run_file(const std::string& table);
 /// MAT, whose size stands in front, is kept in memory until the end.
 class MotionTable {
  public:
-  /// step: of the motion, s. Fails: UserError, as AtomicFile.
-  MotionTable(const std::string& path, TableFormat format, const Compilation& compilation, double step, long every);
+  /// step: of the motion, s; read: the files that the command reads. Fails: UserError, as AtomicFile.
+  MotionTable(const std::string& path, TableFormat format, const Compilation& compilation, double step, long every,
+              std::vector<std::string> read);
   void add(const Sample& sample);
   /// The last point is always written. Result: rows.
   long finish();
@@ -33,6 +34,7 @@ class MotionTable {
  private:
   void write(const Sample& sample);
   std::string path_;
+  std::vector<std::string> read_;
   TableFormat format_;
   AtomicFile file_;
   Results results_;  ///< the rows of a MAT file

@@ -7,11 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/base/assignments.hpp"
+#include "compiler/base/message.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/engines/engine.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/study/equilibrium_trouble.hpp"
 #include "compiler/study/initial_state.hpp"
+#include "compiler/study/motion_table.hpp"
 #include "compiler/study/result_file.hpp"
 #include "compiler/study/states_file.hpp"
 
@@ -67,8 +69,8 @@ void note_other_model(const Compilation& compilation, const Results& results, co
   const nlohmann::json set = run.value("set", nlohmann::json::array());
   std::string words;
   for (const nlohmann::json& one : set) words += one.is_string() ? " --set " + one.get<std::string>() : std::string();
-  fmt::print(stderr, "{}: note: is of another model, or of other values of its parameters, than {} is now{}\n", file,
-             compilation.model.file, words.empty() ? "" : fmt::format("; it was simulated with{}", words));
+  print_message("{}: note: is of another model, or of other values of its parameters, than {} is now{}\n", file,
+                compilation.model.file, words.empty() ? "" : fmt::format("; it was simulated with{}", words));
 }
 
 /// The auxiliary states at a row, where the result has all of them.
@@ -110,12 +112,11 @@ OperatingPoint point_of_result(const Compilation& compilation, const StateArgume
   OperatingPoint point{state.z, state.zd, state.x, state.t, inputs};
   if (!take_auxiliary(compilation, results, row, point.x)) {
     settle_auxiliary(compilation, point);
-    fmt::print(stderr, "{}: note: has not all auxiliary states, columns x.*: they are taken as settled\n",
-               arguments.result);
+    print_message("{}: note: has not all auxiliary states, columns x.*: they are taken as settled\n", arguments.result);
   }
   if (!inputs.empty() && arguments.inputs.empty()) {
-    fmt::print(stderr, "{}: note: a result does not hold the inputs: they have their defaults; --input sets them\n",
-               arguments.result);
+    print_message("{}: note: a result does not hold the inputs: they have their defaults; --input sets them\n",
+                  arguments.result);
   }
   return point;
 }
@@ -130,6 +131,13 @@ GenericState equilibrium_state(const Compilation& compilation, const std::vector
   const Status status = solver.equilibrium(state);
   if (!status.ok()) fail_equilibrium(compilation, inputs, start, state, status);
   return state;
+}
+
+std::vector<std::string> files_read(const Model& model, const StateArguments& arguments) {
+  std::vector<std::string> files = model.files;
+  files.push_back(arguments.states);
+  if (!arguments.result.empty()) files.insert(files.end(), {arguments.result, run_file(arguments.result)});
+  return files;
 }
 
 ChosenPoint operating_point(const Compilation& compilation, const StateArguments& arguments) {

@@ -29,6 +29,9 @@ struct ChosenPoint {
 /// The state that the arguments name, its loops closed, and the inputs. Fails: UserError.
 ChosenPoint operating_point(const Compilation& compilation, const StateArguments& arguments);
 
+/// The files that a command with these arguments reads, `run_file` of a result among them.
+std::vector<std::string> files_read(const Model& model, const StateArguments& arguments);
+
 /// The static equilibrium near the model's initial state, at these inputs. Fails: UserError when there is none.
 GenericState equilibrium_state(const Compilation& compilation, const std::vector<double>& inputs);
 

@@ -5,6 +5,7 @@
 #include <grp.h>
 #include <sys/stat.h>
 
+#include "compiler/base/temporary_directory.hpp"
 #include "tests/support/cli_support.hpp"
 
 namespace mbgen::cli_test {

@@ -101,7 +101,7 @@ Footprint measure_footprint(const std::vector<EmittedFile>& files, const std::st
     compilation.arguments.insert(compilation.arguments.end(), {"-c", source.string(), "-o", objects.back().string()});
     compilations.push_back(std::move(compilation));
   }
-  write_files(scratch, texts);
+  write_files(scratch, texts, {});
   run_all(compilations, "the solver of " + solver + " to count its bytes");
   Footprint footprint;
   add_sections(objects, scratch, footprint);

@@ -9,6 +9,7 @@
 
 #include "compiler/base/files.hpp"
 #include "compiler/base/own_directory.hpp"
+#include "compiler/base/temporary_directory.hpp"
 #include "compiler/study/cost/bench_text.hpp"
 
 namespace mbgen {

@@ -7,6 +7,7 @@
 #include "compiler/base/json_text.hpp"
 #include "compiler/drawing/drawing.hpp"
 #include "compiler/drawing/svg.hpp"
+#include "compiler/model/characters.hpp"
 #include "compiler/results/results.hpp"
 
 namespace mbgen {
@@ -109,14 +110,14 @@ std::string figure_rows(const KcReport& report) {
     std::string values;
     for (const double value : figure.values) values += fmt::format("<td>{}</td>", number(value * as.factor));
     if (figure.values.size() == 1) values = values.substr(0, 3) + " colspan=\"2\"" + values.substr(3);
-    text += fmt::format("<tr><th>{}</th>{}<td>{}</td><td class=\"words\">{}</td></tr>\n", svg::escaped(figure.name),
-                        values, svg::escaped(as.unit), svg::escaped(figure.meaning));
+    text += fmt::format("<tr><th>{}</th>{}<td>{}</td><td class=\"words\">{}</td></tr>\n", xml_text(figure.name), values,
+                        xml_text(as.unit), xml_text(figure.meaning));
   }
   return text;
 }
 
 std::string page(const KcReport& report) {
-  const std::string title = svg::escaped(fmt::format("{}: axle {}", report.model, report.axle));
+  const std::string title = xml_text(fmt::format("{}: axle {}", report.model, report.axle));
   std::string text = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}</title>\n<style>"
       "body{{font-family:sans-serif;max-width:62em;margin:2em auto;padding:0 1em;color:#222}}"
@@ -127,11 +128,11 @@ std::string page(const KcReport& report) {
       "svg{{max-width:49%;height:auto}}</style></head>\n<body>\n<h1>{}</h1>\n<p>Kinematics and compliance, by mbgen. "
       "Definitions: docs/use/kc.md of mbgen.</p>\n",
       title, title);
-  for (const std::string& note : report.notes) text += fmt::format("<p>Note: {}</p>\n", svg::escaped(note));
+  for (const std::string& note : report.notes) text += fmt::format("<p>Note: {}</p>\n", xml_text(note));
   text += fmt::format("<h2>At the start</h2>\n<table>\n{}</table>\n", figure_rows(report));
   for (const KcTable& table : report.tables) {
-    text += fmt::format("<h2>{}</h2>\n<p><a href=\"{}_{}.csv\">table</a></p>\n{}", svg::escaped(table.title),
-                        report.axle, table.name, pictures(table));
+    text += fmt::format("<h2>{}</h2>\n<p><a href=\"{}_{}.csv\">table</a></p>\n{}", xml_text(table.title), report.axle,
+                        table.name, pictures(table));
   }
   return text + "</body></html>\n";
 }
