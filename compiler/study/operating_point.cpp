@@ -10,6 +10,7 @@
 #include "compiler/base/message.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/engines/engine.hpp"
+#include "compiler/linearisation/bristles.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/study/equilibrium_trouble.hpp"
 #include "compiler/study/initial_state.hpp"
@@ -151,8 +152,10 @@ ChosenPoint operating_point(const Compilation& compilation, const StateArguments
                        : arguments.at == "equilibrium" ? equilibrium_state(compilation, inputs)
                                                        : users_initial_state(compilation, inputs);
   OperatingPoint point{std::move(state.z), std::move(state.zd), std::move(state.x), state.t, std::move(inputs)};
+  if (arguments.states.empty()) settle_bristles(compilation.model, compilation.topology, point);
   if (!is_steady) return {std::move(point), {}};
   SteadyMotion steady = steady_motion(compilation, point, arguments.steady);
+  fmt::print(stderr, "{}", free_directions_note(compilation, steady));
   return {steady.point, steady};
 }
 

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 #include "compiler/algebra/dense.hpp"
 #include "compiler/base/number.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/engines/engine.hpp"
+#include "compiler/linearisation/bristles.hpp"
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/study/steady_checks.hpp"
 #include "mbgen/newton.hpp"
 #include "runtime/generic/generic.hpp"
 
@@ -19,9 +22,11 @@ namespace {
 
 using StateKind = LinearState::Kind;
 
-constexpr double kMoves = 1e-9;        // rad/s or m/s: a coordinate that moves at the start
-constexpr double kSteady = 1e-7;       // rad/s^2 or m/s^2
-constexpr double kComesToRest = 0.05;  // of the speed at the start: below it the search has gone to standstill
+constexpr double kMoves = 1e-9;         // rad/s or m/s: a coordinate that moves at the start
+constexpr int kMostVain = 8;            // steps that lower nothing
+constexpr double kShortest = 1.0 / 64;  // of a step
+constexpr double kFlat = 1e-9;          // of the largest derivative: one that is zero but for rounding
+constexpr double kComesToRest = 0.05;   // of the speed at the start: below it the search has gone to standstill
 
 /// A search for a steady motion.
 class Search {
@@ -36,19 +41,34 @@ class Search {
     for (const int i : independent_) {
       if (!travels(i)) motion_.point.zd[i] = 0;
     }
-    close();
+    require_closed(close());
   }
 
   SteadyMotion find() {
-    for (int step = 0; step < kSteadyIterations; ++step) {
+    settle_auxiliary(c_, motion_.point);
+    SteadyMotion best = motion_;
+    best.largest = std::numeric_limits<double>::infinity();
+    int since_best = 0;
+    for (int step = 0; step < kSteadyIterations && since_best < kMostVain; ++step, ++since_best) {
       const LinearSystem system = expect(linearise(c_, motion_.point));
       const Eigen::VectorXd left = residual(system);
       motion_.largest = left.size() > 0 ? left.cwiseAbs().maxCoeff() : 0.0;
       leading_ = leading(system, left);
       if (std::abs(motion_.point.zd[leader_]) < kComesToRest * std::abs(rate_at_start_)) break;
-      if (motion_.largest < kSteady) return motion_;
+      if (motion_.largest < best.largest) {
+        best = motion_;
+        since_best = 0;
+      }
+      if (motion_.largest < kSteady) return finished(system);
       change(system, left);
     }
+    if (std::isfinite(best.largest)) motion_ = best;
+    const LinearSystem system = expect(linearise(c_, motion_.point));
+    const Eigen::VectorXd left = residual(system);
+    leading_ = leading(system, left);
+    if (is_weighed_out(c_, solver_, motion_.point, left) &&
+        std::abs(motion_.point.zd[leader_]) >= kComesToRest * std::abs(rate_at_start_))
+      return finished(system);
     throw UserError(fmt::format("{}: no steady motion found: {} goes on to accelerate at {:.3g} {}/s^2\n  hint: {}\n",
                                 c_.model.file, c_.topology.bodies[leading_].coordinate, motion_.largest,
                                 unit_of(c_.topology.bodies[leading_].kind), hint()));
@@ -120,6 +140,7 @@ class Search {
       const auto is_free = [&](int p) { return row_of(p) < static_cast<Eigen::Index>(independent_.size()); };
       if (!is_carried || across.size() != 2 || !std::all_of(across.begin(), across.end(), is_free)) continue;
       if (!travels(i) && !travels(across[0]) && !travels(across[1])) continue;
+      if (!is_upright(body.axis) || !is_flat(across)) continue;
       if (!travels(i)) travelling_.push_back(i);
       yaw_ = i;
       const Vector3 &a = c_.topology.bodies[across[0]].axis, &b = c_.topology.bodies[across[1]].axis;
@@ -133,9 +154,51 @@ class Search {
     }
   }
 
+  /// Whether a motion that turns about an axis feels the same gravity, and the same road, all the way round.
+  bool is_upright(const Vector3& axis) const {
+    const Model& m = c_.model;
+    const Vector3 g{m.gravity[0].value, m.gravity[1].value, m.gravity[2].value};
+    const auto is_along = [&](const Vector3& up) {
+      const double along = axis[0] * up[0] + axis[1] * up[1] + axis[2] * up[2];
+      const double size = std::hypot(up[0], up[1], up[2]);
+      return std::abs(along) >= (1 - kFlat) * size;
+    };
+    return is_along(g) && (m.tyres.empty() || is_along({0, 0, 1}));
+  }
+
+  /// Whether rates do not depend on the place in a plane: else who turns with the motion sees them change.
+  bool is_flat(const std::vector<int>& plane) const {
+    const LinearSystem system = expect(linearise(c_, motion_.point));
+    const Eigen::Index rates = system.A.rows() - position_count(system);
+    const double largest = system.A.cwiseAbs().maxCoeff();
+    return std::all_of(plane.begin(), plane.end(), [&](int p) {
+      return system.A.col(row_of(p)).tail(rates).cwiseAbs().maxCoeff() <= kFlat * largest;
+    });
+  }
+
   /// Rates of velocities and auxiliary states that should vanish.
   Eigen::VectorXd residual(const LinearSystem& system) const {
-    Eigen::VectorXd left = share_of_magnitudes(system.drift.tail(system.drift.size() - position_count(system)));
+    return seen_turning(system.drift.tail(system.drift.size() - position_count(system)));
+  }
+
+  /// The same by the generic solver, which needs no derivatives. Not finite where it has no accelerations.
+  Eigen::VectorXd residual_here() const {
+    const OperatingPoint& point = motion_.point;
+    const GenericState state{point.z, point.zd, point.x, point.t};
+    GenericDerivative rates;
+    const auto moving = static_cast<Eigen::Index>(point.x.size()) - held_state_count(c_.model);
+    const auto accelerations = static_cast<Eigen::Index>(independent_.size());
+    Eigen::VectorXd left = Eigen::VectorXd::Constant(accelerations + moving, std::nan(""));
+    if (!solver_.accelerations(state, std::vector<double>(point.z.size(), 0.0), rates).ok()) return left;
+    for (Eigen::Index i = 0; i < accelerations; ++i)
+      left[i] = rates.zdd[static_cast<std::size_t>(independent_[static_cast<std::size_t>(i)])];
+    for (Eigen::Index i = 0; i < moving; ++i) left[accelerations + i] = rates.xd[static_cast<std::size_t>(i)];
+    return seen_turning(std::move(left));
+  }
+
+  /// Rates as who turns with the motion sees them, those of auxiliary states over what they count.
+  Eigen::VectorXd seen_turning(Eigen::VectorXd rates) const {
+    Eigen::VectorXd left = share_of_magnitudes(std::move(rates));
     if (yaw_ < 0) return left;
     const double turn = motion_.point.zd[yaw_];
     left[row_of(motion_.across[0])] += turn * motion_.point.zd[motion_.across[1]];
@@ -183,34 +246,59 @@ class Search {
     return result;
   }
 
-  void change(const LinearSystem& system, const Eigen::VectorXd& left) {
+  /// States that may be changed.
+  std::vector<Eigen::Index> unknown_states(const LinearSystem& system) const {
     std::vector<Eigen::Index> unknown;
     for (Eigen::Index j = 0; j < system.A.cols(); ++j) {
       if (is_unknown(system.states[static_cast<std::size_t>(j)])) unknown.push_back(j);
     }
+    return unknown;
+  }
+
+  /// d residual / d unknown: states, then inputs.
+  Eigen::MatrixXd derivatives(const LinearSystem& system, const std::vector<Eigen::Index>& unknown) const {
     const auto states = static_cast<Eigen::Index>(unknown.size());
-    Eigen::MatrixXd matrix(left.size(), states + static_cast<Eigen::Index>(inputs_.size()));
+    const Eigen::Index rows = system.A.rows() - position_count(system);
+    Eigen::MatrixXd matrix(rows, states + static_cast<Eigen::Index>(inputs_.size()));
     for (Eigen::Index k = 0; k < states; ++k) matrix.col(k) = column(system, unknown[static_cast<std::size_t>(k)]);
     for (std::size_t k = 0; k < inputs_.size(); ++k) {
-      matrix.col(states + static_cast<Eigen::Index>(k)) =
-          share_of_magnitudes(system.B.col(inputs_[k]).tail(left.size()));
+      matrix.col(states + static_cast<Eigen::Index>(k)) = share_of_magnitudes(system.B.col(inputs_[k]).tail(rows));
     }
-    // Columns of one size: inputs are torques as well as angles.
-    const Eigen::VectorXd size = matrix.colwise().norm().transpose().cwiseMax(1e-12);
-    const Eigen::VectorXd scaled = least_squares(matrix * size.cwiseInverse().asDiagonal(), left, kIndifferentShare);
-    Eigen::VectorXd by = -(size.cwiseInverse().asDiagonal() * scaled);
+    return matrix;
+  }
+
+  /// One step of Newton, shortened until the next one, by the same derivatives, is shorter. Source: P. Deuflhard,
+  /// "Newton Methods for Nonlinear Problems", 2004: the natural monotonicity test, which no units of rows change.
+  void change(const LinearSystem& system, const Eigen::VectorXd& left) {
+    const std::vector<Eigen::Index> unknown = unknown_states(system);
+    const Eigen::MatrixXd matrix = derivatives(system, unknown);
+    const Eigen::VectorXd size = column_sizes(matrix);
+    const Eigen::MatrixXd of_one_size = matrix * size.cwiseInverse().asDiagonal();
+    const Eigen::VectorXd scaled = least_squares(of_one_size, left, kIndifferentShare);
+    const Eigen::VectorXd by = -(size.cwiseInverse().asDiagonal() * scaled);
     double longest = 0;
-    for (Eigen::Index k = 0; k < states; ++k) {
-      const bool is_position =
-          system.states[static_cast<std::size_t>(unknown[static_cast<std::size_t>(k)])].kind == StateKind::position;
-      if (is_position) longest = std::max(longest, std::abs(by[k]));
+    for (std::size_t k = 0; k < unknown.size(); ++k) {
+      const bool is_position = system.states[static_cast<std::size_t>(unknown[k])].kind == StateKind::position;
+      if (is_position) longest = std::max(longest, std::abs(by[static_cast<Eigen::Index>(k)]));
     }
-    by *= shortening(longest, kLargestBalanceStep);
-    for (Eigen::Index k = 0; k < states; ++k) move(system, unknown[static_cast<std::size_t>(k)], by[k]);
-    for (std::size_t k = 0; k < inputs_.size(); ++k) {
-      motion_.point.inputs[static_cast<std::size_t>(inputs_[k])] += by[states + static_cast<Eigen::Index>(k)];
+    const double whole = shortening(longest, kLargestBalanceStep);
+    const OperatingPoint before = motion_.point;
+    for (double part = 1;; part /= 2) {
+      const Status closed = apply(system, unknown, by * (part * whole));
+      const Eigen::VectorXd next = closed.ok() ? residual_here() : Eigen::VectorXd::Constant(1, std::nan(""));
+      const bool leads_nearer = next.allFinite() && least_squares(of_one_size, next, kIndifferentShare).norm() <=
+                                                        (1 - part * whole / 4) * scaled.norm();
+      if (leads_nearer || part <= kShortest) return require_closed(closed);
+      motion_.point = before;
     }
-    close();
+  }
+
+  /// Moves the unknowns, then closes the loops.
+  Status apply(const LinearSystem& system, const std::vector<Eigen::Index>& unknown, const Eigen::VectorXd& by) {
+    for (std::size_t k = 0; k < unknown.size(); ++k) move(system, unknown[k], by[static_cast<Eigen::Index>(k)]);
+    for (std::size_t k = 0; k < inputs_.size(); ++k)
+      motion_.point.inputs[static_cast<std::size_t>(inputs_[k])] += by[static_cast<Eigen::Index>(unknown.size() + k)];
+    return close();
   }
 
   void move(const LinearSystem& system, Eigen::Index j, double by) {
@@ -223,18 +311,47 @@ class Search {
       point.z[i] += by * system.coordinates(static_cast<Eigen::Index>(i), j);
   }
 
-  /// Closes the loops and makes the velocities consistent.
-  void close() {
+  /// Closes the loops, makes the velocities consistent and bends the bristles of what slides.
+  Status close() {
     OperatingPoint& point = motion_.point;
     solver_.set_inputs(point.inputs);
     GenericState state{point.z, point.zd, point.x, point.t};
     const Status status = solver_.project(state);
-    if (!status.ok()) {
-      throw UserError(fmt::format("{}: no steady motion found: {}\n", c_.model.file, describe(c_, status)));
-    }
+    if (!status.ok()) return status;
     point.z = std::move(state.z);
     point.zd = std::move(state.zd);
+    bristles_ = settle_bristles(c_.model, c_.topology, point);
     if (yaw_ >= 0) motion_.turning = point.zd[yaw_];
+    return {};
+  }
+
+  void require_closed(Status status) const {
+    if (!status.ok())
+      throw UserError(fmt::format("{}: no steady motion found: {}\n", c_.model.file, describe(c_, status)));
+  }
+
+  /// The motion that was found. Fails: UserError where a friction would have to hold more than it does.
+  SteadyMotion finished(const LinearSystem& system) {
+    for (std::size_t i = 0; i < bristles_.size(); ++i) {
+      const BristleEnd& bristle = bristles_[i];
+      const double bent = std::abs(motion_.point.x[static_cast<std::size_t>(first_bristle(c_.model)) + i]);
+      if (bristle.slides() || bent <= bristle.holds * (1 + kFlat)) continue;
+      throw UserError(
+          fmt::format("{}: no steady motion found: friction \"{}\" would have to hold {:.4g} times what it "
+                      "can\n  hint: let the coordinate move at the start, or hold it with --hold\n",
+                      c_.model.file, bristle.name, bent / std::max(bristle.holds, kLeastBristle)));
+    }
+    const std::vector<Eigen::Index> unknown = unknown_states(system);
+    std::vector<SteadyChoice> choices;
+    for (std::size_t k = 0; k < unknown.size(); ++k) {
+      const LinearState& state = system.states[static_cast<std::size_t>(unknown[k])];
+      if (state.kind == StateKind::velocity)
+        choices.push_back({k, "zd." + c_.topology.bodies[static_cast<std::size_t>(state.index)].coordinate, true});
+    }
+    for (std::size_t k = 0; k < inputs_.size(); ++k)
+      choices.push_back({unknown.size() + k, c_.model.inputs[static_cast<std::size_t>(inputs_[k])].name, false});
+    motion_.free_directions = free_directions(derivatives(system, unknown), choices);
+    return motion_;
   }
 
   std::string hint() const {
@@ -250,8 +367,9 @@ class Search {
   SteadyMotion motion_;
   std::vector<int> independent_, travelling_, held_;
   std::vector<int> inputs_;
-  int yaw_ = -1, leader_ = -1;  ///< the coordinate that turns; the one whose rate is the speed
-  int leading_ = 0;             ///< coordinate with the largest acceleration
+  std::vector<BristleEnd> bristles_;  ///< at the point
+  int yaw_ = -1, leader_ = -1;        ///< the coordinate that turns; the one whose rate is the speed
+  int leading_ = 0;                   ///< coordinate with the largest acceleration
   double rate_at_start_ = 0;
 };
 
@@ -259,64 +377,6 @@ class Search {
 
 SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyWish& wish) {
   return Search(compilation, start, wish).find();
-}
-
-std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyWish& wish) {
-  constexpr double kStill = 1e-9;  // rad/s or m/s: rounding
-  std::string text = fmt::format("steady motion, accelerations at most {:.1e}:\n", steady.largest);
-  for (const int i : free_coordinates(compilation.topology, compilation.analysis)) {
-    const TreeBody& body = compilation.topology.bodies[i];
-    if (std::abs(steady.point.zd[i]) < kStill) continue;
-    text += fmt::format("  {:<32}{:>16.9g} {}/s\n", "zd." + body.coordinate, steady.point.zd[i], unit_of(body.kind));
-  }
-  for (std::size_t i = 0; i < compilation.model.inputs.size(); ++i) {
-    const Input& input = compilation.model.inputs[i];
-    if (std::find(wish.solve.begin(), wish.solve.end(), input.name) == wish.solve.end()) continue;
-    text += fmt::format("  {:<32}{:>16.9g} {}\n", input.name, steady.point.inputs[i], input.unit);
-  }
-  return text + "\n";
-}
-
-void settle_auxiliary(const Compilation& compilation, OperatingPoint& point) {
-  const std::vector<AuxiliaryState> states = auxiliary_states(compilation.model);
-  const auto count = static_cast<Eigen::Index>(point.x.size()) - held_state_count(compilation.model);
-  Eigen::VectorXd size(count);
-  for (Eigen::Index i = 0; i < count; ++i) size[i] = magnitude_of(states[static_cast<std::size_t>(i)]);
-  for (int step = 0; step < kNewtonIterations && count > 0; ++step) {
-    const LinearSystem system = expect(linearise(compilation, point));
-    const Eigen::VectorXd left = system.drift.tail(count).cwiseQuotient(size);
-    if (left.cwiseAbs().maxCoeff() < kSteady) return;
-    const Eigen::MatrixXd matrix =
-        size.cwiseInverse().asDiagonal() * system.A.bottomRightCorner(count, count) * size.asDiagonal();
-    const Eigen::VectorXd by = least_squares(matrix, left, kIndifferentShare);
-    for (Eigen::Index i = 0; i < count; ++i) point.x[static_cast<std::size_t>(i)] -= size[i] * by[i];
-  }
-}
-
-LinearSystem turning_with(const SteadyMotion& motion, LinearSystem system) {
-  if (motion.across[0] < 0) return system;
-  const auto row_of = [&](StateKind kind, int coordinate) -> Eigen::Index {
-    const auto is_it = [&](const LinearState& state) { return state.kind == kind && state.index == coordinate; };
-    return std::find_if(system.states.begin(), system.states.end(), is_it) - system.states.begin();
-  };
-  for (const StateKind kind : {StateKind::position, StateKind::velocity}) {
-    const Eigen::Index first = row_of(kind, motion.across[0]), second = row_of(kind, motion.across[1]);
-    system.A(first, second) += motion.turning;
-    system.A(second, first) -= motion.turning;
-  }
-  return system;
-}
-
-void mark_places(const SteadyMotion& motion, std::vector<Mode>& list) {
-  constexpr double kSame = 1e-6;  // rad/s
-  if (motion.across[0] < 0) return;
-  for (Mode& mode : list) {
-    const double off = std::abs(mode.eigenvalue - std::complex<double>(0, std::abs(motion.turning)));
-    if (off > kSame) continue;
-    mode.is_neutral = true;
-    mode.is_unstable = false;
-  }
-  std::stable_partition(list.begin(), list.end(), [](const Mode& mode) { return !mode.is_neutral; });
 }
 
 }  // namespace mbgen

@@ -25,14 +25,21 @@ struct SteadyMotion {
   double turning = 0;        ///< rad/s, of the vehicle as a whole
   int across[2] = {-1, -1};  ///< tree coordinates of the translations that turn; -1 where nothing turns
   double largest = 0;        ///< acceleration that is left, rad/s^2 or m/s^2
+  std::vector<std::string> free_directions = {};  ///< along which rates and inputs may be chosen, in words
 };
 
 /// Marks as neutral the modes that are places seen by who turns with the motion: they go round at its rate.
 void mark_places(const SteadyMotion& motion, std::vector<Mode>& list);
 
-/// Searches from `start` by Newton's iteration on the derivatives of the linearisation.
-/// Fails: UserError for unknown names, and where there is none near by: with the coordinate that goes on to accelerate.
+/// Searches from `start` by Newton's iteration on the derivatives of the linearisation, steps shortened until they lead
+/// nearer. Accelerations count as none below 1e-7, or where the forces behind them are 1e-8 of the model's weight and
+/// no step lowers them. Frictions that stick hold no more than they can.
+/// Fails: UserError for unknown names, and where there is none near by: with the coordinate that goes on to accelerate,
+/// or the friction that would have to hold more.
 SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyWish& wish);
+
+/// A note where the holds leave more than one motion; none else.
+std::string free_directions_note(const Compilation& compilation, const SteadyMotion& steady);
 
 /// The rates that a steady motion keeps, and the inputs that were found, for people.
 std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyWish& wish);

@@ -2,103 +2,55 @@
 #include <cmath>
 
 #include "compiler/algebra/dense.hpp"
+#include "compiler/formulation/bristle_ends.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "mbgen/newton.hpp"
-#include "runtime/generic/equations.hpp"
-#include "runtime/generic/generic.hpp"
+#include "runtime/generic/balance.hpp"
 
 namespace mbgen {
 namespace {
 
-constexpr double kDifference = 1e-6;     // rad or m, for the stiffness by central differences
 constexpr double kIndifferent = 1e-7;    // kIndifferentShare for a stiffness, which differences give to seven digits
 constexpr double kBalanced = 1e-3;       // rad/s^2 or m/s^2: accelerations below it are left to Newton's steps alone
 constexpr double kSettledStates = 1e-8;  // of their magnitudes: states of the user's own that differences resolve
+constexpr double kOfSlips = 0.5;         // part of slips in a direction beyond which it is no place of the bodies
+constexpr double kLongestReturn = 0.3;   // rad or m: a step back to a start that the search left
 constexpr double kSlipReach = 0.1;       // m: a slip deflection of this size counts as much as a unit of a coordinate
-
-/// Static forces of the free directions at a position that satisfies the closures; frozen partition. States of the
-/// user's own have to stand still, too.
-struct Balance {
-  Eigen::VectorXd force;    ///< Rz' (tree forces at rest), then rates of the states over their magnitudes, 1/s
-  Eigen::VectorXd inertia;  ///< diagonal of Rz' M Rz
-  Eigen::MatrixXd rz;       ///< coordinates x free directions
-};
-
-Balance balance(GenericEquations& equations, const GenericState& state) {
-  System<double>& system = equations.system(state);
-  const Kinematics<double> k = kinematics(system);
-  const Velocities<double> v = velocities(system, k);
-  const Inertias<double> m = inertias(system, k);
-  const AppliedForces<double> forces = applied_forces(system, k, v);
-  const std::vector<double> still(state.z.size(), 0.0);
-  const std::vector<double> q = tree_forces(system, k, m, v, mbgen::accelerations(system, k, v, still), forces, still);
-  Balance b;
-  b.rz =
-      dense_rz(equations.topology, frozen_directions(system, k, equations.analysis.blocks, equations.analysis.driven));
-  const std::vector<double>& magnitudes = equations.magnitudes;
-  const auto first = static_cast<Eigen::Index>(slip_state_count(equations.model));
-  const Eigen::Index states = auxiliary_state_count(equations.model) - held_state_count(equations.model) - first;
-  b.force.resize(b.rz.cols() + states);
-  b.force.head(b.rz.cols()) =
-      b.rz.transpose() * Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
-  for (Eigen::Index i = 0; i < states; ++i)
-    b.force[b.rz.cols() + i] = forces.xd[first + i] / magnitudes[static_cast<std::size_t>(first + i)];
-  tree_mass_matrix(system, k, m, equations.mass);
-  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(b.rz.rows(), b.rz.rows());
-  spread(equations.mass, mass);
-  b.inertia = (b.rz.transpose() * mass * b.rz).diagonal();
-  return b;
-}
-
-/// Closed, with driven coordinates at their motions, and at rest although those may have velocities.
-Status settled(const GenericSolver& solver, GenericState& state) {
-  const Status status = solver.project(state);
-  std::fill(state.zd.begin(), state.zd.end(), 0.0);
-  return status;
-}
-
-/// Unknowns of a search: the free directions, then the auxiliary states that move, in parts of their magnitudes.
-Eigen::Index unknowns_of(const GenericEquations& equations, const Balance& b) {
-  const int moving = auxiliary_state_count(equations.model) - held_state_count(equations.model);
-  return b.rz.cols() + moving;
-}
-
-/// The state moved along the unknowns and settled again.
-Status moved(const GenericSolver& solver, const GenericEquations& equations, const GenericState& state,
-             const Balance& b, const Eigen::VectorXd& change, GenericState& result) {
-  result = state;
-  const Eigen::VectorXd dz = b.rz * change.head(b.rz.cols());
-  for (std::size_t i = 0; i < result.z.size(); ++i) result.z[i] += dz[static_cast<Eigen::Index>(i)];
-  for (Eigen::Index i = 0; i < change.size() - b.rz.cols(); ++i) {
-    const auto x = static_cast<std::size_t>(i);
-    result.x[x] += change[b.rz.cols() + i] * equations.magnitudes[x];
-  }
-  return settled(solver, result);
-}
-
-/// d force / d unknowns by central differences along the closures.
-Status stiffness_at(const GenericSolver& solver, GenericEquations& equations, const GenericState& state,
-                    const Balance& b, Eigen::MatrixXd& stiffness) {
-  const Eigen::Index unknowns = unknowns_of(equations, b);
-  stiffness.resize(b.force.size(), unknowns);
-  const Eigen::Index first_held = b.rz.cols() + first_turn(equations.model);
-  const Eigen::Index last_held = b.rz.cols() + slip_state_count(equations.model);
-  for (Eigen::Index u = 0; u < unknowns; ++u) {
-    if (u >= first_held && u < last_held) {  // turns and bristles stay straight: bent at rest they would bear any load
-      stiffness.col(u).setZero();
-      continue;
-    }
-    const Eigen::VectorXd change = Eigen::VectorXd::Unit(unknowns, u) * kDifference;
-    GenericState ahead, behind;
-    if (const Status status = moved(solver, equations, state, b, change, ahead); !status.ok()) return status;
-    if (const Status status = moved(solver, equations, state, b, -change, behind); !status.ok()) return status;
-    stiffness.col(u) = (balance(equations, ahead).force - balance(equations, behind).force) / (2 * kDifference);
-  }
-  return {};
-}
 
 /// Whether the search goes downhill, or straight to where the forces balance, which need not hold the bodies there.
 enum class Search { downhill, straight };
+
+/// The linearised balance in units in which inertias, rates of states and all unknowns count alike.
+struct WeightedBalance {
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd wanted;
+  Eigen::VectorXd reach;  ///< of the unknowns: a unit of the solution moves one so far
+  double unit = 1;
+};
+
+WeightedBalance weighted(const Balance& b, const Eigen::MatrixXd& stiffness) {
+  WeightedBalance w;
+  const Eigen::Index free = b.rz.cols();
+  const Eigen::Index states = b.force.size() - free;
+  const Eigen::VectorXd scale = b.inertia.cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
+  w.unit = free > 0 ? scale.minCoeff() : 1;
+  w.reach = Eigen::VectorXd::Constant(stiffness.cols(), kSlipReach);
+  w.reach.head(free) = scale / w.unit;
+  w.reach.tail(states).setOnes();
+  // Rates of states count as much as accelerations, whatever their units.
+  Eigen::VectorXd weight(b.force.size());
+  weight.head(free) = scale;
+  const auto size_of_row = [&](Eigen::Index row) {
+    return stiffness.row(row).cwiseProduct(w.reach.transpose()).norm();
+  };
+  double largest = 0;
+  for (Eigen::Index i = 0; i < free; ++i) largest = std::max(largest, scale[i] * size_of_row(i));
+  for (Eigen::Index i = free; i < free + states; ++i)
+    weight[i] = (largest > 0 ? largest : 1) / std::max(size_of_row(i), 1e-300);
+  w.matrix = weight.asDiagonal() * stiffness * w.reach.asDiagonal();
+  w.wanted = -(weight.asDiagonal() * b.force);
+  return w;
+}
 
 /// The next change of the unknowns: of all that balance the linearised forces the smallest. Far from balance a drag on
 /// the inertias joins the stiffness: where nothing holds the bodies they sink no further than kLargestBalanceStep, and
@@ -106,32 +58,10 @@ enum class Search { downhill, straight };
 /// C. T. Kelley, D. E. Keyes, "Convergence Analysis of Pseudo-Transient Continuation", SIAM J. Numer. Anal. 35(2),
 /// 1998, with the drag of switched evolution relaxation.
 Eigen::VectorXd next_change(const Balance& b, const Eigen::MatrixXd& stiffness, double unbalanced, Search search) {
-  const Eigen::Index free = b.rz.cols();
-  const Eigen::Index states = b.force.size() - free;
-  const Eigen::VectorXd scale = b.inertia.cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
-  const double unit = free > 0 ? scale.minCoeff() : 1;
-  Eigen::VectorXd reach = Eigen::VectorXd::Constant(stiffness.cols(), kSlipReach);
-  reach.head(free) = scale / unit;
-  reach.tail(states).setOnes();
-  // Rates of states count as much as accelerations, whatever their units.
-  Eigen::VectorXd weight(b.force.size());
-  weight.head(free) = scale;
-  const auto size_of_row = [&](Eigen::Index row) { return stiffness.row(row).cwiseProduct(reach.transpose()).norm(); };
-  double largest = 0;
-  for (Eigen::Index i = 0; i < free; ++i) largest = std::max(largest, scale[i] * size_of_row(i));
-  for (Eigen::Index i = free; i < free + states; ++i)
-    weight[i] = (largest > 0 ? largest : 1) / std::max(size_of_row(i), 1e-300);
-  Eigen::MatrixXd matrix = weight.asDiagonal() * stiffness * reach.asDiagonal();
+  WeightedBalance w = weighted(b, stiffness);
   if (search == Search::downhill && unbalanced > kBalanced)
-    matrix.leftCols(free).diagonal().array() -= unbalanced / (kLargestBalanceStep * unit);
-  const Eigen::VectorXd wanted = -(weight.asDiagonal() * b.force);
-  return reach.asDiagonal() * least_squares(matrix, wanted, kIndifferent);
-}
-
-/// Largest acceleration of a coordinate that the forces would cause if every free direction moved alone.
-double unbalanced_acceleration(const Balance& b) {
-  if (b.rz.cols() == 0) return 0;
-  return (b.rz * b.force.head(b.rz.cols()).cwiseQuotient(b.inertia.cwiseMax(1e-12))).cwiseAbs().maxCoeff();
+    w.matrix.leftCols(b.rz.cols()).diagonal().array() -= unbalanced / (kLargestBalanceStep * w.unit);
+  return w.reach.asDiagonal() * least_squares(w.matrix, w.wanted, kIndifferent);
 }
 
 /// Largest change of a coordinate, rad or m.
@@ -146,14 +76,15 @@ double longest_of_states(const Balance& b, const Eigen::VectorXd& change) {
 }
 
 /// Walks from a settled state to a balance; `trial` is the last state that was tried.
-Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations, Search search, int most_steps,
-                       GenericState& trial) {
+Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations, const Pinned& pinned, Search search,
+                       int most_steps, GenericState& trial) {
   for (int step = 0;; ++step) {
     const Balance here = balance(equations, trial);
     if (here.force.size() == 0) return {};
     const double unbalanced = unbalanced_acceleration(here);
     Eigen::MatrixXd stiffness;
-    if (const Status status = stiffness_at(solver, equations, trial, here, stiffness); !status.ok()) return status;
+    if (const Status status = stiffness_at(solver, equations, trial, here, pinned, stiffness); !status.ok())
+      return status;
     Eigen::VectorXd change = next_change(here, stiffness, unbalanced, search);
     if (!change.allFinite()) return {Code::not_a_number, -1};
     const double longest = longest_move(here, change), of_states = longest_of_states(here, change);
@@ -167,6 +98,117 @@ Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations,
   }
 }
 
+/// Turns and bristles: bent at rest they would bear any load.
+Pinned straight_states(const Model& model) {
+  Pinned pinned(static_cast<std::size_t>(auxiliary_state_count(model)), false);
+  std::fill(pinned.begin() + first_turn(model), pinned.begin() + slip_state_count(model), true);
+  return pinned;
+}
+
+/// Walks to where frictions that stick hold the bodies near `trial`. A bristle that would have to bend farther than it
+/// can slides: it stays at its end, and the others go on.
+Status walk_to_hold(const GenericSolver& solver, GenericEquations& equations, GenericState& trial) {
+  const auto ends_at = [&](const GenericState& state) {
+    System<double>& system = equations.system(state);
+    const Kinematics<double> k = kinematics(system);
+    return bristle_ends(system, k, velocities(system, k));
+  };
+  const auto first = static_cast<std::size_t>(first_bristle(equations.model));
+  Pinned pinned = straight_states(equations.model);
+  std::vector<BristleEnd> ends = ends_at(trial);
+  for (std::size_t i = 0; i < ends.size(); ++i) pinned[first + i] = !(ends[i].holds > 0);
+  for (std::size_t round = 0; round <= ends.size(); ++round) {
+    if (std::all_of(pinned.begin() + first_bristle(equations.model), pinned.begin() + slip_state_count(equations.model),
+                    [](bool is_pinned) { return is_pinned; }) &&
+        round == 0)
+      break;
+    const Status status = walk_to_balance(solver, equations, pinned, Search::straight, kStraightIterations, trial);
+    if (!status.ok()) return status;
+    ends = ends_at(trial);
+    bool all_hold = true;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      double& bent = trial.x[first + i];
+      if (pinned[first + i] || std::abs(bent) <= ends[i].holds) continue;
+      bent = std::copysign(ends[i].holds, bent);
+      pinned[first + i] = true;
+      all_hold = false;
+    }
+    if (all_hold) return {};
+  }
+  return {Code::no_equilibrium, -1};
+}
+
+/// Directions of the unknowns along which the forces do not change, in the units of the weighted balance, and the free
+/// directions by whose values one tells where they are.
+struct Indifferent {
+  Eigen::MatrixXd directions;        ///< unknowns x directions
+  std::vector<Eigen::Index> places;  ///< one free direction for each
+};
+
+/// Those that move coordinates more than slips: slips that strain a suspension against itself are no places.
+Indifferent indifferent_places(const WeightedBalance& w, Eigen::Index free, const Pinned& pinned) {
+  std::vector<Eigen::Index> moving;
+  for (Eigen::Index u = 0; u < w.matrix.cols(); ++u)
+    if (u < free || !pinned[static_cast<std::size_t>(u - free)]) moving.push_back(u);
+  const Eigen::MatrixXd still = indifferent_directions(w.matrix(Eigen::all, moving), kIndifferent);
+  Indifferent result;
+  if (still.cols() == 0 || free == 0) return result;
+  Eigen::MatrixXd chosen = still;
+  if (still.rows() > free) {
+    const auto [shares, vectors] = right_singular_vectors(still.bottomRows(still.rows() - free));
+    const auto slips = std::count_if(shares.begin(), shares.end(), [](double share) { return share > kOfSlips; });
+    chosen = still * vectors.rightCols(vectors.cols() - slips);
+  }
+  if (chosen.cols() == 0) return result;
+  result.directions = Eigen::MatrixXd::Zero(w.matrix.cols(), chosen.cols());
+  result.directions(moving, Eigen::all) = chosen;
+  for (const int place : leading_columns(chosen.topRows(free).transpose(), kIndifferentShare))
+    result.places.push_back(place);
+  return result;
+}
+
+/// Brings free directions of which the balance leaves open where they are back to where they were at the start: on
+/// their way bodies are pushed about by forces that are gone at its end. Leaves `found` where that fails.
+void keep_indifferent(const GenericSolver& solver, GenericEquations& equations, const Pinned& pinned,
+                      const GenericState& start, GenericState& found) {
+  const std::vector<int> coordinates = free_coordinates(equations.topology, equations.analysis);
+  GenericState trial = found;
+  std::vector<Eigen::Index> places;
+  for (int step = 0; step < kStraightIterations; ++step) {
+    const Balance here = balance(equations, trial);
+    Eigen::MatrixXd stiffness;
+    if (!stiffness_at(solver, equations, trial, here, pinned, stiffness).ok()) return;
+    const WeightedBalance w = weighted(here, stiffness);
+    const Indifferent open = indifferent_places(w, here.rz.cols(), pinned);
+    if (step == 0) places = open.places;
+    if (places.empty() || open.directions.cols() != static_cast<Eigen::Index>(places.size())) return;
+    Eigen::VectorXd change = least_squares(w.matrix, w.wanted, kIndifferent);
+    Eigen::VectorXd back(open.directions.cols());
+    for (Eigen::Index i = 0; i < back.size(); ++i) {
+      const Eigen::Index u = places[static_cast<std::size_t>(i)];
+      const auto z = static_cast<std::size_t>(coordinates[static_cast<std::size_t>(u)]);
+      back[i] = (start.z[z] - trial.z[z]) / w.reach[u] - change[u];
+    }
+    change += open.directions * solved(open.directions(places, Eigen::all), back);
+    change = w.reach.asDiagonal() * change;
+    if (!change.allFinite()) return;
+    const double longest = longest_move(here, change);
+    const bool is_still = longest < kRoundingStep && longest_of_states(here, change) < kSettledStates;
+    if (is_still && unbalanced_acceleration(here) < kBalanced) {
+      for (const Eigen::Index u : places) {
+        const auto z = static_cast<std::size_t>(coordinates[static_cast<std::size_t>(u)]);
+        trial.z[z] = start.z[z];  // to the last digit
+      }
+      if (settled(solver, trial).ok()) found = std::move(trial);
+      return;
+    }
+    change *= shortening(longest, kLongestReturn);
+    GenericState next;
+    if (!moved(solver, equations, trial, here, change, next).ok()) return;
+    trial = std::move(next);
+  }
+}
+
 }  // namespace
 
 Status GenericSolver::equilibrium(GenericState& state) const {
@@ -176,14 +218,19 @@ Status GenericSolver::equilibrium(GenericState& state) const {
   std::fill(x + first_turn(equations_->model), x + first_user_state(equations_->model), 0.0);
   if (const Status status = settled(*this, start); !status.ok()) return status;
   GenericState found = start;
-  Status status = walk_to_balance(*this, *equations_, Search::downhill, kBalanceIterations, found);
-  if (!status.ok()) {
-    GenericState near = start;
-    if (walk_to_balance(*this, *equations_, Search::straight, kStraightIterations, near).ok()) {
+  const Pinned straight = straight_states(equations_->model);
+  Status status = walk_to_balance(*this, *equations_, straight, Search::downhill, kBalanceIterations, found);
+  const auto look_near = [&](const auto& walk) {
+    if (GenericState near = start; !status.ok() && walk(near).ok()) {
       found = std::move(near);
       status = {};
     }
-  }
+  };
+  look_near([&](GenericState& near) { return walk_to_hold(*this, *equations_, near); });
+  look_near([&](GenericState& near) {
+    return walk_to_balance(*this, *equations_, straight, Search::straight, kStraightIterations, near);
+  });
+  if (status.ok()) keep_indifferent(*this, *equations_, straight, start, found);
   state = std::move(found);
   return status;
 }

@@ -1,0 +1,81 @@
+#include "compiler/linearisation/bristles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/formulation/formulation.hpp"
+#include "compiler/model/auxiliary_states.hpp"
+
+namespace mbgen {
+namespace {
+
+constexpr double kShortestLag = 1e-3;  // s, of bristles whose friction has a lag of 0
+
+/// A matrix of which a state's deflection makes one column, and the state's rate has a row in each of its columns.
+/// by_rate: force per rate over force per deflection.
+void take_out(Eigen::MatrixXd& matrix, const Eigen::RowVectorXd& rates, const Eigen::VectorXd& by_deflection,
+              double by_rate) {
+  matrix -= by_deflection * (by_rate * rates);
+}
+
+void release(const BristleEnd& bristle, Eigen::Index b, LinearSystem& system) {
+  const Eigen::VectorXd rates_by_deflection = system.A.col(b), outputs_by_deflection = system.C.col(b);
+  const Eigen::RowVectorXd by_state = system.A.row(b), by_input = system.B.row(b);
+  // force = -(stiffness b + damping db/dt): its derivative along a column is `damping` times the row's entry there.
+  const double force = bristle.stiffness + bristle.damping * by_state[b];
+  const double by_rate = force != 0 ? bristle.damping / force : 0.0;
+  take_out(system.A, by_state, rates_by_deflection, by_rate);
+  take_out(system.B, by_input, rates_by_deflection, by_rate);
+  take_out(system.C, by_state, outputs_by_deflection, by_rate);
+  take_out(system.D, by_input, outputs_by_deflection, by_rate);
+  system.A.row(b).setZero();
+  system.B.row(b).setZero();
+  system.A.col(b).setZero();
+  system.C.col(b).setZero();
+  system.A(b, b) = -1 / (bristle.lag > 0 ? bristle.lag : kShortestLag);
+  if (std::abs(system.drift[b]) <= kLeastBristle * std::abs(system.A(b, b))) system.drift[b] = 0;
+}
+
+}  // namespace
+
+std::vector<BristleEnd> bristles_at(const Model& model, const Topology& topology, const OperatingPoint& point) {
+  if (first_bristle(model) == slip_state_count(model)) return {};
+  const Layout layout = choose_layout(model, topology);
+  Scribe<double> scribe;
+  System<double> system{model, topology, layout, {}, {}, {}, scribe};
+  Environment<double>& environment = system.environment;
+  environment.topology = &topology;
+  environment.inputs = point.inputs;
+  for (const Parameter& parameter : model.parameters) environment.parameters.push_back(parameter.value);
+  environment.z.assign(topology.bodies.size(), 0.0);
+  environment.zd = environment.z;
+  system.constants = make_constants(model, topology, environment);
+  environment.t = point.t;
+  environment.z = point.z;
+  environment.zd = point.zd;
+  system.x = point.x;
+  const Kinematics<double> k = kinematics(system);
+  return bristle_ends(system, k, velocities(system, k));
+}
+
+void release_bristles(const Model& model, const std::vector<BristleEnd>& ends, LinearSystem& system) {
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (ends[i].has_limit()) continue;
+    const int state = first_bristle(model) + static_cast<int>(i);
+    const auto is_it = [&](const LinearState& s) { return s.kind == LinearState::Kind::auxiliary && s.index == state; };
+    const auto found = std::find_if(system.states.begin(), system.states.end(), is_it);
+    release(ends[i], found - system.states.begin(), system);
+  }
+}
+
+std::vector<BristleEnd> settle_bristles(const Model& model, const Topology& topology, OperatingPoint& point) {
+  std::vector<BristleEnd> ends = bristles_at(model, topology, point);
+  auto x = point.x.begin() + first_bristle(model);
+  for (const BristleEnd& bristle : ends) {
+    if (bristle.slides() || !bristle.has_limit()) *x = std::copysign(bristle.end, bristle.rate);
+    ++x;
+  }
+  return ends;
+}
+
+}  // namespace mbgen

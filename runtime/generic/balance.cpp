@@ -1,0 +1,86 @@
+#include "runtime/generic/balance.hpp"
+
+#include <algorithm>
+
+#include "compiler/model/auxiliary_states.hpp"
+
+namespace mbgen {
+namespace {
+
+constexpr double kDifference = 1e-6;  // rad or m, for the stiffness by central differences
+
+}  // namespace
+
+Balance balance(GenericEquations& equations, const GenericState& state) {
+  System<double>& system = equations.system(state);
+  const Kinematics<double> k = kinematics(system);
+  const Velocities<double> v = velocities(system, k);
+  const Inertias<double> m = inertias(system, k);
+  const AppliedForces<double> forces = applied_forces(system, k, v);
+  const std::vector<double> still(state.z.size(), 0.0);
+  const std::vector<double> q = tree_forces(system, k, m, v, mbgen::accelerations(system, k, v, still), forces, still);
+  Balance b;
+  b.rz =
+      dense_rz(equations.topology, frozen_directions(system, k, equations.analysis.blocks, equations.analysis.driven));
+  const std::vector<double>& magnitudes = equations.magnitudes;
+  const auto first = static_cast<Eigen::Index>(slip_state_count(equations.model));
+  const Eigen::Index states = auxiliary_state_count(equations.model) - held_state_count(equations.model) - first;
+  b.force.resize(b.rz.cols() + states);
+  b.force.head(b.rz.cols()) =
+      b.rz.transpose() * Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
+  for (Eigen::Index i = 0; i < states; ++i)
+    b.force[b.rz.cols() + i] = forces.xd[first + i] / magnitudes[static_cast<std::size_t>(first + i)];
+  tree_mass_matrix(system, k, m, equations.mass);
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(b.rz.rows(), b.rz.rows());
+  spread(equations.mass, mass);
+  b.inertia = (b.rz.transpose() * mass * b.rz).diagonal();
+  return b;
+}
+
+Status settled(const GenericSolver& solver, GenericState& state) {
+  const Status status = solver.project(state);
+  std::fill(state.zd.begin(), state.zd.end(), 0.0);
+  return status;
+}
+
+Eigen::Index unknowns_of(const GenericEquations& equations, const Balance& b) {
+  const int moving = auxiliary_state_count(equations.model) - held_state_count(equations.model);
+  return b.rz.cols() + moving;
+}
+
+Status moved(const GenericSolver& solver, const GenericEquations& equations, const GenericState& state,
+             const Balance& b, const Eigen::VectorXd& change, GenericState& result) {
+  result = state;
+  const Eigen::VectorXd dz = b.rz * change.head(b.rz.cols());
+  for (std::size_t i = 0; i < result.z.size(); ++i) result.z[i] += dz[static_cast<Eigen::Index>(i)];
+  for (Eigen::Index i = 0; i < change.size() - b.rz.cols(); ++i) {
+    const auto x = static_cast<std::size_t>(i);
+    result.x[x] += change[b.rz.cols() + i] * equations.magnitudes[x];
+  }
+  return settled(solver, result);
+}
+
+Status stiffness_at(const GenericSolver& solver, GenericEquations& equations, const GenericState& state,
+                    const Balance& b, const Pinned& pinned, Eigen::MatrixXd& stiffness) {
+  const Eigen::Index unknowns = unknowns_of(equations, b);
+  stiffness.resize(b.force.size(), unknowns);
+  for (Eigen::Index u = 0; u < unknowns; ++u) {
+    if (u >= b.rz.cols() && pinned[static_cast<std::size_t>(u - b.rz.cols())]) {
+      stiffness.col(u).setZero();
+      continue;
+    }
+    const Eigen::VectorXd change = Eigen::VectorXd::Unit(unknowns, u) * kDifference;
+    GenericState ahead, behind;
+    if (const Status status = moved(solver, equations, state, b, change, ahead); !status.ok()) return status;
+    if (const Status status = moved(solver, equations, state, b, -change, behind); !status.ok()) return status;
+    stiffness.col(u) = (balance(equations, ahead).force - balance(equations, behind).force) / (2 * kDifference);
+  }
+  return {};
+}
+
+double unbalanced_acceleration(const Balance& b) {
+  if (b.rz.cols() == 0) return 0;
+  return (b.rz * b.force.head(b.rz.cols()).cwiseQuotient(b.inertia.cwiseMax(1e-12))).cwiseAbs().maxCoeff();
+}
+
+}  // namespace mbgen
