@@ -97,7 +97,7 @@ const Axle& find_axle(const Model& model, const std::string& name) {
 KcReport kinematics_and_compliance(const Compilation& compilation, const Axle& axle, const OperatingPoint& at,
                                    const KcWish& wish) {
   const Axle whole = with_wheelbase(compilation.model, axle);
-  const Rig rig = make_rig(compilation, whole, at);
+  Rig rig = make_rig(compilation, whole, at);
   const CurvePoint start = start_point(rig);
   const bool with_loads = is_compliant(rig, start);
   KcReport report{compilation.model.name, axle.name, figures(rig, start, with_loads), {}, {}};

@@ -77,7 +77,11 @@ Status find_point(const Rig& rig, const RigInputs& imposed, const GenericState& 
 
 /// Adds the derivatives: of closed loops by their velocities, of compliant ones by the linear response of the
 /// equilibrium, both from the differentiated programs (no differences).
-/// Fails: UserError as linearise.
-void add_slopes(const Rig& rig, RigPoint& point);
+/// Result: none, or why they cannot be had.
+std::optional<Diagnostic> add_slopes(const Rig& rig, RigPoint& point);
+
+/// Chooses the partitions of the rig's loops for a position, where those that it has stand badly there and others do
+/// not. Coordinates stay the same ones.
+void choose_at(Rig& rig, const GenericState& state);
 
 }  // namespace mbgen::kc
