@@ -30,7 +30,8 @@ bool choose_small(const Eigen::MatrixXd& jacobian, const std::vector<ClosureEqua
   if (!has_rank(kept, block)) return false;
   BlockAnalysis anew = choose_partition({kept}, block.rank, block.driven);
   anew.certificate = std::move(block.certificate);
-  for (const int e : anew.redundant_equations) anew.redundant_names.push_back(equations[static_cast<std::size_t>(e)].name);
+  for (const int e : anew.redundant_equations)
+    anew.redundant_names.push_back(equations[static_cast<std::size_t>(e)].name);
   block = std::move(anew);
   return true;
 }
@@ -43,7 +44,8 @@ bool choose_large(const NumericSystem& numbers, std::size_t b, const std::vector
   if (anew.rank < block.rank) return false;
   anew.typical_pivot = block.typical_pivot;
   anew.certificate = std::move(block.certificate);
-  for (const int e : anew.redundant_equations) anew.redundant_names.push_back(equations[static_cast<std::size_t>(e)].name);
+  for (const int e : anew.redundant_equations)
+    anew.redundant_names.push_back(equations[static_cast<std::size_t>(e)].name);
   block = std::move(anew);
   return true;
 }
@@ -70,9 +72,8 @@ std::optional<Analysis> chosen_at(const Model& model, const Topology& topology, 
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     BlockAnalysis& block = result.blocks[b];
     const std::vector<ClosureEquation> equations = closure_equations(model, topology, topology.blocks[b]);
-    const bool is_chosen = is_large(topology.blocks[b])
-                               ? choose_large(numbers, b, equations, here, block)
-                               : choose_small(here[0].blocks[b].jacobian, equations, block);
+    const bool is_chosen = is_large(topology.blocks[b]) ? choose_large(numbers, b, equations, here, block)
+                                                        : choose_small(here[0].blocks[b].jacobian, equations, block);
     if (!is_chosen) return {};
     block.first_alike = static_cast<int>(b);
   }

@@ -3,7 +3,8 @@
 namespace mbgen {
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenLooks{20};  // a person sees no delay, and a step costs no call of the system
+constexpr std::chrono::milliseconds kBetweenLooks{
+    20};  // a person sees no delay, and a step costs no call of the system
 
 }  // namespace
 

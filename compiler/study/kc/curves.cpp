@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/base/user_error.hpp"
 #include "compiler/engines/engine.hpp"
+#include "compiler/study/kc/rig_freedom.hpp"
 
 namespace mbgen::kc {
 namespace {
@@ -58,14 +58,13 @@ Status find_loaded_point(const Rig& rig, Load load, double value, const RigPoint
   return {Code::no_equilibrium, -1};
 }
 
-/// A point of a curve, sought from one near by with partitions that stand well there. Result: why there is none, "" when
-/// there is one.
+/// A point of a curve, sought from one near by with partitions that stand well there. Result: why there is none, ""
+/// when there is one.
 std::string find_curve_point(Rig& rig, const Sweep& sweep, double value, const RigPoint& near, CurvePoint& found) {
   found.imposed = value;
   choose_at(rig, near.state);
-  const Status status = is_load(sweep.kind)
-                            ? find_loaded_point(rig, load_of(sweep.kind), value, near, found.at)
-                            : find_point(rig, imposed_at(rig, sweep.kind, value), near.state, found.at);
+  const Status status = is_load(sweep.kind) ? find_loaded_point(rig, load_of(sweep.kind), value, near, found.at)
+                                            : find_point(rig, imposed_at(rig, sweep.kind, value), near.state, found.at);
   if (!status.ok()) return text(status.code);
   if (is_load(sweep.kind)) return "";
   choose_at(rig, found.at.state);
@@ -123,19 +122,17 @@ RigInputs both_loads(const AxleState& axle, const Rig& rig, Load load) {
   return direction;
 }
 
-CurvePoint start_point(Rig& rig) {
+Result<CurvePoint> start_point(Rig& rig) {
+  const Model& model = rig.compilation.model;
   CurvePoint start;
   choose_at(rig, rig.start);
   const Status status = find_point(rig, {}, rig.start, start.at);
   if (!status.ok()) {
-    throw UserError(fmt::format("{}: axle {}: the rig has no equilibrium at the start: {}\n",
-                                rig.compilation.model.file, rig.axle.name, describe(rig.compilation, status)));
+    return problem_of(model, rig.axle, "the rig has no equilibrium at the start: " + describe(rig.compilation, status));
   }
   choose_at(rig, start.at.state);
-  if (const std::optional<Diagnostic> problem = add_slopes(rig, start.at)) {
-    throw UserError(fmt::format("{}: axle {}: the rig has no curves from the start: {}\n", rig.compilation.model.file,
-                                rig.axle.name, problem->message));
-  }
+  if (const std::optional<Diagnostic> problem = add_slopes(rig, start.at))
+    return problem_of(model, rig.axle, "the rig has no curves from the start: " + problem->message);
   start.axle = wheels_of(rig, start.at);
   complete(start.axle, start.axle);
   return start;
@@ -152,11 +149,10 @@ CurvePoints curve_points(const Rig& given, const CurvePoint& start, const Sweep&
     for (int k = 1; k <= half && !curve.is_stopped; ++k) {
       const double value = sign * sweep.amplitude * k / half;
       CurvePoint point;
-      const std::string fault =
-          find_curve_point(rig, sweep, value, side.empty() ? start.at : side.back().at, point);
+      const std::string fault = find_curve_point(rig, sweep, value, side.empty() ? start.at : side.back().at, point);
       if (!fault.empty()) {
-        curve.note += fmt::format("{}{} ends before {:g}: {}", curve.note.empty() ? "" : "; ", name_of(sweep.kind),
-                                  value, fault);
+        curve.note +=
+            fmt::format("{}{} ends before {:g}: {}", curve.note.empty() ? "" : "; ", name_of(sweep.kind), value, fault);
         break;
       }
       side.push_back(std::move(point));

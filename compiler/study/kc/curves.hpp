@@ -40,8 +40,8 @@ struct CurvePoints {
 };
 
 /// The point at which nothing is imposed; the rig gets partitions that stand well there.
-/// Fails: UserError when there is no equilibrium, or no derivatives.
-CurvePoint start_point(Rig& rig);
+/// Fails: with one problem when there is no equilibrium, or no derivatives.
+Result<CurvePoint> start_point(Rig& rig);
 
 /// goes_on: asked after every point.
 CurvePoints curve_points(const Rig& rig, const CurvePoint& start, const Sweep& sweep, int count,
