@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "compiler/analysis/choice_at.hpp"
 #include "compiler/counted_partitions.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/trace/trace.hpp"
@@ -132,8 +133,26 @@ FmuFiles emit_fmu(const Compilation& c, const InitialState& initial, FmiVersion 
   return emit_fmu(c.whole, c.emitted, c.model, c.topology, c.analysis, initial, version);
 }
 
+std::optional<Compilation> chosen_at(const Compilation& c, const std::vector<double>& z) {
+  std::optional<Analysis> analysis = chosen_at(c.model, c.topology, c.analysis, z);
+  if (!analysis) return {};
+  Compilation anew{c.model, c.topology, std::move(*analysis)};
+  Programs programs = trace(anew.model, anew.topology, anew.analysis, c.whole.form);
+  for (const Pass& pass : passes())
+    if (pass.result == Lowered::whole) programs = pass.run(std::move(programs));
+  anew.whole = without_shared_laws(std::move(programs));
+  return anew;
+}
+
 Result<LinearSystem> linearise(const Compilation& c, const OperatingPoint& point) {
   return linearise(c.model, c.topology, c.analysis, c.whole, point);
+}
+
+Result<LinearSystem> linearise_by_any_choice(const Compilation& c, const OperatingPoint& point) {
+  Result<LinearSystem> system = linearise(c, point);
+  if (system) return system;
+  const std::optional<Compilation> anew = chosen_at(c, point.z);
+  return anew ? linearise(*anew, point) : system;
 }
 
 EmittedFile emit_clocked_driver(const Compilation& c, int lanes) {

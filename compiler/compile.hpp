@@ -70,8 +70,16 @@ Result<Compilation> compile(const std::string& path, const CompileOptions& optio
 /// The files of the specialised solver, see emit.
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options = {});
 
+/// The model with partitions of its loop blocks chosen for one position (analysis/choice_at.hpp) and its `whole`
+/// programs alone; none where no other choice helps. z: of every coordinate, loops closed.
+std::optional<Compilation> chosen_at(const Compilation& compilation, const std::vector<double>& z);
+
 /// Linearises the model, see linearisation.hpp.
 Result<LinearSystem> linearise(const Compilation& compilation, const OperatingPoint& point);
+
+/// The same with partitions chosen for the point where the frozen ones are singular and the position is not: other
+/// coordinates may be states then.
+Result<LinearSystem> linearise_by_any_choice(const Compilation& compilation, const OperatingPoint& point);
 
 /// The files of an FMU that starts from `initial`, see emit_fmu.
 FmuFiles emit_fmu(const Compilation& compilation, const InitialState& initial, FmiVersion version);

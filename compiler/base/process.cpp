@@ -7,48 +7,19 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
-#include <ctime>
 #include <map>
 #include <sstream>
 #include <thread>
+
+#include "compiler/base/held_signals.hpp"
 
 namespace mbgen {
 namespace {
 
 constexpr pid_t kNoProcess = -1;
-constexpr timespec kLongestPause{0, 50'000'000};  // 50 ms: a person sees no delay
-
-/// Signals that wait while programs run: the end of a program, and signals that would end this process and leave the
-/// programs at work.
-class HeldSignals {
- public:
-  HeldSignals() {
-    ::sigemptyset(&held_);
-    ::sigaddset(&held_, SIGCHLD);
-    ::pthread_sigmask(SIG_SETMASK, nullptr, &before_);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-      struct sigaction action = {};
-      ::sigaction(signal, nullptr, &action);
-      if (action.sa_handler == SIG_DFL && ::sigismember(&before_, signal) == 0) ::sigaddset(&held_, signal);
-    }
-    ::pthread_sigmask(SIG_BLOCK, &held_, nullptr);
-  }
-  HeldSignals(const HeldSignals&) = delete;
-  HeldSignals& operator=(const HeldSignals&) = delete;
-  ~HeldSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-
-  /// Waits for a moment, or until a program has ended. Result: the signal that is to end this process, 0 without one.
-  int wait() const {
-    const int signal = ::sigtimedwait(&held_, nullptr, &kLongestPause);
-    return signal > 0 && signal != SIGCHLD ? signal : 0;
-  }
-
-  const sigset_t& before() const { return before_; }
-
- private:
-  sigset_t held_ = {}, before_ = {};
-};
+constexpr std::chrono::milliseconds kLongestPause{50};  // a person sees no delay
 
 /// Starts a program in a process group of its own, which holds the programs that it starts in turn.
 pid_t start(const Command& command, const sigset_t& signals) {
@@ -97,7 +68,7 @@ void end_all(const Running& running) {
 
 std::vector<int> run_side_by_side(const std::vector<Command>& commands,
                                   const std::function<void(std::size_t ended)>& watch) {
-  const HeldSignals signals;
+  const HeldSignals signals(SIGCHLD);
   const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
   std::vector<int> codes(commands.size(), kNotStarted);
   Running running;
@@ -113,7 +84,7 @@ std::vector<int> run_side_by_side(const std::vector<Command>& commands,
     }
     if (running.empty()) return codes;
     if (watch) watch(next - running.size());
-    if (const int signal = signals.wait(); signal != 0) {
+    if (const int signal = signals.wait(kLongestPause); signal != 0) {
       end_all(running);
       throw Interrupted{signal};
     }

@@ -42,9 +42,9 @@ void StatusLine::clear() {
   is_shown_ = false;
 }
 
-void Progress::show(long done) {
+void Progress::show(long done, long of) {
   if (!line_.is_due()) return;
-  const double part = static_cast<double>(done) / static_cast<double>(total_);
+  const double part = static_cast<double>(done) / static_cast<double>(of);
   line_.show(fmt::format("[{:<{}}] {:3.0f} %", std::string(static_cast<std::size_t>(part * kBarWidth), '#'), kBarWidth,
                          100 * part));
 }

@@ -27,16 +27,14 @@ class StatusLine {
   Clock::time_point last_;
 };
 
-/// A bar of how many of `total` steps are done.
+/// A bar of how many steps are done.
 class Progress {
  public:
-  explicit Progress(long total) : total_(total) {}
-  void show(long done);
+  void show(long done, long of);
   /// Takes the bar away.
   void clear() { line_.clear(); }
 
  private:
-  long total_;
   StatusLine line_;
 };
 

@@ -2,10 +2,16 @@
 
 #include "compiler/study/kc/kc.hpp"
 
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "compiler/base/assignments.hpp"
+#include "compiler/base/held_signals.hpp"
 #include "compiler/base/json_text.hpp"
+#include "compiler/base/message.hpp"
+#include "compiler/base/process.hpp"
+#include "compiler/base/progress.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/options.hpp"
@@ -28,11 +34,22 @@ int run(const KcOptions& options) {
   count_notes(compilation);
   const Axle& axle = find_axle(compilation.model, options.axle);
   const OperatingPoint at = operating_point(compilation, options.at).point;
-  const KcReport report = kinematics_and_compliance(compilation, axle, at, options.wish);
+  HeldSignals signals;
+  Progress progress;
+  bool is_stopped = false;
+  const KcReport report = kinematics_and_compliance(compilation, axle, at, options.wish, [&](long done, long of) {
+    progress.show(done, of);
+    is_stopped = done < of && signals.taken() != 0;
+    return !is_stopped;
+  });
+  progress.clear();
   if (!options.directory.empty())
     write_files(options.directory, kc_files(report), files_read(compilation.model, options.at));
   print(options.json ? json_text(kc_json(report)) : kc_text(report));
-  return kDone;
+  if (!is_stopped) return kDone;
+  print_message("kc: interrupted; {}run the same command again for all curves, or fewer --points\n",
+                options.directory.empty() ? "" : fmt::format("{} holds the points up to there, ", options.directory));
+  throw Interrupted{signals.taken()};
 }
 
 }  // namespace

@@ -191,7 +191,9 @@ int run(const LinearizeOptions& options) {
   count_notes(compilation);
   const ChosenPoint chosen = operating_point(compilation, options.state);
   const OperatingPoint& point = chosen.point;
-  LinearSystem system = expect(linearise(compilation, point));
+  // A steady motion names its states by the coordinates that it was sought with.
+  LinearSystem system =
+      expect(chosen.steady ? linearise(compilation, point) : linearise_by_any_choice(compilation, point));
   const std::vector<std::string> places = neutral_coordinates(compilation.topology, system);
   if (chosen.steady) system = turning_with(*chosen.steady, std::move(system));
   std::vector<Mode> list = modes(system);

@@ -6,7 +6,9 @@
 
 #include "compiler/base/assignments.hpp"
 #include "compiler/base/files.hpp"
+#include "compiler/base/held_signals.hpp"
 #include "compiler/base/message.hpp"
+#include "compiler/base/process.hpp"
 #include "compiler/base/progress.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
@@ -45,6 +47,7 @@ struct Run {
   StepVerdict verdict;
   std::vector<MovedValue> moved;                ///< of the start
   std::shared_ptr<ErrorControlRecord> control;  ///< of a motion with error control
+  int signal = 0;                               ///< that stopped it
 };
 
 Run compute(const Compilation& compilation, const EngineChoice& choice, const InputsOverTime& inputs,
@@ -53,7 +56,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
   Engine engine = make_engine(compilation, choice);
   const Start start = initial_start(compilation, inputs.at(0));
   print_notes(start_notes(compilation, start));
-  Progress progress(settings.steps);
+  Progress progress;
   ContactWatch contacts(compilation);
   LoadWatch loads(compilation.model);
   RoadWatch roads(compilation);
@@ -72,10 +75,13 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
     loads.add(sample);
     roads.add(sample.state);
     table.add(sample);
-    progress.show(sample.step);
+    progress.show(sample.step, settings.steps);
   };
+  HeldSignals signals;
+  settings.is_stopped = [&] { return signals.taken() != 0; };
   run.summary = simulate(engine, start.state, inputs, settings, on_sample,
                          manoeuvre ? manoeuvre->control(settings.step) : InputControl());
+  if (run.summary.is_stopped) run.signal = signals.taken();
   progress.clear();
   if (!control) {
     run.verdict = judge_step(compilation, choice.integrator, settings, run.summary,
@@ -158,7 +164,13 @@ int run(SimulateOptions options) {
                                 manoeuvre ? manoeuvre->words() : ManoeuvreWords()};
   table.commit(run_json(record));
   print_beside(options.file, options.json ? summary_json(record) : summary_text(record));
-  return tell(record);
+  if (run.signal == 0) return tell(record);
+  tell(record);
+  print_message(
+      "simulate: interrupted at t = {:.10g} s; {} holds the motion up to there, run the same command again for "
+      "all of it\n",
+      run.summary.end_time, shown_name(options.file));
+  throw Interrupted{run.signal};
 }
 
 }  // namespace

@@ -13,8 +13,10 @@
 #include <utility>
 
 #include "compiler/base/files.hpp"
+#include "compiler/base/held_signals.hpp"
 #include "compiler/base/json_text.hpp"
 #include "compiler/base/message.hpp"
+#include "compiler/base/process.hpp"
 #include "compiler/base/progress.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
@@ -61,17 +63,20 @@ void compute(const Study& study, const std::vector<long>& cases, int jobs, bool 
   std::atomic<bool> is_stopped{false};
   std::exception_ptr failure;
   std::mutex guard;
-  Progress progress(static_cast<long>(cases.size()));
+  HeldSignals signals;
+  Progress progress;
   long done = 0;
+  const auto is_interrupted = [&] { return signals.taken() != 0; };
   const auto compute_one = [&](long index) {
-    CaseResult result = run_case(study, solver, index);
+    std::optional<CaseResult> result = run_case(study, solver, index, is_interrupted);
+    if (!result) return;
     const std::lock_guard<std::mutex> lock(guard);
-    journal.add(index, result);
-    results[index] = std::move(result);
-    progress.show(++done);
+    journal.add(index, *result);
+    results[index] = std::move(*result);
+    progress.show(++done, static_cast<long>(cases.size()));
   };
   const auto work = [&] {
-    for (std::size_t i = next++; i < cases.size() && !is_stopped; i = next++) {
+    for (std::size_t i = next++; i < cases.size() && !is_stopped && !is_interrupted(); i = next++) {
       try {
         compute_one(cases[i]);
       } catch (...) {
@@ -87,16 +92,18 @@ void compute(const Study& study, const std::vector<long>& cases, int jobs, bool 
   for (std::thread& thread : threads) thread.join();
   progress.clear();
   if (failure) std::rethrow_exception(failure);
+  if (is_interrupted() && done < static_cast<long>(cases.size())) throw Interrupted{signals.taken()};
 }
 
 /// Waits until the other ranks have written all cases. Fails: UserError when none of them is seen at work any more.
 void gather(const SweepOptions& options, const std::string& words, const SweepPart& part, long size,
             CaseResults& results) {
+  HeldSignals signals;
   auto look = kFirstLook;
   auto last_seen = steady_clock::now();
   bool is_told = false;
   while (static_cast<long>(results.size()) < size) {
-    std::this_thread::sleep_for(look);
+    if (const int signal = signals.wait(look); signal != 0) throw Interrupted{signal};
     look = std::min(2 * look, kLastLook);
     const std::size_t before = results.size();
     bool is_at_work = false;
@@ -223,12 +230,19 @@ int run(const SweepOptions& options) {
   if (is_first && !study.is_tuned) print_message("sweep: each case is analysed anew: {}\n", study.why_not_tuned);
   if (is_first && before > 0) print_message("sweep: {} of {} cases were done before\n", before, of_part);
   const int jobs = options.jobs > 0 ? options.jobs : rank ? 1 : processors();
-  if (!cases.empty()) compute(study, cases, jobs, is_first, journal, results);
+  try {
+    if (!cases.empty()) compute(study, cases, jobs, is_first, journal, results);
+    if (is_first) gather(options, words, part, study.grid.size(), results);
+  } catch (const Interrupted&) {
+    print_message("sweep: interrupted: {} of {} cases are done, {} keeps them; run the same command again to go on\n",
+                  std::erase_if(results, [&](const auto& one) { return part.has(one.first); }), of_part,
+                  journal_path(options.file, part).string());
+    throw;
+  }
   if (!options.part.empty()) {
     print(options.json ? json_text({{"part", options.part}, {"cases", of_part}})
                        : fmt::format("part {}: {} cases\n", options.part, of_part));
   } else if (is_first) {
-    gather(options, words, part, study.grid.size(), results);
     finish(options, study, results);
   }
   return kDone;

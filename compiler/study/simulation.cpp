@@ -252,7 +252,8 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
     summary.last = sample.state;
     on_sample(sample);
     const bool goes_on = !control || control(sample, inputs);
-    if (sample.step == settings.steps || !goes_on) break;
+    summary.is_stopped = sample.step < settings.steps && settings.is_stopped && settings.is_stopped();
+    if (sample.step == settings.steps || !goes_on || summary.is_stopped) break;
     if (const auto power = power_after_samples(engine, settings.step, moving)) collector.add_after_jump(*power);
     const Clock::time_point before = Clock::now();
     const double end = time_after(state.t, static_cast<double>(sample.step + 1), settings.step);

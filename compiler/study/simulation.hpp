@@ -11,9 +11,10 @@ namespace mbgen {
 
 struct SimulationSettings {
   long steps = 0;
-  double step = 0;                   ///< s
-  bool has_multipliers = false;      ///< the samples are to have them
-  bool is_error_controlled = false;  ///< the engine chooses its own steps inside of these
+  double step = 0;                        ///< s
+  bool has_multipliers = false;           ///< the samples are to have them
+  bool is_error_controlled = false;       ///< the engine chooses its own steps inside of these
+  std::function<bool()> is_stopped = {};  ///< asked after every point: whether somebody wants the motion to end there
 };
 
 /// One point of the motion.
@@ -70,6 +71,7 @@ struct SimulationSummary {
   GenericState last;                ///< the last good state
   std::vector<BlockEvents> blocks;  ///< per loop block, as far as anything was met
   Status status;                    ///< of the step that failed, or ok
+  bool is_stopped = false;          ///< before its end, as the settings say
   /// Whether energy was exchanged, beyond rounding: else the relative error of the balance says nothing.
   bool exchanges_energy() const { return energy.scale > kRoundedEnergy * energy.level && largest_velocity > kAtRest; }
   /// Of a step that failed: a shorter one, s, by which the motion goes on from the last good state; 0 where none was

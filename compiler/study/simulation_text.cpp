@@ -25,6 +25,7 @@ std::string status_text(const SimulationRecord& record) {
   const StepVerdict& verdict = record.verdict;
   if (!summary.status.ok()) return describe(record.compilation, summary.status);
   if (!verdict.failure.empty()) return verdict.outcome;
+  if (summary.is_stopped) return "interrupted";
   if (verdict.warnings.empty()) return "ok";
   return verdict.warnings.size() == 1 ? "1 warning" : fmt::format("{} warnings", verdict.warnings.size());
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/base/user_error.hpp"
 #include "compiler/engines/engine.hpp"
+#include "compiler/study/kc/rig_freedom.hpp"
 
 namespace mbgen::kc {
 namespace {
@@ -58,13 +58,18 @@ Status find_loaded_point(const Rig& rig, Load load, double value, const RigPoint
   return {Code::no_equilibrium, -1};
 }
 
-Status find_curve_point(const Rig& rig, const Sweep& sweep, double value, const RigPoint& near, CurvePoint& found) {
+/// A point of a curve, sought from one near by with partitions that stand well there. Result: why there is none, ""
+/// when there is one.
+std::string find_curve_point(Rig& rig, const Sweep& sweep, double value, const RigPoint& near, CurvePoint& found) {
   found.imposed = value;
-  if (is_load(sweep.kind)) return find_loaded_point(rig, load_of(sweep.kind), value, near, found.at);
-  if (const Status status = find_point(rig, imposed_at(rig, sweep.kind, value), near.state, found.at); !status.ok())
-    return status;
-  add_slopes(rig, found.at);
-  return {};
+  choose_at(rig, near.state);
+  const Status status = is_load(sweep.kind) ? find_loaded_point(rig, load_of(sweep.kind), value, near, found.at)
+                                            : find_point(rig, imposed_at(rig, sweep.kind, value), near.state, found.at);
+  if (!status.ok()) return text(status.code);
+  if (is_load(sweep.kind)) return "";
+  choose_at(rig, found.at.state);
+  const std::optional<Diagnostic> problem = add_slopes(rig, found.at);
+  return problem ? problem->message : "";
 }
 
 /// Gives every point its axle. Where wheels move against each other the mirror of the wheel is that at minus the value;
@@ -117,35 +122,41 @@ RigInputs both_loads(const AxleState& axle, const Rig& rig, Load load) {
   return direction;
 }
 
-CurvePoint start_point(const Rig& rig) {
+Result<CurvePoint> start_point(Rig& rig) {
+  const Model& model = rig.compilation.model;
   CurvePoint start;
+  choose_at(rig, rig.start);
   const Status status = find_point(rig, {}, rig.start, start.at);
   if (!status.ok()) {
-    throw UserError(fmt::format("{}: axle {}: the rig has no equilibrium at the start: {}\n",
-                                rig.compilation.model.file, rig.axle.name, describe(rig.compilation, status)));
+    return problem_of(model, rig.axle, "the rig has no equilibrium at the start: " + describe(rig.compilation, status));
   }
-  add_slopes(rig, start.at);
+  choose_at(rig, start.at.state);
+  if (const std::optional<Diagnostic> problem = add_slopes(rig, start.at))
+    return problem_of(model, rig.axle, "the rig has no curves from the start: " + problem->message);
   start.axle = wheels_of(rig, start.at);
   complete(start.axle, start.axle);
   return start;
 }
 
-CurvePoints curve_points(const Rig& rig, const CurvePoint& start, const Sweep& sweep, int count) {
+CurvePoints curve_points(const Rig& given, const CurvePoint& start, const Sweep& sweep, int count,
+                         const std::function<bool()>& goes_on) {
+  Rig rig = given;
   const int half = count / 2;
   CurvePoints curve;
   std::vector<CurvePoint> below, above;
   for (const int sign : {-1, 1}) {
     std::vector<CurvePoint>& side = sign < 0 ? below : above;
-    for (int k = 1; k <= half; ++k) {
+    for (int k = 1; k <= half && !curve.is_stopped; ++k) {
       const double value = sign * sweep.amplitude * k / half;
       CurvePoint point;
-      const Status status = find_curve_point(rig, sweep, value, side.empty() ? start.at : side.back().at, point);
-      if (!status.ok()) {
-        curve.note += fmt::format("{}{} ends before {:g}: {}", curve.note.empty() ? "" : "; ", name_of(sweep.kind),
-                                  value, text(status.code));
+      const std::string fault = find_curve_point(rig, sweep, value, side.empty() ? start.at : side.back().at, point);
+      if (!fault.empty()) {
+        curve.note +=
+            fmt::format("{}{} ends before {:g}: {}", curve.note.empty() ? "" : "; ", name_of(sweep.kind), value, fault);
         break;
       }
       side.push_back(std::move(point));
+      curve.is_stopped = goes_on && !goes_on();
     }
   }
   std::reverse(below.begin(), below.end());

@@ -1,6 +1,7 @@
 #pragma once
 // The curves of a rig: points one after the other, and what is read of them.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,12 +36,16 @@ struct CurvePoint {
 struct CurvePoints {
   std::vector<CurvePoint> points;
   std::string note;
+  bool is_stopped = false;  ///< by who watched it: points are missing
 };
 
-/// The point at which nothing is imposed. Fails: UserError when there is no equilibrium.
-CurvePoint start_point(const Rig& rig);
+/// The point at which nothing is imposed; the rig gets partitions that stand well there.
+/// Fails: with one problem when there is no equilibrium, or no derivatives.
+Result<CurvePoint> start_point(Rig& rig);
 
-CurvePoints curve_points(const Rig& rig, const CurvePoint& start, const Sweep& sweep, int count);
+/// goes_on: asked after every point.
+CurvePoints curve_points(const Rig& rig, const CurvePoint& start, const Sweep& sweep, int count,
+                         const std::function<bool()>& goes_on = {});
 
 /// Name of a curve, as its files are called, and its title.
 std::string name_of(Sweep::Kind kind);

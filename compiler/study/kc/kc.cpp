@@ -7,6 +7,7 @@
 
 #include "compiler/base/user_error.hpp"
 #include "compiler/study/kc/curves.hpp"
+#include "compiler/study/kc/rig_freedom.hpp"
 
 namespace mbgen {
 namespace {
@@ -77,6 +78,35 @@ std::vector<Sweep> sweeps_of(const Rig& rig, const CurvePoint& start, const KcWi
   return sweeps;
 }
 
+/// A rig at its start.
+struct StandingRig {
+  Rig rig;
+  CurvePoint start;
+};
+
+Result<StandingRig> standing_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at,
+                                 const Pads& pads) {
+  Result<Rig> rig = make_rig(user, axle, at, pads);
+  if (!rig) return rig.problems();
+  add_programs(rig->compilation);
+  Result<CurvePoint> start = start_point(*rig);
+  if (!start) return start.problems();
+  return StandingRig{std::move(*rig), std::move(*start)};
+}
+
+/// The rig with other axles on pads; where these cannot stand there, with their wheels free, which a note tells.
+/// Fails: UserError.
+StandingRig standing_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at,
+                         std::vector<std::string>& notes) {
+  Result<StandingRig> on_pads = standing_rig(user, axle, at, Pads{});
+  if (on_pads) return std::move(*on_pads);
+  if (const std::optional<Diagnostic> fault = ride_fault(user, axle, at)) throw UserError(Diagnostics{*fault});
+  Result<StandingRig> others_free = standing_rig(user, axle, at, Pads{.of_others = false});
+  if (!others_free) throw UserError(on_pads.problems());
+  notes.emplace_back("wheels of other axles hang free: on pads they would have no position of rest");
+  return std::move(*others_free);
+}
+
 }  // namespace
 
 const Axle& find_axle(const Model& model, const std::string& name) {
@@ -95,17 +125,27 @@ const Axle& find_axle(const Model& model, const std::string& name) {
 }
 
 KcReport kinematics_and_compliance(const Compilation& compilation, const Axle& axle, const OperatingPoint& at,
-                                   const KcWish& wish) {
+                                   const KcWish& wish, const KcWatch& watch) {
   const Axle whole = with_wheelbase(compilation.model, axle);
-  const Rig rig = make_rig(compilation, whole, at);
-  const CurvePoint start = start_point(rig);
+  KcReport report{compilation.model.name, axle.name, {}, {}, {}};
+  const auto [rig, start] = standing_rig(compilation, whole, at, report.notes);
   const bool with_loads = is_compliant(rig, start);
-  KcReport report{compilation.model.name, axle.name, figures(rig, start, with_loads), {}, {}};
+  report.figures = figures(rig, start, with_loads);
   if (!with_loads) report.notes.emplace_back("nothing gives way between the wheels and the body: no curves of loads");
-  for (const Sweep& sweep : sweeps_of(rig, start, wish, with_loads)) {
-    const CurvePoints curve = curve_points(rig, start, sweep, wish.points);
+  const std::vector<Sweep> sweeps = sweeps_of(rig, start, wish, with_loads);
+  const long all = static_cast<long>(sweeps.size()) * 2 * (wish.points / 2);
+  long done = 0;
+  const auto goes_on = [&] { return !watch || watch(++done, all); };
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    const CurvePoints curve = curve_points(rig, start, sweeps[i], wish.points, goes_on);
     if (!curve.note.empty()) report.notes.push_back(curve.note);
-    report.tables.push_back(curve_table(rig, start, sweep, curve.points));
+    report.tables.push_back(curve_table(rig, start, sweeps[i], curve.points));
+    if (!curve.is_stopped) continue;
+    std::string note = fmt::format("interrupted: {} is not complete", name_of(sweeps[i].kind));
+    for (std::size_t k = i + 1; k < sweeps.size(); ++k)
+      note += fmt::format("{}{}", k == i + 1 ? "; there is no " : ", ", name_of(sweeps[k].kind));
+    report.notes.push_back(std::move(note));
+    break;
   }
   return report;
 }

@@ -2,6 +2,7 @@
 // The door of the kinematics and compliance room: the curves of an axle on its rig, as tables, text, pictures and a
 // page.
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -22,9 +23,13 @@ struct KcWish {
 /// The axle of this name; without a name the only one of the model. Fails: UserError.
 const Axle& find_axle(const Model& model, const std::string& name);
 
-/// Runs the rig of an axle from a state of the model. Definitions: docs/use/kc.md.
+/// Told how many points of all curves are done. Result: false to stop there.
+using KcWatch = std::function<bool(long done, long of)>;
+
+/// Runs the rig of an axle from a state of the model. Definitions: docs/use/kc.md. Curves that a watcher stops have the
+/// points up to there, which a note tells.
 /// Fails: UserError where the rig cannot be made or has no equilibrium at the start.
 KcReport kinematics_and_compliance(const Compilation& compilation, const Axle& axle, const OperatingPoint& at,
-                                   const KcWish& wish);
+                                   const KcWish& wish, const KcWatch& watch = {});
 
 }  // namespace mbgen

@@ -7,8 +7,8 @@
 
 #include "compiler/base/user_error.hpp"
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/model/each_friction.hpp"
 #include "compiler/model/vectors.hpp"
+#include "compiler/study/kc/rig_freedom.hpp"
 
 namespace mbgen::kc {
 namespace {
@@ -21,16 +21,6 @@ Vector3 upwards_across(const Vector3& axis) {
   return {-axis[0] * axis[2] / level, -axis[1] * axis[2] / level, level};
 }
 
-/// Takes frictions away, and the loads that press them, which are the last sampled values.
-void take_frictions_away(Model& model) {
-  std::size_t loads = 0;
-  each_friction(model, [&loads](const FrictionLaw& friction) { loads += friction.load >= 0 ? 1 : 0; });
-  model.frictions.clear();
-  model.spring_frictions.clear();
-  model.rod_frictions.clear();
-  model.sampled.resize(model.sampled.size() - loads);
-}
-
 /// What a wheel is to the rig.
 struct MountedWheel {
   std::string name;
@@ -41,8 +31,8 @@ struct MountedWheel {
 /// Turns the user's model into that of the rig.
 class RigBuilder {
  public:
-  RigBuilder(const Compilation& user, const Axle& axle, const OperatingPoint& at)
-      : user_(user), at_(at), axle_(axle), model_(user.model) {
+  RigBuilder(const Compilation& user, const Axle& axle, const OperatingPoint& at, const Pads& pads)
+      : user_(user), at_(at), axle_(axle), pads_(pads), model_(user.model) {
     GenericSolver solver(user.model, user.topology, user.analysis);
     solver.set_inputs(at.inputs);
     poses_ = solver.poses({at.z, at.zd, at.x, at.t});
@@ -51,27 +41,27 @@ class RigBuilder {
     inputs_ = at.inputs;
   }
 
-  Rig build() {
+  Result<Rig> build() {
     check_heading();
     if (model_.ground < 0) throw UserError(fmt::format("{}: a rig needs the body \"ground\"\n", model_.file));
-    take_away();
+    take_away(axle_, model_);
     keep_tree();
     freeze_motions();
     hold_body();
     add_wheel(0, axle_.left);
     add_wheel(1, axle_.right);
     for (const Tyre& tyre : user_.model.tyres) {
-      if (!is_of_axle(tyre.centre)) mount({"rig " + tyre.name, tyre.centre, tyre.axis}, -1);
+      if (pads_.of_others && !is_of_axle(tyre.centre)) mount({"rig " + tyre.name, tyre.centre, tyre.axis}, -1);
     }
     add_steer();
     add_elements();
     rig_.start_inputs = inputs_;
     Result<Compilation> decided = decide(std::move(model_));
-    if (!decided)
-      throw UserError(fmt::format("{}: axle {}: its rig is no model to solve\n{}", user_.model.file, axle_.name,
-                                  to_text(decided.problems())));
+    if (!decided) {
+      const Diagnostic& first = decided.problems().front();
+      return problem_of(user_.model, axle_, "its rig is no model to solve: " + first.message, first.hint);
+    }
     rig_.compilation = std::move(*decided);
-    add_programs(rig_.compilation);
     take_start();
     return std::move(rig_);
   }
@@ -88,33 +78,6 @@ class RigBuilder {
     throw UserError(
         fmt::format("{}: axle {}: at the start {} is turned by {:.3g} rad about z; a rig needs it along x\n",
                     model_.file, axle_.name, model_.bodies[static_cast<std::size_t>(axle_.body)].name, yaw));
-  }
-
-  /// Tyres, frictions, outputs, the start, and what the axle names.
-  void take_away() {
-    model_.tyres.clear();
-    take_frictions_away(model_);
-    model_.outputs.clear();
-    model_.notes.clear();
-    model_.initial = {};
-    for (const std::string& name : axle_.without) {
-      const auto each = [&](auto& list, const auto& silence) {
-        for (auto& element : list) {
-          if (element.name == name) silence(element);
-        }
-      };
-      const auto silence_spring = [](auto& spring) {
-        spring.stiffness.reset();
-        spring.damping.reset();
-        spring.force.reset();
-        spring.preload = 0.0;
-      };
-      each(model_.springs, silence_spring);
-      each(model_.joint_springs, silence_spring);
-      each(model_.air_springs, [](AirSpring& spring) { spring.area = Quantity(0.0), spring.volume.reset(); });
-      each(model_.forces, [](AppliedForce& force) { force.force = force.torque = {0.0, 0.0, 0.0}; });
-      each(model_.joint_forces, [](JointForce& force) { force.force = 0.0; });
-    }
   }
 
   /// Cuts the joints that the user's model cuts, so that its coordinates are those of the rig.
@@ -264,7 +227,9 @@ class RigBuilder {
     contact.to = wheel.centre;
     contact.cut = CutMark::cut;
     model_.joints.push_back(contact);
-    drive(wheel.name, {joint, 0}, travel < 0 ? Quantity(height) : add_imposed(travel, wheel.name, height));
+    const bool is_other = travel < 0;
+    if (is_other || pads_.are_driven)
+      drive(wheel.name, {joint, 0}, is_other ? Quantity(height) : add_imposed(travel, wheel.name, height));
     const int motion = static_cast<int>(model_.motions.size()) - 1;
     lock(wheel);
     return motion;
@@ -299,7 +264,7 @@ class RigBuilder {
     const int body = wheel.centre.body;
     result.side = which == 0 ? 1 : -1;
     result.radius = wheel.radius;
-    result.load = add_output(name + " load", DriveOutput{motion});
+    if (pads_.are_driven) result.load = add_output(name + " load", DriveOutput{motion});
     result.centre = add_vector(name + " centre ", wheel.centre);
     result.axis = add_vector(name + " axis ", add_point(body, name + " axis", sum(centre, axis)), wheel.centre);
     result.rim =
@@ -372,6 +337,7 @@ class RigBuilder {
   const Compilation& user_;
   const OperatingPoint& at_;
   const Axle& axle_;
+  const Pads& pads_;
   Model model_;
   Rig rig_;
   std::vector<Pose> poses_;
@@ -380,8 +346,8 @@ class RigBuilder {
 
 }  // namespace
 
-Rig make_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at) {
-  return RigBuilder(user, axle, at).build();
+Result<Rig> make_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at, const Pads& pads) {
+  return RigBuilder(user, axle, at, pads).build();
 }
 
 }  // namespace mbgen::kc

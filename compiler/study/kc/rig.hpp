@@ -58,9 +58,18 @@ struct Rig {
   std::vector<double> start_inputs;
 };
 
-/// The rig at a state of the user's model, at these values of its inputs.
-/// Fails: UserError where nothing holds the body to ground, and as decide.
-Rig make_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at);
+/// Which wheels stand on pads, and what moves them.
+struct Pads {
+  bool of_others = true;   ///< wheels of other axles stand on pads of their own, or else hang free
+  bool are_driven = true;  ///< pads of the axle are driven, or else go where its wheels go
+};
+
+/// The rig at a state of the user's model, at these values of its inputs; without programs.
+/// Fails: with one problem where it is no model to solve; UserError where nothing holds the body to ground.
+Result<Rig> make_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at, const Pads& pads);
+
+/// Takes away tyres, frictions, outputs, the start, and the forces that the axle names.
+void take_away(const Axle& axle, Model& model);
 
 /// A state of balance on the rig: the outputs of its model, and their derivatives along the imposed values.
 struct RigPoint {
@@ -77,7 +86,11 @@ Status find_point(const Rig& rig, const RigInputs& imposed, const GenericState& 
 
 /// Adds the derivatives: of closed loops by their velocities, of compliant ones by the linear response of the
 /// equilibrium, both from the differentiated programs (no differences).
-/// Fails: UserError as linearise.
-void add_slopes(const Rig& rig, RigPoint& point);
+/// Result: none, or why they cannot be had.
+std::optional<Diagnostic> add_slopes(const Rig& rig, RigPoint& point);
+
+/// Chooses the partitions of the rig's loops for a position, where those that it has stand badly there and others do
+/// not. Coordinates stay the same ones.
+void choose_at(Rig& rig, const GenericState& state);
 
 }  // namespace mbgen::kc

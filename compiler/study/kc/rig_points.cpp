@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "compiler/algebra/dense.hpp"
-#include "compiler/base/user_error.hpp"
+#include "compiler/analysis/choice_at.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/study/kc/rig.hpp"
+#include "mbgen/blocks.hpp"
 #include "mbgen/newton.hpp"
 
 namespace mbgen::kc {
@@ -61,15 +62,25 @@ Status find_point(const Rig& rig, const RigInputs& imposed, const GenericState& 
   return {};
 }
 
-void add_slopes(const Rig& rig, RigPoint& point) {
+std::optional<Diagnostic> add_slopes(const Rig& rig, RigPoint& point) {
   const GenericState& state = point.state;
-  const LinearSystem system = expect(linearise(rig.compilation, {state.z, state.zd, state.x, state.t, point.inputs}));
+  const Result<LinearSystem> found =
+      linearise_by_any_choice(rig.compilation, {state.z, state.zd, state.x, state.t, point.inputs});
+  if (!found) return found.problems().front();
+  const LinearSystem& system = *found;
   const Eigen::MatrixXd all = system.C * response(system) + system.D;
   point.slopes = Eigen::MatrixXd::Zero(all.rows(), kRigInputs);
   for (int i = 0; i < kRigInputs; ++i) {
     if (rig.inputs[static_cast<std::size_t>(i)] >= 0)
       point.slopes.col(i) = all.col(rig.inputs[static_cast<std::size_t>(i)]);
   }
+  return {};
+}
+
+void choose_at(Rig& rig, const GenericState& state) {
+  const Compilation& c = rig.compilation;
+  if (weakest_pivot(c.model, c.topology, c.analysis, state.z) >= kPivotThreshold<double>) return;
+  if (std::optional<Compilation> anew = chosen_at(c, state.z)) rig.compilation = std::move(*anew);
 }
 
 }  // namespace mbgen::kc

@@ -162,20 +162,22 @@ CaseResult failed(const Study& study, std::string status) {
   return {std::move(status), std::vector<double>(study.metrics.list.size(), std::numeric_limits<double>::quiet_NaN())};
 }
 
-/// The motion of a case and its metrics.
-CaseResult measured(const Study& study, const Compilation& compilation, const Engine& engine,
-                    const InputsOverTime& inputs) {
+/// The motion of a case and its metrics; none where it is stopped.
+std::optional<CaseResult> measured(const Study& study, const Compilation& compilation, const Engine& engine,
+                                   const InputsOverTime& inputs, const std::function<bool()>& is_stopped) {
   const GenericState start = initial_state(compilation, inputs.at(0));
   Recorder recorder(study, compilation, inputs);
   ContactWatch contacts(compilation);
   LoadWatch loads(compilation.model);
   SimulationSettings settings = study.settings;
   settings.has_multipliers = contacts.needs_multipliers();
+  settings.is_stopped = is_stopped;
   const SimulationSummary summary = simulate(engine, start, inputs, settings, [&](const Sample& sample) {
     recorder.add(sample);
     contacts.add(sample);
     loads.add(sample);
   });
+  if (summary.is_stopped) return {};
   if (!summary.status.ok()) {
     return failed(study,
                   fmt::format("stopped after t = {} s: {}", summary.end_time, describe(compilation, summary.status)));
@@ -259,7 +261,8 @@ StudySolver prepare(const Study& study) {
   return solver;
 }
 
-CaseResult run_case(const Study& study, const StudySolver& solver, long index) {
+std::optional<CaseResult> run_case(const Study& study, const StudySolver& solver, long index,
+                                   const std::function<bool()>& is_stopped) {
   const std::vector<double> values = study.grid.values_of(index);
   Result<Model> model = read_varied_model(study.arguments.model, varied_parameters(study, values, study.is_tuned));
   require_unchanged(study, model);
@@ -268,7 +271,7 @@ CaseResult run_case(const Study& study, const StudySolver& solver, long index) {
     const Compilation compilation = compilation_of_case(study, solver, expect(std::move(model)));
     const Engine engine = solver.table ? make_generated_engine(solver.table, compilation, study.choice)
                                        : make_engine(compilation, study.choice);
-    return measured(study, compilation, engine, inputs_of(study, compilation.model, values));
+    return measured(study, compilation, engine, inputs_of(study, compilation.model, values), is_stopped);
   } catch (const UserError& error) {
     return failed(study, first_line(error.what()));
   }

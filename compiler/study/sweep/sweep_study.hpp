@@ -1,8 +1,10 @@
 #pragma once
 // A parameter study: its grid, the metrics of each motion, and the computation of one case.
 
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,8 +68,10 @@ struct StudySolver {
 /// Analyses, generates and compiles. Fails: UserError.
 StudySolver prepare(const Study& study);
 
-/// Simulates one case and takes its metrics. A fault of a case is its status.
-/// Fails: std::exception where mbgen is at fault, UserError when the model was changed meanwhile.
-CaseResult run_case(const Study& study, const StudySolver& solver, long index);
+/// Simulates one case and takes its metrics. A fault of a case is its status. is_stopped: asked after every step; a
+/// case that it ends has no result. Fails: std::exception where mbgen is at fault, UserError when the model was changed
+/// meanwhile.
+std::optional<CaseResult> run_case(const Study& study, const StudySolver& solver, long index,
+                                   const std::function<bool()>& is_stopped = {});
 
 }  // namespace mbgen

@@ -1,0 +1,24 @@
+#pragma once
+// Partitions of loop blocks at one position: how those chosen over many stand there, and others chosen for it alone.
+
+#include <optional>
+#include <vector>
+
+#include "compiler/analysis/findings.hpp"
+#include "compiler/model/model.hpp"
+
+namespace mbgen {
+
+/// Smallest frozen pivot of all blocks over what it is elsewhere, at a position of every coordinate, rad or m. Below
+/// kPivotThreshold the partition of its block stands badly there.
+double weakest_pivot(const Model& model, const Topology& topology, const Analysis& analysis,
+                     const std::vector<double>& z);
+
+/// The analysis with the partitions of all blocks chosen for one position, loops closed. Redundant equations stay the
+/// same ones where the others hold the rank, so that multipliers do.
+/// Result: none where a block has lost rank there, or nearly: no choice helps then.
+/// Cost: as the analysis of one configuration.
+std::optional<Analysis> chosen_at(const Model& model, const Topology& topology, const Analysis& analysis,
+                                  const std::vector<double>& z);
+
+}  // namespace mbgen
