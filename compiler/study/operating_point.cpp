@@ -155,7 +155,7 @@ ChosenPoint operating_point(const Compilation& compilation, const StateArguments
   if (arguments.states.empty()) settle_bristles(compilation.model, compilation.topology, point);
   if (!is_steady) return {std::move(point), {}};
   SteadyMotion steady = steady_motion(compilation, point, arguments.steady);
-  fmt::print(stderr, "{}", free_directions_note(compilation, steady));
+  print_message("{}", free_directions_note(compilation, steady));
   return {steady.point, steady};
 }
 
