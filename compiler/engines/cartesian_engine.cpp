@@ -1,6 +1,4 @@
-// The Cartesian judges as engines. Accelerations, motions, multipliers, reactions, residuals and the outputs that show
-// motions, energies and angles of wheels are the judge's own; the other outputs are read off its states by the generic
-// runtime.
+// The Cartesian judges as engines. All that they give is their own: nothing of it comes from the recursive formulation.
 
 #include <memory>
 
@@ -8,16 +6,6 @@
 
 namespace mbgen {
 namespace {
-
-struct Judge {
-  CartesianSolver solver;
-  GenericSolver observer;  ///< other outputs at the judge's z, zd and zdd
-};
-
-std::shared_ptr<Judge> make_judge(const Compilation& compilation, CartesianMethod method, Stabilisation stabilisation) {
-  return std::make_shared<Judge>(Judge{CartesianSolver(compilation.model, compilation.topology, method, stabilisation),
-                                       GenericSolver(compilation.model, compilation.topology, compilation.analysis)});
-}
 
 long long time_accelerations(const CartesianSolver& solver, const std::vector<LoadedState>& at, int repetitions) {
   long long failures = 0;
@@ -31,45 +19,42 @@ long long time_accelerations(const CartesianSolver& solver, const std::vector<Lo
 }  // namespace
 
 Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice& choice, CartesianMethod method) {
-  const std::shared_ptr<Judge> judge = make_judge(compilation, method, choice.stabilisation);
+  const auto judge =
+      std::make_shared<CartesianSolver>(compilation.model, compilation.topology, method, choice.stabilisation);
   Engine engine;
   engine.name = choice.name;
   engine.form = "cartesian";
   engine.linear_algebra = "eigen";
   engine.accelerations = [judge](const LoadedState& at, GenericDerivative& derivative) {
-    return judge->solver.accelerations(at.state, at.tau, derivative);
+    return judge->accelerations(at.state, at.tau, derivative);
   };
-  engine.project = [judge](GenericState& state) { return judge->solver.project(state); };
-  engine.step = [judge](GenericState& state, double h) { return judge->solver.step(state, h); };
+  engine.project = [judge](GenericState& state) { return judge->project(state); };
+  engine.step = [judge](GenericState& state, double h) { return judge->step(state, h); };
   if (!compilation.model.sampled.empty()) {
-    engine.sample = [judge](GenericState& state, double h, bool& any) { return judge->observer.sample(state, h, any); };
+    engine.sample = [judge](GenericState& state, double h, bool& any) { return judge->sample(state, h, any); };
   }
   engine.accelerations_in_motion = [judge](const GenericState& state, double, GenericDerivative& derivative) {
-    return judge->solver.accelerations(state, std::vector<double>(state.z.size(), 0.0), derivative);
+    return judge->accelerations(state, std::vector<double>(state.z.size(), 0.0), derivative);
   };
   engine.multipliers = [judge](const LoadedState& at, const GenericDerivative&, std::vector<double>& lambda) {
-    return judge->solver.multipliers(at.state, at.tau, lambda);
+    return judge->multipliers(at.state, at.tau, lambda);
   };
   engine.driving_forces = [judge](const LoadedState& at, const GenericDerivative&, std::vector<double>& drive) {
-    return judge->solver.driving_forces(at.state, at.tau, drive);
+    return judge->driving_forces(at.state, at.tau, drive);
   };
-  engine.outputs = [judge](const LoadedState& at, const GenericDerivative& derivative, GenericOutputs& values) {
-    values = judge->observer.outputs(at.state, at.tau, derivative);
-    return judge->solver.motion_outputs(at.state, at.tau, values.y);
+  engine.outputs = [judge](const LoadedState& at, const GenericDerivative&, GenericOutputs& values) {
+    return judge->outputs(at.state, at.tau, values);
   };
   engine.reactions = [judge](const LoadedState& at, const GenericDerivative&,
                              std::vector<std::array<double, 6>>& wrenches) {
-    return judge->solver.reactions(at.state, at.tau, wrenches);
+    return judge->reactions(at.state, at.tau, wrenches);
   };
   engine.residuals = [judge](const GenericState& state, Residuals& largest) {
-    return judge->solver.residuals(state, largest.position, largest.velocity);
+    return judge->residuals(state, largest.position, largest.velocity);
   };
-  engine.set_inputs = [judge](const std::vector<double>& inputs) {
-    judge->solver.set_inputs(inputs);
-    judge->observer.set_inputs(inputs);
-  };
+  engine.set_inputs = [judge](const std::vector<double>& inputs) { judge->set_inputs(inputs); };
   engine.time_accelerations = [judge](const std::vector<LoadedState>& at, int repetitions) {
-    return time_accelerations(judge->solver, at, repetitions);
+    return time_accelerations(*judge, at, repetitions);
   };
   return engine;
 }

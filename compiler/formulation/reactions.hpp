@@ -51,6 +51,26 @@ struct BodyWrenches {
   }
 };
 
+/// A wrench, and the frame that it is seen in.
+template <class T>
+struct FramedWrench {
+  int frame;
+  Spatial<T> wrench;
+};
+
+/// A wrench on a joint's child in a frame that knows the parent: bodies without mass inside the joint may have frames
+/// of their own, where a coupling of its last coordinates makes one the base of a block.
+template <class T>
+FramedWrench<T> on_the_parents_side(const BodyWrenches<T>& needed, const TreeJoint& placed) {
+  const int parent = needed.tree_body(placed.parent), base = needed.base_frame(placed.parent);
+  FramedWrench<T> seen{needed.base_frame(placed.child), needed.total(placed.child)};
+  while (seen.frame != parent && seen.frame != base) {
+    seen.wrench = lowered(needed.k, seen.frame, seen.wrench);
+    seen.frame = needed.system.layout.bodies[seen.frame].base;
+  }
+  return seen;
+}
+
 /// The same wrench about another point of the same frame.
 template <class T>
 Spatial<T> about(const Vector<T>& point, const Spatial<T>& wrench) {
@@ -169,8 +189,7 @@ Reactions<T> reactions(System<T>& system, const SolvedState<T>& s) {
   for (auto placed = topology.tree_joints.rbegin(); placed != topology.tree_joints.rend(); ++placed) {
     const Joint& joint = system.model.joints[placed->joint];
     const auto heading = system.scribe.within(OwnerKind::joint, placed->joint);
-    const int frame = needed.base_frame(placed->child);
-    const Spatial<T> wrench = needed.total(placed->child);
+    const auto [frame, wrench] = detail::on_the_parents_side(needed, *placed);
     needed.add(placed->parent, frame, wrench);
     const Place<T> to = place_of(system, joint.to);
     const Spatial<T> on_child = detail::about(position_in(system, s.kinematics, to, frame), wrench);

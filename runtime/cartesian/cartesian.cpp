@@ -90,15 +90,22 @@ struct CartesianSolver::Content {
     if (inputs_have_derivatives(model_inputs)) system.set_inputs(advanced_inputs(model_inputs, inputs, dt));
   }
 
-  /// Where a step of h seconds leads.
-  Status advance(PlacedState& at, double h) {
-    std::vector<int> equations;
+  /// Sets the sampled values that are due at the start of a step of h seconds.
+  Status sample(PlacedState& at, double h, bool& any) const {
     Solved before;
     Status status;
     if (system.takes_reactions()) status = solve_at(at, std::vector<double>(at.z.z.size(), 0.0), before);
-    if (status.ok()) status = system.sample(at.bodies, at.z, before.solution.lambda, h);
+    if (status.ok()) status = system.sample(at.bodies, at.z, before.solution.lambda, h, any);
+    if (status.ok()) at.z.x = at.bodies.x;
+    return status;
+  }
+
+  /// Where a step of h seconds leads.
+  Status advance(PlacedState& at, double h) {
+    std::vector<int> equations;
+    bool any = false;
+    Status status = sample(at, h, any);
     if (!status.ok()) return status;
-    at.z.x = at.bodies.x;
     const GenericState start = at.z;
     const auto derivative = [&](const CartesianState& bodies, CartesianRates& rates) {
       advance_inputs(bodies.t - start.t);
@@ -197,17 +204,26 @@ Status CartesianSolver::reactions(const GenericState& state, const std::vector<d
     const Eigen::Vector3d &f = wrench.force, &m = wrench.moment;
     wrenches.push_back({f.x(), f.y(), f.z(), m.x(), m.y(), m.z()});
   }
-  for (const Eigen::Vector3d& f : content_->system.rod_forces(at.bodies, solved.solution.lambda))
+  for (const Eigen::Vector3d& f :
+       content_->system.rod_forces(at.bodies, solved.solution.lambda, ReactionOutput::End::to))
     wrenches.push_back({f.x(), f.y(), f.z(), 0, 0, 0});
   return {};
 }
 
-Status CartesianSolver::motion_outputs(const GenericState& state, const std::vector<double>& tau,
-                                       std::vector<double>& values) const {
+Status CartesianSolver::outputs(const GenericState& state, const std::vector<double>& tau,
+                                GenericOutputs& values) const {
   const PlacedState at = content_->configuration(state);
   Solved solved;
   const Status status = content_->solve_at(at, tau, solved);
-  if (status.ok()) content_->system.motion_outputs(at.bodies, state, solved.solution.qdd, values);
+  if (status.ok())
+    values = content_->system.outputs(at.bodies, state, tau, solved.solution.qdd, solved.solution.lambda);
+  return status;
+}
+
+Status CartesianSolver::sample(GenericState& state, double h, bool& any) const {
+  PlacedState at = content_->configuration(state);
+  const Status status = content_->sample(at, h, any);
+  if (status.ok() && any) state.x = at.z.x;
   return status;
 }
 

@@ -46,9 +46,13 @@ class CartesianSolver {
   /// joint's point on that body, global axes.
   Status reactions(const GenericState& state, const std::vector<double>& tau,
                    std::vector<std::array<double, 6>>& wrenches) const;
-  /// Sets the values of those outputs that are motions, energies or angles of wheels; the others stay.
-  /// values: per Model::outputs.
-  Status motion_outputs(const GenericState& state, const std::vector<double>& tau, std::vector<double>& values) const;
+  /// All outputs of the model and the terms of its energy balance, from the accelerations of the bodies and the
+  /// multipliers of these equations. The values stay as they are unless the status is ok.
+  Status outputs(const GenericState& state, const std::vector<double>& tau, GenericOutputs& values) const;
+  /// Sets the sampled values that are due at the start of a step of h seconds, or with h = 0 at the time of the state;
+  /// any: whether there are such. Fails: sample_inside_step, auxiliary_not_a_number, or as accelerations where values
+  /// are loads of reactions; the state is then unchanged.
+  Status sample(GenericState& state, double h, bool& any) const;
   /// Largest residual of all constraints of the bodies' own state: position (m or 1) and velocity.
   Status residuals(const GenericState& state, double& position, double& velocity) const;
 

@@ -111,7 +111,7 @@ std::vector<double> CartesianSystem::reaction_loads(const CartesianState& state,
   const CartesianMechanism& c = *mechanism_;
   const std::vector<Moving> bodies = c.bodies(state);
   const std::vector<CartesianWrench> joints = joint_reactions(state, z, std::vector<double>(z.z.size(), 0.0), lambda);
-  const std::vector<Vector3d> rods = rod_forces(state, lambda);
+  const std::vector<Vector3d> rods = rod_forces(state, lambda, ReactionOutput::End::to);
   std::vector<double> loads;
   for (const SampledValue& sampled : c.model.sampled) {
     loads.push_back(0);
@@ -136,21 +136,23 @@ std::vector<double> CartesianSystem::reaction_loads(const CartesianState& state,
   return loads;
 }
 
-std::vector<Vector3d> CartesianSystem::rod_forces(const CartesianState& state, const Eigen::VectorXd& lambda) const {
+std::vector<Vector3d> CartesianSystem::rod_forces(const CartesianState& state, const Eigen::VectorXd& lambda,
+                                                  ReactionOutput::End end) const {
   const CartesianMechanism& c = *mechanism_;
   const std::vector<Moving> bodies = c.bodies(state);
-  std::vector<Vector3d> on_to;
+  const bool at_to = end == ReactionOutput::End::to;
+  std::vector<Vector3d> on_end;
   for (std::size_t r = 0; r < c.parts.rods.size(); ++r) {
     const PartRod& rod = c.parts.rods[r];
     const int first = c.first.rods[r];
     if (rod.body >= 0) {
-      on_to.push_back(-lambda.segment<3>(first + 3));
+      on_end.push_back(-lambda.segment<3>(at_to ? first + 3 : first));
     } else {
       const Vector3d gap = end_of(bodies, rod.from).position - end_of(bodies, rod.to).position;
-      on_to.push_back(lambda[first] / (rod.motion < 0 ? rod.length : gap.norm()) * gap);
+      on_end.push_back((at_to ? 1 : -1) * lambda[first] / (rod.motion < 0 ? rod.length : gap.norm()) * gap);
     }
   }
-  return on_to;
+  return on_end;
 }
 
 }  // namespace mbgen

@@ -13,7 +13,6 @@
 #include "runtime/cartesian/bushings.hpp"
 #include "runtime/cartesian/laws.hpp"
 #include "runtime/cartesian/mechanism.hpp"
-#include "runtime/cartesian/tyre_contact.hpp"
 
 namespace mbgen {
 namespace {
@@ -64,22 +63,21 @@ void add_tension(const Line& line, double tension, Forces& forces) {
   forces.loads.push_back(force_at(line.to, -tension * line.direction));
 }
 
-/// Result: the tension, N.
 template <class Spring>
-double add_line(const Spring& spring, const PartLine& part, const std::vector<Moving>& bodies, const Values& value,
-                Forces& forces) {
+LineAtWork add_line(const Spring& spring, const PartLine& part, const std::vector<Moving>& bodies, const Values& value,
+                    Forces& forces) {
   const Line line = line_of(part, bodies);
   const double pull = tension(spring, value, line.length, line.rate, part.reference);
   add_tension(line, pull, forces);
-  return pull;
+  return {line.length, line.rate, pull};
 }
 
 /// Frictions of a model: their forces, and the rates of those that have bristles.
 struct Frictions {
   const Values& value;
   const std::vector<double>& x;
-  const std::vector<double>& tensions;  ///< of the springs, without friction, N
-  std::vector<double> rates = {};       ///< of bristles
+  const std::vector<LineAtWork> springs;  ///< without friction
+  std::vector<double> rates = {};         ///< of bristles
 
   /// N m or N, on the part that moves at `rate`.
   double force(const FrictionLaw& f, double rate) {
@@ -97,7 +95,7 @@ struct Frictions {
       force =
           friction_force(value(f.coulomb), value(f.stiction), 0.0, value(f.velocity), value(f.stribeck_velocity), rate);
     }
-    if (f.normal >= 0) force *= std::abs(tensions[static_cast<std::size_t>(f.normal)]);
+    if (f.normal >= 0) force *= std::abs(springs[static_cast<std::size_t>(f.normal)].force);
     if (f.load >= 0) force *= std::abs(value.states[value.model.states.size() + static_cast<std::size_t>(f.load)]);
     return force - value(f.viscous) * rate;
   }
@@ -175,11 +173,10 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
   const Values values = complete(given, bodies, x);
   Forces forces;
   forces.joints.resize(topology.bodies.size());
-  std::vector<double> tensions;
   for (std::size_t s = 0; s < model.springs.size(); ++s)
-    tensions.push_back(add_line(model.springs[s], parts.springs[s], bodies, values, forces));
+    forces.springs.push_back(add_line(model.springs[s], parts.springs[s], bodies, values, forces));
   for (std::size_t s = 0; s < model.air_springs.size(); ++s)
-    add_line(model.air_springs[s], parts.air_springs[s], bodies, values, forces);
+    forces.air_springs.push_back(add_line(model.air_springs[s], parts.air_springs[s], bodies, values, forces));
   for (std::size_t f = 0; f < model.forces.size(); ++f)
     add_applied(model.forces[f], parts.forces[f], bodies, values, forces);
   std::vector<double> turn_rates;
@@ -187,13 +184,14 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
     const double turn = model.tyres[w].parking ? x[static_cast<std::size_t>(turn_state(model, w))] : 0;
     const RoadWheel wheel = road_wheel(model.tyres[w], parts.tyres[w], bodies[parts.tyres[w].centre.body],
                                        {x[2 * w], x[2 * w + 1], turn}, values);
-    if (model.tyres[w].parking) turn_rates.push_back(wheel.dturn);
+    if (model.tyres[w].parking) turn_rates.push_back(wheel.result.dturn);
     forces.loads.push_back({parts.tyres[w].centre.body, wheel.wrench});
-    forces.xd.push_back(wheel.du);
-    forces.xd.push_back(wheel.dv);
+    forces.xd.push_back(wheel.result.du);
+    forces.xd.push_back(wheel.result.dv);
+    forces.tyres.push_back(wheel.result);
   }
   forces.xd.insert(forces.xd.end(), turn_rates.begin(), turn_rates.end());
-  Frictions frictions{values, x, tensions};
+  Frictions frictions{values, x, forces.springs};
   for (const JointFriction& friction : model.frictions) {
     const int i = values.table[friction.joint.joint][friction.joint.component];
     const double force = frictions.force(friction, values.velocity(friction.joint));
@@ -201,7 +199,9 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
   }
   for (const SpringFriction& friction : model.spring_frictions) {
     const Line line = line_of(parts.springs[friction.spring], bodies);
-    add_tension(line, -frictions.force(friction, line.rate), forces);
+    const double pull = -frictions.force(friction, line.rate);
+    add_tension(line, pull, forces);
+    forces.springs[static_cast<std::size_t>(friction.spring)].force += pull;
   }
   for (const RodFriction& friction : model.rod_frictions) {
     const PartRod& rod = parts.rods[static_cast<std::size_t>(friction.rod)];
@@ -218,7 +218,8 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
 }
 
 Status CartesianMechanism::sample(const std::vector<Moving>& bodies, const Values& given,
-                                  const std::vector<double>& loads, double h, std::vector<double>& x) const {
+                                  const std::vector<double>& loads, double h, bool& any, std::vector<double>& x) const {
+  any = false;
   Values values = complete(given, bodies, x);
   const int first = first_user_state(model) + static_cast<int>(model.states.size());
   std::size_t place = model.states.size(), queue = place + model.sampled.size();
@@ -228,6 +229,7 @@ Status CartesianMechanism::sample(const std::vector<Moving>& bodies, const Value
     const int index = first + static_cast<int>(place - model.states.size());
     const Status status = find_due(&sampled.period, 1, index, given.t, h, &due, is_due);
     if (!status.ok()) return status;
+    any = any || is_due;
     const auto waiting = values.states.begin() + static_cast<std::ptrdiff_t>(queue);
     if (is_due) {
       // A queue: the newest goes in front, the oldest comes out as the value.

@@ -6,6 +6,7 @@
 
 #include "runtime/cartesian/bodies.hpp"
 #include "runtime/cartesian/joint_coordinates.hpp"
+#include "runtime/cartesian/tyre_contact.hpp"
 #include "runtime/state/state.hpp"
 
 namespace mbgen {
@@ -32,11 +33,18 @@ struct CoupledCoordinate {
   double slope = 0;
 };
 
+/// A spring or air spring as it is now: m, m/s, and its tension with its friction, N.
+struct LineAtWork {
+  double length = 0, rate = 0, force = 0;
+};
+
 /// Forces of the model's elements at one state.
 struct Forces {
   std::vector<Load> loads;     ///< springs, applied forces, tyres; on ground too
   std::vector<double> joints;  ///< per tree coordinate, N or N m
   std::vector<double> xd;      ///< rates of the auxiliary states
+  std::vector<LineAtWork> springs, air_springs;
+  std::vector<TyreResult<double>> tyres;
 };
 
 }  // namespace cartesian
@@ -74,11 +82,11 @@ struct CartesianMechanism {
   /// Values with all that expressions may look at: states and lengths too.
   cartesian::Values complete(cartesian::Values values, const std::vector<cartesian::Moving>& bodies,
                              const std::vector<double>& x) const;
-  /// Sets the sampled values whose instant is at the start of a step of h seconds, in x. loads: per value, where it is
-  /// one of a reaction.
+  /// Sets the sampled values whose instant is at the start of a step of h seconds, in x; any: whether there are such.
+  /// loads: per value, where it is one of a reaction.
   /// Fails: sample_inside_step, auxiliary_not_a_number; x is then unchanged.
   Status sample(const std::vector<cartesian::Moving>& bodies, const cartesian::Values& values,
-                const std::vector<double>& loads, double h, std::vector<double>& x) const;
+                const std::vector<double>& loads, double h, bool& any, std::vector<double>& x) const;
   cartesian::Forces forces(const std::vector<cartesian::Moving>& bodies, const std::vector<double>& x,
                            const cartesian::Values& values) const;
 };

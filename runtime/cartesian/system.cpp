@@ -96,10 +96,10 @@ CartesianTerms CartesianSystem::terms(const CartesianState& state, const Generic
 
 bool CartesianSystem::takes_reactions() const { return mbgen::takes_reactions(mechanism_->model); }
 
-Status CartesianSystem::sample(CartesianState& state, const GenericState& z, const Eigen::VectorXd& lambda,
-                               double h) const {
+Status CartesianSystem::sample(CartesianState& state, const GenericState& z, const Eigen::VectorXd& lambda, double h,
+                               bool& any) const {
   const std::vector<double> loads = takes_reactions() ? reaction_loads(state, z, lambda) : std::vector<double>();
-  return mechanism_->sample(mechanism_->bodies(state), mechanism_->values(z, state.t), loads, h, state.x);
+  return mechanism_->sample(mechanism_->bodies(state), mechanism_->values(z, state.t), loads, h, any, state.x);
 }
 
 }  // namespace mbgen

@@ -60,10 +60,11 @@ class CartesianSystem {
   CartesianTerms terms(const CartesianState& state, const GenericState& z, const std::vector<double>& tau) const;
   /// Whether sampled values are loads of reactions.
   bool takes_reactions() const;
-  /// Sets the sampled values whose instant is at the start of a step of h seconds. z: the coordinates at this state.
+  /// Sets the sampled values whose instant is at the start of a step of h seconds, or with h = 0 at the time of the
+  /// state; any: whether there are such. z: the coordinates at this state.
   /// lambda: the multipliers there, where values are loads of reactions.
   /// Fails: sample_inside_step, auxiliary_not_a_number; the state is then unchanged.
-  Status sample(CartesianState& state, const GenericState& z, const Eigen::VectorXd& lambda, double h) const;
+  Status sample(CartesianState& state, const GenericState& z, const Eigen::VectorXd& lambda, double h, bool& any) const;
   /// Moves the bodies by a small displacement (m, rad), n values; velocities stay.
   void displace(CartesianState& state, const Eigen::VectorXd& dq) const;
   /// Velocities of all bodies as n values, and back.
@@ -78,13 +79,14 @@ class CartesianSystem {
   /// its `to` body, about the joint's point on `to`.
   std::vector<CartesianWrench> joint_reactions(const CartesianState& state, const GenericState& z,
                                                const std::vector<double>& tau, const Eigen::VectorXd& lambda) const;
-  /// Force of each rod on its `to` body, N, global axes.
-  std::vector<Eigen::Vector3d> rod_forces(const CartesianState& state, const Eigen::VectorXd& lambda) const;
+  /// Force of each rod on the body at an end, N, global axes.
+  std::vector<Eigen::Vector3d> rod_forces(const CartesianState& state, const Eigen::VectorXd& lambda,
+                                          ReactionOutput::End end) const;
 
-  /// Sets the values of those outputs of the model that are motions, energies or angles of wheels. qdd: the
-  /// accelerations of all bodies.
-  void motion_outputs(const CartesianState& state, const GenericState& z, const Eigen::VectorXd& qdd,
-                      std::vector<double>& values) const;
+  /// Values of the model's outputs and the terms of its energy balance. qdd: accelerations of all bodies; lambda: the
+  /// multipliers of all equations.
+  GenericOutputs outputs(const CartesianState& state, const GenericState& z, const std::vector<double>& tau,
+                         const Eigen::VectorXd& qdd, const Eigen::VectorXd& lambda) const;
 
  private:
   /// Per sampled value the size of the reaction that it is set to, N or N m; zero where it is another one.

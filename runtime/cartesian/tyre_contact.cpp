@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "mbgen/tyre.hpp"
 #include "runtime/cartesian/road_surface.hpp"
 
 namespace mbgen::cartesian {
@@ -92,11 +91,8 @@ RoadWheel road_wheel(const Tyre& tyre, const PartTyre& part, const Moving& wheel
   const TyreResult<double> result = law_of(tyre, contact.motion, contact.friction, value);
   const Vector3d force = result.fx * contact.forward + result.fy * contact.left + result.load * contact.up;
   const Vector3d moment = result.mx * contact.forward + result.my * contact.left + result.mz * contact.up;
-  RoadWheel road;
+  RoadWheel road{{}, result};
   road.wrench << force, contact.arm.cross(force) + moment;
-  road.du = result.du;
-  road.dv = result.dv;
-  road.dturn = result.dturn;
   return road;
 }
 

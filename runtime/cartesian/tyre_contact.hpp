@@ -1,14 +1,14 @@
 #pragma once
 // A wheel on a road: contact and motion in global axes, forces by the tyre law of the runtime.
 
+#include "mbgen/tyre.hpp"
 #include "runtime/cartesian/rows.hpp"
 
 namespace mbgen::cartesian {
 
 struct RoadWheel {
-  Vector6d wrench;        ///< on the wheel about its centre of mass, global axes
-  double du = 0, dv = 0;  ///< rates of its deflection states, m/s
-  double dturn = 0;       ///< rad/s, likewise, of a tyre with turning
+  Vector6d wrench;            ///< on the wheel about its centre of mass, global axes
+  TyreResult<double> result;  ///< of the tyre law, in the axes of the contact
 };
 
 /// Deflection states of a tyre.

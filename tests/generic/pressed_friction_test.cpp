@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "compiler/model/auxiliary_states.hpp"
 #include "mbgen/rosenbrock.hpp"
@@ -249,9 +251,20 @@ TEST(PressedFriction, BallOfARodBrakesARotor) {
   }
 }
 
+/// Friction of a pin by the moment of the joint below a coupled compound joint, and of the slide above by its own
+/// force.
+Mechanism pressed_below_coupled() {
+  nlohmann::json model =
+      nlohmann::json::parse(std::ifstream(source_path("tests/data/models/below_coupled.json")), nullptr, true, true);
+  model["frictions"] = {
+      {"tilt", {{"joint", "j0"}, {"reaction", "j0"}, {"quantity", "moment"}, {"coulomb", 0.2}, {"velocity", 0.05}}},
+      {"pin", {{"joint", "j0"}, {"reaction", "j0"}, {"coulomb", 0.01}, {"velocity", 0.05}}},
+      {"slide", {{"joint", "p_ty"}, {"reaction", "p"}, {"coulomb", 0.1}, {"velocity", 0.05}}}};
+  return mechanism_of(model.dump());
+}
+
 // The loads that both take by reactions of their own, and the accelerations under these.
-TEST(PressedFriction, CartesianJudgesAgree) {
-  const Mechanism m = load("tests/data/models/pressed.json");
+void expect_judges_to_agree(const Mechanism& m) {
   const GenericSolver solver(m.model, m.topology, m.analysis);
   const Pressed dynamics(solver);
   const std::vector<double> tau(m.topology.bodies.size());
@@ -273,6 +286,11 @@ TEST(PressedFriction, CartesianJudgesAgree) {
       EXPECT_LT(relative_error(actual.zdd, expected.zdd), 1e-9);
     }
   }
+}
+
+TEST(PressedFriction, CartesianJudgesAgree) {
+  expect_judges_to_agree(load("tests/data/models/pressed.json"));
+  expect_judges_to_agree(pressed_below_coupled());
 }
 
 }  // namespace

@@ -279,6 +279,8 @@ constexpr Property kProperties[] = {
     {"the compiled solver agrees", compiled_solver_disagrees},
     {"implicit equations agree", implicit_equations_disagree},
     {"implicit steps agree", implicit_steps_disagree},
+    {"outputs of judges agree", outputs_of_judges_disagree},
+    {"reactions change the momentum", reactions_do_not_move_bodies},
     {"translation changes nothing", translation_shows},
     {"rotation changes nothing", rotation_shows},
     {"a mirror changes nothing", mirror_shows},

@@ -39,6 +39,14 @@ Complaint implicit_equations_disagree(const RandomMechanism& random, const Mecha
 /// Implicit steps of the emitted solver, compiled, and of the generic runtime have the same limit.
 Complaint implicit_steps_disagree(const RandomMechanism& random, const Mechanism& m);
 
+/// All outputs of the Cartesian judges, with force and moment of every joint and rod where these are unique, and their
+/// energies are those of the generic runtime.
+Complaint outputs_of_judges_disagree(const RandomMechanism& random, const Mechanism& m);
+
+/// What joints and rods put on every body, and its weight, is what its momentum changes by. Springs and bushings are
+/// left out.
+Complaint reactions_do_not_move_bodies(const RandomMechanism& random, const Mechanism& m);
+
 int from_environment(const char* name, int otherwise);
 
 }  // namespace mbgen::testing

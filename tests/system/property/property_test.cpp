@@ -58,6 +58,7 @@ constexpr NamedFamily kFamilies[] = {
     {Family::massless_links, "massless_links"},
     {Family::floating, "floating"},
     {Family::coupled, "coupled"},
+    {Family::coupled_joints, "coupled_joints"},
     {Family::driven_cuts, "driven_cuts"},
     {Family::tiny, "tiny"},
     {Family::mirror_halves, "mirror_halves"},

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "tests/system/property/coupled_joints.hpp"
 #include "tests/system/property/symmetric_mechanisms.hpp"
 #include "tests/system/property/workshop.hpp"
 
@@ -116,20 +117,6 @@ void add_actuators(Workshop& shop) {
   }
 }
 
-/// A relation between the coordinates of some joints: gears and differentials, cams and quadratic ones.
-void add_relation(Workshop& shop, std::vector<std::string> joints) {
-  Dice& dice = shop.dice();
-  std::string text;
-  for (std::size_t k = 0; k < joints.size(); ++k) {
-    const std::string factor = std::to_string((dice.chance(0.5) ? 1 : -1) * dice.between(0.3, 3));
-    const std::string z = "z." + joints[k];
-    const bool is_curved = k > 0 && dice.chance(0.3);
-    text += (k == 0 ? "" : " + ") + factor + "*" + (is_curved ? "(sin(" + z + ") + 0.3*" + z + "^2)" : z);
-  }
-  std::vector<RandomRelation>& relations = shop.mechanism().relations;
-  relations.push_back({"relation" + std::to_string(relations.size()), text, std::move(joints), {}, false});
-}
-
 /// One coordinate as a spline over another, through zero.
 void add_curve(Workshop& shop, std::vector<std::string> joints) {
   Dice& dice = shop.dice();
@@ -157,7 +144,7 @@ void add_coupled(Workshop& shop) {
     if (joints.size() == 2 && dice.chance(0.35))
       add_curve(shop, joints);
     else
-      add_relation(shop, joints);
+      add_relation(shop, joints, joints);
   }
   if (dice.chance(0.3)) shop.add_rod(kOnGround, count - 1, dice.chance(0.5) ? 0.7 : 0);
 }
@@ -348,6 +335,9 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
       break;
     case Family::coupled:
       add_coupled(shop);
+      break;
+    case Family::coupled_joints:
+      add_coupled_joints(shop);
       break;
     case Family::driven_cuts:
       add_driven_cut(shop);

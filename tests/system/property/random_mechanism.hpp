@@ -76,11 +76,11 @@ struct RandomBushing {
   std::array<double, 6> stiffness{};
 };
 
-/// A relation between the coordinates of plain joints that holds at the reference: an expression, or the first one as a
+/// A relation between the coordinates of joints that holds at the reference: an expression, or the first one as a
 /// spline over the second.
 struct RandomRelation {
   std::string name, text;
-  std::vector<std::string> joints;
+  std::vector<std::string> joints;                 ///< whose coordinates they are
   std::vector<std::array<double, 2>> points = {};  ///< of the spline
   bool periodic = false;                           ///< the spline
 };
@@ -117,7 +117,8 @@ enum class Family {
   alike_cells,           ///< the same with masses of their own
   rolling,               ///< a free body with a tail, on discs, balls and blades that roll on ground or a moving body
   by_equations,          ///< closed by joints that have no coordinates: points on lines and planes, directions, shafts
-  driven_cuts            ///< chains that a joint closes which is driven where it is cut
+  driven_cuts,           ///< chains that a joint closes which is driven where it is cut
+  coupled_joints         ///< joints of several coordinates, any of which are in relations with others further out
 };
 
 RandomMechanism random_mechanism(Family family, std::uint64_t seed);

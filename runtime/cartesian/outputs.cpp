@@ -1,4 +1,5 @@
-// Outputs of motions, energies, wheels, bushings and stops from the poses and velocities of the bodies in global axes.
+// All outputs and the energy balance from the poses, velocities and accelerations of the bodies in global axes, and
+// from the multipliers of the Cartesian equations.
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -46,15 +47,91 @@ Vector3d angles_of(const Matrix3d& r, const std::array<int, 3>& sequence) {
   return a.unaryExpr(&wrapped);
 }
 
+/// Accelerations, multipliers and all that follows from them alone.
+struct Solution {
+  const Eigen::VectorXd& qdd;
+  std::vector<double> zdd, drives, multipliers;
+  std::vector<CartesianWrench> joints;
+  std::vector<Vector3d> rods_to, rods_from;
+};
+
 /// A mechanism at one instant, with the accelerations of its bodies.
 class Instant {
  public:
-  Instant(const CartesianMechanism& c, const CartesianState& state, const GenericState& z, const Eigen::VectorXd& qdd)
+  Instant(const CartesianMechanism& c, const CartesianState& state, const GenericState& z, const Solution& solution)
       : c_(c),
         state_(state),
+        z_(z),
         bodies_(c.bodies(state)),
         values_(c.complete(c.values(z, state.t), bodies_, state.x)),
-        qdd_(qdd) {}
+        forces_(c.forces(bodies_, state.x, c.values(z, state.t))),
+        solution_(solution),
+        qdd_(solution.qdd) {}
+
+  double value(const ExpressionOutput& output) const { return values_(output.value); }
+
+  double value(const CoordinateOutput& output) const {
+    const int i = c_.table[output.coordinate.joint][output.coordinate.component];
+    if (i < 0) return 0;
+    const std::vector<double>* derivatives[] = {&z_.z, &z_.zd, &solution_.zdd};
+    return (*derivatives[static_cast<int>(output.what)])[i];
+  }
+
+  double value(const TyreOutput& output) const {
+    const TyreResult<double>& tyre = forces_.tyres[output.tyre];
+    const double values[] = {tyre.load, tyre.fx, tyre.fy, tyre.mz, tyre.kappa, tyre.alpha};
+    return values[static_cast<int>(output.what)];
+  }
+
+  double value(const SpringOutput& output) const {
+    const LineAtWork& line =
+        output.point_spring >= 0 ? forces_.springs[output.point_spring] : forces_.air_springs[output.air_spring];
+    const double values[] = {line.force, line.length, line.rate};
+    return values[static_cast<int>(output.what)];
+  }
+
+  double value(const DriveOutput& output) const { return solution_.drives[output.motion]; }
+
+  double value(const ReactionOutput& output) const {
+    const bool at_to = output.end == ReactionOutput::End::to;
+    const bool is_force = output.what == ReactionOutput::What::force;
+    Vector3d acts = Vector3d::Zero();
+    int body;
+    if (output.joint >= 0) {
+      const CartesianWrench& on_to = solution_.joints[output.joint];
+      acts = (at_to ? 1 : -1) * (is_force ? on_to.force : on_to.moment);
+      body = end_body(c_.model.joints[output.joint], at_to);
+    } else {
+      if (is_force) acts = (at_to ? solution_.rods_to : solution_.rods_from)[output.rod];
+      body = end_body(c_.model.rods[output.rod], at_to);
+    }
+    return output.in_body_axes ? axes_of(body).col(output.axis).dot(acts) : acts[output.axis];
+  }
+
+  double value(const MultiplierOutput& output) const {
+    int first = 0;
+    for (const Loop& loop : c_.topology.loops) {
+      const bool is_asked = loop.joint == output.joint && loop.rod == output.rod && loop.coupling == output.coupling;
+      if (is_asked) return solution_.multipliers[first + output.equation];
+      first += loop.equations;
+    }
+    return 0;
+  }
+
+  /// W: of all applied forces, tau and drives but not gravity.
+  double power(const std::vector<double>& tau) const {
+    double power = 0;
+    for (const Load& load : forces_.loads) power += power_of(load.body, load.wrench);
+    for (std::size_t j = 0; j < c_.parts.joints.size(); ++j)
+      for (const JointCoordinate& coordinate : c_.coordinates_of(static_cast<int>(j), bodies_, z_.z))
+        power += (tau[coordinate.index] + forces_.joints[coordinate.index]) * coordinate.zd;
+    const std::vector<Row> rows = c_.equations_at(bodies_, values_);
+    for (std::size_t k = 0; k < solution_.drives.size(); ++k) {
+      const Row& row = rows[c_.first.motions + k];
+      power += solution_.drives[k] * (power_of(row.from, row.on_from) + power_of(row.to, row.on_to));
+    }
+    return power;
+  }
 
   double value(const PointOutput& output) const {
     Path path = path_of(output.point);
@@ -154,6 +231,13 @@ class Instant {
   double value(const StoredEnergyOutput& output) const { return stored_energy(c_, output, bodies_, state_.x, values_); }
 
  private:
+  template <class Connection>
+  static int end_body(const Connection& connection, bool at_to) {
+    return at_to ? connection.to.body : connection.from.body;
+  }
+  double power_of(int body, const Vector6d& wrench) const {
+    return wrench.head<3>().dot(bodies_[body].velocity) + wrench.tail<3>().dot(bodies_[body].spin);
+  }
   int index(int body) const { return body == kNoBody ? c_.parts.ground() : c_.parts.index_of[body]; }
   bool moves(int body) const { return index(body) != c_.parts.ground(); }
 
@@ -176,30 +260,35 @@ class Instant {
 
   const CartesianMechanism& c_;
   const CartesianState& state_;
+  const GenericState& z_;
   std::vector<Moving> bodies_;
   Values values_;
+  Forces forces_;
+  const Solution& solution_;
   const Eigen::VectorXd& qdd_;
 };
 
 }  // namespace
 
-void CartesianSystem::motion_outputs(const CartesianState& state, const GenericState& z, const Eigen::VectorXd& qdd,
-                                     std::vector<double>& values) const {
-  const Instant instant(*mechanism_, state, z, qdd);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto& source = mechanism_->model.outputs[i].source;
-    const auto take = [&](const auto* output) {
-      if (output) values[i] = instant.value(*output);
-    };
-    take(std::get_if<PointOutput>(&source));
-    take(std::get_if<PointsOutput>(&source));
-    take(std::get_if<RotationOutput>(&source));
-    take(std::get_if<MomentumOutput>(&source));
-    take(std::get_if<WheelOutput>(&source));
-    take(std::get_if<BushingOutput>(&source));
-    take(std::get_if<BumpStopOutput>(&source));
-    take(std::get_if<StoredEnergyOutput>(&source));
-  }
+GenericOutputs CartesianSystem::outputs(const CartesianState& state, const GenericState& z,
+                                        const std::vector<double>& tau, const Eigen::VectorXd& qdd,
+                                        const Eigen::VectorXd& lambda) const {
+  using End = ReactionOutput::End;
+  const Solution solution{qdd,
+                          joint_accelerations(state, z, qdd),
+                          driving_forces(lambda),
+                          loop_multipliers(state, lambda),
+                          joint_reactions(state, z, tau, lambda),
+                          rod_forces(state, lambda, End::to),
+                          rod_forces(state, lambda, End::from)};
+  const Instant instant(*mechanism_, state, z, solution);
+  const auto value = [&](const auto& output) { return instant.value(output); };
+  GenericOutputs values;
+  for (const Output& output : mechanism_->model.outputs) values.y.push_back(std::visit(value, output.source));
+  values.kinetic_energy = instant.value(MomentumOutput{.what = MomentumOutput::What::kinetic_energy});
+  values.potential_energy = instant.value(MomentumOutput{.what = MomentumOutput::What::potential_energy});
+  values.applied_power = instant.power(tau);
+  return values;
 }
 
 }  // namespace mbgen
