@@ -154,12 +154,14 @@ class ModelText : public ModelWords {
                           quantity(friction.viscous), details(friction));
     }
     for (const Tyre& tyre : model_.tyres) {
-      text += fmt::format("  {}: tyre at {}, axis ({}), count {}, radius {}, stiffness {}{}{}{}{}\n", tyre.name,
+      text += fmt::format("  {}: tyre at {}, axis ({}), count {}, radius {}, stiffness {}{}{}{}{}{}\n", tyre.name,
                           attachment(tyre.centre), fmt::join(tyre.axis, ", "), tyre.count, quantity(tyre.radius),
                           quantity(tyre.stiffness),
                           tyre.model == TyreModel::mf61 ? ", pressure " + quantity(tyre.pressure) : "",
                           tyre.road < 0 ? "" : ", on road " + model_.roads[tyre.road].name,
-                          tyre.envelope ? ", " + to_text(*tyre.envelope) : "", tyre.parking ? turning(tyre) : "");
+                          tyre.envelope ? ", " + to_text(*tyre.envelope) : "",
+                          tyre.combined_slip == CombinedSlip::ellipse ? ", combined slip by an ellipse" : "",
+                          tyre.parking ? turning(tyre) : "");
     }
     return text;
   }

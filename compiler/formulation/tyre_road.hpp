@@ -119,6 +119,7 @@ TyreProperties<T> tyre_properties(const Tyre& tyre, const Value& value) {
     properties.turn_load = value(tyre.parking->load, "turn_load");
   }
   properties.turning = turning_of(tyre);
+  properties.ellipse = tyre.combined_slip == CombinedSlip::ellipse;
   return properties;
 }
 

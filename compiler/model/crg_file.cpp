@@ -4,152 +4,18 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
+#include <utility>
+
+#include "compiler/model/crg_header.hpp"
 
 namespace mbgen {
 namespace {
 
-constexpr std::size_t kRecord = 80, kMostColumns = 100000, kMostNumbers = 50000000;
+constexpr std::size_t kRecord = 80, kMostNumbers = 50000000;
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
-
-std::string in_capitals(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return result;
-}
-
-std::string_view without_blanks(std::string_view text) {
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-std::optional<double> crg_number(std::string_view text) {
-  text = without_blanks(text);
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
-  return value;
-}
-
-/// What columns of data are.
-enum class CrgColumn { heading, slope, banking, height };
-
-/// How numbers are written.
-struct CrgFormat {
-  bool is_binary = true, is_double = false;
-  std::size_t size() const { return is_binary ? (is_double ? 8 : 4) : (is_double ? 20 : 10); }
-};
-
-/// The text part of a file.
-struct CrgHeader {
-  CrgEntries parameters, options, modifiers;
-  std::vector<CrgColumn> columns;
-  std::vector<double> v;  ///< of columns of heights that tell theirs
-  CrgFormat format;
-  std::size_t data = 0, lines = 0;  ///< where the data begin: byte, and lines before it
-  std::size_t definition = 1;       ///< line of the block of columns
-
-  std::optional<double> value(const char* name) const { return entry_of(parameters, name); }
-  double value(const char* name, double fallback) const { return value(name).value_or(fallback); }
-  /// A modifier that scales; 1 without.
-  double scale(const char* name) const { return entry_of(modifiers, name).value_or(1); }
-  /// Of elevations: 0 stands for none.
-  double scale_of_height(const char* name) const { return scale(name) == 0 ? 1 : scale(name); }
-};
-
-CrgProblem at_line(std::size_t line, std::string message, std::string hint = {}) {
-  return {line, 0, std::move(message), std::move(hint)};
-}
-
-std::optional<CrgProblem> read_parameter(std::string_view text, std::size_t line, CrgEntries& parameters) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string_view::npos)
-    return at_line(line, fmt::format("must be NAME = number, got \"{}\"", text.substr(0, 60)));
-  const std::string name = in_capitals(without_blanks(text.substr(0, equals)));
-  const std::optional<double> value = crg_number(text.substr(equals + 1));
-  if (!value)
-    return at_line(line, fmt::format("{} must be a number, got \"{}\"", name, without_blanks(text.substr(equals + 1))));
-  if ((name == "SCALE_LENGTH" || name == "SCALE_WIDTH") && !(*value > 0))
-    return at_line(line, fmt::format("{} must be positive, got {}", name, *value));
-  parameters[name] = *value;
-  return {};
-}
-
-std::optional<CrgProblem> read_format(std::string_view text, std::size_t line, CrgHeader& header) {
-  const std::string name = in_capitals(without_blanks(text));
-  if (name != "LRFI" && name != "LDFI" && name != "KRBI" && name != "KDBI")
-    return at_line(line, fmt::format("data format must be one of LRFI, LDFI, KRBI, KDBI, got \"{}\"", name));
-  header.format = {name[0] == 'K', name[1] == 'D'};
-  return {};
-}
-
-std::optional<CrgProblem> read_column(std::string_view text, std::size_t line, CrgHeader& header) {
-  const std::string name = in_capitals(without_blanks(text.substr(0, text.find(','))));
-  const auto begins = [&](std::string_view with) { return name.starts_with(with); };
-  if (header.columns.size() == kMostColumns) return at_line(line, "file has too many columns");
-  if (begins("REFERENCE LINE PHI"))
-    header.columns.push_back(CrgColumn::heading);
-  else if (begins("REFERENCE LINE SLOPE"))
-    header.columns.push_back(CrgColumn::slope);
-  else if (begins("REFERENCE LINE BANKING"))
-    header.columns.push_back(CrgColumn::banking);
-  else if (begins("LONG SECTION")) {
-    header.columns.push_back(CrgColumn::height);
-    const std::size_t equals = name.find('=');
-    if (equals == std::string::npos) return {};
-    const std::optional<double> v = crg_number(std::string_view(name).substr(equals + 1));
-    if (!v)
-      return at_line(line, fmt::format("v of a long section must be a number, got \"{}\"", name.substr(equals + 1)));
-    header.v.push_back(*v);
-  } else {
-    return at_line(line, fmt::format("unknown column \"{}\"", name),
-                   "columns are the reference line's phi, slope and banking, and long sections");
-  }
-  return {};
-}
-
-/// Reads up to the line of $$$$ that ends the text part.
-std::optional<CrgProblem> read_header(std::string_view text, CrgHeader& header) {
-  std::string block;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    std::string_view line = text.substr(at, end - at);
-    at = std::min(end + 1, text.size());
-    const std::size_t number = ++header.lines;
-    if (line.starts_with("$$$$")) {
-      header.data = at;
-      return {};
-    }
-    if (line.starts_with('$')) {
-      const std::string name = in_capitals(line.substr(1, line.find_first_of(" \t\r!") - 1));
-      if (!name.empty())
-        block = name;
-      else if (line.find('!') == std::string_view::npos)
-        block.clear();
-      if (block == "KD_DEFINITION") header.definition = number;
-      continue;
-    }
-    line = without_blanks(line.substr(0, line.find('!')));
-    if (line.empty() || line.starts_with('*')) continue;
-    std::optional<CrgProblem> problem;
-    if (block == "ROAD_CRG") problem = read_parameter(line, number, header.parameters);
-    if (block == "ROAD_CRG_OPTS") problem = read_parameter(line, number, header.options);
-    if (block == "ROAD_CRG_MODS") problem = read_parameter(line, number, header.modifiers);
-    if (block == "KD_DEFINITION" && line.starts_with("#:")) problem = read_format(line.substr(2), number, header);
-    if (block == "KD_DEFINITION" && (line.starts_with("D:") || line.starts_with("d:")))
-      problem = read_column(line.substr(2), number, header);
-    if (problem) return problem;
-  }
-  return at_line(header.lines, "file has no data: no line of $$$$ ends its text part");
-}
 
 /// Numbers of the data, section by section.
 struct CrgData {
@@ -164,17 +30,61 @@ double big_endian(std::string_view bytes) {
                            : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
 }
 
-/// Records are filled one after the other; the last one ends with NaN.
-void read_binary(std::string_view data, const CrgHeader& header, CrgData& result) {
+/// Sections that REFERENCE_LINE_END_U asks for, as the C API counts them; nothing without it, or where it is no end.
+std::optional<std::size_t> asked_sections(const CrgHeader& header) {
+  const std::optional<double> end = header.value("REFERENCE_LINE_END_U");
+  const double start = header.value("REFERENCE_LINE_START_U", 0), step = header.value("REFERENCE_LINE_INCREMENT", 0);
+  const double steps = end ? std::floor((*end - start) / step + 0.5) : 0;
+  return steps >= 1 && steps < static_cast<double>(kMostNumbers) ? std::optional(static_cast<std::size_t>(steps) + 1)
+                                                                 : std::nullopt;
+}
+
+/// "REFERENCE_LINE_END_U = 4 asks for 5 sections, file has 3"
+std::string asks_and_has(const CrgHeader& header, std::size_t asked, std::size_t sections) {
+  return fmt::format("REFERENCE_LINE_END_U = {} asks for {} sections, file has {}",
+                     *header.value("REFERENCE_LINE_END_U"), asked, sections);
+}
+
+/// Numbers follow each other in records of kRecord bytes, the last one filled up with NaN: sections of nothing else
+/// that lie in it whole are none, unless REFERENCE_LINE_END_U counts them.
+std::optional<CrgProblem> read_binary(std::string_view data, CrgHeader& header, CrgData& result) {
   const std::size_t size = header.format.size(), columns = header.columns.size();
-  const std::size_t count = std::min(data.size() / kRecord * (kRecord / size), kMostNumbers);
-  result.sections = count / columns;
-  for (std::size_t i = 0; i < result.sections * columns; ++i)
-    result.numbers.push_back(big_endian(data.substr(i * size, size)));
+  const std::size_t count = std::min(data.size() / size, kMostNumbers);
+  std::vector<double>& numbers = result.numbers;
+  for (std::size_t i = 0; i < count; ++i) numbers.push_back(big_endian(data.substr(i * size, size)));
+  const std::size_t whole = count / columns;
+  result.sections = whole;
+  const std::size_t first_of_last_record = count - std::min(count, kRecord / size - 1);
+  const auto is_filling = [&](std::size_t section) {
+    const auto begin = numbers.begin() + static_cast<std::ptrdiff_t>(section * columns);
+    return section * columns >= first_of_last_record &&
+           std::all_of(begin, begin + static_cast<std::ptrdiff_t>(columns), [](double x) { return std::isnan(x); });
+  };
+  while (result.sections > 0 && is_filling(result.sections - 1)) --result.sections;
+  const std::optional<std::size_t> asked = asked_sections(header);
+  if (asked && *asked > whole)
+    return at_line(header.lines, "data are cut off: " + asks_and_has(header, *asked, result.sections));
+  if (asked && *asked < result.sections)
+    header.notes.push_back(
+        at_line(header.lines, asks_and_has(header, *asked, result.sections) + ": those beyond are left out"));
+  result.sections = asked.value_or(result.sections);
+  numbers.resize(result.sections * columns);
+  return {};
+}
+
+/// The number of a field of data. Result: nothing for what is no number; **** is NaN.
+std::optional<double> number_of_field(std::string_view field, std::size_t line, CrgHeader& header) {
+  if (field.starts_with('*')) return kNotANumber;
+  const std::optional<CrgNumber> number = crg_number(field);
+  if (!number) return {};
+  const auto is_of_data = [&](const CrgProblem& note) { return note.line > header.lines; };
+  if (number->is_odd && std::ranges::none_of(header.notes, is_of_data))
+    header.notes.push_back(odd_number(line, "", field, number->value));
+  return number->value;
 }
 
 /// Every section begins with a new line of at most 80 characters.
-std::optional<CrgProblem> read_text(std::string_view data, const CrgHeader& header, CrgData& result) {
+std::optional<CrgProblem> read_text(std::string_view data, CrgHeader& header, CrgData& result) {
   const std::size_t width = header.format.size(), columns = header.columns.size();
   const std::size_t of_record = kRecord / width;
   std::size_t line = header.lines, read = 0;
@@ -183,11 +93,11 @@ std::optional<CrgProblem> read_text(std::string_view data, const CrgHeader& head
     std::string_view record = data.substr(at, end - at);
     at = end + 1;
     ++line;
-    if (without_blanks(record).empty()) continue;
+    if (without_crg_blanks(record).empty()) continue;
     const std::size_t wanted = std::min(columns - read, of_record);
     for (std::size_t k = 0; k < wanted; ++k) {
-      const std::string_view field = without_blanks(record.substr(std::min(k * width, record.size()), width));
-      const std::optional<double> number = field.starts_with('*') ? std::optional(kNotANumber) : crg_number(field);
+      const std::string_view field = without_crg_blanks(record.substr(std::min(k * width, record.size()), width));
+      const std::optional<double> number = number_of_field(field, line, header);
       if (!number && field.empty())
         return at_line(line, fmt::format("section has {} numbers, {} columns are defined", read + k, columns));
       if (!number) return at_line(line, fmt::format("must be a number, got \"{}\"", field));
@@ -199,19 +109,30 @@ std::optional<CrgProblem> read_text(std::string_view data, const CrgHeader& head
   if (read != 0)
     return at_line(line, fmt::format("last section has {} numbers, {} columns are defined", read, columns));
   result.sections = result.numbers.size() / columns;
+  if (const std::optional<std::size_t> asked = asked_sections(header); asked && *asked != result.sections)
+    header.notes.push_back(at_line(header.lines, asks_and_has(header, *asked, result.sections) + ": all are read"));
   return {};
 }
 
 /// Where the columns of heights are.
-std::optional<CrgProblem> place_columns(const CrgHeader& header, std::size_t heights, CrgRoad& road) {
+std::optional<CrgProblem> place_columns(CrgHeader& header, std::size_t heights, CrgRoad& road) {
   if (!header.v.empty() && header.v.size() != heights)
     return at_line(header.definition, "some long sections tell their v, others do not");
   road.v = header.v;
   if (road.v.empty()) {
-    const std::optional<double> right = header.value("LONG_SECTION_V_RIGHT"),
-                                left = header.value("LONG_SECTION_V_LEFT");
-    std::optional<double> step = header.value("LONG_SECTION_V_INCREMENT");
-    if (!step && right && left && heights > 1) step = (*left - *right) / static_cast<double>(heights - 1);
+    std::optional<double> right = header.value("LONG_SECTION_V_RIGHT"), step = header.value("LONG_SECTION_V_INCREMENT");
+    const std::optional<double> left = header.value("LONG_SECTION_V_LEFT");
+    const auto steps = static_cast<double>(heights - 1);
+    if (!step && right && left) step = (*left - *right) / steps;
+    if (!right && left && step) right = *left - *step * steps;
+    if (!right && step) {
+      right = 0;
+      header.notes.push_back(
+          at_line(header.definition,
+                  fmt::format("file does not tell where its long sections begin: v is taken from 0 to {}, as "
+                              "the C API of ASAM takes it",
+                              *step * steps)));
+    }
     if (!right || !step)
       return at_line(header.definition, "file does not tell the v of its long sections",
                      "LONG_SECTION_V_RIGHT and LONG_SECTION_V_INCREMENT do");
@@ -281,7 +202,7 @@ void lay_reference_line(const CrgHeader& header, bool is_curved, CrgRoad& road) 
   road.end_heading = bend == 1 ? header.value("REFERENCE_LINE_END_PHI", road.heading[n - 1]) : road.heading[n - 1];
 }
 
-std::optional<CrgProblem> make_road(const CrgHeader& header, const CrgData& data, CrgRoad& road) {
+std::optional<CrgProblem> make_road(CrgHeader& header, const CrgData& data, CrgRoad& road) {
   const std::size_t columns = header.columns.size();
   const auto heights = static_cast<std::size_t>(std::ranges::count(header.columns, CrgColumn::height));
   road.start = header.value("REFERENCE_LINE_START_U", 0);
@@ -338,23 +259,55 @@ std::optional<double> entry_of(const CrgEntries& entries, const char* name) {
   return found == entries.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::optional<CrgProblem> read_crg(std::string_view text, CrgRoad& road) {
-  CrgHeader header;
+namespace {
+
+/// Reads the data of a file with its header; road: what they make.
+std::optional<CrgProblem> read_data(std::string_view text, CrgHeader& header, CrgRoad& road) {
   CrgData data;
-  if (std::optional<CrgProblem> problem = read_header(text, header)) return problem;
   if (header.columns.empty())
     return at_line(header.definition, "file defines no columns of data",
                    "lines of $KD_Definition that begin with D: do");
   const std::string_view numbers = text.substr(header.data);
-  if (header.format.is_binary) {
-    read_binary(numbers, header, data);
-  } else if (std::optional<CrgProblem> problem = read_text(numbers, header, data)) {
+  if (std::optional<CrgProblem> problem =
+          header.format.is_binary ? read_binary(numbers, header, data) : read_text(numbers, header, data))
     return problem;
-  }
   road = {};
-  road.options = std::move(header.options);
+  road.options = header.options;
   road.modifiers = header.modifiers;
   return make_road(header, data, road);
 }
+
+}  // namespace
+
+std::string named_crg_file(std::string_view text) {
+  CrgHeader header;
+  return read_header(text, header) ? std::string() : header.file;
+}
+
+std::optional<CrgProblem> read_crg(std::span<const std::string_view> texts, CrgRoad& road) {
+  std::vector<CrgProblem> notes;
+  const auto in_file = [&](CrgProblem problem, std::size_t file) {
+    problem.file = file;
+    return problem;
+  };
+  CrgHeader naming;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    CrgHeader header;
+    if (std::optional<CrgProblem> problem = read_header(texts[i], header)) return in_file(*problem, i);
+    // Blocks of a file that names another take the place of those there.
+    if (naming.has_options) header.options = naming.options, header.has_options = true;
+    if (naming.has_modifiers) header.modifiers = naming.modifiers, header.has_modifiers = true;
+    header.parameters.insert(naming.parameters.begin(), naming.parameters.end());
+    std::optional<CrgProblem> problem;
+    if (i + 1 == texts.size()) problem = read_data(texts[i], header, road);
+    for (const CrgProblem& note : header.notes) notes.push_back(in_file(note, i));
+    if (problem) return in_file(*problem, i);
+    naming = std::move(header);
+  }
+  road.notes = std::move(notes);
+  return {};
+}
+
+std::optional<CrgProblem> read_crg(std::string_view text, CrgRoad& road) { return read_crg(std::span(&text, 1), road); }
 
 }  // namespace mbgen

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,14 @@ struct CrgClosure {
   double gap = 0;                 ///< m, between end and start, of a line that is asked to close
 };
 
+/// Why a file is no road, or how it was read: at a line of its text part, or a byte of its data.
+struct CrgProblem {
+  std::size_t line = 0;  ///< from 1; 0: see byte
+  std::size_t byte = 0;  ///< from 0
+  std::string message, hint;
+  std::size_t file = 0;  ///< of those that name one another
+};
+
 /// A road of an OpenCRG file. u: along the reference line, v: to the left of it, m. Sections are the rows of the file.
 struct CrgRoad {
   double start = 0, increment = 1;               ///< m: u of the first section, and the distance of two
@@ -37,22 +46,25 @@ struct CrgRoad {
   std::vector<double> banking;                   ///< 1, rise to the left at each section; empty: none
   CrgClosure closure;
   CrgEntries options, modifiers;  ///< what the file asks for
+  std::vector<CrgProblem> notes;  ///< how it was read where it leaves something open
 
   std::size_t sections() const { return x.size(); }
   double end() const { return start + increment * static_cast<double>(sections() - 1); }
 };
 
-/// Why a file is no road: a line of its text part, or a byte of its data.
-struct CrgProblem {
-  std::size_t line = 0;  ///< from 1; 0: see byte
-  std::size_t byte = 0;  ///< from 0
-  std::string message, hint;
-};
-
 /// Reads a file: text (LRFI, LDFI) and binary (KRBI, KDBI) data; heights as single precision, as the C API keeps them.
 /// Heights that are no number become what GRID_NAN_MODE says (2 without: the height to their right, else to their left;
 /// 1: 0; 0 is a problem), plus GRID_NAN_OFFSET. Modifiers that scale are applied, others and the options are not.
-/// Fails: with the first problem. Requires nothing of the text.
+/// Sections of binary data end where REFERENCE_LINE_END_U says, else with the last one that is not all NaN in the last
+/// record. Notes: v from 0 where only an increment is given, numbers like 2.0+e00, an END_U beside the data.
+/// Fails: with the first problem; binary data that END_U asks for and that are not there. Requires nothing of the text.
 std::optional<CrgProblem> read_crg(std::string_view text, CrgRoad& road);
+
+/// The same of files that name one another by $ROAD_CRG_FILE, the last one with the data: blocks of options and
+/// modifiers of an earlier file count in place of those of a later one.
+std::optional<CrgProblem> read_crg(std::span<const std::string_view> texts, CrgRoad& road);
+
+/// The file that has the data of this one, relative to it; empty: this one has them.
+std::string named_crg_file(std::string_view text);
 
 }  // namespace mbgen

@@ -110,25 +110,31 @@ bool has_ending_of_data(const std::string& path) {
 
 }  // namespace
 
-const Document* open_beside(Reader& reader, const Value& value, std::string_view what, std::uint32_t& index) {
-  const std::string& file = reader.documents[value.place.file].file;
-  const NamedFile named = beside(file, value.text);
+const Document* open_named(Reader& reader, const std::string& file, const std::string& name, std::uint32_t& index,
+                           std::string& problem) {
+  const NamedFile named = beside(file, name);
   for (std::size_t i = 0; i < reader.documents.size(); ++i) {
     if (reader.documents[i].identity != named.identity || reader.documents[i].parsed) continue;
     index = static_cast<std::uint32_t>(i);
     return &reader.documents[i];
   }
   FileText content = read_regular_file(named.path);
-  if (!content.problem.empty()) {
-    report(reader, value, fmt::format("{} {}: {}", what, in_quotes(value.text), content.problem));
-    return nullptr;
-  }
+  problem = content.problem;
+  if (!problem.empty()) return nullptr;
   index = static_cast<std::uint32_t>(add_document(reader, named.path, std::move(content.text)));
   Document& document = reader.documents[index];
   document.identity = named.identity;
   document.is_shown = has_ending_of_data(named.path);
   find_lines(document);
   return &document;
+}
+
+const Document* open_beside(Reader& reader, const Value& value, std::string_view what, std::uint32_t& index) {
+  std::string problem;
+  const std::string file = reader.documents[value.place.file].file;
+  const Document* document = open_named(reader, file, value.text, index, problem);
+  if (!document) report(reader, value, fmt::format("{} {}: {}", what, in_quotes(value.text), problem));
+  return document;
 }
 
 std::vector<std::array<double, 2>> read_csv_table(Reader& reader, const Value& table, const CsvColumns& columns) {

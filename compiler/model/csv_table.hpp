@@ -15,6 +15,10 @@ struct CsvColumns {
   std::string_view key_of_y = "y";  ///< what names y in the object
 };
 
+/// The file that `file` names, relative to it, as a document without JSON. Fails: nothing, with the problem.
+const Document* open_named(Reader& reader, const std::string& file, const std::string& name, std::uint32_t& index,
+                           std::string& problem);
+
 /// The file that `value` of the current scope names, relative to the one it is written in, as a document without JSON.
 /// what: as messages call it. Fails: nothing, with a complaint at `value`.
 const Document* open_beside(Reader& reader, const Value& value, std::string_view what, std::uint32_t& index);

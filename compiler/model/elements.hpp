@@ -133,6 +133,9 @@ struct JointForce {
 
 enum class TyreModel { pac89, pac2002, mf61 };
 
+/// Forces of slip along and across together: by the set, or by a friction ellipse, as pac89 always has it.
+enum class CombinedSlip { set, ellipse };
+
 /// An enveloping contact: four cams with the outline of a superellipse, a rear and a front one below the middle of each
 /// half of the tyre's width, |s / length|^order + |z / height|^order = 1. Lengths in unloaded radii of the tyre.
 struct TyreEnvelope {
@@ -183,7 +186,8 @@ struct Tyre {
   bool over_load_x = false, over_load_y = false;  ///< the set gives them over the load
   Quantity low_speed;                             ///< m/s, below it slip is damped so that the wheel comes to rest
   std::optional<TyrePatch> parking;               ///< none: turning gives no moment, and there is no state of it
-  bool turn_slip = false;                         ///< the set's turn slip acts; of mf61 alone, then there is `parking`
+  CombinedSlip combined_slip = CombinedSlip::set;
+  bool turn_slip = false;  ///< the set's turn slip acts; of mf61 alone, then there is `parking`
 };
 
 /// A relation between coordinates that always holds: the value of an expression over them stays zero, or one of them

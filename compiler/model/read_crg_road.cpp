@@ -104,6 +104,53 @@ void add_plane_cells(const CrgRoad& road, std::vector<double>& samples, RoadGrid
   grid.cells = add_table(samples, cells);
 }
 
+/// The files of a road, which name one another by $ROAD_CRG_FILE: their places in the documents, and their names as
+/// they are written. Fails: nothing, with a complaint.
+std::optional<std::vector<std::pair<std::size_t, std::string>>> files_of_road(Reader& reader, const Value& file) {
+  constexpr std::size_t kMostFiles = 8;
+  std::uint32_t index = 0;
+  if (!open_beside(reader, file, "road", index)) return {};
+  std::vector<std::pair<std::size_t, std::string>> files{{index, file.text}};
+  for (;;) {
+    const std::string named = named_crg_file(reader.documents[files.back().first].text);
+    if (named.empty()) return files;
+    if (files.size() == kMostFiles) {
+      report(reader, file,
+             fmt::format("road {}: $ROAD_CRG_FILE leads through more than {} files", in_quotes(file.text), kMostFiles));
+      return {};
+    }
+    std::string problem;
+    const Document* next = open_named(reader, reader.documents[files.back().first].file, named, index, problem);
+    if (!next) {
+      report(reader, file, fmt::format("{}: $ROAD_CRG_FILE {}: {}", files.back().second, in_quotes(named), problem));
+      return {};
+    }
+    files.emplace_back(index, named);
+  }
+}
+
+/// "road.crg, line 4: ..."
+std::string text_of(const CrgProblem& problem, const std::string& file) {
+  const std::string where =
+      problem.line > 0 ? fmt::format("line {}", problem.line) : fmt::format("byte {}", problem.byte);
+  return fmt::format("{}, {}: {}", file, where, problem.message);
+}
+
+bool read_files(Reader& reader, const Value& file, CrgRoad& road) {
+  const auto files = files_of_road(reader, file);
+  if (!files) return false;
+  std::vector<std::string_view> texts;
+  for (const auto& [index, name] : *files) texts.push_back(reader.documents[index].text);
+  if (std::optional<CrgProblem> problem = read_crg(texts, road)) {
+    if (!reader.documents[(*files)[problem->file].first].is_shown) problem->message = "file is no OpenCRG file";
+    report(reader, file, text_of(*problem, (*files)[problem->file].second), problem->hint);
+    return false;
+  }
+  for (const CrgProblem& each : road.notes)
+    note(reader, file.place, text_of(each, (*files)[each.file].second), each.hint);
+  return true;
+}
+
 }  // namespace
 
 void read_crg_road(Reader& reader, const Value& value, Road& road) {
@@ -111,17 +158,8 @@ void read_crg_road(Reader& reader, const Value& value, Road& road) {
   const std::size_t problems = reader.problems.size();
   if (!read_fields(reader, value, fields) || reader.problems.size() > problems) return;
   const Value& file = *find(value, "file");
-  std::uint32_t index = 0;
-  const Document* document = open_beside(reader, file, "road", index);
-  if (!document) return;
   CrgRoad read;
-  if (const std::optional<CrgProblem> problem = read_crg(document->text, read)) {
-    const std::string where =
-        problem->line > 0 ? fmt::format("line {}", problem->line) : fmt::format("byte {}", problem->byte);
-    const std::string message = document->is_shown ? problem->message : "file is no OpenCRG file";
-    report(reader, file, fmt::format("{}, {}: {}", fields.file, where, message), problem->hint);
-    return;
-  }
+  if (!read_files(reader, file, read)) return;
   if (read.heights.size() > kMostHeights) {
     report(reader, file,
            fmt::format("road has {} heights, at most {} go into a solver", read.heights.size(), kMostHeights),

@@ -9,6 +9,7 @@
 #include "compiler/model/read_turning.hpp"
 #include "compiler/model/reader.hpp"
 #include "compiler/model/tir_file.hpp"
+#include "compiler/model/tyre_notes.hpp"
 #include "compiler/model/tyre_sets.hpp"
 #include "mbgen/tyre.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 struct CoefficientSet {
   TyreModel model = TyreModel::pac2002;
   std::vector<Quantity> coefficients;
+  Place place = {};  ///< of the set
 };
 
 /// A coefficient of a set with names.
@@ -87,6 +89,7 @@ std::vector<CoefficientSet> read_sets(Reader& reader, const Entries& entries) {
   for (const TyreDataFields& fields : data) {
     reader.names.tyre_data.emplace(fields.name, static_cast<int>(sets.size()));
     CoefficientSet& set = sets.emplace_back();
+    if (fields.coefficients) set.place = fields.coefficients->place;
     if (!fields.written_model || !fields.coefficients) continue;
     set.model = *fields.written_model;
     if (fields.coefficients->kind != Value::Kind::object) {
@@ -152,6 +155,7 @@ void use_coefficients(Reader& reader, const Value& value, CoefficientSet& set, T
   tyre.model = set.model;
   tyre.coefficients = set.coefficients;
   if (set.coefficients.empty()) return;
+  note_tyre_set(reader, set.place, tyre);
   const auto take = [&](std::string_view key, std::string_view name, Quantity& target) {
     if (!find(value, key)) target = coefficient(set, name);
   };
@@ -237,7 +241,7 @@ void use_file(Reader& reader, const Value& value, TyreFields& tyre) {
   const std::optional<TirTyre> read = read_tir(reader, file, {tyre.enveloping != nullptr, tyre.written_turn_slip});
   if (!read) return;
   use_envelope(reader, read->cams, tyre);
-  CoefficientSet set{read->model, read->coefficients};
+  CoefficientSet set{read->model, read->coefficients, read->nominal};
   use_coefficients(reader, value, set, tyre);
   const auto take = [&](std::string_view key, const std::optional<double>& number, Quantity& target) {
     if (number && !find(value, key)) target = *number;

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kInterpolations = {"linear", "monotone_cubic", "spline"};
 constexpr std::array<std::string_view, 3> kTyreModels = {"pac89", "pac2002", "mf61"};
+constexpr std::array<std::string_view, 2> kCombinedSlips = {"set", "ellipse"};
 constexpr std::array<std::string_view, 2> kPointSpringLocals = {"length", "rate"};
 constexpr std::array<std::string_view, 2> kJointSpringLocals = {"position", "rate"};
 
@@ -327,6 +328,13 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
                  "m", 0.6, Bound::positive)),
       field<S, &S::low_speed>(number("low_speed", "speed below which slip is damped so that the wheel comes to rest",
                                      "m/s", 2, Bound::positive)),
+      field<S, &S::combined_slip>(
+          {.name = "combined_slip",
+           .shape = Shape::word,
+           .doc = "forces of slip along and across together: by the set's coefficients, or by a friction ellipse in "
+                  "their place, as pac89 always has it",
+           .fallback_word = "set",
+           .words = kCombinedSlips}),
       field<S, &S::written_turn_slip>(
           {.name = "turn_slip",
            .shape = Shape::boolean,

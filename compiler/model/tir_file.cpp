@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iterator>
 
 #include "compiler/model/csv_table.hpp"
+#include "compiler/model/tyre_notes.hpp"
 #include "compiler/model/tyre_sets.hpp"
 
 namespace mbgen::reading {
@@ -133,10 +135,24 @@ double unit_of(Reader& reader, TirEntries& entries, std::string_view quantity) {
   return 1;
 }
 
+/// PROPERTY_FILE_FORMAT, and the model where the word tells it; else FITTYP does.
+struct TirFormat {
+  std::string_view word;
+  std::optional<TyreModel> model = {};
+};
+
+constexpr TirFormat kTirFormats[] = {{"PAC2002", TyreModel::pac2002},
+                                     {"MF_05", TyreModel::pac2002},
+                                     {"MF52", TyreModel::pac2002},
+                                     {"MF61", TyreModel::mf61},
+                                     {"MF62", TyreModel::mf61},
+                                     {"MF-TYRE"},
+                                     {"USER"}};
+
 /// The set that a file is of; nothing, with a complaint, for other tyre models.
 std::optional<TyreModel> tyre_model_of(Reader& reader, const Value& value, TirEntries& entries) {
   constexpr std::string_view kHint =
-      "the files understood are PAC2002 and Magic Formula 5.2 (FITTYP 6 or 21), 6.1 and 6.2 (FITTYP 61 or 62)";
+      "the files understood are PAC2002 and Magic Formula 5.2 (FITTYP 6, 21 or 52), 6.1 and 6.2 (FITTYP 61 or 62)";
   const auto refuse = [&](Place place, const std::string& message) {
     report(reader, place, message, std::string(kHint));
     return std::nullopt;
@@ -147,24 +163,25 @@ std::optional<TyreModel> tyre_model_of(Reader& reader, const Value& value, TirEn
     return std::nullopt;
   }
   const std::string word = !format ? "MF-TYRE" : upper(format->value);
-  const bool names_version = word == "PAC2002" || word == "MF_05";  // else FITTYP does
-  if (!names_version && word != "MF-TYRE" && word != "USER")
+  const auto named = std::ranges::find(kTirFormats, word, &TirFormat::word);
+  if (named == std::end(kTirFormats))
     return refuse(format->place, "tyre model " + in_quotes(format->value) + " is not supported");
   if (!type) {
-    if (names_version) return TyreModel::pac2002;
+    if (named->model) return named->model;
     return refuse(format->place, "tyre model " + in_quotes(format->value) + " needs FITTYP, which tells its version");
   }
   const std::optional<double> number = number_of_key(reader, entries, "FITTYP");
-  if (number == 6 || number == 21) return TyreModel::pac2002;
-  if (number == 61 || number == 62) return TyreModel::mf61;
   if (!number) return std::nullopt;
-  return refuse(type->place, fmt::format("tyre model FITTYP {} is not supported", *number));
+  const bool is_older = *number == 6 || *number == 21 || *number == 52;
+  if (!is_older && *number != 61 && *number != 62)
+    return refuse(type->place, fmt::format("tyre model FITTYP {} is not supported", *number));
+  const TyreModel model = is_older ? TyreModel::pac2002 : TyreModel::mf61;
+  if (named->model && named->model != model)
+    note_once(reader, type->place,
+              fmt::format("FITTYP {} is followed, PROPERTY_FILE_FORMAT {} says otherwise", *number,
+                          in_quotes(format->value)));
+  return model;
 }
-
-/// Factors to SI.
-struct TirUnits {
-  double length, force, time;
-};
 
 TirUnits units_of(Reader& reader, TirEntries& entries) {
   const TirUnits units{unit_of(reader, entries, "LENGTH"), unit_of(reader, entries, "FORCE"),
@@ -302,7 +319,9 @@ std::optional<TirTyre> read_tir(Reader& reader, const Value& value, const Wishes
   if (tyre.damping) *tyre.damping *= units.force * units.time / units.length;
   if (wishes.cams) tyre.cams = cams_of(reader, entries, tyre);
   if (reader.problems.size() > problems) return std::nullopt;
-  note_unused(reader, entries);
+  if (const TirEntry* nominal = use_entry(entries, "FNOMIN")) tyre.nominal = nominal->key;
+  note_unused(reader, *model, entries);
+  note_sizes(reader, entries, units, tyre);
   return tyre;
 }
 

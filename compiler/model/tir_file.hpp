@@ -26,6 +26,7 @@ struct TirTyre {
   std::optional<double> pressure = {};            ///< Pa: INFLPRES
   CamsOfFile cams = {};                           ///< ELLIPS_..., where they are asked for
   TurningOfFile turning = {};                     ///< of mf61
+  Place nominal = {};                             ///< of FNOMIN
 };
 
 /// KEY = value of a section.
@@ -64,7 +65,16 @@ std::optional<double> number_of(const TirEntry& entry);
 
 /// Notes in the model, once per file, the entries that nobody asked for, sorted by purpose. Silent on entries of
 /// every file, header, units, dimensions, limits of validity, and on coefficients at which a formula is as without
-/// them.
-void note_unused(Reader& reader, const TirEntries& entries);
+/// them. Names that no file has get the nearest one. model: of the file.
+void note_unused(Reader& reader, TyreModel model, const TirEntries& entries);
+
+/// Factors to SI.
+struct TirUnits {
+  double length, force, time;
+};
+
+/// Notes sizes that no tyre has in the units of the file: numbers in millimetres where it says metres, or the reverse.
+/// tyre: in SI.
+void note_sizes(Reader& reader, const TirEntries& entries, const TirUnits& units, const TirTyre& tyre);
 
 }  // namespace mbgen::reading

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "compiler/model/tir_file.hpp"
+#include "compiler/model/tyre_sets.hpp"
 
 namespace mbgen::reading {
 namespace {
@@ -40,6 +41,10 @@ constexpr std::string_view kUnknownPurpose = "unknown names";
 /// Sections that every file has and that say nothing of forces, and how limits of validity are called.
 constexpr std::string_view kSilentSections[] = {"MDI_HEADER", "UNITS", "MODEL", "DIMENSION", "INERTIA"};
 constexpr std::string_view kSilentEnding = "_RANGE";
+
+/// Keys that are read beside the coefficients.
+constexpr std::string_view kOthers[] = {
+    "VERTICAL_STIFFNESS", "VERTICAL_DAMPING", "INFLPRES", "USE_MODE", "LCZ", "Q_FZ1"};
 
 /// Pressures of measurement and limits, which coefficients of inflation pressure need.
 constexpr std::string_view kSilentKeys[] = {"IP", "IP_NOM", "NOMPRES", "INFLPRES", "PRESMIN", "PRESMAX"};
@@ -85,9 +90,23 @@ std::string list_of(std::string_view purpose, const std::vector<std::string_view
   return fmt::format("{} ({}); ", purpose, names);
 }
 
+/// Names that the format has and that are near to the first unknown ones, each as `did you mean`.
+std::string nearest_names(TyreModel model, const std::vector<std::string_view>& unknown) {
+  constexpr std::size_t kMost = 4;
+  std::vector<std::string_view> known;
+  for (const TyreField& field : tyre_fields(model)) known.push_back(field.name);
+  for (const std::string_view name : kOthers) known.push_back(name);
+  std::string hint;
+  for (std::size_t i = 0; i < std::min(unknown.size(), kMost); ++i) {
+    const std::string nearest = did_you_mean(unknown[i], known);
+    if (!nearest.empty()) hint += fmt::format("{}{}: {}", hint.empty() ? "" : ", ", unknown[i], nearest);
+  }
+  return hint;
+}
+
 }  // namespace
 
-void note_unused(Reader& reader, const TirEntries& entries) {
+void note_unused(Reader& reader, TyreModel model, const TirEntries& entries) {
   std::map<std::string_view, std::vector<std::string_view>> keys;
   std::vector<Place> places;
   for (const auto& [key, entry] : entries.keys) {
@@ -109,7 +128,8 @@ void note_unused(Reader& reader, const TirEntries& entries) {
   const auto is_of_file = [&](const Diagnostic& note) { return note.where.file == where.file; };
   Diagnostics& notes = reader.model.notes;
   if (std::any_of(notes.begin(), notes.end(), is_of_file)) return;  // several tyres are of the file
-  notes.push_back({std::move(where), "the model does not use " + lists, {}, {}});
+  notes.push_back(
+      {std::move(where), "the model does not use " + lists, nearest_names(model, keys[kUnknownPurpose]), {}});
 }
 
 }  // namespace mbgen::reading

@@ -108,6 +108,7 @@ std::string properties_text(const Tyre& tyre) {
     row("parking radius", tyre.parking->radius, "m");
     row("parking load", tyre.parking->load, "N");
   }
+  if (tyre.combined_slip == CombinedSlip::ellipse) text += "  combined slip by a friction ellipse\n";
   if (tyre.turn_slip) text += "  turn slip of the set acts\n";
   return tyre.envelope ? text + "\nContact\n  " + to_text(*tyre.envelope) + "\n" : text;
 }

@@ -73,7 +73,7 @@ bool share_a_law(const Tyre& a, const Tyre& b) {
   const auto same = [](const Quantity& p, const Quantity& q) {
     return is_number(p) && is_number(q) && p.value == q.value;
   };
-  return a.model == b.model && detail::turning_of(a) == detail::turning_of(b) &&
+  return a.model == b.model && detail::turning_of(a) == detail::turning_of(b) && a.combined_slip == b.combined_slip &&
          std::ranges::equal(a.coefficients, b.coefficients, same);
 }
 
@@ -130,6 +130,7 @@ Program traced_law(const Model& model, const SharedLaw& law) {
   Properties properties;
   const Tyre& first = model.tyres[law.tyres.front()];
   properties.turning = detail::turning_of(first);
+  properties.ellipse = first.combined_slip == CombinedSlip::ellipse;
   int argument = 0;
   each_argument(first, wheel, properties, [&](const std::string&, Expr& number) {
     const LawArgument& known = law.arguments[static_cast<std::size_t>(argument)];

@@ -67,6 +67,7 @@ TyreResult<double> law_of(const Tyre& tyre, const TyreContact<double>& contact, 
                                     value(tyre.pressure),
                                     tyre.over_load_x ? 1. : 0.,
                                     tyre.over_load_y ? 1. : 0.};
+  properties.ellipse = tyre.combined_slip == CombinedSlip::ellipse;
   if (tyre.parking) {
     properties.turning = tyre.turn_slip ? Turning::turn_slip : Turning::patch;
     properties.turn_stiffness = value(tyre.parking->stiffness);

@@ -253,7 +253,9 @@ TEST(AxesByPoints, TurnTyresAndWheelsAlike) {
       "pose": { "origin": "hub", "rotation": { "axis": "x", "angle": 0.3 } } } },
     "joints": { "wheel": { "type": "revolute", "from": "ground.hub", "to": "wheel.hub",
                            "axis": { "from": "hub", "to": "wheel.cap" }, "axis_to": { "from": "hub", "to": "cap" } } },
-    "tyre_data": { "d": { "model": "pac2002", "coefficients": { "UNLOADED_RADIUS": 0.31, "FNOMIN": 4e3 } } },
+    "tyre_data": { "d": { "model": "pac2002", "coefficients": { "UNLOADED_RADIUS": 0.31, "FNOMIN": 4e3,
+      "PCX1": 1.6, "PDX1": 1.1, "PKX1": 20, "PCY1": 1.3, "PDY1": 1, "PKY1": -15, "PKY2": 1.5,
+      "RBX1": 12, "RCX1": 1.1, "RBY1": 8, "RCY1": 1.1 } } },
     "tyres": { "t": { "centre": "wheel.hub", "axis": { "from": "hub", "to": "cap" }, "data": "d",
                      "stiffness": 2e5 } } })");
   ASSERT_EQ(model.tyres.size(), 1u);

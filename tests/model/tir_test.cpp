@@ -185,6 +185,8 @@ TEST_F(TirFile, GivesTheCamsOfAnEnvelope) {
   nlohmann::json cams = {{"UNLOADED_RADIUS", 0.5}, {"FNOMIN", 4000},     {"ELLIPS_SHIFT", 0.8},
                          {"ELLIPS_LENGTH", 1.1},   {"Q_RA1", 0.7},       {"ELLIPS_HEIGHT", 1.05},
                          {"Q_RA2", 0.6},           {"ELLIPS_ORDER", 1.7}};
+  cams.update({{"PCX1", 1.6}, {"PDX1", 1}, {"PKX1", 20}, {"PCY1", 1.3}, {"PDY1", 1}, {"PKY1", -15}, {"PKY2", 1.5}});
+  cams.update({{"RBX1", 12}, {"RCX1", 1.1}, {"RBY1", 8}, {"RCY1", 1.1}});
   const Result<Model> model = wheel(tir_of(cams), R"(, "enveloping": { "height": 0.9 })");
   ASSERT_TRUE(model) << to_text(model.problems());
   const TyreEnvelope& envelope = *model->tyres[0].envelope;
@@ -213,7 +215,9 @@ TEST_F(TirFile, Of61TakesStiffnessFromItsPolynomial) {
   EXPECT_DOUBLE_EQ(model->tyres[0].pressure.value, 2e5);
 }
 
-const std::string kLeastTir = "UNLOADED_RADIUS = 0.5\nFNOMIN = 4000\nVERTICAL_STIFFNESS = 2e5\n";
+const std::string kLeastTir =
+    "UNLOADED_RADIUS = 0.5\nFNOMIN = 4000\nVERTICAL_STIFFNESS = 2e5\nPCX1 = 1.6\nPDX1 = 1.1\nPKX1 = 20\nPCY1 = 1.3\n"
+    "PDY1 = 1\nPKY1 = -15\nPKY2 = 1.5\nRBX1 = 12\nRCX1 = 1.1\nRBY1 = 8\nRCY1 = 1.1\n";
 
 TEST_F(TirFile, NotesOnceWhatTheModelDoesNotUse) {
   const Result<Model> model = wheel(
@@ -226,11 +230,12 @@ TEST_F(TirFile, NotesOnceWhatTheModelDoesNotUse) {
   ASSERT_TRUE(model) << to_text(model.problems());
   ASSERT_EQ(model->notes.size(), 1u);
   const Diagnostic& note = model->notes[0];
+  EXPECT_EQ(note.hint, "PKY11: did you mean \"PKY1\"?");
   EXPECT_EQ(note.message,
             "the model does not use turn slip (PECP1); inflation pressure (PPX2, PPY1); unknown names (PKY11); "
             "tables (SHAPE)");
   EXPECT_EQ(std::filesystem::path(note.where.file).filename(), "tyre.tir");
-  EXPECT_EQ(note.where.line, 22);
+  EXPECT_EQ(note.where.line, 33);
   EXPECT_EQ(note.where.column, 3);
 }
 

@@ -29,13 +29,17 @@ inline MagicFormula61<double> passenger_car() {
   return mf61_set([](const TyreField& f) { return numbers.value(f.name, f.default_value); });
 }
 
-/// The same tyre with turn slip.
-inline const MagicFormula61<double>& turning_car() {
+/// Coefficients of the same tyre with those of turn slip.
+inline const nlohmann::json& turning_numbers() {
   static const nlohmann::json numbers = [] {
     nlohmann::json all = reference_data("tyre_mf61.json")["parameters"];
     all.update(reference_data("tyre_mf61_turn_slip.json")["parameters"]);
     return all;
   }();
+  return numbers;
+}
+inline const MagicFormula61<double>& turning_car() {
+  static const nlohmann::json& numbers = turning_numbers();
   static const MagicFormula61<double> set =
       mf61_set([](const TyreField& f) { return numbers.value(f.name, f.default_value); });
   return set;

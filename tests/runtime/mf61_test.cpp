@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "mbgen/tyre.hpp"
+#include "tests/runtime/mf61_book.hpp"
 #include "tests/runtime/mf61_sets.hpp"
 #include "tests/runtime/mirrored_tyre.hpp"
 
@@ -26,47 +27,91 @@ const nlohmann::json& mf61_reference() {
   return data;
 }
 
-/// Sign that the reference has in (4.E24) over that of the book: it takes it from alpha, 0 at 0, in place of alpha_y.
-double sign_of_reference(const Set& set, double fz, double alpha, double sine, double pressure) {
-  if (alpha == 0) return 0;
-  const magic::Mf61State<double> at = magic::mf61_state<double>(set, fz, pressure, 1, 1);
-  const double thrust = set.lmuy * fz * (set.pvy3 + set.pvy4 * at.dfz) * sine * set.lkyc;
-  const double force = set.lmuy * fz * (set.pvy1 + set.pvy2 * at.dfz) * set.lvy + thrust;
-  const magic::PureLateral<double> lateral = magic::mf61_lateral<double>(set, at, alpha, sine);
-  const double shift = lateral.slip_shift - force / lateral.stiffness;  // S_Hy of (4.E38)
-  return std::signbit(alpha) == std::signbit(alpha + shift) ? 1 : -1;
+/// The readings of the library that made the reference data, see its `source`.
+constexpr book::Readings kOfReference{false, false, false, false, false, false};
+
+// The transcription of the tests gives the reference data with their readings: it is no misprint that it shares with
+// mbgen.
+TEST(Mf61Reference, ATranscriptionOfItsOwnGivesEveryRow) {
+  double error[3] = {}, scale[3] = {};
+  for (const std::vector<double> row : mf61_reference()["rows"]) {
+    const book::Forces f =
+        book::forces(mf61_reference()["parameters"], {row[0], row[1], row[2], row[3], row[4]}, kOfReference);
+    const double computed[3] = {f.fx, f.fy, f.mz};
+    for (std::size_t i = 0; i < 3; ++i) {
+      error[i] = std::max(error[i], std::abs(computed[i] - row[6 + i]) / std::abs(row[6 + i]));
+      scale[i] = std::max(scale[i], std::abs(row[6 + i]));
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_LT(error[i], 1e-11) << i;
+    EXPECT_GT(scale[i], 10) << i;
+  }
 }
 
+// Fx and the moments My and Mx of the reference have no reading of their own (Mx: with the square inside), Fy and Mz
+// are those of the book.
 TEST(Mf61Reference, EveryForceOfEveryRow) {
   for (const auto& [name, value] : mf61_reference()["parameters"].items()) {
     EXPECT_TRUE(std::ranges::any_of(kMf61Fields, [&](const TyreField& f) { return name == f.name; })) << name;
   }
   const Set set = passenger_car();
-  double error[5] = {}, scale[5] = {};
-  int turned = 0;
+  double error[5] = {}, scale[5] = {}, differs[2] = {};
   for (const std::vector<double> row : mf61_reference()["rows"]) {
     const double kappa = row[0], alpha = row[1], fz = row[2], pressure = row[3], gamma = row[4], vx = row[5];
-    // SSZ3 and SSZ4 of (4.E76) meet no camber in the reference.
-    Set read = set;
-    read.ssz3 = read.ssz4 = 0;
-    const double sign = sign_of_reference(set, fz, alpha, std::sin(gamma), pressure);
-    turned += sign < 0;
-    read.pey3 *= sign;
-    read.pey4 *= sign;
-    const TyreForces<double> f = magic_formula_61<double>(read, fz, {kappa, alpha, gamma}, pressure);
-    const double my = -mf61_rolling_resistance<double>(set, fz, f.fx, vx, gamma, pressure);
-    const double computed[5] = {f.fx, f.fy, f.mz, my, f.mx};
+    const book::Forces f = book::forces(mf61_reference()["parameters"], {kappa, alpha, fz, pressure, gamma});
+    const TyreForces<double> own = magic_formula_61<double>(set, fz, {kappa, alpha, gamma}, pressure);
+    const auto at = magic::mf61_state<double>(set, fz, pressure, 1, 1);
+    const double computed[5] = {own.fx, own.fy, own.mz,
+                                -mf61_rolling_resistance<double>(set, fz, row[6], vx, gamma, pressure),
+                                magic::mf61_overturning<double>(set, at, row[7], gamma)};
+    const double expected[5] = {row[6], f.fy, f.mz, row[9], row[11]};
     for (std::size_t i = 0; i < 5; ++i) {
-      error[i] = std::max(error[i], std::abs(computed[i] - row[6 + i]) / std::abs(row[6 + i]));
-      scale[i] = std::max(scale[i], std::abs(row[6 + i]));
+      error[i] = std::max(error[i], std::abs(computed[i] - expected[i]) / std::abs(expected[i]));
+      scale[i] = std::max(scale[i], std::abs(expected[i]));
     }
+    EXPECT_DOUBLE_EQ(own.mx, magic::mf61_overturning<double>(set, at, own.fy, gamma));
+    for (std::size_t i = 0; i < 2; ++i)
+      differs[i] = std::max(differs[i], std::abs(expected[1 + i] - row[7 + i]) / std::abs(row[7 + i]));
   }
   ASSERT_EQ(mf61_reference()["rows"].size(), 120u);
-  EXPECT_EQ(turned, 1) << "rows whose slip lies between zero and the shift";
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_LT(error[i], 1e-11) << i;
     EXPECT_GT(scale[i], 10) << i;
   }
+  for (const double difference : differs) EXPECT_GT(difference, 1e-3) << "readings matter in these rows";
+}
+
+// R0 LMX (Fy (QSX13 + QSX14 |gamma|) - Fz QSX12 gamma |gamma|) is what MF 6.2 adds.
+TEST(Mf61, OverturningMomentOf62) {
+  const Set set = passenger_car();
+  Set newer = set;
+  newer.qsx12 = 0.7;
+  newer.qsx13 = 0.02;
+  newer.qsx14 = 0.3;
+  for (const double gamma : {-0.08, 0.0, 0.05}) {
+    const magic::Mf61Slips<double> slips{0.03, 0.06, gamma};
+    const TyreForces<double> before = magic_formula_61<double>(set, 5200, slips, kNominalPressure);
+    const double mx = magic_formula_61<double>(newer, 5200, slips, kNominalPressure).mx;
+    const double added = set.unloaded_radius * set.lmx *
+                         (before.fy * (0.02 + 0.3 * std::abs(gamma)) - 5200 * 0.7 * gamma * std::abs(gamma));
+    EXPECT_NEAR(mx - before.mx, added, 1e-10);
+    EXPECT_GT(std::abs(added), 10);
+  }
+}
+
+// Friction of a road that scales the tyre's acts as LMUX and LMUY do, on shifts by (4.E8) too.
+TEST(Mf61, FrictionOfTheRoadIsAScalingFactor) {
+  const Set set = passenger_car();
+  Set scaled = set;
+  scaled.lmux *= 0.4;
+  scaled.lmuy *= 0.4;
+  const magic::Mf61Slips<double> slips{0.02, -0.05, 0.04};
+  const TyreForces<double> a = magic_formula_61<double>(set, 5000, slips, kNominalPressure, 0.4);
+  const TyreForces<double> b = magic_formula_61<double>(scaled, 5000, slips, kNominalPressure);
+  EXPECT_DOUBLE_EQ(a.fx, b.fx);
+  EXPECT_DOUBLE_EQ(a.fy, b.fy);
+  EXPECT_NEAR(a.mz, b.mz, 1e-12 * std::abs(b.mz));
 }
 
 TEST(Mf61, CamberMovesTheArmOfTheLongitudinalForce) {
@@ -91,7 +136,7 @@ TEST(Mf61, IsPac2002WhereItsExtrasAreZero) {
     for (double slip = -0.4; slip < 0.41; slip += 0.05) {
       const TyreForces<double> along = magic_formula_61<double>(set, fz, {slip, 0, 0}, 8e5);
       EXPECT_NEAR(along.fx, magic_formula_pac2002<double>(older, fz, slip, 0, 0).fx, 1e-9);
-      const TyreForces<double> across = magic_formula_61<double>(set, fz, {0, slip, 0}, 8e5);
+      const TyreForces<double> across = magic_formula_61<double>(set, fz, {0, std::atan(slip), 0}, 8e5);
       EXPECT_NEAR(across.fy, magic_formula_pac2002<double>(older, fz, 0, slip, 0).fy, 1e-9);
     }
     // The book's tangents stand where PAC2002 has angles: of second order and more.

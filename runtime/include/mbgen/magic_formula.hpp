@@ -105,20 +105,42 @@ LoadTerms<T> load_terms(const T& nominal, const T& fz, const T& friction, const 
   return {nominal, load, max(fz, T(0)) / load, (load - nominal) / nominal, max(friction, T(kLeastFriction)), shifts};
 }
 
+/// The curve behind a force of pure slip: d sin(angle(b, c, e, slip)) + shift.
+template <class T>
+struct PureCurve {
+  T b, c, d, e;  ///< d: N; e: limited
+  T slip;        ///< 1 or rad, with its shift
+  T shift;       ///< N
+};
+
 /// Force of pure longitudinal slip, N, and its slope at zero slip, N per unit of slip.
 template <class T>
 struct PureLongitudinal {
   T force, stiffness;
+  PureCurve<T> curve;
 };
 
 /// Lateral force of pure slip, N, with its terms that the aligning moment and combined slip need.
 template <class T>
 struct PureLateral {
   T force, stiffness;  ///< N, N/rad; the stiffness is held away from zero
-  T b, c;              ///< factors of the curve
   T slip_shift;        ///< rad, S_Hy + S_Vy / K_y: the slip angle of zero side force, with its sign changed
   T friction;          ///< 1, mu_y
+  PureCurve<T> curve;
 };
+
+/// Force of a curve, N, where another slip acts too, by a friction ellipse: each slip is measured by its peak force
+/// over its stiffness, both curves are followed at the resultant, and the force is shared in proportion to the slips.
+/// Beside the shifts, the resultant force stays in the ellipse with the half axes d. Without the other slip the curve
+/// itself. Source: as of magic_formula_pac89.
+template <class T>
+T force_in_ellipse(const PureCurve<T>& own, const PureCurve<T>& other) {
+  using std::sin;
+  using std::sqrt;
+  const T as_own = other.slip * (other.b * other.c) / away_from_zero<T>(own.b * own.c, T(1e-9));
+  const T resultant = sqrt(own.slip * own.slip + as_own * as_own + kRootFloor);
+  return own.slip / resultant * own.d * sin(angle<T>(own.b, own.c, own.e, resultant)) + own.shift;
+}
 
 }  // namespace magic
 

@@ -169,7 +169,7 @@ namespace magic {
 
 template <class T>
 PureLongitudinal<T> pac2002_longitudinal(const Pac2002<T>& set, const LoadTerms<T>& at, const T& kappa,
-                                            const T& camber) {
+                                         const T& camber) {
   using std::exp;
   using std::sin;
   const T gamma = camber * set.lgax;
@@ -182,7 +182,7 @@ PureLongitudinal<T> pac2002_longitudinal(const Pac2002<T>& set, const LoadTerms<
   const T e = (set.pex1 + set.pex2 * at.dfz + set.pex3 * at.dfz * at.dfz) * (1.0 - set.pex4 * sign(slip)) * set.lex;
   const T stiffness = at.load * (set.pkx1 + set.pkx2 * at.dfz) * exp(set.pkx3 * at.dfz) * set.lkx;
   const T b = stiffness / away_from_zero<T>(c * d, 1e-9 * at.load);
-  return {d * sin(angle<T>(b, c, curvature(e), slip)) + sv, stiffness};
+  return {d * sin(angle<T>(b, c, curvature(e), slip)) + sv, stiffness, {b, c, d, curvature(e), slip, sv}};
 }
 
 template <class T>
@@ -198,11 +198,13 @@ PureLateral<T> pac2002_lateral(const Pac2002<T>& set, const LoadTerms<T>& at, co
   const T friction = (set.pdy1 + set.pdy2 * at.dfz) * (1.0 - set.pdy3 * gamma * gamma) * scale;
   const T d = friction * at.load;
   const T e = (set.pey1 + set.pey2 * at.dfz) * (1.0 - (set.pey3 + set.pey4 * gamma) * sign(slip)) * set.ley;
-  const T unguarded = set.pky1 * at.nominal * sin_of_double_arc<T>(at.load / (set.pky2 * at.nominal)) *
+  const T reach = away_from_zero<T>(set.pky2, T(1e-9));
+  const T unguarded = set.pky1 * at.nominal * sin_of_double_arc<T>(at.load / (reach * at.nominal)) *
                       (1.0 - set.pky3 * abs(gamma)) * set.lky;
   const T stiffness = away_from_zero<T>(unguarded, 1e-9 * at.load);
   const T b = stiffness / away_from_zero<T>(c * d, 1e-9 * at.load);
-  return {d * sin(angle<T>(b, c, curvature(e), slip)) + sv, stiffness, b, c, sh + sv / stiffness, friction};
+  const PureCurve<T> curve{b, c, d, curvature(e), slip, sv};
+  return {d * sin(angle<T>(b, c, curve.e, slip)) + sv, stiffness, sh + sv / stiffness, friction, curve};
 }
 
 /// Slip angle, rad, at which the trail is evaluated when there is no longitudinal slip.
@@ -230,11 +232,11 @@ T pac2002_trail(const Pac2002<T>& set, const LoadTerms<T>& at, const T& alpha, c
 /// Residual aligning moment, N m, at the slip angle `slip` (rad, shifts included, of either sign), before the factor
 /// cos alpha.
 template <class T>
-T pac2002_residual_moment(const Pac2002<T>& set, const LoadTerms<T>& at, const PureLateral<T>& lateral,
-                          const T& slip, const T& camber) {
+T pac2002_residual_moment(const Pac2002<T>& set, const LoadTerms<T>& at, const PureLateral<T>& lateral, const T& slip,
+                          const T& camber) {
   const T gamma = camber * set.lgaz;
   const T friction = set.lmuy * at.friction;
-  const T b = set.qbz9 * set.lky / friction + set.qbz10 * lateral.b * lateral.c;
+  const T b = set.qbz9 * set.lky / friction + set.qbz10 * lateral.curve.b * lateral.curve.c;
   const T d = at.load * set.unloaded_radius * friction *
               ((set.qdz6 + set.qdz7 * at.dfz) * set.lres + (set.qdz8 + set.qdz9 * at.dfz) * gamma);
   return d * cos_of_arc<T>(b * slip);
@@ -284,12 +286,13 @@ TyreForces<T> magic_formula_pac2002_pure(const Pac2002<T>& set, const T& fz, con
 /// fz: N, vertical load; no load or less gives exactly zero. kappa: 1, longitudinal slip, positive when driving.
 /// alpha: rad, tan alpha = lateral slip velocity over |forward velocity|. gamma: rad, camber. friction: 1, scales both
 /// friction coefficients of the set, >= 0. shifts: 1, scales the forces at zero slip (conicity, ply steer, camber
-/// thrust), which a standing tyre does not have.
+/// thrust), which a standing tyre does not have. ellipse: combined slip by force_in_ellipse in place of the set's
+/// coefficients of combined slip.
 /// Result: N, N m in the set's axes; with p_Ky1 < 0 these are x forward, y left, z up, and fy opposes alpha.
-/// Requires: fnomin > 0; pcx1, pcy1, pky2 not zero; lmux, lmuy > 0. Source: Pacejka, equations (4.E1) to (4.E78).
+/// Requires: fnomin > 0; pcx1, pcy1 not zero; lmux, lmuy > 0. Source: Pacejka, equations (4.E1) to (4.E78).
 template <class T>
 TyreForces<T> magic_formula_pac2002(const Pac2002<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
-                                    const T& friction = T(1), const T& shifts = T(1)) {
+                                    const T& friction = T(1), const T& shifts = T(1), bool ellipse = false) {
   using std::atan;
   using std::cos;
   using std::sin;
@@ -300,14 +303,16 @@ TyreForces<T> magic_formula_pac2002(const Pac2002<T>& set, const T& fz, const T&
   const magic::PureLateral<T> lateral = magic::pac2002_lateral(set, at, alpha, gamma);
 
   const T bx = set.rbx1 * magic::cos_of_arc<T>(set.rbx2 * kappa) * set.lxal;
-  const T fx = longitudinal.force * magic::weight<T>(bx, set.rcx1, set.rex1 + set.rex2 * dfz, set.rhx1, alpha);
+  const T fx = ellipse
+                   ? magic::force_in_ellipse(longitudinal.curve, lateral.curve)
+                   : longitudinal.force * magic::weight<T>(bx, set.rcx1, set.rex1 + set.rex2 * dfz, set.rhx1, alpha);
 
   const T by = set.rby1 * magic::cos_of_arc<T>(set.rby2 * (alpha - set.rby3)) * set.lyka;
   const T y_weight = magic::weight<T>(by, set.rcy1, set.rey1 + set.rey2 * dfz, set.rhy1 + set.rhy2 * dfz, kappa);
   const T kappa_force = lateral.friction * at.load * (set.rvy1 + set.rvy2 * dfz + set.rvy3 * gamma) *
                         magic::cos_of_arc<T>(set.rvy4 * alpha) * sin(set.rvy5 * atan(set.rvy6 * kappa)) * set.lvyka;
-  const T slip_force = y_weight * lateral.force;
-  const T fy = slip_force + kappa_force;
+  const T slip_force = ellipse ? magic::force_in_ellipse(lateral.curve, longitudinal.curve) : y_weight * lateral.force;
+  const T fy = ellipse ? slip_force : slip_force + kappa_force;
 
   const T ratio = longitudinal.stiffness / lateral.stiffness * kappa;
   // Without the sign of the slip: trail and residual moment are even in it.

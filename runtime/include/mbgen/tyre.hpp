@@ -7,8 +7,7 @@
 
 namespace mbgen {
 
-/// What a tyre makes of the turning of its contact about the road's normal: nothing, a moment of the patch, or that at
-/// rest and the turn slip of its set (of MF 6.1 alone) at speed.
+/// Moment about the road's normal: none, that of a patch, or at rest that and at speed turn slip (of MF 6.1 alone).
 enum class Turning { none, patch, turn_slip };
 
 /// Properties of a mounted tyre. Units as stated, of one tyre.
@@ -29,6 +28,7 @@ struct TyreProperties {
   T turn_radius = T(0);     ///< m, moment of a patch that turns over its friction under turn_load, likewise
   T turn_load = T(0);       ///< N, likewise
   Turning turning = Turning::none;
+  bool ellipse = false;  ///< combined slip of Pac2002 and MF 6.1 by force_in_ellipse, not by the set
 };
 
 /// Motion of the wheel in its contact frame: origin at the contact point, x along the wheel's heading on the road,
@@ -284,13 +284,13 @@ magic::Mf61Turn<T> spin_of(const MagicFormula61<T>& set, const TyreProperties<T>
 template <class T>
 TyreForces<T> formula(const Pac2002<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
                       const TyreProperties<T>& tyre, const T& shifts) {
-  return magic_formula_pac2002(set, fz, kappa, alpha, gamma, tyre.friction, shifts);
+  return magic_formula_pac2002(set, fz, kappa, alpha, gamma, tyre.friction, shifts, tyre.ellipse);
 }
 
 template <class T>
 TyreForces<T> formula(const MagicFormula61<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
                       const TyreProperties<T>& tyre, const T& shifts) {
-  return magic_formula_61<T>(set, fz, {kappa, alpha, gamma}, tyre.pressure, tyre.friction, shifts);
+  return magic_formula_61<T>(set, fz, {kappa, alpha, gamma}, tyre.pressure, tyre.friction, shifts, tyre.ellipse);
 }
 
 template <class T>
@@ -330,7 +330,7 @@ TurnedForces<T> with_turn_slip(const MagicFormula61<T>& set, const TyrePropertie
   const magic::Mf61Turn<T> turn = spin_of(set, tyre, contact, load, slip.rolling, patch);
   const Mf61Forces<T> of_spin =
       mf61_forces<T>(set, load, {slip.kappa, tyre.side * slip.alpha, tyre.side * contact.camber}, tyre.pressure,
-                     tyre.friction, slip.rolling, turn);
+                     tyre.friction, slip.rolling, turn, tyre.ellipse);
   return {of_spin.forces, patch.moment + slip.rolling * (tyre.side * of_spin.turning - patch.moment), patch.rate};
 }
 
