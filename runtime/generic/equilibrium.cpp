@@ -145,14 +145,15 @@ struct Indifferent {
   std::vector<Eigen::Index> places;  ///< one free direction for each
 };
 
-/// Those that move coordinates more than slips: slips that strain a suspension against itself are no places.
+/// Those that move coordinates more than slips: slips that strain a suspension against itself are no places. Requires:
+/// there are free directions.
 Indifferent indifferent_places(const WeightedBalance& w, Eigen::Index free, const Pinned& pinned) {
   std::vector<Eigen::Index> moving;
   for (Eigen::Index u = 0; u < w.matrix.cols(); ++u)
     if (u < free || !pinned[static_cast<std::size_t>(u - free)]) moving.push_back(u);
   const Eigen::MatrixXd still = indifferent_directions(w.matrix(Eigen::all, moving), kIndifferent);
   Indifferent result;
-  if (still.cols() == 0 || free == 0) return result;
+  if (still.cols() == 0) return result;
   Eigen::MatrixXd chosen = still;
   if (still.rows() > free) {
     const auto [shares, vectors] = right_singular_vectors(still.bottomRows(still.rows() - free));
@@ -177,7 +178,7 @@ void keep_indifferent(const GenericSolver& solver, GenericEquations& equations, 
   for (int step = 0; step < kStraightIterations; ++step) {
     const Balance here = balance(equations, trial);
     Eigen::MatrixXd stiffness;
-    if (!stiffness_at(solver, equations, trial, here, pinned, stiffness).ok()) return;
+    if (here.rz.cols() == 0 || !stiffness_at(solver, equations, trial, here, pinned, stiffness).ok()) return;
     const WeightedBalance w = weighted(here, stiffness);
     const Indifferent open = indifferent_places(w, here.rz.cols(), pinned);
     if (step == 0) places = open.places;
