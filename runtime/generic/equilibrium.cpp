@@ -90,7 +90,8 @@ Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations,
     const double longest = longest_move(here, change), of_states = longest_of_states(here, change);
     const bool is_still = longest < kRoundingStep && of_states < kSettledStates;
     if (is_still && unbalanced < kBalanced) return {};
-    if (is_still || step + 1 == most_steps) return {Code::no_equilibrium, -1};
+    const bool is_stuck = is_still && change.tail(change.size() - here.rz.cols()).isZero(kRoundingStep);
+    if (is_stuck || step + 1 == most_steps) return {Code::no_equilibrium, -1};
     change *= shortening(longest, kLargestBalanceStep);
     GenericState next;
     if (const Status status = moved(solver, equations, trial, here, change, next); !status.ok()) return status;
