@@ -139,6 +139,23 @@ Status walk_to_hold(const GenericSolver& solver, GenericEquations& equations, Ge
   return {Code::no_equilibrium, -1};
 }
 
+/// The same where reactions press frictions: these follow from the rest, and the rest from them.
+Status hold_pressed(const GenericSolver& solver, GenericEquations& equations, GenericState& trial) {
+  constexpr int kMostTurns = 20;
+  constexpr double kPressed = 1e-9;  // of a reaction
+  if (!takes_reactions(equations.model)) return walk_to_hold(solver, equations, trial);
+  const auto first = static_cast<std::size_t>(first_sampled_value(equations.model));
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    const std::vector<double> before = trial.x;
+    if (const Status status = solver.press(trial); !status.ok()) return status;
+    bool has_settled = turn > 0;
+    for (std::size_t i = first; i < trial.x.size(); ++i)
+      has_settled = has_settled && std::abs(trial.x[i] - before[i]) <= kPressed * std::max(1.0, std::abs(before[i]));
+    if (const Status status = walk_to_hold(solver, equations, trial); has_settled || !status.ok()) return status;
+  }
+  return {Code::no_equilibrium, -1};
+}
+
 /// Directions of the unknowns along which the forces do not change, in the units of the weighted balance, and the free
 /// directions by whose values one tells where they are.
 struct Indifferent {
@@ -228,7 +245,7 @@ Status GenericSolver::equilibrium(GenericState& state) const {
       status = {};
     }
   };
-  look_near([&](GenericState& near) { return walk_to_hold(*this, *equations_, near); });
+  look_near([&](GenericState& near) { return hold_pressed(*this, *equations_, near); });
   look_near([&](GenericState& near) {
     return walk_to_balance(*this, *equations_, straight, Search::straight, kStraightIterations, near);
   });

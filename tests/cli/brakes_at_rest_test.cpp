@@ -188,7 +188,8 @@ TEST_F(CommandLine, TooFewHoldsAreToldWithTheFreeDirection) {
   EXPECT_EQ(both.exit_code, 0);
   EXPECT_EQ(both.err,
             "pushed.json: note: too few rates are held for one steady motion; the one near the start is given, and one "
-            "may go from it along\n  drive +1, other -0.5\n  hint: hold one more rate with --hold, or solve for one input less\n");
+            "may go from it along\n  drive +1, other -0.5\n  hint: hold one more rate with --hold, or solve for one "
+            "input less\n");
 }
 
 /// The three-wheeler on a slope of 10 % that stands with its brakes closed.
@@ -220,6 +221,27 @@ TEST_F(CommandLine, BrakesHoldAVehicleOnASlope) {
   EXPECT_LT(std::abs(table("m.csv").last("z.frame_tx [m]")), 1e-6);
   const Outcome weak = mbgen("equilibrium m.json --input brake=20");
   EXPECT_EQ(weak.exit_code, 1);
+}
+
+// A block on a plane of 0.3 rad, by coordinates along and across it: friction by the reaction of its slide holds up to
+// tan(0.3), and what it holds is the weight's part along the plane.
+TEST_F(CommandLine, FrictionPressedByAReactionHolds) {
+  const auto block = [](double mu) {
+    return fmt::format(R"j({{ "mbgen": 1, "name": "block", "gravity": ["9.81*sin(0.3)", 0, "-9.81*cos(0.3)"],
+    "bodies": {{ "ground": {{ "points": {{ "o": [0, 0, 0] }} }},
+      "block": {{ "mass": 2, "inertia": [1, 1, 1], "points": {{ "o": [0, 0, 0] }} }} }},
+    "joints": {{ "x": {{ "type": "prismatic", "from": "ground.o", "to": "block.o", "axis": "x" }} }},
+    "frictions": {{ "floor": {{ "joint": "x", "reaction": "x", "law": "elasto_plastic", "coulomb": {}, "stiffness": 4e3, "damping": 10 }} }},
+    "initial": {{ "equilibrium": true }} }})j",
+                       mu);
+  };
+  write("block.json", block(0.32));
+  const Json rest = json_of("equilibrium block.json --json");
+  EXPECT_LT(rest["largest_acceleration"].get<double>(), 1e-6);
+  EXPECT_NEAR(rest["states"]["floor_load"].get<double>(), 2 * 9.81 * std::cos(0.3), 1e-9);
+  EXPECT_NEAR(rest["states"]["floor_bristle"].get<double>() * 4e3, std::tan(0.3), 1e-6);
+  write("block.json", block(0.30));
+  EXPECT_EQ(mbgen("equilibrium block.json").exit_code, 1) << "tan(0.3) is 0.309";
 }
 
 // The search pushed the coach about while its tyres found their loads: it began 0.77 deg off its course.
