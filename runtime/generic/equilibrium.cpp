@@ -163,8 +163,8 @@ struct Indifferent {
   std::vector<Eigen::Index> places;  ///< one free direction for each
 };
 
-/// Those that move coordinates more than slips: slips that strain a suspension against itself are no places. Requires:
-/// there are free directions.
+/// Directions that move coordinates more than slips: slips that strain a suspension against itself are no places.
+/// Requires: there are free directions.
 Indifferent indifferent_places(const WeightedBalance& w, Eigen::Index free, const Pinned& pinned) {
   std::vector<Eigen::Index> moving;
   for (Eigen::Index u = 0; u < w.matrix.cols(); ++u)
