@@ -18,6 +18,7 @@
 #include "compiler/engines/engine_arguments.hpp"
 #include "compiler/study/contact_watch.hpp"
 #include "compiler/study/controlled_engine.hpp"
+#include "compiler/study/equilibrium_causes.hpp"
 #include "compiler/study/initial_state.hpp"
 #include "compiler/study/load_watch.hpp"
 #include "compiler/study/manoeuvre/manoeuvre_run.hpp"
@@ -111,6 +112,10 @@ int tell(const SimulationRecord& record) {
   const std::string hint =
       verdict.failure.empty() ? hint_of_reach(record.compilation, summary.status) : verdict.failure;
   if (!hint.empty()) print_message("  hint: {}\n", hint);
+  if (summary.status.code == Code::not_a_number) {
+    for (const std::string& ends : coinciding_ends(record.compilation, summary.last))
+      print_message("  hint: {}\n", ends);
+  }
   return kUserFault;
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "compiler/formulation/bristle_ends.hpp"
-#include "compiler/linearisation/linearisation.hpp"
+#include "compiler/linearisation/linear_system.hpp"
 
 namespace mbgen {
 

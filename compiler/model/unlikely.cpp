@@ -128,19 +128,55 @@ double note_far_points(Reader& reader) {
   return 2 * extent;
 }
 
-/// Notes inertias with radii of gyration larger than the whole model: no body in it is so large.
+/// How far the points of a body reach from its centre of mass, m; 0 where they are one.
+double reach_of(const Body& body) {
+  const auto place = [](const Vector3Quantity& at) { return Vector3{at[0].value, at[1].value, at[2].value}; };
+  double reach = 0;
+  for (const Point& point : body.points) reach = std::max(reach, distance(place(point.position), place(body.com)));
+  return body.points.size() > 1 && std::isfinite(reach) ? reach : 0;
+}
+
+/// Notes inertias with radii of gyration larger than the whole model, which no body in it is, or far beyond the points
+/// of the body itself.
 void note_inertias(Reader& reader, double extent) {
-  constexpr double kFactor = 2;
+  constexpr double kFactor = 2;  // of a size, which is twice what points reach
   for (const Body& body : reader.model.bodies) {
     const double largest = std::max({body.inertia[0].value, body.inertia[1].value, body.inertia[2].value});
     if (!(body.mass.value > 0) || !(extent > 0)) continue;
-    const double radius = std::sqrt(largest / body.mass.value);
-    if (!(radius > kFactor * extent)) continue;
-    add_note(
-        reader, body.where,
-        fmt::format("inertia of {} is that of {:.4g} kg at a radius of {:.4g} m, the whole model is {:.2g} m large",
-                    in_quotes(body.name), body.mass.value, radius, extent),
-        "inertia is in kg m^2");
+    const double radius = std::sqrt(largest / body.mass.value), reach = reach_of(body);
+    const bool is_beyond_all = radius > kFactor * extent, is_beyond_own = reach > 0 && radius > 2 * kFactor * reach;
+    if (!is_beyond_all && !is_beyond_own) continue;
+    const std::string than = is_beyond_all ? fmt::format("the whole model is {:.2g} m large", extent)
+                                           : fmt::format("its points are within {:.2g} m of its centre of mass", reach);
+    add_note(reader, body.where,
+             fmt::format("inertia of {} is that of {:.4g} kg at a radius of {:.4g} m, {}", in_quotes(body.name),
+                         body.mass.value, radius, than),
+             "inertia is in kg m^2");
+  }
+}
+
+/// An attachment at the reference, global axes, m.
+Vector3 reference_place(const Model& model, const Attachment& at) {
+  const Body& body = model.bodies[static_cast<std::size_t>(at.body)];
+  const Vector3Quantity& local = body.points[static_cast<std::size_t>(at.point)].position;
+  Vector3 place = rotated(body.pose.rotation, {local[0].value, local[1].value, local[2].value});
+  for (std::size_t i = 0; i < 3; ++i) place[i] += body.pose.origin[i];
+  return place;
+}
+
+/// Notes elements between two points that are one at the reference.
+template <class Elements>
+void note_ends(Reader& reader, const Elements& elements, const char* kind) {
+  constexpr double kOnePlace = 1e-9;  // m
+  for (const auto& element : elements) {
+    if (element.from.body < 0 || element.to.body < 0 || element.from.point < 0 || element.to.point < 0) continue;
+    const double length =
+        distance(reference_place(reader.model, element.from), reference_place(reader.model, element.to));
+    if (!(length < kOnePlace)) continue;
+    add_note(reader, element.where,
+             fmt::format("the ends of {} {} coincide at the reference: it has no direction there", kind,
+                         in_quotes(element.name)),
+             "move one of its points, or start from positions at which they are apart");
   }
 }
 
@@ -157,6 +193,8 @@ void note_unlikely(Reader& reader) {
   note_damping(reader, reader.model.springs);
   note_damping(reader, reader.model.joint_springs);
   note_bushings(reader);
+  note_ends(reader, reader.model.springs, "spring");
+  note_ends(reader, reader.model.air_springs, "air spring");
   note_angles(reader);
   note_inertias(reader, note_far_points(reader));
 }

@@ -43,8 +43,8 @@ GenericState noted_initial_state(const Compilation& compilation, const std::vect
 /// A note for each value that moved and by how much; none where none moved by more than values of a few digits are off.
 Diagnostics moved_notes(const Compilation& compilation, const std::vector<MovedValue>& moved);
 
-/// A note on the wheels that stand or spin while their tyres run over the road, with the rates that roll; none where
-/// the model itself says how fast they turn.
+/// A note on the wheels that stand or spin while their tyres run over the road, with the rates that roll; of those
+/// whose rate the model itself says, on the ones that turn backwards.
 Diagnostics sliding_notes(const Compilation& compilation, const GenericState& start);
 
 /// Both.

@@ -1,4 +1,5 @@
-// A note on wheels that do not turn as they run at the start: forgotten rates of wheel joints.
+// A note on wheels that do not turn as they run at the start: forgotten rates of wheel joints, and rates of the wrong
+// sign.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,10 +17,11 @@ namespace {
 using Eigen::Vector3d;
 using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-constexpr double kInstant = 1e-6;  // s, between two positions whose difference is a velocity
-constexpr double kRuns = 1;        // m/s: slower tyres are at rest
-constexpr double kSlides = 0.5;    // of the speed, more than a driven or braked wheel slips at a start
-constexpr double kOneAxis = 0.9;   // cosine between the axes of a tyre and of the joint that its wheel turns in
+constexpr double kInstant = 1e-6;   // s, between two positions whose difference is a velocity
+constexpr double kRuns = 1;         // m/s: slower tyres are at rest
+constexpr double kSlides = 0.5;     // of the speed, more than a driven or braked wheel slips at a start
+constexpr double kBackwards = 0.1;  // of the rate that rolls: a wheel that is meant to spin back is rare
+constexpr double kOneAxis = 0.9;    // cosine between the axes of a tyre and of the joint that its wheel turns in
 
 /// A tyre that slides in its wheel's plane.
 struct SlidingTyre {
@@ -73,9 +75,11 @@ std::vector<SlidingTyre> sliding_tyres(const Compilation& compilation, const Gen
     if (coordinate < 0) continue;
     const TreeBody& wheel = compilation.topology.bodies[coordinate];
     const double along = vector_of(wheel.axis).dot(vector_of(tyre.axis));
-    if (wheel.kind != FreedomKind::revolute || std::abs(along) < kOneAxis || is_said(model, wheel)) continue;
+    if (wheel.kind != FreedomKind::revolute || std::abs(along) < kOneAxis) continue;
     SlidingTyre one = moving(model, tyre, wheel, before[body], after[body]);
     const double rolls = one.speed / tyre.radius.value;
+    const bool is_backwards = one.spin * rolls < -kBackwards * rolls * rolls;
+    if (is_said(model, wheel) && !is_backwards) continue;
     if (std::abs(one.speed) < kRuns || std::abs(one.spin - rolls) < kSlides * std::abs(rolls)) continue;
     one.rolling = start.zd[static_cast<std::size_t>(coordinate)] + std::copysign(1, along) * (rolls - one.spin);
     sliding.push_back(one);
@@ -94,6 +98,18 @@ Diagnostics sliding_notes(const Compilation& compilation, const GenericState& st
   for (const SlidingTyre& one : sliding)
     rates.push_back(fmt::format("\"{}\": {:.4g}", one.wheel->coordinate, one.rolling));
   const std::string others = sliding.size() == 1 ? "" : fmt::format(", one of {},", sliding.size());
+  const bool is_backwards = first.spin * first.speed < 0;
+  if (is_backwards) {
+    return {
+        {first.tyre->where,
+         fmt::format("the wheel of tyre \"{}\"{} starts turning backwards: its centre moves at {:.4g} m/s, it turns "
+                     "at {:.4g} rad/s",
+                     first.tyre->name, others, first.speed, first.spin),
+         fmt::format("wheels that roll have \"initial\": {{\"velocities\": {{{}}}}}; a joint's axis to the left "
+                     "makes rolling forwards positive",
+                     fmt::join(rates, ", ")),
+         ""}};
+  }
   return {
       {first.tyre->where,
        fmt::format("tyre \"{}\"{} slides at the start: its centre moves at {:.4g} m/s, its wheel turns at {:.4g} rad/s",

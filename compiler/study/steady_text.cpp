@@ -24,7 +24,7 @@ std::string free_directions_note(const Compilation& compilation, const SteadyMot
   if (steady.free_directions.empty()) return "";
   return fmt::format(
       "{}: note: too few rates are held for one steady motion; the one near the start is given, and one "
-      "may go from it along\n  {}\n  hint: --hold COORDINATE=RATE chooses\n",
+      "may go from it along\n  {}\n  hint: hold one more rate with --hold, or solve for one input less\n",
       compilation.model.file, fmt::join(steady.free_directions, "\n  "));
 }
 

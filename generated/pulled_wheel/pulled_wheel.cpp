@@ -865,9 +865,9 @@ Tuned::Tuned(const Parameters& parameters) noexcept : Parameters(parameters) {
 
 State initial_state() noexcept {
   static constexpr State start = {
-      {0.0, -0.004409010034879823, 0.0050617586630790625, -6.775150364285989e-05},
+      {0.0, -0.00440901003487976, 0.005061758663078991, 0.0},
       {15.0, 0.0, 0.0, 48.0},
-      {2.5384254589798298e-17, 0.0},
+      {1.6067577856477985e-19, 0.0},
       0.0};
   State state;
   mbgen::integrator_detail::copy_state(start, state);

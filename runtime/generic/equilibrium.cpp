@@ -90,7 +90,8 @@ Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations,
     const double longest = longest_move(here, change), of_states = longest_of_states(here, change);
     const bool is_still = longest < kRoundingStep && of_states < kSettledStates;
     if (is_still && unbalanced < kBalanced) return {};
-    if (is_still || step + 1 == most_steps) return {Code::no_equilibrium, -1};
+    const bool is_stuck = is_still && change.tail(change.size() - here.rz.cols()).isZero(kRoundingStep);
+    if (is_stuck || step + 1 == most_steps) return {Code::no_equilibrium, -1};
     change *= shortening(longest, kLargestBalanceStep);
     GenericState next;
     if (const Status status = moved(solver, equations, trial, here, change, next); !status.ok()) return status;
@@ -138,6 +139,23 @@ Status walk_to_hold(const GenericSolver& solver, GenericEquations& equations, Ge
   return {Code::no_equilibrium, -1};
 }
 
+/// The same where reactions press frictions: these follow from the rest, and the rest from them.
+Status hold_pressed(const GenericSolver& solver, GenericEquations& equations, GenericState& trial) {
+  constexpr int kMostTurns = 20;
+  constexpr double kPressed = 1e-9;  // of a reaction
+  if (!takes_reactions(equations.model)) return walk_to_hold(solver, equations, trial);
+  const auto first = static_cast<std::size_t>(first_sampled_value(equations.model));
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    const std::vector<double> before = trial.x;
+    if (const Status status = solver.press(trial); !status.ok()) return status;
+    bool has_settled = turn > 0;
+    for (std::size_t i = first; i < trial.x.size(); ++i)
+      has_settled = has_settled && std::abs(trial.x[i] - before[i]) <= kPressed * std::max(1.0, std::abs(before[i]));
+    if (const Status status = walk_to_hold(solver, equations, trial); has_settled || !status.ok()) return status;
+  }
+  return {Code::no_equilibrium, -1};
+}
+
 /// Directions of the unknowns along which the forces do not change, in the units of the weighted balance, and the free
 /// directions by whose values one tells where they are.
 struct Indifferent {
@@ -145,14 +163,15 @@ struct Indifferent {
   std::vector<Eigen::Index> places;  ///< one free direction for each
 };
 
-/// Those that move coordinates more than slips: slips that strain a suspension against itself are no places.
+/// Directions that move coordinates more than slips: slips that strain a suspension against itself are no places.
+/// Requires: there are free directions.
 Indifferent indifferent_places(const WeightedBalance& w, Eigen::Index free, const Pinned& pinned) {
   std::vector<Eigen::Index> moving;
   for (Eigen::Index u = 0; u < w.matrix.cols(); ++u)
     if (u < free || !pinned[static_cast<std::size_t>(u - free)]) moving.push_back(u);
   const Eigen::MatrixXd still = indifferent_directions(w.matrix(Eigen::all, moving), kIndifferent);
   Indifferent result;
-  if (still.cols() == 0 || free == 0) return result;
+  if (still.cols() == 0) return result;
   Eigen::MatrixXd chosen = still;
   if (still.rows() > free) {
     const auto [shares, vectors] = right_singular_vectors(still.bottomRows(still.rows() - free));
@@ -177,7 +196,7 @@ void keep_indifferent(const GenericSolver& solver, GenericEquations& equations, 
   for (int step = 0; step < kStraightIterations; ++step) {
     const Balance here = balance(equations, trial);
     Eigen::MatrixXd stiffness;
-    if (!stiffness_at(solver, equations, trial, here, pinned, stiffness).ok()) return;
+    if (here.rz.cols() == 0 || !stiffness_at(solver, equations, trial, here, pinned, stiffness).ok()) return;
     const WeightedBalance w = weighted(here, stiffness);
     const Indifferent open = indifferent_places(w, here.rz.cols(), pinned);
     if (step == 0) places = open.places;
@@ -226,7 +245,7 @@ Status GenericSolver::equilibrium(GenericState& state) const {
       status = {};
     }
   };
-  look_near([&](GenericState& near) { return walk_to_hold(*this, *equations_, near); });
+  look_near([&](GenericState& near) { return hold_pressed(*this, *equations_, near); });
   look_near([&](GenericState& near) {
     return walk_to_balance(*this, *equations_, straight, Search::straight, kStraightIterations, near);
   });

@@ -267,7 +267,7 @@ TEST_F(Trust, MissingEquilibriumIsExplained) {
       "acceleration; "
       "the "
       "search came to slide -4.95 m\n"
-      "  hint: nothing holds slide: a spring, a tyre or a joint may be missing\n";
+      "  hint: nothing holds slide of joint \"slide\" (mass.json:4:17): a spring, a tyre or a joint may be missing\n";
   EXPECT_EQ(mbgen("simulate mass.json --engine generic --out o.csv").err, message);
   EXPECT_EQ(mbgen("check mass.json").err, message);
 }
