@@ -29,13 +29,14 @@ class Courses : public CommandLine {
   }
 };
 
-// Brakes at the rear alone, a mass a little to the left: the rear goes ahead.
+// Brakes at the rear alone, wheels that lose their side force, a mass a little to the left: the rear goes ahead.
 TEST_F(Courses, ASpinningCarHasNotStopped) {
   write_car({{R"("fl", "law": "elasto_plastic", "coulomb": "0.25*brake")",
               R"("fl", "law": "elasto_plastic", "coulomb": "0*brake")"},
              {R"("fr", "law": "elasto_plastic", "coulomb": "0.25*brake")",
               R"("fr", "law": "elasto_plastic", "coulomb": "0*brake")"},
-             {R"("com": [0, 0, 0.02])", R"("com": [0, 0.05, 0.02])"}});
+             {R"("com": [0, 0, 0.02])", R"("com": [0, 0.05, 0.02])"},
+             {R"("PKY2": 1.5)", R"("PKY2": 1.5, "RBX1": 12, "RBX2": 10, "RCX1": 1, "RBY1": 8, "RBY2": 6, "RCY1": 1)"}});
   const Outcome run = drive("car.json", R"({ "mbgen_manoeuvre": 1, "type": "straight_braking", "speed": 30,
                                              "brake": 12000, "last_speed": 2 })");
   const Table motion = table("m.csv");
@@ -68,7 +69,7 @@ TEST_F(Courses, NumbersInOtherUnitsAreNoted) {
   const Outcome run = drive(kCar, R"({ "mbgen_manoeuvre": 1, "type": "ride", "speed": 80,
   "driver": { "understeer": 0.2 } })",
                             "--duration 0.02");
-  EXPECT_NE(run.err.find("m.json:1:54: note: 80 m/s are 288 km/h\n"
+  EXPECT_NE(run.err.find("m.json:1:50: note: 80 m/s are 288 km/h\n"
                          "  hint: speeds are in m/s; km/h may be written \"80/3.6\"\n"),
             std::string::npos)
       << run.err;

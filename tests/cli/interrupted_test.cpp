@@ -58,19 +58,18 @@ TEST_F(Interruption, AStudyKeepsItsCases) {
 }
 
 TEST_F(Interruption, FilesWithoutEndAreRefusedBeforeMemoryIsGone) {
-  std::filesystem::create_directories(directory_);
   write("large.json", "{}");
   write("large.csv", "t [s]\n");
   for (const char* name : {"large.json", "large.csv"})
     std::filesystem::resize_file(path(name), std::uintmax_t{3} << 30);
   EXPECT_EQ(mbgen("check large.json").err, "large.json: file is larger than 64 MB\n");
   EXPECT_EQ(mbgen("import large.json -o m.json").err, "large.json: cannot read: larger than 64 MB\n");
-  EXPECT_EQ(mbgen("plot large.csv -o m.svg").err, "large.csv: cannot read: larger than 1 GB\n");
+  EXPECT_EQ(mbgen("plot large.csv --columns a -o m.svg").err, "large.csv: cannot read: larger than 1 GB\n");
   EXPECT_EQ(mbgen("check /dev/zero").err, "/dev/zero: file is larger than 64 MB\n");
-  EXPECT_EQ(mbgen("plot /dev/zero -o m.svg").err, "/dev/zero: cannot read: larger than 64 MB\n");
+  EXPECT_EQ(mbgen("plot /dev/zero --columns a -o m.svg").err, "/dev/zero: cannot read: larger than 64 MB\n");
   EXPECT_EQ(mbgen("check /proc/version").err,
             "/proc/version: cannot read file, it is one of the kernel, which may have no end\n");
-  EXPECT_EQ(mbgen("plot /proc/version -o m.svg").err,
+  EXPECT_EQ(mbgen("plot /proc/version --columns a -o m.svg").err,
             "/proc/version: cannot read: it is a file of the kernel, which may have no end\n");
   write("pendulum.json", kPendulum);
   EXPECT_EQ(mbgen("simulate pendulum.json --manoeuvre /proc/version --out q.csv").err,
