@@ -19,8 +19,6 @@ namespace mbgen {
 namespace {
 
 constexpr int kMostLinks = 40;  // as the kernel follows
-constexpr std::size_t kReadPiece = 1 << 16;
-constexpr std::size_t kMostRead = std::size_t{1} << 30;
 
 [[noreturn]] void fail_with(const std::filesystem::path& path, const char* action) {
   throw UserError(fmt::format("{}: cannot {}: {}\n", path.string(), action, std::strerror(errno)));
@@ -58,29 +56,18 @@ bool is_special(const std::filesystem::path& path) {
   return !problem && std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
 }
 
-std::string read_text(const std::filesystem::path& path) {
-  std::FILE* stream = std::fopen(path.c_str(), "rb");
-  if (stream == nullptr) {
-    const std::string hint = hint_of_missing(path.string());
-    throw UserError(fmt::format("{}: cannot read: {}\n{}", path.string(), std::strerror(errno),
-                                hint.empty() ? "" : fmt::format("  hint: {}\n", hint)));
-  }
-  std::string text;
-  std::size_t taken = 0;
-  do {
-    const std::size_t size = text.size();
-    text.resize(size + kReadPiece);
-    taken = std::fread(text.data() + size, 1, kReadPiece, stream);
-    text.resize(size + taken);
-  } while (taken == kReadPiece && text.size() <= kMostRead);
-  const int error = std::ferror(stream) != 0 ? errno : 0;
-  std::fclose(stream);
-  if (error != 0) {
-    errno = error;
-    fail_with(path, "read");
-  }
-  if (text.size() > kMostRead) throw UserError(fmt::format("{}: cannot read: larger than 1 GB\n", path.string()));
-  return text;
+std::string read_text(const std::filesystem::path& path, std::size_t most) {
+  using reading::ReadFault;
+  reading::FileText content = reading::read_text(path.string(), most);
+  if (content.fault == ReadFault::none) return std::move(content.text);
+  const std::string hint = content.fault == ReadFault::missing ? hint_of_missing(path.string()) : "";
+  std::string reason = content.problem;
+  if (content.error != 0) reason = std::strerror(content.error);
+  if (content.fault == ReadFault::too_large) reason = "larger than " + reading::size_text(content.limit);
+  if (content.fault == ReadFault::endless) reason = "it is a file of the kernel, which may have no end";
+  if (content.fault == ReadFault::no_memory) reason = "larger than the memory that is left";
+  throw UserError(fmt::format("{}: cannot read: {}\n{}", path.string(), reason,
+                              hint.empty() ? "" : fmt::format("  hint: {}\n", hint)));
 }
 
 void require_other_file(const std::filesystem::path& output, const std::vector<std::string>& inputs) {

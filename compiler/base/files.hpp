@@ -7,10 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/model/read_text.hpp"
+
 namespace mbgen {
 
-/// Content of a file. Fails: UserError when it cannot be read, or is larger than 1 GB.
-std::string read_text(const std::filesystem::path& path);
+/// Content of a file, as reading::read_text. Fails: UserError when it cannot be read, or has more than `most` bytes.
+std::string read_text(const std::filesystem::path& path, std::size_t most = reading::kMostBytesOfTable);
 
 /// Fails: UserError when `output` is one of the files that are read: writing would destroy it. Every function here that
 /// writes asks this; a long command asks it before it starts. Empty names among `inputs` are no files.

@@ -25,10 +25,10 @@ struct ImportOptions {
 };
 
 ImportRequest import_request(const ImportOptions& options) {
-  ImportRequest request{.file = options.robot, .text = read_text(options.robot)};
+  ImportRequest request{.file = options.robot, .text = read_text(options.robot, reading::kMostBytesOfTree)};
   if (!options.loops.empty()) {
     request.loops_file = options.loops;
-    request.loops = read_text(options.loops);
+    request.loops = read_text(options.loops, reading::kMostBytesOfTree);
   }
   request.base = options.base == "floating" ? RobotBase::floating : RobotBase::fixed;
   request.read = [](const std::string& path) -> std::optional<std::string> {

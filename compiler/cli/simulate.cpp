@@ -63,6 +63,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
   RoadWatch roads(compilation);
   roads.add(start.state);
   settings.has_multipliers = contacts.needs_multipliers();
+  if (manoeuvre) manoeuvre->look_at_steering(compilation, start.state, inputs.at(0));
   Run run;
   run.moved = start.moved;
   if (control) {

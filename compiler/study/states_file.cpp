@@ -141,7 +141,7 @@ std::vector<double> read_expected(const UnorderedJson& state, const StatesFile& 
 
 StatesFile read_states(const std::string& path, const Compilation& compilation,
                        const std::vector<double>& default_inputs) {
-  return parse_states(read_text(path), path, compilation, default_inputs);
+  return parse_states(read_text(path, reading::kMostBytesOfTree), path, compilation, default_inputs);
 }
 
 StatesFile parse_states(const std::string& text, const std::string& path, const Compilation& compilation,

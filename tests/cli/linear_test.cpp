@@ -27,6 +27,22 @@ TEST_F(CommandLine, LinearizePrintsModes) {
   EXPECT_TRUE(outcome.out.starts_with("oscillator: 2 states, 1 inputs, 1 outputs\n"));
 }
 
+// Where crank and coupler are in line the rocker, which is independent elsewhere, leads nothing: its rate is zero, the
+// coupler turns about its pin on it 0.3/0.25 times as fast as the crank, backwards, and a spring on the crank moves
+// crank and coupler alone.
+TEST_F(CommandLine, LinearizeChoosesOtherStatesWhereTheUsualOnesAreSingular) {
+  write("dead_point.json", R"json({ "mbgen": 1, "include": [")json" + kSource +
+                               R"json(/tests/data/fmi/triple_rocker.json"],
+    "joint_springs": { "spring": { "joint": "crank_pin", "stiffness": 50, "free": "pi/3 - acos(10/11)" } },
+    "initial": { "positions": { "crank_pin": "pi/3 - acos(10/11)" }, "velocities": { "crank_pin": 0 } } })json");
+  const double crank = 0.007 + 0.9 * 0.15 * 0.15, coupler = 0.004 + 0.7 * 0.125 * 0.125;
+  const double expected = 50 / (crank + 1.2 * 1.2 * coupler);
+  const Json linear = json_of("linearize dead_point.json --json");
+  ASSERT_EQ(linear["states"].size(), 2u);
+  EXPECT_NEAR(linear["A"][0][1], 1, 1e-12);
+  EXPECT_NEAR(linear["A"][1][0], -expected, 1e-6 * expected);
+}
+
 TEST_F(CommandLine, LinearizeGivesMatricesByName) {
   write("oscillator.json", kOscillator);
   const Json linear = json_of("linearize oscillator.json --json");

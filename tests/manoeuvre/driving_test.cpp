@@ -69,7 +69,7 @@ TEST(Signal, ASweepBeginsAndEndsAtItsFrequencies) {
 }
 
 TEST(Path, ACircleHasItsRadiusAndItsCentre) {
-  const Path path = circle_path(10, -40, 20, 200);
+  const Path path = circle_path(10, -40, 20);
   const PathPoint end = path.at(150);
   EXPECT_NEAR(end.curvature, -1.0 / 40, 1e-12);
   // The centre lies a radius to the right of every point of the circle.
@@ -80,6 +80,25 @@ TEST(Path, ACircleHasItsRadiusAndItsCentre) {
   EXPECT_NEAR(one.first, other.first, 1e-3);
   EXPECT_NEAR(one.second, other.second, 1e-3);
   EXPECT_NEAR(path.nearest(end.x + 0.3 * std::sin(end.heading), end.y - 0.3 * std::cos(end.heading), 149.5), 150, 2e-3);
+}
+
+// The table ends where the circle begins; from there on it is one to rounding, however long.
+TEST(Path, ACircleGoesOnWithoutATable) {
+  const double radius = 1e6;
+  const Path path = circle_path(20, radius, 60);
+  EXPECT_LT(path.points.size(), 400u);
+  const auto centre = [&](double way) {
+    const PathPoint p = path.at(way);
+    return std::pair(p.x - radius * std::sin(p.heading), p.y + radius * std::cos(p.heading));
+  };
+  const auto [x, y] = centre(100);
+  for (const double way : {1e3, 1e5, 1e7}) {
+    EXPECT_NEAR(centre(way).first, x, 1e-6) << way;
+    EXPECT_NEAR(centre(way).second, y, 1e-6) << way;
+    EXPECT_NEAR(path.at(way).heading - path.at(100).heading, (way - 100) / radius, 1e-12);
+  }
+  EXPECT_EQ(path.at(3).y, 0);
+  EXPECT_DOUBLE_EQ(path.at(3).x, 3);
 }
 
 // ISO 3888-2:2011, table 1, of a car of 1.573 m: sections of 12, 13.5, 11, 12.5 and 12 m, the first 1.98 m wide, the
@@ -104,14 +123,14 @@ TEST(Lanes, AreThoseOfTheStandards) {
 // Curvature of the wish of a driver who is beside a straight course, parallel to it.
 TEST(Driver, TurnsBackToTheCourseAndAlongIt) {
   const DriverSettings driver{.preview = 1, .anticipation = 0, .gain = 0.5, .understeer = 0.002};
-  const Path straight = path_of_curvature([](double) { return 0.0; }, 1);
+  const Path straight = path_of_curvature([](double) { return 0.0; }, 0, 1);
   PlaneMotion motion{.x = 20, .y = 0.5, .forward = 20};
   const CoursePlace place = find_place(straight, motion, 0);
   EXPECT_NEAR(place.way, 20, 1e-9);
   EXPECT_NEAR(place.offset, 0.5, 1e-9);
   const double curvature = -0.5 * 2 * 0.5 / (20 * 20);
   EXPECT_NEAR(steering_wish(straight, place, motion, driver, 3), curvature * (3 + 0.002 * 400), 1e-12);
-  const Path circle = path_of_curvature([](double) { return 0.01; }, 100);
+  const Path circle = path_of_curvature([](double) { return 0.01; }, 0, 100);
   motion = {.forward = 20};
   EXPECT_NEAR(steering_wish(circle, {0, 0}, motion, driver, 3), 0.01 * (3 + 0.002 * 400), 1e-12);
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "compiler/engines/engine.hpp"
-#include "compiler/study/kc/rig_freedom.hpp"
 
 namespace mbgen::kc {
 namespace {
@@ -58,14 +57,32 @@ Status find_loaded_point(const Rig& rig, Load load, double value, const RigPoint
   return {Code::no_equilibrium, -1};
 }
 
+/// The balance at a value of what a curve imposes, sought from a point at another one: at once, or in parts of the way.
+Status walk_to(Rig& rig, const Sweep& sweep, double value, const CurvePoint& near, RigPoint& found) {
+  Status status;
+  for (const int parts : {1, 4, 16}) {
+    RigPoint at = near.at;
+    for (int k = 1; k <= parts; ++k) {
+      const double part = k == parts ? value : near.imposed + (value - near.imposed) * k / parts;
+      choose_at(rig, at.state);
+      RigPoint next;
+      status = is_load(sweep.kind) ? find_loaded_point(rig, load_of(sweep.kind), part, at, next)
+                                   : find_point(rig, imposed_at(rig, sweep.kind, part), at.state, next);
+      if (!status.ok()) break;
+      at = std::move(next);
+    }
+    if (!status.ok()) continue;
+    found = std::move(at);
+    return {};
+  }
+  return status;
+}
+
 /// A point of a curve, sought from one near by with partitions that stand well there. Result: why there is none, ""
 /// when there is one.
-std::string find_curve_point(Rig& rig, const Sweep& sweep, double value, const RigPoint& near, CurvePoint& found) {
+std::string find_curve_point(Rig& rig, const Sweep& sweep, double value, const CurvePoint& near, CurvePoint& found) {
   found.imposed = value;
-  choose_at(rig, near.state);
-  const Status status = is_load(sweep.kind) ? find_loaded_point(rig, load_of(sweep.kind), value, near, found.at)
-                                            : find_point(rig, imposed_at(rig, sweep.kind, value), near.state, found.at);
-  if (!status.ok()) return text(status.code);
+  if (const Status status = walk_to(rig, sweep, value, near, found.at); !status.ok()) return text(status.code);
   if (is_load(sweep.kind)) return "";
   choose_at(rig, found.at.state);
   const std::optional<Diagnostic> problem = add_slopes(rig, found.at);
@@ -149,7 +166,7 @@ CurvePoints curve_points(const Rig& given, const CurvePoint& start, const Sweep&
     for (int k = 1; k <= half && !curve.is_stopped; ++k) {
       const double value = sign * sweep.amplitude * k / half;
       CurvePoint point;
-      const std::string fault = find_curve_point(rig, sweep, value, side.empty() ? start.at : side.back().at, point);
+      const std::string fault = find_curve_point(rig, sweep, value, side.empty() ? start : side.back(), point);
       if (!fault.empty()) {
         curve.note +=
             fmt::format("{}{} ends before {:g}: {}", curve.note.empty() ? "" : "; ", name_of(sweep.kind), value, fault);

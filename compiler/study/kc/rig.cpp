@@ -8,7 +8,6 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/vectors.hpp"
-#include "compiler/study/kc/rig_freedom.hpp"
 
 namespace mbgen::kc {
 namespace {
@@ -345,6 +344,10 @@ class RigBuilder {
 };
 
 }  // namespace
+
+Diagnostic problem_of(const Model& model, const Axle& axle, const std::string& message, const std::string& hint) {
+  return {Where{model.file, 0, 0, ""}, fmt::format("axle {}: {}", axle.name, message), hint, ""};
+}
 
 Result<Rig> make_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at, const Pads& pads) {
   return RigBuilder(user, axle, at, pads).build();

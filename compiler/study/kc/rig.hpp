@@ -58,6 +58,9 @@ struct Rig {
   std::vector<double> start_inputs;
 };
 
+/// A problem of an axle of a model.
+Diagnostic problem_of(const Model& model, const Axle& axle, const std::string& message, const std::string& hint = "");
+
 /// Which wheels stand on pads, and what moves them.
 struct Pads {
   bool of_others = true;   ///< wheels of other axles stand on pads of their own, or else hang free

@@ -29,10 +29,6 @@ Eigen::MatrixXd pads_along_freedoms(const Rig& rig) {
 
 }  // namespace
 
-Diagnostic problem_of(const Model& model, const Axle& axle, const std::string& message, const std::string& hint) {
-  return {Where{model.file, 0, 0, ""}, fmt::format("axle {}: {}", axle.name, message), hint, ""};
-}
-
 std::optional<Diagnostic> ride_fault(const Compilation& user, const Axle& axle, const OperatingPoint& at) {
   constexpr double kMoves = 1e-9;  // of the strongest, or m for 1 m or 1 rad of a free direction
   const Result<Rig> rig = make_rig(user, axle, at, {.of_others = false, .are_driven = false});

@@ -5,9 +5,6 @@
 
 namespace mbgen::kc {
 
-/// A problem of an axle of a model.
-Diagnostic problem_of(const Model& model, const Axle& axle, const std::string& message, const std::string& hint = "");
-
 /// Why the wheels of an axle cannot be driven one by one: nothing lets them travel, or only together. None where they
 /// can, or where that cannot be told.
 std::optional<Diagnostic> ride_fault(const Compilation& user, const Axle& axle, const OperatingPoint& at);

@@ -10,6 +10,8 @@ double PlaneMotion::course() const {
   return std::abs(forward) < kStands ? heading : heading + std::atan2(left, forward);
 }
 
+double PlaneMotion::speed() const { return std::hypot(forward, left); }
+
 CoursePlace find_place(const Path& path, const PlaneMotion& motion, double last_way) {
   const double way = path.nearest(motion.x, motion.y, last_way);
   const PathPoint point = path.at(way);

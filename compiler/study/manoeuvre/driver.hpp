@@ -14,6 +14,8 @@ struct PlaneMotion {
   double lateral_acceleration = 0;   ///< m/s^2
   /// rad, direction of the velocity
   double course() const;
+  /// m/s, over the ground
+  double speed() const;
 };
 
 /// Where the driver is on the course.

@@ -28,6 +28,9 @@ struct SpeedSettings {
   double integral_time = 0;  ///< s
 };
 
+/// Speeds are refused beyond it, m/s: nothing on tyres goes three times as fast as sound.
+constexpr double kMostSpeed = 1000;
+
 /// What all manoeuvres have.
 struct ManoeuvreBase {
   std::string description;
@@ -36,6 +39,7 @@ struct ManoeuvreBase {
   double period = 0;                     ///< s, of driver and speed controller
   DriverSettings driver;
   SpeedSettings speed_control;
+  Diagnostics notes = {};  ///< on values that are allowed and likely not meant
 };
 
 /// Exactly one thing that happens from an instant on.

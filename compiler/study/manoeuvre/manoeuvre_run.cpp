@@ -7,6 +7,7 @@
 
 #include "compiler/base/assignments.hpp"
 #include "compiler/base/user_error.hpp"
+#include "compiler/describe/notes.hpp"
 
 namespace mbgen {
 namespace {
@@ -61,7 +62,7 @@ ManoeuvreRun::ManoeuvreRun(const Model& model, const Manoeuvre& manoeuvre, const
   if (vehicle_.towed.body >= 0) reading_.towed.emplace();
 }
 
-void ManoeuvreRun::complete(SimulationArguments& arguments) const {
+void ManoeuvreRun::complete(SimulationArguments& arguments, double step_of_model) const {
   if (!arguments.input_table.empty())
     throw UserError("--input-table: a manoeuvre moves the inputs; leave out one of the two\n");
   if (arguments.integrator.starts_with("cvode"))
@@ -69,8 +70,27 @@ void ManoeuvreRun::complete(SimulationArguments& arguments) const {
         fmt::format("--integrator: driver and speed controller act every {:g} s, where {} would start "
                     "anew: take rk4 or rosenbrock for a manoeuvre\n",
                     base_of(manoeuvre_).period, arguments.integrator));
+  const std::string length_of = arguments.duration ? "--duration" : fmt::format("{}: /{}", file_, plan_.length_of);
   if (!arguments.duration) arguments.duration = plan_.duration;
   if (!arguments.step) arguments.step = base_of(manoeuvre_).step;
+  constexpr double kMostSteps = 1e7;  // metrics need all of them at once: 1.5 GB
+  const double step = arguments.step.value_or(step_of_model), steps = *arguments.duration / step;
+  if (steps > kMostSteps)
+    throw UserError(
+        fmt::format("{}: the manoeuvre takes {:.4g} s, {:.2g} steps of {:g} s; at most {:g} are driven\n  hint: give "
+                    "\"duration\", or a longer step\n",
+                    length_of, *arguments.duration, steps, step, kMostSteps));
+}
+
+void ManoeuvreRun::look_at_steering(const Compilation& compilation, const GenericState& start,
+                                    const std::vector<double>& inputs) {
+  const std::optional<double> slope = steering_slope(compilation, start, inputs);
+  if (!slope || *slope * vehicle_.steer_ratio > 0) return;
+  steering_fault_ = fmt::format(
+      "\"steer_ratio\" of the vehicle is {:g}, but a positive value at its steering input turns the wheels to the {}: "
+      "its "
+      "sign is wrong",
+      vehicle_.steer_ratio, *slope > 0 ? "left" : "right");
 }
 
 InputControl ManoeuvreRun::control(double step) {
@@ -105,7 +125,7 @@ void ManoeuvreRun::start(const InputsOverTime& inputs) {
         "speed at the start as \"speed\" in the model's section \"vehicle\"\n",
         file_, start_.forward, *speed));
   }
-  if (plan_.has_driver) path_ = placed(plan_.path, start_.x, start_.y, start_.heading);
+  if (plan_.has_driver || plan_.is_straight) path_ = placed(plan_.path, start_.x, start_.y, start_.heading);
   for (const Course& course : inputs.courses) first_values_.push_back(course.at(0));
   const auto first = [&](int input) { return input < 0 ? 0 : first_values_[static_cast<std::size_t>(input)]; };
   hand_.value = first(vehicle_.steer);
@@ -116,10 +136,10 @@ void ManoeuvreRun::start(const InputsOverTime& inputs) {
 void ManoeuvreRun::observe(double t) {
   for (std::size_t i = 0; i < reading_.loads.size(); ++i)
     if (lifted_[i] < 0 && reading_.loads[i] <= 0) lifted_[i] = t;
-  if (plan_.has_driver) {
-    place_ = find_place(path_, reading_.plane, place_.way);
-    largest_offset_ = std::max(largest_offset_, std::abs(place_.offset));
-  }
+  std::optional<CoursePlace> place;
+  if (plan_.has_driver || plan_.is_straight) place = place_ = find_place(path_, reading_.plane, place_.way);
+  if (plan_.has_driver) largest_offset_ = std::max(largest_offset_, std::abs(place_.offset));
+  watch_.add(t, reading_.plane, place, widest_offset(), place ? path_.at(place_.way).heading : 0);
   if (plan_.torques[phase_].holds_speed)
     largest_speed_error_ = std::max(largest_speed_error_, std::abs(reading_.plane.forward - plan_.speed.at(t).value));
 }
@@ -127,7 +147,7 @@ void ManoeuvreRun::observe(double t) {
 std::string ManoeuvreRun::reason_to_end() const {
   const PlaneMotion& motion = reading_.plane;
   if (plan_.has_driver && place_.way > plan_.last_way) return "the track is passed";
-  if (motion.forward < plan_.last_speed) return fmt::format("the speed is below {:g} m/s", plan_.last_speed);
+  if (motion.speed() < plan_.last_speed) return fmt::format("the speed is below {:g} m/s", plan_.last_speed);
   if (std::abs(motion.lateral_acceleration) > plan_.largest_lateral_acceleration)
     return fmt::format("the lateral acceleration is above {:g} m/s^2", plan_.largest_lateral_acceleration);
   return "";
@@ -196,6 +216,7 @@ std::shared_ptr<ManoeuvreRun> prepare_manoeuvre(const std::string& file, const s
                                                 SimulationArguments& arguments) {
   if (file.empty()) return nullptr;
   const Manoeuvre manoeuvre = expect(read_manoeuvre_file(file));
+  print_notes(base_of(manoeuvre).notes);
   vehicle_facts(model);
   const std::optional<double>& speed = base_of(manoeuvre).speed;
   if (speed && model.vehicle->speed >= 0) {
@@ -205,7 +226,7 @@ std::shared_ptr<ManoeuvreRun> prepare_manoeuvre(const std::string& file, const s
   }
   add_vehicle_outputs(model);
   const auto run = std::make_shared<ManoeuvreRun>(model, manoeuvre, file);
-  run->complete(arguments);
+  run->complete(arguments, model.solver.step);
   return run;
 }
 

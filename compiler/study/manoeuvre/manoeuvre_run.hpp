@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/study/manoeuvre/course_watch.hpp"
 #include "compiler/study/manoeuvre/plan.hpp"
 #include "compiler/study/simulation_arguments.hpp"
 #include "compiler/study/simulation_text.hpp"
@@ -19,7 +20,10 @@ class ManoeuvreRun {
 
   /// The plan's length and the manoeuvre's step, where the command line does not say others. Fails: UserError for what
   /// a manoeuvre does not go with.
-  void complete(SimulationArguments& arguments) const;
+  void complete(SimulationArguments& arguments, double step_of_model) const;
+
+  /// Looks whether the road wheels turn to the side that the vehicle's steer_ratio says, at a start with these inputs.
+  void look_at_steering(const Compilation& compilation, const GenericState& start, const std::vector<double>& inputs);
 
   /// Moves the inputs of a motion by steps of that many seconds; the run outlives it. Its calls fail: UserError where
   /// the vehicle does not start at the manoeuvre's speed.
@@ -36,6 +40,8 @@ class ManoeuvreRun {
   void start(const InputsOverTime& inputs);
   void observe(double t);
   std::string reason_to_end() const;
+  /// m, beside the course, at which it is left.
+  double widest_offset() const;
   void steer(double t, double end, InputsOverTime& inputs);
   void drive(double t, double end, InputsOverTime& inputs);
   void move_others(double t, double end, InputsOverTime& inputs) const;
@@ -62,7 +68,9 @@ class ManoeuvreRun {
   VehicleSeries series_;
   double largest_offset_ = 0, largest_speed_error_ = 0;  ///< m, m/s
   std::vector<double> lifted_;                           ///< s, per wheel, when it first had no load; negative: never
-  std::string ended_;                                    ///< why before its time
+  CourseWatch watch_;
+  std::string steering_fault_;  ///< what is wrong with steer_ratio
+  std::string ended_;           ///< why before its time
 };
 
 /// A run of the manoeuvre of a file with a model: the speed at the start and the outputs of the vehicle are set, and

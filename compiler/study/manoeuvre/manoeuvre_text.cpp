@@ -15,16 +15,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kCircleLeft = 0.5;    // m, ISO 4138: the path is within 0.5 m of the circle
 constexpr double kSpeedMissed = 0.05;  // of the speed at the start
 
 }  // namespace
+
+double ManoeuvreRun::widest_offset() const {
+  return std::holds_alternative<CircleManoeuvre>(manoeuvre_) ? kCircleLeft : kLaneLeft;
+}
 
 void ManoeuvreRun::judge(StepVerdict& verdict) const {
   for (std::size_t i = 0; i < lifted_.size(); ++i)
     if (lifted_[i] >= 0)
       verdict.warnings.push_back(
           fmt::format("tyre \"{}\" leaves the road, first at t = {:.6g} s", series_.wheels[i].tyre, lifted_[i]));
+  if (!steering_fault_.empty()) verdict.warnings.push_back(steering_fault_);
+  for (std::string& warning : watch_.warnings(widest_offset())) verdict.warnings.push_back(std::move(warning));
   const bool is_circle = std::holds_alternative<CircleManoeuvre>(manoeuvre_);
   if (is_circle && largest_offset_ > kCircleLeft)
     verdict.warnings.push_back(

@@ -30,19 +30,30 @@ std::vector<LaneSection> sections_of(const std::array<Stretch, 5>& stretches, do
   return sections;
 }
 
+/// The place some metres along the arc of a point's curvature.
+PathPoint along_arc(const PathPoint& from, double way) {
+  const double half = from.curvature * way / 2;
+  const double chord = half == 0 ? way : way * std::sin(half) / half;
+  return {from.x + chord * std::cos(from.heading + half), from.y + chord * std::sin(from.heading + half),
+          from.heading + 2 * half, from.curvature};
+}
+
+/// The last way before another one at which a course has a point: points stand at whole multiples of the spacing.
+double point_before(double way) { return std::max(0.0, (std::floor(way / kSpacing) - 1) * kSpacing); }
+
 double centre(const LaneSection& section) { return (section.left + section.right) / 2; }
 
 }  // namespace
 
 PathPoint Path::at(double way) const {
   const double last = static_cast<double>(points.size() - 1);
-  const double place = std::clamp(way / spacing, 0.0, last);
+  const double place = std::clamp((way - first) / spacing, 0.0, last);
   const auto i = static_cast<std::size_t>(std::min(std::floor(place), last - 1));
   const PathPoint &a = points[i], &b = points[i + 1];
-  const double u = place - static_cast<double>(i), beyond = way - place * spacing;
-  const double heading = a.heading + u * (b.heading - a.heading);
-  return {a.x + u * (b.x - a.x) + beyond * std::cos(heading), a.y + u * (b.y - a.y) + beyond * std::sin(heading),
-          heading, beyond != 0 ? 0 : a.curvature + u * (b.curvature - a.curvature)};
+  const double u = place - static_cast<double>(i), beyond = way - first - place * spacing;
+  const PathPoint on{a.x + u * (b.x - a.x), a.y + u * (b.y - a.y), a.heading + u * (b.heading - a.heading),
+                     a.curvature + u * (b.curvature - a.curvature)};
+  return beyond == 0 ? on : along_arc(on, beyond);
 }
 
 double Path::nearest(double x, double y, double way) const {
@@ -54,10 +65,10 @@ double Path::nearest(double x, double y, double way) const {
   return way;
 }
 
-Path path_of_curvature(const std::function<double(double way)>& curvature, double length) {
-  Path path{kSpacing, {}};
-  PathPoint point;
-  for (double way = 0; way < length + 2 * kSpacing; way += kSpacing) {
+Path path_of_curvature(const std::function<double(double way)>& curvature, double from, double to) {
+  Path path{kSpacing, {}, point_before(from)};
+  PathPoint point{.x = path.first};
+  for (double way = path.first; way < to + 2 * kSpacing; way += kSpacing) {
     point.curvature = curvature(way);
     path.points.push_back(point);
     const double middle = point.heading + kSpacing / 2 * curvature(way + kSpacing / 4);
@@ -68,12 +79,12 @@ Path path_of_curvature(const std::function<double(double way)>& curvature, doubl
   return path;
 }
 
-Path circle_path(double straight, double radius, double transition, double length) {
+Path circle_path(double straight, double radius, double transition) {
   return path_of_curvature([=](double way) { return smooth_step((way - straight) / transition).value / radius; },
-                           length);
+                           straight, straight + transition);
 }
 
-Path lane_path(const std::vector<LaneSection>& sections, double length) {
+Path lane_path(const std::vector<LaneSection>& sections) {
   // A change begins and ends inside of the lanes, where it is still small: 0.036 of the whole at the limits.
   constexpr double kInside = 0.25;  // of the way between the lanes
   Signal lateral;
@@ -82,8 +93,8 @@ Path lane_path(const std::vector<LaneSection>& sections, double length) {
     lateral.add_change(centre(sections[i + 1]) - centre(sections[i]), sections[i].to - kInside * between,
                        (1 + 2 * kInside) * between);
   }
-  Path path{kSpacing, {}};
-  for (double x = 0; path.points.size() < 2 || x < length;) {
+  Path path{kSpacing, {}, point_before(sections.front().from)};
+  for (double x = path.first; path.points.size() < 2 || x < sections.back().to;) {
     const Rates y = lateral.at(x);
     const double slope = std::hypot(1, y.rate);
     path.points.push_back({x, y.value, std::atan(y.rate), y.acceleration / (slope * slope * slope)});

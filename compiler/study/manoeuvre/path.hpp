@@ -15,10 +15,11 @@ struct PathPoint {
   double curvature = 0;  ///< 1/m, to the left
 };
 
-/// Points at equal distances along a course; beyond its ends it goes straight on.
+/// Points at equal distances along a course; beyond its ends it goes on with the curvature that it has there.
 struct Path {
   double spacing = 0;  ///< m
   std::vector<PathPoint> points;
+  double first = 0;  ///< m, way of the first point
 
   /// Some metres after its start, between points by straight lines.
   PathPoint at(double way) const;
@@ -26,14 +27,14 @@ struct Path {
   double nearest(double x, double y, double way) const;
 };
 
-/// By its curvature over the way. length: m.
-Path path_of_curvature(const std::function<double(double way)>& curvature, double length);
+/// By its curvature over the way, with points from one way to another, m; straight along x before.
+Path path_of_curvature(const std::function<double(double way)>& curvature, double from, double to);
 
 /// Straight, then into a circle over a transition whose curvature grows smoothly. radius: m, negative to the right.
-Path circle_path(double straight, double radius, double transition, double length);
+Path circle_path(double straight, double radius, double transition);
 
 /// By y over x: changes from centre to centre of the sections of a track, a little longer than the ways between them.
-Path lane_path(const std::vector<LaneSection>& sections, double length);
+Path lane_path(const std::vector<LaneSection>& sections);
 
 /// The same course from another place on.
 Path placed(Path path, double x, double y, double heading);

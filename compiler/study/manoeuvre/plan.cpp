@@ -74,6 +74,7 @@ struct Planner {
     const double turned = step.lateral_acceleration ? 1 : std::copysign(1.0, vehicle().steer_ratio);
     const double angle = sign(step.side) * turned * amplitude(step, step);
     plan.steer.add_change(angle, step.at, step.rate ? kSmoothRate * std::abs(angle) / *step.rate : kRise);
+    plan.length_of = "at";
     plan.duration = step.at + kAfter;
     return plan;
   }
@@ -94,6 +95,7 @@ struct Planner {
     Plan plan = at_speed(weave, true);
     plan.begin = kBefore;
     plan.steer.add_sine(amplitude(weave, weave), kBefore, weave.frequency, weave.cycles);
+    plan.length_of = weave.frequency < 1 ? "frequency" : "cycles";
     plan.duration = kBefore + weave.cycles / weave.frequency;
     return plan;
   }
@@ -107,7 +109,7 @@ struct Planner {
   }
 
   static Path straight_path() {
-    return path_of_curvature([](double) { return 0.0; }, 1);
+    return path_of_curvature([](double) { return 0.0; }, 0, 1);
   }
 };
 
@@ -148,12 +150,13 @@ Plan Planner::operator()(const EventManoeuvre& events) const {
     }
     last = std::max(last, end);
   }
+  plan.length_of = "events";
   plan.duration = last + kSettles;
   return plan;
 }
 
 Plan Planner::operator()(const CircleManoeuvre& circle) const {
-  constexpr double kStraight = 1, kTransition = 3, kWay = 1.2, kSlowly = 60;  // s, s, 1, s
+  constexpr double kStraight = 1, kTransition = 3, kSlowly = 60;  // s
   Plan plan = at_speed(circle, true);
   plan.largest_lateral_acceleration = circle.largest_lateral_acceleration;
   const double first = *circle.speed;
@@ -161,9 +164,12 @@ Plan Planner::operator()(const CircleManoeuvre& circle) const {
   if (circle.method == CircleManoeuvre::Method::radius) {
     // A little more than the limit, which ends it.
     last = circle.last_speed.value_or(1.05 * std::sqrt(circle.largest_lateral_acceleration * *circle.radius));
-    const double length = kWay * (begin * first + std::abs(last * last - first * first) / (2 * circle.acceleration));
-    drive_along(plan, circle_path(kStraight * first, sign(circle.side) * *circle.radius, kTransition * first,
-                                  length + 2 * kSettles * last));
+    if (last > kMostSpeed)
+      throw UserError(
+          fmt::format("{}: /radius: at {:g} m the speed has to grow to {:.4g} m/s for {:g} m/s^2, beyond {:g} m/s\n"
+                      "  hint: give \"last_speed\" or a smaller radius, in m\n",
+                      file, *circle.radius, last, circle.largest_lateral_acceleration, kMostSpeed));
+    drive_along(plan, circle_path(kStraight * first, sign(circle.side) * *circle.radius, kTransition * first));
   } else {
     const double angle = within_limit(*circle.steer) * sign(circle.side) * std::copysign(1.0, vehicle().steer_ratio);
     const bool is_slow = circle.method == CircleManoeuvre::Method::speed;
@@ -175,6 +181,7 @@ Plan Planner::operator()(const CircleManoeuvre& circle) const {
     plan.steer.add_change(angle, kStraight, kTransition);
   }
   plan.begin = begin;
+  plan.length_of = "acceleration";
   if (last > first) plan.speed.add_ramp(last - first, begin, circle.acceleration);
   plan.duration = begin + std::max(0.0, last - first) / circle.acceleration + kSettles;
   return plan;
@@ -193,7 +200,8 @@ Plan Planner::operator()(const LaneManoeuvre& lanes) const {
   plan.sections = (is_avoidance ? obstacle_avoidance : double_lane_change)(*width, lanes.approach, sign(lanes.side));
   plan.last_way = plan.sections.back().to + facts.rear + kBeyond;
   if (is_avoidance) plan.free_way = lanes.approach - facts.front + kIntoTheTrack;
-  drive_along(plan, lane_path(plan.sections, plan.last_way));
+  drive_along(plan, lane_path(plan.sections));
+  plan.length_of = lanes.approach > *lanes.speed ? "approach" : "speed";
   plan.duration = 2 * plan.last_way / *lanes.speed;
   return plan;
 }
@@ -204,7 +212,10 @@ Plan Planner::operator()(const BrakingManoeuvre& braking) const {
   const double torque = braking.brake ? *braking.brake : torque_of(*braking.deceleration);
   plan.torques.push_back({braking.at, braking.over, false, 0, torque});
   plan.last_speed = braking.last_speed;
-  if (braking.has_driver) drive_along(plan, straight_path());
+  plan.is_straight = !braking.has_driver;
+  plan.path = straight_path();
+  plan.has_driver = braking.has_driver;
+  plan.length_of = braking.brake ? "brake" : "deceleration";
   // Three times as long as with all of the torque: wheels may lock.
   plan.duration = braking.at + braking.over + 3 * *braking.speed * torque_of(1) / torque + kSettles;
   return plan;
@@ -214,7 +225,10 @@ Plan Planner::operator()(const BrakingManoeuvre& braking) const {
 
 Plan plan_of(const Manoeuvre& manoeuvre, const Model& model, const VehicleFacts& facts, const std::string& file) {
   Plan plan = std::visit(Planner{model, facts, file}, manoeuvre);
-  plan.duration = base_of(manoeuvre).duration.value_or(plan.duration);
+  if (const std::optional<double>& duration = base_of(manoeuvre).duration) {
+    plan.duration = *duration;
+    plan.length_of = "duration";
+  }
   return plan;
 }
 

@@ -28,15 +28,17 @@ struct InputChange {
 
 struct Plan {
   bool has_driver = false;
-  Path path;                          ///< in the frame of the start, of a driver
-  Signal steer;                       ///< rad at the input, without a driver
-  Signal speed;                       ///< m/s, to hold
-  std::vector<TorquePhase> torques;   ///< in order of time, the first at the start
-  std::vector<InputChange> others;    ///< in order of time
-  std::vector<LaneSection> sections;  ///< in the frame of the start
-  double duration = 0;                ///< s, at the longest
-  double begin = 0;                   ///< s, from which metrics are taken
-  std::optional<double> free_way;     ///< m of the path from which on the gear is free
+  bool is_straight = false;            ///< without a driver, but along the line and the heading of the start
+  Path path;                           ///< in the frame of the start, of a driver
+  Signal steer;                        ///< rad at the input, without a driver
+  Signal speed;                        ///< m/s, to hold
+  std::vector<TorquePhase> torques;    ///< in order of time, the first at the start
+  std::vector<InputChange> others;     ///< in order of time
+  std::vector<LaneSection> sections;   ///< in the frame of the start
+  double duration = 0;                 ///< s, at the longest
+  const char* length_of = "duration";  ///< field of the file that makes it so long
+  double begin = 0;                    ///< s, from which metrics are taken
+  std::optional<double> free_way;      ///< m of the path from which on the gear is free
   // What ends it before.
   double last_way = std::numeric_limits<double>::infinity();                      ///< m of the path
   double last_speed = -1;                                                         ///< m/s, below which it is over

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "compiler/model/read_text.hpp"
 #include "compiler/study/manoeuvre/tables_manoeuvre.hpp"
@@ -9,6 +11,8 @@
 namespace mbgen {
 namespace reading {
 namespace {
+
+constexpr const char* kSpeedHint = "speeds are in m/s; km/h may be written \"80/3.6\"";
 
 /// Reports where not exactly one of the fields is there.
 void require_one(Reader& reader, const Value& value, const std::vector<std::string_view>& names) {
@@ -24,6 +28,26 @@ void check_amplitude(Reader& reader, const Value& value) {
   require_one(reader, value, {"steer", "lateral_acceleration"});
 }
 
+/// Refuses a speed that nothing has, and notes one that is likely in km/h.
+void check_speed(Reader& reader, const Value& value, std::string_view name, const std::optional<double>& speed) {
+  constexpr double kUnlikely = 70;  // m/s, 252 km/h
+  if (!speed || !find(value, name)) return;
+  const Place place = find(value, name)->place;
+  if (*speed > kMostSpeed)
+    report(reader, place, fmt::format("must be at most {:g} m/s, got {:g}", kMostSpeed, *speed), kSpeedHint);
+  else if (*speed >= kUnlikely)
+    note(reader, place, fmt::format("{:g} m/s are {:g} km/h", *speed, 3.6 * *speed), kSpeedHint);
+}
+
+/// Notes an understeer that is likely in degrees: of cars it is 0 to 0.01 rad s^2/m, 6 deg for 10 m/s^2.
+void check_understeer(Reader& reader, const Value& driver, double understeer) {
+  constexpr double kUnlikely = 0.05, kDegree = std::numbers::pi / 180;
+  if (!(std::abs(understeer) >= kUnlikely)) return;
+  note(reader, member_or_object(driver, "understeer").place,
+       fmt::format("{:g} rad s^2/m are {:.3g} deg more for every m/s^2 across", understeer, understeer / kDegree),
+       fmt::format("angles are in rad: {:g} deg s^2/m are {:.4g}", understeer, understeer * kDegree));
+}
+
 void check_version(Reader& reader, const Value& value) {
   if (value.kind != Value::Kind::number || value.number != 1)
     report(reader, value, "this mbgen reads version 1, got " + describe(value));
@@ -33,6 +57,7 @@ void read_event(Reader& reader, const Value& value, std::vector<Event>& events) 
   Event event = with_defaults<Event>();
   if (!read_fields(reader, value, event)) return;
   require_one(reader, value, {"steer", "steer_table", "drive", "brake", "speed", "free", "input"});
+  check_speed(reader, value, "speed", event.speed);
   if (event.frequency && !event.steer) report(reader, *find(value, "frequency"), "goes with \"steer\"");
   if (event.input && !find(value, "value")) report(reader, value, "key \"value\" is missing");
   if (!events.empty() && event.at < events.back().at)
@@ -52,6 +77,7 @@ void check(Reader& reader, const Value& value, Written<CircleManoeuvre>& written
   const bool is_of_radius = written.method == CircleManoeuvre::Method::radius;
   const std::string_view wanted = is_of_radius ? "radius" : "steer";
   if (!find(value, wanted)) report(reader, value, "key " + in_quotes(wanted) + " is missing");
+  check_speed(reader, value, "last_speed", written.last_speed);
 }
 
 void check(Reader& reader, const Value& value, Written<StepManoeuvre>&) { check_amplitude(reader, value); }
@@ -81,8 +107,10 @@ Manoeuvre read_as(Reader& reader, const Value& value) {
   written.speed_control = with_defaults<SpeedSettings>();
   if (!read_fields(reader, value, written)) return Kind{};
   if (written.format) check_version(reader, *written.format);
-  if (written.written_driver) read_fields(reader, *written.written_driver, written.driver);
+  if (written.written_driver && read_fields(reader, *written.written_driver, written.driver))
+    check_understeer(reader, *written.written_driver, written.driver.understeer);
   if (written.written_speed_control) read_fields(reader, *written.written_speed_control, written.speed_control);
+  check_speed(reader, value, "speed", written.speed);
   check(reader, value, written);
   return static_cast<const Kind&>(written);
 }
@@ -121,6 +149,8 @@ Result<Manoeuvre> read_manoeuvre(std::string_view text, const std::string& file_
   if (parse_document(document, static_cast<std::uint32_t>(index), reader.problems))
     manoeuvre = read(reader, document.root);
   if (!reader.problems.empty()) return to_diagnostics(reader.documents, std::move(reader.problems));
+  const Diagnostics notes = to_diagnostics(reader.documents, std::move(reader.notes));
+  std::visit([&](auto& one) { one.notes = notes; }, *manoeuvre);
   return *manoeuvre;
 }
 
