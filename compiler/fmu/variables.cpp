@@ -6,6 +6,7 @@
 
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/inputs.hpp"
+#include "compiler/topology/names.hpp"
 
 namespace mbgen {
 namespace {
@@ -155,6 +156,23 @@ void add_chosen(const EmitContext& context, FmuLayout& fmu) {
       variable.reinit = group.array != Array::zdd;
       fmu.variables.push_back(std::move(variable));
     }
+  }
+}
+
+/// An event indicator of each loop block whose coordinates may be chosen, after its first loop.
+void add_indicators(const EmitContext& context, FmuLayout& fmu) {
+  for (const int place : fmu.chosen) {
+    const int block = fmu.block_of[fmu.independent[place]];
+    if (block >= 0 && !contains(fmu.indicator_blocks, block)) fmu.indicator_blocks.push_back(block);
+  }
+  std::ranges::sort(fmu.indicator_blocks);
+  for (const int block : fmu.indicator_blocks) {
+    const std::string loop = loop_names(context.topology, context.topology.blocks[block])[0];
+    fmu.variables.push_back({{Array::pivot, block},
+                             "margin." + loop,
+                             "1",
+                             "event indicator: how far the states of this loop are from dead points; where it is less "
+                             "than 0 an event chooses others"});
   }
 }
 
@@ -373,6 +391,7 @@ FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const
   add_start_parameters(context, initial, fmu);
   const References references = references_of(fmu);
   add_structure(initial, references, dependencies(context, programs, references, fmu), version, fmu);
+  add_indicators(context, fmu);
   add_nominals(context, initial, fmu);
   return fmu;
 }

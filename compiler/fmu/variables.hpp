@@ -12,7 +12,7 @@ namespace mbgen {
 
 /// A scalar variable; its value reference is its place in the list. The groups follow each other as mbgen/fmu.hpp
 /// counts them: time, tunable parameters, inputs, outputs with the energies, z, zd, zdd, x, xd, q, qd, qdd, parameters
-/// of the start.
+/// of the start, event indicators.
 struct FmuVariable {
   enum class Causality { independent, parameter, input, output, local };
   enum class Start { none, exact, approx, calculated };
@@ -46,6 +46,7 @@ struct FmuLayout {
   std::vector<int> block_of;     ///< per coordinate: loop block whose coordinates are chosen, else -1
   std::vector<int> undriven;     ///< coordinates that no motion drives
   bool has_states = true;        ///< whether importers may integrate the model
+  std::vector<int> indicator_blocks;  ///< loop blocks whose coordinates are chosen: each has an event indicator
   std::vector<FmuUnknown> outputs, derivatives, initial_unknowns;
 };
 

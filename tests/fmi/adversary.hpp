@@ -190,10 +190,18 @@ void name_the_cause(const Case& c) {
   Unit stepped(c.library, c.description, false), exchanged(c.library, c.description, true);
   start(stepped);
   start(exchanged);
-  void* state = nullptr;
-  require(stepped.save(state) == kOk, "save");
-  require(exchanged.restore(state) == kError && says("of the other interface"), "a state of the other interface");
-  require(stepped.forget(state) == kOk, "forget");
+  void *state = nullptr, *foreign = nullptr;
+  std::vector<char> bytes;
+  require(stepped.save(state) == kOk && stepped.serialise(state, bytes) == kOk, "save");
+  require(exchanged.restore(state) == kError && says("none of this instance's"), "a state of another instance");
+  require(exchanged.serialise(state, bytes) == kError && exchanged.forget(state) == kError, "nor is it read or freed");
+  require(exchanged.save(state) == kError && says("none of this instance's"), "nor written over");
+  require(exchanged.deserialise(bytes, foreign) == kError, "no bytes were written");
+  require(stepped.serialise(state, bytes) == kOk && exchanged.deserialise(bytes, foreign) == kOk, "bytes of a state");
+  require(exchanged.restore(foreign) == kError && says("of the other interface"), "a state of the other interface");
+  void* freed = state;
+  require(stepped.forget(state) == kOk && stepped.restore(freed) == kError && says("was freed"), "a state that was freed");
+  // One that is not freed goes with its instance.
   const unsigned output = c.description.outputs[0].reference, known = c.description.states()[0];
   Row rates;
   require(exchanged.directional({0}, {known}, {1}, rates) == kError && says("\"time\" is no unknown"), "an unknown");
