@@ -46,7 +46,7 @@ struct FmuLayout {
   std::vector<int> block_of;     ///< per coordinate: loop block whose coordinates are chosen, else -1
   std::vector<int> undriven;     ///< coordinates that no motion drives
   bool has_states = true;        ///< whether importers may integrate the model
-  std::vector<int> indicator_blocks;  ///< loop blocks whose coordinates are chosen: each has an event indicator
+  std::vector<int> indicator_blocks;  ///< of the event indicators: a loop block whose coordinates are chosen, -1 for balls
   std::vector<FmuUnknown> outputs, derivatives, initial_unknowns;
 };
 

@@ -146,7 +146,7 @@ double value_at(const Core<Model>& core, Place place) noexcept {
     case Group::qdd:
       return core.derivative.zdd[chosen_coordinate(run, place.index)];
     case Group::indicator:
-      return core.service[Model::kIndicatorBlock[place.index]] - kWornPivot;
+      return indicator_of(core, place.index);
     default:
       return run.state.t;
   }

@@ -253,7 +253,8 @@ Answer get_indicators(Core<Model>& core, double* indicators, unsigned long count
     const int block = Model::kIndicatorBlock[k];
     const bool is_here = is_lost ? core.status.index == block
                                  : core.refusal.variable == kFirstIndicator<Model> + static_cast<unsigned>(k);
-    indicators[k] = (is_solved ? service_of(core)[block] : is_here ? 0 : 1) - kWornPivot;
+    if (is_solved) service_of(core);
+    indicators[k] = is_solved ? indicator_of(core, k) : (is_here ? 0 : 1) - kWornPivot;
   }
   core.status = {};
   core.refusal = {};
@@ -297,16 +298,6 @@ void compare_inputs(Core<Model>& core) noexcept {
   }
 }
 
-/// Whether a ball should have its other angles. Co-simulation changes them inside of its steps.
-template <class Model>
-bool leaves_charts([[maybe_unused]] const Run<Model>& run) noexcept {
-  if constexpr (kHasCharts<Model>) {
-    return Model::leaves_charts(run.parameters, run.inputs, run.state);
-  } else {
-    return false;
-  }
-}
-
 /// Accepts the step that an integrator has completed. asks_for_event: other independent coordinates, or other angles of
 /// a ball, would serve better.
 template <class Model>
@@ -318,7 +309,7 @@ Answer accept_step(Core<Model>& core, bool& asks_for_event) noexcept {
   Choice<Model> choice = core.run.choice;
   asks_for_event = choose({core.run.state, core.run.inputs, core.run.parameters}, choice);
   if (!asks_for_event) core.run.choice = choice;
-  asks_for_event = leaves_charts(core.run) || is_at_event(core.run) || asks_for_event;
+  asks_for_event = leaves_charts(core.run, core.run.state) || is_at_event(core.run) || asks_for_event;
   compare_inputs(core);
   keep_point(core);
   return Answer::ok;
@@ -329,7 +320,7 @@ template <class Model>
 bool settle_charts([[maybe_unused]] Core<Model>& core) noexcept {
   if constexpr (kHasCharts<Model>) {
     Run<Model>& run = core.run;
-    if (run.interface == Interface::co_simulation || !leaves_charts(run)) return false;
+    if (run.interface == Interface::co_simulation || !leaves_charts(run, run.state)) return false;
     Model::settle_charts(run.parameters, run.inputs, run.state);
     core.is_solved = false;
     return true;

@@ -302,6 +302,26 @@ void find_dead_points(const Core<Model>& core, double direction, double* times) 
                           times);
 }
 
+/// Whether a ball should have its other angles. Co-simulation changes them inside of its steps.
+template <class Model>
+bool leaves_charts([[maybe_unused]] const Run<Model>& run,
+                   [[maybe_unused]] const typename Model::State& state) noexcept {
+  if constexpr (kHasCharts<Model>) {
+    return Model::leaves_charts(run.parameters, run.inputs, state);
+  } else {
+    return false;
+  }
+}
+
+/// An event indicator: how well the states of its loop block serve, less where others should be chosen, or whether all
+/// balls have the angles that suit them. Requires: solved, and service_of was asked for.
+template <class Model>
+double indicator_of(const Core<Model>& core, int indicator) noexcept {
+  const int block = Model::kIndicatorBlock[indicator];
+  if (block >= 0) return core.service[block] - kWornPivot;
+  return leaves_charts(core.run, core.solved) ? -1 : 1;
+}
+
 /// Two predictions of the time of a dead point, from both sides, that mean the same one may differ by this factor.
 constexpr double kSameDeadPoint = 1.1;
 
@@ -316,6 +336,7 @@ int lost_indicator(Core<Model>& core) noexcept {
   bool has_back = false;
   for (int k = 0; k < Model::kIndicators; ++k) {
     const int block = Model::kIndicatorBlock[k];
+    if (block < 0) continue;
     if (service_of(core)[block] < kLostPivot) return k;
     if (!(run.dead_point[block] < since)) continue;
     if (!has_back) find_dead_points(core, -1, back);
