@@ -46,7 +46,8 @@ FrameRows display_units(const UnitExponents& base, const std::set<std::string>& 
   FrameRows rows;
   for (const std::string& name : shown) {
     const std::optional<UnitExponents> meaning = unit_exponents(name);
-    if (meaning) rows.push_back({{"name", xml_text(name)}, {"factor", number_text(decimal_near(base.factor / meaning->factor))}});
+    if (meaning)
+      rows.push_back({{"name", xml_text(name)}, {"factor", number_text(decimal_near(base.factor / meaning->factor))}});
   }
   return rows;
 }

@@ -200,7 +200,8 @@ void name_the_cause(const Case& c) {
   require(stepped.serialise(state, bytes) == kOk && exchanged.deserialise(bytes, foreign) == kOk, "bytes of a state");
   require(exchanged.restore(foreign) == kError && says("of the other interface"), "a state of the other interface");
   void* freed = state;
-  require(stepped.forget(state) == kOk && stepped.restore(freed) == kError && says("was freed"), "a state that was freed");
+  require(stepped.forget(state) == kOk && stepped.restore(freed) == kError && says("was freed"),
+          "a state that was freed");
   // One that is not freed goes with its instance.
   const unsigned output = c.description.outputs[0].reference, known = c.description.states()[0];
   Row rates;
@@ -208,6 +209,12 @@ void name_the_cause(const Case& c) {
   require(exchanged.directional({output}, {output}, {1}, rates) == kError && says("is no known"), "a known");
   require(exchanged.directional({output}, {known}, {kNan}, rates) == kError && says("a finite rate"), "a seed");
   require(exchanged.set_time(kNan) == kError && says("the time must be finite"), "a time");
+  Unit timed(c.library, c.description, true);
+  const double h = c.description.step;
+  require(timed.setup(h, 5 * h) == kOk && timed.leave() == kOk, "a start and a stop");
+  require(timed.set_time(0) == kError && says("must not go back beyond the last completed step or event"), "back");
+  require(timed.set_time(6 * h) == kError && says("must not be after the stop time"), "beyond the stop time");
+  require(timed.set_time(5 * h) == kOk && timed.set_time(h) == kOk, "times that were not accepted may be left again");
   require(exchanged.enter_continuous() == kOk, "continuous time");
   require(
       exchanged.set_states(Row(c.description.derivatives.size(), kNan)) == kDiscard && says("a state is not finite"),

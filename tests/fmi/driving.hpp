@@ -49,8 +49,8 @@ void drive_by_inputs(const Case& c) {
     require(same_bits(swing<Unit>(c, Rates::as_derivatives), given), "derivatives of an input are its rates");
 }
 
-/// Model exchange, where no rates are made: who leaves them out is told so, once, by a message of a call that is OK: some
-/// end a run at any status above. Result: the steps with a message.
+/// Model exchange, where no rates are made: who leaves them out is told so, once, by a message of a call that is OK:
+/// some end a run at any status above. Result: the steps with a message.
 template <class Unit>
 int warned(const Case& c, bool with_rates) {
   const unsigned way = c.description.reference("way"), speed = c.description.reference("speed"),

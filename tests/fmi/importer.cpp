@@ -12,9 +12,9 @@
 #include "adversary.hpp"
 #include "case.hpp"
 #include "driving.hpp"
-#include "habits.hpp"
 #include "fmi2_unit.hpp"
 #include "fmi3_unit.hpp"
+#include "habits.hpp"
 #include "sampling.hpp"
 #include "tuning.hpp"
 

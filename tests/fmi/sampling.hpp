@@ -117,7 +117,8 @@ void meet_sampled(const Case& c) {
           "an instant that an importer leaves out");
 }
 
-/// Starting values of sampled values hold until the first instant; instants are those of the time, whatever it starts at.
+/// Starting values of sampled values hold until the first instant; instants are those of the time, whatever it starts
+/// at.
 template <class Unit>
 void start_between_instants(const Case& c) {
   Unit unit(c.library, c.description, false);

@@ -47,7 +47,7 @@ Answer leave_initialization(Core<Model>& core) noexcept {
   if (!solve(core)) return Answer::error;
   commit(core);
   core.run.history = {};
-  if (kHeld<Model> > 0) core.run.next_event = core.run.state.t;  // its event may be an instant
+  if (kHeld < Model >> 0) core.run.next_event = core.run.state.t;  // its event may be an instant
   choose_coordinates(core);
   keep_point(core);
   core.run.mode = core.run.interface == Interface::model_exchange ? kEvent : kStep;

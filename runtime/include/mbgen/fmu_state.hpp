@@ -108,7 +108,7 @@ struct Run {
   typename Model::Inputs accepted;  ///< of the last point of model exchange that was accepted, or of communication
   double accepted_time = 0;         ///< s, of the last communication point, or point of model exchange
   double dead_point[kBlocks<Model>] = {};  ///< s after it, where the motion there leads each block to, see held.hpp
-  double next_event = HUGE_VAL;     ///< s, of model exchange: instant at which sampled values are set next
+  double next_event = HUGE_VAL;            ///< s, of model exchange: instant at which sampled values are set next
   int contradictions[Model::kInputs > 0 ? Model::kInputs : 1] = {};  ///< steps in a row, see compare_rates
   double start[Model::kStartParameters + 1] = {};  ///< parameters that act at the start; the last one is none
 };
@@ -147,11 +147,11 @@ struct Core {
   typename Model::State solved{};          ///< loops closed
   typename Model::Derivative derivative{};
   typename Model::Outputs outputs{};
-  bool has_service = false;            ///< whether the next one belongs to `solved`
+  bool has_service = false;             ///< whether the next one belongs to `solved`
   double service[kBlocks<Model>] = {};  ///< of the independent coordinates, see held_service in mbgen/held.hpp
-  Status status;            ///< of the solver's last call
-  Refusal refusal;          ///< of the last call of the importer's that was refused, or was told something
-  bool has_warned = false;  ///< of rates that were left out or contradict their values
+  Status status;                        ///< of the solver's last call
+  Refusal refusal;                      ///< of the last call of the importer's that was refused, or was told something
+  bool has_warned = false;              ///< of rates that were left out or contradict their values
 };
 
 template <class Model>
@@ -348,10 +348,10 @@ int lost_indicator(Core<Model>& core) noexcept {
 
 /// Value reference of the first event indicator.
 template <class Model>
-constexpr unsigned kFirstIndicator =
-    static_cast<unsigned>(1 + Model::kParameters + Model::kInputs + Model::kOutputs + 3 * Model::kCoordinates +
-                          Model::kAuxiliaryStates + kFlowing<Model> + 3 * Model::kChosenStates +
-                          Model::kStartParameters);
+constexpr unsigned kFirstIndicator = static_cast<unsigned>(1 + Model::kParameters + Model::kInputs + Model::kOutputs +
+                                                           3 * Model::kCoordinates + Model::kAuxiliaryStates +
+                                                           kFlowing<Model> + 3 * Model::kChosenStates +
+                                                           Model::kStartParameters);
 
 /// Closes the loops where they are not, and finds accelerations and outputs. At the start the given positions are the
 /// guess, later the last closed state is. In continuous time of model exchange a state that may be beyond a dead point

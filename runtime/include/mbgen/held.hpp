@@ -179,8 +179,8 @@ void held_service(const typename System::Parameters& parameters, const typename 
   }
 }
 
-/// Seconds until, or since, a dead point of the held coordinates of each block, by the motion at a closed state to second
-/// order; infinite where it leads to none. direction: 1 into the future, -1 into the past.
+/// Seconds until, or since, a dead point of the held coordinates of each block, by the motion at a closed state to
+/// second order; infinite where it leads to none. direction: 1 into the future, -1 into the past.
 template <class System>
 void dead_point_times(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                       const typename System::State& state, const typename System::Derivative& derivative,
@@ -199,7 +199,8 @@ void dead_point_times(const typename System::Parameters& parameters, const typen
       typename System::State there;
       copy_state<System>(state, there);
       for (int i = 0; i < System::kCoordinates; ++i)
-        there.z[i] += static_cast<RealOf<System>>(at) * (state.zd[i] + static_cast<RealOf<System>>(0.5 * at) * derivative.zdd[i]);
+        there.z[i] +=
+            static_cast<RealOf<System>>(at) * (state.zd[i] + static_cast<RealOf<System>>(0.5 * at) * derivative.zdd[i]);
       HeldBlocks<System> blocks(parameters, inputs, there);
       for (int b = 0; b < System::kBlocks; ++b)
         product[side][b] = System::kBlockLayout[b].free == 0 ? 1 : product_of_pivots<System>(b, blocks.held(b, held));
@@ -215,8 +216,8 @@ void dead_point_times(const typename System::Parameters& parameters, const typen
 }
 
 /// Chooses other independent coordinates for the blocks whose held ones serve badly at a closed state.
-/// reference: per block, the largest that its smallest pivot was since the choice; 0 at first. worn: service below which
-/// others are chosen. Result: whether a choice has changed. Singular blocks keep theirs.
+/// reference: per block, the largest that its smallest pivot was since the choice; 0 at first. worn: service below
+/// which others are chosen. Result: whether a choice has changed. Singular blocks keep theirs.
 template <class System>
 bool choose_held(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                  const typename System::State& state, unsigned char* held, double* reference, double worn) noexcept {

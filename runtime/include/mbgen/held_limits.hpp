@@ -3,8 +3,8 @@
 
 namespace mbgen {
 
-/// How well held coordinates serve, see held_service, below which others are chosen: an integrator that looks at the end
-/// of its steps alone should meet this before it meets kLostPivot.
+/// How well held coordinates serve, see held_service, below which others are chosen: an integrator that looks at the
+/// end of its steps alone should meet this before it meets kLostPivot.
 constexpr double kWornPivot = 0.3;
 /// The same at an event: who found it by a root may stand a little before it.
 constexpr double kWornAtEvent = 0.33;
