@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/mapped.hpp"
@@ -15,6 +16,23 @@ FrameRows c_members(const std::vector<NumberMember>& members) {
   return mapped(members, [](const NumberMember& member) {
     return FrameValues{{"member", member.name}, {"unit", c_comment_text(member.unit)}};
   });
+}
+
+/// Rows of what has a range: its place, its member and the range.
+template <class Given>
+FrameRows range_rows(const std::vector<Given>& all, const std::vector<std::string>& members,
+                     const std::string& scalar) {
+  const double largest = scalar == "float" ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
+  FrameRows rows;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Presentation& shown = all[i].shown;
+    if (!shown.min && !shown.max) continue;
+    rows.push_back({{"place", i},
+                    {"member", members[i]},
+                    {"least", number_text(std::max(shown.min.value_or(-largest), -largest), scalar)},
+                    {"most", number_text(std::min(shown.max.value_or(largest), largest), scalar)}});
+  }
+  return rows;
 }
 
 /// What the header says of the inputs.
@@ -70,6 +88,10 @@ std::string c_source_text(const EmitContext& context) {
        {"outputs", name_rows(names_of(output_members(context)))},
        {"parameter_table", array_text("constexpr " + context.options.scalar + " Parameters::*kParameterMembers",
                                       member_places("Parameters", context.names.parameters), "nullptr")},
+       {"guard", guard_of(context.names.solver)},
+       {"parameter_ranges",
+        range_rows(tunable_parameters(context.model), context.names.parameters, context.options.scalar)},
+       {"input_ranges", range_rows(context.model.inputs, context.names.inputs, context.options.scalar)},
        {"method", step_function(context.model.solver)},
        {"arguments", arguments},
        {"h", context.options.scalar == "float" ? "static_cast<float>(h)" : "h"},

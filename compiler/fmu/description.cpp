@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
+
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
@@ -32,12 +35,20 @@ FrameRows base_unit(const UnitExponents& unit) {
   return attributes(all);
 }
 
+/// The decimal of 12 digits that a quotient of factors is, but for its rounding: 3.6 for km/h.
+double decimal_near(double quotient) {
+  constexpr double kRounding = 2 * std::numeric_limits<double>::epsilon();
+  const double decimal = std::stod(fmt::format("{:.12g}", quotient));
+  return std::abs(decimal - quotient) <= kRounding * quotient ? decimal : quotient;
+}
+
 /// Units that values are shown in, of this one: shown = value * factor.
 FrameRows display_units(const UnitExponents& base, const std::set<std::string>& shown) {
   FrameRows rows;
   for (const std::string& name : shown) {
     const std::optional<UnitExponents> meaning = unit_exponents(name);
-    if (meaning) rows.push_back({{"name", xml_text(name)}, {"factor", number_text(base.factor / meaning->factor)}});
+    if (meaning)
+      rows.push_back({{"name", xml_text(name)}, {"factor", number_text(decimal_near(base.factor / meaning->factor))}});
   }
   return rows;
 }
@@ -98,8 +109,16 @@ FrameRows unknowns(const std::vector<FmuUnknown>& all, FmiVersion version) {
   return mapped(all, [&](const FmuUnknown& unknown) {
     const auto text = [&](int variable) { return std::to_string(variable + first_index(version)); };
     return FrameValues{{"variable", text(unknown.variable)},
+                       {"has_dependencies", true},
                        {"dependencies", joined(mapped(unknown.dependencies, text), " ")}};
   });
+}
+
+FrameRows indicators(const FmuLayout& fmu) {
+  FrameRows rows;
+  for (std::size_t i = fmu.variables.size() - fmu.indicator_blocks.size(); i < fmu.variables.size(); ++i)
+    rows.push_back({{"variable", std::to_string(i)}, {"has_dependencies", false}, {"dependencies", ""}});
+  return rows;
 }
 
 /// Lists of unknowns with the names that FMI 2 has for a list and FMI 3 for an element of it.
@@ -112,6 +131,9 @@ FrameRows structure(const FmuLayout& fmu, FmiVersion version) {
   add("Outputs", "Output", fmu.outputs);
   if (fmu.has_states) add("Derivatives", "ContinuousStateDerivative", fmu.derivatives);
   add("InitialUnknowns", "InitialUnknown", fmu.initial_unknowns);
+  // FMI 3 lists event indicators, FMI 2 counts them. Each may depend on all there is.
+  if (version == FmiVersion::three && !fmu.indicator_blocks.empty())
+    lists.push_back({{"list", ""}, {"element", "EventIndicator"}, {"unknowns", indicators(fmu)}});
   return lists;
 }
 
@@ -132,6 +154,7 @@ std::string model_description(const EmitContext& context, const FmuLayout& fmu, 
   }
   return fill_template(context, "fmi_description.xml.in",
                        {{"has_states", fmu.has_states},
+                        {"indicators", fmu.indicator_blocks.size()},
                         {"has_derivatives", fmu.has_states ? "true" : "false"},
                         {"two", version == FmiVersion::two},
                         {"three", version == FmiVersion::three},

@@ -88,6 +88,8 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
                                                                 : context.names.solver + "::InputPaths"},
        {"nominals", numbers("kNominal", nominals(fmu))},
        {"input_derivatives", integers("kInputDerivative", mapped(context.model.inputs, &Input::derivative))},
+       {"indicator_count", fmu.indicator_blocks.size()},
+       {"indicators", integers("kIndicatorBlock", fmu.indicator_blocks)},
        {"undriven_count", fmu.undriven.size()},
        {"undriven", integers("kUndriven", fmu.undriven)},
        {"start_parameter_count", initial.parameters.size()},

@@ -373,6 +373,7 @@ FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const
   add_start_parameters(context, initial, fmu);
   const References references = references_of(fmu);
   add_structure(initial, references, dependencies(context, programs, references, fmu), version, fmu);
+  add_indicators(context, fmu);
   add_nominals(context, initial, fmu);
   return fmu;
 }

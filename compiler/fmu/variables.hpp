@@ -12,7 +12,7 @@ namespace mbgen {
 
 /// A scalar variable; its value reference is its place in the list. The groups follow each other as mbgen/fmu.hpp
 /// counts them: time, tunable parameters, inputs, outputs with the energies, z, zd, zdd, x, xd, q, qd, qdd, parameters
-/// of the start.
+/// of the start, event indicators.
 struct FmuVariable {
   enum class Causality { independent, parameter, input, output, local };
   enum class Start { none, exact, approx, calculated };
@@ -46,6 +46,8 @@ struct FmuLayout {
   std::vector<int> block_of;     ///< per coordinate: loop block whose coordinates are chosen, else -1
   std::vector<int> undriven;     ///< coordinates that no motion drives
   bool has_states = true;        ///< whether importers may integrate the model
+  std::vector<int>
+      indicator_blocks;  ///< of the event indicators: a loop block whose coordinates are chosen, -1 for balls
   std::vector<FmuUnknown> outputs, derivatives, initial_unknowns;
 };
 
@@ -53,6 +55,10 @@ struct FmuLayout {
 /// outputs and derivatives depend on; FMI 2 knows them at the initialisation only.
 FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const InitialState& initial,
                      FmiVersion version);
+
+/// Adds an event indicator of each loop block whose coordinates may be chosen, after its first loop, and one of all
+/// balls.
+void add_indicators(const EmitContext& context, FmuLayout& fmu);
 
 /// Nominal values of the continuous states: 1 rad or the extent of the model, as much per second, or what they start
 /// with where that is more; a tenth of a tyre's radius for its slips. They stay whatever coordinates are chosen.

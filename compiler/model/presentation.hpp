@@ -16,14 +16,16 @@ std::array<Field<F>, 5> presentation_fields() {
   const auto number = [](std::string_view name, std::string_view doc, Bound bound) {
     return FieldInfo{.name = name, .shape = Shape::number, .doc = doc, .bound = bound, .depends = Depends::nothing};
   };
-  return {field<F, &F::description>(
-              {.name = "description", .shape = Shape::text, .doc = "for people", .longest = kLongestDescription}),
-          field<F, &F::display_unit>({.name = "display_unit",
-                                      .shape = Shape::text,
-                                      .doc = "unit that importers of an FMU show it in; its values stay in `unit`"}),
-          field<F, &F::min>(number("min", "least value that is meant; an FMU refuses less", Bound::none)),
-          field<F, &F::max>(number("max", "largest value that is meant; an FMU refuses more", Bound::none)),
-          field<F, &F::nominal>(number("nominal", "usual magnitude", Bound::positive))};
+  return {
+      field<F, &F::description>(
+          {.name = "description", .shape = Shape::text, .doc = "for people", .longest = kLongestDescription}),
+      field<F, &F::display_unit>({.name = "display_unit",
+                                  .shape = Shape::text,
+                                  .doc = "unit that importers of an FMU show it in; its values stay in `unit`"}),
+      field<F, &F::min>(number("min", "least value that is meant; FMUs and the C interface refuse less", Bound::none)),
+      field<F, &F::max>(
+          number("max", "largest value that is meant; FMUs and the C interface refuse more", Bound::none)),
+      field<F, &F::nominal>(number("nominal", "usual magnitude", Bound::positive))};
 }
 
 /// Rows of a table, then more.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "compiler/model/evaluate.hpp"
@@ -70,6 +71,35 @@ int add_expression(Reader& reader, Expression expression) {
   return static_cast<int>(reader.model.expressions.size()) - 1;
 }
 
+/// Whether the sign of an expression is that of one parameter or input: products and quotients with positive numbers.
+/// Result: its node, or null.
+const ExpressionNode* signed_as(const Expression& expression) {
+  const ExpressionNode* found = nullptr;
+  for (const ExpressionNode& node : expression.nodes) {
+    if (node.kind == ExpressionNode::Kind::parameter || node.kind == ExpressionNode::Kind::input) {
+      if (found) return nullptr;
+      found = &node;
+    } else if (node.kind == ExpressionNode::Kind::call) {
+      if (node.function != Function::multiply && node.function != Function::divide) return nullptr;
+    } else if (node.kind != ExpressionNode::Kind::number || !(node.number > 0)) {
+      return nullptr;
+    }
+  }
+  return found;
+}
+
+/// A tunable parameter or an input that alone makes a bounded number has that bound while a solver runs, too: as its
+/// least value.
+void bound_at_run_time(Reader& reader, const Expression& expression, const FieldInfo& info) {
+  const ExpressionNode* node = info.bound == Bound::none ? nullptr : signed_as(expression);
+  if (!node) return;
+  const auto place = static_cast<std::size_t>(node->index);
+  Presentation& shown = node->kind == ExpressionNode::Kind::input ? reader.model.inputs[place].shown
+                                                                  : reader.model.parameters[place].shown;
+  const double least = info.bound == Bound::positive ? std::numeric_limits<double>::min() : 0;
+  shown.min = std::max(shown.min.value_or(least), least);
+}
+
 void read_expression(Reader& reader, const Value& value, const FieldInfo& info, Quantity& target) {
   std::optional<Expression> expression = parse(reader, value, info);
   if (!expression) return;
@@ -89,6 +119,7 @@ void read_expression(Reader& reader, const Value& value, const FieldInfo& info, 
   if (std::isfinite(target.value) && !check_number(reader, value, info, target.value)) {
     target = kUnreadable;
   } else if (!constant) {
+    bound_at_run_time(reader, *expression, info);
     target.expression = add_expression(reader, std::move(*expression));
   }
 }

@@ -190,16 +190,31 @@ void name_the_cause(const Case& c) {
   Unit stepped(c.library, c.description, false), exchanged(c.library, c.description, true);
   start(stepped);
   start(exchanged);
-  void* state = nullptr;
-  require(stepped.save(state) == kOk, "save");
-  require(exchanged.restore(state) == kError && says("of the other interface"), "a state of the other interface");
-  require(stepped.forget(state) == kOk, "forget");
+  void *state = nullptr, *foreign = nullptr;
+  std::vector<char> bytes;
+  require(stepped.save(state) == kOk && stepped.serialise(state, bytes) == kOk, "save");
+  require(exchanged.restore(state) == kError && says("none of this instance's"), "a state of another instance");
+  require(exchanged.serialise(state, bytes) == kError && exchanged.forget(state) == kError, "nor is it read or freed");
+  require(exchanged.save(state) == kError && says("none of this instance's"), "nor written over");
+  require(exchanged.deserialise(bytes, foreign) == kError, "no bytes were written");
+  require(stepped.serialise(state, bytes) == kOk && exchanged.deserialise(bytes, foreign) == kOk, "bytes of a state");
+  require(exchanged.restore(foreign) == kError && says("of the other interface"), "a state of the other interface");
+  void* freed = state;
+  require(stepped.forget(state) == kOk && stepped.restore(freed) == kError && says("was freed"),
+          "a state that was freed");
+  // One that is not freed goes with its instance.
   const unsigned output = c.description.outputs[0].reference, known = c.description.states()[0];
   Row rates;
   require(exchanged.directional({0}, {known}, {1}, rates) == kError && says("\"time\" is no unknown"), "an unknown");
   require(exchanged.directional({output}, {output}, {1}, rates) == kError && says("is no known"), "a known");
   require(exchanged.directional({output}, {known}, {kNan}, rates) == kError && says("a finite rate"), "a seed");
   require(exchanged.set_time(kNan) == kError && says("the time must be finite"), "a time");
+  Unit timed(c.library, c.description, true);
+  const double h = c.description.step;
+  require(timed.setup(h, 5 * h) == kOk && timed.leave() == kOk, "a start and a stop");
+  require(timed.set_time(0) == kError && says("must not go back beyond the last completed step or event"), "back");
+  require(timed.set_time(6 * h) == kError && says("must not be after the stop time"), "beyond the stop time");
+  require(timed.set_time(5 * h) == kOk && timed.set_time(h) == kOk, "times that were not accepted may be left again");
   require(exchanged.enter_continuous() == kOk, "continuous time");
   require(
       exchanged.set_states(Row(c.description.derivatives.size(), kNan)) == kDiscard && says("a state is not finite"),

@@ -108,7 +108,7 @@ for version in 2 3; do
   for part in 'description="A block on a rail, &quot;pulled&quot; &amp; braked &lt;by hand&gt;."' 'author="Eve"' \
     ' version="1.2"' 'copyright="none"' 'license="CC0-1.0"' 'stopTime="0.5" stepSize="0.001" tolerance="1e-05"' \
     'name="par.time"' 'name="y.pull"' 'min="0.0" max="1000.0" nominal="400.0"' 'unit="m" displayUnit="mm"' \
-    '<DisplayUnit name="mm" factor="1000.0"/>' '<DisplayUnit name="deg" factor="57.29577951308232"/>' \
+    '<DisplayUnit name="mm" factor="1000.0"/>' '<DisplayUnit name="km/h" factor="3.6"/>' '<DisplayUnit name="deg" factor="57.29577951308232"/>' \
     'variability="fixed"' 'description="speed at the start"' 'along the rail'; do
     described "$part" "$version"
   done
@@ -123,6 +123,11 @@ for version in 2 3; do
   c++ -std=c++17 -ffast-math -fsyntax-only -I "$root/templates" -I "$scratch/described_$version/sources" \
     "$scratch/described_$version/sources/slide_fmi$version.cpp" >"$scratch/log" 2>&1 && fail "-ffast-math is taken"
   grep -q "compile it without -ffast-math" "$scratch/log" || fail "no word of -ffast-math"
+  for option in -funsafe-math-optimizations -freciprocal-math -fno-signed-zeros; do
+    g++ -std=c++17 $option -fsyntax-only -I "$root/templates" -I "$scratch/described_$version/sources" \
+      "$scratch/described_$version/sources/slide_fmi$version.cpp" >"$scratch/log" 2>&1 && fail "$option is taken"
+    grep -q "compile it without -funsafe-math-optimizations" "$scratch/log" || fail "no word of $option"
+  done
 done
 
 # A shipped model has a parameter of the start, too.

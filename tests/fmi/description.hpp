@@ -30,6 +30,7 @@ struct Description {
   double step = 0;
   std::vector<Variable> variables;  ///< by reference
   std::vector<Unknown> outputs, derivatives;
+  std::size_t indicators = 0;             ///< event indicators
   std::map<unsigned, unsigned> state_of;  ///< by reference of the derivative
 
   unsigned reference(const std::string& name) const {
@@ -73,6 +74,9 @@ inline Description read_description(const std::string& path) {
     const std::string token = attribute(line, "guid") + attribute(line, "instantiationToken");
     if (!token.empty()) description.token = token;
     if (!attribute(line, "guid").empty()) offset = 1;
+    if (!attribute(line, "numberOfEventIndicators").empty())
+      description.indicators = std::stoul(attribute(line, "numberOfEventIndicators"));
+    if (line.find("<EventIndicator ") != std::string::npos) ++description.indicators;
     if (!attribute(line, "modelIdentifier").empty()) description.identifier = attribute(line, "modelIdentifier");
     if (!attribute(line, "stepSize").empty())
       description.step = std::strtod(attribute(line, "stepSize").c_str(), nullptr);

@@ -68,6 +68,9 @@ class Unit2 {
   int derivatives(std::vector<double>& x) {
     return call<fmi2GetDerivativesTYPE>("fmi2GetDerivatives")(component_, x.data(), x.size());
   }
+  int indicators(std::vector<double>& z) {
+    return call<fmi2GetEventIndicatorsTYPE>("fmi2GetEventIndicators")(component_, z.data(), z.size());
+  }
   int completed(bool& event) {
     fmi2Boolean enter = 0, end = 0;
     const int status =

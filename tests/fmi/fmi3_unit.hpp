@@ -80,6 +80,13 @@ class Unit3 {
     return call<fmi3GetContinuousStateDerivativesTYPE>("fmi3GetContinuousStateDerivatives")(instance_, x.data(),
                                                                                             x.size());
   }
+  int indicators(std::vector<double>& z) {
+    size_t count = 0;
+    require(call<fmi3GetNumberOfEventIndicatorsTYPE>("fmi3GetNumberOfEventIndicators")(instance_, &count) == fmi3OK &&
+                count == z.size(),
+            "as many indicators as the description has");
+    return call<fmi3GetEventIndicatorsTYPE>("fmi3GetEventIndicators")(instance_, z.data(), z.size());
+  }
   int completed(bool& event) {
     bool end = false;
     return call<fmi3CompletedIntegratorStepTYPE>("fmi3CompletedIntegratorStep")(instance_, true, &event, &end);

@@ -14,6 +14,7 @@
 #include "driving.hpp"
 #include "fmi2_unit.hpp"
 #include "fmi3_unit.hpp"
+#include "habits.hpp"
 #include "sampling.hpp"
 #include "tuning.hpp"
 
@@ -90,7 +91,7 @@ void integrate(const Case& c, Unit& unit, double t, double h, Row& x) {
   if (!event) return;
   const bool has_changed = go_through_event(c, unit, x);
   require(has_changed || unit.next_event < HUGE_VAL, "an event that is asked for changes states, or is an instant");
-  events += has_changed ? 1 : 0;
+  events += has_changed && unit.next_event == HUGE_VAL ? 1 : 0;
 }
 
 template <class Unit>
@@ -98,7 +99,8 @@ void exchange(const Case& c) {
   Unit unit(c.library, c.description, true);
   start(unit);
   bool has_changed = true;
-  require(unit.update(has_changed) == kOk && !has_changed && unit.enter_continuous() == kOk, "continuous time");
+  require(unit.update(has_changed) == kOk && unit.enter_continuous() == kOk, "continuous time");
+  require(!has_changed || unit.next_event < HUGE_VAL, "nothing changes at the start but by sampled values");
   Row x(c.description.derivatives.size());
   require(unit.states(x) == kOk, "states");
   require(same_bits(x, values(unit, c.description.states())), "states are the variables that the derivatives name");
@@ -341,7 +343,11 @@ void drive(const Case& c) {
   if constexpr (Unit::kVersion == 3) update_between<Unit>(c);
   attack_all<Unit>(c);
   name_the_cause<Unit>(c);
-  if (c.description.identifier == "triple_rocker") pass_dead_points<Unit>(c);
+  if (c.description.identifier == "rod_ball") pass_poles_at_output_points<Unit>(c);
+  if (c.description.identifier == "triple_rocker") {
+    pass_dead_points<Unit>(c);
+    pass_at_output_points<Unit>(c);
+  }
 }
 
 }  // namespace

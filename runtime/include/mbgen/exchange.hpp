@@ -16,9 +16,12 @@ class Exchange {
     writers_ = between_.exchange(writers_ | kFresh, std::memory_order_acq_rel) & kPlace;
   }
 
+  /// Called by the reader. Result: whether there is a value that it has not taken.
+  bool has_new() const noexcept { return (between_.load(std::memory_order_relaxed) & kFresh) != 0; }
+
   /// Called by the reader. Result: whether there was a value that it had not taken.
   bool take(Value& value) noexcept {
-    if ((between_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
+    if (!has_new()) return false;
     readers_ = between_.exchange(readers_, std::memory_order_acq_rel) & kPlace;
     value = buffers_[readers_];
     return true;

@@ -6,6 +6,9 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(_M_FP_FAST)
 #error "an FMU looks for NaN and infinity in its inputs: compile it without -ffast-math and -ffinite-math-only"
+#elif defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
+// Macros of g++; clang++ has none for these options.
+#error "an FMU gives the bits of its solver: compile it without -funsafe-math-optimizations and the options in it"
 #endif
 
 #include "mbgen/fmu_state.hpp"
@@ -14,7 +17,7 @@ namespace mbgen::fmu {
 
 /// q, qd and qdd: of the states that loop blocks and balls have, whatever their independent coordinates and angles are
 /// now.
-enum class Group : int { time, parameter, input, output, z, zd, zdd, x, xd, q, qd, qdd, start, none };
+enum class Group : int { time, parameter, input, output, z, zd, zdd, x, xd, q, qd, qdd, start, indicator, none };
 
 struct Place {
   Group group = Group::none;
@@ -35,7 +38,8 @@ constexpr Place place_of(unsigned reference) noexcept {
                            Model::kChosenStates,
                            Model::kChosenStates,
                            Model::kChosenStates,
-                           Model::kStartParameters};
+                           Model::kStartParameters,
+                           Model::kIndicators};
   for (int g = 0; g < static_cast<int>(Group::none); ++g) {
     const auto size = static_cast<unsigned>(sizes[g]);
     if (reference < size) return {static_cast<Group>(g), static_cast<int>(reference)};
@@ -92,6 +96,7 @@ bool asks_for_solution(const Run<Model>& run, Place place) noexcept {
     case Group::zdd:
     case Group::xd:
     case Group::qdd:
+    case Group::indicator:
       return true;
     default:
       return false;
@@ -140,6 +145,8 @@ double value_at(const Core<Model>& core, Place place) noexcept {
       return state.zd[chosen_coordinate(run, place.index)];
     case Group::qdd:
       return core.derivative.zdd[chosen_coordinate(run, place.index)];
+    case Group::indicator:
+      return indicator_of(core, place.index);
     default:
       return run.state.t;
   }
@@ -156,6 +163,7 @@ Answer get_values(Core<Model>& core, const unsigned* references, unsigned long c
     if (core.run.mode == kInstantiated)
       return refuse(core, Refusal::of_variable(references[i], "has no value before the initialization mode"));
     if (!solve(core)) return Answer::discard;
+    if (place.group == Group::indicator) service_of(core);
   }
   for (unsigned long i = 0; i < count; ++i) {
     values[i] = value_at(core, place_of<Model>(references[i]));
@@ -217,7 +225,7 @@ bool may_be_set(const Core<Model>& core, Place place) noexcept {
 template <class Model>
 constexpr bool is_computed(Place place) noexcept {
   return place.group == Group::time || place.group == Group::output || place.group == Group::zdd ||
-         place.group == Group::xd || place.group == Group::qdd ||
+         place.group == Group::xd || place.group == Group::qdd || place.group == Group::indicator ||
          (place.group == Group::z && !is_undriven<Model>(place.index)) ||
          (place.group == Group::zd && (!is_independent<Model>(place.index) || follows_at_start<Model>(place.index)));
 }

@@ -70,11 +70,10 @@ constexpr unsigned category_of(Answer answer) noexcept {
   return answer == Answer::warning ? 0 : answer == Answer::discard ? 1 : 2;
 }
 
-/// Switches the categories that are named on or off, all of them where none is named; the others stay as they are.
-/// Result: whether all of them are known; nothing changes otherwise.
-inline bool switch_categories(const char* const* names, unsigned long count, bool on, unsigned& categories) noexcept {
+/// Bits of the categories that are named, all of them where none is. Result: whether all of them are known.
+inline bool find_categories(const char* const* names, unsigned long count, unsigned& named) noexcept {
   if (count > 0 && names == nullptr) return false;
-  unsigned named = count == 0 ? kAllCategories : 0u;
+  named = count == 0 ? kAllCategories : 0u;
   for (unsigned long i = 0; i < count; ++i) {
     unsigned category = 0;
     if (names[i] == nullptr) return false;
@@ -82,7 +81,6 @@ inline bool switch_categories(const char* const* names, unsigned long count, boo
     if (category == kCategoryCount) return false;
     named |= 1u << category;
   }
-  categories = on ? categories | named : categories & ~named;
   return true;
 }
 

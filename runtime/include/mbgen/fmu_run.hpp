@@ -1,8 +1,6 @@
 #pragma once
 // The life of an instance of FMI 2 or 3: its modes, steps, continuous states and saved runs. See fmu.hpp.
 
-#include <cstring>
-
 #include "mbgen/fmu.hpp"
 #include "mbgen/fmu_instants.hpp"
 #include "mbgen/step_time.hpp"
@@ -25,9 +23,21 @@ Answer set_times(Core<Model>& core, double start, bool has_stop, double stop) no
 /// Chooses other independent coordinates where those of a loop block serve badly. Requires: closed. Result: whether any
 /// changed.
 template <class Model>
-bool choose_coordinates(Run<Model>& run) noexcept {
+bool choose_coordinates(Core<Model>& core) noexcept {
+  Run<Model>& run = core.run;
   if (run.interface == Interface::co_simulation) return false;
-  return choose({run.state, run.inputs, run.parameters}, run.choice);
+  core.has_service = false;
+  return choose({run.state, run.inputs, run.parameters}, run.choice, kWornAtEvent);
+}
+
+/// Keeps what later points are judged by: the inputs, the time, and when the motion meets dead points. Requires: closed
+/// and solved.
+template <class Model>
+void keep_point(Core<Model>& core) noexcept {
+  Run<Model>& run = core.run;
+  run.accepted = run.inputs;
+  run.accepted_time = run.state.t;
+  if (Model::kIndicators > 0 && run.interface == Interface::model_exchange) find_dead_points(core, 1, run.dead_point);
 }
 
 /// Closes the loops and goes on to event mode (model exchange) or step mode. Answer: error where they do not close.
@@ -37,10 +47,9 @@ Answer leave_initialization(Core<Model>& core) noexcept {
   if (!solve(core)) return Answer::error;
   commit(core);
   core.run.history = {};
-  core.run.accepted = core.run.inputs;
-  core.run.accepted_time = core.run.state.t;
-  if (kHeld<Model> > 0) core.run.next_event = core.run.state.t;  // its event may be an instant
-  choose_coordinates(core.run);
+  if (kHeld < Model >> 0) core.run.next_event = core.run.state.t;  // its event may be an instant
+  choose_coordinates(core);
+  keep_point(core);
   core.run.mode = core.run.interface == Interface::model_exchange ? kEvent : kStep;
   return Answer::ok;
 }
@@ -94,16 +103,16 @@ bool has_no_rates(const typename Model::Inputs& inputs, int input) noexcept {
 constexpr double kRateGap = 0.2;
 constexpr int kContradictions = 4;
 
-/// Answer: warning, once, where an input moves otherwise than the rates that are given with it say. now: the inputs at
-/// a communication point from which a step was taken; one that was refused is not compared.
+/// Tells, once, where an input moves otherwise than the rates that are given with it say. now: the inputs at a
+/// communication point from which a step was taken; one that was refused is not compared.
 template <class Model>
-Answer compare_rates(Core<Model>& core, double point, const typename Model::Inputs& now) noexcept {
+void compare_rates(Core<Model>& core, double point, const typename Model::Inputs& now) noexcept {
   Run<Model>& run = core.run;
   const typename Model::Inputs before = run.accepted;
   const double width = point - run.accepted_time;
   run.accepted = now;
   run.accepted_time = point;
-  if (core.has_warned || !(width > 0)) return Answer::ok;
+  if (core.has_warned || !(width > 0)) return;
   for (int i = 0; i < Model::kInputs; ++i) {
     const int rate = Model::kInputDerivative[i];
     if (rate < 0 || (has_no_rates<Model>(before, i) && has_no_rates<Model>(now, i))) continue;
@@ -121,9 +130,8 @@ Answer compare_rates(Core<Model>& core, double point, const typename Model::Inpu
                     kFirstInput<Model> + static_cast<unsigned>(i),
                     of_rates,
                     change};
-    return Answer::warning;
+    return;
   }
-  return Answer::ok;
 }
 
 /// Inner steps of one size over so many seconds. at_point: see do_step. Result: whether all went well.
@@ -142,7 +150,7 @@ bool take_steps(Core<Model>& core, double width, bool is_last, const AtPoint& at
 /// Steps from a communication point to the next. Loops that parameters have opened are closed first. at_point is called
 /// at the end of every inner step, with whether it is the last one; inputs that it sets act from there on.
 /// Answer: error for a point or size that cannot be; discard where the solver fails or the loops cannot be closed, the
-/// run is then as before; warning as compare_rates.
+/// run is then as before.
 template <class Model, class AtPoint>
 Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_point) noexcept {
   const double t = core.run.state.t, stop = core.run.stop_time;
@@ -162,7 +170,8 @@ Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_p
   if (core.run.is_closed && division.count == 1 && width == size) {  // needs no way back
     if (!take_step(core, division.size)) return Answer::discard;
     at_point(true);
-    return compare_rates(core, point, now);
+    compare_rates(core, point, now);
+    return Answer::ok;
   }
   const Run<Model> before = core.run;
   if (!core.run.is_closed) {
@@ -176,7 +185,8 @@ Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_p
     core.is_solved = false;
     return Answer::discard;
   }
-  return compare_rates(core, point, now);
+  compare_rates(core, point, now);
+  return Answer::ok;
 }
 
 /// Continuous states in their order: positions and velocities of the independent coordinates, auxiliary states.
@@ -230,9 +240,37 @@ Answer get_nominals(double* nominals, unsigned long count) noexcept {
   return Answer::ok;
 }
 
+/// Event indicators: how well the independent coordinates of each loop block serve, less where others should be chosen.
+/// Where a loop cannot be followed, its indicator is that of a dead point: who looks for the event by roots finds it.
+template <class Model>
+Answer get_indicators(Core<Model>& core, double* indicators, unsigned long count) noexcept {
+  if (count != Model::kIndicators || !is_array(indicators, indicators, count)) return Answer::error;
+  if (count == 0) return Answer::ok;
+  const bool is_solved = solve(core);
+  const bool is_lost = core.status.code == Code::loop_not_closed || core.status.code == Code::loop_singular;
+  if (!is_solved && !is_lost && core.refusal.reason == nullptr) return Answer::discard;
+  for (int k = 0; k < Model::kIndicators; ++k) {
+    const int block = Model::kIndicatorBlock[k];
+    const bool is_here = is_lost ? core.status.index == block
+                                 : core.refusal.variable == kFirstIndicator<Model> + static_cast<unsigned>(k);
+    if (is_solved) service_of(core);
+    indicators[k] = is_solved ? indicator_of(core, k) : (is_here ? 0 : 1) - kWornPivot;
+  }
+  core.status = {};
+  core.refusal = {};
+  return Answer::ok;
+}
+
+/// Answer: error for a time before the last accepted point, from which loops are followed, or after the stop time.
 template <class Model>
 Answer set_time(Core<Model>& core, double time) noexcept {
   if (!std::isfinite(time)) return refuse(core, Refusal::of_value("the time must be finite", time));
+  const double slack = same_instant(time);
+  if (time < core.run.accepted_time - slack)
+    return refuse(core, Refusal::of_limit("the time must not go back beyond the last completed step or event, at",
+                                          core.run.accepted_time, time));
+  if (time > core.run.stop_time + slack)
+    return refuse(core, Refusal::of_limit("the time must not be after the stop time,", core.run.stop_time, time));
   if (core.run.state.t == time) return Answer::ok;
   open_loops(core.run);
   core.run.state.t = time;
@@ -240,13 +278,11 @@ Answer set_time(Core<Model>& core, double time) noexcept {
   return Answer::ok;
 }
 
-/// Answer: warning, once, where an input has moved between accepted points though its rates were left out at both:
-/// bodies that it drives jump then and feel no acceleration.
+/// Tells, once, where an input has moved between accepted points though its rates were left out at both: bodies that it
+/// drives jump then and feel no acceleration.
 template <class Model>
-Answer accept_inputs(Core<Model>& core) noexcept {
-  const typename Model::Inputs before = core.run.accepted;
-  const typename Model::Inputs& now = core.run.inputs;
-  core.run.accepted = now;
+void compare_inputs(Core<Model>& core) noexcept {
+  const typename Model::Inputs &before = core.run.accepted, &now = core.run.inputs;
   for (int i = 0; i < Model::kInputs && !core.has_warned; ++i) {
     const double change = now.*Model::kInputMember[i] - before.*Model::kInputMember[i];
     if (Model::kInputDerivative[i] < 0 || change == 0) continue;
@@ -259,23 +295,11 @@ Answer accept_inputs(Core<Model>& core) noexcept {
                     kFirstInput<Model> + static_cast<unsigned>(i),
                     change,
                     0};
-    return Answer::warning;
-  }
-  return Answer::ok;
-}
-
-/// Whether a ball should have its other angles. Co-simulation changes them inside of its steps.
-template <class Model>
-bool leaves_charts([[maybe_unused]] const Run<Model>& run) noexcept {
-  if constexpr (kHasCharts<Model>) {
-    return Model::leaves_charts(run.parameters, run.inputs, run.state);
-  } else {
-    return false;
   }
 }
 
 /// Accepts the step that an integrator has completed. asks_for_event: other independent coordinates, or other angles of
-/// a ball, would serve better. Answer: warning where inputs move without their rates.
+/// a ball, would serve better.
 template <class Model>
 Answer accept_step(Core<Model>& core, bool& asks_for_event) noexcept {
   asks_for_event = false;
@@ -285,8 +309,10 @@ Answer accept_step(Core<Model>& core, bool& asks_for_event) noexcept {
   Choice<Model> choice = core.run.choice;
   asks_for_event = choose({core.run.state, core.run.inputs, core.run.parameters}, choice);
   if (!asks_for_event) core.run.choice = choice;
-  asks_for_event = leaves_charts(core.run) || is_at_event(core.run) || asks_for_event;
-  return accept_inputs(core);
+  asks_for_event = leaves_charts(core.run, core.run.state) || is_at_event(core.run) || asks_for_event;
+  compare_inputs(core);
+  keep_point(core);
+  return Answer::ok;
 }
 
 /// Gives every ball the angles that suit its position. Requires: closed. Result: whether any changed.
@@ -294,7 +320,7 @@ template <class Model>
 bool settle_charts([[maybe_unused]] Core<Model>& core) noexcept {
   if constexpr (kHasCharts<Model>) {
     Run<Model>& run = core.run;
-    if (run.interface == Interface::co_simulation || !leaves_charts(run)) return false;
+    if (run.interface == Interface::co_simulation || !leaves_charts(run, run.state)) return false;
     Model::settle_charts(run.parameters, run.inputs, run.state);
     core.is_solved = false;
     return true;
@@ -303,69 +329,43 @@ bool settle_charts([[maybe_unused]] Core<Model>& core) noexcept {
   }
 }
 
-/// Accepts the values that an event has set. has_changed: the states now belong to other coordinates, or are other
-/// angles.
+/// Whether the rates of continuous states differ. Of derivatives at one state.
+template <class Model>
+bool rates_differ(const typename Model::Derivative& a, const typename Model::Derivative& b) noexcept {
+  for (int i = 0; i < Model::kCoordinates; ++i) {
+    if (a.zdd[i] != b.zdd[i]) return true;
+  }
+  for (int i = 0; i < kFlowing<Model>; ++i) {
+    if (a.xd[i] != b.xd[i]) return true;
+  }
+  return false;
+}
+
+/// Accepts the values that an event has set; on failure the run is as before. has_changed: the states now belong to
+/// other coordinates, or are other angles, or their rates have jumped with sampled values: integrators start anew.
 template <class Model>
 Answer settle(Core<Model>& core, bool& has_changed) noexcept {
   has_changed = false;
   if (const Answer answer = check_event(core); answer != Answer::ok) return answer;
   if (!solve(core)) return Answer::discard;
+  const typename Model::Derivative rates = core.derivative;
+  const Run<Model> before = core.run;
   commit(core);
-  if (!take_samples(core)) return Answer::discard;
-  core.run.accepted = core.run.inputs;
-  has_changed = settle_charts(core);
-  has_changed = choose_coordinates(core.run) || has_changed;
-  return Answer::ok;
-}
-
-/// Takes over a saved run. Answer: error for one of the other interface.
-template <class Model>
-Answer restore(const Run<Model>& saved, Core<Model>& core) noexcept {
-  if (saved.interface != core.run.interface) {
-    core.refusal.reason = "the state is one of the other interface, co-simulation or model exchange";
-    return Answer::error;
+  bool goes_well = take_samples(core) && solve(core);
+  has_changed = goes_well && rates_differ<Model>(rates, core.derivative);
+  if (goes_well) {
+    has_changed = settle_charts(core) || has_changed;
+    has_changed = choose_coordinates(core) || has_changed;
+    goes_well = solve(core);
   }
-  core.run = saved;
-  core.is_solved = false;
+  if (!goes_well) {
+    core.run = before;
+    core.is_solved = false;
+    has_changed = false;
+    return Answer::discard;
+  }
+  keep_point(core);
   return Answer::ok;
-}
-
-/// FNV-1a, 64 bits.
-inline unsigned long long checksum(const unsigned char* bytes, unsigned long size) noexcept {
-  unsigned long long hash = 0xcbf29ce484222325u;
-  for (unsigned long i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3u;
-  return hash;
-}
-
-/// Bytes of a saved run: the model's token, the run, and a checksum of the run.
-template <class Model>
-constexpr unsigned long kSerialisedSize = sizeof(Model::kToken) + sizeof(Run<Model>) + sizeof(unsigned long long);
-
-template <class Model, class Byte>
-Answer serialise(const Run<Model>& saved, Byte* bytes, unsigned long size) noexcept {
-  static_assert(sizeof(Byte) == 1);
-  if (bytes == nullptr || size < kSerialisedSize<Model>) return Answer::error;
-  const auto* source = reinterpret_cast<const unsigned char*>(&saved);
-  const unsigned long long sum = checksum(source, sizeof(saved));
-  std::memcpy(bytes, Model::kToken, sizeof(Model::kToken));
-  std::memcpy(bytes + sizeof(Model::kToken), source, sizeof(saved));
-  std::memcpy(bytes + sizeof(Model::kToken) + sizeof(saved), &sum, sizeof(sum));
-  return Answer::ok;
-}
-
-/// Result: null, or why these bytes are no run of this model.
-template <class Model, class Byte>
-const char* deserialise(const Byte* bytes, unsigned long size, Run<Model>& saved) noexcept {
-  static_assert(sizeof(Byte) == 1);
-  if (bytes == nullptr || size != kSerialisedSize<Model>) return "the bytes have another size than a state of this FMU";
-  if (std::memcmp(bytes, Model::kToken, sizeof(Model::kToken)) != 0) return "the bytes are a state of another FMU";
-  unsigned char run[sizeof(saved)];
-  unsigned long long sum = 0;
-  std::memcpy(run, bytes + sizeof(Model::kToken), sizeof(saved));
-  std::memcpy(&sum, bytes + sizeof(Model::kToken) + sizeof(saved), sizeof(sum));
-  if (sum != checksum(run, sizeof(run))) return "the bytes are damaged: their checksum is another";
-  std::memcpy(static_cast<void*>(&saved), run, sizeof(saved));
-  return nullptr;
 }
 
 }  // namespace mbgen::fmu

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "mbgen/charts.hpp"
+#include "mbgen/held_limits.hpp"
 #include "mbgen/status.hpp"
 
 namespace mbgen::fmu {
@@ -48,11 +49,15 @@ struct Closed {
   typename Model::Tuned parameters;
 };
 
+/// Loop blocks, at least one for arrays.
+template <class Model>
+inline constexpr int kBlocks = Model::kLoopBlocks > 0 ? Model::kLoopBlocks : 1;
+
 /// Independent coordinates: of each state whose rate is an acceleration, and how well those of a loop block serve.
 template <class Model>
 struct Choice {
   int coordinate[Model::kVelocityStates > 0 ? Model::kVelocityStates : 1] = {};
-  double reference[Model::kLoopBlocks > 0 ? Model::kLoopBlocks : 1] = {};  ///< see choose_held in mbgen/held.hpp
+  double reference[kBlocks<Model>] = {};  ///< see choose_held in mbgen/held.hpp
 };
 
 /// Whether balls of the model have charts. Importers see the angles of the model; of model exchange the states q and qd
@@ -101,13 +106,15 @@ struct Run {
   double slope[Model::kInputs > 0 ? Model::kInputs : 1] = {};  ///< of inputs that go on by a rate that is no input
   Closed<Model> closed;             ///< the last state whose loops were, where those of `state` are not
   typename Model::Inputs accepted;  ///< of the last point of model exchange that was accepted, or of communication
-  double accepted_time = 0;         ///< s, of the last communication point
-  double next_event = HUGE_VAL;     ///< s, of model exchange: instant at which sampled values are set next
+  double accepted_time = 0;         ///< s, of the last communication point, or point of model exchange
+  double dead_point[kBlocks<Model>] = {};  ///< s after it, where the motion there leads each block to, see held.hpp
+  double next_event = HUGE_VAL;            ///< s, of model exchange: instant at which sampled values are set next
   int contradictions[Model::kInputs > 0 ? Model::kInputs : 1] = {};  ///< steps in a row, see compare_rates
   double start[Model::kStartParameters + 1] = {};  ///< parameters that act at the start; the last one is none
 };
 
-/// Why a call was refused, for a message: [the variable] reason [limit][, got value].
+/// Why a call was refused, or what an importer may want to know of one that went well, for a message:
+/// [the variable] reason [limit][, got value].
 struct Refusal {
   const char* reason = nullptr;
   bool has_variable = false, has_limit = false, has_value = false;
@@ -140,9 +147,11 @@ struct Core {
   typename Model::State solved{};          ///< loops closed
   typename Model::Derivative derivative{};
   typename Model::Outputs outputs{};
-  Status status;            ///< of the solver's last call
-  Refusal refusal;          ///< of the last call of the importer's that was refused or had a warning
-  bool has_warned = false;  ///< of rates that were left out or contradict their values
+  bool has_service = false;             ///< whether the next one belongs to `solved`
+  double service[kBlocks<Model>] = {};  ///< of the independent coordinates, see held_service in mbgen/held.hpp
+  Status status;                        ///< of the solver's last call
+  Refusal refusal;                      ///< of the last call of the importer's that was refused, or was told something
+  bool has_warned = false;              ///< of rates that were left out or contradict their values
 };
 
 template <class Model>
@@ -177,11 +186,11 @@ void mark(const Choice<Model>& choice, unsigned char* held) noexcept {
 
 /// Chooses other coordinates where those of a loop block serve badly at a closed state. Result: whether any changed.
 template <class Model>
-bool choose(const Closed<Model>& at, Choice<Model>& choice) noexcept {
+bool choose(const Closed<Model>& at, Choice<Model>& choice, double worn = kWornPivot) noexcept {
   unsigned char held[Model::kCoordinates];
   mark(choice, held);
-  if (!Model::choose(at.parameters, at.inputs, at.state, held, choice.reference)) return false;
-  int next[Model::kLoopBlocks > 0 ? Model::kLoopBlocks : 1] = {};  // coordinate of each block to look at
+  if (!Model::choose(at.parameters, at.inputs, at.state, held, choice.reference, worn)) return false;
+  int next[kBlocks<Model>] = {};  // coordinate of each block to look at
   for (int i = 0; i < Model::kVelocityStates; ++i) {
     const int block = Model::kBlockOf[choice.coordinate[i]];
     if (block < 0) continue;
@@ -271,13 +280,88 @@ void restart(Core<Model>& core) noexcept {
   core.is_solved = false;
 }
 
+/// How well the independent coordinates serve, per block. Requires: solved.
+template <class Model>
+const double* service_of(Core<Model>& core) noexcept {
+  if (!core.has_service) {
+    unsigned char held[Model::kCoordinates];
+    mark(core.run.choice, held);
+    Model::held_service(core.run.parameters, current_inputs(core.run), core.solved, held, core.run.choice.reference,
+                        core.service);
+    core.has_service = true;
+  }
+  return core.service;
+}
+
+/// When the motion leads to, or came from, a dead point of each block: dead_point_times of held.hpp. Requires: solved.
+template <class Model>
+void find_dead_points(const Core<Model>& core, double direction, double* times) noexcept {
+  unsigned char held[Model::kCoordinates];
+  mark(core.run.choice, held);
+  Model::dead_point_times(core.run.parameters, current_inputs(core.run), core.solved, core.derivative, held, direction,
+                          times);
+}
+
+/// Whether a ball should have its other angles. Co-simulation changes them inside of its steps.
+template <class Model>
+bool leaves_charts([[maybe_unused]] const Run<Model>& run,
+                   [[maybe_unused]] const typename Model::State& state) noexcept {
+  if constexpr (kHasCharts<Model>) {
+    return Model::leaves_charts(run.parameters, run.inputs, state);
+  } else {
+    return false;
+  }
+}
+
+/// An event indicator: how well the states of its loop block serve, less where others should be chosen, or whether all
+/// balls have the angles that suit them. Requires: solved, and service_of was asked for.
+template <class Model>
+double indicator_of(const Core<Model>& core, int indicator) noexcept {
+  const int block = Model::kIndicatorBlock[indicator];
+  if (block >= 0) return core.service[block] - kWornPivot;
+  return leaves_charts(core.run, core.solved) ? -1 : 1;
+}
+
+/// Two predictions of the time of a dead point, from both sides, that mean the same one may differ by this factor.
+constexpr double kSameDeadPoint = 1.1;
+
+/// The first indicator whose loop block may have passed a dead point of its independent coordinates since the last
+/// accepted point, or -1: they are at it, or the motions there and here both say that it lies between them. States on
+/// both sides of a dead point have the same coordinates, so that a step over it would bounce back. Requires: solved.
+template <class Model>
+int lost_indicator(Core<Model>& core) noexcept {
+  const Run<Model>& run = core.run;
+  const double since = run.state.t - run.accepted_time;
+  double back[kBlocks<Model>];
+  bool has_back = false;
+  for (int k = 0; k < Model::kIndicators; ++k) {
+    const int block = Model::kIndicatorBlock[k];
+    if (block < 0) continue;
+    if (service_of(core)[block] < kLostPivot) return k;
+    if (!(run.dead_point[block] < since)) continue;
+    if (!has_back) find_dead_points(core, -1, back);
+    has_back = true;
+    if (run.dead_point[block] + back[block] <= kSameDeadPoint * since) return k;
+  }
+  return -1;
+}
+
+/// Value reference of the first event indicator.
+template <class Model>
+constexpr unsigned kFirstIndicator = static_cast<unsigned>(1 + Model::kParameters + Model::kInputs + Model::kOutputs +
+                                                           3 * Model::kCoordinates + Model::kAuxiliaryStates +
+                                                           kFlowing<Model> + 3 * Model::kChosenStates +
+                                                           Model::kStartParameters);
+
 /// Closes the loops where they are not, and finds accelerations and outputs. At the start the given positions are the
-/// guess, later the last closed state is.
+/// guess, later the last closed state is. In continuous time of model exchange a state that may be beyond a dead point
+/// is none: the refusal says so.
 template <class Model>
 bool solve(Core<Model>& core) noexcept {
   if (core.is_solved) return true;
   const Run<Model>& run = core.run;
   core.solved = run.state;
+  core.has_service = false;
   core.status = {};
   if (!run.is_closed) {
     core.status = (run.mode & (kInstantiated | kInitialization)) != 0
@@ -288,6 +372,15 @@ bool solve(Core<Model>& core) noexcept {
   if (core.status.ok()) core.status = Model::derivative(run.parameters, inputs, core.solved, core.derivative);
   if (core.status.ok()) {
     core.status = Model::outputs(run.parameters, inputs, core.solved, core.derivative, core.outputs);
+  }
+  if (core.status.ok() && run.mode == kContinuous && !run.is_closed) {
+    const int lost = lost_indicator(core);
+    if (lost >= 0) {
+      core.refusal = Refusal::of_variable(kFirstIndicator<Model> + static_cast<unsigned>(lost),
+                                          "has fallen too far in this step: the loop may have passed a dead point of "
+                                          "its states; take a smaller step, up to the event");
+      return false;
+    }
   }
   core.is_solved = core.status.ok();
   return core.is_solved;

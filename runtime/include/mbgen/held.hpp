@@ -2,14 +2,10 @@
 // Loop closures whose independent coordinates the caller holds: an integrator outside of the solver that has them as
 // its states, as an importer of an FMU does. `System` is described in blocks.hpp.
 
+#include "mbgen/held_limits.hpp"
 #include "mbgen/motion.hpp"
 
 namespace mbgen {
-
-/// The smallest pivot of a block's held coordinates, over the largest that they had, below which others are chosen.
-constexpr double kWornPivot = 0.15;
-/// The same over the smallest pivot of full pivoting at this position: a smaller share is bad from the start.
-constexpr double kBadPivot = 0.01;
 
 namespace solver_detail {
 
@@ -108,31 +104,136 @@ Status project_holding(const typename System::Parameters& parameters, const type
   }
 }
 
+namespace solver_detail {
+
+/// Factors of one block at one position, of which one set at a time is alive.
+template <class System>
+struct HeldBlocks {
+  typename System::ClosureTerms terms, factored;
+  BlockFactors<System> factors;
+
+  HeldBlocks(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+             const typename System::State& state) noexcept {
+    System::closure_terms(parameters, inputs, state, terms);
+  }
+  /// With the held coordinates independent.
+  LoopFactorsOf<RealOf<System>> held(int b, const unsigned char* held) noexcept {
+    take(b);
+    return held_factors<System>(b, held, factored, factors);
+  }
+  /// With those that full pivoting leaves.
+  LoopFactorsOf<RealOf<System>> best(int b) noexcept {
+    take(b);
+    return factors.factors_of(b, factored);
+  }
+
+ private:
+  void take(int b) noexcept {
+    const BlockLayout& block = System::kBlockLayout[b];
+    const int entries = block.equations * block.coordinates;
+    copy(terms.Jz + block.first_jacobian, factored.Jz + block.first_jacobian, entries);
+  }
+};
+
+/// The smallest pivot of a factorised block, 0 where it lacks rank.
+template <class System>
+double pivot_of(int b, const LoopFactorsOf<RealOf<System>>& loop) noexcept {
+  return loop.rank < System::kBlockLayout[b].rank ? 0 : static_cast<double>(smallest_pivot(loop));
+}
+
+/// Product of the pivots of a factorised block: zero at a dead point of its independent coordinates, and smooth there.
+template <class System>
+double product_of_pivots(int b, const LoopFactorsOf<RealOf<System>>& loop) noexcept {
+  if (loop.rank < System::kBlockLayout[b].rank) return 0;
+  double product = 1;
+  for (int k = 0; k < loop.rank; ++k) product *= std::abs(static_cast<double>(loop_detail::row_of(loop, k)[k]));
+  return product;
+}
+
+/// The share of a pivot of the largest that it had, or of the largest that there is: where all are small, others would
+/// serve no better.
+inline double share_of(double pivot, double reference, double largest) noexcept {
+  const double least = largest < reference ? largest : reference;
+  return least > 0 ? pivot / least : 1;
+}
+
+}  // namespace solver_detail
+
+/// How well the held coordinates of each block serve at a closed state: the share that their smallest pivot has of the
+/// largest that it had since they were chosen, or of the best at this position where that is smaller. 0 at their dead
+/// points, about 1 where they were chosen; 1 for a block without free coordinates.
+/// reference: per block, see choose_held.
+template <class System>
+void held_service(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                  const typename System::State& state, const unsigned char* held, const double* reference,
+                  double* service) noexcept {
+  for (int b = 0; b < System::kBlocks; ++b) service[b] = 1;
+  if constexpr (kChoosesAgain<System>) {
+    using namespace solver_detail;
+    HeldBlocks<System> blocks(parameters, inputs, state);
+    for (int b = 0; b < System::kBlocks; ++b) {
+      if (System::kBlockLayout[b].free == 0) continue;
+      const double pivot = pivot_of<System>(b, blocks.held(b, held));
+      service[b] = share_of(pivot, reference[b], pivot_of<System>(b, blocks.best(b)));
+    }
+  }
+}
+
+/// Seconds until, or since, a dead point of the held coordinates of each block, by the motion at a closed state to
+/// second order; infinite where it leads to none. direction: 1 into the future, -1 into the past.
+template <class System>
+void dead_point_times(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                      const typename System::State& state, const typename System::Derivative& derivative,
+                      const unsigned char* held, double direction, double* times) noexcept {
+  for (int b = 0; b < System::kBlocks; ++b) times[b] = HUGE_VAL;
+  if constexpr (kChoosesAgain<System>) {
+    using namespace solver_detail;
+    constexpr double kWay = 1e-4;  // rad or m: far above rounding, and short beside the curvature of a mechanism
+    double fastest = 0;
+    for (const auto rate : state.zd) fastest = std::fmax(fastest, std::abs(static_cast<double>(rate)));
+    if (!(fastest > 0)) return;
+    const double dt = kWay / fastest;
+    double product[3][System::kBlocks];
+    for (int side = 0; side < 3; ++side) {
+      const double at = (side - 1) * direction * dt;
+      typename System::State there;
+      copy_state<System>(state, there);
+      for (int i = 0; i < System::kCoordinates; ++i)
+        there.z[i] +=
+            static_cast<RealOf<System>>(at) * (state.zd[i] + static_cast<RealOf<System>>(0.5 * at) * derivative.zdd[i]);
+      HeldBlocks<System> blocks(parameters, inputs, there);
+      for (int b = 0; b < System::kBlocks; ++b)
+        product[side][b] = System::kBlockLayout[b].free == 0 ? 1 : product_of_pivots<System>(b, blocks.held(b, held));
+    }
+    for (int b = 0; b < System::kBlocks; ++b) {
+      // now + rate s + half s^2 = 0
+      const double now = product[1][b], rate = (product[2][b] - product[0][b]) / (2 * dt),
+                   half = (product[2][b] - 2 * now + product[0][b]) / (2 * dt * dt);
+      const double root = rate * rate - 4 * now * half;
+      if (rate < 0 && root >= 0) times[b] = 2 * now / (std::sqrt(root) - rate);
+    }
+  }
+}
+
 /// Chooses other independent coordinates for the blocks whose held ones serve badly at a closed state.
-/// reference: per block, the largest that its smallest pivot was since the choice; 0 at first.
-/// Result: whether a choice has changed. Singular blocks keep theirs.
+/// reference: per block, the largest that its smallest pivot was since the choice; 0 at first. worn: service below
+/// which others are chosen. Result: whether a choice has changed. Singular blocks keep theirs.
 template <class System>
 bool choose_held(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                 const typename System::State& state, unsigned char* held, double* reference) noexcept {
+                 const typename System::State& state, unsigned char* held, double* reference, double worn) noexcept {
   bool has_changed = false;
   if constexpr (kChoosesAgain<System>) {
     using namespace solver_detail;
-    typename System::ClosureTerms terms, factored;
-    System::closure_terms(parameters, inputs, state, terms);
-    BlockFactors<System> factors;
+    HeldBlocks<System> blocks(parameters, inputs, state);
     for (int b = 0; b < System::kBlocks; ++b) {
       const BlockLayout& block = System::kBlockLayout[b];
       if (block.free == 0) continue;
-      const int entries = block.equations * block.coordinates;
-      copy(terms.Jz + block.first_jacobian, factored.Jz + block.first_jacobian, entries);
-      const LoopFactorsOf<RealOf<System>> now = held_factors<System>(b, held, factored, factors);
-      const double pivot = now.rank < block.rank ? 0 : static_cast<double>(smallest_pivot(now));
+      const double pivot = pivot_of<System>(b, blocks.held(b, held));
       reference[b] = pivot > reference[b] ? pivot : reference[b];
-      copy(terms.Jz + block.first_jacobian, factored.Jz + block.first_jacobian, entries);
-      const LoopFactorsOf<RealOf<System>> best = factors.factors_of(b, factored);
+      const LoopFactorsOf<RealOf<System>> best = blocks.best(b);
       if (best.rank < block.rank) continue;
       const double largest = static_cast<double>(smallest_pivot(best));
-      if (pivot >= kWornPivot * reference[b] && pivot >= kBadPivot * largest) continue;
+      if (share_of(pivot, reference[b], largest) >= worn && pivot >= kBadPivot * largest) continue;
       hold_best<System>(b, best, held);
       reference[b] = largest;
       has_changed = true;
