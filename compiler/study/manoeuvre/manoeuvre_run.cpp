@@ -7,6 +7,7 @@
 
 #include "compiler/base/assignments.hpp"
 #include "compiler/base/user_error.hpp"
+#include "mbgen/step_time.hpp"
 
 namespace mbgen {
 namespace {
@@ -69,8 +70,10 @@ void ManoeuvreRun::complete(SimulationArguments& arguments) const {
         fmt::format("--integrator: driver and speed controller act every {:g} s, where {} would start "
                     "anew: take rk4 or rosenbrock for a manoeuvre\n",
                     base_of(manoeuvre_).period, arguments.integrator));
-  if (!arguments.duration) arguments.duration = plan_.duration;
   if (!arguments.step) arguments.step = base_of(manoeuvre_).step;
+  // Whole steps of that size: times of rows are then its multiples.
+  if (!arguments.duration && *arguments.step > 0)
+    arguments.duration = steps_in(plan_.duration, *arguments.step).count * *arguments.step;
 }
 
 InputControl ManoeuvreRun::control(double step) {

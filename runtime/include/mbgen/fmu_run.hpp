@@ -3,8 +3,8 @@
 
 #include <cstring>
 
-#include "mbgen/fmu.hpp"
 #include "mbgen/fmu_instants.hpp"
+#include "mbgen/fmu_turns.hpp"
 #include "mbgen/step_time.hpp"
 
 namespace mbgen::fmu {
@@ -39,7 +39,7 @@ Answer leave_initialization(Core<Model>& core) noexcept {
   core.run.history = {};
   core.run.accepted = core.run.inputs;
   core.run.accepted_time = core.run.state.t;
-  if (kHeld<Model> > 0) core.run.next_event = core.run.state.t;  // its event may be an instant
+  if (kHeld < Model >> 0) core.run.next_event = core.run.state.t;  // its event may be an instant
   choose_coordinates(core.run);
   core.run.mode = core.run.interface == Interface::model_exchange ? kEvent : kStep;
   return Answer::ok;
@@ -126,6 +126,13 @@ Answer compare_rates(Core<Model>& core, double point, const typename Model::Inpu
   return Answer::ok;
 }
 
+/// Answer: warning as compare_rates and compare_turns. size: s, of the steps inside.
+template <class Model>
+Answer compare_step(Core<Model>& core, double point, const typename Model::Inputs& now, double size) noexcept {
+  const Answer of_rates = compare_rates(core, point, now);
+  return of_rates == Answer::ok ? compare_turns(core, size) : of_rates;
+}
+
 /// Inner steps of one size over so many seconds. at_point: see do_step. Result: whether all went well.
 template <class Model, class AtPoint>
 bool take_steps(Core<Model>& core, double width, bool is_last, const AtPoint& at_point) noexcept {
@@ -142,7 +149,7 @@ bool take_steps(Core<Model>& core, double width, bool is_last, const AtPoint& at
 /// Steps from a communication point to the next. Loops that parameters have opened are closed first. at_point is called
 /// at the end of every inner step, with whether it is the last one; inputs that it sets act from there on.
 /// Answer: error for a point or size that cannot be; discard where the solver fails or the loops cannot be closed, the
-/// run is then as before; warning as compare_rates.
+/// run is then as before; warning as compare_step.
 template <class Model, class AtPoint>
 Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_point) noexcept {
   const double t = core.run.state.t, stop = core.run.stop_time;
@@ -162,7 +169,7 @@ Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_p
   if (core.run.is_closed && division.count == 1 && width == size) {  // needs no way back
     if (!take_step(core, division.size)) return Answer::discard;
     at_point(true);
-    return compare_rates(core, point, now);
+    return compare_step(core, point, now, division.size);
   }
   const Run<Model> before = core.run;
   if (!core.run.is_closed) {
@@ -176,7 +183,7 @@ Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_p
     core.is_solved = false;
     return Answer::discard;
   }
-  return compare_rates(core, point, now);
+  return compare_step(core, point, now, division.size);
 }
 
 /// Continuous states in their order: positions and velocities of the independent coordinates, auxiliary states.
