@@ -34,9 +34,9 @@ void ExchangeMeter::add(const Sample& sample) {
 }
 
 double ExchangeMeter::scale() const {
-  double sum = 0;
-  for (const Span& range : ranges_) sum += range.width();
-  return sum / 2;
+  double works = 0, kinetic = 0;
+  for (std::size_t i = 0; i < ranges_.size(); ++i) (i < works_.size() ? works : kinetic) += ranges_[i].width();
+  return std::max(works, kinetic);
 }
 
 }  // namespace mbgen

@@ -19,9 +19,9 @@ struct Span {
 };
 
 /// Work of each force element (of a spring and of a damper in one element apart), of gravity on each body and of the
-/// drives, and kinetic energy of each body by translation and about each axis. Each joule that one gives another takes:
-/// the scale is half the sum of all ranges. Energy that stays where it is, of a rotor or of a vehicle that goes on,
-/// is not in it; nor do a spring and a damper, or a drive and a brake, cancel.
+/// drives, and kinetic energy of each body by translation and about each axis. The scale is
+/// the sum of the ranges of the works, or of the kinetic energies where that is more. Energy that stays where it is, of
+/// a rotor or of a vehicle that goes on, is not in it; nor do a spring and a damper, or a drive and a brake, cancel.
 class ExchangeMeter {
  public:
   /// step: s, between samples.

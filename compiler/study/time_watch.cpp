@@ -19,8 +19,8 @@ constexpr double kInside = 1e-6, kSeen[] = {kInside, 0.5, 1 - kInside}, kBetween
 constexpr double kMeanDeviation = 0.00249;  // a^3
 /// A step counts with no more than this part of the range: jumps of single steps are no fast changes.
 constexpr double kMostOfAStep = 0.01;
-/// Ranges of accelerations below these parts of the accelerations are rounding.
-constexpr double kRounding = 1e-6;
+/// Ranges of accelerations below these parts of their size, and of the largest of all, are rounding.
+constexpr double kRounding = 1e-6, kRoundingOfAll = 1e-8;
 
 bool looks_at_time(const Model& model) {
   return std::any_of(model.expressions.begin(), model.expressions.end(), [](const Expression& expression) {
@@ -92,12 +92,15 @@ bool TimeWatch::look(const Sample& sample, Source& source) {
 std::vector<std::string> TimeWatch::warnings() const {
   std::vector<std::string> texts;
   const double most = kMeanDeviation * std::pow(largest_turn(integrator_), 3);
+  double all = 0;
+  for (std::size_t i = 0; i < smallest_.size(); ++i)
+    if (largest_[i] >= smallest_[i]) all = std::max({all, std::abs(smallest_[i]), std::abs(largest_[i])});
   for (const Source& source : sources_) {
     std::size_t worst = 0;
     double largest = 0;
     for (std::size_t i = 0; i < smallest_.size(); ++i) {
       const double size = std::max(std::abs(smallest_[i]), std::abs(largest_[i]));
-      const double range = std::max(largest_[i] - smallest_[i], kRounding * size);
+      const double range = std::max({largest_[i] - smallest_[i], kRounding * size, kRoundingOfAll * all});
       double sum = 0;
       for (const std::vector<double>& deviations : source.deviations)
         if (range > 0) sum += std::min(deviations[i] / range, kMostOfAStep);

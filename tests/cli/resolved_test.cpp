@@ -16,6 +16,10 @@ class Resolved : public CommandLine {
     err_ = run.err;
     return Json::parse(run.out, nullptr, false);
   }
+  /// Takes what a run says, whatever comes of it.
+  void hear(const std::string& arguments) {
+    err_ = mbgen("simulate " + arguments + " --engine generic --out o.csv").err;
+  }
   bool tells(const std::string& text) const { return err_.find(text) != std::string::npos; }
   std::string err_;
 };
@@ -93,7 +97,7 @@ TEST_F(Resolved, TurnsWithinAStepAreTold) {
        {std::pair("rk4", 0.5), std::pair("abm4", 0.3), std::pair("rosenbrock", 0.3)}) {
     const std::string rest = fmt::format("r.json --integrator {} --duration 0.2 --step 1e-3", integrator);
     write("r.json", rotor(0.001, 2000 * std::acos(-1.0)));
-    const Json summary = summary_of(rest, summary_of(rest, -1).is_null() ? 0 : -1);
+    hear(rest);
     EXPECT_TRUE(tells("r turns by 6.28 rad in a step of 0.001 s from t = 0 s on, and forces turn with it: ")) << err_;
     EXPECT_TRUE(tells(fmt::format("{} bears {:g} rad; --step ", integrator, limit))) << err_;
     // Balanced it turns as it likes; slowly too.
@@ -105,16 +109,13 @@ TEST_F(Resolved, TurnsWithinAStepAreTold) {
 }
 
 /// A mass on a spring, pushed by a law of t and an input.
-constexpr const char* kPushed = R"({ "mbgen": 1, "name": "pushed", "gravity": [0, 0, 0],
+constexpr const char* kPushed = R"json({ "mbgen": 1, "name": "pushed", "gravity": [0, 0, 0],
   "parameters": { "w": { "value": 1 } }, "inputs": { "push": { "unit": "N" } },
   "bodies": { "ground": { "points": { "A": [0, 0, 0] } }, "block": { "mass": 1, "inertia": [1, 1, 1], "points": { "A": [0, 0, 0] } } },
   "joints": { "slide": { "type": "prismatic", "from": "ground.A", "to": "block.A", "axis": "x" } },
   "joint_springs": { "s": { "joint": "slide", "stiffness": 100, "damping": 1 } },
   "joint_forces": { "f": { "joint": "slide", "force": "sin(w*t) + push" } },
-  "outputs": { "told": { "value": "sin(1e5*t)"
-}
-}
-})";
+  "outputs": { "told": { "expression": "sin(1e5*t)" } } })json";
 
 TEST_F(Resolved, FastLawsAndInputsAreTold) {
   write("p.json", kPushed);
@@ -122,7 +123,7 @@ TEST_F(Resolved, FastLawsAndInputsAreTold) {
   EXPECT_EQ(summary_of(rest + "1")["status"], "ok") << err_;
   EXPECT_EQ(summary_of(rest + "400")["status"], "ok") << err_;
   for (const char* fast : {"700", "6300", "2e4"}) {
-    summary_of(rest + fast);
+    hear(rest + fast);
     EXPECT_TRUE(
         tells("warning: laws of t change too fast for a step of 0.001 s: between its points the acceleration of "
               "slide is not what rk4 can know of it; take a shorter step"))
@@ -137,7 +138,7 @@ TEST_F(Resolved, FastLawsAndInputsAreTold) {
   table(3);
   EXPECT_EQ(summary_of(by_table)["status"], "ok") << err_;
   table(3000);
-  summary_of(by_table);
+  hear(by_table);
   EXPECT_TRUE(tells("warning: input push changes too fast for a step of 0.001 s")) << err_;
 }
 
@@ -148,7 +149,7 @@ std::string driven(bool named) {
     "bodies": {{ "ground": {{ "points": {{ "A": [0, 0, 0] }} }},
                  "cart": {{ "mass": 2, "inertia": [1, 1, 1], "points": {{ "A": [0, 0, 0] }} }} }},
     "joints": {{ "slide": {{ "type": "prismatic", "from": "ground.A", "to": "cart.A", "axis": "x" }} }},
-    "motions": {{ "m": {{ "joint": "slide", "displacement": "way" }} }},
+    "motions": {{ "m": {{ "joint": "slide", "position": "way" }} }},
     "outputs": {{ "force": {{ "motion": "m" }} }} }})",
                      named ? R"(, "derivative": "gain")" : "", named ? R"(, "gain": { "unit": "m/s^2" })" : "");
 }
@@ -161,9 +162,10 @@ TEST_F(Resolved, MotionsWithARateHaveInertia) {
   std::vector<Table> tables;
   for (const bool named : {true, false}) {
     write("d.json", driven(named));
-    EXPECT_EQ(summary_of("d.json --input-table t.csv --duration 1 --step 1e-2")["status"], "ok") << err_;
+    EXPECT_EQ(summary_of("d.json --input-table t.csv --interpolation spline --duration 1 --step 1e-2")["status"], "ok")
+        << err_;
     tables.push_back(this->table("o.csv"));
-    EXPECT_NEAR(tables.back().at(50, "force [N]"), 4, 0.05);
+    EXPECT_NEAR(tables.back().at(50, "force [N]"), 4, 1e-6);
   }
   EXPECT_EQ(tables[0].rows, tables[1].rows);
   const Outcome check = mbgen("check d.json");
@@ -173,11 +175,11 @@ TEST_F(Resolved, MotionsWithARateHaveInertia) {
 }
 
 TEST_F(Resolved, LoadsWithoutAPeriodFollowTheStep) {
-  write("f.json", R"({ "mbgen": 1, "name": "pressed",
+  write("f.json", R"({ "mbgen": 1, "name": "pressed", "parameters": { "mu": { "value": 1e-3 } },
     "bodies": { "ground": { "points": { "A": [0, 0, 0] } },
                 "bob": { "mass": 1, "com": [0, 0, -0.5], "inertia": [0.01, 0.01, 0.01], "points": { "A": [0, 0, 0] } } },
     "joints": { "pin": { "type": "revolute", "from": "ground.A", "to": "bob.A", "axis": "y" } },
-    "frictions": { "rub": { "joint": "pin", "reaction": "pin", "coulomb": 0.001 } },
+    "frictions": { "rub": { "joint": "pin", "reaction": "pin", "coulomb": "mu", "velocity": 0.05 } },
     "initial": { "positions": { "pin": 1 } }, "solver": { "step": 1e-3, "duration": 0.5 } })");
   const auto last = [&](const std::string& step) {
     EXPECT_EQ(summary_of("f.json --step " + step)["status"], "ok") << err_;

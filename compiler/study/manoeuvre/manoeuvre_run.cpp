@@ -7,12 +7,12 @@
 
 #include "compiler/base/assignments.hpp"
 #include "compiler/base/user_error.hpp"
-#include "mbgen/step_time.hpp"
 
 namespace mbgen {
 namespace {
 
 constexpr double kUnlimited = 1e15;
+constexpr double kSameStep = 1e-6;      // of a step: a plan that ends so little after one ends there
 constexpr double kEngineBraking = 0.3;  // m/s^2, by the drive before the brakes help
 
 /// The part of a change that is done.
@@ -70,10 +70,8 @@ void ManoeuvreRun::complete(SimulationArguments& arguments) const {
         fmt::format("--integrator: driver and speed controller act every {:g} s, where {} would start "
                     "anew: take rk4 or rosenbrock for a manoeuvre\n",
                     base_of(manoeuvre_).period, arguments.integrator));
+  if (!arguments.duration) arguments.duration = plan_.duration;
   if (!arguments.step) arguments.step = base_of(manoeuvre_).step;
-  // Whole steps of that size: times of rows are then its multiples.
-  if (!arguments.duration && *arguments.step > 0)
-    arguments.duration = steps_in(plan_.duration, *arguments.step).count * *arguments.step;
 }
 
 InputControl ManoeuvreRun::control(double step) {
@@ -208,7 +206,11 @@ std::shared_ptr<ManoeuvreRun> prepare_manoeuvre(const std::string& file, const s
   }
   add_vehicle_outputs(model);
   const auto run = std::make_shared<ManoeuvreRun>(model, manoeuvre, file);
+  const bool is_planned = !arguments.duration;
   run->complete(arguments);
+  const double step = arguments.step.value_or(model.solver.step);
+  // A plan lasts whole steps: times of rows are then multiples of the step.
+  if (is_planned && step > 0) arguments.duration = std::ceil(*arguments.duration / step - kSameStep) * step;
   return run;
 }
 
