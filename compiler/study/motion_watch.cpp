@@ -1,5 +1,7 @@
 #include "compiler/study/motion_watch.hpp"
 
+#include <algorithm>
+
 namespace mbgen {
 
 MotionWatch::MotionWatch(const Compilation& compilation, SolverSettings::Integrator integrator,
@@ -22,7 +24,7 @@ void MotionWatch::add(const Sample& sample) {
 }
 
 StepVerdict MotionWatch::judge(SimulationSummary& summary) const {
-  if (exchanges_.scale() > 0) summary.energy.scale = exchanges_.scale();
+  if (exchanges_.scale() > 0) summary.energy.scale = std::max(summary.energy.net, exchanges_.scale());
   if (settings_.is_error_controlled) return {};
   StepVerdict verdict = judge_step(compilation_, integrator_, settings_, summary, modes_.modes(), modes_.energies(),
                                    turns_.longest_step());

@@ -68,7 +68,8 @@ class Collector {
     balance.level = std::max(balance.level, std::abs(energy));
     balance.change = energy - first_energy_;
     balance.work = work_.value();
-    balance.scale = std::max({balance.scale, std::abs(balance.change), std::abs(balance.work), outputs.kinetic_energy});
+    balance.net = std::max({balance.net, std::abs(balance.change), std::abs(balance.work)});
+    balance.scale = std::max({balance.scale, balance.net, outputs.kinetic_energy});
     summary.largest.position = std::max(summary.largest.position, sample.residuals.position);
     summary.largest.velocity = std::max(summary.largest.velocity, sample.residuals.velocity);
     widen(summary.outputs, outputs.y);

@@ -38,6 +38,7 @@ struct EnergyBalance {
   double work = 0;    ///< J, of all other applied forces and drives, integrated by Simpson's rule
   /// J, largest of |change|, |work| and kinetic energy along the way, or what went back and forth (ExchangeMeter)
   double scale = 0;
+  double net = 0;    ///< J, largest of |change| and |work| along the way
   double level = 0;  ///< J, largest kinetic + potential energy along the way, as the model counts it
   double error() const { return change - work; }
   double relative_error() const { return scale > 0 ? error() / scale : 0; }

@@ -36,7 +36,7 @@ StepVerdict judge_step(const Compilation& compilation, SolverSettings::Integrato
                        const SimulationSettings& settings, const SimulationSummary& summary,
                        const std::vector<Mode>& modes, const std::vector<double>& energies = {},
                        double turning_step = 0);
-constexpr double kTakesPart = 1e-3, kRobbed = 0.1;
+constexpr double kTakesPart = 1e-4, kRobbed = 0.1;
 constexpr double kEnergyWarning = 1e-3, kEnergyFailure = 0.1;  // of the energies that were exchanged
 
 /// Growth of a mode in one step, z = eigenvalue times step: |R(z)| of Runge-Kutta, of Adams-Bashforth-Moulton (PECE)

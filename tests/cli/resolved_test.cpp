@@ -108,6 +108,27 @@ TEST_F(Resolved, TurnsWithinAStepAreTold) {
   }
 }
 
+/// A ton that falls, and a kilogram on a spring of 159 Hz beside it, with half a thousandth of its energy.
+constexpr const char* kFalling = R"({ "mbgen": 1, "name": "falling", "gravity": [0, 0, -9.81],
+  "bodies": { "ground": { "points": { "A": [0, 0, 0] } },
+              "ton": { "mass": 1000, "inertia": [1, 1, 1], "points": { "A": [0, 0, 0] } },
+              "block": { "mass": 1, "inertia": [1, 1, 1], "points": { "A": [0, 0, 0] } } },
+  "joints": { "fall": { "type": "prismatic", "from": "ground.A", "to": "ton.A", "axis": "z" },
+              "slide": { "type": "prismatic", "from": "ground.A", "to": "block.A", "axis": "x" } },
+  "joint_springs": { "s": { "joint": "slide", "stiffness": 1e6 } },
+  "initial": { "positions": { "slide": 0.007 } } })";
+
+TEST_F(Resolved, ModesThatTheMethodTakesAwayAreTold) {
+  write("f.json", kFalling);
+  const std::string rest = "f.json --duration 1 --step ";
+  const Json summary = summary_of(rest + "1e-3");
+  EXPECT_TRUE(tells("a mode of the start takes part that the method takes out of the motion, 159.2 Hz (slide +1.00): rk4 "
+                    "changes its energy by 100 % over the motion; --step "))
+      << err_;
+  EXPECT_EQ(summary["status"], "1 warning");
+  EXPECT_EQ(summary_of(rest + "1e-4")["status"], "ok") << err_;
+}
+
 /// A mass on a spring, pushed by a law of t and an input.
 constexpr const char* kPushed = R"json({ "mbgen": 1, "name": "pushed", "gravity": [0, 0, 0],
   "parameters": { "w": { "value": 1 } }, "inputs": { "push": { "unit": "N" } },
