@@ -23,6 +23,7 @@
 #include "compiler/study/load_watch.hpp"
 #include "compiler/study/manoeuvre/manoeuvre_run.hpp"
 #include "compiler/study/motion_table.hpp"
+#include "compiler/study/motion_watch.hpp"
 #include "compiler/study/road_watch.hpp"
 #include "compiler/study/simulation.hpp"
 #include "compiler/study/simulation_arguments.hpp"
@@ -61,6 +62,8 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
   ContactWatch contacts(compilation);
   LoadWatch loads(compilation.model);
   RoadWatch roads(compilation);
+  settings.is_error_controlled = control.has_value();
+  MotionWatch watch(compilation, choice.integrator, settings, start.state, inputs, manoeuvre != nullptr);
   roads.add(start.state);
   settings.has_multipliers = contacts.needs_multipliers();
   if (manoeuvre) manoeuvre->look_at_steering(compilation, start.state, inputs.at(0));
@@ -70,12 +73,12 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
     control->end = start.state.t + static_cast<double>(settings.steps) * settings.step;
     run.control = std::make_shared<ErrorControlRecord>();
     engine = with_error_control(compilation, engine, inputs, *control, run.control);
-    settings.is_error_controlled = true;
   }
   const auto on_sample = [&](const Sample& sample) {
     contacts.add(sample);
     loads.add(sample);
     roads.add(sample.state);
+    watch.add(sample);
     table.add(sample);
     progress.show(sample.step, settings.steps);
   };
@@ -85,10 +88,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
                          manoeuvre ? manoeuvre->control(settings.step) : InputControl());
   if (run.summary.is_stopped) run.signal = signals.taken();
   progress.clear();
-  if (!control) {
-    run.verdict = judge_step(compilation, choice.integrator, settings, run.summary,
-                             modes_near(compilation, start.state, inputs.at(0)));
-  }
+  run.verdict = watch.judge(run.summary);
   judge_contacts(contacts, run.verdict);
   judge_loads(loads, run.verdict);
   judge_roads(roads, run.summary, run.verdict);
@@ -138,6 +138,8 @@ int run(SimulateOptions options) {
   Model model = read_set_model(options.model, options.set);
   const auto manoeuvre = prepare_manoeuvre(options.manoeuvre, options.model, options.set, model, options.simulation);
   const SimulationSettings settings = settings_of(options.simulation, model.solver);
+  std::vector<VariedParameter> set = set_parameters(model, options.set);
+  follow_step(settings, set, model);
   const std::optional<ErrorControl> control = error_control_of(options.simulation.integrator, options.tolerance, model);
   choice.integrator = model.solver.integrator =
       options.simulation.integrator == "auto"

@@ -53,7 +53,8 @@ std::string input_rows_text(const Model& model, const SolverNames& names) {
   std::vector<std::string> rows;
   for (const std::vector<int>& row : input_rows(model.inputs)) {
     const auto member = [&](int input) { return "&Inputs::" + names.inputs[static_cast<std::size_t>(input)]; };
-    rows.push_back(fmt::format("    {{{}, {{{}}}}}", row.size(), joined(mapped(row, member), ", ")));
+    rows.push_back(fmt::format("    {{{}, {{{}}}{}}}", row.size(), joined(mapped(row, member), ", "),
+                               is_made_rate(model.inputs, row.back()) ? ", true" : ""));
   }
   return inputs_have_derivatives(model.inputs) ? joined(rows, ",\n") : "";
 }

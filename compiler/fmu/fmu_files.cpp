@@ -11,6 +11,7 @@
 #include "compiler/emit/texts.hpp"
 #include "compiler/fmu/texts.hpp"
 #include "compiler/model/inputs.hpp"
+#include "compiler/model/largest_turn.hpp"
 
 namespace mbgen {
 namespace {
@@ -76,6 +77,7 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
       {{"token", fmu_token(context.model)},
        {"no_states", !fmu.has_states},
        {"step_size", number_text(context.model.solver.step)},
+       {"largest_turn", number_text(largest_turn(context.model.solver.integrator))},
        {"output_count", output_members(context).size()},
        {"has_closure", fmt::format("{}", layout.has_closure)},
        {"takes_multipliers", fmt::format("{}", takes_multipliers(context.programs.outputs))},

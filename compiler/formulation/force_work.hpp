@@ -38,14 +38,24 @@ struct Action {
   int body = -1;            ///< index into Model::bodies
   Vector<T> force, moment;  ///< N, N m
   Vector<T> point;          ///< of the force, m, from the point of AppliedForces::about
+  int element = -1;         ///< see element_in_hand
+};
+
+/// One force element's generalised force on a coordinate.
+template <class T>
+struct JointAction {
+  int coordinate = -1;
+  T force{0.0};      ///< N or N m
+  int element = -1;  ///< see element_in_hand
 };
 
 template <class T>
 struct AppliedForces {
-  std::vector<Spatial<T>> wrench;  ///< per body, in the axes of the frame that carries it
-  std::vector<T> joint;            ///< per coordinate, N or N m
-  std::vector<Action<T>> actions;  ///< terms of the sum `wrench`, and actions on bodies fixed to ground
-  std::vector<T> xd;               ///< rates of the auxiliary states
+  std::vector<Spatial<T>> wrench;             ///< per body, in the axes of the frame that carries it
+  std::vector<T> joint;                       ///< per coordinate, N or N m
+  std::vector<Action<T>> actions;             ///< terms of the sum `wrench`, and actions on bodies fixed to ground
+  std::vector<JointAction<T>> joint_actions;  ///< terms of the sum `joint`
+  std::vector<T> xd;                          ///< rates of the auxiliary states
   std::vector<ElementState<T>> springs, air_springs;
   std::vector<TyreResult<T>> tyres;  ///< zero where a law is shared
   std::vector<BushingState<T>> bushings;
@@ -146,10 +156,22 @@ A with_locals(const ForceWork<T>& work, int expression, const A& first, const A&
   }
 }
 
+/// A number that actions of one element share, where numbers are worked with; 0 for symbols, whose powers nobody tells
+/// apart.
+template <class T>
+int element_in_hand(const ForceWork<T>& work) {
+  if constexpr (requires { work.system.scribe.parts; }) {
+    return static_cast<int>(work.system.scribe.parts);
+  } else {
+    return 0;
+  }
+}
+
 /// Adds a force and a moment on a body of the model.
 template <class T>
 void act(ForceWork<T>& work, const Action<T>& action) {
   work.forces.actions.push_back(action);
+  work.forces.actions.back().element = element_in_hand(work);
   const int body = work.system.topology.tree_body[action.body];
   if (body == kGround) return;
   Spatial<T>& wrench = work.forces.wrench[body];
@@ -161,7 +183,9 @@ void act(ForceWork<T>& work, const Action<T>& action) {
 template <class T>
 void add_joint_force(ForceWork<T>& work, const CoordinateReference& reference, const T& force) {
   const int i = tree_coordinate(work.system.topology, reference);
-  if (i >= 0) work.forces.joint[i] = work.forces.joint[i] + force;
+  if (i < 0) return;
+  work.forces.joint[i] = work.forces.joint[i] + force;
+  work.forces.joint_actions.push_back({i, force, element_in_hand(work)});
 }
 
 /// Adds a force at a place of a body, given in the axes of a frame at or below the place's.

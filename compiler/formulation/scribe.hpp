@@ -10,9 +10,10 @@
 
 namespace mbgen {
 
-/// Receives step, owner and name of the values in the making. This one, for numbers, ignores them.
+/// Receives step, owner and name of the values in the making. This one, for numbers, ignores them, and counts owners.
 template <class T>
 struct Scribe {
+  unsigned parts = 0;  ///< parts of the mechanism that were entered: tells the element in hand from the others
   struct Scope {
     ~Scope() {}  // NOLINT: a destructor that does something, so that no compiler calls a scope unused
   };
@@ -20,7 +21,10 @@ struct Scribe {
   /// -1 for the whole mechanism.
   [[nodiscard]] Scope step(Step, int /*block*/ = -1) { return {}; }
   /// Values made while the result lives belong to this part of the mechanism.
-  [[nodiscard]] Scope within(OwnerKind, std::size_t /*index*/) { return {}; }
+  [[nodiscard]] Scope within(OwnerKind, std::size_t /*index*/) {
+    ++parts;
+    return {};
+  }
   /// parts: of the name; where nobody reads it, nobody puts it together.
   template <class... Parts>
   void name(const T&, const Parts&...) {}

@@ -26,6 +26,14 @@ bool inputs_have_derivatives(const std::vector<Input>& inputs) {
   return std::any_of(inputs.begin(), inputs.end(), [](const Input& input) { return input.derivative >= 0; });
 }
 
+bool is_made_rate(const std::vector<Input>& inputs, int input) {
+  const Where& where = inputs[static_cast<std::size_t>(input)].where;
+  return std::any_of(inputs.begin(), inputs.end(), [&](const Input& other) {
+    return other.derivative == input && other.where.line > 0 && other.where.file == where.file &&
+           other.where.pointer == where.pointer;
+  });
+}
+
 std::vector<std::vector<int>> input_rows(const std::vector<Input>& inputs) {
   std::vector<int> users(inputs.size(), 0);
   for (const Input& input : inputs) {

@@ -19,4 +19,8 @@ bool inputs_have_derivatives(const std::vector<Input>& inputs);
 /// derivative are left out, as no rate can follow several values.
 std::vector<std::vector<int>> input_rows(const std::vector<Input>& inputs);
 
+/// Whether an input is a rate that the reader added since the model left it out: it stands where the input stands whose
+/// rate it is.
+bool is_made_rate(const std::vector<Input>& inputs, int input);
+
 }  // namespace mbgen

@@ -131,8 +131,11 @@ void finish_frictions(Reader& reader) {
   for (JointFriction& friction : reader.model.frictions) friction.lag = friction.lag.value_or(step);
   for (SpringFriction& friction : reader.model.spring_frictions) friction.lag = friction.lag.value_or(step);
   for (RodFriction& friction : reader.model.rod_frictions) friction.lag = friction.lag.value_or(step);
+  double period = step;
+  for (const VariedParameter& varied : reader.varied)
+    if (varied.name == kStepOfMotion) period = varied.value.value_or(step);
   for (SampledValue& value : reader.model.sampled)
-    if (value.load && value.period == 0) value.period = step;
+    if (value.load && value.period == 0) value.period = period;
 }
 
 }  // namespace mbgen::reading

@@ -177,6 +177,7 @@ void read_sections(Reader& reader) {
   read_tyres(reader, tyre_data, entries(&FileFields::tyres));
   check_state_names(reader, states, sampled);
   read_motions(reader, entries(&FileFields::motions));
+  make_second_rates(reader);
   read_axles(reader, entries(&FileFields::axles));
   read_vehicle(reader, parts_of(reader, 0, &FileFields::vehicle));
   read_outputs(reader, entries(&FileFields::outputs));

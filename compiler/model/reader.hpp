@@ -337,6 +337,8 @@ void read_crg_road(Reader& reader, const Value& value, Road& road);
 void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres);
 void read_axles(Reader& reader, const Entries& entries);
 void read_motions(Reader& reader, const Entries& entries);
+/// Gives inputs that move a joint by a first rate alone a second one, see is_made_rate. Requires: all motions are read.
+void make_second_rates(Reader& reader);
 void read_outputs(Reader& reader, const Entries& entries);
 void read_shapes(Reader& reader, const Entries& entries);
 /// A section that is one object, of one file.

@@ -16,6 +16,9 @@ struct VariedParameter {
   bool tunable = false;         ///< whether it can be changed in a solver
 };
 
+/// A name that is no parameter: the step of the motion, s, which loads of frictions without a period follow.
+constexpr const char* kStepOfMotion = "--step";
+
 /// Reads a model from a file. Tunable parameters may stand in `initial`, which is then that of their values: who varies
 /// parameters reads the model for each value. Fails: as read_model_file, and where a tunable parameter stands for a
 /// number that has to be constant.

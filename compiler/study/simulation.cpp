@@ -68,7 +68,8 @@ class Collector {
     balance.level = std::max(balance.level, std::abs(energy));
     balance.change = energy - first_energy_;
     balance.work = work_.value();
-    balance.scale = std::max({balance.scale, std::abs(balance.change), std::abs(balance.work), outputs.kinetic_energy});
+    balance.net = std::max({balance.net, std::abs(balance.change), std::abs(balance.work)});
+    balance.scale = std::max({balance.scale, balance.net, outputs.kinetic_energy});
     summary.largest.position = std::max(summary.largest.position, sample.residuals.position);
     summary.largest.velocity = std::max(summary.largest.velocity, sample.residuals.velocity);
     widen(summary.outputs, outputs.y);
@@ -142,7 +143,7 @@ class Notices {
 /// Fills in a sample at a state in a motion by steps of h seconds.
 Status observe(const Engine& engine, double h, const GenericState& state, Sample& sample, LoadedState& at,
                GenericDerivative& derivative) {
-  at.state = state;
+  at.state = sample.moving = state;
   sample.state = in_users_angles(engine.balls, state);
   Status status = engine.accelerations_in_motion(state, h, derivative);
   if (status.ok()) status = engine.outputs(at, derivative, sample.outputs);
@@ -248,7 +249,8 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
     if (summary.status.ok() && settings.has_multipliers)
       summary.status = engine.multipliers(at, derivative, sample.multipliers);
     if (!summary.status.ok()) break;
-    collector.add(sample, inputs.at(moving.t), summary);
+    sample.inputs = inputs.at(moving.t);
+    collector.add(sample, sample.inputs, summary);
     summary.last = sample.state;
     on_sample(sample);
     const bool goes_on = !control || control(sample, inputs);

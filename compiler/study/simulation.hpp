@@ -19,8 +19,10 @@ struct SimulationSettings {
 
 /// One point of the motion.
 struct Sample {
-  long step = 0;  ///< 0 at the start
-  GenericState state;
+  long step = 0;               ///< 0 at the start
+  GenericState state;          ///< in the angles of the model
+  GenericState moving;         ///< the same as the steps have it, in the charts of its balls
+  std::vector<double> inputs;  ///< of the model, at its time
   GenericOutputs outputs;
   Residuals residuals;
   std::vector<double> multipliers;  ///< in the order of Topology::loops, where the settings ask for them
@@ -35,8 +37,10 @@ struct Range {
 struct EnergyBalance {
   double change = 0;  ///< J, of kinetic energy and potential energy of gravity
   double work = 0;    ///< J, of all other applied forces and drives, integrated by Simpson's rule
-  double scale = 0;   ///< J, largest of |change|, |work| and kinetic energy along the way
-  double level = 0;   ///< J, largest kinetic + potential energy along the way, as the model counts it
+  /// J, largest of |change|, |work| and kinetic energy along the way, or what went back and forth (ExchangeMeter)
+  double scale = 0;
+  double net = 0;    ///< J, largest of |change| and |work| along the way
+  double level = 0;  ///< J, largest kinetic + potential energy along the way, as the model counts it
   double error() const { return change - work; }
   double relative_error() const { return scale > 0 ? error() / scale : 0; }
 };

@@ -66,6 +66,14 @@ SimulationSettings settings_of(const SimulationArguments& arguments, const Solve
   return {static_cast<long>(steps), duration / steps};
 }
 
+void follow_step(const SimulationSettings& settings, std::vector<VariedParameter>& set, Model& model) {
+  const auto is_load = [](const SampledValue& value) { return value.load.has_value(); };
+  if (settings.step == model.solver.step || std::none_of(model.sampled.begin(), model.sampled.end(), is_load)) return;
+  set.push_back({kStepOfMotion, settings.step});
+  const Model again = expect(read_varied_model(model.file, set));
+  for (std::size_t i = 0; i < model.sampled.size(); ++i) model.sampled[i].period = again.sampled[i].period;
+}
+
 void require_whole_periods(const SimulationSettings& settings, const Model& model) {
   for (const SampledValue& value : model.sampled) {
     const double ratio = value.period / settings.step, whole = std::nearbyint(ratio);

@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "compiler/model/varied.hpp"
 #include "compiler/study/simulation.hpp"
 
 namespace mbgen {
@@ -19,6 +21,10 @@ InputsOverTime inputs_of(const Model& model, const std::vector<std::string>& ass
 
 /// The duration in whole equal steps, none longer than the one asked for. Fails: UserError for values that make none.
 SimulationSettings settings_of(const SimulationArguments& arguments, const SolverSettings& by_default);
+
+/// Lets loads of frictions whose period is not given follow the step of the motion. set: with which the model was read;
+/// it gets the step where that matters.
+void follow_step(const SimulationSettings& settings, std::vector<VariedParameter>& set, Model& model);
 
 /// Fails: UserError where the period of a sampled value is no multiple of the step.
 void require_whole_periods(const SimulationSettings& settings, const Model& model);

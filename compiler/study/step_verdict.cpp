@@ -21,58 +21,11 @@ std::string percent_text(double share) {
 
 using Integrator = SolverSettings::Integrator;
 
-constexpr double kDifference = 1e-6;  // rad, m or per second
 /// Speed, rad/s or m/s, that values have which blew up: nothing that mbgen models runs so fast.
 constexpr double kBlownUp = 1e6;
 /// Part of a mode's energy that an acceptable step loses or gains over the motion.
 constexpr double kFittingLoss = kEnergyWarning / 2;
 constexpr int kMostTries = 60;
-
-/// Positions and rates near a state, as the loops let it move.
-struct Nearby {
-  const Compilation& compilation;
-  GenericSolver solver;
-  std::vector<int> free;
-  std::vector<AuxiliaryState> auxiliary;  ///< counted in parts of their magnitudes
-
-  Nearby(const Compilation& c, const std::vector<double>& inputs)
-      : compilation(c),
-        solver(c.model, c.topology, c.analysis),
-        free(free_coordinates(c.topology, c.analysis)),
-        auxiliary(auxiliary_states(c.model)) {
-    solver.set_inputs(inputs);
-  }
-
-  Eigen::Index states(const GenericState& state) const {
-    return static_cast<Eigen::Index>(2 * free.size() + state.x.size());
-  }
-
-  /// Rates of the states and all positions where state j is moved by `change`.
-  bool moved(const GenericState& state, Eigen::Index j, double change, Eigen::VectorXd& rates,
-             Eigen::VectorXd& positions) {
-    const auto count = static_cast<Eigen::Index>(free.size());
-    GenericState at = state;
-    if (j < 2 * count) {
-      (j < count ? at.z : at.zd)[free[static_cast<std::size_t>(j % count)]] += change;
-    } else {
-      const auto i = static_cast<std::size_t>(j - 2 * count);
-      at.x[i] += change * magnitude_of(auxiliary[i]);
-    }
-    if (!solver.project(at).ok()) return false;
-    GenericDerivative derivative;
-    if (!solver.accelerations(at, std::vector<double>(at.z.size(), 0.0), derivative).ok()) return false;
-    rates.resize(states(state));
-    for (Eigen::Index i = 0; i < count; ++i) {
-      rates[i] = at.zd[free[static_cast<std::size_t>(i)]];
-      rates[count + i] = derivative.zdd[free[static_cast<std::size_t>(i)]];
-    }
-    for (std::size_t i = 0; i < derivative.xd.size(); ++i) {
-      rates[2 * count + static_cast<Eigen::Index>(i)] = derivative.xd[i] / magnitude_of(auxiliary[i]);
-    }
-    positions = Eigen::Map<const Eigen::VectorXd>(at.z.data(), static_cast<Eigen::Index>(at.z.size()));
-    return rates.allFinite();
-  }
-};
 
 /// eigenvalue times h, as of a motion that does not grow by itself.
 std::complex<double> step_of(const Mode& mode, double h) {
@@ -95,10 +48,7 @@ double stable_step(Integrator integrator, const Mode& mode, double longest, doub
 
 /// Whether a step keeps the energy of a mode over the time in which it has any.
 bool fits(Integrator integrator, const Mode& mode, double h, double duration) {
-  const std::complex<double> z = step_of(mode, h);
-  const double growth = growth_of_step(integrator, z);
-  const double time = 1 / (1 / duration - 2 * z.real() / h);
-  return std::abs(growth * growth - std::exp(2 * z.real())) * time / h <= kFittingLoss;
+  return robbed_share(integrator, mode, h, duration) <= kFittingLoss;
 }
 
 /// The longest of 5, 2, 1 times a power of ten below `h`.
@@ -148,6 +98,7 @@ struct StepJudge {
   Integrator integrator;
   const SimulationSettings& settings;
   const SimulationSummary& summary;
+  double turning_step = 0;  ///< s, the longest that bears the turns of bodies; 0 where this one does
   StepVerdict verdict = {};
   std::string of_mode = {};  ///< condition of a mode that the step does not meet
   bool is_unstable = false;  ///< the mode grows
@@ -188,6 +139,9 @@ struct StepJudge {
     const double wanted = settings.step * std::pow(kFittingLoss / relative, 0.25);
     const double of_modes = fitting_step(integrator, modes, settings.step, duration());
     verdict.fitting_step = next_shorter(std::min(wanted, of_modes > 0 ? of_modes : wanted));
+    if (!(turning_step > 0)) return;
+    if (of_mode.empty()) of_mode = "bodies turn far within it";
+    verdict.fitting_step = std::min(verdict.fitting_step, next_shorter(turning_step));
   }
 
   std::string energy_text() const {
@@ -231,6 +185,24 @@ struct StepJudge {
     } else if (is_unstable) {
       verdict.warnings.push_back(fmt::format("step {:.6g} s is too long{}", settings.step, advice()));
     }
+  }
+
+  /// A mode that takes part, and that the method takes out of the motion.
+  void judge_modes(const std::vector<Mode>& modes, const std::vector<double>& energies) {
+    if (!verdict.failure.empty() || !verdict.warnings.empty()) return;  // the energy balance told it
+    const Mode* worst = nullptr;
+    double most = kRobbed;
+    for (std::size_t m = 0; m < energies.size(); ++m) {
+      if (!(energies[m] > kTakesPart * summary.energy.scale)) continue;
+      const double share = robbed_share(integrator, modes[m], settings.step, duration());
+      if (share > most) most = share, worst = &modes[m];
+    }
+    if (worst == nullptr) return;
+    verdict.fitting_step = fitting_step(integrator, {*worst}, settings.step, duration());
+    verdict.warnings.push_back(fmt::format(
+        "a mode of the start takes part that the method takes out of the motion, {}: {} changes its energy by {} {}{}",
+        mode_text(compilation, *worst), name_of(integrator), percent_text(std::min(most, 1.0)),
+        worst->eigenvalue.real() < 0 ? "while it decays" : "over the motion", advice()));
   }
 
   /// Values beyond all bounds and energies out of nothing; one of them where the step is known to be unstable.
@@ -285,6 +257,13 @@ double growth_of_step(Integrator integrator, std::complex<double> z) {
   return spectral_radius(companion);
 }
 
+double robbed_share(Integrator integrator, const Mode& mode, double h, double duration) {
+  const std::complex<double> z = step_of(mode, h);
+  const double growth = growth_of_step(integrator, z);
+  const double time = 1 / (1 / duration - 2 * z.real() / h);
+  return std::abs(growth * growth - std::exp(2 * z.real())) * time / h;
+}
+
 IntegratorChoice choose_integrator(const Compilation& compilation, const SimulationSettings& settings,
                                    const std::vector<Mode>& modes) {
   if (modes.empty()) return {Integrator::rk4, "the modes at the start are not known"};
@@ -303,35 +282,14 @@ IntegratorChoice choose_integrator(const Compilation& compilation, const Simulat
                                               mode_text(compilation, *worst), shortest)};
 }
 
-std::vector<Mode> modes_near(const Compilation& compilation, const GenericState& state,
-                             const std::vector<double>& inputs) {
-  if (rolling_loop(compilation.topology)) return {};  // more positions are free than these coordinates tell
-  const std::size_t free = free_coordinates(compilation.topology, compilation.analysis).size();
-  if (2 * free + state.x.size() > kMostStatesForModes) return {};
-  Nearby nearby(compilation, inputs);
-  LinearSystem system;
-  const Eigen::Index size = nearby.states(state);
-  system.A.resize(size, size);
-  system.coordinates.resize(static_cast<Eigen::Index>(state.z.size()), size);
-  Eigen::VectorXd ahead, behind, positions_ahead, positions_behind;
-  for (Eigen::Index j = 0; j < size; ++j) {
-    if (!nearby.moved(state, j, kDifference, ahead, positions_ahead)) return {};
-    if (!nearby.moved(state, j, -kDifference, behind, positions_behind)) return {};
-    system.A.col(j) = (ahead - behind) / (2 * kDifference);
-    system.coordinates.col(j) = (positions_ahead - positions_behind) / (2 * kDifference);
-  }
-  for (const auto kind : {LinearState::Kind::position, LinearState::Kind::velocity})
-    for (const int i : nearby.free) system.states.push_back({kind, i});
-  for (int i = 0; i < static_cast<int>(state.x.size()); ++i) system.states.push_back({LinearState::Kind::auxiliary, i});
-  return modes(system);
-}
-
 StepVerdict judge_step(const Compilation& compilation, Integrator integrator, const SimulationSettings& settings,
-                       const SimulationSummary& summary, const std::vector<Mode>& modes) {
-  StepJudge judge{compilation, integrator, settings, summary};
+                       const SimulationSummary& summary, const std::vector<Mode>& modes,
+                       const std::vector<double>& energies, double turning_step) {
+  StepJudge judge{compilation, integrator, settings, summary, turning_step};
   judge.compare(modes);
   if (summary.status.ok()) {
     judge.judge_energy(modes);
+    judge.judge_modes(modes, energies);
   } else {
     judge.judge_stop();
   }

@@ -4,17 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "compiler/linearisation/linearisation.hpp"
-#include "compiler/study/simulation.hpp"
+#include "compiler/study/nearby.hpp"
 
 namespace mbgen {
-
-/// The modes of small motions about a state by central differences of its accelerations, see modes(); none for a model
-/// of more than kMostStatesForModes states or with rolling, at a singular position, and where no acceleration is to be
-/// had. inputs: of the model, at that time. Cost: two evaluations of the generic runtime a state.
-std::vector<Mode> modes_near(const Compilation& compilation, const GenericState& state,
-                             const std::vector<double>& inputs);
-constexpr int kMostStatesForModes = 200;
 
 /// Findings about the step of a motion.
 struct StepVerdict {
@@ -37,13 +29,21 @@ IntegratorChoice choose_integrator(const Compilation& compilation, const Simulat
 
 /// Compares the step with the modes (a mode that the integrator lets grow e-fold over the motion is not stable) and
 /// judges the energy balance: off by more than kEnergyWarning it is a warning, by more than kEnergyFailure a failure.
+/// energies: J, per mode, the largest that it had by oscillating, or empty. A mode that takes part by more than
+/// kTakesPart of the scale of the balance and that the method robs of more than kRobbed of its energy, over the time in
+/// which it has any, is a warning. turning_step: s, the longest that bears the turns of bodies, 0 where this one does.
 StepVerdict judge_step(const Compilation& compilation, SolverSettings::Integrator integrator,
                        const SimulationSettings& settings, const SimulationSummary& summary,
-                       const std::vector<Mode>& modes);
+                       const std::vector<Mode>& modes, const std::vector<double>& energies = {},
+                       double turning_step = 0);
+constexpr double kTakesPart = 1e-4, kRobbed = 0.1;
 constexpr double kEnergyWarning = 1e-3, kEnergyFailure = 0.1;  // of the energies that were exchanged
 
 /// Growth of a mode in one step, z = eigenvalue times step: |R(z)| of Runge-Kutta, of Adams-Bashforth-Moulton (PECE)
 /// the largest root of its characteristic polynomial.
 double growth_of_step(SolverSettings::Integrator integrator, std::complex<double> z);
+
+/// Part of its energy that a mode loses or gains by the method alone, in the time in which it has any; duration: s.
+double robbed_share(SolverSettings::Integrator integrator, const Mode& mode, double h, double duration);
 
 }  // namespace mbgen

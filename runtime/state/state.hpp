@@ -27,6 +27,13 @@ struct GenericOutputs {
   double kinetic_energy = 0, potential_energy = 0, applied_power = 0;
 };
 
+/// What gives and takes energy at a state, for the scale of an energy balance.
+struct GenericExchanges {
+  std::vector<double> powers;   ///< W, of force elements in parts that do not cancel, and of gravity on bodies
+  double applied = 0;           ///< W, of all force elements, without drives
+  std::vector<double> kinetic;  ///< J, of bodies by translation and about each of their axes
+};
+
 /// Whether a ball should be in its other chart.
 inline bool leaves_charts(const std::vector<Ball>& balls, const GenericState& state) {
   for (std::size_t b = 0; b < balls.size(); ++b) {

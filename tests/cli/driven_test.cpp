@@ -297,8 +297,9 @@ TEST_F(Driven, CoachIsSteeredByATable) {
   EXPECT_LT(difference(by_table.table, by_time.table, "z.pitman_arm [rad]"), 1e-5);
   EXPECT_LT(difference(by_table.table, by_time.table, "yaw_rate [rad/s]"), 1e-4);
   EXPECT_LT(difference(by_table.table, by_time.table, "steering_torque [N m]"), 1e-2);
-  EXPECT_LT(std::abs(by_time.summary["relative_energy_error"].get<double>()), 1e-6);
-  EXPECT_LT(std::abs(by_table.summary["relative_energy_error"].get<double>()), 1e-6);
+  // Of what went back and forth in a quarter of a second, a tenth of the coach's kinetic energy.
+  EXPECT_LT(std::abs(by_time.summary["relative_energy_error"].get<double>()), 1e-5);
+  EXPECT_LT(std::abs(by_table.summary["relative_energy_error"].get<double>()), 1e-5);
 }
 
 }  // namespace

@@ -171,5 +171,30 @@ TEST(InputPaths, WorkInSinglePrecision) {
   EXPECT_EQ(paths.now(inputs).angle, 0.3f);
 }
 
+constexpr InputRow<Inputs, double> kMade[] = {{3, {&Inputs::angle, &Inputs::rate, &Inputs::acceleration}, true},
+                                              {2, {&Inputs::way, &Inputs::speed}}};
+
+// A caller who gives value and rate of 0.5 t^2, and knows no acceleration: it is 1 from the second step on.
+TEST(InputPaths, MakeALastRateThatTheModelDoesNotName) {
+  InputPaths<Inputs, kMade> paths;
+  for (int k = 0; k < 20; ++k) {
+    const double t = k * kStep;
+    Inputs given = wanted(t * t / 2, 0.5);
+    given.rate = t;
+    if (k > 1) EXPECT_NEAR(paths.now(given).acceleration, 1, 1e-12) << "outputs at the end of the last step";
+    const Inputs at = paths.of_step(given, kStep);
+    EXPECT_EQ(at.angle, given.angle);
+    EXPECT_EQ(at.rate, given.rate);
+    if (k > 0) EXPECT_NEAR(at.acceleration, 1, 1e-12) << k;
+    EXPECT_EQ(at.way, 0.5);
+  }
+  Inputs known = wanted(1, 0.5);
+  known.rate = 2;
+  known.acceleration = 3;
+  EXPECT_TRUE(are_same(paths.of_step(known, kStep), known)) << "one that is given is taken";
+  known.acceleration = 0;
+  EXPECT_TRUE(are_same(paths.of_step(known, kStep), known));
+}
+
 }  // namespace
 }  // namespace mbgen

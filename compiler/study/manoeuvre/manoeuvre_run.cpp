@@ -13,6 +13,7 @@ namespace mbgen {
 namespace {
 
 constexpr double kUnlimited = 1e15;
+constexpr double kSameStep = 1e-6;      // of a step: a plan that ends so little after one ends there
 constexpr double kEngineBraking = 0.3;  // m/s^2, by the drive before the brakes help
 
 /// The part of a change that is done.
@@ -226,7 +227,11 @@ std::shared_ptr<ManoeuvreRun> prepare_manoeuvre(const std::string& file, const s
   }
   add_vehicle_outputs(model);
   const auto run = std::make_shared<ManoeuvreRun>(model, manoeuvre, file);
+  const bool is_planned = !arguments.duration;
   run->complete(arguments, model.solver.step);
+  const double step = arguments.step.value_or(model.solver.step);
+  // A plan lasts whole steps: times of rows are then multiples of the step.
+  if (is_planned && step > 0) arguments.duration = std::ceil(*arguments.duration / step - kSameStep) * step;
   return run;
 }
 

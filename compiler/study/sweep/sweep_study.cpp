@@ -17,6 +17,7 @@
 #include "compiler/study/contact_watch.hpp"
 #include "compiler/study/initial_state.hpp"
 #include "compiler/study/load_watch.hpp"
+#include "compiler/study/motion_watch.hpp"
 #include "compiler/study/simulation_arguments.hpp"
 #include "compiler/study/step_verdict.hpp"
 
@@ -169,21 +170,22 @@ std::optional<CaseResult> measured(const Study& study, const Compilation& compil
   Recorder recorder(study, compilation, inputs);
   ContactWatch contacts(compilation);
   LoadWatch loads(compilation.model);
+  MotionWatch watch(compilation, study.choice.integrator, study.settings, start, inputs, false);
   SimulationSettings settings = study.settings;
   settings.has_multipliers = contacts.needs_multipliers();
   settings.is_stopped = is_stopped;
-  const SimulationSummary summary = simulate(engine, start, inputs, settings, [&](const Sample& sample) {
+  SimulationSummary summary = simulate(engine, start, inputs, settings, [&](const Sample& sample) {
     recorder.add(sample);
     contacts.add(sample);
     loads.add(sample);
+    watch.add(sample);
   });
   if (summary.is_stopped) return {};
   if (!summary.status.ok()) {
     return failed(study,
                   fmt::format("stopped after t = {} s: {}", summary.end_time, describe(compilation, summary.status)));
   }
-  StepVerdict verdict = judge_step(compilation, study.choice.integrator, study.settings, summary,
-                                   modes_near(compilation, start, inputs.at(0)));
+  StepVerdict verdict = watch.judge(summary);
   judge_contacts(contacts, verdict);
   judge_loads(loads, verdict);
   if (!verdict.failure.empty()) return failed(study, verdict.failure);
@@ -208,6 +210,7 @@ Study read_study(const StudyArguments& arguments) {
   study.grid = read_grid(arguments.vary, study.model);
   study.metrics = expect(read_metrics(arguments.metrics, study.model, kMetricOption));
   study.settings = settings_of(arguments.simulation, study.model.solver);
+  follow_step(study.settings, study.set, study.model);
   require_whole_periods(study.settings, study.model);
   const double end = static_cast<double>(study.settings.steps) * study.settings.step;
   if (const std::optional<double> instant = instant_outside(study.metrics, end)) {

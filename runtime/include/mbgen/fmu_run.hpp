@@ -1,8 +1,11 @@
 #pragma once
 // The life of an instance of FMI 2 or 3: its modes, steps, continuous states and saved runs. See fmu.hpp.
 
+#include <cstring>
+
 #include "mbgen/fmu.hpp"
 #include "mbgen/fmu_instants.hpp"
+#include "mbgen/fmu_turns.hpp"
 #include "mbgen/step_time.hpp"
 
 namespace mbgen::fmu {
@@ -47,7 +50,7 @@ Answer leave_initialization(Core<Model>& core) noexcept {
   if (!solve(core)) return Answer::error;
   commit(core);
   core.run.history = {};
-  if (kHeld < Model >> 0) core.run.next_event = core.run.state.t;  // its event may be an instant
+  if (kHeld<Model> != 0) core.run.next_event = core.run.state.t;  // its event may be an instant
   choose_coordinates(core);
   keep_point(core);
   core.run.mode = core.run.interface == Interface::model_exchange ? kEvent : kStep;
@@ -134,6 +137,14 @@ void compare_rates(Core<Model>& core, double point, const typename Model::Inputs
   }
 }
 
+/// Answer: warning as compare_turns; rates that contradict their values are told beside an ok. size: s, of the steps
+/// inside.
+template <class Model>
+Answer compare_step(Core<Model>& core, double point, const typename Model::Inputs& now, double size) noexcept {
+  compare_rates(core, point, now);
+  return compare_turns(core, size);
+}
+
 /// Inner steps of one size over so many seconds. at_point: see do_step. Result: whether all went well.
 template <class Model, class AtPoint>
 bool take_steps(Core<Model>& core, double width, bool is_last, const AtPoint& at_point) noexcept {
@@ -150,7 +161,7 @@ bool take_steps(Core<Model>& core, double width, bool is_last, const AtPoint& at
 /// Steps from a communication point to the next. Loops that parameters have opened are closed first. at_point is called
 /// at the end of every inner step, with whether it is the last one; inputs that it sets act from there on.
 /// Answer: error for a point or size that cannot be; discard where the solver fails or the loops cannot be closed, the
-/// run is then as before.
+/// run is then as before; warning as compare_turns.
 template <class Model, class AtPoint>
 Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_point) noexcept {
   const double t = core.run.state.t, stop = core.run.stop_time;
@@ -170,8 +181,7 @@ Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_p
   if (core.run.is_closed && division.count == 1 && width == size) {  // needs no way back
     if (!take_step(core, division.size)) return Answer::discard;
     at_point(true);
-    compare_rates(core, point, now);
-    return Answer::ok;
+    return compare_step(core, point, now, division.size);
   }
   const Run<Model> before = core.run;
   if (!core.run.is_closed) {
@@ -185,8 +195,7 @@ Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_p
     core.is_solved = false;
     return Answer::discard;
   }
-  compare_rates(core, point, now);
-  return Answer::ok;
+  return compare_step(core, point, now, division.size);
 }
 
 /// Continuous states in their order: positions and velocities of the independent coordinates, auxiliary states.

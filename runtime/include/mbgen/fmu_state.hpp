@@ -152,6 +152,8 @@ struct Core {
   Status status;                        ///< of the solver's last call
   Refusal refusal;                      ///< of the last call of the importer's that was refused, or was told something
   bool has_warned = false;              ///< of rates that were left out or contradict their values
+  bool has_warned_of_turns = false;
+  unsigned turned = 0;  ///< turns that were too far for the method, see compare_turns
 };
 
 template <class Model>

@@ -9,11 +9,13 @@ namespace mbgen {
 /// An input and at most eight derivatives.
 constexpr int kLongestInputRow = 9;
 
-/// An input with its derivatives among the inputs, the input first. size: at least two.
+/// An input with its derivatives among the inputs, the input first. size: at least two. last_is_made: the model names
+/// all rates but the last, so that a caller who gives these need not know it.
 template <class Inputs, class Real>
 struct InputRow {
   int size;
   Real Inputs::*members[kLongestInputRow];
+  bool last_is_made = false;
 };
 
 namespace path_detail {
@@ -47,7 +49,8 @@ Real later(const Real* values, int size, int first, Real dt) noexcept {
 ///   - stays within the values that were given, and rests `degree` steps after they do;
 ///   - lags (degree + 1) / 2 steps behind them: one step with a rate, one and a half with rate and acceleration;
 ///   - has all rates continuous but the last, which is constant during a step.
-/// A row of which any rate was other than zero is left as it is given, bit for bit, and so is what is in no row.
+/// A row of which any rate was other than zero is left as it is given, bit for bit, and so is what is in no row; a last
+/// rate that the model does not name is then the slope of the one before over the last step, until it is given.
 /// The first step stands at the values that it is given, at rest.
 /// While steps change their size the path stays smooth, but may leave the values a little.
 /// Plain data: a copy is the way back from a step that failed.
@@ -70,10 +73,18 @@ class InputPaths {
     Inputs result = wanted;
     for (int r = 0; r < kCount; ++r) {
       rows_[r].given = rows_[r].given || has_rates(r, wanted);
+      rows_[r].last_given = rows_[r].last_given || wanted.*kRows[r].members[kRows[r].size - 1] != 0;
       Real values[kLongestInputRow];
       const int size = kRows[r].size;
       for (int k = 0; k < size; ++k) values[k] = wanted.*kRows[r].members[k];
-      if (!is_given(r, wanted)) follow(r, static_cast<Real>(h), values);
+      if (!is_given(r, wanted)) {
+        follow(r, static_cast<Real>(h), values);
+      } else if (makes_last(r, wanted)) {
+        Row& row = rows_[r];
+        row.made = values[size - 1] = row.size > 0 ? (values[size - 2] - row.before) / row.size : 0;
+      }
+      rows_[r].before = wanted.*kRows[r].members[size - 2];
+      rows_[r].size = static_cast<Real>(h);
       for (int k = 0; k < size; ++k) {
         result.*kRows[r].members[k] = values[k];
         rows_[r].values[k] = path_detail::later(values, size, k, static_cast<Real>(h));
@@ -87,7 +98,11 @@ class InputPaths {
   Inputs now(const Inputs& wanted) const noexcept {
     Inputs result = wanted;
     for (int r = 0; r < kCount && has_started_; ++r) {
-      if (is_given(r, wanted)) continue;
+      if (is_given(r, wanted)) {
+        const int last = kRows[r].size - 1;
+        if (makes_last(r, wanted)) result.*kRows[r].members[last] = slope(rows_[r], wanted.*kRows[r].members[last - 1]);
+        continue;
+      }
       for (int k = 0; k < kRows[r].size; ++k) result.*kRows[r].members[k] = rows_[r].values[k];
     }
     return result;
@@ -107,9 +122,11 @@ class InputPaths {
   using Real = decltype(member_type(kRows[0].members[0]));
 
   struct Row {
-    Real values[kLongestInputRow] = {};  ///< at the end of the last step
-    Real reach = 0;                      ///< largest value since the path was at rest
-    bool given = false;                  ///< whether a rate was other than zero since the start
+    Real values[kLongestInputRow] = {};   ///< at the end of the last step
+    Real reach = 0;                       ///< largest value since the path was at rest
+    bool given = false;                   ///< whether a rate was other than zero since the start
+    bool last_given = false;              ///< whether the last rate was
+    Real before = 0, made = 0, size = 0;  ///< of the last step: rate before the last one, slope that was made, s
   };
 
   static bool has_rates(int r, const Inputs& inputs) noexcept {
@@ -121,6 +138,17 @@ class InputPaths {
 
   bool is_given(int r, const Inputs& wanted) const noexcept {
     return rates_given || rows_[r].given || has_rates(r, wanted);
+  }
+
+  /// Whether the last rate of a row whose others are given is to be made of them.
+  bool makes_last(int r, const Inputs& wanted) const noexcept {
+    return kRows[r].last_is_made && !rows_[r].last_given && wanted.*kRows[r].members[kRows[r].size - 1] == 0;
+  }
+
+  /// Slope of the rate before the last one since the last step began; that of the step before it where nobody gave the
+  /// rate anew.
+  static Real slope(const Row& row, Real rate) noexcept {
+    return row.size > 0 && rate != row.before ? (rate - row.before) / row.size : row.made;
   }
 
   bool is_at_rest(int r, Real value) const noexcept {
