@@ -10,7 +10,7 @@ namespace mbgen::fmu {
 /// Seconds up to the next instant of sampled values, which the step that begins there sets; `left` where that is later.
 template <class Model>
 double until_instant([[maybe_unused]] double t, double left) noexcept {
-  if constexpr (kHeld < Model >> 0) {
+  if constexpr (kHeld<Model> != 0) {
     const double width = Model::next_instant(t) - t;
     if (width + same_instant(t + left) < left) return width;
   }
@@ -20,7 +20,7 @@ double until_instant([[maybe_unused]] double t, double left) noexcept {
 /// The time of a step from `begin` on, whose size is rounded: that of the next instant where it is beyond.
 template <class Model>
 double not_beyond_instant([[maybe_unused]] double begin, double t) noexcept {
-  if constexpr (kHeld < Model >> 0) {
+  if constexpr (kHeld<Model> != 0) {
     const double instant = Model::next_instant(begin);
     if (t - same_instant(t) > instant) return instant;
   }
@@ -45,7 +45,7 @@ Answer check_event(Core<Model>& core) noexcept {
 /// Sets the sampled values whose instant is now, once. Result: whether it went well. Requires: closed.
 template <class Model>
 bool take_samples([[maybe_unused]] Core<Model>& core) noexcept {
-  if constexpr (kHeld < Model >> 0) {
+  if constexpr (kHeld<Model> != 0) {
     Run<Model>& run = core.run;
     if (!is_at_event(run)) return true;
     core.status = Model::sample(run.parameters, run.inputs, run.state);
