@@ -233,11 +233,13 @@ void add_loops(Reading& reading, const std::vector<UrdfLoop>& loops, const UrdfR
     if (has_axis(ends.type)) draft.axis = ends.from.linear() * ends.axis;
     assembly.joints.push_back(std::move(draft));
     const std::string gap = gap_of(ends);
-    if (gap.empty() || robot.is_closed_by_moving) continue;
+    if (gap.empty() || !is_told(robot, loop.name)) continue;
     if (loop.pointer.empty()) {
-      problem(reading, loop.spot, fmt::format("loop {} does not close, {}", quoted_text(loop.name), gap), kGapHint);
+      problem(reading, loop.spot,
+              fmt::format("loop {} does not close, {}{}", quoted_text(loop.name), gap, remains_open(robot, loop.name)),
+              kGapHint);
     } else {
-      sidecar_problem(reading, loop.pointer, "loop does not close, " + gap,
+      sidecar_problem(reading, loop.pointer, "loop does not close, " + gap + remains_open(robot, loop.name),
                       "name joint positions at which it closes, as \"positions\": { \"joint\": 0.3 }");
     }
   }
