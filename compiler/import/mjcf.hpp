@@ -35,6 +35,7 @@ struct MjcfJoint {
   JointType type = JointType::revolute;
   double reference = 0;  ///< rad or m: MuJoCo's coordinate at the reference configuration
   double armature = 0;   ///< kg m^2 or kg
+  double free = 0;       ///< rad or m: coordinate of the model at MuJoCo\'s springref
 };
 
 /// A spring and damper of a joint by <joint springdamper>, over the inertia that the coordinate feels.

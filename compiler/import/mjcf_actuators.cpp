@@ -43,8 +43,12 @@ std::optional<MjcfLength> read_length(Mjcf& mjcf, const Element& tendon) {
 /// How far the tendon is stretched beyond what its spring leaves free.
 std::vector<Term> stretch_of(const MjcfLength& length, const std::vector<double>& springlength, double stiffness) {
   const double lower = springlength.front(), upper = springlength.back();
-  // A negative length means the one at the reference.
-  const double offset = lower < 0 ? 0 : length.reference() - lower;
+  // A negative length means the one at the joints' springref.
+  double offset = length.reference() - lower;
+  if (lower < 0) {
+    offset = 0;
+    for (const auto& [factor, joint] : length.parts) offset -= factor * joint.free;
+  }
   if (lower == upper || lower < 0) {
     std::vector<Term> terms = terms_of(length, -stiffness, "z.");
     terms.push_back({-stiffness * offset});

@@ -88,8 +88,6 @@ void add_passive_forces(Mjcf& mjcf, const Placed& joint, const MjcfJoint& made) 
   const double stiffness = mjcf.settings.has_springs ? value("stiffness") : 0;
   const double damping = mjcf.settings.has_dampers ? value("damping") : 0;
   const double friction = mjcf.settings.has_friction ? value("frictionloss") : 0;
-  const bool is_angle = made.type == JointType::revolute && mjcf.settings.is_in_degrees;
-  const double free = value("springref") * (is_angle ? std::numbers::pi / 180 : 1.0) - made.reference;
   if (stiffness < 0 || damping < 0 || friction < 0) {
     problem(mjcf.reading, joint.element->spot, "stiffness, damping and frictionloss are not negative");
     return;
@@ -99,8 +97,8 @@ void add_passive_forces(Mjcf& mjcf, const Placed& joint, const MjcfJoint& made) 
       given ? numbers(mjcf.reading, *given, 2, 2).value_or(std::vector<double>{0, 0}) : std::vector<double>{0, 0};
   // As in MuJoCo, both must be positive; they then go before stiffness and damping.
   const bool is_by_time = by_time[0] > 0 && by_time[1] > 0;
-  if (is_by_time) mjcf.spring_dampers.push_back({made.coordinate, by_time[0], by_time[1], free});
-  add_joint_forces(mjcf.assembly, made.coordinate, is_by_time ? 0 : stiffness, is_by_time ? 0 : damping, free,
+  if (is_by_time) mjcf.spring_dampers.push_back({made.coordinate, by_time[0], by_time[1], made.free});
+  add_joint_forces(mjcf.assembly, made.coordinate, is_by_time ? 0 : stiffness, is_by_time ? 0 : damping, made.free,
                    friction);
   if (friction > 0) {
     lose(mjcf, joint.element->spot,
@@ -135,6 +133,9 @@ void add_joint(Mjcf& mjcf, const Placed& joint, JointType type, int from, int to
     }
     result.armature = inherited_number(mjcf, element, joint.childclass, "armature", 0);
     if (result.armature < 0) problem(mjcf.reading, element.spot, "armature is not negative");
+    result.free =
+        inherited_number(mjcf, element, joint.childclass, "springref", 0) * (is_angle ? std::numbers::pi / 180 : 1.0) -
+        result.reference;
     add_passive_forces(mjcf, joint, result);
     if (const auto ends = limits_of(mjcf, joint, type))
       add_stops(mjcf.reading.request, mjcf.assembly, made.name, ends->first - result.reference,
