@@ -59,6 +59,15 @@ struct LoopEnds {
   Vector3d axis{1, 0, 0};                                                 ///< unit, in both frames
 };
 
+/// Gap of a loop: m, then rad.
+struct Gap {
+  Vector3d apart = Vector3d::Zero(), turned = Vector3d::Zero();
+  bool is_below(double length, double angle) const { return apart.norm() <= length && turned.norm() <= angle; }
+};
+
+/// Of the ends of a loop, in the axes of its frame on `from`.
+Gap gap_between(const LoopEnds& ends);
+
 /// Why the loop does not close as it stands, or "".
 std::string gap_of(const LoopEnds& ends);
 /// The next step for the user.

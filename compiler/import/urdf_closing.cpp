@@ -19,30 +19,6 @@ constexpr double kOpen = 1e-6;                      // m and rad, as the model's
 constexpr double kLeft = 2e-3, kLeftTurned = 5e-3;  // m and rad that may be left when no joint closes more
 constexpr std::size_t kMostLoops = 300;             // of which all are closed together
 
-/// Gap of a loop: m, then rad.
-struct Gap {
-  Vector3d apart = Vector3d::Zero(), turned = Vector3d::Zero();
-  bool is_below(double length, double angle) const { return apart.norm() <= length && turned.norm() <= angle; }
-};
-
-Gap gap_between(const LoopEnds& ends) {
-  const Isometry3d between = ends.from.inverse() * ends.to;
-  Gap gap;
-  const Vector3d along = ends.axis * ends.axis.dot(between.translation());
-  gap.apart = between.translation();
-  if (ends.type == JointType::prismatic || ends.type == JointType::cylindrical) gap.apart -= along;
-  if (ends.type == JointType::planar) gap.apart = along;
-  const Eigen::AngleAxisd turn(between.linear());
-  if (ends.type == JointType::fixed || ends.type == JointType::prismatic) {
-    gap.turned = turn.angle() * turn.axis();
-  } else if (ends.type != JointType::spherical) {
-    const Vector3d axis = between.linear() * ends.axis, across = ends.axis.cross(axis);
-    const double sine = across.norm();
-    if (sine > 0) gap.turned = across * (std::atan2(sine, ends.axis.dot(axis)) / sine);
-  }
-  return gap;
-}
-
 bool all_below(const std::vector<Gap>& gaps, double length, double angle) {
   return std::all_of(gaps.begin(), gaps.end(), [&](const Gap& gap) { return gap.is_below(length, angle); });
 }
