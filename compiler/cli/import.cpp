@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "compiler/base/files.hpp"
@@ -21,6 +22,7 @@ namespace {
 
 struct ImportOptions {
   std::string robot, loops, file, base = "fixed";
+  std::optional<double> stops;
   bool json = false;
 };
 
@@ -31,6 +33,9 @@ ImportRequest import_request(const ImportOptions& options) {
     request.loops = read_text(options.loops, reading::kMostBytesOfTree);
   }
   request.base = options.base == "floating" ? RobotBase::floating : RobotBase::fixed;
+  if (options.stops && !(*options.stops > 0 && *options.stops <= 1e15))
+    throw UserError("--stops: a stiffness above zero, in N m/rad and N/m\n");
+  request.stop_stiffness = options.stops.value_or(0);
   request.read = [](const std::string& path) -> std::optional<std::string> {
     if (is_special(path)) return std::nullopt;
     try {
@@ -96,6 +101,8 @@ void add_import(NamedCommand application, int& exit_code) {
       .add_option("--base", options->base,
                   "of a URDF robot: fixed, or floating where its root link moves freely (default fixed)")
       .one_of({"fixed", "floating"});
+  command.add_option("--stops", options->stops,
+                     "stiffness of stops at the ends of joints' ranges, N m/rad and N/m (default: no stops)");
   add_json_option(command, options->json);
   command.callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -61,9 +61,31 @@ struct ShapeDraft {
   std::string colour = {};
 };
 
-/// A force on a coordinate that an input of the same name as the actuator sets.
-struct ActuatorDraft {
-  std::string name, coordinate, force, unit;
+/// An input that sets forces on coordinates.
+struct InputDraft {
+  std::string name, unit;
+};
+
+/// A generalised force by an expression.
+struct JointForceDraft {
+  std::string name, coordinate, force;
+};
+
+/// A relation between coordinates: an expression that stays zero.
+struct CouplingDraft {
+  std::string name, relation;
+};
+
+/// A state of its own, zero at the start, by its derivative.
+struct StateDraft {
+  std::string name, derivative, unit;
+};
+
+/// An end of a coordinate's range.
+struct StopDraft {
+  std::string name, coordinate;
+  bool is_above = true;
+  double clearance = 0;  ///< rad or m from the reference to the contact
 };
 
 struct Assembly {
@@ -74,9 +96,14 @@ struct Assembly {
   std::vector<JointDraft> joints;
   std::vector<SpringDraft> springs;
   std::vector<FrictionDraft> frictions;
-  std::vector<ActuatorDraft> actuators;
+  std::vector<InputDraft> inputs;
+  std::vector<JointForceDraft> joint_forces;
+  std::vector<CouplingDraft> couplings;
+  std::vector<StateDraft> states;
+  std::vector<StopDraft> stops;
+  double stop_stiffness = 0;  ///< N m/rad or N/m
   std::vector<ShapeDraft> shapes;
-  std::set<std::string> body_names{"ground"}, coordinate_names, shape_names;
+  std::set<std::string> body_names{"ground"}, coordinate_names, shape_names, force_names, coupling_names, stop_names;
   /// Expressions know these as something else.
   std::set<std::string> input_names{"pi",   "t",    "z",    "zd",    "sqrt", "sin",   "cos",  "tan",
                                     "asin", "acos", "atan", "atan2", "exp",  "log",   "tanh", "abs",
@@ -100,6 +127,28 @@ std::string add_point(BodyDraft& body, std::string_view name, const Vector3d& po
 /// Spring, damper and friction of a coordinate, where they are not zero.
 void add_joint_forces(Assembly& assembly, const std::string& coordinate, double stiffness, double damping, double free,
                       double friction);
+
+/// Stops at the ends of a coordinate's range, where the request asks for them; an end that is not finite has none.
+void add_stops(const ImportRequest& request, Assembly& assembly, const std::string& coordinate, double lower,
+               double upper);
+
+/// The inertia that a geared rotor adds to one coordinate (kg m^2 or kg) and to nothing else: a disc that hangs on the
+/// ground by its centre and turns as the coordinate moves.
+void add_rotor(Assembly& assembly, const std::string& coordinate, double inertia);
+
+/// A factor of a name in an expression.
+struct Term {
+  double factor = 0;
+  std::string name = {};  ///< empty: the number alone
+};
+/// The sum as text, without terms of factor zero; "0" where none is left.
+std::string sum_text(const std::vector<Term>& terms);
+
+/// The number as a person would type it: without the last digits that products of decimals leave.
+std::string number_text(double value);
+
+/// At most three of the names in quotes, and the number of the others: "a", "b", "c" and 4 more.
+std::string few_names(const std::vector<std::string>& names);
 
 /// Says of inertias that no rigid body has why they may stand: bodies that fixed joints hold together count together,
 /// and bodies fixed to the ground do not matter. Fails (with problems): where the mass matrix would be indefinite.

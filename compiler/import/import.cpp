@@ -39,6 +39,16 @@ std::string model_name(const ImportRequest& request, const Element& root) {
 
 void translate(Reading& reading, const Element& root, Assembly& assembly) {
   if (root.name == "robot") return importing::import_urdf(reading, root, assembly);
+  if (root.name == "sdf" || root.name == "gazebo") {
+    importing::problem(reading, root.spot, fmt::format("<{}> is SDF, which is not read", root.name),
+                       "URDF (<robot>) and MJCF (<mujoco>) are read: write the robot in one of them");
+    return;
+  }
+  if (root.name == "mujocoinclude") {
+    importing::problem(reading, root.spot, "<mujocoinclude> is a part of a model",
+                       "import the file that includes it, its root element is <mujoco>");
+    return;
+  }
   if (root.name != "mujoco") {
     importing::problem(reading, root.spot, fmt::format("<{}> is no robot", root.name),
                        "the root element of URDF is <robot>, of MJCF <mujoco>");

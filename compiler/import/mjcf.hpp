@@ -19,6 +19,9 @@ struct MjcfSettings {
   double bound_mass = 0, bound_inertia = 0;  ///< least mass and principal moment of a body; 0: none
   double total_mass = -1;                    ///< kg, sum that all masses are scaled to; negative: as they are
   double first_group = 0, last_group = 5;    ///< of geoms whose mass counts
+  bool limits_by_range = true;               ///< a range alone makes a limit
+  /// Of <option> <flag>.
+  bool has_springs = true, has_dampers = true, has_friction = true, has_equalities = true, has_actuators = true;
 };
 
 /// Elements of a <default> class by their names, and the class it inherits from.
@@ -31,6 +34,24 @@ struct MjcfJoint {
   std::string coordinate;  ///< name of the joint in the model
   JointType type = JointType::revolute;
   double reference = 0;  ///< rad or m: MuJoCo's coordinate at the reference configuration
+  double armature = 0;   ///< kg m^2 or kg
+  double free = 0;       ///< rad or m: coordinate of the model at MuJoCo\'s springref
+};
+
+/// A spring and damper of a joint by <joint springdamper>, over the inertia that the coordinate feels.
+struct MjcfSpringDamper {
+  std::string coordinate;
+  double time_constant = 0, damping_ratio = 0, free = 0;
+};
+
+/// A sum of coordinates: a fixed tendon, or one coordinate.
+struct MjcfLength {
+  std::vector<std::pair<double, MjcfJoint>> parts = {};  ///< coefficients
+  double reference() const {
+    double sum = 0;
+    for (const auto& [factor, joint] : parts) sum += factor * joint.reference;
+    return sum;
+  }
 };
 
 /// Parts of elements that were left out: told once, at the first place.
@@ -49,6 +70,12 @@ struct Mjcf {
   std::map<std::string, Isometry3d, std::less<>> site_of = {};  ///< global at the reference
   std::map<std::string, int, std::less<>> body_of_site = {};
   std::map<std::string, MjcfLoss> losses = {};  ///< by their text
+  std::vector<MjcfJoint> scalar_joints = {};    ///< hinges and slides, named or not
+  std::vector<MjcfSpringDamper> spring_dampers = {};
+  std::map<std::string, MjcfLength, std::less<>> tendon_of = {};
+  std::vector<std::string> massless = {};                           ///< bodies whose mass a mesh should give
+  std::map<std::string, double, std::less<>> inertia_of = {};       ///< diagonal of the mass matrix at the reference
+  std::map<std::string, double, std::less<>> felt_inertia_of = {};  ///< one over the diagonal of its inverse
 };
 
 /// Counts a loss of which one note tells; `text` follows the number of places.
@@ -61,6 +88,8 @@ void read_settings(Mjcf& mjcf, const Element& root);
 /// childclass: the class of elements that name none.
 const Attribute* inherited(const Mjcf& mjcf, const Element& element, const std::string& childclass,
                            std::string_view name);
+/// Of an element whose defaults have another name: those of <equality> and <tendon> are for all their kinds.
+const Attribute* inherited_as(const Mjcf& mjcf, const Element& element, std::string_view as, std::string_view name);
 double inherited_number(Mjcf& mjcf, const Element& element, const std::string& childclass, std::string_view name,
                         double fallback);
 Vector3d inherited_vector(Mjcf& mjcf, const Element& element, const std::string& childclass, std::string_view name,
@@ -88,7 +117,19 @@ void read_bodies(Mjcf& mjcf, const Element& world);
 /// Joints of a body, between it and its parent; without any it is fixed.
 void read_joints(Mjcf& mjcf, const Element& element, const std::string& childclass, int parent, int body);
 
-/// <equality>, <actuator>, after the bodies.
+/// The mass matrix of the tree at the reference, with armatures: inertia_of and felt_inertia_of of hinges and slides.
+/// Cost: quadratic in the depth of the tree, cubic in its freedoms.
+void find_inertias(Mjcf& mjcf);
+/// Springs and dampers by time constants. Requires: inertias are found.
+void add_spring_dampers(Mjcf& mjcf);
+
+/// Springs, dampers and friction of <tendon> <fixed>, after the bodies.
+void read_tendons(Mjcf& mjcf, const Element& section);
+
+/// Sums of coordinates: sum of factor times coordinate, in the model's coordinates.
+std::vector<Term> terms_of(const MjcfLength& length, double factor, std::string_view prefix);
+
+/// <equality>, <actuator>, after the tendons.
 void read_equalities(Mjcf& mjcf, const Element& section);
 void read_actuators(Mjcf& mjcf, const Element& section);
 

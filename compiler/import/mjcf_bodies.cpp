@@ -35,30 +35,46 @@ struct Placed {
   std::string childclass;
 };
 
+bool has_one_coordinate(JointType type) { return type == JointType::revolute || type == JointType::prismatic; }
+
 BodyDraft& draft(Mjcf& mjcf, int body) { return mjcf.assembly.bodies[static_cast<std::size_t>(body)]; }
 
 /// Attributes of a joint that are not carried over.
 void note_lost(Mjcf& mjcf, const Placed& joint, JointType type) {
   const Element& element = *joint.element;
-  if (inherited_number(mjcf, element, joint.childclass, "armature", 0) != 0) {
-    lose(mjcf, element.spot, "joint with armature: the inertia of the rotor is not carried over");
-  }
   if (inherited(mjcf, element, joint.childclass, "range")) {
-    lose(mjcf, element.spot, "joint with a range: limits are not enforced, they stand beside the joints as comments");
+    const bool stops = mjcf.reading.request.stop_stiffness > 0 && has_one_coordinate(type);
+    if (!stops)
+      lose(mjcf, element.spot, "joint with a range: limits are not enforced, they stand beside the joints as comments");
   }
   if (type == JointType::revolute || type == JointType::prismatic) return;
-  for (const char* name : {"stiffness", "damping", "frictionloss"}) {
+  for (const char* name : {"stiffness", "damping", "frictionloss", "armature"}) {
     if (element.name == "freejoint" || inherited_number(mjcf, element, joint.childclass, name, 0) == 0) continue;
     lose(mjcf, element.spot,
          fmt::format("{} joint with {}: not carried over, the coordinates of the model are others",
                      type == JointType::free ? "free" : "ball", name));
   }
+  if (element.name != "freejoint" && inherited(mjcf, element, joint.childclass, "springdamper"))
+    lose(mjcf, element.spot,
+         fmt::format("{} joint with springdamper: not carried over, the coordinates of the model are others",
+                     type == JointType::free ? "free" : "ball"));
+}
+
+/// Ends of the range in MuJoCo's coordinate, rad or m, where it is enforced.
+std::optional<std::pair<double, double>> limits_of(Mjcf& mjcf, const Placed& joint, JointType type) {
+  const std::string limited = inherited_text(mjcf, *joint.element, joint.childclass, "limited", "auto");
+  const Attribute* range = inherited(mjcf, *joint.element, joint.childclass, "range");
+  if (!range || limited == "false" || (limited == "auto" && !mjcf.settings.limits_by_range)) return std::nullopt;
+  const std::optional<std::vector<double>> values = limits(mjcf.reading, *range, 2, 2);
+  if (!values) return std::nullopt;
+  const double unit = type == JointType::revolute && mjcf.settings.is_in_degrees ? std::numbers::pi / 180 : 1.0;
+  return std::pair((*values)[0] * unit, (*values)[1] * unit);
 }
 
 std::string range_text(Mjcf& mjcf, const Placed& joint, JointType type) {
   const Attribute* range = inherited(mjcf, *joint.element, joint.childclass, "range");
   if (!range) return {};
-  const std::optional<std::vector<double>> values = numbers(mjcf.reading, *range, 2, 2);
+  const std::optional<std::vector<double>> values = limits(mjcf.reading, *range, 2, 2);
   if (!values) return {};
   const char* unit = type == JointType::prismatic ? "m" : mjcf.settings.is_in_degrees ? "deg" : "rad";
   return fmt::format("range {} .. {} {}", (*values)[0], (*values)[1], unit);
@@ -69,14 +85,21 @@ void add_passive_forces(Mjcf& mjcf, const Placed& joint, const MjcfJoint& made) 
   const auto value = [&](const char* name) {
     return inherited_number(mjcf, *joint.element, joint.childclass, name, 0);
   };
-  const double stiffness = value("stiffness"), damping = value("damping"), friction = value("frictionloss");
-  const bool is_angle = made.type == JointType::revolute && mjcf.settings.is_in_degrees;
-  const double free = value("springref") * (is_angle ? std::numbers::pi / 180 : 1.0) - made.reference;
+  const double stiffness = mjcf.settings.has_springs ? value("stiffness") : 0;
+  const double damping = mjcf.settings.has_dampers ? value("damping") : 0;
+  const double friction = mjcf.settings.has_friction ? value("frictionloss") : 0;
   if (stiffness < 0 || damping < 0 || friction < 0) {
     problem(mjcf.reading, joint.element->spot, "stiffness, damping and frictionloss are not negative");
     return;
   }
-  add_joint_forces(mjcf.assembly, made.coordinate, stiffness, damping, free, friction);
+  const Attribute* given = inherited(mjcf, *joint.element, joint.childclass, "springdamper");
+  const std::vector<double> by_time =
+      given ? numbers(mjcf.reading, *given, 2, 2).value_or(std::vector<double>{0, 0}) : std::vector<double>{0, 0};
+  // As in MuJoCo, both must be positive; they then go before stiffness and damping.
+  const bool is_by_time = by_time[0] > 0 && by_time[1] > 0;
+  if (is_by_time) mjcf.spring_dampers.push_back({made.coordinate, by_time[0], by_time[1], made.free});
+  add_joint_forces(mjcf.assembly, made.coordinate, is_by_time ? 0 : stiffness, is_by_time ? 0 : damping, made.free,
+                   friction);
   if (friction > 0) {
     lose(mjcf, joint.element->spot,
          fmt::format("joint with frictionloss: smoothed below {} rad/s or m/s", kFrictionVelocity));
@@ -96,7 +119,7 @@ void add_joint(Mjcf& mjcf, const Placed& joint, JointType type, int from, int to
     made.at = pose * (joint.frame * pos);
     made.comment = range_text(mjcf, joint, type);
   }
-  MjcfJoint result{made.name, type, 0};
+  MjcfJoint result{made.name, type};
   if (has_axis) {
     const Vector3d axis = inherited_vector(mjcf, element, joint.childclass, "axis", Vector3d::UnitZ());
     if (axis.norm() == 0)
@@ -108,7 +131,16 @@ void add_joint(Mjcf& mjcf, const Placed& joint, JointType type, int from, int to
     if (result.reference != 0) {
       made.comment += fmt::format("{}zero is {:.6g} of the MJCF", made.comment.empty() ? "" : "; ", result.reference);
     }
+    result.armature = inherited_number(mjcf, element, joint.childclass, "armature", 0);
+    if (result.armature < 0) problem(mjcf.reading, element.spot, "armature is not negative");
+    result.free =
+        inherited_number(mjcf, element, joint.childclass, "springref", 0) * (is_angle ? std::numbers::pi / 180 : 1.0) -
+        result.reference;
     add_passive_forces(mjcf, joint, result);
+    if (const auto ends = limits_of(mjcf, joint, type))
+      add_stops(mjcf.reading.request, mjcf.assembly, made.name, ends->first - result.reference,
+                ends->second - result.reference);
+    mjcf.scalar_joints.push_back(result);
   }
   note_lost(mjcf, joint, type);
   if (named && !mjcf.joint_of.emplace(named->value, result).second) {
@@ -142,12 +174,8 @@ void read_inside(Mjcf& mjcf, const Element& owner, const std::string& childclass
       read_body(mjcf, inner, name, frame, body);
     } else if (inner.name == "site") {
       read_site(mjcf, inner, name, frame, body);
-    } else if (inner.name == "camera" || inner.name == "light") {
-      lose(mjcf, inner.spot, fmt::format("<{}>: not carried over, looks have no part in the dynamics", inner.name));
     } else if (inner.name == "geom") {
       lose(mjcf, inner.spot, "<geom>: only its mass is carried over, there is no contact");
-    } else if (inner.name != "joint" && inner.name != "freejoint" && inner.name != "inertial") {
-      lose(mjcf, inner.spot, fmt::format("<{}>: not carried over, its elements are missing", inner.name));
     }
   });
 }

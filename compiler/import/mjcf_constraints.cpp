@@ -1,4 +1,4 @@
-// MJCF: equalities that close loops, and motors.
+// MJCF: equalities that close loops, or relate coordinates and fixed tendons.
 #include <fmt/format.h>
 
 #include <array>
@@ -82,10 +82,6 @@ std::optional<EqualityEnds> ends_by_bodies(Mjcf& mjcf, const Element& equality, 
 
 void add_closure(Mjcf& mjcf, const Element& equality) {
   const bool is_weld = equality.name == "weld";
-  if (inherited_text(mjcf, equality, "", "active", "true") == "false") {
-    note(mjcf.reading, equality.spot, fmt::format("<{}> is not active: it is left out", equality.name));
-    return;
-  }
   const std::optional<EqualityEnds> ends =
       attribute(equality, "site1") ? ends_by_sites(mjcf, equality) : ends_by_bodies(mjcf, equality, is_weld);
   if (!ends) return;
@@ -114,83 +110,77 @@ void add_closure(Mjcf& mjcf, const Element& equality) {
                                   .cut = true});
 }
 
-/// The force of a motor on its coordinate, over the input u that is named like it: motor gear u; position
-/// gear kp (u - gear q); velocity gear kv (u - gear q'), where q is MuJoCo's coordinate.
-std::string actuator_force(Mjcf& mjcf, const Element& actuator, const MjcfJoint& joint, const std::string& input,
-                           double gear) {
-  const auto times = [](double factor) { return factor == 1 ? std::string() : fmt::format("{}*", factor); };
-  if (actuator.name == "motor") return times(gear) + input;
-  const bool is_position = actuator.name == "position";
-  const double gain = inherited_number(mjcf, actuator, "", is_position ? "kp" : "kv", 1);
-  std::string force = fmt::format("{}{} - {}{}.{}", times(gear * gain), input, times(gear * gear * gain),
-                                  is_position ? "z" : "zd", joint.coordinate);
-  if (!is_position) return force;
-  if (joint.reference != 0) force += fmt::format(" - {}", gear * gear * gain * joint.reference);
-  const double damping = inherited_number(mjcf, actuator, "", "kv", 0);
-  if (damping != 0) force += fmt::format(" - {}zd.{}", times(gear * gear * damping), joint.coordinate);
-  return force;
-}
-
-std::string actuator_unit(const Element& actuator, const MjcfJoint& joint, double gear) {
-  const bool turns = joint.type == JointType::revolute;
-  if (gear != 1) return "1";
-  if (actuator.name == "motor") return turns ? "N m" : "N";
-  if (actuator.name == "position") return turns ? "rad" : "m";
-  return turns ? "rad/s" : "m/s";
-}
-
-void add_actuator(Mjcf& mjcf, const Element& actuator) {
-  static constexpr std::array<std::string_view, 3> known = {"motor", "position", "velocity"};
-  require_class(mjcf, actuator, "class");
-  const Attribute* named = attribute(actuator, "joint");
-  const bool is_known = std::find(known.begin(), known.end(), actuator.name) != known.end();
-  const auto joint = named ? mjcf.joint_of.find(named->value) : mjcf.joint_of.end();
-  if (named && joint == mjcf.joint_of.end()) {
+/// The sum of coordinates that a joint or tendon names; nothing with a problem where there is none. Nothing without the
+/// attribute.
+std::optional<MjcfLength> length_by(Mjcf& mjcf, const Element& element, std::string_view name, bool is_tendon) {
+  const Attribute* named = attribute(element, name);
+  if (!named) return std::nullopt;
+  if (is_tendon) {
+    const auto found = mjcf.tendon_of.find(named->value);
+    if (found != mjcf.tendon_of.end()) return found->second;
+    problem(mjcf.reading, named->spot, "no fixed tendon is named " + quoted_text(named->value));
+    return std::nullopt;
+  }
+  const auto found = mjcf.joint_of.find(named->value);
+  if (found == mjcf.joint_of.end()) {
     problem(mjcf.reading, named->spot, "no joint is named " + quoted_text(named->value));
-    return;
+  } else if (found->second.type != JointType::revolute && found->second.type != JointType::prismatic) {
+    problem(mjcf.reading, named->spot, fmt::format("joint {} has not one coordinate", quoted_text(named->value)));
+  } else {
+    return MjcfLength{{{1.0, found->second}}};
   }
-  const bool has_one_coordinate = joint != mjcf.joint_of.end() && (joint->second.type == JointType::revolute ||
-                                                                   joint->second.type == JointType::prismatic);
-  if (!is_known || !has_one_coordinate) {
-    note(mjcf.reading, actuator.spot, fmt::format("actuator <{}> is not carried over", actuator.name),
-         "motors, position and velocity servos on hinges and slides become inputs");
-    return;
+  return std::nullopt;
+}
+
+/// y - y0 = polycoef of (x - x0), of joints or fixed tendons, where y0 and x0 are at the reference: the model's zeros.
+void add_relation(Mjcf& mjcf, const Element& equality) {
+  const bool is_tendon = equality.name == "tendon";
+  const std::string name = equality.name;
+  if (!required_text(mjcf.reading, equality, name + "1")) return;
+  const std::optional<MjcfLength> follower = length_by(mjcf, equality, name + "1", is_tendon);
+  const std::optional<MjcfLength> leader = length_by(mjcf, equality, name + "2", is_tendon);
+  if (!follower || (attribute(equality, name + "2") && !leader)) return;
+  std::vector<double> factors = {0, 1};
+  if (const Attribute* written = attribute(equality, "polycoef"))
+    factors = numbers(mjcf.reading, *written, 1, 5).value_or(factors);
+  // MuJoCo keeps the defaults of those that are not given.
+  if (factors.size() < 2) factors.push_back(1);
+  std::vector<Term> terms = terms_of(*follower, 1, "z.");
+  terms.push_back({-factors[0]});
+  if (leader) {
+    for (const Term& term : terms_of(*leader, -factors[1], "z.")) terms.push_back(term);
+    const std::string x = sum_text(terms_of(*leader, 1, "z."));
+    const bool is_one = leader->parts.size() == 1 && leader->parts.front().first == 1;
+    for (std::size_t power = 2; power < factors.size(); ++power)
+      terms.push_back({-factors[power], fmt::format("{}^{}", is_one ? x : "(" + x + ")", power)});
   }
-  double gear = 1;
-  if (const Attribute* written = inherited(mjcf, actuator, "", "gear")) {
-    gear = numbers(mjcf.reading, *written, 1, 6).value_or(std::vector<double>{1})[0];
-  }
-  if (inherited(mjcf, actuator, "", "ctrlrange") || inherited(mjcf, actuator, "", "forcerange")) {
-    lose(mjcf, actuator.spot, "actuator with a range: it is not enforced");
-  }
-  const std::string written = text_of(actuator, "name");
-  const std::string name =
-      unique_name(written.empty() ? joint->second.coordinate + "_motor" : written, mjcf.assembly.input_names);
-  mjcf.assembly.actuators.push_back({name, joint->second.coordinate,
-                                     actuator_force(mjcf, actuator, joint->second, name, gear),
-                                     actuator_unit(actuator, joint->second, gear)});
+  const std::string written = text_of(equality, "name");
+  const std::string shown = written.empty() ? "equality_" + text_of(equality, name + "1") : written;
+  mjcf.assembly.couplings.push_back({unique_name(shown, mjcf.assembly.coupling_names), sum_text(terms)});
+}
+
+void add_equality(Mjcf& mjcf, const Element& equality) {
+  static constexpr std::array<std::string_view, 4> known = {"connect", "weld", "joint", "tendon"};
+  if (std::find(known.begin(), known.end(), equality.name) == known.end()) return;
+  require_class(mjcf, equality, "class");
+  const Attribute* active = inherited_as(mjcf, equality, "equality", "active");
+  if (active && active->value == "false")
+    return note(mjcf.reading, equality.spot, fmt::format("<{}> is not active: it is left out", equality.name));
+  if (equality.name == "connect" || equality.name == "weld") return add_closure(mjcf, equality);
+  add_relation(mjcf, equality);
 }
 
 }  // namespace
 
-void read_equalities(Mjcf& mjcf, const Element& section) {
-  for (const Element& equality : section.children) {
-    if (equality.name == "connect" || equality.name == "weld") {
-      add_closure(mjcf, equality);
-    } else if (equality.name == "joint") {
-      note(mjcf.reading, equality.spot,
-           fmt::format("joint {} should follow {}: it is left free", quoted_text(text_of(equality, "joint1")),
-                       quoted_text(text_of(equality, "joint2"))),
-           "the format has no relation between coordinates; drive both by \"motions\" of one input to hold them "
-           "together");
-    } else {
-      note(mjcf.reading, equality.spot, fmt::format("equality <{}> is not carried over", equality.name));
-    }
-  }
+std::vector<Term> terms_of(const MjcfLength& length, double factor, std::string_view prefix) {
+  std::vector<Term> terms;
+  for (const auto& [part, joint] : length.parts)
+    terms.push_back({factor * part, fmt::format("{}{}", prefix, joint.coordinate)});
+  return terms;
 }
 
-void read_actuators(Mjcf& mjcf, const Element& section) {
-  for (const Element& actuator : section.children) add_actuator(mjcf, actuator);
+void read_equalities(Mjcf& mjcf, const Element& section) {
+  for (const Element& equality : section.children) add_equality(mjcf, equality);
 }
 
 }  // namespace mbgen::importing

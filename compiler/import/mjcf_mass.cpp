@@ -45,6 +45,49 @@ Shape capsule(double radius, double half) {
   return {volume, {across, across, (straight * r2 / 2 + balls * 2 * r2 / 5) / volume}};
 }
 
+/// Thin shells of the same outer sizes, `volume` is the area: kg/m^2 takes the place of kg/m^3, as MuJoCo has it.
+Shape box_shell(const Vector3d& a) {
+  // Three pairs of plates: each plate about its centre, and its distance from the centre of the box.
+  Shape shell;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const double area = 8 * a[j] * a[k];
+    shell.volume += area;
+    shell.moments[i] += area * (a[j] * a[j] + a[k] * a[k]) / 3;
+    shell.moments[j] += area * (a[k] * a[k] / 3 + a[i] * a[i]);
+    shell.moments[k] += area * (a[j] * a[j] / 3 + a[i] * a[i]);
+  }
+  shell.moments /= shell.volume;
+  return shell;
+}
+
+Shape cylinder_shell(double radius, double half) {
+  const double side = 4 * kPi * radius * half, caps = 2 * kPi * radius * radius, area = side + caps,
+               r2 = radius * radius;
+  const double across = (side * (r2 / 2 + half * half / 3) + caps * (r2 / 4 + half * half)) / area;
+  return {area, {across, across, (side * r2 + caps * r2 / 2) / area}};
+}
+
+/// The half balls have their centres of mass half a radius beyond the cylinder's ends.
+Shape capsule_shell(double radius, double half) {
+  const double side = 4 * kPi * radius * half, balls = 4 * kPi * radius * radius, area = side + balls,
+               r2 = radius * radius;
+  const double ball_across = 2 * r2 / 3 + half * half + half * radius;
+  const double across = (side * (r2 / 2 + half * half / 3) + balls * ball_across) / area;
+  return {area, {across, across, (side * r2 + balls * 2 * r2 / 3) / area}};
+}
+
+/// Between two ellipsoids of which one is thinner by a layer of even thickness; the area by Thomsen's approximation, as
+/// MuJoCo takes them.
+Shape ellipsoid_shell(const Vector3d& a) {
+  constexpr double kPower = 1.6075, kLayer = 1e-6;
+  const auto power = [&](double x) { return std::pow(x, kPower); };
+  const double mean = (power(a[0] * a[1]) + power(a[1] * a[2]) + power(a[2] * a[0])) / 3;
+  const Shape outer = ellipsoid(a), inner = ellipsoid(a - Vector3d::Constant(kLayer));
+  return {4 * kPi * std::pow(mean, 1 / kPower),
+          (outer.volume * outer.moments - inner.volume * inner.moments) / (outer.volume - inner.volume)};
+}
+
 /// A geom that has a mass: its frame in the body and its shape.
 struct Solid {
   double mass = 0;
@@ -53,8 +96,8 @@ struct Solid {
 };
 
 /// The geom's shape by its type. Fails (nothing): it has no volume of its own, or a problem was added.
-std::optional<Shape> shape_of(Mjcf& mjcf, const Element& geom, const std::string& type,
-                              const std::vector<double>& size) {
+std::optional<Shape> shape_of(Mjcf& mjcf, const Element& geom, const std::string& type, const std::vector<double>& size,
+                              bool is_shell) {
   const std::size_t needed = type == "sphere" ? 1 : type == "box" || type == "ellipsoid" ? 3 : 2;
   const bool is_positive =
       size.size() >= needed &&
@@ -63,6 +106,12 @@ std::optional<Shape> shape_of(Mjcf& mjcf, const Element& geom, const std::string
     problem(mjcf.reading, geom.spot,
             fmt::format("a {} needs {} positive size{}", type, needed, needed == 1 ? "" : "s"));
     return std::nullopt;
+  }
+  if (is_shell) {
+    if (type == "sphere") return capsule_shell(size[0], 0);
+    if (type == "box") return box_shell({size[0], size[1], size[2]});
+    if (type == "ellipsoid") return ellipsoid_shell({size[0], size[1], size[2]});
+    return type == "cylinder" ? cylinder_shell(size[0], size[1]) : capsule_shell(size[0], size[1]);
   }
   if (type == "sphere") return ellipsoid(Vector3d::Constant(size[0]));
   if (type == "box") return box({size[0], size[1], size[2]});
@@ -84,7 +133,7 @@ void lay_between(Mjcf& mjcf, const Attribute& fromto, const std::string& type, s
                                               : std::vector<double>{size[0], half};
 }
 
-std::optional<Solid> read_solid(Mjcf& mjcf, const Element& geom, const std::string& childclass) {
+std::optional<Solid> read_solid(Mjcf& mjcf, const Element& geom, const std::string& childclass, bool& has_lost) {
   static constexpr std::array<std::string_view, 5> solid_types = {"sphere", "capsule", "ellipsoid", "cylinder", "box"};
   require_class(mjcf, geom, "class");
   const bool has_mesh = inherited(mjcf, geom, childclass, "mesh") != nullptr;
@@ -95,11 +144,9 @@ std::optional<Solid> read_solid(Mjcf& mjcf, const Element& geom, const std::stri
   const double density = inherited_number(mjcf, geom, childclass, "density", kDensity);
   if (given == 0 || (given < 0 && density == 0)) return std::nullopt;
   if (std::find(solid_types.begin(), solid_types.end(), type) == solid_types.end() || has_mesh) {
-    if (type != "plane") {
-      const std::string mesh = inherited_text(mjcf, geom, childclass, "mesh", "");
-      lose(mjcf, geom.spot,
-           fmt::format("geom of {}: its mass is not carried over, give the body an <inertial>",
-                       mesh.empty() ? "a mesh" : "mesh " + quoted_text(mesh)));
+    if (type != "plane" && type != "hfield") {
+      lose(mjcf, geom.spot, "geom of a mesh: its mass is not carried over, give the body an <inertial>");
+      has_lost = true;
     }
     return std::nullopt;
   }
@@ -111,7 +158,8 @@ std::optional<Solid> read_solid(Mjcf& mjcf, const Element& geom, const std::stri
   if (const Attribute* fromto = inherited(mjcf, geom, childclass, "fromto"); fromto && type != "sphere") {
     lay_between(mjcf, *fromto, type, size, frame);
   }
-  const std::optional<Shape> shape = shape_of(mjcf, geom, type, size);
+  const std::optional<Shape> shape =
+      shape_of(mjcf, geom, type, size, inherited_text(mjcf, geom, childclass, "shellinertia", "false") == "true");
   if (!shape) return std::nullopt;
   const double mass = given >= 0 ? given : density * shape->volume;
   return Solid{mass, frame, mass * shape->moments};
@@ -171,14 +219,16 @@ void read_mass(Mjcf& mjcf, const Element& element, const std::string& childclass
                           (mjcf.settings.inertia_from_geom == From::automatic && !inertial);
   if (uses_geoms) {
     std::vector<Solid> solids;
+    bool has_lost = false;
     for_children(mjcf, element, childclass, [&](const Element& geom, const Isometry3d& frame, const std::string& name) {
       if (geom.name != "geom") return;
-      std::optional<Solid> solid = read_solid(mjcf, geom, name);
+      std::optional<Solid> solid = read_solid(mjcf, geom, name, has_lost);
       if (!solid) return;
       solid->frame = frame * solid->frame;
       solids.push_back(*solid);
     });
     add_solids(solids, body);
+    if (has_lost && body.mass == 0) mjcf.massless.push_back(body.name);
   } else if (inertial) {
     read_inertial(mjcf, *inertial, body);
   }

@@ -46,6 +46,7 @@ void read_compiler(Mjcf& mjcf, const Element& element) {
                                  : from->value == "false" ? From::never
                                                           : From::automatic;
   }
+  if (attribute(element, "autolimits")) settings.limits_by_range = is_true(element, "autolimits");
   if (attribute(element, "balanceinertia")) settings.balances_inertia = is_true(element, "balanceinertia");
   settings.bound_mass = number(mjcf.reading, element, "boundmass", settings.bound_mass);
   settings.bound_inertia = number(mjcf.reading, element, "boundinertia", settings.bound_inertia);
@@ -54,6 +55,28 @@ void read_compiler(Mjcf& mjcf, const Element& element) {
     const std::vector<double> groups = exactly(mjcf, *range, 2);
     settings.first_group = groups[0];
     settings.last_group = groups[1];
+  }
+}
+
+/// What <flag> disables is left out of the model.
+void read_flags(Mjcf& mjcf, const Element& flags) {
+  MjcfSettings& settings = mjcf.settings;
+  for (const Attribute& flag : flags.attributes) {
+    if (flag.value != "disable") continue;
+    const bool is_any = flag.name == "constraint";
+    std::string lost;
+    const auto leave_out = [&](bool& has, std::string_view name) {
+      has = false;
+      lost += fmt::format("{}{}", lost.empty() ? "" : ", ", name);
+    };
+    if (flag.name == "gravity") mjcf.assembly.gravity.setZero();
+    if (flag.name == "passive" || flag.name == "spring") leave_out(settings.has_springs, "springs");
+    if (flag.name == "passive" || flag.name == "damper") leave_out(settings.has_dampers, "dampers");
+    if (is_any || flag.name == "equality") leave_out(settings.has_equalities, "equalities");
+    if (is_any || flag.name == "frictionloss") leave_out(settings.has_friction, "friction");
+    if (flag.name == "actuation") leave_out(settings.has_actuators, "actuators");
+    if (!lost.empty())
+      note(mjcf.reading, flag.spot, fmt::format("flag {}=\"disable\": {} are left out of the model", flag.name, lost));
   }
 }
 
@@ -71,17 +94,7 @@ void read_option(Mjcf& mjcf, const Element& element) {
       note(mjcf.reading, medium->spot, fmt::format("{} is not carried over: there are no forces of a medium", name));
     }
   }
-  const Element* flags = child(element, "flag");
-  if (!flags) return;
-  for (const Attribute& flag : flags->attributes) {
-    if (flag.name == "gravity" && flag.value == "disable") {
-      mjcf.assembly.gravity.setZero();
-    } else if ((flag.name == "passive" || flag.name == "equality" || flag.name == "actuation") &&
-               flag.value == "disable") {
-      note(mjcf.reading, flag.spot,
-           fmt::format("flag {} is not carried over: the model has the feature that it disables", flag.name));
-    }
-  }
+  if (const Element* flags = child(element, "flag")) read_flags(mjcf, *flags);
 }
 
 void read_class(Mjcf& mjcf, const Element& element, const std::string& parent) {
@@ -108,20 +121,27 @@ void read_class(Mjcf& mjcf, const Element& element, const std::string& parent) {
 const Element* element_of_class(const MjcfClass& settings, std::string_view name) {
   const auto found = settings.elements.find(name);
   if (found != settings.elements.end()) return found->second;
-  // Defaults of any actuator may be given as those of a general one; a free joint has none.
-  const bool is_actuator = name == "motor" || name == "position" || name == "velocity";
-  return is_actuator ? element_of_class(settings, "general") : nullptr;
+  // All actuators share their defaults, under whatever name they are given; a free joint has none.
+  static constexpr std::array<std::string_view, 4> actuators = {"general", "motor", "position", "velocity"};
+  if (std::find(actuators.begin(), actuators.end(), name) == actuators.end()) return nullptr;
+  for (const std::string_view other : actuators) {
+    const auto shared = settings.elements.find(other);
+    if (shared != settings.elements.end()) return shared->second;
+  }
+  return nullptr;
 }
 
 /// The element itself, then its likes in its classes, the nearest first.
-std::vector<const Element*> chain(const Mjcf& mjcf, const Element& element, const std::string& childclass) {
+std::vector<const Element*> chain(const Mjcf& mjcf, const Element& element, const std::string& childclass,
+                                  std::string_view as = {}) {
   std::vector<const Element*> elements = {&element};
   const Attribute* own = attribute(element, "class");
   std::string name = own ? own->value : childclass.empty() ? kMainClass : childclass;
   for (std::size_t depth = 0; !name.empty() && depth <= mjcf.classes.size(); ++depth) {
     const auto found = mjcf.classes.find(name);
     if (found == mjcf.classes.end()) break;
-    if (const Element* settings = element_of_class(found->second, element.name)) elements.push_back(settings);
+    if (const Element* settings = element_of_class(found->second, as.empty() ? element.name : as))
+      elements.push_back(settings);
     name = found->second.parent;
   }
   return elements;
@@ -188,6 +208,13 @@ void read_settings(Mjcf& mjcf, const Element& root) {
 const Attribute* inherited(const Mjcf& mjcf, const Element& element, const std::string& childclass,
                            std::string_view name) {
   for (const Element* candidate : chain(mjcf, element, childclass)) {
+    if (const Attribute* found = attribute(*candidate, name)) return found;
+  }
+  return nullptr;
+}
+
+const Attribute* inherited_as(const Mjcf& mjcf, const Element& element, std::string_view as, std::string_view name) {
+  for (const Element* candidate : chain(mjcf, element, "", as)) {
     if (const Attribute* found = attribute(*candidate, name)) return found;
   }
   return nullptr;

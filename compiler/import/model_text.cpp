@@ -15,8 +15,6 @@ constexpr double kNoDirection = 1e-14;  // of the largest component of an axis; 
 constexpr double kNoise = 4e-15;        // m, or of the size of an axis or inertia
 constexpr int kDecimals = 12;
 
-std::string number_text(double value) { return value == 0 ? "0" : fmt::format("{}", value); }
-
 /// The number without the last digits that frames multiplied there and back leave: with twelve decimals (of the power
 /// of ten above `scale`) where that is as good.
 double without_noise(double value, double scale) {
@@ -129,6 +127,12 @@ std::string friction_text(const FrictionDraft& friction) {
                      number_text(friction.coulomb), number_text(kFrictionVelocity));
 }
 
+std::string stop_text(const StopDraft& stop, double stiffness) {
+  return fmt::format("    \"{}\": {{ \"joint\": \"{}\", \"side\": \"{}\", \"clearance\": {}, \"stiffness\": {} }}",
+                     stop.name, stop.coordinate, stop.is_above ? "above" : "below", number_text(stop.clearance),
+                     number_text(stiffness));
+}
+
 /// Adds the shape's points to its body.
 std::string shape_text(const ShapeDraft& shape, std::vector<BodyDraft>& bodies) {
   BodyDraft& body = bodies[static_cast<std::size_t>(shape.body)];
@@ -150,7 +154,7 @@ std::string section(std::string_view name, const std::vector<std::string>& entri
 
 std::string model_text(const Assembly& assembly) {
   std::vector<BodyDraft> bodies = assembly.bodies;
-  std::vector<std::string> body_lines, joints, springs, frictions, inputs, forces, shapes;
+  std::vector<std::string> body_lines, joints, springs, frictions, inputs, forces, shapes, couplings, states, stops;
   for (const JointDraft& joint : assembly.joints) joints.push_back(joint_text(joint, bodies));
   for (const ShapeDraft& shape : assembly.shapes) shapes.push_back(shape_text(shape, bodies));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -159,17 +163,25 @@ std::string model_text(const Assembly& assembly) {
   }
   for (const SpringDraft& spring : assembly.springs) springs.push_back(spring_text(spring));
   for (const FrictionDraft& friction : assembly.frictions) frictions.push_back(friction_text(friction));
-  for (const ActuatorDraft& actuator : assembly.actuators) {
-    inputs.push_back(fmt::format("    \"{}\": {{ \"unit\": \"{}\", \"default\": 0 }}", actuator.name, actuator.unit));
-    forces.push_back(fmt::format("    \"{}\": {{ \"joint\": \"{}\", \"force\": \"{}\" }}", actuator.name,
-                                 actuator.coordinate, actuator.force));
-  }
+  for (const InputDraft& input : assembly.inputs)
+    inputs.push_back(fmt::format("    \"{}\": {{ \"unit\": \"{}\", \"default\": 0 }}", input.name, input.unit));
+  for (const JointForceDraft& force : assembly.joint_forces)
+    forces.push_back(fmt::format("    \"{}\": {{ \"joint\": \"{}\", \"force\": \"{}\" }}", force.name, force.coordinate,
+                                 force.force));
+  for (const CouplingDraft& coupling : assembly.couplings)
+    couplings.push_back(fmt::format("    \"{}\": {{ \"relation\": \"{}\" }}", coupling.name, coupling.relation));
+  for (const StateDraft& state : assembly.states)
+    states.push_back(
+        fmt::format("    \"{}\": {{ \"derivative\": \"{}\", \"initial\": 0, \"unit\": \"{}\", \"nominal\": 1 }}",
+                    state.name, state.derivative, state.unit));
+  for (const StopDraft& stop : assembly.stops) stops.push_back(stop_text(stop, assembly.stop_stiffness));
   std::string text = comment_text(assembly.comment, "");
   text += fmt::format("{{\n  \"mbgen\": 1, \"name\": \"{}\", \"gravity\": {}", assembly.name,
                       vector_text(assembly.gravity));
-  text += section("inputs", inputs) + section("bodies", body_lines) + section("joints", joints);
-  text += section("joint_springs", springs) + section("frictions", frictions) + section("joint_forces", forces) +
-          section("shapes", shapes);
+  text += section("inputs", inputs) + section("bodies", body_lines) + section("joints", joints) +
+          section("couplings", couplings) + section("states", states);
+  text += section("joint_springs", springs) + section("frictions", frictions) + section("bump_stops", stops) +
+          section("joint_forces", forces) + section("shapes", shapes);
   if (assembly.step > 0) text += fmt::format(",\n  \"solver\": {{ \"step\": {} }}", number_text(assembly.step));
   return text + "\n}\n";
 }

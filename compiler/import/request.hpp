@@ -17,6 +17,7 @@ struct ImportRequest {
   /// content of the sidecar (URDF only): loops, and positions where they close; see docs/use/import.md
   std::optional<std::string> loops = {};
   RobotBase base = RobotBase::fixed;  ///< of a URDF robot
+  double stop_stiffness = 0;          ///< of stops at the ends of joints' ranges, N m/rad or N/m; 0: no stops
   /// Content of a file that the robot's file includes, nothing when it cannot be read. Called with a path relative to
   /// the working directory.
   std::function<std::optional<std::string>(const std::string& path)> read = {};

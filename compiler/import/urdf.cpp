@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <map>
+#include <algorithm>
+
+#include "compiler/import/known.hpp"
 
 namespace mbgen::importing {
 namespace {
@@ -27,62 +28,42 @@ bool refuse_xacro(Reading& reading, const Element& element) {
   return false;
 }
 
-/// Elements that have no part in a model: name, and why.
-struct LeftOut {
-  std::string_view name, reason;
-};
-constexpr std::array<LeftOut, 6> kLeftOutOfRobot = {{{"transmission", "motors are not part of the mechanism"},
-                                                     {"gazebo", "settings of Gazebo are not read"},
-                                                     {"mujoco", "settings of MuJoCo are not read"},
-                                                     {"sensor", "outputs are chosen in the model"},
-                                                     {"ros2_control", "controllers are not part of the mechanism"},
-                                                     {"coupling", "the format has no relation between coordinates"}}};
-constexpr std::array<LeftOut, 1> kLeftOutOfLink = {{{"collision", "there is no contact"}}};
-constexpr std::array<LeftOut, 3> kLeftOutOfJoint = {
-    {{"limit", "limits are not enforced, they stand beside the joints as comments"},
-     {"calibration", "it is not part of the mechanism"},
-     {"safety_controller", "controllers are not part of the mechanism"}}};
-constexpr std::array<std::string_view, 4> kReadOfLink = {"inertial", "origin", "name", "visual"};
-constexpr std::array<std::string_view, 6> kReadOfJoint = {"origin", "parent", "child", "axis", "dynamics", "mimic"};
-constexpr std::array<std::string_view, 5> kReadOfRobot = {"link", "joint", "loop_joint", "loop", "material"};
-
-/// Elements of one kind that are left out.
-struct Count {
-  Spot first;
-  int count = 0;
-  std::string_view reason;
-};
-
-template <std::size_t left_out, std::size_t read>
-void count_left_out(const Element& owner, const std::array<LeftOut, left_out>& table,
-                    const std::array<std::string_view, read>& known, std::map<std::string, Count>& counts) {
-  for (const Element& element : owner.children) {
-    if (std::find(known.begin(), known.end(), element.name) != known.end()) continue;
-    const auto found =
-        std::find_if(table.begin(), table.end(), [&](const LeftOut& l) { return l.name == element.name; });
-    Count& count = counts[element.name];
-    if (count.count++ == 0) count.first = element.spot;
-    count.reason = found == table.end() ? std::string_view("it is unknown") : found->reason;
-  }
+/// Joints of Drake that URDF does not have: without them the links do not hang together.
+bool refuse_drake(Reading& reading, const Element& root) {
+  const auto is_drake = [](const Element& element) { return element.name == "drake:joint"; };
+  const auto first = std::find_if(root.children.begin(), root.children.end(), is_drake);
+  if (first == root.children.end()) return false;
+  const auto count = std::count_if(root.children.begin(), root.children.end(), is_drake);
+  problem(reading, first->spot,
+          fmt::format("<drake:joint>{} is no element of URDF", count > 1 ? fmt::format(" ({} of them)", count) : ""),
+          "write <joint>, here with type=\"spherical\" for a ball and type=\"planar\" for a planar joint; a universal "
+          "joint "
+          "is two revolute ones with a link between them, a screw is typed into the model as a coupling");
+  return true;
 }
 
-void note_left_out(Reading& reading, const Element& root) {
-  std::map<std::string, Count> counts;
-  count_left_out(root, kLeftOutOfRobot, kReadOfRobot, counts);
-  for (const Element& element : root.children) {
-    if (element.name == "link") count_left_out(element, kLeftOutOfLink, kReadOfLink, counts);
-    if (element.name == "joint") count_left_out(element, kLeftOutOfJoint, kReadOfJoint, counts);
+void note_limits(Reading& reading, const Element& root) {
+  const Element* first = nullptr;
+  int count = 0;
+  for (const Element& joint : root.children) {
+    const Element* limit = joint.name == "joint" ? child(joint, "limit") : nullptr;
+    if (!limit) continue;
+    if (count++ == 0) first = limit;
   }
-  for (const auto& [name, count] : counts) {
-    const std::string times = count.count > 1 ? fmt::format(" ({} of them)", count.count) : std::string();
-    note(reading, count.first, fmt::format("<{}>{} not carried over: {}", name, times, count.reason));
-  }
+  if (!first) return;
+  const std::string times = count > 1 ? fmt::format(" ({} of them)", count) : std::string();
+  note(reading, first->spot,
+       fmt::format("<limit>{} not carried over: {}", times,
+                   reading.request.stop_stiffness > 0
+                       ? "ranges of joints become stops, efforts and velocities stand beside the joints as comments"
+                       : "limits are not enforced, they stand beside the joints as comments"),
+       reading.request.stop_stiffness > 0 ? "" : "--stops STIFFNESS makes stops of the ranges");
 }
 
 }  // namespace
 
 void import_urdf(Reading& reading, const Element& root, Assembly& assembly) {
-  if (refuse_xacro(reading, root)) return;
+  if (refuse_xacro(reading, root) || refuse_drake(reading, root)) return;
   UrdfRobot robot = read_robot(reading, root);
   const std::vector<UrdfLoop> sidecar = read_sidecar(reading, robot);
   if (!reading.problems.empty()) return;
@@ -99,7 +80,8 @@ void import_urdf(Reading& reading, const Element& root, Assembly& assembly) {
          fmt::format("friction of {} joint{} is smoothed below {} rad/s or m/s", assembly.frictions.size(),
                      assembly.frictions.size() == 1 ? "" : "s", kFrictionVelocity));
   }
-  note_left_out(reading, root);
+  note_limits(reading, root);
+  note_left_out(reading, root, kUrdf);
 }
 
 }  // namespace mbgen::importing

@@ -105,34 +105,20 @@ std::string limits_text(Reading& reading, const UrdfJoint& joint) {
   if (!limit) return {};
   const bool turns = joint.type == JointType::revolute;
   std::string text;
-  if (attribute(*limit, "lower") || attribute(*limit, "upper")) {
-    text = fmt::format("limits {} .. {} {}", number(reading, *limit, "lower", 0), number(reading, *limit, "upper", 0),
-                       turns ? "rad" : "m");
-  }
+  if (std::isfinite(joint.lower) || std::isfinite(joint.upper))
+    text = fmt::format("limits {} .. {} {}", joint.lower, joint.upper, turns ? "rad" : "m");
   const auto add = [&](const char* name, const char* unit) {
-    if (!attribute(*limit, name)) return;
-    text += fmt::format("{}{} {} {}", text.empty() ? "" : ", ", name, number(reading, *limit, name, 0), unit);
+    const Attribute* written = attribute(*limit, name);
+    const auto value = written ? limits(reading, *written, 1, 1) : std::nullopt;
+    if (!value || !std::isfinite(value->front())) return;
+    text += fmt::format("{}{} {} {}", text.empty() ? "" : ", ", name, value->front(), unit);
   };
   add("effort", turns ? "N m" : "N");
   add("velocity", turns ? "rad/s" : "m/s");
+  add("acceleration", turns ? "rad/s^2" : "m/s^2");
+  add("deceleration", turns ? "rad/s^2" : "m/s^2");
+  add("jerk", turns ? "rad/s^3" : "m/s^3");
   return text;
-}
-
-/// A relation between two coordinates, which the model format does not have.
-void note_mimic(Reading& reading, const UrdfRobot& robot, const UrdfJoint& joint) {
-  const Element* mimic = child(*joint.element, "mimic");
-  if (!mimic) return;
-  const std::optional<std::string> leader = required_text(reading, *mimic, "joint");
-  if (!leader) return;
-  if (!robot.joint_of.contains(*leader)) {
-    problem(reading, attribute(*mimic, "joint")->spot, "no joint is named " + quoted_text(*leader));
-    return;
-  }
-  const double multiplier = number(reading, *mimic, "multiplier", 1), offset = number(reading, *mimic, "offset", 0);
-  note(reading, mimic->spot,
-       fmt::format("joint {} should follow {} ({} = {} * {} + {}): it is left free", quoted_text(joint.name),
-                   quoted_text(*leader), joint.name, multiplier, *leader, offset),
-       "the format has no relation between coordinates; drive both by \"motions\" of one input to hold them together");
 }
 
 void add_joint(Reading& reading, UrdfRobot& robot, int index, Assembly& assembly) {
@@ -149,7 +135,6 @@ void add_joint(Reading& reading, UrdfRobot& robot, int index, Assembly& assembly
   if (joint.reference != 0) {
     draft.comment += fmt::format("{}zero is {:.6g} of the URDF", draft.comment.empty() ? "" : "; ", joint.reference);
   }
-  note_mimic(reading, robot, joint);
   if (below.placed_by != index) {
     draft.cut = true;
     note(reading, joint.element->spot,
@@ -158,10 +143,14 @@ void add_joint(Reading& reading, UrdfRobot& robot, int index, Assembly& assembly
                      quoted_text(joint.name)));
     const Isometry3d pose = assembly.bodies[static_cast<std::size_t>(parent.body)].pose;
     const std::string gap = gap_of({joint.type, pose * moved(joint), child_pose, joint.axis});
-    if (!gap.empty() && !robot.is_closed_by_moving) {
+    if (!gap.empty() && is_told(robot, joint.name)) {
       problem(reading, joint.element->spot,
-              fmt::format("joint {} does not close its loop, {}", quoted_text(joint.name), gap), kGapHint);
+              fmt::format("joint {} does not close its loop, {}{}", quoted_text(joint.name), gap,
+                          remains_open(robot, joint.name)),
+              kGapHint);
     }
+  } else if (std::isfinite(joint.lower) || std::isfinite(joint.upper)) {
+    add_stops(reading.request, assembly, draft.name, joint.lower - joint.reference, joint.upper - joint.reference);
   }
   const Element* dynamics = child(*joint.element, "dynamics");
   if (dynamics) {
@@ -183,12 +172,20 @@ void add_joint(Reading& reading, UrdfRobot& robot, int index, Assembly& assembly
 }
 
 void note_massless(Reading& reading, const UrdfRobot& robot) {
+  const UrdfLink* first = nullptr;
+  std::vector<std::string> names;
   for (const UrdfLink& link : robot.links) {
     if (child(*link.element, "inertial") || link.placed_by < 0) continue;
-    const UrdfJoint& joint = robot.joints[static_cast<std::size_t>(link.placed_by)];
-    if (joint.type == JointType::fixed) continue;
-    note(reading, link.element->spot,
-         fmt::format("link {} moves and has no <inertial>: it is massless", quoted_text(link.name)));
+    if (robot.joints[static_cast<std::size_t>(link.placed_by)].type == JointType::fixed) continue;
+    if (!first) first = &link;
+    names.push_back(link.name);
+  }
+  if (names.size() == 1) {
+    note(reading, first->element->spot,
+         fmt::format("link {} moves and has no <inertial>: it is massless", quoted_text(first->name)));
+  } else if (first) {
+    note(reading, first->element->spot,
+         fmt::format("links {} move and have no <inertial>: they are massless", few_names(names)));
   }
 }
 
@@ -277,10 +274,56 @@ std::string gap_of(const LoopEnds& ends) {
   return {};
 }
 
+std::string remains_open(const UrdfRobot& robot, const std::string& name) {
+  const auto found = robot.left_open.find(name);
+  return found == robot.left_open.end() ? std::string() : "; " + found->second;
+}
+
+bool is_told(const UrdfRobot& robot, const std::string& name) {
+  return !robot.is_closed_by_moving && (robot.left_open.empty() || robot.left_open.contains(name));
+}
+
+void follow_leaders(UrdfRobot& robot) {
+  // A leader may follow another one, and circles are refused before.
+  for (std::size_t pass = 0; pass < robot.joints.size(); ++pass) {
+    bool has_moved = false;
+    for (UrdfJoint& joint : robot.joints) {
+      if (joint.leader < 0) continue;
+      const double wanted =
+          joint.multiplier * robot.joints[static_cast<std::size_t>(joint.leader)].reference + joint.offset;
+      has_moved = has_moved || wanted != joint.reference;
+      joint.reference = wanted;
+    }
+    if (!has_moved) return;
+  }
+}
+
+void add_mimics(Reading& reading, const UrdfRobot& robot, const std::map<int, std::string>& coordinate_of,
+                Assembly& assembly) {
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const UrdfJoint& joint = robot.joints[i];
+    if (joint.leader < 0) continue;
+    const auto own = coordinate_of.find(static_cast<int>(i)), leader = coordinate_of.find(joint.leader);
+    if (own == coordinate_of.end() || leader == coordinate_of.end()) {
+      const int cut = own == coordinate_of.end() ? static_cast<int>(i) : joint.leader;
+      note(reading, child(*joint.element, "mimic")->spot,
+           fmt::format("joint {} does not follow {}: {} closes a loop and has no coordinate", quoted_text(joint.name),
+                       quoted_text(robot.joints[static_cast<std::size_t>(joint.leader)].name),
+                       quoted_text(robot.joints[static_cast<std::size_t>(cut)].name)),
+           "name a joint of the tree");
+      continue;
+    }
+    // Both coordinates are zero at the reference, where the relation holds.
+    assembly.couplings.push_back({unique_name(joint.name, assembly.coupling_names),
+                                  sum_text({{1, "z." + own->second}, {-joint.multiplier, "z." + leader->second}})});
+  }
+}
+
 void assemble_robot(Reading& reading, UrdfRobot& robot, const std::vector<UrdfLoop>& loops, Assembly& assembly) {
   const int root = root_of(reading, robot);
   if (root < 0) return;
   add_bodies(reading, robot, root, assembly);
+  follow_leaders(robot);
   place_links(robot, root, assembly.bodies);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     if (robot.links[i].is_placed) continue;
@@ -293,7 +336,12 @@ void assemble_robot(Reading& reading, UrdfRobot& robot, const std::vector<UrdfLo
   }
   close_loops(reading, robot, loops, root, assembly.bodies);
   add_base(reading, robot, root, assembly);
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) add_joint(reading, robot, static_cast<int>(i), assembly);
+  std::map<int, std::string> coordinate_of;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    add_joint(reading, robot, static_cast<int>(i), assembly);
+    if (!assembly.joints.back().cut) coordinate_of[static_cast<int>(i)] = assembly.joints.back().name;
+  }
+  add_mimics(reading, robot, coordinate_of, assembly);
   note_massless(reading, robot);
 }
 

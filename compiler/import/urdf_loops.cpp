@@ -167,6 +167,24 @@ std::vector<ExtensionEnd> extension_ends(Reading& reading, const Element& loop, 
 
 }  // namespace
 
+Gap gap_between(const LoopEnds& ends) {
+  const Isometry3d between = ends.from.inverse() * ends.to;
+  Gap gap;
+  const Vector3d along = ends.axis * ends.axis.dot(between.translation());
+  gap.apart = between.translation();
+  if (ends.type == JointType::prismatic || ends.type == JointType::cylindrical) gap.apart -= along;
+  if (ends.type == JointType::planar) gap.apart = along;
+  const Eigen::AngleAxisd turn(between.linear());
+  if (ends.type == JointType::fixed || ends.type == JointType::prismatic) {
+    gap.turned = turn.angle() * turn.axis();
+  } else if (ends.type != JointType::spherical) {
+    const Vector3d axis = between.linear() * ends.axis, across = ends.axis.cross(axis);
+    const double sine = across.norm();
+    if (sine > 0) gap.turned = across * (std::atan2(sine, ends.axis.dot(axis)) / sine);
+  }
+  return gap;
+}
+
 std::vector<UrdfLoop> read_extension_loops(Reading& reading, const Element& root, const UrdfRobot& robot) {
   std::vector<UrdfLoop> loops;
   for (const Element& element : root.children) {
@@ -233,11 +251,13 @@ void add_loops(Reading& reading, const std::vector<UrdfLoop>& loops, const UrdfR
     if (has_axis(ends.type)) draft.axis = ends.from.linear() * ends.axis;
     assembly.joints.push_back(std::move(draft));
     const std::string gap = gap_of(ends);
-    if (gap.empty() || robot.is_closed_by_moving) continue;
+    if (gap.empty() || !is_told(robot, loop.name)) continue;
     if (loop.pointer.empty()) {
-      problem(reading, loop.spot, fmt::format("loop {} does not close, {}", quoted_text(loop.name), gap), kGapHint);
+      problem(reading, loop.spot,
+              fmt::format("loop {} does not close, {}{}", quoted_text(loop.name), gap, remains_open(robot, loop.name)),
+              kGapHint);
     } else {
-      sidecar_problem(reading, loop.pointer, "loop does not close, " + gap,
+      sidecar_problem(reading, loop.pointer, "loop does not close, " + gap + remains_open(robot, loop.name),
                       "name joint positions at which it closes, as \"positions\": { \"joint\": 0.3 }");
     }
   }

@@ -65,6 +65,51 @@ std::optional<JointType> read_type(Reading& reading, const Element& element) {
   return std::nullopt;
 }
 
+/// Ends of the range of a joint; a number too large for a length or angle means no limit.
+void read_limits(Reading& reading, const Element& element, UrdfJoint& joint) {
+  const Element* limit = child(element, "limit");
+  const bool is_limited = text_of(element, "type") == "revolute" || joint.type == JointType::prismatic;
+  if (!limit || !is_limited || (!attribute(*limit, "lower") && !attribute(*limit, "upper"))) return;
+  const auto end = [&](const char* name) {
+    const Attribute* written = attribute(*limit, name);
+    return written ? limits(reading, *written, 1, 1).value_or(std::vector<double>{0})[0] : 0.0;
+  };
+  joint.lower = end("lower");
+  joint.upper = end("upper");
+}
+
+/// A joint that follows another has the position multiplier * leader + offset.
+void read_mimic(Reading& reading, UrdfRobot& robot, UrdfJoint& joint) {
+  const Element* mimic = child(*joint.element, "mimic");
+  if (!mimic) return;
+  const std::optional<std::string> leader = required_text(reading, *mimic, "joint");
+  if (!leader) return;
+  const auto found = robot.joint_of.find(*leader);
+  if (found == robot.joint_of.end())
+    return problem(reading, attribute(*mimic, "joint")->spot, "no joint is named " + quoted_text(*leader));
+  const auto has_one = [](JointType type) { return type == JointType::revolute || type == JointType::prismatic; };
+  if (!has_one(joint.type) || !has_one(robot.joints[static_cast<std::size_t>(found->second)].type))
+    return note(reading, mimic->spot,
+                fmt::format("joint {} cannot follow {}: both must be revolute, continuous or prismatic",
+                            quoted_text(joint.name), quoted_text(*leader)));
+  joint.leader = found->second;
+  joint.multiplier = number(reading, *mimic, "multiplier", 1);
+  joint.offset = number(reading, *mimic, "offset", 0);
+}
+
+void refuse_circles(Reading& reading, UrdfRobot& robot) {
+  for (UrdfJoint& joint : robot.joints) {
+    int at = joint.leader;
+    for (std::size_t steps = 0; at >= 0 && steps <= robot.joints.size(); ++steps)
+      at = robot.joints[static_cast<std::size_t>(at)].leader;
+    if (at < 0) continue;
+    problem(
+        reading, child(*joint.element, "mimic")->spot,
+        fmt::format("joint {} follows itself, through <mimic> of the joint that it follows", quoted_text(joint.name)));
+    joint.leader = -1;
+  }
+}
+
 void read_joint(Reading& reading, const Element& element, UrdfRobot& robot) {
   const std::optional<std::string> name = required_text(reading, element, "name");
   const std::optional<JointType> type = read_type(reading, element);
@@ -76,6 +121,7 @@ void read_joint(Reading& reading, const Element& element, UrdfRobot& robot) {
   joint.name = *name;
   joint.type = *type;
   if (has_axis(*type)) joint.axis = read_axis(reading, element);
+  read_limits(reading, element, joint);
   const int index = static_cast<int>(robot.joints.size());
   if (!robot.joint_of.emplace(*name, index).second) {
     problem(reading, element.spot, fmt::format("joint {} is defined twice", quoted_text(*name)));
@@ -103,6 +149,20 @@ Isometry3d read_origin(Reading& reading, const Element& element) {
   const Vector3d rpy = read_vector(reading, element, "rpy", Vector3d::Zero());
   Isometry3d frame = Isometry3d::Identity();
   frame.translation() = xyz;
+  if (const Attribute* quaternion = attribute(element, "quat_xyzw")) {
+    const auto q = numbers(reading, *quaternion, 4, 4);
+    if (!q) return frame;
+    const Eigen::Quaterniond turn((*q)[3], (*q)[0], (*q)[1], (*q)[2]);
+    if (attribute(element, "rpy")) {
+      problem(reading, quaternion->spot, fmt::format("<{}> has rpy and quat_xyzw", element.name),
+              "one of them says the turn");
+    } else if (turn.norm() == 0) {
+      problem(reading, quaternion->spot, "quat_xyzw gives no orientation");
+    } else {
+      frame.linear() = turn.normalized().toRotationMatrix();
+    }
+    return frame;
+  }
   frame.linear() = (Eigen::AngleAxisd(rpy[2], Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy[1], Vector3d::UnitY()) *
                     Eigen::AngleAxisd(rpy[0], Vector3d::UnitX()))
                        .toRotationMatrix();
@@ -133,6 +193,8 @@ UrdfRobot read_robot(Reading& reading, const Element& root) {
   for (const Element& element : root.children) {
     if (element.name == "joint") read_joint(reading, element, robot);
   }
+  for (UrdfJoint& joint : robot.joints) read_mimic(reading, robot, joint);
+  refuse_circles(reading, robot);
   return robot;
 }
 

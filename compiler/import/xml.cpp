@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <pugixml.hpp>
 
 namespace mbgen::importing {
@@ -141,12 +142,54 @@ bool load_children(Loader& loader, const pugi::xml_node& node, int file, int dep
   return true;
 }
 
+/// A number as typed; infinite for inf and for numbers that no double holds. Fails (nothing): it is no number.
 std::optional<double> parse_number(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  if (end != word.data() + word.size() || word.empty() || std::isnan(value)) return std::nullopt;
+  if (error != std::errc::result_out_of_range) return error == std::errc() ? std::optional(value) : std::nullopt;
+  const std::size_t exponent = word.find_first_of("eE");
+  const bool is_small = exponent == std::string_view::npos ? word.find('.') < 3 && word.find('0') < 2
+                                                           : word.substr(exponent + 1).starts_with('-');
+  if (is_small) return 0.0;
+  return std::copysign(std::numeric_limits<double>::infinity(), word.starts_with('-') ? -1.0 : 1.0);
+}
+
+/// The numbers of an attribute; such as are too large are refused, or infinite where they are limits.
+std::optional<std::vector<double>> read_numbers(Reading& reading, const Attribute& attribute, std::size_t least,
+                                                std::size_t most, bool are_limits) {
+  std::vector<double> values;
+  const std::string_view text = attribute.value;
+  for (std::size_t i = 0; i < text.size();) {
+    if (is_blank(text[i])) {
+      ++i;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < text.size() && !is_blank(text[end])) ++end;
+    const std::string_view word = text.substr(i, end - i);
+    std::optional<double> value = parse_number(word);
+    if (!value || (!are_limits && std::isinf(*value))) {
+      problem(reading, attribute.spot, fmt::format("{}: {} is not a finite number", attribute.name, quoted_text(word)));
+      return std::nullopt;
+    }
+    const bool is_large = std::abs(*value) > kLargestNumber;
+    if (is_large && !are_limits) {
+      problem(reading, attribute.spot, fmt::format("{}: {} is larger than 1e15", attribute.name, quoted_text(word)));
+      return std::nullopt;
+    }
+    if (is_large) value = std::copysign(std::numeric_limits<double>::infinity(), *value);
+    values.push_back(*value);
+    i = end;
+  }
+  if (values.size() < least || values.size() > most) {
+    const std::string wanted = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
+    problem(reading, attribute.spot,
+            fmt::format("{} takes {} number{}, got {}", attribute.name, wanted, most == 1 ? "" : "s", values.size()));
+    return std::nullopt;
+  }
+  return values;
 }
 
 }  // namespace
@@ -230,35 +273,12 @@ std::optional<std::string> required_text(Reading& reading, const Element& elemen
 
 std::optional<std::vector<double>> numbers(Reading& reading, const Attribute& attribute, std::size_t least,
                                            std::size_t most) {
-  std::vector<double> values;
-  const std::string_view text = attribute.value;
-  for (std::size_t i = 0; i < text.size();) {
-    if (is_blank(text[i])) {
-      ++i;
-      continue;
-    }
-    std::size_t end = i;
-    while (end < text.size() && !is_blank(text[end])) ++end;
-    const std::string_view word = text.substr(i, end - i);
-    const std::optional<double> value = parse_number(word);
-    if (!value) {
-      problem(reading, attribute.spot, fmt::format("{}: {} is not a finite number", attribute.name, quoted_text(word)));
-      return std::nullopt;
-    }
-    if (std::abs(*value) > kLargestNumber) {
-      problem(reading, attribute.spot, fmt::format("{}: {} is larger than 1e15", attribute.name, quoted_text(word)));
-      return std::nullopt;
-    }
-    values.push_back(*value);
-    i = end;
-  }
-  if (values.size() < least || values.size() > most) {
-    const std::string wanted = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
-    problem(reading, attribute.spot,
-            fmt::format("{} takes {} number{}, got {}", attribute.name, wanted, most == 1 ? "" : "s", values.size()));
-    return std::nullopt;
-  }
-  return values;
+  return read_numbers(reading, attribute, least, most, false);
+}
+
+std::optional<std::vector<double>> limits(Reading& reading, const Attribute& attribute, std::size_t least,
+                                          std::size_t most) {
+  return read_numbers(reading, attribute, least, most, true);
 }
 
 double number(Reading& reading, const Element& element, std::string_view name, double fallback) {

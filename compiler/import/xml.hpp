@@ -70,6 +70,10 @@ std::optional<std::string> required_text(Reading& reading, const Element& elemen
 /// no finite number, numbers above 1e15, another count.
 std::optional<std::vector<double>> numbers(Reading& reading, const Attribute& attribute, std::size_t least,
                                            std::size_t most);
+/// The same of numbers that mean "no limit" where they are infinite or above 1e15, as 2e19, inf and 1e308: these become
+/// infinite.
+std::optional<std::vector<double>> limits(Reading& reading, const Attribute& attribute, std::size_t least,
+                                          std::size_t most);
 /// One number, `fallback` when it is absent or unreadable.
 double number(Reading& reading, const Element& element, std::string_view name, double fallback);
 
