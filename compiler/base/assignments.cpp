@@ -15,7 +15,9 @@ namespace {
 [[noreturn]] void fail_unknown(const Model& model, const std::string& name) {
   std::vector<std::string_view> names;
   for (const Parameter& parameter : model.parameters) names.push_back(parameter.name);
-  const std::string hint = did_you_mean(name, names);
+  const bool is_input =
+      std::any_of(model.inputs.begin(), model.inputs.end(), [&](const Input& input) { return input.name == name; });
+  const std::string hint = is_input ? fmt::format("it is an input: --input {}=VALUE", name) : did_you_mean(name, names);
   throw UserError(fmt::format("--set: the model has no parameter \"{}\"{}{}\n", name, hint.empty() ? "" : "; ", hint));
 }
 
@@ -54,9 +56,12 @@ std::vector<double> input_values(const Model& model, const std::vector<std::stri
     const std::string name = assignment.substr(0, sign);
     const auto place = std::find(names.begin(), names.end(), name);
     if (place == names.end()) {
-      throw UserError(fmt::format("--input: the model has no input \"{}\"; its inputs: {}\n{}", name,
-                                  names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
-                                  nearest_hint(name, names)));
+      const bool is_parameter = std::any_of(model.parameters.begin(), model.parameters.end(),
+                                            [&](const Parameter& parameter) { return parameter.name == name; });
+      throw UserError(fmt::format(
+          "--input: the model has no input \"{}\"; its inputs: {}\n{}", name,
+          names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
+          is_parameter ? fmt::format("  hint: it is a parameter: --set {}=VALUE\n", name) : nearest_hint(name, names)));
     }
     values[static_cast<std::size_t>(place - names.begin())] =
         parse_number(assignment.substr(sign + 1), "--input " + name);

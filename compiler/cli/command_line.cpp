@@ -127,6 +127,11 @@ CommandLine::~CommandLine() = default;
 std::optional<int> CommandLine::parse(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    // `mbgen WORD --help` of a word that is no command.
+    const std::vector<std::string> words = app_->remaining(true);
+    if (!words.empty() && app_->get_subcommands().empty()) return app_->exit(CLI::ExtrasError(words));
+    return app_->exit(help);
   } catch (const CLI::ParseError& error) {
     return app_->exit(error);
   }

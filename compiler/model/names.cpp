@@ -43,6 +43,24 @@ bool may_be_unreadable(const Names& names, std::string_view coordinate) {
 
 namespace mbgen {
 
+/// The first few names that have the word between or beside underscores, as the parts of an instance have its prefix.
+std::string placed_names(std::string_view word, const std::vector<std::string_view>& candidates) {
+  constexpr std::size_t kShortest = 3, kMostNamed = 3;
+  if (word.size() < kShortest) return {};
+  const std::string within = "_" + std::string(word) + "_";
+  std::vector<std::string_view> found;
+  for (const std::string_view candidate : candidates) {
+    if (("_" + std::string(candidate) + "_").find(within) != std::string::npos) found.push_back(candidate);
+  }
+  const bool are_more = found.size() > kMostNamed;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(found.size(), kMostNamed); ++i) {
+    const bool is_last = !are_more && i > 0 && i + 1 == found.size();
+    text += (i == 0 ? "\"" : is_last ? " or \"" : ", \"") + std::string(found[i]) + "\"";
+  }
+  return are_more ? text + " ..." : text;
+}
+
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
   constexpr std::size_t kMostSearched = 2000, kMostListed = 8;
   if (candidates.empty() || candidates.size() > kMostSearched || word.size() > 2 * reading::kLongestName) return {};
@@ -58,6 +76,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
     nearest = candidate;
   }
   if (best <= near) return "did you mean \"" + std::string(nearest) + "\"?";
+  if (const std::string placed = placed_names(word, candidates); !placed.empty()) return "did you mean " + placed + "?";
   return candidates.size() > kMostListed ? std::string() : reading::list_of(candidates);
 }
 

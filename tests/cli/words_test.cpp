@@ -175,5 +175,31 @@ TEST_F(CommandLine, BinaryFilesAreNoTables) {
             "mbgen simulate\n");
 }
 
+TEST_F(CommandLine, HelpOnAWordThatIsNoCommandIsAnError) {
+  const Outcome help = mbgen("simulat --help");
+  EXPECT_EQ(help.exit_code, 1);
+  EXPECT_NE(help.err.find("simulat"), std::string::npos) << help.err;
+  EXPECT_NE(help.err.find("hint: did you mean \"simulate\"?"), std::string::npos) << help.err;
+  EXPECT_EQ(mbgen("--help").exit_code, 0);
+}
+
+TEST_F(CommandLine, NamesOfInstancesParametersAndInputsAreProposed) {
+  std::string model(kPendulum);
+  model.replace(model.find("\"inputs\""), 0,
+                R"("parameters": { "fl_f_spring": { "value": 1, "tunable": true }, "speed": { "value": 2 } }, )");
+  write("placed.json", model);
+  const std::string run = " placed.json --engine generic --duration 0.1 --step 1e-2 --out o.csv";
+  EXPECT_EQ(mbgen("simulate --set f_spring=2" + run).err,
+            "--set: the model has no parameter \"f_spring\"; did you mean \"fl_f_spring\"?\n");
+  EXPECT_EQ(mbgen("simulate --set torque=2" + run).err,
+            "--set: the model has no parameter \"torque\"; it is an input: --input torque=VALUE\n");
+  EXPECT_EQ(mbgen("simulate --input speed=2" + run).err,
+            "--input: the model has no input \"speed\"; its inputs: torque\n"
+            "  hint: it is a parameter: --set speed=VALUE\n");
+  EXPECT_EQ(mbgen("sweep --vary f_spring=1,2 --metric 'max(height)'" + run).err,
+            "--vary \"f_spring=1,2\": the model has no parameter or input \"f_spring\"; did you mean "
+            "\"fl_f_spring\"?\n");
+}
+
 }  // namespace
 }  // namespace mbgen::cli_test

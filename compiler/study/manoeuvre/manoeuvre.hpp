@@ -50,7 +50,8 @@ struct Event {
   double cycles = 1;
   std::vector<std::array<double, 2>> steer_table;  ///< s since `at`, rad
   std::optional<std::string> input;
-  double value = 0;  ///< of that input
+  Where input_where = {};  ///< where its name is written
+  double value = 0;        ///< of that input
   bool is_free = false;
 };
 

@@ -13,6 +13,15 @@ namespace {
 constexpr double kSettles = 5;        // s, before something changes slowly
 constexpr double kSettlesOnRoad = 1;  // s, from the plane of the equilibrium to a rough road
 
+[[noreturn]] void refuse_input(const Model& model, const Event& event) {
+  std::vector<std::string_view> known;
+  for (const Input& input : model.inputs) known.push_back(input.name);
+  throw UserError(Diagnostics{{event.input_where,
+                               "unknown input " + in_quotes(*event.input),
+                               known.empty() ? model.file + " has no inputs" : did_you_mean(*event.input, known),
+                               {}}});
+}
+
 /// Makes the plan of each type.
 struct Planner {
   const Model& model;
@@ -136,7 +145,7 @@ Plan Planner::operator()(const EventManoeuvre& events) const {
     } else if (event.input) {
       const auto has_name = [&](const Input& input) { return input.name == *event.input; };
       const auto input = std::find_if(model.inputs.begin(), model.inputs.end(), has_name);
-      if (input == model.inputs.end()) throw UserError(fmt::format("{}: unknown input \"{}\"\n", file, *event.input));
+      if (input == model.inputs.end()) refuse_input(model, event);
       plan.others.push_back({static_cast<int>(input - model.inputs.begin()), event.at, event.over, event.value});
     } else {
       if (event.drive) torque.drive = *event.drive;

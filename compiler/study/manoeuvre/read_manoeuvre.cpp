@@ -59,6 +59,7 @@ void read_event(Reader& reader, const Value& value, std::vector<Event>& events) 
   require_one(reader, value, {"steer", "steer_table", "drive", "brake", "speed", "free", "input"});
   check_speed(reader, value, "speed", event.speed);
   if (event.frequency && !event.steer) report(reader, *find(value, "frequency"), "goes with \"steer\"");
+  if (event.input) event.input_where = where_of(reader.documents, find(value, "input")->place);
   if (event.input && !find(value, "value")) report(reader, value, "key \"value\" is missing");
   if (!events.empty() && event.at < events.back().at)
     report(reader, member_or_object(value, "at"),
