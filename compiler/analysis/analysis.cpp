@@ -154,7 +154,9 @@ BlockAnalysis analyse_block(NumericSystem& numbers, std::size_t b, const std::ve
   }
   std::vector<Eigen::MatrixXd> jacobians;
   for (int i : whole.configurations) jacobians.push_back(configurations[i].blocks[b].jacobian);
-  BlockAnalysis result = choose_partition(jacobians, whole.rank, driven_columns(block, analysis.driven), like);
+  const std::vector<int> driven = driven_columns(block, analysis.driven);
+  const LateRows late = late_rows(jacobians, whole.rank, driven, velocity_rows(model, topology, block));
+  BlockAnalysis result = choose_partition(jacobians, whole.rank, driven, like, late);
   for (int e : result.redundant_equations) result.redundant_names.push_back(equations[e].name);
   result.certificate = certificate;
   return result;

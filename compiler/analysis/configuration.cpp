@@ -34,6 +34,7 @@ NumericSystem::NumericSystem(const Model& model, const Topology& topology)
                                                        {},    {},       scribe_} {
   system_.x.assign(static_cast<std::size_t>(auxiliary_state_count(model)), 0.0);
   system_.constants = make_constants(model, topology, system_.environment, Origins::of_joints);
+  for (const LoopBlock& block : topology.blocks) velocity_rows_.push_back(mbgen::velocity_rows(model, topology, block));
 }
 
 System<double>& NumericSystem::at(const std::vector<double>& z) {
@@ -99,33 +100,43 @@ Eigen::VectorXd to_eigen(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// Newton step of a large block towards its chosen equations; coordinates without pivot stay.
+/// Newton step of a large block towards its chosen equations; coordinates without pivot stay. late: of velocities
+/// alone.
 Eigen::VectorXd sparse_newton_step(const SparseRows& jacobian, const Eigen::VectorXd& residual, std::size_t coordinates,
-                                   const std::vector<int>& equations) {
+                                   const std::vector<int>& equations, const std::vector<int>& late) {
   LoopPartition partition;
-  partition.pivots = eliminate({&jacobian}, equations, std::vector<bool>(coordinates, false)).pivots;
+  partition.pivots = eliminate({&jacobian}, equations, std::vector<bool>(coordinates, false), late).pivots;
   std::vector<double> open(residual.size());
   for (Eigen::Index e = 0; e < residual.size(); ++e) open[e] = -residual[e];
   return to_eigen(solve_frozen(factorise_frozen(jacobian, partition, coordinates), partition, open, coordinates));
 }
 
-/// Least-squares Newton step of one block towards its chosen equations.
-Eigen::VectorXd newton_step(const Configuration& configuration, std::size_t b, std::size_t coordinates,
+/// Least-squares Newton step of one block towards its chosen equations. Rows of velocities alone are never open; where
+/// they repeat rows of positions, they would hold those back.
+Eigen::VectorXd newton_step(const NumericSystem& numbers, const Configuration& configuration, std::size_t b,
                             const std::vector<int>& equations, Newton newton) {
-  if (const SparseRows& sparse = configuration.blocks[b].sparse; !sparse.empty()) {
-    if (equations.empty() || !configuration.residuals[b].allFinite())
-      return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(coordinates));
-    return sparse_newton_step(sparse, configuration.residuals[b], coordinates, equations);
-  }
-  const Eigen::MatrixXd jacobian = configuration.blocks[b].jacobian(equations, Eigen::all);
-  if (equations.empty() || !configuration.residuals[b].allFinite()) return Eigen::VectorXd::Zero(jacobian.cols());
+  const auto coordinates = static_cast<Eigen::Index>(numbers.topology().blocks[b].joints.size());
+  const std::vector<int>& late = numbers.velocity_rows(b);
+  const BlockSample& block = configuration.blocks[b];
+  const Eigen::VectorXd& residual = configuration.residuals[b];
+  if (equations.empty() || !residual.allFinite()) return Eigen::VectorXd::Zero(coordinates);
+  if (!block.sparse.empty()) return sparse_newton_step(block.sparse, residual, coordinates, equations, late);
+  std::vector<int> of_positions, of_velocities;
+  for (const int e : equations)
+    (std::binary_search(late.begin(), late.end(), e) ? of_velocities : of_positions).push_back(e);
+  const Eigen::MatrixXd jacobian = block.jacobian(of_positions, Eigen::all);
+  const Eigen::VectorXd open = residual(of_positions);
   if (newton == Newton::damped) {
-    const double damping = std::max(configuration.residuals[b](equations).norm(), kLeastDamping);
     Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
-    normal.diagonal().array() += damping;
-    return solved(normal, -jacobian.transpose() * configuration.residuals[b](equations));
+    normal.diagonal().array() += std::max(open.norm(), kLeastDamping);
+    return solved(normal, -jacobian.transpose() * open);
   }
-  return least_squares(jacobian, -configuration.residuals[b](equations), kIndifferentShare);
+  if (of_positions.empty()) return Eigen::VectorXd::Zero(coordinates);
+  Eigen::VectorXd step = least_squares(jacobian, -open, kIndifferentShare);
+  if (of_velocities.empty()) return step;
+  const Eigen::MatrixXd free = indifferent_directions(jacobian, kIndifferentShare);
+  const Eigen::MatrixXd rolling = block.jacobian(of_velocities, Eigen::all);
+  return step + free * least_squares(rolling * free, -rolling * step, kIndifferentShare);
 }
 
 }  // namespace
@@ -146,8 +157,7 @@ Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
     for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
       if (const double here = open(b); here < kClosedForRank * 1e-3 || !std::isfinite(here)) continue;
       moved[b] = true;
-      Eigen::VectorXd correction =
-          newton_step(configuration, b, topology.blocks[b].joints.size(), equations[b], newton);
+      Eigen::VectorXd correction = newton_step(numbers, configuration, b, equations[b], newton);
       correction *= shortening(largest(correction), kLargestSearchStep);
       for (std::size_t c = 0; c < topology.blocks[b].joints.size(); ++c)
         configuration.z[topology.blocks[b].joints[c]] += correction[c];
@@ -155,8 +165,7 @@ Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
   }
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     configuration.closed.push_back(open(b) < kClosedForRank);
-    configuration.corrections.push_back(
-        newton_step(configuration, b, topology.blocks[b].joints.size(), equations[b], newton));
+    configuration.corrections.push_back(newton_step(numbers, configuration, b, equations[b], newton));
   }
   return configuration;
 }

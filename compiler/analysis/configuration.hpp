@@ -44,11 +44,14 @@ class NumericSystem {
   /// Of a point of a body, global at the reference configuration, m.
   Vector<double> reference_position(const Attachment& at) const;
   const Constants<double>& constants() const { return system_.constants; }
+  /// Of a block: rows that hold velocities alone.
+  const std::vector<int>& velocity_rows(std::size_t b) const { return velocity_rows_[b]; }
 
  private:
   Layout layout_;
   Scribe<double> scribe_;
   System<double> system_;
+  std::vector<std::vector<int>> velocity_rows_;  // per block
 };
 
 /// Residuals of a block, to first order, after the step that would come next: the part that closing some of its
@@ -67,7 +70,8 @@ enum class Newton { full, damped };
 
 /// Closes the chosen equations of each block (local rows, ascending; none: the block stays) from a start by
 /// least-squares Newton steps, largest residual kClosedForRank; the steps of large blocks leave independent coordinates
-/// where they are. Driven coordinates move like the others.
+/// where they are. Rows of velocities alone choose among the steps that rows of positions leave. Driven coordinates
+/// move like the others.
 Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
                               const std::vector<std::vector<int>>& equations, Newton newton = Newton::full);
 

@@ -34,12 +34,24 @@ VectorXd easiest_direction(const MatrixXd& jacobian, const std::vector<int>& kep
   return direction / direction.cwiseAbs().maxCoeff();
 }
 
+/// Rows of velocities alone are never open: the way that they slip on a motion stands for what they hinder.
+void add_slip(const LoopBlock& block, const PartView& view, std::size_t s, const std::vector<double>& from,
+              const std::vector<double>& to, VectorXd& residual) {
+  if (view.late.empty()) return;
+  VectorXd way(view.part.columns.size());
+  for (Eigen::Index c = 0; c < way.size(); ++c) {
+    const int j = block.joints[view.part.columns[static_cast<std::size_t>(c)]];
+    way[c] = (to[j] - from[j]) / view.column_scale[c];
+  }
+  for (const int r : view.late) residual[r] = view.jacobians[s].row(r).dot(way) / view.row_scale[r];
+}
+
 /// Leaves out the weakest equation that counts as rank and all redundant ones, moves the part by a finite step with the
 /// others closed, and says which of those left out opens most.
 Violation release(NumericSystem& numbers, std::size_t b, const PartView& view, std::size_t s,
                   const std::vector<double>& start) {
   const LoopBlock& block = numbers.topology().blocks[b];
-  const std::vector<int> kept = strongest_rows(view.jacobians[s], view.rank - 1);
+  const std::vector<int> kept = strongest_rows(view.jacobians[s], view.rank - 1, view.late);
   const VectorXd direction = easiest_direction(view.jacobians[s], kept, view.rank);
   std::vector<std::vector<int>> equations(numbers.topology().blocks.size());
   for (int r : kept) equations[b].push_back(view.part.rows[r]);
@@ -56,6 +68,7 @@ Violation release(NumericSystem& numbers, std::size_t b, const PartView& view, s
     const double length = distance(block, view, start, moved.z, coordinate);
     if (!moved.closed[b] || length < step / 2 || length > 2 * step) continue;
     residual = moved.residuals[b](view.part.rows);
+    add_slip(block, view, s, start, moved.z, residual);
     violation.coordinate = coordinate;
     violation.motion = std::abs(moved.z[coordinate] - start[coordinate]);
     break;
@@ -142,6 +155,7 @@ Diagnostics contradiction(NumericSystem& numbers, std::size_t b, const PartView&
   const std::string wrong = fault(numbers, b, view, s, start);
   if (wrong.empty()) return {};
   const Violation violation = release(numbers, b, view, s, start);
+  if (!(violation.residual > kContradiction)) return {};  // nothing opens: the equations agree
   return {
       refusal(numbers.model(), numbers.topology(), view.part.loops, wrong, violation, equations[violation.equation])};
 }

@@ -57,9 +57,17 @@ struct PartitionCandidate : LoopPartition {
   bool symmetric = false;             ///< see is_symmetric
 };
 
+/// Rows of velocities alone, some of which repeat others. They get pivots after the rows of positions, so that of rows
+/// that repeat each other those of positions are kept: they alone can be closed.
+struct LateRows {
+  std::vector<int> equations;  ///< local, ascending; empty where none of them is redundant
+  int early_rank = 0;          ///< pivots of the other rows
+};
+
 /// Decisions for one loop block; local columns are indices into LoopBlock::joints.
 struct BlockAnalysis : LoopPartition {
-  int rank = 0;                              ///< generic rank of the block Jacobian
+  int rank = 0;  ///< generic rank of the block Jacobian
+  LateRows late;
   std::vector<int> redundant_equations;      ///< local rows left out of the frozen path
   std::vector<std::string> redundant_names;  ///< the same by loop and component, for people
   std::vector<int> triangular_sizes;         ///< sizes of the diagonal blocks of the block-triangular form

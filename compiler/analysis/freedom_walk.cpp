@@ -9,11 +9,11 @@ namespace {
 
 constexpr double kWalkStep = 0.15;  // rad or m, of the coordinate that moves most
 
-LoopPartition partition_at(const SparseRows& jacobian, const LoopBlock& block) {
+LoopPartition partition_at(const SparseRows& jacobian, const LoopBlock& block, const std::vector<int>& late) {
   std::vector<int> rows(block.equations);
   std::iota(rows.begin(), rows.end(), 0);
   LoopPartition partition;
-  partition.pivots = eliminate({&jacobian}, rows, std::vector<bool>(block.joints.size(), false)).pivots;
+  partition.pivots = eliminate({&jacobian}, rows, std::vector<bool>(block.joints.size(), false), late).pivots;
   std::vector<bool> dependent(block.joints.size(), false);
   for (const Pivot& pivot : partition.pivots) dependent[pivot.coordinate] = true;
   for (std::size_t c = 0; c < dependent.size(); ++c)
@@ -45,12 +45,13 @@ std::vector<double> mixed_freedoms(const SparseRows& jacobian, const LoopPartiti
   return x;
 }
 
-std::vector<FreedomWalk> start_walks(const Topology& topology, const Configuration& reference,
+std::vector<FreedomWalk> start_walks(const NumericSystem& numbers, const Configuration& reference,
                                      std::vector<std::vector<int>>& equations) {
+  const Topology& topology = numbers.topology();
   std::vector<FreedomWalk> walks;
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     if (!is_large(topology.blocks[b]) || !reference.closed[b]) continue;
-    walks.push_back({b, partition_at(reference.blocks[b].sparse, topology.blocks[b]), {}});
+    walks.push_back({b, partition_at(reference.blocks[b].sparse, topology.blocks[b], numbers.velocity_rows(b)), {}});
     equations[b].clear();
     for (const Pivot& pivot : walks.back().partition.pivots) equations[b].push_back(pivot.equation);
     std::sort(equations[b].begin(), equations[b].end());

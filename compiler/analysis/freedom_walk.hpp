@@ -20,7 +20,7 @@ struct FreedomWalk {
 
 /// One walk for each large block that is closed at the reference. equations: per block, those to close; of a large
 /// block only those with a pivot at the reference stay.
-std::vector<FreedomWalk> start_walks(const Topology& topology, const Configuration& reference,
+std::vector<FreedomWalk> start_walks(const NumericSystem& numbers, const Configuration& reference,
                                      std::vector<std::vector<int>>& equations);
 
 /// Puts the next position of a walk, to be closed, into `start`: a step from the last of `found` or, where the walk

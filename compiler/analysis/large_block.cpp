@@ -21,10 +21,10 @@ std::vector<int> all_below(std::size_t count) {
 }
 
 SparseElimination elimination_of(const std::vector<const SparseRows*>& samples, std::size_t coordinates,
-                                 const std::vector<int>& driven) {
+                                 const std::vector<int>& driven, const std::vector<int>& late) {
   std::vector<bool> barred(coordinates, false);
   for (int c : driven) barred[c] = true;
-  return eliminate(samples, all_below(samples[0]->size()), barred);
+  return eliminate(samples, all_below(samples[0]->size()), barred, late);
 }
 
 /// Jacobians of the configurations with the generic rank.
@@ -62,6 +62,15 @@ std::vector<int> rows_without_pivot(const std::vector<Pivot>& pivots, std::size_
   return left;
 }
 
+/// The rows of velocities alone, where some of them have no pivot.
+LateRows late_rows_of(const SparseElimination& elimination, const std::vector<int>& of_velocities) {
+  LateRows late{of_velocities, 0};
+  for (const Pivot& pivot : elimination.pivots) late.early_rank += contains(of_velocities, pivot.equation) ? 0 : 1;
+  const bool all =
+      late.early_rank + static_cast<int>(of_velocities.size()) == static_cast<int>(elimination.pivots.size());
+  return all ? LateRows{} : late;
+}
+
 /// Columns that do not move with a mixture of the freedoms, in any configuration of generic rank.
 std::vector<int> immobile_columns(const std::vector<const SparseRows*>& samples, const LoopPartition& partition,
                                   std::size_t coordinates) {
@@ -85,9 +94,11 @@ PartView large_view(const NumericSystem& numbers, std::size_t b, const std::vect
   const LoopBlock& block = numbers.topology().blocks[b];
   PartView view;
   view.part = {block.loops, all_below(block.equations), all_below(block.joints.size())};
+  view.late = numbers.velocity_rows(b);
   for (std::size_t i = 0; i < configurations.size(); ++i) {
     if (!configurations[i].closed[b]) continue;
-    const SparseElimination here = elimination_of({&configurations[i].blocks[b].sparse}, block.joints.size(), {});
+    const SparseElimination here =
+        elimination_of({&configurations[i].blocks[b].sparse}, block.joints.size(), {}, view.late);
     view.configurations.push_back(static_cast<int>(i));
     view.ranks.push_back(static_cast<int>(here.pivots.size()));
     view.rank = std::max(view.rank, view.ranks.back());
@@ -100,7 +111,7 @@ Certificate certify_large(const Topology& topology, std::size_t b, const PartVie
                           const std::vector<Configuration>& configurations) {
   const LoopBlock& block = topology.blocks[b];
   const std::vector<const SparseRows*> samples = regular_samples(b, whole, configurations);
-  const SparseElimination elimination = elimination_of(samples, block.joints.size(), {});
+  const SparseElimination elimination = elimination_of(samples, block.joints.size(), {}, whole.late);
   Certificate c;
   c.closed_configurations = static_cast<int>(whole.configurations.size());
   std::map<int, int, std::greater<>> count;
@@ -126,10 +137,11 @@ BlockAnalysis choose_large_partition(const LoopBlock& block, std::size_t b, cons
                                      const std::vector<int>& driven, const std::vector<Configuration>& configurations) {
   const std::size_t coordinates = block.joints.size();
   const std::vector<const SparseRows*> samples = regular_samples(b, whole, configurations);
-  const SparseElimination elimination = elimination_of(samples, coordinates, driven);
+  const SparseElimination elimination = elimination_of(samples, coordinates, driven, whole.late);
   BlockAnalysis result;
   static_cast<LoopPartition&>(result) = partition_of(elimination, coordinates, driven);
   result.rank = static_cast<int>(elimination.pivots.size());
+  result.late = late_rows_of(elimination, whole.late);
   result.worst_pivot_ratio = elimination.worst_ratio;
   result.triangular_sizes = {result.rank};  // eliminated as one
   result.redundant_equations = rows_without_pivot(elimination.pivots, block.equations);
@@ -137,7 +149,7 @@ BlockAnalysis choose_large_partition(const LoopBlock& block, std::size_t b, cons
   std::vector<Eigen::MatrixXd> jacobians;
   for (int i : whole.configurations)
     jacobians.push_back(configurations[i].blocks[b].part(all_below(block.equations), all_below(coordinates)));
-  result.typical_pivot = typical_pivot(jacobians, result.rank, driven);
+  result.typical_pivot = typical_pivot(jacobians, result.rank, driven, result.late);
   return result;
 }
 

@@ -94,6 +94,9 @@ PartView view(const NumericSystem& numbers, std::size_t b, const BlockPart& part
   const LoopBlock& block = numbers.topology().blocks[b];
   PartView v;
   v.part = part;
+  const std::vector<int> of_velocities = velocity_rows(numbers.model(), numbers.topology(), block);
+  for (std::size_t r = 0; r < part.rows.size(); ++r)
+    if (contains(of_velocities, part.rows[r])) v.late.push_back(static_cast<int>(r));
   for (std::size_t i = 0; i < configurations.size(); ++i) {
     if (!configurations[i].closed[b]) continue;
     v.configurations.push_back(static_cast<int>(i));
@@ -129,11 +132,29 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& matrix, int rank) {
   return right_singular_vectors(matrix).vectors.rightCols(matrix.cols() - rank);
 }
 
+namespace {
+
 std::vector<int> strongest_rows(const Eigen::MatrixXd& matrix, int count) {
   const std::vector<int> order = pivot_places(matrix);
   std::vector<int> rows;
   for (Eigen::Index r = 0; r < matrix.rows(); ++r)
     if (order[r] < count) rows.push_back(static_cast<int>(r));
+  return rows;
+}
+
+}  // namespace
+
+std::vector<int> strongest_rows(const Eigen::MatrixXd& matrix, int count, const std::vector<int>& late) {
+  if (late.empty()) return strongest_rows(matrix, count);
+  Eigen::MatrixXd early = matrix;
+  early(late, Eigen::all).setZero();
+  const auto rank = static_cast<int>((singular_values(early).array() > kLeastSingularValue).count());
+  std::vector<int> rows = strongest_rows(early, std::min(count, rank));
+  if (count <= rank) return rows;
+  const Eigen::MatrixXd free = rank > 0 ? null_space(early(rows, Eigen::all), rank)
+                                        : Eigen::MatrixXd(Eigen::MatrixXd::Identity(matrix.cols(), matrix.cols()));
+  for (const int r : strongest_rows(matrix(late, Eigen::all) * free, count - rank)) rows.push_back(late[r]);
+  std::sort(rows.begin(), rows.end());
   return rows;
 }
 

@@ -38,6 +38,7 @@ struct PartView {
   std::vector<Eigen::VectorXd> singular_values;
   std::vector<int> ranks;  ///< singular values above kLeastSingularValue, and above their uncertainty
   int rank = 0;            ///< generic: the largest seen
+  std::vector<int> late;   ///< indices into part.rows: rows that hold velocities alone
   /// Weakest singular value that counts as rank over the largest one, at least 1: at view index `s`.
   double margin(std::size_t s) const;
   /// View index with the largest margin.
@@ -53,7 +54,7 @@ PartView view(const NumericSystem& numbers, std::size_t b, const BlockPart& part
 /// Orthonormal directions (columns) in which a matrix of this rank does not change its product.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& matrix, int rank);
 
-/// Rows that elimination with full pivoting takes first, ascending.
-std::vector<int> strongest_rows(const Eigen::MatrixXd& matrix, int count);
+/// Rows that elimination with full pivoting takes first, ascending; late ones after the rank of the others.
+std::vector<int> strongest_rows(const Eigen::MatrixXd& matrix, int count, const std::vector<int>& late);
 
 }  // namespace mbgen

@@ -31,12 +31,13 @@ int rank_of(const MatrixXd& m) {
   return static_cast<int>((singular_values(m).array() > kLeastSingularValue).count());
 }
 
-/// Rows and columns that full pivoting takes first.
-Candidate pivoted(MatrixXd m, int rank, const std::vector<int>& columns) {
+/// Rows and columns that full pivoting takes first, late rows after the others.
+Candidate pivoted(MatrixXd m, int rank, const std::vector<int>& columns, const LateRows& late) {
   Candidate chosen;
-  std::set<int> rows_left, columns_left(columns.begin(), columns.end());
-  for (int r = 0; r < m.rows(); ++r) rows_left.insert(r);
+  std::set<int> rows_left, columns_left(columns.begin(), columns.end()), waiting;
+  for (int r = 0; r < m.rows(); ++r) (contains(late.equations, r) ? waiting : rows_left).insert(r);
   for (int k = 0; k < rank; ++k) {
+    if (!waiting.empty() && k == late.early_rank) rows_left = std::move(waiting), waiting.clear();
     int row = *rows_left.begin(), column = *columns_left.begin();
     for (int r : rows_left)
       for (int c : columns_left)
@@ -45,10 +46,11 @@ Candidate pivoted(MatrixXd m, int rank, const std::vector<int>& columns) {
     columns_left.erase(column);
     chosen.rows.push_back(row);
     chosen.columns.push_back(column);
-    for (int r : rows_left) {
-      const double factor = m(r, column) / m(row, column);
-      for (int c : columns_left) m(r, c) -= factor * m(row, c);
-    }
+    for (const std::set<int>* some : {&rows_left, &waiting})
+      for (int r : *some) {
+        const double factor = m(r, column) / m(row, column);
+        for (int c : columns_left) m(r, c) -= factor * m(row, c);
+      }
   }
   std::sort(chosen.rows.begin(), chosen.rows.end());
   std::sort(chosen.columns.begin(), chosen.columns.end());
@@ -69,7 +71,8 @@ double score_of(std::vector<double> conditions) {
 }
 
 /// Sets of columns that full pivoting takes, with the columns as they are and weighted at random.
-std::set<Candidate> candidates(const std::vector<MatrixXd>& jacobians, int rank, const std::vector<int>& columns) {
+std::set<Candidate> candidates(const std::vector<MatrixXd>& jacobians, int rank, const std::vector<int>& columns,
+                               const LateRows& late) {
   std::set<Candidate> found;
   std::mt19937_64 random(kSeed);
   for (const MatrixXd& jacobian : jacobians) {
@@ -77,7 +80,7 @@ std::set<Candidate> candidates(const std::vector<MatrixXd>& jacobians, int rank,
       MatrixXd weighted = jacobian;
       for (Eigen::Index c = 0; w > 0 && c < weighted.cols(); ++c)
         weighted.col(c) *= kLeastWeight + (1 - kLeastWeight) * static_cast<double>(random() >> 11) * 0x1p-53;
-      found.insert(pivoted(std::move(weighted), rank, columns));
+      found.insert(pivoted(std::move(weighted), rank, columns, late));
     }
     if (found.size() > kMostCandidates) break;
   }
@@ -88,14 +91,14 @@ std::set<Candidate> candidates(const std::vector<MatrixXd>& jacobians, int rank,
 class Search {
  public:
   /// jacobians: of full rank. best: weakest singular value of all columns, per sample. columns: those that may depend.
-  /// like: see choose_partition.
+  /// like, late: see choose_partition.
   Search(const std::vector<MatrixXd>& jacobians, const std::vector<double>& best, const std::vector<int>& columns,
-         int rank, std::span<const PartitionCandidate> like)
-      : jacobians_(jacobians), best_(best), columns_(columns), rank_(rank), like_(like) {}
+         int rank, std::span<const PartitionCandidate> like, const LateRows& late)
+      : jacobians_(jacobians), best_(best), columns_(columns), rank_(rank), like_(like), late_(late) {}
 
   /// The cheapest by its estimate of the well conditioned ones.
   Candidate best_estimate() {
-    for (const Candidate& candidate : candidates(jacobians_, rank_, columns_))
+    for (const Candidate& candidate : candidates(jacobians_, rank_, columns_, late_))
       top_ = std::max(top_, judged(candidate).score);
     Candidate chosen;
     std::vector<Candidate> good;
@@ -195,7 +198,7 @@ class Search {
         for (int leaving : dependent) {
           std::vector<int> columns = dependent;
           *std::find(columns.begin(), columns.end(), leaving) = free;
-          const Candidate candidate = pivoted(jacobians_[0], rank_, columns);
+          const Candidate candidate = pivoted(jacobians_[0], rank_, columns, late_);
           if (projection_cost(candidate, all) >= cost(chosen)) continue;
           if (judged(candidate).score < kScoreShare * top_ || cost(candidate) >= cost(chosen)) continue;
           chosen = candidate;
@@ -225,9 +228,26 @@ class Search {
   const std::vector<int>& columns_;
   int rank_;
   std::span<const PartitionCandidate> like_;
+  const LateRows& late_;
   double top_ = 0;  ///< best score of the random candidates
   std::map<Candidate, Judgement> judged_;
 };
+
+std::vector<int> undriven_columns(const MatrixXd& jacobian, const std::vector<int>& driven) {
+  std::vector<int> columns;
+  for (int c = 0; c < jacobian.cols(); ++c)
+    if (!contains(driven, c)) columns.push_back(c);
+  return columns;
+}
+
+/// Whether the early rows have their rank with some margin, too: else their pivots are rounding.
+bool has_early_rank(const MatrixXd& movable, const LateRows& late) {
+  if (late.equations.empty() || late.early_rank == 0) return true;
+  MatrixXd early = movable;
+  for (const int e : late.equations) early.row(e).setZero();
+  const Eigen::VectorXd s = singular_values(early);
+  return s[late.early_rank - 1] > kFullRankShare * s[0];
+}
 
 /// A scale to kTypicalDigits decimals: exact quotients of integers, the same double that its text is read as.
 double rounded_scale(double value) {
@@ -239,20 +259,23 @@ double rounded_scale(double value) {
 
 }  // namespace
 
-double typical_pivot(const std::vector<MatrixXd>& jacobians, int rank, const std::vector<int>& driven) {
+double typical_pivot(const std::vector<MatrixXd>& jacobians, int rank, const std::vector<int>& driven,
+                     const LateRows& late) {
   std::vector<double> smallest;
   for (const MatrixXd& jacobian : jacobians) {
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> factors = jacobian;
     std::vector<int> rows(jacobian.rows()), columns(jacobian.cols());
-    std::vector<unsigned char> is_driven(jacobian.cols(), 0);
+    std::vector<unsigned char> is_driven(jacobian.cols(), 0), is_late(jacobian.rows(), 0);
     for (const int c : driven) is_driven[c] = 1;
+    for (const int e : late.equations) is_late[e] = 1;
     LoopFactors loop;
     loop.equations = static_cast<int>(jacobian.rows());
     loop.coordinates = static_cast<int>(jacobian.cols());
     loop.matrix = factors.data();
     loop.rows = rows.data();
     loop.columns = columns.data();
-    factorise(loop, rank, is_driven.data(), kLeastSingularValue);
+    const LatePivots order{late.equations.empty() ? nullptr : is_late.data(), late.early_rank};
+    factorise(loop, rank, is_driven.data(), kLeastSingularValue, order);
     smallest.push_back(loop.rank == rank ? smallest_pivot(loop) : 0);
   }
   std::sort(smallest.begin(), smallest.end());
@@ -271,15 +294,27 @@ void take(BlockAnalysis& block, const PartitionCandidate& candidate) {
   block.worst_pivot_ratio = candidate.worst_pivot_ratio;
 }
 
+LateRows late_rows(const std::vector<MatrixXd>& jacobians, int rank, const std::vector<int>& driven,
+                   const std::vector<int>& velocity_rows) {
+  if (velocity_rows.empty()) return {};
+  const std::vector<int> columns = undriven_columns(jacobians[0], driven);
+  std::vector<int> rows;
+  for (int r = 0; r < jacobians[0].rows(); ++r)
+    if (!contains(velocity_rows, r)) rows.push_back(r);
+  LateRows late{velocity_rows, 0};
+  for (const MatrixXd& j : jacobians) late.early_rank = std::max(late.early_rank, rank_of(part_of(j, rows, columns)));
+  const bool are_independent = late.early_rank + static_cast<int>(velocity_rows.size()) == rank;
+  return are_independent ? LateRows{} : late;
+}
+
 BlockAnalysis choose_partition(const std::vector<MatrixXd>& jacobians, int rank, const std::vector<int>& driven,
-                               std::span<const PartitionCandidate> like) {
+                               std::span<const PartitionCandidate> like, const LateRows& late) {
   BlockAnalysis result;
   result.rank = rank;
+  result.late = late;
   result.driven = driven;
-  const int coordinates = static_cast<int>(jacobians[0].cols()), equations = static_cast<int>(jacobians[0].rows());
-  std::vector<int> columns;
-  for (int c = 0; c < coordinates; ++c)
-    if (std::find(driven.begin(), driven.end(), c) == driven.end()) columns.push_back(c);
+  const int equations = static_cast<int>(jacobians[0].rows());
+  const std::vector<int> columns = undriven_columns(jacobians[0], driven);
   result.independent = columns;
   if (rank > 0) {
     std::vector<double> best;
@@ -287,11 +322,12 @@ BlockAnalysis choose_partition(const std::vector<MatrixXd>& jacobians, int rank,
     for (const MatrixXd& j : jacobians) {
       const MatrixXd movable = columns_of(j, columns);
       const Eigen::VectorXd s = movable.cols() == 0 ? Eigen::VectorXd() : singular_values(movable);
-      if (s.size() >= rank && s[rank - 1] > kFullRankShare * s[0]) usable.push_back(j), best.push_back(s[rank - 1]);
+      const bool is_full = s.size() >= rank && s[rank - 1] > kFullRankShare * s[0];
+      if (is_full && has_early_rank(movable, late)) usable.push_back(j), best.push_back(s[rank - 1]);
     }
     if (usable.empty()) usable = {jacobians[0]}, best = {1.0};
-    result.typical_pivot = typical_pivot(usable, rank, driven);
-    Search search(usable, best, columns, rank, like);
+    result.typical_pivot = typical_pivot(usable, rank, driven, late);
+    Search search(usable, best, columns, rank, like, late);
     result.candidates = search.short_list(search.best_estimate());
     for (PartitionCandidate& candidate : result.candidates) candidate.driven = driven;
     take(result, result.candidates[0]);

@@ -11,13 +11,12 @@ int position_rank(const NumericSystem& numbers, std::size_t b, const PartView& w
                   const std::vector<Configuration>& configurations) {
   const Topology& topology = numbers.topology();
   const LoopBlock& block = topology.blocks[b];
+  const std::vector<int> of_velocities = velocity_rows(numbers.model(), topology, block);
+  if (of_velocities.empty()) return rank;
   std::vector<int> rows, columns(block.joints.size());
   std::iota(columns.begin(), columns.end(), 0);
-  int next = 0;
-  for (const int l : block.loops)
-    for (int row = 0; row < topology.loops[l].equations; ++row, ++next)
-      if (!holds_velocity_alone(numbers.model(), topology.loops[l], row)) rows.push_back(next);
-  if (next == static_cast<int>(rows.size())) return rank;
+  for (int row = 0; row < block.equations; ++row)
+    if (!contains(of_velocities, row)) rows.push_back(row);
   if (rows.empty()) return 0;
   std::size_t largest = 0;
   for (const int i : whole.configurations) {

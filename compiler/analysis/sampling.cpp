@@ -17,7 +17,7 @@ std::vector<Configuration> closed_configurations(NumericSystem& numbers, int wan
     std::iota(equations.back().begin(), equations.back().end(), 0);
   }
   std::vector<Configuration> found{close_equations(numbers, reference, equations)};
-  std::vector<FreedomWalk> walks = start_walks(topology, found[0], equations);
+  std::vector<FreedomWalk> walks = start_walks(numbers, found[0], equations);
   std::mt19937_64 random(20120401);  // fixed: two runs decide alike
   const double distances[] = {0.05, 0.2, 0.5, 1.0, 2.0};
   for (int attempt = 0; attempt < 2 * wanted && static_cast<int>(found.size()) <= wanted; ++attempt) {

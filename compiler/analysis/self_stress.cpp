@@ -88,13 +88,16 @@ bool agree(const PartPosition& at, const DependentRows& rows, const BlockPart& l
 
 /// All rows of some loops of a part: those that full pivoting takes, and the others.
 DependentRows rows_of(const PartPosition& at, const BlockPart& loops) {
-  std::vector<int> rows;
-  for (std::size_t r = 0; r < at.view.part.rows.size(); ++r)
-    if (contains(loops.rows, at.view.part.rows[r])) rows.push_back(static_cast<int>(r));
+  std::vector<int> rows, late;
+  for (std::size_t r = 0; r < at.view.part.rows.size(); ++r) {
+    if (!contains(loops.rows, at.view.part.rows[r])) continue;
+    if (contains(at.view.late, static_cast<int>(r))) late.push_back(static_cast<int>(rows.size()));
+    rows.push_back(static_cast<int>(r));
+  }
   const MatrixXd jacobian = at.jacobian(rows, Eigen::all);
   const VectorXd sigma = singular_values(jacobian);
   const std::vector<int> kept =
-      strongest_rows(jacobian, static_cast<int>((sigma.array() > kLeastSingularValue).count()));
+      strongest_rows(jacobian, static_cast<int>((sigma.array() > kLeastSingularValue).count()), late);
   DependentRows result;
   for (std::size_t r = 0; r < rows.size(); ++r)
     (contains(kept, static_cast<int>(r)) ? result.kept : result.redundant).push_back(rows[r]);
@@ -103,8 +106,8 @@ DependentRows rows_of(const PartPosition& at, const BlockPart& loops) {
 
 }  // namespace
 
-std::vector<DependentRows> dependent_rows(const MatrixXd& matrix, int rank) {
-  const std::vector<int> kept = strongest_rows(matrix, rank);
+std::vector<DependentRows> dependent_rows(const MatrixXd& matrix, int rank, const std::vector<int>& late) {
+  const std::vector<int> kept = strongest_rows(matrix, rank, late);
   const MatrixXd basis = matrix(kept, Eigen::all).transpose();
   const MatrixXd all_shares = rank > 0 ? overdetermined_solution(basis, matrix.transpose()) : MatrixXd();
   std::vector<DependentRows> components;
@@ -134,7 +137,7 @@ bool redundancy_holds(NumericSystem& numbers, std::size_t b, const PartView& vie
                       const std::vector<double>& start) {
   const LoopBlock& block = numbers.topology().blocks[b];
   const PartPosition at{numbers, b, view, view.jacobians[s], start};
-  const std::vector<DependentRows> components = dependent_rows(at.jacobian, view.rank);
+  const std::vector<DependentRows> components = dependent_rows(at.jacobian, view.rank, view.late);
   return std::all_of(components.begin(), components.end(), [&](const DependentRows& rows) {
     const BlockPart loops = block_part(numbers.topology(), block, loops_of(numbers.topology(), block, view, rows));
     // By chance a dependence may leave out a row here that it needs elsewhere.

@@ -12,7 +12,8 @@ namespace mbgen {
 struct DependentRows {
   std::vector<int> kept, redundant;
 };
-std::vector<DependentRows> dependent_rows(const Eigen::MatrixXd& matrix, int rank);
+/// late: rows that follow from others before other rows do.
+std::vector<DependentRows> dependent_rows(const Eigen::MatrixXd& matrix, int rank, const std::vector<int>& late = {});
 
 /// True when every set of rows of a locked part that depend on each other leaves its loops a freedom and agrees along
 /// it, as a parallelogram does that a rod locks: what locks the part is then in no contradiction with anything.

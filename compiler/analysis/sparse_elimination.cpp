@@ -25,21 +25,30 @@ struct PivotChoice {
 class Eliminator {
  public:
   Eliminator(const std::vector<const SparseRows*>& samples, const std::vector<int>& rows,
-             const std::vector<bool>& barred)
-      : rows_(samples[0]->size()), scale_(samples[0]->size(), 0), columns_(barred.size()) {
+             const std::vector<bool>& barred, const std::vector<int>& late)
+      : rows_(samples[0]->size()),
+        scale_(samples[0]->size(), 0),
+        is_late_(samples[0]->size(), false),
+        columns_(barred.size()) {
+    for (int r : late) is_late_[r] = true;
     for (int r : rows) read(samples, r, barred);
     for (int r : rows) {
       for (const auto& [column, values] : rows_[r]) columns_[column].insert(r);
-      if (!rows_[r].empty()) queue_.emplace(rows_[r].size(), r);
+      if (!rows_[r].empty()) queue_of(r).emplace(rows_[r].size(), r);
     }
   }
 
   SparseElimination result() {
     while (!queue_.empty()) take(best());
+    queue_ = std::move(waiting_);
+    waits_ = false;
+    while (!queue_.empty()) take(best());
     return std::move(result_);
   }
 
  private:
+  std::set<std::pair<std::size_t, int>>& queue_of(int r) { return waits_ && is_late_[r] ? waiting_ : queue_; }
+
   void read(const std::vector<const SparseRows*>& samples, int r, const std::vector<bool>& barred) {
     for (std::size_t s = 0; s < samples.size(); ++s) {
       const SparseRow<double>& row = (*samples[s])[r];
@@ -109,7 +118,7 @@ class Eliminator {
 
   void subtract(int r, int column, const std::map<int, Values>& pivot_row, const Values& factor) {
     std::map<int, Values>& row = rows_[r];
-    queue_.erase({row.size(), r});
+    queue_of(r).erase({row.size(), r});
     for (const auto& [c, values] : pivot_row) {
       const auto [entry, fills] = row.try_emplace(c, Values::Zero(values.size()));
       entry->second -= factor * values;
@@ -123,7 +132,7 @@ class Eliminator {
     double left = 0;
     for (const auto& [c, values] : row) left = std::max(left, values.abs().maxCoeff());
     if (left > kNothing) {
-      queue_.emplace(row.size(), r);
+      queue_of(r).emplace(row.size(), r);
       return;
     }
     result_.largest_dropped = std::max(result_.largest_dropped, left);
@@ -142,17 +151,19 @@ class Eliminator {
   }
 
   std::vector<std::map<int, Values>> rows_;
-  std::vector<double> scale_;                    // largest entry of each row over the samples
-  std::vector<std::set<int>> columns_;           // rows with an entry, per column
-  std::set<std::pair<std::size_t, int>> queue_;  // rows without pivot by their lengths
+  bool waits_ = true;          // late rows do
+  std::vector<double> scale_;  // largest entry of each row over the samples
+  std::vector<bool> is_late_;
+  std::vector<std::set<int>> columns_;                     // rows with an entry, per column
+  std::set<std::pair<std::size_t, int>> queue_, waiting_;  // rows without pivot by their lengths; late ones
   SparseElimination result_;
 };
 
 }  // namespace
 
 SparseElimination eliminate(const std::vector<const SparseRows*>& samples, const std::vector<int>& rows,
-                            const std::vector<bool>& barred) {
-  return Eliminator(samples, rows, barred).result();
+                            const std::vector<bool>& barred, const std::vector<int>& late) {
+  return Eliminator(samples, rows, barred, late).result();
 }
 
 }  // namespace mbgen

@@ -23,9 +23,9 @@ struct SparseElimination {
 /// Eliminates the chosen rows by Markowitz's rule among entries that are large enough in every sample. Ties go to the
 /// earlier row and column unless one pivot is clearly larger, so that equal cells of a mechanism are treated alike.
 /// samples: the same matrix at several configurations, at least one, rows in m or 1; rows: ascending; barred: per
-/// column, true where it must not get a pivot. Rank: a row whose rest is below 1e-8 of its largest entry counts as
-/// zero. Cost: as the entries met, times the samples.
+/// column, true where it must not get a pivot; late: rows that get pivots when no other row has one left. Rank: a row
+/// whose rest is below 1e-8 of its largest entry counts as zero. Cost: as the entries met, times the samples.
 SparseElimination eliminate(const std::vector<const SparseRows*>& samples, const std::vector<int>& rows,
-                            const std::vector<bool>& barred);
+                            const std::vector<bool>& barred, const std::vector<int>& late = {});
 
 }  // namespace mbgen

@@ -62,6 +62,7 @@ FrameValues context_values(const EmitContext& context) {
           {"samples_take_multipliers", takes_multipliers(context.programs.sampled)},
           {"derived", derived > 0 ? std::to_string(derived) : ""},
           {"has_closure", layout.has_closure},
+          {"meets_crossings", layout.chooses_again && !layout.blocks.empty()},
           {"balls", layout.balls > 0 ? std::to_string(layout.balls) : ""},
           {"samples", layout.sampled > 0 ? std::to_string(layout.sampled) : ""},
           {"grounds", layout.grounds > 0 ? std::to_string(layout.grounds) : ""},

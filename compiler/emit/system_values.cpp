@@ -111,7 +111,8 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
   const SolverNames& names = context.names;
   Items blocks;
   std::vector<int> coordinates;
-  std::vector<bool> block_driven, redundant(layout.equations, false);
+  std::vector<bool> block_driven, redundant(layout.equations, false), late(layout.equations, false);
+  std::vector<int> early_rank;
   for (std::size_t b = 0; b < layout.blocks.size(); ++b) {
     const BlockPlaces& p = layout.blocks[b];
     blocks.push_back(fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}}}", p.equations, p.coordinates, p.rank, p.free,
@@ -121,8 +122,12 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
       coordinates.push_back(joint);
       block_driven.push_back(context.analysis.driven[joint]);
     }
-    for (const int e : context.analysis.blocks[b].redundant_equations) redundant[p.first_equation + e] = true;
+    const BlockAnalysis& decided = context.analysis.blocks[b];
+    for (const int e : decided.redundant_equations) redundant[p.first_equation + e] = true;
+    for (const int e : decided.late.equations) late[p.first_equation + e] = true;
+    early_rank.push_back(decided.late.equations.empty() ? decided.rank : decided.late.early_rank);
   }
+  const bool has_late = std::find(late.begin(), late.end(), true) != late.end();
   const bool watches_states = context.model.solver.is_implicit() && layout.own_states > 0;
   // What only closures or loops ask for is left out without them, so that nothing is unused; lanes leave the choice of
   // coordinates at run time to the solver of one instance.
@@ -141,6 +146,8 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
           {"input_members", member_table(scalar, "Inputs", "kInputMember", names.inputs)},
           {"driven", table("unsigned char", "kDriven", items_of(context.analysis.driven))},
           {"redundant", table("unsigned char", "kRedundant", items_of(redundant))},
+          {"late_equation", table("unsigned char", "kLateEquation", items_of(late))},
+          {"early_rank", has_late ? table("int", "kEarlyRank", items_of(early_rank)) : ""},
           {"drive_coordinate", table("int", "kDriveCoordinate", items_of(drive_coordinates(context)))},
           {"block_layout", table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0, 0.0}")},
           {"block_coordinate", table("int", "kBlockCoordinate", items_of(coordinates))},

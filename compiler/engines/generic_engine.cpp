@@ -38,6 +38,10 @@ struct GenericSystem {
     advance_inputs(state.t);
     return solver.project_nearest(state);
   }
+  Status project_crossing(GenericState& state, double& clearance) const noexcept {
+    advance_inputs(state.t);
+    return solver.project_crossing(state, clearance);
+  }
   Status sample(GenericState& state, double h, bool& any) const noexcept { return solver.sample(state, h, any); }
   bool leaves_charts(const GenericState& state) const noexcept { return mbgen::leaves_charts(balls, state); }
   bool settle_charts(GenericState& state) const noexcept { return mbgen::settle_charts(balls, state); }

@@ -81,6 +81,15 @@ bool holds_velocity_alone(const Model& model, const Loop& loop, int row) {
   return loop.joint >= 0 && closure_rows(model.joints[loop.joint].type)[static_cast<std::size_t>(row)].of_velocities;
 }
 
+std::vector<int> velocity_rows(const Model& model, const Topology& topology, const LoopBlock& block) {
+  std::vector<int> rows;
+  int next = 0;
+  for (const int l : block.loops)
+    for (int row = 0; row < topology.loops[l].equations; ++row, ++next)
+      if (holds_velocity_alone(model, topology.loops[l], row)) rows.push_back(next);
+  return rows;
+}
+
 const Loop* rolling_loop(const Topology& topology) {
   for (const Loop& loop : topology.loops)
     if (is_rolling(loop.kind)) return &loop;

@@ -152,6 +152,9 @@ const Where& where_of(const Model& model, const Loop& loop);
 /// Rows of a loop that hold velocities alone (nonholonomic), in their order: they are never open.
 bool holds_velocity_alone(const Model& model, const Loop& loop, int row);
 
+/// Those of a block, local, ascending.
+std::vector<int> velocity_rows(const Model& model, const Topology& topology, const LoopBlock& block);
+
 /// The first loop that has such rows, or null.
 const Loop* rolling_loop(const Topology& topology);
 

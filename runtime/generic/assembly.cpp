@@ -111,13 +111,10 @@ void set_block(const LoopBlock& block, const VectorXd& from, std::vector<double>
 
 /// Rows of a block that hold positions.
 std::vector<int> position_rows(const MovableBlock& m) {
+  const std::vector<int> others = velocity_rows(m.equations.model, m.equations.topology, m.block);
   std::vector<int> rows;
-  int next = 0;
-  for (const int l : m.block.loops) {
-    const Loop& loop = m.equations.topology.loops[l];
-    for (int row = 0; row < loop.equations; ++row, ++next)
-      if (!holds_velocity_alone(m.equations.model, loop, row)) rows.push_back(next);
-  }
+  for (int row = 0; row < m.block.equations; ++row)
+    if (std::find(others.begin(), others.end(), row) == others.end()) rows.push_back(row);
   return rows;
 }
 

@@ -134,6 +134,31 @@ std::vector<double> BlockFactorsOf<Pivoted>::multipliers(const std::vector<doubl
   return {y.data(), y.data() + y.size()};
 }
 
+PivotedBlock::PivotedBlock(const BlockAnalysis& analysis, const std::vector<std::vector<double>>& jacobian,
+                           int rank_limit)
+    : rows_(jacobian.size()), columns_(jacobian.empty() ? 0 : jacobian[0].size()) {
+  for (const std::vector<double>& row : jacobian) matrix_.insert(matrix_.end(), row.begin(), row.end());
+  std::vector<unsigned char> driven(columns_.size(), 0), late(rows_.size(), 0);
+  for (const int c : analysis.driven) driven[c] = 1;
+  for (const int e : analysis.late.equations) late[e] = 1;
+  factors_.equations = static_cast<int>(rows_.size());
+  factors_.coordinates = static_cast<int>(columns_.size());
+  factors_.matrix = matrix_.data();
+  factors_.rows = rows_.data();
+  factors_.columns = columns_.data();
+  const LatePivots order{analysis.late.equations.empty() ? nullptr : late.data(), analysis.late.early_rank};
+  mbgen::factorise(factors_, rank_limit, driven.data(), kRankTolerance<double>, order);
+}
+
+void drop_repeating_rows(const BlockAnalysis& analysis, std::vector<std::vector<double>>& jacobian) {
+  if (analysis.late.equations.empty()) return;
+  const PivotedBlock block(analysis, jacobian, analysis.rank);
+  std::vector<bool> is_kept(jacobian.size(), false);
+  for (int k = 0; k < block.factors().rank; ++k) is_kept[block.factors().rows[k]] = true;
+  for (const int e : analysis.late.equations)
+    if (!is_kept[e]) std::fill(jacobian[e].begin(), jacobian[e].end(), 0.0);
+}
+
 template class BlockFactorsOf<PivotedLu>;
 template class BlockFactorsOf<PivotedQr>;
 

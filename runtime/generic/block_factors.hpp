@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "compiler/analysis/findings.hpp"
 #include "mbgen/blocks.hpp"
 
 namespace mbgen {
@@ -81,5 +82,23 @@ class BlockFactorsOf {
 };
 
 using BlockFactors = BlockFactorsOf<PivotedLu>;
+
+/// A block Jacobian, [equation][column], with full pivoting in the order of its rows: as generated solvers have it.
+class PivotedBlock {
+ public:
+  /// At most `rank_limit` pivots.
+  PivotedBlock(const BlockAnalysis& analysis, const std::vector<std::vector<double>>& jacobian, int rank_limit);
+  PivotedBlock(const PivotedBlock&) = delete;
+  PivotedBlock& operator=(const PivotedBlock&) = delete;
+  const LoopFactors& factors() const { return factors_; }
+
+ private:
+  std::vector<double> matrix_;
+  std::vector<int> rows_, columns_;
+  LoopFactors factors_;
+};
+
+/// Zeros in place of rows of velocities alone that repeat others at this position, where a block has such rows.
+void drop_repeating_rows(const BlockAnalysis& analysis, std::vector<std::vector<double>>& jacobian);
 
 }  // namespace mbgen

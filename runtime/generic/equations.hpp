@@ -112,6 +112,14 @@ struct GenericEquations {
     return result;
   }
 
+  /// The same for factorisations: rows of velocities alone are zero where they repeat others here, so that none of them
+  /// takes the pivot of a row of positions.
+  std::vector<BlockClosure<double>> closures_to_factorise(System<double>& system, const Kinematics<double>& k) const {
+    std::vector<BlockClosure<double>> result = closures(system, k);
+    for (std::size_t b = 0; b < result.size(); ++b) drop_repeating_rows(analysis.blocks[b], result[b].jacobian);
+    return result;
+  }
+
   /// c of Phi_z zdd = c.
   PerBlock closure_accelerations(System<double>& system, const Kinematics<double>& k) {
     PerBlock result;

@@ -41,7 +41,8 @@ Status GenericSolver::accelerations(const GenericState& state, const std::vector
   const Kinematics<double> k = kinematics(system);
   const Inertias<double> m = inertias(system, k);
   end_of(Step::inertias);
-  if (const Status status = equations.algebra.factorise(equations.closures(system, k)); !status.ok()) return status;
+  if (const Status status = equations.algebra.factorise(equations.closures_to_factorise(system, k)); !status.ok())
+    return status;
   end_of(Step::jacobian);
   equations.algebra.form_rz();
   end_of(Step::projection);
@@ -76,7 +77,7 @@ Status GenericSolver::project(GenericState& state) const {
   for (int step = 0;; ++step) {
     System<double>& system = equations_->system(trial);
     if (const Status status = GenericEquations::follow_motions(system, trial); !status.ok()) return status;
-    const std::vector<BlockClosure<double>> closures = equations_->closures(system, kinematics(system));
+    const std::vector<BlockClosure<double>> closures = equations_->closures_to_factorise(system, kinematics(system));
     if (const Status status = equations_->algebra.factorise(closures); !status.ok()) return status;
     PerBlock right_hand_side;
     for (const BlockClosure<double>& closed : closures) right_hand_side.emplace_back(closed.residual.size(), 0.0);

@@ -62,10 +62,11 @@ class GenericSolver {
   Status project(GenericState& state) const;
   /// Accelerations without joint forces, projection, and projection by the shortest corrections, as integrators ask for
   /// them: notices say how near a singular position is. Projections from a state that is not near fail with
-  /// loop_not_closed, see mbgen/motion.hpp.
+  /// loop_not_closed, see mbgen/motion.hpp. project_crossing closes a state at a singular position.
   Status solve_motion(const GenericState& state, GenericDerivative& derivative) const;
   Status project_motion(GenericState& state) const;
   Status project_nearest(GenericState& state) const;
+  Status project_crossing(GenericState& state, double& clearance) const;
   /// Equations of an implicit step at a state, and the changes of velocities and auxiliary states that solve them for
   /// given rates. g: s, the method's factor times the step. The status may be a notice.
   /// Fails: not_a_number, implicit_singular, implicit_state_grows.

@@ -13,21 +13,9 @@ namespace {
 
 /// Status of a block by its smallest pivot. Fails: loop_singular.
 Status notice_of_block(int b, const BlockAnalysis& analysis, const std::vector<std::vector<double>>& jacobian) {
-  const int coordinates = static_cast<int>(jacobian.empty() ? 0 : jacobian[0].size());
-  std::vector<double> matrix;
-  for (const std::vector<double>& row : jacobian) matrix.insert(matrix.end(), row.begin(), row.end());
-  std::vector<int> rows(jacobian.size()), columns(coordinates);
-  std::vector<unsigned char> driven(coordinates, 0);
-  for (const int c : analysis.driven) driven[c] = 1;
-  LoopFactors loop;
-  loop.equations = static_cast<int>(jacobian.size());
-  loop.coordinates = coordinates;
-  loop.matrix = matrix.data();
-  loop.rows = rows.data();
-  loop.columns = columns.data();
-  factorise(loop, analysis.rank, driven.data(), kRankTolerance<double>);
-  if (loop.rank < analysis.rank) return {Code::loop_singular, b};
-  return solver_detail::notice_of(b, analysis.typical_pivot, smallest_pivot(loop), kPivotThreshold<double>);
+  const PivotedBlock block(analysis, jacobian, analysis.rank);
+  if (block.factors().rank < analysis.rank) return {Code::loop_singular, b};
+  return solver_detail::notice_of(b, analysis.typical_pivot, smallest_pivot(block.factors()), kPivotThreshold<double>);
 }
 
 /// Shortest correction of a block with Phi_z x = right_hand_side.
@@ -54,6 +42,33 @@ std::vector<double> negative_product(const std::vector<std::vector<double>>& jac
   std::vector<double> result(jacobian.size(), 0.0);
   for (std::size_t e = 0; e < jacobian.size(); ++e)
     for (std::size_t c = 0; c < joints.size(); ++c) result[e] -= jacobian[e][c] * v[joints[c]];
+  return result;
+}
+
+/// Change of a block by its pivots that are not small: Phi_z x = right_hand_side.
+std::vector<double> by_large_pivots(const BlockAnalysis& analysis, const std::vector<std::vector<double>>& jacobian,
+                                    const std::vector<double>& right_hand_side, std::vector<double> x) {
+  const double least = kSingular<double> * analysis.typical_pivot;
+  const PivotedBlock whole(analysis, jacobian, analysis.rank);
+  int count = 0;
+  const auto pivot = [&](int k) { return std::abs(loop_detail::row_of(whole.factors(), k)[k]); };
+  while (count < whole.factors().rank && pivot(count) >= least) ++count;
+  const PivotedBlock limited(analysis, jacobian, count);
+  std::vector<double> work(jacobian.size());
+  solve_dependent(limited.factors(), right_hand_side.data(), x.data(), work.data());
+  return x;
+}
+
+/// Smallest pivot of a block over its typical value, zero where it has less than its rank.
+double clearance_of(const BlockAnalysis& analysis, const std::vector<std::vector<double>>& jacobian) {
+  const PivotedBlock block(analysis, jacobian, analysis.rank);
+  return block.factors().rank < analysis.rank ? 0 : smallest_pivot(block.factors()) / analysis.typical_pivot;
+}
+
+/// Entries of a block's joints.
+std::vector<double> of_joints(const std::vector<int>& joints, const std::vector<double>& values) {
+  std::vector<double> result;
+  for (const int j : joints) result.push_back(values[static_cast<std::size_t>(j)]);
   return result;
 }
 
@@ -101,7 +116,7 @@ Status GenericSolver::project_nearest(GenericState& state) const {
   for (bool gains = true; gains;) {
     System<double>& system = equations_->system(closed);
     if (const Status status = GenericEquations::follow_motions(system, closed); !status.ok()) return status;
-    const std::vector<BlockClosure<double>> closures = equations_->closures(system, kinematics(system));
+    const std::vector<BlockClosure<double>> closures = equations_->closures_to_factorise(system, kinematics(system));
     double size = 0;
     for (const BlockClosure<double>& block : closures) size = std::max(size, largest_absolute(block.residual));
     gains = size > 0 && size < 0.5 * previous;
@@ -122,6 +137,47 @@ Status GenericSolver::project_nearest(GenericState& state) const {
   }
   const Status status = equations_->check_arguments(closed, {});
   return status.ok() ? without_jump(closed, state) : status;
+}
+
+Status GenericSolver::project_crossing(GenericState& state, double& clearance) const {
+  if (const Status status = equations_->check_arguments(state, {}); !status.ok()) return status;
+  const double tolerance = kSlightCorrection<double> * equations_->model.solver.closure_tolerance;
+  GenericState closed = state;
+  double previous = INFINITY;
+  clearance = INFINITY;
+  for (bool is_open = true, is_first = true; is_open; is_first = false) {
+    System<double>& system = equations_->system(closed);
+    if (const Status status = GenericEquations::follow_motions(system, closed); !status.ok()) return status;
+    const std::vector<BlockClosure<double>> closures = equations_->closures(system, kinematics(system));
+    double size = 0;
+    int open = -1;
+    for (std::size_t b = 0; b < closures.size(); ++b) {
+      const double of_block = largest_absolute(closures[b].residual);
+      if (!(of_block <= size)) size = of_block, open = static_cast<int>(b);
+    }
+    is_open = !(size <= tolerance);
+    for (std::size_t b = 0; is_first && b < closures.size(); ++b)
+      clearance = std::min(clearance, clearance_of(equations_->analysis.blocks[b], closures[b].jacobian));
+    if (is_open && !(size < 0.5 * previous)) return {Code::loop_singular, open};
+    previous = size;
+    for (std::size_t b = 0; b < closures.size(); ++b) {
+      const BlockAnalysis& analysis = equations_->analysis.blocks[b];
+      const std::vector<int>& joints = equations_->topology.blocks[b].joints;
+      const std::vector<double> still(joints.size(), 0.0), none(closures[b].residual.size(), 0.0);
+      const std::vector<double> x =
+          is_open ? by_large_pivots(analysis, closures[b].jacobian, negative(closures[b].residual), still)
+                  : by_large_pivots(analysis, closures[b].jacobian, none, of_joints(joints, closed.zd));
+      for (std::size_t c = 0; c < joints.size(); ++c) {
+        if (is_open)
+          closed.z[joints[c]] += x[c];
+        else
+          closed.zd[joints[c]] = x[c];
+      }
+    }
+  }
+  const Status status = equations_->check_arguments(closed, {});
+  if (status.ok()) state = closed;
+  return status;
 }
 
 }  // namespace mbgen

@@ -52,6 +52,9 @@ struct Moving {
   }
   Status project(State& at) const noexcept { return solver.project_motion(at); }
   Status project_nearest(State& at) const noexcept { return solver.project_nearest(at); }
+  Status project_crossing(State& at, double& clearance) const noexcept {
+    return solver.project_crossing(at, clearance);
+  }
   bool leaves_charts(const State& at) const noexcept { return mbgen::leaves_charts(m.topology.balls, at); }
   bool settle_charts(State& at) const noexcept { return mbgen::settle_charts(m.topology.balls, at); }
   void change_charts(const State& from, const State& to, std::vector<double>& z, std::vector<double>& zd,

@@ -30,6 +30,9 @@ class Course {
   }
   Status project(GenericState& at) const noexcept { return solver.project_motion(at); }
   Status project_nearest(GenericState& at) const noexcept { return solver.project_nearest(at); }
+  Status project_crossing(GenericState& at, double& clearance) const noexcept {
+    return solver.project_crossing(at, clearance);
+  }
   Status sample(GenericState& at, double h, bool& any) const noexcept { return solver.sample(at, h, any); }
 
   /// `count` steps of h seconds by Runge-Kutta, or Adams where a history is given.

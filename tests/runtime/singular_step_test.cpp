@@ -63,6 +63,11 @@ struct Bead {
     }
   }
   Status project(State& s) const noexcept { return project_nearest(s); }
+  /// All derivatives of the closure vanish at a crossing: nothing is corrected there.
+  Status project_crossing(State& s, double& clearance) const noexcept {
+    clearance = std::max(std::abs(slope(s, 0)), std::abs(slope(s, 1)));
+    return std::abs(residual(s)) <= 8e-12 ? Status{} : Status{Code::loop_singular, 0};
+  }
 
   double energy(const State& s) const { return (s.zd[0] * s.zd[0] + s.zd[1] * s.zd[1]) / 2 + gravity * s.z[1]; }
 };
@@ -188,6 +193,22 @@ TEST(Singular, ACrossingThatIsNoneIsNotCrossed) {
     EXPECT_GT(around.near, 0);
     EXPECT_GT(around.state.z[1], 0.3);
     EXPECT_NEAR(around.state.z[0], x_on_curve({gap, 0}, x, 1, 0.8), 1e-6) << gap;
+  }
+}
+
+// Steps that would leap from the upper curve to the lower one, and those that turn with it.
+TEST_P(SingularStep, CurvesThatComeCloseAreNotTakenForACrossing) {
+  for (const double gap : {1e-6, 1e-8, 1e-10}) {
+    const Bead bead{gap, 0};
+    const double x = -0.4, y = std::sqrt(std::sin(x) * std::sin(x) + gap);
+    const Bead::State start{{x, y}, {1, std::sin(x) * std::cos(x) / y}, {0}, 0};
+    for (const int steps : {80, 300, 1000}) {
+      const Journey stopped = follow(bead, start, 0.8, steps, GetParam());
+      EXPECT_EQ(stopped.failure.code, Code::loop_singular) << gap << " " << steps;
+      EXPECT_NEAR(stopped.state.z[0], 0, 0.02) << gap << " " << steps;
+      EXPECT_GT(stopped.state.z[1], 0) << "on the branch it came on";
+      EXPECT_EQ(stopped.passed, 0);
+    }
   }
 }
 

@@ -19,7 +19,7 @@ struct Counter {
 enum class Alarm { none, projection, fifth_evaluation };
 
 /// A coordinate that is singular to project_nearest as long as that makes most work: nodes are clear at the last
-/// spacing, and lie on no smooth curve.
+/// spacing, and branches do not cross there.
 struct Adversary {
   struct State {
     double z[1], zd[1], x[1], t;
@@ -38,12 +38,15 @@ struct Adversary {
     ++counter.calls.projections;
     return note(alarm == Alarm::projection);
   }
-  Status project_nearest(State& state) const noexcept {
+  Status project_nearest(State&) const noexcept {
     ++counter.calls.projections;
-    const int place = counter.nearest++ % kCarefulClosing.projections;
-    if (place < 1 + 2 * (kSpacings - 1)) return {Code::singular_met, 0};
-    state.z[0] = place % 3;
-    return {};
+    constexpr int kNearest = kCarefulClosing.projections - 2;  // the others are of project_crossing
+    return counter.nearest++ % kNearest < 1 + 2 * (kSpacings - 1) ? Status{Code::singular_met, 0} : Status{};
+  }
+  Status project_crossing(State&, double& clearance) const noexcept {
+    ++counter.calls.projections;
+    clearance = 1;
+    return {Code::loop_singular, 0};
   }
   using Tangents = double;
   Status tangents(const State&, double g, Tangents& values) const noexcept {

@@ -15,6 +15,9 @@ struct Dynamics {
   Status derivative(const State& state, Derivative& rates) const noexcept { return solver.solve_motion(state, rates); }
   Status project(State& state) const noexcept { return solver.project_motion(state); }
   Status project_nearest(State& state) const noexcept { return solver.project_nearest(state); }
+  Status project_crossing(State& state, double& clearance) const noexcept {
+    return solver.project_crossing(state, clearance);
+  }
 
   using Tangents = GenericTangents;
   Status tangents(const State& state, double g, Tangents& values) const noexcept {

@@ -12,6 +12,7 @@
 //              kBalls of balls with charts, where there are any; then State has charts[kBalls]
 //   tables     kBall[ball] kBlockLayout[block] kBlockCoordinate[] kBlockDriven[] kDriven[coordinate]
 //   kRedundant[equation]
+//              kLateEquation[equation] kEarlyRank[block] only where rows of velocities alone repeat others
 //              kFreeDirection[direction] kMultiplierPlace[equation] kDriveCoordinate[motion]; kParameterMember
 //              kInputMember, null in place of none
 //   programs   accelerations, argument_sum; with a closure: closure, multipliers; with loops: closure_terms,
@@ -200,6 +201,18 @@ inline Status notice_of(int b, double typical_pivot, Real pivot, Real frozen_piv
   return frozen_pivot >= kPivotThreshold<Real> ? Status{} : Status{Code::chosen_again, b};
 }
 
+/// Which rows of block b get pivots last.
+template <class System, class = void>
+struct PivotOrder {
+  static constexpr LatePivots of(int /*b*/) noexcept { return {}; }
+};
+template <class System>
+struct PivotOrder<System, std::void_t<decltype(System::kLateEquation)>> {
+  static constexpr LatePivots of(int b) noexcept {
+    return {System::kLateEquation + System::kBlockLayout[b].first_equation, System::kEarlyRank[b]};
+  }
+};
+
 /// Factors of the blocks with their permutations.
 template <class System>
 struct BlockFactors {
@@ -210,6 +223,10 @@ struct BlockFactors {
 
   /// Factorises block b of `terms` in place.
   LoopFactorsOf<Real> factors_of(int b, typename System::ClosureTerms& terms) noexcept {
+    return factors_of(b, terms, System::kBlockLayout[b].rank);
+  }
+  /// The same with at most `rank_limit` pivots.
+  LoopFactorsOf<Real> factors_of(int b, typename System::ClosureTerms& terms, int rank_limit) noexcept {
     const BlockLayout& block = System::kBlockLayout[b];
     LoopFactorsOf<Real> loop;
     loop.equations = block.equations;
@@ -217,7 +234,8 @@ struct BlockFactors {
     loop.matrix = terms.Jz + block.first_jacobian;
     loop.rows = rows + block.first_equation;
     loop.columns = columns + block.first_coordinate;
-    factorise(loop, block.rank, System::kBlockDriven + block.first_coordinate, kRankTolerance<Real>);
+    factorise(loop, rank_limit, System::kBlockDriven + block.first_coordinate, kRankTolerance<Real>,
+              PivotOrder<System>::of(b));
     return loop;
   }
 };

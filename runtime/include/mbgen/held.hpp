@@ -34,7 +34,7 @@ LoopFactorsOf<RealOf<System>> held_factors(int b, const unsigned char* held, typ
   loop.matrix = terms.Jz + block.first_jacobian;
   loop.rows = factors.rows + block.first_equation;
   loop.columns = factors.columns + block.first_coordinate;
-  factorise(loop, block.rank, fixed, kRankTolerance<RealOf<System>>);
+  factorise(loop, block.rank, fixed, kRankTolerance<RealOf<System>>, PivotOrder<System>::of(b));
   return loop;
 }
 

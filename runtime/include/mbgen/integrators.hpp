@@ -17,6 +17,10 @@
 //                                                                  seconds, and says whether there are any
 //   Status project_nearest(State&) const noexcept                  the same by the shortest corrections, near singular
 //                                                                  positions
+//   Status project_crossing(State&, double& clearance) const noexcept
+//                                                                  only where loops can be singular: closes a state at
+//                                                                  a singular position, and fails where branches come
+//                                                                  close there and do not cross; see motion.hpp
 // They may give notices (status.hpp); near_singular and singular_met say how near a singular position the state is.
 // Every step sets sampled values, settles charts, integrates all of z, zd and x, then projects. When anything fails the
 // state and the history stay as they were. Steps allocate only by copies of the System's own types.

@@ -23,6 +23,13 @@ struct LoopFactorsOf {
 
 using LoopFactors = LoopFactorsOf<double>;
 
+/// Rows that get pivots after the others: those that hold velocities alone. Where rows repeat each other, those of
+/// positions then keep their pivots, which alone can be closed.
+struct LatePivots {
+  const unsigned char* late = nullptr;  ///< per equation; null: no row is late
+  int early_rank = 0;                   ///< pivots of the other rows
+};
+
 namespace loop_detail {
 
 template <class Real>
@@ -55,11 +62,18 @@ inline bool all_finite(const LoopFactorsOf<Real>& loop) noexcept {
   return finite;
 }
 
+/// Whether an equation waits for its pivot while place k is filled, or has none left by then.
+inline bool is_passed_over(const LatePivots& order, int equation, int k) noexcept {
+  return order.late != nullptr && (order.late[equation] != 0) != (k >= order.early_rank);
+}
+
 /// Largest entry among the rows and columns from place `first` on, driven columns left out.
 template <class Real>
-inline Pivot<Real> find_pivot(const LoopFactorsOf<Real>& loop, int first, const unsigned char* driven) noexcept {
+inline Pivot<Real> find_pivot(const LoopFactorsOf<Real>& loop, int first, const unsigned char* driven,
+                              const LatePivots& order) noexcept {
   Pivot<Real> pivot;
   for (int i = first; i < loop.equations; ++i) {
+    if (is_passed_over(order, loop.rows[i], first)) continue;
     const Real* row = row_of(loop, i);
     for (int j = first; j < loop.coordinates; ++j) {
       const Real size = std::abs(row[j]);
@@ -100,9 +114,10 @@ inline void eliminate(LoopFactorsOf<Real>& loop, int k) noexcept {
 /// Factorises in place with full pivoting. Columns with driven[c] != 0 are never dependent; `driven` may be null.
 /// Stops at `rank_limit` pivots, or when the next pivot is below tolerance times the first.
 /// Requires: matrix filled, rows and columns point to arrays of their sizes. Cost: equations * coordinates * rank.
-/// A matrix with an entry that is not finite has rank 0.
+/// A matrix with an entry that is not finite has rank 0. order: which rows get pivots last.
 template <class Real>
-inline void factorise(LoopFactorsOf<Real>& loop, int rank_limit, const unsigned char* driven, Real tolerance) noexcept {
+inline void factorise(LoopFactorsOf<Real>& loop, int rank_limit, const unsigned char* driven, Real tolerance,
+                      const LatePivots& order = {}) noexcept {
   for (int i = 0; i < loop.equations; ++i) loop.rows[i] = i;
   for (int j = 0; j < loop.coordinates; ++j) loop.columns[j] = j;
   loop.rank = 0;
@@ -111,7 +126,7 @@ inline void factorise(LoopFactorsOf<Real>& loop, int rank_limit, const unsigned 
   Real first = 0, smallest = 0, largest = 0;
   while (loop.rank < rank_limit) {
     const int k = loop.rank;
-    const loop_detail::Pivot<Real> pivot = loop_detail::find_pivot(loop, k, driven);
+    const loop_detail::Pivot<Real> pivot = loop_detail::find_pivot(loop, k, driven, order);
     if (k == 0) first = smallest = pivot.size;
     if (!(pivot.size > 0) || pivot.size < tolerance * first) break;
     smallest = pivot.size < smallest ? pivot.size : smallest;

@@ -2,6 +2,8 @@
 // Functions of a generated solver for integrators: rates and projections that tell how near a singular position they
 // are. `System` is described in blocks.hpp.
 
+#include <limits>
+
 #include "mbgen/closure.hpp"
 #include "mbgen/solver.hpp"
 
@@ -73,7 +75,77 @@ Status project_motion(const typename System::Parameters& parameters, const typen
   return solver_detail::project<System, Correction::in_steps>(parameters, inputs, state);
 }
 
-/// The same with the shortest corrections, as far as rounding lets them go: a smooth function of the guess.
+namespace solver_detail {
+
+/// Pivots of a block that are not small: those that say where its coordinates are at a singular position.
+template <class System>
+int large_pivots(int b, const LoopFactorsOf<RealOf<System>>& loop) noexcept {
+  using Real = RealOf<System>;
+  const Real least = kSingular<Real> * static_cast<Real>(System::kBlockLayout[b].pivot);
+  int count = 0;
+  while (count < loop.rank && std::abs(loop_detail::row_of(loop, count)[count]) >= least) ++count;
+  return count;
+}
+
+/// Residuals of all blocks, and dz and zd by their pivots that are not small. Result: the smallest pivot of all, over
+/// its typical value.
+template <class System>
+double correct_by_large_pivots(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                               const typename System::State& state, typename System::Closure& closure) noexcept {
+  typename System::ClosureTerms terms, factored;
+  System::closure_terms(parameters, inputs, state, terms);
+  copy(terms.Phi, closure.residual, System::kEquations);
+  CorrectionWork<System> work;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int b = 0; b < System::kBlocks; ++b) {
+    const BlockLayout& block = System::kBlockLayout[b];
+    copy(terms.Jz + block.first_jacobian, factored.Jz + block.first_jacobian, block.equations * block.coordinates);
+    const LoopFactorsOf<RealOf<System>> whole = work.factors.factors_of(b, factored);
+    const int count = large_pivots<System>(b, whole);
+    const double share = static_cast<double>(smallest_pivot(whole)) / block.pivot;
+    smallest = whole.rank < block.rank ? 0 : share < smallest ? share : smallest;
+    const LoopFactorsOf<RealOf<System>> loop = work.factors.factors_of(b, terms, count);
+    correct_block<System, Correction::of_dependents>(b, loop, terms, state, work, closure);
+  }
+  return smallest;
+}
+
+}  // namespace solver_detail
+
+/// Closes a state in the middle of a singular position, where two branches cross: by the pivots that are not small
+/// there. Fails: loop_singular where more than the closure tolerance stays open, as it does where branches come close
+/// and do not cross; not_a_number. The state is then unchanged. clearance: the smallest pivot at the given state, over
+/// its typical value.
+template <class System>
+Status project_crossing(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                        typename System::State& state, double& clearance) noexcept {
+  using namespace solver_detail;
+  using Real = RealOf<System>;
+  const Status arguments = check_arguments<System>(parameters, inputs, state, nullptr);
+  if (!arguments.ok()) return arguments;
+  typename System::State trial;
+  copy_state<System>(state, trial);
+  typename System::Closure closure;
+  Real previous = std::numeric_limits<Real>::infinity();
+  for (int iteration = 0; iteration <= kNewtonIterations; ++iteration) {
+    System::closure(parameters, inputs, trial, closure);
+    const double here = correct_by_large_pivots<System>(parameters, inputs, trial, closure);
+    if (iteration == 0) clearance = here;
+    const Misfit<Real> misfit = largest_residual<System>(closure, 0);
+    if (misfit.size <= kSlightCorrection<Real> * closure_tolerance<System>()) {
+      const Status status = accept<System>(closure, trial);
+      if (status.ok()) copy_state<System>(trial, state);
+      return status;
+    }
+    if (!(misfit.size < Real(0.5) * previous)) return {Code::loop_singular, block_of<System>(misfit.equation)};
+    previous = misfit.size;
+    apply_step<System>(closure, trial);
+  }
+  return {Code::loop_singular, 0};
+}
+
+/// The same as project_motion with the shortest corrections, as far as rounding lets them go: a smooth function of the
+/// guess.
 template <class System>
 Status project_nearest(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                        typename System::State& state) noexcept {

@@ -99,8 +99,15 @@ bool add_node(const System& system, const typename System::State& middle, double
   return true;
 }
 
+/// Whether a System can tell a crossing from branches that only come close to each other.
+template <class System, class = void>
+inline constexpr bool kTellsCrossings = false;
+template <class System>
+inline constexpr bool kTellsCrossings<System, std::void_t<decltype(&System::project_crossing)>> = true;
+
 /// State and rates at a singular position from the nodes around it. Result: false when the motion does not lead
-/// through, or not smoothly; `through` and `rates` are then unchanged.
+/// through, or not smoothly, or branches only come close there, as those of a four-bar that is no parallelogram by a
+/// little: the nodes lie on both of them then; `through` and `rates` are then unchanged.
 template <class System>
 bool pass_through(const System& system, const typename System::State& state, double h, typename System::State& through,
                   StateRates<System>& rates) noexcept {
@@ -116,10 +123,38 @@ bool pass_through(const System& system, const typename System::State& state, dou
   for (std::size_t i = 0; i < size_of(sums.correction); ++i) {
     if (!(std::abs(sums.correction[i]) <= kSmoothness<Real> * sums.way)) return false;
   }
+  if constexpr (kTellsCrossings<System>) {
+    double clearance = 0;
+    if (!system.project_crossing(sums.state, clearance).ok()) return false;
+  }
   copy_state(sums.state, through);
   copy(through.zd, sums.rates.zd);
   copy_rates(sums.rates, rates);
   return true;
+}
+
+/// Largest way of a coordinate in a step, over the smallest pivot (over its typical value), where branches come close
+/// and do not cross: a pivot is about its distance from the singular position in rad. A longer step leaps from one
+/// branch to the other, or turns by more than Runge-Kutta follows.
+constexpr double kMostOfClearance = 0.25;
+
+/// Whether a step of h seconds is too long for a state near a singular position that it does not pass.
+template <class System>
+bool leaps_over([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& closed,
+                [[maybe_unused]] double h) noexcept {
+  if constexpr (kTellsCrossings<System>) {
+    typename System::State middle;
+    copy_state(closed, middle);
+    double clearance = 0, fastest = 0;
+    static_cast<void>(system.project_crossing(middle, clearance));
+    for (std::size_t i = 0; i < size_of(closed.zd); ++i) {
+      const auto size = static_cast<double>(std::abs(closed.zd[i]));
+      fastest = size > fastest ? size : fastest;
+    }
+    return !(h * fastest <= kMostOfClearance * clearance);
+  } else {
+    return false;
+  }
 }
 
 /// True when a step is to be taken again with closed stages.
@@ -171,6 +206,7 @@ struct Careful {
     const Status status = system.project_nearest(closed);
     if (is_singular(status) && pass_through(system, state, h, state, rates)) return {Code::singular_met, status.index};
     if (!status.ok()) return status;
+    if (is_singular(status) && leaps_over(system, closed, h)) return {Code::loop_singular, status.index};
     copy_state(closed, state);
     return as_near(status);
   }

@@ -11,7 +11,7 @@ namespace mbgen {
 /// Calls of a System's functions; see integrators.hpp.
 struct CallCount {
   int accelerations = 0;  ///< of derivative
-  int projections = 0;    ///< of project and project_nearest
+  int projections = 0;    ///< of project, project_nearest and project_crossing
   int matrices = 0;       ///< of tangents, each followed by kImplicitStages calls of solve
 };
 
@@ -25,8 +25,9 @@ constexpr CallCount operator*(int times, CallCount count) noexcept {
 /// Evaluations of the closures in one projection: one before each Newton step, and one after the last.
 constexpr int kMostClosures = kNewtonIterations + 1;
 
-/// A singular position passed, or not after all: nodes on both sides at every spacing, then all nodes evaluated.
-constexpr CallCount kPassageCalls = {2 * kNodes, 2 * kSpacings + 2 * kNodes};
+/// A singular position passed, or not after all: nodes on both sides at every spacing, then all nodes evaluated, and
+/// the middle closed, and what is closed in its place looked at.
+constexpr CallCount kPassageCalls = {2 * kNodes, 2 * kSpacings + 2 * kNodes + 2};
 
 /// A stage closed with care, and its rates.
 constexpr CallCount kCarefulClosing = CallCount{0, 1} + kPassageCalls;
