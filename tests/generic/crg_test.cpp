@@ -73,22 +73,22 @@ std::string file_of(const std::string& parameters, const std::string& columns, c
   return "$CT\n$ROAD_CRG\n" + parameters + "$KD_Definition\n" + columns + "$$$$\n" + data;
 }
 const std::string kStep = "REFERENCE_LINE_INCREMENT = 1\n";
-const std::string kColumns = "#:LRFI\nD:long section at v = -1,m\nD:long section at v = 1,m\n";
+const std::string kTwoSections = "#:LRFI\nD:long section at v = -1,m\nD:long section at v = 1,m\n";
 const std::string kRows = " 0.1000000 0.2000000\n 0.3000000 0.4000000\n";
 
 TEST(CrgText, IsReadWithItsSections) {
   CrgRoad road;
-  ASSERT_FALSE(read_crg(file_of(kStep, kColumns, kRows), road));
+  ASSERT_FALSE(read_crg(file_of(kStep, kTwoSections, kRows), road));
   EXPECT_NEAR(height_of(road, {0.5, 0}), 0.25, 1e-7);
   // Missing heights are those beside them.
-  ASSERT_FALSE(read_crg(file_of(kStep, kColumns, "****       0.2000000\n 0.3000000*\n"), road));
+  ASSERT_FALSE(read_crg(file_of(kStep, kTwoSections, "****       0.2000000\n 0.3000000*\n"), road));
   EXPECT_NEAR(height_of(road, {0, -1}), 0.2, 1e-7);
   EXPECT_NEAR(height_of(road, {1, 1}), 0.3, 1e-7);
 }
 
 // Offsets are not scaled and count for missing heights alone.
 TEST(CrgText, MissingHeightsAreWhatTheirModeSays) {
-  const std::string columns = kColumns + "D:long section at v = 3,m\nD:long section at v = 5,m\n";
+  const std::string columns = kTwoSections + "D:long section at v = 3,m\nD:long section at v = 5,m\n";
   const std::string rows = "****       0.2500000*          0.5000000\n 0.3750000****      ****       0.1250000\n";
   const auto heights = [&](const std::string& lines) {
     CrgRoad road;
@@ -106,7 +106,7 @@ TEST(CrgText, MissingHeightsAreWhatTheirModeSays) {
   ASSERT_TRUE(problem);
   EXPECT_EQ(problem->message, "section 1 has no height at v = -1, and GRID_NAN_MODE = 0 leaves it so");
   // A file without gaps is as good with it.
-  EXPECT_FALSE(read_crg(with_block(file_of(kStep, kColumns, kRows), "$ROAD_CRG_MODS\nGRID_NAN_MODE = 0\n"), road));
+  EXPECT_FALSE(read_crg(with_block(file_of(kStep, kTwoSections, kRows), "$ROAD_CRG_MODS\nGRID_NAN_MODE = 0\n"), road));
 }
 
 TEST(CrgText, ThatIsNoRoadSaysWhereAndWhy) {
@@ -117,11 +117,11 @@ TEST(CrgText, ThatIsNoRoadSaysWhereAndWhy) {
   };
   EXPECT_EQ(problem(""), "0: file has no data: no line of $$$$ ends its text part");
   EXPECT_EQ(problem("a\nb\n"), "2: file has no data: no line of $$$$ ends its text part");
-  EXPECT_EQ(problem(file_of("REFERENCE_LINE_INCREMENT = much\n", kColumns, kRows)),
+  EXPECT_EQ(problem(file_of("REFERENCE_LINE_INCREMENT = much\n", kTwoSections, kRows)),
             "3: REFERENCE_LINE_INCREMENT must be a number, got \"much\"");
-  EXPECT_EQ(problem(with_block(file_of(kStep, kColumns, kRows), "$ROAD_CRG_MODS\nSCALE_WIDTH = 0\n")),
+  EXPECT_EQ(problem(with_block(file_of(kStep, kTwoSections, kRows), "$ROAD_CRG_MODS\nSCALE_WIDTH = 0\n")),
             "3: SCALE_WIDTH must be positive, got 0");
-  EXPECT_EQ(problem(file_of("", kColumns, kRows)), "3: REFERENCE_LINE_INCREMENT must be above 1e-6 m, got 0");
+  EXPECT_EQ(problem(file_of("", kTwoSections, kRows)), "3: REFERENCE_LINE_INCREMENT must be above 1e-6 m, got 0");
   EXPECT_EQ(problem(file_of(kStep, "#:XRFI\n", kRows)),
             "5: data format must be one of LRFI, LDFI, KRBI, KDBI, got \"XRFI\"");
   EXPECT_EQ(problem(file_of(kStep, "#:LRFI\nD:wind,m/s\n", kRows)), "6: unknown column \"WIND\"");
@@ -129,11 +129,11 @@ TEST(CrgText, ThatIsNoRoadSaysWhereAndWhy) {
             "4: v of long sections must increase, -1 comes after 1");
   EXPECT_EQ(problem(file_of(kStep, "#:LRFI\nD:long section 1,m\nD:long section 2,m\n", kRows)),
             "4: file does not tell the v of its long sections");
-  EXPECT_EQ(problem(file_of(kStep, kColumns, " 0.1000000\n")), "9: section has 1 numbers, 2 columns are defined");
-  EXPECT_EQ(problem(file_of(kStep, kColumns, " 0.1000000 0.2x00000\n")), "9: must be a number, got \"0.2x00000\"");
-  EXPECT_EQ(problem(file_of(kStep, kColumns, " 0.1000000 0.2000000\n")),
+  EXPECT_EQ(problem(file_of(kStep, kTwoSections, " 0.1000000\n")), "9: section has 1 numbers, 2 columns are defined");
+  EXPECT_EQ(problem(file_of(kStep, kTwoSections, " 0.1000000 0.2x00000\n")), "9: must be a number, got \"0.2x00000\"");
+  EXPECT_EQ(problem(file_of(kStep, kTwoSections, " 0.1000000 0.2000000\n")),
             "8: a road needs 2 sections of data, file has 1");
-  EXPECT_EQ(problem(file_of(kStep, kColumns, "****      ****\n 0.1000000 0.2000000\n")), "0: section 1 has no height");
+  EXPECT_EQ(problem(file_of(kStep, kTwoSections, "****      ****\n 0.1000000 0.2000000\n")), "0: section 1 has no height");
 }
 
 CrgRoad road_of(const std::string& text) {
@@ -194,7 +194,7 @@ TEST(CrgModifiers, TurnAndShift) {
 
 TEST(CrgWishes, ThatAreNotFollowedAreNamed) {
   const auto left = [](const std::string& block, const std::string& rows = kRows) {
-    const std::string columns = kColumns;
+    const std::string columns = kTwoSections;
     return not_followed(closed_as_asked(road_of(with_block(file_of(kStep, columns, rows), block))));
   };
   using List = std::vector<std::string>;
