@@ -50,16 +50,22 @@ void ConstraintFactors::eliminate(const Eigen::MatrixXd& jacobian, const PivotRu
   for (Index i = 0; i < m; ++i) largest.push_back(largest_entry(rows, i));
   std::vector<bool> is_open(static_cast<std::size_t>(m), rule.equations.empty()), is_pivot(is_open.size(), false);
   for (int equation : rule.equations) is_open[equation] = true;
+  std::vector<bool> waits(is_open.size(), false);
+  for (int equation : rule.late) waits[equation] = true;
   lower_ = Eigen::MatrixXd::Zero(m, std::min(m, n));
   double first = 0;
   while (rank() < std::min(m, n)) {
     const Index k = rank();
     Index pivot = -1;
     for (Index i = 0; i < m; ++i)
-      if (is_open[i] && (pivot < 0 || largest[i].size > largest[pivot].size)) pivot = i;
-    if (pivot < 0) break;
-    if (k == 0) first = largest[pivot].size;
-    if (!(largest[pivot].size > rule.smallest * first)) break;
+      if (is_open[i] && !waits[i] && (pivot < 0 || largest[i].size > largest[pivot].size)) pivot = i;
+    if (pivot >= 0 && k == 0) first = largest[pivot].size;
+    if (pivot < 0 || !(largest[pivot].size > rule.smallest * first)) {
+      if (std::find(waits.begin(), waits.end(), true) == waits.end()) break;
+      for (Index i = 0; i < m; ++i) is_open[i] = is_open[i] && waits[i];
+      waits.assign(waits.size(), false);
+      continue;
+    }
     const Index column = largest[pivot].column;
     is_open[pivot] = false;
     is_pivot[pivot] = true;

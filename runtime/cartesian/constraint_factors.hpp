@@ -10,6 +10,7 @@ namespace mbgen {
 struct PivotRule {
   double smallest = 1e-10;     ///< relative to the first pivot; a pivot that is not larger is zero
   std::vector<int> equations;  ///< the only ones that may have pivots; empty for all
+  std::vector<int> late = {};  ///< those that hold velocities alone: no pivots for them while others have any left
 };
 
 /// Right-hand side of the equations after elimination, L^-1 P c of (13).

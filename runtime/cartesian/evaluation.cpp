@@ -48,7 +48,7 @@ Status evaluate(const Mechanics& mechanics, const PlacedState& at, const std::ve
   const CartesianTerms& terms = evaluation.terms;
   if (!terms.jacobian.allFinite() || !terms.mass.allFinite() || !terms.force.allFinite() || !terms.bias.allFinite())
     return {Code::not_a_number, -1};
-  PivotRule rule{kZeroPivot, equations};
+  PivotRule rule{kZeroPivot, equations, terms.late};
   if (equations.empty())
     rule.smallest = std::clamp(kPivotPerResidual * largest(terms.residual), kZeroPivot, kLargestZero);
   evaluation.factors.emplace(terms.jacobian, rule);

@@ -70,7 +70,9 @@ Row no_slip(const End& from, const End& to, const RollingContact& contact, const
           -wrench(direction, arm(to).cross(direction)),
           0,
           0,
-          -direction_rate.dot(velocity(from) - velocity(to)) - direction.dot(with_arm(from) - with_arm(to))};
+          -direction_rate.dot(velocity(from) - velocity(to)) - direction.dot(with_arm(from) - with_arm(to)),
+          {},
+          true};
 }
 
 std::vector<Row> rolling(JointType type, const End& from, const End& to, const Eigen::Matrix3d& on_from,
@@ -92,6 +94,7 @@ std::vector<Row> rolling(JointType type, const End& from, const End& to, const E
     };
     std::vector<Row> rows{fixed(2), fixed(0), fixed(1)};
     rows[0].residual = normal.dot(from.position - to.position) + radius;
+    rows[0].of_velocities = false;
     return rows;
   }
   // The normal less its part along the axle points away from the lowest point of the rim.
@@ -101,6 +104,7 @@ std::vector<Row> rolling(JointType type, const End& from, const End& to, const E
   std::vector<Row> rows{no_slip(from, to, contact, normal, normal_rate),
                         no_slip(from, to, contact, forward, forward_rate), no_slip(from, to, contact, left, left_rate)};
   rows[0].residual = normal.dot(from.position - to.position) + radius / share;
+  rows[0].of_velocities = false;
   return rows;
 }
 

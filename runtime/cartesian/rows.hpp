@@ -36,6 +36,7 @@ struct Row {
   double rate = 0;      ///< b of (3): required value of on_from' qd_from + on_to' qd_to
   double bias = 0;      ///< c of (4)
   std::vector<std::pair<int, Vector6d>> further = {};
+  bool of_velocities = false;  ///< no function of position has this rate: there is no residual
 };
 
 /// Component of r_from - r_to along a constant direction.

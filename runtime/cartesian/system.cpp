@@ -51,6 +51,7 @@ void add_equations(const Parts& parts, const std::vector<Moving>& bodies, const 
     terms.residual[r] = row.residual;
     terms.bias[r] = row.bias;
     terms.velocity[r] = -row.rate;
+    if (row.of_velocities) terms.late.push_back(static_cast<int>(r));
     const auto add = [&](Eigen::Index body, const Vector6d& columns) {
       if (body == parts.ground()) return;
       terms.jacobian.block<1, 6>(r, 6 * body) += columns.transpose();
@@ -76,6 +77,7 @@ CartesianTerms CartesianSystem::terms(const CartesianState& state, const Generic
                        Eigen::VectorXd::Zero(m),
                        Eigen::VectorXd::Zero(m),
                        Eigen::VectorXd::Zero(m),
+                       {},
                        {}};
   add_inertia(c.parts, bodies, terms);
   add_equations(c.parts, bodies, c.equations_at(bodies, values), terms);

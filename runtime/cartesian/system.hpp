@@ -25,6 +25,7 @@ struct CartesianTerms {
   Eigen::VectorXd velocity;  ///< Phi_q qd - b, m: violation of (3) by the velocities
   Eigen::VectorXd bias;      ///< c of (4), m
   std::vector<double> xd;    ///< rates of the auxiliary states
+  std::vector<int> late;     ///< equations that hold velocities alone
 };
 
 /// A force and a moment about a named point, global axes.

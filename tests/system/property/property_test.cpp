@@ -52,6 +52,7 @@ constexpr NamedFamily kFamilies[] = {
     {Family::closed_chain, "closed_chain"},
     {Family::by_equations, "by_equations"},
     {Family::rolling, "rolling"},
+    {Family::guided_rolling, "guided_rolling"},
     {Family::planar_loops, "planar_loops"},
     {Family::rods, "rods"},
     {Family::actuators, "actuators"},

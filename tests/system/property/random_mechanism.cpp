@@ -71,6 +71,22 @@ void add_rolling(Workshop& shop) {
                    dice.axis(), true);
 }
 
+/// A free body with a tail that rolls, and that a plane guides: the plane holds what rolling holds again: a disc in
+/// the plane across its axle, as add_axes gives it, a ball in any.
+void add_guided_rolling(Workshop& shop) {
+  Dice& dice = shop.dice();
+  const int base = dice.chance(0.5) ? kOnGround : shop.hang(plain_type(dice), kOnGround);
+  const int body = shop.hang("free", kOnGround);
+  grow_chain(shop, 1 + dice.upto(1), body, false);
+  const bool is_disc = dice.chance(0.5);
+  const Point normal = dice.axis();
+  Point guide = plus(across(normal), times(0.3, normal));
+  if (!is_disc) guide = plus(times(0.8, across(normal)), times(dice.chance(0.5) ? 0.6 : -0.6, normal));
+  shop.add_joint(is_disc ? "rolling_disc" : "rolling_ball", base, body, plus(shop.place_of(body), dice.point(0.1)),
+                 normal, true);
+  shop.add_joint("planar", base, body, plus(shop.place_of(body), dice.point(0.3)), guide, true);
+}
+
 /// Four-bars in the plane across `axis`, one after the other.
 void add_four_bars(Workshop& shop) {
   Dice& dice = shop.dice();
@@ -315,6 +331,9 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
       break;
     case Family::rolling:
       add_rolling(shop);
+      break;
+    case Family::guided_rolling:
+      add_guided_rolling(shop);
       break;
     case Family::planar_loops:
       add_four_bars(shop);

@@ -116,6 +116,7 @@ enum class Family {
   equal_cells,           ///< a row of equal four-bars on a base
   alike_cells,           ///< the same with masses of their own
   rolling,               ///< a free body with a tail, on discs, balls and blades that roll on ground or a moving body
+  guided_rolling,        ///< the same on one contact, guided by a plane that holds what rolling holds again
   by_equations,          ///< closed by joints that have no coordinates: points on lines and planes, directions, shafts
   driven_cuts,           ///< chains that a joint closes which is driven where it is cut
   coupled_joints         ///< joints of several coordinates, any of which are in relations with others further out
