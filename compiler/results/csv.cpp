@@ -50,8 +50,7 @@ std::string read_row(std::string_view rest, Results& results) {
 }  // namespace
 
 Heading heading_of(const std::string& field) {
-  const std::size_t blank = field.find(" [");  // as mbgen writes; a unit may have brackets
-  const std::size_t bracket = blank != std::string::npos ? blank + 1 : field.rfind('[');
+  const std::size_t bracket = field.rfind('[');
   if (bracket == std::string::npos || field.back() != ']') return {field, ""};
   return {std::string(without_blanks(std::string_view(field).substr(0, bracket))),
           field.substr(bracket + 1, field.size() - bracket - 2)};

@@ -2,10 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace mbgen {
 
 std::string heading_text(const Heading& heading) {
-  return heading.unit.empty() ? heading.name : fmt::format("{} [{}]", heading.name, heading.unit);
+  // Only the brackets around a unit are brackets: the heading can be taken apart again.
+  std::string unit = heading.unit;
+  std::replace(unit.begin(), unit.end(), '[', '(');
+  std::replace(unit.begin(), unit.end(), ']', ')');
+  return unit.empty() ? heading.name : fmt::format("{} [{}]", heading.name, unit);
 }
 
 int find_column(const Results& results, const std::string& name) {

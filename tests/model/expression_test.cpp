@@ -226,7 +226,7 @@ TEST(Jet, InputsMoveByTheirDerivatives) {
     EXPECT_DOUBLE_EQ(jet.second, second);
   };
   expect(motion_of_inputs("u"), 20, 21, 22);
-  expect(motion_of_inputs("u1"), 21, 22, 0);
+  expect(motion_of_inputs("u1"), 21, 22, 24);  // u2 has no derivative: the reader adds one, the fifth input
   expect(motion_of_inputs("u2"), 22, 0, 0);
   expect(motion_of_inputs("held*u"), 23 * 20, 23 * 21, 23 * 22);
   expect(motion_of_inputs("u*t"), 20 * 0.7, 21 * 0.7 + 20, 22 * 0.7 + 2 * 21);

@@ -303,7 +303,8 @@ TEST(Page, NamesCannotLeaveTheirPlace) {
   EXPECT_EQ(read["model"]["name"], hostile) << "the first end of a script is that of the data";
   EXPECT_EQ(read["table"]["columns"].back()["unit"], "</style>");
   EXPECT_EQ(read["topology"].get<std::string>().find("<!--"), std::string::npos);
-  EXPECT_NE(page.find("<title>&lt;/script>&lt;!-- &lt;b onclick=\"x\">&amp;{{script}}</title>"), std::string::npos);
+  EXPECT_NE(page.find("<title>&lt;/script&gt;&lt;!-- &lt;b onclick=&quot;x&quot;&gt;&amp;{{script}}</title>"),
+            std::string::npos);
 }
 
 TEST(Page, BytesAreTheSameEachTime) {
