@@ -49,13 +49,30 @@ class BranchWalk {
       for (const double sense : {1.0, -1.0}) {
         Configuration here = reference;
         VectorXd direction = sense * mixture;
-        for (int k = 0; k < kStepsOfWalk && step(here, direction); ++k) found.push_back(here);
+        std::vector<int> ranks;
+        for (int k = 0; k < kStepsOfWalk && step(here, direction); ++k) {
+          ranks.push_back(rank_at(here));
+          if (left_branch(ranks)) break;
+          found.push_back(here);
+        }
       }
     }
     return found;
   }
 
  private:
+  int rank_at(const Configuration& here) const {
+    return mbgen::view(numbers_, b_, whole_, equations_, {here}).ranks[0];
+  }
+
+  /// Along a branch the rank is the same but at places of their own: where two places in a row had less, the walk has
+  /// come through a place where branches meet to another one.
+  static bool left_branch(const std::vector<int>& ranks) {
+    for (std::size_t k = 1; k + 1 < ranks.size(); ++k)
+      if (std::max(ranks[k - 1], ranks[k]) < ranks.back()) return true;
+    return false;
+  }
+
   /// One step in the freedom nearest to `direction`, which becomes it. False: it cannot be made.
   bool step(Configuration& here, VectorXd& direction) {
     const LoopBlock& block = numbers_.topology().blocks[b_];

@@ -11,6 +11,9 @@ namespace mbgen {
 namespace {
 
 constexpr double kLeastDamping = 1e-14;
+/// Share of the largest singular value below which a row of velocities alone repeats rows of positions, also where
+/// those are open: it would ask for a long way.
+constexpr double kRepeats = 0.01;
 
 Environment<double> default_environment(const Model& model, const Topology& topology) {
   Environment<double> e;
@@ -136,7 +139,7 @@ Eigen::VectorXd newton_step(const NumericSystem& numbers, const Configuration& c
   if (of_velocities.empty()) return step;
   const Eigen::MatrixXd free = indifferent_directions(jacobian, kIndifferentShare);
   const Eigen::MatrixXd rolling = block.jacobian(of_velocities, Eigen::all);
-  return step + free * least_squares(rolling * free, -rolling * step, kIndifferentShare);
+  return step + free * least_squares(rolling * free, -rolling * step, kRepeats);
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
 #pragma once
-// Behaviour of a model that its author may not expect: joints that its loops lock, and assembly modes that it is not
-// in.
+// Behaviour of a model that its author may not expect: joints that its loops lock, assembly modes that it is not
+// in, loads whose division the equations choose.
 
 #include "compiler/analysis/analysis.hpp"
 
 namespace mbgen {
 
-/// One note for loops that cannot move together, one for the other joints that a block locks, and one for assembly
-/// modes in which a block has fewer freedoms; nothing is wrong. Where: at the joint or rod that closes the first of the
-/// loops.
+/// One note for loops that cannot move together, one for the other joints that a block locks, one for assembly modes in
+/// which a block has fewer freedoms, and one for two joints that share a load in parallel; nothing is wrong. Where: at
+/// the joint or rod that closes the first of the loops.
 Diagnostics analysis_notes(const Model& model, const Topology& topology, const Analysis& analysis);
 
 }  // namespace mbgen

@@ -29,6 +29,9 @@ GenericAlgebra algebra_for(const Topology& topology) {
   return {is_dense ? LinearAlgebra::eigen : LinearAlgebra::sparse, Factorisation::lu};
 }
 
+/// Largest velocity over the largest one that is asked: no gear or lever multiplies by so much.
+constexpr double kMostMultiplied = 1e6;
+
 /// A value that was asked of a coordinate.
 struct Wish {
   int coordinate = -1;
@@ -120,6 +123,46 @@ void set_velocities(const Compilation& compilation, const GenericSolver& solver,
   state = simple;
 }
 
+/// The fastest coordinate, -1 where all stand.
+int fastest(const std::vector<double>& zd) {
+  int result = -1;
+  for (std::size_t i = 0; i < zd.size(); ++i)
+    if (std::abs(zd[i]) > (result < 0 ? 0 : std::abs(zd[static_cast<std::size_t>(result)])))
+      result = static_cast<int>(i);
+  return result;
+}
+
+/// Next to a singular position a loop makes of an asked velocity any other. Fails: UserError.
+void require_reason(const Compilation& compilation, const std::vector<Wish>& wishes, const GenericState& state) {
+  const int runs = fastest(state.zd);
+  if (runs < 0) return;
+  double largest = 1;
+  const Wish* asked = nullptr;
+  for (const Wish& wish : wishes) {
+    if (asked == nullptr || std::abs(wish.value) > std::abs(asked->value)) asked = &wish;
+    largest = std::max(largest, std::abs(wish.value));
+  }
+  for (std::size_t i = 0; i < state.zd.size(); ++i)
+    if (compilation.analysis.driven[i]) largest = std::max(largest, std::abs(state.zd[i]));
+  const double speed = state.zd[static_cast<std::size_t>(runs)];
+  if (asked == nullptr || std::abs(speed) <= kMostMultiplied * largest) return;
+  const std::vector<TreeBody>& bodies = compilation.topology.bodies;
+  const auto text = [&](int i, double value) {
+    const auto& body = bodies[static_cast<std::size_t>(i)];
+    return fmt::format("{:.4g} {}/s", value, unit_of(body.kind));
+  };
+  const std::string &of_asked = bodies[static_cast<std::size_t>(asked->coordinate)].coordinate,
+                    &of_fastest = bodies[static_cast<std::size_t>(runs)].coordinate;
+  throw UserError(Diagnostics{
+      {asked->where,
+       fmt::format("initial velocity of {} cannot be met: with {} the loops would move {} at {}", of_asked,
+                   text(asked->coordinate, asked->value), of_fastest, text(runs, speed)),
+       fmt::format("the start is next to a singular position, where {} can hardly move: start elsewhere, or "
+                   "give the velocity of {}",
+                   of_asked, of_fastest),
+       ""}});
+}
+
 /// Adds the values that were not kept.
 void add_moved(const std::vector<Wish>& wishes, const std::vector<double>& values, bool velocity,
                std::vector<MovedValue>& moved) {
@@ -150,6 +193,7 @@ Start initial_start(const Compilation& compilation, const std::vector<double>& i
   for (const TurningRate& one : turning_rates(compilation, start.state))
     velocities.push_back({one.coordinate, one.rate, one.asked->where});
   set_velocities(compilation, solver, velocities, start.state);
+  require_reason(compilation, velocities, start.state);
   add_moved(velocities, start.state.zd, true, start.moved);
   solver.press(start.state);  // where it fails, as at a singular position, loads start from zero
   return start;

@@ -188,6 +188,7 @@ struct Dynamics {
                      double (&zd)[kCoordinates], double (&zdd)[kCoordinates]) const noexcept;
   mbgen::Status project(State& state) const noexcept;
   mbgen::Status project_nearest(State& state) const noexcept;
+  mbgen::Status project_crossing(State& state, double& clearance) const noexcept;
 };
 
 /// Accelerations of a state that steps of h seconds led to, without joint forces from outside: at a

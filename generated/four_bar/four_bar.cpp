@@ -729,6 +729,10 @@ mbgen::Status Dynamics::project_nearest(State& state) const noexcept {
   return mbgen::project_nearest<System>(parameters, inputs, state);
 }
 
+mbgen::Status Dynamics::project_crossing(State& state, double& clearance) const noexcept {
+  return mbgen::project_crossing<System>(parameters, inputs, state, clearance);
+}
+
 mbgen::Status step_rk4(const Tuned& parameters, const Inputs& inputs, State& state, double h) noexcept {
   return mbgen::step_rk4(Dynamics{parameters, inputs}, state, h);
 }
