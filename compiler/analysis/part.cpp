@@ -134,7 +134,7 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& matrix, int rank) {
 
 namespace {
 
-std::vector<int> strongest_rows(const Eigen::MatrixXd& matrix, int count) {
+std::vector<int> rows_by_pivots(const Eigen::MatrixXd& matrix, int count) {
   const std::vector<int> order = pivot_places(matrix);
   std::vector<int> rows;
   for (Eigen::Index r = 0; r < matrix.rows(); ++r)
@@ -145,15 +145,15 @@ std::vector<int> strongest_rows(const Eigen::MatrixXd& matrix, int count) {
 }  // namespace
 
 std::vector<int> strongest_rows(const Eigen::MatrixXd& matrix, int count, const std::vector<int>& late) {
-  if (late.empty()) return strongest_rows(matrix, count);
+  if (late.empty()) return rows_by_pivots(matrix, count);
   Eigen::MatrixXd early = matrix;
   early(late, Eigen::all).setZero();
   const auto rank = static_cast<int>((singular_values(early).array() > kLeastSingularValue).count());
-  std::vector<int> rows = strongest_rows(early, std::min(count, rank));
+  std::vector<int> rows = rows_by_pivots(early, std::min(count, rank));
   if (count <= rank) return rows;
   const Eigen::MatrixXd free = rank > 0 ? null_space(early(rows, Eigen::all), rank)
                                         : Eigen::MatrixXd(Eigen::MatrixXd::Identity(matrix.cols(), matrix.cols()));
-  for (const int r : strongest_rows(matrix(late, Eigen::all) * free, count - rank)) rows.push_back(late[r]);
+  for (const int r : rows_by_pivots(matrix(late, Eigen::all) * free, count - rank)) rows.push_back(late[r]);
   std::sort(rows.begin(), rows.end());
   return rows;
 }

@@ -18,7 +18,7 @@
 namespace mbgen {
 namespace {
 
-constexpr int kMostLinks = 40;  // as the kernel follows
+constexpr int kMostLinksFollowed = 40;  // as the kernel follows
 
 [[noreturn]] void fail_with(const std::filesystem::path& path, const char* action) {
   throw UserError(fmt::format("{}: cannot {}: {}\n", path.string(), action, std::strerror(errno)));
@@ -29,7 +29,7 @@ constexpr int kMostLinks = 40;  // as the kernel follows
 std::filesystem::path behind_links(std::filesystem::path path) {
   std::error_code problem;
   for (int links = 0; std::filesystem::is_symlink(path, problem); ++links) {
-    if (links == kMostLinks) {
+    if (links == kMostLinksFollowed) {
       throw UserError(fmt::format("{}: cannot write: {}\n", path.string(), std::strerror(ELOOP)));
     }
     path = path.parent_path() / std::filesystem::read_symlink(path);

@@ -7,7 +7,7 @@
 namespace mbgen::importing {
 namespace {
 
-constexpr std::array<KnownElement, 65> kElements = {{
+constexpr std::array<KnownElement, 65> kElementsOfMjcf = {{
     {"/mujoco", "model"},
     {"mujoco/compiler",
      "autolimits boundmass boundinertia settotalmass balanceinertia coordinate angle "
@@ -138,7 +138,7 @@ constexpr std::array<LostAttribute, 20> kLost = {{
     {"actuator/general", "delay", "inputs act at once"},
 }};
 
-constexpr std::array<SameContext, 4> kContexts = {{
+constexpr std::array<SameContext, 4> kContextsOfMjcf = {{
     {"worldbody", "body"},
     {"frame", "body"},
     {"default", "body"},
@@ -147,6 +147,6 @@ constexpr std::array<SameContext, 4> kContexts = {{
 
 }  // namespace
 
-const KnownFormat kMjcf = {"MJCF", kElements, kLost, kContexts};
+const KnownFormat kMjcf = {"MJCF", kElementsOfMjcf, kLost, kContextsOfMjcf};
 
 }  // namespace mbgen::importing

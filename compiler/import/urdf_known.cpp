@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kFrame = "xyz rpy quat_xyzw";
 
-constexpr std::array<KnownElement, 46> kElements = {{
+constexpr std::array<KnownElement, 46> kElementsOfUrdf = {{
     {"/robot", "name version"},
     {"robot/link", "name", "type"},
     {"robot/joint", "name type"},
@@ -57,15 +57,15 @@ constexpr std::array<KnownElement, 46> kElements = {{
     {"end/origin", kFrame},
 }};
 
-constexpr std::array<SameContext, 6> kContexts = {{{"link1", "end"},
-                                                   {"link2", "end"},
-                                                   {"predecessor", "end"},
-                                                   {"successor", "end"},
-                                                   {"loop_joint", "loop"},
-                                                   {"loop", "loop_joint"}}};
+constexpr std::array<SameContext, 6> kContextsOfUrdf = {{{"link1", "end"},
+                                                         {"link2", "end"},
+                                                         {"predecessor", "end"},
+                                                         {"successor", "end"},
+                                                         {"loop_joint", "loop"},
+                                                         {"loop", "loop_joint"}}};
 
 }  // namespace
 
-const KnownFormat kUrdf = {"URDF", kElements, {}, kContexts};
+const KnownFormat kUrdf = {"URDF", kElementsOfUrdf, {}, kContextsOfUrdf};
 
 }  // namespace mbgen::importing

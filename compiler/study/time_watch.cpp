@@ -20,7 +20,7 @@ constexpr double kMeanDeviation = 0.00249;  // a^3
 /// A step counts with no more than this part of the range: jumps of single steps are no fast changes.
 constexpr double kMostOfAStep = 0.01;
 /// Ranges of accelerations below these parts of their size, and of the largest of all, are rounding.
-constexpr double kRounding = 1e-6, kRoundingOfAll = 1e-8;
+constexpr double kRoundingInTime = 1e-6, kRoundingOfAll = 1e-8;
 
 bool looks_at_time(const Model& model) {
   return std::any_of(model.expressions.begin(), model.expressions.end(), [](const Expression& expression) {
@@ -100,7 +100,7 @@ std::vector<std::string> TimeWatch::warnings() const {
     double largest = 0;
     for (std::size_t i = 0; i < smallest_.size(); ++i) {
       const double size = std::max(std::abs(smallest_[i]), std::abs(largest_[i]));
-      const double range = std::max({largest_[i] - smallest_[i], kRounding * size, kRoundingOfAll * all});
+      const double range = std::max({largest_[i] - smallest_[i], kRoundingInTime * size, kRoundingOfAll * all});
       double sum = 0;
       for (const std::vector<double>& deviations : source.deviations)
         if (range > 0) sum += std::min(deviations[i] / range, kMostOfAStep);

@@ -15,7 +15,7 @@ namespace {
 constexpr double kTriedTurns[] = {0.7, 1.9, 3.3};
 /// Change of an acceleration by a turn that matters, as part of the acceleration, and of rounding: of all accelerations
 /// and of the square of the rate (1/s^2).
-constexpr double kMatters = 1e-4, kRounding = 1e-9;
+constexpr double kMatters = 1e-4, kRoundingOfRates = 1e-9;
 /// Change of a closure residual, m, that opens a loop.
 constexpr double kOpens = 1e-9;
 
@@ -59,7 +59,7 @@ bool TurnWatch::matters(std::size_t coordinate, const Sample& sample) const {
   const std::vector<double> positions = solver_.position_residuals(sample.moving),
                             velocities = solver_.velocity_residuals(sample.moving);
   const double rate = sample.moving.zd[coordinate];
-  const double rounding = kRounding * (rate * rate + largest_absolute(here.zdd));
+  const double rounding = kRoundingOfRates * (rate * rate + largest_absolute(here.zdd));
   for (const double turn : kTriedTurns) {
     GenericState turned = sample.moving;
     turned.z[coordinate] += turn;

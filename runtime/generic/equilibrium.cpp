@@ -169,7 +169,7 @@ Indifferent indifferent_places(const WeightedBalance& w, Eigen::Index free, cons
   std::vector<Eigen::Index> moving;
   for (Eigen::Index u = 0; u < w.matrix.cols(); ++u)
     if (u < free || !pinned[static_cast<std::size_t>(u - free)]) moving.push_back(u);
-  const Eigen::MatrixXd still = indifferent_directions(w.matrix(Eigen::all, moving), kIndifferent);
+  const Eigen::MatrixXd still = mbgen::indifferent_directions(w.matrix(Eigen::all, moving), kIndifferent);
   Indifferent result;
   if (still.cols() == 0) return result;
   Eigen::MatrixXd chosen = still;

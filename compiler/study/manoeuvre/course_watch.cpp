@@ -13,10 +13,10 @@
 namespace mbgen {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kAcross = 90 * kDegree;
-constexpr double kSlide = 30 * kDegree;  // more than any tyre needs for its largest force
-constexpr double kFast = 5;              // m/s: slower, tight bends make such angles too
+constexpr double kDegreeOfHeading = std::numbers::pi / 180;
+constexpr double kAcross = 90 * kDegreeOfHeading;
+constexpr double kSlide = 30 * kDegreeOfHeading;  // more than any tyre needs for its largest force
+constexpr double kFast = 5;                       // m/s: slower, tight bends make such angles too
 
 void note_first(bool happens, double t, std::optional<double>& first) {
   if (happens && !first) first = t;
