@@ -138,6 +138,7 @@ Eigen::VectorXd newton_step(const NumericSystem& numbers, const Configuration& c
   Eigen::VectorXd step = least_squares(jacobian, -open, kIndifferentShare);
   if (of_velocities.empty()) return step;
   const Eigen::MatrixXd free = indifferent_directions(jacobian, kIndifferentShare);
+  if (free.cols() == 0) return step;
   const Eigen::MatrixXd rolling = block.jacobian(of_velocities, Eigen::all);
   return step + free * least_squares(rolling * free, -rolling * step, kRepeats);
 }

@@ -180,5 +180,17 @@ TEST(RollingBesidePositions, LeaningDiscsRollStraightOn) {
   }
 }
 
+TEST(RollingBesidePositions, AHeldBallHasNothingLeftToRoll) {
+  Chance chance(7);
+  const Guided body = random_guided_body(chance);
+  const json joints = {
+      {"hold", {{"type", "fixed"}, {"from", "ground.C"}, {"to", "b.C"}, {"cut", true}}},
+      {"roll", {{"type", "rolling_ball"}, {"from", "ground.a"}, {"to", "b.C"}, {"axis", "z"}, {"radius", 0.2}}}};
+  const json model = guided_model(body, {{"a", numbers(body.place - Vector3d(0, 0, 0.2))}}, joints);
+  const Mechanism m = analysed(read_model(model.dump(), "held.json"));
+  EXPECT_EQ(m.analysis.degrees_of_freedom, 0);
+  for (const std::string& name : m.analysis.blocks[0].redundant_names) EXPECT_EQ(name.substr(0, 5), "roll.") << name;
+}
+
 }  // namespace
 }  // namespace mbgen
