@@ -254,11 +254,6 @@ std::optional<CrgProblem> make_road(CrgHeader& header, const CrgData& data, CrgR
 
 }  // namespace
 
-std::optional<double> entry_of(const CrgEntries& entries, const char* name) {
-  const auto found = entries.find(name);
-  return found == entries.end() ? std::nullopt : std::optional(found->second);
-}
-
 namespace {
 
 /// Reads the data of a file with its header; road: what they make.

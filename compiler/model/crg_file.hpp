@@ -3,18 +3,15 @@
 // "evaluation".
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace mbgen {
+#include "compiler/model/crg_entries.hpp"
 
-/// Numbers of a block of the text part, by names in capitals.
-using CrgEntries = std::map<std::string, double>;
-std::optional<double> entry_of(const CrgEntries& entries, const char* name);
+namespace mbgen {
 
 /// What a reference line does at its ends.
 ///   open     it goes straight on for ever
@@ -25,14 +22,6 @@ struct CrgClosure {
   Kind kind = Kind::open;
   double before = 0, behind = 0;  ///< m, >= 0
   double gap = 0;                 ///< m, between end and start, of a line that is asked to close
-};
-
-/// Why a file is no road, or how it was read: at a line of its text part, or a byte of its data.
-struct CrgProblem {
-  std::size_t line = 0;  ///< from 1; 0: see byte
-  std::size_t byte = 0;  ///< from 0
-  std::string message, hint;
-  std::size_t file = 0;  ///< of those that name one another
 };
 
 /// A road of an OpenCRG file. u: along the reference line, v: to the left of it, m. Sections are the rows of the file.

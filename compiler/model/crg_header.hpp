@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/model/crg_file.hpp"
+#include "compiler/model/crg_entries.hpp"
 
 namespace mbgen {
 

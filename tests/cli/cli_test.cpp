@@ -46,7 +46,10 @@ TEST_F(CommandLine, CheckSaysOkAndWhatTheModelHas) {
 }
 
 TEST_F(CommandLine, CheckAndExplainSayWhatOfATyreFileIsNotUsed) {
-  write("tyre.tir", "PROPERTY_FILE_FORMAT = 'PAC2002'\nUNLOADED_RADIUS = 0.5\nFNOMIN = 4e3\nPECP1 = 1\n");
+  write("tyre.tir",
+        "PROPERTY_FILE_FORMAT = 'PAC2002'\nUNLOADED_RADIUS = 0.5\nFNOMIN = 4e3\nPECP1 = 1\n"
+        "PCX1 = 1.6\nPDX1 = 1\nPKX1 = 20\nPCY1 = 1.3\nPDY1 = 0.9\nPKY1 = -15\nPKY2 = 2\n"
+        "RBX1 = 12\nRCX1 = 1\nRBY1 = 10\nRCY1 = 1\n");
   write("wheel.json", R"({ "mbgen": 1, "bodies": { "ground": { "points": { "c": [0, 0, 0.5] } },
       "wheel": { "mass": 1, "inertia": [1, 1, 1], "points": { "c": [0, 0, 0.5] } } },
     "joints": { "wheel": { "type": "free", "from": "ground.c", "to": "wheel.c" } },
@@ -197,10 +200,11 @@ TEST_F(CommandLine, DumpsEveryStageAndNothingElse) {
   std::filesystem::remove_all(path("made"));
   const Outcome run = mbgen("check four_bar.json --dump=everything");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.find("model, topology, analysis, program, dead-values, equal-values, shorter-forms, divisions, pairs, "
-                         "sums, optimised, equal-sums, shorter-sums, pairs-kept, derived-constants, contraction, code, "
-                         "passes"),
-            std::string::npos)
+  EXPECT_NE(
+      run.err.find("model, topology, analysis, program, dead-values, equal-values, shorter-forms, divisions, pairs, "
+                   "sums, optimised, equal-sums, shorter-sums, pairs-kept, derived-constants, contraction, code, "
+                   "passes"),
+      std::string::npos)
       << run.err;
   EXPECT_EQ(leftovers(), Names{"four_bar.json"});
 }

@@ -95,7 +95,7 @@ TEST_F(Seeing, PlotsAreOverAnyColumnAndOfSeveralTables) {
   EXPECT_EQ(refusal("plot swing.csv study.csv --columns lean"),
             "--over: swing.csv is over t [s], study.csv over case; name a column that both have\n");
   EXPECT_EQ(refusal("plot swing.csv --columns tip_z --over tip"),
-            "--over: swing.csv has no column \"tip\"; known: z.hinge, zd.hinge, tip_x, tip_z, residual\n");
+            "--over: swing.csv has no column \"tip\"; did you mean \"tip_x\" or \"tip_z\"?\n");
   write("broken.csv", "case,a,status\n1,two,ok\n");
   EXPECT_EQ(refusal("plot broken.csv --columns a"),
             "broken.csv:2:1: a: must be a finite number or empty, found \"two\"\n");

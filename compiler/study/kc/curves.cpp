@@ -58,7 +58,7 @@ Status find_loaded_point(const Rig& rig, Load load, double value, const RigPoint
 }
 
 /// The balance at a value of what a curve imposes, sought from a point at another one: at once, or in parts of the way.
-Status walk_to(Rig& rig, const Sweep& sweep, double value, const CurvePoint& near, RigPoint& found) {
+Status walk_to(Rig& rig, const Sweep& sweep, double value, const PointOfCurve& near, RigPoint& found) {
   Status status;
   for (const int parts : {1, 4, 16}) {
     RigPoint at = near.at;
@@ -80,7 +80,8 @@ Status walk_to(Rig& rig, const Sweep& sweep, double value, const CurvePoint& nea
 
 /// A point of a curve, sought from one near by with partitions that stand well there. Result: why there is none, ""
 /// when there is one.
-std::string find_curve_point(Rig& rig, const Sweep& sweep, double value, const CurvePoint& near, CurvePoint& found) {
+std::string find_curve_point(Rig& rig, const Sweep& sweep, double value, const PointOfCurve& near,
+                             PointOfCurve& found) {
   found.imposed = value;
   if (const Status status = walk_to(rig, sweep, value, near, found.at); !status.ok()) return text(status.code);
   if (is_load(sweep.kind)) return "";
@@ -91,10 +92,10 @@ std::string find_curve_point(Rig& rig, const Sweep& sweep, double value, const C
 
 /// Gives every point its axle. Where wheels move against each other the mirror of the wheel is that at minus the value;
 /// points without one are left out.
-std::vector<CurvePoint> completed(const Rig& rig, Sweep::Kind kind, std::vector<CurvePoint> points) {
+std::vector<PointOfCurve> completed(const Rig& rig, Sweep::Kind kind, std::vector<PointOfCurve> points) {
   std::vector<AxleState> wheels;
-  for (const CurvePoint& point : points) wheels.push_back(wheels_of(rig, point.at));
-  std::vector<CurvePoint> result;
+  for (const PointOfCurve& point : points) wheels.push_back(wheels_of(rig, point.at));
+  std::vector<PointOfCurve> result;
   const bool has_both = is_real(rig, 0) && is_real(rig, 1);
   const bool is_against = kind == Sweep::Kind::opposite_travel || kind == Sweep::Kind::steering;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -139,9 +140,9 @@ RigInputs both_loads(const AxleState& axle, const Rig& rig, Load load) {
   return direction;
 }
 
-Result<CurvePoint> start_point(Rig& rig) {
+Result<PointOfCurve> start_point(Rig& rig) {
   const Model& model = rig.compilation.model;
-  CurvePoint start;
+  PointOfCurve start;
   choose_at(rig, rig.start);
   const Status status = find_point(rig, {}, rig.start, start.at);
   if (!status.ok()) {
@@ -155,17 +156,17 @@ Result<CurvePoint> start_point(Rig& rig) {
   return start;
 }
 
-CurvePoints curve_points(const Rig& given, const CurvePoint& start, const Sweep& sweep, int count,
+CurvePoints curve_points(const Rig& given, const PointOfCurve& start, const Sweep& sweep, int count,
                          const std::function<bool()>& goes_on) {
   Rig rig = given;
   const int half = count / 2;
   CurvePoints curve;
-  std::vector<CurvePoint> below, above;
+  std::vector<PointOfCurve> below, above;
   for (const int sign : {-1, 1}) {
-    std::vector<CurvePoint>& side = sign < 0 ? below : above;
+    std::vector<PointOfCurve>& side = sign < 0 ? below : above;
     for (int k = 1; k <= half && !curve.is_stopped; ++k) {
       const double value = sign * sweep.amplitude * k / half;
-      CurvePoint point;
+      PointOfCurve point;
       const std::string fault = find_curve_point(rig, sweep, value, side.empty() ? start : side.back(), point);
       if (!fault.empty()) {
         curve.note +=

@@ -26,7 +26,7 @@ struct Sweep {
 };
 
 /// A point of a curve with the axle there; of an axle with one wheel the other one is its mirror.
-struct CurvePoint {
+struct PointOfCurve {
   double imposed = 0;
   RigPoint at;
   AxleState axle;
@@ -34,17 +34,17 @@ struct CurvePoint {
 
 /// The points of a curve from the lowest value to the highest, and why it ends early, "" when it does not.
 struct CurvePoints {
-  std::vector<CurvePoint> points;
+  std::vector<PointOfCurve> points;
   std::string note;
   bool is_stopped = false;  ///< by who watched it: points are missing
 };
 
 /// The point at which nothing is imposed; the rig gets partitions that stand well there.
 /// Fails: with one problem when there is no equilibrium, or no derivatives.
-Result<CurvePoint> start_point(Rig& rig);
+Result<PointOfCurve> start_point(Rig& rig);
 
 /// goes_on: asked after every point.
-CurvePoints curve_points(const Rig& rig, const CurvePoint& start, const Sweep& sweep, int count,
+CurvePoints curve_points(const Rig& rig, const PointOfCurve& start, const Sweep& sweep, int count,
                          const std::function<bool()>& goes_on = {});
 
 /// Name of a curve, as its files are called, and its title.
@@ -58,10 +58,11 @@ Dual deflection_of(const RigElement& element, const RigPoint& point);
 bool follows_wheels(const RigElement& element, const RigPoint& start);
 
 /// What is read along a curve.
-KcTable curve_table(const Rig& rig, const CurvePoint& start, const Sweep& sweep, const std::vector<CurvePoint>& points);
+KcTable curve_table(const Rig& rig, const PointOfCurve& start, const Sweep& sweep,
+                    const std::vector<PointOfCurve>& points);
 
 /// Values at the start.
-std::vector<KcFigure> figures(const Rig& rig, const CurvePoint& start, bool is_compliant);
+std::vector<KcFigure> figures(const Rig& rig, const PointOfCurve& start, bool is_compliant);
 
 /// Effect of a unit load at both wheels, or at the only one.
 RigInputs both_loads(const AxleState& axle, const Rig& rig, Load load);

@@ -37,7 +37,7 @@ Axle with_wheelbase(const Model& model, Axle axle) {
 }
 
 /// Whether loads at the wheels move them.
-bool is_compliant(const Rig& rig, const CurvePoint& start) {
+bool is_compliant(const Rig& rig, const PointOfCurve& start) {
   constexpr double kMoves = 1e-14;  // m/N or rad/N: rubber gives 1e-9 and more
   for (const Load load : {Load::brake_force, Load::lateral_force, Load::aligning_moment}) {
     const RigInputs direction = both_loads(start.axle, rig, load);
@@ -54,7 +54,7 @@ bool is_compliant(const Rig& rig, const CurvePoint& start) {
 }
 
 /// Mean load of the wheels on the rig.
-double mean_load(const Rig& rig, const CurvePoint& start) {
+double mean_load(const Rig& rig, const PointOfCurve& start) {
   double sum = 0;
   int count = 0;
   for (const int which : {0, 1}) {
@@ -65,7 +65,7 @@ double mean_load(const Rig& rig, const CurvePoint& start) {
   return sum / count;
 }
 
-std::vector<Sweep> sweeps_of(const Rig& rig, const CurvePoint& start, const KcWish& wish, bool with_loads) {
+std::vector<Sweep> sweeps_of(const Rig& rig, const PointOfCurve& start, const KcWish& wish, bool with_loads) {
   constexpr double kTravel = 0.05, kSteerAngle = 0.3, kSteerWay = 0.03, kLeastForce = 1000, kLever = 0.05;
   const double travel = wish.travel.value_or(kTravel);
   std::vector<Sweep> sweeps = {{Kind::parallel_travel, travel}, {Kind::opposite_travel, travel}};
@@ -81,7 +81,7 @@ std::vector<Sweep> sweeps_of(const Rig& rig, const CurvePoint& start, const KcWi
 /// A rig at its start.
 struct StandingRig {
   Rig rig;
-  CurvePoint start;
+  PointOfCurve start;
 };
 
 Result<StandingRig> standing_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at,
@@ -89,7 +89,7 @@ Result<StandingRig> standing_rig(const Compilation& user, const Axle& axle, cons
   Result<Rig> rig = make_rig(user, axle, at, pads);
   if (!rig) return rig.problems();
   add_programs(rig->compilation);
-  Result<CurvePoint> start = start_point(*rig);
+  Result<PointOfCurve> start = start_point(*rig);
   if (!start) return start.problems();
   return StandingRig{std::move(*rig), std::move(*start)};
 }

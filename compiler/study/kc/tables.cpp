@@ -60,10 +60,10 @@ double wheel_rate(const WheelState& wheel, const RigInputs& direction) {
   return along(wheel.load, direction) / own;
 }
 
-Column column(const std::string& name, const std::string& unit, const std::vector<CurvePoint>& points,
-              const std::function<double(const CurvePoint&)>& read) {
+Column column(const std::string& name, const std::string& unit, const std::vector<PointOfCurve>& points,
+              const std::function<double(const PointOfCurve&)>& read) {
   Column result{{name, unit}, {}};
-  for (const CurvePoint& point : points) result.values.push_back(read(point));
+  for (const PointOfCurve& point : points) result.values.push_back(read(point));
   return result;
 }
 
@@ -84,10 +84,10 @@ double steer_ratio(const AxleState& axle) {
 /// Collects the columns of a table.
 class TableBuilder {
  public:
-  TableBuilder(const Rig& rig, const CurvePoint& start, Sweep::Kind kind, const std::vector<CurvePoint>& points)
+  TableBuilder(const Rig& rig, const PointOfCurve& start, Sweep::Kind kind, const std::vector<PointOfCurve>& points)
       : rig_(rig), start_(start), kind_(kind), points_(points) {}
 
-  void add(const std::string& name, const std::string& unit, const std::function<double(const CurvePoint&)>& read) {
+  void add(const std::string& name, const std::string& unit, const std::function<double(const PointOfCurve&)>& read) {
     columns_.push_back(column(name, unit, points_, read));
   }
 
@@ -96,7 +96,7 @@ class TableBuilder {
       if (!is_real(rig_, which) || (reading.needs_steering_axis && !start_.axle.wheel(which).has_steering_axis))
         continue;
       add(fmt::format("{}_{}", reading.name, which == 0 ? "left" : "right"), reading.unit,
-          [&](const CurvePoint& point) { return reading.read(point.axle.wheel(which), start_.axle.wheel(which)); });
+          [&](const PointOfCurve& point) { return reading.read(point.axle.wheel(which), start_.axle.wheel(which)); });
     }
   }
 
@@ -104,31 +104,31 @@ class TableBuilder {
     const RigInputs direction = direction_of(kind_);
     add_wheels({"wheel_rate", "N/m", "",
                 [direction](const WheelState& wheel, const WheelState&) { return wheel_rate(wheel, direction); }});
-    add("track_change", "m", [&](const CurvePoint& point) { return track_of(point.axle) - track_of(start_.axle); });
+    add("track_change", "m", [&](const PointOfCurve& point) { return track_of(point.axle) - track_of(start_.axle); });
     add("wheelbase_change", "m",
-        [&](const CurvePoint& point) { return wheelbase_change(rig_.axle, point.axle, start_.axle); });
-    add("roll_centre_height", "m", [](const CurvePoint& point) { return roll_centre(point.axle).height; });
+        [&](const PointOfCurve& point) { return wheelbase_change(rig_.axle, point.axle, start_.axle); });
+    add("roll_centre_height", "m", [](const PointOfCurve& point) { return roll_centre(point.axle).height; });
     if (kind_ == Sweep::Kind::opposite_travel) {
-      add("roll_centre_to_left", "m", [](const CurvePoint& point) { return roll_centre(point.axle).to_left; });
-      add("roll_rate", "N m/rad", [](const CurvePoint& point) { return roll_rate(point.axle); });
+      add("roll_centre_to_left", "m", [](const PointOfCurve& point) { return roll_centre(point.axle).to_left; });
+      add("roll_rate", "N m/rad", [](const PointOfCurve& point) { return roll_rate(point.axle); });
     } else {
       const std::vector<AntiShare> shares = anti_shares(rig_.axle, start_.axle);
       for (std::size_t i = 0; i < shares.size(); ++i)
         add(shares[i].name, "1",
-            [&, i](const CurvePoint& point) { return anti_shares(rig_.axle, point.axle)[i].value; });
+            [&, i](const PointOfCurve& point) { return anti_shares(rig_.axle, point.axle)[i].value; });
     }
     for (const RigElement& element : rig_.elements) {
       if (!follows_wheels(element, start_.at)) continue;
       add("ratio_" + element.name, element.unit == "rad" ? "rad/m" : "1",
-          [&, direction](const CurvePoint& point) { return along(deflection_of(element, point.at), direction); });
+          [&, direction](const PointOfCurve& point) { return along(deflection_of(element, point.at), direction); });
     }
   }
 
   void add_steering() {
     add("steer_ratio", rig_.steer_unit == "rad" ? "1" : "m/rad",
-        [](const CurvePoint& point) { return steer_ratio(point.axle); });
+        [](const PointOfCurve& point) { return steer_ratio(point.axle); });
     if (!rig_.axle.wheelbase) return;
-    add("ackermann", "1", [&](const CurvePoint& point) {
+    add("ackermann", "1", [&](const PointOfCurve& point) {
       const auto steered = [](const WheelState& wheel, const WheelState& home) {
         return geometry_of(wheel).steer_angle.value - geometry_of(home).steer_angle.value;
       };
@@ -141,9 +141,9 @@ class TableBuilder {
 
  private:
   const Rig& rig_;
-  const CurvePoint& start_;
+  const PointOfCurve& start_;
   Sweep::Kind kind_;
-  const std::vector<CurvePoint>& points_;
+  const std::vector<PointOfCurve>& points_;
   std::vector<Column> columns_;
 };
 
@@ -283,11 +283,11 @@ std::vector<AntiShare> anti_shares(const Axle& axle, const AxleState& state) {
   return shares;
 }
 
-KcTable curve_table(const Rig& rig, const CurvePoint& start, const Sweep& sweep,
-                    const std::vector<CurvePoint>& points) {
+KcTable curve_table(const Rig& rig, const PointOfCurve& start, const Sweep& sweep,
+                    const std::vector<PointOfCurve>& points) {
   TableBuilder table(rig, start, sweep.kind, points);
   const Heading abscissa = abscissa_of(rig, sweep.kind);
-  table.add(abscissa.name, abscissa.unit, [](const CurvePoint& point) { return point.imposed; });
+  table.add(abscissa.name, abscissa.unit, [](const PointOfCurve& point) { return point.imposed; });
   // Toe says of travel what the steer angle says of steering and loads.
   const std::string left_out = sweep.kind <= Sweep::Kind::opposite_travel ? "steer_angle" : "toe";
   for (const WheelReading& reading : position_readings()) {
@@ -298,7 +298,7 @@ KcTable curve_table(const Rig& rig, const CurvePoint& start, const Sweep& sweep,
   return {name_of(sweep.kind), title_of(sweep.kind), table.take()};
 }
 
-std::vector<KcFigure> figures(const Rig& rig, const CurvePoint& start, bool is_compliant) {
+std::vector<KcFigure> figures(const Rig& rig, const PointOfCurve& start, bool is_compliant) {
   FigureList list(rig, start.axle);
   list.add_positions();
   list.add_rates();
