@@ -11,6 +11,7 @@
 #include "compiler/base/files.hpp"
 #include "compiler/base/own_directory.hpp"
 #include "compiler/base/process.hpp"
+#include "compiler/base/temporary_directory.hpp"
 #include "compiler/base/user_error.hpp"
 
 namespace mbgen::compare {
@@ -63,10 +64,10 @@ double generate(const Model& model, const fs::path& scratch, OperationCount& ope
         expect(model.file.empty() ? compile(model) : compile(expect(read_model_file(model.file))));
     std::vector<NamedText> files;
     for (EmittedFile& file : emit(compilation)) files.push_back({file.path, std::move(file.text)});
-    write_files(scratch, files);
+    write_files(scratch, files, {});
     least = std::min(least, own_seconds() - start);
     const EmittedFile driver = emit_driver(compilation.model);
-    write_files(scratch, {{driver.path, driver.text}});
+    write_files(scratch, {{driver.path, driver.text}}, {});
     operations = count_operations(compilation.programs.accelerations);
   }
   return least;
@@ -121,7 +122,7 @@ std::optional<long> instructions(const fs::path& scratch, const std::string& sou
                                  const std::vector<LoadedState>& states) {
   if (answer(scratch, {"valgrind", "--version"}).empty()) return {};
   const std::string driver = source.substr(0, source.size() - 4) + "_driver.cpp";
-  write_files(scratch, {{"states", states_text(states)}});
+  write_files(scratch, {{"states", states_text(states)}}, {});
   compile_or_throw(
       scratch, compiler("x86-64-v3"),
       {source, driver, MBGEN_SOURCE_DIR "/bench/compare/counted/main.cpp", "-o", (scratch / "counted").string()});
