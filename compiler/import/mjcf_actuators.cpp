@@ -161,7 +161,7 @@ std::string unit_of(const Element& actuator, const MjcfLength& length, double ge
   return turns ? "rad/s" : "m/s";
 }
 
-/// What it pulls: a joint or a fixed tendon. Fails (nothing): another thing, or a problem was added.
+/// The part that it pulls: a joint or a fixed tendon. Fails (nothing): another thing, or a problem was added.
 std::optional<MjcfLength> pulled_by(Mjcf& mjcf, const Element& actuator) {
   const Attribute* joint = attribute(actuator, "joint");
   if (!joint) joint = attribute(actuator, "jointinparent");

@@ -58,7 +58,7 @@ void read_compiler(Mjcf& mjcf, const Element& element) {
   }
 }
 
-/// What <flag> disables is left out of the model.
+/// Parts that <flag> disables are left out of the model.
 void read_flags(Mjcf& mjcf, const Element& flags) {
   MjcfSettings& settings = mjcf.settings;
   for (const Attribute& flag : flags.attributes) {

@@ -333,7 +333,7 @@ std::string moves_text(const UrdfRobot& robot, const std::vector<double>& before
 /// Rounding is no gap.
 double rounded(double gap) { return gap < kOpen * 1e-3 ? 0 : gap; }
 
-/// What stays open, by loop.
+/// The gaps that stay open, by loop.
 void tell_open(Closing& closing) {
   const std::vector<Gap> gaps = closing.gaps();
   for (std::size_t i = 0; i < gaps.size(); ++i) {

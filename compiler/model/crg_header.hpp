@@ -11,7 +11,7 @@
 
 namespace mbgen {
 
-/// What columns of data are.
+/// The quantity of a column of data.
 enum class CrgColumn { heading, slope, banking, height };
 
 /// How numbers are written.

@@ -76,9 +76,6 @@ Where where_of(const Documents& documents, Place place) {
   if (document.is_shown && length <= kLongestShownLine) {
     where.line_text = shown.substr(0, length);
     if (where.line_text.ends_with('\r')) where.line_text.pop_back();
-    std::replace_if(
-        where.line_text.begin(), where.line_text.end(),
-        [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t'; }, '?');
   }
   return where;
 }

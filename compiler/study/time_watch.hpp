@@ -21,7 +21,7 @@ class TimeWatch {
   std::vector<std::string> warnings() const;
 
  private:
-  /// What moves while the rest stands still.
+  /// An argument that moves while the others stand still.
   struct Source {
     int input = -1;                               ///< -1: the time
     std::vector<std::vector<double>> deviations;  ///< per looked at step, per coordinate: from the parabola

@@ -90,7 +90,7 @@ class GenericSolver {
                                     const std::vector<std::array<double, 2>>& places) const;
   GenericOutputs outputs(const GenericState& state, const std::vector<double>& tau,
                          const GenericDerivative& derivative) const;
-  /// What gives and takes energy at a consistent state: powers of each force element by what it does at rest in this
+  /// The exchanges of energy at a consistent state: powers of each force element by what it does at rest in this
   /// position, then by the rest (spring and damper of one element do not cancel), then of gravity on each body; kinetic
   /// energy of each body by translation and about each axis. Not finite where the state is not. Cost: linear.
   GenericExchanges exchanges(const GenericState& state) const;

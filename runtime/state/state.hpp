@@ -27,7 +27,7 @@ struct GenericOutputs {
   double kinetic_energy = 0, potential_energy = 0, applied_power = 0;
 };
 
-/// What gives and takes energy at a state, for the scale of an energy balance.
+/// The exchanges of energy at a state, for the scale of an energy balance.
 struct GenericExchanges {
   std::vector<double> powers;   ///< W, of force elements in parts that do not cancel, and of gravity on bodies
   double applied = 0;           ///< W, of all force elements, without drives

@@ -1,4 +1,4 @@
-// What a rig takes away from the user's model.
+// The parts of the user's model that a rig takes away.
 
 #include "compiler/model/each_friction.hpp"
 #include "compiler/study/kc/rig.hpp"
