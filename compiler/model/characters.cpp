@@ -56,6 +56,13 @@ std::vector<Character> characters_of(std::string_view text) {
   return characters;
 }
 
+std::string_view without_blanks(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
+}
+
 std::string line_text(std::string_view text) {
   std::string result;
   for (const auto& [character, is_plain] : characters_of(text)) result += is_plain ? character : " ";

@@ -20,6 +20,9 @@ std::vector<Character> characters_of(std::string_view text);
 /// Text on one line: characters that are not plain become spaces. For comments, fields of tables, titles.
 std::string line_text(std::string_view text);
 
+/// Text without blanks, tabs and returns at its ends.
+std::string_view without_blanks(std::string_view text);
+
 /// Text that cannot command a terminal: `?` for characters that are not plain, but for ends of lines and tabs.
 std::string terminal_text(std::string_view text);
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "compiler/model/characters.hpp"
 #include "compiler/model/crg_header.hpp"
 
 namespace mbgen {
@@ -93,10 +94,10 @@ std::optional<CrgProblem> read_text(std::string_view data, CrgHeader& header, Cr
     std::string_view record = data.substr(at, end - at);
     at = end + 1;
     ++line;
-    if (without_crg_blanks(record).empty()) continue;
+    if (without_blanks(record).empty()) continue;
     const std::size_t wanted = std::min(columns - read, of_record);
     for (std::size_t k = 0; k < wanted; ++k) {
-      const std::string_view field = without_crg_blanks(record.substr(std::min(k * width, record.size()), width));
+      const std::string_view field = without_blanks(record.substr(std::min(k * width, record.size()), width));
       const std::optional<double> number = number_of_field(field, line, header);
       if (!number && field.empty())
         return at_line(line, fmt::format("section has {} numbers, {} columns are defined", read + k, columns));

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "compiler/model/characters.hpp"
+
 namespace mbgen {
 namespace {
 
@@ -35,8 +37,8 @@ std::optional<CrgProblem> read_parameter(std::string_view text, CrgHeader& heade
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos)
     return at_line(line, fmt::format("must be NAME = number, got \"{}\"", text.substr(0, 60)));
-  const std::string name = in_capitals(without_crg_blanks(text.substr(0, equals)));
-  const std::string_view written = without_crg_blanks(text.substr(equals + 1));
+  const std::string name = in_capitals(without_blanks(text.substr(0, equals)));
+  const std::string_view written = without_blanks(text.substr(equals + 1));
   const std::optional<CrgNumber> number = crg_number(written);
   if (!number) return at_line(line, fmt::format("{} must be a number, got \"{}\"", name, written));
   if (number->is_odd) header.notes.push_back(odd_number(line, name + " = ", written, number->value));
@@ -47,7 +49,7 @@ std::optional<CrgProblem> read_parameter(std::string_view text, CrgHeader& heade
 }
 
 std::optional<CrgProblem> read_format(std::string_view text, std::size_t line, CrgHeader& header) {
-  const std::string name = in_capitals(without_crg_blanks(text));
+  const std::string name = in_capitals(without_blanks(text));
   if (name != "LRFI" && name != "LDFI" && name != "KRBI" && name != "KDBI")
     return at_line(line, fmt::format("data format must be one of LRFI, LDFI, KRBI, KDBI, got \"{}\"", name));
   header.format = {name[0] == 'K', name[1] == 'D'};
@@ -55,7 +57,7 @@ std::optional<CrgProblem> read_format(std::string_view text, std::size_t line, C
 }
 
 std::optional<CrgProblem> read_column(std::string_view text, std::size_t line, CrgHeader& header) {
-  const std::string name = in_capitals(without_crg_blanks(text.substr(0, text.find(','))));
+  const std::string name = in_capitals(without_blanks(text.substr(0, text.find(','))));
   const auto begins = [&](std::string_view with) { return name.starts_with(with); };
   if (header.columns.size() == kMostColumns) return at_line(line, "file has too many columns");
   if (begins("REFERENCE LINE PHI"))
@@ -68,7 +70,7 @@ std::optional<CrgProblem> read_column(std::string_view text, std::size_t line, C
     header.columns.push_back(CrgColumn::height);
     const std::size_t equals = name.find('=');
     if (equals == std::string::npos) return {};
-    const std::string_view written = without_crg_blanks(std::string_view(name).substr(equals + 1));
+    const std::string_view written = without_blanks(std::string_view(name).substr(equals + 1));
     const std::optional<CrgNumber> v = crg_number(written);
     if (!v) return at_line(line, fmt::format("v of a long section must be a number, got \"{}\"", written));
     if (v->is_odd) header.notes.push_back(odd_number(line, "v of a long section = ", written, v->value));
@@ -107,15 +109,8 @@ CrgProblem at_line(std::size_t line, std::string message, std::string hint) {
   return {line, 0, std::move(message), std::move(hint)};
 }
 
-std::string_view without_crg_blanks(std::string_view text) {
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 std::optional<CrgNumber> crg_number(std::string_view text) {
-  text = without_crg_blanks(text);
+  text = without_blanks(text);
   if (text.starts_with('+')) text.remove_prefix(1);
   std::string of_c;
   if (text.find_first_of("dD") != std::string_view::npos) {
@@ -158,7 +153,7 @@ std::optional<CrgProblem> read_header(std::string_view text, CrgHeader& header) 
       header.has_modifiers |= block == "ROAD_CRG_MODS";
       continue;
     }
-    line = without_crg_blanks(line.substr(0, line.find('!')));
+    line = without_blanks(line.substr(0, line.find('!')));
     if (line.empty() || line.starts_with('*')) continue;
     if (std::optional<CrgProblem> problem = read_line(block, line, header)) return problem;
   }

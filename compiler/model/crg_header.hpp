@@ -45,9 +45,6 @@ std::optional<CrgProblem> read_header(std::string_view text, CrgHeader& header);
 
 CrgProblem at_line(std::size_t line, std::string message, std::string hint = {});
 
-/// Without blanks, tabs and returns at both ends.
-std::string_view without_crg_blanks(std::string_view text);
-
 /// A number as files have it.
 struct CrgNumber {
   double value;

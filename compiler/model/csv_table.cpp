@@ -11,6 +11,7 @@
 #include <iterator>
 #include <optional>
 
+#include "compiler/model/characters.hpp"
 #include "compiler/model/read_text.hpp"
 
 namespace mbgen::reading {
@@ -25,12 +26,6 @@ struct CsvField {
   Place place;
 };
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
-
 /// Fields of the line that starts at `start`. Quotes keep the commas between them.
 std::vector<CsvField> fields_of(const Document& document, std::uint32_t file, std::size_t start, std::size_t end) {
   const std::string_view text = document.text;
@@ -39,7 +34,7 @@ std::vector<CsvField> fields_of(const Document& document, std::uint32_t file, st
   for (std::size_t at = start, from = start; at <= end; ++at) {
     if (at < end && text[at] == '"') quoted = !quoted;
     if (at < end && (quoted || text[at] != ',')) continue;
-    std::string_view field = trimmed(text.substr(from, at - from));
+    std::string_view field = without_blanks(text.substr(from, at - from));
     if (field.size() >= 2 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
     const std::size_t offset = field.empty() ? from : static_cast<std::size_t>(field.data() - text.data());
     fields.push_back({field, {file, static_cast<std::uint32_t>(offset)}});
@@ -51,7 +46,8 @@ std::vector<CsvField> fields_of(const Document& document, std::uint32_t file, st
 /// A heading without its unit.
 std::string_view name_of(std::string_view heading) {
   const std::size_t bracket = heading.rfind('[');
-  return bracket == std::string_view::npos || !heading.ends_with(']') ? heading : trimmed(heading.substr(0, bracket));
+  return bracket == std::string_view::npos || !heading.ends_with(']') ? heading
+                                                                      : without_blanks(heading.substr(0, bracket));
 }
 
 std::optional<double> number_of(std::string_view text) {
@@ -147,7 +143,7 @@ std::vector<std::array<double, 2>> read_csv_table(Reader& reader, const Value& t
   starts.push_back(static_cast<std::uint32_t>(document->text.size() + 1));
   for (std::size_t line = 0; line + 1 < starts.size(); ++line) {
     const std::string_view text =
-        trimmed(std::string_view(document->text).substr(starts[line], starts[line + 1] - starts[line] - 1));
+        without_blanks(std::string_view(document->text).substr(starts[line], starts[line + 1] - starts[line] - 1));
     if (text.empty() || text.starts_with('#')) continue;
     const std::vector<CsvField> fields = fields_of(*document, file, starts[line], starts[line + 1] - 1);
     if (!x) {

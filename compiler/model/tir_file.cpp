@@ -7,18 +7,13 @@
 #include <cmath>
 #include <iterator>
 
+#include "compiler/model/characters.hpp"
 #include "compiler/model/csv_table.hpp"
 #include "compiler/model/tyre_notes.hpp"
 #include "compiler/model/tyre_sets.hpp"
 
 namespace mbgen::reading {
 namespace {
-
-std::string_view without_blanks(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
 
 /// The line up to its comment; quotes keep what stands between them.
 std::string_view without_comment(std::string_view line) {

@@ -12,12 +12,6 @@
 namespace mbgen {
 namespace {
 
-std::string_view without_blanks(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
-
 /// The next line of a text, taken off it.
 std::string_view take_line(std::string_view& rest) {
   const std::size_t length = std::min(rest.find('\n'), rest.size());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compiler/model/characters.hpp"
 #include "compiler/results/csv.hpp"
 #include "compiler/results/faults.hpp"
 
@@ -48,7 +49,7 @@ Result<Results> read_sweep(std::string_view text, const std::string& file) {
   const bool has_status = results.columns.back().heading.name == "status";
   if (has_status) results.columns.pop_back();
   for (std::size_t row = 1; row < lines.size(); ++row) {
-    if (lines[row].find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    if (without_blanks(lines[row]).empty()) continue;
     fields = csv_fields(lines[row]);
     const std::size_t wanted = results.columns.size() + (has_status ? 1 : 0);
     const int line = static_cast<int>(row) + 1;

@@ -9,6 +9,7 @@
 #include "compiler/base/files.hpp"
 #include "compiler/base/number.hpp"
 #include "compiler/base/user_error.hpp"
+#include "compiler/model/characters.hpp"
 #include "compiler/results/results.hpp"
 
 namespace mbgen {
@@ -23,12 +24,6 @@ struct Line {
     throw UserError(fmt::format("{}: {}\n", place(), message));
   }
 };
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
 
 void check_unit(const Line& line, const Heading& heading, const std::string& unit) {
   const std::string expected = unit_or_one(unit);
@@ -111,7 +106,7 @@ InputTable parse_input_table(const std::string& text, const std::string& path, c
     const std::size_t length = std::min(rest.find('\n'), rest.size());
     const std::string_view content = rest.substr(0, length);
     rest.remove_prefix(std::min(length + 1, rest.size()));
-    if (trimmed(content).empty()) continue;
+    if (without_blanks(content).empty()) continue;
     if (table.columns.empty()) {
       read_header(line, csv_fields(content), model, table);
     } else {
