@@ -60,45 +60,18 @@ Json shared_definitions() {
   };
 }
 
-/// Allowed values of a field, without its description.
-Json shape_of(const FieldInfo& info) {
+/// Of fields that hold more than one value.
+Json shape_of_several(const FieldInfo& info) {
   switch (info.shape) {
-    case Shape::boolean:
-    case Shape::text:
-    case Shape::coordinate:
-    case Shape::reference:
-      return {{"type", info.shape == Shape::boolean ? "boolean" : "string"}};
-    case Shape::word:
-      return {{"enum", info.words}};
-    case Shape::number:
-    case Shape::quantity:
-    case Shape::force:
-      return reference(info.angle ? "angle" : "quantity");
-    case Shape::vector:
-    case Shape::quantity_vector:
-    case Shape::position:
-      return reference(info.shape == Shape::position ? "position" : "vector");
     case Shape::quaternion:
       return array_of(reference("quantity"), 4, 4);
-    case Shape::place:
-      return either(reference("position"), reference("attachment"));
     case Shape::inertia:
       return either(array_of(reference("quantity"), 3, 3), array_of(reference("quantity"), 6, 6));
     case Shape::six_by_six:
       return array_of(array_of(reference("quantity"), kBushingFreedoms, kBushingFreedoms), kBushingFreedoms,
                       kBushingFreedoms);
-    case Shape::axis:
-      return info.by_points ? reference("axis") : either(letters(), reference("vector"));
-    case Shape::attachment:
-      return reference("attachment");
     case Shape::attachments:
       return array_of(reference("attachment"), 2, static_cast<int>(info.most));
-    case Shape::equation:
-      return either({{"type", "integer"}, {"minimum", 0}}, {{"type", "string"}});
-    case Shape::law:
-      return either(reference("quantity"), reference("table"));
-    case Shape::table:
-      return reference("table");
     case Shape::table_points:
       return {{"type", "array"}, {"items", array_of(reference("quantity"), 2, 2)}, {"minItems", 2}};
     case Shape::object:
@@ -123,8 +96,44 @@ Json shape_of(const FieldInfo& info) {
                either(reference("quantity"), {{"type", "array"}, {"items", reference("quantity")}})}};
     case Shape::paths:
       return {{"type", "array"}, {"items", {{"type", "string"}}}};
+    default:
+      return {};
   }
-  return {};
+}
+
+/// Allowed values of a field, without its description.
+Json shape_of(const FieldInfo& info) {
+  switch (info.shape) {
+    case Shape::boolean:
+    case Shape::text:
+    case Shape::coordinate:
+    case Shape::reference:
+      return {{"type", info.shape == Shape::boolean ? "boolean" : "string"}};
+    case Shape::word:
+      return {{"enum", info.words}};
+    case Shape::number:
+    case Shape::quantity:
+    case Shape::force:
+      return reference(info.angle ? "angle" : "quantity");
+    case Shape::vector:
+    case Shape::quantity_vector:
+    case Shape::position:
+      return reference(info.shape == Shape::position ? "position" : "vector");
+    case Shape::place:
+      return either(reference("position"), reference("attachment"));
+    case Shape::axis:
+      return info.by_points ? reference("axis") : either(letters(), reference("vector"));
+    case Shape::attachment:
+      return reference("attachment");
+    case Shape::equation:
+      return either({{"type", "integer"}, {"minimum", 0}}, {{"type", "string"}});
+    case Shape::law:
+      return either(reference("quantity"), reference("table"));
+    case Shape::table:
+      return reference("table");
+    default:
+      return shape_of_several(info);
+  }
 }
 
 Json field_schema(const FieldInfo& info) {

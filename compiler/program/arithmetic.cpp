@@ -3,10 +3,48 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "compiler/decimal/decimal.hpp"
 
 namespace mbgen {
+namespace {
+
+/// An operation of one operand.
+double of_one(Op op, double x) {
+  switch (op) {
+    case Op::negate:
+      return -x;
+    case Op::sqrt:
+      return std::sqrt(x);
+    case Op::sin:
+      return std::sin(x);
+    case Op::cos:
+      return std::cos(x);
+    case Op::tan:
+      return std::tan(x);
+    case Op::asin:
+      return std::asin(x);
+    case Op::acos:
+      return std::acos(x);
+    case Op::atan:
+      return std::atan(x);
+    case Op::exp:
+      return std::exp(x);
+    case Op::log:
+      return std::log(x);
+    case Op::tanh:
+      return std::tanh(x);
+    case Op::abs:
+      return std::abs(x);
+    case Op::floor:
+      return std::floor(x);
+    default:
+      throw std::logic_error("constants, inputs, samples and lanes compute nothing");
+  }
+}
+
+}  // namespace
 
 int arity(Op op) {
   switch (op) {
@@ -34,70 +72,39 @@ int arity(Op op) {
 }
 
 const char* op_name(Op op) {
-  switch (op) {
-    case Op::constant:
-      return "constant";
-    case Op::input:
-      return "input";
-    case Op::add:
-      return "add";
-    case Op::subtract:
-      return "sub";
-    case Op::multiply:
-      return "mul";
-    case Op::divide:
-      return "div";
-    case Op::negate:
-      return "neg";
-    case Op::sqrt:
-      return "sqrt";
-    case Op::sin:
-      return "sin";
-    case Op::cos:
-      return "cos";
-    case Op::tan:
-      return "tan";
-    case Op::asin:
-      return "asin";
-    case Op::acos:
-      return "acos";
-    case Op::atan:
-      return "atan";
-    case Op::atan2:
-      return "atan2";
-    case Op::exp:
-      return "exp";
-    case Op::log:
-      return "log";
-    case Op::pow:
-      return "pow";
-    case Op::tanh:
-      return "tanh";
-    case Op::abs:
-      return "abs";
-    case Op::min:
-      return "min";
-    case Op::max:
-      return "max";
-    case Op::select:
-      return "select";
-    case Op::multiply_add:
-      return "muladd";
-    case Op::multiply_subtract:
-      return "mulsub";
-    case Op::subtract_product:
-      return "submul";
-    case Op::floor:
-      return "floor";
-    case Op::sample:
-      return "sample";
-    case Op::pack:
-      return "pack";
-    case Op::first_lane:
-      return "first_lane";
-    case Op::second_lane:
-      return "second_lane";
-  }
+  static constexpr std::pair<Op, const char*> kNames[] = {{Op::constant, "constant"},
+                                                          {Op::input, "input"},
+                                                          {Op::add, "add"},
+                                                          {Op::subtract, "sub"},
+                                                          {Op::multiply, "mul"},
+                                                          {Op::divide, "div"},
+                                                          {Op::negate, "neg"},
+                                                          {Op::sqrt, "sqrt"},
+                                                          {Op::sin, "sin"},
+                                                          {Op::cos, "cos"},
+                                                          {Op::tan, "tan"},
+                                                          {Op::asin, "asin"},
+                                                          {Op::acos, "acos"},
+                                                          {Op::atan, "atan"},
+                                                          {Op::atan2, "atan2"},
+                                                          {Op::exp, "exp"},
+                                                          {Op::log, "log"},
+                                                          {Op::pow, "pow"},
+                                                          {Op::tanh, "tanh"},
+                                                          {Op::abs, "abs"},
+                                                          {Op::min, "min"},
+                                                          {Op::max, "max"},
+                                                          {Op::select, "select"},
+                                                          {Op::multiply_add, "muladd"},
+                                                          {Op::multiply_subtract, "mulsub"},
+                                                          {Op::subtract_product, "submul"},
+                                                          {Op::floor, "floor"},
+                                                          {Op::sample, "sample"},
+                                                          {Op::pack, "pack"},
+                                                          {Op::first_lane, "first_lane"},
+                                                          {Op::second_lane, "second_lane"}};
+  for (const auto& [named, name] : kNames)
+    if (named == op) return name;
   return "unknown";
 }
 
@@ -111,34 +118,10 @@ double apply(Op op, double first, double second, double third) {
       return first * second;
     case Op::divide:
       return first / second;
-    case Op::negate:
-      return -first;
-    case Op::sqrt:
-      return std::sqrt(first);
-    case Op::sin:
-      return std::sin(first);
-    case Op::cos:
-      return std::cos(first);
-    case Op::tan:
-      return std::tan(first);
-    case Op::asin:
-      return std::asin(first);
-    case Op::acos:
-      return std::acos(first);
-    case Op::atan:
-      return std::atan(first);
     case Op::atan2:
       return std::atan2(first, second);
-    case Op::exp:
-      return std::exp(first);
-    case Op::log:
-      return std::log(first);
     case Op::pow:
       return std::pow(first, second);
-    case Op::tanh:
-      return std::tanh(first);
-    case Op::abs:
-      return std::abs(first);
     case Op::min:
       return std::min(first, second);
     case Op::max:
@@ -151,17 +134,9 @@ double apply(Op op, double first, double second, double third) {
       return std::fma(first, second, -third);
     case Op::subtract_product:
       return std::fma(-second, third, first);
-    case Op::floor:
-      return std::floor(first);
-    case Op::sample:
-    case Op::constant:
-    case Op::input:
-    case Op::pack:
-    case Op::first_lane:
-    case Op::second_lane:
-      break;
+    default:
+      return of_one(op, first);
   }
-  throw std::logic_error("constants, inputs, samples and lanes compute nothing");
 }
 
 double fold(Op op, double first, double second, double third) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/host_ground.hpp"
@@ -45,66 +47,30 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
 
 int size_of(const SolverLayout& layout, Array array) {
   using enum Array;
-  switch (array) {
-    case z:
-    case zd:
-    case zdd:
-    case dz:
-    case driven_acceleration:
-    case tau:
-      return layout.coordinates;
-    case x:
-    case xd:
-      return layout.auxiliary_states;
-    case due:
-      return layout.sampled;
-    case held:
-      return layout.held;
-    case charts:
-      return layout.balls;
-    case Phi:
-    case c:
-    case rate:
-    case lambda:
-      return layout.equations;
-    case drive:
-      return layout.drives;
-    case residual:
-      return layout.equations + layout.drives;
-    case missing:
-    case zdd_star:
-      return layout.block_coordinates;
-    case Jz:
-      return layout.jacobian_entries;
-    case Rz:
-      return layout.projection_entries;
-    case pivot:
-      return static_cast<int>(layout.blocks.size());
-    case inertia:
-      return layout.free_directions;
-    case state_pivot:
-      return layout.own_states;
-    case in:
-      return layout.inputs;
-    case par:
-      return layout.parameters;
-    case y:
-      return layout.outputs;
-    case place:
-      return 2 * layout.grounds;
-    case energy:
-      return 2;
-    case t:
-    case power:
-    case step:
-      return 1;
-    case derived:
-    case law_argument:
-    case law_result:
-    case tangent:
-    case seed:
-      break;
-  }
+  const std::pair<std::vector<Array>, int> sizes[] = {
+      {{z, zd, zdd, dz, driven_acceleration, tau}, layout.coordinates},
+      {{x, xd}, layout.auxiliary_states},
+      {{due}, layout.sampled},
+      {{held}, layout.held},
+      {{charts}, layout.balls},
+      {{Phi, c, rate, lambda}, layout.equations},
+      {{drive}, layout.drives},
+      {{residual}, layout.equations + layout.drives},
+      {{missing, zdd_star}, layout.block_coordinates},
+      {{Jz}, layout.jacobian_entries},
+      {{Rz}, layout.projection_entries},
+      {{pivot}, static_cast<int>(layout.blocks.size())},
+      {{inertia}, layout.free_directions},
+      {{state_pivot}, layout.own_states},
+      {{in}, layout.inputs},
+      {{par}, layout.parameters},
+      {{y}, layout.outputs},
+      {{place}, 2 * layout.grounds},
+      {{energy}, 2},
+      {{t, power, step}, 1},
+  };
+  for (const auto& [arrays, size] : sizes)
+    if (std::ranges::count(arrays, array) > 0) return size;
   throw std::logic_error(std::string("no size of ") + name_of(array));
 }
 

@@ -95,6 +95,32 @@ Json outputs_of(const RandomMechanism& mechanism) {
   return outputs;
 }
 
+/// points: of ground, then of each body, by their names.
+Json bodies_of(const RandomMechanism& mechanism, const std::vector<Json>& points) {
+  Json bodies{{"ground", {{"points", points[0]}}}};
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const RandomBody& body = mechanism.bodies[b];
+    Json entry = Json::object();
+    if (body.mass > 0) entry = {{"mass", body.mass}, {"com", body.com}, {"inertia", body.inertia}};
+    Json named = points[b + 1];
+    named["com"] = body.com;
+    entry["points"] = named;
+    bodies[body.name] = entry;
+  }
+  return bodies;
+}
+
+void add_couplings(const RandomMechanism& mechanism, Json& model) {
+  for (const RandomRelation& relation : mechanism.relations) {
+    Json entry{{"relation", relation.text}};
+    if (!relation.points.empty()) {
+      const Json curve{{"table", relation.points}, {"interpolation", "spline"}, {"periodic", relation.periodic}};
+      entry = {{"joint", relation.joints[0]}, {"follows", relation.joints[1]}, {"curve", curve}};
+    }
+    model["couplings"][relation.name] = entry;
+  }
+}
+
 }  // namespace
 
 bool has_corners(const RandomMechanism& mechanism) {
@@ -151,17 +177,7 @@ std::string model_text(const RandomMechanism& mechanism) {
   for (const RandomBushing& bushing : mechanism.bushings)
     bushings[bushing.name] = bushing_entry(bushing, place(bushing.name, "_from", bushing.from, bushing.at),
                                            place(bushing.name, "_to", bushing.to, bushing.at));
-  Json bodies{{"ground", {{"points", points[0]}}}};
-  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const RandomBody& body = mechanism.bodies[b];
-    Json entry = Json::object();
-    if (body.mass > 0) entry = {{"mass", body.mass}, {"com", body.com}, {"inertia", body.inertia}};
-    Json named = points[b + 1];
-    named["com"] = body.com;
-    entry["points"] = named;
-    bodies[body.name] = entry;
-  }
-  model["bodies"] = bodies;
+  model["bodies"] = bodies_of(mechanism, points);
   if (!joints.empty()) model["joints"] = joints;
   if (!rods.empty()) model["rods"] = rods;
   if (!springs.empty()) model["springs"] = springs;
@@ -173,14 +189,7 @@ std::string model_text(const RandomMechanism& mechanism) {
       model["motions"][joint.name] = {
           {"joint", joint.name},
           {joint.type == "prismatic" ? "position" : "angle", std::to_string(joint.swing) + "*sin(3*t)"}};
-  for (const RandomRelation& relation : mechanism.relations) {
-    Json entry{{"relation", relation.text}};
-    if (!relation.points.empty()) {
-      const Json curve{{"table", relation.points}, {"interpolation", "spline"}, {"periodic", relation.periodic}};
-      entry = {{"joint", relation.joints[0]}, {"follows", relation.joints[1]}, {"curve", curve}};
-    }
-    model["couplings"][relation.name] = entry;
-  }
+  add_couplings(mechanism, model);
   if (const Json outputs = outputs_of(mechanism); !outputs.empty()) model["outputs"] = outputs;
   return model.dump(2) + "\n";
 }

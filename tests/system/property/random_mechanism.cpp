@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "tests/system/property/coupled_joints.hpp"
 #include "tests/system/property/symmetric_mechanisms.hpp"
@@ -299,23 +300,8 @@ void add_oil_and_rubber(RandomMechanism& made) {
   }
 }
 
-}  // namespace
-
-RandomMechanism random_bricard(std::uint64_t seed) {
-  Dice dice(seed * 1000003 + 9);
-  Workshop shop(dice, seed);
-  add_bricard(shop, kOnGround);
-  return std::move(shop).made();
-}
-
-RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
-  if (family == Family::mirror_halves) return random_mirror_halves(seed);
-  if (family == Family::nearly_mirror_halves) return with_one_other_number(random_mirror_halves(seed), seed);
-  if (family == Family::equal_legs) return random_equal_legs(seed);
-  if (family == Family::equal_cells) return random_equal_cells(seed);
-  if (family == Family::alike_cells) return random_alike_cells(seed);
-  Dice dice(seed * 1000003 + static_cast<std::uint64_t>(family));
-  Workshop shop(dice, seed);
+/// Bodies and joints of a family that has no function of its own.
+void build(Family family, Workshop& shop, Dice& dice) {
   switch (family) {
     case Family::tree:
       grow_tree(shop, 2 + dice.upto(8), false);
@@ -367,13 +353,29 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
     case Family::locked:
       add_locked_parts(shop);
       break;
-    case Family::mirror_halves:
-    case Family::nearly_mirror_halves:
-    case Family::equal_legs:
-    case Family::equal_cells:
-    case Family::alike_cells:
-      break;
+    default:
+      throw std::logic_error("family has a function of its own");
   }
+}
+
+}  // namespace
+
+RandomMechanism random_bricard(std::uint64_t seed) {
+  Dice dice(seed * 1000003 + 9);
+  Workshop shop(dice, seed);
+  add_bricard(shop, kOnGround);
+  return std::move(shop).made();
+}
+
+RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
+  if (family == Family::mirror_halves) return random_mirror_halves(seed);
+  if (family == Family::nearly_mirror_halves) return with_one_other_number(random_mirror_halves(seed), seed);
+  if (family == Family::equal_legs) return random_equal_legs(seed);
+  if (family == Family::equal_cells) return random_equal_cells(seed);
+  if (family == Family::alike_cells) return random_alike_cells(seed);
+  Dice dice(seed * 1000003 + static_cast<std::uint64_t>(family));
+  Workshop shop(dice, seed);
+  build(family, shop, dice);
   if (shop.size() > 1 && dice.chance(0.5)) shop.add_spring(0, shop.size() - 1);
   if (shop.size() > 1 && dice.chance(0.3)) shop.add_bushing(dice.upto(shop.size() - 2), shop.size() - 1);
   RandomMechanism made = std::move(shop).made();
