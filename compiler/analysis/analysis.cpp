@@ -1,6 +1,7 @@
 #include "compiler/analysis/analysis.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -76,25 +77,89 @@ std::vector<Eigen::MatrixXd> regular_jacobians(const PartView& whole) {
   return jacobians;
 }
 
-Diagnostics too_many_motions(const Model& model, const LoopBlock& block, const PartView& whole,
-                             const Analysis& analysis) {
-  const std::vector<int> driven = driven_columns(block, analysis.driven);
-  const Motion& motion = model.motions[analysis.motion_of[block.joints[driven.back()]]];
-  return {problem(motion.where,
-                  fmt::format("motions over-constrain a loop: {} driven coordinates, but the loop leaves {} free",
-                              driven.size(), static_cast<int>(block.joints.size()) - whole.rank),
-                  "remove a motion, or drive a coordinate that the loop leaves free")};
+/// "a, b and c".
+std::string in_a_row(const std::vector<std::string>& names) {
+  if (names.size() < 2) return fmt::format("{}", fmt::join(names, ""));
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
+
+/// The motion that drives a column of a block.
+const Motion& motion_of(const Model& model, const LoopBlock& block, const Analysis& analysis, int column) {
+  return model.motions[analysis.motion_of[block.joints[column]]];
+}
+
+/// Driven columns of which each follows from the others: without any one of them the rest would be free to move.
+std::vector<int> dependent_columns(const LoopBlock& block, const PartView& whole, std::vector<int> driven) {
+  const std::vector<Eigen::MatrixXd> jacobians = regular_jacobians(whole);
+  const auto over_constrain = [&](const std::vector<int>& set) {
+    std::vector<int> others;
+    for (int c = 0; c < static_cast<int>(block.joints.size()); ++c)
+      if (std::find(set.begin(), set.end(), c) == set.end()) others.push_back(c);
+    return others.empty() || generic_rank(jacobians, others) < whole.rank;
+  };
+  for (std::size_t i = driven.size(); i-- > 0;) {
+    std::vector<int> fewer = driven;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    if (over_constrain(fewer)) driven = fewer;
+  }
+  return driven;
+}
+
+/// Motions of coordinates that a loop holds, which no freedom moves.
+Diagnostics motions_of_held(const Model& model, const Topology& topology, const LoopBlock& block,
+                            const std::vector<int>& immobile, const Analysis& analysis) {
+  const auto is_held = [&](int c) { return std::find(immobile.begin(), immobile.end(), c) != immobile.end(); };
+  std::vector<std::string> moving;
+  for (const int c : free_columns(block, analysis.driven))
+    if (!is_held(c)) moving.push_back(topology.bodies[block.joints[c]].coordinate);
+  const std::string others = moving.empty() ? "; nothing of this loop moves by itself"
+                                            : fmt::format(", or drive one that moves: {}", fmt::join(moving, ", "));
+  Diagnostics problems;
+  for (const int c : driven_columns(block, analysis.driven)) {
+    if (!is_held(c)) continue;
+    problems.push_back(problem(motion_of(model, block, analysis, c).where,
+                               fmt::format("coordinate {} is driven, but its loop holds it: no freedom moves it",
+                                           quoted(topology.bodies[block.joints[c]].coordinate)),
+                               "remove the motion" + others));
+  }
+  return problems;
+}
+
+/// Motions that leave a loop block less than its rank. immobile: columns that no freedom moves.
+Diagnostics too_many_motions(const Model& model, const Topology& topology, const LoopBlock& block,
+                             const PartView& whole, const std::vector<int>& immobile, const Analysis& analysis) {
+  Diagnostics held = motions_of_held(model, topology, block, immobile, analysis);
+  if (!held.empty()) return held;
+  // Subsets of a large block are not tried: its driven coordinates are named together.
+  const std::vector<int> all = driven_columns(block, analysis.driven);
+  const std::vector<int> driven = is_large(block) ? all : dependent_columns(block, whole, all);
+  std::vector<std::string> coordinates, motions;
+  const Motion* last = nullptr;
+  for (const int c : driven) {
+    const Motion& motion = motion_of(model, block, analysis, c);
+    if (!last || &motion > last) last = &motion;
+    coordinates.push_back(topology.bodies[block.joints[c]].coordinate);
+    motions.push_back(motion.name);
+  }
+  const int freedoms = static_cast<int>(block.joints.size()) - whole.rank;
+  const std::string why = is_large(block)
+                              ? fmt::format("and its {} do not bear them together",
+                                            freedoms == 1 ? "one freedom" : fmt::format("{} freedoms", freedoms))
+                              : fmt::format("and each follows from the other{}", coordinates.size() > 2 ? "s" : "");
+  return {problem(
+      last->where, fmt::format("motions over-constrain a loop: {} are driven, {}", in_a_row(coordinates), why),
+      fmt::format("remove one of the motions {}, or drive a coordinate that the loop leaves free", in_a_row(motions)))};
 }
 
 /// Motions that leave a block less than its generic rank.
-Diagnostics over_constrained(const Model& model, const LoopBlock& block, const PartView& whole,
-                             const Analysis& analysis) {
+Diagnostics over_constrained(const Model& model, const Topology& topology, const LoopBlock& block,
+                             const PartView& whole, const std::vector<int>& immobile, const Analysis& analysis) {
   const std::vector<int> driven = driven_columns(block, analysis.driven);
   if (driven.empty()) return {};
   const std::vector<int> free = free_columns(block, analysis.driven);
   const int reached = free.empty() ? 0 : generic_rank(regular_jacobians(whole), free);
   if (reached >= whole.rank) return {};
-  return too_many_motions(model, block, whole, analysis);
+  return too_many_motions(model, topology, block, whole, immobile, analysis);
 }
 
 /// Findings about the blocks; one entry per block.
@@ -120,7 +185,8 @@ BlockAnalysis analyse_large_block(NumericSystem& numbers, std::size_t b,
   if (problems.empty()) problems = large_contradictions(model, topology, b, equations, configurations);
   const std::vector<int> driven = driven_columns(block, analysis.driven);
   BlockAnalysis result = choose_large_partition(block, b, whole, driven, configurations);
-  if (problems.empty() && result.rank < whole.rank) problems = too_many_motions(model, block, whole, analysis);
+  if (problems.empty() && result.rank < whole.rank)
+    problems = too_many_motions(model, topology, block, whole, certificate.immobile, analysis);
   if (!problems.empty()) {
     found.problems.insert(found.problems.end(), problems.begin(), problems.end());
     return {};
@@ -147,7 +213,7 @@ BlockAnalysis analyse_block(NumericSystem& numbers, std::size_t b, const std::ve
   Certificate certificate = certify(topology, block, whole, configurations);
   add_other_modes(certificate, found.other_modes[b]);
   Diagnostics problems = contradictions(numbers, b, whole, certificate.immobile, equations, configurations);
-  if (problems.empty()) problems = over_constrained(model, block, whole, analysis);
+  if (problems.empty()) problems = over_constrained(model, topology, block, whole, certificate.immobile, analysis);
   if (!problems.empty()) {
     found.problems.insert(found.problems.end(), problems.begin(), problems.end());
     return {};
