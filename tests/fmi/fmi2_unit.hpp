@@ -22,6 +22,7 @@ inline void log_2(fmi2ComponentEnvironment, fmi2String instance, fmi2Status, fmi
   if (std::getenv("FMI_LOG") != nullptr) std::fprintf(stderr, "%s [%s] %s\n", instance, category, text);
   ++messages;
   last_message = text;
+  last_category = category;
 }
 
 class Unit2 {

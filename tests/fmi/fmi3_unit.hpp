@@ -15,6 +15,7 @@ inline int messages_3 = 0;
 inline void log_3(fmi3InstanceEnvironment, fmi3Status, fmi3String category, fmi3String message) {
   if (std::getenv("FMI_LOG") != nullptr) std::fprintf(stderr, "[%s] %s\n", category, message);
   last_message = message;
+  last_category = category;
   ++messages_3;
 }
 

@@ -17,6 +17,7 @@
 #include "habits.hpp"
 #include "sampling.hpp"
 #include "tuning.hpp"
+#include "turning.hpp"
 
 namespace {
 
@@ -318,6 +319,11 @@ void drive_alone(const Case& c) {
 template <class Unit>
 void drive(const Case& c) {
   if (c.description.derivatives.empty()) return drive_alone<Unit>(c);
+  if (c.description.identifier == "rotor") {
+    turn_inside<Unit>(c);
+    turn_outside<Unit>(c);
+    return;
+  }
   co_simulate<Unit>(c, 1, true);
   co_simulate<Unit>(c, 3, false);
   roll_back<Unit>(c);
@@ -343,7 +349,10 @@ void drive(const Case& c) {
   if constexpr (Unit::kVersion == 3) update_between<Unit>(c);
   attack_all<Unit>(c);
   name_the_cause<Unit>(c);
-  if (c.description.identifier == "rod_ball") pass_poles_at_output_points<Unit>(c);
+  if (c.description.identifier == "rod_ball") {
+    pass_poles_at_output_points<Unit>(c);
+    pass_poles_blindly<Unit>(c);
+  }
   if (c.description.identifier == "triple_rocker") {
     pass_dead_points<Unit>(c);
     pass_at_output_points<Unit>(c);

@@ -15,8 +15,8 @@
 #include <string>
 
 inline int checks = 0;
-/// What an FMU has said last.
-inline std::string last_message;
+/// What an FMU has said last, and in which category.
+inline std::string last_message, last_category;
 
 inline void require(bool holds, const std::string& what) {
   ++checks;

@@ -45,6 +45,15 @@ class Message {
     if (refusal.has_value) add(", got ").add(refusal.value);
     return *this;
   }
+  /// How the solver's last call failed, and what an importer can do.
+  template <class Model>
+  Message& add_status(const Core<Model>& core) noexcept {
+    const Code code = core.status.code;
+    add(mbgen::text(code)).add(": ").add(Model::describe(core.status));
+    if (core.run.mode == kContinuous && (code == Code::loop_not_closed || code == Code::loop_singular))
+      add(", on the way from the last completed step or event; take a smaller step, or complete steps more often");
+    return *this;
+  }
   const char* text() const noexcept { return text_; }
 
  private:

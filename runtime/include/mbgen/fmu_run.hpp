@@ -40,6 +40,7 @@ void keep_point(Core<Model>& core) noexcept {
   Run<Model>& run = core.run;
   run.accepted = run.inputs;
   run.accepted_time = run.state.t;
+  core.evaluations.begin(run.state.t, run.state.zd);
   if (Model::kIndicators > 0 && run.interface == Interface::model_exchange) find_dead_points(core, 1, run.dead_point);
 }
 
@@ -320,6 +321,7 @@ Answer accept_step(Core<Model>& core, bool& asks_for_event) noexcept {
   if (!asks_for_event) core.run.choice = choice;
   asks_for_event = leaves_charts(core.run, core.run.state) || is_at_event(core.run) || asks_for_event;
   compare_inputs(core);
+  if (core.refusal.reason == nullptr) compare_gaps(core);
   keep_point(core);
   return Answer::ok;
 }

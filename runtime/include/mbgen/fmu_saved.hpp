@@ -41,6 +41,8 @@ Answer restore(const Run<Model>& saved, Core<Model>& core) noexcept {
   }
   core.run = saved;
   core.is_solved = false;
+  core.evaluations.has_front = false;
+  core.evaluations.count = 0;
   return Answer::ok;
 }
 

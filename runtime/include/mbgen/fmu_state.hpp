@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "mbgen/charts.hpp"
+#include "mbgen/fmu_gaps.hpp"
 #include "mbgen/held_limits.hpp"
 #include "mbgen/status.hpp"
 
@@ -29,9 +30,6 @@ enum Mode : unsigned {
 };
 
 enum class Interface : int { model_exchange, co_simulation };
-
-/// Parts into which the way from the last closed state is divided at most, to stay on its way of assembly.
-constexpr int kMostParts = 64;
 
 /// Where no input has derivatives: all are taken as they are given.
 template <class Inputs>
@@ -147,13 +145,15 @@ struct Core {
   typename Model::State solved{};          ///< loops closed
   typename Model::Derivative derivative{};
   typename Model::Outputs outputs{};
-  bool has_service = false;             ///< whether the next one belongs to `solved`
-  double service[kBlocks<Model>] = {};  ///< of the independent coordinates, see held_service in mbgen/held.hpp
-  Status status;                        ///< of the solver's last call
-  Refusal refusal;                      ///< of the last call of the importer's that was refused, or was told something
-  bool has_warned = false;              ///< of rates that were left out or contradict their values
+  bool has_service = false;                    ///< whether the next one belongs to `solved`
+  double service[kBlocks<Model>] = {};         ///< of the independent coordinates, see held_service in mbgen/held.hpp
+  double service_on_way[kBlocks<Model>] = {};  ///< the least on the way there from the last closed state
+  Status status;                               ///< of the solver's last call
+  Refusal refusal;          ///< of the last call of the importer's that was refused, or was told something
+  bool has_warned = false;  ///< of rates that were left out or contradict their values
   bool has_warned_of_turns = false;
-  unsigned turned = 0;  ///< turns that were too far for the method, see compare_turns
+  unsigned turned = 0;                           ///< turns that were too far for the method, see compare_turns
+  Evaluations<Model::kCoordinates> evaluations;  ///< of model exchange, see compare_gaps
 };
 
 template <class Model>
@@ -219,57 +219,6 @@ void open_loops(Run<Model>& run) noexcept {
   if (run.interface == Interface::co_simulation) choose(run.closed, run.choice);
 }
 
-/// Between a and b: b itself at the end.
-inline double between(double a, double b, int part, int parts) noexcept {
-  return part == parts ? b : a + (b - a) * part / parts;
-}
-
-/// Closes the loops of `run` from its last closed state in equal parts of the way. The state is spoilt when it fails.
-template <class Model>
-Status close_in_parts(const Run<Model>& run, int parts, typename Model::State& state) noexcept {
-  const Closed<Model>& from = run.closed;
-  const typename Model::Inputs wanted = current_inputs(run);
-  unsigned char held[Model::kCoordinates];
-  mark(run.choice, held);
-  state = from.state;
-  for (int i = 0; i < Model::kAuxiliaryStates; ++i) state.x[i] = run.state.x[i];
-  for (int part = 1; part <= parts; ++part) {
-    typename Model::Inputs inputs = wanted;
-    typename Model::Tuned parameters = run.parameters;
-    if (part < parts) {
-      for (int i = 0; i < Model::kInputs; ++i) {
-        const auto member = Model::kInputMember[i];
-        inputs.*member = between(from.inputs.*member, wanted.*member, part, parts);
-      }
-      for (int i = 0; i < Model::kParameters; ++i) {
-        const auto member = Model::kParameterMember[i];
-        parameters.*member = between(from.parameters.*member, run.parameters.*member, part, parts);
-      }
-      parameters = typename Model::Parameters(parameters);
-    }
-    state.t = between(from.state.t, run.state.t, part, parts);
-    for (int i = 0; i < Model::kVelocityStates; ++i) {
-      const int c = run.choice.coordinate[i];
-      state.z[c] = between(from.state.z[c], run.state.z[c], part, parts);
-      state.zd[c] = between(from.state.zd[c], run.state.zd[c], part, parts);
-    }
-    const Status status = Model::assemble_holding(parameters, inputs, held, state);
-    if (!status.ok()) return status;
-  }
-  return {};
-}
-
-/// The same in one part, or in as many as it takes to stay on the way of assembly.
-template <class Model>
-Status close_from_last(const Run<Model>& run, typename Model::State& state) noexcept {
-  Status status;
-  for (int parts = 1; parts <= kMostParts; parts *= 2) {
-    status = close_in_parts(run, parts, state);
-    if (status.code != Code::loop_not_closed && status.code != Code::loop_singular) return status;
-  }
-  return status;
-}
-
 /// Back to the start values, in mode `instantiated`.
 template <class Model>
 void restart(Core<Model>& core) noexcept {
@@ -280,119 +229,6 @@ void restart(Core<Model>& core) noexcept {
   core.run.state = Model::initial_state();
   for (int i = 0; i < Model::kStartParameters; ++i) core.run.start[i] = Model::kStartParameter[i];
   core.is_solved = false;
-}
-
-/// How well the independent coordinates serve, per block. Requires: solved.
-template <class Model>
-const double* service_of(Core<Model>& core) noexcept {
-  if (!core.has_service) {
-    unsigned char held[Model::kCoordinates];
-    mark(core.run.choice, held);
-    Model::held_service(core.run.parameters, current_inputs(core.run), core.solved, held, core.run.choice.reference,
-                        core.service);
-    core.has_service = true;
-  }
-  return core.service;
-}
-
-/// When the motion leads to, or came from, a dead point of each block: dead_point_times of held.hpp. Requires: solved.
-template <class Model>
-void find_dead_points(const Core<Model>& core, double direction, double* times) noexcept {
-  unsigned char held[Model::kCoordinates];
-  mark(core.run.choice, held);
-  Model::dead_point_times(core.run.parameters, current_inputs(core.run), core.solved, core.derivative, held, direction,
-                          times);
-}
-
-/// Whether a ball should have its other angles. Co-simulation changes them inside of its steps.
-template <class Model>
-bool leaves_charts([[maybe_unused]] const Run<Model>& run,
-                   [[maybe_unused]] const typename Model::State& state) noexcept {
-  if constexpr (kHasCharts<Model>) {
-    return Model::leaves_charts(run.parameters, run.inputs, state);
-  } else {
-    return false;
-  }
-}
-
-/// An event indicator: how well the states of its loop block serve, less where others should be chosen, or whether all
-/// balls have the angles that suit them. Requires: solved, and service_of was asked for.
-template <class Model>
-double indicator_of(const Core<Model>& core, int indicator) noexcept {
-  const int block = Model::kIndicatorBlock[indicator];
-  if (block >= 0) return core.service[block] - kWornPivot;
-  return leaves_charts(core.run, core.solved) ? -1 : 1;
-}
-
-/// Two predictions of the time of a dead point, from both sides, that mean the same one may differ by this factor.
-constexpr double kSameDeadPoint = 1.1;
-
-/// The first indicator whose loop block may have passed a dead point of its independent coordinates since the last
-/// accepted point, or -1: they are at it, or the motions there and here both say that it lies between them. States on
-/// both sides of a dead point have the same coordinates, so that a step over it would bounce back. Requires: solved.
-template <class Model>
-int lost_indicator(Core<Model>& core) noexcept {
-  const Run<Model>& run = core.run;
-  const double since = run.state.t - run.accepted_time;
-  double back[kBlocks<Model>];
-  bool has_back = false;
-  for (int k = 0; k < Model::kIndicators; ++k) {
-    const int block = Model::kIndicatorBlock[k];
-    if (block < 0) continue;
-    if (service_of(core)[block] < kLostPivot) return k;
-    if (!(run.dead_point[block] < since)) continue;
-    if (!has_back) find_dead_points(core, -1, back);
-    has_back = true;
-    if (run.dead_point[block] + back[block] <= kSameDeadPoint * since) return k;
-  }
-  return -1;
-}
-
-/// Value reference of the first event indicator.
-template <class Model>
-constexpr unsigned kFirstIndicator = static_cast<unsigned>(1 + Model::kParameters + Model::kInputs + Model::kOutputs +
-                                                           3 * Model::kCoordinates + Model::kAuxiliaryStates +
-                                                           kFlowing<Model> + 3 * Model::kChosenStates +
-                                                           Model::kStartParameters);
-
-/// Closes the loops where they are not, and finds accelerations and outputs. At the start the given positions are the
-/// guess, later the last closed state is. In continuous time of model exchange a state that may be beyond a dead point
-/// is none: the refusal says so.
-template <class Model>
-bool solve(Core<Model>& core) noexcept {
-  if (core.is_solved) return true;
-  const Run<Model>& run = core.run;
-  core.solved = run.state;
-  core.has_service = false;
-  core.status = {};
-  if (!run.is_closed) {
-    core.status = (run.mode & (kInstantiated | kInitialization)) != 0
-                      ? Model::assemble(run.parameters, run.inputs, core.solved)
-                      : close_from_last(run, core.solved);
-  }
-  const typename Model::Inputs inputs = current_inputs(run);
-  if (core.status.ok()) core.status = Model::derivative(run.parameters, inputs, core.solved, core.derivative);
-  if (core.status.ok()) {
-    core.status = Model::outputs(run.parameters, inputs, core.solved, core.derivative, core.outputs);
-  }
-  if (core.status.ok() && run.mode == kContinuous && !run.is_closed) {
-    const int lost = lost_indicator(core);
-    if (lost >= 0) {
-      core.refusal = Refusal::of_variable(kFirstIndicator<Model> + static_cast<unsigned>(lost),
-                                          "has fallen too far in this step: the loop may have passed a dead point of "
-                                          "its states; take a smaller step, up to the event");
-      return false;
-    }
-  }
-  core.is_solved = core.status.ok();
-  return core.is_solved;
-}
-
-/// Accepts the solution: the next ones start from it. Requires: solved.
-template <class Model>
-void commit(Core<Model>& core) noexcept {
-  core.run.state = core.solved;
-  core.run.is_closed = true;
 }
 
 }  // namespace mbgen::fmu

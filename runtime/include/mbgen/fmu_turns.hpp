@@ -1,5 +1,5 @@
 #pragma once
-// Bodies that turn farther within a step inside an FMU than its method bears.
+// Bodies that turn farther within a step than its method bears: one inside of an FMU, or one of its importer.
 
 #include <cmath>
 
@@ -30,29 +30,44 @@ bool turn_matters(const Run<Model>& run, int coordinate) noexcept {
   return false;
 }
 
+/// Tells that a coordinate turns too far, once, and only where forces turn with it. What does not matter now is looked
+/// at again after twice as many turns. Result: whether it was told.
+template <class Model>
+bool tell_of_turn(Core<Model>& core, int coordinate, const char* reason, double limit, double turn) noexcept {
+  const unsigned seen = ++core.turned;
+  if ((seen & (seen - 1)) != 0 || !turn_matters(core.run, coordinate)) return false;
+  constexpr unsigned kFirstPosition = kFirstInput<Model> + static_cast<unsigned>(Model::kInputs + Model::kOutputs);
+  core.has_warned_of_turns = true;
+  core.refusal = {reason, true, true, true, kFirstPosition + static_cast<unsigned>(coordinate), limit, turn};
+  return true;
+}
+
 /// Answer: warning, once, where a coordinate turns farther in a step of `size` seconds inside than the method bears,
-/// and forces turn with it. What does not matter now is looked at again after twice as many steps.
+/// and forces turn with it.
 template <class Model>
 Answer compare_turns(Core<Model>& core, double size) noexcept {
   for (int i = 0; i < Model::kCoordinates && !core.has_warned_of_turns; ++i) {
     const double turn = std::abs(core.run.state.zd[i]) * size;
     if (!(turn > Model::kLargestTurn) || !Model::is_rotation(i)) continue;
-    const unsigned seen = ++core.turned;
-    if ((seen & (seen - 1)) != 0 || !turn_matters(core.run, i)) continue;
-    core.has_warned_of_turns = true;
-    constexpr unsigned kFirstPosition = kFirstInput<Model> + static_cast<unsigned>(Model::kInputs + Model::kOutputs);
-    core.refusal = {
-        "turns too far within a step inside, and forces turn with it; give the model a shorter step: the "
-        "method bears, in rad,",
-        true,
-        true,
-        true,
-        kFirstPosition + static_cast<unsigned>(i),
-        Model::kLargestTurn,
-        turn};
-    return Answer::warning;
+    if (tell_of_turn(core, i,
+                     "turns too far within a step inside, and forces turn with it; give the model a shorter step: the "
+                     "method bears, in rad,",
+                     Model::kLargestTurn, turn))
+      return Answer::warning;
   }
   return Answer::ok;
+}
+
+/// Tells, once, where a step that is completed leaves a gap between its evaluations in which a coordinate turns farther
+/// than any method bears, and forces turn with it. Requires: closed.
+template <class Model>
+void compare_gaps(Core<Model>& core) noexcept {
+  const Gap gap = core.evaluations.widest(core.run.state.t);
+  if (gap.coordinate < 0 || core.has_warned_of_turns) return;
+  tell_of_turn(core, gap.coordinate,
+               "turns too far between two evaluations of a completed step, and forces turn with it; take shorter "
+               "steps: methods of integration bear less than, in rad,",
+               kFarTurn, gap.turn);
 }
 
 }  // namespace mbgen::fmu

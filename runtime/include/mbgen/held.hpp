@@ -215,6 +215,99 @@ void dead_point_times(const typename System::Parameters& parameters, const typen
   }
 }
 
+namespace solver_detail {
+
+/// Jacobian of block b by its dependent coordinates at two near positions, as det(A' B): negative where a dead point
+/// lies between them. Redundant rows change nothing of that.
+template <class System>
+struct DependentJacobians {
+  int columns[System::kBlockCoordinates];
+  int count = 0;
+  double product[System::kBlockCoordinates * System::kBlockCoordinates];
+
+  DependentJacobians(int b, const unsigned char* held) noexcept {
+    const BlockLayout& block = System::kBlockLayout[b];
+    for (int c = 0; c < block.coordinates; ++c) {
+      const int place = block.first_coordinate + c;
+      if (System::kBlockDriven[place] == 0 && held[System::kBlockCoordinate[place]] == 0) columns[count++] = c;
+    }
+  }
+  void multiply(const BlockLayout& block, const RealOf<System>* a, const RealOf<System>* b) noexcept {
+    for (int i = 0; i < count; ++i) {
+      for (int j = 0; j < count; ++j) {
+        double sum = 0;
+        for (int row = 0; row < block.equations; ++row)
+          sum += static_cast<double>(a[row * block.coordinates + columns[i]]) *
+                 static_cast<double>(b[row * block.coordinates + columns[j]]);
+        product[i * count + j] = sum;
+      }
+    }
+  }
+  bool has_negative_determinant() noexcept {
+    bool is_negative = false;
+    for (int k = 0; k < count; ++k) {
+      int best = k;
+      for (int i = k + 1; i < count; ++i)
+        if (std::abs(product[i * count + k]) > std::abs(product[best * count + k])) best = i;
+      for (int j = 0; j < count && best != k; ++j) loop_detail::swap(product[k * count + j], product[best * count + j]);
+      const double pivot = product[k * count + k];
+      is_negative = is_negative != ((best != k) != (pivot < 0));
+      for (int i = k + 1; i < count && pivot != 0; ++i) {
+        const double factor = product[i * count + k] / pivot;
+        for (int j = k; j < count; ++j) product[i * count + j] -= factor * product[k * count + j];
+      }
+    }
+    return is_negative;
+  }
+};
+
+/// Whether block b has the first and the third angle of a ball among its dependents, and the second has passed a pole:
+/// the determinant changes its sign there as well.
+template <class System>
+bool passes_pole([[maybe_unused]] int b, [[maybe_unused]] const unsigned char* held,
+                 [[maybe_unused]] const typename System::State& from,
+                 [[maybe_unused]] const typename System::State& to) noexcept {
+  bool passes = false;
+  if constexpr (kChartsOf < typename System::State >> 0) {
+    const BlockLayout& block = System::kBlockLayout[b];
+    for (const Ball& ball : System::kBall) {
+      int dependents = 0;
+      for (int place = block.first_coordinate; place < block.first_coordinate + block.coordinates; ++place) {
+        const int i = System::kBlockCoordinate[place];
+        if (i == ball.coordinate[0] || i == ball.coordinate[2]) dependents += held[i] == 0 ? 1 : 0;
+      }
+      const int second = ball.coordinate[1];
+      if (dependents == 2 && (std::cos(from.z[second]) < 0) != (std::cos(to.z[second]) < 0)) passes = !passes;
+    }
+  }
+  return passes;
+}
+
+}  // namespace solver_detail
+
+/// The first block of which two near closed states lie on different sides of a dead point of the held coordinates: the
+/// second is closed another way. -1 where there is none.
+template <class System>
+int block_with_other_side(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                          const typename System::State& from, const typename System::State& to,
+                          const unsigned char* held) noexcept {
+  if constexpr (kChoosesAgain<System>) {
+    using namespace solver_detail;
+    typename System::ClosureTerms before, after;
+    System::closure_terms(parameters, inputs, from, before);
+    System::closure_terms(parameters, inputs, to, after);
+    for (int b = 0; b < System::kBlocks; ++b) {
+      const BlockLayout& block = System::kBlockLayout[b];
+      if (block.free == 0) continue;
+      DependentJacobians<System> jacobians(b, held);
+      if (jacobians.count != block.rank) continue;
+      jacobians.multiply(block, before.Jz + block.first_jacobian, after.Jz + block.first_jacobian);
+      if (jacobians.has_negative_determinant() != passes_pole<System>(b, held, from, to)) return b;
+    }
+  }
+  return -1;
+}
+
 /// Chooses other independent coordinates for the blocks whose held ones serve badly at a closed state.
 /// reference: per block, the largest that its smallest pivot was since the choice; 0 at first. worn: service below
 /// which others are chosen. Result: whether a choice has changed. Singular blocks keep theirs.

@@ -1,0 +1,79 @@
+#pragma once
+// How far bodies turn between the evaluations of an importer's integrator. No step of its can be shorter than a gap
+// that it leaves between them, whatever its method is; steps that it refuses fill gaps, and make none.
+
+#include <cmath>
+
+namespace mbgen::fmu {
+
+/// Turn between two evaluations, rad, that no method bears. Explicit methods of order 4 and 5 evaluate at half of a
+/// step or closer, those of order 8 at a quarter, multistep methods at its ends: such a gap is a step of 1.5 to 6 rad.
+constexpr double kFarTurn = 1.5;
+
+/// Gaps that are kept at a time; others are forgotten.
+constexpr int kMostGaps = 8;
+
+/// A gap between two times of evaluations, s, and the turn of a coordinate over it, rad.
+struct Gap {
+  double from, to, turn;
+  int coordinate;
+};
+
+/// Evaluations since the last completed step: the latest of them with its velocities, and gaps that are too wide.
+template <int coordinates>
+struct Evaluations {
+  bool has_front = false;
+  double front = 0;                                     ///< s
+  double rate[coordinates > 0 ? coordinates : 1] = {};  ///< of every coordinate at the front
+  Gap gaps[kMostGaps] = {};
+  int count = 0;
+
+  /// Begins anew at a completed step.
+  void begin(double t, const double* rates) noexcept {
+    has_front = true;
+    front = t;
+    count = 0;
+    for (int i = 0; i < coordinates; ++i) rate[i] = rates[i];
+  }
+
+  /// Divides the gap that an evaluation lies in; the wider part of it is kept where it is too wide.
+  void divide(double t) noexcept {
+    int kept = 0;
+    for (int k = 0; k < count; ++k) {
+      Gap gap = gaps[k];
+      const double width = gap.to - gap.from;
+      if (t > gap.from && t < gap.to) {
+        (t - gap.from > gap.to - t ? gap.to : gap.from) = t;
+        gap.turn *= (gap.to - gap.from) / width;
+      }
+      if (gap.turn > kFarTurn) gaps[kept++] = gap;
+    }
+    count = kept;
+  }
+
+  /// Takes over an evaluation. is_rotation: of a coordinate. The turn is that of the slower end.
+  template <class IsRotation>
+  void add(double t, const double* rates, const IsRotation& is_rotation) noexcept {
+    if (!has_front) return begin(t, rates);
+    divide(t);
+    if (!(t > front)) return;
+    Gap widest{front, t, 0, -1};
+    for (int i = 0; i < coordinates; ++i) {
+      const double turn = std::fmin(std::abs(rate[i]), std::abs(rates[i])) * (t - front);
+      if (turn > widest.turn && is_rotation(i)) widest = {front, t, turn, i};
+    }
+    if (widest.turn > kFarTurn && count < kMostGaps) gaps[count++] = widest;
+    front = t;
+    for (int i = 0; i < coordinates; ++i) rate[i] = rates[i];
+  }
+
+  /// The widest gap up to the end of a completed step; coordinate -1 where none is too wide.
+  Gap widest(double end) const noexcept {
+    Gap result{0, 0, 0, -1};
+    for (int k = 0; k < count; ++k)
+      if (gaps[k].to <= end && gaps[k].turn > result.turn) result = gaps[k];
+    return result;
+  }
+};
+
+}  // namespace mbgen::fmu
