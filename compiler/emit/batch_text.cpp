@@ -31,9 +31,8 @@ ShapedProgram in_lanes(const EmitContext& context, ShapedProgram shaped) {
   shaped.shape.scalar = "Lanes";
   shaped.shape.read_back_after = kReadBackAfter;
   shaped.shape.in_groups = shaped.role != Role::derived_constants;
-  for (auto& [name, declaration] : shaped.shape.arguments) {
-    if (name == "tau") declaration = "const Lanes* tau";
-  }
+  for (Argument& argument : shaped.shape.arguments)
+    if (argument.name == "tau") argument.type = "const Lanes";
   return shaped;
 }
 

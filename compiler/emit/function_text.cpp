@@ -12,33 +12,47 @@ std::string work_type(const ProgramShape& shape, const CrossingStruct& work) {
   return shape.result + "Work" + work.argument.substr(1);
 }
 
-/// An argument of a function or of one of its parts.
-struct TakenArgument {
-  std::string name, type;
-  bool is_used = false;
-};
+/// An argument of a function or of one of its parts, as its declaration writes it; unused ones have no name.
+std::string declaration(const Argument& argument, bool is_used) {
+  using enum Passing;
+  const auto passed = [&]() -> const char* {
+    switch (argument.passing) {
+      case value:
+        return " ";
+      case reference:
+        return "& ";
+      case pointer:
+        return "* ";
+      case sole_reference:
+        return is_used ? "& __restrict " : "& ";
+      case sole_pointer:
+        return is_used ? "* __restrict " : "* ";
+    }
+    return " ";
+  };
+  return argument.type + passed() + (is_used ? argument.name : "/*" + argument.name + "*/");
+}
 
-/// The arguments of a program, the structs of values that cross its parts, and the result. Nothing else reaches the
-/// last two: without the promise every store would make the compiler read the state again.
-std::vector<TakenArgument> taken_arguments(const ProgramShape& shape, const CrossingStructs& crossing,
-                                           const std::set<std::string>& used) {
-  std::vector<TakenArgument> list;
-  for (const auto& [name, declaration] : shape.arguments)
-    list.push_back({name, declaration.substr(0, declaration.size() - name.size())});
-  for (const CrossingStruct& work : crossing) list.push_back({work.argument, work_type(shape, work) + "& __restrict "});
-  for (const LawShape& law : shape.laws) list.push_back({law.argument, law.type + "& __restrict "});
-  if (!shape.result.empty()) list.push_back({"result", shape.result + "& __restrict "});
-  for (TakenArgument& argument : list) argument.is_used = used.contains(argument.name);
+/// The arguments of a program, the structs of values that cross its parts, and the result.
+Arguments taken_arguments(const ProgramShape& shape, const CrossingStructs& crossing) {
+  Arguments list = shape.arguments;
+  for (const CrossingStruct& work : crossing)
+    list.push_back({work.argument, work_type(shape, work), Passing::sole_reference});
+  for (const LawShape& law : shape.laws) list.push_back({law.argument, law.type, Passing::sole_reference});
+  if (!shape.result.empty()) list.push_back({"result", shape.result, Passing::sole_reference});
   return list;
 }
 
-/// Every parameter of a function, the unused ones without a name; arrays of structs where it goes by groups.
+/// Every parameter of a function; arrays of structs where it goes by groups.
 std::string whole_parameters(const ProgramShape& shape, const std::set<std::string>& used) {
   std::vector<std::string> list;
-  for (auto& [name, type, is_used] : taken_arguments(shape, {}, used)) {
-    if (std::ranges::count(shape.laws, name, &LawShape::argument) > 0) continue;
-    if (shape.in_groups) type = name == "tau" ? "const JointForces* " : type.replace(type.find('&'), 1, "*");
-    list.push_back(is_used ? type + name : type.substr(0, type.find("__restrict")) + "/*" + name + "*/");
+  for (Argument argument : taken_arguments(shape, {})) {
+    if (std::ranges::count(shape.laws, argument.name, &LawShape::argument) > 0) continue;
+    if (shape.in_groups) {
+      if (argument.name == "tau") argument.type = "const JointForces";
+      argument.passing = argument.passing == Passing::sole_reference ? Passing::sole_pointer : Passing::pointer;
+    }
+    list.push_back(declaration(argument, used.contains(argument.name)));
   }
   return joined(list, ", ");
 }
@@ -46,8 +60,8 @@ std::string whole_parameters(const ProgramShape& shape, const std::set<std::stri
 std::string part_parameters(const ProgramShape& shape, const CrossingStructs& crossing,
                             const std::set<std::string>& used) {
   std::vector<std::string> list;
-  for (const auto& [name, type, is_used] : taken_arguments(shape, crossing, used))
-    if (is_used) list.push_back(type + name);
+  for (const Argument& argument : taken_arguments(shape, crossing))
+    if (used.contains(argument.name)) list.push_back(declaration(argument, true));
   return joined(list, ", ");
 }
 
@@ -55,8 +69,8 @@ std::string part_parameters(const ProgramShape& shape, const CrossingStructs& cr
 std::string part_arguments(const ProgramShape& shape, const CrossingStructs& crossing,
                            const std::set<std::string>& used) {
   std::vector<std::string> list;
-  for (const auto& [name, type, is_used] : taken_arguments(shape, crossing, used))
-    if (is_used) list.push_back(!shape.in_groups ? name : name == "tau" ? "tau[g].tau" : name + "[g]");
+  for (const auto& [name, type, passing] : taken_arguments(shape, crossing))
+    if (used.contains(name)) list.push_back(!shape.in_groups ? name : name == "tau" ? "tau[g].tau" : name + "[g]");
   return joined(list, ", ");
 }
 
@@ -149,7 +163,7 @@ std::string function_text(const ProgramShape& shape, const std::vector<PartText>
                           const CrossingStructs& crossing, std::size_t law_part) {
   const bool is_whole = parts.size() == 1 && shape.clock.empty() && !shape.in_groups;
   std::set<std::string> all = {"result"};
-  for (const auto& [name, text] : shape.arguments) all.insert(name);
+  for (const Argument& argument : shape.arguments) all.insert(argument.name);
   const FrameRows members = mapped(shape.members, [](const ArrayMember& member) {
     return FrameValues{{"name", member.name}, {"size", size_text(member.size)}, {"comment", member.comment}};
   });

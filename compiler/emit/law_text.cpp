@@ -37,7 +37,7 @@ ProgramShape function_shape(const EmitContext& context, const SharedLaw& shared,
   shape.function = law.function;
   shape.scalar = scalar;
   shape.titles = context.titles;
-  shape.arguments = {{law.argument, law.type + "& __restrict " + law.argument}, {"k", "int k"}};
+  shape.arguments = {{law.argument, law.type, Passing::sole_reference}, {"k", "int", Passing::value}};
   GroupPlace arguments{law.argument, {}}, results{law.argument, {}};
   for (const LawArgument& argument : shared.arguments) {
     arguments.texts.push_back(argument_text(law, argument, elements, scalar));

@@ -78,14 +78,16 @@ void add_array(Places& places, const std::string& argument, Array array, const E
 }
 
 /// The arguments of a program that takes an array, beside parameters, inputs and state.
-constexpr std::tuple<Array, const char*, const char*> kArguments[] = {
-    {Array::tau, "tau", "const double* tau"},
-    {Array::zdd, "derivative", "const Derivative& derivative"},
-    {Array::lambda, "multipliers", "const Multipliers& multipliers"},
-    {Array::due, "due", "const double* due"},
-    {Array::Rz, "projection", "const Projection& projection"},
-    {Array::step, "size", "const StepSize& size"},
-    {Array::tangent, "tangents", "const Tangents& tangents"}};
+struct ArgumentOfArray {
+  Array array;
+  const char *name, *type;
+  Passing passing = Passing::reference;
+};
+constexpr ArgumentOfArray kArguments[] = {
+    {Array::tau, "tau", "const double", Passing::pointer}, {Array::zdd, "derivative", "const Derivative"},
+    {Array::lambda, "multipliers", "const Multipliers"},   {Array::due, "due", "const double", Passing::pointer},
+    {Array::Rz, "projection", "const Projection"},         {Array::step, "size", "const StepSize"},
+    {Array::tangent, "tangents", "const Tangents"}};
 
 /// A program as its text names it.
 struct ShapeRow {
@@ -165,7 +167,7 @@ ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
   shape.inputs = input_places(context);
   shape.arguments = arguments_of(row.role, unused_arrays(program_of(context.programs, row.role), row.role));
   if (context.layout.blocks.empty())
-    std::erase_if(shape.arguments, [](const auto& argument) { return argument.first == "projection"; });
+    std::erase_if(shape.arguments, [](const auto& argument) { return argument.name == "projection"; });
   if (row.role == Role::derived_constants) shape.inputs.erase(Array::derived);
   if (row.role == Role::outputs) {
     shape.outputs = {{Array::y, {"result", around("result.", context.names.outputs)}},
@@ -188,9 +190,8 @@ ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
 /// The shape with floats in place of doubles. The time stays one, and is narrowed where a program looks at it.
 void take_floats(ProgramShape& shape) {
   shape.scalar = "float";
-  for (auto& [name, declaration] : shape.arguments) {
-    if (name == "tau" || name == "due") declaration = "const float* " + name;
-  }
+  for (Argument& argument : shape.arguments)
+    if (argument.type == "const double") argument.type = "const float";
   shape.inputs[Array::t].texts = {"static_cast<float>(state.t)"};
   for (auto& [group, place] : shape.outputs) {
     if (!place.missing.empty()) place.missing += "f";
@@ -221,12 +222,11 @@ std::vector<std::string> indexed(const std::string& array, int size, int first) 
 }
 
 Arguments arguments_of(Role role, const std::vector<Array>& unused) {
-  if (role == Role::derived_constants) return {{"parameters", "const Parameters& parameters"}};
-  Arguments arguments = {
-      {"parameters", "const Tuned& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
-  for (const auto& [array, name, declaration] : kArguments)
+  if (role == Role::derived_constants) return {{"parameters", "const Parameters"}};
+  Arguments arguments = {{"parameters", "const Tuned"}, {"inputs", "const Inputs"}, {"state", "const State"}};
+  for (const auto& [array, name, type, passing] : kArguments)
     if (std::ranges::count(spec_of(role).inputs, array) > 0 && std::ranges::count(unused, array) == 0)
-      arguments.emplace_back(name, declaration);
+      arguments.push_back({name, type, passing});
   return arguments;
 }
 
@@ -313,7 +313,7 @@ ShapedProgram clocked_accelerations(const EmitContext& context) {
   shape.function = "compute_clocked_accelerations";
   shape.result = "ClockedAccelerations";
   shape.clock = "clock";
-  shape.arguments.push_back({"clock", "mbgen::StepClock& clock"});
+  shape.arguments.push_back({"clock", "mbgen::StepClock"});
   return {&program, Role::accelerations, shape, schedule(program, schedule_options(shape, kRollAbove))};
 }
 

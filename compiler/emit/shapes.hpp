@@ -50,8 +50,22 @@ struct LawShape {
 /// The names of law k of the emitted programs.
 LawShape law_shape(const EmitContext& context, std::size_t k);
 
-/// Arguments of a function: name, declaration; in order.
-using Arguments = std::vector<std::pair<std::string, std::string>>;
+/// How a function takes an argument.
+enum class Passing {
+  value,
+  reference,
+  sole_reference,  ///< nothing else reaches it: without the promise a store would make the compiler read others again
+  pointer,
+  sole_pointer
+};
+
+struct Argument {
+  std::string name, type;
+  Passing passing = Passing::reference;
+};
+
+/// Of a function, in order.
+using Arguments = std::vector<Argument>;
 
 /// The arguments of a program by its spec but those that hold `unused` arrays.
 Arguments arguments_of(Role role, const std::vector<Array>& unused = {});

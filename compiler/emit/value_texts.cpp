@@ -61,7 +61,7 @@ void ValueTexts::reserve_names() {
   if (shape_.constants != nullptr) {
     for (const std::string& name : shape_.constants->identifiers(program_)) names_.reserve(name);
   }
-  for (const auto& [name, declaration] : shape_.arguments) names_.reserve(name);
+  for (const Argument& argument : shape_.arguments) names_.reserve(argument.name);
   for (const LawShape& law : shape_.laws) names_.reserve(law.argument);
   for (const auto& [group, place] : shape_.inputs) {
     for (const std::string& local : place.locals) names_.reserve(local);
@@ -132,7 +132,7 @@ const GroupPlace& ValueTexts::place_of(const Places& places, const Slot& slot) c
     throw std::logic_error(program_.name + ": no place for " + text_of(slot));
   const std::string& name = place->second.argument;
   const bool is_given = name == "result" || std::ranges::count(shape_.laws, name, &LawShape::argument) > 0 ||
-                        std::ranges::any_of(shape_.arguments, [&](const auto& given) { return given.first == name; });
+                        std::ranges::count(shape_.arguments, name, &Argument::name) > 0;
   if (!is_given) throw std::logic_error(program_.name + ": no argument for " + text_of(slot));
   return place->second;
 }

@@ -49,7 +49,7 @@ ProgramShape shape_along(const EmitContext& context, const AlongRow& row) {
   shape.result = row.result;
   shape.titles = context.titles;
   shape.arguments = arguments_of(row.role);
-  shape.arguments.emplace_back("direction", "const Direction& direction");
+  shape.arguments.push_back({"direction", "const Direction"});
   shape.inputs = input_places(context);
   shape.inputs[Array::seed] = {"direction", direction_texts(direction_groups(context))};
   int first = 0;
