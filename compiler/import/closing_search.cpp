@@ -2,6 +2,8 @@
 #include "compiler/import/closing_search.hpp"
 
 #include <cmath>
+#include <map>
+#include <optional>
 #include <random>
 
 #include "compiler/algebra/dense.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "compiler/import/closing.hpp"
+#include "compiler/import/chain.hpp"
 
 namespace mbgen::importing {
 
