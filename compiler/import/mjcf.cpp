@@ -19,7 +19,7 @@ const Element* find_any(const Element& element, std::initializer_list<std::strin
 }
 
 void refuse_empty(Reading& reading, const Element& root) {
-  const Element* writer = find_any(root, {"replicate", "composite", "flexcomp", "attach"});
+  const Element* writer = find_any(root, {"composite", "flexcomp", "attach"});
   if (!writer) return problem(reading, root.spot, "model has no bodies", "they stand in <worldbody>");
   problem(reading, writer->spot,
           fmt::format("<{}> is not carried over, and there are no bodies without it", writer->name),
@@ -42,9 +42,11 @@ void note_losses(Mjcf& mjcf, const Element& root) {
 
 }  // namespace
 
-void import_mjcf(Reading& reading, const Element& root, Assembly& assembly) {
+void import_mjcf(Reading& reading, const Element& written, Assembly& assembly) {
   Mjcf mjcf{reading, assembly};
+  Element root = written;
   read_settings(mjcf, root);
+  expand_replicates(mjcf, root);
   for (const Element& section : root.children) {
     if (section.name == "worldbody") read_bodies(mjcf, section);
   }
@@ -52,6 +54,8 @@ void import_mjcf(Reading& reading, const Element& root, Assembly& assembly) {
   scale_masses(mjcf);
   if (!reading.problems.empty()) return;
   add_spring_dampers(mjcf);
+  close_loops_of(mjcf, root);
+  tell_references(mjcf);
   for (const char* name : {"tendon", "equality", "actuator"}) {
     for (const Element& section : root.children) {
       if (section.name != name) continue;
@@ -63,7 +67,7 @@ void import_mjcf(Reading& reading, const Element& root, Assembly& assembly) {
   for (const MjcfJoint& joint : mjcf.scalar_joints)
     if (joint.armature > 0) add_rotor(assembly, joint.coordinate, joint.armature);
   check_inertias(reading, assembly);
-  note_losses(mjcf, root);
+  note_losses(mjcf, written);
 }
 
 }  // namespace mbgen::importing

@@ -3,6 +3,7 @@
 // elements and their places in a model.
 
 #include <functional>
+#include <limits>
 #include <map>
 
 #include "compiler/import/assembly.hpp"
@@ -35,7 +36,9 @@ struct MjcfJoint {
   JointType type = JointType::revolute;
   double reference = 0;  ///< rad or m: MuJoCo's coordinate at the reference configuration
   double armature = 0;   ///< kg m^2 or kg
-  double free = 0;       ///< rad or m: coordinate of the model at MuJoCo\'s springref
+  double free = 0;       ///< rad or m: coordinate of the model at MuJoCo's springref
+  double moved = 0;      ///< rad or m: from the reference as written to the one where loops close
+  double lower = -std::numeric_limits<double>::infinity(), upper = -lower;  ///< rad or m, from the reference as written
 };
 
 /// A spring and damper of a joint by <joint springdamper>, over the inertia that the coordinate feels.
@@ -50,6 +53,12 @@ struct MjcfLength {
   double reference() const {
     double sum = 0;
     for (const auto& [factor, joint] : parts) sum += factor * joint.reference;
+    return sum;
+  }
+  /// From the reference as written to the one where loops close.
+  double moved() const {
+    double sum = 0;
+    for (const auto& [factor, joint] : parts) sum += factor * joint.moved;
     return sum;
   }
 };
@@ -67,7 +76,7 @@ struct Mjcf {
   std::map<std::string, MjcfClass, std::less<>> classes = {};
   std::map<std::string, int, std::less<>> body_of = {};  ///< index into Assembly::bodies
   std::map<std::string, MjcfJoint, std::less<>> joint_of = {};
-  std::map<std::string, Isometry3d, std::less<>> site_of = {};  ///< global at the reference
+  std::map<std::string, Isometry3d, std::less<>> site_of = {};  ///< in its body
   std::map<std::string, int, std::less<>> body_of_site = {};
   std::map<std::string, MjcfLoss> losses = {};  ///< by their text
   std::vector<MjcfJoint> scalar_joints = {};    ///< hinges and slides, named or not
@@ -112,8 +121,14 @@ void read_mass(Mjcf& mjcf, const Element& element, const std::string& childclass
 /// Scales all masses where <compiler settotalmass> asks for it.
 void scale_masses(Mjcf& mjcf);
 
+/// Puts frames with copies in the place of <replicate>, and copies of the tendons, equalities and actuators that refer
+/// to what is in it. Requires: settings are read. Problems: no count, more than 2 million elements.
+void expand_replicates(Mjcf& mjcf, Element& root);
+
 /// The tree of <worldbody>.
 void read_bodies(Mjcf& mjcf, const Element& world);
+/// Says beside the joints where their zeros are in MuJoCo's coordinates.
+void tell_references(Mjcf& mjcf);
 /// Joints of a body, between it and its parent; without any it is fixed.
 void read_joints(Mjcf& mjcf, const Element& element, const std::string& childclass, int parent, int body);
 
@@ -129,7 +144,17 @@ void read_tendons(Mjcf& mjcf, const Element& section);
 /// Sums of coordinates: sum of factor times coordinate, in the model's coordinates.
 std::vector<Term> terms_of(const MjcfLength& length, double factor, std::string_view prefix);
 
-/// <equality>, <actuator>, after the tendons.
+/// Joints that <connect> and <weld> become. Where they do not meet at the reference, the joints of the tree are moved
+/// and the reference with them. Requires: no tendons, relations or actuators are read. Problems: equalities that stay
+/// open.
+void close_loops_of(Mjcf& mjcf, const Element& root);
+
+/// Calls `visit` for the equalities that are active.
+void for_equalities(const Mjcf& mjcf, const Element& root, const std::function<void(const Element&)>& visit);
+/// The coefficients of an equality of joints or tendons, from the constant on.
+std::vector<double> polynomial_of(Mjcf& mjcf, const Element& equality);
+
+/// <equality> of joints and tendons, <actuator>, after the tendons.
 void read_equalities(Mjcf& mjcf, const Element& section);
 void read_actuators(Mjcf& mjcf, const Element& section);
 

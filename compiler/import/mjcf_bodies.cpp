@@ -128,18 +128,17 @@ void add_joint(Mjcf& mjcf, const Placed& joint, JointType type, int from, int to
     const bool is_angle = type == JointType::revolute && mjcf.settings.is_in_degrees;
     result.reference =
         inherited_number(mjcf, element, joint.childclass, "ref", 0) * (is_angle ? std::numbers::pi / 180 : 1.0);
-    if (result.reference != 0) {
-      made.comment += fmt::format("{}zero is {:.6g} of the MJCF", made.comment.empty() ? "" : "; ", result.reference);
-    }
     result.armature = inherited_number(mjcf, element, joint.childclass, "armature", 0);
     if (result.armature < 0) problem(mjcf.reading, element.spot, "armature is not negative");
     result.free =
         inherited_number(mjcf, element, joint.childclass, "springref", 0) * (is_angle ? std::numbers::pi / 180 : 1.0) -
         result.reference;
     add_passive_forces(mjcf, joint, result);
-    if (const auto ends = limits_of(mjcf, joint, type))
-      add_stops(mjcf.reading.request, mjcf.assembly, made.name, ends->first - result.reference,
-                ends->second - result.reference);
+    if (const auto ends = limits_of(mjcf, joint, type); ends && ends->first < ends->second) {
+      result.lower = ends->first - result.reference;
+      result.upper = ends->second - result.reference;
+      add_stops(mjcf.reading.request, mjcf.assembly, made.name, result.lower, result.upper);
+    }
     mjcf.scalar_joints.push_back(result);
   }
   note_lost(mjcf, joint, type);
@@ -161,7 +160,7 @@ void read_site(Mjcf& mjcf, const Element& site, const std::string& childclass, c
   }
   place = frame * place;
   add_point(owner, name, place.translation());
-  mjcf.site_of[name] = owner.pose * place;
+  mjcf.site_of[name] = place;
   mjcf.body_of_site[name] = body;
 }
 
@@ -239,6 +238,17 @@ void read_joints(Mjcf& mjcf, const Element& element, const std::string& childcla
     }
     add_joint(mjcf, joints[i], *type, from, to);
     from = to;
+  }
+}
+
+void tell_references(Mjcf& mjcf) {
+  std::map<std::string, double, std::less<>> references;
+  for (const MjcfJoint& joint : mjcf.scalar_joints) references[joint.coordinate] = joint.reference;
+  for (JointDraft& draft : mjcf.assembly.joints) {
+    const auto found = references.find(draft.name);
+    if (found == references.end() || found->second == 0) continue;
+    draft.comment +=
+        fmt::format("{}zero is {} of the MJCF", draft.comment.empty() ? "" : "; ", number_text(found->second));
   }
 }
 

@@ -66,7 +66,7 @@ constexpr std::array<KnownElement, 65> kElementsOfMjcf = {{
     {"body/light", "", "", "looks have no part in the dynamics"},
     {"body/composite", "", "", "its bodies are missing; let MuJoCo load and save the file, it writes them out"},
     {"body/flexcomp", "", "", "bodies are rigid"},
-    {"body/replicate", "", "", "its copies are missing; let MuJoCo 3 load and save the file, it writes them out"},
+    {"body/replicate", "count offset euler sep childclass"},
     {"body/attach", "", "", "its bodies are missing; let MuJoCo 3 load and save the file, it writes them out"},
     {"body/plugin", "", "", "plugins are not read"},
     {"geom/plugin", "", "", "plugins are not read"},
@@ -138,9 +138,10 @@ constexpr std::array<LostAttribute, 20> kLost = {{
     {"actuator/general", "delay", "inputs act at once"},
 }};
 
-constexpr std::array<SameContext, 4> kContextsOfMjcf = {{
+constexpr std::array<SameContext, 5> kContextsOfMjcf = {{
     {"worldbody", "body"},
     {"frame", "body"},
+    {"replicate", "body"},
     {"default", "body"},
     {"default", "actuator"},
 }};

@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "compiler/import/assembly.hpp"
+#include "compiler/import/closing.hpp"
 
 namespace mbgen::importing {
 
@@ -51,22 +51,6 @@ bool has_axis(JointType type);
 
 /// Links and joints, by name; references are resolved. Problems are added.
 UrdfRobot read_robot(Reading& reading, const Element& root);
-
-/// Two frames that a loop brings together, at the reference.
-struct LoopEnds {
-  JointType type = JointType::fixed;
-  Isometry3d from = Isometry3d::Identity(), to = Isometry3d::Identity();  ///< global
-  Vector3d axis{1, 0, 0};                                                 ///< unit, in both frames
-};
-
-/// Gap of a loop: m, then rad.
-struct Gap {
-  Vector3d apart = Vector3d::Zero(), turned = Vector3d::Zero();
-  bool is_below(double length, double angle) const { return apart.norm() <= length && turned.norm() <= angle; }
-};
-
-/// Of the ends of a loop, in the axes of its frame on `from`.
-Gap gap_between(const LoopEnds& ends);
 
 /// Why the loop does not close as it stands, or "".
 std::string gap_of(const LoopEnds& ends);

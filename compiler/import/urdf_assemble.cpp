@@ -133,7 +133,8 @@ void add_joint(Reading& reading, UrdfRobot& robot, int index, Assembly& assembly
   if (has_axis(joint.type)) draft.axis = child_pose.linear() * joint.axis;
   draft.comment = limits_text(reading, joint);
   if (joint.reference != 0) {
-    draft.comment += fmt::format("{}zero is {:.6g} of the URDF", draft.comment.empty() ? "" : "; ", joint.reference);
+    draft.comment +=
+        fmt::format("{}zero is {} of the URDF", draft.comment.empty() ? "" : "; ", number_text(joint.reference));
   }
   if (below.placed_by != index) {
     draft.cut = true;
