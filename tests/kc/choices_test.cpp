@@ -136,9 +136,55 @@ TEST(Choices, TheOtherAxleDoesNotMatter) {
 TEST(Choices, AnAxleBesideOneThatCannotTravelHasCurves) {
   for (const char* file : {"tests/data/kc/arm_stuck.json", "tests/data/kc/arm_beam.json"}) {
     const KcReport report = report_of_file(file, {.points = 3}, "front");
-    EXPECT_EQ(report.notes.front(), "wheels of other axles hang free: on pads they would have no position of rest");
+    EXPECT_EQ(report.notes.front(), "wheels of axle \"rear\" hang free: on pads they would have no position of rest");
     EXPECT_EQ(table(report, "parallel_travel").columns.front().values.size(), 3u);
   }
+}
+
+/// The car of arm_stuck.json with a third axle, of trailing arms and a beam that twists about the line of their pivots.
+Json with_twist_beam() {
+  Json car = json_of_file("tests/data/kc/arm_stuck.json");
+  const Json arm = {-1.9, 0, 0.35}, hub = {-2.3, 0, 0.31};
+  for (const auto& [side, y] : {std::pair("l", 0.6), std::pair("r", -0.6)}) {
+    const std::string s = side, wheel = "t" + s + "wheel", k = "t" + s + "k";
+    const auto at = [y = y](Json place) { return place[1] = y, place; };
+    car["bodies"]["body"]["points"]["t" + s] = at(arm);
+    car["bodies"]["body"]["points"]["t" + s + "t"] = at({-2.2, 0, 0.8});
+    car["bodies"][wheel] = car["bodies"]["flwheel"];
+    car["bodies"][wheel]["com"] = at(hub);
+    car["bodies"][wheel]["points"]["hub"] = at(hub);
+    car["bodies"][k] = {{"mass", 15},
+                        {"com", at({-2.1, 0, 0.33})},
+                        {"inertia", {0.3, 0.3, 0.2}},
+                        {"points", {{"p", at(arm)}, {"s", at({-2.2, 0, 0.33})}, {"hub", at(hub)}, {"b", arm}}}};
+    car["joints"]["t" + s + "arm"] = {{"type", "revolute"}, {"from", "body.t" + s}, {"to", k + ".p"}, {"axis", "y"}};
+    car["joints"]["t" + s + "hub"] = {
+        {"type", "revolute"}, {"from", k + ".hub"}, {"to", wheel + ".hub"}, {"axis", "y"}};
+    car["springs"]["t" + s] = {{"from", "body.t" + s + "t"}, {"to", k + ".s"}, {"stiffness", 4e4}, {"preload", -4000}};
+    car["tyres"]["t" + s] = {{"centre", wheel + ".hub"}, {"data", "t"}, {"stiffness", 2e5}};
+  }
+  car["joints"]["beam"] = {{"type", "revolute"}, {"from", "tlk.b"}, {"to", "trk.b"}, {"axis", "y"}, {"cut", true}};
+  car["axles"]["tag"] = {{"body", "body"}, {"end", "rear"}, {"left", {{"tyre", "tl"}}}, {"right", {{"tyre", "tr"}}}};
+  return car;
+}
+
+/// Of three axles one cannot travel: it alone hangs free where another one is measured.
+TEST(Choices, OnlyAxlesThatCannotStandHangFree) {
+  const Json car = with_twist_beam();
+  for (const char* axle : {"front", "tag"}) {
+    const KcReport report = report_of(expect(read_model(car.dump(), "three_axles.json")), {.points = 3}, axle);
+    EXPECT_EQ(report.notes.front(), "wheels of axle \"rear\" hang free: on pads they would have no position of rest");
+    EXPECT_EQ(table(report, "parallel_travel").columns.front().values.size(), 3u);
+  }
+  Json stuck = car;
+  for (const char* tyre : {"tl", "tr"}) stuck["axles"].erase("tag"), stuck["tyres"].erase(tyre);
+  stuck["tyres"]["spare"] = {{"centre", "tlwheel.hub"}, {"data", "t"}, {"stiffness", 2e5}};
+  stuck["joints"]["tlarm"]["type"] = "fixed";
+  stuck["joints"]["tlarm"].erase("axis");
+  stuck["joints"].erase("beam");
+  const KcReport report = report_of(expect(read_model(stuck.dump(), "spare.json")), {.points = 3}, "front");
+  EXPECT_EQ(report.notes.front(),
+            "wheels of axle \"rear\" and tyre \"spare\" hang free: on pads they would have no position of rest");
 }
 
 TEST(Choices, AnAxleWithoutRideFreedomIsNamed) {

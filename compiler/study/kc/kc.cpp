@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "compiler/base/user_error.hpp"
 #include "compiler/study/kc/curves.hpp"
@@ -94,17 +95,71 @@ Result<StandingRig> standing_rig(const Compilation& user, const Axle& axle, cons
   return StandingRig{std::move(*rig), std::move(*start)};
 }
 
-/// The rig with other axles on pads; where these cannot stand there, with their wheels free, which a note tells.
-/// Fails: UserError.
+/// Wheels that stand on pads or hang free together.
+struct OtherWheels {
+  std::string name;  ///< for a note
+  std::set<int> tyres;
+};
+
+/// The other axles with wheels on tyres, then tyres of no axle.
+std::vector<OtherWheels> other_wheels(const Model& model, const Axle& axle) {
+  std::vector<OtherWheels> list;
+  std::set<int> rest;
+  for (std::size_t i = 0; i < model.tyres.size(); ++i) rest.insert(static_cast<int>(i));
+  const auto take = [&](const Axle& of) {
+    OtherWheels wheels{fmt::format("axle \"{}\"", of.name), {}};
+    for (const int i : rest) {
+      const int body = model.tyres[static_cast<std::size_t>(i)].centre.body;
+      if (body == of.left.centre.body || body == of.right.centre.body) wheels.tyres.insert(i);
+    }
+    for (const int i : wheels.tyres) rest.erase(i);
+    return wheels;
+  };
+  take(axle);
+  for (const Axle& other : model.axles) {
+    OtherWheels wheels = take(other);
+    if (!wheels.tyres.empty()) list.push_back(std::move(wheels));
+  }
+  for (const int i : rest) {
+    list.push_back({fmt::format("tyre \"{}\"", model.tyres[static_cast<std::size_t>(i)].name), {i}});
+  }
+  return list;
+}
+
+std::string note_of_hanging(const std::vector<OtherWheels>& hanging) {
+  std::string names;
+  for (std::size_t i = 0; i < hanging.size(); ++i)
+    names += (i == 0 ? "" : i + 1 == hanging.size() ? " and " : ", ") + hanging[i].name;
+  return fmt::format("wheels of {} hang free: on pads they would have no position of rest", names);
+}
+
+/// The rig with other axles on pads; those that cannot stand there hang free, which a note tells.
+/// Fails: UserError. Cost: a rig for each other axle where one cannot stand.
 StandingRig standing_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at,
                          std::vector<std::string>& notes) {
   Result<StandingRig> on_pads = standing_rig(user, axle, at, Pads{});
   if (on_pads) return std::move(*on_pads);
   if (const std::optional<Diagnostic> fault = ride_fault(user, axle, at)) throw UserError(Diagnostics{*fault});
-  Result<StandingRig> others_free = standing_rig(user, axle, at, Pads{.of_others = false});
-  if (!others_free) throw UserError(on_pads.problems());
-  notes.emplace_back("wheels of other axles hang free: on pads they would have no position of rest");
-  return std::move(*others_free);
+  std::vector<OtherWheels> hanging = other_wheels(user.model, axle);
+  Pads pads;
+  for (const OtherWheels& wheels : hanging) pads.hanging.insert(wheels.tyres.begin(), wheels.tyres.end());
+  Result<StandingRig> best = standing_rig(user, axle, at, pads);
+  if (!best) throw UserError(on_pads.problems());
+  // Each that can stand is put back on its pads.
+  for (std::size_t i = 0; i < hanging.size() && hanging.size() > 1;) {
+    Pads more = pads;
+    for (const int tyre : hanging[i].tyres) more.hanging.erase(tyre);
+    Result<StandingRig> next = standing_rig(user, axle, at, more);
+    if (!next) {
+      ++i;
+      continue;
+    }
+    best = std::move(next);
+    pads = std::move(more);
+    hanging.erase(hanging.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  notes.push_back(note_of_hanging(hanging));
+  return std::move(*best);
 }
 
 }  // namespace

@@ -49,8 +49,9 @@ class RigBuilder {
     hold_body();
     add_wheel(0, axle_.left);
     add_wheel(1, axle_.right);
-    for (const Tyre& tyre : user_.model.tyres) {
-      if (pads_.of_others && !is_of_axle(tyre.centre)) mount({"rig " + tyre.name, tyre.centre, tyre.axis}, -1);
+    for (int i = 0; const Tyre& tyre : user_.model.tyres) {
+      if (!pads_.hanging.contains(i++) && !is_of_axle(tyre.centre))
+        mount({"rig " + tyre.name, tyre.centre, tyre.axis}, -1);
     }
     add_steer();
     add_elements();

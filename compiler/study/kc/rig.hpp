@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -63,8 +64,8 @@ Diagnostic problem_of(const Model& model, const Axle& axle, const std::string& m
 
 /// Which wheels stand on pads, and what moves them.
 struct Pads {
-  bool of_others = true;   ///< wheels of other axles stand on pads of their own, or else hang free
-  bool are_driven = true;  ///< pads of the axle are driven, or else go where its wheels go
+  std::set<int> hanging = {};  ///< tyres of other axles that hang free, the others stand on pads of their own
+  bool are_driven = true;      ///< pads of the axle are driven, or else go where its wheels go
 };
 
 /// The rig at a state of the user's model, at these values of its inputs; without programs.

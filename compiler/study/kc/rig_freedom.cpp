@@ -31,7 +31,9 @@ Eigen::MatrixXd pads_along_freedoms(const Rig& rig) {
 
 std::optional<Diagnostic> ride_fault(const Compilation& user, const Axle& axle, const OperatingPoint& at) {
   constexpr double kMoves = 1e-9;  // of the strongest, or m for 1 m or 1 rad of a free direction
-  const Result<Rig> rig = make_rig(user, axle, at, {.of_others = false, .are_driven = false});
+  Pads pads_of_axle{.hanging = {}, .are_driven = false};
+  for (std::size_t i = 0; i < user.model.tyres.size(); ++i) pads_of_axle.hanging.insert(static_cast<int>(i));
+  const Result<Rig> rig = make_rig(user, axle, at, pads_of_axle);
   if (!rig) return {};
   const Eigen::MatrixXd pads = pads_along_freedoms(*rig);
   const std::string& body = user.model.bodies[static_cast<std::size_t>(axle.body)].name;
