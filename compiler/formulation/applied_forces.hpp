@@ -55,7 +55,7 @@ A air_spring_push(const ForceWork<T>& work, const AirSpring& spring, const A& le
     return fixed ? A(work.value(*fixed, "area", spring.name)) : law(work, spring.area, l, "area", spring.name);
   };
   const auto volume = [&](const A& l) {
-    return spring.volume ? law(work, Law(*spring.volume), l, "volume", spring.name)
+    return spring.volume ? value_along(*spring.volume, l)
                          : A(work.value(spring.volume0, "volume0", spring.name)) + area(A(natural)) * (l - natural);
   };
   const auto value = [&](const Quantity& q, const char* meaning) { return A(work.value(q, meaning, spring.name)); };
@@ -99,8 +99,8 @@ JointDeflection<T> joint_deflection(const System<T>& system, const JointSpring& 
 template <class T, class A>
 A joint_spring_force(const ForceWork<T>& work, const JointSpring& spring, const A& position, const A& rate) {
   A force = number<A>(work, spring.preload, "f0", spring.name);
-  force = force +
-          law(work, spring.stiffness, position - A(work.value(spring.free, "z0", spring.name)), "k", spring.name);
+  force =
+      force + law(work, spring.stiffness, position - A(work.value(spring.free, "z0", spring.name)), "k", spring.name);
   force = force + law(work, spring.damping, rate, "d", spring.name);
   if (spring.force) force = force + with_locals(work, *spring.force, position, rate);
   return force;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compiler/model/elements.hpp"
+#include "compiler/model/table_pieces.hpp"
 #include "mbgen/table.hpp"
 
 namespace mbgen {
@@ -41,12 +42,19 @@ T rise_before(const Table& table, const T& argument, const T& at) {
   return rise_of(table) / width_of(table) * (argument - at);
 }
 
-/// y at the argument. Cost: linear in the number of points.
-template <class T>
-T value_along(const Table& table, const T& argument) {
+/// y at the argument. Cost: linear in the number of points, or that of piece_at.
+template <class A>
+A value_along(const Table& table, const A& argument) {
   const int count = static_cast<int>(table.x.size());
-  const T at = argument_in(table, argument);
-  const T value = table.slopes.empty()
+  const A at = argument_in(table, argument);
+  const auto of_piece = [&] {
+    const auto piece = piece_at(table, base_of(at));
+    const A offset = at - A(piece.start);
+    if (table.slopes.empty()) return A(A(piece.value) + A(piece.slope) * offset);
+    return A(A(piece.value) + offset * (A(piece.slope) + offset * (A(piece.square) + offset * A(piece.cube))));
+  };
+  const A value = table.data ? of_piece()
+                  : table.slopes.empty()
                       ? interpolate_linear(table.x.data(), table.y.data(), count, at)
                       : interpolate_monotone_cubic(table.x.data(), table.y.data(), table.slopes.data(), count, at);
   return table.periodic ? value + rise_before(table, argument, at) : value;
@@ -58,20 +66,20 @@ struct CurvePoint {
   T value, slope, curvature;
 };
 
-/// The same with derivatives, of a cubic or spline table: the argument chooses the coefficients of its piece. Cost:
-/// six operations per point.
+namespace detail {
+
+/// The piece that holds an argument, without its integral, chosen by operations. Requires: a cubic or spline table.
 template <class T>
-CurvePoint<T> curve_at(const Table& table, const T& argument) {
+TablePiece<T> chosen_piece(const Table& table, const T& at) {
   using mbgen::select;
-  const T at = argument_in(table, argument);
-  T start(table.x.front()), value(table.y.front()), slope(table.slopes.front()), second(0.0), third(0.0);
+  TablePiece<T> piece{T(table.x.front()), T(table.y.front()), T(table.slopes.front()), T(0.0), T(0.0), T(0.0)};
   const auto piece_from = [&](std::size_t i, double square, double cube) {
     const T beyond = at - table.x[i];
-    start = select(beyond, T(table.x[i]), start);
-    value = select(beyond, T(table.y[i]), value);
-    slope = select(beyond, T(table.slopes[i]), slope);
-    second = select(beyond, T(square), second);
-    third = select(beyond, T(cube), third);
+    piece.start = select(beyond, T(table.x[i]), piece.start);
+    piece.value = select(beyond, T(table.y[i]), piece.value);
+    piece.slope = select(beyond, T(table.slopes[i]), piece.slope);
+    piece.square = select(beyond, T(square), piece.square);
+    piece.cube = select(beyond, T(cube), piece.cube);
   };
   for (std::size_t i = 0; i + 1 < table.x.size(); ++i) {
     const double width = table.x[i + 1] - table.x[i], secant = (table.y[i + 1] - table.y[i]) / width;
@@ -79,6 +87,18 @@ CurvePoint<T> curve_at(const Table& table, const T& argument) {
     piece_from(i, (3 * secant - 2 * left - right) / width, (left + right - 2 * secant) / (width * width));
   }
   if (!table.periodic) piece_from(table.x.size() - 1, 0, 0);
+  return piece;
+}
+
+}  // namespace detail
+
+/// The same with derivatives, of a cubic or spline table: the argument chooses the coefficients of its piece. Cost:
+/// six operations per point, or that of piece_at.
+template <class T>
+CurvePoint<T> curve_at(const Table& table, const T& argument) {
+  const T at = argument_in(table, argument);
+  const TablePiece<T> piece = table.data ? piece_at(table, at) : detail::chosen_piece(table, at);
+  const auto& [start, value, slope, integral, second, third] = piece;
   const T offset = at - start;
   return {value + offset * (slope + offset * (second + offset * third)) + rise_before(table, argument, at),
           slope + offset * (T(2.0) * second + T(3.0) * (offset * third)), T(2.0) * second + T(6.0) * (offset * third)};
@@ -86,10 +106,21 @@ CurvePoint<T> curve_at(const Table& table, const T& argument) {
 
 namespace detail {
 
+/// Integral from the first point on, of a table of many points.
+template <class A>
+A integral_by_data(const Table& table, const A& at) {
+  const auto piece = piece_at(table, base_of(at));
+  const A offset = at - A(piece.start);
+  A slopes(0.5 * piece.slope);
+  if (!table.slopes.empty()) slopes = slopes + offset * (A(1.0 / 3 * piece.square) + offset * A(0.25 * piece.cube));
+  return A(piece.integral) + offset * (A(piece.value) + offset * slopes);
+}
+
 /// Integral of a table over its argument from its first point on, `at` within or beyond its points.
 template <class T>
 T integral_within(const Table& table, const T& at) {
   using mbgen::select;
+  if (table.data) return integral_by_data(table, at);
   const std::size_t last = table.x.size() - 1;
   const bool is_straight = table.slopes.empty();
   const auto width = [&](std::size_t i) { return table.x[i + 1] - table.x[i]; };
@@ -116,7 +147,7 @@ T integral_within(const Table& table, const T& at) {
 
 }  // namespace detail
 
-/// Integral of y over the argument, from zero; units of y times units of x. Cost: linear in the number of points.
+/// Integral of y over the argument, from zero; units of y times units of x. Cost: as of value_along.
 template <class T>
 T integral_along(const Table& table, const T& argument) {
   const auto from_start = [&](const auto& to) {

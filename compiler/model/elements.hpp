@@ -1,6 +1,7 @@
 #pragma once
 // Elements that act on the bodies of a model: springs, friction, forces, tyres and motions.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,6 +11,13 @@
 
 namespace mbgen {
 
+/// Where the pieces of a table of many points stand as data.
+struct TableData {
+  std::shared_ptr<const std::vector<double>> samples;  ///< Model::samples
+  int first = 0;                                       ///< index of the first of its numbers among them, see pieces_of
+  double spacing = 0;                                  ///< see spacing_of
+};
+
 /// y(x) by points; outside the range the end segments (linear) or end slopes (cubic) are continued as straight lines,
 /// or the points are one period.
 struct Table {
@@ -18,6 +26,7 @@ struct Table {
   std::vector<double> x, y;    ///< x strictly increasing, at least two points
   bool periodic = false;       ///< the curve goes on as it came, each period higher by the last y less the first
   std::vector<double> slopes;  ///< at the points, see slopes_of; empty where linear
+  std::optional<TableData> data = std::nullopt;  ///< of a table of many points
 };
 
 /// A characteristic: factor times argument, or a table over the argument.

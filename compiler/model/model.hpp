@@ -111,7 +111,7 @@ struct Model {
   std::vector<AppliedForce> forces;
   std::vector<JointForce> joint_forces;
   std::vector<Road> roads;
-  std::shared_ptr<const std::vector<double>> samples;  ///< that roads take heights from, null without; never changed
+  std::shared_ptr<const std::vector<double>> samples;  ///< of roads and large tables, null without; never changed
   std::vector<Tyre> tyres;
   std::vector<Axle> axles;
   std::optional<Vehicle> vehicle;

@@ -172,11 +172,11 @@ void read_crg_road(Reader& reader, const Value& value, Road& road) {
   RoadGrid& grid = road.grids.emplace_back();
   grid.is_straight = std::ranges::all_of(read.heading, [&](double heading) { return heading == read.heading[0]; }) &&
                      read.end_heading == read.heading[0];
-  grid.line = add_table(reader.samples, line_of(read));
-  grid.heights = add_table(reader.samples, read.heights);
-  grid.columns = add_table(reader.samples, read.v);
-  add_column_cells(read, reader.samples, grid);
-  if (!grid.is_straight) add_plane_cells(read, reader.samples, grid);
+  grid.line = add_table(*reader.samples, line_of(read));
+  grid.heights = add_table(*reader.samples, read.heights);
+  grid.columns = add_table(*reader.samples, read.v);
+  add_column_cells(read, *reader.samples, grid);
+  if (!grid.is_straight) add_plane_cells(read, *reader.samples, grid);
   grid.road = std::make_shared<const CrgRoad>(std::move(read));
   follow_options(grid);
   const auto take = [&](const char* key, auto& own, const auto& given) {

@@ -237,6 +237,7 @@ Result<Model> read(std::string_view text, const std::string& file_name, const st
   note_unlikely(reader);
   for (Diagnostic& note : to_diagnostics(reader.documents, std::move(reader.notes)))
     reader.model.notes.push_back(std::move(note));
+  if (!reader.samples->empty()) reader.model.samples = std::move(reader.samples);
   reader.model.hash = hash_of(reader.documents);
   for (const Document& document : reader.documents) reader.model.files.push_back(document.file);
   return std::move(reader.model);

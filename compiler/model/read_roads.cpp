@@ -72,8 +72,8 @@ RoadTracks& add_tracks(Reader& reader, Road& road, double width, const std::vect
   RoadTracks& tracks = road.tracks.emplace_back();
   tracks.right = -width / 2;
   tracks.left = width / 2;
-  tracks.first = static_cast<int>(reader.samples.size());
-  reader.samples.insert(reader.samples.end(), coefficients.begin(), coefficients.end());
+  tracks.first = static_cast<int>(reader.samples->size());
+  reader.samples->insert(reader.samples->end(), coefficients.begin(), coefficients.end());
   return tracks;
 }
 
@@ -179,8 +179,6 @@ void read_roads(Reader& reader, const Entries& entries) {
                [](Reader& inner, const Value& value, const RoadPatch& patch) { check_sides(inner, value, patch); });
   });
   for (const RoadFields& road : list) reader.model.roads.push_back(road);
-  if (!reader.samples.empty())
-    reader.model.samples = std::make_shared<const std::vector<double>>(std::move(reader.samples));
 }
 
 }  // namespace mbgen::reading

@@ -41,8 +41,10 @@ struct Reader {
   std::size_t scope = 0;                  ///< whose text is being read
   std::size_t placed_scopes = 1;          ///< so many of the first have their placement
   std::vector<VariedParameter> varied = {};
-  std::vector<double> samples = {};  ///< of roads, see Model::samples
-  bool folds_tunable = false;        ///< the present value takes tunable parameters at their values
+  /// Of roads and large tables, see Model::samples: those tables point to it while others still add to it.
+  std::shared_ptr<std::vector<double>> samples = std::make_shared<std::vector<double>>();
+  std::vector<TableData> large_tables = {};
+  bool folds_tunable = false;  ///< the present value takes tunable parameters at their values
 };
 
 inline const Scope& current_scope(const Reader& reader) { return reader.scopes[reader.scope]; }

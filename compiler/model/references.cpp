@@ -10,6 +10,7 @@
 #include "compiler/model/positions.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
+#include "compiler/model/table_pieces.hpp"
 
 namespace mbgen::reading {
 namespace {
@@ -36,6 +37,63 @@ void check_table(Reader& reader, const Value& value) {
     if (column && !csv)
       report(reader, column->place, fmt::format("a table without \"csv\" takes no {}", in_quotes(key)));
   }
+}
+
+/// How far a piece goes above or below both of its ends, which lie `width` apart. piece: of a curved table.
+double beyond_ends(const double* piece, double width) {
+  const double slope = piece[2], square = piece[4], cube = piece[5];
+  const auto rise = [&](double offset) { return offset * (slope + offset * (square + offset * cube)); };
+  const double root = std::sqrt(std::max(0.0, square * square - 3 * slope * cube));
+  const double sum = -(square + std::copysign(root, square));  // which does not cancel
+  const double high = std::max(0.0, rise(width)), low = std::min(0.0, rise(width));
+  double beyond = 0;
+  for (const double level : {slope / sum, sum / (3 * cube)})
+    if (level > 0 && level < width) beyond = std::max({beyond, rise(level) - high, low - rise(level)});
+  return beyond;
+}
+
+/// A spline through points that jump swings beyond them.
+void note_overshoot(Reader& reader, const Value& value, const Table& table) {
+  constexpr double kNoted = 0.5;  // of what the points range over
+  const std::vector<double> pieces = pieces_of(table);
+  const auto [smallest, largest] = std::minmax_element(table.y.begin(), table.y.end());
+  double most = 0;
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i + 1 < table.x.size(); ++i) {
+    const double beyond = beyond_ends(&pieces[numbers_of_piece(table) * (i + 1)], table.x[i + 1] - table.x[i]);
+    if (beyond > most) most = beyond, worst = i;
+  }
+  if (most > kNoted * (*largest - *smallest))
+    note(reader, member_or_object(value, "interpolation").place,
+         fmt::format(
+             "spline goes {:.4g} beyond its points between x = {:.6g} and {:.6g}, where all of them range over {:.4g}",
+             most, table.x[worst], table.x[worst + 1], *largest - *smallest),
+         "\"monotone_cubic\" stays between the points");
+}
+
+/// Puts the pieces of a table of many points among the samples. Equal ones, as of a part that is placed four times,
+/// share them.
+void keep_as_data(Reader& reader, const Value& value, Table& table) {
+  if (table.x.size() > kMostPointsAsData) {
+    const Member* csv = find_member(value, "csv");
+    report(reader, csv ? csv->value : member_or_object(value, "table"),
+           fmt::format("table has {} points, at most {} go into a solver", table.x.size(), kMostPointsAsData),
+           "leave out points that lie on the curve through their neighbours");
+    return;
+  }
+  const std::vector<double> pieces = pieces_of(table);
+  std::vector<double>& samples = *reader.samples;
+  const double spacing = spacing_of(table);
+  for (const TableData& known : reader.large_tables) {
+    const auto begin = samples.begin() + known.first;
+    const auto left = static_cast<std::size_t>(samples.end() - begin);
+    const bool is_equal = left >= pieces.size() && std::equal(pieces.begin(), pieces.end(), begin);
+    if (is_equal && known.spacing == spacing) table.data = known;
+  }
+  if (table.data) return;
+  table.data = {reader.samples, static_cast<int>(samples.size()), spacing};
+  reader.large_tables.push_back(*table.data);
+  samples.insert(samples.end(), pieces.begin(), pieces.end());
 }
 
 }  // namespace
@@ -195,12 +253,15 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Table& tar
   check_table(reader, value);
   if (fields.csv && find(value, "csv")->kind == Value::Kind::text)
     fields.points = read_csv_table(reader, value, {fields.x, fields.y});
-  target = {fields.interpolation, {}, {}, fields.periodic, {}};
+  target = {fields.interpolation, {}, {}, fields.periodic, {}, {}};
   for (const auto& [x, y] : fields.points) {
     target.x.push_back(x);
     target.y.push_back(y);
   }
   target.slopes = slopes_of(target);
+  if (target.interpolation == Table::Interpolation::spline && target.x.size() > 1)
+    note_overshoot(reader, value, target);
+  if (target.x.size() > kMostPointsAsOperations) keep_as_data(reader, value, target);
 }
 
 }  // namespace mbgen::reading

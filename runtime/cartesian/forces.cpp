@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/model/curve.hpp"
 #include "mbgen/bristle.hpp"
 #include "mbgen/sampling.hpp"
 #include "runtime/cartesian/bump_stops.hpp"
@@ -30,10 +29,10 @@ double tension(const AirSpring& spring, const Values& value, double length, doub
   const double length0 = spring.length ? value(*spring.length) : reference;
   const auto area = [&](double at) {
     const Quantity* constant = std::get_if<Quantity>(&spring.area);
-    return constant ? value(*constant) : value_along(std::get<Table>(spring.area), at);
+    return constant ? value(*constant) : value_of(std::get<Table>(spring.area), at);
   };
   const auto volume = [&](double at) {
-    return spring.volume ? value_along(*spring.volume, at) : value(spring.volume0) + area(length0) * (at - length0);
+    return spring.volume ? value_of(*spring.volume, at) : value(spring.volume0) + area(length0) * (at - length0);
   };
   return -air_spring_force(value(spring.pressure), value(spring.ambient), value(spring.exponent), volume(length0),
                            volume(length), area(length));

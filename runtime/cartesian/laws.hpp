@@ -7,6 +7,9 @@
 
 namespace mbgen::cartesian {
 
+/// y of a table, found and computed without the formulation's pieces.
+double value_of(const Table& table, double argument);
+
 /// Factor times argument, or a table over it; zero without a law.
 double law(const std::optional<Law>& law, const Values& value, double argument);
 
