@@ -47,6 +47,18 @@ std::string hold_text(const Certificate& certificate) {
                      certificate.smallest_kept);
 }
 
+/// What was seen of coordinates that stand still while their loops move: no more than the closed configurations show.
+std::string still_text(const Topology& topology, const LoopBlock& block, const std::vector<int>& columns,
+                       const Certificate& certificate) {
+  const std::string names = coordinates_text(topology, block, columns), loops = loops_text(topology, block.loops);
+  const bool is_one = columns.size() == 1, is_one_loop = block.loops.size() == 1;
+  if (certificate.closed_configurations <= 1)
+    return fmt::format("{} {} begin to move at the reference, the only configuration in which {} {} seen to close",
+                       names, is_one ? "does not" : "do not", loops, is_one_loop ? "was" : "were");
+  return fmt::format("{} move{} by less than 1e-6 of the motion of {} in each of {} closed configurations", names,
+                     is_one ? "s" : "", loops, certificate.closed_configurations);
+}
+
 /// Whether a contact of the block is there to hold a coordinate: a translation along the normal of its plane.
 bool held_by_contact(const Model& model, const Topology& topology, const LoopBlock& block, int column) {
   constexpr double kAlong = 1 - 1e-9;  // cosine
@@ -80,12 +92,10 @@ void add_locked(const Model& model, const Topology& topology, std::size_t b, con
   }
   std::erase_if(left, [&](int c) { return held_by_contact(model, topology, block, c); });
   if (left.empty()) return;
-  notes.push_back(
-      {where_of(model, topology.loops[block.loops[0]]),
-       fmt::format("{} never move{}, though {} do{}", coordinates_text(topology, block, left),
-                   left.size() == 1 ? "s" : "", loops_text(topology, block.loops), block.loops.size() == 1 ? "es" : ""),
-       cause(model, topology, block.loops),
-       {}});
+  notes.push_back({where_of(model, topology.loops[block.loops[0]]),
+                   still_text(topology, block, left, certificate),
+                   cause(model, topology, block.loops),
+                   {}});
 }
 
 void add_other_modes(const Model& model, const Topology& topology, std::size_t b, const BlockAnalysis& decided,

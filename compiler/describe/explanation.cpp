@@ -214,8 +214,8 @@ std::string block_explanation(const Compilation& c, std::size_t b) {
         listed(independent)));
   if (!dependent.empty()) text += paragraph(fmt::format("These follow: {}.", listed(dependent)));
   if (!decided.certificate.immobile.empty()) {
-    text += paragraph(
-        fmt::format("Never moves: {}.", listed(local_names(c.topology, block, decided.certificate.immobile))));
+    text += paragraph(fmt::format("Stands still in every closed configuration that was seen: {}.",
+                                  listed(local_names(c.topology, block, decided.certificate.immobile))));
   }
   for (const SingularConfiguration& seen : decided.certificate.singular) {
     text += paragraph(fmt::format(

@@ -75,7 +75,7 @@ std::string block_text(const Json& block, int number) {
     if (seen["times"] > 1) positions.push_back(fmt::format("({} times)", seen["times"].get<int>()));
     text += wrapped(fmt::format("rank {} at", seen["rank"].get<int>()), positions);
   }
-  return text + wrapped("never moves", certificate["immobile"].get<std::vector<std::string>>());
+  return text + wrapped("stands still", certificate["immobile"].get<std::vector<std::string>>());
 }
 
 }  // namespace

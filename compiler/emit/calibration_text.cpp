@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/mapped.hpp"
@@ -34,6 +35,7 @@ struct CalibrationNumber {
   std::string symbol;  ///< of the structure
   int offset = 0;      ///< bytes from its beginning
   CalibrationType type;
+  std::optional<double> least = {}, most = {};  ///< of its range; none: the largest numbers of its type
 };
 
 /// A structure with its numbers, and the kinds of the lists that name them.
@@ -82,6 +84,15 @@ void add_members(const EmitContext& context, const std::vector<NumberMember>& me
   }
 }
 
+/// Ranges of the first numbers of a structure, by "min" and "max".
+template <class Given>
+void add_ranges(const std::vector<Given>& given, CalibrationStructure& structure) {
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    structure.numbers[i].least = given[i].shown.min;
+    structure.numbers[i].most = given[i].shown.max;
+  }
+}
+
 void add_state(const EmitContext& context, CalibrationStructure& structure) {
   const int coordinates = std::max(context.layout.coordinates, 1);
   const int auxiliary = std::max(context.layout.auxiliary_states, 1);
@@ -113,6 +124,8 @@ std::vector<CalibrationStructure> structures_of(const EmitContext& context) {
   add_members(context, parameter_members(context), names_of(tunable_parameters(model)), parameters);
   add_members(context, input_members(context), names_of(model.inputs), inputs);
   add_members(context, output_members(context), names_of(model.outputs), outputs);
+  add_ranges(tunable_parameters(model), parameters);
+  add_ranges(model.inputs, inputs);
   add_state(context, state);
   std::vector<CalibrationStructure> all = {parameters, inputs, outputs, state};
   std::erase_if(all, [](const CalibrationStructure& structure) { return structure.numbers.empty(); });
@@ -148,7 +161,8 @@ FrameRows number_rows(const std::vector<CalibrationNumber>& numbers, const Metho
                        {"text", a2l_string(number.text)},
                        {"type", number.type.name},
                        {"method", methods.at(number.unit)},
-                       {"largest", number.type.largest},
+                       {"least", number.least ? number_text(*number.least) : "-" + number.type.largest},
+                       {"most", number.most ? number_text(*number.most) : number.type.largest},
                        {"symbol", number.symbol},
                        {"offset", number.offset}};
   });

@@ -1,11 +1,13 @@
 // Starts at positions that are singular on the whole branch: the same is said of each.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "compiler/analysis/notes.hpp"
 #include "tests/support/mechanism_support.hpp"
 
 namespace mbgen {
@@ -55,6 +57,35 @@ TEST(SingularStart, IsCalledSoAtEveryAngle) {
     EXPECT_NE(problems[0].message.find("is singular: its equations hinder all but the first motion"), std::string::npos)
         << degrees << ": " << problems[0].message;
   }
+}
+
+/// Two bodies that turn, related; the only note.
+std::string note_of_relation(const std::string& relation) {
+  const json body = {{"mass", 1}, {"inertia", {1, 1, 1}}, {"points", {{"o", {0, 0, 0}}}}};
+  json joints;
+  for (const std::string one : {"a", "b"})
+    joints["j" + one] = {{"type", "revolute"}, {"from", "ground.o"}, {"to", one + ".o"}, {"axis", "y"}};
+  const json model = {{"mbgen", 1},
+                      {"bodies", {{"ground", {{"points", {{"o", {0, 0, 0}}}}}}, {"a", body}, {"b", body}}},
+                      {"joints", joints},
+                      {"couplings", {{"cam", {{"relation", relation}}}}}};
+  const Mechanism m = mechanism_of(model.dump());
+  const Diagnostics notes = analysis_notes(m.model, m.topology, m.analysis);
+  return notes.size() == 1 ? notes[0].message : fmt::format("{} notes", notes.size());
+}
+
+/// A cam of a radius of 1e-3 closes within 1e-3 rad of its dead point, at the reference; a gear of 1e-7 moves a little;
+/// a cam behind a stop moves from 3 rad on: none of them never moves.
+TEST(SingularStart, NoCoordinateIsSaidNeverToMoveThatMoves) {
+  EXPECT_EQ(
+      note_of_relation("z.jb - sqrt(1e-6 - z.ja^2) + 1e-3"),
+      "coordinate jb does not begin to move at the reference, the only configuration in which loop \"cam\" was seen "
+      "to close");
+  for (const char* relation : {"z.jb - 1e-7*z.ja", "z.jb - max(0, z.ja - 3)"})
+    EXPECT_EQ(
+        note_of_relation(relation),
+        "coordinate jb moves by less than 1e-6 of the motion of loop \"cam\" in each of 25 closed configurations");
+  EXPECT_EQ(note_of_relation("z.jb - z.ja^2"), "0 notes");
 }
 
 }  // namespace

@@ -25,6 +25,8 @@ build() {  # NAME MODEL
 
 build ranges "$here/ranges.json"
 "$python" "$here/ranges.py" ranges
+build quantities "$here/quantities.json"
+"$python" "$here/quantities.py" quantities
 "$python" "$here/snapshot.py" ranges ranges 1e-3 pull=3 brake=1
 for integrator in rk4 abm4; do
   sed "s/\"integrator\": \"rk4\"/\"integrator\": \"$integrator\"/; s/\"name\": \"triple_rocker\"/\"name\": \"rocker_$integrator\"/" \
