@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <map>
 #include <utility>
 
 #include "compiler/passes/passes.hpp"
+#include "compiler/program/rounded.hpp"
 
 namespace mbgen {
 namespace {
@@ -18,6 +20,21 @@ struct Term {
   bool is_product() const { return second != kNoValue; }
 };
 
+/// The order in which a sum takes its terms.
+enum class TermOrder {
+  as_known,     ///< the one that is known first comes first: they need not wait for each other
+  largest_last  ///< the same but for the largest one: partial sums stay small, and so do their roundings
+};
+
+constexpr std::size_t kProbes = 2;
+/// Times the bound of its roundings before: the most that a sum may have, at every probe.
+constexpr double kMostOfSums = 2;
+
+/// Bounds of the roundings at one ordinary state, of the program as it was and of what is written of it.
+struct SumProbe {
+  RoundedValues before, now;
+};
+
 class SumWriter {
  public:
   explicit SumWriter(const Program& program)
@@ -29,6 +46,13 @@ class SumWriter {
       for (int k = 0; k < arity(node.op); ++k) ++uses_[node.operands[k]];
     for (const OutputValue& output : program.outputs) uses_[output.value] += 2;
     find_absorbed();
+    for (std::size_t number = 0; number < kProbes; ++number) {
+      std::vector<Rounded> inputs;  // each known to a rounding, as a state is
+      for (const double input : ordinary_inputs(program, number))
+        inputs.push_back({input, std::numeric_limits<double>::epsilon() * std::abs(input)});
+      probes_.push_back({RoundedValues(inputs), RoundedValues(inputs)});
+      for (const Node& node : program.nodes) probes_.back().before.append(node);
+    }
   }
 
   Program rewritten() {
@@ -82,9 +106,63 @@ class SumWriter {
   ValueId write_sum(ValueId v) {
     const Node& node = program_.nodes[v];
     builder_.set_origin(node);
-    const ValueId sum = write(terms_of(v));
+    const ValueId sum = accurate_sum(v);
     builder_.label_like(sum, program_, node);
     return sum;
+  }
+
+  /// The first form of a sum that is known as well as it was; where none is, operands are at fault, and the first form
+  /// is as good as any.
+  ValueId accurate_sum(ValueId v) {
+    const std::vector<Term> terms = terms_of(v);
+    const ValueId first = write(terms, TermOrder::as_known);
+    if (is_accurate(first, v)) return first;
+    const ValueId second = write(terms, TermOrder::largest_last);
+    if (is_accurate(second, v)) return second;
+    const ValueId third = as_it_stands(v);
+    return is_accurate(third, v) ? third : first;
+  }
+
+  /// Bounds of all values up to this one.
+  void follow_to(ValueId value) {
+    for (SumProbe& probe : probes_)
+      while (probe.now.size() <= value) probe.now.append(builder_.node(static_cast<ValueId>(probe.now.size())));
+  }
+
+  bool is_accurate(ValueId sum, ValueId v) {
+    follow_to(sum);
+    return std::ranges::none_of(probes_, [&](const SumProbe& probe) {
+      const RoundedLanes &now = probe.now[sum], &before = probe.before[v];
+      return now.first.error > kMostOfSums * before.first.error || now.second.error > kMostOfSums * before.second.error;
+    });
+  }
+
+  /// Largest value of a term at the probes.
+  double size_of(const Term& term) {
+    follow_to(term.is_product() ? std::max(term.first, term.second) : term.first);
+    double largest = 0;
+    for (const SumProbe& probe : probes_) {
+      RoundedLanes value = probe.now[term.first];
+      if (term.is_product()) {
+        value.first.value *= probe.now[term.second].first.value;
+        value.second.value *= probe.now[term.second].second.value;
+      }
+      largest = std::max({largest, std::abs(value.first.value), std::abs(value.second.value)});
+    }
+    return largest;
+  }
+
+  /// The sum with its brackets and without common factors, as the program has it.
+  ValueId as_it_stands(ValueId root) {
+    std::vector<ValueId> parts{root};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const Node& node = program_.nodes[parts[i]];
+      for (int k = 0; k < arity(node.op); ++k)
+        if (is_sum(node.op) && absorbed_[node.operands[k]]) parts.push_back(node.operands[k]);
+    }
+    std::ranges::sort(parts);
+    for (const ValueId v : parts) renamed_[v] = builder_.copy(program_, program_.nodes[v], renamed_);
+    return renamed_[root];
   }
 
   /// One value for all constants that are the same number under several names.
@@ -139,7 +217,7 @@ class SumWriter {
   }
 
   /// Takes common factors out, one after the other.
-  void factor(std::vector<Term>& terms) {
+  void factor(std::vector<Term>& terms, TermOrder order) {
     for (ValueId common = common_factor(terms); common != kNoValue; common = common_factor(terms)) {
       std::vector<Term> cofactors, others;
       for (const Term& t : terms) {
@@ -152,12 +230,12 @@ class SumWriter {
       const bool all_negative =
           std::all_of(cofactors.begin(), cofactors.end(), [](const Term& t) { return t.negative; });
       for (Term& t : cofactors) t.negative = t.negative != all_negative;
-      const ValueId sum = write(std::move(cofactors));
+      const ValueId sum = write(std::move(cofactors), order);
       if (!builder_.is_constant(sum, 0)) terms.push_back({all_negative, common, sum});
     }
   }
 
-  /// The value from which on a term is known. A sum takes its terms in this order: they need not wait for each other.
+  /// The value from which on a term is known.
   ValueId known_from(const Term& term) const {
     ValueId last = 0;
     for (const ValueId value : {term.first, term.second})
@@ -165,11 +243,18 @@ class SumWriter {
     return last;
   }
 
-  ValueId write(std::vector<Term> terms) {
+  void put_in_order(std::vector<Term>& terms, TermOrder order) {
+    std::ranges::stable_sort(terms, {}, [&](const Term& t) { return known_from(t); });
+    if (order == TermOrder::as_known || terms.empty()) return;
+    const auto largest = std::ranges::max_element(terms, {}, [&](const Term& t) { return size_of(t); });
+    std::rotate(largest, largest + 1, terms.end());
+  }
+
+  ValueId write(std::vector<Term> terms, TermOrder order) {
     cancel(terms);
     merge_constants(terms);
-    factor(terms);
-    std::ranges::stable_sort(terms, {}, [&](const Term& t) { return known_from(t); });
+    factor(terms, order);
+    put_in_order(terms, order);
     if (terms.empty()) return builder_.constant(0);
     const auto first = std::find_if(terms.begin(), terms.end(), [](const Term& t) { return !t.negative; });
     if (first != terms.end()) std::rotate(terms.begin(), first, first + 1);
@@ -190,6 +275,7 @@ class SumWriter {
   std::vector<bool> absorbed_;
   std::map<double, ValueId> first_of_number_;
   std::vector<ValueId> renamed_;
+  std::vector<SumProbe> probes_;
 };
 
 }  // namespace

@@ -1,7 +1,8 @@
 #pragma once
 // The door of the passes room: the passes, each with its contract, and the list of them in order.
 // A pass is a pure function Program -> Program. Every pass keeps name, outputs, sections, owners and labels, and
-// verifies its result.
+// verifies its result. Each states its factor of error: the most that it may make of the error of the outputs before
+// it, the root of its mean square around a state. tests/system/lowering/rounding_test.cpp holds it to that.
 
 #include <span>
 #include <string>
@@ -12,25 +13,25 @@
 namespace mbgen {
 
 /// Removes values and inputs that no output needs. Ensures: the same outputs bit for bit, the same order of what
-/// remains.
+/// remains. Factor of error: 1.
 ///   %0 = input z[0]; %1 = sin %0; %2 = cos %0; out zdd[0] = %1   =>   %0 = input z[0]; %1 = sin %0; out zdd[0] = %1
 Program remove_dead_values(const Program& program);
 
 /// Values that are equal by algebra, up to sign, become one, the first of them; those that are zero leave. See
-/// identities.hpp for what is equal. Ensures: values equal up to rounding.
+/// identities.hpp for what is equal. Ensures: values equal up to rounding. Factor of error: 2.
 ///   %2 = mul %0 %1; %3 = mul %2 %0; %4 = mul %0 %0; %5 = mul %4 %1   =>   %5 is %3
 Program merge_equal_values(const Program& program);
 
 /// A value whose operations nothing else needs becomes one sum, difference or product of earlier values where it is
-/// equal to that by algebra (identities.hpp) and fewer operations are left. Values are as accurate as before but for a
-/// factor of 2. A program with pairs stays as it is.
+/// equal to that by algebra (identities.hpp) and fewer operations are left. Factor of error: 2, of the bound of each
+/// form at two ordinary states. A program with pairs stays as it is.
 ///   %3 = mul %0 %1; %4 = mul %0 %2; %5 = mul %4 %1, out %3, out %5   =>   %5 = mul %3 %2, %4 is dead
 Program write_shorter_forms(const Program& program);
 
 /// Three or more divisions by one value become one reciprocal and products: a division costs several products.
 /// Ensures: each replaced quotient within 1.5 units in the last place while the reciprocal is a normal number; the
 /// reciprocal stands where the first of the divisions stood. Leaves single reciprocals as they are. A division by a
-/// constant is a product with its reciprocal, however often.
+/// constant is a product with its reciprocal, however often. Factor of error: 2.
 ///   %4 = div %0 %3; %5 = div %1 %3; %6 = div %2 %3
 ///   =>   %4 = constant 1; %5 = div %4 %3; %6 = mul %0 %5; %7 = mul %1 %5; %8 = mul %2 %5
 Program merge_divisions(const Program& program);
@@ -42,13 +43,16 @@ long size_of_code(const Program& program);
 /// Writes every sum as one chain: terms that cancel leave it, constants become one, a factor that several products
 /// share is taken out, plain terms come before products so that each product fuses with an addition. A sum is what
 /// additions, subtractions and negations of unnamed values of one use make; named values stay as they are. Ensures:
-/// fewer operations or as many; values equal up to rounding.
+/// fewer operations or as many; values equal up to rounding. Factor of error: 2, of the bound of each sum at two
+/// ordinary states, where its largest term comes last, or it stays as it stands, for that. Only where the operands of
+/// a sum are known to no digit does neither help.
 ///   %3 = mul %0 %1; %4 = mul %0 %2; %5 = add %3 %4   =>   %3 = add %1 %2; %4 = mul %0 %3
 Program factor_sums(const Program& program);
 
 /// Values that depend on inputs of one group alone leave the programs: they become inputs of Array::derived, and the
 /// result is the program `name` that gives them, each value once for all programs. Values that are no more than an
-/// input of the group, or its negative, stay. Operations are neither added nor put in another order.
+/// input of the group, or its negative, stay. Operations are neither added nor put in another order. Factor of error:
+/// 1.
 ///   %0 = input par[0]; %1 = input z[0]; %2 = mul %0 %0; %3 = mul %2 %1
 ///   =>   %0 = input derived[0]; %1 = input z[0]; %2 = mul %0 %1     and     %0 = input par[0]; %1 = mul %0 %0
 Program take_out_derived(std::span<Program* const> programs, SlotGroup group, const std::string& name);
@@ -57,7 +61,7 @@ Program take_out_derived(std::span<Program* const> programs, SlotGroup group, co
 /// contracting, each in its own way, made here for all of them. Of two such products in one sum the later one goes, so
 /// that the sum waits for one operation less. Labelled products and outputs stay.
 /// Ensures: every other value as it was; each contracted one with one rounding less. A product of several sums counts
-/// in each of them.
+/// in each of them. Factor of error: 1 of bounds, 2 of an error that happened to be small.
 ///   %3 = mul %0 %1; %4 = sub %2 %3   =>   %3 = submul %2 %0 %1
 Program contract(const Program& program);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "compiler/program/arithmetic.hpp"
 #include "compiler/program/residue.hpp"
@@ -53,17 +54,35 @@ Rounded rounded(const Node& node, const std::array<Rounded, 3>& given) {
 
 }  // namespace
 
+RoundedLanes RoundedValues::lanes_of(const Node& node) const {
+  const auto given = [&](int k) -> const RoundedLanes& { return all_[node.operands[k]]; };
+  const auto number = [](const Rounded& value) { return RoundedLanes{value, value}; };
+  if (node.op == Op::input) return number(inputs_[static_cast<std::size_t>(node.input)]);
+  if (node.op == Op::pack) return {given(0).first, given(1).first, true};
+  if (node.op == Op::first_lane) return number(given(0).first);
+  if (node.op == Op::second_lane) return number(given(0).second);
+  std::array<Rounded, 3> first, second;
+  RoundedLanes lanes;
+  for (int k = 0; k < arity(node.op); ++k) {
+    first[static_cast<std::size_t>(k)] = given(k).first;
+    second[static_cast<std::size_t>(k)] = given(k).second;
+    lanes.is_pair = lanes.is_pair || given(k).is_pair;
+  }
+  lanes.first = rounded(node, first);
+  lanes.second = lanes.is_pair ? rounded(node, second) : lanes.first;
+  return lanes;
+}
+
+void RoundedValues::append(const Node& node) { all_.push_back(lanes_of(node)); }
+
 std::vector<Rounded> rounded_values(const Program& program, std::span<const double> inputs) {
-  std::vector<Rounded> all(program.nodes.size());
-  for (std::size_t v = 0; v < all.size(); ++v) {
-    const Node& node = program.nodes[v];
-    if (node.op == Op::input) {
-      all[v].value = inputs[static_cast<std::size_t>(node.input)];
-      continue;
-    }
-    std::array<Rounded, 3> operands;
-    for (int k = 0; k < arity(node.op); ++k) operands[static_cast<std::size_t>(k)] = all[node.operands[k]];
-    all[v] = rounded(node, operands);
+  std::vector<Rounded> exact;
+  for (const double input : inputs) exact.push_back({input, 0});
+  RoundedValues lanes(std::move(exact));
+  std::vector<Rounded> all;
+  for (const Node& node : program.nodes) {
+    lanes.append(node);
+    all.push_back(lanes[static_cast<ValueId>(all.size())].first);
   }
   return all;
 }

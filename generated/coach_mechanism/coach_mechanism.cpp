@@ -461,13 +461,13 @@ struct AccelerationsWork3 {
       zdd_star_arb_front_left_and_right, s7_98, s7_100, s3_28, s7_126, s7_117, s7_119, s7_124,
       s2_172, s7_94, s7_96, s3_29, s8_346, s8_348, s8_351, s8_352, s8_353, s8_354, s7_91, s7_92,
       s2_176, f_carrier_left_and_right_z, f_carrier_left_and_right_y, s8_302, s8_305, s8_311,
-      s8_316, s8_322, s8_326, s7_106, s7_107, s7_112, s7_113, s8_729,
+      s8_316, s8_322, s8_326, s7_106, s7_107, s7_112, s7_113, s8_728,
       pivot_arb_front_left_and_right, s2_177, s2_178, s2_179, s7_101, f_carrier_left_and_right_x,
-      s7_114, s7_120, s7_127, s8_722, s8_737, n_carrier_left_and_right_z, s8_343, s8_344, s8_387,
-      s8_411, s8_445, s8_449, s8_473, s8_484, s8_486, s8_488, s8_495, s8_676, s8_692, s8_808,
-      s8_866, s8_868, s8_882, s8_286, s8_293, s8_294, s8_355, s8_369, s8_438, s8_451, s8_453,
+      s7_114, s7_120, s7_127, s8_721, s8_736, n_carrier_left_and_right_z, s8_343, s8_344, s8_387,
+      s8_411, s8_445, s8_449, s8_473, s8_484, s8_486, s8_488, s8_495, s8_676, s8_692, s8_807,
+      s8_865, s8_867, s8_881, s8_286, s8_293, s8_294, s8_355, s8_369, s8_438, s8_451, s8_453,
       s8_467, s8_470, s8_475, s8_477, s8_479, s8_483, s8_515, s8_657, s8_662, s8_663, s8_664,
-      s8_681, s8_682, s8_719, s8_724, s8_734, s8_738;
+      s8_681, s8_682, s8_718, s8_723, s8_733, s8_737;
   double
       R_rear_axle_x_y, R_rear_axle_y_y, r_rear_axle_aux1_x, r_rear_axle_aux3_z, R_rear_axle_z_y,
       R_rear_axle_y_z, R_rear_axle_aux5_y_x, R_rear_axle_x_z, R_rear_axle_aux5_x_x, R_rear_axle_z_z,
@@ -496,14 +496,14 @@ struct AccelerationsWork4 {
 /// Values of compute_accelerations that cross its parts.
 struct AccelerationsWork5 {
   double
-      s8_688, s8_666, s8_705, s8_788, s8_793, s8_686, s8_795, s8_796, s8_799, s8_806, s8_794,
-      s8_807, s8_809, s8_904, s8_977, s8_979, s8_981, s8_983, s8_984, s8_792, s8_805, s8_924,
-      s8_936, s8_940, s8_964, s8_966, s8_968, s8_970, s8_971, s8_791, s8_804, s8_943, s8_944,
-      s8_947, s8_948, s8_952, s8_954, s8_956, s8_958, s8_959, s8_786, s8_790, s8_802, s8_935,
-      s8_950, s8_787, s8_797, s8_803, s8_914, s8_938, pivot_bell_crank, s8_887, s8_903, s8_933,
-      R_chassis_x_z, R_chassis_y_z, R_chassis_x_y, R_chassis_y_y, R_chassis_aux5_x_x,
-      R_chassis_aux5_y_x, s8_988, s8_625, s8_695, s8_700, s8_701, s8_702, s8_800, s8_905, s8_946,
-      s8_962, s8_974, s8_987;
+      s8_688, s8_666, s8_704, s8_787, s8_792, s8_686, s8_794, s8_795, s8_798, s8_805, s8_793,
+      s8_806, s8_808, s8_904, s8_977, s8_979, s8_981, s8_983, s8_984, s8_791, s8_804, s8_924,
+      s8_936, s8_940, s8_964, s8_966, s8_968, s8_970, s8_971, s8_790, s8_803, s8_943, s8_944,
+      s8_947, s8_948, s8_952, s8_954, s8_956, s8_958, s8_959, s8_785, s8_789, s8_801, s8_935,
+      s8_950, s7_145, s8_786, s8_796, s8_802, s8_914, s8_938, pivot_bell_crank, s8_887, s8_903,
+      s8_933, R_chassis_x_z, R_chassis_y_z, R_chassis_x_y, R_chassis_y_y, R_chassis_aux5_x_x,
+      R_chassis_aux5_y_x, s8_988, s8_625, s8_695, s8_700, s8_701, s8_799, s8_905, s8_946, s8_962,
+      s8_974, s8_987;
 };
 
 /// Values of compute_accelerations that cross its parts.
@@ -2134,8 +2134,8 @@ struct AccelerationsWork6 {
   w4.s8_618 = fnma(w4.s2_189, s8_536, fma(w4.s8_571, w4.s8_615, s8_616));
   w4.s8_619 = fnma(w4.s2_191, s8_536, fnma(w4.s8_575, w4.s8_615, s8_617));
   const double s8_620 = fma(w4.s8_577, w4.s8_615, fnma(w4.s8_613, w4.s8_578, s8_614));
-  const double s7_145 = 0.9515 - s7_140;
-  const double s8_621 = fnma(s7_145, s8_583, fnma(s7_139, s8_581, s8_620));
+  w5.s7_145 = 0.9515 - s7_140;
+  const double s8_621 = fnma(w5.s7_145, s8_583, fnma(s7_139, s8_581, s8_620));
   const double s7_146 = 0.3504 - s7_134;
   const double s8_622 = fma(s7_133, s8_582, fnma(p_bell_crank_z, w4.s8_586, s8_621));
   const double s8_623 = fnma(p_pitman_arm_z, w4.s8_589, fma(s7_146, s8_580, s8_622));
@@ -2222,43 +2222,42 @@ struct AccelerationsWork6 {
   const double s8_699 = fnma(w4.s7_142, fnma(p_pitman_arm_x, w4.s8_19, s8_697), s8_698);
   w5.s8_700 = 10856.945 + s7_146;
   w5.s8_701 = s7_140 + (141129.72 + s7_134);
-  w5.s8_702 = 5020.856800000031 + s7_145;
-  const double s8_703 = s8_691[0] + fnma(s8_524, s8_525, s8_534) - s8_691[1];
-  const double s8_704 = fma(w4.s8_46, s7_146 - s7_134, s8_699);
-  w5.s8_705 = fma(w4.s3_34, s8_704, fma(w4.s8_38, s7_145 - s7_140, s8_703));
-  const Pair s8_706 = fma(w3.s8_449, w3.s3_32, fnma(w1.s7_42, w3.s3_30, w1.s1_30*w2.s7_65));
-  const Pair s8_707 = fma(w1.s7_55, w3.s8_345, s8_706);
-  const Pair s8_708 = fnma(w3.s8_473, w3.s3_30, fnma(w1.s1_28, w2.s7_65, w1.s7_42*w3.s3_32));
-  const Pair s8_709 = fnma(w1.s7_59, w3.s8_345, s8_708);
-  const Pair s8_710 = fma(w1.s7_59, w3.s3_30, fma(w1.s1_30, w2.s7_62, w1.s1_28*w2.s7_86));
-  const Pair s8_711 = fma(w3.s7_114, w3.s8_345, fma(w1.s7_55, w3.s3_32, s8_710));
-  const Pair s8_712 = fnma(p_lower_arm_right_y, w3.s7_126, 1.825625);
-  const Pair s8_713 = fnma(w3.s7_94, w3.Rz_arb_front_left_0_and_right_1, s8_712);
-  const Pair s8_714 = fma(s8_677, w3.s8_351, fma(s8_653, w3.s8_346, s8_713));
-  const Pair s8_715 = fnma(w3.s7_96, w3.Rz_arb_front_left_0_and_right_1, s8_677*w3.s8_348);
-  const Pair s8_716 = fnma(s8_658, w3.s8_353, fma(s8_655, w3.s8_351, s8_653*w3.s8_348));
-  const Pair s8_717 = fma(s8_658, w3.s8_352, fnma(s8_655, w3.s8_346, s8_715));
-  const Pair s8_718 = fma(w3.s8_348, w3.s8_348, w3.s8_346*w3.s8_346);
-  w3.s8_719 = s8_709 + fnma(s8_679, w3.s8_354, s8_717);
-  const Pair s8_720 = fma(w3.s8_353, w3.s8_353, w3.s8_352*w3.s8_352);
-  const Pair s8_721 = fma(w2.s7_65, w3.s3_30, m_carrier_right*w1.s1_28);
-  w3.s8_722 = fma(w2.s7_86, w3.s8_345, s8_721);
-  const Pair s8_723 = 0.3477*w3.Rz_arb_front_left_0_and_right_1;
-  w3.s8_724 = s8_707 + (fma(s8_656, w3.s8_354, s8_716) - s8_723);
-  const Pair s8_725 = 0.539*w3.s3_28;
-  const Pair s8_726 = fma(w3.Rz_arb_front_left_0_and_right_1, s8_723, 1.825625);
-  const Pair s8_727 = fma(s8_679, w3.s8_353, fnma(s8_656, w3.s8_352, s8_714)) - s8_725;
-  const Pair s8_728 = fma(w2.s7_65, w3.s3_32, m_carrier_right*w1.s1_30);
-  w3.s8_729 = fma(w2.s7_62, w3.s8_345, s8_728);
-  const Pair s8_730 = fma(w1.s1_28, w3.s8_722, fma(w3.s3_28, s8_725, s8_726));
-  const Pair s8_731 = fma(w1.r_carrier_left_aux1_z, w3.s8_722, s8_727);
-  const Pair s8_732 = fma(w3.s3_32, s8_707, fma(w1.s1_30, w3.s8_729, s8_730));
-  const Pair s8_733 = s8_711 + fma(w2.r_carrier_left_and_right_aux1_y, w3.s8_729, s8_731);
-  w3.s8_734 = fma(p_lower_arm_right_z, w3.s7_124, s8_733);
-  const Pair s8_735 = fma(w3.s8_345, s8_711, fnma(w3.s3_30, s8_709, s8_732));
-  const Pair s8_736 = fnma(0.3333333333333333, fma(w3.s8_351, w3.s8_351, s8_718), s8_735);
-  w3.s8_737 = fnma(1.1666666666666667, fma(w3.s8_354, w3.s8_354, s8_720), s8_736);
-  w3.s8_738 = w3.s7_94 + (1.732 + w2.s7_80);
+  const double s8_702 = s8_691[0] + fnma(s8_524, s8_525, s8_534) - s8_691[1];
+  const double s8_703 = fma(w4.s8_38, w5.s7_145 - s7_140, s8_702);
+  w5.s8_704 = fma(w4.s3_34, fma(w4.s8_46, s7_146 - s7_134, s8_699), s8_703);
+  const Pair s8_705 = fma(w3.s8_449, w3.s3_32, fnma(w1.s7_42, w3.s3_30, w1.s1_30*w2.s7_65));
+  const Pair s8_706 = fma(w1.s7_55, w3.s8_345, s8_705);
+  const Pair s8_707 = fnma(w3.s8_473, w3.s3_30, fnma(w1.s1_28, w2.s7_65, w1.s7_42*w3.s3_32));
+  const Pair s8_708 = fnma(w1.s7_59, w3.s8_345, s8_707);
+  const Pair s8_709 = fma(w1.s7_59, w3.s3_30, fma(w1.s1_30, w2.s7_62, w1.s1_28*w2.s7_86));
+  const Pair s8_710 = fma(w3.s7_114, w3.s8_345, fma(w1.s7_55, w3.s3_32, s8_709));
+  const Pair s8_711 = fnma(p_lower_arm_right_y, w3.s7_126, 1.825625);
+  const Pair s8_712 = fnma(w3.s7_94, w3.Rz_arb_front_left_0_and_right_1, s8_711);
+  const Pair s8_713 = fma(s8_677, w3.s8_351, fma(s8_653, w3.s8_346, s8_712));
+  const Pair s8_714 = fnma(w3.s7_96, w3.Rz_arb_front_left_0_and_right_1, s8_677*w3.s8_348);
+  const Pair s8_715 = fnma(s8_658, w3.s8_353, fma(s8_655, w3.s8_351, s8_653*w3.s8_348));
+  const Pair s8_716 = fma(s8_658, w3.s8_352, fnma(s8_655, w3.s8_346, s8_714));
+  const Pair s8_717 = fma(w3.s8_348, w3.s8_348, w3.s8_346*w3.s8_346);
+  w3.s8_718 = s8_708 + fnma(s8_679, w3.s8_354, s8_716);
+  const Pair s8_719 = fma(w3.s8_353, w3.s8_353, w3.s8_352*w3.s8_352);
+  const Pair s8_720 = fma(w2.s7_65, w3.s3_30, m_carrier_right*w1.s1_28);
+  w3.s8_721 = fma(w2.s7_86, w3.s8_345, s8_720);
+  const Pair s8_722 = 0.3477*w3.Rz_arb_front_left_0_and_right_1;
+  w3.s8_723 = s8_706 + (fma(s8_656, w3.s8_354, s8_715) - s8_722);
+  const Pair s8_724 = 0.539*w3.s3_28;
+  const Pair s8_725 = fma(w3.Rz_arb_front_left_0_and_right_1, s8_722, 1.825625);
+  const Pair s8_726 = fma(s8_679, w3.s8_353, fnma(s8_656, w3.s8_352, s8_713)) - s8_724;
+  const Pair s8_727 = fma(w2.s7_65, w3.s3_32, m_carrier_right*w1.s1_30);
+  w3.s8_728 = fma(w2.s7_62, w3.s8_345, s8_727);
+  const Pair s8_729 = fma(w1.s1_28, w3.s8_721, fma(w3.s3_28, s8_724, s8_725));
+  const Pair s8_730 = fma(w1.r_carrier_left_aux1_z, w3.s8_721, s8_726);
+  const Pair s8_731 = fma(w3.s3_32, s8_706, fma(w1.s1_30, w3.s8_728, s8_729));
+  const Pair s8_732 = s8_710 + fma(w2.r_carrier_left_and_right_aux1_y, w3.s8_728, s8_730);
+  w3.s8_733 = fma(p_lower_arm_right_z, w3.s7_124, s8_732);
+  const Pair s8_734 = fma(w3.s8_345, s8_710, fnma(w3.s3_30, s8_708, s8_731));
+  const Pair s8_735 = fnma(0.3333333333333333, fma(w3.s8_351, w3.s8_351, s8_717), s8_734);
+  w3.s8_736 = fnma(1.1666666666666667, fma(w3.s8_354, w3.s8_354, s8_719), s8_735);
+  w3.s8_737 = w3.s7_94 + (1.732 + w2.s7_80);
 }
 
 /// Part 7 of compute_accelerations: step 8: elimination from the leaves to the root (63),
@@ -2270,232 +2269,233 @@ struct AccelerationsWork6 {
     AccelerationsWork6& __restrict w6, Accelerations& __restrict result) noexcept {
   // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
   // continued ---
-  const Pair s8_739 = w2.s7_82 - 14.85;
-  const Pair s8_740 = 17.775 + w3.s7_100;
-  const Pair s8_741 = fnma(p_arb_rear_right_y, s8_739, w3.s8_738);
-  const Pair s8_742 = fnma(p_arb_front_right_y, s8_740, s8_741);
-  const Pair s8_743 = fma(p_lower_arm_left_x, w3.s8_515, s8_742);
-  const double s8_744 = 46.2 - w4.s7_143;
-  const double s8_745 = 23.1 - w4.s7_143;
-  const double s8_746 = s8_743[0] + fma(p_pitman_arm_y, s8_744, w4.s8_588) - s8_743[1];
-  const Pair s8_747 = 3.75 + w3.s7_119;
-  const Pair s8_748 = w3.s7_106 + s8_747;
-  const Pair s8_749 = 5.0 + w3.s7_126;
-  const Pair s8_750 = fnma(p_upper_arm_right_z, s8_747, 2.215 + w2.s7_79);
-  const Pair s8_751 = fma(0.8, s8_749, w3.s7_112);
-  const Pair s8_752 = 2.025 + w2.s7_81;
+  const Pair s8_738 = w2.s7_82 - 14.85;
+  const Pair s8_739 = 17.775 + w3.s7_100;
+  const Pair s8_740 = fnma(p_arb_rear_right_y, s8_738, w3.s8_737);
+  const Pair s8_741 = fnma(p_arb_front_right_y, s8_739, s8_740);
+  const Pair s8_742 = fma(p_lower_arm_left_x, w3.s8_515, s8_741);
+  const double s8_743 = 46.2 - w4.s7_143;
+  const double s8_744 = 23.1 - w4.s7_143;
+  const double s8_745 = s8_742[0] + fma(p_pitman_arm_y, s8_743, w4.s8_588) - s8_742[1];
+  const Pair s8_746 = 3.75 + w3.s7_119;
+  const Pair s8_747 = w3.s7_106 + s8_746;
+  const Pair s8_748 = 5.0 + w3.s7_126;
+  const Pair s8_749 = fnma(p_upper_arm_right_z, s8_746, 2.215 + w2.s7_79);
+  const Pair s8_750 = fma(0.8, s8_748, w3.s7_112);
+  const Pair s8_751 = 2.025 + w2.s7_81;
 
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
   // continued ---
-  const Pair s8_753 = fnma(p_lower_arm_right_z, s8_749, s8_750) - w3.s7_96;
-  const Pair s8_754 = w3.s7_98 - 2.25;
-  const Pair s8_755 = fnma(p_arb_rear_right_y, s8_752, s8_753);
-  const Pair s8_756 = 2.1 - w3.s7_117;
-  const Pair s8_757 = fma(p_arb_front_right_y, s8_754, s8_755) - w3.s7_107;
-  const Pair s8_758 = 7.75 - w3.s7_124;
-  const Pair s8_759 = fnma(p_upper_arm_right_y, s8_756, s8_757) - w3.s7_113;
-  const Pair s8_760 = fnma(p_lower_arm_right_y, s8_758, s8_759);
-  const double s8_761 = 4.2 + w4.s7_142;
-  const double s8_762 = 2.1 + w4.s7_142;
-  const double s8_763 = fnma(p_pitman_arm_y, s8_761, s8_760[1] - w4.s8_526) - s8_760[0];
-  const Pair s8_764 = fma(109.75, w2.r_carrier_left_and_right_aux1_y, w2.s7_62);
-  const Pair s8_765 = w2.r_carrier_left_and_right_aux1_y + w2.r_carrier_left_and_right_aux1_y;
-  const Pair s8_766 = fma(s8_764, s8_765, w3.s8_681);
-  const Pair s8_767 = w3.s3_28*w3.s7_117;
-  const Pair s8_768 = s8_767 - w3.s8_722 - w3.s7_124;
-  const Pair s8_769 = w3.s7_100*w3.Rz_arb_front_left_0_and_right_1;
-  const Pair s8_770 = fnma(p_upper_arm_right_z, s8_767, w3.s8_734);
-  const Pair s8_771 = w3.s7_119*w3.s3_28;
-  const Pair s8_772 = s8_771 + (s8_769 - w3.s7_126 - w3.s8_729);
-  const Pair s8_773 = fma(p_arb_front_right_y, s8_769, s8_770);
-  const Pair s8_774 = fma(p_upper_arm_right_y, s8_771, s8_773);
-  const Pair s8_775 = fnma(w2.s7_62, w3.s3_30, w2.s7_86*w3.s3_32);
-  const Pair s8_776 = fma(m_carrier_right, w2.r_carrier_left_and_right_aux1_y, w2.s7_62);
-  const Pair s8_777 = w3.s7_98*w3.Rz_arb_front_left_0_and_right_1;
-  const Pair s8_778 = fma(p_lower_arm_left_x, s8_768, w3.s8_719);
-  const Pair s8_779 = fma(p_arb_front_right_y, s8_777, s8_778);
-  const Pair s8_780 = fma(w2.r_carrier_left_and_right_aux1_y, s8_775, s8_779);
-  const Pair s8_781 = s8_775 - s8_777;
-  const Pair s8_782 = fnma(p_arb_front_right_z, s8_777, w3.s8_724);
-  const Pair s8_783 = fma(w1.r_carrier_left_aux1_z, s8_775, s8_782);
-  const Pair s8_784 = fnma(p_arb_front_right_x, s8_769, s8_783);
-  const Pair s8_785 = fma(p_lower_arm_left_x, w3.s7_126 + w3.s8_729 - s8_771, s8_784);
-  w5.s8_786 = w3.s8_676[0];
-  w5.s8_787 = w3.s8_676[1];
-  w5.s8_788 = 1.0/w5.pivot_bell_crank;
+  const Pair s8_752 = fnma(p_lower_arm_right_z, s8_748, s8_749) - w3.s7_96;
+  const Pair s8_753 = w3.s7_98 - 2.25;
+  const Pair s8_754 = fnma(p_arb_rear_right_y, s8_751, s8_752);
+  const Pair s8_755 = 2.1 - w3.s7_117;
+  const Pair s8_756 = fma(p_arb_front_right_y, s8_753, s8_754) - w3.s7_107;
+  const Pair s8_757 = 7.75 - w3.s7_124;
+  const Pair s8_758 = fnma(p_upper_arm_right_y, s8_755, s8_756) - w3.s7_113;
+  const Pair s8_759 = fnma(p_lower_arm_right_y, s8_757, s8_758);
+  const double s8_760 = 4.2 + w4.s7_142;
+  const double s8_761 = 2.1 + w4.s7_142;
+  const double s8_762 = fnma(p_pitman_arm_y, s8_760, s8_759[1] - w4.s8_526) - s8_759[0];
+  const Pair s8_763 = fma(109.75, w2.r_carrier_left_and_right_aux1_y, w2.s7_62);
+  const Pair s8_764 = w2.r_carrier_left_and_right_aux1_y + w2.r_carrier_left_and_right_aux1_y;
+  const Pair s8_765 = fma(s8_763, s8_764, w3.s8_681);
+  const Pair s8_766 = w3.s3_28*w3.s7_117;
+  const Pair s8_767 = s8_766 - w3.s8_721 - w3.s7_124;
+  const Pair s8_768 = w3.s7_100*w3.Rz_arb_front_left_0_and_right_1;
+  const Pair s8_769 = fnma(p_upper_arm_right_z, s8_766, w3.s8_733);
+  const Pair s8_770 = w3.s7_119*w3.s3_28;
+  const Pair s8_771 = s8_770 + (s8_768 - w3.s7_126 - w3.s8_728);
+  const Pair s8_772 = fma(p_arb_front_right_y, s8_768, s8_769);
+  const Pair s8_773 = fma(p_upper_arm_right_y, s8_770, s8_772);
+  const Pair s8_774 = fnma(w2.s7_62, w3.s3_30, w2.s7_86*w3.s3_32);
+  const Pair s8_775 = fma(m_carrier_right, w2.r_carrier_left_and_right_aux1_y, w2.s7_62);
+  const Pair s8_776 = w3.s7_98*w3.Rz_arb_front_left_0_and_right_1;
+  const Pair s8_777 = fma(p_lower_arm_left_x, s8_767, w3.s8_718);
+  const Pair s8_778 = fma(p_arb_front_right_y, s8_776, s8_777);
+  const Pair s8_779 = fma(w2.r_carrier_left_and_right_aux1_y, s8_774, s8_778);
+  const Pair s8_780 = s8_774 - s8_776;
+  const Pair s8_781 = fnma(p_arb_front_right_z, s8_776, w3.s8_723);
+  const Pair s8_782 = fma(w1.r_carrier_left_aux1_z, s8_774, s8_781);
+  const Pair s8_783 = fnma(p_arb_front_right_x, s8_768, s8_782);
+  const Pair s8_784 = fma(p_lower_arm_left_x, w3.s7_126 + w3.s8_728 - s8_770, s8_783);
+  w5.s8_785 = w3.s8_676[0];
+  w5.s8_786 = w3.s8_676[1];
+  w5.s8_787 = 1.0/w5.pivot_bell_crank;
   result.inertia[8] = w5.pivot_bell_crank - 1.5272999999999997e-20;
-  const double s8_789 = w5.s8_788*w5.s8_787;
-  const double pivot_lower_arm_right = fnma(w5.s8_787, s8_789, w3.s8_737[1]);
-  w5.s8_790 = fnma(w4.s8_505, s8_789, s8_781[1]);
-  w5.s8_791 = fma(w4.s8_512, s8_789, s8_768[1]);
-  w5.s8_792 = fnma(w4.s8_510, s8_789, s8_772[1]);
-  w5.s8_793 = fnma(w5.s8_688, s8_789, s8_780[1]);
-  w5.s8_794 = fnma(w5.s8_686, s8_789, s8_774[1]);
-  w5.s8_795 = fnma(w5.s8_666, s8_789, s8_785[1]);
-  w5.s8_796 = fnma(w5.s8_705, s8_789, w3.s8_692[1]);
-  w5.s8_797 = w5.s8_786*s8_789;
-  const double s8_798 = w5.s8_788*w5.s8_786;
-  w5.s8_799 = 1.0/pivot_lower_arm_right;
-  w5.s8_800 = pivot_lower_arm_right - 1.5272999999999997e-20;
-  const double s8_801 = w5.s8_797*w5.s8_799;
-  w5.s8_802 = fma(s8_801, w5.s8_791, fma(w4.s8_512, s8_798, s8_768[0]));
-  w5.s8_803 = fnma(w4.s8_505, s8_798, s8_801*w5.s8_790) - s8_781[0];
-  w5.s8_804 = fnma(w4.s8_510, s8_798, s8_801*w5.s8_792) - s8_772[0];
-  w5.s8_805 = s8_774[0] + fnma(w5.s8_686, s8_798, s8_801*w5.s8_794);
-  w5.s8_806 = s8_780[0] + fnma(w5.s8_688, s8_798, s8_801*w5.s8_793);
-  w5.s8_807 = fnma(w5.s8_666, s8_798, s8_801*w5.s8_795) - s8_785[0];
-  w3.s8_808 = 1e-12*w3.s8_737;
-  const double pivot_lower_arm_left = fnma(w5.s8_797, s8_801, fnma(w5.s8_786, s8_798,
-      w3.s8_737[0]));
-  w5.s8_809 = fnma(w5.s8_705, s8_798, s8_801*w5.s8_796) - w3.s8_692[0];
-  const Pair s8_810 = fma(p_arb_rear_right_z, s8_739, w2.s7_78 + w3.s7_91);
-  const Pair s8_811 = fma(p_arb_front_right_z, s8_740, s8_810);
-  const Pair s8_812 = fnma(p_arb_rear_right_x, s8_752, s8_811);
-  const Pair s8_813 = 4.2 - w3.s7_117;
-  const Pair s8_814 = 15.5 - w3.s7_124;
-  const Pair s8_815 = fma(p_arb_front_right_x, s8_754, s8_812);
-  const Pair s8_816 = fnma(p_lower_arm_left_x, s8_813 + s8_814, s8_815);
-  const double s8_817 = 66.625 - w4.s7_144;
+  const double s8_788 = w5.s8_787*w5.s8_786;
+  const double pivot_lower_arm_right = fnma(w5.s8_786, s8_788, w3.s8_736[1]);
+  w5.s8_789 = fnma(w4.s8_505, s8_788, s8_780[1]);
+  w5.s8_790 = fma(w4.s8_512, s8_788, s8_767[1]);
+  w5.s8_791 = fnma(w4.s8_510, s8_788, s8_771[1]);
+  w5.s8_792 = fnma(w5.s8_688, s8_788, s8_779[1]);
+  w5.s8_793 = fnma(w5.s8_686, s8_788, s8_773[1]);
+  w5.s8_794 = fnma(w5.s8_666, s8_788, s8_784[1]);
+  w5.s8_795 = fnma(w5.s8_704, s8_788, w3.s8_692[1]);
+  w5.s8_796 = w5.s8_785*s8_788;
+  const double s8_797 = w5.s8_787*w5.s8_785;
+  w5.s8_798 = 1.0/pivot_lower_arm_right;
+  w5.s8_799 = pivot_lower_arm_right - 1.5272999999999997e-20;
+  const double s8_800 = w5.s8_796*w5.s8_798;
+  w5.s8_801 = fma(s8_800, w5.s8_790, fma(w4.s8_512, s8_797, s8_767[0]));
+  w5.s8_802 = fnma(w4.s8_505, s8_797, s8_800*w5.s8_789) - s8_780[0];
+  w5.s8_803 = fnma(w4.s8_510, s8_797, s8_800*w5.s8_791) - s8_771[0];
+  w5.s8_804 = s8_773[0] + fnma(w5.s8_686, s8_797, s8_800*w5.s8_793);
+  w5.s8_805 = s8_779[0] + fnma(w5.s8_688, s8_797, s8_800*w5.s8_792);
+  w5.s8_806 = fnma(w5.s8_666, s8_797, s8_800*w5.s8_794) - s8_784[0];
+  w3.s8_807 = 1e-12*w3.s8_736;
+  const double pivot_lower_arm_left = fnma(w5.s8_796, s8_800, fnma(w5.s8_785, s8_797,
+      w3.s8_736[0]));
+  w5.s8_808 = fnma(w5.s8_704, s8_797, s8_800*w5.s8_795) - w3.s8_692[0];
+  const Pair s8_809 = fma(p_arb_rear_right_z, s8_738, w2.s7_78 + w3.s7_91);
+  const Pair s8_810 = fma(p_arb_front_right_z, s8_739, s8_809);
+  const Pair s8_811 = fnma(p_arb_rear_right_x, s8_751, s8_810);
+  const Pair s8_812 = 4.2 - w3.s7_117;
+  const Pair s8_813 = 15.5 - w3.s7_124;
+  const Pair s8_814 = fma(p_arb_front_right_x, s8_753, s8_811);
+  const Pair s8_815 = fnma(p_lower_arm_left_x, s8_812 + s8_813, s8_814);
+  const double s8_816 = 66.625 - w4.s7_144;
 
   // --- step 8: elimination from the leaves to the root (63), continued ---
-  const double s8_818 = fnma(p_pitman_arm_x, s8_762, fma(p_bell_crank_z, s8_817, w5.s8_695));
-  const double s8_819 = s8_816[1] + (s8_816[0] + fma(p_pitman_arm_z, s8_745, s8_818));
-  const Pair s8_820 = w3.s7_98 - 8.55 - w2.s7_81 - s8_813 - s8_814;
-  const double s8_821 = s8_820[1] + (s8_820[0] + (3350.4 - s8_761));
-  const Pair s8_822 = w1.s0_12*(w1.s0_12 + w2.s8_82);
-  const Pair s8_823 = w1.s0_12*w2.s8_74;
-  const Pair s8_824 = w1.s0_12*w2.s8_87;
-  const Pair s8_825 = w2.s8_87*w2.s0_26;
-  const Pair s8_826 = fma(w2.s7_77, s8_824, fma(w2.s7_78, s8_823, w3.s8_470));
-  const Pair s8_827 = fnma(w2.s7_78, s8_824, fnma(w2.s7_83, s8_823, w3.s8_483));
-  const Pair s8_828 = fnma(w2.s7_81, s8_823, w2.s7_82*s8_824);
-  const Pair s8_829 = fma(7.9, s8_740, fnma(6.6, s8_739, w2.s7_77 + w3.s7_92));
-  const Pair s8_830 = w2.s7_81*s8_822;
-  const Pair s8_831 = fma(0.56, s8_756, fma(0.9, s8_752, w2.s7_83 + w3.s7_101) - s8_754);
-  const Pair s8_832 = w2.s7_82*s8_822;
-  const Pair s8_833 = fma(p_arb_rear_right_x, s8_828, fnma(w2.s7_80, s8_822, s8_826));
-  const Pair s8_834 = w3.s7_127 + (w3.s7_120 + fma(1.24, s8_758, s8_831));
-  const Pair s8_835 = w3.s7_100 + (5.85 + w2.s7_82);
-  const Pair s8_836 = w2.s0_26*(w2.s8_82 + w2.s0_26);
-  const Pair s8_837 = w2.s8_74*w2.s0_26;
-  const Pair s8_838 = fnma(p_arb_rear_right_z, s8_828, fnma(w2.s7_79, s8_822, s8_827));
-  const Pair s8_839 = fma(w3.s7_91, s8_837, fma(p_arb_rear_right_y, s8_832, s8_833));
-  const Pair s8_840 = fma(w3.s7_100, s8_825, w3.s7_98*s8_837);
-  const Pair s8_841 = fnma(w3.s7_91, s8_825, fnma(w3.s7_101, s8_837, s8_838));
-  const Pair s8_842 = fnma(w3.s7_100, s8_836, w3.s7_98*w3.zdd_star_arb_front_left_and_right);
-  const Pair s8_843 = fnma(w3.s7_94, s8_836, fma(w3.s7_92, s8_825, s8_839));
-  const Pair s8_844 = fnma(p_arb_rear_right_z, s8_832, w3.s8_477);
-  const Pair s8_845 = fnma(p_arb_front_right_y, s8_842, s8_843);
-  const Pair s8_846 = fma(w3.s7_98, s8_836, w3.s7_100*w3.zdd_star_arb_front_left_and_right);
-  const double s8_847 = s8_835[1] + (s8_835[0] + (s8_744 + (232.0 + s8_817)));
-  const Pair s8_848 = fma(w3.s7_119, w2.s8_90, w2.s6_92*w3.s7_117);
-  const Pair s8_849 = fnma(w3.s7_117, w2.s8_90, w3.s7_119*w2.s6_92);
-  const Pair s8_850 = w2.s8_82*w2.s0_22;
-  const Pair s8_851 = w2.s8_74*w2.s0_22;
-  const Pair s8_852 = w2.s8_82*w1.s0_14;
-  const Pair s8_853 = w2.s8_74*w1.s0_14;
-  const Pair s8_854 = fnma(w3.s7_117, s8_851, w3.s7_119*s8_850);
-  const Pair s8_855 = fma(w3.s7_106, s8_850, fma(p_arb_front_right_x, s8_840, s8_845));
-  const Pair s8_856 = fma(w3.s7_107, s8_850, fma(p_arb_front_right_z, s8_842, s8_844));
-  const Pair s8_857 = fnma(p_upper_arm_right_y, s8_854, fnma(w3.s7_107, s8_851, s8_855));
-  const Pair s8_858 = fma(p_upper_arm_right_z, s8_854, fnma(w3.s7_120, s8_851, s8_856));
-  const Pair s8_859 = fma(w2.r_carrier_left_and_right_aux1_y, w3.f_carrier_left_and_right_x,
-      s8_857);
-  const Pair s8_860 = fma(w1.r_carrier_left_aux1_z, w3.f_carrier_left_and_right_x, s8_858);
-  const Pair s8_861 = fnma(w3.s7_124, s8_853, w3.s7_126*s8_852);
-  const Pair s8_862 = w3.s7_126*w2.s8_91;
-  const Pair s8_863 = fnma(w3.s7_113, s8_853, fma(w3.s7_112, s8_852, s8_859));
-  const Pair s8_864 = w3.s7_124*w2.s8_91;
-  const Pair s8_865 = fnma(w3.s7_127, s8_853, fma(w3.s7_113, s8_852, s8_860));
+  const double s8_817 = fnma(p_pitman_arm_x, s8_761, fma(p_bell_crank_z, s8_816, w5.s8_695));
+  const double s8_818 = s8_815[1] + (s8_815[0] + fma(p_pitman_arm_z, s8_744, s8_817));
+  const Pair s8_819 = w3.s7_98 - 8.55 - w2.s7_81 - s8_812 - s8_813;
+  const double s8_820 = s8_819[1] + (s8_819[0] + (3350.4 - s8_760));
+  const Pair s8_821 = w1.s0_12*(w1.s0_12 + w2.s8_82);
+  const Pair s8_822 = w1.s0_12*w2.s8_74;
+  const Pair s8_823 = w1.s0_12*w2.s8_87;
+  const Pair s8_824 = w2.s8_87*w2.s0_26;
+  const Pair s8_825 = fma(w2.s7_77, s8_823, fma(w2.s7_78, s8_822, w3.s8_470));
+  const Pair s8_826 = fnma(w2.s7_78, s8_823, fnma(w2.s7_83, s8_822, w3.s8_483));
+  const Pair s8_827 = fnma(w2.s7_81, s8_822, w2.s7_82*s8_823);
+  const Pair s8_828 = fma(7.9, s8_739, fnma(6.6, s8_738, w2.s7_77 + w3.s7_92));
+  const Pair s8_829 = w2.s7_81*s8_821;
+  const Pair s8_830 = fma(0.56, s8_755, fma(0.9, s8_751, w2.s7_83 + w3.s7_101) - s8_753);
+  const Pair s8_831 = w2.s7_82*s8_821;
+  const Pair s8_832 = fma(p_arb_rear_right_x, s8_827, fnma(w2.s7_80, s8_821, s8_825));
+  const Pair s8_833 = w3.s7_127 + (w3.s7_120 + fma(1.24, s8_757, s8_830));
+  const Pair s8_834 = w3.s7_100 + (5.85 + w2.s7_82);
+  const Pair s8_835 = w2.s0_26*(w2.s8_82 + w2.s0_26);
+  const Pair s8_836 = w2.s8_74*w2.s0_26;
+  const Pair s8_837 = fnma(p_arb_rear_right_z, s8_827, fnma(w2.s7_79, s8_821, s8_826));
+  const Pair s8_838 = fma(w3.s7_91, s8_836, fma(p_arb_rear_right_y, s8_831, s8_832));
+  const Pair s8_839 = fma(w3.s7_100, s8_824, w3.s7_98*s8_836);
+  const Pair s8_840 = fnma(w3.s7_91, s8_824, fnma(w3.s7_101, s8_836, s8_837));
+  const Pair s8_841 = fnma(w3.s7_100, s8_835, w3.s7_98*w3.zdd_star_arb_front_left_and_right);
+  const Pair s8_842 = fnma(w3.s7_94, s8_835, fma(w3.s7_92, s8_824, s8_838));
+  const Pair s8_843 = fnma(p_arb_rear_right_z, s8_831, w3.s8_477);
+  const Pair s8_844 = fnma(p_arb_front_right_y, s8_841, s8_842);
+  const Pair s8_845 = fma(w3.s7_98, s8_835, w3.s7_100*w3.zdd_star_arb_front_left_and_right);
+  const double s8_846 = s8_834[1] + (s8_834[0] + (s8_743 + (232.0 + s8_816)));
+  const Pair s8_847 = fma(w3.s7_119, w2.s8_90, w2.s6_92*w3.s7_117);
+  const Pair s8_848 = fnma(w3.s7_117, w2.s8_90, w3.s7_119*w2.s6_92);
+  const Pair s8_849 = w2.s8_82*w2.s0_22;
+  const Pair s8_850 = w2.s8_74*w2.s0_22;
+  const Pair s8_851 = w2.s8_82*w1.s0_14;
+  const Pair s8_852 = w2.s8_74*w1.s0_14;
+  const Pair s8_853 = fnma(w3.s7_117, s8_850, w3.s7_119*s8_849);
+  const Pair s8_854 = fma(w3.s7_106, s8_849, fma(p_arb_front_right_x, s8_839, s8_844));
+  const Pair s8_855 = fma(w3.s7_107, s8_849, fma(p_arb_front_right_z, s8_841, s8_843));
+  const Pair s8_856 = fnma(p_upper_arm_right_y, s8_853, fnma(w3.s7_107, s8_850, s8_854));
+  const Pair s8_857 = fma(p_upper_arm_right_z, s8_853, fnma(w3.s7_120, s8_850, s8_855));
+  const Pair s8_858 = fma(w2.r_carrier_left_and_right_aux1_y, w3.f_carrier_left_and_right_x,
+      s8_856);
+  const Pair s8_859 = fma(w1.r_carrier_left_aux1_z, w3.f_carrier_left_and_right_x, s8_857);
+  const Pair s8_860 = fnma(w3.s7_124, s8_852, w3.s7_126*s8_851);
+  const Pair s8_861 = w3.s7_126*w2.s8_91;
+  const Pair s8_862 = fnma(w3.s7_113, s8_852, fma(w3.s7_112, s8_851, s8_858));
+  const Pair s8_863 = w3.s7_124*w2.s8_91;
+  const Pair s8_864 = fnma(w3.s7_127, s8_852, fma(w3.s7_113, s8_851, s8_859));
   // chassis: chassis_rx, revolute, chassis_aux5
-  w3.s8_866 = s8_832 - s8_842 - s8_854 - w3.f_carrier_left_and_right_x - s8_861;
-  const Pair s8_867 = fnma(p_upper_arm_right_z, s8_848, fma(w3.s7_96, s8_836, s8_841));
-  w3.s8_868 = s8_862 + (s8_848 + (s8_840 + (w3.f_carrier_left_and_right_y + s8_828)));
-  const Pair s8_869 = fma(p_lower_arm_right_z, s8_861, s8_865);
-  const Pair s8_870 = s8_862 + (w3.f_carrier_left_and_right_y + s8_848);
-  const Pair s8_871 = fnma(p_lower_arm_right_y, s8_861, s8_863);
-  const Pair s8_872 = fma(p_lower_arm_left_x, s8_870, s8_871);
-  const Pair s8_873 = fnma(p_lower_arm_right_z, s8_862, s8_867);
-  const Pair s8_874 = fnma(p_arb_rear_right_x, s8_830, s8_869);
-  const Pair s8_875 = fma(p_arb_rear_right_y, s8_830, s8_873);
-  const Pair s8_876 = fnma(p_arb_front_right_y, s8_846, s8_875);
-  const Pair s8_877 = fnma(p_lower_arm_right_y, s8_864, s8_876);
-  const Pair s8_878 = fnma(p_rear_axle_tx_z, s8_840 - s8_849, s8_877);
-  const Pair s8_879 = s8_864 - w3.f_carrier_left_and_right_z - s8_849;
-  const Pair s8_880 = fma(p_arb_front_right_x, s8_846, s8_874);
-  const Pair s8_881 = fma(p_lower_arm_left_x, s8_879, s8_880);
-  w3.s8_882 = s8_864 + (s8_846 - w3.f_carrier_left_and_right_z - s8_830 - s8_849);
-  const double s8_883 = s8_834[1] + (s8_834[0] + fma(0.8, s8_762, w5.s8_700));
-  const double s8_884 = s8_751[0] + (s8_748[0] + (s8_751[1] + (s8_748[1] + w5.s8_702)));
-  const double s8_885 = s8_829[0] + fma(8.8, s8_745, fma(6.5, 33.3125 - w4.s7_144, w5.s8_701));
-  const double s8_886 = s8_829[1] + s8_885;
-  w5.s8_887 = s8_776[0] + w4.s8_542 - s8_776[1];
-  const double s8_888 = s8_884 + (s8_766[1] + (s8_766[0] + w4.s8_544));
+  w3.s8_865 = s8_831 - s8_841 - s8_853 - w3.f_carrier_left_and_right_x - s8_860;
+  const Pair s8_866 = fnma(p_upper_arm_right_z, s8_847, fma(w3.s7_96, s8_835, s8_840));
+  w3.s8_867 = s8_861 + (s8_847 + (s8_839 + (w3.f_carrier_left_and_right_y + s8_827)));
+  const Pair s8_868 = fma(p_lower_arm_right_z, s8_860, s8_864);
+  const Pair s8_869 = s8_861 + (w3.f_carrier_left_and_right_y + s8_847);
+  const Pair s8_870 = fnma(p_lower_arm_right_y, s8_860, s8_862);
+  const Pair s8_871 = fma(p_lower_arm_left_x, s8_869, s8_870);
+  const Pair s8_872 = fnma(p_lower_arm_right_z, s8_861, s8_866);
+  const Pair s8_873 = fnma(p_arb_rear_right_x, s8_829, s8_868);
+  const Pair s8_874 = fma(p_arb_rear_right_y, s8_829, s8_872);
+  const Pair s8_875 = fnma(p_arb_front_right_y, s8_845, s8_874);
+  const Pair s8_876 = fnma(p_lower_arm_right_y, s8_863, s8_875);
+  const Pair s8_877 = fnma(p_rear_axle_tx_z, s8_839 - s8_848, s8_876);
+  const Pair s8_878 = s8_863 - w3.f_carrier_left_and_right_z - s8_848;
+  const Pair s8_879 = fma(p_arb_front_right_x, s8_845, s8_873);
+  const Pair s8_880 = fma(p_lower_arm_left_x, s8_878, s8_879);
+  w3.s8_881 = s8_863 + (s8_845 - w3.f_carrier_left_and_right_z - s8_829 - s8_848);
+  const double s8_882 = s8_833[1] + (s8_833[0] + fma(0.8, s8_761, w5.s8_700));
+  const double s8_883 = s8_750[0] + (s8_747[0] + (s8_750[1] + (w5.s7_145 + s8_747[1])));
+  const double s8_884 = 5020.856800000031 + s8_883;
+  const double s8_885 = s8_828[0] + fma(8.8, s8_744, fma(6.5, 33.3125 - w4.s7_144, w5.s8_701));
+  const double s8_886 = s8_828[1] + s8_885;
+  w5.s8_887 = s8_775[0] + w4.s8_542 - s8_775[1];
+  const double s8_888 = s8_884 + (s8_765[1] + (s8_765[0] + w4.s8_544));
   const Pair s8_889 = 395.1 + w2.s7_65;
   const Pair s8_890 = fma(7.2, s8_889, w3.s8_662);
-  const Pair s8_891 = fma(p_lower_arm_right_x, s8_764, w3.s8_664);
+  const Pair s8_891 = fma(p_lower_arm_right_x, s8_763, w3.s8_664);
   const Pair s8_892 = fma(w2.r_carrier_left_and_right_aux1_y, s8_889, s8_891);
   const Pair s8_893 = 790.2 + w2.s7_65;
   const double s8_894 = s8_890[1] + (s8_890[0] + (s8_886 + w4.s8_549));
   const Pair s8_895 = fma(m_carrier_right, w1.r_carrier_left_aux1_z, w2.s7_86);
   const Pair s8_896 = fma(109.75, w1.r_carrier_left_aux1_z, w2.s7_86);
-  const Pair s8_897 = fma(w1.r_carrier_left_aux1_z, s8_764, w3.s8_682);
+  const Pair s8_897 = fma(w1.r_carrier_left_aux1_z, s8_763, w3.s8_682);
   const Pair s8_898 = fma(w2.r_carrier_left_and_right_aux1_y, s8_896, s8_897);
   const Pair s8_899 = fma(w1.r_carrier_left_aux1_z, s8_889, w3.s8_663);
   const Pair s8_900 = fma(p_lower_arm_right_x, s8_896, s8_899);
   const Pair s8_901 = w1.r_carrier_left_aux1_z + w1.r_carrier_left_aux1_z;
   const Pair s8_902 = fma(s8_896, s8_901, w3.s8_657);
-  w5.s8_903 = s8_895[1] + (s8_895[0] + (s8_821 + w4.s8_551));
+  w5.s8_903 = s8_895[1] + (s8_895[0] + (s8_820 + w4.s8_551));
   w5.s8_904 = 1.0/pivot_lower_arm_left;
   w5.s8_905 = pivot_lower_arm_left - 1.5272999999999997e-20;
-  const double s8_906 = w5.s8_904*w5.s8_807;
+  const double s8_906 = w5.s8_904*w5.s8_806;
   const double s8_907 = fnma(w4.s8_575, w4.s8_604, fnma(w4.s8_576, w4.s8_601, s8_894));
-  const double s8_908 = w5.s8_799*w5.s8_795;
-  const double s8_909 = fnma(w4.s8_38, s8_763, fma(w4.s8_40, s8_746, w4.s8_612));
-  const double s8_910 = w5.s8_666*w5.s8_788;
-  const double s8_911 = fma(w5.s8_793, s8_908, fma(w5.s8_806, s8_906, s8_763 + w4.s8_606));
-  const double s8_912 = fnma(w5.s8_795, s8_908, fnma(w5.s8_807, s8_906, s8_907));
-  const double s8_913 = fnma(w5.s8_705, s8_910, fnma(w5.s8_796, s8_908, s8_909));
+  const double s8_908 = w5.s8_798*w5.s8_794;
+  const double s8_909 = fnma(w4.s8_38, s8_762, fma(w4.s8_40, s8_745, w4.s8_612));
+  const double s8_910 = w5.s8_666*w5.s8_787;
+  const double s8_911 = fma(w5.s8_792, s8_908, fma(w5.s8_805, s8_906, s8_762 + w4.s8_606));
+  const double s8_912 = fnma(w5.s8_794, s8_908, fnma(w5.s8_806, s8_906, s8_907));
+  const double s8_913 = fnma(w5.s8_704, s8_910, fnma(w5.s8_795, s8_908, s8_909));
   w5.s8_914 = s8_898[0] + fma(w5.s8_688, s8_910, s8_911) - s8_898[1];
-  const double s8_915 = s8_902[1] + (s8_902[0] + (s8_883 + w4.s8_554));
+  const double s8_915 = s8_902[1] + (s8_902[0] + (s8_882 + w4.s8_554));
   const double s8_916 = s8_915 + fnma(w5.s8_666, s8_910, s8_912);
-  const double s8_917 = w5.s8_904*w5.s8_806;
+  const double s8_917 = w5.s8_904*w5.s8_805;
   const double s8_918 = fnma(w4.s8_571, w4.s8_595, fnma(w4.s8_572, w4.s8_593, s8_888));
-  const double s8_919 = w5.s8_799*w5.s8_793;
-  const double s8_920 = fma(w4.s8_46, s8_763, fnma(w4.s8_529, s8_746, w4.s8_600));
-  const double s8_921 = w5.s8_688*w5.s8_788;
-  const double s8_922 = fnma(w5.s8_793, s8_919, fnma(w5.s8_806, s8_917, s8_918));
+  const double s8_919 = w5.s8_798*w5.s8_792;
+  const double s8_920 = fma(w4.s8_46, s8_762, fnma(w4.s8_529, s8_745, w4.s8_600));
+  const double s8_921 = w5.s8_688*w5.s8_787;
+  const double s8_922 = fnma(w5.s8_792, s8_919, fnma(w5.s8_805, s8_917, s8_918));
   const double pivot_chassis_rx = s8_894 + fnma(w5.s8_688, s8_921, s8_922);
   result.inertia[5] = pivot_chassis_rx;
-  const double s8_923 = fnma(w5.s8_705, s8_921, fnma(w5.s8_796, s8_919, s8_920));
+  const double s8_923 = fnma(w5.s8_704, s8_921, fnma(w5.s8_795, s8_919, s8_920));
   w5.s8_924 = 1.0/pivot_chassis_rx;
-  const double s8_925 = w5.s8_904*w5.s8_805;
+  const double s8_925 = w5.s8_904*w5.s8_804;
   const double s8_926 = fnma(w4.s8_573, w4.s8_615, fnma(w4.s8_574, w4.s8_613, s8_888));
-  const double s8_927 = w5.s8_799*w5.s8_794;
-  const double s8_928 = fnma(w4.s8_336, s8_763, fnma(w4.s8_46, s8_746, w5.s8_625));
-  const double s8_929 = w5.s8_686*w5.s8_788;
-  const double s8_930 = fma(w5.s8_793, s8_927, fma(s8_925, w5.s8_806, w4.s8_618));
-  const double s8_931 = fma(w5.s8_795, s8_927, fma(s8_925, w5.s8_807, s8_746 + w4.s8_619));
-  const double s8_932 = fnma(w5.s8_794, s8_927, fnma(w5.s8_805, s8_925, s8_926));
+  const double s8_927 = w5.s8_798*w5.s8_793;
+  const double s8_928 = fnma(w4.s8_336, s8_762, fnma(w4.s8_46, s8_745, w5.s8_625));
+  const double s8_929 = w5.s8_686*w5.s8_787;
+  const double s8_930 = fma(w5.s8_792, s8_927, fma(s8_925, w5.s8_805, w4.s8_618));
+  const double s8_931 = fma(w5.s8_794, s8_927, fma(s8_925, w5.s8_806, s8_745 + w4.s8_619));
+  const double s8_932 = fnma(w5.s8_793, s8_927, fnma(w5.s8_804, s8_925, s8_926));
   w5.s8_933 = s8_915 + fnma(w5.s8_686, s8_929, s8_932);
-  const double s8_934 = fnma(w5.s8_705, s8_929, fnma(w5.s8_796, s8_927, s8_928));
-  w5.s8_935 = s8_900[1] + (s8_900[0] + (s8_819 + fma(w5.s8_688, s8_929, s8_930)));
+  const double s8_934 = fnma(w5.s8_704, s8_929, fnma(w5.s8_795, s8_927, s8_928));
+  w5.s8_935 = s8_900[1] + (s8_900[0] + (s8_818 + fma(w5.s8_688, s8_929, s8_930)));
   w5.s8_936 = w5.s8_924*w5.s8_914;
   const double s8_937 = s8_892[0] + fma(w5.s8_936, w5.s8_935, fma(w5.s8_666, s8_929, s8_931));
   w5.s8_938 = s8_937 - s8_892[1];
-  const double s8_939 = s8_872[0] + fnma(w4.s8_40, s8_819, fnma(s8_917, w5.s8_809, s8_923));
-  w5.s8_940 = fma(w4.s8_38, s8_884 - s8_886, s8_939 - s8_872[1]);
-  const double s8_941 = fnma(w4.s8_252, s8_819, fnma(s8_906, w5.s8_809, s8_913));
-  const double s8_942 = fma(w5.s8_936, w5.s8_940, s8_941) - s8_881[0] - s8_881[1];
-  w5.s8_943 = fma(w4.s8_46, s8_886 - s8_883, s8_942);
+  const double s8_939 = s8_871[0] + fnma(w4.s8_40, s8_818, fnma(s8_917, w5.s8_808, s8_923));
+  w5.s8_940 = fma(w4.s8_38, s8_884 - s8_886, s8_939 - s8_871[1]);
+  const double s8_941 = fnma(w4.s8_252, s8_818, fnma(s8_906, w5.s8_808, s8_913));
+  const double s8_942 = fma(w5.s8_936, w5.s8_940, s8_941) - s8_880[0] - s8_880[1];
+  w5.s8_943 = fma(w4.s8_46, s8_886 - s8_882, s8_942);
   w5.s8_944 = w5.s8_924*w5.s8_935;
-  const double s8_945 = fma(w4.s8_38, s8_819, fnma(s8_925, w5.s8_809, s8_934));
+  const double s8_945 = fma(w4.s8_38, s8_818, fnma(s8_925, w5.s8_808, s8_934));
   const double pivot_chassis_ry = fnma(w5.s8_914, w5.s8_936, s8_916);
   w5.s8_946 = fnma(1e-12, s8_916, pivot_chassis_ry);
   w5.s8_947 = 1.0/pivot_chassis_ry;
   w5.s8_948 = w5.s8_947*w5.s8_938;
-  const double s8_949 = s8_878[0] + fma(w5.s8_948, w5.s8_943, fma(w5.s8_944, w5.s8_940, s8_945));
-  w5.s8_950 = fma(w4.s8_40, s8_883 - s8_884, s8_949 - s8_878[1]);
+  const double s8_949 = s8_877[0] + fma(w5.s8_948, w5.s8_943, fma(w5.s8_944, w5.s8_940, s8_945));
+  w5.s8_950 = fma(w4.s8_40, s8_882 - s8_884, s8_949 - s8_877[1]);
   const double R_chassis_aux4_y_x = w6.sines[0];
   const double s1_6 = w6.sines[2];
   const double R_chassis_aux4_x_x = w6.cosines[0];
@@ -2509,13 +2509,13 @@ struct AccelerationsWork6 {
   const double s8_953 = fma(w4.R_chassis_z_z, tau_chassis_tz, s8_951) - w4.f_rear_axle_z;
   w5.s8_954 = w4.s8_564*w4.s8_569;
   const double s8_955 = fma(w4.s8_577, w5.s8_954, fnma(w5.s8_952, w4.s8_578, s8_953));
-  w5.s8_956 = w5.s8_799*w5.s8_792;
+  w5.s8_956 = w5.s8_798*w5.s8_791;
   const double s8_957 = fnma(w4.s8_40, w4.s8_516, s8_955 - w4.s8_585 - w4.s8_591);
-  w5.s8_958 = w4.s8_510*w5.s8_788;
-  w5.s8_959 = w5.s8_904*w5.s8_804;
-  const double s8_960 = fnma(w5.s8_705, w5.s8_958, fnma(w5.s8_796, w5.s8_956, s8_957));
-  const double s8_961 = fma(w4.s8_18, s8_821, fnma(w5.s8_959, w5.s8_809, s8_960));
-  w5.s8_962 = fnma(w4.s8_46, s8_847, s8_961);
+  w5.s8_958 = w4.s8_510*w5.s8_787;
+  w5.s8_959 = w5.s8_904*w5.s8_803;
+  const double s8_960 = fnma(w5.s8_704, w5.s8_958, fnma(w5.s8_795, w5.s8_956, s8_957));
+  const double s8_961 = fma(w4.s8_18, s8_820, fnma(w5.s8_959, w5.s8_808, s8_960));
+  w5.s8_962 = fnma(w4.s8_46, s8_846, s8_961);
   const double s1_7 = w6.cosines[2];
   w5.R_chassis_x_y = fnma(R_chassis_aux4_y_x, s1_7, R_chassis_aux4_x_x*w4.s1_41);
   w5.R_chassis_y_y = fma(R_chassis_aux4_x_x, s1_7, R_chassis_aux4_y_x*w4.s1_41);
@@ -2524,13 +2524,13 @@ struct AccelerationsWork6 {
   const double s8_965 = fma(w4.R_chassis_z_y, tau_chassis_tz, s8_963) - w4.f_rear_axle_y;
   w5.s8_966 = w4.s8_566*w4.s8_592;
   const double s8_967 = fma(w5.s8_966, w4.s8_578, fnma(w5.s8_964, w4.s8_577, s8_965));
-  w5.s8_968 = w5.s8_799*w5.s8_791;
+  w5.s8_968 = w5.s8_798*w5.s8_790;
   const double s8_969 = fma(w4.s8_20, w4.s8_516, w4.s8_589 + (w4.s8_586 + s8_967));
-  w5.s8_970 = w4.s8_512*w5.s8_788;
-  w5.s8_971 = w5.s8_904*w5.s8_802;
-  const double s8_972 = fma(w5.s8_705, w5.s8_970, fnma(w5.s8_796, w5.s8_968, s8_969));
-  const double s8_973 = fnma(w4.s8_40, s8_821, fnma(w5.s8_971, w5.s8_809, s8_972));
-  w5.s8_974 = fnma(w4.s8_38, s8_847, s8_973);
+  w5.s8_970 = w4.s8_512*w5.s8_787;
+  w5.s8_971 = w5.s8_904*w5.s8_801;
+  const double s8_972 = fma(w5.s8_704, w5.s8_970, fnma(w5.s8_795, w5.s8_968, s8_969));
+  const double s8_973 = fnma(w4.s8_40, s8_820, fnma(w5.s8_971, w5.s8_808, s8_972));
+  w5.s8_974 = fnma(w4.s8_38, s8_846, s8_973);
   // chassis_aux5: chassis_ry, revolute, chassis_aux4
   const double R_chassis_aux5_z_z = w6.cosines[1];
   w5.R_chassis_aux5_x_x = R_chassis_aux4_x_x*R_chassis_aux5_z_z;
@@ -2541,14 +2541,14 @@ struct AccelerationsWork6 {
   const double s8_978 = fnma(w6.sines[1], tau_chassis_tz, s8_976) - w4.f_rear_axle_x;
   w5.s8_979 = w4.s8_564*w4.s8_567;
   const double s8_980 = fnma(w4.s8_577, w5.s8_979, fnma(w5.s8_977, w4.s8_578, s8_978));
-  w5.s8_981 = w5.s8_799*w5.s8_790;
+  w5.s8_981 = w5.s8_798*w5.s8_789;
   const double s8_982 = fnma(w4.s8_38, w4.s8_516, s8_980 - w4.s8_587 - w4.s8_590);
-  w5.s8_983 = w4.s8_505*w5.s8_788;
-  w5.s8_984 = w5.s8_803*w5.s8_904;
-  const double s8_985 = fnma(w5.s8_705, w5.s8_983, fnma(w5.s8_796, w5.s8_981, s8_982));
-  const double s8_986 = fnma(w4.s8_46, s8_821, fnma(w5.s8_984, w5.s8_809, s8_985));
-  w5.s8_987 = fma(w4.s8_19, s8_847, s8_986);
-  w5.s8_988 = s8_893[1] + (s8_893[0] + (s8_847 + w4.s8_547));
+  w5.s8_983 = w4.s8_505*w5.s8_787;
+  w5.s8_984 = w5.s8_802*w5.s8_904;
+  const double s8_985 = fnma(w5.s8_704, w5.s8_983, fnma(w5.s8_795, w5.s8_981, s8_982));
+  const double s8_986 = fnma(w4.s8_46, s8_820, fnma(w5.s8_984, w5.s8_808, s8_985));
+  w5.s8_987 = fma(w4.s8_19, s8_846, s8_986);
+  w5.s8_988 = s8_893[1] + (s8_893[0] + (s8_846 + w4.s8_547));
 }
 
 /// Part 8 of compute_accelerations: step 8: elimination from the leaves to the root (63),
@@ -2563,55 +2563,55 @@ struct AccelerationsWork6 {
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
   // continued ---
   const double s8_989 = fma(w4.s8_571, w5.s8_954, w5.s8_952*w4.s8_572);
-  const double s8_990 = fma(w5.s8_793, w5.s8_956, fma(w5.s8_959, w5.s8_806, s8_989));
+  const double s8_990 = fma(w5.s8_792, w5.s8_956, fma(w5.s8_959, w5.s8_805, s8_989));
   const double s8_991 = fma(w5.s8_688, w5.s8_958, s8_990);
 
   // --- step 8: elimination from the leaves to the root (63), continued ---
   const double s8_992 = fnma(w4.s8_571, w5.s8_979, w5.s8_977*w4.s8_572);
-  const double s8_993 = fma(w5.s8_793, w5.s8_981, fma(w5.s8_984, w5.s8_806, s8_992));
+  const double s8_993 = fma(w5.s8_792, w5.s8_981, fma(w5.s8_984, w5.s8_805, s8_992));
   // chassis: chassis_rx, revolute, chassis_aux5
   const double s8_994 = w5.s8_887 + fma(w5.s8_688, w5.s8_983, s8_993);
   const double s8_995 = fnma(w4.s8_573, w5.s8_954, fnma(w5.s8_952, w4.s8_574, w5.s8_887));
-  const double s8_996 = fnma(w5.s8_794, w5.s8_956, fnma(w5.s8_959, w5.s8_805, s8_995));
+  const double s8_996 = fnma(w5.s8_793, w5.s8_956, fnma(w5.s8_959, w5.s8_804, s8_995));
   const double s8_997 = fnma(w4.s8_575, w5.s8_954, w5.s8_952*w4.s8_576);
   const double s8_998 = fnma(w4.s8_569, w5.s8_954, fnma(w4.s8_570, w5.s8_952, 15306.0));
-  const double s8_999 = fma(w5.s8_795, w5.s8_956, fma(w5.s8_959, w5.s8_807, s8_997));
-  const double s8_1000 = fnma(w5.s8_792, w5.s8_956, fnma(w5.s8_804, w5.s8_959, s8_998));
+  const double s8_999 = fma(w5.s8_794, w5.s8_956, fma(w5.s8_959, w5.s8_806, s8_997));
+  const double s8_1000 = fnma(w5.s8_791, w5.s8_956, fnma(w5.s8_803, w5.s8_959, s8_998));
   const double s8_1001 = fnma(w4.s8_510, w5.s8_958, s8_1000);
   const double s8_1002 = w5.s8_988 + fma(s8_991, w5.s8_936, fma(w5.s8_666, w5.s8_958, s8_999));
   const double s8_1003 = fnma(s8_991, w5.s8_944, fnma(w5.s8_686, w5.s8_958, s8_996));
   const double s8_1004 = fnma(w5.s8_948, s8_1002, s8_1003);
   const double s8_1005 = fma(w4.s8_571, w5.s8_964, w5.s8_966*w4.s8_572);
-  const double s8_1006 = fnma(w5.s8_793, w5.s8_968, fnma(w5.s8_971, w5.s8_806, s8_1005));
+  const double s8_1006 = fnma(w5.s8_792, w5.s8_968, fnma(w5.s8_971, w5.s8_805, s8_1005));
   const double s8_1007 = w5.s8_988 + fma(w5.s8_688, w5.s8_970, s8_1006);
   const double s8_1008 = fnma(w4.s8_575, w5.s8_979, fnma(w5.s8_977, w4.s8_576, w5.s8_903));
-  const double s8_1009 = fnma(w5.s8_795, w5.s8_981, fnma(w5.s8_984, w5.s8_807, s8_1008));
+  const double s8_1009 = fnma(w5.s8_794, w5.s8_981, fnma(w5.s8_984, w5.s8_806, s8_1008));
   const double s8_1010 = fnma(s8_994, w5.s8_936, fnma(w5.s8_666, w5.s8_983, s8_1009));
   const double s8_1011 = fnma(w4.s8_575, w5.s8_964, w5.s8_966*w4.s8_576);
-  const double s8_1012 = fnma(w5.s8_795, w5.s8_968, fnma(w5.s8_971, w5.s8_807, s8_1011));
+  const double s8_1012 = fnma(w5.s8_794, w5.s8_968, fnma(w5.s8_971, w5.s8_806, s8_1011));
   const double s8_1013 = fma(w5.s8_936, s8_1007, fma(w5.s8_666, w5.s8_970, s8_1012));
   const double s8_1014 = fma(w4.s8_573, w5.s8_964, w5.s8_966*w4.s8_574);
-  const double s8_1015 = fnma(w5.s8_794, w5.s8_968, fnma(w5.s8_971, w5.s8_805, s8_1014));
+  const double s8_1015 = fnma(w5.s8_793, w5.s8_968, fnma(w5.s8_971, w5.s8_804, s8_1014));
   const double s8_1016 = fma(w5.s8_944, s8_1007, fma(w5.s8_686, w5.s8_970, s8_1015) - w5.s8_903);
   const double s8_1017 = fma(w5.s8_948, s8_1013, s8_1016);
   const double s8_1018 = fnma(w5.s8_977, w4.s8_574, w4.s8_573*w5.s8_979);
-  const double s8_1019 = fnma(w5.s8_794, w5.s8_981, fnma(w5.s8_984, w5.s8_805, s8_1018));
+  const double s8_1019 = fnma(w5.s8_793, w5.s8_981, fnma(w5.s8_984, w5.s8_804, s8_1018));
   const double s8_1020 = fma(s8_1010, w5.s8_948, fnma(w5.s8_686, w5.s8_983, s8_1019));
   const double s8_1021 = fnma(s8_994, w5.s8_944, s8_1020);
   const double pivot_chassis_rz = fnma(w5.s8_935, w5.s8_944, fnma(w5.s8_938, w5.s8_948, w5.s8_933));
   result.inertia[3] = fnma(1e-12, w5.s8_933, pivot_chassis_rz);
   const double s8_1022 = 1.0/pivot_chassis_rz;
   const double s8_1023 = fnma(w4.s8_567, w5.s8_979, fnma(w4.s8_568, w5.s8_977, 15306.0));
-  const double s8_1024 = fnma(w5.s8_790, w5.s8_981, fnma(w5.s8_803, w5.s8_984, s8_1023));
+  const double s8_1024 = fnma(w5.s8_789, w5.s8_981, fnma(w5.s8_802, w5.s8_984, s8_1023));
   const double s8_1025 = fnma(w4.s8_505, w5.s8_983, s8_1024);
   const double s8_1026 = fnma(w5.s8_977, w4.s8_570, w4.s8_569*w5.s8_979);
-  const double s8_1027 = fnma(w5.s8_792, w5.s8_981, fnma(w5.s8_984, w5.s8_804, s8_1026));
+  const double s8_1027 = fnma(w5.s8_791, w5.s8_981, fnma(w5.s8_984, w5.s8_803, s8_1026));
   const double s8_1028 = fnma(w4.s8_235, w5.s8_979, w4.s8_566*w5.s8_977);
-  const double s8_1029 = fnma(w5.s8_791, w5.s8_981, fnma(w5.s8_984, w5.s8_802, s8_1028));
+  const double s8_1029 = fnma(w5.s8_790, w5.s8_981, fnma(w5.s8_984, w5.s8_801, s8_1028));
   const double s8_1030 = fma(w4.s8_569, w5.s8_964, w5.s8_966*w4.s8_570);
   const double s8_1031 = fnma(w4.s8_235, w5.s8_964, fnma(w4.s8_566, w5.s8_966, 15306.0));
-  const double s8_1032 = fnma(w5.s8_792, w5.s8_968, fnma(w5.s8_804, w5.s8_971, s8_1030));
-  const double s8_1033 = fnma(w5.s8_791, w5.s8_968, fnma(w5.s8_802, w5.s8_971, s8_1031));
+  const double s8_1032 = fnma(w5.s8_791, w5.s8_968, fnma(w5.s8_803, w5.s8_971, s8_1030));
+  const double s8_1033 = fnma(w5.s8_790, w5.s8_968, fnma(w5.s8_801, w5.s8_971, s8_1031));
   const double s8_1034 = fnma(w4.s8_512, w5.s8_970, s8_1033);
   const double s8_1035 = w5.s8_947*s8_1002;
   const double s8_1036 = s8_991*w5.s8_924;
@@ -2625,7 +2625,7 @@ struct AccelerationsWork6 {
   const double s8_1043 = fma(s8_1035, w5.s8_943, fma(s8_1036, w5.s8_940, w5.s8_962));
   result.inertia[2] = fnma(1e-12, s8_1001, pivot_chassis_tz);
   const double s8_1044 = 1.0/pivot_chassis_tz;
-  const double s8_1045 = w3.s8_882[1] + (w3.s8_882[0] + fnma(s8_1039, w5.s8_950, s8_1043));
+  const double s8_1045 = w3.s8_881[1] + (w3.s8_881[0] + fnma(s8_1039, w5.s8_950, s8_1043));
   const double s8_1046 = w5.s8_924*s8_1007;
   const double s8_1047 = w5.s8_947*s8_1013;
   const double s8_1048 = fma(s8_994, s8_1046, fma(w4.s8_512, w5.s8_983, s8_1029));
@@ -2638,8 +2638,8 @@ struct AccelerationsWork6 {
   const double pivot_chassis_ty = fnma(s8_1042, s8_1052, fnma(s8_1017, s8_1049, s8_1050));
   result.inertia[1] = fnma(1e-12, s8_1034, pivot_chassis_ty);
   const double s8_1055 = 1.0/pivot_chassis_ty;
-  const double s8_1056 = w3.s8_868[0] + fnma(s8_1052, s8_1045, fnma(s8_1049, w5.s8_950, s8_1051));
-  const double s8_1057 = s8_1056 - w3.s8_868[1];
+  const double s8_1056 = w3.s8_867[0] + fnma(s8_1052, s8_1045, fnma(s8_1049, w5.s8_950, s8_1051));
+  const double s8_1057 = s8_1056 - w3.s8_867[1];
   const double s8_1058 = s8_994*w5.s8_924;
   const double s8_1059 = s8_1010*w5.s8_947;
   const double s8_1060 = s8_1021*s8_1022;
@@ -2654,7 +2654,7 @@ struct AccelerationsWork6 {
 
   // --- step 9: accelerations from the root to the leaves (63), (62), continued ---
   // chassis: chassis_rx, revolute, chassis_aux5
-  const double s8_1067 = w3.s8_866[1] + (w3.s8_866[0] + fnma(s8_1064, s8_1057, s8_1066));
+  const double s8_1067 = w3.s8_865[1] + (w3.s8_865[0] + fnma(s8_1064, s8_1057, s8_1066));
   const double a_chassis_x = s8_1067*(1.0/pivot_chassis_tx);
   const double a_chassis_y = s8_1055*fnma(s8_1054, a_chassis_x, s8_1057);
   const double s1_38 = w6.sines[1];
@@ -2665,9 +2665,9 @@ struct AccelerationsWork6 {
   const double s9_8 = fnma(s8_1017, a_chassis_y, fnma(s8_1021, a_chassis_x, w5.s8_950));
   const double s9_9 = fnma(s8_1013, a_chassis_y, fnma(s8_1010, a_chassis_x, w5.s8_943));
   const double s9_10 = fnma(s8_1007, a_chassis_y, fma(s8_994, a_chassis_x, w5.s8_940));
-  const double s9_11 = fnma(w5.s8_802, a_chassis_y, fnma(w5.s8_803, a_chassis_x, w5.s8_809));
-  const double s9_12 = fnma(w5.s8_791, a_chassis_y, fnma(w5.s8_790, a_chassis_x, w5.s8_796));
-  const double s9_13 = fma(w4.s8_512, a_chassis_y, fnma(w4.s8_505, a_chassis_x, w5.s8_705));
+  const double s9_11 = fnma(w5.s8_801, a_chassis_y, fnma(w5.s8_802, a_chassis_x, w5.s8_808));
+  const double s9_12 = fnma(w5.s8_790, a_chassis_y, fnma(w5.s8_789, a_chassis_x, w5.s8_795));
+  const double s9_13 = fma(w4.s8_512, a_chassis_y, fnma(w4.s8_505, a_chassis_x, w5.s8_704));
   const double s9_14 = fma(w4.s8_566, a_chassis_y, fnma(w4.s8_568, a_chassis_x, w4.s8_578));
   const double s9_15 = fnma(w4.s8_235, a_chassis_y, fnma(w4.s8_567, a_chassis_x, w4.s8_577));
   const double alpha_chassis_x = s8_1022*fnma(s8_1004, a_chassis_z, s9_8);
@@ -2682,37 +2682,37 @@ struct AccelerationsWork6 {
   const double alpha_chassis_y = w5.s8_947*s9_19;
   const double s9_20 = fma(w5.s8_935, alpha_chassis_x, fma(s8_991, a_chassis_z, s9_10));
   const double s9_21 = alpha_chassis_y + w4.s9_5;
-  const double s9_22 = fnma(w5.s8_805, alpha_chassis_x, fnma(w5.s8_804, a_chassis_z, s9_11));
-  const double s9_23 = fnma(w5.s8_794, alpha_chassis_x, fnma(w5.s8_792, a_chassis_z, s9_12));
+  const double s9_22 = fnma(w5.s8_804, alpha_chassis_x, fnma(w5.s8_803, a_chassis_z, s9_11));
+  const double s9_23 = fnma(w5.s8_793, alpha_chassis_x, fnma(w5.s8_791, a_chassis_z, s9_12));
   const double s9_24 = fnma(w5.s8_686, alpha_chassis_x, fnma(w4.s8_510, a_chassis_z, s9_13));
   const double s9_25 = fnma(w4.s8_574, alpha_chassis_x, fnma(w4.s8_570, a_chassis_z, s9_14));
   const double s9_26 = fma(w4.s8_573, alpha_chassis_x, fma(w4.s8_569, a_chassis_z, s9_15));
   const double alpha_chassis_z = w5.s8_924*fma(w5.s8_914, alpha_chassis_y, s9_20);
   const double s9_27 = alpha_chassis_z + w4.s9_4;
-  const double s9_28 = fnma(w5.s8_807, alpha_chassis_y, s9_22);
-  const double s9_29 = fnma(w5.s8_795, alpha_chassis_y, s9_23);
+  const double s9_28 = fnma(w5.s8_806, alpha_chassis_y, s9_22);
+  const double s9_29 = fnma(w5.s8_794, alpha_chassis_y, s9_23);
   const double s9_30 = fnma(w5.s8_666, alpha_chassis_y, s9_24);
   const double s9_31 = fnma(w4.s8_576, alpha_chassis_y, s9_25);
   result.zdd[Coordinate::chassis_rz] = fma(w4.s1_37, s9_27, w4.s1_42*s9_21);
   result.zdd[Coordinate::chassis_rx] = fma(w4.s1_40, s9_27, fma(w4.s1_43, s9_21,
       alpha_chassis_x + w4.s9_3));
-  const double s9_32 = w5.s8_904*fnma(w5.s8_806, alpha_chassis_z, s9_28);
+  const double s9_32 = w5.s8_904*fnma(w5.s8_805, alpha_chassis_z, s9_28);
   result.zdd[Coordinate::lower_arm_left] = s9_32;
   const double s9_33 = w4.s8_592*fnma(w4.s8_572, alpha_chassis_z, s9_31);
   result.zdd[Coordinate::arb_rear_left] = s9_33;
   result.zdd[Coordinate::chassis_ry] = fnma(w6.sines[2], s9_27, w6.cosines[2]*s9_21);
   const double s9_34 = fma(w4.s8_571, alpha_chassis_z, fnma(w4.s8_575, alpha_chassis_y, s9_26));
-  const double s9_35 = w5.s8_799*fma(w5.s8_797, s9_32, fnma(w5.s8_793, alpha_chassis_z, s9_29));
+  const double s9_35 = w5.s8_798*fma(w5.s8_796, s9_32, fnma(w5.s8_792, alpha_chassis_z, s9_29));
   result.zdd[Coordinate::lower_arm_right] = s9_35;
   const double s9_36 = w4.s8_564*fnma(w4.s8_237, s9_33, s9_34);
   result.zdd[Coordinate::arb_rear_right] = s9_36;
-  const double s9_37 = fnma(w5.s8_786, s9_32, fnma(w5.s8_688, alpha_chassis_z, s9_30));
+  const double s9_37 = fnma(w5.s8_785, s9_32, fnma(w5.s8_688, alpha_chassis_z, s9_30));
   const double s9_38 = fma(w4.s3_8, s9_36, fma(w4.s3_7, s9_33, w3.zdd_star_rear_axle_ry));
   const double s9_39 = fnma(w4.s3_26, s9_36, fma(w4.s3_25, s9_33, w4.zdd_star_rear_axle_rx));
   result.zdd[Coordinate::rear_axle_tz] = fnma(w4.s3_2, s9_36, fnma(w4.s3_3, s9_33,
       w3.zdd_star_rear_axle_tz));
   const double s9_40 = fnma(w4.s3_11, s9_36, fma(w4.s3_12, s9_33, w3.zdd_star_rear_axle_rz));
-  const double s9_41 = w5.s8_788*fnma(w5.s8_787, s9_35, s9_37);
+  const double s9_41 = w5.s8_787*fnma(w5.s8_786, s9_35, s9_37);
   result.zdd[Coordinate::bell_crank] = s9_41;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double alpha_rear_axle_y = s9_38 + (w4.s8_22 + alpha_chassis_y);
@@ -2795,8 +2795,8 @@ struct AccelerationsWork6 {
   const double s9_80 = fnma(alpha_carrier_right_y, s1_48, s9_79);
   const double s1_49 = w1.R_carrier_left_and_right_aux2_z_y[1];
   result.zdd[Coordinate::wheel_front_right] = fma(alpha_carrier_right_z, s1_49, s9_80);
-  result.inertia[7] = w5.s8_800 - w3.s8_808[1];
-  result.inertia[6] = w5.s8_905 - w3.s8_808[0];
+  result.inertia[7] = w5.s8_799 - w3.s8_807[1];
+  result.inertia[6] = w5.s8_905 - w3.s8_807[0];
   const double R_chassis_aux5_z_z = w6.cosines[1];
   const double s9_81 = fms(R_chassis_aux5_z_z, R_chassis_aux5_z_z, 1e-12);
   result.inertia[4] = mbgen::min(w5.s8_946, s9_81);
@@ -9261,21 +9261,21 @@ struct ChosenAccelerationsWork8 {
   const double s8_1686 = fnma(p_carrier_left_rz_y, s8_1680, fnma(0.5, s8_1679, s8_1685));
   const double s8_1687 = fma(p_arb_front_right_x, w4.s8_660 + w5.s8_798, s8_1686);
   w7.s8_1688 = fnma(p_arb_rear_right_x, s8_1681, s8_1687);
-  const double s8_1689 = w3.s7_116 + (w3.s7_105 + (w3.s7_56 + (3289.7 - w2.s7_38 - w2.s7_46)));
-  w7.s8_1690 = w4.s7_190 + (s8_1689 - w3.s7_131 - w4.s7_181) - w4.s7_205;
+  const double s8_1689 = w3.s7_116 + (w3.s7_105 + (w3.s7_56 - w2.s7_38 - w2.s7_46)) - w3.s7_131;
+  w7.s8_1690 = 3289.7 + (w4.s7_190 + (s8_1689 - w4.s7_181) - w4.s7_205);
   const double s8_1691 = w4.s7_192 + (w3.s7_120 + (w2.s7_45 + (356.525 + w2.s7_36))) - w4.s7_204;
   w7.s8_1692 = s8_1691 - w4.s7_214;
-  const double s8_1693 = w3.s7_112 + (w3.s7_63 + (w2.s7_52 + (10856.945 + w2.s7_43)));
-  const double s8_1694 = w4.s7_203 + (w4.s7_188 + (w3.s7_138 + (w3.s7_127 + s8_1693)));
-  const double s8_1695 = fma(0.8, w4.s8_637, w4.s7_210 + s8_1694) - w4.s8_660 - w5.s8_798;
-  const double s8_1696 = fnma(0.56, s8_1678, fma(0.9, s8_1681, s8_1695));
-  w7.s8_1697 = fma(1.24, w5.s8_786 - w5.s8_924, s8_1696);
-  const double s8_1698 = w4.s7_187 + (w3.s7_137 + (w3.s7_111 + (5020.856800000031 + w3.s7_62)));
-  const double s8_1699 = w5.s8_816 + (w4.s7_219 + s8_1698 - w4.s8_682);
-  w7.s8_1700 = fma(0.8, w5.s8_922 - w5.s8_790, s8_1699);
-  const double s8_1701 = w4.s7_202 + (w3.s7_126 + (w2.s7_51 + (141129.72 + w2.s7_42)));
-  const double s8_1702 = fma(6.5, w4.s8_623, w4.s7_218 + (w4.s7_209 + s8_1701));
-  w7.s8_1703 = fnma(6.6, s8_1680, fma(7.9, s8_1679, fma(8.8, w4.s8_644, s8_1702)));
+  const double s8_1693 = w3.s7_127 + (w3.s7_112 + (w3.s7_63 + (w2.s7_43 + w2.s7_52)));
+  const double s8_1694 = w4.s7_210 + (w4.s7_203 + (w4.s7_188 + (w3.s7_138 + s8_1693)));
+  const double s8_1695 = fma(0.9, s8_1681, fma(0.8, w4.s8_637, s8_1694) - w4.s8_660 - w5.s8_798);
+  const double s8_1696 = fma(1.24, w5.s8_786 - w5.s8_924, fnma(0.56, s8_1678, s8_1695));
+  w7.s8_1697 = 10856.945 + s8_1696;
+  const double s8_1698 = w4.s7_219 + (w4.s7_187 + (w3.s7_137 + (w3.s7_62 + w3.s7_111)));
+  const double s8_1699 = fma(0.8, w5.s8_922 - w5.s8_790, w5.s8_816 + (s8_1698 - w4.s8_682));
+  w7.s8_1700 = 5020.856800000031 + s8_1699;
+  const double s8_1701 = w4.s7_209 + (w4.s7_202 + (w3.s7_126 + (w2.s7_42 + w2.s7_51)));
+  const double s8_1702 = fma(8.8, w4.s8_644, fma(6.5, w4.s8_623, w4.s7_218 + s8_1701));
+  w7.s8_1703 = 141129.72 + fnma(6.6, s8_1680, fma(7.9, s8_1679, s8_1702));
   const double s8_1704 = fnma(w2.s8_107, w3.s8_561, fnma(w3.s8_505, w3.s8_506, 15306.0));
   const double s8_1705 = fnma(w6.s8_1476, w6.s8_1614, fnma(w6.s8_1479, w6.s8_1481, s8_1704));
   w7.s8_1706 = fnma(w5.s8_874, w7.s8_1620, s8_1705);

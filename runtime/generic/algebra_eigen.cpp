@@ -1,5 +1,7 @@
 // Each loop block for itself, dense, with pivoting at every state; products of whole dense matrices by Eigen.
 
+#include <algorithm>
+
 #include "runtime/generic/block_factors.hpp"
 #include "runtime/generic/maggi.hpp"
 
@@ -10,9 +12,11 @@ template <class Factors>
 class DenseBlocks {
  public:
   DenseBlocks(const Topology& topology, const Analysis& analysis)
-      : shape_(loop_shape(topology, analysis)),
-        rz_(Eigen::MatrixXd::Zero(shape_.coordinates, shape_.directions)),
-        mass_(Eigen::MatrixXd::Zero(shape_.coordinates, shape_.coordinates)) {
+      : shape_(loop_shape(topology, analysis)), direction_of_(static_cast<std::size_t>(shape_.coordinates), -1) {
+    for (const FreeJoint& joint : shape_.free_joints) direction_of_[joint.coordinate] = joint.direction;
+    if (shape_.blocks.empty()) return;
+    rz_ = Eigen::MatrixXd::Zero(shape_.coordinates, shape_.directions);
+    mass_ = Eigen::MatrixXd::Zero(shape_.coordinates, shape_.coordinates);
     for (const BlockShape& block : shape_.blocks)
       factors_.emplace_back(static_cast<int>(block.joints.size()), block.driven, block.rank);
     for (const FreeJoint& joint : shape_.free_joints) rz_(joint.coordinate, joint.direction) = 1;
@@ -51,6 +55,7 @@ class DenseBlocks {
   }
 
   void reduce(const TreeMass& mass, const std::vector<double>& q, ReducedEquations& reduced) {
+    if (shape_.blocks.empty()) return take_free(mass, q, reduced);
     spread(mass, mass_);
     mass_times_rz_.noalias() = mass_ * rz_;
     reduced.mass.resize(shape_.directions, shape_.directions);
@@ -59,13 +64,29 @@ class DenseBlocks {
   }
 
   void add_rz_times(const Eigen::VectorXd& free, std::vector<double>& x) const {
+    if (shape_.blocks.empty()) {
+      for (const FreeJoint& joint : shape_.free_joints) x[joint.coordinate] += free[joint.direction];
+      return;
+    }
     Eigen::Map<Eigen::VectorXd>(x.data(), rz_.rows()).noalias() += rz_ * free;
   }
 
  private:
+  /// The products of a tree: Rz is 1 per free joint, and whole matrices would be multiplied to copy entries.
+  void take_free(const TreeMass& mass, const std::vector<double>& q, ReducedEquations& reduced) const {
+    reduced.mass.setZero(shape_.directions, shape_.directions);
+    reduced.right_hand_side.resize(shape_.directions);
+    for (std::size_t e = 0; e < mass.value.size(); ++e) {
+      const int row = direction_of_[mass.row[e]], column = direction_of_[mass.column[e]];
+      if (row >= 0 && column >= 0) reduced.mass(std::max(row, column), std::min(row, column)) = mass.value[e];
+    }
+    for (const FreeJoint& joint : shape_.free_joints) reduced.right_hand_side[joint.direction] = q[joint.coordinate];
+  }
+
   LoopShape shape_;
   std::vector<Factors> factors_;
-  Eigen::MatrixXd rz_, mass_, mass_times_rz_;
+  std::vector<int> direction_of_;              ///< per coordinate outside all loops, -1 for driven ones
+  Eigen::MatrixXd rz_, mass_, mass_times_rz_;  ///< empty without loops
   std::vector<double> local_;
 };
 

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <random>
 
 #include "compiler/passes/passes.hpp"
+#include "compiler/program/rounded.hpp"
 
 namespace mbgen {
 namespace {
@@ -118,6 +120,64 @@ TEST(Passes, RandomSumsKeepTheirValuesAndGetNoDearer) {
     ASSERT_EQ(rewritten.inputs, program.inputs);
     const std::vector<double> expected = interpret(program, inputs), actual = interpret(rewritten, inputs);
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(actual[i], expected[i], 1e-12) << seed;
+  }
+}
+
+/// Largest bound of the roundings of an output over that before, at states whose inputs are known to a rounding.
+double factor_of_bounds(const Program& before, const Program& now) {
+  double most = 0;
+  for (std::size_t number = 0; number < 2; ++number) {
+    std::vector<Rounded> inputs;
+    for (const double input : ordinary_inputs(before, number))
+      inputs.push_back({input, std::numeric_limits<double>::epsilon() * std::abs(input)});
+    RoundedValues old_values(inputs), new_values(inputs);
+    for (const Node& node : before.nodes) old_values.append(node);
+    for (const Node& node : now.nodes) new_values.append(node);
+    for (std::size_t i = 0; i < before.outputs.size(); ++i) {
+      const double old_error = old_values[before.outputs[i].value].first.error;
+      const double new_error = new_values[now.outputs[i].value].first.error;
+      if (new_error > 0) most = std::max(most, new_error / old_error);
+    }
+  }
+  return most;
+}
+
+TEST(FactorSums, OpenedBracketsAreAddedBeforeALargeTerm) {
+  const Program program = program_of([](const auto& x) {
+    return 1e4 + ((x[0] * x[1] + x[2]) - (x[3] * x[4] - (x[0] * x[5] - (x[1] * x[2] + x[3] * x[5]))));
+  });
+  const Program rewritten = factor_sums(program);
+  EXPECT_LE(factor_of_bounds(program, rewritten), 1);
+  EXPECT_LT(operations(rewritten), operations(program));
+}
+
+TEST(FactorSums, ASumThatItCannotKeepStandsAsItStood) {
+  const Program program =
+      program_of([](const auto& x) { return 1e4 - (x[0] + (x[1] + (x[2] + (x[3] + x[4] * x[5])))); });
+  const Program rewritten = remove_dead_values(factor_sums(program));
+  EXPECT_LE(factor_of_bounds(program, rewritten), 1);
+  EXPECT_EQ(operations(rewritten), operations(program));
+  const Node& last = rewritten.nodes[rewritten.outputs[0].value];
+  EXPECT_EQ(last.op, Op::subtract);
+  EXPECT_EQ(rewritten.nodes[last.operands[0]].constant, 1e4);
+}
+
+TEST(FactorSums, BoundsOfRoundingsStayWithinTwice) {
+  std::mt19937 random(38);
+  const auto constant = [&] { return std::pow(10.0, static_cast<double>(random() % 9) - 4); };
+  for (int k = 0; k < 500; ++k) {
+    const Program program = program_of([&](const std::vector<Expr>& x) {
+      std::vector<Expr> values = x;
+      const auto any = [&] { return values[random() % values.size()]; };
+      for (int i = 0; i < 20; ++i) {
+        const Expr a = any(), b = any(), c = any(), d = any();
+        values.push_back(i % 3 == 0   ? a * b
+                         : i % 3 == 1 ? a * constant() - (b - c * d)
+                                      : (a - b) + (c * a - constant()));
+      }
+      return values.back() - values[values.size() - 2];
+    });
+    EXPECT_LE(factor_of_bounds(program, factor_sums(program)), 2 + 1e-9) << k << "\n" << dump(program);
   }
 }
 
