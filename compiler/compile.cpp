@@ -49,12 +49,12 @@ Result<Compilation> decide(Model model, const StageWatch& watch) {
   if (!stages.ended("model", decided)) return decided;
 
   Result<Topology> topology = build_topology(decided.model);
-  if (!topology) return topology.problems();
+  if (!topology) return grouped(topology.problems());
   decided.topology = std::move(*topology);
   if (!stages.ended("topology", decided)) return decided;
 
   Result<Analysis> analysis = analyse(decided.model, decided.topology);
-  if (!analysis) return analysis.problems();
+  if (!analysis) return grouped(analysis.problems());
   decided.analysis = std::move(*analysis);
   stages.ended("analysis", decided);
   return decided;

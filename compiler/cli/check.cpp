@@ -34,7 +34,9 @@ struct Findings {
 Findings findings_of(const CheckOptions& options) {
   Findings findings;
   try {
-    const Compilation compilation = expect(decide(read_set_model(options.model, options.set)));
+    Model read = read_set_model(options.model, options.set);
+    findings.notes = grouped(read.notes);  // a likely mistake of units tells why the mechanism is refused
+    const Compilation compilation = expect(decide(std::move(read)));
     const Model& model = compilation.model;
     findings.notes = all_notes(compilation);
     findings.bodies = static_cast<int>(model.bodies.size()) - (model.ground >= 0 ? 1 : 0);

@@ -16,7 +16,7 @@ Diagnostics all_notes(const Compilation& compilation) {
     notes.push_back(std::move(note));
   for (Diagnostic& note : unrestrained_motions(compilation.model, compilation.topology, compilation.analysis))
     notes.push_back(std::move(note));
-  return notes;
+  return grouped(std::move(notes));
 }
 
 void count_notes(const Compilation& compilation) {

@@ -129,7 +129,9 @@ const Document* open_beside(Reader& reader, const Value& value, std::string_view
   std::string problem;
   const std::string file = reader.documents[value.place.file].file;
   const Document* document = open_named(reader, file, value.text, index, problem);
-  if (!document) report(reader, value, fmt::format("{} {}: {}", what, in_quotes(value.text), problem));
+  if (!document)
+    report(reader, value, fmt::format("{} {}: {}", what, in_quotes(value.text), problem),
+           hint_of_missing(beside(file, value.text).path));
   return document;
 }
 

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <system_error>
 
 #include "compiler/model/characters.hpp"
 
@@ -64,6 +67,77 @@ std::string mark(const std::string& line, int column) {
   return text;
 }
 
+/// `did you mean "front.json"?` where a file of a similar name and the same extension lies in the directory.
+std::string nearest_file(const std::filesystem::path& missing) {
+  constexpr int kMostEntries = 2000;  // of a directory; nobody means one of more
+  std::error_code error;
+  if (std::filesystem::exists(missing, error)) return {};
+  std::vector<std::string> stems;
+  const std::filesystem::path directory = missing.has_parent_path() ? missing.parent_path() : ".";
+  std::filesystem::directory_iterator entry(directory, error);
+  for (int i = 0; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    if (++i > kMostEntries) return {};
+    if (entry->path().extension() == missing.extension()) stems.push_back(entry->path().stem().string());
+  }
+  std::sort(stems.begin(), stems.end());
+  const std::string stem = missing.stem().string(), hint = did_you_mean(stem, {stems.begin(), stems.end()});
+  const std::size_t end = hint.rfind('"');
+  const bool is_near = hint.starts_with("did you mean \"") && hint.ends_with("\"?");
+  return is_near ? hint.substr(0, end) + missing.extension().string() + hint.substr(end) : "";
+}
+
+/// The parts in which two names differ.
+using Parts = std::pair<std::string_view, std::string_view>;
+
+/// "fl" and "fr" of "fl_wheel" and "fr_wheel"; nothing where the names share no ending.
+std::optional<Parts> prefix_parts(std::string_view a, std::string_view b) {
+  std::size_t shared = 0;
+  while (shared < std::min(a.size(), b.size()) && a[a.size() - 1 - shared] == b[b.size() - 1 - shared]) ++shared;
+  if (a.substr(a.size() - shared).find('_') == std::string_view::npos) return std::nullopt;
+  return Parts{a.substr(0, a.size() - shared), b.substr(0, b.size() - shared)};
+}
+
+/// "left" and "right" of "wheel_left" and "wheel_right"; nothing where the names share no beginning, or where they are
+/// coordinates of one joint: wheel_rx and wheel_ry.
+std::optional<Parts> suffix_parts(std::string_view a, std::string_view b) {
+  const std::size_t most = std::min(a.size(), b.size());
+  const auto differ = static_cast<std::size_t>(
+      std::mismatch(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(most), b.begin()).first - a.begin());
+  const std::size_t line = a.substr(0, differ).rfind('_');
+  if (line == std::string_view::npos) return std::nullopt;
+  const Parts parts{a.substr(line + 1), b.substr(line + 1)};
+  constexpr std::size_t kFreedom = 2;  // letters of rx, t1
+  if (parts.first.size() <= kFreedom || parts.second.size() <= kFreedom) return std::nullopt;
+  return parts;
+}
+
+/// Whether words that differ do so by one pair of parts all through, and all else is the same.
+template <class PartsOf>
+bool differ_by_one_part(std::string_view one, std::string_view other, PartsOf parts_of) {
+  std::optional<Parts> known;
+  const auto word_at = [](std::string_view text, std::size_t at) {
+    std::size_t end = at;
+    while (end < text.size() && is_of_name(text[end])) ++end;
+    return text.substr(at, end - at);
+  };
+  std::size_t i = 0, k = 0;
+  while (i < one.size() && k < other.size()) {
+    const std::string_view a = word_at(one, i), b = word_at(other, k);
+    if (a.empty() || b.empty()) {
+      if (one[i] != other[k]) return false;
+      ++i, ++k;
+      continue;
+    }
+    i += a.size(), k += b.size();
+    if (a == b) continue;
+    if (is_digit(a.front()) || is_digit(b.front())) return false;
+    const std::optional<Parts> parts = parts_of(a, b);
+    if (!parts || (known && *known != *parts)) return false;
+    known = parts;
+  }
+  return i == one.size() && k == other.size();
+}
+
 /// Escape sequences of terminals around a text.
 std::string coloured(Style style, const char* colour, const std::string& text) {
   return style == Style::plain ? text : fmt::format("\033[{}m{}\033[0m", colour, text);
@@ -73,7 +147,34 @@ constexpr const char *kBold = "1", *kRed = "1;31", *kGreen = "1;32", *kCyan = "3
 }  // namespace
 
 std::string hint_of_missing(std::string_view name) {
-  return name == "-" ? "standard input is /dev/stdin, a file of this name is ./-" : "";
+  if (name == "-") return "standard input is /dev/stdin, a file of this name is ./-";
+  return nearest_file(std::filesystem::path(name));
+}
+
+bool same_but_for_instance(std::string_view one, std::string_view other) {
+  if (one == other) return true;
+  return differ_by_one_part(one, other, prefix_parts) || differ_by_one_part(one, other, suffix_parts);
+}
+
+Diagnostics grouped(Diagnostics diagnostics) {
+  Diagnostics firsts;
+  std::vector<int> more;
+  for (Diagnostic& one : diagnostics) {
+    const auto says_the_same = [&](const Diagnostic& first) {
+      return first.where.file == one.where.file && first.where.line == one.where.line &&
+             first.where.column == one.where.column && same_but_for_instance(first.message, one.message);
+    };
+    const auto first = std::find_if(firsts.begin(), firsts.end(), says_the_same);
+    if (one.where.line > 0 && first != firsts.end()) {
+      ++more[static_cast<std::size_t>(first - firsts.begin())];
+      continue;
+    }
+    firsts.push_back(std::move(one));
+    more.push_back(0);
+  }
+  for (std::size_t i = 0; i < firsts.size(); ++i)
+    if (more[i] > 0) firsts[i].message += fmt::format(" (and {} more like it)", more[i]);
+  return firsts;
 }
 
 std::string in_quotes(std::string_view text) {

@@ -32,7 +32,7 @@ using Diagnostics = std::vector<Diagnostic>;
 /// A name as messages show it.
 inline std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
-/// Hint where there is no file of a name; empty where nothing is known.
+/// Hint where there is no file of a name: the one beside it that was probably meant; empty where nothing is known.
 std::string hint_of_missing(std::string_view name);
 
 /// Text of a file as messages show it: in double quotes, without control characters, shortened when long.
@@ -52,6 +52,14 @@ std::string to_text(const Diagnostic& diagnostic, Style style = Style::plain);
 
 /// Text of all diagnostics, in order of appearance.
 std::string to_text(const Diagnostics& diagnostics, Style style = Style::plain);
+
+/// Whether two texts differ by the names of placed parts alone, "fl_wheel" and "fr_wheel": one prefix (or suffix) in
+/// place of another, the same ones all through.
+bool same_but_for_instance(std::string_view one, std::string_view other);
+
+/// Diagnostics at one place whose messages are the same but for the instance become the first of them, "(and 3 more
+/// like it)".
+Diagnostics grouped(Diagnostics diagnostics);
 
 /// A value, or the diagnostics that say why there is none.
 template <class Value>

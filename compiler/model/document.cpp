@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 namespace mbgen::reading {
@@ -60,6 +61,10 @@ std::string syntax_hint(std::string_view text, std::size_t at, std::string_view 
     if (word == not_a_number) return "every number must be finite";
   }
   const auto before = text.find_last_not_of(" \t\r\n", at == 0 ? 0 : at - 1);
+  const auto is_digit_at = [&](std::size_t place) {
+    return place < text.size() && std::isdigit(static_cast<unsigned char>(text[place])) != 0;
+  };
+  if (at >= 2 && text[at - 1] == ',' && is_digit_at(at) && is_digit_at(at - 2)) return "decimals have a point, as 4.5";
   const bool closing = at < text.size() && (text[at] == '}' || text[at] == ']');
   if (closing && before != std::string_view::npos && text[before] == ',') return "remove the comma before it";
   if (message.find("; expected '}'") != std::string_view::npos ||
@@ -185,6 +190,40 @@ class TreeBuilder {
             {}};
   }
 
+  /// Blanks before the first character of the line of a place, and whether that is the place.
+  std::pair<std::size_t, bool> indentation(Place place) const {
+    const std::string_view text = document_.text;
+    const auto& starts = document_.line_starts;
+    const auto after = std::upper_bound(starts.begin(), starts.end(), place.offset);
+    const std::size_t start = after == starts.begin() ? 0 : *(after - 1);
+    const std::size_t first = text.find_first_not_of(" \t", start);
+    return {first - start, first == place.offset};
+  }
+
+  /// The first key on a line of its own that is indented no deeper than the line on which its object begins; nullptr
+  /// where there is none.
+  const Member* first_misplaced(const Value& container) const {
+    const std::size_t depth = indentation(container.place).first;
+    for (const Member& member : container.members) {
+      const auto [blanks, is_first] = indentation(member.place);
+      const bool below = where_of_line(member.place).line > where_of_line(container.place).line;
+      if (is_first && below && blanks <= depth && &container != &document_.root) return &member;
+      if (const Member* inside = first_misplaced(member.value)) return inside;
+    }
+    for (const Value& item : container.items)
+      if (const Member* inside = first_misplaced(item)) return inside;
+    return nullptr;
+  }
+
+  /// Where a closing bracket is missing, as far as the indentation tells.
+  std::string missing_bracket_hint() const {
+    const Member* member = first_misplaced(document_.root);
+    if (!member) return "a closing bracket is missing";
+    const Where where = where_of_line(member->place);
+    return fmt::format("by the indentation a closing bracket is missing before {} in line {}", in_quotes(member->key),
+                       where.line);
+  }
+
   Document& document_;
   Problems& problems_;
   std::uint32_t file_;
@@ -214,6 +253,7 @@ bool TreeBuilder::parse_error(std::size_t position, const std::string& token, co
       const Where opened = where_of_line(open_.back()->place);
       const char* what = open_.back()->kind == Value::Kind::object ? "object" : "array";
       message += fmt::format(", the {} opened at {}:{} is not closed", what, opened.line, opened.column);
+      hint = missing_bracket_hint();
     }
     const auto last = text.find_last_not_of(" \t\r\n");
     at = last == std::string_view::npos ? 0 : last + 1;

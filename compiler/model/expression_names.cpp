@@ -7,6 +7,7 @@
 
 #include "compiler/model/document.hpp"
 #include "compiler/model/named_functions.hpp"
+#include "compiler/model/unit_exponents.hpp"
 
 namespace mbgen::reading {
 
@@ -46,6 +47,12 @@ const char* limit_of(Depends depends) {
                                             "may depend on positions of coordinates and on parameters only",
                                             "may depend on t, parameters and inputs only"};  // in the order of Depends
   return kLimits[static_cast<std::size_t>(depends)];
+}
+
+std::string hint_after_value(std::string_view word) {
+  const char* factors = "write * between factors";
+  const bool may_be_unit = word != "t" && unit_exponents(word);
+  return may_be_unit ? fmt::format("{}; values are in SI units and stand without them", factors) : factors;
 }
 
 std::string hint_of_acceleration(std::string_view name) {

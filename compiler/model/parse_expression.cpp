@@ -58,7 +58,7 @@ class ExpressionParser {
     const std::size_t start = at_;
     if (!is_letter(text_[at_]) && !is_digit(text_[at_]) && text_[at_] != '(') return fail_unexpected();
     const std::string_view next = text_[at_] == '(' ? "(" : word();
-    return fail(start, fmt::format("unexpected {} in expression", in_quotes(next)), "write * between factors");
+    return fail(start, fmt::format("unexpected {} in expression", in_quotes(next)), hint_after_value(next));
   }
 
   void skip_space() {
@@ -226,8 +226,8 @@ class ExpressionParser {
     at_ += length;
     if (at_ < text_.size() && is_letter(text_[at_])) {
       const std::size_t offset = at_;
-      return fail(offset, fmt::format("unexpected {} after number {}", in_quotes(word()), shown),
-                  "write * between factors");
+      const std::string_view next = word();
+      return fail(offset, fmt::format("unexpected {} after number {}", in_quotes(next), shown), hint_after_value(next));
     }
     return push_number(value);
   }

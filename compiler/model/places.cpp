@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 #include "compiler/model/document.hpp"
@@ -114,11 +115,16 @@ Diagnostics to_diagnostics(const Documents& documents, Problems problems) {
       ++end;
     // Entries that several instances share follow the first of them.
     for (std::size_t i = start; i < end; ++i) {
-      const auto says_the_same = [&](const Problem& other) { return other.message == problems[i].message; };
+      const auto says_the_same = [&](const Problem& other) {
+        return same_but_for_instance(other.message, problems[i].message);
+      };
       const auto first = problems.begin() + static_cast<std::ptrdiff_t>(start);
       const auto here = problems.begin() + static_cast<std::ptrdiff_t>(i);
       if (std::any_of(first, here, says_the_same)) continue;
-      const auto more = std::count_if(here + 1, problems.begin() + static_cast<std::ptrdiff_t>(end), says_the_same);
+      std::set<std::string> others;  // instances; one may say it several times
+      for (auto one = here + 1; one != problems.begin() + static_cast<std::ptrdiff_t>(end); ++one)
+        if (says_the_same(*one) && one->instance != here->instance) others.insert(one->instance);
+      const std::size_t more = others.size();
       std::string message = problems[i].message;
       if (!problems[i].instance.empty()) message += ", in instance " + in_quotes(problems[i].instance);
       if (!problems[i].instance.empty() && more > 0) message += fmt::format(" and {} more", more);

@@ -20,7 +20,8 @@ void take_tyre(Reader& reader, const Value& value, AxleWheel& wheel) {
   wheel.radius = tyre.radius.value;
   for (const std::string_view key : {"centre", "axis"}) {
     if (const Member* member = find_member(value, key))
-      report(reader, member->place, fmt::format("wheel has both \"tyre\" and {}", in_quotes(key)));
+      report(reader, member->place, fmt::format("wheel has both \"tyre\" and {}", in_quotes(key)),
+             "leave out one of them: a tyre has its centre and its axis");
   }
 }
 
@@ -83,6 +84,35 @@ void read_without(Reader& reader, const Value& value, Axle& axle) {
   }
 }
 
+/// y of a wheel's centre at the reference, m, global; nothing where its point could not be read.
+std::optional<double> to_the_left(const Reader& reader, const AxleWheel& wheel) {
+  if (wheel.centre.body < 0 || wheel.centre.point < 0) return std::nullopt;
+  return reference_position(reader.model, wheel.centre)[1];
+}
+
+/// Refuses one wheel on both sides, and notes a left one that is on the right.
+void check_wheel_sides(Reader& reader, const AxleFields& axle) {
+  constexpr double kBeside = 1e-6;  // m
+  const std::optional<double> left = to_the_left(reader, axle.left), right = to_the_left(reader, axle.right);
+  if (left && right && axle.left.centre.body == axle.right.centre.body &&
+      axle.left.centre.point == axle.right.centre.point) {
+    report(reader, *axle.written_right, "\"left\" and \"right\" are one wheel",
+           "name the wheel of the other side; an axle of one wheel has its mirror image on the other side");
+    return;
+  }
+  const double middle = left && right ? (*left + *right) / 2 : 0;
+  const bool left_is_right = left && *left < middle - kBeside;
+  const bool right_is_left = !left && right && *right > middle + kBeside;
+  if (left_is_right)
+    note(reader, axle.written_left->place,
+         fmt::format("wheel \"left\" is {:.4g} m to the right of the middle", middle - *left),
+         "y is to the left: exchange \"left\" and \"right\", or angles and scrub radius count the wrong way");
+  if (right_is_left)
+    note(reader, axle.written_right->place,
+         fmt::format("wheel \"right\" is {:.4g} m to the left of the middle", *right),
+         "y is to the left: call it \"left\", or angles and scrub radius count the wrong way");
+}
+
 void check_share(Reader& reader, const Value& value, std::string_view key, const std::optional<double>& share) {
   if (share && *share > 1) report(reader, *find(value, key), fmt::format("must be at most 1, got {}", *share));
 }
@@ -95,7 +125,11 @@ void read_axle(Reader& reader, const Value& value, AxleFields& axle) {
   if (!axle.written_left && !axle.written_right) report(reader, value, "an axle needs a wheel, \"left\" or \"right\"");
   if (axle.written_left) axle.left = read_wheel(reader, *axle.written_left);
   if (axle.written_right) axle.right = read_wheel(reader, *axle.written_right);
-  if (handedness(current_scope(reader).placement) < 0) std::swap(axle.left, axle.right);
+  if (handedness(current_scope(reader).placement) < 0) {
+    std::swap(axle.left, axle.right);
+  } else {
+    check_wheel_sides(reader, axle);
+  }
   if (axle.steer) refuse_reversed(reader, find(value, "steer")->place, *axle.steer);
   check_share(reader, value, "brake_share", axle.brake_share);
   check_share(reader, value, "drive_share", axle.drive_share);

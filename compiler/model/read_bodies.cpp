@@ -179,7 +179,7 @@ void check_ground(Reader& reader, const Value& value) {
 }
 
 /// Index of a new body. written: its pose in the current scope.
-int add_body(Reader& reader, Body body, const Pose& written, WrittenInertia inertia, bool readable,
+int add_body(Reader& reader, Body body, Place place, const Pose& written, WrittenInertia inertia, bool readable,
              PointPlaces& places) {
   const int index = static_cast<int>(reader.model.bodies.size());
   if (body.name == "ground") reader.model.ground = index;
@@ -187,6 +187,7 @@ int add_body(Reader& reader, Body body, const Pose& written, WrittenInertia iner
   reader.names.body_scopes.push_back(reader.scope);
   reader.body_frames.push_back(written);
   reader.inertias.push_back(inertia);
+  reader.body_places.push_back(place);
   reader.names.points.emplace_back();
   reader.names.points_unreadable.push_back(!readable);
   reader.model.bodies.push_back(std::move(body));
@@ -209,8 +210,9 @@ void read_body(Reader& reader, const Entry& entry, PointPlaces& places) {
   place_body(reader, body);
   const auto found = reader.names.bodies.find(entry.name);
   const WrittenInertia inertia{find(*entry.value, "inertia"), body.accepts_inertia};
-  const int index =
-      found == reader.names.bodies.end() ? add_body(reader, body, written, inertia, readable, places) : found->second;
+  const int index = found == reader.names.bodies.end()
+                        ? add_body(reader, body, entry.place, written, inertia, readable, places)
+                        : found->second;
   if (body.point_list) read_points(reader, static_cast<std::size_t>(index), *body.point_list, places);
 }
 
@@ -230,7 +232,7 @@ void read_outer_points(Reader& reader, const Entry& entry, PointPlaces& places) 
     Body ground;
     ground.name = "ground";
     ground.where = where_of(reader.documents, entry.place);
-    index = add_body(reader, std::move(ground), {}, {}, true, places);
+    index = add_body(reader, std::move(ground), entry.place, {}, {}, true, places);
   }
   if (index >= 0) {
     if (body.point_list) read_points(reader, static_cast<std::size_t>(index), *body.point_list, places);

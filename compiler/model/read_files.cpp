@@ -41,8 +41,8 @@ std::string file_name(const std::string& path) { return fs::path(path).filename(
 /// what: "include" or "file", as messages call it.
 std::optional<std::size_t> open_file(Reader& reader, Loading& loading, const Value& item, const NamedFile& file,
                                      std::string_view what) {
-  const auto fail = [&](std::string message) {
-    report(reader, item, std::move(message));
+  const auto fail = [&](std::string message, std::string hint = {}) {
+    report(reader, item, std::move(message), std::move(hint));
     loading.complete = false;
     return std::nullopt;
   };
@@ -59,12 +59,14 @@ std::optional<std::size_t> open_file(Reader& reader, Loading& loading, const Val
     return reader.documents[i].parsed ? std::optional(i) : std::nullopt;
   }
   FileText content = read_regular_file(file.path);
-  if (!content.problem.empty()) return fail(fmt::format("{} {}: {}", what, in_quotes(item.text), content.problem));
+  if (!content.problem.empty())
+    return fail(fmt::format("{} {}: {}", what, in_quotes(item.text), content.problem), hint_of_missing(file.path));
   const std::size_t index = add_document(reader, file.path, std::move(content.text));
   reader.documents[index].identity = file.identity;
   Document& document = reader.documents[index];
+  const std::size_t problems = reader.problems.size();
   document.parsed = parse_document(document, static_cast<std::uint32_t>(index), reader.problems);
-  if (!document.parsed) loading.complete = false;
+  if (reader.problems.size() > problems) loading.complete = false;  // what a second key hides is unknown, too
   return document.parsed ? std::optional(index) : std::nullopt;
 }
 
@@ -174,6 +176,36 @@ void load_parts(Reader& reader, Loading& loading, const Document& document, cons
   loading.open.pop_back();
 }
 
+/// Complains about a file of mbgen that is no model. Result: whether it is one.
+bool is_other_file(Reader& reader, const Document& document) {
+  if (find(document.root, "mbgen")) return false;
+  const std::string name = file_name(document.file);
+  const struct {
+    std::string_view key, kind;
+    std::string hint;
+  } others[] = {{"mbgen_manoeuvre", "a manoeuvre", "mbgen simulate MODEL --manoeuvre " + name},
+                {"mbgen_run", "the record of a run", "mbgen report shows it, by the name of its table"}};
+  for (const auto& [key, kind, hint] : others) {
+    const Member* member = find_member(document.root, key);
+    if (!member) continue;
+    report(reader, member->place, fmt::format("the file is {}, not a model", kind), hint);
+    return true;
+  }
+  return false;
+}
+
+/// Whether a key is like the name of a section: its own names are unknown, and all that use them would be told.
+bool has_misspelt_section(const Value& root) {
+  std::vector<std::string_view> known;
+  for (const Field<FileFields>& row : fields<FileFields>()) known.push_back(row.info.name);
+  const auto is_misspelt = [&](const Member& member) {
+    return member.value.kind == Value::Kind::object &&
+           std::find(known.begin(), known.end(), member.key) == known.end() &&
+           did_you_mean(member.key, known).starts_with("did you mean");
+  };
+  return std::any_of(root.members.begin(), root.members.end(), is_misspelt);
+}
+
 /// Reads the sections of a parsed file, its included files and its instances.
 void load(Reader& reader, Loading& loading, std::size_t index) {
   const Document& document = reader.documents[index];
@@ -186,10 +218,11 @@ void load(Reader& reader, Loading& loading, std::size_t index) {
   }
   FileFields fields;
   fields.document = index;
-  if (!read_fields(reader, document.root, fields)) {
+  if (is_other_file(reader, document) || !read_fields(reader, document.root, fields)) {
     loading.complete = false;
     return;
   }
+  if (has_misspelt_section(document.root)) loading.complete = false;
   if (fields.format) {
     const bool known = fields.format->kind == Value::Kind::number && fields.format->number == 1;
     if (!known) report(reader, *fields.format, "version of the format must be 1, got " + describe(*fields.format));
@@ -224,6 +257,7 @@ bool load_files(Reader& reader, const std::string& file, std::string text) {
   document.parsed = parse_document(document, static_cast<std::uint32_t>(first), reader.problems);
   if (!document.parsed) return false;
   Loading loading;
+  loading.complete = reader.problems.empty();
   load(reader, loading, first);
   reader.names.coordinates.resize(reader.scopes.size());
   return loading.complete && !reader.scopes[0].files.empty();

@@ -358,6 +358,7 @@ void read_joints(Reader& reader, const Entries& entries) {
       named = check_sequence(reader, value, joint) && named;
       check_axes(reader, value, joint);
     }
+    if (joint.written_type && !joint.written_axis && has_axis(joint.type)) joint.axis.fill(kUnreadable);
     if (readable) check_closure(reader, value, joint);
     if (joint.marked_cut) joint.cut = *joint.marked_cut ? CutMark::cut : CutMark::tree;
     const int index = static_cast<int>(reader.model.joints.size());

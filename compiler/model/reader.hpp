@@ -37,6 +37,7 @@ struct Reader {
   std::vector<Pose> body_frames = {};     ///< per body: its pose as the scope that defines it writes it
   bool has_bodies = false;                ///< bodies and their points are read
   std::vector<WrittenInertia> inertias;   ///< per body
+  std::vector<Place> body_places = {};    ///< per body: of its key
   std::vector<Scope> scopes = {Scope{}};  ///< the model, then its instances, each after the one that places it
   std::size_t scope = 0;                  ///< whose text is being read
   std::size_t placed_scopes = 1;          ///< so many of the first have their placement

@@ -39,38 +39,6 @@ void check_table(Reader& reader, const Value& value) {
   }
 }
 
-/// How far a piece goes above or below both of its ends, which lie `width` apart. piece: of a curved table.
-double beyond_ends(const double* piece, double width) {
-  const double slope = piece[2], square = piece[4], cube = piece[5];
-  const auto rise = [&](double offset) { return offset * (slope + offset * (square + offset * cube)); };
-  const double root = std::sqrt(std::max(0.0, square * square - 3 * slope * cube));
-  const double sum = -(square + std::copysign(root, square));  // which does not cancel
-  const double high = std::max(0.0, rise(width)), low = std::min(0.0, rise(width));
-  double beyond = 0;
-  for (const double level : {slope / sum, sum / (3 * cube)})
-    if (level > 0 && level < width) beyond = std::max({beyond, rise(level) - high, low - rise(level)});
-  return beyond;
-}
-
-/// A spline through points that jump swings beyond them.
-void note_overshoot(Reader& reader, const Value& value, const Table& table) {
-  constexpr double kNoted = 0.5;  // of what the points range over
-  const std::vector<double> pieces = pieces_of(table);
-  const auto [smallest, largest] = std::minmax_element(table.y.begin(), table.y.end());
-  double most = 0;
-  std::size_t worst = 0;
-  for (std::size_t i = 0; i + 1 < table.x.size(); ++i) {
-    const double beyond = beyond_ends(&pieces[numbers_of_piece(table) * (i + 1)], table.x[i + 1] - table.x[i]);
-    if (beyond > most) most = beyond, worst = i;
-  }
-  if (most > kNoted * (*largest - *smallest))
-    note(reader, member_or_object(value, "interpolation").place,
-         fmt::format(
-             "spline goes {:.4g} beyond its points between x = {:.6g} and {:.6g}, where all of them range over {:.4g}",
-             most, table.x[worst], table.x[worst + 1], *largest - *smallest),
-         "\"monotone_cubic\" stays between the points");
-}
-
 /// Puts the pieces of a table of many points among the samples. Equal ones, as of a part that is placed four times,
 /// share them.
 void keep_as_data(Reader& reader, const Value& value, Table& table) {
@@ -173,12 +141,39 @@ int find_named(Reader& reader, const Value& reference, std::string_view kind, co
   return -1;
 }
 
+namespace {
+
+/// Complains about a coordinate that has the name of a body: by the joint that moves it, or at the body where none
+/// does. Result: false where it is none, or where joints could not be read.
+bool refuse_body(Reader& reader, Place place, const std::string& name) {
+  const auto found = find_visible(reader.names.bodies, name, current_scope(reader).visible);
+  if (found == reader.names.bodies.end()) return false;
+  const Model& model = reader.model;
+  const int body = found->second;
+  const std::string shown = in_quotes(model.bodies[static_cast<std::size_t>(body)].name);
+  for (const Joint& joint : model.joints) {
+    if (joint.to.body < 0 || joint.from.body < 0) return false;
+    if (joint.to.body != body && joint.from.body != body) continue;
+    report(reader, place, "unknown coordinate " + in_quotes(name),
+           fmt::format("coordinates have the names of joints: body {} has joint {}", shown, in_quotes(joint.name)));
+    return true;
+  }
+  if (body == model.ground) return false;
+  const InScope of_body(reader, reader.names.body_scopes[static_cast<std::size_t>(body)]);
+  report(reader, reader.body_places[static_cast<std::size_t>(body)], "no joint moves body " + shown,
+         "add a joint whose \"to\" is a point of it; its coordinate has the joint's name");
+  return true;
+}
+
+}  // namespace
+
 CoordinateReference read_coordinate(Reader& reader, Place place, const std::string& name) {
   const Visibility& visible = current_scope(reader).visible;
   if (const CoordinateReference* found = find_coordinate(reader.names, name, visible)) return *found;
   if (may_be_unreadable(reader.names, name)) return {};
   const auto joint = find_visible(reader.names.joints, name, visible);
   if (joint == reader.names.joints.end()) {
+    if (refuse_body(reader, place, name)) return {};
     std::string hint = suggests(reader) ? did_you_mean(name, reader.names.coordinates[visible.front().scope]) : "";
     report(reader, place, "unknown coordinate " + in_quotes(name), std::move(hint));
     return {};
@@ -243,6 +238,38 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& 
   target = std::move(table);
 }
 
+namespace {
+
+/// Notes a spline that between two points leaves all of them by more than they span.
+void note_overshoot(Reader& reader, const Value& value, const Table& table) {
+  constexpr int kSamples = 32;   // between two points
+  constexpr double kTold = 0.5;  // of what the points span; splines through smooth rows leave them by a few hundredths
+  if (table.interpolation != Table::Interpolation::spline || table.slopes.size() < 2) return;
+  const auto [least, most] = std::minmax_element(table.y.begin(), table.y.end());
+  double farthest = kTold * (*most - *least), at = 0;
+  std::size_t piece = table.x.size();
+  for (std::size_t i = 0; i + 1 < table.x.size(); ++i) {
+    for (int k = 1; k < kSamples; ++k) {
+      const double x = table.x[i] + k * (table.x[i + 1] - table.x[i]) / kSamples;
+      const double y =
+          interpolate_monotone_cubic(table.x.data() + i, table.y.data() + i, table.slopes.data() + i, 2, x);
+      const double beyond = std::max(*least - y, y - *most);
+      if (!(beyond > farthest)) continue;
+      farthest = beyond;
+      at = x;
+      piece = i;
+    }
+  }
+  if (piece == table.x.size()) return;
+  note(reader, value.place,
+       fmt::format(
+           "the spline leaves its points, which are {:.4g} to {:.4g}, by {:.4g} at {:.4g}, between {:g} and {:g}",
+           *least, *most, farthest, at, table.x[piece], table.x[piece + 1]),
+       "\"interpolation\": \"monotone_cubic\" and \"linear\" stay within the points");
+}
+
+}  // namespace
+
 void read_value(Reader& reader, const Value& value, const FieldInfo&, Table& target) {
   if (value.kind != Value::Kind::object) {
     report(reader, value, fmt::format("must be a table, got {}", describe(value)));
@@ -259,8 +286,7 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Table& tar
     target.y.push_back(y);
   }
   target.slopes = slopes_of(target);
-  if (target.interpolation == Table::Interpolation::spline && target.x.size() > 1)
-    note_overshoot(reader, value, target);
+  note_overshoot(reader, value, target);
   if (target.x.size() > kMostPointsAsOperations) keep_as_data(reader, value, target);
 }
 

@@ -97,7 +97,7 @@ double median(std::vector<double> values) {
 
 /// Notes points that lie much farther out than most. Result: the extent of the other points, m.
 double note_far_points(Reader& reader) {
-  constexpr double kFar = 100;
+  constexpr double kFar = 30;
   constexpr std::size_t kFewest = 5;  // fewer have no middle
   std::vector<Spot> spots = spots_of(reader.model);
   if (spots.empty()) return 0;
@@ -155,15 +155,6 @@ void note_inertias(Reader& reader, double extent) {
   }
 }
 
-/// An attachment at the reference, global axes, m.
-Vector3 reference_place(const Model& model, const Attachment& at) {
-  const Body& body = model.bodies[static_cast<std::size_t>(at.body)];
-  const Vector3Quantity& local = body.points[static_cast<std::size_t>(at.point)].position;
-  Vector3 place = rotated(body.pose.rotation, {local[0].value, local[1].value, local[2].value});
-  for (std::size_t i = 0; i < 3; ++i) place[i] += body.pose.origin[i];
-  return place;
-}
-
 /// Notes elements between two points that are one at the reference.
 template <class Elements>
 void note_ends(Reader& reader, const Elements& elements, const char* kind) {
@@ -171,12 +162,41 @@ void note_ends(Reader& reader, const Elements& elements, const char* kind) {
   for (const auto& element : elements) {
     if (element.from.body < 0 || element.to.body < 0 || element.from.point < 0 || element.to.point < 0) continue;
     const double length =
-        distance(reference_place(reader.model, element.from), reference_place(reader.model, element.to));
+        distance(reference_position(reader.model, element.from), reference_position(reader.model, element.to));
     if (!(length < kOnePlace)) continue;
     add_note(reader, element.where,
              fmt::format("the ends of {} {} coincide at the reference: it has no direction there", kind,
                          in_quotes(element.name)),
              "move one of its points, or start from positions at which they are apart");
+  }
+}
+
+/// Notes springs whose length without force is far from the one that they have: a free length in millimetres, a preload
+/// over a stiffness in N/mm.
+void note_free_lengths(Reader& reader) {
+  constexpr double kFactor = 50;  // of the length at the reference; springs of machines stretch by less than five
+  for (const PointSpring& spring : reader.model.springs) {
+    if (spring.from.body < 0 || spring.to.body < 0 || spring.from.point < 0 || spring.to.point < 0) continue;
+    const double length =
+        distance(reference_position(reader.model, spring.from), reference_position(reader.model, spring.to));
+    const auto* stiffness = spring.stiffness ? std::get_if<Quantity>(&*spring.stiffness) : nullptr;
+    const std::string name = in_quotes(spring.name);
+    if (!(length > 0)) continue;  // ends that coincide have a note of their own
+    const double free = spring.free_length ? spring.free_length->value : 0;
+    if (free > kFactor * length) {
+      add_note(reader, spring.where,
+               fmt::format("\"free_length\" of spring {} is {:.4g} m, its length at the reference {:.4g} m", name, free,
+                           length),
+               "lengths are in m");
+    } else if (stiffness && stiffness->value > 0 &&
+               std::abs(spring.preload.value) > kFactor * length * stiffness->value) {
+      add_note(reader, spring.where,
+               fmt::format("spring {} has {:.4g} N of preload over {:.4g} N/m: it is without force {:.4g} m from its "
+                           "length at the reference, {:.4g} m",
+                           name, std::abs(spring.preload.value), stiffness->value,
+                           std::abs(spring.preload.value) / stiffness->value, length),
+               "stiffness is in N/m");
+    }
   }
 }
 
@@ -195,6 +215,7 @@ void note_unlikely(Reader& reader) {
   note_bushings(reader);
   note_ends(reader, reader.model.springs, "spring");
   note_ends(reader, reader.model.air_springs, "air spring");
+  note_free_lengths(reader);
   note_angles(reader);
   note_inertias(reader, note_far_points(reader));
 }

@@ -14,10 +14,11 @@
 namespace mbgen {
 namespace {
 
-constexpr double kLargestRadius = 5;  // m, of a tyre of any vehicle
-constexpr double kOnePlace = 1e-3;    // m, between centres of tyres
-constexpr double kCoincide = 1e-9;    // m
-constexpr double kFalls = 0.5;        // of gravity
+constexpr double kLargestRadius = 5;      // m, of a tyre of any vehicle
+constexpr double kSmallestRadius = 0.01;  // m
+constexpr double kOnePlace = 1e-3;        // m, between centres of tyres
+constexpr double kCoincide = 1e-9;        // m
+constexpr double kFalls = 0.5;            // of gravity
 
 double distance(const Vector3& a, const Vector3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
@@ -42,11 +43,30 @@ std::string placed(const std::string& kind, const std::string& name, const Where
   return where.line > 0 ? fmt::format("{} ({}:{}:{})", named, where.file, where.line, where.column) : named;
 }
 
+/// `radius of tyre "fl"`, with its place: that in the .tir file where a note on the file tells this number, which the
+/// tyre has from there, else that of the tyre.
+std::string placed_value(const Model& model, const Tyre& tyre, const char* what, const char* key, double number) {
+  const std::string said = fmt::format(" is {:.6g} ", number);
+  const auto tells = [&](const Diagnostic& note) {
+    return note.message.starts_with(key) && note.message.find(said) != std::string::npos;
+  };
+  const auto note = std::find_if(model.notes.begin(), model.notes.end(), tells);
+  return fmt::format("{} of {}", what, placed("tyre", tyre.name, note == model.notes.end() ? tyre.where : note->where));
+}
+
 /// Lines that say the same of one tyre each: the first, and how many more there are.
 void add_first(const std::vector<std::string>& lines, std::vector<std::string>& causes) {
   if (lines.empty()) return;
   causes.push_back(lines.front());
   if (lines.size() > 1) causes.back() += fmt::format(" (and {} more like it)", lines.size() - 1);
+}
+
+/// Whether the height of a tyre's road is one number.
+bool is_flat_road(const Model& model, const Tyre& tyre) {
+  if (tyre.road_height.expression >= 0) return false;
+  if (tyre.road < 0) return true;
+  const Road& road = model.roads[static_cast<std::size_t>(tyre.road)];
+  return !road.height && road.tracks.empty() && road.grids.empty() && !road.is_of_one_point();
 }
 
 /// Faults of tyres or their wheels.
@@ -59,15 +79,14 @@ void add_tyre_causes(const Model& model, std::vector<std::string>& causes) {
     const Body& wheel = model.bodies[static_cast<std::size_t>(tyre.centre.body)];
     const std::string name = placed("tyre", tyre.name, tyre.where);
     const double share = mass * std::abs(model.gravity[2].value) / count;
-    if (tyre.radius.value > kLargestRadius) {
-      large.push_back(
-          fmt::format("radius of {} is {:.4g} m: is it in millimetres? see LENGTH in [UNITS] of a .tir file", name,
-                      tyre.radius.value));
+    if (tyre.radius.value > kLargestRadius || tyre.radius.value < kSmallestRadius) {
+      large.push_back(fmt::format("{} is {:.4g} m: is it in {} see LENGTH in [UNITS] of a .tir file",
+                                  placed_value(model, tyre, "radius", "UNLOADED_RADIUS", tyre.radius.value),
+                                  tyre.radius.value, tyre.radius.value > kLargestRadius ? "millimetres?" : "metres?"));
     } else if (share > tyre.stiffness.value * tyre.radius.value * tyre.count) {
-      soft.push_back(
-          fmt::format("stiffness of {} is {:.4g} N/m, too little for {:.4g} N, its share of the weight: is it "
-                      "in N/mm?",
-                      name, tyre.stiffness.value, share));
+      soft.push_back(fmt::format("{} is {:.4g} N/m, too little for {:.4g} N, its share of the weight: is it in N/mm?",
+                                 placed_value(model, tyre, "stiffness", "VERTICAL_STIFFNESS", tyre.stiffness.value),
+                                 tyre.stiffness.value, share));
     }
     if (!has_lateral_force(tyre))
       sideless.push_back(
@@ -90,17 +109,63 @@ std::vector<Vector3> tyre_centres(const Compilation& compilation, const GenericS
   return centres;
 }
 
+/// Wheels that are below a flat road.
+void add_below_road(const Model& model, const std::vector<Vector3>& centres, std::vector<std::string>& causes) {
+  std::vector<std::string> below;
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    const Tyre& tyre = model.tyres[i];
+    if (!is_flat_road(model, tyre)) continue;
+    const double origin = tyre.road < 0 ? 0 : model.roads[static_cast<std::size_t>(tyre.road)].origin[2];
+    const double under = origin + tyre.road_height.value - centres[i][2];
+    if (under > 0)
+      below.push_back(
+          fmt::format("the centre of {} is {:.4g} m below its road: is z down, or \"xy\" the plane of a "
+                      "\"mirror\"?",
+                      placed("tyre", tyre.name, tyre.where), under));
+  }
+  add_first(below, causes);
+}
+
+/// A centre of mass that is not over the tyres, under which a vehicle tips over.
+void add_overhang(const AtRest& rest, const std::vector<Vector3>& centres, std::vector<std::string>& causes) {
+  constexpr std::size_t kStands = 3;  // tyres, on which a vehicle stands by itself
+  const Model& model = rest.compilation.model;
+  if (centres.size() < kStands) return;
+  const std::vector<Pose> poses =
+      GenericSolver(model, rest.compilation.topology, rest.compilation.analysis).poses(rest.start);
+  double mass = 0;
+  Vector3 moment{};
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    const Body& body = model.bodies[i];
+    const Vector3 at = rotated(poses[i].rotation, {body.com[0].value, body.com[1].value, body.com[2].value});
+    mass += body.mass.value;
+    for (std::size_t k = 0; k < 3; ++k) moment[k] += body.mass.value * (poses[i].origin[k] + at[k]);
+  }
+  for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+    const auto is_less = [&](const Vector3& a, const Vector3& b) { return a[axis] < b[axis]; };
+    const auto [least, most] = std::minmax_element(centres.begin(), centres.end(), is_less);
+    const double at = moment[axis] / mass;
+    if (mass > 0 && (at < (*least)[axis] || at > (*most)[axis]))
+      causes.push_back(
+          fmt::format("the centre of all masses is at {0} = {1:.4g} m, the tyres are from {0} = {2:.4g} to "
+                      "{3:.4g} m: it tips over",
+                      axis == 0 ? "x" : "y", at, (*least)[axis], (*most)[axis]));
+  }
+}
+
 /// Tyres at one place, and such that are above each other as left and right ones are beside each other.
 void add_places(const AtRest& rest, std::vector<std::string>& causes) {
   const Model& model = rest.compilation.model;
   if (model.tyres.empty()) return;
   const std::vector<Vector3> centres = tyre_centres(rest.compilation, rest.start);
+  const std::size_t before = causes.size();
   for (std::size_t i = 0; i < centres.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       const Tyre &one = model.tyres[k], &other = model.tyres[i];
       if (distance(centres[i], centres[k]) > kOnePlace) continue;
-      causes.push_back(fmt::format("{} and {} are at one place: is a \"mirror\" of an instance forgotten?",
-                                   placed("tyre", one.name, one.where), placed("tyre", other.name, other.where)));
+      causes.push_back(
+          fmt::format("{} and {} are at one place: is a \"mirror\" of an instance forgotten, or of another plane?",
+                      placed("tyre", one.name, one.where), placed("tyre", other.name, other.where)));
     }
   }
   const auto is_lower = [](const Vector3& a, const Vector3& b) { return a[2] < b[2] - kOnePlace; };
@@ -113,6 +178,8 @@ void add_places(const AtRest& rest, std::vector<std::string>& causes) {
                                  placed("tyre", highest.name, highest.where), (*high)[2] - (*low)[2],
                                  placed("tyre", lowest.name, lowest.where)));
   }
+  if (causes.size() == before) add_below_road(model, centres, causes);
+  if (causes.size() == before) add_overhang(rest, centres, causes);
 }
 
 /// Joint forces on the coordinate that accelerates most, and of models with tyres forces along the road, which nothing

@@ -47,7 +47,11 @@ Diagnostics moved_notes(const Compilation& compilation, const std::vector<MovedV
 /// whose rate the model itself says, on the ones that turn backwards.
 Diagnostics sliding_notes(const Compilation& compilation, const GenericState& start);
 
-/// Both.
+/// A note on a vehicle on flat roads whose static equilibrium is far below, above or turned from its reference, where
+/// the model gives no guess: hardpoints are those of a standing vehicle.
+Diagnostics far_rest_notes(const Compilation& compilation, const GenericState& start);
+
+/// All of them.
 Diagnostics start_notes(const Compilation& compilation, const Start& start);
 
 /// Values that moved, for machines: coordinate, quantity, asked, found.

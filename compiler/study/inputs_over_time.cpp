@@ -113,19 +113,39 @@ class TableCourses {
     }
   }
 
+  /// "at t = 0.35 s, between lines 4 and 5 of the file": where a course is farthest from its column's rows.
+  std::string where_farthest(const InputColumn& column, double smallest, double largest) const {
+    constexpr int kSamples = 64;  // a row
+    const Course& course = result_.courses[column.input];
+    double farthest = 0, at = 0;
+    std::size_t row = 0;
+    for (std::size_t i = 0; i + 1 < table_.t.size(); ++i) {
+      for (int k = 1; k < kSamples; ++k) {
+        const double t = table_.t[i] + k * (table_.t[i + 1] - table_.t[i]) / kSamples, value = course.at(t);
+        const double beyond = std::max(smallest - value, value - largest);
+        if (!(beyond > farthest)) continue;
+        farthest = beyond;
+        at = t;
+        row = i;
+      }
+    }
+    return fmt::format("at t = {:.4g} s, between lines {} and {}", at, table_.lines[row], table_.lines[row + 1]);
+  }
+
   void tell_overshoot(const InputColumn& column) {
     const auto [smallest, largest] = std::minmax_element(column.values.begin(), column.values.end());
     const CourseRange range = range_of(result_.courses[column.input]);
     const double beyond = std::max(*smallest - range.smallest, range.largest - *largest);
     if (!(beyond > kOvershootTold * (*largest - *smallest)) || is_rate(column.input)) return;
     const Input& input = model_.inputs[column.input];
-    result_.warnings.push_back(fmt::format(
-        "{}: warning: {} leaves its column, {:.6g} to {:.6g}, by {:.6g} between rows: it is applied from {:.6g} to "
-        "{:.6g} {}\n  hint: {}\n",
-        table_.header, input.name, *smallest, *largest, beyond, range.smallest, range.largest, unit_or_one(input.unit),
-        input.derivative >= 0 && sources_[input.derivative] == Source::column
-            ? "the column of its derivative makes it; more rows, or leave that column out"
-            : "--interpolation pchip stays within the rows"));
+    result_.warnings.push_back(
+        fmt::format("{}: warning: {} leaves its column, {:.6g} to {:.6g}, by {:.6g} {}: it is applied from {:.6g} to "
+                    "{:.6g} {}\n  hint: {}\n",
+                    table_.header, input.name, *smallest, *largest, beyond, where_farthest(column, *smallest, *largest),
+                    range.smallest, range.largest, unit_or_one(input.unit),
+                    input.derivative >= 0 && sources_[input.derivative] == Source::column
+                        ? "the column of its derivative makes it; more rows, or leave that column out"
+                        : "--interpolation pchip and linear stay within the rows"));
   }
 
   const Model& model_;

@@ -43,6 +43,7 @@ Diagnostics moved_notes(const Compilation& compilation, const std::vector<MovedV
 Diagnostics start_notes(const Compilation& compilation, const Start& start) {
   Diagnostics notes = moved_notes(compilation, start.moved);
   for (Diagnostic& note : sliding_notes(compilation, start.state)) notes.push_back(std::move(note));
+  for (Diagnostic& note : far_rest_notes(compilation, start.state)) notes.push_back(std::move(note));
   return notes;
 }
 

@@ -64,9 +64,27 @@ std::string gaps_text(const Compilation& compilation, const std::vector<LoopGap>
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+/// " (rack -14 m, arm 0.1 rad)": the driven coordinates that are farthest from the reference; none that is there.
+std::string driven_text(const Compilation& compilation, const GenericState& state) {
+  constexpr std::size_t kMost = 3;
+  std::vector<std::pair<double, std::string>> values;
+  for (const Motion& motion : compilation.model.motions) {
+    const int i = tree_coordinate(compilation.topology, motion.joint);
+    if (i < 0 || state.z[static_cast<std::size_t>(i)] == 0) continue;
+    const TreeBody& body = compilation.topology.bodies[static_cast<std::size_t>(i)];
+    const double z = state.z[static_cast<std::size_t>(i)];
+    values.emplace_back(std::abs(z), fmt::format("{} {:.4g} {}", body.coordinate, z, unit_of(body.kind)));
+  }
+  std::stable_sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  if (values.size() > kMost) values.resize(kMost);
+  std::vector<std::string> texts;
+  for (const auto& [size, text] : values) texts.push_back(text);
+  return texts.empty() ? "" : fmt::format(" ({})", fmt::join(texts, ", "));
+}
+
 /// At the first value that is locked, or the first motion.
 [[noreturn]] void refuse(const Compilation& compilation, const std::vector<InitialValue>& values, const char* what,
-                         const std::string& open) {
+                         const std::string& open, const std::string& driven = "") {
   std::vector<std::string> names;
   Where where{compilation.model.file, 0, 0, ""};
   for (const InitialValue& value : values) {
@@ -80,15 +98,16 @@ std::string gaps_text(const Compilation& compilation, const std::vector<LoopGap>
                      fmt::format("give {} other values, or leave out \"locked\"", fmt::join(names, ", ")), ""}});
   }
   if (!compilation.model.motions.empty()) where = compilation.model.motions.front().where;
-  throw UserError(Diagnostics{
-      {where, fmt::format("the driven {} do not fit together: {}", what, open), "change the motions at t = 0", ""}});
+  throw UserError(Diagnostics{{where, fmt::format("the driven {}{} do not fit together: {}", what, driven, open),
+                               "change the motions at t = 0", ""}});
 }
 
 }  // namespace
 
 void refuse_open_positions(const Compilation& compilation, const GenericSolver& solver, const GenericState& state) {
   const std::vector<LoopGap> all = loop_gaps(compilation, solver.position_residuals(state));
-  refuse(compilation, compilation.model.initial.positions, "positions", gaps_text(compilation, widest_first(all)));
+  refuse(compilation, compilation.model.initial.positions, "positions", gaps_text(compilation, widest_first(all)),
+         driven_text(compilation, state));
 }
 
 void refuse_open_velocities(const Compilation& compilation) {

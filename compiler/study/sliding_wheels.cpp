@@ -28,6 +28,7 @@ struct SlidingTyre {
   const Tyre* tyre;
   const TreeBody* wheel;
   double speed;    ///< m/s, of the wheel centre, forwards
+  double moves;    ///< m/s, of the wheel centre, any way
   double spin;     ///< rad/s, of the wheel
   double rolling;  ///< rad/s, of the coordinate where the wheel rolls
 };
@@ -59,16 +60,19 @@ SlidingTyre moving(const Model& model, const Tyre& tyre, const TreeBody& wheel, 
   const Rotation change = (second * first.transpose() - first * second.transpose()) / 2;
   const Vector3d turn(change(2, 1), change(0, 2), change(1, 0));
   const double lies = forward.norm() < kOneAxis ? 0 : 1;  // a wheel that lies runs nowhere
-  return {&tyre, &wheel, lies * way.dot(forward.normalized()) / kInstant, turn.dot(axis) / kInstant, 0};
+  return {
+      &tyre, &wheel, lies * way.dot(forward.normalized()) / kInstant, way.norm() / kInstant, turn.dot(axis) / kInstant,
+      0};
 }
 
-std::vector<SlidingTyre> sliding_tyres(const Compilation& compilation, const GenericState& start) {
+/// The motion of every tyre whose wheel turns about its axis.
+std::vector<SlidingTyre> moving_tyres(const Compilation& compilation, const GenericState& start) {
   const Model& model = compilation.model;
   const GenericSolver solver(model, compilation.topology, compilation.analysis);
   GenericState later = start;
   for (std::size_t i = 0; i < later.z.size(); ++i) later.z[i] += kInstant * start.zd[i];
   const std::vector<Pose> before = solver.poses(start), after = solver.poses(later);
-  std::vector<SlidingTyre> sliding;
+  std::vector<SlidingTyre> tyres;
   for (const Tyre& tyre : model.tyres) {
     const auto body = static_cast<std::size_t>(tyre.centre.body);
     const int coordinate = compilation.topology.tree_body[body];
@@ -78,20 +82,59 @@ std::vector<SlidingTyre> sliding_tyres(const Compilation& compilation, const Gen
     if (wheel.kind != FreedomKind::revolute || std::abs(along) < kOneAxis) continue;
     SlidingTyre one = moving(model, tyre, wheel, before[body], after[body]);
     const double rolls = one.speed / tyre.radius.value;
-    const bool is_backwards = one.spin * rolls < -kBackwards * rolls * rolls;
-    if (is_said(model, wheel) && !is_backwards) continue;
-    if (std::abs(one.speed) < kRuns || std::abs(one.spin - rolls) < kSlides * std::abs(rolls)) continue;
     one.rolling = start.zd[static_cast<std::size_t>(coordinate)] + std::copysign(1, along) * (rolls - one.spin);
+    tyres.push_back(one);
+  }
+  return tyres;
+}
+
+/// Those that slide, and are not told to.
+std::vector<SlidingTyre> sliding_of(const Model& model, const std::vector<SlidingTyre>& tyres) {
+  std::vector<SlidingTyre> sliding;
+  for (const SlidingTyre& one : tyres) {
+    const double rolls = one.speed / one.tyre->radius.value;
+    const bool is_backwards = one.spin * rolls < -kBackwards * rolls * rolls;
+    if (is_said(model, *one.wheel) && !is_backwards) continue;
+    if (std::abs(one.speed) < kRuns || std::abs(one.spin - rolls) < kSlides * std::abs(rolls)) continue;
     sliding.push_back(one);
   }
   return sliding;
 }
 
-}  // namespace
+/// A note where all wheels turn and none runs: the vehicle's own speed is likely forgotten.
+Diagnostics standing_notes(const std::vector<SlidingTyre>& tyres) {
+  constexpr double kStands = 0.1;     // of the speed at which the wheel rolls
+  constexpr std::size_t kFewest = 3;  // tyres of a vehicle; a rig may spin one up
+  const auto spins = [](const SlidingTyre& one) {
+    const double rolls = std::abs(one.spin) * one.tyre->radius.value;
+    return rolls > kRuns && one.moves < kStands * rolls;
+  };
+  if (tyres.size() < kFewest || !std::all_of(tyres.begin(), tyres.end(), spins)) return {};
+  const SlidingTyre& first = tyres.front();
+  return {{first.tyre->where,
+           fmt::format("all wheels turn at the start and the vehicle stands: the wheel of tyre \"{}\" turns at {:.4g} "
+                       "rad/s, its centre moves at {:.2f} m/s",
+                       first.tyre->name, first.spin, first.moves),
+           fmt::format("give the vehicle its speed, {:.4g} m/s, among the \"velocities\" of \"initial\"",
+                       std::abs(first.spin) * first.tyre->radius.value),
+           ""}};
+}
 
-Diagnostics sliding_notes(const Compilation& compilation, const GenericState& start) {
-  if (compilation.model.tyres.empty()) return {};
-  const std::vector<SlidingTyre> sliding = sliding_tyres(compilation, start);
+/// A note on a speed that is likely in km/h.
+Diagnostics fast_notes(const std::vector<SlidingTyre>& tyres) {
+  constexpr double kUnlikely = 70;  // m/s, 252 km/h, as of manoeuvres
+  for (const SlidingTyre& one : tyres) {
+    if (std::abs(one.speed) < kUnlikely) continue;
+    return {{one.tyre->where,
+             fmt::format("tyre \"{}\" runs at {:.4g} m/s at the start, {:.4g} km/h", one.tyre->name, one.speed,
+                         3.6 * one.speed),
+             "speeds are in m/s; km/h may be written \"80/3.6\"", ""}};
+  }
+  return {};
+}
+
+/// A note on those that slide.
+Diagnostics slip_notes(const std::vector<SlidingTyre>& sliding) {
   if (sliding.empty()) return {};
   const SlidingTyre& first = sliding.front();
   std::vector<std::string> rates;
@@ -118,6 +161,17 @@ Diagnostics sliding_notes(const Compilation& compilation, const GenericState& st
                    "the rates that they have",
                    fmt::join(rates, ", ")),
        ""}};
+}
+
+}  // namespace
+
+Diagnostics sliding_notes(const Compilation& compilation, const GenericState& start) {
+  if (compilation.model.tyres.empty()) return {};
+  const std::vector<SlidingTyre> tyres = moving_tyres(compilation, start);
+  Diagnostics notes = fast_notes(tyres);
+  for (const Diagnostics& more : {standing_notes(tyres), slip_notes(sliding_of(compilation.model, tyres))})
+    notes.insert(notes.end(), more.begin(), more.end());
+  return notes;
 }
 
 }  // namespace mbgen

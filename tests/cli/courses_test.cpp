@@ -82,7 +82,9 @@ TEST_F(Courses, NumbersInOtherUnitsAreNoted) {
 TEST_F(Courses, WhatHasNoEndIsRefusedByItsField) {
   const std::string circle = R"({ "mbgen_manoeuvre": 1, "type": "steady_circle", "speed": 20, "radius": 1e6)";
   EXPECT_EQ(drive(kCar, circle + " }").err,
-            "m.json: /radius: at 1e+06 m the speed has to grow to 2348 m/s for 5 m/s^2, beyond 1000 m/s\n"
+            "m.json:1:73: /radius: at 1e+06 m the speed has to grow to 2348 m/s for 5 m/s^2, beyond 1000 m/s\n"
+            "  { \"mbgen_manoeuvre\": 1, \"type\": \"steady_circle\", \"speed\": 20, \"radius\": 1e6 }\n"
+            "                                                                          ^~~\n"
             "  hint: give \"last_speed\" or a smaller radius, in m\n");
   EXPECT_EQ(drive(kCar, circle + R"(, "last_speed": 21, "acceleration": 1e-6 })").err,
             "m.json: /acceleration: the manoeuvre takes 1e+06 s, 1e+09 steps of 0.001 s; at most 1e+07 are driven\n"

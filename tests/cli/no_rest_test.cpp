@@ -43,9 +43,9 @@ TEST_F(NoRest, AForgottenMirror) {
   EXPECT_EQ(
       hints(),
       "  hint: tyre \"fl\" (car.json:46:5) and tyre \"fr\" (car.json:47:5) are at one place: is a \"mirror\" of an "
-      "instance forgotten?\n"
+      "instance forgotten, or of another plane?\n"
       "  hint: tyre \"rl\" (car.json:48:5) and tyre \"rr\" (car.json:49:5) are at one place: is a \"mirror\" of an "
-      "instance forgotten?\n");
+      "instance forgotten, or of another plane?\n");
 }
 
 TEST_F(NoRest, ARadiusInMillimetres) {

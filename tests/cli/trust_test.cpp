@@ -93,6 +93,29 @@ TEST_F(Trust, TablesStayWithinTheirRows) {
   const Outcome spline = mbgen(simulate + "--interpolation spline");
   EXPECT_NE(spline.err.find("table.csv:1: warning: way leaves its column, 0 to 0.785, by "), std::string::npos)
       << spline.err;
+  // Through four points the spline is one cubic, that of Lagrange's formula.
+  const auto lagrange = [](double x) {
+    const double t[] = {0, 1, 1.2, 6}, y[] = {0, 0, 0.785, 0.785};
+    double sum = 0;
+    for (int i = 0; i < 4; ++i) {
+      double term = y[i];
+      for (int k = 0; k < 4; ++k) term *= k == i ? 1 : (x - t[k]) / (t[i] - t[k]);
+      sum += term;
+    }
+    return sum;
+  };
+  double farthest = 0, at = 0;
+  for (int k = 0; k <= 6000; ++k) {
+    if (lagrange(1e-3 * k) > farthest) farthest = lagrange(at = 1e-3 * k);
+  }
+  const std::size_t place = spline.err.find(" at t = ");
+  ASSERT_NE(place, std::string::npos) << spline.err;
+  EXPECT_NEAR(std::stod(spline.err.substr(place + 8)), at, 4.8 / 64);
+  EXPECT_NE(spline.err.find(" s, between lines 4 and 5: it is applied from "), std::string::npos) << spline.err;
+  const std::size_t by = spline.err.find(", by ");
+  EXPECT_NEAR(std::stod(spline.err.substr(by + 5)), farthest - 0.785, 2e-3 * farthest);
+  EXPECT_NE(spline.err.find("hint: --interpolation pchip and linear stay within the rows\n"), std::string::npos)
+      << spline.err;
   EXPECT_NE(spline.out.find("input "), std::string::npos) << spline.out;
   EXPECT_EQ(mbgen(simulate + "--interpolation cubic").err,
             "--interpolation: no interpolation \"cubic\"; there are: pchip, linear, spline, hold\n");

@@ -73,6 +73,7 @@ struct CircleManoeuvre : ManoeuvreBase {
   std::optional<double> radius, steer, last_speed;  ///< m, rad at the input, m/s
   double acceleration = 0;                          ///< m/s^2, by which the speed grows
   double largest_lateral_acceleration = 0;          ///< m/s^2: ends there
+  Where radius_where = {};                          ///< where `radius` is written
   Side side = Side::left;
 };
 

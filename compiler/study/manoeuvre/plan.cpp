@@ -175,9 +175,10 @@ Plan Planner::operator()(const CircleManoeuvre& circle) const {
     last = circle.last_speed.value_or(1.05 * std::sqrt(circle.largest_lateral_acceleration * *circle.radius));
     if (last > kMostSpeed)
       throw UserError(
-          fmt::format("{}: /radius: at {:g} m the speed has to grow to {:.4g} m/s for {:g} m/s^2, beyond {:g} m/s\n"
-                      "  hint: give \"last_speed\" or a smaller radius, in m\n",
-                      file, *circle.radius, last, circle.largest_lateral_acceleration, kMostSpeed));
+          Diagnostics{{circle.radius_where,
+                       fmt::format("at {:g} m the speed has to grow to {:.4g} m/s for {:g} m/s^2, beyond {:g} m/s",
+                                   *circle.radius, last, circle.largest_lateral_acceleration, kMostSpeed),
+                       "give \"last_speed\" or a smaller radius, in m", ""}});
     drive_along(plan, circle_path(kStraight * first, sign(circle.side) * *circle.radius, kTransition * first));
   } else {
     const double angle = within_limit(*circle.steer) * sign(circle.side) * std::copysign(1.0, vehicle().steer_ratio);

@@ -24,8 +24,21 @@ void require_one(Reader& reader, const Value& value, const std::vector<std::stri
   report(reader, value, fmt::format("must have exactly one of {}, got {}", list, count));
 }
 
-void check_amplitude(Reader& reader, const Value& value) {
+/// Notes an acceleration beyond what tyres on a road give.
+void check_acceleration(Reader& reader, const Value& value, std::string_view name,
+                        const std::optional<double>& acceleration) {
+  constexpr double kUnlikely = 15, kGravity = 9.81;  // m/s^2
+  const Value* written = find(value, name);
+  if (!written || !(acceleration.value_or(0) > kUnlikely)) return;
+  note(
+      reader, written->place,
+      fmt::format("{:g} m/s^2 are {:.3g} times gravity, more than tyres give", *acceleration, *acceleration / kGravity),
+      "accelerations are in m/s^2; half of gravity may be written \"0.5*9.81\"");
+}
+
+void check_amplitude(Reader& reader, const Value& value, const SteerAmplitude& amplitude) {
   require_one(reader, value, {"steer", "lateral_acceleration"});
+  check_acceleration(reader, value, "lateral_acceleration", amplitude.lateral_acceleration);
 }
 
 /// Refuses a speed that nothing has, and notes one that is likely in km/h.
@@ -79,22 +92,28 @@ void check(Reader& reader, const Value& value, Written<CircleManoeuvre>& written
   const std::string_view wanted = is_of_radius ? "radius" : "steer";
   if (!find(value, wanted)) report(reader, value, "key " + in_quotes(wanted) + " is missing");
   check_speed(reader, value, "last_speed", written.last_speed);
+  if (const Value* radius = find(value, "radius")) written.radius_where = where_of(reader.documents, radius->place);
 }
 
-void check(Reader& reader, const Value& value, Written<StepManoeuvre>&) { check_amplitude(reader, value); }
+void check(Reader& reader, const Value& value, Written<StepManoeuvre>& written) {
+  check_amplitude(reader, value, written);
+}
 
 void check(Reader& reader, const Value& value, Written<SweepManoeuvre>& written) {
-  check_amplitude(reader, value);
+  check_amplitude(reader, value, written);
   if (written.last_frequency <= written.first_frequency)
     report(reader, member_or_object(value, "last_frequency"),
            fmt::format("the last frequency must be above the first, {} Hz, got {} Hz", written.first_frequency,
                        written.last_frequency));
 }
 
-void check(Reader& reader, const Value& value, Written<WeaveManoeuvre>&) { check_amplitude(reader, value); }
+void check(Reader& reader, const Value& value, Written<WeaveManoeuvre>& written) {
+  check_amplitude(reader, value, written);
+}
 
 void check(Reader& reader, const Value& value, Written<BrakingManoeuvre>& written) {
   require_one(reader, value, {"brake", "deceleration"});
+  check_acceleration(reader, value, "deceleration", written.deceleration);
   written.is_split = written.type == "mu_split_braking";
 }
 
@@ -126,6 +145,8 @@ Manoeuvre read(Reader& reader, const Value& value) {
   const Value* type = find(value, "type");
   if (value.kind != Value::Kind::object) {
     report(reader, value, "must be an object, got " + describe(value));
+  } else if (const Member* model = find_member(value, "mbgen")) {
+    report(reader, model->place, "the file is a model, not a manoeuvre", "mbgen simulate MODEL --manoeuvre FILE");
   } else if (!find(value, "mbgen_manoeuvre")) {
     report(reader, value, "key \"mbgen_manoeuvre\" is missing", "a manoeuvre begins with \"mbgen_manoeuvre\": 1");
   } else if (!type) {
