@@ -16,6 +16,7 @@
 #include "compiler/describe/names.hpp"
 #include "compiler/describe/notes.hpp"
 #include "compiler/engines/engine_arguments.hpp"
+#include "compiler/study/branch_guard.hpp"
 #include "compiler/study/contact_watch.hpp"
 #include "compiler/study/controlled_engine.hpp"
 #include "compiler/study/equilibrium_causes.hpp"
@@ -74,6 +75,8 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
     run.control = std::make_shared<ErrorControlRecord>();
     engine = with_error_control(compilation, engine, inputs, *control, run.control);
   }
+  // The inputs of a manoeuvre are not known before, and steps of error control are looked at one by one.
+  if (manoeuvre == nullptr && !run.control) engine = with_branch_guard(compilation, engine, inputs);
   const auto on_sample = [&](const Sample& sample) {
     contacts.add(sample);
     loads.add(sample);

@@ -59,6 +59,25 @@ std::string start_charts(const InitialState& initial, const std::string& scalar)
   return fmt::format(", {{{}}}", fmt::join(number_texts(initial.charts, scalar), ", "));
 }
 
+/// 1 for every coordinate that turns and that accelerations or closures look at, else 0; "" where none is. Wheels that
+/// are symmetric about their axis are not: nothing depends on their turn.
+std::string turning_table(const EmitContext& context) {
+  std::vector<double> turning(context.topology.bodies.size(), 0.0);
+  bool any = false;
+  for (const Program* program : {&context.programs.accelerations, &context.programs.closure}) {
+    for (const Slot& slot : program->inputs) {
+      if (slot.group.array != Array::z) continue;
+      const auto i = static_cast<std::size_t>(slot.index);
+      if (context.topology.bodies[i].kind != FreedomKind::revolute) continue;
+      turning[i] = 1;
+      any = true;
+    }
+  }
+  if (!any) return "";
+  const std::string head = fmt::format("constexpr {} kTurning", context.options.scalar);
+  return array_text(head, number_texts(turning, context.options.scalar), "");
+}
+
 }  // namespace
 
 EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, bool for_importers) {
@@ -84,6 +103,8 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
       {"rare_parts", rare_parts > 0 ? std::to_string(rare_parts) : ""},
       {"all_parts", rare_parts + 1},
       {"for_importers", for_importers},
+      // An FMU looks at turns itself, see mbgen/fmu_turns.hpp.
+      {"turning", for_importers ? "" : turning_table(context)},
       {"pairs", context.in_pairs},
       {"laws", !context.programs.laws.empty() && context.options.scalar == "double"},
       {"hot", hot},

@@ -42,6 +42,10 @@ struct GenericSystem {
     advance_inputs(state.t);
     return solver.project_crossing(state, clearance);
   }
+  int changed_side(const GenericState& from, const GenericState& to) const noexcept {
+    advance_inputs(start);
+    return solver.changed_side(from, to);
+  }
   Status sample(GenericState& state, double h, bool& any) const noexcept { return solver.sample(state, h, any); }
   bool leaves_charts(const GenericState& state) const noexcept { return mbgen::leaves_charts(balls, state); }
   bool settle_charts(GenericState& state) const noexcept { return mbgen::settle_charts(balls, state); }

@@ -2,13 +2,14 @@
 // How far a body may turn within a step.
 
 #include "compiler/model/model.hpp"
+#include "mbgen/turns.hpp"
 
 namespace mbgen {
 
-/// Turn within a step, rad, that an integrator bears: forces that turn with a body come out right to 0.1 % (an
-/// unbalanced rotor on a spring, tests/cli/resolved_test.cpp).
+/// Turn within a step, rad, that an integrator bears: see mbgen/turns.hpp.
 constexpr double largest_turn(SolverSettings::Integrator integrator) {
-  return integrator == SolverSettings::Integrator::rk4 ? 0.5 : 0.3;
+  using Integrator = SolverSettings::Integrator;
+  return integrator == Integrator::rk4 ? kRk4Turn : integrator == Integrator::abm4 ? kAbm4Turn : kRosenbrockTurn;
 }
 
 }  // namespace mbgen

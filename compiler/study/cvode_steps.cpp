@@ -17,33 +17,19 @@
 #include <functional>
 
 #include "compiler/study/controlled_motion.hpp"
+#include "compiler/study/cvode_limits.hpp"
 #include "mbgen/sampling.hpp"
 
 namespace mbgen {
 namespace {
-
-/// Error of the loops, in tolerances, at which the motion starts anew with closed ones.
-constexpr double kOpenLoops = 100;
-/// Steps of CVODE for one step of the table: more is no progress.
-constexpr long kMostSteps = 500'000;
-/// Arrivals at corners between two rows of the table; more are chatter, and no corner is looked for until the next row.
-constexpr int kMostCorners = 100;
-/// Part of the time to an event that is no time.
-constexpr double kNoTime = 1e-12;
-/// Part of a step beyond a corner at which the laws of both sides are compared once more.
-constexpr double kBesideCorner = 1e-3;
-/// In place of a condition that is zero, which is the upper side: CVODE takes zeros for roots, also those that last.
-constexpr double kUpperSide = 1e-300;
-/// Vectors by which the fixed-point iteration is accelerated (Anderson).
-constexpr int kAcceleration = 3;
 
 template <class Object>
 using Owned = std::unique_ptr<Object, std::function<void(Object*)>>;
 
 class CvodeStepper : public Stepper {
  public:
-  CvodeStepper(ControlledMotion motion, const ErrorControl& control, ErrorControlRecord& record)
-      : control_(control), record_(record), motion_(std::move(motion)) {
+  CvodeStepper(ControlledMotion motion, BranchGuard guard, const ErrorControl& control, ErrorControlRecord& record)
+      : control_(control), record_(record), motion_(std::move(motion)), leaps_(std::move(guard)) {
     SUNContext context = nullptr;
     SUNContext_Create(nullptr, &context);
     context_ = {context, [](_SUNContext* c) { SUNContext_Free(&c); }};
@@ -66,6 +52,8 @@ class CvodeStepper : public Stepper {
   /// Whether the motion is on another side of a corner than it is held on: it did not leave the corner the way it came
   /// to it. Back by a step then, on no side of that corner.
   bool went_astray();
+  /// The motion starts anew from the step before the last one.
+  void step_back();
   Status at(double t, GenericState& state);
   Status fail(int flag);
   void count();
@@ -82,15 +70,16 @@ class CvodeStepper : public Stepper {
   ErrorControl control_;
   ErrorControlRecord& record_;
   ControlledMotion motion_;
+  LeapWatch leaps_;
   Owned<_SUNContext> context_;
   Owned<_generic_N_Vector> y_, dense_, absolute_;
   Owned<_generic_SUNMatrix> matrix_;
   Owned<_generic_SUNLinearSolver> linear_;
   Owned<_generic_SUNNonlinearSolver> iteration_;
   Owned<void> cvode_;
-  double t_ = 0;      ///< s, of the last step of CVODE
-  double given_ = 0;  ///< s, of the state that was given last
-  double end_ = 0;    ///< s: steps go no farther before the next start
+  double t_ = 0;               ///< s, of the last step of CVODE
+  double given_ = 0;           ///< s, of the state that was given last
+  double end_ = 0;             ///< s: steps go no farther before the next start
   double sampled_ = HUGE_VAL;  ///< s, when sampled values were set last
   bool starts_anew_ = true;
   int corners_ = 0;            ///< arrivals at corners since the last row of the table
@@ -138,8 +127,8 @@ void CvodeStepper::keep_message(int, const char*, const char*, char* message, vo
 
 double CvodeStepper::next_row(double t) const {
   const double none = kNoTime * std::max(1.0, std::abs(t));
-  const double end = std::min(control_.end, next_instant(control_.periods.data(),
-                                                         static_cast<int>(control_.periods.size()), t));
+  const double end =
+      std::min(control_.end, next_instant(control_.periods.data(), static_cast<int>(control_.periods.size()), t));
   for (const double row : motion_.inputs().rows)
     if (row > t + none && row < end) return row;
   return end;
@@ -273,9 +262,14 @@ bool CvodeStepper::went_astray() {
   }
   if (!any) return false;
   ++corners_;
+  step_back();
+  return true;
+}
+
+void CvodeStepper::step_back() {
   t_ = last_.t;
   motion_.follow(last_);
-  return true;
+  starts_anew_ = true;
 }
 
 void CvodeStepper::count() {
@@ -311,6 +305,10 @@ Status CvodeStepper::arrive(int flag) {
   const double* y = N_VGetArrayPointer(y_.get());
   const Status status = motion_.close(t_, y, closed);
   if (!status.ok()) return status;
+  if (leaps_.look(last_, closed)) {
+    step_back();
+    return leaps_.status();
+  }
   motion_.follow(closed);
   std::vector<double> values(motion_.size());
   motion_.copy(closed, values.data());
@@ -325,10 +323,7 @@ Status CvodeStepper::arrive(int flag) {
                  leaves_charts(motion_.engine().balls, closed);
   if (!is_at_corner && motion_.corners() > 0) {
     crossed_.assign(crossed_.size(), 0);
-    if (flag != CV_ROOT_RETURN && went_astray()) {
-      starts_anew_ = true;
-      return {};
-    }
+    if (flag != CV_ROOT_RETURN && went_astray()) return {};
   }
   last_ = closed;
   return {};
@@ -340,6 +335,7 @@ Status CvodeStepper::advance() {
     state.t = t_;
     if (const Status status = start(state); !status.ok()) return status;
   }
+  CVodeSetMaxStep(cvode_.get(), leaps_.longest(t_));
   const int flag = CVode(cvode_.get(), end_, y_.get(), &t_, CV_ONE_STEP);
   count();
   if (flag < 0) return fail(flag);
@@ -368,17 +364,18 @@ Status CvodeStepper::step(GenericState& state, double h) {
     if (const Status status = advance(); !status.ok()) return status;
   }
   const Status status = at(std::min(target, t_), state);
-  if (status.ok()) given_ = state.t = target;
-  return status;
+  if (!status.ok()) return status;
+  given_ = state.t = target;
+  return more_telling(status, leaps_.take_notice());
 }
 
 }  // namespace
 
 bool has_cvode() { return true; }
 
-std::unique_ptr<Stepper> make_cvode_stepper(ControlledMotion motion, const ErrorControl& control,
+std::unique_ptr<Stepper> make_cvode_stepper(ControlledMotion motion, BranchGuard guard, const ErrorControl& control,
                                             ErrorControlRecord& record) {
-  return std::make_unique<CvodeStepper>(std::move(motion), control, record);
+  return std::make_unique<CvodeStepper>(std::move(motion), std::move(guard), control, record);
 }
 
 }  // namespace mbgen
@@ -389,7 +386,9 @@ namespace mbgen {
 
 bool has_cvode() { return false; }
 
-std::unique_ptr<Stepper> make_cvode_stepper(ControlledMotion, const ErrorControl&, ErrorControlRecord&) { return {}; }
+std::unique_ptr<Stepper> make_cvode_stepper(ControlledMotion, BranchGuard, const ErrorControl&, ErrorControlRecord&) {
+  return {};
+}
 
 }  // namespace mbgen
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "compiler/study/branch_guard.hpp"
 #include "compiler/study/controlled_motion.hpp"
 #include "compiler/study/error_control.hpp"
 
@@ -20,7 +21,7 @@ class Stepper {
 };
 
 /// See with_error_control. record: outlives the stepper. Requires: has_cvode().
-std::unique_ptr<Stepper> make_cvode_stepper(ControlledMotion motion, const ErrorControl& control,
+std::unique_ptr<Stepper> make_cvode_stepper(ControlledMotion motion, BranchGuard guard, const ErrorControl& control,
                                             ErrorControlRecord& record);
 
 }  // namespace mbgen

@@ -52,7 +52,10 @@ ModeWatch::ModeWatch(const Compilation& compilation, const GenericState& start, 
   std::optional<EigenVectors> rows;
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     const Mode& mode = modes_[m];
-    if (!mode.oscillates() || robbed_share(integrator, mode, settings.step, duration) <= kRobbed) continue;
+    if (!mode.oscillates()) continue;
+    if (robbed_share(integrator, mode, settings.step, duration) <= kRobbed &&
+        turned_phase(integrator, mode, settings.step, duration) <= kTurnedPhase)
+      continue;
     if (!rows) {
       rows = eigenvectors(system.A.transpose());
       solver.emplace(compilation.model, compilation.topology, compilation.analysis);

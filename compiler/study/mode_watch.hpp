@@ -9,7 +9,8 @@
 
 namespace mbgen {
 
-/// Oscillations of the modes of the start along a motion: of those that the method robs of more than kRobbed.
+/// Oscillations of the modes of the start along a motion: of those that the method robs of more than
+/// kRobbed, or turns by more than kTurnedPhase.
 class ModeWatch {
  public:
   /// inputs: of the model, at the start; settings: of the motion.

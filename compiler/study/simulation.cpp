@@ -108,6 +108,8 @@ class Notices {
 
   /// t: s, at the end of the step.
   void add(Status status, double t, std::vector<BlockEvents>& blocks) {
+    // Turns have a watcher of their own, which asks whether forces turn with them.
+    if (status.code == Code::turned_far) status = {};
     if (status.code >= kFirstNotice && status.index >= static_cast<int>(blocks.size())) {
       blocks.resize(status.index + 1);
       entered_.resize(blocks.size());

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "compiler/algebra/dense.hpp"
@@ -46,9 +47,10 @@ double stable_step(Integrator integrator, const Mode& mode, double longest, doub
   return low;
 }
 
-/// Whether a step keeps the energy of a mode over the time in which it has any.
+/// Whether a step keeps energy and phase of a mode over the time in which it has any.
 bool fits(Integrator integrator, const Mode& mode, double h, double duration) {
-  return robbed_share(integrator, mode, h, duration) <= kFittingLoss;
+  return robbed_share(integrator, mode, h, duration) <= kFittingLoss &&
+         turned_phase(integrator, mode, h, duration) <= kTurnedPhase / 2;
 }
 
 /// The longest of 5, 2, 1 times a power of ten below `h`.
@@ -187,22 +189,31 @@ struct StepJudge {
     }
   }
 
-  /// A mode that takes part, and that the method takes out of the motion.
+  /// A mode that takes part, and that the method takes out of the motion or turns.
   void judge_modes(const std::vector<Mode>& modes, const std::vector<double>& energies) {
     if (!verdict.failure.empty() || !verdict.warnings.empty()) return;  // the energy balance told it
-    const Mode* worst = nullptr;
-    double most = kRobbed;
+    const Mode *robbed = nullptr, *turned = nullptr;
+    double most = kRobbed, farthest = kTurnedPhase;
     for (std::size_t m = 0; m < energies.size(); ++m) {
       if (!(energies[m] > kTakesPart * summary.energy.scale)) continue;
-      const double share = robbed_share(integrator, modes[m], settings.step, duration());
-      if (share > most) most = share, worst = &modes[m];
+      const double share = robbed_share(integrator, modes[m], settings.step, duration()),
+                   turn = turned_phase(integrator, modes[m], settings.step, duration());
+      if (share > most) most = share, robbed = &modes[m];
+      if (turn > farthest) farthest = turn, turned = &modes[m];
     }
+    const Mode* const worst = robbed != nullptr ? robbed : turned;
     if (worst == nullptr) return;
     verdict.fitting_step = fitting_step(integrator, {*worst}, settings.step, duration());
-    verdict.warnings.push_back(fmt::format(
-        "a mode of the start takes part that the method takes out of the motion, {}: {} changes its energy by {} {}{}",
-        mode_text(compilation, *worst), name_of(integrator), percent_text(std::min(most, 1.0)),
-        worst->eigenvalue.real() < 0 ? "while it decays" : "over the motion", advice()));
+    const char* const when = worst->eigenvalue.real() < 0 ? "while it decays" : "over the motion";
+    verdict.warnings.push_back(
+        robbed != nullptr
+            ? fmt::format("a mode of the start takes part that the method takes out of the motion, {}: {} changes its "
+                          "energy by {} {}{}",
+                          mode_text(compilation, *worst), name_of(integrator), percent_text(std::min(most, 1.0)), when,
+                          advice())
+            : fmt::format("a mode of the start takes part whose time the method does not keep, {}: {} turns it by "
+                          "{:.2g} rad {}{}",
+                          mode_text(compilation, *worst), name_of(integrator), farthest, when, advice()));
   }
 
   /// Values beyond all bounds and energies out of nothing; one of them where the step is known to be unstable.
@@ -220,8 +231,8 @@ struct StepJudge {
   }
 };
 
-/// |R(z)| of ROS34PW2 with its matrix exact: the stages of mbgen/rosenbrock.hpp for y' = z y and a step of 1.
-double growth_of_rosenbrock(std::complex<double> z) {
+/// R(z) of ROS34PW2 with its matrix exact: the stages of mbgen/rosenbrock.hpp for y' = z y and a step of 1.
+std::complex<double> factor_of_rosenbrock(std::complex<double> z) {
   using namespace integrator_detail;
   const std::complex<double> reciprocal = 1.0 / (1.0 / kRosenbrockFactor - z);
   std::complex<double> change[4], last = 1.0;
@@ -238,30 +249,69 @@ double growth_of_rosenbrock(std::complex<double> z) {
   stage(kStage2, kCoupling2);
   stage(kStage3, kCoupling3);
   stage(kStage4, kCoupling4);
-  return std::abs(last + change[3]);
+  return last + change[3];
+}
+
+std::complex<double> factor_of_rk4(std::complex<double> z) {
+  return 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)));
+}
+
+/// What Adams-Bashforth-Moulton (PECE) makes of the last four values, the newest first:
+/// y' = 9 (y + z/24 (55 y - 59 y1 + 37 y2 - 9 y3)) + 19 y - 5 y1 + y2, times z/24, plus y.
+std::array<std::complex<double>, 4> weights_of_abm4(std::complex<double> z) {
+  const std::complex<double> c = z / 24.0, corrected = 9.0 * c;
+  return {1.0 + c * (9.0 + 19.0 + 55.0 * corrected), c * (-5.0 - 59.0 * corrected), c * (1.0 + 37.0 * corrected),
+          c * (-9.0 * corrected)};
+}
+
+/// The root of its characteristic polynomial that belongs to the motion: by Newton from the exact factor.
+std::complex<double> factor_of_abm4(std::complex<double> z) {
+  const auto weights = weights_of_abm4(z);
+  std::complex<double> root = std::exp(z);
+  for (int k = 0; k < kMostTries; ++k) {
+    std::complex<double> value = 1.0, slope = 0.0;
+    for (const std::complex<double>& weight : weights) {
+      slope = slope * root + value;
+      value = value * root - weight;
+    }
+    const std::complex<double> change = value / slope;
+    root -= change;
+    if (!(std::abs(change) > 1e-15)) break;
+  }
+  return root;
+}
+
+std::complex<double> factor_of_step(Integrator integrator, std::complex<double> z) {
+  return integrator == Integrator::rosenbrock ? factor_of_rosenbrock(z)
+         : integrator == Integrator::rk4      ? factor_of_rk4(z)
+                                              : factor_of_abm4(z);
+}
+
+/// s, in which a mode has any energy.
+double time_of(const Mode& mode, double duration) {
+  return 1 / (1 / duration - 2 * std::min(mode.eigenvalue.real(), 0.0));
 }
 
 }  // namespace
 
 double growth_of_step(Integrator integrator, std::complex<double> z) {
-  if (integrator == Integrator::rosenbrock) return growth_of_rosenbrock(z);
-  if (integrator == Integrator::rk4) return std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))));
-  // y' = 9 (y + z/24 (55 y - 59 y1 + 37 y2 - 9 y3)) + 19 y - 5 y1 + y2, times z/24, plus y.
-  const std::complex<double> c = z / 24.0, corrected = 9.0 * c;
+  if (integrator != Integrator::abm4) return std::abs(factor_of_step(integrator, z));
   Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(4, 4);
-  companion(0, 0) = 1.0 + c * (9.0 + 19.0 + 55.0 * corrected);
-  companion(0, 1) = c * (-5.0 - 59.0 * corrected);
-  companion(0, 2) = c * (1.0 + 37.0 * corrected);
-  companion(0, 3) = c * (-9.0 * corrected);
+  const auto weights = weights_of_abm4(z);
+  for (int i = 0; i < 4; ++i) companion(0, i) = weights[static_cast<std::size_t>(i)];
   for (int i = 0; i < 3; ++i) companion(i + 1, i) = 1;
   return spectral_radius(companion);
+}
+
+double turned_phase(Integrator integrator, const Mode& mode, double h, double duration) {
+  const std::complex<double> z = step_of(mode, h);
+  return std::abs(std::arg(factor_of_step(integrator, z) * std::exp(-z))) * time_of(mode, duration) / h;
 }
 
 double robbed_share(Integrator integrator, const Mode& mode, double h, double duration) {
   const std::complex<double> z = step_of(mode, h);
   const double growth = growth_of_step(integrator, z);
-  const double time = 1 / (1 / duration - 2 * z.real() / h);
-  return std::abs(growth * growth - std::exp(2 * z.real())) * time / h;
+  return std::abs(growth * growth - std::exp(2 * z.real())) * time_of(mode, duration) / h;
 }
 
 IntegratorChoice choose_integrator(const Compilation& compilation, const SimulationSettings& settings,

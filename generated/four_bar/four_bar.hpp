@@ -147,7 +147,7 @@ mbgen::Status accelerations(const Tuned& parameters, const Inputs& inputs, const
                             const double (&tau)[kCoordinates], Derivative& derivative) noexcept;
 
 /// One step of h seconds by the classical Runge-Kutta method, then assembly. A status that is ok may
-/// be a notice: chosen_again, near_singular, singular_met.
+/// be a notice: chosen_again, near_singular, singular_met, turned_far.
 /// Fails: as both, and step_invalid; loop_not_closed also when assembly would jump.
 mbgen::Status step_rk4(const Tuned& parameters, const Inputs& inputs, State& state, double h) noexcept;
 
@@ -162,6 +162,7 @@ struct Dynamics {
   mbgen::Status project(State& state) const noexcept;
   mbgen::Status project_nearest(State& state) const noexcept;
   mbgen::Status project_crossing(State& state, double& clearance) const noexcept;
+  int changed_side(const State& from, const State& to) const noexcept;
 };
 
 /// Accelerations of a state that steps of h seconds led to, without joint forces from outside: at a

@@ -33,6 +33,7 @@
 #include "mbgen/fma.hpp"
 #include "mbgen/motion.hpp"
 #include "mbgen/scalar.hpp"
+#include "mbgen/turns.hpp"
 #include "mbgen/solver.hpp"
 
 #include <cmath>
@@ -899,13 +900,26 @@ mbgen::Status Dynamics::project_crossing(State& state, double& clearance) const 
   return mbgen::project_crossing<System>(parameters, inputs, state, clearance);
 }
 
+int Dynamics::changed_side(const State& from, const State& to) const noexcept {
+  return mbgen::changed_side<System>(parameters, inputs, from, to);
+}
+
+namespace {
+
+/// 1 for coordinates whose turn changes accelerations or closures, else 0.
+constexpr double kTurning[] = {0.0, 1.0, 1.0, 0.0};
+
+}  // namespace
+
 mbgen::Status step_rk4(const Tuned& parameters, const Inputs& inputs, State& state, double h) noexcept {
-  return mbgen::step_rk4(Dynamics{parameters, inputs}, state, h);
+  const mbgen::Status stepped = mbgen::step_rk4(Dynamics{parameters, inputs}, state, h);
+  return mbgen::with_turns(stepped, state.zd, kTurning, h, mbgen::kRk4Turn);
 }
 
 mbgen::Status step_abm4(const Tuned& parameters, const Inputs& inputs, State& state, History& history,
                         double h) noexcept {
-  return mbgen::step_abm4(Dynamics{parameters, inputs}, state, history, h);
+  const mbgen::Status stepped = mbgen::step_abm4(Dynamics{parameters, inputs}, state, history, h);
+  return mbgen::with_turns(stepped, state.zd, kTurning, h, mbgen::kAbm4Turn);
 }
 
 mbgen::Status accelerations_in_motion(const Tuned& parameters, const Inputs& inputs, const State& state, double h,

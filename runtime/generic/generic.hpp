@@ -67,6 +67,8 @@ class GenericSolver {
   Status project_motion(GenericState& state) const;
   Status project_nearest(GenericState& state) const;
   Status project_crossing(GenericState& state, double& clearance) const;
+  /// Loop block that is on another side of a singular position at `to` than at `from`, or -1.
+  int changed_side(const GenericState& from, const GenericState& to) const;
   /// Equations of an implicit step at a state, and the changes of velocities and auxiliary states that solve them for
   /// given rates. g: s, the method's factor times the step. The status may be a notice.
   /// Fails: not_a_number, implicit_singular, implicit_state_grows.

@@ -65,6 +65,20 @@ double clearance_of(const BlockAnalysis& analysis, const std::vector<std::vector
   return block.factors().rank < analysis.rank ? 0 : smallest_pivot(block.factors()) / analysis.typical_pivot;
 }
 
+/// Whether a block is on the other side of a singular position, see changes_side.
+bool sides_differ(const BlockAnalysis& analysis, const std::vector<std::vector<double>>& from,
+                  const std::vector<std::vector<double>>& to) {
+  const PivotedBlock block(analysis, from, analysis.rank);
+  const LoopFactors& loop = block.factors();
+  std::vector<double> start, end, product(static_cast<std::size_t>(loop.rank) * loop.rank);
+  std::vector<int> rows(loop.rank), columns(loop.rank);
+  for (const std::vector<double>& row : from) start.insert(start.end(), row.begin(), row.end());
+  for (const std::vector<double>& row : to) end.insert(end.end(), row.begin(), row.end());
+  std::vector<unsigned char> driven(from.empty() ? 0 : from[0].size(), 0);
+  for (const int c : analysis.driven) driven[static_cast<std::size_t>(c)] = 1;
+  return changes_side(loop, start.data(), end.data(), driven.data(), {product.data(), rows.data(), columns.data()});
+}
+
 /// Entries of a block's joints.
 std::vector<double> of_joints(const std::vector<int>& joints, const std::vector<double>& values) {
   std::vector<double> result;
@@ -178,6 +192,19 @@ Status GenericSolver::project_crossing(GenericState& state, double& clearance) c
   const Status status = equations_->check_arguments(closed, {});
   if (status.ok()) state = closed;
   return status;
+}
+
+int GenericSolver::changed_side(const GenericState& from, const GenericState& to) const {
+  const auto jacobians = [&](const GenericState& state) {
+    System<double>& system = equations_->system(state);
+    return equations_->closures(system, kinematics(system));
+  };
+  const std::vector<BlockClosure<double>> start = jacobians(from), end = jacobians(to);
+  for (std::size_t b = 0; b < start.size(); ++b) {
+    const BlockAnalysis& analysis = equations_->analysis.blocks[b];
+    if (sides_differ(analysis, start[b].jacobian, end[b].jacobian)) return static_cast<int>(b);
+  }
+  return -1;
 }
 
 }  // namespace mbgen

@@ -106,7 +106,8 @@ TEST_F(Choosing, NFourBarPassesThePositionsWhereItsBarsLineUp) {
     ASSERT_EQ(times.size(), 10u) << engine;
     EXPECT_NEAR(times[0], 0.714, 1e-3) << engine;
     EXPECT_NEAR(times[1], 1.228, 1e-3) << engine;
-    EXPECT_EQ(motion.report["status"], "ok");
+    const std::string status = motion.report["status"];
+    EXPECT_TRUE(status.starts_with("ok, ") && status.find(" singular positions passed, first by loops ") < 8) << status;
     EXPECT_LT(std::abs(motion.report["relative_energy_error"].get<double>()), 1e-9) << engine;
     EXPECT_LT(motion.report["position_residual"].get<double>(), 1e-11) << engine;
   }

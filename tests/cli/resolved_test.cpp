@@ -2,6 +2,7 @@
 // time, modes; second rates of motions; periods and times that follow the step.
 
 #include <cmath>
+#include <complex>
 
 #include "tests/support/cli_support.hpp"
 
@@ -108,6 +109,59 @@ TEST_F(Resolved, TurnsWithinAStepAreTold) {
   }
 }
 
+/// Distance of the steady motion of a frame that a rotor shakes from the closed form, as part of its amplitude: a fit
+/// of sine and cosine to the table from 0.6 s on, where what the start left has decayed.
+double distance_from_closed_form(const Table& motion, double rate) {
+  const double mass = 11, damping = 400, stiffness = 40000, force = 0.001 * rate * rate;
+  const std::complex<double> exact = force / std::complex<double>(stiffness - mass * rate * rate, damping * rate);
+  double cc = 0, ss = 0, cs = 0, xc = 0, xs = 0;
+  for (const std::vector<double>& row : motion.rows) {
+    const double t = row[0], x = row[motion.column("z.x [m]")], c = std::cos(rate * t), s = -std::sin(rate * t);
+    if (t <= 0.6) continue;
+    cc += c * c, ss += s * s, cs += c * s, xc += c * x, xs += s * x;
+  }
+  const double determinant = cc * ss - cs * cs;
+  const std::complex<double> found((xc * ss - xs * cs) / determinant, (xs * cc - xc * cs) / determinant);
+  return std::abs(found - exact) / std::abs(exact);
+}
+
+// The table of docs/use/numerical_trouble.md: within the limit a shaken frame is right to 0.1 %.
+TEST_F(Resolved, LimitsOfTurnsAreMeasured) {
+  constexpr double kRate = 200;
+  std::string model = rotor(0.001, kRate);
+  model.replace(model.find("\"damping\": 100"), 14, "\"damping\": 400");
+  const std::size_t body = model.rfind("\"inertia\": [1, 1, 1]");
+  model.replace(body, 20, "\"inertia\": [1e6, 1e6, 1e6]");  // it keeps its rate
+  write("r.json", model);
+  const auto error_of = [&](const char* integrator, double turn) {
+    const double h = turn / kRate;
+    summary_of(fmt::format("r.json --integrator {} --step {} --duration {}", integrator, h, std::round(1 / h) * h));
+    return distance_from_closed_form(table("o.csv"), kRate);
+  };
+  EXPECT_LT(error_of("rk4", 0.5), 1e-4);
+  EXPECT_LT(error_of("abm4", 0.3), 1e-3);
+  EXPECT_LT(error_of("rosenbrock", 0.3), 1e-3);
+  EXPECT_GT(error_of("rk4", 1), 1e-3);
+  EXPECT_GT(error_of("abm4", 0.4), 1e-3);
+  EXPECT_GT(error_of("rosenbrock", 0.35), 1e-3);
+}
+
+// A step that "would do" does: nothing is said of it any more.
+TEST_F(Resolved, HintedStepsAreGood) {
+  write("rotor.json", rotor(0.001, 2000 * std::acos(-1.0)));
+  write("carried.json", carried(30));
+  for (const char* model : {"rotor", "carried"}) {
+    for (const char* integrator : {"rk4", "abm4", "rosenbrock"}) {
+      const std::string rest = fmt::format("{}.json --integrator {} --duration 0.2 --step ", model, integrator);
+      const Json bad =
+          Json::parse(mbgen("simulate " + rest + "1e-3 --engine generic --out o.csv --json").out, nullptr, false);
+      ASSERT_TRUE(bad["fitting_step"].is_number()) << bad;
+      EXPECT_EQ(summary_of(fmt::format("{}{}", rest, bad["fitting_step"].get<double>()))["status"], "ok")
+          << rest << err_;
+    }
+  }
+}
+
 /// A ton that falls, and a kilogram on a spring of 159 Hz beside it, with half a thousandth of its energy.
 constexpr const char* kFalling = R"({ "mbgen": 1, "name": "falling", "gravity": [0, 0, -9.81],
   "bodies": { "ground": { "points": { "A": [0, 0, 0] } },
@@ -122,11 +176,34 @@ TEST_F(Resolved, ModesThatTheMethodTakesAwayAreTold) {
   write("f.json", kFalling);
   const std::string rest = "f.json --duration 1 --step ";
   const Json summary = summary_of(rest + "1e-3");
-  EXPECT_TRUE(tells("a mode of the start takes part that the method takes out of the motion, 159.2 Hz (slide +1.00): rk4 "
-                    "changes its energy by 100 % over the motion; --step "))
+  EXPECT_TRUE(
+      tells("a mode of the start takes part that the method takes out of the motion, 159.2 Hz (slide +1.00): rk4 "
+            "changes its energy by 100 % over the motion; --step "))
       << err_;
   EXPECT_EQ(summary["status"], "1 warning");
   EXPECT_EQ(summary_of(rest + "1e-4")["status"], "ok") << err_;
+}
+
+// Its energy is kept to 5 %, its phase is not: (w h)^5 / 120 a step.
+TEST_F(Resolved, ModesWhoseTimeIsNotKeptAreTold) {
+  std::string slower = kFalling;  // the ton swings, with a hundred times the energy
+  slower.replace(slower.find("[0, 0, -9.81]"), 13, "[0, 0, 0]");
+  slower.replace(slower.find("\"stiffness\": 1e6 }"), 18,
+                 R"("stiffness": 4e4 }, "s2": { "joint": "fall", "stiffness": 4000 })");
+  slower.replace(slower.find("\"positions\": {"), 14, R"("positions": { "fall": 0.22,)");
+  write("f.json", slower);
+  const std::string rest = "f.json --duration 60 --every 60 --step ";
+  const Json summary = summary_of(rest + "1e-3");
+  EXPECT_TRUE(
+      tells("a mode of the start takes part whose time the method does not keep, 31.83 Hz (slide +1.00): rk4 "
+            "turns it by 0.16 rad over the motion; --step 0.0002 would do"))
+      << err_;
+  EXPECT_EQ(summary["status"], "1 warning");
+  // The phase itself: x = 0.007 cos(w t).
+  const double x = table("o.csv").last("z.slide [m]"), w = 200;
+  EXPECT_NEAR(x, 0.007 * std::cos(w * 60 - 0.16), 0.0003);
+  EXPECT_GT(std::abs(x - 0.007 * std::cos(w * 60)), 0.0003);
+  EXPECT_EQ(summary_of(rest + "5e-4")["status"], "ok") << err_;
 }
 
 /// A mass on a spring, pushed by a law of t and an input.

@@ -12,14 +12,16 @@ namespace {
 /// What was called so far.
 struct Counter {
   CallCount calls;
-  int nearest = 0;  ///< calls of project_nearest among the projections
+  int nearest = 0;          ///< calls of project_nearest among the projections
+  bool looks_back = false;  ///< the step is looked at for a leap
 };
 
 /// What makes a step be taken again with care.
 enum class Alarm { none, projection, fifth_evaluation };
 
 /// A coordinate that is singular to project_nearest as long as that makes most work: nodes are clear at the last
-/// spacing, and branches do not cross there.
+/// spacing, and branches do not cross there. In the end of the step they are said to have changed their side, and to
+/// cross all the same.
 struct Adversary {
   struct State {
     double z[1], zd[1], x[1], t;
@@ -45,8 +47,14 @@ struct Adversary {
   }
   Status project_crossing(State&, double& clearance) const noexcept {
     ++counter.calls.projections;
-    clearance = 1;
-    return {Code::loop_singular, 0};
+    clearance = 0.05;
+    return counter.looks_back ? Status{} : Status{Code::loop_singular, 0};
+  }
+  int changed_side(const State&, const State&) const noexcept {
+    ++counter.calls.projections;
+    counter.looks_back = true;
+    counter.nearest = 1;  // no closing comes before the nodes
+    return 0;
   }
   using Tangents = double;
   Status tangents(const State&, double g, Tangents& values) const noexcept {

@@ -18,6 +18,7 @@ struct Dynamics {
   Status project_crossing(State& state, double& clearance) const noexcept {
     return solver.project_crossing(state, clearance);
   }
+  int changed_side(const State& from, const State& to) const noexcept { return solver.changed_side(from, to); }
 
   using Tangents = GenericTangents;
   Status tangents(const State& state, double g, Tangents& values) const noexcept {

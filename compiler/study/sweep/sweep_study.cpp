@@ -14,6 +14,7 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/describe/names.hpp"
 #include "compiler/engines/engine_arguments.hpp"
+#include "compiler/study/branch_guard.hpp"
 #include "compiler/study/contact_watch.hpp"
 #include "compiler/study/initial_state.hpp"
 #include "compiler/study/load_watch.hpp"
@@ -174,7 +175,8 @@ std::optional<CaseResult> measured(const Study& study, const Compilation& compil
   SimulationSettings settings = study.settings;
   settings.has_multipliers = contacts.needs_multipliers();
   settings.is_stopped = is_stopped;
-  SimulationSummary summary = simulate(engine, start, inputs, settings, [&](const Sample& sample) {
+  const Engine looked_at = with_branch_guard(compilation, engine, inputs);
+  SimulationSummary summary = simulate(looked_at, start, inputs, settings, [&](const Sample& sample) {
     recorder.add(sample);
     contacts.add(sample);
     loads.add(sample);

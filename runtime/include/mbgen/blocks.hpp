@@ -75,10 +75,6 @@ inline constexpr Real kFairPivot = Real(0.7);
 /// Corrections below this many closure tolerances are slight: so much the closures may be open.
 template <class Real>
 inline constexpr Real kSlightCorrection = Real(8);
-/// Smallest pivot of full pivoting, over its typical value, below which a block is near a singular position: Jacobians
-/// change much within one step there. Not below kPivotThreshold.
-template <class Real>
-inline constexpr Real kNearSingular = Real(0.1);
 
 namespace solver_detail {
 

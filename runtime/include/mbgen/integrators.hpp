@@ -21,6 +21,9 @@
 //                                                                  only where loops can be singular: closes a state at
 //                                                                  a singular position, and fails where branches come
 //                                                                  close there and do not cross; see motion.hpp
+//   int changed_side(const State& from, const State& to) const noexcept
+//                                                                  only there: a loop block that is on another side of
+//                                                                  a singular position than before, or -1
 // They may give notices (status.hpp); near_singular and singular_met say how near a singular position the state is.
 // Every step sets sampled values, settles charts, integrates all of z, zd and x, then projects. When anything fails the
 // state and the history stay as they were. Steps allocate only by copies of the System's own types.
@@ -160,17 +163,19 @@ Status try_abm4(const System& system, const typename System::State& state, const
   return status.ok() ? more_telling(met, status) : status;
 }
 
-/// Takes a step to `result` by attempt(care, result), which gets a copy of the state: plainly, and carefully where that
-/// asks for it.
-template <class State, class Attempt>
-Status plainly_or_carefully(const State& state, State& result, const Attempt& attempt) noexcept {
+/// Takes a step of h seconds to `result` by attempt(care, result), which gets a copy of the state: plainly, and
+/// carefully where that asks for it. A careful step that passed no singular position is looked at for a leap over one.
+template <class System, class Attempt>
+Status plainly_or_carefully(const System& system, const typename System::State& state, double h,
+                            typename System::State& result, const Attempt& attempt) noexcept {
   copy_state(state, result);
   Status status = attempt(Plain{}, result);
-  if (asks_for_care(status)) {
-    copy_state(state, result);
-    status = attempt(Careful{}, result);
-  }
-  return status;
+  if (!asks_for_care(status)) return status;
+  copy_state(state, result);
+  status = attempt(Careful{}, result);
+  if (!status.ok() || status.code == Code::singular_met) return status;
+  const Status side = check_side(system, state, result, h);
+  return side.ok() ? more_telling(status, side) : side;
 }
 
 /// Takes a step by `step` from the state with its charts settled; the state keeps its charts where the step fails.
@@ -225,7 +230,7 @@ Status one_step(const System& system, typename System::State& state, double h, c
   const auto from_settled = [&](State& start) {
     State result;
     const Status stepped =
-        plainly_or_carefully(start, result, [&](auto care, State& to) { return attempt(care, start, to); });
+        plainly_or_carefully(system, start, h, result, [&](auto care, State& to) { return attempt(care, start, to); });
     if (stepped.ok()) copy_state(result, start);
     return stepped;
   };
@@ -263,7 +268,7 @@ Status settled_abm4(const System& system, typename System::State& state, AbmHist
   for (int k = 0; k < 4; ++k) past[k] = &past_rates(history, k);
   if (known == 0) past[0] = &start;
   const int next = (history.newest + history.kRing - 1) % history.kRing;
-  const Status status = plainly_or_carefully(state, result, [&](auto care, typename System::State& to) {
+  const Status status = plainly_or_carefully(system, state, h, result, [&](auto care, typename System::State& to) {
     return try_abm4<decltype(care)>(system, state, past, known, h, to, start, history.rates[next]);
   });
   if (!status.ok()) return status;

@@ -230,6 +230,55 @@ inline void free_directions(const LoopFactorsOf<Real>& loop, const unsigned char
   }
 }
 
+namespace loop_detail {
+
+/// -1 for an odd permutation of the places 0 to count - 1, else 1.
+inline int parity(const int* places, int count) noexcept {
+  int sign = 1;
+  for (int i = 0; i < count; ++i) {
+    for (int j = i + 1; j < count; ++j) sign = places[j] < places[i] ? -sign : sign;
+  }
+  return sign;
+}
+
+}  // namespace loop_detail
+
+/// Memory to compare the Jacobians of a block at two states: rank^2 numbers, and rank numbers twice.
+template <class Real>
+struct SideWork {
+  Real* product;
+  int *rows, *columns;
+};
+
+/// Whether det(J(to) J(from)') of the equations with pivots is negative: a motion that takes its free directions along
+/// keeps the sign as long as the block keeps its rank, and changes it where two branches cross.
+/// loop: factors of J(from); from, to: the Jacobians themselves, row by row; driven: as factorise has it. Cost:
+/// coordinates * rank^2.
+template <class Real>
+bool changes_side(const LoopFactorsOf<Real>& loop, const Real* from, const Real* to, const unsigned char* driven,
+                  const SideWork<Real>& work) noexcept {
+  const int rank = loop.rank;
+  for (int k = 0; k < rank; ++k) {
+    for (int m = 0; m < rank; ++m) {
+      Real sum = 0;
+      const Real* const left = to + std::ptrdiff_t{loop.rows[k]} * loop.coordinates;
+      const Real* const right = from + std::ptrdiff_t{loop.rows[m]} * loop.coordinates;
+      for (int c = 0; c < loop.coordinates; ++c)
+        sum += loop_detail::is_driven(driven, c) ? Real(0) : left[c] * right[c];
+      work.product[k * rank + m] = sum;
+    }
+  }
+  LoopFactorsOf<Real> square;
+  square.equations = square.coordinates = rank;
+  square.matrix = work.product;
+  square.rows = work.rows;
+  square.columns = work.columns;
+  factorise(square, rank, nullptr, Real(0));
+  int sign = loop_detail::parity(work.rows, rank) * loop_detail::parity(work.columns, rank);
+  for (int k = 0; k < square.rank; ++k) sign = loop_detail::row_of(square, k)[k] < 0 ? -sign : sign;
+  return square.rank == rank && sign < 0;
+}
+
 /// Factors L D L' of Rz' Rz in place of the lower triangle: no square root, which lanes are slow at.
 /// rz: coordinates x free row by row, of full column rank; gram: free * free numbers. Real: a row of lanes as well.
 template <class Real>

@@ -145,6 +145,45 @@ Status project_crossing(const typename System::Parameters& parameters, const typ
   return {Code::loop_singular, 0};
 }
 
+namespace solver_detail {
+
+/// Largest rank of a block, at least 1.
+template <class System>
+constexpr int most_pivots() noexcept {
+  int most = 1;
+  for (int b = 0; b < System::kBlocks; ++b) {
+    most = System::kBlockLayout[b].rank > most ? System::kBlockLayout[b].rank : most;
+  }
+  return most;
+}
+
+}  // namespace solver_detail
+
+/// Loop block that is on another side of a singular position at `to` than at `from`, or -1: see changes_side. inputs:
+/// of the step between them. Requires: states that are finite and in the same charts.
+template <class System>
+int changed_side(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                 const typename System::State& from, const typename System::State& to) noexcept {
+  using Real = RealOf<System>;
+  typename System::ClosureTerms start, factored, end;
+  System::closure_terms(parameters, inputs, from, start);
+  System::closure_terms(parameters, inputs, to, end);
+  solver_detail::BlockFactors<System> factors;
+  constexpr int most = solver_detail::most_pivots<System>();
+  Real product[most * most];
+  int rows[most], columns[most];
+  for (int b = 0; b < System::kBlocks; ++b) {
+    const BlockLayout& block = System::kBlockLayout[b];
+    const int first = block.first_jacobian;
+    solver_detail::copy(start.Jz + first, factored.Jz + first, block.equations * block.coordinates);
+    const LoopFactorsOf<Real> loop = factors.factors_of(b, factored);
+    const unsigned char* const driven = System::kBlockDriven + block.first_coordinate;
+    const SideWork<Real> work = {product, rows, columns};
+    if (changes_side(loop, start.Jz + first, end.Jz + first, driven, work)) return b;
+  }
+  return -1;
+}
+
 /// The same as project_motion with the shortest corrections, as far as rounding lets them go: a smooth function of the
 /// guess.
 template <class System>

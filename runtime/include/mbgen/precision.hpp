@@ -49,6 +49,11 @@ inline constexpr Real kSingular = 0.01;
 template <>
 inline constexpr float kSingular<float> = 0.03f;
 
+/// The same below which a block is near a singular position: Jacobians change much within one step there. Not below
+/// kPivotThreshold (blocks.hpp).
+template <class Real>
+inline constexpr Real kNearSingular = Real(0.1);
+
 /// Positions interpolated by polynomials of degree seven and of degree five agree to this part of the way to the outer
 /// nodes; otherwise the nodes lie on different branches, or the motion does not lead through.
 template <class Real>

@@ -18,6 +18,8 @@ constexpr int kNodes = 4;
 /// First distance of two nodes, over the step. It doubles until the innermost nodes are clear of the singular position.
 constexpr double kFirstSpacing = 0.125;
 constexpr int kSpacings = 20;
+/// Halvings of a step that find the place where its loops change their side.
+constexpr int kHalvings = 10;
 
 namespace integrator_detail {
 
@@ -138,6 +140,17 @@ bool pass_through(const System& system, const typename System::State& state, dou
 /// branch to the other, or turns by more than Runge-Kutta follows.
 constexpr double kMostOfClearance = 0.25;
 
+/// The largest rate of a coordinate, rad/s or m/s.
+template <class State>
+double fastest_rate(const State& state) noexcept {
+  double fastest = 0;
+  for (std::size_t i = 0; i < size_of(state.zd); ++i) {
+    const auto size = static_cast<double>(std::abs(state.zd[i]));
+    fastest = size > fastest ? size : fastest;
+  }
+  return fastest;
+}
+
 /// Whether a step of h seconds is too long for a state near a singular position that it does not pass.
 template <class System>
 bool leaps_over([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& closed,
@@ -145,15 +158,69 @@ bool leaps_over([[maybe_unused]] const System& system, [[maybe_unused]] const ty
   if constexpr (kTellsCrossings<System>) {
     typename System::State middle;
     copy_state(closed, middle);
-    double clearance = 0, fastest = 0;
+    double clearance = 0;
     static_cast<void>(system.project_crossing(middle, clearance));
-    for (std::size_t i = 0; i < size_of(closed.zd); ++i) {
-      const auto size = static_cast<double>(std::abs(closed.zd[i]));
-      fastest = size > fastest ? size : fastest;
-    }
-    return !(h * fastest <= kMostOfClearance * clearance);
+    return !(h * fastest_rate(closed) <= kMostOfClearance * clearance);
   } else {
     return false;
+  }
+}
+
+/// Whether a System can tell on which side of a singular position its loops are.
+template <class System, class = void>
+inline constexpr bool kTellsSides = false;
+template <class System>
+inline constexpr bool kTellsSides<System, std::void_t<decltype(&System::changed_side)>> = true;
+
+/// The state after `part` of a step of h seconds: by the cubics through positions and velocities of both ends.
+template <class State>
+void on_the_way(const State& from, const State& to, double h, double part, State& at) noexcept {
+  using Real = WeightOf<decltype(State::z)>;
+  const double rest = 1 - part;
+  const auto start = static_cast<Real>((1 + 2 * part) * rest * rest),
+             end = static_cast<Real>(part * part * (3 - 2 * part));
+  const auto leave = static_cast<Real>(h * part * rest * rest), arrive = static_cast<Real>(-h * part * part * rest);
+  const auto mean = static_cast<Real>(6 * part * rest / h), first = static_cast<Real>(rest * (1 - 3 * part)),
+             last = static_cast<Real>(part * (3 * part - 2)), share = static_cast<Real>(part);
+  copy_state(from, at);
+  at.t = from.t + part * h;
+  for (std::size_t i = 0; i < size_of(at.z); ++i) {
+    at.z[i] = start * from.z[i] + leave * from.zd[i] + end * to.z[i] + arrive * to.zd[i];
+    at.zd[i] = mean * (to.z[i] - from.z[i]) + first * from.zd[i] + last * to.zd[i];
+  }
+  for (std::size_t i = 0; i < size_of(at.x); ++i) at.x[i] += share * (to.x[i] - from.x[i]);
+}
+
+/// Longest way, rad or m, from which the distance of the first nodes is taken there.
+constexpr double kLookedAt = 0.05;
+
+/// Looks at a step whose stages were all clear of singular positions, and which may have leapt over one all the same.
+/// Where its loops come to another side of it, branches must cross there: singular_met then. Fails: loop_singular where
+/// they come close and do not cross.
+template <class System>
+Status check_side([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& from,
+                  [[maybe_unused]] const typename System::State& to, [[maybe_unused]] double h) noexcept {
+  if constexpr (kTellsSides<System>) {
+    const int block = system.changed_side(from, to);
+    if (block < 0) return {};
+    typename System::State at, through;
+    double low = 0, high = 1, clearance = 0;
+    for (int k = 0; k < kHalvings; ++k) {
+      const double middle = (low + high) / 2;
+      on_the_way(from, to, h, middle, at);
+      (system.changed_side(from, at) < 0 ? low : high) = middle;
+    }
+    on_the_way(from, to, h, high, at);
+    copy_state(at, through);
+    static_cast<void>(system.project_crossing(through, clearance));
+    // Far from singular positions the mechanism has turned by more than a right angle, in its coordinates.
+    if (clearance >= static_cast<double>(kNearSingular<WeightOf<decltype(System::State::z)>>)) return {};
+    StateRates<System> rates;
+    const double look = h * fastest_rate(at) > kLookedAt ? kLookedAt / fastest_rate(at) : h;
+    if (pass_through(system, at, look, through, rates)) return {Code::singular_met, block};
+    return {Code::loop_singular, block};
+  } else {
+    return {};
   }
 }
 

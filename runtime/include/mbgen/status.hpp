@@ -23,7 +23,9 @@ enum class Code : int {
   implicit_state_grows,    ///< a state of the user's own, by itself, within an implicit step; index: auxiliary state
   chosen_again,            ///< the pivoting LU served a loop block with another choice of coordinates; index: block
   near_singular,           ///< a loop block came near a singular position; index: block
-  singular_met             ///< a loop block met a singular position, and passed it; index: block
+  singular_met,            ///< a loop block met a singular position, and passed it; index: block
+  turned_far               ///< nothing of these, but a body turns farther in a step than the method bears, and forces
+                           ///< turn with it; index: coordinate
 };
 
 constexpr Code kFirstNotice = Code::chosen_again;
@@ -72,6 +74,8 @@ constexpr const char* text(Code code) noexcept {
       return "near a singular position";
     case Code::singular_met:
       return "singular position met";
+    case Code::turned_far:
+      return "turns too far within a step";
   }
   return "unknown";
 }

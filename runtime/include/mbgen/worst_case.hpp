@@ -11,7 +11,7 @@ namespace mbgen {
 /// Calls of a System's functions; see integrators.hpp.
 struct CallCount {
   int accelerations = 0;  ///< of derivative
-  int projections = 0;    ///< of project, project_nearest and project_crossing
+  int projections = 0;    ///< of project, project_nearest, project_crossing, and changed_side, which is shorter
   int matrices = 0;       ///< of tangents, each followed by kImplicitStages calls of solve
 };
 
@@ -33,6 +33,10 @@ constexpr CallCount kPassageCalls = {2 * kNodes, 2 * kSpacings + 2 * kNodes + 2}
 constexpr CallCount kCarefulClosing = CallCount{0, 1} + kPassageCalls;
 constexpr CallCount kCarefulRates = kCarefulClosing + CallCount{1, 0};
 
+/// A careful step looked at for a leap: the place where loops change their side halved, and a passage there that
+/// stands.
+constexpr CallCount kSideCalls = CallCount{0, 2 + kHalvings} + kPassageCalls + CallCount{0, -1};
+
 /// Calls in one step.
 struct StepCalls {
   CallCount regular;   ///< far from singular positions, the history full
@@ -40,10 +44,10 @@ struct StepCalls {
   CallCount worst;     ///< a step that begins as `starting` and is taken again with every stage closed with care
 };
 
-constexpr StepCalls kRk4Calls = {{4, 1}, {4, 1}, CallCount{4, 1} + 4 * kCarefulRates + kCarefulClosing};
-constexpr StepCalls kAbm4Calls = {{2, 1}, {5, 1}, CallCount{5, 1} + 5 * kCarefulRates + kCarefulClosing};
+constexpr StepCalls kRk4Calls = {{4, 1}, {4, 1}, CallCount{4, 1} + 4 * kCarefulRates + kCarefulClosing + kSideCalls};
+constexpr StepCalls kAbm4Calls = {{2, 1}, {5, 1}, CallCount{5, 1} + 5 * kCarefulRates + kCarefulClosing + kSideCalls};
 constexpr int kImplicitStages = 4;
 constexpr StepCalls kRosenbrockCalls = {
-    {4, 1, 1}, {4, 1, 1}, CallCount{4, 1, 2} + kImplicitStages* kCarefulRates + kCarefulClosing};
+    {4, 1, 1}, {4, 1, 1}, CallCount{4, 1, 2} + kImplicitStages* kCarefulRates + kCarefulClosing + kSideCalls};
 
 }  // namespace mbgen

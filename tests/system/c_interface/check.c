@@ -78,6 +78,22 @@ static void check_failures(void) {
   free(solver);
 }
 
+/* A step in which a bar turns by more than 0.5 rad is made, and said to be too long. */
+static void check_turns(void) {
+  four_bar_solver* solver = make();
+  four_bar_state state;
+  four_bar_status status;
+  int i;
+  four_bar_get_state(solver, &state);
+  for (i = 0; i < FOUR_BAR_number_of_coordinates; ++i) state.zd[i] *= 60;
+  four_bar_set_state(solver, &state);
+  status = four_bar_step(solver, 1e-3);
+  expect(four_bar_is_ok(status), "a step with far turns is made");
+  expect(strcmp(four_bar_status_text(status), "turns too far within a step") == 0, "and noticed");
+  expect(strcmp(four_bar_status_name(status), "coupler_pin") == 0, "with the coordinate");
+  free(solver);
+}
+
 /* 1000 steps; in the middle the spring becomes stiffer and a torque begins. */
 static void run(four_bar_solver* solver, four_bar_solver* other) {
   int i;
@@ -113,6 +129,7 @@ int main(void) {
   four_bar_state start, again;
   check_memory();
   check_tables();
+  check_turns();
   check_failures();
   four_bar_get_state(solver, &start);
   run(solver, other);

@@ -1,0 +1,53 @@
+#pragma once
+// Coordinates that turn farther within a step than its method bears: a method sees too few of the directions in which
+// their forces act.
+
+#include <cmath>
+#include <cstddef>
+
+#include "mbgen/array_lanes.hpp"
+#include "mbgen/status.hpp"
+
+namespace mbgen {
+
+/// Turn within a step, rad, that a method bears: forces that turn with a body come out right to 0.1 %. Measured with an
+/// unbalanced rotor on a spring, see docs/use/numerical_trouble.md and tests/cli/resolved_test.cpp.
+constexpr double kRk4Turn = 0.5, kAbm4Turn = 0.3, kRosenbrockTurn = 0.3;
+
+namespace turns_detail {
+
+/// Sum of the squares of zd where turning is 1.
+template <class Real, std::size_t N>
+[[gnu::always_inline]] inline Real squares(const Real (&zd)[N], const Real (&turning)[N]) noexcept {
+  using namespace array_detail;
+  constexpr int width = width_for<Real>(N);
+  constexpr int whole = static_cast<int>(N) / width * width;
+  LanesOf<width, Real> lanes = {};
+  for (int i = 0; i < whole; i += width) {
+    const LanesOf<width, Real> rates = lanes_at<width>(zd + i) * lanes_at<width>(turning + i);
+    lanes += rates * rates;
+  }
+  Real sum = 0;
+  for (int lane = 0; lane < width; ++lane) sum += lanes[lane];
+  for (int i = whole; i < static_cast<int>(N); ++i) sum += turning[i] * zd[i] * zd[i];
+  return sum;
+}
+
+}  // namespace turns_detail
+
+/// The status of a step of h seconds that led to the rates zd, or turned_far in place of ok where a coordinate turns
+/// farther in such a step than `largest`, rad. turning: 1 for the coordinates that are looked at, else 0.
+template <class Real, std::size_t N>
+[[gnu::always_inline]] inline Status with_turns(Status stepped, const Real (&zd)[N], const Real (&turning)[N], double h,
+                                                double largest) noexcept {
+  const auto rate = static_cast<Real>(largest / h);
+  if (turns_detail::squares(zd, turning) <= rate * rate || stepped.code != Code::ok) return stepped;
+  std::size_t fastest = 0;
+  for (std::size_t i = 1; i < N; ++i) {
+    if (std::abs(turning[i] * zd[i]) > std::abs(turning[fastest] * zd[fastest])) fastest = i;
+  }
+  if (!(std::abs(turning[fastest] * zd[fastest]) > rate)) return stepped;
+  return {Code::turned_far, static_cast<int>(fastest)};
+}
+
+}  // namespace mbgen
