@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "compiler/analysis/misalignment.hpp"
+#include "compiler/analysis/shared_loads.hpp"
 #include "compiler/analysis/violation.hpp"
 
 namespace mbgen {
@@ -116,31 +117,6 @@ void add_other_modes(const Model& model, const Topology& topology, std::size_t b
                    {}});
 }
 
-/// Two joints between the same two bodies, as a door has its hinges, hold them twice: how they share a load is no
-/// question of equilibrium.
-void add_shared_loads(const Model& model, const Topology& topology, std::size_t b, const Certificate& certificate,
-                      Diagnostics& notes) {
-  for (const int l : topology.blocks[b].loops) {
-    const Loop& loop = topology.loops[static_cast<std::size_t>(l)];
-    if (loop.joint < 0 || loop.joints.empty() || is_rolling(loop.kind)) continue;
-    const auto joint_of = [&](int j) { return topology.bodies[static_cast<std::size_t>(j)].joint; };
-    const int beside = joint_of(loop.joints[0]);
-    if (!std::all_of(loop.joints.begin(), loop.joints.end(), [&](int j) { return joint_of(j) == beside; })) continue;
-    const auto repeated = std::count_if(certificate.redundant.begin(), certificate.redundant.end(),
-                                        [&](const RedundantEquation& row) { return row.loop == l; });
-    if (repeated == 0) continue;
-    notes.push_back(
-        {where_of(model, loop),
-         fmt::format(
-             "joints {} and {} connect the same bodies, and {} of {} equations of the latter repeat the former: "
-             "how the two share the load follows from the choice of equations",
-             quoted(model.joints[static_cast<std::size_t>(beside)].name), quoted(loop.name), repeated, loop.equations),
-         "where their reactions matter, let one of them hold less, or put a bushing in its place: then stiffness "
-         "decides",
-         {}});
-  }
-}
-
 }  // namespace
 
 Diagnostics analysis_notes(const Model& model, const Topology& topology, const Analysis& analysis) {
@@ -148,8 +124,8 @@ Diagnostics analysis_notes(const Model& model, const Topology& topology, const A
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     add_locked(model, topology, b, analysis.blocks[b].certificate, notes);
     add_other_modes(model, topology, b, analysis.blocks[b], notes);
-    add_shared_loads(model, topology, b, analysis.blocks[b].certificate, notes);
   }
+  add_shared_loads(model, topology, analysis, notes);
   return notes;
 }
 
