@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "compiler/base/assignments.hpp"
 #include "compiler/compile.hpp"
-#include "compiler/engines/engine.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/passes/passes.hpp"
-#include "compiler/study/initial_state.hpp"
-#include "mbgen/loop.hpp"
-#include "mbgen/sincos.hpp"
-#include "mbgen/tyre.hpp"
+#include "mbgen/math/sincos.hpp"
+#include "mbgen/solver/loop.hpp"
+#include "mbgen/tyres/tyre.hpp"
 #include "runtime/generic/generic.hpp"
+#include "workbench/engines/engine.hpp"
+#include "workbench/host/assignments.hpp"
+#include "workbench/start/initial_state.hpp"
 
 namespace {
 

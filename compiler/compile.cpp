@@ -8,8 +8,9 @@
 #include <utility>
 
 #include "compiler/analysis/choice_at.hpp"
-#include "compiler/counted_partitions.hpp"
+#include "compiler/choose/counted_partitions.hpp"
 #include "compiler/passes/passes.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "compiler/trace/trace.hpp"
 
 namespace mbgen {

@@ -7,9 +7,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "compiler/base/assignments.hpp"
-#include "compiler/base/files.hpp"
-#include "compiler/study/cost/bench_states.hpp"
+#include "workbench/cost/bench_states.hpp"
+#include "workbench/host/assignments.hpp"
+#include "workbench/host/files.hpp"
 
 namespace mbgen::compare {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/compare/contestants.hpp"
-#include "compiler/study/states_file.hpp"
+#include "workbench/start/states_file.hpp"
 
 namespace mbgen::compare {
 

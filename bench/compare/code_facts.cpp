@@ -8,11 +8,12 @@
 #include <filesystem>
 #include <sstream>
 
-#include "compiler/base/files.hpp"
-#include "compiler/base/own_directory.hpp"
-#include "compiler/base/process.hpp"
-#include "compiler/base/temporary_directory.hpp"
-#include "compiler/base/user_error.hpp"
+#include "compiler/reader/read_model.hpp"
+#include "compiler/text/user_error.hpp"
+#include "workbench/host/files.hpp"
+#include "workbench/host/own_directory.hpp"
+#include "workbench/host/process.hpp"
+#include "workbench/host/temporary_directory.hpp"
 
 namespace mbgen::compare {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "compiler/engines/engine.hpp"
 #include "compiler/program/program.hpp"
+#include "workbench/engines/engine.hpp"
 
 namespace mbgen::compare {
 

@@ -5,8 +5,9 @@
 #include <filesystem>
 
 #include "bench/compare/agreement.hpp"
-#include "compiler/base/user_error.hpp"
-#include "compiler/study/cost/bench_states.hpp"
+#include "compiler/reader/read_model.hpp"
+#include "compiler/text/user_error.hpp"
+#include "workbench/cost/bench_states.hpp"
 
 namespace mbgen::compare {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "bench/foreign/straightforward_maggi.hpp"
-#include "compiler/base/user_error.hpp"
+#include "compiler/text/user_error.hpp"
 #include "tests/system/oracle/mujoco_mechanism.hpp"
 #include "tests/system/oracle/simbody_mechanism.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/engines/engine.hpp"
+#include "workbench/engines/engine.hpp"
 
 namespace mbgen::compare {
 

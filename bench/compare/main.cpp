@@ -5,8 +5,9 @@
 #include <CLI/CLI.hpp>
 
 #include "bench/compare/table.hpp"
-#include "compiler/base/files.hpp"
-#include "compiler/base/user_error.hpp"
+#include "compiler/reader/read_model.hpp"
+#include "compiler/text/user_error.hpp"
+#include "workbench/host/files.hpp"
 
 namespace mbgen::compare {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "compiler/algebra/dense.hpp"
 #include "compiler/model/auxiliary_states.hpp"
-#include "mbgen/newton.hpp"
+#include "mbgen/solver/newton.hpp"
 
 namespace mbgen {
 namespace {

@@ -12,7 +12,7 @@
 #include "compiler/analysis/part.hpp"
 #include "compiler/analysis/partition_numbers.hpp"
 #include "compiler/analysis/sparse_elimination.hpp"
-#include "mbgen/loop.hpp"
+#include "mbgen/solver/loop.hpp"
 
 namespace mbgen {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "compiler/emit/mapped.hpp"
-#include "compiler/model/characters.hpp"
+#include "compiler/text/characters.hpp"
 
 namespace mbgen {
 namespace {

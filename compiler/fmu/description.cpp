@@ -6,9 +6,9 @@
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/expressions/unit_exponents.hpp"
 #include "compiler/fmu/texts.hpp"
-#include "compiler/model/characters.hpp"
-#include "compiler/model/unit_exponents.hpp"
+#include "compiler/text/characters.hpp"
 
 namespace mbgen {
 namespace {

@@ -2,7 +2,7 @@
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/fmu/texts.hpp"
-#include "compiler/model/characters.hpp"
+#include "compiler/text/characters.hpp"
 
 namespace mbgen {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "compiler/expressions/evaluate.hpp"
 #include "compiler/formulation/origins.hpp"
 #include "compiler/formulation/scribe.hpp"
-#include "compiler/model/evaluate.hpp"
 #include "compiler/topology/topology.hpp"
 
 namespace mbgen {

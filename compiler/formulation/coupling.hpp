@@ -5,7 +5,7 @@
 #include <map>
 
 #include "compiler/formulation/kinematics.hpp"
-#include "compiler/model/jet.hpp"
+#include "compiler/model/moving.hpp"
 
 namespace mbgen {
 

@@ -3,7 +3,7 @@
 // section 4).
 
 #include "compiler/formulation/kinematics.hpp"
-#include "compiler/model/jet.hpp"
+#include "compiler/model/moving.hpp"
 
 namespace mbgen {
 

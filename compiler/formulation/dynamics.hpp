@@ -2,8 +2,8 @@
 // Equations of motion: forces accumulated from the leaves to the root (51), (52), columns of the tree mass matrix (49),
 // and the projection on the free directions (63), group by group.
 
-#include "compiler/formulation/applied_forces.hpp"
-#include "compiler/formulation/elimination.hpp"
+#include "compiler/formulation/elements/applied_forces.hpp"
+#include "compiler/formulation/implicit/elimination.hpp"
 #include "compiler/formulation/inertia.hpp"
 #include "compiler/formulation/loop_solution.hpp"
 

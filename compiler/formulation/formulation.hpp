@@ -14,6 +14,6 @@
 #include "compiler/formulation/motion.hpp"
 #include "compiler/formulation/outputs.hpp"
 #include "compiler/formulation/reactions.hpp"
-#include "compiler/formulation/recursion.hpp"
-#include "compiler/formulation/recursion_forces.hpp"
+#include "compiler/formulation/recursion/recursion.hpp"
+#include "compiler/formulation/recursion/recursion_forces.hpp"
 #include "compiler/formulation/solved_state.hpp"

@@ -1,10 +1,10 @@
 #pragma once
 // Model outputs and the terms of the energy balance.
 
+#include "compiler/formulation/elements/stored_energy.hpp"
 #include "compiler/formulation/momentum.hpp"
 #include "compiler/formulation/reactions.hpp"
 #include "compiler/formulation/relative_motion.hpp"
-#include "compiler/formulation/stored_energy.hpp"
 #include "compiler/formulation/users_angles.hpp"
 
 namespace mbgen {

@@ -1,8 +1,8 @@
 #pragma once
 // Reactions as loads that press parts together.
 
+#include "compiler/formulation/elements/user_states.hpp"
 #include "compiler/formulation/reactions.hpp"
-#include "compiler/formulation/user_states.hpp"
 
 namespace mbgen {
 namespace detail {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "compiler/formulation/bristle_ends.hpp"
+#include "compiler/formulation/elements/bristle_ends.hpp"
 #include "compiler/linearisation/linear_system.hpp"
 
 namespace mbgen {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/model/diagnostic.hpp"
-#include "compiler/model/expression.hpp"
+#include "compiler/expressions/expression.hpp"
+#include "compiler/text/diagnostic.hpp"
 
 namespace mbgen {
 

@@ -1,11 +1,11 @@
 #pragma once
-// The door of the model room: JSON text -> Model, or every diagnostic at once. Plain structs, SI units, radians.
+// A multibody system as data. Plain structs, SI units, radians.
 
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "compiler/expressions/parameter.hpp"
 #include "compiler/model/axles.hpp"
 #include "compiler/model/bump_stops.hpp"
 #include "compiler/model/bushings.hpp"
@@ -20,18 +20,6 @@ namespace mbgen {
 /// Description, author, version and rights of a model, for people.
 struct About {
   std::string description, author, version, copyright, licence;
-};
-
-struct Parameter {
-  std::string name;
-  Where where;
-  double value = 0;  ///< with the tunable ones at theirs
-  std::string unit;
-  bool tunable = false;
-  int expression =
-      -1;  ///< index into Model::expressions: what it is of tunable ones; expressions that use it contain it
-  bool at_start = false;  ///< acts on the velocities at the start only: an FMU takes it before the initialisation
-  Presentation shown = {};
 };
 
 struct Input {
@@ -130,17 +118,5 @@ const Freedom& freedom_of(const Model& model, const CoordinateReference& coordin
 /// Global position of a point at the reference configuration and default parameters, m; NaN for an attachment that
 /// could not be read.
 Vector3 reference_position(const Model& model, const Attachment& attachment);
-
-/// Reads and checks a model.
-/// text: JSON with comments; file_name: its path, used in messages and as the base of `include` paths.
-/// Ensures: names resolve, numbers are finite and in range, joints close at the reference configuration.
-/// Fails: with every syntactic and semantic problem found, in order of position.
-Result<Model> read_model(std::string_view text, const std::string& file_name);
-
-/// Reads a model from a file. Fails as read_model, and when the file cannot be read, is empty or larger than 64 MB.
-Result<Model> read_model_file(const std::string& path);
-
-/// JSON Schema (draft 2020-12) of the model format, made from the reader's own table of fields.
-std::string model_schema();
 
 }  // namespace mbgen

@@ -6,17 +6,10 @@
 #include <string>
 #include <variant>
 
+#include "compiler/expressions/parameter.hpp"
 #include "compiler/model/bodies.hpp"
 
 namespace mbgen {
-
-/// Texts for people beside the name and unit of a value of the interface; without effect on the motion.
-struct Presentation {
-  std::string description = {};
-  std::string display_unit;        ///< that it is shown in, of the same dimension as its unit; none: its unit
-  std::optional<double> min, max;  ///< range that is meant, in its unit
-  std::optional<double> nominal;   ///< usual magnitude, in its unit
-};
 
 /// No body: of axes the global ones, of an observer and of a reference ground.
 constexpr int kNoBody = -1;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/expressions/sample.hpp"
 #include "compiler/model/bodies.hpp"
 
 namespace mbgen {
@@ -116,11 +117,5 @@ struct Road {
     return host_input >= 0 || is_given(slope_x) || is_given(slope_y);
   }
 };
-
-/// Number `index` of a table, the first or last one outside, as mbgen/sample.hpp has it.
-inline double sample(const std::vector<double>& samples, double index) {
-  const double last = static_cast<double>(samples.size() - 1);
-  return samples[index >= 0 ? static_cast<std::size_t>(index < last ? index : last) : 0];
-}
 
 }  // namespace mbgen

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "compiler/model/elements.hpp"
-#include "mbgen/mf61_set.hpp"
-#include "mbgen/pac2002.hpp"
+#include "mbgen/tyres/mf61_set.hpp"
+#include "mbgen/tyres/pac2002.hpp"
 
 namespace mbgen {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compiler/model/model.hpp"
-#include "mbgen/ball.hpp"
+#include "mbgen/solver/ball.hpp"
 
 namespace mbgen {
 

@@ -3,7 +3,7 @@
 // whoever counts what a choice costs.
 
 #include "compiler/analysis/analysis.hpp"
-#include "compiler/formulation/recursion_units.hpp"
+#include "compiler/formulation/recursion/recursion_units.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/solver/programs.hpp"
 #include "compiler/topology/topology.hpp"

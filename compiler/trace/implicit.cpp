@@ -1,6 +1,6 @@
 // The programs of an implicit step: its equations, and the changes that solve them.
 
-#include "compiler/formulation/implicit.hpp"
+#include "compiler/formulation/implicit/implicit.hpp"
 
 #include <map>
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "compiler/formulation/force_work.hpp"
+#include "compiler/formulation/elements/force_work.hpp"
 #include "compiler/trace/tracing.hpp"
 
 namespace mbgen {

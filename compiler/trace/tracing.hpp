@@ -6,7 +6,7 @@
 
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/formulation/formulation.hpp"
-#include "compiler/formulation/recursion_units.hpp"
+#include "compiler/formulation/recursion/recursion_units.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/solver/programs.hpp"
 #include "compiler/trace/scribe.hpp"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Coefficients of runtime/include/mbgen/sincos.hpp, arc_tangent.hpp, exponential.hpp and logarithm.hpp.
+"""Coefficients of runtime/include/mbgen/math/sincos.hpp, arc_tangent.hpp, exponential.hpp and logarithm.hpp.
 
 Remez exchange on polynomials in z = x^2, at 60 digits, for the largest relative error of the whole function. The
 coefficients are rounded to double (for single_precision.hpp: to float) one by one from the lowest power, and those above are fitted again after each.

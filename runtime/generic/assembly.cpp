@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "compiler/algebra/dense.hpp"
-#include "mbgen/newton.hpp"
+#include "mbgen/solver/newton.hpp"
 #include "runtime/generic/equations.hpp"
 #include "runtime/generic/generic.hpp"
 

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "compiler/algebra/dense.hpp"
-#include "compiler/formulation/bristle_ends.hpp"
+#include "compiler/formulation/elements/bristle_ends.hpp"
 #include "compiler/model/auxiliary_states.hpp"
-#include "mbgen/newton.hpp"
+#include "mbgen/solver/newton.hpp"
 #include "runtime/generic/balance.hpp"
 
 namespace mbgen {

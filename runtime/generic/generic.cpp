@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "mbgen/closure.hpp"
+#include "mbgen/solver/closure.hpp"
 #include "runtime/generic/equations.hpp"
 
 namespace mbgen {

@@ -8,8 +8,8 @@
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/topology/topology.hpp"
+#include "mbgen/solver/step_clock.hpp"
 #include "mbgen/status.hpp"
-#include "mbgen/step_clock.hpp"
 #include "runtime/generic/algebra_choice.hpp"
 #include "runtime/state/state.hpp"
 

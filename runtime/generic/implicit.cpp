@@ -1,6 +1,6 @@
 // The linear equations of an implicit step, at numbers.
 
-#include "compiler/formulation/implicit.hpp"
+#include "compiler/formulation/implicit/implicit.hpp"
 
 #include "mbgen/blocks.hpp"
 #include "runtime/generic/equations.hpp"

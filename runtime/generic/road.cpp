@@ -1,4 +1,4 @@
-#include "compiler/formulation/road.hpp"
+#include "compiler/formulation/roads/road.hpp"
 
 #include "runtime/generic/equations.hpp"
 #include "runtime/generic/generic.hpp"

@@ -2,6 +2,7 @@
 
 #include "compiler/analysis/partition.hpp"
 #include "compiler/analysis/triangular.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/expected_text.hpp"
 #include "tests/support/mechanism_support.hpp"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/mechanism_support.hpp"
 
 namespace mbgen {

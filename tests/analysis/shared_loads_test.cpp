@@ -5,6 +5,7 @@
 #include <map>
 
 #include "compiler/analysis/notes.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/mechanism_support.hpp"
 
 namespace mbgen {

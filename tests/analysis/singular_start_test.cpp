@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "compiler/analysis/notes.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/mechanism_support.hpp"
 
 namespace mbgen {

@@ -3,9 +3,9 @@
 
 #include <numbers>
 
-#include "compiler/study/controlled_engine.hpp"
-#include "compiler/study/initial_state.hpp"
 #include "tests/support/cli_support.hpp"
+#include "workbench/motion/controlled_engine.hpp"
+#include "workbench/start/initial_state.hpp"
 
 namespace mbgen::cli_test {
 namespace {

@@ -1,12 +1,12 @@
 // What is linked and loaded comes from directories that nobody else can write.
 
-#include "compiler/base/own_directory.hpp"
+#include "workbench/host/own_directory.hpp"
 
 #include <grp.h>
 #include <sys/stat.h>
 
-#include "compiler/base/temporary_directory.hpp"
 #include "tests/support/cli_support.hpp"
+#include "workbench/host/temporary_directory.hpp"
 
 namespace mbgen::cli_test {
 namespace {

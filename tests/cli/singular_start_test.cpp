@@ -1,7 +1,7 @@
 // Near singular positions and redundant loads at the command line.
 
-#include "compiler/study/cvode_steps.hpp"
 #include "tests/support/cli_support.hpp"
+#include "workbench/motion/cvode_steps.hpp"
 
 namespace mbgen::cli_test {
 namespace {

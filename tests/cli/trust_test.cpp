@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "compiler/study/course.hpp"
-#include "compiler/study/step_verdict.hpp"
 #include "tests/support/cli_support.hpp"
+#include "workbench/motion/course.hpp"
+#include "workbench/motion/step_verdict.hpp"
 
 namespace mbgen::cli_test {
 namespace {

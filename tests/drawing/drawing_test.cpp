@@ -1,5 +1,5 @@
 // Pictures: well-formed, the same bytes each time, and showing what they are to show.
-#include "compiler/drawing/drawing.hpp"
+#include "workbench/drawing/drawing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include <numbers>
 #include <regex>
 
+#include "compiler/reader/read_model.hpp"
 #include "compiler/topology/topology.hpp"
 
 namespace mbgen {

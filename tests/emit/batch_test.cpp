@@ -4,6 +4,7 @@
 
 #include "compiler/compile.hpp"
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/emit/emit_support.hpp"
 #include "tests/support/compiled_solver.hpp"
 

@@ -14,8 +14,8 @@ constexpr const char* kProgram = R"(
 #include <cstdint>
 #include <cstdio>
 #include <initializer_list>
-#include "mbgen/arc_tangent.hpp"
-#include "mbgen/sincos.hpp"
+#include "mbgen/math/arc_tangent.hpp"
+#include "mbgen/math/sincos.hpp"
 int main() {
   std::uint64_t hash = 14695981039346656037u, seed = 1;
   const auto mix = [&](double value) { hash = (hash ^ __builtin_bit_cast(std::uint64_t, value)) * 1099511628211u; };

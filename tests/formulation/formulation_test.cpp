@@ -2,6 +2,7 @@
 
 #include "compiler/formulation/formulation.hpp"
 
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/mechanism_support.hpp"
 
 namespace mbgen {

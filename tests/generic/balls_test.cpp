@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "mbgen/integrators.hpp"
-#include "runtime/cartesian/cartesian.hpp"
+#include "runtime/judges/cartesian.hpp"
 #include "tests/support/mechanism_support.hpp"
 
 namespace mbgen {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "mbgen/rosenbrock.hpp"
-#include "runtime/cartesian/cartesian.hpp"
+#include "mbgen/solver/rosenbrock.hpp"
+#include "runtime/judges/cartesian.hpp"
 #include "tests/support/dynamics.hpp"
 
 namespace mbgen::testing {

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "compiler/model/crg_file.hpp"
-#include "compiler/model/crg_road.hpp"
+#include "compiler/formats/crg_file.hpp"
+#include "compiler/formats/crg_road.hpp"
 
 namespace mbgen {
 namespace {

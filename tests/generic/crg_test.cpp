@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "compiler/model/crg_road.hpp"
-#include "compiler/model/crg_wishes.hpp"
+#include "compiler/formats/crg_road.hpp"
+#include "compiler/formats/crg_wishes.hpp"
 
 namespace mbgen {
 namespace {
@@ -133,7 +133,8 @@ TEST(CrgText, ThatIsNoRoadSaysWhereAndWhy) {
   EXPECT_EQ(problem(file_of(kStep, kTwoSections, " 0.1000000 0.2x00000\n")), "9: must be a number, got \"0.2x00000\"");
   EXPECT_EQ(problem(file_of(kStep, kTwoSections, " 0.1000000 0.2000000\n")),
             "8: a road needs 2 sections of data, file has 1");
-  EXPECT_EQ(problem(file_of(kStep, kTwoSections, "****      ****\n 0.1000000 0.2000000\n")), "0: section 1 has no height");
+  EXPECT_EQ(problem(file_of(kStep, kTwoSections, "****      ****\n 0.1000000 0.2000000\n")),
+            "0: section 1 has no height");
 }
 
 CrgRoad road_of(const std::string& text) {

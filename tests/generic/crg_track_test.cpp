@@ -8,8 +8,8 @@
 #include <fstream>
 #include <numbers>
 
-#include "compiler/formulation/road.hpp"
-#include "compiler/model/crg_road.hpp"
+#include "compiler/formats/crg_road.hpp"
+#include "compiler/formulation/roads/road.hpp"
 #include "tests/support/reaction_support.hpp"
 
 namespace mbgen {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/model/auxiliary_states.hpp"
-#include "mbgen/rosenbrock.hpp"
-#include "runtime/cartesian/cartesian.hpp"
+#include "mbgen/solver/rosenbrock.hpp"
+#include "runtime/judges/cartesian.hpp"
 #include "tests/support/dynamics.hpp"
 
 namespace mbgen::testing {

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "compiler/formulation/road.hpp"
-#include "compiler/model/crg_road.hpp"
+#include "compiler/formats/crg_road.hpp"
+#include "compiler/formulation/roads/road.hpp"
 #include "tests/support/dynamics.hpp"
 #include "tests/support/quarter_car.hpp"
 #include "tests/support/reaction_support.hpp"

@@ -6,7 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "runtime/cartesian/cartesian.hpp"
+#include "compiler/reader/read_model.hpp"
+#include "runtime/judges/cartesian.hpp"
 #include "tests/support/dynamics.hpp"
 #include "tests/support/mechanism_support.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "runtime/cartesian/cartesian.hpp"
+#include "runtime/judges/cartesian.hpp"
 #include "tests/support/dynamics.hpp"
 #include "tests/support/mechanism_support.hpp"
 

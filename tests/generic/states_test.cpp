@@ -7,7 +7,7 @@
 
 #include "compiler/model/auxiliary_states.hpp"
 #include "mbgen/integrators.hpp"
-#include "runtime/cartesian/cartesian.hpp"
+#include "runtime/judges/cartesian.hpp"
 #include "tests/support/mechanism_support.hpp"
 
 namespace mbgen {

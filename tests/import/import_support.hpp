@@ -4,8 +4,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "compiler/import/import.hpp"
 #include "tests/support/mechanism_support.hpp"
+#include "workbench/import/import.hpp"
 
 namespace mbgen::testing {
 

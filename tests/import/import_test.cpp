@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "compiler/algebra/turns.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/import/import_support.hpp"
 #include "tests/support/expected_text.hpp"
 

@@ -9,8 +9,9 @@
 #include <sstream>
 
 #include "compiler/algebra/dense.hpp"
-#include "compiler/import/known.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/import/import_support.hpp"
+#include "workbench/import/known.hpp"
 
 namespace mbgen {
 namespace {

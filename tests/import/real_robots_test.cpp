@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "compiler/reader/read_model.hpp"
 #include "tests/import/import_support.hpp"
 
 namespace mbgen {

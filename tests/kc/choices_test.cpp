@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "compiler/reader/read_model.hpp"
 #include "tests/kc/kc_support.hpp"
 
 namespace mbgen::kc_test {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "compiler/reader/read_model.hpp"
 #include "tests/kc/kc_support.hpp"
 
 namespace mbgen::kc_test {

@@ -8,9 +8,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "compiler/base/user_error.hpp"
-#include "compiler/study/kc/kc.hpp"
-#include "compiler/study/operating_point.hpp"
+#include "compiler/reader/read_model.hpp"
+#include "compiler/text/user_error.hpp"
+#include "workbench/kc/kc.hpp"
+#include "workbench/operating/operating_point.hpp"
 
 namespace mbgen::kc_test {
 

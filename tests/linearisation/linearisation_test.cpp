@@ -8,6 +8,7 @@
 
 #include "compiler/compile.hpp"
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/mechanism_support.hpp"
 #include "tests/support/model_support.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "compiler/compile.hpp"
 #include "compiler/linearisation/linearisation.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/mechanism_support.hpp"
 
 namespace mbgen {

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <numbers>
 
-#include "compiler/study/manoeuvre/driver.hpp"
-#include "compiler/study/manoeuvre/manoeuvre.hpp"
 #include "tests/support/expected_text.hpp"
+#include "workbench/manoeuvre/driver.hpp"
+#include "workbench/manoeuvre/manoeuvre.hpp"
 
 namespace mbgen {
 namespace {

@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-#include "compiler/study/manoeuvre/metrics.hpp"
+#include "workbench/manoeuvre/metrics.hpp"
 
 namespace mbgen::metrics_test {
 

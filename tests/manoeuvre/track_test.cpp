@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compiler/study/manoeuvre/metrics_text.hpp"
 #include "tests/manoeuvre/metrics_support.hpp"
+#include "workbench/manoeuvre/metrics_text.hpp"
 
 namespace mbgen::metrics_test {
 namespace {

@@ -1,6 +1,6 @@
 // Tables as functions: splines and monotone cubics against polynomials and a sine, with and without a period.
 
-#include "compiler/model/curve.hpp"
+#include "compiler/expressions/curve.hpp"
 
 #include <gtest/gtest.h>
 

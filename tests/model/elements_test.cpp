@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "compiler/model/evaluate.hpp"
-#include "mbgen/tyre.hpp"
+#include "compiler/expressions/evaluate.hpp"
+#include "mbgen/tyres/tyre.hpp"
 #include "tests/support/model_support.hpp"
 
 namespace mbgen {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "compiler/model/evaluate.hpp"
-#include "compiler/model/jet.hpp"
+#include "compiler/expressions/evaluate.hpp"
+#include "compiler/model/moving.hpp"
 #include "tests/support/model_support.hpp"
 
 namespace mbgen {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/model_support.hpp"
 
 namespace mbgen {

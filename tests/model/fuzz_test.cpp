@@ -6,6 +6,7 @@
 #include <iterator>
 #include <random>
 
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/model_support.hpp"
 
 namespace mbgen {

@@ -6,9 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "compiler/model/evaluate.hpp"
+#include "compiler/expressions/evaluate.hpp"
+#include "compiler/expressions/named_functions.hpp"
 #include "compiler/model/joint_coordinates.hpp"
-#include "compiler/model/named_functions.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/model_support.hpp"
 
 namespace mbgen::hardpoints_test {

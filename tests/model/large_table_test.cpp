@@ -7,8 +7,9 @@
 #include <limits>
 #include <numbers>
 
-#include "compiler/model/curve.hpp"
-#include "compiler/model/table_pieces.hpp"
+#include "compiler/expressions/curve.hpp"
+#include "compiler/expressions/table_pieces.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/model_support.hpp"
 
 namespace mbgen {

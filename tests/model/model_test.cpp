@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/expected_text.hpp"
 
 namespace mbgen {

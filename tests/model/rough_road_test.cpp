@@ -1,6 +1,6 @@
 // Rough roads of ISO 8608: spectrum and coherence by Welch's method, and their bits.
 
-#include "compiler/model/rough_road.hpp"
+#include "compiler/formats/rough_road.hpp"
 
 #include <gtest/gtest.h>
 

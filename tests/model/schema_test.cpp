@@ -5,8 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "compiler/model/fields.hpp"
 #include "compiler/model/model.hpp"
+#include "compiler/reader/fields.hpp"
+#include "compiler/reader/read_model.hpp"
 
 namespace mbgen {
 namespace {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/model/tyre_sets.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/model_support.hpp"
 
 namespace mbgen {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/model_support.hpp"
 
 namespace mbgen {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/model/unit_exponents.hpp"
+#include "compiler/expressions/unit_exponents.hpp"
 #include "tests/support/model_support.hpp"
 
 namespace mbgen {

@@ -1,5 +1,5 @@
 // Roads as the page draws them: heights against closed forms, how many places, and what is said of others.
-#include "compiler/report/ground.hpp"
+#include "workbench/report/ground.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,9 @@
 #include <numbers>
 
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/report/strip.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/report/report_support.hpp"
+#include "workbench/report/strip.hpp"
 
 namespace mbgen {
 namespace {

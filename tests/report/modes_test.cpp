@@ -1,5 +1,5 @@
 // Modes as the page animates them: shapes by hand and by the equations of motion, loops that stay closed.
-#include "compiler/report/modes.hpp"
+#include "workbench/report/modes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 
 #include "compiler/compile.hpp"
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/report/places.hpp"
-#include "compiler/report/scene.hpp"
 #include "tests/report/report_support.hpp"
 #include "tests/support/model_support.hpp"
+#include "workbench/report/places.hpp"
+#include "workbench/report/scene.hpp"
 
 namespace mbgen {
 namespace {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/model/model.hpp"
+#include "compiler/reader/read_model.hpp"
 
 namespace mbgen {
 

@@ -1,5 +1,5 @@
 // What the page of a report is given: poses, shapes, numbers, and text that cannot leave its place.
-#include "compiler/report/report.hpp"
+#include "workbench/report/report.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,11 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/report/motion.hpp"
-#include "compiler/report/poses.hpp"
-#include "compiler/report/scene.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "runtime/generic/generic.hpp"
 #include "tests/report/report_support.hpp"
+#include "workbench/report/motion.hpp"
+#include "workbench/report/poses.hpp"
+#include "workbench/report/scene.hpp"
 
 namespace mbgen {
 namespace {

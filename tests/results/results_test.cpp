@@ -1,6 +1,6 @@
 // Tables as files: what is written is read again, and every bad file of tests/errors/results has its exact message.
 // After a wanted change: MBGEN_UPDATE=1 results_test rewrites the texts; read the difference before committing it.
-#include "compiler/results/results.hpp"
+#include "workbench/results/results.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mbgen/tyre.hpp"
+#include "mbgen/tyres/tyre.hpp"
 
 namespace mbgen {
 namespace {

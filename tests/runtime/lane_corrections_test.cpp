@@ -7,7 +7,7 @@
 #include <cstring>
 #include <numbers>
 
-#include "mbgen/batch.hpp"
+#include "mbgen/lanes/batch.hpp"
 
 namespace mbgen {
 namespace {

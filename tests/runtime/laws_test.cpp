@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "mbgen/forces.hpp"
-#include "mbgen/table.hpp"
+#include "mbgen/math/table.hpp"
+#include "mbgen/solver/forces.hpp"
 
 namespace mbgen {
 namespace {

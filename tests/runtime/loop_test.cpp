@@ -1,6 +1,6 @@
 // The pivoting LU of loop blocks, against Eigen's FullPivLU and against the equations themselves.
 
-#include "mbgen/loop.hpp"
+#include "mbgen/solver/loop.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mbgen/mf61.hpp"
+#include "mbgen/tyres/mf61.hpp"
 
 namespace mbgen {
 

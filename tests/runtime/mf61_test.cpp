@@ -1,7 +1,7 @@
 // MF 6.1 against reference values that mbgen did not make (tests/data/tyre_mf61.json), against PAC2002 where the
 // formulas coincide, and on the road.
 
-#include "mbgen/mf61.hpp"
+#include "mbgen/tyres/mf61.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "mbgen/tyre.hpp"
+#include "mbgen/tyres/tyre.hpp"
 #include "tests/runtime/mf61_book.hpp"
 #include "tests/runtime/mf61_sets.hpp"
 #include "tests/runtime/mirrored_tyre.hpp"

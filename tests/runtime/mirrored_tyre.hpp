@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mbgen/tyre.hpp"
+#include "mbgen/tyres/tyre.hpp"
 
 namespace mbgen {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mbgen/integrators.hpp"
-#include "mbgen/tyre.hpp"
+#include "mbgen/tyres/tyre.hpp"
 #include "tests/runtime/mf61_sets.hpp"
 #include "tests/runtime/mirrored_tyre.hpp"
 

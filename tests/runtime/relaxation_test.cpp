@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "mbgen/tyre.hpp"
+#include "mbgen/tyres/tyre.hpp"
 
 namespace mbgen {
 namespace {

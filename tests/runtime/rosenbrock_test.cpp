@@ -1,6 +1,6 @@
 // The linearly implicit integrator: order with any matrix, stability with the exact one, stiff problems.
 
-#include "mbgen/rosenbrock.hpp"
+#include "mbgen/solver/rosenbrock.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Steps of a run, as `simulate` and FMUs count them.
-#include "mbgen/step_time.hpp"
+#include "mbgen/solver/step_time.hpp"
 
 #include <gtest/gtest.h>
 

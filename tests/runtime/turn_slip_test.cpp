@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mbgen/tyre.hpp"
+#include "mbgen/tyres/tyre.hpp"
 #include "tests/runtime/mf61_book.hpp"
 #include "tests/runtime/mf61_sets.hpp"
 

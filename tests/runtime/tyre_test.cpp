@@ -1,7 +1,7 @@
 // The magic formulas against reference values that mbgen did not make (tests/data/tyre_magic_formula.json), and their
 // behaviour at the edges.
 
-#include "mbgen/tyre.hpp"
+#include "mbgen/tyres/tyre.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mbgen/integrators.hpp"
-#include "mbgen/tyre.hpp"
+#include "mbgen/tyres/tyre.hpp"
 #include "tests/runtime/mirrored_tyre.hpp"
 
 namespace mbgen {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mbgen/rosenbrock.hpp"
+#include "mbgen/solver/rosenbrock.hpp"
 
 namespace mbgen {
 namespace {

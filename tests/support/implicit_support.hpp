@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compiler/algebra/dense.hpp"
-#include "mbgen/rosenbrock.hpp"
+#include "mbgen/solver/rosenbrock.hpp"
 #include "tests/support/dynamics.hpp"
 #include "tests/support/mechanism_support.hpp"
 

@@ -15,6 +15,7 @@
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/model.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "compiler/topology/topology.hpp"
 #include "runtime/generic/generic.hpp"
 

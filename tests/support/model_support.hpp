@@ -9,6 +9,7 @@
 #include <string>
 
 #include "compiler/model/model.hpp"
+#include "compiler/reader/read_model.hpp"
 
 namespace mbgen {
 

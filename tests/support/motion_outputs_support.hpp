@@ -7,6 +7,7 @@
 #include <optional>
 #include <random>
 
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/reaction_support.hpp"
 
 namespace mbgen::testing {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "compiler/formulation/vector.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/mechanism_support.hpp"
 
 namespace mbgen::testing {

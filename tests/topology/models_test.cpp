@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "compiler/reader/read_model.hpp"
 #include "tests/topology/topology_support.hpp"
 
 namespace mbgen {

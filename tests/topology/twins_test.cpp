@@ -2,6 +2,7 @@
 
 #include "compiler/topology/twins.hpp"
 
+#include "compiler/reader/read_model.hpp"
 #include "tests/topology/topology_support.hpp"
 
 namespace mbgen {

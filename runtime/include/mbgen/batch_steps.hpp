@@ -2,8 +2,8 @@
 // Steps of several instances in lanes: the integrators of integrators.hpp over vectors. A lane in which anything but
 // the plain way of a step is met is not good, and the caller takes its whole step again by the scalar solver.
 
-#include "mbgen/batch.hpp"
 #include "mbgen/integrators.hpp"
+#include "mbgen/lanes/batch.hpp"
 
 namespace mbgen {
 

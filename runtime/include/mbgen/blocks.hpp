@@ -24,11 +24,11 @@
 #include <initializer_list>
 #include <type_traits>
 
-#include "mbgen/array_lanes.hpp"
 #include "mbgen/charts.hpp"
-#include "mbgen/loop.hpp"
-#include "mbgen/precision.hpp"
-#include "mbgen/states.hpp"
+#include "mbgen/lanes/array_lanes.hpp"
+#include "mbgen/math/precision.hpp"
+#include "mbgen/solver/loop.hpp"
+#include "mbgen/solver/states.hpp"
 #include "mbgen/status.hpp"
 
 namespace mbgen {

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <type_traits>
 
-#include "mbgen/ball.hpp"
 #include "mbgen/elementary.hpp"
+#include "mbgen/solver/ball.hpp"
 
 namespace mbgen {
 

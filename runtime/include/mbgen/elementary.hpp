@@ -1,8 +1,8 @@
 #pragma once
 // The elementary functions of emitted code; docs/method/arithmetic.md says how exact they are.
 
-#include "mbgen/arc_tangent.hpp"
-#include "mbgen/exponential.hpp"
-#include "mbgen/logarithm.hpp"
-#include "mbgen/sincos.hpp"
-#include "mbgen/single_precision.hpp"
+#include "mbgen/math/arc_tangent.hpp"
+#include "mbgen/math/exponential.hpp"
+#include "mbgen/math/logarithm.hpp"
+#include "mbgen/math/sincos.hpp"
+#include "mbgen/math/single_precision.hpp"

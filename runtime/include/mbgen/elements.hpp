@@ -2,8 +2,8 @@
 // Numbers of force elements that share a law, side by side: vectors of the processor compute several elements at once.
 // The result for an element does not depend on the others.
 
-#include "mbgen/array_lanes.hpp"
 #include "mbgen/lanes.hpp"
+#include "mbgen/lanes/array_lanes.hpp"
 
 namespace mbgen {
 

@@ -4,9 +4,9 @@
 #include <cstring>
 
 #include "mbgen/fmu.hpp"
-#include "mbgen/fmu_instants.hpp"
-#include "mbgen/fmu_turns.hpp"
-#include "mbgen/step_time.hpp"
+#include "mbgen/fmu/fmu_instants.hpp"
+#include "mbgen/fmu/fmu_turns.hpp"
+#include "mbgen/solver/step_time.hpp"
 
 namespace mbgen::fmu {
 

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "mbgen/fmu_state.hpp"
+#include "mbgen/fmu/fmu_state.hpp"
 
 namespace mbgen::fmu {
 

@@ -2,7 +2,7 @@
 // How the loops of an instance are closed: along the way from the last closed state, so that they keep their way of
 // assembly; and what is solved there. See fmu_state.hpp.
 
-#include "mbgen/fmu_state.hpp"
+#include "mbgen/fmu/fmu_state.hpp"
 
 namespace mbgen::fmu {
 

@@ -2,8 +2,8 @@
 // Loop closures whose independent coordinates the caller holds: an integrator outside of the solver that has them as
 // its states, as an importer of an FMU does. `System` is described in blocks.hpp.
 
-#include "mbgen/held_limits.hpp"
 #include "mbgen/motion.hpp"
+#include "mbgen/solver/held_limits.hpp"
 
 namespace mbgen {
 

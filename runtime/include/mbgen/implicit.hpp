@@ -3,8 +3,8 @@
 // integrator it has two programs more: tangents and changes, the types StepSize and Tangents, and with states of the
 // user's own kFirstOwnState.
 
-#include "mbgen/rosenbrock.hpp"
 #include "mbgen/solver.hpp"
+#include "mbgen/solver/rosenbrock.hpp"
 
 namespace mbgen {
 

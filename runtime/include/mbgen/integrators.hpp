@@ -31,8 +31,8 @@
 #include <cmath>
 #include <type_traits>
 
-#include "mbgen/singular_step.hpp"
-#include "mbgen/states.hpp"
+#include "mbgen/solver/singular_step.hpp"
+#include "mbgen/solver/states.hpp"
 
 namespace mbgen {
 

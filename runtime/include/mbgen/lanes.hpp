@@ -12,8 +12,8 @@
 
 #include "mbgen/elementary.hpp"
 #include "mbgen/fma.hpp"
+#include "mbgen/math/vector_instructions.hpp"
 #include "mbgen/scalar.hpp"
-#include "mbgen/vector_instructions.hpp"
 
 namespace mbgen {
 

@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "mbgen/closure.hpp"
 #include "mbgen/solver.hpp"
+#include "mbgen/solver/closure.hpp"
 
 namespace mbgen {
 

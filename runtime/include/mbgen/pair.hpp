@@ -1,8 +1,9 @@
 #pragma once
-// Left and right of a mechanism, or two equal parts, in one vector of two doubles (the vector_size extension of GCC and clang).
+// Left and right of a mechanism, or two equal parts, in one vector of two doubles (the vector_size extension of GCC and
+// clang).
 
-#include "mbgen/array_lanes.hpp"
 #include "mbgen/fma.hpp"
+#include "mbgen/lanes/array_lanes.hpp"
 
 namespace mbgen {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "mbgen/blocks.hpp"
-#include "mbgen/closure.hpp"
+#include "mbgen/solver/closure.hpp"
 
 namespace mbgen {
 

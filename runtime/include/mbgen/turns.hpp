@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "mbgen/array_lanes.hpp"
+#include "mbgen/lanes/array_lanes.hpp"
 #include "mbgen/status.hpp"
 
 namespace mbgen {

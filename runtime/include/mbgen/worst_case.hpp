@@ -3,8 +3,8 @@
 // not run over sizes of the model. See closure.hpp, singular_step.hpp and integrators.hpp; tests hold the counts to be
 // exact.
 
-#include "mbgen/closure.hpp"
-#include "mbgen/singular_step.hpp"
+#include "mbgen/solver/closure.hpp"
+#include "mbgen/solver/singular_step.hpp"
 
 namespace mbgen {
 

@@ -1,12 +1,12 @@
-// Partitions that counting takes, see compiler/counted_partitions.hpp.
+// Partitions that counting takes, see compiler/choose/counted_partitions.hpp.
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <stdexcept>
 
+#include "compiler/choose/counted_partitions.hpp"
 #include "compiler/compile.hpp"
-#include "compiler/counted_partitions.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/trace/trace.hpp"
 

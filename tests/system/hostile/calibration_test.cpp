@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/compile.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/a2l_grammar.hpp"
 
 namespace mbgen::test {

@@ -14,6 +14,7 @@
 #include <random>
 
 #include "compiler/compile.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "mutations.hpp"
 
 namespace mbgen::test {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "compiler/compile.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/compiled_solver.hpp"
 
 namespace mbgen::test {

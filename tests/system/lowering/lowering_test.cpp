@@ -8,6 +8,7 @@
 
 #include "compiler/compile.hpp"
 #include "compiler/program/rounded.hpp"
+#include "compiler/reader/read_model.hpp"
 
 namespace mbgen {
 namespace {

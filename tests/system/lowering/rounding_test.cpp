@@ -18,6 +18,7 @@
 
 #include "compiler/compile.hpp"
 #include "compiler/passes/passes.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/reference_support.hpp"
 
 namespace mbgen::testing {

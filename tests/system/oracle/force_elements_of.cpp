@@ -4,8 +4,8 @@
 #include <cmath>
 #include <memory>
 
-#include "compiler/model/curve.hpp"
-#include "compiler/model/evaluate.hpp"
+#include "compiler/expressions/curve.hpp"
+#include "compiler/expressions/evaluate.hpp"
 #include "compiler/topology/topology.hpp"
 
 namespace mbgen::foreign {

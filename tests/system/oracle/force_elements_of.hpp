@@ -1,7 +1,7 @@
 #pragma once
 // From a model of mbgen to what acts on it.
 
-#include "compiler/model/diagnostic.hpp"
+#include "compiler/text/diagnostic.hpp"
 #include "tests/system/oracle/force_elements.hpp"
 
 namespace mbgen::foreign {

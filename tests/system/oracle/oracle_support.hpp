@@ -1,6 +1,7 @@
 #pragma once
 // A model of mbgen side by side with the same model in a foreign engine.
 
+#include "compiler/reader/read_model.hpp"
 #include "tests/support/mechanism_support.hpp"
 #include "tests/system/oracle/force_elements_of.hpp"
 #include "tests/system/oracle/simbody_mechanism.hpp"

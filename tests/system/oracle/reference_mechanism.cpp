@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "compiler/model/jet.hpp"
+#include "compiler/model/moving.hpp"
 #include "compiler/topology/topology.hpp"
 
 namespace mbgen::foreign {

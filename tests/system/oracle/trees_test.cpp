@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "compiler/reader/read_model.hpp"
 #include "tests/system/oracle/mujoco_mechanism.hpp"
 #include "tests/system/oracle/oracle_support.hpp"
 

@@ -5,11 +5,11 @@
 #include <map>
 
 #include "compiler/compile.hpp"
-#include "compiler/engines/engine.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/trace/each_program.hpp"
 #include "tests/system/property/properties.hpp"
+#include "workbench/engines/engine.hpp"
 
 namespace mbgen::testing {
 namespace {

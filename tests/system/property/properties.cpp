@@ -9,10 +9,11 @@
 #include <utility>
 
 #include "compiler/compile.hpp"
-#include "compiler/describe/dump_model.hpp"
-#include "compiler/engines/engine.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/passes/passes.hpp"
+#include "compiler/reader/read_model.hpp"
+#include "workbench/describe/dump_model.hpp"
+#include "workbench/engines/engine.hpp"
 
 namespace mbgen::testing {
 

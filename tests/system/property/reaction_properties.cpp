@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "runtime/cartesian/cartesian.hpp"
+#include "runtime/judges/cartesian.hpp"
 #include "tests/support/reaction_support.hpp"
 #include "tests/system/property/properties.hpp"
 

@@ -7,8 +7,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "compiler/base/user_error.hpp"
-#include "compiler/study/initial_state.hpp"
+#include "compiler/reader/read_model.hpp"
+#include "compiler/text/user_error.hpp"
+#include "workbench/start/initial_state.hpp"
 
 namespace mbgen::published {
 namespace {

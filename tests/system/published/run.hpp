@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "compiler/engines/engine.hpp"
+#include "workbench/engines/engine.hpp"
 
 namespace mbgen::published {
 

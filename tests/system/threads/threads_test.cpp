@@ -9,6 +9,7 @@
 
 #include "compiler/compile.hpp"
 #include "compiler/emit/emit.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "mbgen/integrators.hpp"
 #include "runtime/generic/generic.hpp"
 

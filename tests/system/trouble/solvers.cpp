@@ -5,10 +5,10 @@
 #include <memory>
 #include <stdexcept>
 
-#include "compiler/engines/engine.hpp"
 #include "tests/support/compiled_solver.hpp"
 #include "tests/support/dynamics.hpp"
 #include "tests/support/table_state.hpp"
+#include "workbench/engines/engine.hpp"
 
 /// Calls of the heap by this program so far, see tests/support/heap.cpp; null under sanitizers.
 extern "C" [[gnu::weak]] long heap_calls();

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "compiler/model/evaluate.hpp"
-#include "compiler/model/parse_expression.hpp"
+#include "compiler/expressions/evaluate.hpp"
+#include "compiler/expressions/parse_expression.hpp"
 #include "compiler/passes/passes.hpp"
 #include "fuzz_support.hpp"
 

@@ -1,7 +1,7 @@
 // Bytes as the table of inputs of `simulate --input-table`: columns of one length, or a UserError.
-#include "compiler/base/user_error.hpp"
-#include "compiler/study/input_table.hpp"
+#include "compiler/text/user_error.hpp"
 #include "fuzz_tables.hpp"
+#include "workbench/motion/input_table.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace mbgen;

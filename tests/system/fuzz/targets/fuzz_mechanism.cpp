@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "compiler/compile.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "fuzz_support.hpp"
 
 namespace {

@@ -1,6 +1,7 @@
 // Bytes as a model file: a model with its tree, or diagnostics that stand inside the text.
 #include <cmath>
 
+#include "compiler/reader/read_model.hpp"
 #include "compiler/topology/topology.hpp"
 #include "fuzz_support.hpp"
 

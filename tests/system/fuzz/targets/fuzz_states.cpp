@@ -1,7 +1,7 @@
 // Bytes as the states file of `evaluate` and `bench`: states of the right sizes, or a UserError.
-#include "compiler/base/user_error.hpp"
-#include "compiler/study/states_file.hpp"
+#include "compiler/text/user_error.hpp"
 #include "fuzz_tables.hpp"
+#include "workbench/start/states_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace mbgen;

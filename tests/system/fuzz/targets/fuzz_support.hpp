@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "compiler/model/diagnostic.hpp"
+#include "compiler/text/diagnostic.hpp"
 
 namespace mbgen::fuzz {
 

@@ -2,6 +2,7 @@
 // A small model for the targets that read tables beside a model.
 
 #include "compiler/compile.hpp"
+#include "compiler/reader/read_model.hpp"
 #include "fuzz_support.hpp"
 
 namespace mbgen::fuzz {

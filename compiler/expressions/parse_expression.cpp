@@ -1,0 +1,398 @@
+#include "compiler/expressions/parse_expression.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "compiler/expressions/evaluate.hpp"
+#include "compiler/expressions/expression_names.hpp"
+#include "compiler/expressions/named_functions.hpp"
+#include "compiler/text/document.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+/// Recursive descent. Invariant: every operand of nodes_ stands before its user, and the last node is the latest value.
+class ExpressionParser {
+ public:
+  ExpressionParser(std::string_view text, const ExpressionScope& scope) : text_(text), scope_(scope) {}
+
+  ParsedExpression run() {
+    skip_space();
+    if (at_ == text_.size()) {
+      fail(at_, "expression is empty");
+    } else if (sum() >= 0) {
+      skip_space();
+      if (at_ < text_.size()) fail_after_value();
+    }
+    return {{std::string(text_), std::move(nodes_)}, std::move(problems_), std::move(reductions_)};
+  }
+
+ private:
+  static constexpr int kMaximumDepth = 200;          ///< of sums and powers; each costs five calls on the stack
+  static constexpr std::size_t kMostNodes = 10'000;  ///< far beyond what people write; some passes are quadratic
+  using Kind = ExpressionNode::Kind;
+
+  int fail(std::size_t offset, std::string message, std::string hint = {}) {
+    problems_.push_back({offset, std::move(message), std::move(hint)});
+    return -1;
+  }
+
+  int fail_unexpected() {
+    skip_space();
+    if (at_ == text_.size()) return fail(at_, "expression ends where a value is expected");
+    std::size_t end = at_ + 1;
+    while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0u) == 0x80u)
+      ++end;  // rest of a UTF-8 character
+    const bool stars = text_[at_] == '*' && at_ > 0 && text_[at_ - 1] == '*';
+    return fail(at_, fmt::format("unexpected {} in expression", in_quotes(text_.substr(at_, end - at_))),
+                stars ? "powers are written x^y" : "");
+  }
+
+  /// Complains about text after a whole expression.
+  int fail_after_value() {
+    const std::size_t start = at_;
+    if (!is_letter(text_[at_]) && !is_digit(text_[at_]) && text_[at_] != '(') return fail_unexpected();
+    const std::string_view next = text_[at_] == '(' ? "(" : word();
+    return fail(start, fmt::format("unexpected {} in expression", in_quotes(next)), hint_after_value(next));
+  }
+
+  void skip_space() {
+    while (at_ < text_.size() && std::string_view(" \t\r\n").find(text_[at_]) != std::string_view::npos) ++at_;
+  }
+
+  bool accept(char wanted) {
+    skip_space();
+    if (at_ == text_.size() || text_[at_] != wanted) return false;
+    ++at_;
+    return true;
+  }
+
+  int push(ExpressionNode node) {
+    if (nodes_.size() >= kMostNodes) {
+      return fail(at_, fmt::format("expression has more than {} numbers, names and operations", kMostNodes));
+    }
+    nodes_.push_back(node);
+    return static_cast<int>(nodes_.size()) - 1;
+  }
+
+  int push_number(double number) {
+    ExpressionNode node;
+    node.number = number;
+    return push(node);
+  }
+
+  int push_indexed(Kind kind, int index) {
+    ExpressionNode node;
+    node.kind = kind;
+    node.index = index;
+    return push(node);
+  }
+
+  /// The value of another expression, node by node.
+  int push_copy(const std::vector<ExpressionNode>& nodes) {
+    const int first = static_cast<int>(nodes_.size());
+    int last = -1;
+    for (ExpressionNode node : nodes) {
+      for (int* operand : {&node.first, &node.second, &node.third}) *operand += *operand < 0 ? 0 : first;
+      if ((last = push(node)) < 0) return last;
+    }
+    return last;
+  }
+
+  bool is_number(int index) const { return index < 0 || nodes_[static_cast<std::size_t>(index)].kind == Kind::number; }
+  double number_at(int index) const { return index < 0 ? 0 : nodes_[static_cast<std::size_t>(index)].number; }
+
+  /// A call node, or its value when all operands are numbers. Constant operands are the last nodes of the array.
+  int push_call(Function function, std::size_t offset, int first, int second = -1, int third = -1) {
+    ExpressionNode node;
+    node.kind = Kind::call;
+    node.function = function;
+    node.first = first;
+    node.second = second;
+    node.third = third;
+    if (!is_number(first) || !is_number(second) || !is_number(third)) return push(node);
+    const double a = number_at(first), b = number_at(second), c = number_at(third);
+    const double value = function == Function::power ? power_by_constant(a, b) : apply(function, a, b, c);
+    const bool spoiled = std::isnan(a) || std::isnan(b) || std::isnan(c);  // by a parameter that could not be read
+    if (!std::isfinite(value) && !spoiled && problems_.empty()) {
+      fail(offset, std::isnan(value) ? "value is not a number here" : "value is infinite here");
+    }
+    nodes_.resize(nodes_.size() - static_cast<std::size_t>(1 + (second >= 0) + (third >= 0)));
+    return push_number(value);
+  }
+
+  int sum() {
+    if (++depth_ > kMaximumDepth) return fail(at_, "expression is nested too deeply");
+    int value = product();
+    while (value >= 0) {
+      skip_space();
+      const std::size_t offset = at_;
+      const bool plus = accept('+');
+      if (!plus && !accept('-')) break;
+      const int second = product();
+      value = second < 0 ? -1 : push_call(plus ? Function::add : Function::subtract, offset, value, second);
+    }
+    --depth_;
+    return value;
+  }
+
+  int product() {
+    int value = unary();
+    while (value >= 0) {
+      skip_space();
+      const std::size_t offset = at_;
+      const bool times = accept('*');
+      if (!times && !accept('/')) break;
+      const int second = unary();
+      value = second < 0 ? -1 : push_call(times ? Function::multiply : Function::divide, offset, value, second);
+    }
+    return value;
+  }
+
+  int unary() {
+    bool negative = false;
+    skip_space();
+    const std::size_t offset = at_;
+    for (bool more = true; more;) {
+      more = accept('-');
+      if (more) {
+        negative = !negative;
+      } else {
+        more = accept('+');
+      }
+    }
+    const int value = power();
+    return value >= 0 && negative ? push_call(Function::negate, offset, value) : value;
+  }
+
+  int power() {
+    if (++depth_ > kMaximumDepth) return fail(at_, "expression is nested too deeply");
+    int value = atom();
+    skip_space();
+    const std::size_t offset = at_;
+    if (value >= 0 && accept('^')) {
+      const int exponent = unary();
+      value = exponent < 0 ? -1 : push_call(Function::power, offset, value, exponent);
+    }
+    --depth_;
+    return value;
+  }
+
+  int atom() {
+    skip_space();
+    if (at_ == text_.size()) return fail_unexpected();
+    const std::size_t start = at_;
+    if (accept('(')) {
+      const int value = sum();
+      if (value < 0 || accept(')')) return value;
+      return fail_closing(start);
+    }
+    if (is_digit(text_[at_]) || text_[at_] == '.') return number();
+    if (!is_letter(text_[at_])) return fail_unexpected();
+    const std::string_view name = word();
+    if (accept('(')) return call(name, start);
+    if (at_ < text_.size() && text_[at_] == '.') {
+      if (name == "z" || name == "zd") return coordinate(name, start);
+      if (name == "length" || name == "rate") return length(name == "rate" ? Kind::rate : Kind::length, start);
+      if (name == "zdd") return fail_acceleration(start);
+    }
+    return value_of_name(name, start);
+  }
+
+  int fail_closing(std::size_t opened) {
+    skip_space();
+    return fail(at_, fmt::format("')' is missing for the '(' at column {} of the expression", opened + 1));
+  }
+
+  std::string_view word() {
+    const std::size_t start = at_;
+    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+    return text_.substr(start, at_ - start);
+  }
+
+  int number() {
+    double value = 0;
+    const std::string_view rest = text_.substr(at_);
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+    const std::size_t length = static_cast<std::size_t>(end - rest.data());
+    if (error == std::errc::invalid_argument) return fail_unexpected();
+    const std::string_view shown = rest.substr(0, length);
+    if (error == std::errc::result_out_of_range) return fail(at_, "number " + in_quotes(shown) + " is out of range");
+    at_ += length;
+    if (at_ < text_.size() && is_letter(text_[at_])) {
+      const std::size_t offset = at_;
+      const std::string_view next = word();
+      return fail(offset, fmt::format("unexpected {} after number {}", in_quotes(next), shown), hint_after_value(next));
+    }
+    return push_number(value);
+  }
+
+  int call(std::string_view name, std::size_t start) {
+    const NamedFunction* entry = find_function(name);
+    const ReductionName* reduction = find_reduction(scope_, name);
+    if (!entry && !reduction) {
+      std::vector<std::string_view> others;
+      for (const ReductionName& one : scope_.reductions) others.push_back(one.name);
+      return fail(start, "unknown function " + in_quotes(name), hint_of_functions(name, std::move(others)));
+    }
+    const std::size_t first_node = nodes_.size();
+    int arguments[3] = {-1, -1, -1};
+    int count = 0;
+    if (!accept(')')) {
+      do {
+        const int value = sum();
+        if (value < 0) return -1;
+        if (count < 3) arguments[count] = value;
+        ++count;
+      } while (accept(','));
+      if (!accept(')')) return fail_closing(start + name.size());
+    }
+    if (reduction && count == reduction->arity) return push_reduction(*reduction, first_node, arguments[0], start);
+    const int arity = entry ? entry->arity : reduction->arity;
+    if (count != arity) {
+      return fail(start, fmt::format("{} takes {} argument{}, got {}", name, arity, arity == 1 ? "" : "s", count));
+    }
+    return push_call(entry->function, start, arguments[0], arguments[1], arguments[2]);
+  }
+
+  /// Takes the nodes of the arguments, from `first_node` on, into a call of their own. first: node of the first one.
+  int push_reduction(const ReductionName& reduction, std::size_t first_node, int first, std::size_t start) {
+    ReductionCall call;
+    call.reduction = static_cast<int>(&reduction - scope_.reductions.data());
+    auto operand = nodes_.begin() + static_cast<std::ptrdiff_t>(first_node);
+    if (reduction.arity == 2) {
+      if (!is_number(first)) {
+        return fail(start, fmt::format("{} takes a number first, {}(1.5, x)", reduction.name, reduction.name));
+      }
+      call.constant = number_at(first);
+      ++operand;
+    }
+    const int offset = static_cast<int>(operand - nodes_.begin());
+    call.operand.nodes.assign(operand, nodes_.end());
+    for (ExpressionNode& node : call.operand.nodes) {
+      for (int* place : {&node.first, &node.second, &node.third}) *place -= *place < 0 ? 0 : offset;
+    }
+    call.operand.text = std::string(text_.substr(start, at_ - start));
+    nodes_.resize(first_node);
+    reductions_.push_back(std::move(call));
+    return push_indexed(Kind::local, static_cast<int>(scope_.locals.size() + reductions_.size()) - 1);
+  }
+
+  /// A stand-in for a name that was complained about, so that the rest is read, too.
+  int stand_in() { return push_number(1); }
+
+  int forbidden(std::size_t start, const std::string& what) {
+    fail(start, fmt::format("{}, depends on {}", limit_of(scope_.depends), what));
+    return stand_in();
+  }
+
+  int coordinate(std::string_view prefix, std::size_t start) {
+    ++at_;
+    const std::string_view name = word();
+    const std::string shown = fmt::format("{}.{}", prefix, name);
+    const bool is_allowed = scope_.depends == Depends::all || (scope_.depends == Depends::positions && prefix == "z");
+    if (!is_allowed) return forbidden(start, "coordinate " + shown);
+    const CoordinateReference* found = find_coordinate(scope_.names, name, scope_.visible);
+    if (!found) {
+      if (name.empty()) return fail(at_, shown + " needs the name of a coordinate");
+      if (!may_be_unreadable(scope_.names, name)) {
+        const auto& coordinates = scope_.names.coordinates[scope_.visible.front().scope];
+        fail(start, "unknown coordinate " + in_quotes(name), scope_.suggest ? did_you_mean(name, coordinates) : "");
+      }
+      return stand_in();
+    }
+    const auto& reversed = scope_.names.reversed;
+    if (scope_.refuse_reversed && std::find(reversed.begin(), reversed.end(), *found) != reversed.end())
+      fail(start, reversed_message(name), std::string(kReversedHint));
+    ExpressionNode node;
+    node.kind = prefix == "z" ? Kind::position : Kind::velocity;
+    node.coordinate = *found;
+    return push(node);
+  }
+
+  /// Accelerations follow from what expressions say, so that they cannot stand in these.
+  int fail_acceleration(std::size_t start) {
+    ++at_;
+    const std::string_view name = word();
+    fail(start, fmt::format("acceleration zdd.{} cannot stand in an expression: forces and states decide it", name),
+         hint_of_acceleration(name));
+    return stand_in();
+  }
+
+  /// The length of a spring, an air spring or a rod, or its rate.
+  int length(Kind kind, std::size_t start) {
+    ++at_;
+    const std::string_view name = word();
+    if (scope_.depends != Depends::all) return forbidden(start, "length of " + in_quotes(name));
+    FoundLength found = find_length(scope_, name);
+    if (!found.problem.empty()) fail(start, std::move(found.problem), std::move(found.hint));
+    return found.index < 0 ? stand_in() : push_indexed(kind, found.index);
+  }
+
+  int value_of_name(std::string_view name, std::size_t start) {
+    const Names& names = scope_.names;
+    const auto parameter = find_visible(names.parameters, name, scope_.visible);
+    const auto input = find_visible(names.inputs, name, scope_.visible);
+    const auto value = find_visible(names.values, name, scope_.visible);
+    const auto local = std::find(scope_.locals.begin(), scope_.locals.end(), name);
+    if (local != scope_.locals.end()) {
+      if (parameter != names.parameters.end() || input != names.inputs.end()) {
+        fail(start, in_quotes(name) + " is a variable of this expression and also a parameter or input",
+             "rename the parameter or input");
+      } else if (value != names.values.end()) {
+        fail(start, in_quotes(name) + " is a variable of this expression and also a state", "rename the state");
+      }
+      return push_indexed(Kind::local, static_cast<int>(local - scope_.locals.begin()));
+    }
+    if (name == "pi") return push_number(std::numbers::pi);
+    if (name == "t") return scope_.depends < Depends::motion ? forbidden(start, "t") : push_indexed(Kind::time, -1);
+    if (parameter != names.parameters.end()) {
+      const Parameter& found = scope_.parameters[static_cast<std::size_t>(parameter->second)];
+      const bool follows = found.expression >= 0;
+      if (found.at_start) {
+        if (scope_.at_start) return push_indexed(Kind::parameter, parameter->second);
+        fail(start, fmt::format("parameter {} acts at the start only", in_quotes(name)),
+             "use it in velocities of \"initial\" alone, or leave out \"at_start\"");
+        return stand_in();
+      }
+      if (scope_.folds_tunable || (!found.tunable && !follows)) return push_number(found.value);
+      if (scope_.depends < Depends::parameters) {
+        return forbidden(start, follows ? "parameter " + in_quotes(name) + ", which follows from tunable ones"
+                                        : "tunable parameter " + in_quotes(name));
+      }
+      if (follows) return push_copy(scope_.expressions[static_cast<std::size_t>(found.expression)].nodes);
+      return push_indexed(Kind::parameter, parameter->second);
+    }
+    if (input != names.inputs.end()) {
+      if (scope_.depends < Depends::motion) return forbidden(start, "input " + in_quotes(name));
+      return push_indexed(Kind::input, input->second);
+    }
+    if (value != names.values.end()) {
+      if (scope_.depends != Depends::all) return forbidden(start, "state " + in_quotes(name));
+      return push_indexed(Kind::state, value->second);
+    }
+    fail(start, "unknown name " + in_quotes(name) + " in expression", hint_of_unknown_name(scope_, name));
+    return stand_in();
+  }
+
+  std::string_view text_;
+  const ExpressionScope& scope_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+  std::vector<ExpressionNode> nodes_;
+  std::vector<ExpressionProblem> problems_;
+  std::vector<ReductionCall> reductions_;
+};
+
+}  // namespace
+
+ParsedExpression parse_expression(std::string_view text, const ExpressionScope& scope) {
+  return ExpressionParser(text, scope).run();
+}
+
+}  // namespace mbgen::reading

@@ -1,0 +1,55 @@
+#pragma once
+// Bristles of frictions at a state: how fast their parts slide, and how far they bend before they do.
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "compiler/formulation/elements/applied_forces.hpp"
+
+namespace mbgen {
+
+/// Parts that are slower on each other stand, rad/s or m/s.
+inline constexpr double kSlides = 1e-9;
+
+/// Bristles of one friction, rad or m where it is on a coordinate, m along a spring.
+struct BristleEnd {
+  std::string name;      ///< of the friction
+  double rate = 0;       ///< of the parts on each other, per second
+  double end = 0;        ///< deflection of steady sliding at that rate, 0 where the friction has no limit
+  double holds = 0;      ///< the same of parts that do not move: what stiction holds
+  double stiffness = 0;  ///< N m/rad or N/m, per N of what presses
+  double damping = 0;    ///< N m s/rad or N s/m, per N of what presses
+  double lag = 0;        ///< s
+  bool has_limit() const { return end > 0; }
+  bool slides() const { return std::abs(rate) > kSlides; }
+};
+
+/// All bristles of a model, in the order of their states. Requires: `system` has the state's auxiliary states.
+/// Ensures: expressions see the state's lengths.
+inline std::vector<BristleEnd> bristle_ends(System<double>& system, const Kinematics<double>& k,
+                                            const Velocities<double>& v) {
+  see_states_and_lengths(system, k, v);
+  std::vector<BristleEnd> ends;
+  const auto add = [&](const FrictionLaw& friction, const std::string& name, double rate) {
+    if (!friction.has_bristle()) return;
+    const auto value = [&](const Quantity& q) { return value_of(system.model, q, system.environment); };
+    const Bristles<double> bristles{value(friction.coulomb),           value(friction.stiction),
+                                    value(friction.stribeck_velocity), value(friction.stiffness),
+                                    value(friction.damping),           *friction.lag};
+    const auto end_at = [&](double speed) {
+      const double end = largest_deflection(bristles, speed);
+      return end > kLeastBristle ? end : 0.0;
+    };
+    ends.push_back({name, rate, end_at(rate), end_at(0.0), bristles.stiffness, bristles.damping, bristles.lag});
+  };
+  for (const JointFriction& friction : system.model.frictions)
+    add(friction, friction.name, system.environment.velocity(friction.joint));
+  for (const SpringFriction& friction : system.model.spring_frictions) {
+    const PointSpring& spring = system.model.springs[static_cast<std::size_t>(friction.spring)];
+    add(friction, friction.name, detail::line_between(system, k, v, spring.from, spring.to).rate);
+  }
+  return ends;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,239 @@
+#pragma once
+// Common parts of the force elements: their results, their view of the system, characteristics, and forces put on
+// bodies.
+
+#include <functional>
+#include <optional>
+#include <type_traits>
+
+#include "compiler/expressions/curve.hpp"
+#include "compiler/formulation/elements/wheel_contact.hpp"
+#include "compiler/formulation/motion.hpp"
+
+namespace mbgen {
+
+/// Length, its rate and the tension of an element between two points.
+template <class T>
+struct ElementState {
+  T length{0.0}, rate{0.0}, force{0.0};  ///< m, m/s, N (tension positive)
+};
+
+/// A bushing's deflection and what acts on its `to` body at the point of `to`, in its axes on `from`, counted as its
+/// freedoms are.
+template <class T>
+struct BushingState {
+  Vector<T> deflection, rotation;  ///< m, rad
+  Vector<T> force, moment;         ///< N, N m
+};
+
+/// A bump stop's way beyond its clearance, the rate of that and the force against it.
+template <class T>
+struct BumpStopState {
+  T penetration{0.0}, rate{0.0}, force{0.0};  ///< m or rad, per second, N or N m
+};
+
+/// One force element's force and moment on one body of the model, in the frame that carries the body.
+template <class T>
+struct Action {
+  int body = -1;            ///< index into Model::bodies
+  Vector<T> force, moment;  ///< N, N m
+  Vector<T> point;          ///< of the force, m, from the point of AppliedForces::about
+  int element = -1;         ///< see element_in_hand
+};
+
+/// One force element's generalised force on a coordinate.
+template <class T>
+struct JointAction {
+  int coordinate = -1;
+  T force{0.0};      ///< N or N m
+  int element = -1;  ///< see element_in_hand
+};
+
+template <class T>
+struct AppliedForces {
+  std::vector<Spatial<T>> wrench;             ///< per body, in the axes of the frame that carries it
+  std::vector<T> joint;                       ///< per coordinate, N or N m
+  std::vector<Action<T>> actions;             ///< terms of the sum `wrench`, and actions on bodies fixed to ground
+  std::vector<JointAction<T>> joint_actions;  ///< terms of the sum `joint`
+  std::vector<T> xd;                          ///< rates of the auxiliary states
+  std::vector<ElementState<T>> springs, air_springs;
+  std::vector<TyreResult<T>> tyres;  ///< zero where a law is shared
+  std::vector<BushingState<T>> bushings;
+  std::vector<BumpStopState<T>> bump_stops;
+  MotionPoint about = MotionPoint::frame_origin;  ///< point of the body that wrenches are about
+};
+
+namespace detail {
+
+/// The forces of a tyre (index into Model::tyres) by a law that several share, none where it shares none.
+template <class T>
+using SharedTyreLaw =
+    std::function<std::optional<WheelForces<T>>(std::size_t tyre, const TyreProperties<T>&, const WheelMotion<T>&)>;
+
+/// State that the force elements read, and sums that they add to.
+template <class T>
+struct ForceWork {
+  System<T>& system;
+  const Kinematics<T>& k;
+  const Velocities<T>& v;
+  AppliedForces<T>& forces;
+  SharedTyreLaw<T> shared_law = {};  ///< where tyres share one
+  /// What expressions of laws over Slopes see moving, with a derivative of one; null for nothing.
+  const ExpressionNode* moved = nullptr;
+  T value(const Quantity& q) const { return value_of(system.model, q, system.environment); }
+  /// The value of an element's field, named <meaning>_<element>.
+  T value(const Quantity& q, const char* meaning, const std::string& element) const {
+    T result = value(q);
+    system.scribe.constant(result, meaning, "_", element);
+    return result;
+  }
+  Place<T> place(const Attachment& at) const { return place_of(system, at); }
+};
+
+/// An environment of T for an expression over A: everything stands still but the locals and one of what it looks at.
+template <class T, class A>
+struct MovedEnvironment {
+  const Environment<T>& environment;
+  std::vector<A> locals = {};
+  const ExpressionNode* moved = nullptr;  ///< that whose derivative is one, null for none
+
+  A parameter(int i) const { return A(environment.parameter(i)); }
+  A input(int i) const { return A(environment.input(i)); }
+  A time() const { return A(environment.time()); }
+  A position(const CoordinateReference& c) const {
+    return seen(environment.position(c), moves(ExpressionNode::Kind::position) && moved->coordinate == c);
+  }
+  A velocity(const CoordinateReference& c) const {
+    return seen(environment.velocity(c), moves(ExpressionNode::Kind::velocity) && moved->coordinate == c);
+  }
+  A local(int i) const { return locals[i]; }
+  A state(int i) const { return seen(environment.state(i), moves(ExpressionNode::Kind::state) && moved->index == i); }
+  A length(int i) const {
+    return seen(environment.length(i), moves(ExpressionNode::Kind::length) && moved->index == i);
+  }
+  A rate(int i) const { return seen(environment.rate(i), moves(ExpressionNode::Kind::rate) && moved->index == i); }
+
+ private:
+  bool moves(ExpressionNode::Kind kind) const { return moved != nullptr && moved->kind == kind; }
+  A seen(const T& value, bool is_moved) const { return is_moved ? A(value, T(1.0)) : A(value); }
+};
+
+/// The value of an element's field over A: T, or Slope<T> where the law is differentiated.
+template <class A, class T>
+A number(const ForceWork<T>& work, const Quantity& q, const char* meaning, const std::string& element) {
+  if constexpr (!std::is_same_v<T, A>)
+    if (work.moved != nullptr && q.expression >= 0)
+      return evaluate<A>(work.system.model.expressions[q.expression],
+                         MovedEnvironment<T, A>{work.system.environment, {}, work.moved});
+  return A(work.value(q, meaning, element));
+}
+
+/// Value of a characteristic at an argument: factor times argument, or a table. The factor is named
+/// <meaning>_<element>. A: T, or Slope<T> where the law is differentiated, as in the functions that follow.
+template <class T, class A>
+A law(const ForceWork<T>& work, const Law& law, const A& argument, const char* meaning, const std::string& element) {
+  if (const Quantity* factor = std::get_if<Quantity>(&law))
+    return number<A>(work, *factor, meaning, element) * argument;
+  return value_along(std::get<Table>(law), argument);
+}
+
+template <class T, class A>
+A law(const ForceWork<T>& work, const std::optional<Law>& optional, const A& argument, const char* meaning,
+      const std::string& element) {
+  return optional ? law(work, *optional, argument, meaning, element) : A(0.0);
+}
+
+/// An expression with two local variables.
+template <class T, class A>
+A with_locals(const ForceWork<T>& work, int expression, const A& first, const A& second) {
+  const Expression& of_model = work.system.model.expressions[expression];
+  if constexpr (std::is_same_v<T, A>) {
+    Environment<T> environment = work.system.environment;
+    environment.locals = {first, second};
+    return evaluate<T>(of_model, environment);
+  } else {
+    return evaluate<A>(of_model, MovedEnvironment<T, A>{work.system.environment, {first, second}, work.moved});
+  }
+}
+
+/// A number that actions of one element share, where numbers are worked with; 0 for symbols, whose powers nobody tells
+/// apart.
+template <class T>
+int element_in_hand(const ForceWork<T>& work) {
+  if constexpr (requires { work.system.scribe.parts; }) {
+    return static_cast<int>(work.system.scribe.parts);
+  } else {
+    return 0;
+  }
+}
+
+/// Adds a force and a moment on a body of the model.
+template <class T>
+void act(ForceWork<T>& work, const Action<T>& action) {
+  work.forces.actions.push_back(action);
+  work.forces.actions.back().element = element_in_hand(work);
+  const int body = work.system.topology.tree_body[action.body];
+  if (body == kGround) return;
+  Spatial<T>& wrench = work.forces.wrench[body];
+  wrench = wrench + force_at(action.force, action.point);
+  wrench.angular = wrench.angular + action.moment;
+}
+
+/// Adds a generalised force on a coordinate.
+template <class T>
+void add_joint_force(ForceWork<T>& work, const CoordinateReference& reference, const T& force) {
+  const int i = tree_coordinate(work.system.topology, reference);
+  if (i < 0) return;
+  work.forces.joint[i] = work.forces.joint[i] + force;
+  work.forces.joint_actions.push_back({i, force, element_in_hand(work)});
+}
+
+/// Adds a force at a place of a body, given in the axes of a frame at or below the place's.
+template <class T>
+void apply_force(ForceWork<T>& work, int model_body, const Place<T>& place, const Vector<T>& force, int frame) {
+  const int carrier = work.system.layout.frame_of(place.body);
+  act(work, {model_body,
+             direction_up(work.system, work.k, frame, force, carrier),
+             {},
+             arm_of(work.system, work.k, place, work.forces.about)});
+}
+
+/// The line between two places, in the axes of a frame.
+template <class T>
+struct Line {
+  Place<T> from, to;
+  int frame = kGround;
+  Vector<T> gap;         ///< m
+  T length, reciprocal;  ///< m, 1/m
+  T rate;                ///< of the length, m/s
+};
+
+template <class T>
+Line<T> line_between(const System<T>& system, const Kinematics<T>& k, const Velocities<T>& v, const Attachment& from,
+                     const Attachment& to) {
+  const Place<T> a = place_of(system, from), b = place_of(system, to);
+  const int frame = common_frame(system, a.body, b.body);
+  const Vector<T> gap = position_in(system, k, b, frame) - position_in(system, k, a, frame);
+  const Vector<T> gap_rate = velocity_in(system, k, v, b, frame) - velocity_in(system, k, v, a, frame);
+  const T length = norm(gap);
+  const T reciprocal = T(1.0) / length;
+  return {a, b, frame, gap, length, reciprocal, dot(gap, gap_rate) * reciprocal};
+}
+
+/// Two places joined by a line element; `tension` gives its force from length and rate.
+template <class T, class Tension>
+ElementState<T> line_element(ForceWork<T>& work, const Attachment& from, const Attachment& to, const Tension& tension) {
+  const Line<T> line = line_between(work.system, work.k, work.v, from, to);
+  ElementState<T> state;
+  state.length = line.length;
+  state.rate = line.rate;
+  const T reference = reference_distance(work.system.topology, work.system.constants, to, line.to, from, line.from);
+  state.force = tension(state.length, state.rate, reference);
+  const Vector<T> force = (state.force * line.reciprocal) * line.gap;
+  apply_force(work, from.body, line.from, force, line.frame);
+  apply_force(work, to.body, line.to, -force, line.frame);
+  return state;
+}
+
+}  // namespace detail
+}  // namespace mbgen

@@ -1,0 +1,89 @@
+#pragma once
+// States of the user's own: what expressions see of them and of the lengths of springs, and their rates.
+
+#include <cstddef>
+#include <set>
+
+#include "compiler/formulation/elements/force_work.hpp"
+#include "compiler/model/auxiliary_states.hpp"
+
+namespace mbgen {
+namespace detail {
+
+/// Of springs, air springs and rods, those whose length or rate an expression of the model looks at.
+inline std::set<int> lengths_looked_at(const Model& model) {
+  using Kind = ExpressionNode::Kind;
+  std::set<int> looked_at;
+  for (const Expression& expression : model.expressions)
+    for (const ExpressionNode& node : expression.nodes)
+      if (node.kind == Kind::length || node.kind == Kind::rate) looked_at.insert(node.index);
+  return looked_at;
+}
+
+}  // namespace detail
+
+/// Gives expressions the states of the user's own, the sampled values, and those lengths that one looks at.
+template <class T>
+void see_states_and_lengths(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v) {
+  const Model& model = system.model;
+  Environment<T>& environment = system.environment;
+  environment.states.assign(system.x.begin() + first_user_state(model), system.x.end());
+  const std::set<int> looked_at = detail::lengths_looked_at(model);
+  environment.lengths.assign(model.springs.size() + model.air_springs.size() + model.rods.size(), T(0.0));
+  environment.rates = environment.lengths;
+  const auto see = [&](int element, const Attachment& from, const Attachment& to) {
+    if (!looked_at.contains(element)) return;
+    const detail::Line<T> line = detail::line_between(system, k, v, from, to);
+    environment.lengths[element] = line.length;
+    environment.rates[element] = line.rate;
+  };
+  int element = 0;
+  for (const PointSpring& spring : model.springs) see(element++, spring.from, spring.to);
+  for (const AirSpring& spring : model.air_springs) see(element++, spring.from, spring.to);
+  for (const Rod& rod : model.rods) see(element++, rod.from, rod.to);
+}
+
+namespace detail {
+
+/// Rates of the states of the user's own.
+template <class T>
+void user_states(ForceWork<T>& work) {
+  const Model& model = work.system.model;
+  std::size_t place = static_cast<std::size_t>(first_user_state(model));
+  for (const UserState& state : model.states) {
+    const auto heading = work.system.scribe.within(OwnerKind::state, index_in(model.states, state));
+    T rate = work.value(state.derivative);
+    work.system.scribe.name(rate, "rate_", state.name);
+    work.forces.xd[place++] = rate;
+  }
+}
+
+}  // namespace detail
+
+/// The auxiliary states that hold between instants, as they are after those of `due` are set. due: per sampled value,
+/// 1 where its instant is now, else 0; loads: see reaction_loads, none where no value is a load.
+/// Requires: see_states_and_lengths.
+template <class T>
+std::vector<T> sampled_states(System<T>& system, const std::vector<T>& due, const std::vector<T>& loads) {
+  using mbgen::select;
+  const Model& model = system.model;
+  const auto first_value = static_cast<std::size_t>(model.states.size());
+  std::vector<T>& seen = system.environment.states;
+  std::size_t waiting = first_value + model.sampled.size();
+  for (std::size_t i = 0; i < model.sampled.size(); ++i) {
+    const SampledValue& sampled = model.sampled[i];
+    const auto heading = system.scribe.within(OwnerKind::sampled, i);
+    const T is_due = due[i] - T(0.5);
+    // The last of those that wait is the next to take effect, and each moves up.
+    T next = sampled.load ? loads[i] : value_of(model, sampled.value, system.environment);
+    for (int k = 0; k < sampled.delay; ++k, ++waiting) {
+      const T before = seen[waiting];
+      seen[waiting] = select(is_due, next, before);
+      next = before;
+    }
+    seen[first_value + i] = select(is_due, next, seen[first_value + i]);
+  }
+  return {seen.begin() + static_cast<std::ptrdiff_t>(first_value), seen.end()};
+}
+
+}  // namespace mbgen

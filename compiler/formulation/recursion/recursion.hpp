@@ -1,0 +1,375 @@
+#pragma once
+// The recursive form: the same equations as the matrix form (63), with each loop block and each run of joints
+// eliminated from the leaves to the root into the 6x6 inertia of its base body. Quasi-velocities inside, joint
+// accelerations at the doors. Source: docs/method/recursive.md; R. Featherstone, Rigid Body Dynamics Algorithms, 2008,
+// chapter 7 (articulated bodies), extended by the loop blocks' Rz (61).
+
+#include "compiler/formulation/recursion/recursion_gathering.hpp"
+
+namespace mbgen {
+namespace detail {
+
+/// A loop block: (63) of its free directions, solved for the acceleration of its base.
+template <class T>
+void eliminate_block(RecursionState<T>& s, std::size_t u) {
+  const RecursionUnit& unit = s.units()[u];
+  UnitEquations<T>& equations = s.equations[u];
+  CompositeBody<T> base = gather_block(s, u);
+  eliminate(equations, inertia_left_by_rounding(s.system().constants));
+  if (unit.base == kGround) return;
+  reduce(equations, base.reduced, base.needed);
+  CompositeBody<T>& below = s.composite[unit.base];
+  below.rigid = below.rigid + base.rigid;
+  below.above = below.above + base.above;
+  below.reduced = below.reduced + base.reduced;
+  below.needed = below.needed + base.needed;
+}
+
+/// A run of joints: the articulated inertia of its end, handed down to its base.
+template <class T>
+void eliminate_run(RecursionState<T>& s, std::size_t u) {
+  const RecursionUnit& unit = s.units()[u];
+  if (is_arm_run(s, unit)) {
+    eliminate_arm_run(s, u);
+    return;
+  }
+  UnitEquations<T>& equations = s.equations[u];
+  ArticulatedInertia<T> inertia;
+  Spatial<T> needed;
+  if (is_free(unit)) {
+    gather_free(s, u, equations, needed);
+    eliminate(equations);
+    hand_down(s, u, {}, needed);
+    return;
+  }
+  gather_run(s, u, equations, inertia, needed);
+  eliminate(equations);
+  reduce(equations, inertia, needed);
+  clear_directions(s.runs[u].directions, inertia);
+  hand_down(s, u, inertia, needed);
+}
+
+/// A rotor spins freely on its base, which holds its inertia across the axis and its mass.
+template <class T>
+void eliminate_rotor(RecursionState<T>& s, std::size_t u, const AppliedForces<T>& forces) {
+  const RecursionUnit& unit = s.units()[u];
+  const int w = unit.end();
+  const Vector<T>& axis = s.k().axis[w];
+  UnitEquations<T>& equations = s.equations[u];
+  const T* driven = s.driven(w);
+  const T applied = dot(axis, forces.wrench[w].angular);
+  CompositeBody<T>& base = s.composite[unit.base];
+  base.needed = base.needed - shifted(offset_from_parent(s.system(), s.k(), w), forces.wrench[w]);
+  const Vector<T> omega = s.omega[unit.base];
+  const T spin = dot(axis, omega) + s.system().zd(w);
+  base.needed.angular = base.needed.angular + (s.polar[w] * spin) * cross(omega, axis);
+  if (driven) {  // its spin acceleration is that of the base and the prescribed one
+    const Vector<T> along = s.polar[w] * axis;
+    base.reduced.angular = base.reduced.angular + square(s.polar[w], axis);
+    base.needed.angular = base.needed.angular + *driven * along;
+    return;
+  }
+  const T force = s.force[w] + applied;
+  base.needed.angular = base.needed.angular + force * axis;
+  equations.mass = {{s.polar[w]}};
+  equations.momentum = {{}};
+  equations.force = {force};
+  eliminate(equations);
+}
+
+/// Motion of a unit's base, and of the frame about the base's origin.
+template <class T>
+Spatial<T> base_acceleration(const RecursionState<T>& s, int base) {
+  return base == kGround ? Spatial<T>{-s.system().constants.gravity, {}} : s.acceleration[base];
+}
+
+/// Quasi-accelerations of a step.
+template <class T>
+Vector<T> quasi_of(const JointStep& step, const std::vector<T>& values) {
+  return {values[step.joints[0]], values[step.joints[1]], values[step.joints[2]]};
+}
+
+/// Inertias of a unit's free directions. Where the joint rates of its balls are singular the monitor falls, of its
+/// block or of the middle joint's direction.
+template <class T>
+void watch_unit(const RecursionState<T>& s, std::size_t u, RecursiveSolution<T>& solution) {
+  using std::abs;
+  using std::min;
+  const RecursionUnit& unit = s.units()[u];
+  std::vector<DirectionInertia<T>> found;
+  for (std::size_t q = 0; q < s.equations[u].size(); ++q) {
+    const int column = unit.rotor ? unit.end() : unit.block < 0 ? s.runs[u].columns[q] : static_cast<int>(q);
+    found.push_back({unit.block, column, s.equations[u].inertia[q]});
+  }
+  for (const JointStep& step : unit.steps) {
+    if (!step.quasi() || !step.revolute) continue;
+    const T& volume = s.work.quasi[step.body()].volume;
+    if (unit.block >= 0) {
+      T& quality = solution.quality[unit.block];
+      quality = min(quality, abs(volume));
+    } else {
+      for (DirectionInertia<T>& d : found)
+        if (d.place == step.joints[1]) d.value = min(d.value, volume * volume - T(1e-12));
+    }
+  }
+  solution.inertia.insert(solution.inertia.end(), found.begin(), found.end());
+}
+
+/// A loop block on the way back: joint accelerations (62), and those of its bodies (37).
+template <class T>
+void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
+  const System<T>& system = s.system();
+  const RecursionUnit& unit = s.units()[u];
+  const BlockParts<T>& parts = s.blocks[u];
+  const bool grounded = unit.base == kGround;
+  const Spatial<T> base = grounded ? Spatial<T>{} : base_acceleration(s, unit.base);
+  const std::vector<T> free = free_accelerations(s.equations[u], base);
+  std::vector<T> local = parts.zdd_star;
+  const std::vector<std::vector<T>>& rz = parts.chosen ? parts.chosen->rz : parts.rz;
+  if (parts.chosen) local = parts.chosen->zdd_star;
+  for (std::size_t c = 0; c < local.size(); ++c)
+    for (std::size_t q = 0; q < free.size(); ++q) local[c] = local[c] + rz[c][q] * free[q];
+  for (std::size_t c = 0; c < local.size(); ++c) zdd[unit.joints[c]] = local[c];
+  if (parts.chosen) local = quasi_accelerations(s.work, unit, parts.velocity, local);
+  const PerBody<Spatial<T>> moved = block_motion(s.work, unit, per_joint(unit, local));
+  const Vector<T> turning = s.omega_of(unit.base), twice = turning + turning;
+  const Matrix<T> base_gradient = acceleration_gradient(turning, base.angular);
+  for (const JointStep& step : unit.steps) {
+    const int i = step.body(), p = s.work.parent(step);
+    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
+    if (step.quasi() && !parts.chosen) {
+      set_joint_accelerations(s.work, step, p == unit.base ? Vector<T>{} : parts.velocity[p].angular,
+                              quasi_of(step, zdd), zdd);
+    }
+    const Spatial<T>& v = parts.velocity[i];
+    Spatial<T> a = moved[i];
+    a.linear =
+        a.linear + parts.bias[i].linear + base.linear + base_gradient * s.k().position[i] + cross(twice, v.linear);
+    a.angular = a.angular + parts.bias[i].angular + base.angular + cross(turning, v.angular);
+    if (grounded) a.linear = a.linear - system.constants.gravity;
+    if (s.work.own(i))
+      a = {transposed_times(s.k().orientation[i], a.linear), transposed_times(s.k().orientation[i], a.angular)};
+    name(system.scribe, a.linear, "a_", system.body_name(i));
+    name(system.scribe, a.angular, "alpha_", system.body_name(i));
+    s.acceleration[i] = a;
+  }
+}
+
+/// A run of joints on the way back: accelerations of its end (37) and of its joints.
+template <class T>
+void solve_run(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
+  const RecursionUnit& unit = s.units()[u];
+  const RunParts<T>& run = s.runs[u];
+  const int e = unit.end();
+  const Matrix<T>& axes = s.k().orientation[e];
+  const Spatial<T> below = base_acceleration(s, unit.base);
+  const Spatial<T> base{transposed_times(axes, velocity_at(below, s.from_base(unit, e)) + run.carried),
+                        transposed_times(axes, below.angular)};
+  std::vector<T> free = is_arm_run(s, unit) ? free_accelerations(s.equations[u], below)
+                        : is_free(unit)     ? free_accelerations(s.equations[u], base)
+                                            : free_accelerations(s.equations[u], run.directions, base);
+  Spatial<T>& a = s.acceleration[e];
+  if (is_free(unit)) {
+    const std::vector<Spatial<T>> units = unit_motions<T>(unit);
+    for (std::size_t q = 0; q < free.size(); ++q) a = a + free[q] * units[q];
+    const Spatial<T> left = a - base - run.bias;
+    const bool turns_first = unit.steps[0].revolute;
+    const Vector<T>& pin = s.k().pin[(turns_first ? unit.steps[0] : unit.steps[1]).joints[0]];
+    const Vector<T> push = left.linear - cross(pin, left.angular);
+    const Vector<T>& first = turns_first ? left.angular : push;
+    const Vector<T>& second = turns_first ? push : left.angular;
+    free = {first.x, first.y, first.z, second.x, second.y, second.z};
+  } else {
+    a = base + run.bias;
+    for (std::size_t q = 0; q < free.size(); ++q) a = a + free[q] * run.directions[q];
+  }
+  name(s.system().scribe, a.linear, "a_", s.system().body_name(e));
+  name(s.system().scribe, a.angular, "alpha_", s.system().body_name(e));
+  for (int j : unit.joints)
+    if (const T* driven = s.driven(j)) zdd[j] = *driven;
+  for (std::size_t q = 0; q < free.size(); ++q) zdd[run.columns[q]] = free[q];
+  Vector<T> turning = run.before;
+  for (const JointStep& step : unit.steps) {
+    if (step.quasi()) set_joint_accelerations(s.work, step, turning, quasi_of(step, zdd), zdd);
+    turning = turning + step_motion(s.work, step, s.velocity).angular;
+  }
+}
+
+/// A rotor on the way back: its equation less the angular acceleration of its base.
+template <class T>
+void solve_rotor(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
+  const RecursionUnit& unit = s.units()[u];
+  const int w = unit.end();
+  if (const T* driven = s.driven(w)) {
+    zdd[w] = *driven;
+    return;
+  }
+  const UnitEquations<T>& e = s.equations[u];
+  zdd[w] = e.force[0] * e.reciprocal[0] - dot(s.k().axis[w], s.acceleration[unit.base].angular);
+}
+
+/// Names the pivot of a unit's free direction after the direction's joint.
+template <class T>
+void name_pivot(const RecursionState<T>& s, std::size_t u, std::size_t direction, int joint) {
+  s.system().scribe.name(s.equations[u].mass[direction][direction], "pivot_",
+                         s.system().topology.bodies[joint].coordinate);
+}
+
+/// Adds a unit's own inertia and applied forces to the shares that the units above have left on its bodies.
+template <class T>
+void add_own_parts(RecursionState<T>& s, const RecursionUnit& unit, const AppliedForces<T>& forces) {
+  for (const JointStep& step : unit.steps) {
+    const int i = step.body();
+    if (unit.block < 0 && i != unit.end()) continue;
+    const auto heading = s.system().scribe.within(OwnerKind::tree_body, i);
+    CompositeBody<T>& c = s.composite[i];
+    c.rigid = c.rigid + (s.work.own(i) ? s.constant[i] : s.in_base_axes(i, s.constant[i]));
+    c.needed = c.needed - forces.wrench[i];
+  }
+}
+
+/// A block as its frozen partition solves it (steps 2, 3 and 6).
+template <class T>
+void project_block(RecursionState<T>& s, std::size_t u, const LoopPartition& partition, T& quality) {
+  const RecursionUnit& unit = s.units()[u];
+  Scribe<T>& scribe = s.system().scribe;
+  BlockParts<T>& parts = s.blocks[u];
+  {
+    const auto step = scribe.step(Step::jacobian, unit.block);
+    const SparseClosure<T> closed =
+        quasi_closure(s.work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit));
+    parts.factors = factorise_frozen(closed.jacobian, partition, unit.joints.size());
+    name_pivots(s.system(), s.system().topology.blocks[unit.block], partition, parts.factors);
+    quality = parts.factors.quality;
+  }
+  {
+    const auto step = scribe.step(Step::projection, unit.block);
+    parts.rz = frozen_rz(parts.factors, partition, unit.joints.size());
+    name_rz(s.system(), unit.joints, parts.rz);
+  }
+  const auto step = scribe.step(Step::closure_bias, unit.block);
+  set_block_bias(s, u, partition);
+}
+
+/// A block with a projection over joint rates that was chosen at run time: the same over quasi-velocities.
+template <class T>
+void project_block(RecursionState<T>& s, std::size_t u, const GroupProjection<T>& chosen, T&) {
+  const RecursionUnit& unit = s.units()[u];
+  BlockParts<T>& parts = s.blocks[u];
+  parts.chosen = &chosen;
+  {
+    const auto step = s.system().scribe.step(Step::projection, unit.block);
+    parts.rz = quasi_projection(s.work, unit, chosen.rz);
+  }
+  const auto step = s.system().scribe.step(Step::closure_bias, unit.block);
+  parts.bias = block_bias(s.work, unit, parts.velocity);
+  parts.zdd_star = quasi_accelerations(s.work, unit, parts.velocity, chosen.zdd_star);
+}
+
+/// Steps 2, 3, 6, 7 and 8 of a loop block.
+template <class T>
+void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>& forces,
+                     const BlockProjection<T>& projection, T& quality) {
+  const RecursionUnit& unit = s.units()[u];
+  Scribe<T>& scribe = s.system().scribe;
+  std::visit([&](const auto& of_block) { project_block(s, u, of_block, quality); }, projection);
+  {
+    const auto step = scribe.step(Step::accelerations, unit.block);
+    add_own_parts(s, unit, forces);
+  }
+  const auto step = scribe.step(Step::reduced_system, unit.block);
+  eliminate_block(s, u);
+  if (const LoopPartition* frozen = std::get_if<LoopPartition>(&projection))
+    for (std::size_t q = 0; q < frozen->independent.size(); ++q)
+      name_pivot(s, u, q, unit.joints[frozen->independent[q]]);
+}
+
+/// The way to the root (steps 2 to 8).
+template <class T>
+void eliminate_units(RecursionState<T>& s, const AppliedForces<T>& forces,
+                     const std::vector<BlockProjection<T>>& projections, RecursiveSolution<T>& solution) {
+  Scribe<T>& scribe = s.system().scribe;
+  for (std::size_t u = s.units().size(); u-- > 0;) {
+    const RecursionUnit& unit = s.units()[u];
+    if (unit.block >= 0) {
+      eliminate_block(s, u, forces, projections[unit.block], solution.quality[unit.block]);
+      continue;
+    }
+    const auto step = scribe.step(Step::reduced_system);
+    const auto heading = scribe.within(OwnerKind::tree_body, unit.end());
+    if (unit.rotor) {
+      eliminate_rotor(s, u, forces);
+      continue;
+    }
+    set_run_bias(s, u);
+    add_own_parts(s, unit, forces);
+    eliminate_run(s, u);
+    for (std::size_t q = 0; q < s.equations[u].size(); ++q) name_pivot(s, u, q, s.runs[u].columns[q]);
+  }
+}
+
+/// The way back to the leaves (step 9).
+template <class T>
+void solve_units(RecursionState<T>& s, RecursiveSolution<T>& solution) {
+  const System<T>& system = s.system();
+  const auto step = system.scribe.step(Step::solution);
+  solution.zdd.assign(system.topology.bodies.size(), T(0.0));
+  for (std::size_t u = 0; u < s.units().size(); ++u) {
+    const RecursionUnit& unit = s.units()[u];
+    const auto heading = system.scribe.within(OwnerKind::tree_body, unit.end());
+    if (unit.rotor)
+      solve_rotor(s, u, solution.zdd);
+    else if (unit.block >= 0)
+      solve_block(s, u, solution.zdd);
+    else
+      solve_run(s, u, solution.zdd);
+    watch_unit(s, u, solution);
+  }
+}
+
+}  // namespace detail
+
+/// All joint accelerations by the recursive form. projections: per block. forces: applied, about the
+/// bodies' origins, without tau.
+/// Cost: linear in bodies, quadratic in the free directions of one unit.
+template <class T>
+RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion& recursion, const Kinematics<T>& k,
+                                             const AppliedForces<T>& forces, const std::vector<Drive<T>>& drives,
+                                             const std::vector<T>& tau,
+                                             const std::vector<BlockProjection<T>>& projections) {
+  const std::size_t n = system.topology.bodies.size(), units = recursion.units.size();
+  const RecursionWork<T> work = recursion_work(system, recursion, k);
+  detail::RecursionState<T> s{work, drives, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  s.blocks.resize(units);
+  s.runs.resize(units);
+  s.equations.resize(units);
+  s.acceleration.resize(n);
+  s.composite.resize(n);
+  RecursiveSolution<T> solution;
+  solution.quality.assign(system.topology.blocks.size(), T(1.0));
+  {
+    const auto step = system.scribe.step(Step::inertias);
+    detail::set_constants(s);
+  }
+  {
+    const auto step = system.scribe.step(Step::velocities);
+    detail::set_velocities(s);
+  }
+  {
+    const auto step = system.scribe.step(Step::accelerations);
+    s.force = tau;
+    for (std::size_t i = 0; i < n; ++i) s.force[i] = s.force[i] + forces.joint[i];
+    s.force = quasi_forces(work, s.force);
+  }
+  detail::eliminate_units(s, forces, projections, solution);
+  detail::solve_units(s, solution);
+  return solution;
+}
+
+/// Jacobian of a block by (quasi-)velocities at the present position, for choosing its partition.
+template <class T>
+std::vector<SparseRow<T>> quasi_jacobian(const RecursionWork<T>& work, const RecursionUnit& unit) {
+  return quasi_closure(work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit)).jacobian;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,31 @@
+#pragma once
+// Hardpoints: positions with names of their own, defined once and used by any body, joint, pose or instance. A body
+// gets a point at a hardpoint where something names it there: "arm.lower_ball".
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/expressions/names.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/text/document.hpp"
+
+namespace mbgen::reading {
+
+struct Hardpoint {
+  std::string name;          ///< in the model
+  std::size_t scope = 0;     ///< that defines it
+  Place place;               ///< of its key
+  Vector3Quantity position;  ///< m, axes of its scope, reference configuration
+  bool is_used = false;
+};
+
+struct Hardpoints {
+  std::vector<Hardpoint> list;
+  NameMap<int> names;  ///< as the model knows them
+  /// Body and hardpoint -> the point of the body that stands there, index into Body::points.
+  std::map<std::pair<int, int>, int> points;
+};
+
+}  // namespace mbgen::reading

@@ -1,0 +1,293 @@
+// Readers of values that refer to other elements or hold a structure of their own: attachments, coordinates, tables,
+// poses.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/expressions/curve.hpp"
+#include "compiler/expressions/table_pieces.hpp"
+#include "compiler/reader/csv_table.hpp"
+#include "compiler/reader/positions.hpp"
+#include "compiler/reader/raw.hpp"
+#include "compiler/reader/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+Matrix3 identity() { return {1, 0, 0, 0, 1, 0, 0, 0, 1}; }
+
+/// Rotation by `angle` about a unit axis (Rodrigues).
+Matrix3 rotation_about(const Vector3& axis, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  const auto [x, y, z] = axis;
+  const double d = 1 - c;
+  return {c + x * x * d,     x * y * d - z * s, x * z * d + y * s,  //
+          y * x * d + z * s, c + y * y * d,     y * z * d - x * s,  //
+          z * x * d - y * s, z * y * d + x * s, c + z * z * d};
+}
+
+/// Points stand in the model or in a file, and columns belong to files.
+void check_table(Reader& reader, const Value& value) {
+  const Member *points = find_member(value, "table"), *csv = find_member(value, "csv");
+  if (!points && !csv) report(reader, value, "a table needs \"table\" or \"csv\"");
+  if (points && csv) report(reader, csv->place, "table has both \"table\" and \"csv\"");
+  for (const std::string_view key : {"x", "y"}) {
+    const Member* column = find_member(value, key);
+    if (column && !csv)
+      report(reader, column->place, fmt::format("a table without \"csv\" takes no {}", in_quotes(key)));
+  }
+}
+
+/// Puts the pieces of a table of many points among the samples. Equal ones, as of a part that is placed four times,
+/// share them.
+void keep_as_data(Reader& reader, const Value& value, Table& table) {
+  if (table.x.size() > kMostPointsAsData) {
+    const Member* csv = find_member(value, "csv");
+    report(reader, csv ? csv->value : member_or_object(value, "table"),
+           fmt::format("table has {} points, at most {} go into a solver", table.x.size(), kMostPointsAsData),
+           "leave out points that lie on the curve through their neighbours");
+    return;
+  }
+  const std::vector<double> pieces = pieces_of(table);
+  std::vector<double>& samples = *reader.samples;
+  const double spacing = spacing_of(table);
+  for (const TableData& known : reader.large_tables) {
+    const auto begin = samples.begin() + known.first;
+    const auto left = static_cast<std::size_t>(samples.end() - begin);
+    const bool is_equal = left >= pieces.size() && std::equal(pieces.begin(), pieces.end(), begin);
+    if (is_equal && known.spacing == spacing) table.data = known;
+  }
+  if (table.data) return;
+  table.data = {reader.samples, static_cast<int>(samples.size()), spacing};
+  reader.large_tables.push_back(*table.data);
+  samples.insert(samples.end(), pieces.begin(), pieces.end());
+}
+
+}  // namespace
+
+void read_value(Reader& reader, const Value& value, const FieldInfo&, Matrix3& target) {
+  target = identity();
+  const auto apply = [&](const Value& one) {
+    RotationFields rotation = with_defaults<RotationFields>();
+    if (!read_fields(reader, one, rotation)) return;
+    if (const Value* axis = find(one, "axis")) turn_axis_by_points(*axis, target, rotation.axis);
+    note_turns(reader, member_or_object(one, "angle"), rotation.angle);
+    target = product(target, rotation_about(rotation.axis, rotation.angle));
+  };
+  if (value.kind != Value::Kind::array) return apply(value);
+  for (const Value& item : value.items) apply(item);
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo&, Pose& target) {
+  read_fields(reader, value, target);
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo&, Attachment& target) {
+  const auto dot = value.text.find('.');
+  if (value.kind != Value::Kind::text || dot == std::string::npos ||
+      value.text.find('.', dot + 1) != std::string::npos) {
+    report(reader, value, fmt::format("must be \"body.point\", got {}", describe(value)));
+    return;
+  }
+  const std::string body = value.text.substr(0, dot), point = value.text.substr(dot + 1);
+  const int index = find_body(reader, body);
+  if (index < 0 && is_connected(reader, body)) return;  // that what it is connected to is unknown was reported there
+  if (index < 0) {
+    std::string hint = body == "ground" ? "give ground its points in bodies: \"ground\": { \"points\": { ... } }"
+                                        : suggestion(reader, body, reader.names.bodies);
+    report(reader, place_in_text(reader.documents, value, 0), "unknown body " + in_quotes(body), std::move(hint));
+    return;
+  }
+  const NameMap<int>& points = reader.names.points[static_cast<std::size_t>(index)];
+  target = find_point(reader, index, point);
+  if (target.point < 0) {
+    target = {};
+    if (reader.names.points_unreadable[static_cast<std::size_t>(index)]) return;
+    NameMap<int> candidates = points;
+    candidates.insert(reader.hardpoints.names.begin(), reader.hardpoints.names.end());
+    report(reader, place_in_text(reader.documents, value, dot + 1),
+           fmt::format("body {} has no point {}", in_quotes(body), in_quotes(point)),
+           suggestion(reader, point, candidates));
+  }
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<Attachment>& target) {
+  const std::size_t size = value.kind == Value::Kind::array ? value.items.size() : 0;
+  if (size < 2 || size > info.most) {
+    report(reader, value,
+           fmt::format("must be an array of {} points \"body.point\", got {}", info.most > 2 ? "2 or 3" : "2",
+                       describe(value)));
+    return;
+  }
+  for (const Value& item : value.items) {
+    Attachment point;
+    read_value(reader, item, info, point);
+    const auto is_same = [&](const Attachment& other) {
+      return point.body >= 0 && other.body == point.body && other.point == point.point;
+    };
+    if (std::any_of(target.begin(), target.end(), is_same))
+      report(reader, item, in_quotes(item.text) + " stands here twice");
+    target.push_back(point);
+  }
+}
+
+int find_named(Reader& reader, const Value& reference, std::string_view kind, const NameMap<int>& names) {
+  if (reference.kind != Value::Kind::text) return -1;
+  const auto found = find_visible(names, reference.text, current_scope(reader).visible);
+  if (found != names.end()) return found->second;
+  report(reader, reference, fmt::format("unknown {} {}", kind, in_quotes(reference.text)),
+         suggestion(reader, reference.text, names));
+  return -1;
+}
+
+namespace {
+
+/// Complains about a coordinate that has the name of a body: by the joint that moves it, or at the body where none
+/// does. Result: false where it is none, or where joints could not be read.
+bool refuse_body(Reader& reader, Place place, const std::string& name) {
+  const auto found = find_visible(reader.names.bodies, name, current_scope(reader).visible);
+  if (found == reader.names.bodies.end()) return false;
+  const Model& model = reader.model;
+  const int body = found->second;
+  const std::string shown = in_quotes(model.bodies[static_cast<std::size_t>(body)].name);
+  for (const Joint& joint : model.joints) {
+    if (joint.to.body < 0 || joint.from.body < 0) return false;
+    if (joint.to.body != body && joint.from.body != body) continue;
+    report(reader, place, "unknown coordinate " + in_quotes(name),
+           fmt::format("coordinates have the names of joints: body {} has joint {}", shown, in_quotes(joint.name)));
+    return true;
+  }
+  if (body == model.ground) return false;
+  const InScope of_body(reader, reader.names.body_scopes[static_cast<std::size_t>(body)]);
+  report(reader, reader.body_places[static_cast<std::size_t>(body)], "no joint moves body " + shown,
+         "add a joint whose \"to\" is a point of it; its coordinate has the joint's name");
+  return true;
+}
+
+}  // namespace
+
+CoordinateReference read_coordinate(Reader& reader, Place place, const std::string& name) {
+  const Visibility& visible = current_scope(reader).visible;
+  if (const CoordinateReference* found = find_coordinate(reader.names, name, visible)) return *found;
+  if (may_be_unreadable(reader.names, name)) return {};
+  const auto joint = find_visible(reader.names.joints, name, visible);
+  if (joint == reader.names.joints.end()) {
+    if (refuse_body(reader, place, name)) return {};
+    std::string hint = suggests(reader) ? did_you_mean(name, reader.names.coordinates[visible.front().scope]) : "";
+    report(reader, place, "unknown coordinate " + in_quotes(name), std::move(hint));
+    return {};
+  }
+  std::string coordinates;
+  const int freedoms = static_cast<int>(reader.model.joints[static_cast<std::size_t>(joint->second)].freedoms.size());
+  for (int component = 0; component < freedoms; ++component) {
+    for (const auto& [coordinate, reference] : reader.names.coordinates[visible.front().scope]) {
+      if (reference == CoordinateReference{joint->second, component})
+        coordinates += (coordinates.empty() ? "" : ", ") + coordinate;
+    }
+  }
+  if (coordinates.empty()) {
+    const JointType type = reader.model.joints[static_cast<std::size_t>(joint->second)].type;
+    report(reader, place,
+           fmt::format("joint {} is {} and has no coordinate", in_quotes(name),
+                       closes_only(type) ? fmt::format("of type {}", name_of(type)) : "fixed"));
+  } else {
+    report(reader, place, fmt::format("joint {} has several coordinates", in_quotes(name)),
+           "name one of " + coordinates);
+  }
+  return {};
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo&, CoordinateReference& target) {
+  if (value.kind != Value::Kind::text) {
+    report(reader, value, fmt::format("must be the name of a coordinate, got {}", describe(value)));
+  } else {
+    target = read_coordinate(reader, value.place, value.text);
+  }
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<std::array<double, 2>>& target) {
+  if (value.kind != Value::Kind::array || value.items.size() < 2) {
+    report(reader, value, fmt::format("must be an array of at least 2 points [x, y], got {}", describe(value)));
+    return;
+  }
+  for (const Value& item : value.items) {
+    std::array<double, 2> point{kUnreadable, kUnreadable};
+    if (item.kind != Value::Kind::array || item.items.size() != 2) {
+      report(reader, item, fmt::format("must be a point [x, y], got {}", describe(item)));
+    } else {
+      for (std::size_t i = 0; i < 2; ++i) read_value(reader, item.items[i], info, point[i]);
+      if (!target.empty() && point[0] <= target.back()[0]) {
+        report(reader, item.items[0],
+               fmt::format("x of a table must increase, {} comes after {}", point[0], target.back()[0]));
+      }
+    }
+    target.push_back(point);
+  }
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& target) {
+  if (value.kind != Value::Kind::object || find(value, "deg")) {
+    Quantity quantity;
+    read_value(reader, value, info, quantity);
+    target = quantity;
+    return;
+  }
+  Table table;
+  read_value(reader, value, info, table);
+  target = std::move(table);
+}
+
+namespace {
+
+/// Notes a spline that between two points leaves all of them by more than they span.
+void note_overshoot(Reader& reader, const Value& value, const Table& table) {
+  constexpr int kSamples = 32;   // between two points
+  constexpr double kTold = 0.5;  // of what the points span; splines through smooth rows leave them by a few hundredths
+  if (table.interpolation != Table::Interpolation::spline || table.slopes.size() < 2) return;
+  const auto [least, most] = std::minmax_element(table.y.begin(), table.y.end());
+  double farthest = kTold * (*most - *least), at = 0;
+  std::size_t piece = table.x.size();
+  for (std::size_t i = 0; i + 1 < table.x.size(); ++i) {
+    for (int k = 1; k < kSamples; ++k) {
+      const double x = table.x[i] + k * (table.x[i + 1] - table.x[i]) / kSamples;
+      const double y =
+          interpolate_monotone_cubic(table.x.data() + i, table.y.data() + i, table.slopes.data() + i, 2, x);
+      const double beyond = std::max(*least - y, y - *most);
+      if (!(beyond > farthest)) continue;
+      farthest = beyond;
+      at = x;
+      piece = i;
+    }
+  }
+  if (piece == table.x.size()) return;
+  note(reader, value.place,
+       fmt::format(
+           "the spline leaves its points, which are {:.4g} to {:.4g}, by {:.4g} at {:.4g}, between {:g} and {:g}",
+           *least, *most, farthest, at, table.x[piece], table.x[piece + 1]),
+       "\"interpolation\": \"monotone_cubic\" and \"linear\" stay within the points");
+}
+
+}  // namespace
+
+void read_value(Reader& reader, const Value& value, const FieldInfo&, Table& target) {
+  if (value.kind != Value::Kind::object) {
+    report(reader, value, fmt::format("must be a table, got {}", describe(value)));
+    return;
+  }
+  TableFields fields = with_defaults<TableFields>();
+  read_fields(reader, value, fields);
+  check_table(reader, value);
+  if (fields.csv && find(value, "csv")->kind == Value::Kind::text)
+    fields.points = read_csv_table(reader, value, {fields.x, fields.y});
+  target = {fields.interpolation, {}, {}, fields.periodic, {}, {}};
+  for (const auto& [x, y] : fields.points) {
+    target.x.push_back(x);
+    target.y.push_back(y);
+  }
+  target.slopes = slopes_of(target);
+  note_overshoot(reader, value, target);
+  if (target.x.size() > kMostPointsAsOperations) keep_as_data(reader, value, target);
+}
+
+}  // namespace mbgen::reading

@@ -1,0 +1,223 @@
+// Tables of fields: motions, outputs, initial state, solver; and the list of all kinds.
+#include <array>
+
+#include "compiler/reader/output_sources.hpp"
+#include "compiler/reader/raw.hpp"
+#include "compiler/reader/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+constexpr std::array<std::string_view, 3> kIntegrators = {"rk4", "abm4", "rosenbrock"};
+
+}  // namespace
+
+template <>
+std::span<const Field<MotionFields>> fields<MotionFields>() {
+  using F = MotionFields;
+  static const std::array table = {
+      field<F, &F::joint>(
+          {.name = "joint", .shape = Shape::coordinate, .doc = "coordinate that is driven", .need = Need::required}),
+      field<F, &F::angle>({.name = "angle",
+                           .doc = "angle over t, of a rotation",
+                           .unit = "rad",
+                           .depends = Depends::motion,
+                           .angle = true}),
+      field<F, &F::displacement>({.name = "position",
+                                  .doc = "displacement over t, of a translation",
+                                  .unit = "m",
+                                  .depends = Depends::motion}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<InitialValueFields>> fields<InitialValueFields>() {
+  using F = InitialValueFields;
+  static const std::array table = {
+      field<F, &F::value>({.name = "value",
+                           .shape = Shape::quantity,
+                           .doc = "of the coordinate or its velocity",
+                           .unit = "rad, m, rad/s or m/s",
+                           .need = Need::required,
+                           .depends = Depends::nothing,
+                           .angle = true,
+                           .at_start = true}),
+      field<F, &F::weight>({.name = "weight",
+                            .shape = Shape::number,
+                            .doc = "weight of its squared error, where the values do not fit together",
+                            .fallback = 1,
+                            .bound = Bound::positive,
+                            .depends = Depends::nothing}),
+      field<F, &F::locked>(
+          {.name = "locked", .shape = Shape::boolean, .doc = "the value is kept, the others give way", .fallback = 0}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<OrientationFields>> fields<OrientationFields>() {
+  using F = OrientationFields;
+  static const std::array table = {
+      field<F, &F::quaternion>({.name = "quaternion",
+                                .shape = Shape::quaternion,
+                                .doc = "w, x, y, z of the turn of `to` against `from`, of any length but zero",
+                                .depends = Depends::nothing}),
+      field<F, &F::rotation_vector>(
+          {.name = "rotation_vector",
+           .shape = Shape::vector,
+           .doc = "axis times angle of the turn of `to` against `from`, in the axes of `from`",
+           .unit = "rad",
+           .depends = Depends::nothing}),
+      field<F, &F::angular_velocity>({.name = "angular_velocity",
+                                      .shape = Shape::vector,
+                                      .doc = "of `to` against `from`, in the axes of `from`",
+                                      .unit = "rad/s",
+                                      .depends = Depends::nothing}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<InitialFields>> fields<InitialFields>() {
+  using F = InitialFields;
+  static const std::array table = {
+      field<F, &F::equilibrium>({.name = "equilibrium",
+                                 .shape = Shape::boolean,
+                                 .doc = "start from static equilibrium, then give the velocities",
+                                 .fallback = 0}),
+      field<F, &F::positions>(
+          {.name = "positions",
+           .shape = Shape::values,
+           .doc = "coordinates at the start; the others are zero or follow from the closures; values that "
+                  "do not fit together are moved as little as possible",
+           .unit = "rad or m",
+           .depends = Depends::nothing,
+           .angle = true,
+           .of = "initial_value"}),
+      field<F, &F::velocities>({.name = "velocities",
+                                .shape = Shape::values,
+                                .doc = "velocities at the start",
+                                .unit = "rad/s or m/s",
+                                .depends = Depends::nothing,
+                                .angle = true,
+                                .of = "initial_value"}),
+      field<F, &F::orientations>({.name = "orientations",
+                                  .shape = Shape::map,
+                                  .doc =
+                                      "turns of spherical and free joints at the start, by joint, in place of angles "
+                                      "and their rates",
+                                  .of = "initial_orientation"}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<SolverSettings>> fields<SolverSettings>() {
+  using S = SolverSettings;
+  const auto number = [](std::string_view name, std::string_view doc, std::string_view unit, double fallback,
+                         Bound bound) { return constant_info(name, doc, unit, fallback, bound, Depends::nothing); };
+  static const std::array table = {
+      field<S, &S::integrator>({.name = "integrator",
+                                .shape = Shape::word,
+                                .doc = "Runge-Kutta of order 4, Adams-Bashforth-Moulton of order 4, or a linearly "
+                                       "implicit method of order 3 for stiff models",
+                                .fallback_word = "rk4",
+                                .words = kIntegrators}),
+      field<S, &S::step>(number("step", "time step", "s", 1e-3, Bound::positive)),
+      field<S, &S::duration>(number("duration", "simulated time", "s", 1, Bound::not_negative)),
+      field<S, &S::closure_tolerance>(number("closure_tolerance", "largest closure residual that projection leaves",
+                                             "m or 1", 1e-12, Bound::positive)),
+      field<S, &S::tolerance>(number("tolerance",
+                                     "relative tolerance that an FMU recommends to integrators of importers", "", 1e-6,
+                                     Bound::positive)),
+  };
+  return table;
+}
+
+std::vector<ObjectKind> object_kinds() {
+  return {
+      kind_of<FileFields>("model", "a multibody system; SI units, angles in rad"),
+      kind_of<InstanceFields>("instance", "a subsystem: a file placed in this one"),
+      kind_of<ParameterFields>("parameter", "a named constant"),
+      kind_of<InputFields>("input", "a value given to the solver"),
+      kind_of<BodyFields>("body", "a rigid body"),
+      kind_of<Pose>("pose", "a frame in the global frame"),
+      kind_of<RotationFields>("rotation", "a rotation about an axis"),
+      kind_of<AxisFields>("axis_by_points", "an axis from one point to another"),
+      kind_of<JointFields>("joint", "a joint"),
+      kind_of<RodFields>("rod", "a bar with a spherical joint at each end"),
+      kind_of<Coupling>("coupling", "a relation between coordinates; exactly one of relation and curve",
+                        {"relation", "curve"},
+                        {{"curve", "joint"}, {"curve", "follows"}, {"joint", "curve"}, {"follows", "curve"}}),
+      kind_of<UserStateFields>("state", "a state of your own, integrated with the motion"),
+      kind_of<SampledValueFields>(
+          "sampled_value",
+          "a value that is set at t = 0, period, 2 period and so on; exactly one of value and reaction",
+          {"value", "reaction"}),
+      kind_of<PointSpring>("spring", "spring and damper between two points"),
+      kind_of<JointSpring>("joint_spring", "spring and damper on a coordinate or a difference of two"),
+      kind_of<FrictionFields>("friction",
+                              "friction on a coordinate, along a spring or in the end of a rod; exactly one of joint, "
+                              "spring and rod",
+                              {"joint", "spring", "rod"}, {{"rod", "end"}, {"end", "rod"}}),
+      kind_of<AirSpringFields>("air_spring", "polytropic air spring between two points"),
+      kind_of<BushingFields>("bushing",
+                             "compliant element of six freedoms between two frames, whose axes agree at the reference; "
+                             "what its fields give is added up"),
+      kind_of<BushingFreedom>(
+          "bushing_freedom",
+          "one freedom of a bushing; its force acts against the deflection of `to`. A Maxwell branch, "
+          "a spring and a damper in a row, is relaxed at the start",
+          {}, {{"maxwell_stiffness", "maxwell_time"}, {"maxwell_time", "maxwell_stiffness"}}),
+      kind_of<BumpStopFields>(
+          "bump_stop",
+          "a stop that pushes when its clearance is used up, and never pulls; on the distance of two "
+          "points or the way along an axis (from and to, or spring), or on a coordinate (joint)"),
+      kind_of<AppliedForce>("force", "force and torque on a body"),
+      kind_of<JointForce>("joint_force", "generalised force on a coordinate"),
+      kind_of<RoadFields>(
+          "road",
+          "a road: its height is the sum of `height` and all features, over the plane z of its origin; x "
+          "along it, y to the left"),
+      kind_of<IsoRoadFields>("iso_road", "a rough road by the power spectral density of ISO 8608"),
+      kind_of<RoadProfileFields>(
+          "road_profile",
+          "heights at equal distances along a road, between them a cubic spline, outside level; of "
+          "both sides in one column, or of a left and a right track"),
+      kind_of<CrgFields>("crg_road",
+                         "a road of an OpenCRG file; beyond its ends it goes straight on, beyond a border it keeps the "
+                         "border's height"),
+      kind_of<RoadFeature>("road_feature", "what stands out of a road, or is missing in it"),
+      kind_of<RoadPatch>("road_patch", "a part of a road with friction of its own"),
+      kind_of<TyreDataFields>("tyre_data", "coefficients of a tyre"),
+      kind_of<TyreFields>("tyre", "a tyre on a road; exactly one of data and tir", {"data", "tir"},
+                          {{"data", "stiffness"}}),
+      kind_of<TyreEnvelope>(
+          "tyre_envelope",
+          "four cams that make a plane of a road: a rear and a front one below each half of the tyre's "
+          "width; lengths in unloaded radii of the tyre"),
+      kind_of<TyrePatch>("tyre_patch", "the patch of a tyre that turns about the road's normal, as of a parked wheel"),
+      kind_of<AxleFields>("axle",
+                          "an axle on a rig for kinematics and compliance; x forward, y to the left and z up at the "
+                          "reference"),
+      kind_of<AxleWheelFields>("axle_wheel", "a wheel of an axle; exactly one of tyre and centre", {"tyre", "centre"}),
+      kind_of<VehicleFields>("vehicle", "what drives, and by which inputs; for manoeuvres"),
+      kind_of<MotionFields>("motion", "a driven coordinate; exactly one of angle and position", {"angle", "position"}),
+      kind_of<OutputFields>("output",
+                            "a result; exactly one of expression, point, points, body, bodies, joint, tyre, spring, "
+                            "joint_spring, bushing, bump_stop, elements, motion, reaction and multiplier",
+                            {std::begin(kOutputSources), std::end(kOutputSources)}),
+      kind_of<ShapeFields>("shape", "how a part of a body is drawn"),
+      kind_of<InitialFields>("initial", "state at the start"),
+      kind_of<InitialValueFields>("initial_value",
+                                  "a value at the start, and its weight where values do not fit together"),
+      kind_of<OrientationFields>("initial_orientation",
+                                 "turn of a spherical or free joint at the start; at most one of quaternion and "
+                                 "rotation_vector, without both the angles of positions hold"),
+      kind_of<SolverSettings>("solver", "time integration"),
+      kind_of<TableFields>("table", "a characteristic by points, exactly one of table and csv", {"table", "csv"}),
+  };
+}
+
+}  // namespace mbgen::reading

@@ -1,0 +1,80 @@
+#pragma once
+// Tyre property files of Adams and TNO (.tir).
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/reader/read_turning.hpp"
+
+namespace mbgen::reading {
+
+/// What a file gives of the cams of TyreEnvelope.
+struct CamsOfFile {
+  std::optional<double> base = {}, length = {}, height = {}, order = {};
+};
+
+/// The tyre of a .tir file, in SI units.
+struct TirTyre {
+  TyreModel model;                                ///< pac2002 or mf61
+  std::vector<Quantity> coefficients = {};        ///< in the order of tyre_fields(model)
+  std::optional<double> stiffness = {};           ///< N/m: VERTICAL_STIFFNESS; of mf61 else by Q_FZ1 and Q_FZ2
+  std::optional<double> damping = {};             ///< N s/m: VERTICAL_DAMPING
+  std::optional<double> rolling_resistance = {};  ///< QSY1 of pac2002
+  std::optional<double> pressure = {};            ///< Pa: INFLPRES
+  CamsOfFile cams = {};                           ///< ELLIPS_..., where they are asked for
+  TurningOfFile turning = {};                     ///< of mf61
+  Place nominal = {};                             ///< of FNOMIN
+};
+
+/// KEY = value of a section.
+struct TirEntry {
+  std::string_view value = {};    ///< without quotes and comment
+  Place place = {};               ///< of the value
+  std::string_view section = {};  ///< without brackets, as written
+  Place key = {};
+  bool used = false;  ///< its number or word was asked for
+};
+
+struct TirEntries {
+  std::map<std::string, TirEntry, std::less<>> keys;       ///< in capitals
+  std::vector<std::pair<std::string_view, Place>> tables;  ///< sections with rows that have no key
+};
+
+/// What a tyre asks of its file.
+struct WishesOfTyre {
+  bool cams = false;                   ///< the tyre uses the cams of the file
+  std::optional<bool> turn_slip = {};  ///< as the model says; else the file's USE_MODE does
+};
+
+/// Reads a file of PAC2002 or Magic Formula 5.2, 6.1 or 6.2, relative to the file that names it. Sections, units,
+/// comments ($ and
+/// !) and texts in quotes are understood; entries without a part in the formulas of tyre.hpp are passed over, with a
+/// note. Fails: nothing, with complaints at lines of the file: another tyre model, units that are unknown, a
+/// coefficient that is no number or stands twice, no radius, nominal load or pressure. Coefficients of turn slip are
+/// read where it acts.
+std::optional<TirTyre> read_tir(Reader& reader, const Value& value, const WishesOfTyre& wishes);
+
+/// Letters of the alphabet in capitals, as keys and sections are compared.
+std::string upper(std::string_view text);
+
+/// The number of an entry, with an exponent of C or Fortran; nothing when it is none.
+std::optional<double> number_of(const TirEntry& entry);
+
+/// Notes in the model, once per file, the entries that nobody asked for, sorted by purpose. Silent on entries of
+/// every file, header, units, dimensions, limits of validity, and on coefficients at which a formula is as without
+/// them. Names that no file has get the nearest one. model: of the file.
+void note_unused(Reader& reader, TyreModel model, const TirEntries& entries);
+
+/// Factors to SI.
+struct TirUnits {
+  double length, force, time;
+};
+
+/// Notes sizes that no tyre has in the units of the file: numbers in millimetres where it says metres, or the reverse.
+/// tyre: in SI.
+void note_sizes(Reader& reader, const TirEntries& entries, const TirUnits& units, const TirTyre& tyre);
+
+}  // namespace mbgen::reading

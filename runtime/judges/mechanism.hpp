@@ -1,0 +1,94 @@
+#pragma once
+// A mechanism as the Cartesian equations see it: its numbers, the places of its equations, and its forces at a state.
+
+#include <utility>
+#include <vector>
+
+#include "runtime/judges/bodies.hpp"
+#include "runtime/judges/joint_coordinates.hpp"
+#include "runtime/judges/tyre_contact.hpp"
+#include "runtime/state/state.hpp"
+
+namespace mbgen {
+namespace cartesian {
+
+/// Places of the equations: of the joints of the model, then of the rods, then one per motion, then one per coupling.
+struct FirstRows {
+  std::vector<int> joints, rods;  ///< first row of each, and one past the last of all
+  int motions = 0, couplings = 0, end = 0;
+  std::vector<int> loop_of;  ///< per equation: index into Topology::loops, or -1
+};
+
+FirstRows first_rows(const Parts& parts, const Model& model, const Topology& topology);
+
+/// A wrench on a body.
+struct Load {
+  int body = 0;
+  Vector6d wrench;  ///< about the centre of mass, global axes
+};
+
+/// A coordinate of a coupling, and the derivative of the relation by it.
+struct CoupledCoordinate {
+  JointCoordinate coordinate;
+  double slope = 0;
+};
+
+/// A spring or air spring as it is now: m, m/s, and its tension with its friction, N.
+struct LineAtWork {
+  double length = 0, rate = 0, force = 0;
+};
+
+/// Forces of the model's elements at one state.
+struct Forces {
+  std::vector<Load> loads;     ///< springs, applied forces, tyres; on ground too
+  std::vector<double> joints;  ///< per tree coordinate, N or N m
+  std::vector<double> xd;      ///< rates of the auxiliary states
+  std::vector<LineAtWork> springs, air_springs;
+  std::vector<TyreResult<double>> tyres;
+};
+
+}  // namespace cartesian
+
+struct CartesianMechanism {
+  Model model;
+  Topology topology;
+  cartesian::CoordinateTable table;
+  std::vector<double> inputs, parameters;
+  cartesian::Parts parts;
+  cartesian::FirstRows first;
+
+  CartesianMechanism(const Model& model, const Topology& topology);
+  /// Evaluates the parts anew, at the parameters and inputs.
+  void refresh();
+
+  cartesian::Values values(const GenericState& z, double t) const {
+    return {model, table, parameters, inputs, t, &z.z, &z.zd};
+  }
+  int moving() const { return parts.ground(); }
+
+  /// Bodies with ground as the last, which stands still.
+  std::vector<cartesian::Moving> bodies(const CartesianState& state) const;
+  std::vector<cartesian::Row> equations_at(const std::vector<cartesian::Moving>& bodies,
+                                           const cartesian::Values& values) const;
+  /// Coordinates of a joint of the model.
+  std::vector<cartesian::JointCoordinate> coordinates_of(int joint, const std::vector<cartesian::Moving>& bodies,
+                                                         const std::vector<double>& guess) const {
+    return joint_coordinates(parts.joints[joint], parts.bodies, bodies, guess);
+  }
+  /// Derivative of a coupling's relation by each of its coordinates, in their order, at the bodies.
+  std::vector<cartesian::CoupledCoordinate> coupled_coordinates(const Coupling& coupling,
+                                                                const std::vector<cartesian::Moving>& bodies,
+                                                                const cartesian::Values& values) const;
+  /// Values with all that expressions may look at: states and lengths too.
+  cartesian::Values complete(cartesian::Values values, const std::vector<cartesian::Moving>& bodies,
+                             const std::vector<double>& x) const;
+  /// Sets the sampled values whose instant is at the start of a step of h seconds, in x; any: whether there are such.
+  /// loads: per value, where it is one of a reaction.
+  /// Fails: sample_inside_step, auxiliary_not_a_number; x is then unchanged.
+  Status sample(const std::vector<cartesian::Moving>& bodies, const cartesian::Values& values,
+                const std::vector<double>& loads, double h, bool& any, std::vector<double>& x) const;
+  cartesian::Forces forces(const std::vector<cartesian::Moving>& bodies, const std::vector<double>& x,
+                           const cartesian::Values& values) const;
+};
+
+}  // namespace mbgen

@@ -1,0 +1,294 @@
+// All outputs and the energy balance from the poses, velocities and accelerations of the bodies in global axes, and
+// from the multipliers of the Cartesian equations.
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "runtime/judges/bump_stops.hpp"
+#include "runtime/judges/bushings.hpp"
+#include "runtime/judges/mechanism.hpp"
+#include "runtime/judges/stored_energy.hpp"
+#include "runtime/judges/system.hpp"
+
+namespace mbgen {
+namespace {
+
+using namespace cartesian;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kPi = std::numbers::pi;
+
+/// A vector and its first and second derivative in global axes.
+struct Path {
+  Vector3d position = Vector3d::Zero(), velocity = Vector3d::Zero(), acceleration = Vector3d::Zero();
+};
+
+Path operator-(const Path& a, const Path& b) {
+  return {a.position - b.position, a.velocity - b.velocity, a.acceleration - b.acceleration};
+}
+
+/// The same vector as a body sees it that turns with `spin` and `spin_rate`; axes stay.
+Path seen_from(const Path& path, const Vector3d& spin, const Vector3d& spin_rate) {
+  const Vector3d velocity = path.velocity - spin.cross(path.position);
+  // The rate of that, less what the turning of the axes makes of it.
+  const Vector3d rate = path.acceleration - spin_rate.cross(path.position) - spin.cross(path.velocity);
+  return {path.position, velocity, rate - spin.cross(velocity)};
+}
+
+double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
+
+/// Angles of the sequence, the second within a quarter turn of zero, or not negative where the first axis returns.
+Vector3d angles_of(const Matrix3d& r, const std::array<int, 3>& sequence) {
+  Vector3d a = r.eulerAngles(sequence[0], sequence[1], sequence[2]);
+  const bool returns = sequence[2] == sequence[0];
+  if (returns ? a[1] < 0 : std::abs(a[1]) > kPi / 2) a << a[0] + kPi, (returns ? 0 : kPi) - a[1], a[2] + kPi;
+  return a.unaryExpr(&wrapped);
+}
+
+/// Accelerations, multipliers and all that follows from them alone.
+struct Solution {
+  const Eigen::VectorXd& qdd;
+  std::vector<double> zdd, drives, multipliers;
+  std::vector<CartesianWrench> joints;
+  std::vector<Vector3d> rods_to, rods_from;
+};
+
+/// A mechanism at one instant, with the accelerations of its bodies.
+class Instant {
+ public:
+  Instant(const CartesianMechanism& c, const CartesianState& state, const GenericState& z, const Solution& solution)
+      : c_(c),
+        state_(state),
+        z_(z),
+        bodies_(c.bodies(state)),
+        values_(c.complete(c.values(z, state.t), bodies_, state.x)),
+        forces_(c.forces(bodies_, state.x, c.values(z, state.t))),
+        solution_(solution),
+        qdd_(solution.qdd) {}
+
+  double value(const ExpressionOutput& output) const { return values_(output.value); }
+
+  double value(const CoordinateOutput& output) const {
+    const int i = c_.table[output.coordinate.joint][output.coordinate.component];
+    if (i < 0) return 0;
+    const std::vector<double>* derivatives[] = {&z_.z, &z_.zd, &solution_.zdd};
+    return (*derivatives[static_cast<int>(output.what)])[i];
+  }
+
+  double value(const TyreOutput& output) const {
+    const TyreResult<double>& tyre = forces_.tyres[output.tyre];
+    const double values[] = {tyre.load, tyre.fx, tyre.fy, tyre.mz, tyre.kappa, tyre.alpha};
+    return values[static_cast<int>(output.what)];
+  }
+
+  double value(const SpringOutput& output) const {
+    const LineAtWork& line =
+        output.point_spring >= 0 ? forces_.springs[output.point_spring] : forces_.air_springs[output.air_spring];
+    const double values[] = {line.force, line.length, line.rate};
+    return values[static_cast<int>(output.what)];
+  }
+
+  double value(const DriveOutput& output) const { return solution_.drives[output.motion]; }
+
+  double value(const ReactionOutput& output) const {
+    const bool at_to = output.end == ReactionOutput::End::to;
+    const bool is_force = output.what == ReactionOutput::What::force;
+    Vector3d acts = Vector3d::Zero();
+    int body;
+    if (output.joint >= 0) {
+      const CartesianWrench& on_to = solution_.joints[output.joint];
+      acts = (at_to ? 1 : -1) * (is_force ? on_to.force : on_to.moment);
+      body = end_body(c_.model.joints[output.joint], at_to);
+    } else {
+      if (is_force) acts = (at_to ? solution_.rods_to : solution_.rods_from)[output.rod];
+      body = end_body(c_.model.rods[output.rod], at_to);
+    }
+    return output.in_body_axes ? axes_of(body).col(output.axis).dot(acts) : acts[output.axis];
+  }
+
+  double value(const MultiplierOutput& output) const {
+    int first = 0;
+    for (const Loop& loop : c_.topology.loops) {
+      const bool is_asked = loop.joint == output.joint && loop.rod == output.rod && loop.coupling == output.coupling;
+      if (is_asked) return solution_.multipliers[first + output.equation];
+      first += loop.equations;
+    }
+    return 0;
+  }
+
+  /// W: of all applied forces, tau and drives but not gravity.
+  double power(const std::vector<double>& tau) const {
+    double power = 0;
+    for (const Load& load : forces_.loads) power += power_of(load.body, load.wrench);
+    for (std::size_t j = 0; j < c_.parts.joints.size(); ++j)
+      for (const JointCoordinate& coordinate : c_.coordinates_of(static_cast<int>(j), bodies_, z_.z))
+        power += (tau[coordinate.index] + forces_.joints[coordinate.index]) * coordinate.zd;
+    const std::vector<Row> rows = c_.equations_at(bodies_, values_);
+    for (std::size_t k = 0; k < solution_.drives.size(); ++k) {
+      const Row& row = rows[c_.first.motions + k];
+      power += solution_.drives[k] * (power_of(row.from, row.on_from) + power_of(row.to, row.on_to));
+    }
+    return power;
+  }
+
+  double value(const PointOutput& output) const {
+    Path path = path_of(output.point);
+    if (output.relative_to.body >= 0) {
+      path = seen_from(path - path_of(output.relative_to), spin(output.observer), spin_rate(output.observer));
+    }
+    const Vector3d derivatives[] = {path.position, path.velocity, path.acceleration};
+    const int axes = output.in_body_axes ? output.point.body : output.axes;
+    return (axes_of(axes).transpose() * derivatives[static_cast<int>(output.what)])[output.axis];
+  }
+
+  double value(const PointsOutput& output) const {
+    const auto place = [&](int i) { return path_of(output.points[i]).position; };
+    const Vector3d first = place(0) - place(1);
+    if (output.points[2].body < 0) return first.norm();
+    const Vector3d last = place(2) - place(1);
+    const Vector3d a = first.normalized(), b = last.normalized();
+    return 2 * std::atan2((a - b).norm(), (a + b).norm());
+  }
+
+  double value(const RotationOutput& output) const {
+    using What = RotationOutput::What;
+    const Matrix3d turned = axes_of(output.relative_to).transpose() * axes_of(output.body);
+    Eigen::Quaterniond q(turned);
+    if (q.w() < 0) q.coeffs() *= -1;
+    if (output.what == What::angle) return angles_of(turned, output.sequence)[output.turn];
+    if (output.what == What::quaternion) return q.coeffs()[output.axis];
+    if (output.what == What::rotation_vector) {
+      const Eigen::AngleAxisd turn(q);
+      return turn.angle() * turn.axis()[output.axis];
+    }
+    Vector3d motion = spin(output.body) - spin(output.relative_to);
+    if (output.what == What::angular_acceleration)
+      motion = spin_rate(output.body) - spin_rate(output.relative_to) - spin(output.observer).cross(motion);
+    return (axes_of(output.axes).transpose() * motion)[output.axis];
+  }
+
+  double value(const MomentumOutput& output) const {
+    using What = MomentumOutput::What;
+    const int first = output.body == kNoBody ? 0 : c_.parts.index_of[output.body];
+    const int end = output.body == kNoBody ? c_.parts.ground() : first + 1;
+    double mass = 0, kinetic = 0;
+    Vector3d moment = Vector3d::Zero(), momentum = Vector3d::Zero(), turning = Vector3d::Zero();
+    for (int b = first; b < end; ++b) {
+      const Part& part = c_.parts.bodies[b];
+      const Moving& body = bodies_[b];
+      const Vector3d spin = body.axes * part.inertia * body.axes.transpose() * body.spin;
+      mass += part.mass;
+      moment += part.mass * body.position;
+      momentum += part.mass * body.velocity;
+      turning += part.mass * body.position.cross(body.velocity) + spin;
+      kinetic += 0.5 * part.mass * body.velocity.squaredNorm() + 0.5 * body.spin.dot(spin);
+    }
+    if (output.what == What::kinetic_energy) return kinetic;
+    if (output.what == What::potential_energy) return -c_.parts.gravity.dot(moment);
+    if (output.what == What::momentum) return (axes_of(output.axes).transpose() * momentum)[output.axis];
+    Vector3d about = Vector3d::Zero();
+    if (output.about.body >= 0) about = path_of(output.about).position;
+    if (output.about.body < 0 && mass > 0) about = moment / mass;
+    return (axes_of(output.axes).transpose() * (turning - about.cross(momentum)))[output.axis];
+  }
+
+  double value(const WheelOutput& output) const {
+    using What = WheelOutput::What;
+    const Matrix3d vehicle = axes_of(output.vehicle);
+    if (output.what >= What::caster) {
+      const Vector3d up = vehicle.transpose() * (path_of(output.upper).position - path_of(output.lower).position);
+      return output.what == What::caster ? std::atan2(-up.x(), up.z()) : std::atan2(-output.side * up.y(), up.z());
+    }
+    const PartTyre& tyre = c_.parts.tyres[output.tyre];
+    const Vector3d axis = vehicle.transpose() * bodies_[tyre.centre.body].axes * tyre.axis;
+    const Vector3d forward = axis.cross(Vector3d::UnitZ()).normalized();
+    if (output.what == What::camber) return -output.side * std::asin(axis.z());
+    return (output.what == What::toe ? -output.side : 1) * std::atan2(forward.y(), forward.x());
+  }
+
+  double value(const BushingOutput& output) const {
+    const auto b = static_cast<std::size_t>(output.bushing);
+    const Bushing& bushing = c_.model.bushings[b];
+    const BushingAtWork at_work = bushing_at_work(bushing, c_.parts.bushings[b], bodies_,
+                                                  state_.x.data() + first_extension(c_.model, b), values_);
+    const bool turns =
+        output.what == BushingOutput::What::moment || output.what == BushingOutput::What::rotation_vector;
+    const int place = output.axis + (turns ? 3 : 0);
+    if (output.what >= BushingOutput::What::deflection) return at_work.deflection[place];
+    const Vector3d& acts = turns ? at_work.moment : at_work.force;
+    return -bushing_sense(bushing, place) * acts[output.axis];
+  }
+
+  double value(const BumpStopOutput& output) const {
+    const StopAtWork stop =
+        stop_at_work(c_.model.bump_stops[output.stop], c_.parts.bump_stops[output.stop], bodies_, values_);
+    if (output.what == BumpStopOutput::What::force) return stop.force;
+    return output.what == BumpStopOutput::What::deflection ? stop.penetration : stop.rate;
+  }
+
+  double value(const StoredEnergyOutput& output) const { return stored_energy(c_, output, bodies_, state_.x, values_); }
+
+ private:
+  template <class Connection>
+  static int end_body(const Connection& connection, bool at_to) {
+    return at_to ? connection.to.body : connection.from.body;
+  }
+  double power_of(int body, const Vector6d& wrench) const {
+    return wrench.head<3>().dot(bodies_[body].velocity) + wrench.tail<3>().dot(bodies_[body].spin);
+  }
+  int index(int body) const { return body == kNoBody ? c_.parts.ground() : c_.parts.index_of[body]; }
+  bool moves(int body) const { return index(body) != c_.parts.ground(); }
+
+  /// Axes of a body's frame.
+  Matrix3d axes_of(int body) const {
+    if (body == kNoBody) return Matrix3d::Identity();
+    if (moves(body)) return bodies_[index(body)].axes;
+    return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(c_.model.bodies[body].pose.rotation.data());
+  }
+  Vector3d spin(int body) const { return bodies_[index(body)].spin; }
+  Vector3d spin_rate(int body) const {
+    return moves(body) ? Vector3d(qdd_.segment<3>(6 * index(body) + 3)) : Vector3d::Zero();
+  }
+  Path path_of(const Attachment& at) const {
+    const End end = end_of(bodies_, place_of(c_.parts, at, values_));
+    Path path{end.position, end.velocity, end.centripetal};
+    if (moves(at.body)) path.acceleration += qdd_.segment<3>(6 * index(at.body)) + spin_rate(at.body).cross(end.arm);
+    return path;
+  }
+
+  const CartesianMechanism& c_;
+  const CartesianState& state_;
+  const GenericState& z_;
+  std::vector<Moving> bodies_;
+  Values values_;
+  Forces forces_;
+  const Solution& solution_;
+  const Eigen::VectorXd& qdd_;
+};
+
+}  // namespace
+
+GenericOutputs CartesianSystem::outputs(const CartesianState& state, const GenericState& z,
+                                        const std::vector<double>& tau, const Eigen::VectorXd& qdd,
+                                        const Eigen::VectorXd& lambda) const {
+  using End = ReactionOutput::End;
+  const Solution solution{qdd,
+                          joint_accelerations(state, z, qdd),
+                          driving_forces(lambda),
+                          loop_multipliers(state, lambda),
+                          joint_reactions(state, z, tau, lambda),
+                          rod_forces(state, lambda, End::to),
+                          rod_forces(state, lambda, End::from)};
+  const Instant instant(*mechanism_, state, z, solution);
+  const auto value = [&](const auto& output) { return instant.value(output); };
+  GenericOutputs values;
+  for (const Output& output : mechanism_->model.outputs) values.y.push_back(std::visit(value, output.source));
+  values.kinetic_energy = instant.value(MomentumOutput{.what = MomentumOutput::What::kinetic_energy});
+  values.potential_energy = instant.value(MomentumOutput{.what = MomentumOutput::What::potential_energy});
+  values.applied_power = instant.power(tau);
+  return values;
+}
+
+}  // namespace mbgen

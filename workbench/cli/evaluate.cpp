@@ -1,0 +1,122 @@
+// mbgen evaluate: accelerations at given states, the door for every oracle.
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "compiler/text/user_error.hpp"
+#include "workbench/cli/commands.hpp"
+#include "workbench/cli/options.hpp"
+#include "workbench/engines/engine_arguments.hpp"
+#include "workbench/host/assignments.hpp"
+#include "workbench/host/files.hpp"
+#include "workbench/motion/reactions.hpp"
+#include "workbench/start/states_file.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct EvaluateOptions {
+  std::string model, form, states;
+  EngineArguments engine;
+  bool project = false;
+  bool reactions = false;
+  bool json = true;
+  std::vector<std::string> set;
+};
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+/// {motion: generalised driving force}.
+Json drive_json(const Model& model, const std::vector<double>& drive) {
+  Json result = Json::object();
+  for (std::size_t m = 0; m < drive.size(); ++m) result[model.motions[m].name] = number_or_null(drive[m]);
+  return result;
+}
+
+Json evaluate_state(const Engine& engine, const Compilation& compilation, const StatesFile& file,
+                    const FileState& asked, const EvaluateOptions& options) {
+  LoadedState at = asked.at;
+  GenericDerivative derivative;
+  std::vector<double> lambda, drive;
+  engine.set_inputs(asked.inputs);
+  std::vector<std::array<double, 6>> wrenches;
+  Status status = options.project ? engine.project(at.state) : Status{};
+  if (status.ok()) status = engine.accelerations(at, derivative);
+  if (status.ok()) status = check_finite(derivative);
+  if (status.ok()) status = engine.multipliers(at, derivative, lambda);
+  if (status.ok() && options.reactions) status = engine.reactions(at, derivative, wrenches);
+  if (status.ok()) status = engine.driving_forces(at, derivative, drive);
+
+  Json result;
+  result["zdd"] = status.ok() ? Json(in_file_order(file, derivative.zdd)) : Json(nullptr);
+  result["lambda"] = status.ok() ? Json(lambda) : Json(nullptr);
+  if (!compilation.model.motions.empty()) {
+    result["drive"] = status.ok() ? drive_json(compilation.model, drive) : Json(nullptr);
+  }
+  result["status"] = describe(compilation, status);
+  Residuals residuals;
+  const bool has_residuals = engine.residuals(at.state, residuals).ok();
+  result["position_residual"] = has_residuals ? number_or_null(residuals.position) : Json(nullptr);
+  result["velocity_residual"] = has_residuals ? number_or_null(residuals.velocity) : Json(nullptr);
+  if (options.reactions) {
+    result["reactions"] = status.ok() ? reactions_json(compilation.model, wrenches) : Json(nullptr);
+  }
+  if (options.project && status.ok()) {
+    result["z"] = in_file_order(file, at.state.z);
+    result["zd"] = in_file_order(file, at.state.zd);
+  }
+  return result;
+}
+
+int run(const EvaluateOptions& options) {
+  Model model = read_set_model(options.model, options.set);
+  if (options.reactions) add_reaction_outputs(model);
+  const EngineChoice choice = chosen_engine(options.engine);
+  const std::optional<Form> form = chosen_form(options.form);
+  const Compilation compilation =
+      expect(choice.name == "generated" ? compile(std::move(model), {form}) : decide(std::move(model)));
+  const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
+  const StatesFile file = read_states(options.states, compilation, inputs);
+  Engine engine = make_engine(compilation, choice);
+  if (options.reactions) use_reaction_outputs(engine, compilation.model);
+  Json result;
+  result["joint_order"] = file.joint_order;
+  result["states"] = Json::array();
+  for (const FileState& state : file.states) {
+    result["states"].push_back(evaluate_state(engine, compilation, file, state, options));
+  }
+  print(result.dump() + "\n");
+  return kDone;
+}
+
+}  // namespace
+
+void add_evaluate(NamedCommand application, int& exit_code) {
+  const auto options = std::make_shared<EvaluateOptions>();
+  NamedCommand command = application.add_command("evaluate", "print the accelerations at given states, as JSON");
+  command.footer(
+      "Example: mbgen evaluate models/pendulum.json --states states.json\n"
+      "where states.json is {\"joint_order\": [names], \"states\": [{\"z\": [], \"zd\": [], \"tau\": []}]}; a state "
+      "may\n"
+      "also have \"x\", \"t\" and \"inputs\": {name: value}. tau are joint forces beside the forces of the model.\n"
+      "Of a model with motions, \"drive\" are the generalised driving forces.\n"
+      "A state that has no accelerations has \"zdd\": null and a status that says why; the exit code is then 0 too.");
+  add_model_argument(command, options->model);
+  command.add_option("--states", options->states, "file of states (JSON)").required();
+  command.add_flag("--project", options->project,
+                   "make each state consistent first, and print its z and zd (default: take it as given)");
+  command.add_flag("--reactions", options->reactions,
+                   "print the reaction of every joint and rod on its \"to\" body: force, and moment about the joint's "
+                   "point on that body, global axes");
+  add_set_option(command, options->set);
+  add_batch_option(command, options->engine.choice.lanes);
+  add_json_option(command, options->json);
+  add_form_option(command, options->form);
+  add_engine_options(command, options->engine);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mbgen::cli

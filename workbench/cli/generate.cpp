@@ -1,0 +1,168 @@
+// mbgen generate: the specialised solver, as files.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "compiler/compile.hpp"
+#include "compiler/text/json_text.hpp"
+#include "compiler/text/user_error.hpp"
+#include "workbench/cli/commands.hpp"
+#include "workbench/cli/options.hpp"
+#include "workbench/cost/measured_cost.hpp"
+#include "workbench/describe/dump.hpp"
+#include "workbench/engines/engine_arguments.hpp"
+#include "workbench/host/assignments.hpp"
+#include "workbench/host/depfile.hpp"
+#include "workbench/host/files.hpp"
+#include "workbench/start/initial_state.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+struct GenerateOptions {
+  std::string model, form, directory, name, depfile, dump;
+  std::vector<std::string> set;
+  EmitOptions emit;
+  bool c_interface = false, measure = false, json = false;
+  std::optional<double> budget;  ///< microseconds of a step
+};
+
+/// The model, under the name that was asked for.
+Model read_named(const GenerateOptions& options) {
+  Model model = read_set_model(options.model, options.set);
+  if (options.name.empty()) return model;
+  model.name = options.name;
+  if (const std::string possible = solver_name(model); possible != options.name) {
+    throw UserError(
+        fmt::format("--name: \"{}\" cannot name files and a C++ namespace; \"{}\" can\n", options.name, possible));
+  }
+  return model;
+}
+
+/// Fails: UserError for a budget that is none.
+void check_budget(const GenerateOptions& options) {
+  if (!options.budget) return;
+  if (!options.measure) throw UserError("--budget-us: needs --measure\n");
+  if (!(*options.budget > 0) || !std::isfinite(*options.budget)) {
+    throw UserError(fmt::format("--budget-us: must be positive and finite, found {}\n", *options.budget));
+  }
+}
+
+/// Adds the files of the measured cost; the manifest stays the last one.
+void add_measured_files(const MeasuredCost& cost, const Compilation& compilation, std::vector<EmittedFile>& files) {
+  files.insert(files.end() - 1, {{cost.solver + "_measured.json", json_text(measured_json(cost, compilation))},
+                                 {cost.solver + "_measured.txt", measured_text(cost, compilation)}});
+}
+
+/// Writes the files and the rule for them. Result: their paths.
+std::vector<std::string> write_all(const GenerateOptions& options, const Model& model,
+                                   std::vector<EmittedFile> emitted) {
+  std::vector<NamedText> files;
+  std::vector<std::string> paths;
+  for (EmittedFile& file : emitted) {
+    paths.push_back((std::filesystem::path(options.directory) / file.path).string());
+    files.push_back({std::move(file.path), std::move(file.text)});
+  }
+  std::optional<AtomicFile> depfile = depfile_of(options.depfile, paths.back(), model.files);
+  // Killed in between, mbgen leaves the manifest older than the model: a build tool starts it again.
+  if (depfile) depfile->commit();
+  write_files(options.directory, files, model.files);  // the manifest is named like the model
+  return paths;
+}
+
+/// Fails: UserError for options that exist in double precision only.
+void require_precision(const GenerateOptions& options) {
+  if (options.emit.scalar == "double") return;
+  if (options.emit.lanes > 0) {
+    throw UserError("generate: --batch has lanes of doubles: leave out --batch or --scalar float\n");
+  }
+  if (options.measure) {
+    throw UserError("generate: --measure times a solver in double precision: leave out --measure or --scalar float\n");
+  }
+}
+
+/// Fails: UserError for a number of the model that single precision has no place for.
+void require_range(const Compilation& compilation, const std::string& scalar) {
+  if (scalar == "double") return;
+  if (const std::optional<double> number = beyond_single_precision(compilation.programs, compilation.model)) {
+    throw UserError(fmt::format("{}: {} is beyond single precision; use other units, or leave out --scalar float\n",
+                                compilation.model.file, *number));
+  }
+}
+
+int run(const GenerateOptions& options) {
+  if (!options.dump.empty()) {
+    print(dump_stage(read_named(options), options.dump, known_start, chosen_form(options.form), options.emit));
+    return kDone;
+  }
+  if (options.directory.empty()) throw UserError("generate: --out DIR is required\n");
+  if (is_standard_output(options.directory)) {
+    throw UserError(
+        "--out: the solver is several files, name a directory\n"
+        "  hint: --dump code prints the solver, a directory of this name is ./-\n");
+  }
+  require_precision(options);
+  check_budget(options);
+  const Compilation compilation = expect(compile(read_named(options), {chosen_form(options.form)}));
+  require_range(compilation, options.emit.scalar);
+  EmitOptions emitted = options.emit;
+  emitted.c_interface = options.c_interface || options.emit.calibration;
+  emitted.initial = emitted.c_interface ? default_initial_state(compilation) : known_start(compilation);
+  std::vector<EmittedFile> files = emit(compilation, emitted);
+  std::optional<MeasuredCost> cost;
+  if (options.measure) {
+    cost = measure_cost(compilation, emitted, options.budget);
+    add_measured_files(*cost, compilation, files);
+  }
+  const std::vector<std::string> paths = write_all(options, compilation.model, std::move(files));
+  if (cost && exceeds_budget(*cost)) throw UserError(budget_text(*cost));
+  if (options.json) {
+    nlohmann::ordered_json report = {{"model", compilation.model.name}, {"files", paths}};
+    if (cost) report["measured"] = measured_json(*cost, compilation);
+    print(json_text(report));
+  } else {
+    for (const std::string& path : paths) print(path + "\n");
+    if (cost) print(budget_text(*cost));
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_generate(NamedCommand application, int& exit_code) {
+  const auto options = std::make_shared<GenerateOptions>();
+  NamedCommand command = application.add_command("generate", "write the specialised C++ solver of a model");
+  command.footer(
+      "Example: mbgen generate models/coach.json --out coach_solver\n"
+      "Prints the files that it wrote; DIR/CMakeLists.txt builds them alone.");
+  add_model_argument(command, options->model);
+  command.add_option("-o,--out", options->directory, "directory of the files; made when it is missing");
+  command.add_flag(
+      "--no-runtime", [options] { options->emit.runtime_headers = false; },
+      "leave out the runtime's headers (mbgen/*.hpp)");
+  command.add_flag("--c-api", options->c_interface,
+                   "add an interface in C99 (<model>_c.h, <model>_c.cpp) and a Python module over it (<model>.py)");
+  command.add_flag("--a2l", options->emit.calibration,
+                   "add a calibration file, ASAP2 (<model>.a2l), the header of its symbols (<model>_a2l.h), and the "
+                   "files of --c-api");
+  command.add_option("--name", options->name, "name of the files and the namespace (default: the model's)");
+  add_set_option(command, options->set);
+  add_depfile_option(command, options->depfile);
+  add_form_option(command, options->form);
+  add_batch_option(command, options->emit.lanes);
+  add_scalar_option(command, options->emit.scalar);
+  command.add_flag("--measure", options->measure,
+                   "compile the solver and time a step: adds <model>_measured.txt and .json to the cost sheet");
+  command.add_option("--budget-us", options->budget,
+                     "with --measure: fail when the slowest step takes longer than so many microseconds");
+  add_json_option(command, options->json);
+  add_dump_option(command, options->dump);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,230 @@
+// mbgen linearize: small motions about a state.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "compiler/model/auxiliary_states.hpp"
+#include "compiler/text/json_text.hpp"
+#include "compiler/text/user_error.hpp"
+#include "workbench/cli/commands.hpp"
+#include "workbench/cli/html_report.hpp"
+#include "workbench/cli/options.hpp"
+#include "workbench/describe/notes.hpp"
+#include "workbench/host/assignments.hpp"
+#include "workbench/host/files.hpp"
+#include "workbench/operating/operating_point.hpp"
+#include "workbench/report/report.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct LinearizeOptions {
+  std::string model, file, page;
+  std::vector<std::string> set;
+  StateArguments state;
+  bool json = false;
+};
+
+std::vector<std::string> state_names(const Compilation& compilation, const LinearSystem& system) {
+  const std::vector<std::string> auxiliary = auxiliary_state_names(compilation.model);
+  std::vector<std::string> names;
+  for (const LinearState& state : system.states) {
+    const auto index = static_cast<std::size_t>(state.index);
+    if (state.kind == LinearState::Kind::auxiliary) {
+      names.push_back("x." + auxiliary[index]);
+    } else {
+      const bool is_velocity = state.kind == LinearState::Kind::velocity;
+      names.push_back((is_velocity ? "zd." : "z.") + compilation.topology.bodies[index].coordinate);
+    }
+  }
+  return names;
+}
+
+Json matrix_json(const Eigen::MatrixXd& matrix) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.push_back(matrix(i, j));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json complex_json(std::complex<double> value) { return Json::array({value.real(), value.imag()}); }
+
+Json modes_json(const Compilation& compilation, const std::vector<Mode>& list) {
+  Json result = Json::array();
+  for (const Mode& mode : list) {
+    Json shape = Json::object();
+    for (std::size_t i = 0; i < mode.coordinates.size(); ++i) {
+      shape[compilation.topology.bodies[i].coordinate] = complex_json(mode.coordinates[i]);
+    }
+    result.push_back({{"eigenvalue", complex_json(mode.eigenvalue)},
+                      {"frequency", mode.frequency()},
+                      {"undamped_frequency", mode.undamped_frequency()},
+                      {"damping_ratio", mode.damping_ratio()},
+                      {"neutral", mode.is_neutral},
+                      {"shape", std::move(shape)}});
+  }
+  return result;
+}
+
+Json linear_json(const Compilation& compilation, const OperatingPoint& point, const LinearSystem& system,
+                 const std::vector<Mode>& list, const std::vector<std::string>& places) {
+  Json inputs = Json::array(), outputs = Json::array(), z = Json::object();
+  for (const Input& input : compilation.model.inputs) inputs.push_back(input.name);
+  for (const Output& output : compilation.model.outputs) outputs.push_back(output.name);
+  Json zd = Json::object();
+  for (std::size_t i = 0; i < point.z.size(); ++i) {
+    z[compilation.topology.bodies[i].coordinate] = point.z[i];
+    zd[compilation.topology.bodies[i].coordinate] = point.zd[i];
+  }
+  Json input_values = Json::object();
+  for (std::size_t i = 0; i < point.inputs.size(); ++i)
+    input_values[compilation.model.inputs[i].name] = point.inputs[i];
+  return {{"model", compilation.model.name},
+          {"states", state_names(compilation, system)},
+          {"inputs", inputs},
+          {"outputs", outputs},
+          {"positions", z},
+          {"velocities", zd},
+          {"input_values", input_values},
+          {"drift", std::vector<double>(system.drift.begin(), system.drift.end())},
+          {"A", matrix_json(system.A)},
+          {"B", matrix_json(system.B)},
+          {"C", matrix_json(system.C)},
+          {"D", matrix_json(system.D)},
+          {"rigid_body", places},
+          {"modes", modes_json(compilation, list)}};
+}
+
+/// Four decimals; a number that rounds to zero has no sign.
+std::string without_minus_zero(double value) {
+  const std::string text = fmt::format("{:.4f}", value);
+  return text == "-0.0000" ? "0.0000" : text;
+}
+
+double largest_drift(const LinearSystem& system) {
+  return system.drift.size() > 0 ? system.drift.cwiseAbs().maxCoeff() : 0.0;
+}
+
+/// One line for all that stays where it is put.
+std::string neutral_text(const Compilation& compilation, const std::vector<Mode>& list,
+                         const std::vector<std::string>& places) {
+  const auto first = std::find_if(list.begin(), list.end(), [](const Mode& mode) { return mode.is_neutral; });
+  if (first == list.end()) return "";
+  long count = 0;  // of a conjugate pair the list has one
+  for (const Mode& mode : list) count += !mode.is_neutral ? 0 : mode.eigenvalue.imag() > 0 ? 2 : 1;
+  const char* kind = rolling_loop(compilation.topology) ? "rigid body and rolling" : "rigid body";
+  return fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}{}: {}\n", first - list.begin() + 1, 0, "", "-", "-", kind,
+                     count == 1 ? "" : fmt::format(" ({} eigenvalues)", count), fmt::join(places, ", "));
+}
+
+std::string heading_text(const LinearizeOptions& options, const Compilation& compilation, const ChosenPoint& chosen,
+                         const LinearSystem& system) {
+  std::string text = fmt::format("{}: {} states, {} inputs, {} outputs\n", compilation.model.name, system.states.size(),
+                                 compilation.model.inputs.size(), compilation.model.outputs.size());
+  const auto is_load = [](const SampledValue& value) { return value.load.has_value(); };
+  if (!std::ranges::all_of(compilation.model.sampled, is_load))
+    text += "sampled values hold: the modes belong to the plant without its sampled controllers\n";
+  if (std::ranges::any_of(compilation.model.sampled, is_load))
+    text += "reactions that press frictions hold: the modes belong to the loads of the start\n";
+  if (chosen.steady) return text + steady_text(compilation, *chosen.steady, options.state.steady);
+  return text + fmt::format("rates of the states at this point: at most {:.3g}\n\n", largest_drift(system));
+}
+
+std::string modes_text(const Compilation& compilation, const std::vector<Mode>& list,
+                       const std::vector<std::string>& places) {
+  std::string text;
+  text += "        eigenvalue [1/s]           frequency [Hz]   damping   moves most\n";
+  int number = 0;
+  for (const Mode& mode : list) {
+    ++number;
+    if (mode.is_neutral) continue;
+    const bool oscillates = mode.oscillates();
+    const std::string frequency = oscillates ? fmt::format("{:.4f}", mode.frequency()) : "-";
+    const std::string damping = oscillates ? without_minus_zero(mode.damping_ratio()) : "-";
+    const std::string imaginary = oscillates ? fmt::format("+-{:.4f} i", mode.eigenvalue.imag()) : "";
+    const std::string real = without_minus_zero(mode.eigenvalue.real());
+    std::string line =
+        fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}", number, real, imaginary, frequency, damping,
+                    leading_coordinates(compilation.model, compilation.topology, compilation.analysis, mode));
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  text += neutral_text(compilation, list, places);
+  const auto unstable = std::count_if(list.begin(), list.end(), [](const Mode& mode) { return mode.is_unstable; });
+  if (unstable > 0) text += fmt::format("\nunstable: {} of {} modes grow\n", unstable, list.size());
+  return text;
+}
+
+/// Which state was asked for, in words.
+std::string state_text(const StateArguments& state) {
+  if (!state.result.empty()) {
+    return state.time ? fmt::format("state at {:g} s of {}", *state.time, state.result)
+                      : fmt::format("row {} of {}", state.row, state.result);
+  }
+  if (state.at == "steady") return "steady motion";
+  if (!state.states.empty()) return fmt::format("state {} of {}", state.index, state.states);
+  return state.at == "equilibrium" ? "static equilibrium" : "initial state";
+}
+
+void write_page(const LinearizeOptions& options, const Compilation& compilation, const OperatingPoint& point,
+                const LinearSystem& system, const std::vector<Mode>& list) {
+  if (list.empty()) throw UserError(fmt::format("--report: {} has no modes, nothing is free\n", options.model));
+  write_file(options.page,
+             modes_html({compilation.model, compilation.topology, compilation.analysis, point, list,
+                         state_text(options.state), largest_drift(system)}),
+             files_read(compilation.model, options.state));
+}
+
+int run(const LinearizeOptions& options) {
+  if (!options.page.empty()) require_report_page("--report");
+  const Compilation compilation = expect(compile(read_set_model(options.model, options.set)));
+  count_notes(compilation);
+  const ChosenPoint chosen = operating_point(compilation, options.state);
+  const OperatingPoint& point = chosen.point;
+  // A steady motion names its states by the coordinates that it was sought with.
+  LinearSystem system =
+      expect(chosen.steady ? linearise(compilation, point) : linearise_by_any_choice(compilation, point));
+  const std::vector<std::string> places = neutral_coordinates(compilation.topology, system);
+  if (chosen.steady) system = turning_with(*chosen.steady, std::move(system));
+  std::vector<Mode> list = modes(system);
+  if (chosen.steady) mark_places(*chosen.steady, list);
+  const std::string json = json_text(linear_json(compilation, point, system, list, places));
+  if (!options.file.empty()) write_file(options.file, json, files_read(compilation.model, options.state));
+  if (!options.page.empty()) write_page(options, compilation, point, system, list);
+  const std::string& result = is_standard_output(options.page) ? options.page : options.file;
+  print_beside(
+      result,
+      options.json ? json : heading_text(options, compilation, chosen, system) + modes_text(compilation, list, places));
+  return kDone;
+}
+
+}  // namespace
+
+void add_linearize(NamedCommand application, int& exit_code) {
+  const auto options = std::make_shared<LinearizeOptions>();
+  NamedCommand command = application.add_command("linearize", "linear equations and modes about a state");
+  command.footer(
+      "Example: mbgen linearize models/coach.json --at equilibrium --report modes.html\n"
+      "States are positions and velocities of the independent coordinates and the slips of the tyres; the loops stay\n"
+      "closed. --json and --out give A, B, C, D, the eigenvalues and the mode shapes over all coordinates.\n"
+      "--report writes a page that animates the mode shapes: one file that needs no network.");
+  add_model_argument(command, options->model);
+  add_set_option(command, options->set);
+  add_state_options(command, options->state);
+  command.add_option("-o,--out", options->file, "write matrices and modes to this file, as --json prints them");
+  command.add_option("--report", options->page, "write the modes as a page: list, animation, eigenvalues (HTML)");
+  add_json_option(command, options->json);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mbgen::cli

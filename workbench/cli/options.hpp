@@ -1,0 +1,56 @@
+#pragma once
+// Arguments that several commands share.
+
+#include <string>
+#include <vector>
+
+#include "workbench/cli/command_line.hpp"
+
+namespace mbgen {
+struct EngineArguments;
+struct SimulationArguments;
+struct StateArguments;
+}  // namespace mbgen
+
+namespace mbgen::cli {
+
+/// MODEL, the first argument of most commands.
+void add_model_argument(NamedCommand command, std::string& path);
+
+/// --json
+void add_json_option(NamedCommand command, bool& json);
+
+/// --form recursive|matrix
+void add_form_option(NamedCommand command, std::string& form);
+
+/// --dump=STAGE
+void add_dump_option(NamedCommand command, std::string& stage);
+
+/// --depfile FILE
+void add_depfile_option(NamedCommand command, std::string& path);
+
+/// --batch: 4 or 8 instances a call, 0 when it is not given.
+void add_batch_option(NamedCommand command, int& lanes);
+
+/// --scalar double|float
+void add_scalar_option(NamedCommand command, std::string& scalar);
+
+/// --input
+void add_input_option(NamedCommand command, std::vector<std::string>& inputs);
+
+/// --input, --no-cache
+void add_run_options(NamedCommand command, EngineArguments& arguments);
+
+/// --engine, --linear-algebra, --factorisation, --stabilisation and the run options
+void add_engine_options(NamedCommand command, EngineArguments& arguments);
+
+/// --set
+Option add_set_option(NamedCommand command, std::vector<std::string>& assignments);
+
+/// --duration, --step, --integrator, --input-table, --interpolation
+void add_simulation_options(NamedCommand command, SimulationArguments& arguments);
+
+/// --at, --hold, --solve, --states, --index, --result, --row, --time, --input
+void add_state_options(NamedCommand command, StateArguments& arguments);
+
+}  // namespace mbgen::cli

@@ -1,0 +1,222 @@
+// mbgen simulate: a motion, as a table in a file and a summary.
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "compiler/text/user_error.hpp"
+#include "workbench/cli/commands.hpp"
+#include "workbench/cli/options.hpp"
+#include "workbench/describe/names.hpp"
+#include "workbench/describe/notes.hpp"
+#include "workbench/engines/engine_arguments.hpp"
+#include "workbench/host/assignments.hpp"
+#include "workbench/host/files.hpp"
+#include "workbench/host/held_signals.hpp"
+#include "workbench/host/message.hpp"
+#include "workbench/host/process.hpp"
+#include "workbench/host/progress.hpp"
+#include "workbench/manoeuvre/manoeuvre_run.hpp"
+#include "workbench/motion/branch_guard.hpp"
+#include "workbench/motion/contact_watch.hpp"
+#include "workbench/motion/controlled_engine.hpp"
+#include "workbench/motion/load_watch.hpp"
+#include "workbench/motion/motion_table.hpp"
+#include "workbench/motion/motion_watch.hpp"
+#include "workbench/motion/road_watch.hpp"
+#include "workbench/motion/simulation.hpp"
+#include "workbench/motion/simulation_arguments.hpp"
+#include "workbench/motion/simulation_text.hpp"
+#include "workbench/motion/step_verdict.hpp"
+#include "workbench/start/equilibrium_causes.hpp"
+#include "workbench/start/initial_state.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+struct SimulateOptions {
+  std::string model, form, file, format, manoeuvre;
+  std::vector<std::string> set;
+  SimulationArguments simulation;
+  std::optional<double> tolerance;  ///< of error control
+  long every = 1;
+  EngineArguments engine;
+  bool json = false;
+};
+
+/// A motion and the notes on it.
+struct Run {
+  SimulationSummary summary;
+  StepVerdict verdict;
+  std::vector<MovedValue> moved;                ///< of the start
+  std::shared_ptr<ErrorControlRecord> control;  ///< of a motion with error control
+  int signal = 0;                               ///< that stopped it
+};
+
+Run compute(const Compilation& compilation, const EngineChoice& choice, const InputsOverTime& inputs,
+            SimulationSettings settings, std::optional<ErrorControl> control, MotionTable& table,
+            ManoeuvreRun* manoeuvre) {
+  Engine engine = make_engine(compilation, choice);
+  const Start start = initial_start(compilation, inputs.at(0));
+  print_notes(start_notes(compilation, start));
+  Progress progress;
+  ContactWatch contacts(compilation);
+  LoadWatch loads(compilation.model);
+  RoadWatch roads(compilation);
+  settings.is_error_controlled = control.has_value();
+  MotionWatch watch(compilation, choice.integrator, settings, start.state, inputs, manoeuvre != nullptr);
+  roads.add(start.state);
+  settings.has_multipliers = contacts.needs_multipliers();
+  if (manoeuvre) manoeuvre->look_at_steering(compilation, start.state, inputs.at(0));
+  Run run;
+  run.moved = start.moved;
+  if (control) {
+    control->end = start.state.t + static_cast<double>(settings.steps) * settings.step;
+    run.control = std::make_shared<ErrorControlRecord>();
+    engine = with_error_control(compilation, engine, inputs, *control, run.control);
+  }
+  // The inputs of a manoeuvre are not known before, and steps of error control are looked at one by one.
+  if (manoeuvre == nullptr && !run.control) engine = with_branch_guard(compilation, engine, inputs);
+  const auto on_sample = [&](const Sample& sample) {
+    contacts.add(sample);
+    loads.add(sample);
+    roads.add(sample.state);
+    watch.add(sample);
+    table.add(sample);
+    progress.show(sample.step, settings.steps);
+  };
+  HeldSignals signals;
+  settings.is_stopped = [&] { return signals.taken() != 0; };
+  run.summary = simulate(engine, start.state, inputs, settings, on_sample,
+                         manoeuvre ? manoeuvre->control(settings.step) : InputControl());
+  if (run.summary.is_stopped) run.signal = signals.taken();
+  progress.clear();
+  run.verdict = watch.judge(run.summary);
+  judge_contacts(contacts, run.verdict);
+  judge_loads(loads, run.verdict);
+  judge_roads(roads, run.summary, run.verdict);
+  if (manoeuvre) manoeuvre->judge(run.verdict);
+  return run;
+}
+
+/// Warnings, and why there is no good result, on standard error.
+int tell(const SimulationRecord& record) {
+  const StepVerdict& verdict = record.verdict;
+  for (const std::string& warning : verdict.warnings) print_message("simulate: warning: {}\n", warning);
+  const SimulationSummary& summary = record.summary;
+  if (summary.status.ok() && verdict.failure.empty()) return kDone;
+  if (summary.status.ok()) {
+    print_message("simulate: {}; {} holds the motion\n", verdict.failure, shown_name(record.file));
+    return kUserFault;
+  }
+  const bool of_control = record.control && !record.control->failure.empty();
+  print_message("simulate: stopped after t = {:.10g} s: {}{}; {} holds the motion up to there\n", summary.end_time,
+                describe(record.compilation, summary.status),
+                of_control ? fmt::format(" ({})", record.control->failure) : "", shown_name(record.file));
+  const std::string hint =
+      verdict.failure.empty() ? hint_of_reach(record.compilation, summary.status) : verdict.failure;
+  if (!hint.empty()) print_message("  hint: {}\n", hint);
+  if (summary.status.code == Code::not_a_number) {
+    for (const std::string& ends : coinciding_ends(record.compilation, summary.last))
+      print_message("  hint: {}\n", ends);
+  }
+  return kUserFault;
+}
+
+/// The integrator that suits the modes of the start; standard error says which and why.
+SolverSettings::Integrator chosen_integrator(const Model& model, const SimulateOptions& options,
+                                             const SimulationSettings& settings, const std::string& engine) {
+  if (is_cartesian(engine)) return SolverSettings::Integrator::rk4;
+  const Compilation decided = expect(decide(Model(model)));
+  const auto inputs = inputs_of(decided.model, options.engine.inputs, options.simulation).at(0);
+  const auto modes = modes_near(decided, initial_start(decided, inputs).state, inputs);
+  const IntegratorChoice chosen = choose_integrator(decided, settings, modes);
+  print_message("simulate: integrator {}: {}\n", name_of(chosen.integrator), chosen.reason);
+  return chosen.integrator;
+}
+
+int run(SimulateOptions options) {
+  EngineChoice choice = chosen_engine(options.engine);
+  const std::optional<Form> form = chosen_form(options.form);
+  Model model = read_set_model(options.model, options.set);
+  const auto manoeuvre = prepare_manoeuvre(options.manoeuvre, options.model, options.set, model, options.simulation);
+  const SimulationSettings settings = settings_of(options.simulation, model.solver);
+  std::vector<VariedParameter> set = set_parameters(model, options.set);
+  follow_step(settings, set, model);
+  const std::optional<ErrorControl> control = error_control_of(options.simulation.integrator, options.tolerance, model);
+  choice.integrator = model.solver.integrator =
+      options.simulation.integrator == "auto"
+          ? chosen_integrator(model, options, settings, choice.name)
+          : integrator_of(control ? "" : options.simulation.integrator, model.solver.integrator, choice.name);
+  const Compilation compilation =
+      expect(choice.name == "generated" ? compile(std::move(model), {form}) : decide(std::move(model)));
+  if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
+  count_notes(compilation);
+  require_whole_periods(settings, compilation.model);
+  const InputsOverTime inputs = inputs_of(compilation.model, options.engine.inputs, options.simulation);
+  for (const std::string& warning : inputs.warnings) print_message("{}", warning);
+  std::vector<std::string> read = compilation.model.files;
+  read.insert(read.end(), {options.simulation.input_table, options.manoeuvre});
+  MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step, options.every,
+                    std::move(read));
+  const Run run = compute(compilation, choice, inputs, settings, control, table, manoeuvre.get());
+  const SimulationRecord record{compilation,
+                                choice,
+                                settings,
+                                run.summary,
+                                options.file,
+                                table.finish(),
+                                options.every,
+                                run.verdict,
+                                run.moved,
+                                options.set,
+                                inputs.is_constant && !manoeuvre,
+                                run.control,
+                                manoeuvre ? manoeuvre->words() : ManoeuvreWords()};
+  table.commit(run_json(record));
+  print_beside(options.file, options.json ? summary_json(record) : summary_text(record));
+  if (run.signal == 0) return tell(record);
+  tell(record);
+  print_message(
+      "simulate: interrupted at t = {:.10g} s; {} holds the motion up to there, run the same command again for "
+      "all of it\n",
+      run.summary.end_time, shown_name(options.file));
+  throw Interrupted{run.signal};
+}
+
+}  // namespace
+
+void add_simulate(NamedCommand application, int& exit_code) {
+  const auto options = std::make_shared<SimulateOptions>();
+  NamedCommand command = application.add_command("simulate", "compute a motion, write it as a table (CSV or MAT)");
+  command.footer(
+      "Example: mbgen simulate models/coach.json --duration 5 --step 1e-3 --out coach.csv\n"
+      "Prints a summary; the file appears when it is complete. With --out - the table goes to standard output and the\n"
+      "summary to standard error. When the motion cannot go on, the file holds\n"
+      "the rows up to there, standard error says why, and the exit code is 1.\n"
+      "Beside a CSV file FILE.run.json says which run it is of, for mbgen report; a MAT file holds that itself.\n"
+      "Inputs keep their values (--input), or follow a table (--input-table steer.csv), whose header names them:\n"
+      "  t [s],steer [rad],torque [N m]\n"
+      "An input with a derivative among the inputs continues with it; where the table has no column for the\n"
+      "derivative, it is the derivative of the curve through the rows.\n"
+      "--integrator cvode (stiff models) or cvode-adams steps with error control (SUNDIALS); the table's step is then\n"
+      "that of its rows alone.\n"
+      "Where the step is too long for the model (its fastest mode, or an energy balance off by 0.1 %), standard error\n"
+      "says so and names one that would do; values that blow up and an energy balance off by 10 % are an error.");
+  add_model_argument(command, options->model);
+  add_simulation_options(command, options->simulation);
+  command.add_option("--manoeuvre", options->manoeuvre,
+                     "file of a manoeuvre that moves the inputs (docs/use/manoeuvres.md)");
+  command.add_option("--tolerance", options->tolerance,
+                     "of cvode and cvode-adams: error of a step, relative, and absolute in SI units (default 1e-6)");
+  command.add_option("-o,--out", options->file, "table of the motion; - for standard output").required();
+  command.add_option("--format", options->format, "csv or mat (level 4) (default: by the ending of --out)");
+  command.add_option("--every", options->every, "write every n-th step, and the last (default 1)");
+  add_set_option(command, options->set);
+  add_form_option(command, options->form);
+  add_engine_options(command, options->engine);
+  add_json_option(command, options->json);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mbgen::cli

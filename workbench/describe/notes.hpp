@@ -1,0 +1,28 @@
+#pragma once
+// Notes: messages of a command about a file in which nothing is wrong.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "compiler/compile.hpp"
+#include "compiler/text/diagnostic.hpp"
+
+namespace mbgen {
+
+/// What the files of a model say and it does not use, what its loops lock, in which modes it is not, and what nothing
+/// holds.
+Diagnostics all_notes(const Compilation& compilation);
+
+/// One note as people read it, without the line of text that it names.
+std::string note_text(const Diagnostic& note);
+
+/// Notes on standard error.
+void print_notes(const Diagnostics& notes);
+
+/// How many notes there are and where to read them, on standard error; nothing for none.
+void count_notes(const Compilation& compilation);
+
+/// Problems or notes as machines read them, an array.
+nlohmann::ordered_json diagnostics_json(const Diagnostics& diagnostics);
+
+}  // namespace mbgen

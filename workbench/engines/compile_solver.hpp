@@ -1,0 +1,29 @@
+#pragma once
+// From emitted code to a loaded solver, by the C++ compiler of the machine.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compiler/compile.hpp"
+#include "mbgen/driver.hpp"
+#include "workbench/engines/engine.hpp"
+#include "workbench/host/process.hpp"
+
+namespace mbgen {
+
+/// Emits the solver and its driver, compiles them with $CXX (or c++) for this processor and loads the result.
+/// choice: its use, its lanes, and use_cache: look for the object under ${XDG_CACHE_HOME:-~/.cache}/mbgen first, and
+/// keep it there. Its name is a hash of the code, the compiler's version, the flags and the processor; any number of
+/// mbgen may run at the same time.
+/// Fails: UserError when there is no compiler (the text names --engine generic), std::runtime_error with the end of the
+/// compiler's messages when it rejects the code.
+std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, const EngineChoice& choice);
+
+/// An engine of its own behind a solver that others may use at the same time. compilation: of the solver, or one
+/// whose model has other values of the tunable parameters; engines run at those.
+Engine make_generated_engine(const std::shared_ptr<const SolverTable>& solver, const Compilation& compilation,
+                             const EngineChoice& choice);
+
+}  // namespace mbgen

@@ -1,0 +1,26 @@
+#pragma once
+// Engine and form, as typed.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workbench/engines/engine.hpp"
+
+namespace mbgen {
+
+/// The form that was typed, none for "". Fails: UserError for a form that there is not.
+std::optional<Form> chosen_form(const std::string& typed);
+
+/// Engine and inputs as typed.
+struct EngineArguments {
+  EngineChoice choice;
+  std::string linear_algebra, factorisation, stabilisation;  ///< "" for the default
+  std::vector<std::string> inputs;                           ///< name=value
+};
+
+/// The engine that the arguments choose. Fails: UserError for a linear algebra, factorisation or stabilisation that is
+/// unknown, or that the engine does not let one choose, and for QR without Eigen.
+EngineChoice chosen_engine(const EngineArguments& arguments);
+
+}  // namespace mbgen

@@ -1,0 +1,74 @@
+#include "workbench/engines/kept_object.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include "compiler/text/hash.hpp"
+#include "compiler/text/user_error.hpp"
+#include "workbench/host/message.hpp"
+
+namespace mbgen {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kMark = "mbgen-object 1\n";
+
+/// The bytes behind an object: mark, size and hash, of one length whatever the object.
+std::string seal_of(std::string_view object) {
+  Hash hash;
+  hash.add(object);
+  return fmt::format("{}{:016x}\n{}\n", kMark, object.size(), hash.text());
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+[[noreturn]] void fail(const fs::path& path) {
+  throw UserError(fmt::format("{}: cannot write: {}\n", path.string(), std::strerror(errno)));
+}
+
+}  // namespace
+
+void seal(const fs::path& object) {
+  const std::string text = seal_of(bytes_of(object));
+  const int file = ::open(object.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (file < 0) fail(object);
+  const bool is_written = ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  const bool is_synchronised = is_written && ::fsync(file) == 0;
+  if (!is_synchronised) {
+    ::close(file);
+    fail(object);
+  }
+  if (::close(file) != 0) fail(object);
+}
+
+bool is_sealed(const fs::path& object) {
+  const std::string bytes = bytes_of(object);
+  const std::size_t length = seal_of({}).size();
+  if (bytes.size() < length) return false;
+  const std::string_view content = std::string_view(bytes).substr(0, bytes.size() - length);
+  return std::string_view(bytes).substr(content.size()) == seal_of(content);
+}
+
+bool keep(const fs::path& object, const fs::path& kept) {
+  std::error_code problem;
+  fs::permissions(object, fs::perms::owner_all, problem);  // whatever the umask leaves to others
+  if (!problem) fs::rename(object, kept, problem);  // atomic, and onto the same bytes when another mbgen was faster
+  if (!problem) return true;
+  print_message(
+      "{}: note: the solver is not kept under this name: {}\n"
+      "  hint: remove what stands there, or name another directory in XDG_CACHE_HOME\n",
+      kept.string(), problem.message());
+  return false;
+}
+
+}  // namespace mbgen

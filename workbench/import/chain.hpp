@@ -1,0 +1,53 @@
+#pragma once
+// A mechanism as a tree of joints and the loops that close it, of no format: bodies are indices of poses.
+
+#include <limits>
+
+#include "workbench/import/assembly.hpp"
+
+namespace mbgen::importing {
+
+/// Two frames that a loop brings together.
+struct LoopEnds {
+  JointType type = JointType::fixed;
+  Isometry3d from = Isometry3d::Identity(), to = Isometry3d::Identity();
+  Vector3d axis{1, 0, 0};  ///< unit, in both frames
+};
+
+/// Gap of a loop: m, then rad.
+struct Gap {
+  Vector3d apart = Vector3d::Zero(), turned = Vector3d::Zero();
+  bool is_below(double length, double angle) const { return apart.norm() <= length && turned.norm() <= angle; }
+};
+
+/// Of the ends of a loop, both in the same frame, in the axes of its frame on `from`.
+Gap gap_between(const LoopEnds& ends);
+
+/// A joint of the tree. One of several coordinates moves, too; it has no position.
+struct ChainJoint {
+  std::string name;  ///< for messages
+  JointType type = JointType::fixed;
+  int from = -1, to = -1;
+  Isometry3d start = Isometry3d::Identity();                                ///< its frame in `from`
+  Isometry3d end = Isometry3d::Identity();                                  ///< `to` in its frame at zero
+  Vector3d axis{1, 0, 0};                                                   ///< unit, in its frame
+  double position = 0;                                                      ///< rad or m
+  double lower = -std::numeric_limits<double>::infinity(), upper = -lower;  ///< rad or m
+  int leader = -1;                    ///< joint that it follows; circles of leaders are not allowed
+  std::vector<double> relation = {};  ///< position = sum of relation[k] (leader's position)^k; alone without a leader
+};
+
+struct ChainLoop {
+  std::string name;
+  int from = -1, to = -1;
+  LoopEnds ends;  ///< in the bodies
+};
+
+/// A mechanism as a tree of joints and the loops that close it.
+struct Chain {
+  std::vector<ChainJoint> joints;  ///< in any order; a body that is `to` of none stays where it is
+  std::vector<Isometry3d> poses;   ///< of the bodies, global
+  std::vector<ChainLoop> loops;
+};
+
+}  // namespace mbgen::importing

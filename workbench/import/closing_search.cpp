@@ -1,0 +1,197 @@
+// Joints are moved until the ends of loops meet: Gauss-Newton steps within the joints' limits.
+#include "workbench/import/closing_search.hpp"
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <random>
+
+#include "compiler/algebra/dense.hpp"
+
+namespace mbgen::importing {
+namespace {
+
+constexpr double kLeft = 2e-3, kLeftTurned = 5e-3;  // m and rad that may be left when no joint closes more
+
+using Loops = Closing::Loops;
+using Columns = std::vector<std::size_t>;  ///< indices into Closing::movable
+
+/// A step within the limits: joints that would leave them stay at them, the others make up for it.
+VectorXd bounded_step(const Closing& closing, const Columns& columns, const MatrixXd& slopes, const VectorXd& at,
+                      const VectorXd& positions, double damping) {
+  constexpr double kRank = 1e-6;
+  VectorXd step = VectorXd::Zero(slopes.cols()), target = at;
+  std::vector<Eigen::Index> free(columns.size());
+  for (std::size_t k = 0; k < columns.size(); ++k) free[k] = static_cast<Eigen::Index>(k);
+  for (int round = 0; round < 6 && !free.empty(); ++round) {
+    const auto count = static_cast<Eigen::Index>(free.size());
+    MatrixXd system = MatrixXd::Zero(slopes.rows() + (damping > 0 ? count : 0), count);
+    VectorXd wanted = VectorXd::Zero(system.rows());
+    wanted.head(slopes.rows()) = -target;
+    for (Eigen::Index k = 0; k < count; ++k) {
+      system.col(k).head(slopes.rows()) = slopes.col(free[static_cast<std::size_t>(k)]);
+      if (damping > 0) system(slopes.rows() + k, k) = damping;
+    }
+    const VectorXd part = least_squares(system, wanted, kRank);
+    std::vector<Eigen::Index> inside;
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const Eigen::Index i = free[static_cast<std::size_t>(k)];
+      const std::size_t column = columns[static_cast<std::size_t>(i)];
+      const ChainJoint& joint = closing.joint(closing.movable[column]);
+      const double position = positions[static_cast<Eigen::Index>(column)];
+      const double bounded = std::clamp(position + part[k], joint.lower, joint.upper) - position;
+      step[i] = bounded;
+      if (std::abs(bounded - part[k]) <= 1e-15)
+        inside.push_back(i);
+      else
+        target += slopes.col(i) * bounded;
+    }
+    if (inside.size() == free.size()) break;
+    free = inside;
+  }
+  return step;
+}
+
+/// Brings the ends of loops as near to each other as Gauss-Newton steps of these joints from here can; damped where
+/// they overshoot. Result: the sum of squares that is left.
+double close_some(Closing& closing, const Loops& loops, const Columns& columns) {
+  constexpr int kIterations = 200;
+  constexpr double kDone = 1e-26, kGain = 1e-10, kLargest = 1.0;
+  VectorXd at = closing.residual(loops);
+  double cost = at.squaredNorm(), damping = 0;
+  for (int i = 0; i < kIterations && cost > kDone; ++i) {
+    MatrixXd slopes(at.size(), static_cast<Eigen::Index>(columns.size()));
+    for (Eigen::Index k = 0; k < slopes.cols(); ++k)
+      slopes.col(k) = closing.slope(closing.movable[columns[static_cast<std::size_t>(k)]], loops);
+    const VectorXd before = closing.positions();
+    const double old = cost;
+    for (int attempt = 0; attempt < 12; ++attempt) {
+      const VectorXd step = bounded_step(closing, columns, slopes, at, before, damping);
+      const double largest = step.size() > 0 ? step.cwiseAbs().maxCoeff() : 0;
+      const double share = largest > kLargest ? kLargest / largest : 1;
+      VectorXd next = before;
+      for (std::size_t k = 0; k < columns.size(); ++k)
+        next[static_cast<Eigen::Index>(columns[k])] += share * step[static_cast<Eigen::Index>(k)];
+      closing.set(next);
+      const VectorXd now = closing.residual(loops);
+      if (now.squaredNorm() < cost) {
+        at = now;
+        cost = now.squaredNorm();
+        damping *= 0.1;
+        break;
+      }
+      damping = damping > 0 ? 4 * damping : 1e-3 * closing.size;
+    }
+    if (cost == old) closing.set(before);
+    if (cost > (1 - kGain) * old) break;
+    if (damping < 1e-9 * closing.size) damping = 0;
+  }
+  return cost;
+}
+
+/// Joints that move one of the loops.
+Columns joints_of(const Closing& closing, const Loops& loops) {
+  Columns columns;
+  for (std::size_t k = 0; k < closing.movable.size(); ++k) {
+    const auto is_moved = [&](std::size_t loop) { return closing.moves(closing.movable[k], loop); };
+    if (std::any_of(loops.begin(), loops.end(), is_moved)) columns.push_back(k);
+  }
+  return columns;
+}
+
+/// Joints that move the last loop and none before it.
+Columns own_joints(const Closing& closing, const Loops& loops) {
+  Columns own;
+  for (const std::size_t k : joints_of(closing, {loops.back()})) {
+    const auto is_moved = [&](std::size_t loop) { return closing.moves(closing.movable[k], loop); };
+    if (std::none_of(loops.begin(), loops.end() - 1, is_moved)) own.push_back(k);
+  }
+  return own;
+}
+
+/// Closes loops from here, and from other places of `spread` joints, near ones first; the best place stays.
+/// Result: whether they close.
+bool close_from_many(Closing& closing, const Loops& loops, const Columns& columns, const Columns& spread, int tries) {
+  const VectorXd start = closing.positions();
+  VectorXd nearest = start;
+  double best = -1;
+  std::mt19937 random(static_cast<unsigned>(loops.size()));
+  for (int i = 0; i <= tries; ++i) {
+    VectorXd guess = start;
+    for (const std::size_t k : spread) {
+      const ChainJoint& joint = closing.joint(closing.movable[k]);
+      const double reach = (joint.type == JointType::revolute ? 3.14 : closing.size) * i / tries;
+      // Not a distribution of the library, whose numbers are its own.
+      const double share = 2.0 * random() / static_cast<double>(std::mt19937::max()) - 1;
+      const auto index = static_cast<Eigen::Index>(k);
+      guess[index] = std::clamp(guess[index] + reach * share, joint.lower, joint.upper);
+    }
+    closing.set(guess);
+    const double cost = close_some(closing, loops, columns);
+    if (closing.are_closed(loops, kOpen, kOpen)) return true;
+    if (best >= 0 && cost >= best) continue;
+    best = cost;
+    nearest = closing.positions();
+  }
+  closing.set(nearest);
+  return false;
+}
+
+/// Closes the last of the loops by the joints that it alone has; where these do not reach, by all.
+void close_next(Closing& closing, const Loops& loops) {
+  constexpr int kTries = 40;
+  const Columns own = own_joints(closing, loops), all = joints_of(closing, loops);
+  if (!own.empty() && close_from_many(closing, {loops.back()}, own, own, kTries)) return;
+  const int tries = std::max(4, kTries / static_cast<int>(loops.size()));
+  close_from_many(closing, loops, all, own.empty() ? joints_of(closing, {loops.back()}) : own, tries);
+}
+
+/// Loops that joints connect: no joint moves loops of two groups.
+std::vector<Loops> groups_of(const Closing& closing) {
+  std::vector<std::size_t> group_of(closing.closures.size());
+  for (std::size_t loop = 0; loop < group_of.size(); ++loop) group_of[loop] = loop;
+  for (const int joint : closing.movable) {
+    std::optional<std::size_t> first;
+    for (std::size_t loop = 0; loop < group_of.size(); ++loop) {
+      if (!closing.moves(joint, loop)) continue;
+      if (!first) first = loop;
+      std::replace(group_of.begin(), group_of.end(), std::size_t{group_of[loop]}, std::size_t{group_of[*first]});
+    }
+  }
+  std::map<std::size_t, Loops> groups;
+  for (std::size_t loop = 0; loop < group_of.size(); ++loop) groups[group_of[loop]].push_back(loop);
+  std::vector<Loops> list;
+  for (auto& [name, loops] : groups) list.push_back(std::move(loops));
+  return list;
+}
+
+/// All loops of a group together; where that leads nowhere, one after the other.
+void close_group(Closing& closing, const Loops& loops) {
+  const Columns columns = joints_of(closing, loops);
+  const VectorXd start = closing.positions();
+  const double together = close_some(closing, loops, columns);
+  if (closing.are_closed(loops, kOpen, kOpen)) return;
+  const VectorXd nearest = closing.positions();
+  closing.set(start);
+  Loops some;
+  for (const std::size_t loop : loops) {
+    some.push_back(loop);
+    close_next(closing, some);
+  }
+  if (close_some(closing, loops, columns) > together) closing.set(nearest);
+}
+
+}  // namespace
+
+bool search(Closing& closing) {
+  VectorXd inside = closing.positions();
+  for (Eigen::Index k = 0; k < inside.size(); ++k) {
+    const ChainJoint& joint = closing.joint(closing.movable[static_cast<std::size_t>(k)]);
+    inside[k] = std::clamp(inside[k], joint.lower, joint.upper);
+  }
+  closing.set(inside);
+  for (const Loops& loops : groups_of(closing)) close_group(closing, loops);
+  return all_below(closing.gaps(), kLeft, kLeftTurned);
+}
+
+}  // namespace mbgen::importing

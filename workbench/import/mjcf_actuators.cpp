@@ -1,0 +1,232 @@
+// MJCF: fixed tendons, which are sums of coordinates, and actuators on joints and on them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "workbench/import/mjcf.hpp"
+
+namespace mbgen::importing {
+namespace {
+
+/// A force along a sum of coordinates: on each its factor times the force.
+void add_force(Mjcf& mjcf, const std::string& name, const MjcfLength& length, const std::vector<Term>& force) {
+  for (const auto& [factor, joint] : length.parts) {
+    std::vector<Term> terms = force;
+    for (Term& term : terms) term.factor *= factor;
+    const std::string shown = length.parts.size() == 1 ? name : fmt::format("{}_{}", name, joint.coordinate);
+    mjcf.assembly.joint_forces.push_back(
+        {unique_name(shown, mjcf.assembly.force_names), joint.coordinate, sum_text(terms)});
+  }
+}
+
+/// The joints of a tendon; nothing with a problem.
+std::optional<MjcfLength> read_length(Mjcf& mjcf, const Element& tendon) {
+  MjcfLength length;
+  for (const Element& part : tendon.children) {
+    if (part.name != "joint") continue;
+    const std::optional<std::string> name = required_text(mjcf.reading, part, "joint");
+    if (!name) return std::nullopt;
+    const auto found = mjcf.joint_of.find(*name);
+    const bool is_one = found != mjcf.joint_of.end() &&
+                        (found->second.type == JointType::revolute || found->second.type == JointType::prismatic);
+    if (!is_one) {
+      problem(mjcf.reading, attribute(part, "joint")->spot, "no hinge or slide is named " + quoted_text(*name));
+      return std::nullopt;
+    }
+    length.parts.emplace_back(number(mjcf.reading, part, "coef", 1), found->second);
+  }
+  return length;
+}
+
+/// How far the tendon is stretched beyond what its spring leaves free.
+std::vector<Term> stretch_of(const MjcfLength& length, const std::vector<double>& springlength, double stiffness) {
+  const double lower = springlength.front(), upper = springlength.back();
+  // A negative length means the one at the joints' springref.
+  double offset = length.reference() - lower;
+  if (lower < 0) {
+    offset = 0;
+    for (const auto& [factor, joint] : length.parts) offset -= factor * joint.free;
+  }
+  if (lower == upper || lower < 0) {
+    std::vector<Term> terms = terms_of(length, -stiffness, "z.");
+    terms.push_back({-stiffness * offset});
+    return terms;
+  }
+  const auto beyond = [&](double end) {
+    std::vector<Term> terms = terms_of(length, 1, "z.");
+    terms.push_back({length.reference() - end});
+    return sum_text(terms);
+  };
+  return {{-stiffness, fmt::format("min(0, {})", beyond(lower))},
+          {-stiffness, fmt::format("max(0, {})", beyond(upper))}};
+}
+
+void read_fixed(Mjcf& mjcf, const Element& tendon) {
+  require_class(mjcf, tendon, "class");
+  const std::optional<MjcfLength> length = read_length(mjcf, tendon);
+  if (!length) return;
+  const std::string written = text_of(tendon, "name");
+  const auto value = [&](const char* name) {
+    const Attribute* found = inherited_as(mjcf, tendon, "tendon", name);
+    return found ? numbers(mjcf.reading, *found, 1, 1).value_or(std::vector<double>{0})[0] : 0.0;
+  };
+  const double stiffness = mjcf.settings.has_springs ? value("stiffness") : 0;
+  const double damping = mjcf.settings.has_dampers ? value("damping") : 0;
+  if (mjcf.settings.has_friction && value("frictionloss") != 0)
+    lose(mjcf, tendon.spot, "tendon with frictionloss: not carried over, friction is on one coordinate");
+  if (inherited_as(mjcf, tendon, "tendon", "range")) lose(mjcf, tendon.spot, "tendon with a range: it is not enforced");
+  if (stiffness < 0 || damping < 0) return problem(mjcf.reading, tendon.spot, "stiffness and damping are not negative");
+  std::vector<double> springlength = {-1};
+  if (const Attribute* given = inherited_as(mjcf, tendon, "tendon", "springlength"))
+    springlength = numbers(mjcf.reading, *given, 1, 2).value_or(springlength);
+  std::vector<Term> force = stretch_of(*length, springlength, stiffness);
+  for (const Term& term : terms_of(*length, -damping, "zd.")) force.push_back(term);
+  if (stiffness > 0 || damping > 0) add_force(mjcf, written.empty() ? "tendon" : written, *length, force);
+  if (!written.empty() && !mjcf.tendon_of.emplace(written, *length).second)
+    problem(mjcf.reading, tendon.spot, fmt::format("tendon {} is defined twice", quoted_text(written)));
+}
+
+/// An actuator as MuJoCo computes it: force = gain * u + bias + by_length * length + by_rate * rate, of its own length,
+/// which is gear times that of what it pulls; u follows the input after a time constant.
+struct Law {
+  double gain = 1, bias = 0, by_length = 0, by_rate = 0;
+  double time_constant = 0;
+};
+
+std::vector<double> inherited_list(Mjcf& mjcf, const Element& actuator, std::string_view name,
+                                   std::size_t least_length) {
+  std::vector<double> values;
+  if (const Attribute* found = inherited(mjcf, actuator, "", name))
+    values = numbers(mjcf.reading, *found, 1, 100).value_or(values);
+  values.resize(std::max(values.size(), least_length), 0.0);
+  return values;
+}
+
+/// Fails (nothing): it is no law of this kind.
+std::optional<Law> general_law(Mjcf& mjcf, const Element& actuator) {
+  const auto text = [&](const char* name, const char* fallback) {
+    return inherited_text(mjcf, actuator, "", name, fallback);
+  };
+  Law law;
+  if (text("gaintype", "fixed") != "fixed") return std::nullopt;
+  law.gain = inherited(mjcf, actuator, "", "gainprm") ? inherited_list(mjcf, actuator, "gainprm", 1)[0] : 1;
+  const std::string dynamics = text("dyntype", "none"), bias = text("biastype", "none");
+  if (dynamics == "filter" || dynamics == "filterexact") {
+    law.time_constant = inherited(mjcf, actuator, "", "dynprm") ? inherited_list(mjcf, actuator, "dynprm", 1)[0] : 1;
+  } else if (dynamics != "none") {
+    return std::nullopt;
+  }
+  if (bias == "none") return law;
+  if (bias != "affine") return std::nullopt;
+  const std::vector<double> b = inherited_list(mjcf, actuator, "biasprm", 3);
+  law.bias = b[0];
+  law.by_length = b[1];
+  law.by_rate = b[2];
+  return law;
+}
+
+/// Damping of a position servo by its ratio, over the inertias of the coordinates at the reference, as MuJoCo 3 has it.
+double damping_by_ratio(Mjcf& mjcf, const MjcfLength& length, double gear, double ratio, double gain) {
+  if (mjcf.inertia_of.empty()) find_inertias(mjcf);
+  double mass = 0;
+  for (const auto& [factor, joint] : length.parts)
+    if (factor * gear != 0) mass += mjcf.inertia_of[joint.coordinate] / (factor * factor * gear * gear);
+  return 2 * ratio * std::sqrt(std::max(0.0, gain * mass));
+}
+
+std::optional<Law> law_of(Mjcf& mjcf, const Element& actuator, const MjcfLength& length, double gear) {
+  if (actuator.name == "motor") return Law{};
+  if (actuator.name == "general") return general_law(mjcf, actuator);
+  const auto value = [&](const char* name, double fallback) {
+    return inherited_number(mjcf, actuator, "", name, fallback);
+  };
+  if (actuator.name == "velocity") {
+    const double gain = value("kv", 1);
+    return Law{.gain = gain, .by_rate = -gain};
+  }
+  const double gain = value("kp", 1), ratio = value("dampratio", 0);
+  double damping = value("kv", 0);
+  if (ratio != 0 && damping != 0) problem(mjcf.reading, actuator.spot, "<position> takes kv or dampratio, not both");
+  if (ratio > 0) damping = damping_by_ratio(mjcf, length, gear, ratio, gain);
+  return Law{.gain = gain, .by_length = -gain, .by_rate = -damping, .time_constant = value("timeconst", 0)};
+}
+
+std::string unit_of(const Element& actuator, const MjcfLength& length, double gear) {
+  if (gear != 1 || actuator.name == "general" || length.parts.size() != 1 || length.parts[0].first != 1) return "1";
+  const bool turns = length.parts[0].second.type == JointType::revolute;
+  if (actuator.name == "motor") return turns ? "N m" : "N";
+  if (actuator.name == "position") return turns ? "rad" : "m";
+  return turns ? "rad/s" : "m/s";
+}
+
+/// The part that it pulls: a joint or a fixed tendon. Fails (nothing): another thing, or a problem was added.
+std::optional<MjcfLength> pulled_by(Mjcf& mjcf, const Element& actuator) {
+  const Attribute* joint = attribute(actuator, "joint");
+  if (!joint) joint = attribute(actuator, "jointinparent");
+  if (const Attribute* tendon = attribute(actuator, "tendon")) {
+    const auto found = mjcf.tendon_of.find(tendon->value);
+    return found == mjcf.tendon_of.end() ? std::nullopt : std::optional(found->second);
+  }
+  if (!joint) return std::nullopt;
+  const auto found = mjcf.joint_of.find(joint->value);
+  if (found == mjcf.joint_of.end()) {
+    problem(mjcf.reading, joint->spot, "no joint is named " + quoted_text(joint->value));
+    return std::nullopt;
+  }
+  if (found->second.type != JointType::revolute && found->second.type != JointType::prismatic) return std::nullopt;
+  return MjcfLength{{{1.0, found->second}}};
+}
+
+void add_actuator(Mjcf& mjcf, const Element& actuator) {
+  static constexpr std::array<std::string_view, 4> known = {"motor", "position", "velocity", "general"};
+  require_class(mjcf, actuator, "class");
+  const std::size_t problems = mjcf.reading.problems.size();
+  const bool is_known = std::find(known.begin(), known.end(), actuator.name) != known.end();
+  const std::optional<MjcfLength> length = pulled_by(mjcf, actuator);
+  if (mjcf.reading.problems.size() > problems) return;
+  double gear = 1;
+  if (const Attribute* written = inherited(mjcf, actuator, "", "gear"))
+    gear = numbers(mjcf.reading, *written, 1, 6).value_or(std::vector<double>{1})[0];
+  const std::optional<Law> law = is_known && length ? law_of(mjcf, actuator, *length, gear) : std::nullopt;
+  if (!law) {
+    lose(
+        mjcf, actuator.spot,
+        fmt::format("actuator <{}>: it is not carried over, motors, position and velocity servos on hinges, slides and "
+                    "fixed tendons become inputs",
+                    actuator.name));
+    return;
+  }
+  if (inherited(mjcf, actuator, "", "ctrlrange") || inherited(mjcf, actuator, "", "forcerange"))
+    lose(mjcf, actuator.spot, "actuator with a range: it is not enforced");
+  Assembly& assembly = mjcf.assembly;
+  const std::string written = text_of(actuator, "name"), unit = unit_of(actuator, *length, gear);
+  const std::string name =
+      unique_name(written.empty() ? length->parts.front().second.coordinate + "_motor" : written, assembly.input_names);
+  assembly.inputs.push_back({name, unit});
+  std::string acting = name;
+  if (law->time_constant > 0) {
+    acting = unique_name(name + "_filtered", assembly.input_names);
+    assembly.states.push_back(
+        {acting, fmt::format("({} - {})/{}", name, acting, number_text(law->time_constant)), unit});
+  }
+  std::vector<Term> force = {{gear * law->gain, acting},
+                             {gear * law->bias + gear * gear * law->by_length * length->reference()}};
+  for (const Term& term : terms_of(*length, gear * gear * law->by_length, "z.")) force.push_back(term);
+  for (const Term& term : terms_of(*length, gear * gear * law->by_rate, "zd.")) force.push_back(term);
+  add_force(mjcf, name, *length, force);
+}
+
+}  // namespace
+
+void read_tendons(Mjcf& mjcf, const Element& section) {
+  for (const Element& tendon : section.children)
+    if (tendon.name == "fixed") read_fixed(mjcf, tendon);
+}
+
+void read_actuators(Mjcf& mjcf, const Element& section) {
+  for (const Element& actuator : section.children) add_actuator(mjcf, actuator);
+}
+
+}  // namespace mbgen::importing

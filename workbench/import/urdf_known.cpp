@@ -1,0 +1,71 @@
+// URDF 1.0 to 1.2 (http://wiki.ros.org/urdf/XML, the readme of urdfdom), with loops of Isaac Sim, Drake and URDF+.
+#include <array>
+
+#include "workbench/import/known.hpp"
+
+namespace mbgen::importing {
+namespace {
+
+constexpr std::string_view kFrame = "xyz rpy quat_xyzw";
+
+constexpr std::array<KnownElement, 46> kElementsOfUrdf = {{
+    {"/robot", "name version"},
+    {"robot/link", "name", "type"},
+    {"robot/joint", "name type"},
+    {"robot/material", "name"},
+    {"robot/loop_joint", "name type"},
+    {"robot/loop", "name type"},
+    {"robot/transmission", "", "", "motors are not part of the mechanism"},
+    {"robot/gazebo", "", "", "settings of Gazebo are not read"},
+    {"robot/mujoco", "", "", "settings of MuJoCo are not read"},
+    {"robot/sensor", "", "", "outputs are chosen in the model"},
+    {"robot/ros2_control", "", "", "controllers are not part of the mechanism"},
+    {"robot/coupling", "", "", "only <mimic> becomes a coupling, others are typed into \"couplings\" of the model"},
+    {"link/inertial", ""},
+    {"link/visual", "", "name"},
+    {"link/collision", "", "", "there is no contact"},
+    {"inertial/origin", kFrame},
+    {"inertial/mass", "value"},
+    {"inertial/inertia", "ixx iyy izz ixy ixz iyz"},
+    {"visual/origin", kFrame},
+    {"visual/geometry", ""},
+    {"visual/material", "name"},
+    {"geometry/box", "size"},
+    {"geometry/cylinder", "radius length"},
+    {"geometry/sphere", "radius"},
+    {"geometry/capsule", "radius length"},
+    {"geometry/mesh", "filename scale"},
+    {"material/color", "rgba"},
+    {"material/texture", "", "filename"},
+    {"joint/origin", kFrame},
+    {"joint/parent", "link"},
+    {"joint/child", "link"},
+    {"joint/axis", "xyz"},
+    {"joint/dynamics", "damping friction"},
+    {"joint/limit", "lower upper effort velocity acceleration deceleration jerk"},
+    {"joint/mimic", "joint multiplier offset"},
+    {"joint/calibration", "", "", "it is not part of the mechanism"},
+    {"joint/safety_controller", "", "", "controllers are not part of the mechanism"},
+    {"loop_joint/link1", "link xyz rpy quat_xyzw"},
+    {"loop_joint/link2", "link xyz rpy quat_xyzw"},
+    {"loop/predecessor", "link xyz rpy quat_xyzw"},
+    {"loop/successor", "link xyz rpy quat_xyzw"},
+    {"loop/axis", "xyz"},
+    {"loop/limit", "", "", "joints that close loops have no coordinate"},
+    {"loop/dynamics", "", "", "joints that close loops have no coordinate"},
+    {"loop_joint/axis", "xyz"},
+    {"end/origin", kFrame},
+}};
+
+constexpr std::array<SameContext, 6> kContextsOfUrdf = {{{"link1", "end"},
+                                                         {"link2", "end"},
+                                                         {"predecessor", "end"},
+                                                         {"successor", "end"},
+                                                         {"loop_joint", "loop"},
+                                                         {"loop", "loop_joint"}}};
+
+}  // namespace
+
+const KnownFormat kUrdf = {"URDF", kElementsOfUrdf, {}, kContextsOfUrdf};
+
+}  // namespace mbgen::importing

@@ -1,0 +1,248 @@
+// URDF: loops that the format has no word for, by extensions of others and by a sidecar file.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "workbench/import/urdf.hpp"
+
+namespace mbgen::importing {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct LoopWord {
+  std::string_view word;
+  JointType type;
+};
+constexpr std::array<LoopWord, 7> kLoopWords = {{{"revolute", JointType::revolute},
+                                                 {"continuous", JointType::revolute},
+                                                 {"prismatic", JointType::prismatic},
+                                                 {"cylindrical", JointType::cylindrical},
+                                                 {"spherical", JointType::spherical},
+                                                 {"planar", JointType::planar},
+                                                 {"fixed", JointType::fixed}}};
+constexpr const char* kLoopTypes = "known: revolute, continuous, prismatic, cylindrical, spherical, planar, fixed";
+
+std::optional<JointType> loop_type(std::string_view typed) {
+  for (const LoopWord& word : kLoopWords) {
+    if (word.word == typed) return word.type;
+  }
+  return std::nullopt;
+}
+
+/// A problem of the sidecar; where it stands in the text is not known, its JSON pointer is.
+void sidecar_problem(Reading& reading, const std::string& pointer, std::string message, std::string hint) {
+  Diagnostic diagnostic;
+  diagnostic.where.file = reading.request.loops_file;
+  diagnostic.where.pointer = pointer;
+  diagnostic.message = std::move(message);
+  diagnostic.hint = std::move(hint);
+  reading.problems.push_back(std::move(diagnostic));
+}
+
+/// Loops of the sidecar as they are read.
+struct SidecarReader {
+  Reading& reading;
+  UrdfRobot& robot;
+
+  void fail(const std::string& pointer, std::string message, std::string hint = {}) {
+    sidecar_problem(reading, pointer, std::move(message), std::move(hint));
+  }
+
+  std::optional<double> angle_or_length(const Json& value, const std::string& pointer) {
+    if (value.is_number()) return value.get<double>();
+    const bool is_degrees = value.is_object() && value.size() == 1 && value.contains("deg") && value["deg"].is_number();
+    if (is_degrees) return value["deg"].get<double>() * std::numbers::pi / 180;
+    fail(pointer, "must be a number, or an object like { \"deg\": 30 }");
+    return std::nullopt;
+  }
+
+  std::optional<Vector3d> vector(const Json& owner, const std::string& key, const std::string& pointer) {
+    if (!owner.contains(key)) return std::nullopt;
+    const Json& value = owner[key];
+    bool is_vector = value.is_array() && value.size() == 3;
+    for (std::size_t i = 0; is_vector && i < 3; ++i) is_vector = value[i].is_number();
+    if (is_vector) return Vector3d(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
+    fail(pointer + "/" + key, "must be three numbers");
+    return std::nullopt;
+  }
+
+  Isometry3d frame(const Json& owner, const char* xyz, const char* rpy, const std::string& pointer) {
+    const Vector3d angles = vector(owner, rpy, pointer).value_or(Vector3d::Zero());
+    Isometry3d result = Isometry3d::Identity();
+    result.translate(vector(owner, xyz, pointer).value_or(Vector3d::Zero()));
+    result.rotate(Eigen::AngleAxisd(angles[2], Vector3d::UnitZ()));
+    result.rotate(Eigen::AngleAxisd(angles[1], Vector3d::UnitY()));
+    result.rotate(Eigen::AngleAxisd(angles[0], Vector3d::UnitX()));
+    return result;
+  }
+
+  int link(const Json& owner, const char* key, const std::string& pointer) {
+    if (!owner.contains(key) || !owner[key].is_string()) {
+      fail(pointer, fmt::format("a loop needs \"{}\", the name of a link", key));
+      return -1;
+    }
+    const auto name = owner[key].get<std::string>();
+    const auto found = robot.link_of.find(name);
+    if (found != robot.link_of.end()) return found->second;
+    fail(pointer + "/" + key, "no link is named " + quoted_text(name));
+    return -1;
+  }
+
+  void positions(const Json& list) {
+    if (!list.is_object()) return fail("/positions", "must be an object of joint positions");
+    for (const auto& [name, value] : list.items()) {
+      const std::string pointer = "/positions/" + name;
+      const auto found = robot.joint_of.find(name);
+      if (found == robot.joint_of.end()) {
+        fail(pointer, "no joint is named " + quoted_text(name));
+        continue;
+      }
+      UrdfJoint& joint = robot.joints[static_cast<std::size_t>(found->second)];
+      if (joint.type != JointType::revolute && joint.type != JointType::prismatic) {
+        fail(pointer, "only revolute, continuous and prismatic joints have a position");
+        continue;
+      }
+      if (const std::optional<double> position = angle_or_length(value, pointer)) joint.reference = *position;
+    }
+  }
+
+  void loop(const std::string& name, const Json& value, std::vector<UrdfLoop>& loops) {
+    const std::string pointer = "/loops/" + name;
+    if (!value.is_object()) return fail(pointer, "must be an object with type, from and to");
+    static constexpr std::array known = {"type", "from", "to", "xyz", "rpy", "axis", "to_xyz", "to_rpy"};
+    for (const auto& [key, ignored] : value.items()) {
+      if (std::find(known.begin(), known.end(), key) == known.end()) {
+        fail(pointer + "/" + key, "unknown field", "known: type, from, to, xyz, rpy, axis, to_xyz, to_rpy");
+      }
+    }
+    UrdfLoop loop{.name = name, .pointer = pointer};
+    loop.from = link(value, "from", pointer);
+    loop.to = link(value, "to", pointer);
+    const bool has_type = value.contains("type") && value["type"].is_string();
+    const std::optional<JointType> type = has_type ? loop_type(value["type"].get<std::string>()) : std::nullopt;
+    if (!type) return fail(pointer, "a loop needs a type", kLoopTypes);
+    loop.ends.type = *type;
+    const Vector3d axis = vector(value, "axis", pointer).value_or(Vector3d::UnitX());
+    if (axis.norm() == 0) return fail(pointer + "/axis", "axis has zero length");
+    loop.ends.axis = axis.normalized();
+    loop.ends.from = frame(value, "xyz", "rpy", pointer);
+    loop.ends.to = frame(value, "to_xyz", "to_rpy", pointer);
+    loop.has_far_frame = value.contains("to_xyz") || value.contains("to_rpy");
+    if (loop.from >= 0 && loop.from == loop.to) return fail(pointer, "both ends are on one link");
+    if (loop.from >= 0 && loop.to >= 0) loops.push_back(std::move(loop));
+  }
+};
+
+/// One end of a <loop_joint> or <loop>: its link and its frame in it.
+struct ExtensionEnd {
+  int link = -1;
+  Isometry3d frame = Isometry3d::Identity();
+};
+
+std::vector<ExtensionEnd> extension_ends(Reading& reading, const Element& loop, const UrdfRobot& robot) {
+  std::vector<ExtensionEnd> ends;
+  for (const Element& end : loop.children) {
+    const bool is_end =
+        end.name == "link1" || end.name == "link2" || end.name == "predecessor" || end.name == "successor";
+    if (!is_end) continue;
+    const std::optional<std::string> name = required_text(reading, end, "link");
+    if (!name) return {};
+    const auto found = robot.link_of.find(*name);
+    if (found == robot.link_of.end()) {
+      problem(reading, attribute(end, "link")->spot, "no link is named " + quoted_text(*name));
+      return {};
+    }
+    const bool is_nested = child(end, "origin") != nullptr;
+    ends.push_back({found->second, is_nested ? read_inner_origin(reading, end) : read_origin(reading, end)});
+  }
+  if (ends.size() == 2 && ends[0].link != ends[1].link) return ends;
+  problem(reading, loop.spot, fmt::format("<{}> needs two different links", loop.name),
+          "by <link1> and <link2>, or <predecessor> and <successor>");
+  return {};
+}
+
+}  // namespace
+
+std::vector<UrdfLoop> read_extension_loops(Reading& reading, const Element& root, const UrdfRobot& robot) {
+  std::vector<UrdfLoop> loops;
+  for (const Element& element : root.children) {
+    if (element.name != "loop_joint" && element.name != "loop") continue;
+    const std::optional<std::string> name = required_text(reading, element, "name");
+    const std::optional<JointType> type = loop_type(text_of(element, "type"));
+    if (!type) {
+      problem(reading, element.spot, fmt::format("<{}> has no known type", element.name), kLoopTypes);
+      continue;
+    }
+    const std::vector<ExtensionEnd> ends = extension_ends(reading, element, robot);
+    if (!name || ends.empty()) continue;
+    LoopEnds frames{*type, ends[0].frame, ends[1].frame, Vector3d::UnitX()};
+    if (has_axis(*type)) frames.axis = read_axis(reading, element);
+    loops.push_back({.name = *name, .spot = element.spot, .ends = frames, .from = ends[0].link, .to = ends[1].link});
+  }
+  return loops;
+}
+
+std::vector<UrdfLoop> read_sidecar(Reading& reading, UrdfRobot& robot) {
+  std::vector<UrdfLoop> sidecar;
+  if (!reading.request.loops) return sidecar;
+  SidecarReader reader{reading, robot};
+  Json root;
+  try {
+    root = Json::parse(*reading.request.loops, nullptr, true, true);
+  } catch (const Json::parse_error& error) {
+    const int file = add_source(reading, reading.request.loops_file, *reading.request.loops);
+    const std::size_t offset = error.byte > 0 ? error.byte - 1 : 0;
+    problem(reading, {file, std::min(offset, reading.request.loops->size())}, "not well-formed JSON");
+    return sidecar;
+  }
+  if (!root.is_object()) {
+    reader.fail("", "must be an object with \"loops\" or \"positions\"");
+    return sidecar;
+  }
+  for (const auto& [key, value] : root.items()) {
+    if (key == "positions") {
+      reader.positions(value);
+    } else if (key == "loops" && value.is_object()) {
+      for (const auto& [name, loop] : value.items()) reader.loop(name, loop, sidecar);
+    } else {
+      reader.fail("/" + key, key == "loops" ? "must be an object of loops" : "unknown field",
+                  "known: loops, positions");
+    }
+  }
+  return sidecar;
+}
+
+void add_loops(Reading& reading, const std::vector<UrdfLoop>& loops, const UrdfRobot& robot, Assembly& assembly) {
+  for (const UrdfLoop& loop : loops) {
+    const int from = robot.links[static_cast<std::size_t>(loop.from)].body;
+    const int to = robot.links[static_cast<std::size_t>(loop.to)].body;
+    const auto pose = [&](int body) { return assembly.bodies[static_cast<std::size_t>(body)].pose; };
+    LoopEnds ends = loop.ends;
+    ends.from = pose(from) * ends.from;
+    ends.to = loop.has_far_frame ? pose(to) * ends.to : ends.from;
+    JointDraft draft{.name = unique_joint_name(assembly, loop.name),
+                     .type = ends.type,
+                     .from = from,
+                     .to = to,
+                     .at = ends.to.translation(),
+                     .cut = true};
+    if (has_axis(ends.type)) draft.axis = ends.from.linear() * ends.axis;
+    assembly.joints.push_back(std::move(draft));
+    const std::string gap = gap_of(ends);
+    if (gap.empty() || !is_told(robot, loop.name)) continue;
+    if (loop.pointer.empty()) {
+      problem(reading, loop.spot,
+              fmt::format("loop {} does not close, {}{}", quoted_text(loop.name), gap, remains_open(robot, loop.name)),
+              kGapHint);
+    } else {
+      sidecar_problem(reading, loop.pointer, "loop does not close, " + gap + remains_open(robot, loop.name),
+                      "name joint positions at which it closes, as \"positions\": { \"joint\": 0.3 }");
+    }
+  }
+}
+
+}  // namespace mbgen::importing

@@ -1,0 +1,81 @@
+#pragma once
+// The curves of a rig: points one after the other, and what is read of them.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "workbench/kc/geometry.hpp"
+#include "workbench/kc/kc_report.hpp"
+
+namespace mbgen::kc {
+
+/// What a curve imposes.
+struct Sweep {
+  enum class Kind {
+    parallel_travel,
+    opposite_travel,
+    steering,
+    brake_force,
+    drive_force,
+    lateral_force,
+    aligning_moment
+  };
+  Kind kind = Kind::parallel_travel;
+  double amplitude = 0;
+};
+
+/// A point of a curve with the axle there; of an axle with one wheel the other one is its mirror.
+struct PointOfCurve {
+  double imposed = 0;
+  RigPoint at;
+  AxleState axle;
+};
+
+/// The points of a curve from the lowest value to the highest, and why it ends early, "" when it does not.
+struct CurvePoints {
+  std::vector<PointOfCurve> points;
+  std::string note;
+  bool is_stopped = false;  ///< by who watched it: points are missing
+};
+
+/// The point at which nothing is imposed; the rig gets partitions that stand well there.
+/// Fails: with one problem when there is no equilibrium, or no derivatives.
+Result<PointOfCurve> start_point(Rig& rig);
+
+/// goes_on: asked after every point.
+CurvePoints curve_points(const Rig& rig, const PointOfCurve& start, const Sweep& sweep, int count,
+                         const std::function<bool()>& goes_on = {});
+
+/// Name of a curve, as its files are called, and its title.
+std::string name_of(Sweep::Kind kind);
+std::string title_of(Sweep::Kind kind);
+
+/// Deflection of an element, with derivatives.
+Dual deflection_of(const RigElement& element, const RigPoint& point);
+
+/// Whether an element moves with the wheels.
+bool follows_wheels(const RigElement& element, const RigPoint& start);
+
+/// What is read along a curve.
+KcTable curve_table(const Rig& rig, const PointOfCurve& start, const Sweep& sweep,
+                    const std::vector<PointOfCurve>& points);
+
+/// Values at the start.
+std::vector<KcFigure> figures(const Rig& rig, const PointOfCurve& start, bool is_compliant);
+
+/// Effect of a unit load at both wheels, or at the only one.
+RigInputs both_loads(const AxleState& axle, const Rig& rig, Load load);
+
+/// Whether a wheel is on the rig itself, and no mirror.
+inline bool is_real(const Rig& rig, int which) { return rig.wheels[static_cast<std::size_t>(which)].centre >= 0; }
+
+/// Shares of anti-dive and its kin at a point, by the names that the axle's end gives them; none where the axle does
+/// not tell what they need.
+struct AntiShare {
+  std::string name, meaning;
+  double value;
+};
+std::vector<AntiShare> anti_shares(const Axle& axle, const AxleState& state);
+
+}  // namespace mbgen::kc

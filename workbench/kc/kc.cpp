@@ -1,0 +1,208 @@
+#include "workbench/kc/kc.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "compiler/text/user_error.hpp"
+#include "workbench/kc/curves.hpp"
+#include "workbench/kc/rig_freedom.hpp"
+
+namespace mbgen {
+namespace {
+
+using namespace kc;
+using Kind = Sweep::Kind;
+
+/// Mean x of an axle's wheel centres at the reference, m.
+double place_of(const Model& model, const Axle& axle) {
+  double sum = 0;
+  int count = 0;
+  for (const AxleWheel* wheel : {&axle.left, &axle.right}) {
+    if (!wheel->is_there()) continue;
+    sum += reference_position(model, wheel->centre)[0];
+    ++count;
+  }
+  return sum / count;
+}
+
+/// The axle with the wheelbase of the model where it tells none and the model has one axle at the other end.
+Axle with_wheelbase(const Model& model, Axle axle) {
+  const auto is_opposite = [&](const Axle& other) { return other.end != axle.end && other.body == axle.body; };
+  if (axle.wheelbase || std::count_if(model.axles.begin(), model.axles.end(), is_opposite) != 1) return axle;
+  const auto opposite = std::find_if(model.axles.begin(), model.axles.end(), is_opposite);
+  axle.wheelbase = std::abs(place_of(model, axle) - place_of(model, *opposite));
+  return axle;
+}
+
+/// Whether loads at the wheels move them.
+bool is_compliant(const Rig& rig, const PointOfCurve& start) {
+  constexpr double kMoves = 1e-14;  // m/N or rad/N: rubber gives 1e-9 and more
+  for (const Load load : {Load::brake_force, Load::lateral_force, Load::aligning_moment}) {
+    const RigInputs direction = both_loads(start.axle, rig, load);
+    for (const int which : {0, 1}) {
+      if (!is_real(rig, which)) continue;
+      const WheelState& wheel = start.axle.wheel(which);
+      for (const DualVector* vector : {&wheel.centre, &wheel.axis}) {
+        const Vector3 way = along(*vector, direction);
+        if (std::abs(way[0]) + std::abs(way[1]) + std::abs(way[2]) > kMoves) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Mean load of the wheels on the rig.
+double mean_load(const Rig& rig, const PointOfCurve& start) {
+  double sum = 0;
+  int count = 0;
+  for (const int which : {0, 1}) {
+    if (!is_real(rig, which)) continue;
+    sum += start.axle.wheel(which).load.value;
+    ++count;
+  }
+  return sum / count;
+}
+
+std::vector<Sweep> sweeps_of(const Rig& rig, const PointOfCurve& start, const KcWish& wish, bool with_loads) {
+  constexpr double kTravel = 0.05, kSteerAngle = 0.3, kSteerWay = 0.03, kLeastForce = 1000, kLever = 0.05;
+  const double travel = wish.travel.value_or(kTravel);
+  std::vector<Sweep> sweeps = {{Kind::parallel_travel, travel}, {Kind::opposite_travel, travel}};
+  if (rig.inputs[kSteer] >= 0)
+    sweeps.push_back({Kind::steering, wish.steer.value_or(rig.steer_unit == "rad" ? kSteerAngle : kSteerWay)});
+  if (!with_loads) return sweeps;
+  const double force = wish.force.value_or(std::max(kLeastForce, 0.5 * mean_load(rig, start)));
+  for (const Kind kind : {Kind::brake_force, Kind::drive_force, Kind::lateral_force}) sweeps.push_back({kind, force});
+  sweeps.push_back({Kind::aligning_moment, wish.moment.value_or(kLever * force)});
+  return sweeps;
+}
+
+/// A rig at its start.
+struct StandingRig {
+  Rig rig;
+  PointOfCurve start;
+};
+
+Result<StandingRig> standing_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at,
+                                 const Pads& pads) {
+  Result<Rig> rig = make_rig(user, axle, at, pads);
+  if (!rig) return rig.problems();
+  add_programs(rig->compilation);
+  Result<PointOfCurve> start = start_point(*rig);
+  if (!start) return start.problems();
+  return StandingRig{std::move(*rig), std::move(*start)};
+}
+
+/// Wheels that stand on pads or hang free together.
+struct OtherWheels {
+  std::string name;  ///< for a note
+  std::set<int> tyres;
+};
+
+/// The other axles with wheels on tyres, then tyres of no axle.
+std::vector<OtherWheels> other_wheels(const Model& model, const Axle& axle) {
+  std::vector<OtherWheels> list;
+  std::set<int> rest;
+  for (std::size_t i = 0; i < model.tyres.size(); ++i) rest.insert(static_cast<int>(i));
+  const auto take = [&](const Axle& of) {
+    OtherWheels wheels{fmt::format("axle \"{}\"", of.name), {}};
+    for (const int i : rest) {
+      const int body = model.tyres[static_cast<std::size_t>(i)].centre.body;
+      if (body == of.left.centre.body || body == of.right.centre.body) wheels.tyres.insert(i);
+    }
+    for (const int i : wheels.tyres) rest.erase(i);
+    return wheels;
+  };
+  take(axle);
+  for (const Axle& other : model.axles) {
+    OtherWheels wheels = take(other);
+    if (!wheels.tyres.empty()) list.push_back(std::move(wheels));
+  }
+  for (const int i : rest) {
+    list.push_back({fmt::format("tyre \"{}\"", model.tyres[static_cast<std::size_t>(i)].name), {i}});
+  }
+  return list;
+}
+
+std::string note_of_hanging(const std::vector<OtherWheels>& hanging) {
+  std::string names;
+  for (std::size_t i = 0; i < hanging.size(); ++i)
+    names += (i == 0 ? "" : i + 1 == hanging.size() ? " and " : ", ") + hanging[i].name;
+  return fmt::format("wheels of {} hang free: on pads they would have no position of rest", names);
+}
+
+/// The rig with other axles on pads; those that cannot stand there hang free, which a note tells.
+/// Fails: UserError. Cost: a rig for each other axle where one cannot stand.
+StandingRig standing_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at,
+                         std::vector<std::string>& notes) {
+  Result<StandingRig> on_pads = standing_rig(user, axle, at, Pads{});
+  if (on_pads) return std::move(*on_pads);
+  if (const std::optional<Diagnostic> fault = ride_fault(user, axle, at)) throw UserError(Diagnostics{*fault});
+  std::vector<OtherWheels> hanging = other_wheels(user.model, axle);
+  Pads pads;
+  for (const OtherWheels& wheels : hanging) pads.hanging.insert(wheels.tyres.begin(), wheels.tyres.end());
+  Result<StandingRig> best = standing_rig(user, axle, at, pads);
+  if (!best) throw UserError(on_pads.problems());
+  // Each that can stand is put back on its pads.
+  for (std::size_t i = 0; i < hanging.size() && hanging.size() > 1;) {
+    Pads more = pads;
+    for (const int tyre : hanging[i].tyres) more.hanging.erase(tyre);
+    Result<StandingRig> next = standing_rig(user, axle, at, more);
+    if (!next) {
+      ++i;
+      continue;
+    }
+    best = std::move(next);
+    pads = std::move(more);
+    hanging.erase(hanging.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  notes.push_back(note_of_hanging(hanging));
+  return std::move(*best);
+}
+
+}  // namespace
+
+const Axle& find_axle(const Model& model, const std::string& name) {
+  std::string known;
+  for (const Axle& axle : model.axles) {
+    if (axle.name == name) return axle;
+    known += (known.empty() ? "" : ", ") + axle.name;
+  }
+  if (model.axles.empty()) {
+    throw UserError(
+        fmt::format("{}: the model has no axles\n  hint: describe one in \"axles\", see docs/use/kc.md\n", model.file));
+  }
+  if (name.empty() && model.axles.size() == 1) return model.axles.front();
+  throw UserError(name.empty() ? fmt::format("{}: name one of the axles: {}\n", model.file, known)
+                               : fmt::format("{}: unknown axle \"{}\"; known: {}\n", model.file, name, known));
+}
+
+KcReport kinematics_and_compliance(const Compilation& compilation, const Axle& axle, const OperatingPoint& at,
+                                   const KcWish& wish, const KcWatch& watch) {
+  const Axle whole = with_wheelbase(compilation.model, axle);
+  KcReport report{compilation.model.name, axle.name, {}, {}, {}};
+  const auto [rig, start] = standing_rig(compilation, whole, at, report.notes);
+  const bool with_loads = is_compliant(rig, start);
+  report.figures = figures(rig, start, with_loads);
+  if (!with_loads) report.notes.emplace_back("nothing gives way between the wheels and the body: no curves of loads");
+  const std::vector<Sweep> sweeps = sweeps_of(rig, start, wish, with_loads);
+  const long all = static_cast<long>(sweeps.size()) * 2 * (wish.points / 2);
+  long done = 0;
+  const auto goes_on = [&] { return !watch || watch(++done, all); };
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    const CurvePoints curve = curve_points(rig, start, sweeps[i], wish.points, goes_on);
+    if (!curve.note.empty()) report.notes.push_back(curve.note);
+    report.tables.push_back(curve_table(rig, start, sweeps[i], curve.points));
+    if (!curve.is_stopped) continue;
+    std::string note = fmt::format("interrupted: {} is not complete", name_of(sweeps[i].kind));
+    for (std::size_t k = i + 1; k < sweeps.size(); ++k)
+      note += fmt::format("{}{}", k == i + 1 ? "; there is no " : ", ", name_of(sweeps[k].kind));
+    report.notes.push_back(std::move(note));
+    break;
+  }
+  return report;
+}
+
+}  // namespace mbgen

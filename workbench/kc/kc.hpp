@@ -1,0 +1,35 @@
+#pragma once
+// The door of the kinematics and compliance room: the curves of an axle on its rig, as tables, text, pictures and a
+// page.
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "compiler/compile.hpp"
+#include "workbench/kc/kc_report.hpp"
+
+namespace mbgen {
+
+/// What is asked of a rig. Values are amplitudes: the rig goes from minus to plus.
+struct KcWish {
+  std::optional<double> travel = {};  ///< m, of the wheels' centres; none: 0.05
+  std::optional<double> steer = {};   ///< rad or m, of the steering coordinate; none: 0.3 rad or 0.03 m
+  std::optional<double> force = {};   ///< N, at each wheel; none: half the wheels' load at the start, at least 1000
+  std::optional<double> moment = {};  ///< N m, about z at each wheel; none: 0.05 m times the force
+  int points = 21;                    ///< of a curve; an even number takes one more
+};
+
+/// The axle of this name; without a name the only one of the model. Fails: UserError.
+const Axle& find_axle(const Model& model, const std::string& name);
+
+/// Told how many points of all curves are done. Result: false to stop there.
+using KcWatch = std::function<bool(long done, long of)>;
+
+/// Runs the rig of an axle from a state of the model. Definitions: docs/use/kc.md. Curves that a watcher stops have the
+/// points up to there, which a note tells.
+/// Fails: UserError where the rig cannot be made or has no equilibrium at the start.
+KcReport kinematics_and_compliance(const Compilation& compilation, const Axle& axle, const OperatingPoint& at,
+                                   const KcWish& wish, const KcWatch& watch = {});
+
+}  // namespace mbgen

@@ -1,0 +1,41 @@
+#pragma once
+// What a rig tells of an axle: figures and curves, as text, tables, pictures and a page.
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "workbench/host/files.hpp"
+#include "workbench/results/table.hpp"
+
+namespace mbgen {
+
+/// A value of the axle at the start: one of the axle, or of a single wheel; or two, left and right.
+struct KcFigure {
+  std::string name, unit, meaning;
+  std::vector<double> values;
+};
+
+/// One rig curve; its first column is what the rig imposes. SI units, angles in rad.
+struct KcTable {
+  std::string name, title;
+  std::vector<Column> columns;
+};
+
+struct KcReport {
+  std::string model, axle;
+  std::vector<KcFigure> figures;
+  std::vector<KcTable> tables;
+  std::vector<std::string> notes;  ///< curves that end early, and curves that are not there
+};
+
+/// The figures for people: angles in degrees, small lengths in mm.
+std::string kc_text(const KcReport& report);
+
+/// The figures and tables for machines.
+nlohmann::ordered_json kc_json(const KcReport& report);
+
+/// A CSV table and an SVG picture for each curve, then the page AXLE.html with all of them.
+std::vector<NamedText> kc_files(const KcReport& report);
+
+}  // namespace mbgen

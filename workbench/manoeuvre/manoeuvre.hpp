@@ -1,0 +1,138 @@
+#pragma once
+// Manoeuvres as their files describe them: SI units, radians.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "compiler/text/diagnostic.hpp"
+
+namespace mbgen {
+
+/// A driver who looks ahead.
+struct DriverSettings {
+  double preview = 0;       ///< s
+  double anticipation = 0;  ///< s, from steering to turning: by this much ahead the driver turns in
+  double gain = 0;          ///< of the correction, 1: a point that follows it meets the path without ringing
+  double understeer = 0;    ///< rad s^2/m: road wheels turn by this more for every m/s^2 across
+  double largest_rate = 0;  ///< rad/s, of the road wheels
+  double lag = 0;           ///< s, from the angle that is wanted to the angle
+};
+
+/// A controller that holds a speed.
+struct SpeedSettings {
+  double gain = 0;           ///< 1/s: acceleration over error
+  double integral_time = 0;  ///< s
+};
+
+/// Speeds are refused beyond it, m/s: nothing on tyres goes three times as fast as sound.
+constexpr double kMostSpeed = 1000;
+
+/// What all manoeuvres have.
+struct ManoeuvreBase {
+  std::string description;
+  std::optional<double> speed;           ///< m/s, at the start
+  std::optional<double> duration, step;  ///< s
+  double period = 0;                     ///< s, of driver and speed controller
+  DriverSettings driver;
+  SpeedSettings speed_control;
+  Diagnostics notes = {};  ///< on values that are allowed and likely not meant
+};
+
+/// Exactly one thing that happens from an instant on.
+struct Event {
+  double at = 0, over = 0;                           ///< s
+  std::optional<double> steer, drive, brake, speed;  ///< rad, N m, N m, m/s
+  std::optional<double> frequency;                   ///< Hz, of a sine of amplitude `steer`
+  double cycles = 1;
+  std::vector<std::array<double, 2>> steer_table;  ///< s since `at`, rad
+  std::optional<std::string> input;
+  Where input_where = {};  ///< where its name is written
+  double value = 0;        ///< of that input
+  bool is_free = false;
+};
+
+struct EventManoeuvre : ManoeuvreBase {
+  std::vector<Event> events;
+};
+
+enum class Side { left, right };
+
+/// Steering by an angle at the input, or by the lateral acceleration that it is meant to give.
+struct SteerAmplitude {
+  std::optional<double> steer, lateral_acceleration;  ///< rad, m/s^2
+};
+
+/// ISO 4138.
+struct CircleManoeuvre : ManoeuvreBase {
+  enum class Method { radius, speed, steer };  ///< what is constant
+  Method method = Method::radius;
+  std::optional<double> radius, steer, last_speed;  ///< m, rad at the input, m/s
+  double acceleration = 0;                          ///< m/s^2, by which the speed grows
+  double largest_lateral_acceleration = 0;          ///< m/s^2: ends there
+  Where radius_where = {};                          ///< where `radius` is written
+  Side side = Side::left;
+};
+
+/// ISO 7401, step input.
+struct StepManoeuvre : ManoeuvreBase, SteerAmplitude {
+  double at = 0;               ///< s
+  std::optional<double> rate;  ///< rad/s at the input
+  Side side = Side::left;
+};
+
+/// ISO 7401, continuous sinusoidal input with growing frequency.
+struct SweepManoeuvre : ManoeuvreBase, SteerAmplitude {
+  double first_frequency = 0, last_frequency = 0;  ///< Hz
+};
+
+/// ISO 3888-1 and -2.
+struct LaneManoeuvre : ManoeuvreBase {
+  enum class Track { iso_3888_1, iso_3888_2 };
+  Track track = Track::iso_3888_1;
+  double approach = 0;          ///< m before the first section
+  std::optional<double> width;  ///< m, of the vehicle
+  Side side = Side::left;
+};
+
+/// ISO 13674-1.
+struct WeaveManoeuvre : ManoeuvreBase, SteerAmplitude {
+  double frequency = 0;  ///< Hz
+  double cycles = 0;
+};
+
+/// Braking from a straight course.
+struct BrakingManoeuvre : ManoeuvreBase {
+  std::optional<double> brake, deceleration;  ///< N m of all wheels together, m/s^2
+  double at = 0, over = 0;                    ///< s
+  double last_speed = 0;                      ///< m/s: ends there
+  bool has_driver = false;                    ///< else the steering is held
+  bool is_split = false;                      ///< the sides of the road differ in friction
+};
+
+/// Over a road at a speed.
+struct RideManoeuvre : ManoeuvreBase {};
+
+using Manoeuvre = std::variant<EventManoeuvre, CircleManoeuvre, StepManoeuvre, SweepManoeuvre, LaneManoeuvre,
+                               WeaveManoeuvre, BrakingManoeuvre, RideManoeuvre>;
+
+/// The type as its file calls it.
+std::string type_of(const Manoeuvre& manoeuvre);
+
+const ManoeuvreBase& base_of(const Manoeuvre& manoeuvre);
+
+/// Reads and checks a manoeuvre. text: JSON with comments; file_name: for messages.
+/// Fails: with every problem found, in order of position.
+Result<Manoeuvre> read_manoeuvre(std::string_view text, const std::string& file_name);
+
+/// The same from a file. Fails also when it cannot be read.
+Result<Manoeuvre> read_manoeuvre_file(const std::string& path);
+
+/// JSON Schema (draft 2020-12) of the format, and the format as a document.
+std::string manoeuvre_schema();
+std::string manoeuvre_reference();
+
+}  // namespace mbgen

@@ -1,0 +1,89 @@
+#include "workbench/manoeuvre/manoeuvre_metrics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mbgen {
+namespace {
+
+/// The series from an instant on.
+VehicleSeries from(VehicleSeries series, double begin) {
+  const auto first = std::lower_bound(series.t.begin(), series.t.end(), begin) - series.t.begin();
+  const auto cut = [first](std::vector<double>& values) { values.erase(values.begin(), values.begin() + first); };
+  for (std::vector<double> VehicleSeries::*values :
+       {&VehicleSeries::t, &VehicleSeries::x, &VehicleSeries::y, &VehicleSeries::heading, &VehicleSeries::speed,
+        &VehicleSeries::lateral_speed, &VehicleSeries::longitudinal_acceleration, &VehicleSeries::lateral_acceleration,
+        &VehicleSeries::vertical_acceleration, &VehicleSeries::yaw_rate, &VehicleSeries::roll, &VehicleSeries::pitch,
+        &VehicleSeries::steer})
+    cut(series.*values);
+  for (std::vector<double>& loads : series.loads) cut(loads);
+  series.towed = {};
+  return series;
+}
+
+struct Measures {
+  const Plan& plan;
+  const VehicleFacts& facts;
+  const Vehicle& vehicle;
+  const PlaneMotion& start;
+  const VehicleSeries& series;
+
+  VehicleMetrics operator()(const EventManoeuvre&) const { return {}; }
+  VehicleMetrics operator()(const CircleManoeuvre& circle) const {
+    SteadyCircle asked{.kind = static_cast<SteadyCircle::Kind>(circle.method),
+                       .wheelbase = facts.wheelbase,
+                       .radius = circle.radius.value_or(0),
+                       .steering_ratio = vehicle.steer_ratio,
+                       .tracks = facts.tracks};
+    return steady_circle_metrics(from(series, plan.begin), asked);
+  }
+  VehicleMetrics operator()(const StepManoeuvre&) const { return step_steer_metrics(series, {}); }
+  VehicleMetrics operator()(const SweepManoeuvre& sweep) const {
+    return sine_sweep_metrics(series, {.lowest = sweep.first_frequency, .highest = sweep.last_frequency});
+  }
+  VehicleMetrics operator()(const LaneManoeuvre& lanes) const {
+    const double half = lanes.width.value_or(vehicle.width.value_or(0)) / 2;
+    // The body is the first unit: what it tows goes its own way.
+    const double rear = vehicle.towed.body < 0 ? facts.rear : facts.wheelbase - facts.front;
+    return lane_change_metrics(series, {.sections = plan.sections,
+                                        .x = start.x,
+                                        .y = start.y,
+                                        .heading = start.heading,
+                                        .front = std::max(0.0, facts.front),
+                                        .rear = std::max(0.0, rear),
+                                        .to_left = half,
+                                        .to_right = half});
+  }
+  VehicleMetrics operator()(const WeaveManoeuvre& weave) const {
+    return weave_metrics(from(series, plan.begin), {.frequency = weave.frequency});
+  }
+  VehicleMetrics operator()(const BrakingManoeuvre& braking) const { return braking_metrics(series, {braking.at}); }
+  VehicleMetrics operator()(const RideManoeuvre&) const { return ride_metrics(series, {plan.begin}); }
+};
+
+}  // namespace
+
+VehicleMetrics metrics_of(const Manoeuvre& manoeuvre, const Plan& plan, const VehicleFacts& facts,
+                          const Vehicle& vehicle, const PlaneMotion& start, const VehicleSeries& series) {
+  const double end = series.t.empty() ? 0 : series.t.back();
+  if (end <= plan.begin)
+    return {.notes = {fmt::format("no numbers: the metrics begin at {:.4g} s, and the motion ends at {:.4g} s",
+                                  plan.begin, end)}};
+  VehicleMetrics metrics = std::visit(Measures{plan, facts, vehicle, start, series}, manoeuvre);
+  const bool turns =
+      !std::holds_alternative<BrakingManoeuvre>(manoeuvre) && !std::holds_alternative<RideManoeuvre>(manoeuvre);
+  if (vehicle.towed.body < 0 || !turns) return metrics;
+  const auto* circle = std::get_if<CircleManoeuvre>(&manoeuvre);
+  VehicleMetrics towing =
+      towing_metrics(series, {.front = facts.front,
+                              .towed_rear = facts.towed_rear,
+                              .is_circle = circle && circle->method == CircleManoeuvre::Method::radius});
+  const auto append = [](auto& all, auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+  append(metrics.values, towing.values);
+  append(metrics.diagrams, towing.diagrams);
+  append(metrics.notes, towing.notes);
+  return metrics;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,82 @@
+#pragma once
+// A manoeuvre that is driven: who moves the inputs from point to point of a motion, and what came of it.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "workbench/manoeuvre/course_watch.hpp"
+#include "workbench/manoeuvre/plan.hpp"
+#include "workbench/motion/simulation_arguments.hpp"
+#include "workbench/motion/simulation_text.hpp"
+
+namespace mbgen {
+
+/// Drives one motion. Not for use by several motions.
+class ManoeuvreRun {
+ public:
+  /// model: with the outputs of the vehicle. file: of the manoeuvre.
+  ManoeuvreRun(const Model& model, const Manoeuvre& manoeuvre, const std::string& file);
+
+  /// The plan's length and the manoeuvre's step, where the command line does not say others. Fails: UserError for what
+  /// a manoeuvre does not go with.
+  void complete(SimulationArguments& arguments, double step_of_model) const;
+
+  /// Looks whether the road wheels turn to the side that the vehicle's steer_ratio says, at a start with these inputs.
+  void look_at_steering(const Compilation& compilation, const GenericState& start, const std::vector<double>& inputs);
+
+  /// Moves the inputs of a motion by steps of that many seconds; the run outlives it. Its calls fail: UserError where
+  /// the vehicle does not start at the manoeuvre's speed.
+  InputControl control(double step);
+
+  /// Adds what makes the motion another one than the manoeuvre asks for.
+  void judge(StepVerdict& verdict) const;
+  /// What came of it, after the motion.
+  ManoeuvreWords words() const;
+
+ private:
+  /// Takes a point of the motion. Result: false where the manoeuvre is over.
+  bool take(const Sample& sample, InputsOverTime& inputs);
+  void start(const InputsOverTime& inputs);
+  void observe(double t);
+  std::string reason_to_end() const;
+  /// m, beside the course, at which it is left.
+  double widest_offset() const;
+  void steer(double t, double end, InputsOverTime& inputs);
+  void drive(double t, double end, InputsOverTime& inputs);
+  void move_others(double t, double end, InputsOverTime& inputs) const;
+
+  Vehicle vehicle_;
+  Manoeuvre manoeuvre_;
+  std::string file_;
+  std::vector<Input> inputs_;
+  VehicleFacts facts_;
+  Plan plan_;
+  Path path_;  ///< of the driver, in the world
+  std::size_t first_output_;
+  PlaneMotion start_;
+  std::vector<double> first_values_;  ///< of the inputs
+  long every_ = 1;                    ///< steps from one instant of control to the next
+  double period_ = 0;                 ///< s, the same
+  VehicleReading reading_;            ///< of the last point
+  CoursePlace place_;
+  Rates hand_;  ///< rad at the input
+  SpeedController speed_controller_;
+  std::size_t phase_ = 0;                     ///< of torques
+  double drive_ = 0, brake_ = 0;              ///< N m, at the end of the last period
+  double phase_drive_ = 0, phase_brake_ = 0;  ///< N m, when the phase began
+  VehicleSeries series_;
+  double largest_offset_ = 0, largest_speed_error_ = 0;  ///< m, m/s
+  std::vector<double> lifted_;                           ///< s, per wheel, when it first had no load; negative: never
+  CourseWatch watch_;
+  std::string steering_fault_;  ///< what is wrong with steer_ratio
+  std::string ended_;           ///< why before its time
+};
+
+/// A run of the manoeuvre of a file with a model: the speed at the start and the outputs of the vehicle are set, and
+/// `assignments` (--set) get the speed. Null without a file. Fails: UserError.
+std::shared_ptr<ManoeuvreRun> prepare_manoeuvre(const std::string& file, const std::string& model_file,
+                                                std::vector<std::string>& assignments, Model& model,
+                                                SimulationArguments& arguments);
+
+}  // namespace mbgen

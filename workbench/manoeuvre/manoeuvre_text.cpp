@@ -1,0 +1,70 @@
+// What came of a manoeuvre, for people and machines.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "compiler/text/json_text.hpp"
+#include "workbench/manoeuvre/manoeuvre_metrics.hpp"
+#include "workbench/manoeuvre/manoeuvre_run.hpp"
+#include "workbench/manoeuvre/metrics_text.hpp"
+
+namespace mbgen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kSpeedMissed = 0.05;  // of the speed at the start
+
+}  // namespace
+
+double ManoeuvreRun::widest_offset() const {
+  return std::holds_alternative<CircleManoeuvre>(manoeuvre_) ? kCircleLeft : kLaneLeft;
+}
+
+void ManoeuvreRun::judge(StepVerdict& verdict) const {
+  for (std::size_t i = 0; i < lifted_.size(); ++i)
+    if (lifted_[i] >= 0)
+      verdict.warnings.push_back(
+          fmt::format("tyre \"{}\" leaves the road, first at t = {:.6g} s", series_.wheels[i].tyre, lifted_[i]));
+  if (!steering_fault_.empty()) verdict.warnings.push_back(steering_fault_);
+  for (std::string& warning : watch_.warnings(widest_offset())) verdict.warnings.push_back(std::move(warning));
+  const bool is_circle = std::holds_alternative<CircleManoeuvre>(manoeuvre_);
+  if (is_circle && largest_offset_ > kCircleLeft)
+    verdict.warnings.push_back(
+        fmt::format("the driver leaves the circle by up to {:.3g} m: \"driver\": {{ \"understeer\": ... }} lets him "
+                    "know the vehicle",
+                    largest_offset_));
+  const std::optional<double>& speed = base_of(manoeuvre_).speed;
+  if (speed && largest_speed_error_ > kSpeedMissed * *speed)
+    verdict.warnings.push_back(
+        fmt::format("the speed differs from the wanted one by up to {:.3g} m/s", largest_speed_error_));
+}
+
+ManoeuvreWords ManoeuvreRun::words() const {
+  const VehicleMetrics metrics = metrics_of(manoeuvre_, plan_, facts_, vehicle_, start_, series_);
+  ManoeuvreWords words;
+  words.lines = fmt::format("  manoeuvre                 {} ({}){}\n", type_of(manoeuvre_), file_,
+                            ended_.empty() ? "" : ", ended where " + ended_);
+  Json manoeuvre = {{"file", file_}, {"type", type_of(manoeuvre_)}, {"ended", ended_.empty() ? Json() : Json(ended_)}};
+  if (plan_.has_driver) {
+    words.lines += fmt::format("    course followed within  {:.4g} m\n", largest_offset_);
+    manoeuvre["largest_offset"] = largest_offset_;
+  }
+  if (plan_.torques.front().holds_speed) {
+    words.lines += fmt::format("    speed held within       {:.4g} m/s\n", largest_speed_error_);
+    manoeuvre["largest_speed_error"] = largest_speed_error_;
+  }
+  Json lifted = Json::object();
+  for (std::size_t i = 0; i < lifted_.size(); ++i)
+    if (lifted_[i] >= 0) lifted[series_.wheels[i].tyre] = lifted_[i];
+  manoeuvre["wheels_without_load_since"] = lifted;
+  Json run = {{"manoeuvre", manoeuvre}};
+  if (!std::holds_alternative<EventManoeuvre>(manoeuvre_) || vehicle_.towed.body >= 0) add_metrics(run, metrics);
+  words.lines += metrics_text(metrics);
+  words.members = json_text(run);
+  return words;
+}
+
+}  // namespace mbgen

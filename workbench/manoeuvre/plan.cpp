@@ -1,0 +1,245 @@
+#include "workbench/manoeuvre/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/text/user_error.hpp"
+
+namespace mbgen {
+namespace {
+
+constexpr double kSettles = 5;        // s, before something changes slowly
+constexpr double kSettlesOnRoad = 1;  // s, from the plane of the equilibrium to a rough road
+
+[[noreturn]] void refuse_input(const Model& model, const Event& event) {
+  std::vector<std::string_view> known;
+  for (const Input& input : model.inputs) known.push_back(input.name);
+  throw UserError(Diagnostics{{event.input_where,
+                               "unknown input " + in_quotes(*event.input),
+                               known.empty() ? model.file + " has no inputs" : did_you_mean(*event.input, known),
+                               {}}});
+}
+
+/// Makes the plan of each type.
+struct Planner {
+  const Model& model;
+  const VehicleFacts& facts;
+  const std::string& file;
+
+  const Vehicle& vehicle() const { return *model.vehicle; }
+
+  void require(bool is_there, const char* what) const {
+    if (is_there) return;
+    throw UserError(
+        fmt::format("{}: this manoeuvre needs \"{}\" in the section \"vehicle\" of {}\n", file, what, model.file));
+  }
+
+  /// N m of all wheels for an acceleration of the whole vehicle.
+  double torque_of(double acceleration) const { return facts.mass * facts.radius * acceleration; }
+
+  double within_limit(double steer) const {
+    const std::optional<double>& limit = vehicle().steer_limit;
+    if (limit && std::abs(steer) > *limit)
+      throw UserError(fmt::format("{}: {:.6g} rad at the steering input are beyond its steer_limit, {:.6g} rad\n", file,
+                                  steer, *limit));
+    return steer;
+  }
+
+  /// A plan at a constant speed, steered by its signal or by the driver.
+  Plan at_speed(const ManoeuvreBase& base, bool steers) const {
+    require(vehicle().drive >= 0, "drive");
+    if (steers) require(vehicle().steer >= 0, "steer");
+    Plan plan;
+    plan.speed.add(base.speed.value_or(0));
+    plan.torques.push_back({.holds_speed = true});
+    return plan;
+  }
+
+  /// rad at the input.
+  double amplitude(const ManoeuvreBase& base, const SteerAmplitude& wish) const {
+    if (wish.steer) return within_limit(*wish.steer);
+    const double speed = *base.speed, wheels = facts.wheelbase / (speed * speed) + base.driver.understeer;
+    return within_limit(vehicle().steer_ratio * wheels * *wish.lateral_acceleration);
+  }
+
+  /// The sign of an angle at the input, or of y, to a side.
+  static double sign(Side side) { return side == Side::left ? 1 : -1; }
+
+  void drive_along(Plan& plan, Path path) const {
+    plan.has_driver = true;
+    plan.path = std::move(path);
+  }
+
+  Plan operator()(const EventManoeuvre& events) const;
+  Plan operator()(const CircleManoeuvre& circle) const;
+  Plan operator()(const LaneManoeuvre& lanes) const;
+  Plan operator()(const BrakingManoeuvre& braking) const;
+
+  Plan operator()(const StepManoeuvre& step) const {
+    constexpr double kRise = 0.15, kAfter = 6;  // s
+    Plan plan = at_speed(step, true);
+    const double turned = step.lateral_acceleration ? 1 : std::copysign(1.0, vehicle().steer_ratio);
+    const double angle = sign(step.side) * turned * amplitude(step, step);
+    plan.steer.add_change(angle, step.at, step.rate ? kSmoothRate * std::abs(angle) / *step.rate : kRise);
+    plan.length_of = "at";
+    plan.duration = step.at + kAfter;
+    return plan;
+  }
+
+  Plan operator()(const SweepManoeuvre& sweep) const {
+    constexpr double kSweep = 40, kBefore = 1;  // s
+    Plan plan = at_speed(sweep, true);
+    plan.duration = sweep.duration.value_or(kBefore + kSweep);
+    if (plan.duration <= kBefore)
+      throw UserError(fmt::format("{}: /duration: a sweep begins after {} s\n", file, kBefore));
+    plan.steer.add_sweep(amplitude(sweep, sweep), kBefore, sweep.first_frequency, sweep.last_frequency,
+                         plan.duration - kBefore);
+    return plan;
+  }
+
+  Plan operator()(const WeaveManoeuvre& weave) const {
+    constexpr double kBefore = 1;  // s
+    Plan plan = at_speed(weave, true);
+    plan.begin = kBefore;
+    plan.steer.add_sine(amplitude(weave, weave), kBefore, weave.frequency, weave.cycles);
+    plan.length_of = weave.frequency < 1 ? "frequency" : "cycles";
+    plan.duration = kBefore + weave.cycles / weave.frequency;
+    return plan;
+  }
+
+  Plan operator()(const RideManoeuvre& ride) const {
+    Plan plan = at_speed(ride, false);
+    if (vehicle().steer >= 0) drive_along(plan, straight_path());
+    plan.begin = kSettlesOnRoad;
+    plan.duration = model.solver.duration;
+    return plan;
+  }
+
+  static Path straight_path() {
+    return path_of_curvature([](double) { return 0.0; }, 0, 1);
+  }
+};
+
+Plan Planner::operator()(const EventManoeuvre& events) const {
+  Plan plan;
+  if (events.speed) require(vehicle().drive >= 0, "drive");
+  plan.speed.add(events.speed.value_or(0));
+  plan.torques.push_back({.holds_speed = events.speed.has_value()});
+  double last = 0;
+  for (const Event& event : events.events) {
+    TorquePhase torque{event.at, event.over, false, plan.torques.back().drive, plan.torques.back().brake};
+    if (event.steer || !event.steer_table.empty()) require(vehicle().steer >= 0, "steer");
+    if (event.drive || event.speed) require(vehicle().drive >= 0, "drive");
+    if (event.brake) require(vehicle().brake >= 0, "brake");
+    double end = event.at + event.over;
+    if (event.frequency) {
+      plan.steer.add_sine(within_limit(*event.steer), event.at, *event.frequency, event.cycles);
+      end = event.at + event.cycles / *event.frequency;
+    } else if (event.steer) {
+      plan.steer.go_to(within_limit(*event.steer), event.at, event.over);
+    } else if (!event.steer_table.empty()) {
+      plan.steer.add_table(event.steer_table, event.at);
+      end = event.at + event.steer_table.back()[0];
+    } else if (event.input) {
+      const auto has_name = [&](const Input& input) { return input.name == *event.input; };
+      const auto input = std::find_if(model.inputs.begin(), model.inputs.end(), has_name);
+      if (input == model.inputs.end()) refuse_input(model, event);
+      plan.others.push_back({static_cast<int>(input - model.inputs.begin()), event.at, event.over, event.value});
+    } else {
+      if (event.drive) torque.drive = *event.drive;
+      if (event.brake) torque.drive = 0, torque.brake = *event.brake;
+      if (event.is_free) torque.drive = torque.brake = 0;
+      if (event.speed) {
+        torque = {.at = event.at, .holds_speed = true};
+        plan.speed.go_to(*event.speed, event.at, event.over);
+      }
+      plan.torques.push_back(torque);
+    }
+    last = std::max(last, end);
+  }
+  plan.length_of = "events";
+  plan.duration = last + kSettles;
+  return plan;
+}
+
+Plan Planner::operator()(const CircleManoeuvre& circle) const {
+  constexpr double kStraight = 1, kTransition = 3, kSlowly = 60;  // s
+  Plan plan = at_speed(circle, true);
+  plan.largest_lateral_acceleration = circle.largest_lateral_acceleration;
+  const double first = *circle.speed;
+  double begin = kStraight + kTransition + kSettles, last = circle.last_speed.value_or(2 * first);
+  if (circle.method == CircleManoeuvre::Method::radius) {
+    // A little more than the limit, which ends it.
+    last = circle.last_speed.value_or(1.05 * std::sqrt(circle.largest_lateral_acceleration * *circle.radius));
+    if (last > kMostSpeed)
+      throw UserError(
+          Diagnostics{{circle.radius_where,
+                       fmt::format("at {:g} m the speed has to grow to {:.4g} m/s for {:g} m/s^2, beyond {:g} m/s",
+                                   *circle.radius, last, circle.largest_lateral_acceleration, kMostSpeed),
+                       "give \"last_speed\" or a smaller radius, in m", ""}});
+    drive_along(plan, circle_path(kStraight * first, sign(circle.side) * *circle.radius, kTransition * first));
+  } else {
+    const double angle = within_limit(*circle.steer) * sign(circle.side) * std::copysign(1.0, vehicle().steer_ratio);
+    const bool is_slow = circle.method == CircleManoeuvre::Method::speed;
+    if (is_slow) {
+      plan.duration = circle.duration.value_or(kSlowly);
+      plan.steer.add_ramp(angle, kStraight, std::abs(angle) / plan.duration);
+      return plan;
+    }
+    plan.steer.add_change(angle, kStraight, kTransition);
+  }
+  plan.begin = begin;
+  plan.length_of = "acceleration";
+  if (last > first) plan.speed.add_ramp(last - first, begin, circle.acceleration);
+  plan.duration = begin + std::max(0.0, last - first) / circle.acceleration + kSettles;
+  return plan;
+}
+
+Plan Planner::operator()(const LaneManoeuvre& lanes) const {
+  constexpr double kBeyond = 20, kIntoTheTrack = 2;  // m
+  Plan plan = at_speed(lanes, true);
+  const std::optional<double> width = lanes.width ? lanes.width : vehicle().width;
+  if (!width)
+    throw UserError(
+        fmt::format("{}: lanes are as wide as the vehicle says: give \"width\" in this file or in the "
+                    "section \"vehicle\" of {}\n",
+                    file, model.file));
+  const bool is_avoidance = lanes.track == LaneManoeuvre::Track::iso_3888_2;
+  plan.sections = (is_avoidance ? obstacle_avoidance : double_lane_change)(*width, lanes.approach, sign(lanes.side));
+  plan.last_way = plan.sections.back().to + facts.rear + kBeyond;
+  if (is_avoidance) plan.free_way = lanes.approach - facts.front + kIntoTheTrack;
+  drive_along(plan, lane_path(plan.sections));
+  plan.length_of = lanes.approach > *lanes.speed ? "approach" : "speed";
+  plan.duration = 2 * plan.last_way / *lanes.speed;
+  return plan;
+}
+
+Plan Planner::operator()(const BrakingManoeuvre& braking) const {
+  require(vehicle().brake >= 0, "brake");
+  Plan plan = at_speed(braking, braking.has_driver);
+  const double torque = braking.brake ? *braking.brake : torque_of(*braking.deceleration);
+  plan.torques.push_back({braking.at, braking.over, false, 0, torque});
+  plan.last_speed = braking.last_speed;
+  plan.is_straight = !braking.has_driver;
+  plan.path = straight_path();
+  plan.has_driver = braking.has_driver;
+  plan.length_of = braking.brake ? "brake" : "deceleration";
+  // Three times as long as with all of the torque: wheels may lock.
+  plan.duration = braking.at + braking.over + 3 * *braking.speed * torque_of(1) / torque + kSettles;
+  return plan;
+}
+
+}  // namespace
+
+Plan plan_of(const Manoeuvre& manoeuvre, const Model& model, const VehicleFacts& facts, const std::string& file) {
+  Plan plan = std::visit(Planner{model, facts, file}, manoeuvre);
+  if (const std::optional<double>& duration = base_of(manoeuvre).duration) {
+    plan.duration = *duration;
+    plan.length_of = "duration";
+  }
+  return plan;
+}
+
+}  // namespace mbgen

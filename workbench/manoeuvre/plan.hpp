@@ -1,0 +1,51 @@
+#pragma once
+// A manoeuvre for a vehicle: what happens when, whatever its type.
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "workbench/manoeuvre/manoeuvre.hpp"
+#include "workbench/manoeuvre/path.hpp"
+#include "workbench/manoeuvre/signal.hpp"
+#include "workbench/manoeuvre/vehicle_motion.hpp"
+
+namespace mbgen {
+
+/// Torques from an instant on.
+struct TorquePhase {
+  double at = 0, over = 0;      ///< s: the torques change over some seconds
+  bool holds_speed = false;     ///< the controller says them
+  double drive = 0, brake = 0;  ///< N m, where it does not
+};
+
+/// An input of the model goes to a value.
+struct InputChange {
+  int input = 0;            ///< index into Model::inputs
+  double at = 0, over = 0;  ///< s
+  double value = 0;
+};
+
+struct Plan {
+  bool has_driver = false;
+  bool is_straight = false;            ///< without a driver, but along the line and the heading of the start
+  Path path;                           ///< in the frame of the start, of a driver
+  Signal steer;                        ///< rad at the input, without a driver
+  Signal speed;                        ///< m/s, to hold
+  std::vector<TorquePhase> torques;    ///< in order of time, the first at the start
+  std::vector<InputChange> others;     ///< in order of time
+  std::vector<LaneSection> sections;   ///< in the frame of the start
+  double duration = 0;                 ///< s, at the longest
+  const char* length_of = "duration";  ///< field of the file that makes it so long
+  double begin = 0;                    ///< s, from which metrics are taken
+  std::optional<double> free_way;      ///< m of the path from which on the gear is free
+  // What ends it before.
+  double last_way = std::numeric_limits<double>::infinity();                      ///< m of the path
+  double last_speed = -1;                                                         ///< m/s, below which it is over
+  double largest_lateral_acceleration = std::numeric_limits<double>::infinity();  ///< m/s^2
+};
+
+/// Fails: UserError where the vehicle has not what the manoeuvre needs. file: of the manoeuvre, for messages.
+Plan plan_of(const Manoeuvre& manoeuvre, const Model& model, const VehicleFacts& facts, const std::string& file);
+
+}  // namespace mbgen

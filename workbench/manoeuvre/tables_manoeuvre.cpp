@@ -1,0 +1,284 @@
+// Tables of fields: manoeuvre files.
+#include "workbench/manoeuvre/tables_manoeuvre.hpp"
+
+#include <array>
+
+namespace mbgen::reading {
+namespace {
+
+constexpr std::array<std::string_view, 9> kTypes = {"events",           "steady_circle",    "step_steer",
+                                                    "sine_sweep",       "lane_change",      "weave",
+                                                    "straight_braking", "mu_split_braking", "ride"};
+/// In the order of Side.
+constexpr std::array<std::string_view, 2> kSides = {"left", "right"};
+/// In the order of CircleManoeuvre::Method.
+constexpr std::array<std::string_view, 3> kMethods = {"constant_radius", "constant_speed", "constant_steer"};
+/// In the order of LaneManoeuvre::Track.
+constexpr std::array<std::string_view, 2> kTracks = {"iso_3888_1", "iso_3888_2"};
+/// Of BrakingManoeuvre::has_driver.
+constexpr std::array<std::string_view, 2> kSteerings = {"held", "driver"};
+
+FieldInfo number(std::string_view name, std::string_view doc, std::string_view unit, double fallback,
+                 Bound bound = Bound::positive) {
+  return constant_info(name, doc, unit, fallback, bound, Depends::nothing);
+}
+
+FieldInfo open_number(std::string_view name, std::string_view doc, std::string_view unit,
+                      Bound bound = Bound::positive) {
+  return {.name = name, .shape = Shape::number, .doc = doc, .unit = unit, .bound = bound, .depends = Depends::nothing};
+}
+
+FieldInfo angle(std::string_view name, std::string_view doc) {
+  FieldInfo info = open_number(name, doc, "rad", Bound::none);
+  info.angle = true;
+  return info;
+}
+
+FieldInfo switched(std::string_view name, std::string_view doc) {
+  return {.name = name, .shape = Shape::boolean, .doc = doc, .fallback = 0};
+}
+
+FieldInfo side_info() {
+  return {
+      .name = "side", .shape = Shape::word, .doc = "to which it turns first", .fallback_word = "left", .words = kSides};
+}
+
+FieldInfo required(FieldInfo info) {
+  info.need = Need::required;
+  return info;
+}
+
+/// The fields of a type, after those that all types have.
+template <class F>
+std::vector<Field<F>> with_common(FieldInfo speed, std::vector<Field<F>> own) {
+  std::vector<Field<F>> all = {
+      field<F, &F::format>({.name = "mbgen_manoeuvre",
+                            .shape = Shape::number,
+                            .doc = "version of the format, 1",
+                            .need = Need::required}),
+      field<F, &F::type>({.name = "type", .shape = Shape::text, .doc = "kind of manoeuvre", .need = Need::required}),
+      field<F, &F::description>({.name = "description", .shape = Shape::text, .doc = "for people", .longest = 4096}),
+      field<F, &F::speed>(speed)};
+  all.insert(all.end(), own.begin(), own.end());
+  for (Field<F>& row : std::vector<Field<F>>{
+           field<F, &F::duration>(open_number("duration", "default: as long as the manoeuvre takes", "s")),
+           field<F, &F::step>(open_number("step", "default: that of the model", "s")),
+           field<F, &F::period>(number("period", "of driver and speed controller, in whole steps", "s", 0.01)),
+           field<F, &F::written_driver>(
+               {.name = "driver", .shape = Shape::object, .doc = "who steers along a course", .of = "driver"}),
+           field<F, &F::written_speed_control>({.name = "speed_control",
+                    .shape = Shape::object,
+                    .doc = "controller of the speed",
+                    .of = "speed_control"})})
+    all.push_back(row);
+  return all;
+}
+
+FieldInfo speed_info() {
+  return required(open_number("speed", "at the start, and held by the speed controller", "m/s"));
+}
+
+FieldInfo amplitude_info(std::string_view what) { return angle("steer", what); }
+
+FieldInfo lateral_info() {
+  return open_number("lateral_acceleration",
+                     "in place of `steer`: the angle that gives it by wheelbase and the driver's `understeer`",
+                     "m/s^2");
+}
+
+}  // namespace
+
+template <>
+std::span<const Field<DriverSettings>> fields<DriverSettings>() {
+  using F = DriverSettings;
+  static const std::array table = {
+      field<F, &F::preview>(number("preview", "time ahead at which the driver compares course and path", "s", 1.0)),
+      field<F, &F::anticipation>(
+          number("anticipation", "time by which the driver turns in before the course does", "s", 0.3)),
+      field<F, &F::gain>(number("gain", "of the correction", "1", 0.5)),
+      field<F, &F::understeer>(number("understeer",
+                                      "the driver's knowledge of the vehicle: more angle of the road wheels for every "
+                                      "m/s^2 across",
+                                      "rad s^2/m", 0, Bound::none)),
+      field<F, &F::largest_rate>(number("largest_rate", "of the road wheels", "rad/s", 0.6)),
+      field<F, &F::lag>(number("lag", "of the hands, from the angle that is wanted", "s", 0.1)),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<SpeedSettings>> fields<SpeedSettings>() {
+  using F = SpeedSettings;
+  static const std::array table = {
+      field<F, &F::gain>(number("gain", "acceleration for an error of 1 m/s", "1/s", 1)),
+      field<F, &F::integral_time>(number("integral_time", "in which the integral does as much as the gain", "s", 4)),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<Event>> fields<Event>() {
+  using F = Event;
+  static const std::array table = {
+      field<F, &F::at>(required(open_number("at", "instant", "s", Bound::not_negative))),
+      field<F, &F::over>(number("over", "time that the change takes, as 10 u^3 - 15 u^4 + 6 u^5", "s", 0.1)),
+      field<F, &F::steer>(angle(
+          "steer", "to this angle at the steering input; with `frequency` an amplitude about the angle there is")),
+      field<F, &F::frequency>(open_number("frequency", "of a sine", "Hz")),
+      field<F, &F::cycles>(number("cycles", "of the sine", "1", 1)),
+      field<F, &F::steer_table>({.name = "steer_table",
+                                 .shape = Shape::table_points,
+                                 .doc = "angle at the steering input over the time since `at`, added to the angle "
+                                        "there is: s, rad; PCHIP between points"}),
+      field<F, &F::drive>(
+          open_number("drive", "to this driving torque, which no controller changes then", "N m", Bound::none)),
+      field<F, &F::brake>(
+          open_number("brake", "to this braking torque; the drive is taken away", "N m", Bound::not_negative)),
+      field<F, &F::speed>(open_number("speed", "the controller holds the speed again, and goes to this one", "m/s",
+                                      Bound::not_negative)),
+      field<F, &F::is_free>(switched("free", "true: no drive and no brake, gear free")),
+      field<F, &F::input>(
+          {.name = "input", .shape = Shape::reference, .doc = "any other input, to `value`", .of = "inputs"}),
+      field<F, &F::value>(number("value", "of that input", "", 0, Bound::none)),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<Written<EventManoeuvre>>> fields<Written<EventManoeuvre>>() {
+  using F = Written<EventManoeuvre>;
+  static const std::vector table = with_common<F>(
+      open_number("speed", "at the start, held until an event says otherwise; default: that of the model, gear free",
+                  "m/s"),
+      {field<F, &F::written_events>({.name = "events",
+                                     .shape = Shape::rotations,
+                                     .doc = "changes at instants, in order of time",
+                                     .need = Need::required,
+                                     .of = "event"})});
+  return table;
+}
+
+template <>
+std::span<const Field<Written<CircleManoeuvre>>> fields<Written<CircleManoeuvre>>() {
+  using F = Written<CircleManoeuvre>;
+  static const std::vector table = with_common<F>(
+      speed_info(),
+      {field<F, &F::method>({.name = "method",
+                             .shape = Shape::word,
+                             .doc = "ISO 4138: the constant quantity",
+                             .fallback_word = "constant_radius",
+                             .words = kMethods}),
+       field<F, &F::radius>(open_number("radius", "of the circle that the driver follows, at constant_radius", "m")),
+       field<F, &F::steer>(angle("steer", "at the input: held at constant_steer, the last one at constant_speed")),
+       field<F, &F::last_speed>(
+           open_number("last_speed", "to which the speed grows; default: until the limit below", "m/s")),
+       field<F, &F::acceleration>(number("acceleration", "by which the speed grows", "m/s^2", 0.1)),
+       field<F, &F::largest_lateral_acceleration>(
+           number("largest_lateral_acceleration", "at which the manoeuvre ends", "m/s^2", 5)),
+       field<F, &F::side>(side_info())});
+  return table;
+}
+
+template <>
+std::span<const Field<Written<StepManoeuvre>>> fields<Written<StepManoeuvre>>() {
+  using F = Written<StepManoeuvre>;
+  static const std::vector table = with_common<F>(
+      speed_info(),
+      {field<F, &F::steer>(amplitude_info("angle at the input to which it steps")),
+       field<F, &F::lateral_acceleration>(lateral_info()),
+       field<F, &F::at>(number("at", "when it begins", "s", 1, Bound::not_negative)),
+       field<F, &F::rate>(open_number("rate", "largest rate at the input; default: the change takes 0.15 s", "rad/s")),
+       field<F, &F::side>(side_info())});
+  return table;
+}
+
+template <>
+std::span<const Field<Written<SweepManoeuvre>>> fields<Written<SweepManoeuvre>>() {
+  using F = Written<SweepManoeuvre>;
+  static const std::vector table =
+      with_common<F>(speed_info(), {field<F, &F::steer>(amplitude_info("amplitude at the input")),
+                                    field<F, &F::lateral_acceleration>(lateral_info()),
+                                    field<F, &F::first_frequency>(number("first_frequency", "at the start", "Hz", 0.2)),
+                                    field<F, &F::last_frequency>(number("last_frequency", "at the end", "Hz", 2))});
+  return table;
+}
+
+template <>
+std::span<const Field<Written<LaneManoeuvre>>> fields<Written<LaneManoeuvre>>() {
+  using F = Written<LaneManoeuvre>;
+  static const std::vector table = with_common<F>(
+      speed_info(),
+      {field<F, &F::track>({.name = "track",
+                            .shape = Shape::word,
+                            .doc = "standard of the track",
+                            .fallback_word = "iso_3888_1",
+                            .words = kTracks}),
+       field<F, &F::approach>(number("approach", "straight way before the first section", "m", 50)),
+       field<F, &F::width>(open_number("width", "of the vehicle; default: the `width` of the model", "m")),
+       field<F, &F::side>(side_info())});
+  return table;
+}
+
+template <>
+std::span<const Field<Written<WeaveManoeuvre>>> fields<Written<WeaveManoeuvre>>() {
+  using F = Written<WeaveManoeuvre>;
+  static const std::vector table =
+      with_common<F>(speed_info(), {field<F, &F::steer>(amplitude_info("amplitude at the input")),
+                                    field<F, &F::lateral_acceleration>(lateral_info()),
+                                    field<F, &F::frequency>(number("frequency", "of the steering", "Hz", 0.2)),
+                                    field<F, &F::cycles>(number("cycles", "of the steering", "1", 4))});
+  return table;
+}
+
+template <>
+std::span<const Field<Written<BrakingManoeuvre>>> fields<Written<BrakingManoeuvre>>() {
+  using F = Written<BrakingManoeuvre>;
+  static const std::vector table = with_common<F>(
+      speed_info(),
+      {field<F, &F::brake>(open_number("brake", "torque of all wheels together", "N m")),
+       field<F, &F::deceleration>(open_number(
+           "deceleration", "in place of `brake`: the torque of the mass times this at the tyres' radius", "m/s^2")),
+       field<F, &F::at>(number("at", "when it begins", "s", 1, Bound::not_negative)),
+       field<F, &F::over>(number("over", "time in which the torque rises", "s", 0.3)),
+       field<F, &F::last_speed>(number("last_speed", "at which the manoeuvre ends", "m/s", 0.2)),
+       field<F, &F::has_driver>({.name = "steering",
+                                 .shape = Shape::word,
+                                 .doc = "held straight, or by the driver, who keeps to the straight course",
+                                 .fallback_word = "held",
+                                 .words = kSteerings})});
+  return table;
+}
+
+template <>
+std::span<const Field<Written<RideManoeuvre>>> fields<Written<RideManoeuvre>>() {
+  using F = Written<RideManoeuvre>;
+  static const std::vector table = with_common<F>(speed_info(), std::vector<Field<F>>{});
+  return table;
+}
+
+std::span<const std::string_view> manoeuvre_types() { return kTypes; }
+
+std::vector<ObjectKind> manoeuvre_kinds() {
+  const std::vector<std::string_view> amplitude = {"steer", "lateral_acceleration"}, torque = {"brake", "deceleration"};
+  return {
+      kind_of<Written<EventManoeuvre>>(kTypes[0], "events in time"),
+      kind_of<Written<CircleManoeuvre>>(kTypes[1], "steady circle, ISO 4138"),
+      kind_of<Written<StepManoeuvre>>(
+          kTypes[2], "step of the steering angle, ISO 7401; one of steer and lateral_acceleration", amplitude),
+      kind_of<Written<SweepManoeuvre>>(
+          kTypes[3], "sines of growing frequency, ISO 7401; one of steer and lateral_acceleration", amplitude),
+      kind_of<Written<LaneManoeuvre>>(kTypes[4], "double lane change, ISO 3888-1, or obstacle avoidance, ISO 3888-2"),
+      kind_of<Written<WeaveManoeuvre>>(
+          kTypes[5], "slow sines about straight ahead, ISO 13674-1; one of steer and lateral_acceleration", amplitude),
+      kind_of<Written<BrakingManoeuvre>>(kTypes[6], "braking straight ahead; one of brake and deceleration", torque),
+      kind_of<Written<BrakingManoeuvre>>(
+          kTypes[7], "braking on a road whose sides differ in friction; one of brake and deceleration", torque),
+      kind_of<Written<RideManoeuvre>>(kTypes[8], "straight over the model's road at a speed"),
+      kind_of<Event>("event",
+                     "change at an instant; exactly one of steer, steer_table, drive, brake, speed, free and input"),
+      kind_of<DriverSettings>("driver", "a driver who looks ahead"),
+      kind_of<SpeedSettings>("speed_control", "a controller of driving and braking torque with gain and integral"),
+  };
+}
+
+}  // namespace mbgen::reading

@@ -1,0 +1,50 @@
+#pragma once
+// The table of fields of manoeuvre files.
+
+#include "compiler/reader/fields.hpp"
+#include "compiler/reader/reader.hpp"
+#include "workbench/manoeuvre/manoeuvre.hpp"
+
+namespace mbgen::reading {
+
+/// What the tables of all types have beside the members of the manoeuvre.
+struct CommonFields {
+  const Value *format = nullptr, *written_driver = nullptr, *written_speed_control = nullptr;
+  std::string type;
+};
+
+template <class Kind>
+struct Written : Kind, CommonFields {
+  const Value* written_events = nullptr;
+};
+
+template <>
+std::span<const Field<DriverSettings>> fields<DriverSettings>();
+template <>
+std::span<const Field<SpeedSettings>> fields<SpeedSettings>();
+template <>
+std::span<const Field<Event>> fields<Event>();
+template <>
+std::span<const Field<Written<EventManoeuvre>>> fields<Written<EventManoeuvre>>();
+template <>
+std::span<const Field<Written<CircleManoeuvre>>> fields<Written<CircleManoeuvre>>();
+template <>
+std::span<const Field<Written<StepManoeuvre>>> fields<Written<StepManoeuvre>>();
+template <>
+std::span<const Field<Written<SweepManoeuvre>>> fields<Written<SweepManoeuvre>>();
+template <>
+std::span<const Field<Written<LaneManoeuvre>>> fields<Written<LaneManoeuvre>>();
+template <>
+std::span<const Field<Written<WeaveManoeuvre>>> fields<Written<WeaveManoeuvre>>();
+template <>
+std::span<const Field<Written<BrakingManoeuvre>>> fields<Written<BrakingManoeuvre>>();
+template <>
+std::span<const Field<Written<RideManoeuvre>>> fields<Written<RideManoeuvre>>();
+
+/// Types of manoeuvres as files call them, in the order of the alternatives of Manoeuvre; BrakingManoeuvre has two.
+std::span<const std::string_view> manoeuvre_types();
+
+/// Every kind of object of a manoeuvre file, those of the types first, in their order.
+std::vector<ObjectKind> manoeuvre_kinds();
+
+}  // namespace mbgen::reading

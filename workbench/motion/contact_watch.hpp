@@ -1,0 +1,48 @@
+#pragma once
+// Rolling contacts that do what no real one does: nothing lifts off, so a motion says where a disc or ball would, and
+// where a disc fell flat.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workbench/motion/simulation.hpp"
+#include "workbench/motion/step_verdict.hpp"
+
+namespace mbgen {
+
+/// The normal forces of rolling discs and balls along a motion, and the directions in which discs roll.
+class ContactWatch {
+ public:
+  explicit ContactWatch(const Compilation& compilation);
+
+  /// Whether the motion's samples need their multipliers.
+  bool needs_multipliers() const { return !contacts_.empty(); }
+  void add(const Sample& sample);
+  /// A warning for each contact that pulled, with the first time and the largest force.
+  std::vector<std::string> warnings() const;
+  /// Why the motion is wrong: a disc was flat, where its contact jumps to the other side; empty where none was.
+  std::string failure() const;
+
+ private:
+  struct Contact {
+    const Loop* loop;
+    std::size_t row;                                    ///< of the normal force among all multipliers
+    double since = 0;                                   ///< s, when it first pulled
+    double largest = 0;                                 ///< N, of pulling
+    double scale = 0;                                   ///< N, the largest force of any sign
+    Eigen::Vector3d forward = Eigen::Vector3d::Zero();  ///< of a disc, at the last sample
+    double flat = -1;                                   ///< s, when a disc was first flat; -1: never
+  };
+  Eigen::Vector3d forward_of(const Contact& contact, const std::vector<Pose>& poses) const;
+
+  const Compilation& compilation_;
+  std::optional<GenericSolver> solver_;  ///< for poses, where there are contacts
+  std::vector<Contact> contacts_;
+};
+
+/// Adds what contacts did to the findings about a motion.
+void judge_contacts(const ContactWatch& contacts, StepVerdict& verdict);
+
+}  // namespace mbgen

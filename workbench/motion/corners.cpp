@@ -1,0 +1,131 @@
+#include "workbench/motion/corners.hpp"
+
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "compiler/passes/passes.hpp"
+#include "compiler/program/rewrite.hpp"
+#include "compiler/trace/trace.hpp"
+
+namespace mbgen {
+namespace {
+
+bool chooses(Op op) { return op == Op::select || op == Op::abs || op == Op::min || op == Op::max; }
+
+/// A corner is what is chosen by: a value, or the difference of two.
+using Choice = std::pair<ValueId, ValueId>;
+
+Choice choice_of(const Node& node) {
+  const bool of_two = node.op == Op::min || node.op == Op::max;
+  return {node.operands[0], of_two ? node.operands[1] : kNoValue};
+}
+
+/// Which values change along a motion.
+std::vector<bool> moving_values(const Program& program) {
+  std::vector<bool> moves;
+  for (const Node& node : program.nodes) {
+    bool any =
+        node.op == Op::input && program.inputs[static_cast<std::size_t>(node.input)].group != SlotGroup(Array::par);
+    for (int k = 0; k < arity(node.op); ++k) any = any || moves[node.operands[k]];
+    moves.push_back(any);
+  }
+  return moves;
+}
+
+/// The rates alone, without what nothing needs.
+Program rates_alone(Program program) {
+  std::erase_if(program.outputs, [](const OutputValue& output) {
+    return output.slot.group != SlotGroup(Array::zdd) && output.slot.group != SlotGroup(Array::xd);
+  });
+  return remove_dead_values(program);
+}
+
+std::map<Choice, int> corners_of(const Program& program) {
+  const std::vector<bool> moves = moving_values(program);
+  std::map<Choice, int> corners;
+  for (const Node& node : program.nodes) {
+    const Choice choice = choice_of(node);
+    if (!chooses(node.op)) continue;
+    if (moves[choice.first] || (choice.second != kNoValue && moves[choice.second]))
+      corners.emplace(choice, static_cast<int>(corners.size()));
+  }
+  return corners;
+}
+
+Program conditions_of(const Program& program, const std::map<Choice, int>& corners) {
+  ProgramBuilder builder = ProgramBuilder::like(program);
+  std::vector<ValueId> renamed;
+  for (const Node& node : program.nodes) renamed.push_back(builder.copy(program, node, renamed));
+  for (const auto& [choice, number] : corners) {
+    const ValueId value = renamed[choice.first];
+    builder.output(Array::residual, number,
+                   choice.second == kNoValue ? value : builder.append(Op::subtract, value, renamed[choice.second]));
+  }
+  return remove_dead_values(builder.finish());
+}
+
+/// The program with its sides as inputs.
+Program with_given_sides(const Program& program, const std::map<Choice, int>& corners) {
+  return rewritten(program, [&](ProgramBuilder& builder, ValueId v, std::span<const ValueId> renamed) {
+    const Node& node = program.nodes[v];
+    if (!chooses(node.op)) return kNoValue;
+    const auto corner = corners.find(choice_of(node));
+    if (corner == corners.end()) return kNoValue;
+    const ValueId side = builder.input(Array::seed, corner->second), first = renamed[node.operands[0]];
+    if (node.op == Op::abs) return builder.append(Op::select, side, first, builder.append(Op::negate, first));
+    const ValueId second = renamed[node.operands[1]];
+    if (node.op == Op::min) return builder.append(Op::select, side, second, first);
+    if (node.op == Op::max) return builder.append(Op::select, side, first, second);
+    return builder.append(Op::select, side, second, renamed[node.operands[2]]);
+  });
+}
+
+}  // namespace
+
+Corners::Corners(const Compilation& compilation) {
+  if (!too_large(compilation).empty()) return;
+  const auto& [model, topology, analysis] = std::tie(compilation.model, compilation.topology, compilation.analysis);
+  const Program rates = rates_alone(trace_accelerations(model, topology, analysis, form_of(topology, analysis)));
+  const std::map<Choice, int> corners = corners_of(rates);
+  conditions_ = conditions_of(rates, corners);
+  held_ = with_given_sides(rates, corners);
+  for (const Parameter& parameter : model.parameters)
+    if (parameter.tunable) parameters_.push_back(parameter.value);
+}
+
+std::vector<double> Corners::results(const Program& program, const GenericState& state,
+                                     const std::vector<double>& inputs, const std::vector<double>& sides) const {
+  const std::vector<double> time = {state.t};
+  const std::map<SlotGroup, const std::vector<double>*> known = {
+      {Array::z, &state.z}, {Array::zd, &state.zd}, {Array::x, &state.x},      {Array::t, &time},
+      {Array::in, &inputs}, {Array::seed, &sides},  {Array::par, &parameters_}};
+  std::vector<double> values;
+  for (const Slot& slot : program.inputs) {
+    const auto array = known.find(slot.group);
+    values.push_back(array == known.end() ? 0.0 : array->second->at(static_cast<std::size_t>(slot.index)));
+  }
+  return interpret(program, values);
+}
+
+std::vector<double> Corners::conditions(const GenericState& state, const std::vector<double>& inputs) const {
+  std::vector<double> values(count());
+  const std::vector<double> found = results(conditions_, state, inputs, {});
+  for (std::size_t i = 0; i < found.size(); ++i)
+    values[static_cast<std::size_t>(conditions_.outputs[i].slot.index)] = found[i];
+  return values;
+}
+
+GenericDerivative Corners::difference(const GenericState& state, const std::vector<double>& inputs,
+                                      const std::vector<double>& sides, const std::vector<double>& other) const {
+  const std::vector<double> with = results(held_, state, inputs, sides), without = results(held_, state, inputs, other);
+  GenericDerivative change{std::vector<double>(state.zd.size(), 0.0), std::vector<double>(state.x.size(), 0.0)};
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    const Slot& slot = held_.outputs[i].slot;
+    (slot.group == SlotGroup(Array::zdd) ? change.zdd : change.xd)[static_cast<std::size_t>(slot.index)] =
+        with[i] - without[i];
+  }
+  return change;
+}
+
+}  // namespace mbgen

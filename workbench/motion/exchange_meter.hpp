@@ -1,0 +1,41 @@
+#pragma once
+// The scale of an energy balance: what went back and forth between the parts of a mechanism.
+
+#include <limits>
+#include <vector>
+
+#include "workbench/motion/simulation.hpp"
+
+namespace mbgen {
+
+/// Smallest and largest of a value along a motion.
+struct Span {
+  double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
+  void add(double value) {
+    smallest = value < smallest ? value : smallest;
+    largest = value > largest ? value : largest;
+  }
+  double width() const { return largest > smallest ? largest - smallest : 0; }
+};
+
+/// Work of each force element (of a spring and of a damper in one element apart), of gravity on each body and of the
+/// drives, and kinetic energy of each body by translation and about each axis. The scale is
+/// the sum of the ranges of the works, or of the kinetic energies where that is more. Energy that stays where it is, of
+/// a rotor or of a vehicle that goes on, is not in it; nor do a spring and a damper, or a drive and a brake, cancel.
+class ExchangeMeter {
+ public:
+  /// step: s, between samples.
+  ExchangeMeter(const Compilation& compilation, double step);
+
+  void add(const Sample& sample);
+  /// J; 0 where nothing was exchanged.
+  double scale() const;
+
+ private:
+  double step_;
+  GenericSolver solver_;
+  std::vector<double> powers_, works_;  ///< W of the last sample, J up to it
+  std::vector<Span> ranges_;            ///< J, of the works, then of the kinetic energies
+};
+
+}  // namespace mbgen

@@ -1,0 +1,120 @@
+#include "workbench/motion/input_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "compiler/text/characters.hpp"
+#include "compiler/text/number.hpp"
+#include "compiler/text/user_error.hpp"
+#include "workbench/host/files.hpp"
+#include "workbench/results/results.hpp"
+
+namespace mbgen {
+namespace {
+
+/// A line of the file, for messages.
+struct Line {
+  const std::string& path;
+  int number = 0;
+  std::string place() const { return fmt::format("{}:{}", path, number); }
+  [[noreturn]] void fail(const std::string& message) const {
+    throw UserError(fmt::format("{}: {}\n", place(), message));
+  }
+};
+
+void check_unit(const Line& line, const Heading& heading, const std::string& unit) {
+  const std::string expected = unit_or_one(unit);
+  if (heading.unit.empty() || heading.unit == expected) return;
+  line.fail(fmt::format("{} is in \"{}\", found \"{}\"", heading.name, expected, heading.unit));
+}
+
+int find_input(const Line& line, const Model& model, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Input& input : model.inputs) names.push_back(input.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  const std::string hint = did_you_mean(name, {names.begin(), names.end()});
+  line.fail(fmt::format("the model has no input \"{}\"; its inputs: {}{}", name,
+                        names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
+                        hint.starts_with("did") ? "; " + hint : ""));
+}
+
+void read_header(const Line& line, const std::vector<std::string>& fields, const Model& model, InputTable& table) {
+  table.path = line.path;
+  table.header = line.place();
+  const Heading time = heading_of(fields[0]);
+  if (time.name != "t") {
+    line.fail(fmt::format("the first column must be \"t\", found {}{}", in_quotes(time.name),
+                          time.name.find(';') == std::string::npos ? "" : "; commas separate fields"));
+  }
+  check_unit(line, time, "s");
+  if (fields.size() == 1) line.fail("there is no column of an input");
+  for (std::size_t c = 1; c < fields.size(); ++c) {
+    const Heading heading = heading_of(fields[c]);
+    const int input = find_input(line, model, heading.name);
+    check_unit(line, heading, model.inputs[input].unit);
+    const auto is_same = [input](const InputColumn& column) { return column.input == input; };
+    if (std::any_of(table.columns.begin(), table.columns.end(), is_same)) {
+      line.fail(fmt::format("column \"{}\" stands twice", heading.name));
+    }
+    table.columns.push_back({input, {}});
+  }
+}
+
+void read_row(const Line& line, const std::vector<std::string>& fields, const Model& model, InputTable& table) {
+  if (fields.size() != table.columns.size() + 1) {
+    line.fail(fmt::format("must have {} fields like the header, found {}", table.columns.size() + 1, fields.size()));
+  }
+  const double t = parse_number(fields[0], line.place() + ": t");
+  if (!table.t.empty() && !(t > table.t.back())) {
+    line.fail(fmt::format("t must increase, found {} after {}", t, table.t.back()));
+  }
+  table.t.push_back(t);
+  table.lines.push_back(line.number);
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    InputColumn& column = table.columns[c];
+    column.values.push_back(
+        parse_number(fields[c + 1], fmt::format("{}: {}", line.place(), model.inputs[column.input].name)));
+  }
+}
+
+}  // namespace
+
+std::string unit_or_one(const std::string& unit) { return unit.empty() ? "1" : unit; }
+
+const InputColumn* column_of(const InputTable& table, int input) {
+  const auto found = std::find_if(table.columns.begin(), table.columns.end(),
+                                  [input](const InputColumn& column) { return column.input == input; });
+  return found == table.columns.end() ? nullptr : &*found;
+}
+
+InputTable read_input_table(const std::string& path, const Model& model) {
+  return parse_input_table(read_text(path), path, model);
+}
+
+InputTable parse_input_table(const std::string& text, const std::string& path, const Model& model) {
+  std::string_view rest = text;
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (rest.substr(0, kByteOrderMark.size()) == kByteOrderMark) rest.remove_prefix(kByteOrderMark.size());
+  if (std::optional<Diagnostic> fault = no_text(text, path, "inputs over time are a CSV table: t [s],name [unit]"))
+    throw UserError(Diagnostics{*std::move(fault)});
+  InputTable table;
+  for (Line line{path, 1}; !rest.empty(); ++line.number) {
+    const std::size_t length = std::min(rest.find('\n'), rest.size());
+    const std::string_view content = rest.substr(0, length);
+    rest.remove_prefix(std::min(length + 1, rest.size()));
+    if (without_blanks(content).empty()) continue;
+    if (table.columns.empty()) {
+      read_header(line, csv_fields(content), model, table);
+    } else {
+      read_row(line, csv_fields(content), model, table);
+    }
+  }
+  if (table.t.empty()) throw UserError(fmt::format("{}: the table has no rows\n", path));
+  return table;
+}
+
+}  // namespace mbgen

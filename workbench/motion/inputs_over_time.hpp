@@ -1,0 +1,48 @@
+#pragma once
+// The inputs of a run: constant, continued by their derivatives, or from a table over time.
+
+#include <string>
+#include <vector>
+
+#include "compiler/model/model.hpp"
+#include "workbench/motion/course.hpp"
+
+namespace mbgen {
+
+/// How a column runs between its rows.
+enum class Interpolation {
+  pchip,   ///< cubic that keeps the shape: never outside the two rows beside it
+  linear,  ///< straight
+  spline,  ///< cubic spline: smoother, and may leave the rows
+  hold     ///< as in the last row
+};
+
+/// Values of all inputs of a model, in its order, over time.
+struct InputsOverTime {
+  std::vector<Course> courses;
+  std::vector<bool> advances;              ///< per input: has a derivative, so that a step advances it by itself
+  bool is_constant = true;                 ///< whether all of them stand still
+  std::vector<double> rows = {};           ///< s, of the table, where derivatives of its inputs may jump
+  std::vector<std::string> warnings = {};  ///< complete lines for standard error
+
+  /// Whether a row of the table lies after `start`, and at `end` at the latest; s.
+  bool has_row(double start, double end) const;
+  /// At an instant.
+  std::vector<double> at(double t) const;
+  /// Inputs of a step of h seconds from t. An input that advances has its value at t; any other stands still during
+  /// the step, also the last derivative of a row, and has its value in the middle: the step is then right to the second
+  /// order in h.
+  std::vector<double> of_step(double t, double h) const;
+};
+
+/// The inputs that a user asks for.
+/// assignments: name=value, of inputs that keep their value, or continue with their derivatives; the rest has its
+/// default. table: path of a CSV file, "" for none. Its header is `t` and names of inputs, with units in brackets where
+/// wanted, its rows have increasing t (s); before and after the rows values are held.
+/// A derivative without a column is that of its input's interpolation; a column for it joins the interpolation of pchip
+/// and spline (Hermite polynomials), so that all orders belong to one curve.
+/// Fails: UserError with file and line; columns of rates that contradict the values, see check_rates.
+InputsOverTime inputs_over_time(const Model& model, const std::vector<std::string>& assignments,
+                                const std::string& table, Interpolation interpolation);
+
+}  // namespace mbgen

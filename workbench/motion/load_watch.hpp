@@ -1,0 +1,38 @@
+#pragma once
+// Reactions that press frictions act as they were taken last: a motion says where one jumped by more than that bears.
+
+#include <string>
+#include <vector>
+
+#include "workbench/motion/simulation.hpp"
+#include "workbench/motion/step_verdict.hpp"
+
+namespace mbgen {
+
+/// Changes of the loads of reactions along a motion, from one row to the next.
+class LoadWatch {
+ public:
+  explicit LoadWatch(const Model& model);
+
+  void add(const Sample& sample);
+  /// A warning for each load that jumped, with the first time and the largest jump.
+  std::vector<std::string> warnings() const;
+
+ private:
+  struct Load {
+    const SampledValue* value;
+    std::size_t place;           ///< among the auxiliary states
+    double last = 0, scale = 0;  ///< N or N m: of the last row, the largest
+    double jump = 0, time = 0;   ///< the largest from row to row, and s, the time of the row after it
+    long rows = 0;
+  };
+  std::vector<Load> loads_;
+};
+
+/// Adds what loads did to the findings about a motion.
+void judge_loads(const LoadWatch& loads, StepVerdict& verdict);
+
+/// A load that changes by more than this part of its largest value within a period is warned of.
+constexpr double kLoadJump = 0.1;
+
+}  // namespace mbgen

@@ -1,0 +1,48 @@
+#pragma once
+// The table of a motion on its way to a file, and the file that says which run it is of.
+
+#include <string>
+#include <vector>
+
+#include "workbench/host/files.hpp"
+#include "workbench/motion/simulation.hpp"
+#include "workbench/results/results.hpp"
+
+namespace mbgen {
+
+enum class TableFormat { csv, mat };
+
+/// The format asked for by name, else by the file's ending: .mat, or CSV. Fails: UserError for an unknown name.
+TableFormat table_format(const std::string& name, const std::string& file);
+
+/// Name of the file beside a CSV table that holds the text of run_json.
+std::string run_file(const std::string& table);
+
+/// Takes the points of a motion and writes every n-th of them, the first and the last. CSV goes to the file row by row;
+/// MAT, whose size stands in front, is kept in memory until the end.
+class MotionTable {
+ public:
+  /// step: of the motion, s; read: the files that the command reads. Fails: UserError, as AtomicFile.
+  MotionTable(const std::string& path, TableFormat format, const Compilation& compilation, double step, long every,
+              std::vector<std::string> read);
+  void add(const Sample& sample);
+  /// The last point is always written. Result: rows.
+  long finish();
+  /// Gives the file its name, and writes `run` into it (MAT) or beside it (CSV that is no device). Requires: finished.
+  void commit(const std::string& run);
+
+ private:
+  void write(const Sample& sample);
+  std::string path_;
+  std::vector<std::string> read_;
+  TableFormat format_;
+  AtomicFile file_;
+  Results results_;  ///< the rows of a MAT file
+  int decimals_;     ///< of the step
+  long every_;
+  long rows_ = 0;
+  bool is_written_ = true;
+  Sample last_;
+};
+
+}  // namespace mbgen

@@ -1,0 +1,26 @@
+#pragma once
+// The equations of small motions about a state, by differences, and their modes.
+
+#include <vector>
+
+#include "compiler/linearisation/linearisation.hpp"
+#include "workbench/motion/simulation.hpp"
+
+namespace mbgen {
+
+constexpr int kMostStatesForModes = 200;
+
+/// A and coordinates of small motions about a state by central differences of its accelerations; without states for a
+/// model of more than kMostStatesForModes states or with rolling, at a singular position, and where no acceleration is
+/// to be had. Auxiliary states are counted in parts of their magnitudes. inputs: of the model, at that time. Cost: two
+/// evaluations of the generic runtime a state.
+LinearSystem system_near(const Compilation& compilation, const GenericState& state, const std::vector<double>& inputs);
+
+/// The modes of system_near.
+std::vector<Mode> modes_near(const Compilation& compilation, const GenericState& state,
+                             const std::vector<double>& inputs);
+
+/// Deviations of the states of system_near.
+std::vector<double> deviations_from(const Compilation& compilation, const GenericState& from, const GenericState& to);
+
+}  // namespace mbgen

@@ -1,0 +1,24 @@
+#pragma once
+// Forces and moments of joints and rods, for every engine: by its own means where it has them, else by outputs of the
+// model.
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "workbench/engines/engine.hpp"
+
+namespace mbgen {
+
+/// Appends an output for each component of the action of every joint, then every rod, on its `to` body: force, then
+/// moment about the joint's point on that body, global axes.
+void add_reaction_outputs(Model& model);
+
+/// Lets an engine of a model that has these outputs give its reactions by them, when it has no means of its own.
+void use_reaction_outputs(Engine& engine, const Model& model);
+
+/// {name: {"force": [x, y, z], "moment": [x, y, z]}} for the joints, then the rods; null stands for a value that is not
+/// finite. Fails: UserError when a joint and a rod have the same name.
+nlohmann::ordered_json reactions_json(const Model& model, const std::vector<std::array<double, 6>>& wrenches);
+
+}  // namespace mbgen

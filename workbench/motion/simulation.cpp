@@ -1,0 +1,279 @@
+#include "workbench/motion/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "compiler/text/user_error.hpp"
+#include "mbgen/solver/step_time.hpp"
+
+namespace mbgen {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Integral of samples at equal distances: Simpson's rule over pairs of steps, the trapezoidal rule for an odd last
+/// one.
+class Integral {
+ public:
+  void add(double value, double h) {
+    if (count_ > 0) {
+      const bool closes_a_pair = count_ % 2 == 0;
+      if (closes_a_pair) pairs_ += h / 3 * (before_ + 4 * last_ + value);
+      rest_ = closes_a_pair ? 0 : h / 2 * (last_ + value);
+    }
+    before_ = last_;
+    last_ = value;
+    ++count_;
+  }
+  /// The next row has a jump to the last one.
+  void restart() {
+    done_ = value();
+    pairs_ = rest_ = 0;
+    count_ = 0;
+  }
+  double value() const { return done_ + pairs_ + rest_; }
+
+ private:
+  long count_ = 0;  // of samples
+  double before_ = 0, last_ = 0;
+  double done_ = 0, pairs_ = 0, rest_ = 0;
+};
+
+void widen(std::vector<Range>& ranges, const std::vector<double>& values) {
+  if (ranges.empty()) {
+    for (const double value : values) ranges.push_back({value, value, value});
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    ranges[i] = {std::min(ranges[i].smallest, values[i]), std::max(ranges[i].largest, values[i]), values[i]};
+  }
+}
+
+/// Everything that the summary collects point by point.
+class Collector {
+ public:
+  explicit Collector(double h) : h_(h) {}
+
+  void add(const Sample& sample, const std::vector<double>& inputs, SimulationSummary& summary) {
+    const GenericOutputs& outputs = sample.outputs;
+    const double energy = outputs.kinetic_energy + outputs.potential_energy;
+    if (sample.step == 0) first_energy_ = energy;
+    work_.add(outputs.applied_power, h_);
+    EnergyBalance& balance = summary.energy;
+    balance.level = std::max(balance.level, std::abs(energy));
+    balance.change = energy - first_energy_;
+    balance.work = work_.value();
+    balance.net = std::max({balance.net, std::abs(balance.change), std::abs(balance.work)});
+    balance.scale = std::max({balance.scale, balance.net, outputs.kinetic_energy});
+    summary.largest.position = std::max(summary.largest.position, sample.residuals.position);
+    summary.largest.velocity = std::max(summary.largest.velocity, sample.residuals.velocity);
+    widen(summary.outputs, outputs.y);
+    widen(summary.inputs, inputs);
+    for (std::size_t i = 0; i < sample.state.zd.size(); ++i) {
+      if (std::abs(sample.state.zd[i]) <= summary.largest_velocity) continue;
+      summary.largest_velocity = std::abs(sample.state.zd[i]);
+      summary.fastest = static_cast<int>(i);
+    }
+    summary.steps = sample.step;
+    summary.end_time = sample.state.t;
+  }
+
+  /// The power just before the next point, where it jumps there.
+  void add_before_jump(double power) {
+    work_.add(power, h_);
+    work_.restart();
+  }
+
+  /// The power just after the last point, where it jumped there.
+  void add_after_jump(double power) {
+    work_.restart();
+    work_.add(power, h_);
+  }
+
+ private:
+  double h_;
+  double first_energy_ = 0;
+  Integral work_;
+};
+
+/// Sorts the notices of steps by loop block. A singular position takes several steps in a row, which are one passage.
+class Notices {
+ public:
+  explicit Notices(double h) : h_(h) {}
+
+  /// t: s, at the end of the step.
+  void add(Status status, double t, std::vector<BlockEvents>& blocks) {
+    // Turns have a watcher of their own, which asks whether forces turn with them.
+    if (status.code == Code::turned_far) status = {};
+    if (status.code >= kFirstNotice && status.index >= static_cast<int>(blocks.size())) {
+      blocks.resize(status.index + 1);
+      entered_.resize(blocks.size());
+    }
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      const Code code = status.index == static_cast<int>(b) ? status.code : Code::ok;
+      blocks[b].chosen_again += code == Code::chosen_again ? 1 : 0;
+      blocks[b].near_singular += code == Code::near_singular || code == Code::singular_met ? 1 : 0;
+      if (code == Code::singular_met) {
+        if (!entered_[b]) entered_[b] = t - h_;
+      } else {
+        leave(b, t - h_, blocks[b]);
+      }
+    }
+  }
+
+  void finish(double t, std::vector<BlockEvents>& blocks) {
+    for (std::size_t b = 0; b < blocks.size(); ++b) leave(b, t, blocks[b]);
+  }
+
+ private:
+  void leave(std::size_t b, double t, BlockEvents& block) {
+    if (!entered_[b]) return;
+    if (block.singular_times.size() < kSingularTimes) block.singular_times.push_back((*entered_[b] + t) / 2);
+    ++block.singular_met;
+    entered_[b].reset();
+  }
+
+  double h_;
+  std::vector<std::optional<double>> entered_;  ///< s, per block: when a singular position was entered that is not left
+};
+
+/// Fills in a sample at a state in a motion by steps of h seconds.
+Status observe(const Engine& engine, double h, const GenericState& state, Sample& sample, LoadedState& at,
+               GenericDerivative& derivative) {
+  at.state = sample.moving = state;
+  sample.state = in_users_angles(engine.balls, state);
+  Status status = engine.accelerations_in_motion(state, h, derivative);
+  if (status.ok()) status = engine.outputs(at, derivative, sample.outputs);
+  if (status.ok()) status = engine.residuals(state, sample.residuals);
+  return status;
+}
+
+/// One step of h seconds to the time `end`, with the inputs that it is given and those at its end.
+Status step(const Engine& engine, const InputsOverTime& inputs, double h, double end, GenericState& state) {
+  if (inputs.is_constant) {
+    const Status status = engine.step(state, h);
+    if (status.ok()) state.t = end;
+    return status;
+  }
+  GenericState trial = state;
+  engine.set_inputs(inputs.of_step(state.t, h));
+  Status status = engine.step(trial, h);
+  trial.t = end;
+  engine.set_inputs(inputs.at(end));
+  if (status.ok()) status = engine.project(trial);
+  if (status.ok()) state = std::move(trial);
+  return status;
+}
+
+/// The power at the end of a step as it is just before, where a row of a table lies in the step: accelerations of
+/// inputs jump there, and with them the power of driven joints.
+std::optional<double> power_before_row(const Engine& engine, const InputsOverTime& inputs, double h, double start,
+                                       const GenericState& state) {
+  if (!inputs.has_row(start, state.t)) return {};
+  constexpr double kJustBefore = 1e-9;  // of a step
+  Sample sample;
+  LoadedState at{state, std::vector<double>(state.z.size(), 0.0)};
+  GenericDerivative derivative;
+  engine.set_inputs(inputs.at(state.t - kJustBefore * h));
+  const Status status = observe(engine, h, state, sample, at, derivative);
+  engine.set_inputs(inputs.at(state.t));
+  return status.ok() ? std::optional(sample.outputs.applied_power) : std::nullopt;
+}
+
+/// The power at the start of a step once sampled values are set, where some are due: forces jump with them.
+std::optional<double> power_after_samples(const Engine& engine, double h, const GenericState& state) {
+  if (!engine.sample) return {};
+  bool any = false;
+  Sample sample;
+  LoadedState at{state, std::vector<double>(state.z.size(), 0.0)};
+  GenericState sampled = state;
+  GenericDerivative derivative;
+  if (!engine.sample(sampled, h, any).ok() || !any) return {};
+  if (!observe(engine, h, sampled, sample, at, derivative).ok()) return {};
+  return sample.outputs.applied_power;
+}
+
+/// Whether a status may come of a step that is too long.
+bool may_be_of_step(Status status) {
+  return status.code == Code::not_a_number || status.code == Code::auxiliary_not_a_number ||
+         status.code == Code::loop_not_closed || status.code == Code::loop_singular;
+}
+
+/// The longest of h/10, h/100 and h/1000 by which the motion goes on from `state` over h seconds, 0 for none.
+double passable_step(const Engine& engine, const InputsOverTime& inputs, const GenericState& state, double h) {
+  for (const int parts : {10, 100, 1000}) {
+    const double part = h / parts;
+    GenericState trial = state;
+    engine.set_inputs(inputs.at(state.t));
+    int k = 0;
+    while (k < parts && step(engine, inputs, part, time_after(state.t, k + 1, part), trial).ok()) ++k;
+    if (k == parts) return part;
+  }
+  return 0;
+}
+
+/// A judge takes angles and rates of the model, which a ball in their pole has not.
+void require_angles(const Engine& engine, const GenericState& state) {
+  if (!engine.balls.empty() || largest_absolute(state.charts) == 0) return;
+  throw UserError(
+      fmt::format("engine {} starts from rates of angles, and a joint starts in their pole: give it another "
+                  "\"sequence\", or take another engine\n",
+                  engine.name));
+}
+
+}  // namespace
+
+SimulationSummary simulate(const Engine& engine, const GenericState& state, const InputsOverTime& given,
+                           const SimulationSettings& settings, const std::function<void(const Sample&)>& on_sample,
+                           const InputControl& control) {
+  require_angles(engine, state);
+  const Clock::time_point start = Clock::now();
+  SimulationSummary summary;
+  InputsOverTime inputs = given;
+  inputs.is_constant = inputs.is_constant && !control;
+  Collector collector(settings.step);
+  Notices notices(settings.step);
+  Sample sample;
+  GenericState moving = state;
+  LoadedState at{state, std::vector<double>(state.z.size(), 0.0)};
+  GenericDerivative derivative;
+  engine.set_inputs(inputs.at(state.t));
+  for (sample.step = 0;; ++sample.step) {
+    summary.status = observe(engine, settings.step, moving, sample, at, derivative);
+    // In the very pole the angles have no accelerations; everywhere else steps change charts by themselves.
+    if (!summary.status.ok() && sample.step == 0 && settle_charts(engine.balls, moving))
+      summary.status = observe(engine, settings.step, moving, sample, at, derivative);
+    if (summary.status.ok() && settings.has_multipliers)
+      summary.status = engine.multipliers(at, derivative, sample.multipliers);
+    if (!summary.status.ok()) break;
+    sample.inputs = inputs.at(moving.t);
+    collector.add(sample, sample.inputs, summary);
+    summary.last = sample.state;
+    on_sample(sample);
+    const bool goes_on = !control || control(sample, inputs);
+    summary.is_stopped = sample.step < settings.steps && settings.is_stopped && settings.is_stopped();
+    if (sample.step == settings.steps || !goes_on || summary.is_stopped) break;
+    if (const auto power = power_after_samples(engine, settings.step, moving)) collector.add_after_jump(*power);
+    const Clock::time_point before = Clock::now();
+    const double end = time_after(state.t, static_cast<double>(sample.step + 1), settings.step);
+    summary.status = step(engine, inputs, settings.step, end, moving);
+    summary.solver_seconds += seconds_since(before);
+    if (!summary.status.ok()) break;
+    notices.add(summary.status, moving.t, summary.blocks);
+    const auto power = power_before_row(engine, inputs, settings.step, summary.end_time, moving);
+    if (power) collector.add_before_jump(*power);
+  }
+  notices.finish(summary.end_time, summary.blocks);
+  summary.wall_seconds = seconds_since(start);
+  if (may_be_of_step(summary.status) && !settings.is_error_controlled) {
+    summary.passable_step = passable_step(engine, inputs, moving, settings.step);
+  }
+  return summary;
+}
+
+}  // namespace mbgen

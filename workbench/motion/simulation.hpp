@@ -1,0 +1,98 @@
+#pragma once
+// A motion from a state, step by step, with facts for its summary.
+
+#include <functional>
+#include <vector>
+
+#include "workbench/engines/engine.hpp"
+#include "workbench/motion/inputs_over_time.hpp"
+
+namespace mbgen {
+
+struct SimulationSettings {
+  long steps = 0;
+  double step = 0;                        ///< s
+  bool has_multipliers = false;           ///< the samples are to have them
+  bool is_error_controlled = false;       ///< the engine chooses its own steps inside of these
+  std::function<bool()> is_stopped = {};  ///< asked after every point: whether somebody wants the motion to end there
+};
+
+/// One point of the motion.
+struct Sample {
+  long step = 0;               ///< 0 at the start
+  GenericState state;          ///< in the angles of the model
+  GenericState moving;         ///< the same as the steps have it, in the charts of its balls
+  std::vector<double> inputs;  ///< of the model, at its time
+  GenericOutputs outputs;
+  Residuals residuals;
+  std::vector<double> multipliers;  ///< in the order of Topology::loops, where the settings ask for them
+};
+
+/// Smallest, largest and last value of one output.
+struct Range {
+  double smallest = 0, largest = 0, last = 0;
+};
+
+/// Energy along the motion. In a right solution, kinetic + potential energy changes by the work of the applied forces.
+struct EnergyBalance {
+  double change = 0;  ///< J, of kinetic energy and potential energy of gravity
+  double work = 0;    ///< J, of all other applied forces and drives, integrated by Simpson's rule
+  /// J, largest of |change|, |work| and kinetic energy along the way, or what went back and forth (ExchangeMeter)
+  double scale = 0;
+  double net = 0;    ///< J, largest of |change| and |work| along the way
+  double level = 0;  ///< J, largest kinetic + potential energy along the way, as the model counts it
+  double error() const { return change - work; }
+  double relative_error() const { return scale > 0 ? error() / scale : 0; }
+};
+
+/// Passages of singular positions that are told by their times.
+constexpr std::size_t kSingularTimes = 10;
+
+/// Events of the steps at one loop block, by the notice that each step gave.
+struct BlockEvents {
+  long chosen_again = 0;               ///< steps with another choice of coordinates, not near a singular position
+  long near_singular = 0;              ///< steps near a singular position, those through one too
+  long singular_met = 0;               ///< singular positions that were passed
+  std::vector<double> singular_times;  ///< s, of the first kSingularTimes of them
+};
+
+/// Energies that differ by this part of their level are the same but for rounding.
+constexpr double kRoundedEnergy = 1e-9;
+/// Speed, rad/s or m/s, of a body at rest, from rounding.
+constexpr double kAtRest = 1e-9;
+
+struct SimulationSummary {
+  long steps = 0;             ///< that succeeded
+  double end_time = 0;        ///< s, of the last good state
+  double solver_seconds = 0;  ///< wall time inside the integrator
+  double wall_seconds = 0;    ///< wall time of everything
+  Residuals largest;          ///< over all points
+  EnergyBalance energy;
+  std::vector<Range> outputs;
+  std::vector<Range> inputs;        ///< as applied at the points
+  double largest_velocity = 0;      ///< of all coordinates, rad/s or m/s
+  int fastest = -1;                 ///< the coordinate that had it
+  GenericState last;                ///< the last good state
+  std::vector<BlockEvents> blocks;  ///< per loop block, as far as anything was met
+  Status status;                    ///< of the step that failed, or ok
+  bool is_stopped = false;          ///< before its end, as the settings say
+  /// Whether energy was exchanged, beyond rounding: else the relative error of the balance says nothing.
+  bool exchanges_energy() const { return energy.scale > kRoundedEnergy * energy.level && largest_velocity > kAtRest; }
+  /// Of a step that failed: a shorter one, s, by which the motion goes on from the last good state; 0 where none was
+  /// found.
+  double passable_step = 0;
+};
+
+/// Sets the courses of inputs from a point of the motion on, before the step that starts there. Result: false where the
+/// motion ends at that point.
+using InputControl = std::function<bool(const Sample&, InputsOverTime&)>;
+
+/// Steps the engine from `state`; point k has the time of the start plus k times the step. on_sample gets every point,
+/// the start too. Where inputs change, the state is
+/// projected after each step under those of its time. When a step fails the motion ends at the last good state, and the
+/// summary says why. control, where given, is asked at every point.
+SimulationSummary simulate(const Engine& engine, const GenericState& state, const InputsOverTime& inputs,
+                           const SimulationSettings& settings, const std::function<void(const Sample&)>& on_sample,
+                           const InputControl& control = {});
+
+}  // namespace mbgen

@@ -1,0 +1,89 @@
+#include "workbench/motion/simulation_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/reader/read_model.hpp"
+#include "compiler/text/user_error.hpp"
+#include "mbgen/sampling.hpp"
+#include "mbgen/solver/step_time.hpp"
+
+namespace mbgen {
+namespace {
+
+constexpr double kMostSteps = 1e12;
+
+Interpolation interpolation_of(const std::string& name) {
+  if (name.empty() || name == "pchip") return Interpolation::pchip;
+  if (name == "linear") return Interpolation::linear;
+  if (name == "spline") return Interpolation::spline;
+  if (name == "hold") return Interpolation::hold;
+  throw UserError(
+      fmt::format("--interpolation: no interpolation \"{}\"; there are: pchip, linear, spline, hold\n", name));
+}
+
+}  // namespace
+
+SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings::Integrator of_model,
+                                         const std::string& engine) {
+  using Integrator = SolverSettings::Integrator;
+  if (name.empty()) return is_cartesian(engine) ? Integrator::rk4 : of_model;
+  if (name == "rk4") return Integrator::rk4;
+  if (name == "auto") throw UserError("--integrator: auto looks at one motion: name rk4, abm4 or rosenbrock here\n");
+  if (name != "abm4" && name != "rosenbrock") {
+    throw UserError(fmt::format("--integrator: no integrator \"{}\"; there are: rk4, abm4, rosenbrock\n", name));
+  }
+  if (is_cartesian(engine)) {
+    throw UserError(
+        fmt::format("--integrator: engine \"{}\" works in Cartesian coordinates and integrates by rk4 only\n", engine));
+  }
+  return name == "abm4" ? Integrator::abm4 : Integrator::rosenbrock;
+}
+
+InputsOverTime inputs_of(const Model& model, const std::vector<std::string>& assignments,
+                         const SimulationArguments& arguments) {
+  const Interpolation interpolation = interpolation_of(arguments.interpolation);
+  if (arguments.input_table.empty() && !arguments.interpolation.empty()) {
+    throw UserError("--interpolation: goes with --input-table, found none\n");
+  }
+  return inputs_over_time(model, assignments, arguments.input_table, interpolation);
+}
+
+SimulationSettings settings_of(const SimulationArguments& arguments, const SolverSettings& by_default) {
+  const double duration = arguments.duration.value_or(by_default.duration);
+  const double step = arguments.step.value_or(by_default.step);
+  if (!(duration > 0) || !std::isfinite(duration)) {
+    throw UserError(fmt::format("--duration: must be positive and finite, found {}\n", duration));
+  }
+  if (!(step > 0) || !std::isfinite(step)) {
+    throw UserError(fmt::format("--step: must be positive and finite, found {}\n", step));
+  }
+  const double steps = steps_in(duration, step).count;
+  if (!(steps < kMostSteps)) {
+    throw UserError(fmt::format("--step: {} s is too small for a duration of {} s\n", step, duration));
+  }
+  return {static_cast<long>(steps), duration / steps};
+}
+
+void follow_step(const SimulationSettings& settings, std::vector<VariedParameter>& set, Model& model) {
+  const auto is_load = [](const SampledValue& value) { return value.load.has_value(); };
+  if (settings.step == model.solver.step || std::none_of(model.sampled.begin(), model.sampled.end(), is_load)) return;
+  set.push_back({kStepOfMotion, settings.step});
+  const Model again = expect(read_varied_model(model.file, set));
+  for (std::size_t i = 0; i < model.sampled.size(); ++i) model.sampled[i].period = again.sampled[i].period;
+}
+
+void require_whole_periods(const SimulationSettings& settings, const Model& model) {
+  for (const SampledValue& value : model.sampled) {
+    const double ratio = value.period / settings.step, whole = std::nearbyint(ratio);
+    if (whole >= 1 && std::abs(ratio - whole) <= kSamePeriod * whole) continue;
+    throw UserError(
+        fmt::format("--step: \"{}\" is set every {:g} s, which is no multiple of the step {:g} s\n  hint: --step {:g}, "
+                    "and a duration of whole periods\n",
+                    value.name, value.period, settings.step, value.period / std::max(1.0, std::ceil(ratio))));
+  }
+}
+
+}  // namespace mbgen

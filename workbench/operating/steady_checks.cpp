@@ -1,0 +1,90 @@
+#include "workbench/operating/steady_checks.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "compiler/algebra/dense.hpp"
+#include "mbgen/solver/newton.hpp"
+
+namespace mbgen {
+namespace {
+
+constexpr double kWeighed = 1e-8;    // of the model's weight: forces below it are rounding of those that balance
+constexpr double kSettled = 1e-5;    // 1/s: the same of auxiliary states, in parts of their magnitudes
+constexpr double kFree = 1e-4;       // part of choices in a direction that changes nothing
+constexpr double kNamedPart = 1e-2;  // of the largest of a direction
+
+/// N, or N m at a lever of 1 m.
+double least_force(const Model& model) {
+  const auto add = [](double sum, const Body& body) { return sum + body.mass.value; };
+  const double mass = std::accumulate(model.bodies.begin(), model.bodies.end(), 0.0, add);
+  const double g = std::hypot(model.gravity[0].value, model.gravity[1].value, model.gravity[2].value);
+  return kWeighed * mass * (g > 0 ? g : 1);
+}
+
+/// See free_directions. parts: of the choices.
+std::string direction_text(const std::vector<SteadyChoice>& choices, const Eigen::VectorXd& parts) {
+  const auto rates = std::count_if(choices.begin(), choices.end(), [](const SteadyChoice& c) { return c.is_rate; });
+  Eigen::Index first = 0;
+  const double largest = parts.cwiseAbs().maxCoeff(&first);
+  if (rates > 0 && parts.head(rates).cwiseAbs().maxCoeff() > kFree * kFree * largest)
+    parts.head(rates).cwiseAbs().maxCoeff(&first);
+  const double rate = std::abs(parts[first]);
+  std::vector<std::string> list;
+  for (Eigen::Index k = 0; k < parts.size(); ++k) {
+    const double least = kNamedPart * (k < rates ? rate : largest);
+    if (std::abs(parts[k]) >= least)
+      list.push_back(fmt::format("{} {:+.3g}", choices[static_cast<std::size_t>(k)].name, parts[k] / parts[first]));
+  }
+  return fmt::format("{}", fmt::join(list, ", "));
+}
+
+}  // namespace
+
+Eigen::VectorXd column_sizes(const Eigen::MatrixXd& matrix) {
+  return matrix.colwise().norm().transpose().cwiseMax(1e-12);
+}
+
+bool is_weighed_out(const Compilation& compilation, const GenericSolver& solver, const OperatingPoint& point,
+                    const Eigen::VectorXd& left) {
+  const GenericState state{point.z, point.zd, point.x, point.t};
+  std::vector<double> tau(state.z.size(), 0.0);
+  GenericDerivative free, pushed;
+  if (!left.allFinite() || !solver.accelerations(state, tau, free).ok()) return false;
+  Eigen::Index row = 0;
+  for (const int i : free_coordinates(compilation.topology, compilation.analysis)) {
+    const auto at = static_cast<std::size_t>(i);
+    tau[at] = least_force(compilation.model);
+    if (!solver.accelerations(state, tau, pushed).ok()) return false;
+    tau[at] = 0;
+    if (std::abs(left[row++]) > std::max(kSteady, std::abs(pushed.zdd[at] - free.zdd[at]))) return false;
+  }
+  return row == left.size() || left.tail(left.size() - row).cwiseAbs().maxCoeff() < kSettled;
+}
+
+std::vector<std::string> free_directions(const Eigen::MatrixXd& derivatives, const std::vector<SteadyChoice>& choices) {
+  if (choices.empty()) return {};
+  const Eigen::VectorXd size = column_sizes(derivatives);
+  const auto [values, vectors] = right_singular_vectors(derivatives * size.cwiseInverse().asDiagonal());
+  const auto is_felt = [least = kIndifferentShare * values[0]](double value) { return value > least; };
+  const auto rank = std::count_if(values.begin(), values.end(), is_felt);
+  if (rank == derivatives.cols()) return {};
+  Eigen::MatrixXd of_choices(static_cast<Eigen::Index>(choices.size()), derivatives.cols() - rank);
+  Eigen::VectorXd units(of_choices.rows());
+  for (Eigen::Index k = 0; k < units.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(choices[static_cast<std::size_t>(k)].column);
+    of_choices.row(k) = vectors.row(column).tail(of_choices.cols());
+    units[k] = size[column];
+  }
+  const auto [shares, directions] = left_singular_vectors(of_choices);
+  std::vector<std::string> texts;
+  for (Eigen::Index d = 0; d < shares.size() && shares[d] > kFree; ++d)
+    texts.push_back(direction_text(choices, directions.col(d).cwiseQuotient(units)));
+  return texts;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,382 @@
+#include "workbench/operating/steady_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "compiler/algebra/dense.hpp"
+#include "compiler/linearisation/bristles.hpp"
+#include "compiler/model/auxiliary_states.hpp"
+#include "compiler/text/number.hpp"
+#include "compiler/text/user_error.hpp"
+#include "mbgen/solver/newton.hpp"
+#include "runtime/generic/generic.hpp"
+#include "workbench/engines/engine.hpp"
+#include "workbench/operating/steady_checks.hpp"
+
+namespace mbgen {
+namespace {
+
+using StateKind = LinearState::Kind;
+
+constexpr double kMoves = 1e-9;         // rad/s or m/s: a coordinate that moves at the start
+constexpr int kMostVain = 8;            // steps that lower nothing
+constexpr double kShortest = 1.0 / 64;  // of a step
+constexpr double kFlat = 1e-9;          // of the largest derivative: one that is zero but for rounding
+constexpr double kComesToRest = 0.05;   // of the speed at the start: below it the search has gone to standstill
+
+/// A search for a steady motion.
+class Search {
+ public:
+  Search(const Compilation& compilation, OperatingPoint start, const SteadyWish& wish)
+      : c_(compilation), solver_(compilation.model, compilation.topology, compilation.analysis) {
+    motion_.point = std::move(start);
+    independent_ = free_coordinates(c_.topology, c_.analysis);
+    take_rates(wish);
+    take_inputs(wish);
+    find_turning();
+    for (const int i : independent_) {
+      if (!travels(i)) motion_.point.zd[i] = 0;
+    }
+    require_closed(close());
+  }
+
+  SteadyMotion find() {
+    settle_auxiliary(c_, motion_.point);
+    SteadyMotion best = motion_;
+    best.largest = std::numeric_limits<double>::infinity();
+    int since_best = 0;
+    for (int step = 0; step < kSteadyIterations && since_best < kMostVain; ++step, ++since_best) {
+      const LinearSystem system = expect(linearise(c_, motion_.point));
+      const Eigen::VectorXd left = residual(system);
+      motion_.largest = left.size() > 0 ? left.cwiseAbs().maxCoeff() : 0.0;
+      leading_ = leading(system, left);
+      if (std::abs(motion_.point.zd[leader_]) < kComesToRest * std::abs(rate_at_start_)) break;
+      if (motion_.largest < best.largest) {
+        best = motion_;
+        since_best = 0;
+      }
+      if (motion_.largest < kSteady) return finished(system);
+      change(system, left);
+    }
+    if (std::isfinite(best.largest)) motion_ = best;
+    const LinearSystem system = expect(linearise(c_, motion_.point));
+    const Eigen::VectorXd left = residual(system);
+    leading_ = leading(system, left);
+    if (is_weighed_out(c_, solver_, motion_.point, left) &&
+        std::abs(motion_.point.zd[leader_]) >= kComesToRest * std::abs(rate_at_start_))
+      return finished(system);
+    throw UserError(fmt::format("{}: no steady motion found: {} goes on to accelerate at {:.3g} {}/s^2\n  hint: {}\n",
+                                c_.model.file, c_.topology.bodies[leading_].coordinate, motion_.largest,
+                                unit_of(c_.topology.bodies[leading_].kind), hint()));
+  }
+
+ private:
+  bool travels(int i) const { return std::find(travelling_.begin(), travelling_.end(), i) != travelling_.end(); }
+  bool is_held(int i) const { return std::find(held_.begin(), held_.end(), i) != held_.end(); }
+
+  /// Which coordinates move, and which of their rates are given.
+  void take_rates(const SteadyWish& wish) {
+    for (const std::string& assignment : wish.hold) {
+      const std::size_t sign = assignment.find('=');
+      const std::string name = assignment.substr(0, sign);
+      const int i = find_coordinate(c_.topology, name);
+      const bool is_independent = std::find(independent_.begin(), independent_.end(), i) != independent_.end();
+      if (!is_independent) {
+        throw UserError(
+            fmt::format("--hold: \"{}\" is no independent coordinate of the model; mbgen inspect lists them\n", name));
+      }
+      if (sign != std::string::npos) motion_.point.zd[i] = parse_number(assignment.substr(sign + 1), "--hold: " + name);
+      held_.push_back(i);
+    }
+    for (const int i : independent_) {
+      if (is_held(i) || std::abs(motion_.point.zd[i]) > kMoves) travelling_.push_back(i);
+    }
+    if (travelling_.empty()) {
+      throw UserError(
+          fmt::format("{}: nothing moves at the start; give a rate, --hold coordinate=rate, or use --at "
+                      "equilibrium\n",
+                      c_.model.file));
+    }
+    const auto slides = [&](int i) { return c_.topology.bodies[i].kind == FreedomKind::prismatic; };
+    const auto first = std::find_if(travelling_.begin(), travelling_.end(), slides);
+    leader_ = first != travelling_.end() ? *first : travelling_.front();
+    rate_at_start_ = motion_.point.zd[leader_];
+    if (held_.empty() && !wish.solve.empty()) held_.push_back(leader_);
+  }
+
+  void take_inputs(const SteadyWish& wish) {
+    for (const std::string& name : wish.solve) {
+      const auto found = std::find_if(c_.model.inputs.begin(), c_.model.inputs.end(),
+                                      [&](const Input& input) { return input.name == name; });
+      if (found == c_.model.inputs.end()) {
+        std::vector<std::string_view> names;
+        for (const Input& input : c_.model.inputs) names.push_back(input.name);
+        const std::string near = did_you_mean(name, names);
+        throw UserError(
+            fmt::format("--solve: the model has no input \"{}\"{}{}\n", name, near.empty() ? "" : "; ", near));
+      }
+      inputs_.push_back(static_cast<int>(found - c_.model.inputs.begin()));
+    }
+  }
+
+  /// A turning coordinate that only translations carry: those across its axis turn with it.
+  void find_turning() {
+    for (const int i : independent_) {
+      const TreeBody& body = c_.topology.bodies[i];
+      if (body.kind != FreedomKind::revolute) continue;
+      std::vector<int> across;
+      bool is_carried = true;
+      for (int p = body.parent; p != kGround; p = c_.topology.bodies[p].parent) {
+        const TreeBody& carrier = c_.topology.bodies[p];
+        is_carried = is_carried && carrier.kind == FreedomKind::prismatic;
+        const double along =
+            carrier.axis[0] * body.axis[0] + carrier.axis[1] * body.axis[1] + carrier.axis[2] * body.axis[2];
+        if (std::abs(along) < 1e-9) across.push_back(p);
+      }
+      const auto is_free = [&](int p) { return row_of(p) < static_cast<Eigen::Index>(independent_.size()); };
+      if (!is_carried || across.size() != 2 || !std::all_of(across.begin(), across.end(), is_free)) continue;
+      if (!travels(i) && !travels(across[0]) && !travels(across[1])) continue;
+      if (!is_upright(body.axis) || !is_flat(across)) continue;
+      if (!travels(i)) travelling_.push_back(i);
+      yaw_ = i;
+      const Vector3 &a = c_.topology.bodies[across[0]].axis, &b = c_.topology.bodies[across[1]].axis;
+      const double triple = body.axis[0] * (a[1] * b[2] - a[2] * b[1]) + body.axis[1] * (a[2] * b[0] - a[0] * b[2]) +
+                            body.axis[2] * (a[0] * b[1] - a[1] * b[0]);
+      motion_.across[0] = across[triple > 0 ? 0 : 1];  // the second is a quarter turn ahead of the first
+      motion_.across[1] = across[triple > 0 ? 1 : 0];
+      for (const int p : across) {
+        if (!travels(p)) travelling_.push_back(p);
+      }
+    }
+  }
+
+  /// Whether a motion that turns about an axis feels the same gravity, and the same road, all the way round.
+  bool is_upright(const Vector3& axis) const {
+    const Model& m = c_.model;
+    const Vector3 g{m.gravity[0].value, m.gravity[1].value, m.gravity[2].value};
+    const auto is_along = [&](const Vector3& up) {
+      const double along = axis[0] * up[0] + axis[1] * up[1] + axis[2] * up[2];
+      const double size = std::hypot(up[0], up[1], up[2]);
+      return std::abs(along) >= (1 - kFlat) * size;
+    };
+    return is_along(g) && (m.tyres.empty() || is_along({0, 0, 1}));
+  }
+
+  /// Whether rates do not depend on the place in a plane: else who turns with the motion sees them change.
+  bool is_flat(const std::vector<int>& plane) const {
+    const LinearSystem system = expect(linearise(c_, motion_.point));
+    const Eigen::Index rates = system.A.rows() - position_count(system);
+    const double largest = system.A.cwiseAbs().maxCoeff();
+    return std::all_of(plane.begin(), plane.end(), [&](int p) {
+      return system.A.col(row_of(p)).tail(rates).cwiseAbs().maxCoeff() <= kFlat * largest;
+    });
+  }
+
+  /// Rates of velocities and auxiliary states that should vanish.
+  Eigen::VectorXd residual(const LinearSystem& system) const {
+    return seen_turning(system.drift.tail(system.drift.size() - position_count(system)));
+  }
+
+  /// The same by the generic solver, which needs no derivatives. Not finite where it has no accelerations.
+  Eigen::VectorXd residual_here() const {
+    const OperatingPoint& point = motion_.point;
+    const GenericState state{point.z, point.zd, point.x, point.t};
+    GenericDerivative rates;
+    const auto moving = static_cast<Eigen::Index>(point.x.size()) - held_state_count(c_.model);
+    const auto accelerations = static_cast<Eigen::Index>(independent_.size());
+    Eigen::VectorXd left = Eigen::VectorXd::Constant(accelerations + moving, std::nan(""));
+    if (!solver_.accelerations(state, std::vector<double>(point.z.size(), 0.0), rates).ok()) return left;
+    for (Eigen::Index i = 0; i < accelerations; ++i)
+      left[i] = rates.zdd[static_cast<std::size_t>(independent_[static_cast<std::size_t>(i)])];
+    for (Eigen::Index i = 0; i < moving; ++i) left[accelerations + i] = rates.xd[static_cast<std::size_t>(i)];
+    return seen_turning(std::move(left));
+  }
+
+  /// Rates as who turns with the motion sees them, those of auxiliary states over what they count.
+  Eigen::VectorXd seen_turning(Eigen::VectorXd rates) const {
+    Eigen::VectorXd left = share_of_magnitudes(std::move(rates));
+    if (yaw_ < 0) return left;
+    const double turn = motion_.point.zd[yaw_];
+    left[row_of(motion_.across[0])] += turn * motion_.point.zd[motion_.across[1]];
+    left[row_of(motion_.across[1])] -= turn * motion_.point.zd[motion_.across[0]];
+    return left;
+  }
+
+  /// Accelerations as they are, then rates of auxiliary states over what these count.
+  Eigen::VectorXd share_of_magnitudes(Eigen::VectorXd rates) const {
+    auto place = static_cast<Eigen::Index>(independent_.size());
+    for (const AuxiliaryState& state : auxiliary_states(c_.model))
+      if (place < rates.size()) rates[place++] /= magnitude_of(state);
+    return rates;
+  }
+
+  Eigen::Index row_of(int coordinate) const {
+    return std::find(independent_.begin(), independent_.end(), coordinate) - independent_.begin();
+  }
+
+  int leading(const LinearSystem& system, const Eigen::VectorXd& left) const {
+    Eigen::Index place = 0;
+    left.head(static_cast<Eigen::Index>(independent_.size())).cwiseAbs().maxCoeff(&place);
+    return system.states[static_cast<std::size_t>(place)].index;
+  }
+
+  /// Whether a state may be changed: positions of coordinates at rest, rates of moving ones, auxiliary states.
+  bool is_unknown(const LinearState& state) const {
+    if (state.kind == StateKind::position) return !travels(state.index);
+    return state.kind == StateKind::auxiliary || (travels(state.index) && !is_held(state.index));
+  }
+
+  /// d residual / d state, with the terms of the turning.
+  Eigen::VectorXd column(const LinearSystem& system, Eigen::Index j) const {
+    Eigen::VectorXd result = share_of_magnitudes(system.A.col(j).tail(system.A.rows() - position_count(system)));
+    const LinearState& state = system.states[static_cast<std::size_t>(j)];
+    if (yaw_ < 0 || state.kind != StateKind::velocity) return result;
+    const auto& [first, second] = motion_.across;
+    const double turn = motion_.point.zd[yaw_];
+    if (state.index == second) result[row_of(first)] += turn;
+    if (state.index == first) result[row_of(second)] -= turn;
+    if (state.index == yaw_) {
+      result[row_of(first)] += motion_.point.zd[second];
+      result[row_of(second)] -= motion_.point.zd[first];
+    }
+    return result;
+  }
+
+  /// States that may be changed.
+  std::vector<Eigen::Index> unknown_states(const LinearSystem& system) const {
+    std::vector<Eigen::Index> unknown;
+    for (Eigen::Index j = 0; j < system.A.cols(); ++j) {
+      if (is_unknown(system.states[static_cast<std::size_t>(j)])) unknown.push_back(j);
+    }
+    return unknown;
+  }
+
+  /// d residual / d unknown: states, then inputs.
+  Eigen::MatrixXd derivatives(const LinearSystem& system, const std::vector<Eigen::Index>& unknown) const {
+    const auto states = static_cast<Eigen::Index>(unknown.size());
+    const Eigen::Index rows = system.A.rows() - position_count(system);
+    Eigen::MatrixXd matrix(rows, states + static_cast<Eigen::Index>(inputs_.size()));
+    for (Eigen::Index k = 0; k < states; ++k) matrix.col(k) = column(system, unknown[static_cast<std::size_t>(k)]);
+    for (std::size_t k = 0; k < inputs_.size(); ++k) {
+      matrix.col(states + static_cast<Eigen::Index>(k)) = share_of_magnitudes(system.B.col(inputs_[k]).tail(rows));
+    }
+    return matrix;
+  }
+
+  /// One step of Newton, shortened until the next one, by the same derivatives, is shorter. Source: P. Deuflhard,
+  /// "Newton Methods for Nonlinear Problems", 2004: the natural monotonicity test, which no units of rows change.
+  void change(const LinearSystem& system, const Eigen::VectorXd& left) {
+    const std::vector<Eigen::Index> unknown = unknown_states(system);
+    const Eigen::MatrixXd matrix = derivatives(system, unknown);
+    const Eigen::VectorXd size = column_sizes(matrix);
+    const Eigen::MatrixXd of_one_size = matrix * size.cwiseInverse().asDiagonal();
+    const Eigen::VectorXd scaled = least_squares(of_one_size, left, kIndifferentShare);
+    const Eigen::VectorXd by = -(size.cwiseInverse().asDiagonal() * scaled);
+    double longest = 0;
+    for (std::size_t k = 0; k < unknown.size(); ++k) {
+      const bool is_position = system.states[static_cast<std::size_t>(unknown[k])].kind == StateKind::position;
+      if (is_position) longest = std::max(longest, std::abs(by[static_cast<Eigen::Index>(k)]));
+    }
+    const double whole = shortening(longest, kLargestBalanceStep);
+    const OperatingPoint before = motion_.point;
+    for (double part = 1;; part /= 2) {
+      const Status closed = apply(system, unknown, by * (part * whole));
+      const Eigen::VectorXd next = closed.ok() ? residual_here() : Eigen::VectorXd::Constant(1, std::nan(""));
+      const bool leads_nearer = next.allFinite() && least_squares(of_one_size, next, kIndifferentShare).norm() <=
+                                                        (1 - part * whole / 4) * scaled.norm();
+      if (leads_nearer || part <= kShortest) return require_closed(closed);
+      motion_.point = before;
+    }
+  }
+
+  /// Moves the unknowns, then closes the loops.
+  Status apply(const LinearSystem& system, const std::vector<Eigen::Index>& unknown, const Eigen::VectorXd& by) {
+    for (std::size_t k = 0; k < unknown.size(); ++k) move(system, unknown[k], by[static_cast<Eigen::Index>(k)]);
+    for (std::size_t k = 0; k < inputs_.size(); ++k)
+      motion_.point.inputs[static_cast<std::size_t>(inputs_[k])] += by[static_cast<Eigen::Index>(unknown.size() + k)];
+    return close();
+  }
+
+  void move(const LinearSystem& system, Eigen::Index j, double by) {
+    OperatingPoint& point = motion_.point;
+    const LinearState& state = system.states[static_cast<std::size_t>(j)];
+    if (state.kind == StateKind::auxiliary) point.x[static_cast<std::size_t>(state.index)] += by;
+    if (state.kind == StateKind::velocity) point.zd[static_cast<std::size_t>(state.index)] += by;
+    if (state.kind != StateKind::position) return;
+    for (std::size_t i = 0; i < point.z.size(); ++i)
+      point.z[i] += by * system.coordinates(static_cast<Eigen::Index>(i), j);
+  }
+
+  /// Closes the loops, makes the velocities consistent and bends the bristles of what slides.
+  Status close() {
+    OperatingPoint& point = motion_.point;
+    solver_.set_inputs(point.inputs);
+    GenericState state{point.z, point.zd, point.x, point.t};
+    const Status status = solver_.project(state);
+    if (!status.ok()) return status;
+    point.z = std::move(state.z);
+    point.zd = std::move(state.zd);
+    bristles_ = settle_bristles(c_.model, c_.topology, point);
+    if (yaw_ >= 0) motion_.turning = point.zd[yaw_];
+    return {};
+  }
+
+  void require_closed(Status status) const {
+    if (!status.ok())
+      throw UserError(fmt::format("{}: no steady motion found: {}\n", c_.model.file, describe(c_, status)));
+  }
+
+  /// The motion that was found. Fails: UserError where a friction would have to hold more than it does.
+  SteadyMotion finished(const LinearSystem& system) {
+    for (std::size_t i = 0; i < bristles_.size(); ++i) {
+      const BristleEnd& bristle = bristles_[i];
+      const double bent = std::abs(motion_.point.x[static_cast<std::size_t>(first_bristle(c_.model)) + i]);
+      if (bristle.slides() || bent <= bristle.holds * (1 + kFlat)) continue;
+      throw UserError(
+          fmt::format("{}: no steady motion found: friction \"{}\" would have to hold {:.4g} times what it "
+                      "can\n  hint: let the coordinate move at the start, or hold it with --hold\n",
+                      c_.model.file, bristle.name, bent / std::max(bristle.holds, kLeastBristle)));
+    }
+    const std::vector<Eigen::Index> unknown = unknown_states(system);
+    std::vector<SteadyChoice> choices;
+    for (std::size_t k = 0; k < unknown.size(); ++k) {
+      const LinearState& state = system.states[static_cast<std::size_t>(unknown[k])];
+      if (state.kind == StateKind::velocity)
+        choices.push_back({k, "zd." + c_.topology.bodies[static_cast<std::size_t>(state.index)].coordinate, true});
+    }
+    for (std::size_t k = 0; k < inputs_.size(); ++k)
+      choices.push_back({unknown.size() + k, c_.model.inputs[static_cast<std::size_t>(inputs_[k])].name, false});
+    motion_.free_directions = free_directions(derivatives(system, unknown), choices);
+    return motion_;
+  }
+
+  std::string hint() const {
+    const std::string leader = c_.topology.bodies[leader_].coordinate;
+    if (c_.model.inputs.empty() || !inputs_.empty()) {
+      return fmt::format("the rate of {} needs a drive against drag and rolling resistance", leader);
+    }
+    return fmt::format("the rate of {} needs a drive: --solve NAME finds an input that drives or steers", leader);
+  }
+
+  const Compilation& c_;
+  GenericSolver solver_;
+  SteadyMotion motion_;
+  std::vector<int> independent_, travelling_, held_;
+  std::vector<int> inputs_;
+  std::vector<BristleEnd> bristles_;  ///< at the point
+  int yaw_ = -1, leader_ = -1;        ///< the coordinate that turns; the one whose rate is the speed
+  int leading_ = 0;                   ///< coordinate with the largest acceleration
+  double rate_at_start_ = 0;
+};
+
+}  // namespace
+
+SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyWish& wish) {
+  return Search(compilation, start, wish).find();
+}
+
+}  // namespace mbgen

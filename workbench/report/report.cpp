@@ -1,0 +1,134 @@
+#include "workbench/report/report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "compiler/text/characters.hpp"
+#include "compiler/topology/names.hpp"
+#include "workbench/drawing/drawing.hpp"
+#include "workbench/report/ground.hpp"
+#include "workbench/report/modes.hpp"
+#include "workbench/report/motion.hpp"
+#include "workbench/report/page.hpp"
+#include "workbench/report/scene.hpp"
+
+namespace mbgen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON inside a page: no letter of it can end the element that holds it.
+std::string script_text(const Json& json) {
+  std::string text;
+  for (const char letter : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (letter == '<') {
+      text += "\\u003c";
+    } else {
+      text += letter;
+    }
+  }
+  return text;
+}
+
+Json blocks_json(const Topology& topology, const Analysis& analysis) {
+  Json blocks = Json::array();
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    const LoopBlock& block = topology.blocks[b];
+    const BlockAnalysis& decided = analysis.blocks[b];
+    blocks.push_back({{"base", body_name(topology, block.base)},
+                      {"coordinates", block.joints.size()},
+                      {"equations", block.equations},
+                      {"rank", decided.rank},
+                      {"loops", loop_names(topology, block)},
+                      {"independent", local_names(topology, block, decided.independent)},
+                      {"redundant", decided.redundant_names}});
+  }
+  return blocks;
+}
+
+Json model_json(const Model& model, const Topology& topology, const Analysis& analysis) {
+  return {{"name", model.name},
+          {"file", model.file},
+          {"hash", model.hash},
+          {"bodies", model.bodies.size()},
+          {"joints", model.joints.size()},
+          {"rods", model.rods.size()},
+          {"springs", model.springs.size() + model.joint_springs.size() + model.air_springs.size()},
+          {"bushings", model.bushings.size()},
+          {"bump_stops", model.bump_stops.size()},
+          {"tyres", model.tyres.size()},
+          {"coordinates", topology.size()},
+          {"equations", equation_count(topology)},
+          {"independent_equations", analysis.independent_equations},
+          {"degrees_of_freedom", analysis.degrees_of_freedom},
+          {"position_freedoms", analysis.position_freedoms},
+          {"driven", model.motions.size()},
+          {"blocks", blocks_json(topology, analysis)}};
+}
+
+std::string_view page_file(std::string_view path) {
+  const std::vector<PageFile>& files = report_page_files();
+  const auto found = std::find_if(files.begin(), files.end(), [&](const PageFile& file) { return file.path == path; });
+  return found == files.end() ? std::string_view() : found->text;
+}
+
+/// The frame with its fields {{title}}, {{style}}, {{data}} and {{script}} filled, once each and in this order.
+std::string filled(std::string_view frame, const std::array<std::pair<std::string_view, std::string_view>, 4>& texts) {
+  std::string page;
+  for (const auto& [name, text] : texts) {
+    const std::string mark = "{{" + std::string(name) + "}}";
+    const std::size_t place = std::min(frame.find(mark), frame.size());
+    page += frame.substr(0, place);
+    page += text;
+    frame.remove_prefix(std::min(place + mark.size(), frame.size()));
+  }
+  page += frame;
+  return page;
+}
+
+/// Adds what a model with roads has of them, and notes.
+void add_ground(Json ground, Json& data) {
+  if (!ground["notes"].empty()) data["notes"] = ground["notes"];
+  ground.erase("notes");
+  if (!ground["tracks"].empty()) data["scene"]["ground"] = std::move(ground);
+}
+
+std::string page_of(const Model& model, const Json& data) {
+  return filled(page_file("index.html"), {{{"title", xml_text(model.name)},
+                                           {"style", page_file("report.css")},
+                                           {"data", script_text(data)},
+                                           {"script", page_file("report.js")}}});
+}
+
+}  // namespace
+
+bool has_report_page() { return !report_page_files().empty(); }
+
+Result<std::string> report_html(const ReportSource& source, const std::string& file) {
+  const Result<std::vector<GenericState>> frames = motion_frames(source, file);
+  if (!frames) return frames.problems();
+  const GenericSolver solver(source.model, source.topology, source.analysis);
+  const Json run = Json::parse(source.results.run, nullptr, false);
+  Json data = {{"format", 1}, {"result", file}, {"model", model_json(source.model, source.topology, source.analysis)}};
+  data["run"] = run.is_object() ? run : Json(nullptr);
+  data["scene"] = scene_json(source.model);
+  data["animations"] = Json::array({motion_json(solver, *frames)});  // braces alone are a copy for clang++
+  add_ground(ground_json(source.model, solver, *frames, false), data);
+  data["table"] = table_json(source);
+  data["topology"] = topology_svg(source.model, source.topology, source.analysis);
+  return page_of(source.model, data);
+}
+
+std::string modes_html(const ModesSource& source) {
+  Json data = {{"format", 1}, {"model", model_json(source.model, source.topology, source.analysis)}};
+  data["scene"] = scene_json(source.model);
+  // The camera looks at the followed body, at its position in the frame.
+  data["scene"]["centre"] = carried(source, data["scene"]["follow"], data["scene"]["centre"]);
+  data.update(modes_json(source));
+  add_ground(ground_at_point(source), data);
+  data["topology"] = topology_svg(source.model, source.topology, source.analysis);
+  return page_of(source.model, data);
+}
+
+}  // namespace mbgen

@@ -1,0 +1,26 @@
+#pragma once
+// The door of the report room: a result, or the modes of a model, as one HTML page that needs nothing else.
+
+#include <string>
+
+#include "compiler/text/diagnostic.hpp"
+#include "workbench/report/sources.hpp"
+
+namespace mbgen {
+
+/// Whether the page's program was bundled into this mbgen; without it there are no reports.
+bool has_report_page();
+
+/// The page: animation, plots, summary, topology. Poses come from the coordinates by the generic runtime's kinematics,
+/// with parameters at their values in the model. Rows closer than 10 ms, and rows beyond a few megabytes, are thinned
+/// out evenly; extremes in the tables are taken over all rows. Names are escaped.
+/// Fails: a result that lacks a coordinate of the model (file: the result's name, for the message).
+/// Requires: has_report_page().
+Result<std::string> report_html(const ReportSource& source, const std::string& file);
+
+/// The page: a list of the modes, each animated about the point with its loops closed, the eigenvalues in their plane,
+/// summary, topology. Names are escaped.
+/// Requires: has_report_page().
+std::string modes_html(const ModesSource& source);
+
+}  // namespace mbgen

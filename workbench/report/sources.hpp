@@ -1,0 +1,34 @@
+#pragma once
+// A page's sources: a result, or the modes about a point, with the model.
+
+#include <string>
+#include <vector>
+
+#include "compiler/analysis/analysis.hpp"
+#include "compiler/linearisation/linearisation.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/topology/topology.hpp"
+#include "workbench/results/results.hpp"
+
+namespace mbgen {
+
+/// Sources of a report.
+struct ReportSource {
+  const Model& model;
+  const Topology& topology;
+  const Analysis& analysis;
+  const Results& results;  ///< of this model: with a column z.NAME for each coordinate
+};
+
+/// Sources of a page of modes.
+struct ModesSource {
+  const Model& model;
+  const Topology& topology;
+  const Analysis& analysis;
+  const OperatingPoint& point;
+  const std::vector<Mode>& modes;  ///< about the point; at least one
+  std::string state;               ///< which state the point is, for people
+  double drift = 0;                ///< largest rate of the states at the point
+};
+
+}  // namespace mbgen

@@ -1,0 +1,38 @@
+#pragma once
+// The states that `evaluate` and `bench` read.
+
+#include <string>
+#include <vector>
+
+#include "workbench/engines/engine.hpp"
+
+namespace mbgen {
+
+/// One state of the file, in the order of the model.
+struct FileState {
+  LoadedState at;
+  std::vector<double> inputs;
+  std::vector<double> zdd;  ///< accelerations that the file expects, empty when it has none
+};
+
+struct StatesFile {
+  std::vector<std::string> joint_order;  ///< of the file
+  std::vector<int> coordinate;           ///< tree coordinate of each name in joint_order
+  std::vector<FileState> states;
+};
+
+/// Reads {"joint_order": [names], "states": [{"z", "zd", "tau", "x", "t", "inputs", "zdd"}]}. joint_order is any
+/// permutation of all coordinates, by default that of the model; zd, tau, x and t are zero and inputs as in
+/// `default_inputs` where they are missing; null stands for a number that is not finite; other fields are ignored.
+/// Fails: UserError that names the file, the place and the value.
+StatesFile read_states(const std::string& path, const Compilation& compilation,
+                       const std::vector<double>& default_inputs);
+
+/// The same from the file's text; path: as messages name it.
+StatesFile parse_states(const std::string& text, const std::string& path, const Compilation& compilation,
+                        const std::vector<double>& default_inputs);
+
+/// Values in the order of the model, put in the order of the file.
+std::vector<double> in_file_order(const StatesFile& file, const std::vector<double>& values);
+
+}  // namespace mbgen

@@ -1,0 +1,179 @@
+#include "workbench/sweep/sweep_journal.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "compiler/text/hash.hpp"
+#include "compiler/text/user_error.hpp"
+#include "workbench/host/files.hpp"
+
+namespace mbgen {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A journal is lines of text: this one with a description behind it, then one a case: hash of the rest of the line,
+// number of the case, values of the metrics, relative error of the energy, status.
+constexpr std::string_view kFirstLine = "mbgen sweep journal 2 ";
+
+[[noreturn]] void fail_to(const char* action, const fs::path& path) {
+  throw UserError(fmt::format("{}: cannot {}: {}\n", path.string(), action, std::strerror(errno)));
+}
+
+std::string hash_of_line(const std::string& content) {
+  Hash hash;
+  hash.add(content);
+  return hash.text();
+}
+
+std::string line_of(long index, const CaseResult& result) {
+  std::string content = fmt::format("{} {}", index, result.metrics.size());
+  for (const double value : result.metrics) content += fmt::format(" {}", value);
+  content += fmt::format(" {} {}", result.energy_error, result.status);
+  return hash_of_line(content) + " " + content + "\n";
+}
+
+/// Adds the case of a line, unless the line is damaged.
+void read_line(const std::string& line, CaseResults& results) {
+  const std::size_t blank = line.find(' ');
+  if (blank == std::string::npos || hash_of_line(line.substr(blank + 1)) != line.substr(0, blank)) return;
+  std::istringstream words(line.substr(blank + 1));
+  long index = 0;
+  std::size_t count = 0;
+  words >> index >> count;
+  CaseResult result;
+  const auto number = [&words] {
+    std::string word;
+    double value = 0;
+    words >> word;
+    std::from_chars(word.data(), word.data() + word.size(), value);
+    return value;
+  };
+  while (result.metrics.size() < count && words) result.metrics.push_back(number());
+  result.energy_error = number();
+  words.get();
+  std::getline(words, result.status);
+  results[index] = std::move(result);
+}
+
+/// The words in which two descriptions differ.
+std::vector<std::string> differences(const std::string& one, const std::string& other) {
+  using Json = nlohmann::ordered_json;
+  const Json a = Json::parse(one, nullptr, false), b = Json::parse(other, nullptr, false);
+  std::vector<std::string> words;
+  if (!a.is_object() || !b.is_object()) return {"everything"};
+  for (const auto& [word, value] : b.items()) {
+    if (!a.contains(word) || a[word] != value) words.push_back(word);
+  }
+  return words;
+}
+
+/// Checks that a journal's first line describes this study.
+void check_first_line(const fs::path& path, const std::string& line, const std::string& description) {
+  if (!line.starts_with(kFirstLine)) {
+    throw UserError(fmt::format("{}: is not a journal of mbgen sweep; choose another --out\n", path.string()));
+  }
+  const std::string found = line.substr(kFirstLine.size());
+  if (found == description) return;
+  throw UserError(fmt::format(
+      "{}: holds cases of another study, they differ in: {}\n  hint: run with the words of before to go on with it, "
+      "with --restart to begin anew, or with another --out\n",
+      path.string(), fmt::join(differences(found, description), ", ")));
+}
+
+/// The text up to the last line end: a killed process leaves a torn line behind it.
+std::string whole_lines(const std::string& text) {
+  const std::size_t end = text.rfind('\n');
+  return end == std::string::npos ? "" : text.substr(0, end + 1);
+}
+
+CaseResults parse(const fs::path& path, const std::string& text, const std::string& description) {
+  CaseResults results;
+  std::istringstream lines(whole_lines(text));
+  std::string line;
+  if (!std::getline(lines, line)) return results;
+  check_first_line(path, line, description);
+  while (std::getline(lines, line)) read_line(line, results);
+  return results;
+}
+
+}  // namespace
+
+fs::path journal_path(const std::string& table, const SweepPart& part) {
+  const std::string whole = table + ".journal";
+  return part.count == 1 ? whole : fmt::format("{}.{}-of-{}", whole, part.index + 1, part.count);
+}
+
+std::vector<fs::path> journals_of(const std::string& table) {
+  const fs::path whole = journal_path(table, {});
+  const fs::path directory = whole.has_parent_path() ? whole.parent_path() : ".";
+  std::vector<fs::path> paths;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(directory, problem)) {
+    const std::string name = entry.path().filename().string(), first = whole.filename().string();
+    if (name == first || (name.starts_with(first + ".") && name.find("-of-") != std::string::npos)) {
+      paths.push_back(whole.parent_path() / name);
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+CaseResults read_journal(const fs::path& path, const std::string& description) {
+  std::error_code problem;
+  if (!fs::exists(path, problem)) return {};
+  return parse(path, read_text(path), description);
+}
+
+Journal::Journal(const fs::path& path, const std::string& description, bool restart) : path_(path) {
+  file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (file_ < 0) fail_to("write", path);
+  try {
+    if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      throw UserError(fmt::format("{}: another mbgen sweep is at work on it\n", path.string()));
+    }
+    const std::string text = restart ? "" : read_text(path);
+    parse(path, text, description);
+    const std::string kept = whole_lines(text);
+    if (::ftruncate(file_, static_cast<off_t>(kept.size())) != 0) fail_to("write", path);
+    if (kept.empty()) append(fmt::format("{}{}\n", kFirstLine, description));
+  } catch (...) {
+    ::close(file_);
+    throw;
+  }
+}
+
+Journal::~Journal() { ::close(file_); }
+
+void Journal::append(const std::string& line) {
+  std::size_t written = 0;
+  while (written < line.size()) {
+    const ssize_t count = ::write(file_, line.data() + written, line.size() - written);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail_to("write", path_);
+    written += static_cast<std::size_t>(count);
+  }
+  if (::fsync(file_) != 0 && errno != EINVAL) fail_to("write", path_);
+}
+
+void Journal::add(long index, const CaseResult& result) { append(line_of(index, result)); }
+
+bool is_held(const fs::path& journal) {
+  const int file = ::open(journal.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool held = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(file);
+  return held;
+}
+
+}  // namespace mbgen
