@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/model/model.hpp"
 #include "compiler/reader/varied.hpp"
 
 namespace mbgen {
