@@ -36,13 +36,6 @@ FrameRows range_rows(const std::vector<Given>& all, const std::vector<std::strin
   return rows;
 }
 
-FrameRows quantity_rows(const std::vector<QuantityRange>& quantities) {
-  FrameRows rows;
-  for (std::size_t i = 0; i < quantities.size(); ++i)
-    rows.push_back({{"place", i}, {"name", string_literal(quantities[i].name)}, {"broken", quantities[i].broken}});
-  return rows;
-}
-
 /// What the header says of the inputs.
 std::string input_comment(const EmitContext& context) {
   const std::vector<Input>& inputs = context.model.inputs;
@@ -77,7 +70,7 @@ std::string c_header_text(const EmitContext& context) {
                         {"inputs", c_members(input_members(context))},
                         {"input_comment", input_comment(context)},
                         {"outputs", c_members(output_members(context))},
-                        {"has_quantities", !quantity_ranges(context).empty()},
+                        {"has_quantities", has_quantities(context)},
                         {"first_notice", static_cast<int>(kFirstNotice)},
                         {"integrator", context.model.solver.is_implicit()    ? "linearly implicit, ROS34PW2"
                                        : context.model.solver.is_multistep() ? "Adams-Bashforth-Moulton"
@@ -89,7 +82,6 @@ std::string c_source_text(const EmitContext& context) {
              is_multistep = context.model.solver.is_multistep();
   const std::string arguments = std::string(makes_rates ? "inputs" : "solver->inputs") + ", solver->state" +
                                 (is_multistep ? ", solver->history" : "");
-  const std::vector<QuantityRange> quantities = quantity_ranges(context);
   const char* inputs_now = makes_rates ? "solver->paths.now(solver->inputs)" : "solver->inputs";
   return fill_template(
       context, "c_interface.cpp.in",
@@ -101,11 +93,7 @@ std::string c_source_text(const EmitContext& context) {
        {"guard", guard_of(context.names.solver)},
        {"parameter_ranges",
         range_rows(tunable_parameters(context.model), context.names.parameters, context.options.scalar)},
-       {"has_quantities", !quantities.empty()},
-       {"has_inertias", std::any_of(quantities.begin(), quantities.end(),
-                                    [](const QuantityRange& one) { return one.name.starts_with("inertia of "); })},
-       {"quantity_count", quantities.size()},
-       {"quantity_ranges", quantity_rows(quantities)},
+       {"has_quantities", has_quantities(context)},
        {"input_ranges", range_rows(context.model.inputs, context.names.inputs, context.options.scalar)},
        {"method", step_function(context.model.solver)},
        {"arguments", arguments},
@@ -119,7 +107,7 @@ std::string python_text(const EmitContext& context) {
   return fill_template(context, "module.py.in",
                        {{"banner", banner_text(model, "#")},
                         {"title", string_literal(model.name)},
-                        {"has_quantities", !quantity_ranges(context).empty()},
+                        {"has_quantities", has_quantities(context)},
                         {"numpy_type", context.options.scalar == "float" ? "float32" : "float64"},
                         {"parameters", member_rows(parameter_members(context))},
                         {"inputs", member_rows(input_members(context))},

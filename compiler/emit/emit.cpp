@@ -8,6 +8,7 @@
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/cost_sheet.hpp"
 #include "compiler/emit/embedded.hpp"
+#include "compiler/emit/quantity_ranges.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
 
@@ -70,6 +71,7 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
                                     {name + "_cost.txt", cost_text(manifest, banner_text(model, "#"))},
                                     {"CMakeLists.txt", build_text(context)}};
   add_samples(context, files);
+  add_quantities(context, files);
   if (options.lanes > 0) {
     files.push_back({name + "_batch.hpp", batch_interface_text(context)});
     files.push_back({name + "_batch.cpp", batch_text(context, solver)});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/emit/context_values.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
@@ -129,11 +130,25 @@ std::vector<QuantityRange> quantity_ranges(const EmitContext& context) {
       entries += (entries.empty() ? "" : ", ") + texts.text(entry);
       written += (written.empty() ? "" : ", ") + number_text(entry.value);
     }
-    list.push_back(
-        {"inertia of " + body.name, fmt::format("!is_inertia({{{}}}, !has_no_triangle({{{}}}))", entries, written)});
+    list.push_back({"inertia of " + body.name, fmt::format("!mbgen::is_inertia({{{}}}, {{{}}})", entries, written)});
   }
   for (const Rod& rod : model.rods) add_mass(rod.name, rod.mass);
   return list;
+}
+
+bool has_quantities(const EmitContext& context) { return !quantity_ranges(context).empty(); }
+
+void add_quantities(const EmitContext& context, std::vector<EmittedFile>& files) {
+  const std::vector<QuantityRange> quantities = quantity_ranges(context);
+  if (quantities.empty()) return;
+  FrameRows rows;
+  for (std::size_t i = 0; i < quantities.size(); ++i)
+    rows.push_back({{"place", i}, {"name", string_literal(quantities[i].name)}, {"broken", quantities[i].broken}});
+  files.push_back(
+      {context.names.solver + "_quantities.hpp", fill_template(context, "quantities.hpp.in",
+                                                               {{"banner", banner_text(context.model, "//")},
+                                                                {"quantity_count", quantities.size()},
+                                                                {"quantity_ranges", rows}})});
 }
 
 }  // namespace mbgen

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/emit/context.hpp"
+#include "compiler/emit/files.hpp"
 
 namespace mbgen {
 
@@ -18,5 +19,9 @@ struct QuantityRange {
 /// not be negative about any axis, nor break the triangle rule unless it does so at the values of the model, where it
 /// is accepted. Empty without such.
 std::vector<QuantityRange> quantity_ranges(const EmitContext& context);
+bool has_quantities(const EmitContext& context);
+
+/// Adds `<model>_quantities.hpp`, which tells the first that no body has, where the model has some.
+void add_quantities(const EmitContext& context, std::vector<EmittedFile>& files);
 
 }  // namespace mbgen

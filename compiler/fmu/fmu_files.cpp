@@ -7,6 +7,7 @@
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/emit.hpp"
 #include "compiler/emit/mapped.hpp"
+#include "compiler/emit/quantity_ranges.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
 #include "compiler/fmu/texts.hpp"
@@ -75,6 +76,7 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
   return fill_template(
       context, "fmu_model.hpp.in",
       {{"token", fmu_token(context.model)},
+       {"has_quantities", has_quantities(context)},
        {"no_states", !fmu.has_states},
        {"step_size", number_text(context.model.solver.step)},
        {"largest_turn", number_text(largest_turn(context.model.solver.integrator))},
@@ -143,6 +145,7 @@ FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model
   files.sources = {solver + ".cpp", solver + "_directional.cpp", solver + functions};
   files.large = solver + "_directional.cpp";
   add_samples(context, sources);
+  add_quantities(context, sources);
   add_runtime_headers(sources);
   sources.push_back({"buildDescription.xml", build_description(context, version, files.sources)});
   for (EmittedFile& file : sources)

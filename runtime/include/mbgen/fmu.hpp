@@ -265,7 +265,8 @@ Refusal out_of_range(unsigned variable, double value) noexcept {
             true,
             variable,
             is_less ? range.least : range.most,
-            value};
+            value,
+            nullptr};
   }
   return {};
 }

@@ -40,6 +40,7 @@ class Message {
   template <class Model>
   Message& add_refusal(const Refusal& refusal) noexcept {
     if (refusal.has_variable) add_variable<Model>(refusal.variable).add(" ");
+    if (refusal.subject != nullptr) add(refusal.subject).add(" ");
     add(refusal.reason);
     if (refusal.has_limit) add(" ").add(refusal.limit);
     if (refusal.has_value) add(", got ").add(refusal.value);

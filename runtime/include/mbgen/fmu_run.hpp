@@ -77,6 +77,7 @@ typename Model::Inputs gone_on(const Run<Model>& run, typename Model::Inputs inp
 /// One step of the integrator, and inputs at its end. Result: whether it went well; else the run is as before.
 template <class Model>
 bool take_step(Core<Model>& core, double size) noexcept {
+  if (is_impossible(core)) return false;
   Run<Model>& run = core.run;
   // An input that goes on by a rate which the model does not know has its middle value during the step.
   const typename Model::Inputs middle = gone_on(run, run.inputs, 0.5 * size);

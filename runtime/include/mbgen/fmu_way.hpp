@@ -214,6 +214,7 @@ constexpr unsigned kFirstIndicator = static_cast<unsigned>(1 + Model::kParameter
 template <class Model>
 bool solve(Core<Model>& core) noexcept {
   if (core.is_solved) return true;
+  if (is_impossible(core)) return false;
   const Run<Model>& run = core.run;
   core.solved = run.state;
   core.has_service = false;

@@ -27,6 +27,9 @@ build ranges "$here/ranges.json"
 "$python" "$here/ranges.py" ranges
 build quantities "$here/quantities.json"
 "$python" "$here/quantities.py" quantities
+"$mbgen" export "$here/quantities.json" --fmi 2 -o quantities.fmu >/dev/null
+"$python" -m zipfile -e quantities.fmu unit
+"$python" "$here/quantities_fmu.py" "$(find unit/binaries -name 'quantities.so')" unit/modelDescription.xml
 "$python" "$here/snapshot.py" ranges ranges 1e-3 pull=3 brake=1
 for integrator in rk4 abm4; do
   sed "s/\"integrator\": \"rk4\"/\"integrator\": \"$integrator\"/; s/\"name\": \"triple_rocker\"/\"name\": \"rocker_$integrator\"/" \

@@ -118,15 +118,16 @@ struct Refusal {
   bool has_variable = false, has_limit = false, has_value = false;
   unsigned variable = 0;  ///< value reference
   double limit = 0, value = 0;
+  const char* subject = nullptr;  ///< in place of a variable
 
   static constexpr Refusal of_variable(unsigned variable, const char* reason) noexcept {
-    return {reason, true, false, false, variable, 0, 0};
+    return {reason, true, false, false, variable, 0, 0, nullptr};
   }
   static constexpr Refusal of_value(const char* reason, double value) noexcept {
-    return {reason, false, false, true, 0, 0, value};
+    return {reason, false, false, true, 0, 0, value, nullptr};
   }
   static constexpr Refusal of_limit(const char* reason, double limit, double value) noexcept {
-    return {reason, false, true, true, 0, limit, value};
+    return {reason, false, true, true, 0, limit, value, nullptr};
   }
 };
 
@@ -160,6 +161,27 @@ template <class Model>
 Answer refuse(Core<Model>& core, const Refusal& refusal) noexcept {
   core.refusal = refusal;
   return Answer::error;
+}
+
+/// Whether parameters of a model make masses and inertias together.
+template <class Model, class = void>
+constexpr bool kHasQuantities = false;
+template <class Model>
+constexpr bool kHasQuantities<Model, decltype(static_cast<void>(&Model::impossible))> = true;
+
+/// Refuses parameters that make what no body has. Result: whether they do.
+template <class Model>
+bool is_impossible(Core<Model>& core) noexcept {
+  if constexpr (kHasQuantities<Model>) {
+    if (const char* name = Model::impossible(core.run.parameters)) {
+      core.refusal = Refusal::of_variable(0, "is what no body has: set other parameters");
+      core.refusal.has_variable = false;
+      core.refusal.subject = name;
+      core.status = {};
+      return true;
+    }
+  }
+  return false;
 }
 
 /// The coordinates that the solver's frozen partition has.
