@@ -18,6 +18,7 @@
 #include "compiler/analysis/quasi_partition.hpp"
 #include "compiler/analysis/redundant_residuals.hpp"
 #include "compiler/analysis/sampling.hpp"
+#include "compiler/analysis/tree_inertia.hpp"
 #include "compiler/model/box.hpp"
 
 namespace mbgen {
@@ -280,6 +281,10 @@ std::vector<int> without_inertia(NumericSystem& numbers, const Model& model, con
                                  const Analysis& analysis, const std::vector<Configuration>& configurations) {
   const std::vector<int> names = free_coordinates(topology, analysis);
   const std::vector<double> rounding = rounding_of_inertia(model, topology);
+  if (topology.blocks.empty() && std::ranges::any_of(configurations, [&](const Configuration& at) {
+        return tree_has_inertia(topology, numbers.at(at.z).constants, analysis.driven, at.z, rounding);
+      }))
+    return {};
   std::vector<bool> moved(names.size(), false);
   for (const Configuration& configuration : configurations) {
     System<double>& system = numbers.at(configuration.z);
