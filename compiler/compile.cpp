@@ -130,18 +130,41 @@ std::vector<EmittedFile> emit(const Compilation& c, const EmitOptions& options) 
   return emit(c.emitted, c.model, c.topology, c.analysis, options);
 }
 
+namespace {
+
+Programs whole_programs(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
+  Programs programs = trace(model, topology, analysis, form);
+  for (const Pass& pass : passes())
+    if (pass.result == Lowered::whole) programs = pass.run(std::move(programs));
+  return without_shared_laws(std::move(programs));
+}
+
+/// The whole programs as they are differentiated: a bristle whose limit is 0 is no spring there.
+Programs programs_for_slopes(const Compilation& c) {
+  Model model = c.model;
+  bool has_bristle = false;
+  const auto mark = [&](auto& frictions) {
+    for (FrictionLaw& friction : frictions) {
+      friction.is_for_slopes = true;
+      has_bristle = has_bristle || friction.has_bristle();
+    }
+  };
+  mark(model.frictions);
+  mark(model.spring_frictions);
+  return has_bristle ? whole_programs(model, c.topology, c.analysis, c.whole.form) : c.whole;
+}
+
+}  // namespace
+
 FmuFiles emit_fmu(const Compilation& c, const InitialState& initial, FmiVersion version) {
-  return emit_fmu(c.whole, c.emitted, c.model, c.topology, c.analysis, initial, version);
+  return emit_fmu(programs_for_slopes(c), c.emitted, c.model, c.topology, c.analysis, initial, version);
 }
 
 std::optional<Compilation> chosen_at(const Compilation& c, const std::vector<double>& z) {
   std::optional<Analysis> analysis = chosen_at(c.model, c.topology, c.analysis, z);
   if (!analysis) return {};
   Compilation anew{c.model, c.topology, std::move(*analysis)};
-  Programs programs = trace(anew.model, anew.topology, anew.analysis, c.whole.form);
-  for (const Pass& pass : passes())
-    if (pass.result == Lowered::whole) programs = pass.run(std::move(programs));
-  anew.whole = without_shared_laws(std::move(programs));
+  anew.whole = whole_programs(anew.model, anew.topology, anew.analysis, c.whole.form);
   return anew;
 }
 

@@ -207,8 +207,11 @@ Vector<T> first_moment(const System<T>& system, const Kinematics<T>& k) {
       const Loop& loop = system.topology.loops[l];
       if (loop.kind != ClosureKind::rod) continue;
       const RodConstants<T>& rod = c.rods[loop.rod];
-      add(block.base, rod.coupling, position_in(system, k, rod.from, block.base));
-      add(block.base, rod.coupling, position_in(system, k, rod.to, block.base));
+      // Beside the m/3 that a body has at its end, which ground has not.
+      for (const Place<T>& end : {rod.from, rod.to}) {
+        const T mass = end.body == kGround ? T(3.0) * rod.coupling : rod.coupling;
+        add(block.base, mass, position_in(system, k, end, block.base));
+      }
     }
   for (int i = n - 1; i >= 0; --i) {
     if (!system.layout.bodies[i].own_frame) continue;

@@ -13,8 +13,9 @@ std::vector<BristleEnd> bristles_at(const Model& model, const Topology& topology
 
 /// Takes the bristles without a limit out of a system: their parts slide as if no friction were there, so that neither
 /// deflection nor rate acts, and a deflection that is left fades with the law's lag. The law itself holds such parts
-/// within 1e-15 of a deflection, and its derivative there is the whole stiffness. ends: bristles_at the system's point.
-void release_bristles(const Model& model, const std::vector<BristleEnd>& ends, LinearSystem& system);
+/// within 1e-15 of a deflection, and its derivative there is the whole stiffness. Where the parts slide, inputs and
+/// auxiliary states that open the limit act against the motion, by the derivative to the side to which it opens.
+void release_bristles(const Model& model, const Topology& topology, const OperatingPoint& point, LinearSystem& system);
 
 /// Bends the bristles of parts that slide to where they stay bent, and straightens those without a limit. Bristles that
 /// hold keep their deflection. Result: bristles_at the point.

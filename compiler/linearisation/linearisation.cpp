@@ -248,7 +248,7 @@ Result<LinearSystem> linearise(const Model& model, const Topology& topology, con
     system.B.col(j) = rates_of(system.states, rates);
     system.D.col(j) = vector_of(rates.at(Array::y));
   }
-  release_bristles(model, bristles_at(model, topology, point), system);
+  release_bristles(model, topology, point, system);
   const bool is_finite = system.A.allFinite() && system.B.allFinite() && system.C.allFinite() && system.D.allFinite();
   if (is_finite) return system;
   return problem(model, "cannot be linearised here: a derivative is not finite",

@@ -65,6 +65,9 @@ struct FrictionLaw {
   int normal = -1;            ///< index into Model::springs of the spring that presses the parts together, -1 for none
   int load = -1;              ///< index into Model::sampled of the reaction that presses them, -1 for none
 
+  /// Of a model whose programs are differentiated, and nothing else: see open_bristle in mbgen/bristle.hpp.
+  bool is_for_slopes = false;
+
   bool has_bristle() const { return kind != Kind::smooth; }
 };
 

@@ -227,6 +227,16 @@ Status CartesianSolver::sample(GenericState& state, double h, bool& any) const {
   return status;
 }
 
+Status CartesianSolver::press(GenericState& state) const {
+  if (!content_->system.takes_reactions()) return {};
+  const PlacedState at = content_->configuration(state);
+  Solved solved;
+  const Status status = content_->solve_at(at, std::vector<double>(state.z.size(), 0.0), solved);
+  if (!status.ok()) return status;
+  content_->system.press(at.bodies, solved.solution.lambda, state);
+  return {};
+}
+
 Status CartesianSolver::residuals(const GenericState& state, double& position, double& velocity) const {
   const PlacedState at = content_->configuration(state);
   const std::vector<double> no_tau(state.z.size(), 0.0);

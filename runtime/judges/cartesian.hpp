@@ -53,6 +53,10 @@ class CartesianSolver {
   /// any: whether there are such. Fails: sample_inside_step, auxiliary_not_a_number, or as accelerations where values
   /// are loads of reactions; the state is then unchanged.
   Status sample(GenericState& state, double h, bool& any) const;
+
+  /// Sets the reactions that press frictions to those of the judge's own accelerations and multipliers at the state; it
+  /// is unchanged on failure. Fails: as accelerations.
+  Status press(GenericState& state) const;
   /// Largest residual of all constraints of the bodies' own state: position (m or 1) and velocity.
   Status residuals(const GenericState& state, double& position, double& velocity) const;
 

@@ -286,7 +286,14 @@ GenericOutputs CartesianSystem::outputs(const CartesianState& state, const Gener
   GenericOutputs values;
   for (const Output& output : mechanism_->model.outputs) values.y.push_back(std::visit(value, output.source));
   values.kinetic_energy = instant.value(MomentumOutput{.what = MomentumOutput::What::kinetic_energy});
-  values.potential_energy = instant.value(MomentumOutput{.what = MomentumOutput::What::potential_energy});
+  const auto potential = [&](int body) {
+    return instant.value(MomentumOutput{.what = MomentumOutput::What::potential_energy, .body = body});
+  };
+  values.potential_energy = potential(kNoBody);
+  // A body that is fixed to ground has no part in the balance.
+  for (std::size_t b = 0; b < mechanism_->model.bodies.size(); ++b)
+    if (mechanism_->topology.tree_body[b] == kGround && static_cast<int>(b) != mechanism_->model.ground)
+      values.potential_energy -= potential(static_cast<int>(b));
   values.applied_power = instant.power(tau);
   return values;
 }

@@ -1,6 +1,7 @@
 #include "runtime/judges/system.hpp"
 
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/model/each_friction.hpp"
 #include "runtime/judges/mechanism.hpp"
 
 namespace mbgen {
@@ -102,6 +103,16 @@ Status CartesianSystem::sample(CartesianState& state, const GenericState& z, con
                                bool& any) const {
   const std::vector<double> loads = takes_reactions() ? reaction_loads(state, z, lambda) : std::vector<double>();
   return mechanism_->sample(mechanism_->bodies(state), mechanism_->values(z, state.t), loads, h, any, state.x);
+}
+
+void CartesianSystem::press(const CartesianState& state, const Eigen::VectorXd& lambda, GenericState& z) const {
+  const std::vector<double> loads = reaction_loads(state, z, lambda);
+  const auto first = static_cast<std::size_t>(first_sampled_value(mechanism_->model));
+  each_friction(mechanism_->model, [&](const FrictionLaw& friction) {
+    if (friction.load < 0) return;
+    const auto load = static_cast<std::size_t>(friction.load);
+    z.x[first + load] = loads[load];
+  });
 }
 
 }  // namespace mbgen

@@ -66,6 +66,8 @@ class CartesianSystem {
   /// lambda: the multipliers there, where values are loads of reactions.
   /// Fails: sample_inside_step, auxiliary_not_a_number; the state is then unchanged.
   Status sample(CartesianState& state, const GenericState& z, const Eigen::VectorXd& lambda, double h, bool& any) const;
+  /// Sets the values that are loads of reactions in z, which has the coordinates at this state. lambda: as of sample.
+  void press(const CartesianState& state, const Eigen::VectorXd& lambda, GenericState& z) const;
   /// Moves the bodies by a small displacement (m, rad), n values; velocities stay.
   void displace(CartesianState& state, const Eigen::VectorXd& dq) const;
   /// Velocities of all bodies as n values, and back.

@@ -79,6 +79,9 @@ TEST_F(CommandLine, ABrakeThatIsOpenHoldsNothing) {
     }
     EXPECT_EQ(open["A"], Json({{0.0, 1.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, -1000.0}})) << rate;
     EXPECT_EQ(open["C"], Json({{0.0, 1.0, 0.0}}));
+    // Closing it acts against the motion, where there is one.
+    EXPECT_NEAR(open["B"][1][0].get<double>(), rate == 0 ? 0 : -std::copysign(1.0, rate), 1e-9) << rate;
+    EXPECT_EQ(open["B"][2][0], 0.0) << rate;
   }
   const Outcome open = mbgen("linearize fly.json");
   EXPECT_EQ(open.out.find("unstable"), std::string::npos) << open.out;

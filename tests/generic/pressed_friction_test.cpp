@@ -288,6 +288,24 @@ void expect_judges_to_agree(const Mechanism& m) {
   }
 }
 
+/// At a start the judges find what presses by equations of their own.
+TEST(PressedFriction, CartesianJudgesPressByThemselves) {
+  for (const Mechanism& m : {load("tests/data/models/pressed.json"), pressed_below_coupled()}) {
+    const GenericSolver solver(m.model, m.topology, m.analysis);
+    for (const CartesianMethod method : {CartesianMethod::augmented, CartesianMethod::maggi}) {
+      const CartesianSolver judge(m.model, m.topology, method, Stabilisation::projection);
+      for (const GenericState& start : random_states(m, 3)) {
+        GenericState generic = start, cartesian = start;
+        ASSERT_TRUE(solver.press(generic).ok());
+        ASSERT_TRUE(judge.press(cartesian).ok());
+        EXPECT_LT(relative_error(cartesian.x, generic.x), 1e-9);
+        EXPECT_NE(cartesian.x, start.x);
+        EXPECT_NE(cartesian.x, generic.x);  // to the last bit they are of other equations
+      }
+    }
+  }
+}
+
 TEST(PressedFriction, CartesianJudgesAgree) {
   expect_judges_to_agree(load("tests/data/models/pressed.json"));
   expect_judges_to_agree(pressed_below_coupled());

@@ -57,7 +57,8 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
             SimulationSettings settings, std::optional<ErrorControl> control, MotionTable& table,
             ManoeuvreRun* manoeuvre) {
   Engine engine = make_engine(compilation, choice);
-  const Start start = initial_start(compilation, inputs.at(0));
+  Start start = initial_start(compilation, inputs.at(0));
+  start.state = initial_state(start, engine);
   print_notes(start_notes(compilation, start));
   Progress progress;
   ContactWatch contacts(compilation);

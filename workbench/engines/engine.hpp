@@ -53,6 +53,9 @@ struct Engine {
   /// are due at the time of the state; any: whether there are such. The state is unchanged on failure. Empty function
   /// without sampled values.
   std::function<Status(GenericState&, double h, bool& any)> sample;
+  /// Sets the reactions that press frictions at the start, of engines that find reactions by equations of their own; of
+  /// others an empty function.
+  std::function<Status(GenericState&)> press;
   /// Multipliers in the order of Topology::loops and their equations.
   std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<double>& lambda)> multipliers;
   /// Generalised driving force of each motion, N or N m: its product with the rate of the coordinate is the power that

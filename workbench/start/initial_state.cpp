@@ -195,12 +195,21 @@ Start initial_start(const Compilation& compilation, const std::vector<double>& i
   set_velocities(compilation, solver, velocities, start.state);
   require_reason(compilation, velocities, start.state);
   add_moved(velocities, start.state.zd, true, start.moved);
+  start.unpressed = start.state.x;
   solver.press(start.state);  // where it fails, as at a singular position, loads start from zero
   return start;
 }
 
 GenericState initial_state(const Compilation& compilation, const std::vector<double>& inputs) {
   return initial_start(compilation, inputs).state;
+}
+
+GenericState initial_state(const Start& start, const Engine& engine) {
+  GenericState state = start.state;
+  if (!engine.press) return state;
+  state.x = start.unpressed;
+  engine.press(state);
+  return state;
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/compile.hpp"
+#include "compiler/engines/engine.hpp"
 #include "runtime/generic/generic.hpp"
 
 namespace mbgen {
@@ -24,6 +25,7 @@ struct MovedValue {
 
 struct Start {
   GenericState state;
+  std::vector<double> unpressed;  ///< auxiliary states before reactions pressed frictions, which then have those of `state`
   std::vector<MovedValue> moved;  ///< none of a static equilibrium's positions, which are guesses
 };
 
@@ -36,6 +38,9 @@ Start initial_start(const Compilation& compilation, const std::vector<double>& i
 
 /// The state alone.
 GenericState initial_state(const Compilation& compilation, const std::vector<double>& inputs);
+
+/// The same for an engine: frictions are pressed by its own reactions, where it has some.
+GenericState initial_state(const Start& start, const Engine& engine);
 
 /// The state; coordinates that moved go to standard error.
 GenericState noted_initial_state(const Compilation& compilation, const std::vector<double>& inputs);

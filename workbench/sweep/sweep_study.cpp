@@ -168,7 +168,7 @@ CaseResult failed(const Study& study, std::string status) {
 /// The motion of a case and its metrics; none where it is stopped.
 std::optional<CaseResult> measured(const Study& study, const Compilation& compilation, const Engine& engine,
                                    const InputsOverTime& inputs, const std::function<bool()>& is_stopped) {
-  const GenericState start = initial_state(compilation, inputs.at(0));
+  const GenericState start = initial_state(initial_start(compilation, inputs.at(0)), engine);
   Recorder recorder(study, compilation, inputs);
   ContactWatch contacts(compilation);
   LoadWatch loads(compilation.model);

@@ -9,9 +9,6 @@
 
 namespace mbgen {
 
-/// Parts that are slower on each other stand, rad/s or m/s.
-inline constexpr double kSlides = 1e-9;
-
 /// Bristles of one friction, rad or m where it is on a coordinate, m along a spring.
 struct BristleEnd {
   std::string name;      ///< of the friction
@@ -22,7 +19,7 @@ struct BristleEnd {
   double damping = 0;    ///< N m s/rad or N s/m, per N of what presses
   double lag = 0;        ///< s
   bool has_limit() const { return end > 0; }
-  bool slides() const { return std::abs(rate) > kSlides; }
+  bool slides() const { return std::abs(rate) > kSlidingBristle; }
 };
 
 /// All bristles of a model, in the order of their states. Requires: `system` has the state's auxiliary states.

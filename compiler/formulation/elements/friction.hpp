@@ -36,9 +36,15 @@ BristleResult<A> bristle_law(const ForceWork<T>& work, const FrictionLaw& fricti
                              value(friction.stiffness, "stiffness"),
                              value(friction.damping, "damping"),
                              A(*friction.lag)};
-  return friction.kind == FrictionLaw::Kind::lugre
-             ? lugre_friction(bristles, deflection, rate)
-             : elasto_plastic_friction(bristles, value(friction.elastic, "elastic"), deflection, rate);
+  const BristleResult<A> bent =
+      friction.kind == FrictionLaw::Kind::lugre
+          ? lugre_friction(bristles, deflection, rate)
+          : elasto_plastic_friction(bristles, value(friction.elastic, "elastic"), deflection, rate);
+  if (!friction.is_for_slopes) return bent;
+  using mbgen::select;
+  const BristleResult<A> open = open_bristle(bristles, *friction.lag, deflection, rate);
+  const A has_limit = largest_deflection(bristles, rate) - A(2 * kLeastBristle);
+  return {select(has_limit, bent.force, open.force), select(has_limit, bent.rate, open.rate)};
 }
 
 /// Force of friction, N m or N, on the part that moves at `rate`, against the motion, and the rate of its bristles.

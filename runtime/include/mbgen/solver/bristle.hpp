@@ -10,6 +10,10 @@ namespace mbgen {
 inline constexpr double kLeastBristle = 1e-15;
 /// Least part of the deflection over which bristles go from elastic to sliding.
 inline constexpr double kLeastBristleYield = 1e-3;
+/// Parts that are slower on each other stand, rad/s or m/s.
+inline constexpr double kSlidingBristle = 1e-9;
+/// s, of bristles whose limit is 0 and whose friction has a lag of 0.
+inline constexpr double kShortestBristleLag = 1e-3;
 
 /// Properties of bristles; stiffness > 0.
 template <class T>
@@ -72,6 +76,16 @@ BristleResult<T> elasto_plastic_friction(const Bristles<T>& bristles, const T& e
   const T onwards = max(speed, T(0)) * max(bent, T(0)) - max(-speed, T(0)) * max(-bent, T(0));
   const T rate = speed - s * s * (3.0 - 2.0 * s) * onwards;
   return {-(bristles.stiffness * deflection + bristles.damping * rate), rate};
+}
+
+/// Bristles whose limit is 0, as derivatives should see them. The laws above are springs within kLeastBristle even
+/// then, so that their derivatives at rest are those of a brake that holds. Parts that slide feel the limit against
+/// their motion, so that the derivative by a brake's load is that of closing it; parts that stand feel nothing.
+template <class T>
+BristleResult<T> open_bristle(const Bristles<T>& bristles, double lag, const T& deflection, const T& velocity) {
+  const T against = select(velocity, T(-1.0), T(1.0));
+  const T slides = abs(velocity) - T(kSlidingBristle);
+  return {select(slides, against * bristles.coulomb, T(0.0)), -deflection / T(lag > 0 ? lag : kShortestBristleLag)};
 }
 
 }  // namespace mbgen
