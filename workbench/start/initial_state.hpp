@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "compiler/compile.hpp"
-#include "compiler/engines/engine.hpp"
 #include "runtime/generic/generic.hpp"
+#include "workbench/engines/engine.hpp"
 
 namespace mbgen {
 
@@ -25,7 +25,8 @@ struct MovedValue {
 
 struct Start {
   GenericState state;
-  std::vector<double> unpressed;  ///< auxiliary states before reactions pressed frictions, which then have those of `state`
+  std::vector<double>
+      unpressed;  ///< auxiliary states before reactions pressed frictions, which then have those of `state`
   std::vector<MovedValue> moved;  ///< none of a static equilibrium's positions, which are guesses
 };
 

@@ -11,7 +11,7 @@
 #error "an FMU gives the bits of its solver: compile it without -funsafe-math-optimizations and the options in it"
 #endif
 
-#include "mbgen/fmu_way.hpp"
+#include "mbgen/fmu/fmu_way.hpp"
 
 namespace mbgen::fmu {
 

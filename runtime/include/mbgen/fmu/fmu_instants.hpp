@@ -2,7 +2,7 @@
 // Instants of sampled values in an FMU. Inner steps of co-simulation are cut there, and the step that begins at an
 // instant sets the values; in model exchange they are time events. Models without such values have none of it.
 
-#include "mbgen/fmu_way.hpp"
+#include "mbgen/fmu/fmu_way.hpp"
 #include "mbgen/sampling.hpp"
 
 namespace mbgen::fmu {

@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "mbgen/charts.hpp"
-#include "mbgen/fmu_gaps.hpp"
+#include "mbgen/fmu/fmu_gaps.hpp"
 #include "mbgen/solver/held_limits.hpp"
 #include "mbgen/status.hpp"
 
