@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "compiler/analysis/analysis.hpp"
-#include "compiler/analysis/configuration.hpp"
+#include "compiler/formulation/constants.hpp"
+#include "compiler/topology/topology.hpp"
 
 namespace mbgen {
 

@@ -155,10 +155,16 @@ void differentiate(const Case& c) {
   for (int i = 0; i < 20; ++i) integrate(c, unit, i * c.description.step, c.description.step, x);
   const Knowns given = knowns_of(c.description, Unit::kVersion == 3);
   const std::vector<unsigned>& knowns = given.all;
-  const auto set_known = [&](unsigned known, double value) {
-    const bool is_tuned = given.parameters.count(known) != 0;
+  const auto set = [&](std::size_t k, double value) {
+    Row y = x;
+    if (k < states.size()) {
+      y[k] = value;
+      require(unit.set_states(y) == kOk, "states");
+      return;
+    }
+    const bool is_tuned = given.parameters.count(knowns[k]) != 0;
     require(!is_tuned || unit.enter_event() == kOk, "event mode");
-    require(unit.set({known}, {value}) == kOk, "a known");
+    require(unit.set({knowns[k]}, {value}) == kOk, "a known");
     require(!is_tuned || unit.enter_continuous() == kOk, "continuous time");
   };
   const std::vector<Unknown> all = unknowns_of(c.description);
@@ -170,21 +176,10 @@ void differentiate(const Case& c) {
     require(unit.directional(unknowns, {knowns[k]}, {1.0}, rates) == kOk, "directional derivative");
     const double value = values(unit, {knowns[k]})[0], delta = 1e-6 * std::max(1.0, std::abs(value));
     for (int side = 0; side < 2; ++side) {
-      const double moved = value + (side == 0 ? -delta : delta);
-      if (k < states.size()) {
-        Row y = x;
-        y[k] = moved;
-        require(unit.set_states(y) == kOk, "states");
-      } else {
-        set_known(knowns[k], moved);
-      }
+      set(k, value + (side == 0 ? -delta : delta));
       at[side] = values(unit, unknowns);
     }
-    if (k < states.size()) {
-      require(unit.set_states(x) == kOk, "back");
-    } else {
-      set_known(knowns[k], value);
-    }
+    set(k, value);
     for (std::size_t u = 0; u < all.size(); ++u) {
       const double difference = (at[1][u] - at[0][u]) / (2 * delta);
       const std::string what =

@@ -26,34 +26,6 @@ bool has_note(const ImportedModel& model, const std::string& part) {
                      [&](const Diagnostic& note) { return note.message.find(part) != std::string::npos; });
 }
 
-std::size_t index_of(const Mechanism& m, const std::string& coordinate) {
-  for (std::size_t i = 0; i < m.topology.bodies.size(); ++i)
-    if (m.topology.bodies[i].coordinate == coordinate) return i;
-  throw std::runtime_error("no coordinate " + coordinate);
-}
-
-/// Largest difference of the accelerations that two models have at the same states of the first.
-double difference(const Mechanism& a, const Mechanism& b, const std::vector<GenericState>& states) {
-  const GenericSolver one(a.model, a.topology, a.analysis), other(b.model, b.topology, b.analysis);
-  double error = 0;
-  for (const GenericState& state : states) {
-    GenericState moved{.z = state.z, .zd = state.zd, .x = {}, .t = state.t};
-    for (std::size_t i = 0; i < state.z.size(); ++i) {
-      const std::size_t to = index_of(b, a.topology.bodies[i].coordinate);
-      moved.z[to] = state.z[i];
-      moved.zd[to] = state.zd[i];
-    }
-    GenericDerivative first, second;
-    EXPECT_TRUE(one.accelerations(state, std::vector<double>(state.z.size()), first).ok());
-    EXPECT_TRUE(other.accelerations(moved, std::vector<double>(state.z.size()), second).ok());
-    std::vector<double> mapped;
-    for (std::size_t i = 0; i < state.z.size(); ++i)
-      mapped.push_back(second.zdd[index_of(b, a.topology.bodies[i].coordinate)]);
-    error = std::max(error, relative_error(mapped, first.zdd));
-  }
-  return error;
-}
-
 TEST(ImportUrdf, AFourBarWithASidecarIsTheFourBarOfModels) {
   const Mechanism robot = mechanism_of(imported("four_bar.urdf", "four_bar_loops.json").json);
   Model model = *read_model_file(source_path("models/four_bar.json"));
