@@ -8,6 +8,7 @@
 
 #include "compiler/expressions/expression.hpp"
 #include "compiler/text/diagnostic.hpp"
+#include "compiler/text/similar_words.hpp"
 
 namespace mbgen::reading {
 
@@ -20,10 +21,8 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_valid_name(std::string_view name);
 
-/// Insertions, deletions, replacements and swaps of neighbours between two words. Cost: product of the lengths.
-int edit_distance(std::string_view a, std::string_view b);
-
 using mbgen::did_you_mean;
+using mbgen::list_of;
 
 template <class Target>
 using NameMap = std::map<std::string, Target, std::less<>>;
@@ -58,9 +57,6 @@ typename NameMap<Target>::const_iterator find_visible(const NameMap<Target>& nam
   }
   return names.end();
 }
-
-/// "known: a, b, c".
-std::string list_of(const std::vector<std::string_view>& candidates);
 
 /// How a full name is written at the innermost level.
 std::string_view name_from_inside(std::string_view full, const Visibility& visible);
