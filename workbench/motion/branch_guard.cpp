@@ -70,12 +70,15 @@ Engine with_branch_guard(const Compilation& compilation, const Engine& engine, c
 
 bool LeapWatch::look(const GenericState& last, const GenericState& closed) {
   constexpr double kShorter = 0.1;  // than the step that leapt
+  constexpr double kLonger = 2;     // after each step that did not: the way over the place takes few of them
   const Status seen = guard_.look(last, closed, closed.t - last.t);
   if (seen.ok()) {
     notice_ = more_telling(notice_, seen);
+    longest_ *= kLonger;
+    if (closed.t > leapt_to_) tries_ = 0;
     return false;
   }
-  tries_ = last.t < leapt_to_ ? tries_ + 1 : 1;
+  ++tries_;  // also of steps so short that they lead nowhere
   leapt_ = seen;
   leapt_to_ = tries_ == 1 ? closed.t : std::max(leapt_to_, closed.t);
   longest_ = kShorter * (closed.t - last.t);

@@ -307,7 +307,9 @@ Status CvodeStepper::arrive(int flag) {
   if (!status.ok()) return status;
   if (leaps_.look(last_, closed)) {
     step_back();
-    return leaps_.status();
+    const Status leapt = leaps_.status();
+    if (!leapt.ok()) record_.failure = fmt::format("At t = {:.10g} s steps of every length leave the branch", t_);
+    return leapt;
   }
   motion_.follow(closed);
   std::vector<double> values(motion_.size());
