@@ -33,7 +33,8 @@ TEST_F(BatchOption, AddsTwoFilesAndTheirHeadersToTheSolver) {
 
   const Json whole = json_of("generate four_bar.json --batch 8 --out whole --json");
   const Names files = files_of(whole);
-  for (const char* header : {"whole/mbgen/lanes.hpp", "whole/mbgen/rows.hpp", "whole/mbgen/batch.hpp", "whole/mbgen/batch_steps.hpp"}) {
+  for (const char* header : {"whole/mbgen/lanes.hpp", "whole/mbgen/solver/rows.hpp", "whole/mbgen/lanes/batch.hpp",
+                             "whole/mbgen/batch_steps.hpp"}) {
     EXPECT_NE(std::find(files.begin(), files.end(), header), files.end()) << header;
   }
   EXPECT_NE(read("whole/four_bar_batch.hpp").find("constexpr int kLanes = 8;"), std::string::npos);

@@ -1,5 +1,5 @@
-// What each rewriting of a program makes of its roundings: programs in double precision against the same programs, as
-// they were traced, in long double, where they are worst. The error at one state is one throw: it may be nearly zero by
+// The factor by which each rewriting of a program multiplies its roundings: programs in double precision against the
+// traced programs in long double, where they are worst. The error at one state is one throw: it may be nearly zero by
 // chance, before or after. So an error is the root of a mean square over neighbours of a state, whose roundings differ
 // and whose condition does not.
 
@@ -212,6 +212,8 @@ struct RoundingCase {
   const char* states = "";  // "": random ones
   double reach = 2;
 };
+
+void PrintTo(const RoundingCase& rounding_case, std::ostream* out) { *out << rounding_case.model; }
 
 class Roundings : public ::testing::TestWithParam<RoundingCase> {
  protected:
