@@ -48,7 +48,7 @@ std::string hold_text(const Certificate& certificate) {
                      certificate.smallest_kept);
 }
 
-/// What was seen of coordinates that stand still while their loops move: no more than the closed configurations show.
+/// Words on coordinates that stand still while their loops move: no more than the closed configurations show.
 std::string still_text(const Topology& topology, const LoopBlock& block, const std::vector<int>& columns,
                        const Certificate& certificate) {
   const std::string names = coordinates_text(topology, block, columns), loops = loops_text(topology, block.loops);

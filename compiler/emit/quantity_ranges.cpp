@@ -3,89 +3,56 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "compiler/emit/context_values.hpp"
+#include "compiler/emit/expression_text.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/expressions/evaluate.hpp"
 
 namespace mbgen {
 namespace {
+
+/// Parameters as symbols; the reader refuses all else in masses and inertias.
+struct ParameterSymbols {
+  ProgramBuilder& builder;
+
+  Expr parameter(int index) const { return {builder, builder.input(Array::par, index)}; }
+  Expr input(int) const { return {}; }
+  Expr time() const { return {}; }
+  Expr position(const CoordinateReference&) const { return {}; }
+  Expr velocity(const CoordinateReference&) const { return {}; }
+  Expr local(int) const { return {}; }
+};
 
 /// Expressions of parameters as C++ over `values`, in double precision.
 struct ParameterTexts {
   const EmitContext& context;
 
   std::string parameter(int index) const {
-    std::size_t place = 0;
-    for (int i = 0; i < index; ++i) place += context.model.parameters[static_cast<std::size_t>(i)].tunable ? 1 : 0;
+    const auto before = std::span(context.model.parameters).first(static_cast<std::size_t>(index));
+    const auto place = static_cast<std::size_t>(std::ranges::count_if(before, &Parameter::tunable));
     return fmt::format("static_cast<double>(values.{})", context.names.parameters[place]);
-  }
-
-  static std::string call(Function function, const std::string& a, const std::string& b, const std::string& c) {
-    const auto named = [&](const char* name) { return fmt::format("std::{}({})", name, a); };
-    switch (function) {
-      case Function::add:
-        return fmt::format("({} + {})", a, b);
-      case Function::subtract:
-        return fmt::format("({} - {})", a, b);
-      case Function::multiply:
-        return fmt::format("({} * {})", a, b);
-      case Function::divide:
-        return fmt::format("({} / {})", a, b);
-      case Function::negate:
-        return fmt::format("(-{})", a);
-      case Function::power:
-        return fmt::format("std::pow({}, {})", a, b);
-      case Function::sqrt:
-        return named("sqrt");
-      case Function::sin:
-        return named("sin");
-      case Function::cos:
-        return named("cos");
-      case Function::tan:
-        return named("tan");
-      case Function::asin:
-        return named("asin");
-      case Function::acos:
-        return named("acos");
-      case Function::atan:
-        return named("atan");
-      case Function::atan2:
-        return fmt::format("std::atan2({}, {})", a, b);
-      case Function::exp:
-        return named("exp");
-      case Function::log:
-        return named("log");
-      case Function::tanh:
-        return named("tanh");
-      case Function::abs:
-        return named("fabs");
-      case Function::min:
-        return fmt::format("std::fmin({}, {})", a, b);
-      case Function::max:
-        return fmt::format("std::fmax({}, {})", a, b);
-      case Function::sign:
-        return fmt::format("({0} > 0 ? 1.0 : {0} < 0 ? -1.0 : 0.0)", a);
-      case Function::step:
-        return fmt::format("({} >= 0 ? 1.0 : 0.0)", a);
-      case Function::select:
-        return fmt::format("({} >= 0 ? {} : {})", a, b, c);
-    }
-    return a;
   }
 
   std::string text(const Quantity& quantity) const {
     if (quantity.expression < 0) return number_text(quantity.value);
-    std::vector<std::string> texts;
-    const auto operand = [&](int index) { return index < 0 ? std::string() : texts[static_cast<std::size_t>(index)]; };
-    for (const ExpressionNode& node : context.model.expressions[static_cast<std::size_t>(quantity.expression)].nodes) {
-      if (node.kind == ExpressionNode::Kind::number)
-        texts.push_back(number_text(node.number));
-      else if (node.kind == ExpressionNode::Kind::parameter)
-        texts.push_back(parameter(node.index));
+    ProgramBuilder builder("quantity");
+    builder.output(Array::y, 0,
+                   evaluate<Expr>(quantity, context.model.expressions, ParameterSymbols{builder}).value(builder));
+    const Program program = builder.finish();
+    std::vector<Phrase> phrases;
+    const auto phrase = [&](ValueId value) { return value == kNoValue ? Phrase{} : phrases[value]; };
+    for (const Node& node : program.nodes) {
+      if (node.op == Op::constant)
+        phrases.push_back(constant_phrase(number_text(node.constant)));
+      else if (node.op == Op::input)
+        phrases.push_back({parameter(program.inputs[static_cast<std::size_t>(node.input)].index)});
       else
-        texts.push_back(call(node.function, operand(node.first), operand(node.second), operand(node.third)));
+        phrases.push_back(operation_phrase("double", node.op, phrase(node.operands[0]), phrase(node.operands[1]),
+                                           phrase(node.operands[2])));
     }
-    return texts.back();
+    return phrases[program.outputs[0].value].text;
   }
 
   /// Whether parameters make it, and not one alone by positive factors, which has its bound itself.

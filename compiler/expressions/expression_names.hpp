@@ -23,7 +23,7 @@ const ReductionName* find_reduction(const ExpressionScope& scope, std::string_vi
 /// "may depend on parameters only", for less than Depends::all.
 const char* limit_of(Depends depends);
 
-/// What is missing before a word that follows a value.
+/// Hint at the operator that is missing before a word that follows a value.
 std::string hint_after_value(std::string_view word);
 
 /// What to write in place of zdd.NAME.

@@ -110,6 +110,8 @@ struct Road {
   std::vector<RoadFeature> features;
   std::vector<RoadPatch> patches;
 
+  /// One height everywhere, but for features.
+  bool is_level() const { return !height && tracks.empty() && grids.empty() && !is_of_one_point(); }
   bool has_friction() const { return friction || !patches.empty(); }
   /// Known below one point alone: a host tells a plane, or slopes are given.
   bool is_of_one_point() const {

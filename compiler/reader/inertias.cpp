@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "compiler/reader/reader.hpp"
+#include "mbgen/body_inertia.hpp"
 
 namespace mbgen::reading {
 namespace {
-
-constexpr double kInertiaSlack = 1e-9;  ///< of the trace: inertias typed with few digits pass, wrong ones do not
 
 enum class Fault { none, indefinite, no_mass, triangle };
 
@@ -49,7 +48,7 @@ std::array<double, 3> principal_moments(const std::array<double, 6>& entries) {
 Finding finding_of(double mass, const std::array<double, 6>& inertia) {
   if (std::any_of(inertia.begin(), inertia.end(), [](double entry) { return std::isnan(entry); })) return {};
   const auto [smallest, middle, largest] = principal_moments(inertia);
-  const double slack = kInertiaSlack * std::abs(inertia[0] + inertia[1] + inertia[2]);
+  const double slack = inertia_slack({inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]});
   const std::string moments = fmt::format(", principal moments {:.6g}, {:.6g}, {:.6g}", smallest, middle, largest);
   if (smallest < -slack) return {Fault::indefinite, "inertia is not positive semidefinite" + moments};
   if (largest > smallest + middle + slack) return {Fault::triangle, "inertia breaks the triangle inequality" + moments};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/expressions/curve.hpp"
+#include "compiler/expressions/overshoot.hpp"
 #include "compiler/expressions/table_pieces.hpp"
 #include "compiler/reader/csv_table.hpp"
 #include "compiler/reader/positions.hpp"
@@ -242,29 +243,18 @@ namespace {
 
 /// Notes a spline that between two points leaves all of them by more than they span.
 void note_overshoot(Reader& reader, const Value& value, const Table& table) {
-  constexpr int kSamples = 32;   // between two points
+  constexpr int kParts = 32;
   constexpr double kTold = 0.5;  // of what the points span; splines through smooth rows leave them by a few hundredths
   if (table.interpolation != Table::Interpolation::spline || table.slopes.size() < 2) return;
   const auto [least, most] = std::minmax_element(table.y.begin(), table.y.end());
-  double farthest = kTold * (*most - *least), at = 0;
-  std::size_t piece = table.x.size();
-  for (std::size_t i = 0; i + 1 < table.x.size(); ++i) {
-    for (int k = 1; k < kSamples; ++k) {
-      const double x = table.x[i] + k * (table.x[i + 1] - table.x[i]) / kSamples;
-      const double y =
-          interpolate_monotone_cubic(table.x.data() + i, table.y.data() + i, table.slopes.data() + i, 2, x);
-      const double beyond = std::max(*least - y, y - *most);
-      if (!(beyond > farthest)) continue;
-      farthest = beyond;
-      at = x;
-      piece = i;
-    }
-  }
-  if (piece == table.x.size()) return;
+  const Overshoot farthest = farthest_overshoot(table.x, *least, *most, kParts, [&](std::size_t i, double x) {
+    return interpolate_monotone_cubic(table.x.data() + i, table.y.data() + i, table.slopes.data() + i, 2, x);
+  });
+  if (!(farthest.beyond > kTold * (*most - *least))) return;
   note(reader, value.place,
        fmt::format(
            "the spline leaves its points, which are {:.4g} to {:.4g}, by {:.4g} at {:.4g}, between {:g} and {:g}",
-           *least, *most, farthest, at, table.x[piece], table.x[piece + 1]),
+           *least, *most, farthest.beyond, farthest.at, table.x[farthest.piece], table.x[farthest.piece + 1]),
        "\"interpolation\": \"monotone_cubic\" and \"linear\" stay within the points");
 }
 

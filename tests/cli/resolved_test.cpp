@@ -1,5 +1,5 @@
-// What a step does not resolve is said, and what it does resolve is not accused: energies that stay, turns, laws of
-// time, modes; second rates of motions; periods and times that follow the step.
+// Motions that a step does not resolve are told, and no others: energies that stay, turns, laws of time, modes; second
+// rates of motions; periods and times that follow the step.
 
 #include <cmath>
 #include <complex>

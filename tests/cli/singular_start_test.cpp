@@ -60,7 +60,7 @@ TEST_F(Singular, LongStepsDoNotLeapEither) {
   }
 }
 
-// What steps of error control see of a gap of 10 mrad is the turn: the rocker stays between -1.8 and 1.25 rad.
+// Steps of error control turn at a gap of 10 mrad: the rocker stays between -1.8 and 1.25 rad.
 TEST_F(Singular, StepsOfErrorControlTurnWhereTheyLeapt) {
   if (!has_cvode()) GTEST_SKIP() << "built without SUNDIALS";
   for (const char* method : {"cvode", "cvode-adams"}) {

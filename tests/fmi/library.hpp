@@ -15,7 +15,7 @@
 #include <string>
 
 inline int checks = 0;
-/// What an FMU has said last, and in which category.
+/// The last message of an FMU, and its category.
 inline std::string last_message, last_category;
 
 inline void require(bool holds, const std::string& what) {

@@ -1,4 +1,4 @@
-// What joints and rods transmit: the recursive formulation's outputs against the judges, which share nothing with them.
+// Forces and moments that joints and rods transmit: outputs of the recursive formulation against those of the judges.
 
 #include <map>
 

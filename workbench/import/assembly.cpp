@@ -7,14 +7,14 @@
 #include <charconv>
 #include <cmath>
 
+#include "compiler/expressions/names.hpp"
+
 namespace mbgen::importing {
 namespace {
 
-constexpr std::size_t kLongestName = 64;       // of the model format
 constexpr std::size_t kLongestCoordinate = 3;  // "_tx"
 
-constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+using reading::is_digit, reading::is_letter, reading::kLongestName;
 
 /// The name, or the name with the first number that makes `is_free` true.
 template <class IsFree>

@@ -39,7 +39,7 @@ struct Plan {
   const char* length_of = "duration";  ///< field of the file that makes it so long
   double begin = 0;                    ///< s, from which metrics are taken
   std::optional<double> free_way;      ///< m of the path from which on the gear is free
-  // What ends it before.
+  // Conditions that end it before.
   double last_way = std::numeric_limits<double>::infinity();                      ///< m of the path
   double last_speed = -1;                                                         ///< m/s, below which it is over
   double largest_lateral_acceleration = std::numeric_limits<double>::infinity();  ///< m/s^2

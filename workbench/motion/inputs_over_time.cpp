@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/expressions/overshoot.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/assignments.hpp"
 #include "workbench/motion/input_rates.hpp"
@@ -115,21 +116,12 @@ class TableCourses {
 
   /// "at t = 0.35 s, between lines 4 and 5 of the file": where a course is farthest from its column's rows.
   std::string where_farthest(const InputColumn& column, double smallest, double largest) const {
-    constexpr int kSamples = 64;  // a row
+    constexpr int kParts = 64;  // of a row
     const Course& course = result_.courses[column.input];
-    double farthest = 0, at = 0;
-    std::size_t row = 0;
-    for (std::size_t i = 0; i + 1 < table_.t.size(); ++i) {
-      for (int k = 1; k < kSamples; ++k) {
-        const double t = table_.t[i] + k * (table_.t[i + 1] - table_.t[i]) / kSamples, value = course.at(t);
-        const double beyond = std::max(smallest - value, value - largest);
-        if (!(beyond > farthest)) continue;
-        farthest = beyond;
-        at = t;
-        row = i;
-      }
-    }
-    return fmt::format("at t = {:.4g} s, between lines {} and {}", at, table_.lines[row], table_.lines[row + 1]);
+    const Overshoot farthest =
+        farthest_overshoot(table_.t, smallest, largest, kParts, [&](std::size_t, double t) { return course.at(t); });
+    return fmt::format("at t = {:.4g} s, between lines {} and {}", farthest.at, table_.lines[farthest.piece],
+                       table_.lines[farthest.piece + 1]);
   }
 
   void tell_overshoot(const InputColumn& column) {

@@ -256,7 +256,7 @@ std::complex<double> factor_of_rk4(std::complex<double> z) {
   return 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)));
 }
 
-/// What Adams-Bashforth-Moulton (PECE) makes of the last four values, the newest first:
+/// A step of Adams-Bashforth-Moulton (PECE) from the last four values, the newest first:
 /// y' = 9 (y + z/24 (55 y - 59 y1 + 37 y2 - 9 y3)) + 19 y - 5 y1 + y2, times z/24, plus y.
 std::array<std::complex<double>, 4> weights_of_abm4(std::complex<double> z) {
   const std::complex<double> c = z / 24.0, corrected = 9.0 * c;

@@ -6,16 +6,12 @@
 #include <cmath>
 
 #include "compiler/model/largest_turn.hpp"
+#include "mbgen/turns.hpp"
 #include "workbench/describe/names.hpp"
 
 namespace mbgen {
 namespace {
 
-/// Turns at which accelerations are compared, rad: no body looks the same at all of them but one that is symmetric.
-constexpr double kTriedTurns[] = {0.7, 1.9, 3.3};
-/// Change of an acceleration by a turn that matters, as part of the acceleration, and of rounding: of all accelerations
-/// and of the square of the rate (1/s^2).
-constexpr double kMatters = 1e-4, kRoundingOfRates = 1e-9;
 /// Change of a closure residual, m, that opens a loop.
 constexpr double kOpens = 1e-9;
 
@@ -59,17 +55,13 @@ bool TurnWatch::matters(std::size_t coordinate, const Sample& sample) const {
   const std::vector<double> positions = solver_.position_residuals(sample.moving),
                             velocities = solver_.velocity_residuals(sample.moving);
   const double rate = sample.moving.zd[coordinate];
-  const double rounding = kRoundingOfRates * (rate * rate + largest_absolute(here.zdd));
   for (const double turn : kTriedTurns) {
     GenericState turned = sample.moving;
     turned.z[coordinate] += turn;
     if (largest_difference(positions, solver_.position_residuals(turned)) > kOpens) return true;
     if (largest_difference(velocities, solver_.velocity_residuals(turned)) > kOpens * std::abs(rate)) return true;
     if (!solver_.accelerations(turned, no_forces, there).ok()) return true;
-    for (std::size_t i = 0; i < here.zdd.size(); ++i) {
-      const double size = std::max(std::abs(here.zdd[i]), std::abs(there.zdd[i]));
-      if (std::abs(here.zdd[i] - there.zdd[i]) > kMatters * size + rounding) return true;
-    }
+    if (differ_by_turn(here.zdd.data(), there.zdd.data(), static_cast<int>(here.zdd.size()), rate)) return true;
   }
   return false;
 }

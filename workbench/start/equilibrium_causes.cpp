@@ -64,9 +64,7 @@ void add_first(const std::vector<std::string>& lines, std::vector<std::string>& 
 /// Whether the height of a tyre's road is one number.
 bool is_flat_road(const Model& model, const Tyre& tyre) {
   if (tyre.road_height.expression >= 0) return false;
-  if (tyre.road < 0) return true;
-  const Road& road = model.roads[static_cast<std::size_t>(tyre.road)];
-  return !road.height && road.tracks.empty() && road.grids.empty() && !road.is_of_one_point();
+  return tyre.road < 0 || model.roads[static_cast<std::size_t>(tyre.road)].is_level();
 }
 
 /// Faults of tyres or their wheels.

@@ -15,15 +15,11 @@ namespace {
 constexpr double kFarUp = 0.1;     // m; hardpoints are taken at a load within the travel of a spring
 constexpr double kFarTurn = 0.12;  // rad, 7 deg, about a horizontal line
 
-bool is_of_one_height(const Road& road) {
-  return !road.height && road.tracks.empty() && road.grids.empty() && !road.is_of_one_point();
-}
-
 /// Whether all tyres stand on level ground of one height and the model says nothing of the vehicle's place.
 bool is_meant_at_reference(const Model& model) {
   const Initial& initial = model.initial;
   if (!initial.equilibrium || !initial.positions.empty() || model.tyres.size() < 3) return false;
-  if (!std::all_of(model.roads.begin(), model.roads.end(), is_of_one_height)) return false;
+  if (!std::ranges::all_of(model.roads, &Road::is_level)) return false;
   return model.gravity[0].value == 0 && model.gravity[1].value == 0;
 }
 

@@ -88,7 +88,7 @@ std::vector<SlidingTyre> moving_tyres(const Compilation& compilation, const Gene
   return tyres;
 }
 
-/// Those that slide, and are not told to.
+/// Tyres that slide without being told to.
 std::vector<SlidingTyre> sliding_of(const Model& model, const std::vector<SlidingTyre>& tyres) {
   std::vector<SlidingTyre> sliding;
   for (const SlidingTyre& one : tyres) {

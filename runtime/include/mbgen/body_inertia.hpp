@@ -18,7 +18,7 @@ inline bool is_semidefinite(const BodyInertia& m, double slack) noexcept {
   return !(a < 0 || b < 0 || c < 0 || ab < 0 || ac < 0 || bc < 0 || all < 0);
 }
 
-/// kg m^2 that the reader of models leaves: inertias typed with few digits pass.
+/// kg m^2: inertias typed with few digits pass, wrong ones do not.
 inline double inertia_slack(const BodyInertia& m) noexcept { return 1e-9 * std::fabs(m.xx + m.yy + m.zz); }
 
 /// A principal moment exceeds the sum of the others: half the trace less the inertia is negative in its direction.

@@ -50,4 +50,22 @@ template <class Real, std::size_t N>
   return {Code::turned_far, static_cast<int>(fastest)};
 }
 
+/// Turns of a coordinate, rad, at which accelerations are compared: no body looks the same at all of them but one that
+/// is symmetric about the axis.
+constexpr double kTriedTurns[] = {0.7, 1.9, 3.3};
+
+/// Whether a turn changes an acceleration by more than rounding, which is that of all accelerations and of the square
+/// of the rate, 1/s, of the coordinate. here, there: before and after it.
+inline bool differ_by_turn(const double* here, const double* there, int count, double rate) noexcept {
+  constexpr double kMatters = 1e-4, kRounding = 1e-9;
+  double largest = 0;
+  for (int i = 0; i < count; ++i) largest = std::fmax(largest, std::abs(here[i]));
+  const double rounding = kRounding * (rate * rate + largest);
+  for (int i = 0; i < count; ++i) {
+    const double size = std::fmax(std::abs(here[i]), std::abs(there[i]));
+    if (std::abs(here[i] - there[i]) > kMatters * size + rounding) return true;
+  }
+  return false;
+}
+
 }  // namespace mbgen

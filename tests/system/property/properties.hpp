@@ -43,8 +43,8 @@ Complaint implicit_steps_disagree(const RandomMechanism& random, const Mechanism
 /// energies are those of the generic runtime.
 Complaint outputs_of_judges_disagree(const RandomMechanism& random, const Mechanism& m);
 
-/// What joints and rods put on every body, and its weight, is what its momentum changes by. Springs and bushings are
-/// left out.
+/// The momentum of every body changes by the forces of joints and rods, and its weight. Springs and bushings are left
+/// out.
 Complaint reactions_do_not_move_bodies(const RandomMechanism& random, const Mechanism& m);
 
 int from_environment(const char* name, int otherwise);

@@ -1,5 +1,5 @@
-// What joints and rods of random mechanisms transmit: against the Cartesian judge, whose outputs are its own, and
-// against the rates of momentum of every body.
+// Forces and moments that joints and rods of random mechanisms transmit: against the Cartesian judge, whose outputs are
+// its own, and against the rates of momentum of every body.
 
 #include <algorithm>
 #include <cmath>
@@ -111,7 +111,7 @@ std::vector<double> outputs_near(const GenericSolver& solver, const GenericState
   return solver.outputs(moved, tau, rates).y;
 }
 
-/// What every body gets from joints, rods and weight, and what its momentum changes by: N, N m about its centre.
+/// Forces on every body by joints, rods and weight, and rates of its momentum: N, N m about its centre.
 struct Sums {
   std::vector<Force> force, moment;
   double size = 1;  ///< of the largest part

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mbgen/fmu.hpp"
+#include "mbgen/turns.hpp"
 
 namespace mbgen::fmu {
 
@@ -11,21 +12,13 @@ namespace mbgen::fmu {
 /// its axis. A loop that it opens changes all of them.
 template <class Model>
 bool turn_matters(const Run<Model>& run, int coordinate) noexcept {
-  constexpr double kTried[] = {0.7, 1.9, 3.3};  // rad
-  constexpr double kMatters = 1e-4, kRounding = 1e-9;
   typename Model::Derivative here{}, there{};
   if (!Model::derivative(run.parameters, run.inputs, run.state, here).ok()) return true;
-  double largest = 0;
-  for (int i = 0; i < Model::kCoordinates; ++i) largest = std::fmax(largest, std::abs(here.zdd[i]));
-  const double rate = run.state.zd[coordinate], rounding = kRounding * (rate * rate + largest);
-  for (const double turn : kTried) {
+  for (const double turn : kTriedTurns) {
     typename Model::State turned = run.state;
     turned.z[coordinate] += turn;
     if (!Model::derivative(run.parameters, run.inputs, turned, there).ok()) return true;
-    for (int i = 0; i < Model::kCoordinates; ++i) {
-      const double size = std::fmax(std::abs(here.zdd[i]), std::abs(there.zdd[i]));
-      if (std::abs(here.zdd[i] - there.zdd[i]) > kMatters * size + rounding) return true;
-    }
+    if (differ_by_turn(here.zdd, there.zdd, Model::kCoordinates, run.state.zd[coordinate])) return true;
   }
   return false;
 }
