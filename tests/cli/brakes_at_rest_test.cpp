@@ -143,7 +143,9 @@ TEST_F(CommandLine, WheelsOnARailHaveSteadyMotions) {
       const double drive = linear["input_values"]["drive"];
       EXPECT_NEAR(drive, 40 * radius, 1.5 * 40 * radius) << "rolling resistance comes on top";
       EXPECT_GT(drive, 0);
-      if (has_two) EXPECT_NEAR(linear["velocities"]["wheel2"].get<double>(), 33.6, 0.3);
+      if (has_two) {
+        EXPECT_NEAR(linear["velocities"]["wheel2"].get<double>(), 33.6, 0.3);
+      }
     }
   }
 }

@@ -31,7 +31,9 @@ class NoRest : public CommandLine {
           << run.err;
       const std::size_t message = std::min(run.err.size(), run.err.find("there is no static equilibrium"));
       const std::string these = run.err.substr(std::min(run.err.size(), run.err.find("\n  hint: ", message) + 1));
-      if (!found.empty()) EXPECT_EQ(these, found) << command;
+      if (!found.empty()) {
+        EXPECT_EQ(these, found) << command;
+      }
       found = these;
     }
     return found;
