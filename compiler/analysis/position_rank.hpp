@@ -1,5 +1,5 @@
 #pragma once
-// What holds positions: the rank of a block without the rows that hold velocities alone (rolling, blades).
+// Position rank of a block: without the rows that hold velocities alone (rolling, blades).
 
 #include <vector>
 

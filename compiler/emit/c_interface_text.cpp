@@ -36,7 +36,7 @@ FrameRows range_rows(const std::vector<Given>& all, const std::vector<std::strin
   return rows;
 }
 
-/// What the header says of the inputs.
+/// Comment of the header on the inputs.
 std::string input_comment(const EmitContext& context) {
   const std::vector<Input>& inputs = context.model.inputs;
   if (!inputs_have_derivatives(inputs)) return "/* Inputs. They are constant during a step. */";

@@ -45,7 +45,7 @@ struct CalibrationStructure {
   std::vector<CalibrationNumber> numbers = {};
 };
 
-/// What every name of the file begins with.
+/// Prefix of every name of the file.
 std::string prefix_of(const EmitContext& context) { return context.names.solver.substr(0, kLongestPart); }
 
 /// A quoted string: one line, not longer than the standard lets it be.

@@ -40,7 +40,7 @@ std::vector<std::string> ground_inputs(const Model& model) {
                 [&](int tyre) { return std::to_string(model.roads[model.tyres[tyre].road].host_input); });
 }
 
-/// What every frame may name.
+/// Values for the names that every frame may use.
 FrameValues context_values(const EmitContext& context) {
   const SolverNames& names = context.names;
   const SolverLayout& layout = context.layout;

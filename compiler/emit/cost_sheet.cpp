@@ -19,7 +19,7 @@ constexpr const char* kKinds[] = {"add", "multiply", "divide", "sqrt", "trigonom
 constexpr const char* kKindTitles[] = {"+ -", "*", "/", "sqrt", "trig", "other", "+ - * /"};
 constexpr const char* kCalls[] = {"accelerations", "closures", "factorisations", "operations"};
 
-/// What the calls of one function lead to. has_care: the pivoting path may be taken everywhere.
+/// Calls and operations under one function. has_care: the pivoting path may be taken everywhere.
 CostJson call_json(const EmitContext& context, const CostJson& programs, const char* function, const char* title,
                    CallCount calls, bool has_care) {
   const auto operations = [&](const char* program) {

@@ -1,5 +1,5 @@
 #pragma once
-// What is written, with what choices, and what a solver knows of its start.
+// Files that are written, choices for them, and the solver's knowledge of its start.
 
 #include <optional>
 #include <string>
@@ -20,8 +20,8 @@ constexpr std::size_t kFilePartValues = 4000;
 struct EmittedFile {
   std::string path;
   std::string text;
-  /// Of a source: compilations with MBGEN_PART = 0, 1, ..., rare_parts give together what one without it gives. What
-  /// the parts from 1 on hold runs rarely.
+  /// Of a source: compilations with MBGEN_PART = 0, 1, ..., rare_parts give together the code of one without it. Code
+  /// of the parts from 1 on runs rarely.
   int rare_parts = 0;
 };
 

@@ -12,7 +12,7 @@
 namespace mbgen {
 namespace {
 
-/// What tags of sections and frames begin with.
+/// First characters of tags of sections and frames.
 constexpr std::string_view kMarks = "#~^/>";
 
 /// A frame in which lines that hold tags of sections or frames and nothing else are these tags.
@@ -92,7 +92,7 @@ class FrameFiller {
       }
       return result;
     }
-    // What does not stay is looked through for names all the same; those of a row that is not there are unknown.
+    // A section that is left out is searched for names all the same; names of its missing row are unknown.
     unknown_rows_ += value.is_text ? 0 : 1;
     const std::string without = fill(body, {});
     unknown_rows_ -= value.is_text ? 0 : 1;

@@ -11,9 +11,9 @@
 namespace mbgen {
 
 struct FrameValue;
-/// What the names of a frame, or of one row of a section, stand for.
+/// Values of the names of a frame, or of one row of a section.
 using FrameValues = std::map<std::string, FrameValue>;
-/// What a section is repeated for.
+/// Rows over which a section is repeated.
 using FrameRows = std::vector<FrameValues>;
 
 /// A text, which may be a number; a section of its name has one row, or none where the text is empty. Or rows.

@@ -1,5 +1,5 @@
 #pragma once
-// What differs from slice to slice of a loop: linear functions of the slice `k`, and tables.
+// Differences between slices of a loop: linear functions of the slice `k`, and tables.
 
 #include <map>
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace mbgen {
 
-/// What labels of one value in two slices have in common: "R_up_xx" of "R_up1_xx" and "R_up2_xx".
+/// Common part of the labels of one value in two slices: "R_up_xx" of "R_up1_xx" and "R_up2_xx".
 std::string common_label(const std::string& a, const std::string& b);
 
-/// What a pair is named: "R_up_left_and_right_xx" of "R_up_left_xx" and "R_up_right_xx".
+/// Name of a pair: "R_up_left_and_right_xx" of "R_up_left_xx" and "R_up_right_xx".
 std::string label_of_both(const std::string& first, const std::string& second);
 
 /// The tables of one function.

@@ -129,7 +129,7 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
   }
   const bool has_late = std::find(late.begin(), late.end(), true) != late.end();
   const bool watches_states = context.model.solver.is_implicit() && layout.own_states > 0;
-  // What only closures or loops ask for is left out without them, so that nothing is unused; lanes leave the choice of
+  // Members for closures and loops are left out without them, so that nothing is unused; lanes leave the choice of
   // coordinates at run time to the solver of one instance.
   return {{"blocks", blocks.size()},
           {"free_directions", layout.free_directions},

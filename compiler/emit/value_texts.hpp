@@ -45,7 +45,7 @@ class ValueTexts {
   Phrase compose(const ScheduledUnit& unit, ValueId v, PartText& part);
   /// An operand in every slice of the unit that uses it.
   Phrase phrase_of(const ScheduledUnit& unit, const Slices& values, PartText& part);
-  /// What users of an operation write for it.
+  /// Text of an operation where it is used.
   Phrase& phrase(ValueId v) { return phrases_[v]; }
   /// A result of a call for many arguments.
   Phrase result_phrase(ValueId v, PartText& part);

@@ -35,7 +35,7 @@ T argument_in(const Table& table, const T& argument) {
   return T(table.x.front()) + (1 / turn) * (T(std::numbers::pi) + atan2(-sin(angle), -cos(angle)));
 }
 
-/// What whole periods before it add to y. at: argument_in of the argument.
+/// Rise of y over the whole periods before. at: argument_in of the argument.
 template <class T>
 T rise_before(const Table& table, const T& argument, const T& at) {
   if (!table.periodic || rise_of(table) == 0) return T(0.0);

@@ -249,7 +249,7 @@ References references_of(const FmuLayout& fmu) {
   return references;
 }
 
-/// What all numbers of the programs depend on.
+/// Dependencies of all numbers of the programs.
 Knowns dependencies(const EmitContext& context, const Programs& programs, const References& references,
                     const FmuLayout& fmu) {
   Knowns knowns;
@@ -273,8 +273,8 @@ Knowns dependencies(const EmitContext& context, const Programs& programs, const 
   return knowns;
 }
 
-/// What a variable depends on at the initialisation: on start values of coordinates in place of states, and on the
-/// parameters that velocities follow from there in place of these.
+/// Dependencies of a variable at the initialisation: start values of coordinates replace states, and the parameters
+/// that velocities follow from replace velocities.
 std::set<int> at_start(const FmuLayout& fmu, const References& references, const InitialState& initial,
                        const std::set<int>& dependencies) {
   const int first_parameter = static_cast<int>(fmu.variables.size() - initial.parameters.size());

@@ -248,7 +248,7 @@ Constants<T> make_constants(const Model& model, const Topology& topology, const 
   return constants;
 }
 
-/// What rounding may leave of an inertia of zero, in kg m^2 or kg: closed loops cancel velocities of all bodies to some
+/// Limit of the rounding in an inertia of zero, kg m^2 or kg: closed loops cancel velocities of all bodies to some
 /// 1e-16 of theirs, and the inertia is their square. 1e-12 of a velocity leaves its first digits right.
 template <class T>
 double inertia_left_by_rounding(const Constants<T>& constants) {

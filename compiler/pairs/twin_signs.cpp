@@ -121,7 +121,7 @@ class TwinSigns {
     signs_.set(v, {first.first == Signs::kKnown ? second.first : first.first, first.second * second.second});
   }
 
-  /// What operand k of the other one is multiplied by in the pair that holds both.
+  /// Factor of operand k of the other value in the pair that holds both.
   int sign_beside(ValueId v, int k) const {
     const Op op = program_.nodes[v].op;
     const int sign = signs_.settled(v);

@@ -57,7 +57,7 @@ class TwinFinder {
   }
 
  private:
-  /// What is alike to one other value alone comes first: that tells which of several the others are alike to.
+  /// Values with one candidate come first: their twins decide between the candidates of the others.
   void find() {
     bool takes_nearest = false;
     for (int round = 0; round < kRounds; ++round) {

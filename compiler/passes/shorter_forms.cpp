@@ -145,7 +145,7 @@ class ShorterForms {
     return forms;
   }
 
-  /// What the operands of a form cost beside what is there.
+  /// Additional cost of the operands of a form.
   int cost_of_operands(const Form& form) {
     std::vector<ValueId> taken;
     const int cost = take(form.first, taken) + take(form.second, taken);

@@ -47,7 +47,7 @@ const std::vector<ProgramSpec>& program_specs();
 const ProgramSpec& spec_of(Role role);
 const char* name_of(Role role);
 
-/// What a law takes of its elements.
+/// Argument of a law, taken from its elements.
 struct LawArgument {
   std::string name;
   bool is_common = false;            ///< one value for all elements
@@ -69,7 +69,7 @@ struct SharedLaw {
 /// place.
 int argument_place(const SharedLaw& law, std::size_t argument, std::size_t element);
 
-/// What a mirror of the mechanism makes of an input: its value becomes sign times that of the image, and the other way
+/// Mirror image of an input: in the mirrored mechanism its value is sign times that of the image, and the other way
 /// round.
 struct MirroredInput {
   Slot slot, image;

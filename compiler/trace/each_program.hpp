@@ -19,8 +19,8 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
                                       Role role = Role::accelerations, RecursionChoices choices = {},
                                       const std::vector<SharedLaw>& laws = {});
 
-/// What the mirror of the mechanism makes of the inputs of the accelerations, results of these laws among them; empty
-/// where it has none.
+/// Mirror images of the inputs of the accelerations, results of these laws among them; empty where the mechanism has no
+/// mirror.
 std::vector<MirroredInput> mirrored_inputs(const Model& model, const Topology& topology,
                                            const std::vector<SharedLaw>& laws);
 

@@ -102,7 +102,7 @@ inline constexpr const char* const kLoopBlockNames[] = {
 struct Parameters {
 };
 
-/// What functions take: no constants follow from the parameters.
+/// Argument type of the functions: no constants follow from the parameters.
 using Tuned = Parameters;
 
 /// Inputs with their defaults. They are constant during a step.

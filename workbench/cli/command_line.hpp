@@ -46,8 +46,8 @@ struct OptionWords {
   bool takes_value, is_argument;
 };
 
-/// A command, or the application, whose subcommands are the commands. A handle: copies mean the same command. What an
-/// option fills has to live until the command line is parsed.
+/// A command, or the application, whose subcommands are the commands. A handle: copies mean the same command. The
+/// variable that an option fills must live until the command line is parsed.
 class NamedCommand {
  public:
   explicit NamedCommand(CLI::App* app) : app_(app) {}

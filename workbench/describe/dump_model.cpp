@@ -238,7 +238,7 @@ class ModelText : public ModelWords {
                        kDirections[static_cast<int>(load.direction)]);
   }
 
-  /// What presses, and bristles.
+  /// Load and bristles.
   std::string details(const FrictionLaw& friction) const {
     const std::string pressed = friction.load < 0 ? "" : ", pressed by " + model_.sampled[friction.load].name;
     if (!friction.has_bristle()) return pressed;

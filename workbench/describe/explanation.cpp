@@ -300,7 +300,7 @@ std::string twins_explanation(const Compilation& c) {
                                fmt::join(pairs, "; ")));
 }
 
-/// What the solver of one instance computes in pairs, by steps; empty where that is nothing.
+/// Pairs that the solver of one instance computes, by steps; empty where there are none.
 std::string pairs_explanation(const Programs& programs, const Titles& titles) {
   const Program& program = programs.in_pairs;
   const std::vector<int> widths = widths_of(program);

@@ -9,8 +9,7 @@
 
 namespace mbgen {
 
-/// What the files of a model say and it does not use, what its loops lock, in which modes it is not, and what nothing
-/// holds.
+/// Notes on unused parts of a model's files, on locked loops and their modes, and on bodies that nothing holds.
 Diagnostics all_notes(const Compilation& compilation);
 
 /// One note as people read it, without the line of text that it names.

@@ -117,7 +117,7 @@ A letter or a vector counts in the frame that the field names, points are in glo
 
 )text";
 
-/// What expressions are made of.
+/// Syntax of expressions.
 std::string expressions_text() {
   std::string text = R"text(## Expressions
 

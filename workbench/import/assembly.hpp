@@ -113,8 +113,8 @@ struct Assembly {
 /// A speed at which Coulomb friction is half smoothed: rad/s or m/s. Robots' formats have none.
 constexpr double kFrictionVelocity = 1e-3;
 
-/// The text as a name of the model format that none of `taken` is; it is added to them. What is no letter or digit
-/// becomes _.
+/// The text as a name of the model format that none of `taken` is; it is added to them. Characters other than letters
+/// and digits become _.
 std::string unique_name(std::string_view text, std::set<std::string>& taken);
 std::string valid_name(std::string_view text);
 

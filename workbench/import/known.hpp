@@ -38,7 +38,7 @@ struct KnownFormat {
 extern const KnownFormat kUrdf, kMjcf;
 
 /// Notes about elements and attributes that are not carried over, one a kind, and about those that the format does not
-/// have. What is inside an element that is left out is not looked at.
+/// have. The inside of an element that is left out is not looked at.
 void note_left_out(Reading& reading, const Element& root, const KnownFormat& format);
 
 /// Whether the format has the attribute in an element of this path.

@@ -10,7 +10,7 @@
 
 namespace mbgen::kc {
 
-/// What a curve imposes.
+/// Imposed motion of a curve.
 struct Sweep {
   enum class Kind {
     parallel_travel,
@@ -57,7 +57,7 @@ Dual deflection_of(const RigElement& element, const RigPoint& point);
 /// Whether an element moves with the wheels.
 bool follows_wheels(const RigElement& element, const RigPoint& start);
 
-/// What is read along a curve.
+/// Table of values along a curve.
 KcTable curve_table(const Rig& rig, const PointOfCurve& start, const Sweep& sweep,
                     const std::vector<PointOfCurve>& points);
 

@@ -1,6 +1,6 @@
 #pragma once
-// What the position of a wheel, and of an axle of two, is called: ISO 8855:2011 and the books that docs/use/kc.md
-// names. Global axes: x forward, y to the left, z up; the road is level.
+// Geometry of a wheel, and of an axle of two, named after ISO 8855:2011 and the books in docs/use/kc.md. Global axes: x
+// forward, y to the left, z up; the road is level.
 
 #include "workbench/kc/dual.hpp"
 

@@ -11,7 +11,7 @@
 
 namespace mbgen {
 
-/// What is asked of a rig. Values are amplitudes: the rig goes from minus to plus.
+/// Requests to a rig. Values are amplitudes: the rig goes from minus to plus.
 struct KcWish {
   std::optional<double> travel = {};  ///< m, of the wheels' centres; none: 0.05
   std::optional<double> steer = {};   ///< rad or m, of the steering coordinate; none: 0.3 rad or 0.03 m

@@ -1,5 +1,5 @@
 #pragma once
-// What a rig tells of an axle: figures and curves, as text, tables, pictures and a page.
+// Report of a rig on an axle: figures and curves, as text, tables, pictures and a page.
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -20,7 +20,7 @@ Vector3 upwards_across(const Vector3& axis) {
   return {-axis[0] * axis[2] / level, -axis[1] * axis[2] / level, level};
 }
 
-/// What a wheel is to the rig.
+/// Wheel on the rig.
 struct MountedWheel {
   std::string name;
   Attachment centre;

@@ -12,9 +12,9 @@
 
 namespace mbgen::kc {
 
-/// What a rig imposes, in this order: travels of both wheel centres (m, up), steering (rad or m, from the start), then
-/// for each wheel the force along x and y (N) at the centre of the wheel and the torque about x, y and z (N m) on the
-/// wheel body, global axes.
+/// Inputs of a rig, in this order: travels of both wheel centres (m, up), steering (rad or m, from the start), then for
+/// each wheel the force along x and y (N) at the centre of the wheel and the torque about x, y and z (N m) on the wheel
+/// body, global axes.
 enum RigInput {
   kTravelLeft,
   kTravelRight,

@@ -1,4 +1,4 @@
-// What is read along the curves, and at the start.
+// Values along the curves, and at the start.
 
 #include <fmt/format.h>
 

@@ -31,7 +31,7 @@ struct SpeedSettings {
 /// Speeds are refused beyond it, m/s: nothing on tyres goes three times as fast as sound.
 constexpr double kMostSpeed = 1000;
 
-/// What all manoeuvres have.
+/// Members that all manoeuvres have.
 struct ManoeuvreBase {
   std::string description;
   std::optional<double> speed;           ///< m/s, at the start

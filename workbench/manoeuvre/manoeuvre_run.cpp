@@ -43,7 +43,7 @@ Course between(const std::vector<Input>& model_inputs, int input, double t, doub
   return hermite({t, end}, orders);
 }
 
-/// What a constant second derivative leads to.
+/// Integral of a constant second derivative.
 Rates advanced(const Rates& from, double acceleration, double time) {
   return {from.value + time * (from.rate + time * acceleration / 2), from.rate + time * acceleration, acceleration};
 }

@@ -31,7 +31,7 @@ class ManoeuvreRun {
 
   /// Adds what makes the motion another one than the manoeuvre asks for.
   void judge(StepVerdict& verdict) const;
-  /// What came of it, after the motion.
+  /// Result of the manoeuvre, after the motion.
   ManoeuvreWords words() const;
 
  private:

@@ -1,4 +1,4 @@
-// What came of a manoeuvre, for people and machines.
+// Result of a manoeuvre, for people and machines.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

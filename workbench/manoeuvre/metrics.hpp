@@ -2,8 +2,8 @@
 // Numbers that the standards of vehicle dynamics define, from the motion of a vehicle. Definitions by formula:
 // docs/use/metrics.md. Axes are those of ISO 8855: x forward, y to the left, z up.
 //
-// Every function computes what its series allows. What it cannot give is missing from the values and stands in the
-// notes with the reason; so does a series that cannot be used at all. Every value is finite.
+// Every function computes what its series allows. A value that it cannot give is missing from the values and stands in
+// the notes with the reason; so does a series that cannot be used at all. Every value is finite.
 
 #include <string>
 #include <vector>

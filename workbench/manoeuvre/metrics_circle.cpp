@@ -72,7 +72,7 @@ bool add_gradient(VehicleMetrics& metrics, const std::string& name, const Linear
   return true;
 }
 
-/// What follows from steer angles: the gradient of understeer and the speed that it gives.
+/// Metrics from steer angles: the understeer gradient, and the characteristic or critical speed.
 void add_understeer(VehicleMetrics& metrics, const Linear& linear, const SteadyCircle& circle) {
   Values beyond_path;
   for (std::size_t i = 0; i < linear.steer.size(); ++i)

@@ -1,5 +1,5 @@
 #pragma once
-// What several metrics take from series: checks, means, fits, crossings and peaks.
+// Helpers of several metrics: checks, means, fits, crossings and peaks of series.
 
 #include <cstddef>
 #include <initializer_list>

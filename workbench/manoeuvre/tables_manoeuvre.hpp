@@ -7,7 +7,7 @@
 
 namespace mbgen::reading {
 
-/// What the tables of all types have beside the members of the manoeuvre.
+/// Fields that the tables of all types have beside the members of the manoeuvre.
 struct CommonFields {
   const Value *format = nullptr, *written_driver = nullptr, *written_speed_control = nullptr;
   std::string type;

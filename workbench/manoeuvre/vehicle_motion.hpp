@@ -12,7 +12,7 @@
 
 namespace mbgen {
 
-/// What a manoeuvre needs to know of a vehicle, from the parts of its model at the reference.
+/// Facts about a vehicle that a manoeuvre needs, from the parts of its model at the reference.
 struct VehicleFacts {
   double mass = 0;                           ///< kg, of all bodies and rods
   double radius = 0;                         ///< m, mean of the tyres

@@ -1,5 +1,5 @@
 #pragma once
-// What a manoeuvre's numbers are computed from, and a number.
+// Series that the metrics of a manoeuvre are computed from, and a number.
 
 #include <string>
 #include <vector>

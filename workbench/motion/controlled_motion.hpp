@@ -42,7 +42,7 @@ class ControlledMotion {
   const GenericState& guess() const { return guess_; }
   const Engine& engine() const { return engine_; }
   const InputsOverTime& inputs() const { return inputs_; }
-  /// What counts as much as 1 rad, 1 m or 1 per second of entry i of y.
+  /// Size of entry i of y that counts as much as 1 rad, 1 m or 1 per second.
   double size_of(std::size_t i) const {
     const std::size_t first = 2 * guess_.z.size();
     return i < first ? 1.0 : magnitudes_[i - first];
@@ -50,12 +50,12 @@ class ControlledMotion {
 
   /// Corners of the laws; none while a ball is in its other chart.
   std::size_t corners() const { return corners_ ? corners_->count() : 0; }
-  /// What the corners choose by at y.
+  /// Conditions that choose the sides of the corners, at y.
   std::vector<double> conditions(double t, const double* y) const;
   /// Rates stay on these sides of the corners from now on, each 1 or -1; 0 for the side on which the state is.
   void hold(std::vector<double> sides) { sides_ = std::move(sides); }
   const std::vector<double>& sides() const { return sides_; }
-  /// What other sides than those that are held change in the rates at y.
+  /// Change of the rates at y by other sides in place of the held ones.
   GenericDerivative change_by(double t, const double* y, const std::vector<double>& sides) const;
   /// Evaluations so far.
   long evaluations() const { return evaluations_; }

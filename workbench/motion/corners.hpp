@@ -19,7 +19,7 @@ class Corners {
   explicit Corners(const Compilation& compilation);
 
   std::size_t count() const { return conditions_.outputs.size(); }
-  /// What each chooses by: one side from zero on, the other one below. state: in the angles of the model.
+  /// Condition of each corner: one side from zero on, the other one below. state: in the angles of the model.
   std::vector<double> conditions(const GenericState& state, const std::vector<double>& inputs) const;
   /// Rates with these sides, each 1 or -1, less those with other ones. Not finite where a law has no values beyond its
   /// corner.

@@ -45,7 +45,7 @@ class CvodeStepper : public Stepper {
   void make(const GenericState& state);
   void make_solver();
   Status advance();
-  /// What follows a step of CVODE to t_: the closed state, and whether to start anew. flag: of the step.
+  /// Follows a step of CVODE to t_: closes the state, and decides whether to start anew. flag: of the step.
   Status arrive(int flag);
   /// Goes over the corners at t_; whether the rates change by more than a step bears.
   bool passes_corners();

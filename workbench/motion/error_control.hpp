@@ -1,5 +1,5 @@
 #pragma once
-// What motions with error control are asked for, and what they say of themselves.
+// Request for error control of a motion, and its record.
 
 #include <string>
 #include <vector>

@@ -90,7 +90,7 @@ double real_time_factor(const SimulationRecord& record, double seconds) {
   return seconds > 0 ? simulated / seconds : 0;
 }
 
-/// What integrated the motion, as on the command line.
+/// Name of the integrator on the command line.
 const char* integrator_name(const SimulationRecord& record) {
   return record.control ? name_of(record.control->control.method) : name_of(record.choice.integrator);
 }

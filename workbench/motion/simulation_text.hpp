@@ -19,7 +19,7 @@ std::vector<Heading> headings(const Compilation& compilation);
 /// The numbers of one point, in the order of the headings. decimals: of the step; the time has no more of them.
 std::vector<double> table_row(const Sample& sample, int decimals);
 
-/// What came of a manoeuvre, empty without one.
+/// Result of a manoeuvre in words, empty without one.
 struct ManoeuvreWords {
   std::string lines;    ///< for people
   std::string members;  ///< of a JSON object, as text

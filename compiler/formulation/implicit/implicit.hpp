@@ -30,7 +30,7 @@ struct WatchedEquations {
   std::vector<T> state_pivot;  ///< likewise, per state of the user's own; those of other states are always positive
 };
 
-/// What right-hand sides are made of: rates of coordinates, velocities and auxiliary states.
+/// Parts of the right-hand sides: rates of coordinates, velocities and auxiliary states.
 template <class T>
 struct ImplicitRates {
   std::vector<T> zd, zdd, xd;

@@ -42,7 +42,7 @@ std::vector<bool> mere_links(const Model& model, const Topology& topology) {
   return link;
 }
 
-/// What decides which joints are taken as one step.
+/// Inputs of the choice of joints that are taken as one step.
 struct StepRules {
   const Model& model;
   const Topology& topology;

@@ -286,8 +286,8 @@ Status settled_abm4(const System& system, typename System::State& state, AbmHist
   return status;
 }
 
-/// What a change of charts changes in a history, as it was: a way back by the charts would lose bits, and find the
-/// other angles of a turn whose second angle is beyond a quarter. Places as past_rates.
+/// Rates of a history before a change of charts: a way back by the charts would lose bits, and find the other angles of
+/// a turn whose second angle is beyond a quarter. Places as past_rates.
 template <class System>
 struct HistoryBefore {
   AbmHistory<System>& history;

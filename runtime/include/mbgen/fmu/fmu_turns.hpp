@@ -23,8 +23,8 @@ bool turn_matters(const Run<Model>& run, int coordinate) noexcept {
   return false;
 }
 
-/// Tells that a coordinate turns too far, once, and only where forces turn with it. What does not matter now is looked
-/// at again after twice as many turns. Result: whether it was told.
+/// Tells that a coordinate turns too far, once, and only where forces turn with it. A turn that does not matter now
+/// is looked at again after twice as many turns. Result: whether it was told.
 template <class Model>
 bool tell_of_turn(Core<Model>& core, int coordinate, const char* reason, double limit, double turn) noexcept {
   const unsigned seen = ++core.turned;

@@ -76,7 +76,7 @@ inline constexpr double kLeastTurnFriction = 0.05;
 /// Largest spin that the formulas are asked for, over the unloaded radius; the tightest of the tests have about 1.
 inline constexpr double kLargestSpin = 30;
 
-/// What spin adds to the radius of a tyre that nothing presses, m.
+/// Growth of the radius of an unloaded tyre with its spin, m.
 /// Source: Pacejka (2012), section 4.3.4 (R_Omega).
 template <class T>
 T growth(const MagicFormula61<T>& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
