@@ -33,7 +33,7 @@ CostJson call_json(const EmitContext& context, const CostJson& programs, const c
       operations("accelerations") + terms + (chooses ? operations("accelerations_chosen") : 0L);
   const long of_implicit = calls.matrices == 0 ? 0 : operations("tangents") + kImplicitStages * operations("changes");
   const bool is_step = std::string_view(function).starts_with("step_");
-  // Once, where an instant begins the step.
+  // Once, if an instant begins the step.
   const bool takes = is_step && takes_reactions(context.model);
   const long of_samples = is_step ? operations("sampled") + (takes ? operations("multipliers") : 0) : 0;
   const int accelerations = calls.accelerations + (takes ? 1 : 0);
@@ -66,7 +66,7 @@ CostJson calls_json(const EmitContext& context, const CostJson& programs) {
   return calls;
 }
 
-/// A line of a table: a title and cells of one width.
+/// A line of a table: a title and cells of equal width.
 template <class Cells>
 std::string row(const std::string& title, int title_width, const Cells& cells, int cell_width) {
   std::string text = fmt::format("  {:<{}}", title, title_width);

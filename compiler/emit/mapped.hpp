@@ -1,5 +1,5 @@
 #pragma once
-// Lists made of lists.
+// Lists computed from lists.
 
 #include <functional>
 #include <iterator>

@@ -11,7 +11,7 @@
 namespace mbgen {
 namespace {
 
-/// Whether an embedded list of names has this one.
+/// Whether an embedded list of names contains this one.
 template <const char* list>
 bool is_in(std::string_view name) {
   static const std::vector<std::string> words = words_of(list);

@@ -20,13 +20,13 @@ std::string label_of_both(const std::string& first, const std::string& second);
 class SliceTables {
  public:
   explicit SliceTables(UniqueNames& names) : names_(names) {}
-  /// Forgets the tables: another function begins.
+  /// Forgets the tables before another function.
   void start_part() { tables_.clear(); }
   /// An index for each slice: a linear function of k, or a table.
   std::string index(const std::vector<int>& indices);
   /// `name[k]` of a table with these items.
   std::string item(const std::string& type, const std::string& base, const std::vector<std::string>& items);
-  /// Declarations of the tables asked for since the last call, to stand before the loop.
+  /// Declarations of the tables used since the last call, to be placed before the loop.
   std::string declarations() { return std::exchange(declarations_, ""); }
 
  private:
