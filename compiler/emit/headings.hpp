@@ -46,7 +46,7 @@ class Headings {
   std::map<Section, std::size_t> end_;  ///< place of the last value of each section
   std::set<Section> entered_;           ///< sections with a heading so far
   std::optional<Section> section_;
-  using Owners = std::pair<Owner, Owner>;  ///< that of a value, that of its second lane
+  using Owners = std::pair<Owner, Owner>;  ///< of a value and of its second lane
   std::optional<Owners> owner_;
 };
 

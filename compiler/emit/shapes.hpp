@@ -67,7 +67,7 @@ struct Argument {
 /// Of a function, in order.
 using Arguments = std::vector<Argument>;
 
-/// Arguments of a program by its spec, without those that hold `unused` arrays.
+/// Arguments of a program by its spec, except arguments that hold `unused` arrays.
 Arguments arguments_of(Role role, const std::vector<Array>& unused = {});
 
 /// All properties of one program except its values.
@@ -118,7 +118,7 @@ int tangent_count(const Programs& programs);
 /// Identifier of each derived constant, after its body or element; empty if it belongs to none.
 std::vector<std::string> derived_constant_names(const Programs& programs);
 
-/// Whether a scalar type is that of plain numbers: double or float.
+/// Whether a scalar type is a plain number: double or float.
 bool is_number(const std::string& scalar);
 
 /// Whether a program reads an array.
