@@ -82,7 +82,7 @@ struct SolverTable {
                                   const double* taus, int count, int repetitions) noexcept;
 
   /// Ticks spent in each of the nine steps of the paper's tables over the same evaluations, ticks[kSteps]; null in a
-  /// driver without step clock. The steps are those of the frozen partition.
+  /// driver without step clock. The steps belong to the frozen partition.
   void (*step_ticks)(const double* parameters, const double* inputs, const double* states, const double* taus,
                      int count, int repetitions, long long* ticks) noexcept;
 

@@ -211,7 +211,7 @@ typename System::Mask close_lanes(const ParametersOf<System>& parameters, const 
   return done;
 }
 
-/// Lanes in which no coordinate outside the motions lies further than kLargestCorrection from where it was.
+/// Lanes in which every coordinate without a motion is within kLargestCorrection of its former value.
 template <class System>
 typename System::Mask stayed_near(const typename System::State& from, const typename System::State& to) noexcept {
   typename System::Mask near = every_lane<System>();

@@ -116,8 +116,8 @@ Status try_rosenbrock(const System& system, const typename System::State& start,
 }  // namespace integrator_detail
 
 /// One step of h seconds: the matrix once, four evaluations, four solutions, no iteration, then projection. Of order
-/// three whatever the matrix leaves out; L-stable for what it has.
-/// Gives notices as step_rk4. Fails: as step_rk4, implicit_singular and implicit_state_grows.
+/// three for any matrix; L-stable for the terms that the matrix contains. Gives notices as step_rk4. Fails: as
+/// step_rk4, implicit_singular and implicit_state_grows.
 template <class System>
 Status step_rosenbrock(const System& system, typename System::State& state, double h) noexcept {
   using State = typename System::State;
