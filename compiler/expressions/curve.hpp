@@ -42,7 +42,7 @@ T rise_before(const Table& table, const T& argument, const T& at) {
   return rise_of(table) / width_of(table) * (argument - at);
 }
 
-/// y at the argument. Cost: linear in the number of points, or that of piece_at.
+/// y at the argument. Cost: linear in the number of points, or the cost of piece_at.
 template <class A>
 A value_along(const Table& table, const A& argument) {
   const int count = static_cast<int>(table.x.size());
@@ -92,8 +92,8 @@ TablePiece<T> chosen_piece(const Table& table, const T& at) {
 
 }  // namespace detail
 
-/// The same with derivatives, of a cubic or spline table: the argument chooses the coefficients of its piece. Cost:
-/// six operations per point, or that of piece_at.
+/// The same with derivatives, of a cubic or spline table: the argument chooses the coefficients of its piece. Cost: six
+/// operations per point, or the cost of piece_at.
 template <class T>
 CurvePoint<T> curve_at(const Table& table, const T& argument) {
   const T at = argument_in(table, argument);

@@ -38,7 +38,7 @@ struct PairedValues {
   std::vector<std::array<SignedTerm, 3>> beside = {};
 
   bool are_twins() const { return !beside.empty(); }
-  /// Whether the pair of a value holds what is beside it.
+  /// Whether the pair of a value holds the other term.
   bool are_one_pair(ValueId a, const SignedTerm& b) const {
     const MirrorImage &one = images[a], &other = images[b.value];
     return one.kind == MirrorImage::Kind::paired && other.kind == MirrorImage::Kind::paired &&

@@ -67,7 +67,7 @@ class ShorterForms {
   }
 
  private:
-  /// Cost of what is needed for one more use of a value; all that got a use goes into `changed`.
+  /// Cost of one more use of a value; values that got a use are added to `changed`.
   int take(ValueId value, std::vector<ValueId>& changed) {
     int cost = 0;
     std::size_t next = changed.size();
@@ -112,7 +112,7 @@ class ShorterForms {
     return value < v ? value : kNoValue;
   }
 
-  /// No more rounding than twice that of the value as it stands.
+  /// Whether its rounding is at most twice the rounding of the value's present form.
   bool is_accurate(const Form& form, ValueId v) const {
     return std::ranges::all_of(rounded_, [&](const std::vector<Rounded>& all) {
       constexpr double kUnit = 0x1p-52;

@@ -262,7 +262,7 @@ bool is_given(const Program& program, ValueId v) {
   return true;
 }
 
-/// Puts what is computed by calls before the rest of the range. is_candidate: values that may be.
+/// Puts values computed by calls before the rest of the range. is_candidate: values that may be called.
 template <class IsCandidate>
 void gather(const Program& program, std::span<ValueId> range, Levels& levels, ArrayCalls& result,
             IsCandidate is_candidate) {
@@ -283,7 +283,7 @@ void gather(const Program& program, std::span<ValueId> range, Levels& levels, Ar
   for (const ValueId v : range) levels.is_here[v] = levels.is_called[v] = false;
 }
 
-/// Functions of what is given from the start, over all that a section has between other sections' values.
+/// Functions of inputs, over all of a section that values of other sections interrupt.
 void gather_given(const Program& program, std::vector<ValueId>& order, Levels& levels, ArrayCalls& result) {
   for (const Section& section : program.sections) {
     const auto is_in_section = [&](ValueId v) { return program.nodes[v].section == section; };

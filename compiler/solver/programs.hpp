@@ -69,8 +69,7 @@ struct SharedLaw {
 /// place.
 int argument_place(const SharedLaw& law, std::size_t argument, std::size_t element);
 
-/// Mirror image of an input: in the mirrored mechanism its value is sign times that of the image, and the other way
-/// round.
+/// Mirror image of an input: in the mirrored mechanism its value is sign times the value of the image, and conversely.
 struct MirroredInput {
   Slot slot, image;
   int sign = 1;

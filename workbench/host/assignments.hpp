@@ -20,10 +20,10 @@ std::vector<double> input_values(const Model& model, const std::vector<std::stri
 /// UserError as read_set_model.
 std::vector<VariedParameter> set_parameters(const Model& model, const std::vector<std::string>& assignments);
 
-/// The model of a file with parameters at other values: name=value, in place of the file's values, before anything is
-/// folded; values that follow from them follow. Its hash is then that of file and values.
-/// Fails: UserError for a name that is no parameter of the model (the nearest is named), a value that is no finite
-/// number, a name given twice, and as read_model_file.
+/// The model of a file with other values of parameters: name=value replaces the file's values before anything is
+/// folded, and dependent values follow. Its hash then covers file and values. Fails: UserError for a name that is no
+/// parameter of the model (the nearest is named), a value that is not a finite number, a name given twice, and as
+/// read_model_file.
 Model read_set_model(const std::string& path, const std::vector<std::string>& assignments);
 
 }  // namespace mbgen

@@ -7,9 +7,8 @@
 
 namespace mbgen {
 
-/// Holds SIGINT, SIGTERM and SIGHUP back in the thread that makes it and in those that this one starts, for its life;
-/// not those that somebody ignores, handles or holds back already. A signal that came and was not taken acts at the
-/// end.
+/// Holds SIGINT, SIGTERM and SIGHUP back in its thread and in threads that this thread starts, for its lifetime, except
+/// signals that are already ignored, handled or held back. A signal that came and was not taken acts at the end.
 class HeldSignals {
  public:
   /// beside: another signal to hold back, for `wait`.

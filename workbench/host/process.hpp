@@ -25,9 +25,9 @@ struct Interrupted {
   int signal = 0;
 };
 
-/// Runs programs, in order, as many at a time as there are processors, and waits for the last. None is started after
-/// one that failed. watch: called every few hundredths of a second with the number of programs that have ended. Result:
-/// exit codes, in order; 128 + signal for a killed one. The first that is not 0 is that of a program that failed.
+/// Runs programs, in order, as many at a time as there are processors, and waits for the last. None is started after a
+/// failure. watch: called every few hundredths of a second with the number of programs that have ended. Result: exit
+/// codes, in order; 128 + signal for a killed program. The first code that is not 0 belongs to a program that failed.
 /// Fails: Interrupted, once the programs have been ended.
 std::vector<int> run_side_by_side(const std::vector<Command>& commands,
                                   const std::function<void(std::size_t ended)>& watch = {});

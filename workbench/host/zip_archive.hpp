@@ -5,9 +5,9 @@
 
 namespace mbgen {
 
-/// The archive with nothing in the heads of its entries that tells of the circumstances: times of access and creation
-/// become that of modification, owners become 0. `cmake -E tar --mtime` settles the time of modification alone.
-/// archive: as cmake writes it, without a comment at its end. Fails: std::runtime_error when it is no such archive.
+/// The archive without traces of its making in the heads of its entries: times of access and creation become the time
+/// of modification, owners become 0. `cmake -E tar --mtime` sets only the time of modification. archive: as cmake
+/// writes it, without a comment at its end. Fails: std::runtime_error for anything else.
 std::string without_circumstances(std::string archive);
 
 }  // namespace mbgen

@@ -1,6 +1,6 @@
 #pragma once
-// A mechanism on its way from a robot's file to a model: bodies placed at the reference configuration, joints in global
-// axes, so that whatever frames a format has, what is written meets at the reference.
+// A mechanism on its way from a robot's file to a model: bodies at the reference configuration, joints in global axes,
+// so that written points meet at the reference for any frames of the format.
 
 #include <Eigen/Geometry>
 #include <set>

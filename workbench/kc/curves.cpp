@@ -16,7 +16,7 @@ bool is_load(Sweep::Kind kind) { return kind >= Sweep::Kind::brake_force; }
 
 Load load_of(Sweep::Kind kind) { return kLoadOf[static_cast<int>(kind) - static_cast<int>(Sweep::Kind::brake_force)]; }
 
-/// The wheels that the rig has; what is missing is left empty.
+/// The wheels of the rig; a missing one is empty.
 AxleState wheels_of(const Rig& rig, const RigPoint& point) {
   return {wheel_of(rig, point, 0), wheel_of(rig, point, 1)};
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The curves of a rig: points one after the other, and what is read of them.
+// The curves of a rig: successive points, and their evaluation.
 
 #include <functional>
 #include <string>

@@ -30,8 +30,7 @@ WheelGeometry geometry_of(const WheelState& wheel);
 /// The wheel of a point of the rig.
 WheelState wheel_of(const Rig& rig, const RigPoint& point, int which);
 
-/// The wheel on the other side of a symmetric axle: its mirror about the plane y = 0, with what is imposed mirrored
-/// too.
+/// The wheel on the other side of a symmetric axle: its mirror about the plane y = 0, with mirrored inputs.
 WheelState mirrored(const WheelState& wheel);
 
 /// Velocity, per unit of a direction, of the place of the wheel body that is at the patch: the wheel does not turn on

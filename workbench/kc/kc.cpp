@@ -133,8 +133,8 @@ std::string note_of_hanging(const std::vector<OtherWheels>& hanging) {
   return fmt::format("wheels of {} hang free: on pads they would have no position of rest", names);
 }
 
-/// The rig with other axles on pads; those that cannot stand there hang free, which a note tells.
-/// Fails: UserError. Cost: a rig for each other axle where one cannot stand.
+/// The rig with other axles on pads; axles that cannot stand there hang free, with a note. Fails: UserError. Cost: a
+/// rig for each other axle if one cannot stand.
 StandingRig standing_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at,
                          std::vector<std::string>& notes) {
   Result<StandingRig> on_pads = standing_rig(user, axle, at, Pads{});

@@ -27,7 +27,7 @@ struct MountedWheel {
   Vector3 axis;
 };
 
-/// Turns the user's model into that of the rig.
+/// Converts the user's model to the model of the rig.
 class RigBuilder {
  public:
   RigBuilder(const Compilation& user, const Axle& axle, const OperatingPoint& at, const Pads& pads)

@@ -93,8 +93,8 @@ Status find_point(const Rig& rig, const RigInputs& imposed, const GenericState& 
 /// Result: none, or why they cannot be had.
 std::optional<Diagnostic> add_slopes(const Rig& rig, RigPoint& point);
 
-/// Chooses the partitions of the rig's loops for a position, where those that it has stand badly there and others do
-/// not. Coordinates stay the same ones.
+/// Chooses the partitions of the rig's loops for a position, if the present ones are ill-conditioned there and others
+/// are not. The coordinates remain the same.
 void choose_at(Rig& rig, const GenericState& state);
 
 }  // namespace mbgen::kc

@@ -30,7 +30,7 @@ double heading_of(const Model& model, const std::vector<Pose>& poses, const Tyre
   return std::atan2(-axis[0], axis[1]);
 }
 
-/// Mean heading of the foremost wheels less that of the rearmost, with a value at the steering input.
+/// Mean heading of the foremost wheels minus that mean for the rearmost wheels, with a value at the steering input.
 std::optional<double> steered(const Compilation& c, GenericState state, std::vector<double> inputs, double change) {
   GenericSolver solver(c.model, c.topology, c.analysis);
   inputs[static_cast<std::size_t>(c.model.vehicle->steer)] += change;

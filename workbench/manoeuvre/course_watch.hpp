@@ -26,8 +26,8 @@ struct CourseWatch {
   std::vector<std::string> warnings(double most) const;
 };
 
-/// Angle of the wheels of the foremost tyres less that of the rearmost, rad to the left, for one at the steering input;
-/// at a start. None where the input moves no wheels: it is no angle then, or a force turns them.
+/// Angle of the wheels of the foremost tyres minus the angle of the rearmost, rad to the left, for one at the steering
+/// input; at a start. None if the input moves no wheels: it is then no angle, or a force turns them.
 std::optional<double> steering_slope(const Compilation& compilation, const GenericState& start,
                                      const std::vector<double>& inputs);
 

@@ -27,11 +27,11 @@ struct CoursePlace {
 /// The place for a motion, near the last one.
 CoursePlace find_place(const Path& path, const PlaneMotion& motion, double last_way);
 
-/// The mean angle of the road wheels, rad, by which the vehicle would follow the course. The curvature is that of the
-/// course where the vehicle is in lag seconds, and a correction: the deviation e of the course at the preview
-/// distance L from the straight line along the velocity, less what the course bends away itself, gives 2 gain e / L^2
-/// (single-point preview: M. Kondo, A. Ajimine, SAE 680104; C. C. MacAdam, Vehicle System Dynamics 40 (2003)). Wheels
-/// turn by wheelbase times curvature, and by `understeer` times the acceleration across.
+/// The mean angle of the road wheels, rad, for which the vehicle would follow the course. The curvature is the course's
+/// curvature at the vehicle's position after lag seconds, plus a correction: the deviation e of the course at the
+/// preview distance L from the straight line along the velocity, minus the bend of the course itself, gives 2 gain e /
+/// L^2 (single-point preview: M. Kondo, A. Ajimine, SAE 680104; C. C. MacAdam, Vehicle System Dynamics 40 (2003)).
+/// Wheels turn by wheelbase times curvature, and by `understeer` times the lateral acceleration.
 double steering_wish(const Path& path, const CoursePlace& place, const PlaneMotion& motion,
                      const DriverSettings& driver, double wheelbase);
 

@@ -29,7 +29,7 @@ struct Diagram {
 struct VehicleMetrics {
   std::vector<VehicleMetric> values = {};
   std::vector<Diagram> diagrams = {};
-  /// Numbers that are not given with the reason; what to know about those that are.
+  /// Missing metrics with the reason; remarks on the others.
   std::vector<std::string> notes = {};
 };
 

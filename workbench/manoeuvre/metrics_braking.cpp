@@ -47,7 +47,7 @@ Fall fall_to(const Way& way, double speed) {
   if (std::isnan(time) || i == 0) return {std::nan(""), std::nan("")};
   if (i == way.t.size()) return {time, way.length.back()};
   const double step = way.t[i] - way.t[i - 1], share = (time - way.t[i - 1]) / step;
-  // The way between two points is that of a constant deceleration.
+  // Between two points the deceleration is constant.
   const double bend = (way.speed[i] - way.speed[i - 1]) * step / 2 * share * (share - 1);
   return {time, way.length[i - 1] + share * (way.length[i] - way.length[i - 1]) + bend};
 }

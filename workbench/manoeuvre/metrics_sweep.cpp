@@ -56,7 +56,7 @@ Spectra spectra_with_begin(const Values& input, const Values& output, double tim
 /// The lines from the lowest to the highest frequency that the steer angle holds.
 Span excited_lines(const Spectra& spectra, const SineSweep& asked, double segment) {
   const double strongest = *std::max_element(spectra.input.begin(), spectra.input.end());
-  // Two lines of a segment: the window's main lobe is free of that of negative frequencies.
+  // Two lines of a segment: the window's main lobe does not reach negative frequencies.
   const double lowest = std::max(asked.lowest, 2 / segment) * (1 - 1e-9);
   const auto frequency = [&](std::size_t k) { return spectra.step * static_cast<double>(k); };
   const auto is_excited = [&](std::size_t k) { return spectra.input[k] >= kLeastPower * strongest; };

@@ -22,7 +22,7 @@ struct Signal {
   /// Adds `change` from the instant `at` on, over some seconds as 10 u^3 - 15 u^4 + 6 u^5: the second derivative is
   /// continuous, and the largest rate is kSmoothRate change / over.
   void add_change(double change, double at, double over);
-  /// Adds what is missing to end at a value, also where earlier changes still go on.
+  /// Adds the change that is needed to end at a value, even if earlier changes still continue.
   void go_to(double value, double at, double over);
   /// Adds a change at a constant rate; it begins and ends within a second.
   void add_ramp(double change, double at, double rate);

@@ -30,7 +30,7 @@ GroundPlace middle(const std::vector<GroundPlace>& wheels) {
   return sum;
 }
 
-/// Directions from neighbour to neighbour; of a single place that of the wish.
+/// Directions from neighbour to neighbour; for a single place the requested direction.
 void head(const StripWish& wish, std::vector<Station>& places) {
   const std::vector<Station> old = places;
   for (std::size_t i = 0; i < places.size(); ++i) {

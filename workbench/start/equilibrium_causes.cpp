@@ -43,8 +43,8 @@ std::string placed(const std::string& kind, const std::string& name, const Where
   return where.line > 0 ? fmt::format("{} ({}:{}:{})", named, where.file, where.line, where.column) : named;
 }
 
-/// `radius of tyre "fl"`, with its place: that in the .tir file where a note on the file tells this number, which the
-/// tyre has from there, else that of the tyre.
+/// `radius of tyre "fl"`, with its place: in the .tir file if a note on the file says that the tyre has this number
+/// from there, else in the tyre.
 std::string placed_value(const Model& model, const Tyre& tyre, const char* what, const char* key, double number) {
   const std::string said = fmt::format(" is {:.6g} ", number);
   const auto tells = [&](const Diagnostic& note) {

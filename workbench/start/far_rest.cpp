@@ -23,7 +23,7 @@ bool is_meant_at_reference(const Model& model) {
   return model.gravity[0].value == 0 && model.gravity[1].value == 0;
 }
 
-/// The body that a vehicle is: that of its reference point, or the heaviest one.
+/// The body of a vehicle: the body of its reference point, or the heaviest one.
 std::size_t vehicle_body(const Model& model) {
   if (model.vehicle && model.vehicle->reference.body >= 0)
     return static_cast<std::size_t>(model.vehicle->reference.body);

@@ -1,5 +1,5 @@
 #pragma once
-// Linearly implicit steps of several instances in lanes, see batch_steps.hpp. `System` is that of batch.hpp with the
+// Linearly implicit steps of several instances in lanes, see batch_steps.hpp. `System` is as in batch.hpp, with the
 // programs tangents and changes, and StepSize, a struct of the row `step`.
 
 #include "mbgen/batch_steps.hpp"

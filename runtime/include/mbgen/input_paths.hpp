@@ -145,8 +145,8 @@ class InputPaths {
     return kRows[r].last_is_made && !rows_[r].last_given && wanted.*kRows[r].members[kRows[r].size - 1] == 0;
   }
 
-  /// Slope of the rate before the last one since the last step began; that of the step before it where nobody gave the
-  /// rate anew.
+  /// Slope of the second last rate since the last step began; if the caller did not change the rate, the slope of the
+  /// previous step.
   static Real slope(const Row& row, Real rate) noexcept {
     return row.size > 0 && rate != row.before ? (rate - row.before) / row.size : row.made;
   }

@@ -126,12 +126,9 @@ int count_of_phrases(const std::string& source) {
 
 /// Phrases of kBadPhrases that a room may have. Lower a number when a room has fewer; raise none.
 const std::map<std::string, int> kMostPhrases = {
-    {"algebra", 1},  {"analysis", 17},   {"decimal", 1},   {"describe", 4}, {"drawing", 1},       {"emit", 16},
-    {"engines", 1},  {"expressions", 3}, {"fmu", 2},       {"formats", 3},  {"formulation", 43},  {"generic", 3},
-    {"host", 5},     {"import", 12},     {"judges", 12},   {"kc", 7},       {"linearisation", 5}, {"manoeuvre", 23},
-    {"model", 10},   {"motion", 6},      {"operating", 4}, {"pairs", 10},   {"passes", 6},        {"program", 6},
-    {"reader", 27},  {"report", 1},      {"runtime", 36},  {"schedule", 8}, {"solver", 3},        {"start", 4},
-    {"topology", 4}, {"trace", 3}};
+    {"analysis", 2}, {"describe", 4},      {"emit", 2},       {"expressions", 1}, {"formats", 1},   {"formulation", 43},
+    {"judges", 12},  {"linearisation", 3}, {"manoeuvre", 15}, {"model", 10},      {"operating", 1}, {"pairs", 1},
+    {"passes", 2},   {"program", 3},       {"reader", 27},    {"runtime", 6},     {"schedule", 3},  {"topology", 4}};
 
 TEST(Comments, BeginWithTheirSubject) {
   int files = 0;

@@ -10,7 +10,7 @@ constexpr double kWornPivot = 0.3;
 constexpr double kWornAtEvent = 0.33;
 /// Condition below which a state in the held coordinates does not determine the assembly mode.
 constexpr double kLostPivot = 0.05;
-/// Smallest pivot of held coordinates over that of full pivoting: a smaller ratio is ill-conditioned from the start.
+/// Smallest pivot of held coordinates, relative to full pivoting: a smaller ratio is ill-conditioned from the start.
 constexpr double kBadPivot = 0.01;
 
 }  // namespace mbgen

@@ -43,7 +43,7 @@ void add_changes(const double (&weights)[K], double h, const StateRates<System>*
     zd[k] = &changes[k]->derivative.zdd;
     x[k] = &changes[k]->derivative.xd;
   }
-  // Entry by entry: combine() takes overlapping parts of arrays, which must not be those that it writes.
+  // Entry by entry: combine() reads overlapping parts of arrays, which must differ from the arrays that it writes.
   const auto add = [&](auto& to, const auto& values) {
     for (std::size_t i = 0; i < size_of(to); ++i) combine_entry(to, factors, values, i, to);
   };
