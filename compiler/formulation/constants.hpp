@@ -24,7 +24,7 @@ struct Environment {
   std::vector<T> users_z, users_zd;  ///< as the model counts them, for expressions; empty: z and zd
   std::vector<T> locals;
   std::vector<T> states;          ///< of the user's own, then sampled values and what they will be
-  std::vector<T> lengths, rates;  ///< of springs, air springs, rods: m, m/s; those that an expression looks at
+  std::vector<T> lengths, rates;  ///< of springs, air springs, rods: m, m/s; only of elements in expressions
 
   T parameter(int i) const { return parameters[i]; }
   T input(int i) const { return inputs[i]; }

@@ -86,8 +86,8 @@ struct EnvelopePoint {
   T height;  ///< m
 };
 
-/// Edges of obstacles, just inside of what is high, so that the road there is the upper one; those beyond the cams
-/// stand at their ends. On a step the cam so stands on the edge itself while it passes, whatever places it looks at.
+/// Edges of obstacles, just inside the higher side, so that the road there is the upper one; edges beyond the cams are
+/// moved to their ends. So the cam stands on the edge itself while it passes, for any evaluation points.
 template <class T>
 void add_edges(const EnvelopeRow<T>& row, const T& reach, std::vector<EnvelopePoint<T>>& points) {
   using mbgen::select;
