@@ -44,7 +44,7 @@ Model read_named(const GenerateOptions& options) {
   return model;
 }
 
-/// Fails: UserError for a budget that is none.
+/// Fails: UserError for an invalid budget.
 void check_budget(const GenerateOptions& options) {
   if (!options.budget) return;
   if (!options.measure) throw UserError("--budget-us: needs --measure\n");

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers with their derivatives along what a rig imposes.
+// Numbers with their derivatives along the inputs of a rig.
 
 #include <cmath>
 
