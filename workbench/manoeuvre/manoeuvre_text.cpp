@@ -1,4 +1,4 @@
-// Result of a manoeuvre, for people and machines.
+// Result of a manoeuvre as text and as JSON.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
