@@ -16,7 +16,7 @@ constexpr std::size_t kLongestCoordinate = 3;  // "_tx"
 
 using reading::is_digit, reading::is_letter, reading::kLongestName;
 
-/// The name, or the name with the first number that makes `is_free` true.
+/// The name, or the name with the first number for which `is_free` is true.
 template <class IsFree>
 std::string numbered(const std::string& name, const IsFree& is_free) {
   std::string candidate = name;
@@ -81,7 +81,7 @@ void add_stops(const ImportRequest& request, Assembly& assembly, const std::stri
 }
 
 void add_rotor(Assembly& assembly, const std::string& coordinate, double inertia) {
-  constexpr double kRadius = 0.1;  // m, of the disc; only its inertia about the axis has an effect
+  constexpr double kRadius = 0.1;  // m, of the disc; only its axial inertia matters
   BodyDraft rotor{.name = unique_name(coordinate + "_rotor", assembly.body_names)};
   rotor.mass = 2 * inertia / (kRadius * kRadius);
   rotor.inertia = Vector3d(inertia / 2, inertia / 2, inertia).asDiagonal();
@@ -98,7 +98,7 @@ void add_rotor(Assembly& assembly, const std::string& coordinate, double inertia
 
 std::string number_text(double value) {
   if (value == 0 || !std::isfinite(value)) return value == 0 ? "0" : fmt::format("{}", value);
-  // A few units of the last place are rounding where thirteen digits are as good.
+  // A difference of a few units in the last place is rounding: thirteen digits are then sufficient.
   constexpr double kRounding = 8e-16;
   const std::string typed = fmt::format("{:.12e}", value);
   double rounded = value;

@@ -1,6 +1,6 @@
 #pragma once
-// A mechanism on its way from a robot's file to a model: bodies at the reference configuration, joints in global axes,
-// so that written points meet at the reference for any frames of the format.
+// Intermediate form of a mechanism between a robot's file and a model: bodies in the reference configuration, joints in
+// global axes. Points written from it coincide at the reference for any frames of the format.
 
 #include <Eigen/Geometry>
 #include <set>
@@ -21,13 +21,13 @@ constexpr int kGroundDraft = 0;  ///< index of the ground in Assembly::bodies
 
 struct BodyDraft {
   std::string name;
-  Isometry3d pose = Isometry3d::Identity();                   ///< body frame in the global one at the reference
-  double mass = 0;                                            ///< kg
-  Vector3d com = Vector3d::Zero();                            ///< m, body frame
-  Matrix3d inertia = Matrix3d::Zero();                        ///< kg m^2 about the centre of mass, body axes
+  Isometry3d pose = Isometry3d::Identity();  ///< body frame relative to the global frame at the reference
+  double mass = 0;                           ///< kg
+  Vector3d com = Vector3d::Zero();           ///< m, body frame
+  Matrix3d inertia = Matrix3d::Zero();       ///< kg m^2 about the centre of mass, body axes
   std::vector<std::pair<std::string, Vector3d>> points = {};  ///< m, body frame
   std::string comment = {};
-  std::string title = {};        ///< as messages call it: link "arm"
+  std::string title = {};        ///< in messages: link "arm"
   Spot inertia_spot = {};        ///< where its inertia is given
   bool accepts_inertia = false;  ///< though no rigid body has it
 };
@@ -52,7 +52,7 @@ struct FrictionDraft {
   double coulomb = 0;
 };
 
-/// How a body looks, or a part of it.
+/// Shape of a body, or of a part of it.
 struct ShapeDraft {
   std::string name = {}, type = {};  ///< box, cylinder or sphere
   int body = kGroundDraft;
@@ -61,27 +61,27 @@ struct ShapeDraft {
   std::string colour = {};
 };
 
-/// An input that sets forces on coordinates.
+/// An input for forces on coordinates.
 struct InputDraft {
   std::string name, unit;
 };
 
-/// A generalised force by an expression.
+/// A generalised force as an expression.
 struct JointForceDraft {
   std::string name, coordinate, force;
 };
 
-/// A relation between coordinates: an expression that stays zero.
+/// A constraint between coordinates: an expression equal to zero.
 struct CouplingDraft {
   std::string name, relation;
 };
 
-/// A state of its own, zero at the start, by its derivative.
+/// An auxiliary state with its derivative, zero at the start.
 struct StateDraft {
   std::string name, derivative, unit;
 };
 
-/// An end of a coordinate's range.
+/// A stop at an end of a coordinate's range.
 struct StopDraft {
   std::string name, coordinate;
   bool is_above = true;
@@ -104,39 +104,39 @@ struct Assembly {
   double stop_stiffness = 0;  ///< N m/rad or N/m
   std::vector<ShapeDraft> shapes;
   std::set<std::string> body_names{"ground"}, coordinate_names, shape_names, force_names, coupling_names, stop_names;
-  /// Expressions know these as something else.
+  /// Names with another meaning in expressions.
   std::set<std::string> input_names{"pi",   "t",    "z",    "zd",    "sqrt", "sin",   "cos",  "tan",
                                     "asin", "acos", "atan", "atan2", "exp",  "log",   "tanh", "abs",
                                     "min",  "max",  "pow",  "sign",  "step", "select"};
 };
 
-/// A speed at which Coulomb friction is half smoothed: rad/s or m/s. Robots' formats have none.
+/// Regularisation speed of Coulomb friction, rad/s or m/s. Robots' formats have none.
 constexpr double kFrictionVelocity = 1e-3;
 
-/// The text as a name of the model format that none of `taken` is; it is added to them. Characters other than letters
-/// and digits become _.
+/// The text as a valid name of the model format not in `taken`; it is added there. Characters other than letters and
+/// digits become _.
 std::string unique_name(std::string_view text, std::set<std::string>& taken);
 std::string valid_name(std::string_view text);
 
-/// A name for a joint, such that its coordinates have names of their own.
+/// A joint name that gives its coordinates unique names.
 std::string unique_joint_name(Assembly& assembly, std::string_view text);
 
-/// Adds a point to a body, under this name or one like it. Result: its name.
+/// Adds a point to a body, under this name or a similar one. Result: its name.
 std::string add_point(BodyDraft& body, std::string_view name, const Vector3d& position);
 
-/// Spring, damper and friction of a coordinate, where they are not zero.
+/// Spring, damper and friction of a coordinate, if not zero.
 void add_joint_forces(Assembly& assembly, const std::string& coordinate, double stiffness, double damping, double free,
                       double friction);
 
-/// Stops at the ends of a coordinate's range, where the request asks for them; an end that is not finite has none.
+/// Stops at the finite ends of a coordinate's range, if the request asks for them.
 void add_stops(const ImportRequest& request, Assembly& assembly, const std::string& coordinate, double lower,
                double upper);
 
-/// The inertia that a geared rotor adds to one coordinate (kg m^2 or kg) and to nothing else: a disc that hangs on the
-/// ground by its centre and turns as the coordinate moves.
+/// Reflected inertia of a geared rotor on one coordinate (kg m^2 or kg): a disc on the ground, supported at its centre,
+/// with the coordinate as its angle.
 void add_rotor(Assembly& assembly, const std::string& coordinate, double inertia);
 
-/// A factor of a name in an expression.
+/// A term of a linear expression: factor and name.
 struct Term {
   double factor = 0;
   std::string name = {};  ///< empty: the number alone
@@ -144,14 +144,14 @@ struct Term {
 /// The sum as text, without terms of factor zero; "0" where none is left.
 std::string sum_text(const std::vector<Term>& terms);
 
-/// The number as a person would type it: without the last digits that products of decimals leave.
+/// The number as typed by a person: without trailing digits from rounding of decimal products.
 std::string number_text(double value);
 
-/// At most three of the names in quotes, and the number of the others: "a", "b", "c" and 4 more.
+/// At most three of the names in quotes, and the number of others: "a", "b", "c" and 4 more.
 std::string few_names(const std::vector<std::string>& names);
 
-/// Says of inertias that no rigid body has why they may stand: bodies that fixed joints hold together count together,
-/// and bodies fixed to the ground do not matter. Fails (with problems): where the mass matrix would be indefinite.
+/// Notes on physically impossible inertias that are harmless: rigidly connected bodies count together, and bodies fixed
+/// to the ground do not matter. Fails (with problems): for an indefinite mass matrix.
 void check_inertias(Reading& reading, Assembly& assembly);
 
 /// Text of the model.

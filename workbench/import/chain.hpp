@@ -1,5 +1,5 @@
 #pragma once
-// A mechanism as a tree of joints and the loops that close it, of no format: bodies are indices of poses.
+// Format-independent mechanism: a tree of joints with the loops that close it; bodies are indices of poses.
 
 #include <limits>
 
@@ -7,7 +7,7 @@
 
 namespace mbgen::importing {
 
-/// Two frames that a loop brings together.
+/// Two frames that coincide in a closed loop.
 struct LoopEnds {
   JointType type = JointType::fixed;
   Isometry3d from = Isometry3d::Identity(), to = Isometry3d::Identity();
@@ -20,10 +20,10 @@ struct Gap {
   bool is_below(double length, double angle) const { return apart.norm() <= length && turned.norm() <= angle; }
 };
 
-/// Of the ends of a loop, both in the same frame, in the axes of its frame on `from`.
+/// Gap between the ends of a loop, both in the same frame, in the axes of its frame on `from`.
 Gap gap_between(const LoopEnds& ends);
 
-/// A joint of the tree. One of several coordinates moves, too; it has no position.
+/// A joint of the tree. A joint of several coordinates moves too, but has no position.
 struct ChainJoint {
   std::string name;  ///< for messages
   JointType type = JointType::fixed;
@@ -33,8 +33,9 @@ struct ChainJoint {
   Vector3d axis{1, 0, 0};                                                   ///< unit, in its frame
   double position = 0;                                                      ///< rad or m
   double lower = -std::numeric_limits<double>::infinity(), upper = -lower;  ///< rad or m
-  int leader = -1;                    ///< joint that it follows; circles of leaders are not allowed
-  std::vector<double> relation = {};  ///< position = sum of relation[k] (leader's position)^k; alone without a leader
+  int leader = -1;                                                          ///< joint that it follows; no cycles
+  std::vector<double> relation =
+      {};  ///< position = sum of relation[k] (leader's position)^k; one term without a leader
 };
 
 struct ChainLoop {
@@ -45,7 +46,7 @@ struct ChainLoop {
 
 /// A mechanism as a tree of joints and the loops that close it.
 struct Chain {
-  std::vector<ChainJoint> joints;  ///< in any order; a body that is `to` of none stays where it is
+  std::vector<ChainJoint> joints;  ///< in any order; a body that is `to` of no joint is fixed
   std::vector<Isometry3d> poses;   ///< of the bodies, global
   std::vector<ChainLoop> loops;
 };

@@ -1,4 +1,4 @@
-// Loops of any format: the chain as the search has it, and the words about its result.
+// Closing of loops for all formats: the chain in the form of the search, and texts about its result.
 #include "workbench/import/closing.hpp"
 
 #include <fmt/format.h>
@@ -11,9 +11,10 @@
 namespace mbgen::importing {
 namespace {
 
-constexpr std::size_t kMostLoops = 300;  // of which all are closed together
+constexpr std::size_t kMostLoops = 300;  // largest number of loops closed at once
 
-/// Adds a joint as single ones, with bodies of their own between them: three ways and three turns of a free one.
+/// Adds a joint as single-coordinate joints with bodies between them: three translations and three rotations for a free
+/// one.
 void add_parts(Closing& closing, const ChainJoint& joint) {
   struct Part {
     JointType type;
@@ -46,7 +47,7 @@ void add_parts(Closing& closing, const ChainJoint& joint) {
   }
 }
 
-/// The joints between a body and what stands, by the joint that each body hangs on.
+/// Joints between a body and the fixed bodies. above: the joint of each body.
 std::set<int> joints_above(const Closing& closing, const std::vector<int>& above, int body) {
   std::set<int> joints;
   for (int at = above[static_cast<std::size_t>(body)]; at >= 0;) {
@@ -56,13 +57,13 @@ std::set<int> joints_above(const Closing& closing, const std::vector<int>& above
   return joints;
 }
 
-/// The chain as the search has it: its joints first, in their order, so that their indices stay.
+/// The chain in the form of the search: its joints first, in their order, so that their indices are kept.
 Closing closing_of(const Chain& chain) {
   Closing closing;
   closing.poses = chain.poses;
   for (const ChainJoint& joint : chain.joints) {
     closing.joints.push_back(joint);
-    // The parts take its place.
+    // The single-coordinate joints replace it.
     const bool has_parts =
         joint.type == JointType::free || joint.type == JointType::planar || joint.type == JointType::spherical;
     if (has_parts) closing.joints.back().from = closing.joints.back().to = -1;
@@ -90,7 +91,7 @@ Closing closing_of(const Chain& chain) {
   return closing;
 }
 
-/// Joints that can move and have a part in a loop.
+/// Joints that can move and belong to a loop.
 void choose_movable(Closing& closing) {
   for (std::size_t i = 0; i < closing.joints.size(); ++i) {
     const ChainJoint& joint = closing.joints[i];
@@ -103,14 +104,14 @@ void choose_movable(Closing& closing) {
   }
 }
 
-/// The largest distance of a body from the last one, m; 1 where all are at one place.
+/// Largest distance of a body from the last one, m; 1 if all coincide.
 double size_of(const std::vector<Isometry3d>& poses) {
   double size = 0;
   for (const Isometry3d& pose : poses) size = std::max(size, (pose.translation() - poses.back().translation()).norm());
   return size > 0 ? size : 1;
 }
 
-/// The moves that a message tells.
+/// Moved joints for a message.
 std::string moves_text(const std::vector<ChainJoint>& before, const std::vector<ChainJoint>& now) {
   constexpr double kMoved = 1e-7;  // rad or m
   constexpr int kShown = 6;
@@ -125,10 +126,10 @@ std::string moves_text(const std::vector<ChainJoint>& before, const std::vector<
   return count > kShown ? moves + fmt::format(" and {} more", count - kShown) : moves;
 }
 
-/// Rounding is no gap.
+/// Gap without rounding errors.
 double without_rounding(double gap) { return gap < kOpen * 1e-3 ? 0 : gap; }
 
-/// The gaps that stay open, by loop.
+/// Records the gaps that remain open, by loop.
 void tell_open(const Closing& closing, Closed& closed) {
   const std::vector<Gap> gaps = closing.gaps();
   for (std::size_t i = 0; i < gaps.size(); ++i) {
@@ -139,7 +140,7 @@ void tell_open(const Closing& closing, Closed& closed) {
   }
 }
 
-/// Whether joints that follow others stand where their leaders want them.
+/// Whether all followers have the positions given by their leaders.
 bool are_led(const Closing& closing) {
   Closing led = closing;
   led.follow();

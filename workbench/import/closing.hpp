@@ -1,5 +1,5 @@
 #pragma once
-// Loops whose ends do not meet as written are closed by moving the joints, as a start is assembled.
+// Open loops are closed by moving the joints, in the same way as a start is assembled.
 
 #include <map>
 
@@ -8,11 +8,11 @@
 namespace mbgen::importing {
 
 struct Closed {
-  bool has_moved = false;  ///< loops or relations were open, and all close now
-  double widest = 0;       ///< m, the largest gap as written
-  double remaining = 0;    ///< m, the largest gap that is left
-  std::string moves = {};  ///< `, "knee" by 0.3 rad` for the first joints that were moved
-  std::map<std::string, std::string, std::less<>> left_open = {};  ///< by loop: how far no position closes it
+  bool has_moved = false;  ///< loops or relations were open, and all are closed now
+  double widest = 0;       ///< m, largest gap as written
+  double remaining = 0;    ///< m, largest remaining gap
+  std::string moves = {};  ///< `, "knee" by 0.3 rad` for the first moved joints
+  std::map<std::string, std::string, std::less<>> left_open = {};  ///< by loop: remaining gap
 };
 
 /// Closes loops that are open as written by moving the joints of the tree, within their limits and as little as will

@@ -1,4 +1,4 @@
-// Joints are moved until the ends of loops meet: Gauss-Newton steps within the joints' limits.
+// Closing of loops: Gauss-Newton steps within the joints' limits.
 #include "workbench/import/closing_search.hpp"
 
 #include <cmath>
@@ -11,12 +11,12 @@
 namespace mbgen::importing {
 namespace {
 
-constexpr double kLeft = 2e-3, kLeftTurned = 5e-3;  // m and rad that may be left when no joint closes more
+constexpr double kLeft = 2e-3, kLeftTurned = 5e-3;  // m and rad, accepted remaining gap
 
 using Loops = Closing::Loops;
 using Columns = std::vector<std::size_t>;  ///< indices into Closing::movable
 
-/// A step within the limits: joints that would leave them stay at them, the others make up for it.
+/// A step within the limits: joints at their limits are fixed, the others compensate.
 VectorXd bounded_step(const Closing& closing, const Columns& columns, const MatrixXd& slopes, const VectorXd& at,
                       const VectorXd& positions, double damping) {
   constexpr double kRank = 1e-6;
@@ -52,8 +52,8 @@ VectorXd bounded_step(const Closing& closing, const Columns& columns, const Matr
   return step;
 }
 
-/// Brings the ends of loops as near to each other as Gauss-Newton steps of these joints from here can; damped where
-/// they overshoot. Result: the sum of squares that is left.
+/// Minimises the gaps of loops over these joints from the present positions by damped Gauss-Newton steps. Result: the
+/// remaining sum of squares.
 double close_some(Closing& closing, const Loops& loops, const Columns& columns) {
   constexpr int kIterations = 200;
   constexpr double kDone = 1e-26, kGain = 1e-10, kLargest = 1.0;
@@ -99,7 +99,7 @@ Columns joints_of(const Closing& closing, const Loops& loops) {
   return columns;
 }
 
-/// Joints that move the last loop and none before it.
+/// Joints that move the last loop only.
 Columns own_joints(const Closing& closing, const Loops& loops) {
   Columns own;
   for (const std::size_t k : joints_of(closing, {loops.back()})) {
@@ -109,8 +109,8 @@ Columns own_joints(const Closing& closing, const Loops& loops) {
   return own;
 }
 
-/// Closes loops from here, and from other places of `spread` joints, near ones first; the best place stays.
-/// Result: whether they close.
+/// Closes loops from the present positions, then from random positions of `spread` joints, near ones first; keeps the
+/// best. Result: whether they close.
 bool close_from_many(Closing& closing, const Loops& loops, const Columns& columns, const Columns& spread, int tries) {
   const VectorXd start = closing.positions();
   VectorXd nearest = start;
@@ -121,7 +121,7 @@ bool close_from_many(Closing& closing, const Loops& loops, const Columns& column
     for (const std::size_t k : spread) {
       const ChainJoint& joint = closing.joint(closing.movable[k]);
       const double reach = (joint.type == JointType::revolute ? 3.14 : closing.size) * i / tries;
-      // Not a distribution of the library, whose numbers are its own.
+      // Distributions of the standard library differ between implementations.
       const double share = 2.0 * random() / static_cast<double>(std::mt19937::max()) - 1;
       const auto index = static_cast<Eigen::Index>(k);
       guess[index] = std::clamp(guess[index] + reach * share, joint.lower, joint.upper);
@@ -137,7 +137,7 @@ bool close_from_many(Closing& closing, const Loops& loops, const Columns& column
   return false;
 }
 
-/// Closes the last of the loops by the joints that it alone has; where these do not reach, by all.
+/// Closes the last loop by its own joints; by all joints if these are not sufficient.
 void close_next(Closing& closing, const Loops& loops) {
   constexpr int kTries = 40;
   const Columns own = own_joints(closing, loops), all = joints_of(closing, loops);
@@ -146,7 +146,7 @@ void close_next(Closing& closing, const Loops& loops) {
   close_from_many(closing, loops, all, own.empty() ? joints_of(closing, {loops.back()}) : own, tries);
 }
 
-/// Loops that joints connect: no joint moves loops of two groups.
+/// Groups of loops with common joints: no joint moves loops of two groups.
 std::vector<Loops> groups_of(const Closing& closing) {
   std::vector<std::size_t> group_of(closing.closures.size());
   for (std::size_t loop = 0; loop < group_of.size(); ++loop) group_of[loop] = loop;
@@ -165,7 +165,7 @@ std::vector<Loops> groups_of(const Closing& closing) {
   return list;
 }
 
-/// All loops of a group together; where that leads nowhere, one after the other.
+/// Closes all loops of a group together; if that fails, one after the other.
 void close_group(Closing& closing, const Loops& loops) {
   const Columns columns = joints_of(closing, loops);
   const VectorXd start = closing.positions();

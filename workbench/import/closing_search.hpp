@@ -1,5 +1,5 @@
 #pragma once
-// The search for positions at which loops close: its values, and its door.
+// Search for joint positions at which loops close: data and interface.
 
 #include <algorithm>
 #include <set>
@@ -19,20 +19,20 @@ inline bool all_below(const std::vector<Gap>& gaps, double length, double angle)
   return std::all_of(gaps.begin(), gaps.end(), [&](const Gap& gap) { return gap.is_below(length, angle); });
 }
 
-/// A loop, and the joints between its ends and what stands.
+/// A loop, and the joints between its ends and the fixed bodies.
 struct Closure {
   ChainLoop loop;
   std::set<int> moving_from = {}, moving_to = {};
 };
 
-/// The loops over the positions of the joints. Joints of several coordinates are rows of single ones here.
+/// Loops as functions of joint positions. Joints of several coordinates are split into single ones here.
 struct Closing {
   std::vector<ChainJoint> joints = {};
   std::vector<Isometry3d> poses = {};
   std::vector<std::size_t> order = {};  ///< of the joints, outwards
   std::vector<Closure> closures = {};
-  std::vector<int> movable = {};  ///< joints that have one coordinate and a part in a loop, and follow none
-  double size = 1;                ///< m, that a radian is weighed with
+  std::vector<int> movable = {};  ///< joints of one coordinate in a loop, without a leader
+  double size = 1;                ///< m, length per radian in weighted sums
 
   ChainJoint& joint(int index) { return joints[static_cast<std::size_t>(index)]; }
   const ChainJoint& joint(int index) const { return joints[static_cast<std::size_t>(index)]; }
@@ -65,7 +65,7 @@ struct Closing {
     return std::all_of(loops.begin(), loops.end(),
                        [&](std::size_t loop) { return gap_between(global(closures[loop])).is_below(length, angle); });
   }
-  /// Whether a joint, or one that follows it, moves the ends of a loop against each other.
+  /// Whether a joint, or a follower of it, changes the gap of a loop.
   bool moves(int leader, std::size_t loop) const {
     for (const auto& [index, factor] : followers(leader)) {
       if (closures[loop].moving_from.contains(index) != closures[loop].moving_to.contains(index)) return true;
@@ -73,7 +73,7 @@ struct Closing {
     return false;
   }
 
-  /// A joint and its followers, with the slopes of their relations.
+  /// A joint and its followers, with the derivatives of their relations.
   std::vector<std::pair<int, double>> followers(int leader) const {
     std::vector<std::pair<int, double>> list = {{leader, 1.0}};
     for (std::size_t next = 0; next < list.size(); ++next) {
@@ -89,7 +89,7 @@ struct Closing {
     return list;
   }
 
-  /// How a joint moves what hangs on it, for a small change of its position.
+  /// Motion of the bodies behind a joint for a small change of its position.
   Isometry3d moving(int index, double change) const {
     const ChainJoint& moved = joint(index);
     const Isometry3d at = pose(moved.from) * moved.start;
@@ -103,7 +103,7 @@ struct Closing {
     return turn;
   }
 
-  /// Slope of the loops' gaps over a joint, by central differences; zero where it has no part.
+  /// Derivative of the loops' gaps by a joint's position, by central differences; zero for a joint outside a loop.
   VectorXd slope(int leader, const Loops& loops) const {
     constexpr double kStep = 1e-6;
     VectorXd column = VectorXd::Zero(6 * static_cast<Eigen::Index>(loops.size()));
@@ -140,7 +140,7 @@ struct Closing {
     place();
   }
 
-  /// Puts joints that follow others where their leaders want them. A leader may follow another one.
+  /// Sets followers to the positions given by their leaders. A leader may be a follower itself.
   void follow() {
     for (std::size_t pass = 0; pass < joints.size(); ++pass) {
       bool has_moved = false;
@@ -167,7 +167,7 @@ struct Closing {
   }
 };
 
-/// Moves the joints from places within their limits. Result: whether all loops close, but for what may be left.
+/// Closes the loops within the joints' limits. Result: whether all close, apart from accepted gaps.
 bool search(Closing& closing);
 
 }  // namespace mbgen::importing

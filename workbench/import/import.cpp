@@ -16,7 +16,7 @@ using importing::Assembly;
 using importing::Element;
 using importing::Reading;
 
-/// By the order in which files were opened, then by position.
+/// Sorts by file, in the order of opening, then by position.
 void sort_by_place(const Reading& reading, Diagnostics& list) {
   const auto file_index = [&](const std::string& file) {
     const auto found = std::find_if(reading.sources.begin(), reading.sources.end(),
@@ -29,7 +29,7 @@ void sort_by_place(const Reading& reading, Diagnostics& list) {
   });
 }
 
-/// The name of the robot, else the name of its file.
+/// Name of the robot, else of its file.
 std::string model_name(const ImportRequest& request, const Element& root) {
   const bool is_urdf = root.name == "robot";
   std::string name = importing::text_of(root, is_urdf ? "name" : "model");

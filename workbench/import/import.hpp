@@ -1,6 +1,6 @@
 #pragma once
-// The door of the import room: a robot in URDF or MJCF -> a model in mbgen's JSON, with a list of the elements that
-// could not be carried over.
+// Interface of the import room: converts a robot in URDF or MJCF to a model in mbgen's JSON, with a list of the
+// elements that could not be converted.
 
 #include <string>
 #include <vector>
@@ -13,16 +13,16 @@ namespace mbgen {
 struct ImportedModel {
   std::string name;                ///< of the model, from the robot's
   std::string format;              ///< "URDF" or "MJCF"
-  std::string json;                ///< the model, with comments, in the format that read_model takes
-  int bodies = 0, joints = 0;      ///< without the ground; with the joints that close loops
+  std::string json;                ///< the model, with comments, as input of read_model
+  int bodies = 0, joints = 0;      ///< without the ground; including loop-closing joints
   int loops = 0;                   ///< joints that close loops
-  Diagnostics notes;               ///< elements not carried over, or not as they stand, in order of position
-  std::vector<std::string> files;  ///< every file that was read, the robot's first
+  Diagnostics notes;               ///< elements lost or changed, in order of position
+  std::vector<std::string> files;  ///< all files read, the robot's first
 };
 
-/// Translates a robot. The root element says which format it has: <robot> is URDF, <mujoco> is MJCF.
-/// Ensures: joints meet at the reference configuration, which is the robot's at zero joint positions.
-/// Fails: with every problem found, in order of position.
+/// Converts a robot; its root element selects the format: <robot> for URDF, <mujoco> for MJCF. Ensures: joints are
+/// closed at the reference configuration, the robot's at zero joint positions. Fails: with every problem found, in
+/// order of position.
 Result<ImportedModel> import_robot(const ImportRequest& request);
 
 }  // namespace mbgen

@@ -1,4 +1,4 @@
-// Inertias that no rigid body has: files of real robots have them, and the group of bodies that moves as one decides.
+// Physically impossible inertias occur in files of real robots; the sum over rigidly connected bodies is decisive.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace mbgen::importing {
 namespace {
 
-/// Share of the trace; stricter than the model's reader, so that rounding of written numbers cannot matter.
+/// Fraction of the trace; stricter than the model's reader, so that rounding of written numbers has no effect.
 constexpr double kInertiaSlack = 0.5e-9;
 
 enum class Fault { none, indefinite, no_mass, triangle };
@@ -50,7 +50,7 @@ std::vector<int> rigid_groups(const Assembly& assembly) {
   return group;
 }
 
-/// Of the bodies of one group together.
+/// Finding for the bodies of one group together.
 Finding finding_of_group(const Assembly& assembly, const std::vector<int>& groups, int group) {
   double mass = 0;
   Vector3d centre = Vector3d::Zero();

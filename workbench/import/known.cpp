@@ -23,7 +23,7 @@ bool has_word(std::string_view list, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// The contexts whose elements may stand in this one, itself first.
+/// Contexts of the elements allowed in this one, itself first.
 std::vector<std::string_view> contexts_of(const KnownFormat& format, std::string_view context) {
   std::vector<std::string_view> contexts = {context};
   for (const SameContext& same : format.contexts) {
@@ -41,7 +41,7 @@ const KnownElement* row_of(const KnownFormat& format, std::string_view context, 
   return nullptr;
 }
 
-/// Names of the elements that a context may have.
+/// Names of the elements allowed in a context.
 std::vector<std::string_view> names_in(const KnownFormat& format, std::string_view context) {
   std::vector<std::string_view> names;
   for (const std::string_view candidate : contexts_of(format, context)) {
@@ -61,7 +61,7 @@ std::vector<std::string_view> attributes_of(const KnownFormat& format, const Kno
   return names;
 }
 
-/// Names with a prefix are of other programs; xmlns tells where they come from.
+/// Names with a prefix belong to other programs; xmlns declares them.
 bool is_foreign(std::string_view name) { return name.find(':') != std::string_view::npos; }
 bool is_namespace(std::string_view name) { return name == "xmlns" || name.starts_with("xmlns:"); }
 
@@ -69,7 +69,7 @@ struct Walk {
   struct Told {
     Spot first;
     int count = 0;
-    std::string before, after, hint;  ///< the number of places stands between
+    std::string before, after, hint;  ///< the number of places is inserted between
   };
   Reading& reading;
   const KnownFormat& format;

@@ -1,6 +1,6 @@
 #pragma once
-// MJCF, the format of MuJoCo (https://mujoco.readthedocs.io/en/stable/XMLreference.html): the meaning of its
-// elements and their places in a model.
+// MJCF, the format of MuJoCo (https://mujoco.readthedocs.io/en/stable/XMLreference.html): its elements and their
+// translation into a model.
 
 #include <functional>
 #include <limits>
@@ -10,22 +10,22 @@
 
 namespace mbgen::importing {
 
-/// Of the <compiler> element.
+/// Settings in the <compiler> element.
 struct MjcfSettings {
   enum class InertiaFromGeom { automatic, always, never };
   bool is_in_degrees = true;
-  std::string euler_sequence = "xyz";  ///< lower case turns about moving axes, upper case about fixed ones
+  std::string euler_sequence = "xyz";  ///< lower case: moving axes, upper case: fixed axes
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::automatic;
   bool balances_inertia = false;
-  double bound_mass = 0, bound_inertia = 0;  ///< least mass and principal moment of a body; 0: none
-  double total_mass = -1;                    ///< kg, sum that all masses are scaled to; negative: as they are
+  double bound_mass = 0, bound_inertia = 0;  ///< lower bounds of mass and principal moments of a body; 0: none
+  double total_mass = -1;                    ///< kg, prescribed total mass; negative: none
   double first_group = 0, last_group = 5;    ///< of geoms whose mass counts
   bool limits_by_range = true;               ///< a range alone makes a limit
   /// Of <option> <flag>.
   bool has_springs = true, has_dampers = true, has_friction = true, has_equalities = true, has_actuators = true;
 };
 
-/// Elements of a <default> class by their names, and the class it inherits from.
+/// Elements of a <default> class by name, and its parent class.
 struct MjcfClass {
   std::string parent;
   std::map<std::string, const Element*, std::less<>> elements;
@@ -37,17 +37,17 @@ struct MjcfJoint {
   double reference = 0;  ///< rad or m: MuJoCo's coordinate at the reference configuration
   double armature = 0;   ///< kg m^2 or kg
   double free = 0;       ///< rad or m: coordinate of the model at MuJoCo's springref
-  double moved = 0;      ///< rad or m: from the reference as written to the one where loops close
+  double moved = 0;      ///< rad or m: change of the reference when loops were closed
   double lower = -std::numeric_limits<double>::infinity(), upper = -lower;  ///< rad or m, from the reference as written
 };
 
-/// A spring and damper of a joint by <joint springdamper>, over the inertia that the coordinate feels.
+/// A spring and damper from <joint springdamper>, to be scaled by the inertia of the coordinate.
 struct MjcfSpringDamper {
   std::string coordinate;
   double time_constant = 0, damping_ratio = 0, free = 0;
 };
 
-/// A sum of coordinates: a fixed tendon, or one coordinate.
+/// A linear combination of coordinates: a fixed tendon, or one coordinate.
 struct MjcfLength {
   std::vector<std::pair<double, MjcfJoint>> parts = {};  ///< coefficients
   double reference() const {
@@ -55,7 +55,7 @@ struct MjcfLength {
     for (const auto& [factor, joint] : parts) sum += factor * joint.reference;
     return sum;
   }
-  /// From the reference as written to the one where loops close.
+  /// Change of the reference when loops were closed.
   double moved() const {
     double sum = 0;
     for (const auto& [factor, joint] : parts) sum += factor * joint.moved;
@@ -63,7 +63,7 @@ struct MjcfLength {
   }
 };
 
-/// Parts of elements that were left out: told once, at the first place.
+/// A kind of lost part: reported once, at its first place.
 struct MjcfLoss {
   Spot first;
   int count = 0;
@@ -82,22 +82,23 @@ struct Mjcf {
   std::vector<MjcfJoint> scalar_joints = {};    ///< hinges and slides, named or not
   std::vector<MjcfSpringDamper> spring_dampers = {};
   std::map<std::string, MjcfLength, std::less<>> tendon_of = {};
-  std::vector<std::string> massless = {};                           ///< bodies whose mass a mesh should give
+  std::vector<std::string> massless = {};                           ///< bodies with a mass given by a mesh only
   std::map<std::string, double, std::less<>> inertia_of = {};       ///< diagonal of the mass matrix at the reference
-  std::map<std::string, double, std::less<>> felt_inertia_of = {};  ///< one over the diagonal of its inverse
+  std::map<std::string, double, std::less<>> felt_inertia_of = {};  ///< reciprocal of the diagonal of its inverse
 };
 
-/// Counts a loss of which one note tells; `text` follows the number of places.
+/// Counts a loss reported by one note; `text` follows the number of places.
 void lose(Mjcf& mjcf, Spot spot, const std::string& text);
 
 /// <compiler>, <option>, <default>.
 void read_settings(Mjcf& mjcf, const Element& root);
 
-/// An attribute of an element, of its class, of the classes that it inherits from, or nullptr.
-/// childclass: the class of elements that name none.
+/// An attribute of an element, of its class or of a parent class, or nullptr. childclass: the class of elements without
+/// a class of their own.
 const Attribute* inherited(const Mjcf& mjcf, const Element& element, const std::string& childclass,
                            std::string_view name);
-/// Of an element whose defaults have another name: those of <equality> and <tendon> are for all their kinds.
+/// The same for an element with its defaults under another name: <equality> and <tendon> share theirs between all
+/// kinds.
 const Attribute* inherited_as(const Mjcf& mjcf, const Element& element, std::string_view as, std::string_view name);
 double inherited_number(Mjcf& mjcf, const Element& element, const std::string& childclass, std::string_view name,
                         double fallback);
@@ -105,20 +106,20 @@ Vector3d inherited_vector(Mjcf& mjcf, const Element& element, const std::string&
                           const Vector3d& fallback);
 std::string inherited_text(const Mjcf& mjcf, const Element& element, const std::string& childclass,
                            std::string_view name, std::string_view fallback);
-/// Checks that the class an element names is there. Fails: with a problem.
+/// Checks that the class of an element exists. Fails: with a problem.
 void require_class(Mjcf& mjcf, const Element& element, std::string_view attribute_name);
 
 /// pos and quat, axisangle, euler, xyaxes or zaxis.
 Isometry3d read_pose(Mjcf& mjcf, const Element& element, const std::string& childclass);
 
-/// Calls `visit(child, frame, childclass)` for the children of a body, those inside <frame> too; the frame is theirs in
-/// the body.
+/// Calls `visit(child, frame, childclass)` for the children of a body, including children of <frame>; the frame is
+/// relative to the body.
 using VisitChild = std::function<void(const Element&, const Isometry3d&, const std::string&)>;
 void for_children(Mjcf& mjcf, const Element& body, const std::string& childclass, const VisitChild& visit);
 
-/// The body's mass, centre of mass and inertia, by its <inertial> or its geoms.
+/// Mass, centre of mass and inertia of the body, from its <inertial> or its geoms.
 void read_mass(Mjcf& mjcf, const Element& element, const std::string& childclass, BodyDraft& body);
-/// Scales all masses where <compiler settotalmass> asks for it.
+/// Scales all masses to <compiler settotalmass>, if given.
 void scale_masses(Mjcf& mjcf);
 
 /// Replaces <replicate> by frames with copies, and adds copies of the tendons, equalities and actuators that refer to
@@ -127,9 +128,9 @@ void expand_replicates(Mjcf& mjcf, Element& root);
 
 /// The tree of <worldbody>.
 void read_bodies(Mjcf& mjcf, const Element& world);
-/// Says beside the joints where their zeros are in MuJoCo's coordinates.
+/// Comments on joints with another zero in MuJoCo's coordinates.
 void tell_references(Mjcf& mjcf);
-/// Joints of a body, between it and its parent; without any it is fixed.
+/// Joints between a body and its parent; without any it is fixed.
 void read_joints(Mjcf& mjcf, const Element& element, const std::string& childclass, int parent, int body);
 
 /// The mass matrix of the tree at the reference, with armatures: inertia_of and felt_inertia_of of hinges and slides.
@@ -141,15 +142,14 @@ void add_spring_dampers(Mjcf& mjcf);
 /// Springs, dampers and friction of <tendon> <fixed>, after the bodies.
 void read_tendons(Mjcf& mjcf, const Element& section);
 
-/// Sums of coordinates: sum of factor times coordinate, in the model's coordinates.
+/// Linear combination as terms: factor times the length, in the model's coordinates.
 std::vector<Term> terms_of(const MjcfLength& length, double factor, std::string_view prefix);
 
-/// Joints that <connect> and <weld> become. Where they do not meet at the reference, the joints of the tree are moved
-/// and the reference with them. Requires: no tendons, relations or actuators are read. Problems: equalities that stay
-/// open.
+/// Converts <connect> and <weld> to joints. If they are open at the reference, the joints of the tree and the reference
+/// are moved. Requires: no tendons, relations or actuators are read. Problems: equalities that remain open.
 void close_loops_of(Mjcf& mjcf, const Element& root);
 
-/// Calls `visit` for the equalities that are active.
+/// Calls `visit` for the active equalities.
 void for_equalities(const Mjcf& mjcf, const Element& root, const std::function<void(const Element&)>& visit);
 /// The coefficients of an equality of joints or tendons, from the constant on.
 std::vector<double> polynomial_of(Mjcf& mjcf, const Element& equality);

@@ -1,4 +1,4 @@
-// MJCF: fixed tendons, which are sums of coordinates, and actuators on joints and on them.
+// MJCF: fixed tendons (linear combinations of coordinates), and actuators on joints and fixed tendons.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace mbgen::importing {
 namespace {
 
-/// A force along a sum of coordinates: on each its factor times the force.
+/// A force on a linear combination of coordinates: each coordinate has its factor times the force.
 void add_force(Mjcf& mjcf, const std::string& name, const MjcfLength& length, const std::vector<Term>& force) {
   for (const auto& [factor, joint] : length.parts) {
     std::vector<Term> terms = force;
@@ -40,10 +40,10 @@ std::optional<MjcfLength> read_length(Mjcf& mjcf, const Element& tendon) {
   return length;
 }
 
-/// How far the tendon is stretched beyond what its spring leaves free.
+/// Stretch of the tendon beyond the slack of its spring.
 std::vector<Term> stretch_of(const MjcfLength& length, const std::vector<double>& springlength, double stiffness) {
   const double lower = springlength.front(), upper = springlength.back();
-  // A negative length means the one at the joints' springref.
+  // A negative length stands for the length at the joints' springref.
   double offset = length.reference() - lower;
   if (lower < 0) {
     offset = 0;
@@ -88,8 +88,8 @@ void read_fixed(Mjcf& mjcf, const Element& tendon) {
     problem(mjcf.reading, tendon.spot, fmt::format("tendon {} is defined twice", quoted_text(written)));
 }
 
-/// Law of an actuator in MuJoCo: force = gain * u + bias + by_length * length + by_rate * rate, with its own length,
-/// gear times the length of its target; u follows the input after a time constant.
+/// Law of an actuator in MuJoCo: force = gain * u + bias + by_length * length + by_rate * rate. Its length is gear
+/// times the length of its target; u follows the input with a first-order lag.
 struct Law {
   double gain = 1, bias = 0, by_length = 0, by_rate = 0;
   double time_constant = 0;
@@ -104,7 +104,7 @@ std::vector<double> inherited_list(Mjcf& mjcf, const Element& actuator, std::str
   return values;
 }
 
-/// Fails (nothing): it is no law of this kind.
+/// Fails (nothing): another kind of law.
 std::optional<Law> general_law(Mjcf& mjcf, const Element& actuator) {
   const auto text = [&](const char* name, const char* fallback) {
     return inherited_text(mjcf, actuator, "", name, fallback);
@@ -127,7 +127,8 @@ std::optional<Law> general_law(Mjcf& mjcf, const Element& actuator) {
   return law;
 }
 
-/// Damping of a position servo by its ratio, over the inertias of the coordinates at the reference, as MuJoCo 3 has it.
+/// Damping of a position servo from its damping ratio and the inertias of the coordinates at the reference, as in
+/// MuJoCo 3.
 double damping_by_ratio(Mjcf& mjcf, const MjcfLength& length, double gear, double ratio, double gain) {
   if (mjcf.inertia_of.empty()) find_inertias(mjcf);
   double mass = 0;
@@ -161,7 +162,7 @@ std::string unit_of(const Element& actuator, const MjcfLength& length, double ge
   return turns ? "rad/s" : "m/s";
 }
 
-/// The part that it pulls: a joint or a fixed tendon. Fails (nothing): another thing, or a problem was added.
+/// Target of the actuator: a joint or a fixed tendon. Fails (nothing): another target, or a problem was added.
 std::optional<MjcfLength> pulled_by(Mjcf& mjcf, const Element& actuator) {
   const Attribute* joint = attribute(actuator, "joint");
   if (!joint) joint = attribute(actuator, "jointinparent");

@@ -28,7 +28,7 @@ std::optional<JointType> mjcf_joint_type(Mjcf& mjcf, const Element& element, con
   return std::nullopt;
 }
 
-/// An element of a body with its place in it.
+/// An element of a body with its pose.
 struct Placed {
   const Element* element;
   Isometry3d frame;
@@ -60,7 +60,7 @@ void note_lost(Mjcf& mjcf, const Placed& joint, JointType type) {
                      type == JointType::free ? "free" : "ball"));
 }
 
-/// Ends of the range in MuJoCo's coordinate, rad or m, where it is enforced.
+/// Ends of the range in MuJoCo's coordinate, rad or m, if it is enforced.
 std::optional<std::pair<double, double>> limits_of(Mjcf& mjcf, const Placed& joint, JointType type) {
   const std::string limited = inherited_text(mjcf, *joint.element, joint.childclass, "limited", "auto");
   const Attribute* range = inherited(mjcf, *joint.element, joint.childclass, "range");
@@ -80,7 +80,7 @@ std::string range_text(Mjcf& mjcf, const Placed& joint, JointType type) {
   return fmt::format("range {} .. {} {}", (*values)[0], (*values)[1], unit);
 }
 
-/// Spring, damper and friction of a hinge or slide; MuJoCo counts its coordinate from `ref` at the reference.
+/// Spring, damper and friction of a hinge or slide; in MuJoCo its coordinate equals `ref` at the reference.
 void add_passive_forces(Mjcf& mjcf, const Placed& joint, const MjcfJoint& made) {
   const auto value = [&](const char* name) {
     return inherited_number(mjcf, *joint.element, joint.childclass, name, 0);
@@ -95,7 +95,7 @@ void add_passive_forces(Mjcf& mjcf, const Placed& joint, const MjcfJoint& made) 
   const Attribute* given = inherited(mjcf, *joint.element, joint.childclass, "springdamper");
   const std::vector<double> by_time =
       given ? numbers(mjcf.reading, *given, 2, 2).value_or(std::vector<double>{0, 0}) : std::vector<double>{0, 0};
-  // As in MuJoCo, both must be positive; they then go before stiffness and damping.
+  // As in MuJoCo: if both are positive, they override stiffness and damping.
   const bool is_by_time = by_time[0] > 0 && by_time[1] > 0;
   if (is_by_time) mjcf.spring_dampers.push_back({made.coordinate, by_time[0], by_time[1], made.free});
   add_joint_forces(mjcf.assembly, made.coordinate, is_by_time ? 0 : stiffness, is_by_time ? 0 : damping, made.free,
@@ -228,7 +228,7 @@ void read_joints(Mjcf& mjcf, const Element& element, const std::string& childcla
     }
     int to = body;
     if (i + 1 < joints.size()) {
-      // Joints of one body act one after the other: a massless body stands between two of them.
+      // Several joints of one body are in series, with massless bodies between them.
       BodyDraft between{.name =
                             unique_name(fmt::format("{}_{}", draft(mjcf, body).name, i + 1), mjcf.assembly.body_names)};
       between.pose = draft(mjcf, body).pose;

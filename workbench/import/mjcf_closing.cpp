@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMeets = 1e-6;  // m and rad, as the model's reader allows
 
-/// Index of the body that an equality names, the ground where it names none; -1 with a problem.
+/// Index of an equality's body, of the ground without a name; -1 with a problem.
 int equality_body(Mjcf& mjcf, const Element& equality, std::string_view name) {
   const Attribute* named = attribute(equality, name);
   if (!named) return kGroundDraft;
@@ -43,14 +43,14 @@ std::optional<EqualityEnds> ends_by_sites(Mjcf& mjcf, const Element& equality) {
   return ends;
 }
 
-/// A pose of body2 in body1 that is not the one at the reference.
+/// Pose of body2 relative to body1, if it differs from the reference.
 std::optional<Isometry3d> relative_pose(Mjcf& mjcf, const Element& weld) {
   const Attribute* written = attribute(weld, "relpose");
   if (!written) return std::nullopt;
   const std::optional<std::vector<double>> v = numbers(mjcf.reading, *written, 7, 7);
   if (!v) return std::nullopt;
   const Eigen::Quaterniond rotation((*v)[3], (*v)[4], (*v)[5], (*v)[6]);
-  if (rotation.norm() == 0) return std::nullopt;  // MuJoCo takes the reference then
+  if (rotation.norm() == 0) return std::nullopt;  // MuJoCo then uses the reference
   Isometry3d pose = Isometry3d::Identity();
   pose.translation() = Vector3d((*v)[0], (*v)[1], (*v)[2]);
   pose.linear() = rotation.normalized().toRotationMatrix();
@@ -78,7 +78,7 @@ std::optional<EqualityEnds> ends_by_bodies(Mjcf& mjcf, const Element& equality, 
   return ends;
 }
 
-/// A connect or weld under the name of the joint that it becomes.
+/// A connect or weld under the name of its joint.
 struct MjcfClosure {
   const Element* element = nullptr;
   std::string name;
@@ -106,7 +106,7 @@ void read_closure(Mjcf& mjcf, const Element& equality, std::vector<MjcfClosure>&
   closures.push_back({&equality, unique_joint_name(mjcf.assembly, name), *ends});
 }
 
-/// A joint equality as its follower has it; one that has a leader already, or leads its leader, stays as it is.
+/// Adds a joint equality to its follower; not if this one has a leader already or leads its own leader.
 void add_relation_to(Chain& chain, Mjcf& mjcf, const Element& equality,
                      const std::map<std::string, int, std::less<>>& index_of) {
   const auto index = [&](const char* name) {
@@ -126,7 +126,7 @@ void add_relation_to(Chain& chain, Mjcf& mjcf, const Element& equality,
   joint.relation = relation;
 }
 
-/// The tree at the reference as written; coordinates count from there.
+/// The tree at the reference as written; coordinates are zero there.
 Chain chain_of_tree(Mjcf& mjcf, const Element& root, const std::vector<MjcfClosure>& closures) {
   Chain chain;
   std::map<std::string, int, std::less<>> index_of;
@@ -162,7 +162,7 @@ Chain chain_of_tree(Mjcf& mjcf, const Element& root, const std::vector<MjcfClosu
   return chain;
 }
 
-/// Coordinates are zero at the present joint positions: quantities that refer to the old zero are shifted.
+/// Coordinates become zero at the present joint positions: quantities relative to the old zero are shifted.
 void move_zero(Mjcf& mjcf, MjcfJoint& joint, double move) {
   joint.moved = move;
   joint.reference += move;
@@ -173,7 +173,7 @@ void move_zero(Mjcf& mjcf, MjcfJoint& joint, double move) {
     if (stop.coordinate == joint.coordinate) stop.clearance += stop.is_above ? -move : move;
 }
 
-/// Poses, axes and zeros of the closed place.
+/// Takes over poses, axes and zeros of the closed configuration.
 void take_over(Mjcf& mjcf, const Chain& chain) {
   Assembly& assembly = mjcf.assembly;
   std::map<std::string, double, std::less<>> moves;
@@ -232,7 +232,7 @@ void close_loops_of(Mjcf& mjcf, const Element& root) {
   Chain chain = chain_of_tree(mjcf, root, closures);
   const Closed closed = close_chain(chain);
   if (closed.has_moved) {
-    // MuJoCo takes the inertias where the joints are as written.
+    // MuJoCo computes the inertias at the joint positions as written.
     if (mjcf.inertia_of.empty() && has_attribute(root, "dampratio")) find_inertias(mjcf);
     take_over(mjcf, chain);
     note_moves(mjcf.reading, root.spot, closed, "the coordinates of the model are zero there");

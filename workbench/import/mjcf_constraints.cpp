@@ -1,4 +1,4 @@
-// MJCF: equalities that relate coordinates and fixed tendons.
+// MJCF: equalities between coordinates or fixed tendons.
 #include <fmt/format.h>
 
 #include <array>
@@ -9,8 +9,8 @@
 namespace mbgen::importing {
 namespace {
 
-/// The sum of coordinates that a joint or tendon names; nothing with a problem where there is none. Nothing without the
-/// attribute.
+/// The linear combination for a named joint or tendon; nothing without the attribute, nothing with a problem for an
+/// unknown name.
 std::optional<MjcfLength> length_by(Mjcf& mjcf, const Element& element, std::string_view name, bool is_tendon) {
   const Attribute* named = attribute(element, name);
   if (!named) return std::nullopt;
@@ -57,7 +57,7 @@ void add_relation(Mjcf& mjcf, const Element& equality) {
   mjcf.assembly.couplings.push_back({unique_name(shown, mjcf.assembly.coupling_names), sum_text(terms)});
 }
 
-/// Whether an equality holds.
+/// Whether an equality is active.
 bool is_active(const Mjcf& mjcf, const Element& equality) {
   const Attribute* active = inherited_as(mjcf, equality, "equality", "active");
   return !active || active->value != "false";

@@ -1,4 +1,4 @@
-// MJCF: inertias that coordinates feel at the reference; springs and dampers by them.
+// MJCF: effective inertias of coordinates at the reference; springs and dampers from them.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ using Eigen::MatrixXd;
 
 constexpr Eigen::Index kMostFreedoms = 3000;  // of a dense matrix
 
-/// A freedom of a joint of the tree: a turn about an axis through a point, or a way along it, global.
+/// A freedom of a joint of the tree: a rotation about an axis through a point, or a translation along it, global.
 struct Freedom {
   bool turns = true;
   Vector3d axis = Vector3d::UnitZ(), at = Vector3d::Zero();
@@ -35,7 +35,7 @@ struct JointColumns {
   Eigen::Index first = 0;
 };
 
-/// The mass that a body adds to the freedoms of the joints between it and the ground.
+/// Contribution of a body to the mass matrix of the joints between it and the ground.
 void add_body(const Assembly& assembly, const std::vector<JointColumns>& columns, const std::vector<int>& joint_of,
               std::size_t index, MatrixXd& mass) {
   const BodyDraft& body = assembly.bodies[index];

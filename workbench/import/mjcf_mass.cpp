@@ -1,4 +1,4 @@
-// MJCF: masses, as <inertial> gives them or of the shapes of the geoms.
+// MJCF: masses from <inertial> or from the shapes of geoms.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kDensity = 1000;  // kg/m^3, MuJoCo's default
 
-/// Mass of volume one, and the moments about the centre of mass for mass one, in the geom's axes.
+/// Volume, and moments about the centre of mass for mass one, in the geom's axes.
 struct Shape {
   double volume = 0;
   Vector3d moments = Vector3d::Zero();
@@ -37,7 +37,7 @@ Shape cylinder(double radius, double half) {
   return {2 * kPi * radius * radius * half, {across, across, radius * radius / 2}};
 }
 
-/// A cylinder with a half ball at each end, whose centre of mass is 3/8 of the radius beyond the cylinder's end.
+/// A cylinder with a hemisphere at each end; its centre of mass is 3/8 of the radius beyond the cylinder's end.
 Shape capsule(double radius, double half) {
   const double r2 = radius * radius;
   const double straight = 2 * kPi * r2 * half, balls = 4 * kPi / 3 * r2 * radius, volume = straight + balls;
@@ -46,7 +46,7 @@ Shape capsule(double radius, double half) {
   return {volume, {across, across, (straight * r2 / 2 + balls * 2 * r2 / 5) / volume}};
 }
 
-/// Thin shells of the same outer sizes, `volume` is the area: kg/m^2 takes the place of kg/m^3, as MuJoCo has it.
+/// Thin shells of the same outer sizes, `volume` is the area: kg/m^2 replaces kg/m^3, as in MuJoCo.
 Shape box_shell(const Vector3d& a) {
   // Three pairs of plates: each plate about its centre, and its distance from the centre of the box.
   Shape shell;
@@ -69,7 +69,7 @@ Shape cylinder_shell(double radius, double half) {
   return {area, {across, across, (side * r2 + caps * r2 / 2) / area}};
 }
 
-/// The half balls have their centres of mass half a radius beyond the cylinder's ends.
+/// The hemispheres have their centres of mass half a radius beyond the cylinder's ends.
 Shape capsule_shell(double radius, double half) {
   const double side = 4 * kPi * radius * half, balls = 4 * kPi * radius * radius, area = side + balls,
                r2 = radius * radius;
@@ -78,8 +78,7 @@ Shape capsule_shell(double radius, double half) {
   return {area, {across, across, (side * r2 + balls * 2 * r2 / 3) / area}};
 }
 
-/// Between two ellipsoids of which one is thinner by a layer of even thickness; the area by Thomsen's approximation, as
-/// MuJoCo takes them.
+/// Difference of two ellipsoids with a thin layer between them; the area by Thomsen's approximation, both as in MuJoCo.
 Shape ellipsoid_shell(const Vector3d& a) {
   constexpr double kPower = 1.6075, kLayer = 1e-6;
   const auto power = [&](double x) { return std::pow(x, kPower); };
@@ -89,7 +88,7 @@ Shape ellipsoid_shell(const Vector3d& a) {
           (outer.volume * outer.moments - inner.volume * inner.moments) / (outer.volume - inner.volume)};
 }
 
-/// A geom that has a mass: its frame in the body and its shape.
+/// A geom with mass: its frame in the body and its shape.
 struct Solid {
   double mass = 0;
   Isometry3d frame = Isometry3d::Identity();
@@ -120,7 +119,7 @@ std::optional<Shape> shape_of(Mjcf& mjcf, const Element& geom, const std::string
   return type == "cylinder" ? cylinder(size[0], size[1]) : capsule(size[0], size[1]);
 }
 
-/// Size and frame by fromto: the z axis runs between the two points.
+/// Size and frame from fromto: the z axis runs between the two points.
 void lay_between(Mjcf& mjcf, const Attribute& fromto, const std::string& type, std::vector<double>& size,
                  Isometry3d& frame) {
   const std::vector<double> v = numbers(mjcf.reading, fromto, 6, 6).value_or(std::vector<double>{0, 0, 0, 0, 0, 1});
@@ -166,7 +165,7 @@ std::optional<Solid> read_solid(Mjcf& mjcf, const Element& geom, const std::stri
   return Solid{mass, frame, mass * shape->moments};
 }
 
-/// All the geoms of a body together.
+/// Mass properties of all geoms of a body together.
 void add_solids(const std::vector<Solid>& solids, BodyDraft& body) {
   Vector3d moment = Vector3d::Zero();
   for (const Solid& solid : solids) {
@@ -200,7 +199,7 @@ void read_inertial(Mjcf& mjcf, const Element& inertial, BodyDraft& body) {
   body.inertia = frame.linear() * written * frame.linear().transpose();
 }
 
-/// Changes of every inertia that <compiler> asks for.
+/// Corrections of every inertia by <compiler>.
 void correct_inertia(const MjcfSettings& settings, BodyDraft& body) {
   if (settings.bound_mass > 0) body.mass = std::max(body.mass, settings.bound_mass);
   if (settings.bound_inertia <= 0 && !settings.balances_inertia) return;

@@ -1,4 +1,4 @@
-// MJCF: <replicate> becomes copies of its contents, each in a frame, before anything else is read.
+// MJCF: <replicate> is expanded to copies of its contents, each in a frame, before anything else is read.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostElements = 2'000'000;  // as a file may have
 
-/// Kind and name of an element that others refer to.
+/// Kind and name of a referenced element.
 using Named = std::pair<std::string_view, std::string>;
 
 struct Reference {
@@ -60,7 +60,7 @@ std::size_t size_of(const Element& element) {
   return size;
 }
 
-/// Calls `visit` for attributes that name one of these.
+/// Calls `visit` for attributes with one of these names as value.
 template <class Target, class Visit>
 void for_references(Target& element, const std::set<Named>& names, const Visit& visit) {
   for (auto& written : element.attributes) {
@@ -70,7 +70,7 @@ void for_references(Target& element, const std::set<Named>& names, const Visit& 
   for (auto& inner : element.children) for_references(inner, names, visit);
 }
 
-/// The suffix of a copy: as many digits as the number of copies has.
+/// Suffix of a copy, with as many digits as the number of copies.
 std::string suffix_of(const std::string& separator, int copy, int count) {
   return separator + fmt::format("{:0{}}", copy, std::to_string(count).size());
 }
@@ -101,7 +101,7 @@ void copy_references(Element& section, std::set<Named>& names, const std::string
   section.children = std::move(children);
 }
 
-/// All replicates of a tree, the innermost first.
+/// Expansion of all replicates of a tree, the innermost first.
 struct Expansion {
   Mjcf& mjcf;
   Element& root;
@@ -123,7 +123,7 @@ struct Expansion {
     return std::nullopt;
   }
 
-  /// The way from one copy to the next.
+  /// Transformation from one copy to the next.
   Isometry3d step_of(const Element& replicate) {
     Element frame{.name = "frame", .spot = replicate.spot, .attributes = {}, .children = {}};
     for (const Attribute& written : replicate.attributes) {

@@ -58,7 +58,7 @@ void read_compiler(Mjcf& mjcf, const Element& element) {
   }
 }
 
-/// Parts that <flag> disables are left out of the model.
+/// Removes parts disabled by <flag> from the model.
 void read_flags(Mjcf& mjcf, const Element& flags) {
   MjcfSettings& settings = mjcf.settings;
   for (const Attribute& flag : flags.attributes) {
@@ -106,7 +106,7 @@ void read_class(Mjcf& mjcf, const Element& element, const std::string& parent) {
   }
   const std::string name = named ? named->value : kMainClass;
   MjcfClass& filled = mjcf.classes[name];
-  // The top class is also known by its own name and by the name that all inherit from.
+  // The top class is also known by its own name and by the common parent's name.
   filled.parent = is_top && name != kMainClass ? kMainClass : parent;
   for (const Element& inner : element.children) {
     if (inner.name == "default") {
@@ -121,7 +121,7 @@ void read_class(Mjcf& mjcf, const Element& element, const std::string& parent) {
 const Element* element_of_class(const MjcfClass& settings, std::string_view name) {
   const auto found = settings.elements.find(name);
   if (found != settings.elements.end()) return found->second;
-  // All actuators share their defaults, under whatever name they are given; a free joint has none.
+  // All kinds of actuators share their defaults; a free joint has none.
   static constexpr std::array<std::string_view, 4> actuators = {"general", "motor", "position", "velocity"};
   if (std::find(actuators.begin(), actuators.end(), name) == actuators.end()) return nullptr;
   for (const std::string_view other : actuators) {
@@ -131,7 +131,7 @@ const Element* element_of_class(const MjcfClass& settings, std::string_view name
   return nullptr;
 }
 
-/// The element itself, then its likes in its classes, the nearest first.
+/// The element itself, then the elements of this name in its classes, the nearest first.
 std::vector<const Element*> chain(const Mjcf& mjcf, const Element& element, const std::string& childclass,
                                   std::string_view as = {}) {
   std::vector<const Element*> elements = {&element};
@@ -249,7 +249,7 @@ void require_class(Mjcf& mjcf, const Element& element, std::string_view attribut
 Isometry3d read_pose(Mjcf& mjcf, const Element& element, const std::string& childclass) {
   Isometry3d pose = Isometry3d::Identity();
   pose.translation() = inherited_vector(mjcf, element, childclass, "pos", Vector3d::Zero());
-  // An orientation of the element goes before one of another kind in its class.
+  // An orientation of the element overrides one of another kind in its class.
   for (const Element* candidate : chain(mjcf, element, childclass)) {
     for (const std::string_view name : kOrientations) {
       if (const Attribute* found = attribute(*candidate, name)) {

@@ -1,4 +1,4 @@
-// The mechanism as text: one line a body and a joint, as a person would write it.
+// The mechanism as text: one line per body and joint, as written by a person.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,8 +15,8 @@ constexpr double kNoDirection = 1e-14;  // of the largest component of an axis; 
 constexpr double kNoise = 4e-15;        // m, or of the size of an axis or inertia
 constexpr int kDecimals = 12;
 
-/// The number without the last digits that frames multiplied there and back leave: with twelve decimals (of the power
-/// of ten above `scale`) where that is as good.
+/// The number without rounding errors of multiplied frames: rounded to twelve decimals (relative to the power of ten
+/// above `scale`) if the difference is small enough.
 double without_noise(double value, double scale) {
   const double power = std::pow(10, kDecimals - std::ceil(std::log10(scale)));
   const double rounded = std::round(value * power) / power;
@@ -28,7 +28,7 @@ std::string vector_text(const Vector3d& v) {
   return fmt::format("[{}, {}, {}]", component(0), component(1), component(2));
 }
 
-/// A letter where the direction lies along an axis, else the vector with its largest component one where that is clean.
+/// A letter for a direction along an axis, else the vector, scaled to a largest component of one if that is exact.
 std::string axis_text(const Vector3d& direction) {
   const double largest = direction.cwiseAbs().maxCoeff();
   for (int i = 0; i < 3; ++i) {
@@ -68,7 +68,7 @@ std::string inertia_text(const Matrix3d& inertia) {
   return products == "0, 0, 0" ? fmt::format("[{}]", diagonal) : fmt::format("[{}, {}]", diagonal, products);
 }
 
-/// Lines of a comment, each after `indent`; a question mark stands for a control character or broken UTF-8.
+/// Lines of a comment, each after `indent`; a question mark replaces a control character or invalid UTF-8.
 std::string comment_text(const std::string& comment, std::string_view indent) {
   if (comment.empty()) return {};
   std::string text = fmt::format("{}// ", indent);
@@ -144,7 +144,7 @@ std::string shape_text(const ShapeDraft& shape, std::vector<BodyDraft>& bodies) 
   return fmt::format("    \"{}\": {{ {} }}", shape.name, text);
 }
 
-/// A member of the model that holds one entry a line, or "" when there is none.
+/// A member of the model with one entry per line, or "" if it is empty.
 std::string section(std::string_view name, const std::vector<std::string>& entries) {
   if (entries.empty()) return {};
   return fmt::format(",\n  \"{}\": {{\n{}\n  }}", name, fmt::join(entries, ",\n"));

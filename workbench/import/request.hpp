@@ -7,7 +7,7 @@
 
 namespace mbgen {
 
-/// Where the root link of a URDF robot is. The format does not say; a root link named "world" is the ground itself.
+/// Base of a URDF robot, which the format does not define; a root link named "world" is the ground itself.
 enum class RobotBase { fixed, floating };
 
 struct ImportRequest {
@@ -17,9 +17,9 @@ struct ImportRequest {
   /// content of the sidecar (URDF only): loops, and positions where they close; see docs/use/import.md
   std::optional<std::string> loops = {};
   RobotBase base = RobotBase::fixed;  ///< of a URDF robot
-  double stop_stiffness = 0;          ///< of stops at the ends of joints' ranges, N m/rad or N/m; 0: no stops
-  /// Content of a file that the robot's file includes, nothing when it cannot be read. Called with a path relative to
-  /// the working directory.
+  double stop_stiffness = 0;          ///< of stops at the ends of joints' ranges, N m/rad or N/m; 0: none
+  /// Content of a file included by the robot's file, nothing if it cannot be read. Called with a path relative to the
+  /// working directory.
   std::function<std::optional<std::string>(const std::string& path)> read = {};
 };
 

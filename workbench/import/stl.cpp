@@ -19,14 +19,14 @@ MeshBox empty_box() {
 }
 
 void add(MeshBox& box, const Vector3d& corner) {
-  // Not the minimum of Eigen, which may pass over NaN.
+  // Eigen's minimum may ignore NaN.
   for (int i = 0; i < 3; ++i) {
     if (!(corner[i] >= box.least[i])) box.least[i] = corner[i];
     if (!(corner[i] <= box.most[i])) box.most[i] = corner[i];
   }
 }
 
-/// Number of triangles of a binary mesh; nothing where the size is another.
+/// Number of triangles of a binary mesh; nothing if it does not match the size.
 std::optional<std::size_t> binary_triangles(std::string_view bytes) {
   std::uint32_t count = 0;
   if (bytes.size() < kHeader + sizeof(count)) return std::nullopt;
@@ -48,7 +48,7 @@ MeshBox binary_box(std::string_view bytes, std::size_t triangles) {
   return box;
 }
 
-/// The next word of a text, taken off it.
+/// Removes the first word of a text. Result: this word.
 std::string_view take_word(std::string_view& rest) {
   constexpr std::string_view kBlanks = " \t\r\n";
   rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));

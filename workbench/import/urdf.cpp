@@ -9,7 +9,7 @@
 namespace mbgen::importing {
 namespace {
 
-/// Complains about text that xacro should have replaced. Result: whether there is any.
+/// Reports text left over for xacro. Result: whether there is any.
 bool refuse_xacro(Reading& reading, const Element& element) {
   constexpr const char* hint = "expand it first: xacro robot.urdf.xacro > robot.urdf";
   if (element.name.starts_with("xacro:")) {
@@ -28,7 +28,7 @@ bool refuse_xacro(Reading& reading, const Element& element) {
   return false;
 }
 
-/// Joints of Drake that URDF does not have: without them the links do not hang together.
+/// Joints of Drake that URDF does not have: without them the links are not connected.
 bool refuse_drake(Reading& reading, const Element& root) {
   const auto is_drake = [](const Element& element) { return element.name == "drake:joint"; };
   const auto first = std::find_if(root.children.begin(), root.children.end(), is_drake);

@@ -1,4 +1,4 @@
-// URDF: links placed along a spanning tree; bodies and joints of them.
+// URDF: placement of links along a spanning tree; their bodies and joints.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ void read_inertial(Reading& reading, const UrdfLink& link, BodyDraft& body) {
     problem(reading, mass->spot, fmt::format("{}: mass is negative, {:.6g} kg", body.title, body.mass));
 }
 
-/// The links from one that is its own ancestor round to itself: "a -> b -> a".
+/// Cycle of a link that is its own ancestor: "a -> b -> a".
 std::string circle_text(const UrdfRobot& robot, int start) {
   std::vector<int> path;
   int at = start;
@@ -56,7 +56,7 @@ std::string circle_text(const UrdfRobot& robot, int start) {
   return text;
 }
 
-/// Index of the link that is no joint's child; -1 with a problem when there is none or more than one.
+/// Index of the root, the only link without a parent joint; -1 with a problem if there is none or more than one.
 int root_of(Reading& reading, const UrdfRobot& robot) {
   int root = -1;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
@@ -78,7 +78,7 @@ int root_of(Reading& reading, const UrdfRobot& robot) {
   return root;
 }
 
-/// Places the child of a joint whose parent is placed.
+/// Places the child of a joint with a placed parent.
 void place(UrdfRobot& robot, int index, std::vector<BodyDraft>& bodies) {
   const UrdfJoint& joint = robot.joints[static_cast<std::size_t>(index)];
   UrdfLink& below = link(robot, joint.child);
@@ -88,7 +88,7 @@ void place(UrdfRobot& robot, int index, std::vector<BodyDraft>& bodies) {
       bodies[static_cast<std::size_t>(link(robot, joint.parent).body)].pose * moved(joint);
 }
 
-/// The first joint in the file that leads from a placed link to one that is not; -1 without any.
+/// The first joint in the file from a placed link to one not yet placed; -1 without any.
 int leaving_joint(const UrdfRobot& robot) {
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const UrdfJoint& joint = robot.joints[i];
@@ -205,7 +205,7 @@ void add_bodies(Reading& reading, UrdfRobot& robot, int root, Assembly& assembly
   }
 }
 
-/// The joint that holds the root link.
+/// Adds the joint of the root link.
 void add_base(Reading& reading, const UrdfRobot& robot, int root, Assembly& assembly) {
   const UrdfLink& base = robot.links[static_cast<std::size_t>(root)];
   if (base.body == kGroundDraft) return;
@@ -285,7 +285,7 @@ bool is_told(const UrdfRobot& robot, const std::string& name) {
 }
 
 void follow_leaders(UrdfRobot& robot) {
-  // A leader may follow another one, and circles are refused before.
+  // A leader may be a follower itself; cycles are refused earlier.
   for (std::size_t pass = 0; pass < robot.joints.size(); ++pass) {
     bool has_moved = false;
     for (UrdfJoint& joint : robot.joints) {

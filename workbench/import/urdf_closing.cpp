@@ -1,4 +1,4 @@
-// URDF: the tree of joints and its loops, for the search that closes them.
+// URDF: tree of joints and loops in the form of the search that closes them.
 #include <algorithm>
 
 #include "workbench/import/urdf.hpp"
@@ -36,7 +36,7 @@ Chain chain_of(const UrdfRobot& robot, const std::vector<UrdfLoop>& loops, const
   }
   for (std::size_t k = 0; k < chain.joints.size(); ++k) {
     const UrdfJoint& joint = robot.joints[written_as[k]];
-    // A joint that closes a loop leads none: it has no coordinate.
+    // A loop-closing joint has no coordinate, thus no followers.
     if (joint.leader < 0 || index_of[static_cast<std::size_t>(joint.leader)] < 0) continue;
     chain.joints[k].leader = index_of[static_cast<std::size_t>(joint.leader)];
     chain.joints[k].relation = {joint.offset, joint.multiplier};

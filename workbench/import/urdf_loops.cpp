@@ -1,4 +1,4 @@
-// URDF: loops that the format has no word for, by extensions of others and by a sidecar file.
+// URDF: loops outside the format, from extensions of other programs and from a sidecar.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::optional<JointType> loop_type(std::string_view typed) {
   return std::nullopt;
 }
 
-/// A problem of the sidecar; where it stands in the text is not known, its JSON pointer is.
+/// A problem of the sidecar, located by JSON pointer; its position in the text is unknown.
 void sidecar_problem(Reading& reading, const std::string& pointer, std::string message, std::string hint) {
   Diagnostic diagnostic;
   diagnostic.where.file = reading.request.loops_file;
@@ -44,7 +44,7 @@ void sidecar_problem(Reading& reading, const std::string& pointer, std::string m
   reading.problems.push_back(std::move(diagnostic));
 }
 
-/// Loops of the sidecar as they are read.
+/// Reader of the loops in the sidecar.
 struct SidecarReader {
   Reading& reading;
   UrdfRobot& robot;

@@ -28,7 +28,7 @@ Vector3d read_vector(Reading& reading, const Element& element, std::string_view 
   return values ? Vector3d((*values)[0], (*values)[1], (*values)[2]) : fallback;
 }
 
-/// The name of a link that an element refers to, and its index; -1 with a problem.
+/// Name of a referenced link and its index; -1 with a problem.
 int link_index(Reading& reading, const UrdfRobot& robot, const Element& joint, std::string_view role) {
   const Element* end = child(joint, role);
   if (!end) {
@@ -78,7 +78,7 @@ void read_limits(Reading& reading, const Element& element, UrdfJoint& joint) {
   joint.upper = end("upper");
 }
 
-/// A joint that follows another has the position multiplier * leader + offset.
+/// Reads a follower: position = multiplier * leader + offset.
 void read_mimic(Reading& reading, UrdfRobot& robot, UrdfJoint& joint) {
   const Element* mimic = child(*joint.element, "mimic");
   if (!mimic) return;

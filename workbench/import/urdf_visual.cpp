@@ -14,7 +14,7 @@ namespace {
 
 using Colours = std::map<std::string, std::string, std::less<>>;
 
-/// "#rrggbb" of a <color rgba>, "" where there is none.
+/// "#rrggbb" of a <color rgba>, "" without one.
 std::string colour_of(Reading& reading, const Element& material) {
   const Element* colour = child(material, "color");
   const Attribute* rgba = colour ? attribute(*colour, "rgba") : nullptr;
@@ -24,7 +24,7 @@ std::string colour_of(Reading& reading, const Element& material) {
   return fmt::format("#{:02x}{:02x}{:02x}", byte(0), byte(1), byte(2));
 }
 
-/// Materials of the robot that visuals name.
+/// Named materials of the robot.
 Colours named_colours(Reading& reading, const Element& root) {
   Colours colours;
   for (const Element& element : root.children) {
@@ -33,7 +33,7 @@ Colours named_colours(Reading& reading, const Element& root) {
   return colours;
 }
 
-/// Visuals that could not be drawn: the first, and how many.
+/// Visuals that are not drawn: the first, and their number.
 struct Lost {
   const Element* first = nullptr;
   int count = 0;
@@ -43,15 +43,15 @@ struct Lost {
   std::string times() const { return count > 1 ? fmt::format(" ({} of them)", count) : std::string(); }
 };
 
-/// A mesh file, with the visuals that show it.
+/// A mesh file, and its visuals.
 struct MeshUse {
   std::optional<MeshBox> box;
   std::string first, last;  ///< links
   Lost links;               ///< by their visuals
 };
 
-/// The box around a mesh that lies beside the robot's file, under its path there or its name alone; of package://NAME/
-/// the path behind.
+/// Bounding box of a mesh found relative to the robot's file, by its path or its name alone; for package://NAME/ by the
+/// rest of the path.
 std::optional<MeshBox> box_of_mesh(const ImportRequest& request, const std::string& name) {
   if (!request.read) return std::nullopt;
   std::string path = name;
@@ -76,7 +76,7 @@ struct VisualReader {
   Lost turned, unread;
   std::map<std::string, MeshUse> meshes;  ///< by file name, as the robot's file writes it
 
-  /// A box along the axes of the body; one that is turned in it becomes the smallest around it.
+  /// A box along the axes of the body; a rotated box becomes its bounding box.
   void box(const Element& visual, const Element& size, const Isometry3d& frame, ShapeDraft& shape) {
     const Attribute* text = attribute(size, "size");
     const auto edges = text ? numbers(reading, *text, 3, 3) : std::nullopt;
@@ -92,7 +92,7 @@ struct VisualReader {
     shape.to = frame.translation() + sizes * half;
   }
 
-  /// The box around a mesh. Result: whether it is drawn.
+  /// The bounding box of a mesh. Result: whether it is drawn.
   bool mesh(const Element& visual, const Element& element, const UrdfLink& link, const Isometry3d& frame,
             ShapeDraft& shape) {
     const std::string name = text_of(element, "filename");

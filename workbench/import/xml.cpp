@@ -20,8 +20,8 @@ constexpr double kLargestNumber = 1e15;
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-/// Offsets of the names of an element's attributes, in their order. Requires: well-formed XML at `offset`, the place of
-/// the element's name.
+/// Offsets of the names of an element's attributes, in their order. Requires: well-formed XML at `offset`, the position
+/// of the element's name.
 std::vector<std::size_t> attribute_offsets(const std::string& text, std::size_t offset) {
   std::vector<std::size_t> offsets;
   const std::size_t end = text.size();
@@ -43,7 +43,7 @@ std::vector<std::size_t> attribute_offsets(const std::string& text, std::size_t 
   return offsets;
 }
 
-/// The walk over the files.
+/// Recursive loading of files.
 struct Loader {
   Reading& reading;
   std::size_t elements = 0;
@@ -91,12 +91,12 @@ Element element_of(const Loader& loader, const pugi::xml_node& node, int file) {
   return element;
 }
 
-/// Puts the content of an included file in the place of its <include>.
+/// Replaces an <include> by the content of its file.
 bool load_include(Loader& loader, const Element& include, int depth, Element& target,
                   std::vector<std::string>& open_files) {
   const std::optional<std::string> name = required_text(loader.reading, include, "file");
   if (!name) return loader.ok = false;
-  // MuJoCo takes the path from the folder of the main file.
+  // In MuJoCo the path is relative to the folder of the main file.
   const auto folder = std::filesystem::path(loader.reading.request.file).parent_path();
   const std::string path = (folder / *name).string();
   if (std::find(open_files.begin(), open_files.end(), path) != open_files.end()) {
@@ -142,7 +142,7 @@ bool load_children(Loader& loader, const pugi::xml_node& node, int file, int dep
   return true;
 }
 
-/// A number as typed; infinite for inf and for numbers that no double holds. Fails (nothing): it is no number.
+/// A number as typed; infinite for inf and for numbers beyond double. Fails (nothing): it is no number.
 std::optional<double> parse_number(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0;
@@ -156,7 +156,7 @@ std::optional<double> parse_number(std::string_view word) {
   return std::copysign(std::numeric_limits<double>::infinity(), word.starts_with('-') ? -1.0 : 1.0);
 }
 
-/// The numbers of an attribute; such as are too large are refused, or infinite where they are limits.
+/// Numbers of an attribute; too large ones are refused, or infinite for limits.
 std::optional<std::vector<double>> read_numbers(Reading& reading, const Attribute& attribute, std::size_t least,
                                                 std::size_t most, bool are_limits) {
   std::vector<double> values;

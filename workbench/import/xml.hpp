@@ -1,5 +1,5 @@
 #pragma once
-// XML as the translators read it: elements and attributes that know where they stand, and the numbers in them.
+// XML for the translators: elements and attributes with their positions, and numbers in them.
 
 #include <deque>
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace mbgen::importing {
 
-/// A byte of one of the files.
+/// A position in one of the files.
 struct Spot {
   int file = 0;            ///< index into Reading::sources
   std::size_t offset = 0;  ///< bytes from the start of the text
@@ -30,25 +30,25 @@ struct Element {
   std::vector<Element> children;
 };
 
-/// A file that was read.
+/// A file with its text.
 struct Source {
   std::string file, text;
   std::vector<std::size_t> line_starts;
 };
 
-/// Data that all parts of a translation share: the texts, their faults and their losses.
+/// Common data of a translation: texts, problems and notes.
 struct Reading {
   const ImportRequest& request;
   std::deque<Source> sources;
   Diagnostics problems, notes;
 };
 
-/// Adds a file. line_starts are found. Result: its index.
+/// Adds a file and finds its line_starts. Result: its index.
 int add_source(Reading& reading, std::string file, std::string text);
 
-/// The root element of the request's file, with the content of its <include> elements in their places.
-/// Fails (nothing, with problems added): syntax, nesting deeper than 256 levels, more than 2 million elements, includes
-/// that cannot be read or that include themselves.
+/// Root element of the request's file, with <include> elements replaced by their content. Fails (nothing, with problems
+/// added): syntax, nesting deeper than 256 levels, more than 2 million elements, includes that cannot be read or that
+/// include themselves.
 std::optional<Element> read_xml(Reading& reading);
 
 Where where_of(const Reading& reading, Spot spot);
@@ -59,22 +59,22 @@ void note(Reading& reading, Spot spot, std::string message, std::string hint = {
 const Element* child(const Element& element, std::string_view name);
 /// The attribute of this name, or nullptr.
 const Attribute* attribute(const Element& element, std::string_view name);
-/// Its value, "" when it is absent.
+/// Value of this attribute, "" without it.
 std::string text_of(const Element& element, std::string_view name);
-/// The name of an element for a message: in quotes, shortened, without control characters.
+/// Name of an element for a message: in quotes, shortened, without control characters.
 std::string quoted_text(std::string_view text);
 
-/// A value that must be there. Fails (nothing, with a problem): absent or empty.
+/// A required value. Fails (nothing, with a problem): absent or empty.
 std::optional<std::string> required_text(Reading& reading, const Element& element, std::string_view name);
-/// The numbers of an attribute, between `least` and `most` of them. Fails (nothing, with a problem): something that is
-/// no finite number, numbers above 1e15, another count.
+/// The numbers of an attribute, between `least` and `most` of them. Fails (nothing, with a problem): a value that is no
+/// finite number, numbers above 1e15, another count.
 std::optional<std::vector<double>> numbers(Reading& reading, const Attribute& attribute, std::size_t least,
                                            std::size_t most);
-/// The same of numbers that mean "no limit" where they are infinite or above 1e15, as 2e19, inf and 1e308: these become
+/// The numbers of a limit: infinite ones or those above 1e15, as 2e19, inf and 1e308, mean "no limit" and become
 /// infinite.
 std::optional<std::vector<double>> limits(Reading& reading, const Attribute& attribute, std::size_t least,
                                           std::size_t most);
-/// One number, `fallback` when it is absent or unreadable.
+/// One number, `fallback` if it is absent or unreadable.
 double number(Reading& reading, const Element& element, std::string_view name, double fallback);
 
 }  // namespace mbgen::importing
