@@ -8,8 +8,7 @@
 namespace mbgen {
 namespace {
 
-/// Bytes of the UTF-8 character that a text begins with, 0 when it begins with none. Requires: a text that is not
-/// empty.
+/// Number of bytes of the first UTF-8 character of a text, 0 for an invalid one. Requires: a text that is not empty.
 std::size_t character_size(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const std::size_t size = byte(0) < 0x80 ? 1 : byte(0) < 0xC2 ? 0 : byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 4;
@@ -17,14 +16,14 @@ std::size_t character_size(std::string_view text) {
   for (std::size_t i = 1; i < size; ++i) {
     if ((byte(i) & 0xC0u) != 0x80u) return 0;
   }
-  // Characters that fewer bytes can write, surrogates, and what lies beyond U+10FFFF.
+  // Overlong encodings, surrogates, and values beyond U+10FFFF.
   const bool refused = (byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xED && byte(1) > 0x9F) ||
                        (byte(0) == 0xF0 && byte(1) < 0x90) || (byte(0) == 0xF4 && byte(1) > 0x8F);
   return refused ? 0 : size;
 }
 
-/// Characters that have no place in code: control characters, ends of lines, controls of the direction of writing,
-/// which make code look other than it is, and U+FFFE and U+FFFF, which XML does not have.
+/// Characters not allowed in code: control characters, line ends, controls of writing direction (displayed code would
+/// differ from the actual code), and U+FFFE and U+FFFF, which XML excludes.
 bool is_control(std::string_view character) {
   const auto last = static_cast<unsigned char>(character.back());
   if (character.size() == 1) return last < 0x20 || last == 0x7f;
@@ -35,7 +34,7 @@ bool is_control(std::string_view character) {
   return start == "\xE2\x81" && last >= 0xA6 && last <= 0xA9;
 }
 
-/// Number of a character of at most three bytes. Requires: UTF-8.
+/// Code point of a character of at most three bytes. Requires: UTF-8.
 unsigned code_point(std::string_view character) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(character[i])); };
   if (character.size() == 1) return byte(0);

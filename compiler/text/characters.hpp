@@ -1,5 +1,5 @@
 #pragma once
-// Characters of text that people write, in UTF-8.
+// UTF-8 characters of text from people.
 
 #include <string>
 #include <string_view>
@@ -9,8 +9,8 @@ namespace mbgen {
 
 struct Character {
   std::string_view bytes;
-  /// No control character, end of a line, control of the direction of writing (it makes code look other than it is), or
-  /// byte that belongs to no character.
+  /// No control character, line end, control of writing direction (displayed code would differ from the actual code),
+  /// or invalid byte.
   bool is_plain = true;
 };
 
@@ -23,13 +23,13 @@ std::string line_text(std::string_view text);
 /// Text without blanks, tabs and returns at its ends.
 std::string_view without_blanks(std::string_view text);
 
-/// Text that cannot command a terminal: `?` for characters that are not plain, but for ends of lines and tabs.
+/// Text that is safe on a terminal: `?` for characters that are not plain, except line ends and tabs.
 std::string terminal_text(std::string_view text);
 
-/// Text on one line between tags of XML or HTML, or as the value of an attribute.
+/// Text on one line, escaped for XML or HTML, content or value of an attribute.
 std::string xml_text(std::string_view text);
 
-/// JSON that a terminal can show: characters that are not plain are escaped (\u202e); they stand in strings only.
+/// JSON that is safe on a terminal: characters that are not plain are escaped (\u202e); they occur in strings only.
 /// Requires: JSON in UTF-8.
 std::string json_shown(std::string_view json);
 

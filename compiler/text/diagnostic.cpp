@@ -16,7 +16,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_of_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || is_digit(c); }
 bool is_tail_of_character(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
 
-/// Place behind the string that starts at `begin` with its quote; the end of the line when it does not end there.
+/// End of the string that starts at `begin` with its quote; the end of the line for an open string.
 std::size_t end_of_string(const std::string& line, std::size_t begin) {
   for (std::size_t i = begin + 1; i < line.size(); ++i) {
     if (line[i] == '\\') {
@@ -28,7 +28,7 @@ std::size_t end_of_string(const std::string& line, std::size_t begin) {
   return line.size();
 }
 
-/// Place behind the number that starts at `begin`; a sign belongs to it at its start and after an exponent's letter.
+/// End of the number that starts at `begin`; a sign belongs to it at its start and after an exponent's letter.
 std::size_t end_of_number(const std::string& line, std::size_t begin) {
   std::size_t end = begin + 1;
   while (end < line.size()) {
@@ -42,8 +42,8 @@ std::size_t end_of_number(const std::string& line, std::size_t begin) {
   return end;
 }
 
-/// Blanks up to the column, with the line's own tabs and without the tails of UTF-8 characters, so that the caret
-/// aligns.
+/// Blanks up to the column, with the line's own tabs and without continuation bytes of UTF-8, for alignment of the
+/// caret.
 std::string padding(const std::string& line, int column) {
   std::string blanks;
   for (int i = 0; i + 1 < column && i < static_cast<int>(line.size()); ++i) {
@@ -67,9 +67,9 @@ std::string mark(const std::string& line, int column) {
   return text;
 }
 
-/// `did you mean "front.json"?` where a file of a similar name and the same extension lies in the directory.
+/// `did you mean "front.json"?` for a file of similar name and same extension in the directory.
 std::string nearest_file(const std::filesystem::path& missing) {
-  constexpr int kMostEntries = 2000;  // of a directory; nobody means one of more
+  constexpr int kMostEntries = 2000;  // of a directory; larger ones are not searched
   std::error_code error;
   if (std::filesystem::exists(missing, error)) return {};
   std::vector<std::string> stems;
@@ -89,7 +89,7 @@ std::string nearest_file(const std::filesystem::path& missing) {
 /// The parts in which two names differ.
 using Parts = std::pair<std::string_view, std::string_view>;
 
-/// "fl" and "fr" of "fl_wheel" and "fr_wheel"; nothing where the names share no ending.
+/// "fl" and "fr" of "fl_wheel" and "fr_wheel"; nothing without a common ending.
 std::optional<Parts> prefix_parts(std::string_view a, std::string_view b) {
   std::size_t shared = 0;
   while (shared < std::min(a.size(), b.size()) && a[a.size() - 1 - shared] == b[b.size() - 1 - shared]) ++shared;
@@ -97,8 +97,8 @@ std::optional<Parts> prefix_parts(std::string_view a, std::string_view b) {
   return Parts{a.substr(0, a.size() - shared), b.substr(0, b.size() - shared)};
 }
 
-/// "left" and "right" of "wheel_left" and "wheel_right"; nothing where the names share no beginning, or where they are
-/// coordinates of one joint: wheel_rx and wheel_ry.
+/// "left" and "right" of "wheel_left" and "wheel_right"; nothing without a common beginning, or for coordinates of one
+/// joint: wheel_rx and wheel_ry.
 std::optional<Parts> suffix_parts(std::string_view a, std::string_view b) {
   const std::size_t most = std::min(a.size(), b.size());
   const auto differ = static_cast<std::size_t>(
@@ -111,7 +111,7 @@ std::optional<Parts> suffix_parts(std::string_view a, std::string_view b) {
   return parts;
 }
 
-/// Whether words that differ do so by one pair of parts all through, and all else is the same.
+/// Whether two texts are equal except for words that all differ by the same pair of parts.
 template <class PartsOf>
 bool differ_by_one_part(std::string_view one, std::string_view other, PartsOf parts_of) {
   std::optional<Parts> known;
@@ -138,7 +138,7 @@ bool differ_by_one_part(std::string_view one, std::string_view other, PartsOf pa
   return i == one.size() && k == other.size();
 }
 
-/// Escape sequences of terminals around a text.
+/// Text within escape sequences for colours.
 std::string coloured(Style style, const char* colour, const std::string& text) {
   return style == Style::plain ? text : fmt::format("\033[{}m{}\033[0m", colour, text);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Errors of the compiler are values: a stage returns its result or every diagnostic it found.
+// Errors of the compiler are values: a stage returns its result or all diagnostics.
 
 #include <optional>
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace mbgen {
 
-/// Where a value of the model was written.
+/// Position of a value in the model's files.
 struct Where {
   std::string file;            ///< as given on the command line or in `include`
-  int line = 0;                ///< 1-based; 0 when the text has no line (for example a missing file)
+  int line = 0;                ///< 1-based; 0 without a line (for example a missing file)
   int column = 0;              ///< 1-based, in bytes
   std::string pointer;         ///< JSON pointer (RFC 6901), "" for the whole document
   std::string line_text = {};  ///< the line of text, shown under the message; empty when unknown or very long
@@ -24,44 +24,44 @@ struct Diagnostic {
   Where where;
   std::string message;      ///< rule and value, lower case, no full stop
   std::string hint;         ///< next step; may be empty
-  std::string source_line;  ///< the line of text that `where` names; when empty, where.line_text is shown
+  std::string source_line;  ///< line of text at `where`; if empty, where.line_text is shown
 };
 
 using Diagnostics = std::vector<Diagnostic>;
 
-/// A name as messages show it.
+/// A name in quotes, for messages.
 inline std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
-/// Hint where there is no file of a name: the one beside it that was probably meant; empty where nothing is known.
+/// Hint for a missing file: a file beside it with a similar name; empty if there is none.
 std::string hint_of_missing(std::string_view name);
 
-/// Text of a file as messages show it: in double quotes, without control characters, shortened when long.
+/// Text of a file for messages: in double quotes, without control characters, shortened if long.
 std::string in_quotes(std::string_view text);
 
-/// Number of bytes from `column` (1-based) of a line that a message about this place means: a string with its quotes, a
-/// number, a name, else one character.
+/// Number of bytes to mark from `column` (1-based) of a line: a string with its quotes, a number, a name, else one
+/// character.
 int marked_length(const std::string& line, int column);
 
 /// For files and pipes, or for terminals.
 enum class Style { plain, coloured };
-/// `did you mean "x"?` when a candidate is near a word; else the candidates when they are few; else empty.
+/// `did you mean "x"?` for a candidate similar to the word; else the candidates if they are few; else empty.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
 
-/// Text of one diagnostic as people read it, with a final newline.
+/// One diagnostic as text, with a final newline.
 std::string to_text(const Diagnostic& diagnostic, Style style = Style::plain);
 
-/// Text of all diagnostics, in order of appearance.
+/// All diagnostics as text, in order of appearance.
 std::string to_text(const Diagnostics& diagnostics, Style style = Style::plain);
 
-/// Whether two texts differ by the names of placed parts alone, "fl_wheel" and "fr_wheel": one prefix (or suffix) in
-/// place of another, the same ones all through.
+/// Whether two texts differ only by names of placed parts, "fl_wheel" and "fr_wheel": one prefix (or suffix) instead of
+/// another, the same throughout.
 bool same_but_for_instance(std::string_view one, std::string_view other);
 
-/// Diagnostics at one place whose messages are the same but for the instance become the first of them, "(and 3 more
-/// like it)".
+/// Merges diagnostics at one place with messages that differ only by the instance into the first, "(and 3 more like
+/// it)".
 Diagnostics grouped(Diagnostics diagnostics);
 
-/// A value, or the diagnostics that say why there is none.
+/// A value, or the diagnostics of the failure.
 template <class Value>
 class Result {
  public:

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// First byte at or after `at` that is no white space, comment, comma or colon.
+/// Next byte from `at` on that is no white space, comment, comma or colon.
 std::size_t skip_separators(std::string_view text, std::size_t at) {
   constexpr std::string_view kSeparators = " \t\r\n,:";
   while (at < text.size()) {
@@ -28,7 +28,7 @@ std::size_t skip_separators(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// One past the token that starts at `at`. Requires: the parser has accepted the token.
+/// End of the token that starts at `at`. Requires: the parser has accepted the token.
 std::size_t token_end(std::string_view text, std::size_t at) {
   if (text[at] == '"') {
     for (++at; at < text.size() && text[at] != '"'; ++at) {
@@ -40,7 +40,7 @@ std::size_t token_end(std::string_view text, std::size_t at) {
   return std::min(text.find_first_of(" \t\r\n,:{}[]\"/", at), text.size());
 }
 
-/// The parser's message for a syntax error, without its own position and without the last token.
+/// The parser's message for a syntax error, without its position and last token.
 std::string syntax_message(std::string_view what) {
   constexpr std::string_view kMarker = "syntax error while parsing ";
   if (const auto at = what.find(kMarker); at != std::string_view::npos) what.remove_prefix(at + kMarker.size());
@@ -76,7 +76,7 @@ std::string syntax_hint(std::string_view text, std::size_t at, std::string_view 
   return {};
 }
 
-/// Receives the parser's events and walks over the text along with them, so that each token's place is known.
+/// Handler of the parser's events; it follows the text in parallel to find the position of each token.
 class TreeBuilder {
  public:
   TreeBuilder(Document& document, std::uint32_t index, Problems& problems)
@@ -172,7 +172,7 @@ class TreeBuilder {
         first = i;
         continue;
       }
-      // Both places are of this file; its line table exists before parsing.
+      // Both positions are in this file; its line table exists before parsing.
       const Where earlier = where_of_line(sorted[first]->place);
       problems_.push_back({sorted[i]->place,
                            fmt::format("key {} is defined twice, first at {}:{}", in_quotes(sorted[i]->key),
@@ -190,7 +190,7 @@ class TreeBuilder {
             {}};
   }
 
-  /// Blanks before the first character of the line of a place, and whether that is the place.
+  /// Indentation of the line of a position, and whether the position follows it directly.
   std::pair<std::size_t, bool> indentation(Place place) const {
     const std::string_view text = document_.text;
     const auto& starts = document_.line_starts;
@@ -200,8 +200,8 @@ class TreeBuilder {
     return {first - start, first == place.offset};
   }
 
-  /// The first key on a line of its own that is indented no deeper than the line on which its object begins; nullptr
-  /// where there is none.
+  /// First key on its own line with an indentation no deeper than the line of its object's begin; nullptr if there is
+  /// none.
   const Member* first_misplaced(const Value& container) const {
     const std::size_t depth = indentation(container.place).first;
     for (const Member& member : container.members) {
@@ -215,7 +215,7 @@ class TreeBuilder {
     return nullptr;
   }
 
-  /// Where a closing bracket is missing, as far as the indentation tells.
+  /// Hint on the position of a missing closing bracket, from the indentation.
   std::string missing_bracket_hint() const {
     const Member* member = first_misplaced(document_.root);
     if (!member) return "a closing bracket is missing";
@@ -229,7 +229,7 @@ class TreeBuilder {
   std::uint32_t file_;
   std::size_t cursor_ = 0;  ///< one past the last token
   std::size_t count_ = 0;
-  std::vector<Value*> open_;  ///< containers that are not closed yet, outermost first
+  std::vector<Value*> open_;  ///< open containers, outermost first
   std::string key_;
   Place key_place_;
 };
@@ -299,7 +299,7 @@ bool parse_document(Document& document, std::uint32_t index, Problems& problems)
   constexpr bool kStrict = true, kIgnoreComments = true;
   const bool parsed = nlohmann::json::sax_parse(text.begin(), text.end(), &builder,
                                                 nlohmann::json::input_format_t::json, kStrict, kIgnoreComments);
-  if (!parsed) document.root = {};  // a tree cut short would give misleading pointers
+  if (!parsed) document.root = {};  // an incomplete tree would give misleading pointers
   return parsed;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// JSON text with positions: a small tree whose every value and key knows where it stands.
+// JSON with positions: a tree in which every value and key has its position in the text.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@ constexpr std::size_t kMaximumBytes = std::size_t{64} << 20;
 constexpr std::size_t kMaximumValues = 2'000'000;
 constexpr int kMaximumDepth = 64;
 
-/// A byte of a file of the model.
+/// A position in a file of the model.
 struct Place {
   std::uint32_t file = 0;    ///< index into Documents
   std::uint32_t offset = 0;  ///< bytes from the start of the text
@@ -24,7 +24,7 @@ struct Place {
 
 struct Member;
 
-/// A JSON value and the place where it starts.
+/// A JSON value and its position.
 struct Value {
   enum class Kind : std::uint8_t { null, boolean, number, text, array, object };
   Kind kind = Kind::null;
@@ -46,51 +46,50 @@ struct Member {
 struct Document {
   std::string file;
   std::string text;
-  std::string identity;  ///< canonical path: a file that is used several times is parsed once
+  std::string identity;  ///< canonical path: a file used several times is parsed once
   bool parsed = false;   ///< without problems of syntax
-  bool is_shown = true;  ///< false where a model names a file that is none of its kind: messages keep its text to it
+  bool is_shown = true;  ///< false for a file of the wrong kind named by a model: messages do not show its text
   std::vector<std::uint32_t> line_starts;
   Value root;
 };
 
-/// The file asked for, then its includes in order of reading. A deque: values are pointed to while files are added.
+/// The main file, then its includes in order of reading. A deque: pointers to values stay valid while files are added.
 using Documents = std::deque<Document>;
 
 struct Problem {
   Place place;
   std::string message;
   std::string hint;
-  std::string instance = {};  ///< path of the instance whose file this is, as "front.left"; empty for the model's own
+  std::string instance = {};  ///< path of this file's instance, as "front.left"; empty for the model's own
 };
 using Problems = std::vector<Problem>;
 
-/// Parses text with comments into `document.root`.
-/// Fails (false, with problems added): syntax, size, nesting deeper than kMaximumDepth. Duplicate keys are problems,
-/// too, but parsing goes on.
+/// Parses text with comments into `document.root`. Fails (false, with problems added): syntax, size, nesting deeper
+/// than kMaximumDepth. Duplicate keys are problems too, but parsing continues.
 bool parse_document(Document& document, std::uint32_t index, Problems& problems);
 
 /// Sets document.line_starts from its text.
 void find_lines(Document& document);
 
-/// The member's value, or nullptr; the first one when the key is there twice.
+/// Value of the member, or nullptr; the first one for a duplicate key.
 const Value* find(const Value& object, std::string_view key);
 /// The member, or nullptr.
 const Member* find_member(const Value& object, std::string_view key);
 
-/// File, line, column, pointer and line of a place.
+/// File, line, column, pointer and line of text of a position.
 Where where_of(const Documents& documents, Place place);
 
-/// "12:5", or "file.json:12:5" when the place is in another file than `from`.
+/// "12:5", or "file.json:12:5" for a position in another file than `from`.
 std::string place_text(const Documents& documents, Place place, Place from);
 
-/// Place of byte `index` of the decoded string `value`; escapes in the source are accounted for.
+/// Position of byte `index` of the decoded string `value`, with escapes in the source taken into account.
 Place place_in_text(const Documents& documents, const Value& value, std::size_t index);
 
-/// Problems by file and position, as diagnostics; a problem that several instances of one file have in common is told
+/// Problems sorted by file and position, as diagnostics; a problem common to several instances of one file is reported
 /// once.
 Diagnostics to_diagnostics(const Documents& documents, Problems problems);
 
-/// Name of a value in messages: `3.5`, `"abc"`, `an array of 2`, `an object`.
+/// Description of a value for messages: `3.5`, `"abc"`, `an array of 2`, `an object`.
 std::string describe(const Value& value);
 
 }  // namespace mbgen::reading

@@ -1,5 +1,5 @@
 #pragma once
-// A hash of texts, to name files that are made of them and to detect damage.
+// Hash of texts, for names of files and detection of damage.
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 namespace mbgen {
 
-/// FNV-1a, 64 bits, over texts and their borders.
+/// FNV-1a, 64 bits, over texts and their boundaries.
 class Hash {
  public:
   void add(std::string_view text) {

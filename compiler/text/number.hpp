@@ -1,17 +1,17 @@
 #pragma once
-// Numbers that people write on the command line and in tables.
+// Numbers on the command line and in tables.
 
 #include <string>
 
 namespace mbgen {
 
-/// A finite number. Fails: UserError with `what` in front.
+/// Parses a finite number. Fails: UserError that begins with `what`.
 double parse_number(const std::string& text, const std::string& what);
 
-/// Digits behind the point of the shortest decimal that reads back as `value`.
+/// Decimal places of the shortest decimal equal to `value`.
 int decimals_of(double value);
 
-/// The double of the decimal with so many digits that `value` is but for the rounding of a product; else `value`.
+/// `value` rounded to so many decimals if the difference is rounding of a product; else `value`.
 double on_decimals(double value, int decimals);
 
 }  // namespace mbgen

@@ -1,4 +1,4 @@
-// Places of values as people read them: file, line, column, JSON pointer.
+// Positions of values in messages: file, line, column, JSON pointer.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ std::string escaped(const std::string& key) {
   return text;
 }
 
-/// The last element that starts at or before the offset, or the end.
+/// Last element that starts at or before the offset, or the end.
 template <class Elements>
 auto last_at_or_before(const Elements& elements, std::uint32_t offset) {
   const auto after = std::upper_bound(elements.begin(), elements.end(), offset,
@@ -71,7 +71,7 @@ Where where_of(const Documents& documents, Place place) {
   where.line = static_cast<int>(std::max<std::ptrdiff_t>(after - starts.begin(), 1));
   where.column = static_cast<int>(place.offset - start) + 1;
   where.pointer = pointer_of(document.root, place.offset);
-  // Only so far as a line is shown: a file may be one line.
+  // Limited to the length shown: a file may be one line.
   const std::string_view shown = std::string_view(document.text).substr(start, kLongestShownLine + 2);
   const std::size_t length = std::min(shown.find('\n'), shown.size());
   if (document.is_shown && length <= kLongestShownLine) {
@@ -96,7 +96,7 @@ Place place_in_text(const Documents& documents, const Value& value, std::size_t 
       ++decoded;
       continue;
     }
-    // \uXXXX gives one to four bytes; the place need only be right for what an expression may contain, one byte.
+    // \uXXXX gives one to four bytes; exact for one byte, the only case within expressions.
     at += at + 1 < text.size() && text[at + 1] == 'u' ? 6 : 2;
     ++decoded;
   }
@@ -113,7 +113,7 @@ Diagnostics to_diagnostics(const Documents& documents, Problems problems) {
     while (end < problems.size() && problems[end].place.file == place.file &&
            problems[end].place.offset == place.offset)
       ++end;
-    // Entries that several instances share follow the first of them.
+    // Problems common to several instances follow the first of them.
     for (std::size_t i = start; i < end; ++i) {
       const auto says_the_same = [&](const Problem& other) {
         return same_but_for_instance(other.message, problems[i].message);

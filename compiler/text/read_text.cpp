@@ -38,7 +38,7 @@ class OpenFile {
   int number_;
 };
 
-/// Whether the kernel makes a file's content as it is read.
+/// Whether the kernel generates the file's content on reading.
 bool is_of_kernel(int file) {
   struct statfs system = {};
   if (::fstatfs(file, &system) != 0) return false;
@@ -54,7 +54,7 @@ FileText too_large(std::size_t most) {
   return {{}, "file is larger than " + size_text(most), ReadFault::too_large, 0, most};
 }
 
-/// The content of an open file of `size` bytes, as far as that is known.
+/// Content of an open file of `size` bytes, if known.
 FileText content_of(int file, std::size_t size, std::size_t most) {
   std::string text;
   text.reserve(size + 1);

@@ -34,7 +34,7 @@ std::string list_of(const std::vector<std::string_view>& candidates) {
 
 namespace {
 
-/// The first few names that have the word between or beside underscores, as the parts of an instance have its prefix.
+/// The first few names with the word before, between or after underscores, as in names of instances.
 std::string placed_names(std::string_view word, const std::vector<std::string_view>& candidates) {
   constexpr std::size_t kShortest = 3, kMostNamed = 3;
   if (word.size() < kShortest) return {};
@@ -58,7 +58,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
   constexpr std::size_t kMostSearched = 2000, kMostListed = 8, kLongest = 128;
   if (candidates.empty() || candidates.size() > kMostSearched || word.size() > kLongest) return {};
   const int size = static_cast<int>(word.size());
-  const int near = std::min(std::max(1, size / 3), size - 1);  // one letter is not like another
+  const int near = std::min(std::max(1, size / 3), size - 1);  // single letters are never similar
   int best = near + 1;
   std::string_view nearest;
   for (const std::string_view candidate : candidates) {

@@ -1,5 +1,5 @@
 #pragma once
-// Words that were probably meant.
+// Similar words, for hints.
 
 #include <string>
 #include <string_view>

@@ -1,5 +1,5 @@
 #pragma once
-// The exception of the command line when the user's input is at fault; main turns it into exit code 1.
+// Exception of the command line for faults of the user's input; main returns exit code 1.
 
 #include <stdexcept>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace mbgen {
 
-/// The user's input, files or surroundings are at fault. The text is complete: lines for standard error.
+/// Fault of the user's input, files or environment. The text is complete: lines for standard error.
 class UserError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

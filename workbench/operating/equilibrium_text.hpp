@@ -1,5 +1,5 @@
 #pragma once
-// A static equilibrium with its forces, for people and for machines.
+// A static equilibrium with its forces, as text and as JSON.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -13,14 +13,14 @@ namespace mbgen {
 /// The equilibrium, its rates and its forces.
 struct Equilibrium {
   GenericState state;
-  GenericDerivative rates;  ///< zero but for rounding, and for what may roll or turn freely
+  GenericDerivative rates;  ///< zero up to rounding, except for free rolling or turning
   GenericOutputs outputs;
 };
 
 /// The equilibrium near the model's initial state. Fails: UserError as equilibrium_state.
 Equilibrium equilibrium(const Compilation& compilation, const std::vector<double>& inputs);
 
-/// Positions and outputs by name, SI units, and the largest acceleration that is left.
+/// Positions and outputs by name, SI units, and the largest remaining acceleration.
 nlohmann::ordered_json equilibrium_json(const Compilation& compilation, const Equilibrium& found);
 
 std::string equilibrium_text(const Compilation& compilation, const Equilibrium& found);

@@ -46,7 +46,7 @@ GenericState state_of_file(const Compilation& compilation, const StateArguments&
                               describe(compilation, status)));
 }
 
-/// Row of a result that is asked for, from 0.
+/// Requested row of a result, from 0.
 std::size_t chosen_row(const Results& results, const StateArguments& arguments) {
   const std::vector<double>& time = results.columns.front().values;
   if (!arguments.time) {
@@ -63,7 +63,7 @@ std::size_t chosen_row(const Results& results, const StateArguments& arguments) 
                               arguments.result, time.front(), time.back(), *arguments.time, *nearest));
 }
 
-/// Says when the result's run had other parameters, or the model has changed since.
+/// Notes when the result's run had other parameters, or the model has changed since.
 void note_other_model(const Compilation& compilation, const Results& results, const std::string& file) {
   const nlohmann::json run = nlohmann::json::parse(results.run, nullptr, false);
   if (!run.is_object() || run.value("model_hash", nlohmann::json()) == compilation.model.hash) return;
@@ -74,7 +74,7 @@ void note_other_model(const Compilation& compilation, const Results& results, co
                 compilation.model.file, words.empty() ? "" : fmt::format("; it was simulated with{}", words));
 }
 
-/// The auxiliary states at a row, where the result has all of them.
+/// Takes the auxiliary states at a row, if the result has all of them.
 bool take_auxiliary(const Compilation& compilation, const Results& results, std::size_t row, std::vector<double>& x) {
   std::vector<double> found;
   for (const std::string& name : auxiliary_state_names(compilation.model)) {
@@ -86,7 +86,7 @@ bool take_auxiliary(const Compilation& compilation, const Results& results, std:
   return true;
 }
 
-/// A row of a result, made consistent; notes name the values that the result does not hold.
+/// A row of a result, made consistent; notes name the values missing in the result.
 OperatingPoint point_of_result(const Compilation& compilation, const StateArguments& arguments,
                                const std::vector<double>& inputs) {
   const Results results = read_result_file(arguments.result);

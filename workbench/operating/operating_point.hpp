@@ -1,5 +1,5 @@
 #pragma once
-// The state at which a model is looked at: its initial one, its equilibrium, or one of a file.
+// Operating point of an analysis: initial state, equilibrium, or a state from a file.
 
 #include <optional>
 #include <string>
@@ -26,13 +26,13 @@ struct ChosenPoint {
   std::optional<SteadyMotion> steady;  ///< of --at steady
 };
 
-/// The state that the arguments name, its loops closed, and the inputs. Fails: UserError.
+/// The state and inputs selected by the arguments, with closed loops. Fails: UserError.
 ChosenPoint operating_point(const Compilation& compilation, const StateArguments& arguments);
 
-/// The files that a command with these arguments reads, `run_file` of a result among them.
+/// Files read by a command with these arguments, including `run_file` of a result.
 std::vector<std::string> files_read(const Model& model, const StateArguments& arguments);
 
-/// The static equilibrium near the model's initial state, at these inputs. Fails: UserError when there is none.
+/// The static equilibrium near the model's initial state, at these inputs. Fails: UserError if there is none.
 GenericState equilibrium_state(const Compilation& compilation, const std::vector<double>& inputs);
 
 }  // namespace mbgen

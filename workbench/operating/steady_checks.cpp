@@ -13,10 +13,10 @@
 namespace mbgen {
 namespace {
 
-constexpr double kWeighed = 1e-8;    // of the model's weight: forces below it are rounding of those that balance
-constexpr double kSettled = 1e-5;    // 1/s: the same of auxiliary states, in parts of their magnitudes
-constexpr double kFree = 1e-4;       // part of choices in a direction that changes nothing
-constexpr double kNamedPart = 1e-2;  // of the largest of a direction
+constexpr double kWeighed = 1e-8;    // of the model's weight: smaller forces are rounding errors
+constexpr double kSettled = 1e-5;    // 1/s: the same for rates of auxiliary states, relative to their magnitudes
+constexpr double kFree = 1e-4;       // smallest component in a direction without effect
+constexpr double kNamedPart = 1e-2;  // of the largest component of a direction
 
 /// N, or N m at a lever of 1 m.
 double least_force(const Model& model) {
@@ -26,7 +26,7 @@ double least_force(const Model& model) {
   return kWeighed * mass * (g > 0 ? g : 1);
 }
 
-/// See free_directions. parts: of the choices.
+/// See free_directions. parts: components by choices.
 std::string direction_text(const std::vector<SteadyChoice>& choices, const Eigen::VectorXd& parts) {
   const auto rates = std::count_if(choices.begin(), choices.end(), [](const SteadyChoice& c) { return c.is_rate; });
   Eigen::Index first = 0;

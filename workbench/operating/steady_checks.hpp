@@ -1,5 +1,5 @@
 #pragma once
-// Whether a motion is steady, and the only one.
+// Checks that a motion is steady and unique.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -11,26 +11,26 @@
 
 namespace mbgen {
 
-constexpr double kSteady = 1e-7;  ///< rad/s^2 or m/s^2, and of auxiliary states in parts of their magnitudes a second
+constexpr double kSteady = 1e-7;  ///< rad/s^2 or m/s^2; for auxiliary states 1/s, relative to their magnitudes
 
-/// Norms of columns, none of them 0: inputs are torques as well as angles.
+/// Norms of columns, at least 1e-12, as scales: inputs have different units.
 Eigen::VectorXd column_sizes(const Eigen::MatrixXd& matrix);
 
-/// Whether the forces behind accelerations that are left are rounding: 1e-8 of the model's weight, or of its mass times
-/// 1 m/s^2 where there is no gravity, at a lever of 1 m. left: accelerations of the independent coordinates, then rates
-/// of auxiliary states in parts of their magnitudes.
+/// Whether the forces behind remaining accelerations are rounding errors: below 1e-8 of the model's weight, or of its
+/// mass times 1 m/s^2 without gravity, at a lever of 1 m. left: accelerations of the independent coordinates, then
+/// rates of auxiliary states relative to their magnitudes.
 bool is_weighed_out(const Compilation& compilation, const GenericSolver& solver, const OperatingPoint& point,
                     const Eigen::VectorXd& left);
 
-/// An unknown of a steady motion that a user may choose: a rate or an input.
+/// An unknown of a steady motion that the user may prescribe: a rate or an input.
 struct SteadyChoice {
   std::size_t column = 0;
   std::string name;
   bool is_rate = false;
 };
 
-/// Directions along which unknowns may change without accelerations, as "zd.car_tx +1, drive +16": the largest rate is
-/// 1, or the largest input if no rate changes. derivatives: of the accelerations, by all unknowns. choices: rates
+/// Null space: directions of unknowns without effect on accelerations, as "zd.car_tx +1, drive +16"; the largest rate
+/// is 1, or the largest input if no rate changes. derivatives: of the accelerations, by all unknowns. choices: rates
 /// before inputs.
 std::vector<std::string> free_directions(const Eigen::MatrixXd& derivatives, const std::vector<SteadyChoice>& choices);
 

@@ -22,13 +22,13 @@ namespace {
 
 using StateKind = LinearState::Kind;
 
-constexpr double kMoves = 1e-9;         // rad/s or m/s: a coordinate that moves at the start
+constexpr double kMoves = 1e-9;         // rad/s or m/s: threshold of a moving coordinate
 constexpr int kMostVain = 8;            // steps that lower nothing
 constexpr double kShortest = 1.0 / 64;  // of a step
-constexpr double kFlat = 1e-9;          // of the largest derivative: one that is zero but for rounding
-constexpr double kComesToRest = 0.05;   // of the speed at the start: below it the search has gone to standstill
+constexpr double kFlat = 1e-9;          // of the largest derivative: threshold of zero
+constexpr double kComesToRest = 0.05;   // of the initial speed: below it the search has reached standstill
 
-/// A search for a steady motion.
+/// Search for a steady motion by Newton's method.
 class Search {
  public:
   Search(const Compilation& compilation, OperatingPoint start, const SteadyWish& wish)
@@ -78,7 +78,7 @@ class Search {
   bool travels(int i) const { return std::find(travelling_.begin(), travelling_.end(), i) != travelling_.end(); }
   bool is_held(int i) const { return std::find(held_.begin(), held_.end(), i) != held_.end(); }
 
-  /// Which coordinates move, and which of their rates are given.
+  /// Finds the moving coordinates and their prescribed rates.
   void take_rates(const SteadyWish& wish) {
     for (const std::string& assignment : wish.hold) {
       const std::size_t sign = assignment.find('=');
@@ -123,7 +123,7 @@ class Search {
     }
   }
 
-  /// A turning coordinate that only translations carry: those across its axis turn with it.
+  /// Finds the rotating coordinate supported by translations only; the translations across its axis rotate with it.
   void find_turning() {
     for (const int i : independent_) {
       const TreeBody& body = c_.topology.bodies[i];
@@ -154,7 +154,7 @@ class Search {
     }
   }
 
-  /// Whether a motion that turns about an axis feels the same gravity, and the same road, all the way round.
+  /// Whether gravity and roads are invariant under rotation about an axis.
   bool is_upright(const Vector3& axis) const {
     const Model& m = c_.model;
     const Vector3 g{m.gravity[0].value, m.gravity[1].value, m.gravity[2].value};
@@ -166,7 +166,7 @@ class Search {
     return is_along(g) && (m.tyres.empty() || is_along({0, 0, 1}));
   }
 
-  /// Whether rates do not depend on the place in a plane: else who turns with the motion sees them change.
+  /// Whether rates are independent of the position in a plane; otherwise they are not constant in the rotating frame.
   bool is_flat(const std::vector<int>& plane) const {
     const LinearSystem system = expect(linearise(c_, motion_.point));
     const Eigen::Index rates = system.A.rows() - position_count(system);
@@ -176,12 +176,12 @@ class Search {
     });
   }
 
-  /// Rates of velocities and auxiliary states that should vanish.
+  /// Residual: rates of velocities and auxiliary states.
   Eigen::VectorXd residual(const LinearSystem& system) const {
     return seen_turning(system.drift.tail(system.drift.size() - position_count(system)));
   }
 
-  /// The same by the generic solver, which needs no derivatives. Not finite where it has no accelerations.
+  /// Residual by the generic solver, without derivatives. Not finite if it has no accelerations.
   Eigen::VectorXd residual_here() const {
     const OperatingPoint& point = motion_.point;
     const GenericState state{point.z, point.zd, point.x, point.t};
@@ -196,7 +196,7 @@ class Search {
     return seen_turning(std::move(left));
   }
 
-  /// Rates as who turns with the motion sees them, those of auxiliary states over what they count.
+  /// Rates in the rotating frame, for auxiliary states relative to their magnitudes.
   Eigen::VectorXd seen_turning(Eigen::VectorXd rates) const {
     Eigen::VectorXd left = share_of_magnitudes(std::move(rates));
     if (yaw_ < 0) return left;
@@ -206,7 +206,7 @@ class Search {
     return left;
   }
 
-  /// Accelerations as they are, then rates of auxiliary states over what these count.
+  /// Accelerations, then rates of auxiliary states relative to their magnitudes.
   Eigen::VectorXd share_of_magnitudes(Eigen::VectorXd rates) const {
     auto place = static_cast<Eigen::Index>(independent_.size());
     for (const AuxiliaryState& state : auxiliary_states(c_.model))
@@ -224,13 +224,13 @@ class Search {
     return system.states[static_cast<std::size_t>(place)].index;
   }
 
-  /// Whether a state may be changed: positions of coordinates at rest, rates of moving ones, auxiliary states.
+  /// Whether a state is unknown: positions of coordinates at rest, rates of moving ones, auxiliary states.
   bool is_unknown(const LinearState& state) const {
     if (state.kind == StateKind::position) return !travels(state.index);
     return state.kind == StateKind::auxiliary || (travels(state.index) && !is_held(state.index));
   }
 
-  /// d residual / d state, with the terms of the turning.
+  /// d residual / d state, including the terms of the rotating frame.
   Eigen::VectorXd column(const LinearSystem& system, Eigen::Index j) const {
     Eigen::VectorXd result = share_of_magnitudes(system.A.col(j).tail(system.A.rows() - position_count(system)));
     const LinearState& state = system.states[static_cast<std::size_t>(j)];
@@ -246,7 +246,7 @@ class Search {
     return result;
   }
 
-  /// States that may be changed.
+  /// Unknown states.
   std::vector<Eigen::Index> unknown_states(const LinearSystem& system) const {
     std::vector<Eigen::Index> unknown;
     for (Eigen::Index j = 0; j < system.A.cols(); ++j) {
@@ -267,8 +267,8 @@ class Search {
     return matrix;
   }
 
-  /// One step of Newton, shortened until the next one, by the same derivatives, is shorter. Source: P. Deuflhard,
-  /// "Newton Methods for Nonlinear Problems", 2004: the natural monotonicity test, which no units of rows change.
+  /// One Newton step, shortened until the next simplified Newton correction is shorter. Source: P. Deuflhard, "Newton
+  /// Methods for Nonlinear Problems", 2004: the natural monotonicity test, invariant under scaling of rows.
   void change(const LinearSystem& system, const Eigen::VectorXd& left) {
     const std::vector<Eigen::Index> unknown = unknown_states(system);
     const Eigen::MatrixXd matrix = derivatives(system, unknown);
@@ -293,7 +293,7 @@ class Search {
     }
   }
 
-  /// Moves the unknowns, then closes the loops.
+  /// Changes the unknowns, then closes the loops.
   Status apply(const LinearSystem& system, const std::vector<Eigen::Index>& unknown, const Eigen::VectorXd& by) {
     for (std::size_t k = 0; k < unknown.size(); ++k) move(system, unknown[k], by[static_cast<Eigen::Index>(k)]);
     for (std::size_t k = 0; k < inputs_.size(); ++k)
@@ -311,7 +311,7 @@ class Search {
       point.z[i] += by * system.coordinates(static_cast<Eigen::Index>(i), j);
   }
 
-  /// Closes the loops, makes the velocities consistent and bends the bristles of what slides.
+  /// Closes the loops, makes the velocities consistent and sets the bristles of sliding contacts.
   Status close() {
     OperatingPoint& point = motion_.point;
     solver_.set_inputs(point.inputs);
@@ -330,7 +330,7 @@ class Search {
       throw UserError(fmt::format("{}: no steady motion found: {}\n", c_.model.file, describe(c_, status)));
   }
 
-  /// The motion that was found. Fails: UserError where a friction would have to hold more than it does.
+  /// Result of the search. Fails: UserError if a friction would exceed its limit.
   SteadyMotion finished(const LinearSystem& system) {
     for (std::size_t i = 0; i < bristles_.size(); ++i) {
       const BristleEnd& bristle = bristles_[i];
@@ -368,7 +368,7 @@ class Search {
   std::vector<int> independent_, travelling_, held_;
   std::vector<int> inputs_;
   std::vector<BristleEnd> bristles_;  ///< at the point
-  int yaw_ = -1, leader_ = -1;        ///< the coordinate that turns; the one whose rate is the speed
+  int yaw_ = -1, leader_ = -1;        ///< rotating coordinate; coordinate whose rate is the speed
   int leading_ = 0;                   ///< coordinate with the largest acceleration
   double rate_at_start_ = 0;
 };

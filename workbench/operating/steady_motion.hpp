@@ -1,5 +1,5 @@
 #pragma once
-// Steady motion: moving coordinates keep constant rates, all others stand still.
+// Steady motion: moving coordinates have constant rates, all others are at rest.
 
 #include <string>
 #include <vector>
@@ -10,46 +10,46 @@ namespace mbgen {
 
 /// Request for a steady motion.
 struct SteadyWish {
-  std::vector<std::string>
-      hold;  ///< coordinate=rate; none: the first translation that moves at the start where an
-             ///< input is found for it, else no rate: they take the values at which drive and drag balance
-  std::vector<std::string> solve;  ///< inputs that are to be found: a drive, a steering angle
+  /// coordinate=rate; none: the first translation that moves at the start, if inputs are solved for; without such
+  /// inputs no rate is held, and the rates follow from the balance of drive and drag
+  std::vector<std::string> hold;
+  std::vector<std::string> solve;  ///< unknown inputs: a drive, a steering angle
 };
 
-/// A motion whose independent coordinates have no acceleration and whose auxiliary states are constant: coordinates
-/// that move in `start`, or that are held, keep constant rates; held rates are given; all others are zero. If a
-/// coordinate rotates about an axis that only translations carry, as a vehicle yaws, translations across this axis
-/// rotate with it, and have the accelerations of the circle.
+/// A motion without accelerations of the independent coordinates and with constant auxiliary states. Coordinates that
+/// move in `start`, or that are held, have constant rates; held rates are prescribed; all others are zero. If a
+/// coordinate rotates about an axis and is supported by translations only, as a vehicle's yaw angle, the translations
+/// across this axis rotate with it, and have the centripetal acceleration.
 struct SteadyMotion {
   OperatingPoint point;
   double turning = 0;        ///< rad/s, of the vehicle as a whole
-  int across[2] = {-1, -1};  ///< tree coordinates of the translations that turn; -1 where nothing turns
-  double largest = 0;        ///< acceleration that is left, rad/s^2 or m/s^2
-  std::vector<std::string> free_directions = {};  ///< along which rates and inputs may be chosen, in words
+  int across[2] = {-1, -1};  ///< tree coordinates of the rotating translations; -1 without rotation
+  double largest = 0;        ///< remaining acceleration, rad/s^2 or m/s^2
+  std::vector<std::string> free_directions = {};  ///< undetermined directions of rates and inputs, in words
 };
 
-/// Marks as neutral the modes that are places seen by who turns with the motion: they go round at its rate.
+/// Marks as neutral the modes of position in the rotating frame: their frequency is the rate of rotation.
 void mark_places(const SteadyMotion& motion, std::vector<Mode>& list);
 
-/// Searches from `start` by Newton's iteration on the derivatives of the linearisation, steps shortened until they lead
-/// nearer. Accelerations count as none below 1e-7, or where the forces behind them are 1e-8 of the model's weight and
-/// no step lowers them. Frictions that stick hold no more than they can.
-/// Fails: UserError for unknown names, and where there is none near by: with the coordinate that goes on to accelerate,
-/// or the friction that would have to hold more.
+/// Damped Newton iteration from `start` with the derivatives of the linearisation. It converges when accelerations are
+/// below 1e-7, or when their forces are below 1e-8 of the model's weight and no step reduces them. Sticking frictions
+/// stay within their limits.
+/// Fails: UserError for unknown names, and if there is no steady motion near by; it names the coordinate that still
+/// accelerates, or the friction beyond its limit.
 SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyWish& wish);
 
-/// A note where the holds leave more than one motion; none else.
+/// A note if the held values leave several motions possible; none else.
 std::string free_directions_note(const Compilation& compilation, const SteadyMotion& steady);
 
-/// The rates that a steady motion keeps, and the inputs that were found, for people.
+/// Rates of a steady motion, and the inputs found, as text.
 std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyWish& wish);
 
-/// Sets the auxiliary states to where they stand still at the point's positions, velocities and inputs.
-/// Fails: UserError as linearise.
+/// Sets the auxiliary states to their stationary values at the point's positions, velocities and inputs. Fails:
+/// UserError as linearise.
 void settle_auxiliary(const Compilation& compilation, OperatingPoint& point);
 
-/// The system seen by who turns with the motion: deviations of the translations across and of their rates are along
-/// axes that turn, so that A does not change with time.
+/// The system in the rotating frame: deviations of the translations across, and of their rates, are along rotating
+/// axes, so that A is constant.
 LinearSystem turning_with(const SteadyMotion& motion, LinearSystem system);
 
 }  // namespace mbgen

@@ -1,4 +1,4 @@
-// Steady motions in words, as linear systems, and auxiliary states that settle.
+// Steady motions as text and as linear systems; stationary auxiliary states.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

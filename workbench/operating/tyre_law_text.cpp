@@ -20,7 +20,7 @@ namespace {
 constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr std::size_t kWidth = 100;
 
-/// The law of a tyre at default parameters, in contact axes.
+/// Force law of a tyre at default parameters, in contact axes.
 class TyreCurves {
  public:
   explicit TyreCurves(const Tyre& tyre)
@@ -29,7 +29,7 @@ class TyreCurves {
     for (const Quantity& q : tyre.coefficients) coefficients_.push_back(q.value);
   }
 
-  /// Of one tyre that rolls forward under a load, N; slips 1, rad, rad.
+  /// Forces of one tyre that rolls forward under a load, N; slips 1, rad, rad.
   TyreForces<double> operator()(double load, double kappa, double alpha, double camber) const {
     const double side = tyre_.side;
     const TyreForces<double> f = detail::with_tyre_set(tyre_.model, coefficients_, [&](const auto& set) {
@@ -38,12 +38,12 @@ class TyreCurves {
     return {f.fx, side * f.fy, side * f.mz, side * f.mx};
   }
 
-  /// Of the tyre as it is mounted, in motion.
+  /// Forces of the mounted tyre in motion.
   TyreResult<double> moving(const TyreContact<double>& contact) const {
     return detail::tyre_law(tyre_.model, coefficients_, properties_, contact);
   }
 
-  /// Deflection under a load at rest, m, and the rolling radius there, m.
+  /// Static deflection under a load, m, and its rolling radius, m.
   std::pair<double, double> under(double load) const {
     double low = 0, high = tyre_.radius.value;
     return detail::with_tyre_set(tyre_.model, coefficients_, [&](const auto& set) {
@@ -113,7 +113,7 @@ std::string properties_text(const Tyre& tyre) {
   return tyre.envelope ? text + "\nContact\n  " + to_text(*tyre.envelope) + "\n" : text;
 }
 
-/// The largest force over the load of one slip, and where it is.
+/// Largest ratio of force to load over one slip, and its slip.
 template <class Force>
 std::string peak_text(const Force& force, double load, double unit, const char* name) {
   constexpr int kSteps = 2000;
@@ -158,7 +158,7 @@ std::string slips_text(const TyreCurves& law, double load) {
   return text;
 }
 
-/// The moment of a standing tyre that is turned to one side and back again, slowly.
+/// Moment of a standing tyre that is turned slowly to one side and back.
 std::string parking_text(const TyreCurves& law, const Tyre& tyre, double load) {
   constexpr double kRate = 1e-6;  // rad/s
   constexpr int kStepsOfDegree = 1000;
@@ -183,7 +183,7 @@ std::string parking_text(const TyreCurves& law, const Tyre& tyre, double load) {
   return text;
 }
 
-/// Rolling upright without slip on circles to the left.
+/// Forces on circles to the left, upright and without slip.
 std::string circles_text(const TyreCurves& law, const Tyre& tyre, double load) {
   constexpr double kSpeed = 10;  // m/s, steady for so long
   std::string text =
@@ -202,7 +202,7 @@ std::string circles_text(const TyreCurves& law, const Tyre& tyre, double load) {
   return text;
 }
 
-/// Load of one tyre at rest and where it is known from.
+/// Static load of one tyre and its origin.
 std::pair<double, std::string> load_at_rest(const Compilation& compilation, std::size_t index) {
   const Tyre& tyre = compilation.model.tyres[index];
   const std::vector<double> inputs = input_values(compilation.model, {});
@@ -213,7 +213,7 @@ std::pair<double, std::string> load_at_rest(const Compilation& compilation, std:
   try {
     if (const double at_rest = load(equilibrium_state(compilation, inputs)); at_rest > 0)
       return {at_rest, "at the equilibrium"};
-  } catch (const UserError&) {  // many vehicles roll at their start and have none
+  } catch (const UserError&) {  // vehicles that roll at their start often have none
   }
   GenericState start = initial_state(compilation, inputs);
   std::ranges::fill(start.zd, 0.0);
