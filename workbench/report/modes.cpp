@@ -57,7 +57,7 @@ GenericState state_of(const OperatingPoint& point) {
   return {point.z, std::vector<double>(point.z.size()), point.x, point.t};
 }
 
-/// The point with the deviation of a mode at a phase (rad), along the linear motion.
+/// The point plus the linear deviation of a mode at a phase (rad).
 GenericState deviated(const OperatingPoint& point, const Mode& mode, double amplitude, double phase) {
   GenericState state = state_of(point);
   const std::complex<double> turned = std::polar(amplitude, phase);
@@ -69,7 +69,8 @@ double phase_of(std::size_t frame, std::size_t count) {
   return 2 * std::numbers::pi * static_cast<double>(frame) / static_cast<double>(count);
 }
 
-/// Closed frames of half an amplitude and all of it. Fails: loops that do not close, or only far away.
+/// Frames with closed loops for half of an amplitude and for all of it. Fails: loops that do not close, or only far
+/// away.
 std::optional<std::vector<GenericState>> closed_frames(const ModesSource& source, const GenericSolver& solver,
                                                        const std::vector<BodyPlace>& places, const Mode& mode,
                                                        double amplitude, const Moved& linear, std::size_t count) {
@@ -129,7 +130,7 @@ Swing swing_of(const ModesSource& source, const GenericSolver& solver, const Mod
     linear.turn = std::max(linear.turn, moved.turn / kSmallDeviation);
   }
   Swing swing{std::vector<GenericState>(2 * count, state_of(source.point)), 0};
-  constexpr double kNothing = 1e-6;  // rounding over the small deviation
+  constexpr double kNothing = 1e-6;  // rounding error relative to the small deviation
   if (!(std::max(linear.motion, linear.turn) > kNothing)) return swing;
   double amplitude = std::min(kLargestMotion * model_size(source.model) / linear.motion, kLargestTurn / linear.turn);
   for (int trial = 0; trial < kMostTrials; ++trial, amplitude *= kSmaller) {

@@ -1,5 +1,5 @@
 #pragma once
-// Modes as the page animates them.
+// Mode shapes for animation in the page.
 
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
@@ -9,15 +9,15 @@
 
 namespace mbgen {
 
-/// Coordinates of a mode's swing about the point, at phases evenly spaced over a period, the loops closed.
+/// Coordinates of a mode's oscillation about the point, with closed loops, at equidistant phases of a period.
 struct Swing {
-  std::vector<GenericState> frames;  ///< of half the swing, then of all of it
-  double motion = 0;                 ///< m: how far the place moves that moves most
+  std::vector<GenericState> frames;  ///< for half of the amplitude, then for all of it
+  double motion = 0;                 ///< m: largest displacement of a drawn point
 };
 
-/// A mode with `count` phases (even). So large that the drawing moves by a tenth of the model's size or a body turns
-/// by half a radian; less where the loops do not close so far from the point, or correct the linear motion much. Motion
-/// is 0 where nothing that is drawn moves.
+/// A mode at `count` phases (even). The amplitude moves the drawing by a tenth of the model's size or rotates a body by
+/// half a radian; it is smaller if the loops do not close so far from the point, or correct the linear motion much.
+/// Motion is 0 if nothing drawn moves.
 Swing swing_of(const ModesSource& source, const GenericSolver& solver, const Mode& mode, std::size_t count);
 
 /// Data of the page of modes, all but model, scene and topology:
@@ -29,10 +29,10 @@ Swing swing_of(const ModesSource& source, const GenericSolver& solver, const Mod
 ///     swing, then of all of it
 nlohmann::ordered_json modes_json(const ModesSource& source);
 
-/// The roads of the model about the point, with the inputs there: see ground.hpp.
+/// Roads of the model about the point, with its inputs: see ground.hpp.
 nlohmann::ordered_json ground_at_point(const ModesSource& source);
 
-/// Where a place that moves with a body at the reference is at the point; body -1 stands for ground.
+/// Position at the point of a body-fixed place given at the reference; body -1 stands for ground.
 Vector3 carried(const ModesSource& source, int body, const Vector3& place);
 
 }  // namespace mbgen

@@ -1,5 +1,5 @@
 #pragma once
-// A motion as the page reads it.
+// Data of a motion for the page.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace mbgen {
 
-/// Rows that are kept of a table: the first, evenly spaced ones and the last; none closer than 10 ms where that leaves
-/// enough, and no more than `most`.
+/// Rows kept of a table: the first, the last and evenly spaced ones between, at least 10 ms apart if enough remain, at
+/// most `most`.
 std::vector<std::size_t> kept_rows(const std::vector<double>& time, std::size_t most);
 
-/// The states that the page shows one after the other. Fails: see report_html.
+/// States of the animation, frame by frame. Fails: see report_html.
 Result<std::vector<GenericState>> motion_frames(const ReportSource& source, const std::string& file);
 
-/// An animation of these: name, kind "time", count, times (s) and poses: per time and body of the model seven numbers,
-/// origin (m) and unit quaternion x y z w.
+/// Animation of these states: name, kind "time", count, times (s) and poses: seven numbers per time and body of the
+/// model, origin (m) and unit quaternion x y z w.
 nlohmann::ordered_json motion_json(const GenericSolver& solver, const std::vector<GenericState>& frames);
 
 /// All columns: rows, per column name, unit, group (coordinate, velocity, output, residual), smallest, largest and last

@@ -11,7 +11,7 @@ struct PageFile {
   std::string_view text;
 };
 
-/// The files, none in an mbgen that was built without Node.js.
+/// The files; none if mbgen was built without Node.js.
 const std::vector<PageFile>& report_page_files();
 
 }  // namespace mbgen

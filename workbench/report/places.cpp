@@ -49,7 +49,7 @@ std::vector<Attachment> spring_ends(const Model& model) {
   return list;
 }
 
-/// The places without ends of springs that are far from all others. springs: how many stand first.
+/// The places except spring ends far from all others. springs: number of spring ends, which come first.
 std::vector<BodyPlace> without_far_hooks(const Model& model, std::vector<BodyPlace> places, std::size_t springs) {
   const auto global = [&](const BodyPlace& place) { return to_global(model.bodies[place.body].pose, place.at); };
   Box box;

@@ -1,5 +1,5 @@
 #pragma once
-// Poses of bodies as the page reads them: numbers of 32 bits, little-endian, in base64.
+// Poses of bodies for the page: 32-bit numbers, little-endian, in base64.
 
 #include <array>
 #include <cstddef>
@@ -15,11 +15,11 @@ constexpr std::size_t kPoseNumbers = 7;
 
 using Quaternion = std::array<double, 4>;  ///< x y z w
 
-/// RFC 4648, of the numbers' bytes.
+/// Base64 by RFC 4648 of the numbers' bytes.
 std::string base64(const std::vector<float>& numbers);
 
-/// Adds the numbers of some poses, a body after the other. Of the two quaternions of a turn it takes the one that is
-/// nearer to `before`, which then has those taken; empty it stands for no turns.
+/// Appends the numbers of poses, body by body. Of the two quaternions of a rotation it takes the one nearer to
+/// `before`, which is then updated; empty stands for no rotation.
 void add_poses(const std::vector<Pose>& poses, std::vector<Quaternion>& before, std::vector<float>& numbers);
 
 }  // namespace mbgen

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON inside a page: no letter of it can end the element that holds it.
+/// JSON escaped for a script element: it cannot contain the element's end tag.
 std::string script_text(const Json& json) {
   std::string text;
   for (const char letter : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
@@ -87,7 +87,7 @@ std::string filled(std::string_view frame, const std::array<std::pair<std::strin
   return page;
 }
 
-/// Adds what a model with roads has of them, and notes.
+/// Adds the roads of a model, if any, and notes.
 void add_ground(Json ground, Json& data) {
   if (!ground["notes"].empty()) data["notes"] = ground["notes"];
   ground.erase("notes");
@@ -113,7 +113,7 @@ Result<std::string> report_html(const ReportSource& source, const std::string& f
   Json data = {{"format", 1}, {"result", file}, {"model", model_json(source.model, source.topology, source.analysis)}};
   data["run"] = run.is_object() ? run : Json(nullptr);
   data["scene"] = scene_json(source.model);
-  data["animations"] = Json::array({motion_json(solver, *frames)});  // braces alone are a copy for clang++
+  data["animations"] = Json::array({motion_json(solver, *frames)});  // clang++ takes braces alone for a copy
   add_ground(ground_json(source.model, solver, *frames, false), data);
   data["table"] = table_json(source);
   data["topology"] = topology_svg(source.model, source.topology, source.analysis);

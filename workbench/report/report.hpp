@@ -1,5 +1,5 @@
 #pragma once
-// The door of the report room: a result, or the modes of a model, as one HTML page that needs nothing else.
+// Interface of the report room: a result, or the modes of a model, as one self-contained HTML page.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace mbgen {
 
-/// Whether the page's program was bundled into this mbgen; without it there are no reports.
+/// Whether this mbgen contains the page's program; without it there are no reports.
 bool has_report_page();
 
 /// The page: animation, plots, summary, topology. Poses come from the coordinates by the generic runtime's kinematics,

@@ -1,5 +1,5 @@
 #pragma once
-// A page's sources: a result, or the modes about a point, with the model.
+// Sources of a page: a result, or the modes about a point, with the model.
 
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ struct ReportSource {
   const Model& model;
   const Topology& topology;
   const Analysis& analysis;
-  const Results& results;  ///< of this model: with a column z.NAME for each coordinate
+  const Results& results;  ///< of this model, with a column z.NAME for each coordinate
 };
 
 /// Sources of a page of modes.
@@ -27,7 +27,7 @@ struct ModesSource {
   const Analysis& analysis;
   const OperatingPoint& point;
   const std::vector<Mode>& modes;  ///< about the point; at least one
-  std::string state;               ///< which state the point is, for people
+  std::string state;               ///< name of the state, for people
   double drift = 0;                ///< largest rate of the states at the point
 };
 

@@ -7,18 +7,18 @@
 namespace mbgen {
 namespace {
 
-/// In radii: how far a strip reaches beyond its wheels, the least distance of two places that make the way, the finest
-/// grid, the distance of offsets while rows are chosen, and the least tolerance.
+/// In radii: extension of a strip beyond its wheels, least distance of places along the way, finest grid, spacing of
+/// offsets while rows are chosen, and least tolerance.
 constexpr double kMargin = 3, kApart = 0.5, kFinest = 1 / 25.0, kCoarse = 1 / 3.0, kTolerance = 1 / 500.0;
 constexpr std::size_t kMostLooks = 200'000, kMostChosen = 400;
-/// Height that a friction of 1 counts as, in radii, and weight of a metre of the way beside one of height.
+/// Height equivalent to a friction of 1, in radii, and weight of a metre along the way relative to one of height.
 constexpr double kFrictionHeight = 0.1, kWayHeight = 0.1;
 
-/// The way of the wheels: places with their distance from the first along it, m.
+/// Path of the wheels: places with their arc length, m.
 struct Way {
   std::vector<Station> places;
   std::vector<double> at;
-  double along = 0, across = 0;  ///< m: how far wheels stand from it
+  double along = 0, across = 0;  ///< m: lateral distance of wheels from it
 
   double length() const { return at.back(); }
 };
@@ -64,7 +64,7 @@ Way way_of(const StripWish& wish) {
   return way;
 }
 
-/// At a distance along the way; straight on before and behind it.
+/// Station at a distance along the way, which is continued straight at both ends.
 Station station_at(const Way& way, double s) {
   const std::size_t last = way.places.size() - 1;
   const auto behind = static_cast<std::size_t>(std::upper_bound(way.at.begin(), way.at.end(), s) - way.at.begin());
@@ -85,7 +85,7 @@ Station station_at(const Way& way, double s) {
   return station;
 }
 
-/// Numbers at equally spaced places from `first` to `last`.
+/// Equally spaced numbers from `first` to `last`.
 std::vector<double> spaced(double first, double last, std::size_t count) {
   std::vector<double> places;
   for (std::size_t i = 0; i < count; ++i)
@@ -106,7 +106,7 @@ struct Lines {
   double at(std::size_t line, std::size_t i) const { return numbers[line * width + i]; }
 };
 
-/// The line between two that is farthest from the straight connection of these, and how far.
+/// The line between two others with the largest deviation from their linear interpolation, and this deviation.
 std::pair<std::size_t, double> farthest_between(const Lines& lines, std::size_t from, std::size_t to) {
   std::pair<std::size_t, double> farthest{from, 0};
   for (std::size_t line = from + 1; line < to; ++line) {
@@ -119,8 +119,8 @@ std::pair<std::size_t, double> farthest_between(const Lines& lines, std::size_t 
   return farthest;
 }
 
-/// Lines so that all others are within a tolerance of the straight connections of those. Source: D. Douglas and
-/// T. Peucker, "Algorithms for the reduction of the number of points", Cartographica 10(2), 1973.
+/// Lines from which all others follow by linear interpolation within a tolerance. Source: D. Douglas and T. Peucker,
+/// "Algorithms for the reduction of the number of points", Cartographica 10(2), 1973.
 std::vector<std::size_t> needed(const Lines& lines, double tolerance) {
   std::vector<std::size_t> kept{0}, ends{lines.count() - 1};
   while (!ends.empty()) {
@@ -142,7 +142,7 @@ std::vector<T> chosen(const std::vector<T>& all, const std::vector<std::size_t>&
   return some;
 }
 
-/// Some of a list, evenly, at most kMostChosen.
+/// Evenly spaced elements of a list, at most kMostChosen.
 std::vector<std::size_t> thinned(const std::vector<std::size_t>& all) {
   const std::size_t stride = (all.size() + kMostChosen - 1) / kMostChosen;
   std::vector<std::size_t> some;

@@ -9,8 +9,8 @@
 
 namespace mbgen {
 
-/// The states at some rows. Velocities that the table lacks are zero, auxiliary states where the model starts them.
-/// Requires: the table has all coordinates.
+/// States at some rows. Velocities missing in the table are zero, auxiliary states have their initial values of the
+/// model. Requires: the table has all coordinates.
 std::vector<GenericState> table_states(const ReportSource& source, const std::vector<std::size_t>& rows);
 
 }  // namespace mbgen
