@@ -10,16 +10,16 @@
 namespace mbgen {
 namespace {
 
-// Candidates that the passes may put into another order: on coach and truck they took 220 to 247 operations off 4400,
-// 300 to 310 off 7450 and 6 to 26 off shares of 2200 and less.
+// Relative distance within which passes may change the order of candidates: on coach and truck they removed 220 to 247
+// operations of 4400, 300 to 310 of 7450, and 6 to 26 of shares of 2200 and less.
 constexpr double kNearShare = 0.005;
 constexpr double kLeastNear = 16;          // operations
-constexpr std::size_t kMostOptimised = 3;  // of a block: a pass takes longer than a trace
+constexpr std::size_t kMostOptimised = 3;  // per block: a pass takes longer than a trace
 
 /// Blocks of one structure, in their order.
 using Twins = std::vector<int>;
 
-/// Groups of blocks that have something to choose, those with short lists first.
+/// Groups of blocks with more than one candidate, short lists first.
 std::vector<Twins> groups_of_twins(const Analysis& analysis) {
   std::map<int, Twins> by_first;
   for (std::size_t b = 0; b < analysis.blocks.size(); ++b)
@@ -34,7 +34,7 @@ std::vector<Twins> groups_of_twins(const Analysis& analysis) {
   return groups;
 }
 
-/// Indices of the candidates that can be the cheapest after the passes, in the order of the list.
+/// Indices of the candidates that may be the cheapest after the passes, in the order of the list.
 std::vector<int> nearest(const std::vector<PartitionCandidate>& candidates, std::vector<int> among) {
   std::stable_sort(among.begin(), among.end(),
                    [&](int a, int b) { return candidates[a].traced < candidates[b].traced; });
@@ -70,7 +70,7 @@ int choose(const Model& model, const Topology& topology, const Analysis& analysi
                            [&](int a, int b) { return candidates[a].operations < candidates[b].operations; });
 }
 
-/// Takes the same coordinates as block `twin`, of the same structure, where they are on the list.
+/// Chooses the same coordinates as for block `twin`, of the same structure, if they are on the list.
 void take_like(int twin, const Analysis& analysis, BlockAnalysis& block) {
   const BlockAnalysis& other = analysis.blocks[twin];
   for (std::size_t c = 0; c < block.candidates.size(); ++c)

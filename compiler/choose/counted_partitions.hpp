@@ -1,5 +1,6 @@
 #pragma once
-// The partitions of the loop blocks by counting: the analysis makes short lists by estimates, each candidate is traced.
+// Choice of the loop blocks' partitions by operation count: the analysis makes short lists from estimates, each
+// candidate is traced.
 
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/model/model.hpp"
@@ -7,17 +8,17 @@
 
 namespace mbgen {
 
-/// Candidates that are counted in one model. A candidate costs part of one trace of the accelerations, a compilation
-/// about twenty such traces: so many candidates leave its time below one and a half times.
+/// Largest number of candidates counted in one model. A candidate costs part of one trace of the accelerations, a
+/// compilation about twenty such traces: the limit keeps its time below 1.5 times the time without candidates.
 constexpr int kMostCounted = 40;
 
-/// A candidate that is closed under the mirror of the model is taken where it costs no more than this beyond the
-/// cheapest: what left and right share can be computed in lanes.
+/// Additional cost accepted for a candidate that is invariant under the mirror symmetry of the model: common operations
+/// of left and right can be computed in lanes.
 constexpr double kSymmetryBonus = 0.01;
 
-/// Sets `quasi` of every block with several candidates, with its counts: of its share in the accelerations, see
-/// trace_block. Blocks of one structure are counted once and take the same coordinates, so that twins stay twins. No
-/// clock decides: two runs count the same.
+/// Sets `quasi` of every block with several candidates, with their counts in the block's share of the accelerations,
+/// see trace_block. Blocks of one structure are counted once and get the same coordinates, so that twins stay twins.
+/// The choice does not depend on measured times: it is reproducible.
 void choose_by_counting(const Model& model, const Topology& topology, Analysis& analysis);
 
 }  // namespace mbgen

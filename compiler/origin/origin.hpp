@@ -1,13 +1,12 @@
 #pragma once
-// Where a value of the equations comes from: a step of the paper, and a part of the mechanism.
+// Origin of a value of the equations: step of the paper, and part of the mechanism.
 
 #include <compare>
 #include <cstdint>
 
 namespace mbgen {
 
-/// The nine steps of the paper's tables 1 and 2, in order; after them what programs at given accelerations do as the
-/// last.
+/// The nine steps of the paper's tables 1 and 2, in order, then the final step of programs at given accelerations.
 enum class Step : std::uint8_t {
   none,
   inertias,
@@ -24,17 +23,17 @@ enum class Step : std::uint8_t {
   tangents
 };
 
-/// Number of a step in the paper: 9 too for what programs at given accelerations do last, 0 for none.
+/// Number of a step in the paper: 9 for the final step of programs at given accelerations too, 0 for none.
 constexpr int number_of(Step step) { return static_cast<int>(step < Step::solution ? step : Step::solution); }
 
-/// A step, of one loop block where each is taken through it by itself.
+/// A step, of a single loop block if the step is done block by block.
 struct Section {
   Step step = Step::none;
   int block = -1;  ///< index of the loop block, -1 for the whole mechanism
   auto operator<=>(const Section&) const = default;
 };
 
-/// Kinds of parts of a mechanism that values belong to.
+/// Kinds of parts of a mechanism for values.
 enum class OwnerKind : std::uint8_t {
   none,
   tree_body,  ///< a body of the tree with its coordinate

@@ -16,9 +16,9 @@ namespace mbgen {
 namespace {
 
 using Range = std::span<const ValueId>;
-using Arguments = std::array<ValueId, 2>;  ///< the second is kNoValue for functions of one
+using Arguments = std::array<ValueId, 2>;  ///< second: kNoValue for functions of one argument
 
-/// The function that a call for many arguments has for an operation.
+/// Function for arrays that replaces an operation.
 std::optional<ArrayFunction> called_function(Op op) {
   switch (op) {
     case Op::sin:
@@ -37,7 +37,7 @@ std::optional<ArrayFunction> called_function(Op op) {
   }
 }
 
-/// Bound on the size of a value, infinity where none is known: of arcs and their multiples.
+/// Upper bound of the absolute value, infinity if unknown; known for inverse functions and their multiples.
 double bound_of(const Program& program, ValueId v) {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   const auto& [first, second, third] = program.nodes[v].operands;
@@ -58,7 +58,7 @@ double bound_of(const Program& program, ValueId v) {
   }
 }
 
-/// Sines, or cosines, of angles that have no value of the other kind in the program, see Gathering::of_vectors.
+/// Sines, or cosines, of angles without the other function in the program, see Gathering::of_vectors.
 std::vector<bool> found_alone(const Program& program) {
   std::set<std::pair<Op, ValueId>> found;
   for (const Node& node : program.nodes)
@@ -70,18 +70,18 @@ std::vector<bool> found_alone(const Program& program) {
   return is_alone;
 }
 
-/// Facts about the values of the range at hand. Members by value id; other values of the program are not looked at.
+/// Facts about the values of the present range. Members by value id; values outside the range are not used.
 struct Levels {
   std::vector<bool> is_here;    ///< in this range
-  std::vector<bool> is_called;  ///< computed by a call for many arguments
-  std::vector<int> level;       ///< calls, one after the other, that the value waits for; its own too
-  std::vector<int> least;       ///< that a value of a call waits for though it needs not
+  std::vector<bool> is_called;  ///< computed by an array call
+  std::vector<int> level;       ///< number of successive calls before the value, its own included
+  std::vector<int> least;       ///< lower bound of the level, for a delayed call
   Gathering gathering;
   std::vector<int> widths;     ///< numbers in each value
-  std::vector<bool> is_alone;  ///< a sine, or a cosine, that a call of its own computes
+  std::vector<bool> is_alone;  ///< a sine or cosine with a call of its own
 };
 
-/// Arguments of one call, before it is split, with the values that it computes for each.
+/// Arguments of one call before it is split, with the results for each.
 struct Group {
   std::vector<Arguments> arguments;
   std::vector<std::vector<ValueId>> values;  ///< per argument
@@ -128,7 +128,7 @@ Groups groups_of(const Program& program, Range range, const Levels& levels) {
   return groups;
 }
 
-/// Per value of the range: the level up to which it may wait without making another one wait.
+/// Per value of the range: highest level that delays no other value.
 std::vector<int> latest_levels(const Program& program, Range range, const Levels& levels) {
   int last = 0;
   for (const ValueId v : range) last = std::max(last, levels.level[v]);
@@ -142,7 +142,7 @@ std::vector<int> latest_levels(const Program& program, Range range, const Levels
   return latest;
 }
 
-/// Lets the first group that can wait for a later one of its function. Result: false where none can.
+/// Delays the first group that can join a later one of its function. Result: false if there is none.
 bool wait_for_later(const Program& program, Range range, const Groups& groups, Levels& levels) {
   const std::vector<int> latest = latest_levels(program, range, levels);
   for (auto group = groups.begin(); group != groups.end(); ++group) {
@@ -161,7 +161,7 @@ bool wait_for_later(const Program& program, Range range, const Groups& groups, L
   return false;
 }
 
-/// Groups that are large enough: the values of the others are computed alone, which may bring later ones together.
+/// Groups of sufficient size. Values of smaller groups are computed individually, which may let later groups join.
 Groups settle(const Program& program, Range range, Levels& levels) {
   const bool of_vectors = levels.gathering == Gathering::of_vectors;
   const auto fewest_of = [&](ValueId v) -> std::size_t {
@@ -184,7 +184,7 @@ Groups settle(const Program& program, Range range, Levels& levels) {
   }
 }
 
-/// A range in its new order; it starts as before where calls stand already.
+/// New order of a range; it keeps the begin that already contains calls.
 class NewOrder {
  public:
   NewOrder(const Program& program, const std::vector<int>& widths, Range range, ArrayCalls& result)
@@ -194,7 +194,7 @@ class NewOrder {
     for (std::size_t i = 0; i < kept; ++i) add(range[i]);
   }
 
-  /// Adds the values that the arguments need and that stand nowhere yet, in the old order.
+  /// Adds the missing values needed by the arguments, in the old order.
   void add_needed(const Group& group) {
     std::vector<bool> is_needed(program_.nodes.size(), false);
     for (const Arguments& arguments : group.arguments) {
@@ -248,7 +248,7 @@ class NewOrder {
   std::vector<ValueId> order_;
 };
 
-/// An input, a constant or one operation on them; packed where it is a pair.
+/// An input, a constant or one operation on them; packed for a pair.
 bool is_given(const Program& program, ValueId v) {
   const auto is_leaf = [&](ValueId value) {
     const Node& node = program.nodes[value];
@@ -262,7 +262,7 @@ bool is_given(const Program& program, ValueId v) {
   return true;
 }
 
-/// Puts values computed by calls before the rest of the range. is_candidate: values that may be called.
+/// Moves values of array calls before the rest of the range. is_candidate: values that may be called.
 template <class IsCandidate>
 void gather(const Program& program, std::span<ValueId> range, Levels& levels, ArrayCalls& result,
             IsCandidate is_candidate) {
@@ -283,7 +283,7 @@ void gather(const Program& program, std::span<ValueId> range, Levels& levels, Ar
   for (const ValueId v : range) levels.is_here[v] = levels.is_called[v] = false;
 }
 
-/// Functions of inputs, over all of a section that values of other sections interrupt.
+/// Gathers functions of inputs over a whole section, even if other sections interrupt it.
 void gather_given(const Program& program, std::vector<ValueId>& order, Levels& levels, ArrayCalls& result) {
   for (const Section& section : program.sections) {
     const auto is_in_section = [&](ValueId v) { return program.nodes[v].section == section; };

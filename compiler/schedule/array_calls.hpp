@@ -1,5 +1,5 @@
 #pragma once
-// Elementary functions of many arguments that one call computes, in lanes.
+// Elementary functions of many arguments, computed by one call in lanes.
 
 #include <vector>
 
@@ -7,12 +7,12 @@
 
 namespace mbgen {
 
-/// Fewer arguments than this are left to calls of their own.
+/// Least number of arguments for an array call.
 constexpr std::size_t kFewestInLanes = 4;
-/// More arguments than this are split into several calls: their values stay in one part of the program.
+/// Largest number of arguments of a call; more are split, so that values stay in one part of the program.
 constexpr int kMostInLanes = 64;
 
-/// Function that a call computes of each argument. Bounded: of angles up to pi either way.
+/// Function of an array call. Bounded: for angles from -pi to pi.
 enum class ArrayFunction {
   sine_and_cosine,
   sine,
@@ -25,17 +25,17 @@ enum class ArrayFunction {
   power
 };
 
-/// One call. Its values stand one after the other in the order of the program.
+/// One call. Its values are consecutive in the order of the program.
 struct ArrayCall {
   ArrayFunction function = ArrayFunction::sine_and_cosine;
   std::vector<ValueId> arguments;
   std::vector<ValueId> exponents;  ///< of powers
-  int entries = 0;                 ///< numbers among the arguments: a pair is two
+  int entries = 0;                 ///< numbers in the arguments: a pair counts as two
 };
 
-/// A value that a call for many arguments computes.
+/// Position of a value in an array call.
 struct ArrayPlace {
-  int call = -1;     ///< index of the call, -1 for a value of none
+  int call = -1;     ///< index of the call, -1 without a call
   int argument = 0;  ///< index of its first number among those of the arguments
 };
 
@@ -44,19 +44,19 @@ struct ArrayCalls {
   std::vector<ArrayPlace> place;  ///< per value of the program
 };
 
-/// Which functions one call computes.
+/// Functions combined in one call.
 enum class Gathering {
-  in_lanes,   ///< of kFewestInLanes arguments or more: fewer are as fast alone
-  of_vectors  ///< of two or more, each a vector that needs no others: a call is a loop, so that its text stands there
-              ///< once. Functions wait for later ones of their kind where nothing needs them before; sines whose
-              ///< cosines nobody needs, and cosines likewise, are calls of their own
+  in_lanes,   ///< kFewestInLanes arguments or more: fewer are as fast individually
+  of_vectors  ///< two or more independent vectors: a call is a loop, so that its text occurs once. Functions wait for
+              ///< later ones of their kind unless needed before; sines without the cosine of the same angle, and
+              ///< cosines without the sine, have calls of their own
 };
 
-/// Brings elementary functions of a section together in `order`, as far as none needs another: first the operands of
-/// the first functions' arguments, then these functions, then the operands of the functions that use their results, and
-/// so on; last the rest of the section. Before that, functions of inputs are gathered from all of a section that values
-/// of other sections interrupt. Groups of too few arguments stay where they are. Example: wheels that each have
-/// sin(c*atan(slip)) in turn become all slips, one call for the arc tangents, all products, one call for the sines.
+/// Combines elementary functions of a section in `order` as far as they are independent: first the operands of the
+/// first functions' arguments, then these functions, then the operands of functions of their results, and so on; last
+/// the rest of the section. Before that, functions of inputs are gathered from the whole section, even if other
+/// sections interrupt it. Groups with too few arguments stay in place. Example: wheels with sin(c*atan(slip)) each
+/// become all slips, one call for the arc tangents, all products, one call for the sines.
 ArrayCalls gather_calls(const Program& program, std::vector<ValueId>& order, Gathering gathering = Gathering::in_lanes);
 
 }  // namespace mbgen

@@ -9,8 +9,7 @@
 namespace mbgen {
 namespace {
 
-/// Operations that stand together. Inputs, constants and operations that stand elsewhere are in memory and belong to
-/// none.
+/// Operations that stay together. Inputs, constants and operations outside are in memory and belong to no unit.
 struct Unit {
   std::span<const ValueId> values;
   std::vector<std::uint32_t> operands, users;  ///< units, each once
@@ -43,13 +42,13 @@ std::vector<Unit> units_of(const Program& program, std::span<const std::vector<V
 
 using Order = std::vector<std::uint32_t>;  ///< of units
 
-/// Built from its end: of the units whose users all stand, the one that brings the fewest new values to life comes
-/// next, the latest of them.
+/// Order built from its end: next comes the unit, with all users placed, that makes the fewest new values alive; of
+/// equals the latest.
 Order order_from_end(const std::vector<Unit>& units) {
   std::vector<std::size_t> waiting(units.size());
   std::vector<int> unborn(units.size());
   std::vector<bool> is_alive(units.size(), false), is_placed(units.size(), false);
-  std::priority_queue<std::pair<int, std::uint32_t>> ready;  ///< by what it does not bring to life, place
+  std::priority_queue<std::pair<int, std::uint32_t>> ready;  ///< by minus the number of new live values, position
   for (std::uint32_t u = 0; u < units.size(); ++u) {
     waiting[u] = units[u].users.size();
     unborn[u] = static_cast<int>(units[u].operands.size());
@@ -78,7 +77,7 @@ Order order_from_end(const std::vector<Unit>& units) {
   return order;
 }
 
-/// The same order, but a unit that ends the life of a value comes as soon as its operands are known.
+/// The same order, but a unit with the last use of a value moves up to the point where its operands are known.
 Order order_with_early_ends(const std::vector<Unit>& units, const Order& order) {
   std::vector<std::size_t> waiting(units.size()), uses(units.size());
   std::vector<bool> is_placed(units.size(), false);

@@ -9,11 +9,11 @@
 namespace mbgen {
 namespace {
 
-constexpr std::size_t kGram = 6;              // operations that must agree before a period is tried
+constexpr std::size_t kGram = 6;              // equal operations required before a period is tried
 constexpr std::size_t kLongestPeriod = 8192;  // operations of a slice
 constexpr int kTriedPeriods = 48;             // candidates per start
 constexpr std::size_t kFewestSlices = 4;
-constexpr std::size_t kLeastSaved = 128;  // operations: a shorter loop is not worth its frame
+constexpr std::size_t kLeastSaved = 128;  // operations: a loop that saves less does not pay
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
   hash += word + 0x9e3779b97f4a7c15u;
@@ -21,7 +21,7 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
   return hash ^ (hash >> 27);
 }
 
-/// Properties that a value must share with the values at its place in the other slices.
+/// Properties that a value has in common with the corresponding values of other slices.
 std::vector<std::uint64_t> signatures(const Program& program, const std::vector<ValueId>& order,
                                       const std::set<SlotGroup>& indexed) {
   const auto of_slot = [&](const Slot& slot) {
@@ -87,7 +87,7 @@ class LoopFinder {
     return hash;
   }
 
-  /// How many values from `i` on have an equal one `period` later.
+  /// Number of consecutive values from `i` on with an equal one `period` later.
   std::size_t repeats(std::size_t i, std::size_t period) const {
     std::size_t length = 0;
     while (i + length + period < signature_.size() && signature_[i + length] == signature_[i + length + period])
@@ -113,7 +113,7 @@ class LoopFinder {
     return best;
   }
 
-  /// The start within the first slice at which the fewest values of a slice are still needed in the next.
+  /// Start within the first slice with the fewest values passed from one slice to the next.
   std::size_t best_start(std::size_t i, std::size_t period, std::size_t length) const {
     if (length < 2 * period) return i;
     std::vector<long> crossing(2 * period + 1, 0);

@@ -9,7 +9,7 @@
 
 namespace mbgen {
 
-/// `count` slices of `period` values each that compute the same with other numbers: one loop.
+/// `count` slices of `period` values each with the same operations on other numbers: one loop.
 struct RolledLoop {
   std::size_t first = 0;   ///< place in Rolling::order
   std::size_t period = 0;  ///< values of one slice
@@ -18,12 +18,12 @@ struct RolledLoop {
 };
 
 struct Rolling {
-  std::vector<ValueId> order;     ///< operations that an output needs, in program order
-  std::vector<RolledLoop> loops;  ///< ascending, disjoint; values between them stay straight
+  std::vector<ValueId> order;     ///< operations needed by outputs, in program order
+  std::vector<RolledLoop> loops;  ///< ascending, disjoint; values between them are straight-line code
 };
 
-/// Operations and outputs of a program, together, above which it is rolled: beyond it straight code streams through the
-/// instruction cache and takes long to compile. Measured in docs/evidence/growth.md.
+/// Number of operations and outputs above which a program is rolled: larger straight-line code exceeds the instruction
+/// cache and takes long to compile. Measured in docs/evidence/growth.md.
 constexpr std::size_t kRollAbove = 8192;
 
 /// Finds the loops over equal subsystems: runs of consecutive slices with the same operations in the same sections on

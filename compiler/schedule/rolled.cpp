@@ -8,11 +8,11 @@
 namespace mbgen {
 namespace {
 
-constexpr int kAdopted = 1 << 30;  // added to places that a loop gave to straight values
+constexpr int kAdopted = 1 << 30;  // added to positions given by a loop to straight-line values
 
 bool commutes(Op op) { return op == Op::add || op == Op::multiply; }
 
-/// One loop over slices, or a stretch of straight code of at most half a part.
+/// One loop over slices, or straight-line code of at most half a part.
 void add_unit(std::size_t first, std::size_t period, std::size_t count, Schedule& schedule) {
   const std::size_t part = schedule.parts.size() - 1;
   schedule.units.push_back(
@@ -46,13 +46,14 @@ void add_units(const Rolling& rolling, Schedule& schedule) {
   }
 }
 
-/// How an operand lies to the slice that uses it.
+/// Position of an operand relative to the slice that uses it.
 std::tuple<int, long, std::size_t> relation(const Schedule& schedule, ValueId user, ValueId operand) {
   const ScheduledValue& place = schedule.value[operand];
   return {place.unit, static_cast<long>(place.slice) - static_cast<long>(schedule.value[user].slice), place.offset};
 }
 
-/// Commuted operands were ordered by age, which may differ from slice to slice: turned to match the middle slice.
+/// Operands of commutative operations were sorted by age, which may differ from slice to slice: they are swapped to
+/// match the middle slice.
 void match_operands(const Program& program, const ScheduledUnit& unit, Schedule& schedule) {
   for (std::size_t offset = 0; offset < unit.period; ++offset) {
     const ValueId model = schedule.order[unit.first + (unit.count / 2) * unit.period + offset];
@@ -69,7 +70,7 @@ void match_operands(const Program& program, const ScheduledUnit& unit, Schedule&
   }
 }
 
-/// Marks values with uses elsewhere as stored, all values at one place of the slice alike.
+/// Marks values with uses elsewhere as stored, in all slices alike.
 void mark_stored(const Program& program, Schedule& schedule) {
   for (const ScheduledUnit& unit : schedule.units) {
     for (std::size_t offset = 0; offset < unit.period; ++offset) {
@@ -86,8 +87,8 @@ void mark_stored(const Program& program, Schedule& schedule) {
   }
 }
 
-/// The slices before and after a loop, as far as straight code next to it does the same: their values stand in the
-/// array where those of the loop's slices would, so that indices stay linear at its ends.
+/// Extends a loop's slices over adjacent straight-line code with the same operations: its values get the corresponding
+/// array positions, so that indices stay linear at the ends.
 void extend_loop(const Program& program, const ScheduledUnit& loop, Schedule& schedule) {
   const auto adopt = [&](std::size_t place, std::size_t offset, int slice) {
     const ValueId v = schedule.order[place];
@@ -104,7 +105,7 @@ void extend_loop(const Program& program, const ScheduledUnit& loop, Schedule& sc
     if (!adopt(loop.last() + k, k, static_cast<int>(loop.count))) break;
 }
 
-/// Gives every stored value its place in the array. Those of straight code are absolute.
+/// Gives every stored value its array position; absolute for straight-line code.
 void number_stored(const Program& program, Schedule& schedule) {
   for (ScheduledUnit& unit : schedule.units) {
     if (!unit.is_loop()) continue;

@@ -9,7 +9,7 @@
 namespace mbgen {
 namespace {
 
-/// The loops of a program that is too large to stand straight, none where they save too little.
+/// Loops of a program too large for straight-line code; none if they save too little.
 Rolling worthwhile_loops(const Program& program, const ScheduleOptions& options) {
   const auto statements = [&](std::size_t operations) { return operations + program.outputs.size(); };
   if (statements(program.nodes.size()) <= options.roll_above) return {};
@@ -74,7 +74,7 @@ void place_crossing(const Program& program, Schedule& schedule, bool shares) {
     place->values.push_back(v);
     place->users += value.users;
   }
-  // Pairs have structs of their own, but for the last one: each begins where a vector may begin.
+  // Pairs come first, in structs of their own except the last, each aligned for vectors.
   std::stable_partition(places.begin(), places.end(), [&](const Place& place) { return widths[place.values[0]] == 2; });
   for (std::size_t first = 0; first < places.size(); first += kPlacesTogether)
     std::ranges::stable_sort(places.begin() + first, places.begin() + std::min(first + kPlacesTogether, places.size()),
@@ -86,7 +86,7 @@ void place_crossing(const Program& program, Schedule& schedule, bool shares) {
   }
 }
 
-/// Sines beside the cosines of the same angles, in all slices of a unit.
+/// Sines next to cosines of the same angles, in all slices of a unit.
 void find_partners(const Program& program, Schedule& schedule) {
   for (const ScheduledUnit& unit : schedule.units)
     for (std::size_t offset = 1; offset < unit.period; ++offset) {
@@ -103,7 +103,7 @@ void find_partners(const Program& program, Schedule& schedule) {
     }
 }
 
-/// Whether only the one user of a value, in the same slice and under the same heading, needs to know it.
+/// Whether a value has a single user, in the same slice and under the same heading.
 bool can_be_inlined(const Program& program, const Schedule& schedule, const std::vector<bool>& is_output, ValueId v) {
   const ScheduledValue& value = schedule.value[v];
   const Node& node = program.nodes[v];
@@ -117,7 +117,7 @@ bool can_be_inlined(const Program& program, const Schedule& schedule, const std:
   return user.section == node.section && user.owner == node.owner;
 }
 
-/// The facts of the first slice become those of all: a value is inlined or unused where it is so in every slice.
+/// Merges facts over all slices: a value is inlined or unused only if it is so in every slice.
 void settle_slices(const Program& program, Schedule& schedule) {
   std::vector<bool> is_output(program.nodes.size(), false);
   for (const OutputValue& output : program.outputs) is_output[output.value] = true;

@@ -1,4 +1,4 @@
-// Which joints are balls whose charts may be changed.
+// Ball joints with changeable charts.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ double triple_product(const Vector3& a, const Vector3& b, const Vector3& c) {
   return c[0] * (a[1] * b[2] - a[2] * b[1]) + c[1] * (a[2] * b[0] - a[0] * b[2]) + c[2] * (a[0] * b[1] - a[1] * b[0]);
 }
 
-/// The turns of a tree joint from its first one, which is `first`; empty where another number of them follow it.
+/// The three rotations of a tree joint from `first` on; empty for another number of rotations.
 std::vector<int> turns_from(const Topology& topology, int first) {
   std::vector<int> turns;
   for (int i = first; i < topology.size() && topology.bodies[i].joint == topology.bodies[first].joint; ++i)

@@ -1,4 +1,4 @@
-// The tree written out joint by joint, its loops, and the bodies that move together.
+// The spanning tree joint by joint, its loops, and the bodies that move together.
 
 #include <algorithm>
 #include <functional>
@@ -57,7 +57,8 @@ Vector3 negated(const Vector3& axis) {
   return {minus(axis[0]), minus(axis[1]), minus(axis[2])};
 }
 
-// Tree bodies of one joint from the placed body to the new one; returns the tree index the new body moves with.
+// Adds the tree bodies of one joint from the placed body to the new one; returns the tree index that the new body moves
+// with.
 int place_joint(Topology& topology, const Model& model, int index, bool reversed) {
   const Joint& joint = model.joints[index];
   const int parent_body = reversed ? joint.to.body : joint.from.body;
@@ -83,7 +84,7 @@ int place_joint(Topology& topology, const Model& model, int index, bool reversed
   return parent;
 }
 
-// Stable topological order: always the first declared joint that hangs on a placed body.
+// Stable topological order: always the first declared joint at a placed body.
 void place_bodies(Topology& topology, const Model& model, const std::vector<bool>& in_tree) {
   topology.tree_body.assign(model.bodies.size(), kGround);
   if (model.ground < 0) return;
@@ -136,7 +137,7 @@ void mark_massless(Topology& topology, const Model& model) {
   }
 }
 
-// A loop needs something that moves between its bodies.
+// Checks that something moves between the bodies of a loop.
 bool check_loop(const Model& model, const Loop& loop, const Attachment& from, const Attachment& to, const Where& where,
                 Diagnostics& problems) {
   if (loop.body_from != loop.body_to) return true;
@@ -162,7 +163,7 @@ void add_loop(Topology& topology, Loop loop) {
   topology.loops.push_back(std::move(loop));
 }
 
-/// A coupling closes nothing in space: its loop is the joints between the bodies that its coordinates move.
+/// A coupling is no closure in space: its loop consists of the joints between the bodies of its coordinates.
 Loop coupling_loop(const Topology& topology, const Model& model, std::size_t index) {
   const Coupling& coupling = model.couplings[index];
   Loop loop;
@@ -219,7 +220,7 @@ void find_loops(Topology& topology, const Model& model, const SpanningTree& tree
   for (std::size_t c = 0; c < model.couplings.size(); ++c) topology.loops.push_back(coupling_loop(topology, model, c));
 }
 
-// Only cut joints, rods and couplings have multipliers.
+// Checks requests for multipliers: only cut joints, rods and couplings have them.
 void check_multipliers(const Topology& topology, const Model& model, Diagnostics& problems) {
   for (const Output& output : model.outputs) {
     const auto* source = std::get_if<MultiplierOutput>(&output.source);
@@ -237,7 +238,7 @@ void check_multipliers(const Topology& topology, const Model& model, Diagnostics
   }
 }
 
-// Joints of one loop belong together; `leader` points from a joint towards the lowest joint of its block.
+// Joints of one loop belong to one block; `leader` points from a joint towards the lowest joint of its block.
 std::vector<int> joint_leaders(const Topology& topology) {
   std::vector<int> leader(topology.bodies.size());
   std::iota(leader.begin(), leader.end(), 0);
@@ -255,7 +256,7 @@ std::vector<int> joint_leaders(const Topology& topology) {
   return leader;
 }
 
-// Blocks in the order of their lowest joints, so that a block comes after the one its base body belongs to.
+// Blocks are sorted by their lowest joints, so that a block follows the block of its base body.
 void find_blocks(Topology& topology, const std::vector<int>& leader) {
   std::vector<int> block_of_leader(topology.bodies.size(), -1);
   std::vector<bool> closed(topology.bodies.size());

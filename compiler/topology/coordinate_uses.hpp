@@ -1,5 +1,5 @@
 #pragma once
-// Private to the topology room: which coordinates the model refers to, and from where.
+// Private to the topology room: references of the model to coordinates.
 
 #include <string>
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace mbgen {
 
-/// One reference to a coordinate: a joint whose coordinate is used must stay in the tree.
+/// One reference to a coordinate; its joint must stay in the tree.
 struct CoordinateUse {
   CoordinateReference coordinate;
-  std::string user;  ///< as people say it, for example "motion steer"
+  std::string user;  ///< for messages, for example "motion steer"
 };
 
-/// Coordinates that something in the model is on: motions, springs, frictions and forces of joints, couplings. An
-/// expression looks at coordinates, and is on none.
+/// Coordinates with a law on them: motions, springs, frictions and forces of joints, couplings. An expression that only
+/// reads a coordinate does not count.
 std::vector<CoordinateUse> coordinates_of_laws(const Model& model);
 
 /// Every reference of the model, in order: motions, forces on joints, expressions, initial values, outputs.

@@ -1,5 +1,5 @@
 #pragma once
-// Names of the parts of a topology, as people read them.
+// Names of the parts of a topology, for people.
 
 #include <string>
 #include <vector>

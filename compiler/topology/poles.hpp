@@ -1,5 +1,5 @@
 #pragma once
-// Poles of angles that no other chart takes away: those of balls with an angle that something in the model is on.
+// Poles of angles that no change of chart removes: of ball joints with a law on one of their angles.
 
 #include <string>
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace mbgen {
 
-/// A spherical or free joint of the tree whose angles are meant themselves.
+/// A spherical or free joint of the tree with fixed angles.
 struct RealPole {
   int joint = -1;          ///< index into Model::joints
-  std::string coordinate;  ///< the angle that something is on
-  std::string user;        ///< what is on it: "motion steer"
+  std::string coordinate;  ///< angle with a law on it
+  std::string user;        ///< this law: "motion steer"
 };
 
 /// The poles of a model, in the order of the tree.

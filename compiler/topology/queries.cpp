@@ -58,7 +58,7 @@ std::vector<std::vector<int>> path_matrix(const Topology& topology) {
 }
 
 int lowest_common_ancestor(const Topology& topology, int a, int b) {
-  // Parents have lower indices, and ground the lowest: the higher of the two is never the ancestor.
+  // Parents have lower indices, and ground the lowest, so the body of higher index is never the ancestor.
   while (a != b) {
     int& lower = a > b ? a : b;
     lower = topology.bodies[lower].parent;

@@ -10,7 +10,7 @@
 namespace mbgen {
 namespace {
 
-/// How strongly a joint is held in the tree, before its equations are counted.
+/// Priority of a joint for the tree, before its number of equations.
 enum class Hold { none, used, marked };
 
 using JointSet = std::vector<int>;  ///< ascending indices into Model::joints
@@ -21,8 +21,8 @@ struct Cycle {
   JointSet path;
 };
 
-/// Hint where a subsystem of an instance has a body of points only, which the instance does not connect; "" for
-/// other bodies without a path.
+/// Hint for a body of points only in an instance's subsystem that the instance does not connect; "" for other bodies
+/// without a path.
 std::string forgotten_connection(const Model& model, const std::vector<int>& island) {
   for (const int index : island) {
     const Body& body = model.bodies[index];
@@ -37,7 +37,7 @@ std::string forgotten_connection(const Model& model, const std::vector<int>& isl
   return {};
 }
 
-/// Hint where a body has no path to ground because of this joint.
+/// Hint for a body without a path to ground because of this joint.
 std::string holds_no_body(const Joint& joint) {
   const std::string name = "joint " + quoted(joint.name);
   return closes_only(joint.type) ? name + " of type " + name_of(joint.type) +
@@ -46,7 +46,7 @@ std::string holds_no_body(const Joint& joint) {
                                  : name + " is marked \"cut\": true and holds no body";
 }
 
-/// The tree under construction: first it grows, then its ties are exchanged.
+/// Spanning tree under construction: it is grown first, then joints of equal rank are exchanged.
 class TreeSearch {
  public:
   explicit TreeSearch(const Model& model);
@@ -70,7 +70,7 @@ class TreeSearch {
   }
   int equations(int joint) const { return static_cast<int>(closure_rows(model_.joints[joint].type).size()); }
 
-  /// Candidates to extend the tree, best first: hold, equations, nearness to ground, file order.
+  /// Candidates for the next tree joint, best first: hold, equations, distance to ground, file order.
   using Candidate = std::tuple<Hold, int, int, int>;
 
   const Model& model_;
@@ -104,7 +104,7 @@ TreeSearch::TreeSearch(const Model& model)
   }
 }
 
-// Prim's maximum spanning tree: the best joint that leads to a new body, again and again.
+// Prim's algorithm for a maximum spanning tree: repeatedly the best joint to a new body.
 void TreeSearch::grow() {
   if (model_.ground < 0) return;
   reach(model_.ground, -1, -1);
@@ -168,7 +168,7 @@ int TreeSearch::weight(const JointSet& joints) const {
   return coordinates;
 }
 
-// Cutting `kept` instead sends every other loop through it along the rest of this cycle: their symmetric difference.
+// If `kept` is cut instead, every other loop through it takes the rest of this cycle: their symmetric difference.
 bool TreeSearch::try_exchange(std::size_t cut, int kept) {
   JointSet cycle = cycles_[cut].path;
   cycle.insert(std::lower_bound(cycle.begin(), cycle.end(), cycles_[cut].joint), cycles_[cut].joint);
@@ -192,7 +192,7 @@ bool TreeSearch::try_exchange(std::size_t cut, int kept) {
   return true;
 }
 
-// Each exchange lowers the total, so the search ends.
+// Each exchange reduces the total length, so the search terminates.
 void TreeSearch::shorten_loops() {
   close_cycles();
   const auto improve = [&] {
@@ -208,7 +208,7 @@ void TreeSearch::shorten_loops() {
   }
 }
 
-// One message per island of bodies that no joint connects to ground.
+// One message per connected component without a joint to ground.
 void TreeSearch::check_reach(Diagnostics& problems) const {
   std::vector<bool> told = reached_;
   for (std::size_t body = 0; body < model_.bodies.size(); ++body) {

@@ -1,5 +1,5 @@
 #pragma once
-// The door of the topology room: Model -> Topology. Graph facts only, no physics, no scalar type.
+// Interface of the topology room: Model -> Topology. Graph facts only, no physics, no scalar type.
 
 #include <string>
 #include <vector>
@@ -11,8 +11,9 @@ namespace mbgen {
 
 constexpr int kGround = -1;
 
-/// A body of the spanning tree and its input joint of one freedom: coordinate i, joint i and body i share the index i.
-/// Parents have lower indices than their children; the paper's leaf-to-root number of body i is n - i (1-based).
+/// A body of the spanning tree and the single-freedom joint to its parent: coordinate i, joint i and body i share the
+/// index i. Parents have lower indices than their children; the paper's leaf-to-root number of body i is n - i
+/// (1-based).
 struct TreeBody {
   std::string name;        ///< the model body, or "<joint>_aux1".. for the massless bodies inside a joint
   std::string coordinate;  ///< name of the coordinate, for example "chassis_rz"
@@ -21,9 +22,9 @@ struct TreeBody {
   int joint = -1;          ///< index into Model::joints
   int component = 0;       ///< index into Joint::freedoms
   FreedomKind kind = FreedomKind::revolute;
-  Vector3 axis{0, 0, 1};  ///< unit, global axes at the reference: this body's motion for a positive coordinate
-  bool reversed = false;  ///< the tree runs from `to` to `from`: order and axis are turned round already
-  bool massless = false;  ///< mass and inertia exactly zero, not tunable, and no rod end with mass on it
+  Vector3 axis{0, 0, 1};  ///< unit, global axes at the reference: direction of motion for a positive coordinate
+  bool reversed = false;  ///< the tree runs from `to` to `from`: order and axis are already reversed
+  bool massless = false;  ///< mass and inertia are exactly zero and not tunable, no rod end with mass is attached
 };
 
 enum class ClosureKind {
@@ -46,30 +47,30 @@ enum class ClosureKind {
   knife_edge
 };
 
-/// As the model format writes them.
+/// Name in the model format.
 const char* name_of(ClosureKind kind);
 
-/// Kinds with rows that hold velocities alone (nonholonomic).
+/// Kinds with nonholonomic rows, constraints on velocities only.
 constexpr bool is_rolling(ClosureKind kind) { return kind >= ClosureKind::rolling_disc; }
 
-/// A closure: a cut joint, a rod or a coupling. A cut joint of type free closes nothing and is not listed.
+/// A closure: a cut joint, a rod or a coupling. A cut joint of type free has no equations and is not listed.
 struct Loop {
   std::string name;
   ClosureKind kind = ClosureKind::spherical;
   int joint = -1;           ///< index into Model::joints, or -1
   int rod = -1;             ///< index into Model::rods, or -1
   int coupling = -1;        ///< index into Model::couplings, or -1
-  int length = -1;          ///< of a rod that a motion makes longer: tree index of the coordinate of its length
+  int length = -1;          ///< of a rod with prescribed length: tree index of this coordinate
   int body_from = kGround;  ///< tree indices of the two closed bodies, kGround for ground; of a coupling those that its
   int body_to = kGround;    ///< first and last coordinates move
   int ancestor = kGround;   ///< lowest common ancestor (tree index), of a coupling: that of the bodies they move on
   /// ascending tree joints above the ancestor: symmetric difference of two rows of T, of a coupling the union of its
   std::vector<int> joints;
-  int equations = 0;              ///< as many as closure_rows of the joint's type, of a rod or coupling 1
+  int equations = 0;              ///< number of closure_rows of the joint's type, 1 for a rod or coupling
   std::vector<std::string> rows;  ///< their names, closure_rows of the joint's type
 };
 
-/// A joint of the spanning tree, fixed ones too, seen from ground.
+/// A joint of the spanning tree, including fixed ones, as seen from ground.
 struct TreeJoint {
   int joint = -1;  ///< index into Model::joints
   int parent = -1,
@@ -77,11 +78,11 @@ struct TreeJoint {
   bool reversed = false;  ///< the parent is the joint's `to` body
 };
 
-/// Loops that share joints, directly or through others.
+/// Loops connected by common joints, directly or through other loops.
 struct LoopBlock {
   std::vector<int> loops;   ///< ascending indices into Topology::loops
   std::vector<int> joints;  ///< ascending tree indices
-  int base = kGround;       ///< the body all of the block moves on: lowest common ancestor of its loops
+  int base = kGround;       ///< body that carries the block: lowest common ancestor of its loops
   int equations = 0;
 };
 
@@ -103,62 +104,61 @@ struct Topology {
   std::vector<LoopBlock> blocks;
   std::vector<JointGroup> groups;        ///< parents before children
   std::vector<int> group_of;             ///< per tree joint
-  std::vector<Ball> balls;               ///< that have two charts, see find_balls
-  std::vector<std::string> cut_reasons;  ///< per cut joint, why it was cut: "marked", or the rule that chose it
+  std::vector<Ball> balls;               ///< with two charts, see find_balls
+  std::vector<std::string> cut_reasons;  ///< per cut joint, reason of the cut: "marked", or the rule
   int size() const { return static_cast<int>(bodies.size()); }
 };
 
-/// Entries of a block Jacobian up to which another partition is chosen at run time, by full pivoting of the dense
-/// matrix: 1 MB on the stack. A larger block keeps its frozen partition, and where that is bad it is singular.
+/// Largest number of entries of a block Jacobian for a new choice of the partition at run time, by full pivoting of the
+/// dense matrix: 1 MB on the stack. A larger block keeps its partition, and is singular if this becomes
+/// ill-conditioned.
 constexpr long kMostPivotedEntries = 131072;
 inline bool chooses_again(const LoopBlock& block) {
   return static_cast<long>(block.equations) * static_cast<long>(block.joints.size()) <= kMostPivotedEntries;
 }
 
-/// Finds the tree, the cuts, the loops and the blocks.
-/// Fails: a body with no path to ground, joints marked "cut": false that form a cycle (two tree parents), a joint whose
-/// coordinate is used (driven, sprung, named in an expression, an output or a start value) but had to be cut, a loop in
-/// which nothing moves, a model in which nothing moves, an output that asks for a multiplier of a joint in the tree;
-/// each names the body or joint and its place.
-/// Source: theory.md sections 1 and 3.
+/// Finds the tree, the cuts, the loops and the blocks. Fails: a body with no path to ground, joints marked "cut": false
+/// that form a cycle (two tree parents), a cut joint with a used coordinate (driven, sprung, named in an expression, an
+/// output or a start value), a loop without moving bodies, a model without moving bodies, an output for a multiplier of
+/// a joint in the tree; messages name the body or joint and its position. Source: theory.md sections 1 and 3.
 Result<Topology> build_topology(const Model& model);
 
-/// Balls of spherical and free joints of the tree, whose charts may be changed: none of their angles is in a law of the
-/// model. With a motion, a force, a spring or a coupling on an angle the angle itself is
-/// meant; and none where a block keeps its frozen partition, see chooses_again.
+/// Ball joints (in spherical and free joints of the tree) with changeable charts: no law of the model, such as a
+/// motion, a force, a spring or a coupling, is on one of their angles. None in a block that keeps its partition, see
+/// chooses_again.
 std::vector<Ball> find_balls(const Model& model, const Topology& topology);
 
-/// Index of the ball that starts with a tree joint, or -1.
+/// Index of the ball joint that starts with a tree joint, or -1.
 int ball_from(const Topology& topology, int joint);
 
-/// True when joint j lies on the path from the root to body i, T_ij of (39). kGround is on no path.
+/// True if joint j lies on the path from the root to body i, T_ij of (39). kGround is on no path.
 bool on_path(const Topology& topology, int i, int j);
 
 /// Dense path matrix T, row i and column j in the paper's leaf-to-root numbering (39).
 std::vector<std::vector<int>> path_matrix(const Topology& topology);
 
-/// Lowest common ancestor of two tree bodies, kGround when they meet at ground only.
+/// Lowest common ancestor of two tree bodies, kGround if they are connected through ground only.
 int lowest_common_ancestor(const Topology& topology, int a, int b);
 
 /// Joint indices from body i (inclusive) towards `base` (exclusive), leaf first.
 std::vector<int> path_to(const Topology& topology, int i, int base);
 
-/// Tree index of a coordinate of the model, or -1 when its joint was cut.
+/// Tree index of a coordinate of the model, or -1 if its joint was cut.
 int tree_coordinate(const Topology& topology, const CoordinateReference& reference);
 
-/// Where the model writes the joint, rod or coupling that closes a loop.
+/// Position in the model of the joint, rod or coupling that closes a loop.
 const Where& where_of(const Model& model, const Loop& loop);
 
-/// Rows of a loop that hold velocities alone (nonholonomic), in their order: they are never open.
+/// Rows of a loop that are nonholonomic (constraints on velocities only), in their order: they are never open.
 bool holds_velocity_alone(const Model& model, const Loop& loop, int row);
 
-/// Those of a block, local, ascending.
+/// Nonholonomic rows of a block, local, ascending.
 std::vector<int> velocity_rows(const Model& model, const Topology& topology, const LoopBlock& block);
 
-/// The first loop that has such rows, or null.
+/// First loop with nonholonomic rows, or null.
 const Loop* rolling_loop(const Topology& topology);
 
-/// Number of equations of all loops, redundant ones too.
+/// Number of equations of all loops, including redundant ones.
 int equation_count(const Topology& topology);
 
 /// Index of the coordinate of this name, or -1.

@@ -11,13 +11,13 @@
 namespace mbgen {
 namespace {
 
-/// How groups of joints are built, with all that moves on them.
+/// Structure of groups of joints, with everything they carry.
 struct Builds {
-  std::vector<std::size_t> number;           ///< per group; equal of groups that are built alike
-  std::vector<std::vector<std::size_t>> on;  ///< per group, those that move on it
+  std::vector<std::size_t> number;           ///< per group; equal for equal structure
+  std::vector<std::vector<std::size_t>> on;  ///< per group, the groups carried by it
 };
 
-/// Freedoms and loops of a group, bodies by their place in it.
+/// Freedoms and loops of a group; bodies by their position in it.
 std::string text_of(const Topology& topology, const JointGroup& group) {
   const auto place = [&](int body) {
     return std::distance(group.joints.begin(), std::ranges::find(group.joints, body));
@@ -53,7 +53,7 @@ Builds builds_of(const Topology& topology) {
   return builds;
 }
 
-/// Joints of a group and of all that moves on it, in an order that only its build decides.
+/// Joints of a group and of everything it carries, in an order that depends on its structure only.
 std::vector<int> joints_of(const Topology& topology, const Builds& builds, std::size_t group) {
   std::vector<int> joints;
   std::vector<std::size_t> groups{group};
@@ -70,7 +70,7 @@ std::vector<int> joints_of(const Topology& topology, const Builds& builds, std::
 std::vector<int> find_twins(const Topology& topology) {
   const Builds builds = builds_of(topology);
   std::vector<int> twin(topology.bodies.size(), -1);
-  std::map<std::pair<int, std::size_t>, std::size_t> waiting;  // by what they are on, and their build
+  std::map<std::pair<int, std::size_t>, std::size_t> waiting;  // by carrying group and structure
   for (std::size_t g = 0; g < topology.groups.size(); ++g) {
     const int base = topology.groups[g].base;
     if (base != kGround && twin[base] >= 0) continue;  // inside of one already
