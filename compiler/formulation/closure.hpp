@@ -110,7 +110,7 @@ struct Triad {
 Triad triad(const Vector3& axis);
 /// The same triad, turned the short way until its axis is another one. Requires: not opposite axes.
 Triad bent(const Triad& triad, const Vector3& axis);
-/// The triad that a cut joint fixes on its `to` body; on `from` it is that of its axis.
+/// The triad that a cut joint fixes on its `to` body; on `from` its axis gives the triad.
 Triad triad_on_to(const Joint& joint);
 
 /// Wrench rows of a closure: the row's Jacobian entry is +wrench_from . b for joints that move `from`, -wrench_to . b

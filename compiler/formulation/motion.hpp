@@ -91,7 +91,7 @@ Acceleration<T> parent_acceleration(const System<T>& system, const Accelerations
 /// Joint i in the base frame of its body, about the points that motions are about.
 template <class T>
 struct JointSeen {
-  Vector<T> offset;     ///< of the point of the child from that of its parent
+  Vector<T> offset;     ///< of the point of the child from the parent's point
   Vector<T> axis, pin;  ///< pin: from the point of the child
   Spatial<T> column;    ///< motion of the child for a unit rate
   Vector<T> origin;     ///< of the child, from its point

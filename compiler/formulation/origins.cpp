@@ -63,7 +63,7 @@ Vector3 centre_of_mass(const Body& body) {
   return at;
 }
 
-/// What each body has along its axis; empty points of bodies that do not slide.
+/// Constants of each body along its axis; empty points of bodies that do not slide.
 std::vector<AlongAxis> numbers_along_axes(const Model& model, const Topology& topology, const Layout& layout) {
   std::vector<AlongAxis> numbers(topology.bodies.size());
   const auto component = [&](int body) {

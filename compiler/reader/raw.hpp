@@ -233,7 +233,7 @@ enum class Letter { x, y, z, w };
 
 enum class Turn { first, second, third };
 
-/// What an output of several bodies or elements is of.
+/// Bodies or elements of an output of several.
 enum class BodySet { all };
 
 struct OutputFields : Presentation {

@@ -95,7 +95,7 @@ void read_freedom(Reader& reader, const Value& value, const Value* written, cons
 
 void read_freedoms(Reader& reader, const Value& value, BushingFields& bushing) {
   const auto read = [&](std::size_t index, const Value* written, const Value* both, const char* both_key) {
-    // What stands for two freedoms is read for both, its problems once.
+    // A value of two freedoms is read for both, its problems once.
     const std::size_t problems = reader.problems.size();
     read_freedom(reader, value, written, kBushingFreedomNames[index].data(), both, both_key, bushing.freedoms[index]);
     return reader.problems.size() == problems;

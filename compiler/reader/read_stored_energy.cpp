@@ -37,7 +37,7 @@ bool falls_below_zero(const Table& table) {
 constexpr const char* kByExpression = "a force by an expression, which is not integrated";
 constexpr const char* kByMotion = "a law that depends on the motion, which is not integrated";
 
-/// What of an element is not integrated; empty where all is.
+/// Part of an element that is not integrated; empty where all is.
 std::string trouble_of(const Model& model, const PointSpring& spring) {
   if (spring.force) return kByExpression;
   const bool moves = depends_on_motion(model, spring.stiffness) || depends_on_motion(model, spring.preload) ||

@@ -39,7 +39,7 @@ auto stop_place_fields() {
   };
 }
 
-/// What it does.
+/// Fields of the law.
 auto stop_law_fields() {
   using S = BumpStopFields;
   return std::array{

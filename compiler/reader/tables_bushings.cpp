@@ -43,7 +43,7 @@ auto bushing_frame_fields() {
   };
 }
 
-/// What it does.
+/// Fields of the law.
 auto bushing_law_fields() {
   using S = BushingFields;
   return std::array{

@@ -50,7 +50,7 @@ FieldInfo body_field(std::string_view name, std::string_view doc) {
   return {.name = name, .shape = Shape::reference, .doc = doc, .of = "bodies"};
 }
 
-/// What an output is of.
+/// Fields of an output's source.
 auto source_fields() {
   using F = OutputFields;
   return std::array{
@@ -108,7 +108,7 @@ auto source_fields() {
   };
 }
 
-/// What of it.
+/// Fields of its quantity.
 auto quantity_fields() {
   using F = OutputFields;
   return std::array{
@@ -140,7 +140,7 @@ auto quantity_fields() {
   };
 }
 
-/// What it is relative to and how it is counted.
+/// Fields of its details: reference body, observer, rotations.
 auto detail_fields() {
   using F = OutputFields;
   return std::array{

@@ -31,7 +31,7 @@ constexpr StepTitle kStepTitles[] = {
     {"tangents of the force elements and factors of the implicit equations"},
 };
 
-/// A block as its loops name it.
+/// Name of a block by its loops.
 std::string block_name(const Topology& topology, const LoopBlock& block) {
   const std::string& first = topology.loops[static_cast<std::size_t>(block.loops.front())].name;
   const std::string& last = topology.loops[static_cast<std::size_t>(block.loops.back())].name;

@@ -4,7 +4,7 @@
 namespace mbgen {
 namespace {
 
-/// What the frozen path knows of a block: factors, Rz and zdd_star.
+/// Values of a block on the frozen path: factors, Rz and zdd_star.
 struct FrozenBlocks {
   std::vector<FrozenFactors<Expr>> factors;
   std::vector<std::vector<std::vector<Expr>>> rz;

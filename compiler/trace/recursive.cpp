@@ -57,7 +57,7 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
   return tracing.builder.finish_in_canonical_order();
 }
 
-/// Operations of a program without what is spelled twice: passes take that out.
+/// Operations of a program without its repeated values, which passes remove.
 static long operations_of(const Program& program) {
   return count_operations(merge_equal_values(remove_dead_values(program))).total();
 }

@@ -235,7 +235,7 @@ TEST_F(CommandLine, StartsThatDoNotFitAreMovedAndTold) {
   EXPECT_EQ(moved[0]["coordinate"], "rocker_pin");
   EXPECT_EQ(moved[0]["quantity"], "position");
   EXPECT_EQ(moved[0]["asked"], -0.9);
-  // What the crank alone leads to is the only closed position at hand.
+  // The crank alone leads to the only closed position at hand.
   write("four_bar.json", four_bar_from(R"("crank_pin": 0.6)"));
   const Json start = json_of("linearize four_bar.json --json")["positions"];
   EXPECT_NEAR(moved[0]["found"].get<double>(), start["rocker_pin"].get<double>(), 1e-9);

@@ -105,7 +105,7 @@ class MotionOutputs {
     }
   }
 
-  /// What an expression adds to a force is in none of them.
+  /// No stored energy holds the part that an expression adds to a force.
   void add_stored_energies() {
     using Of = StoredEnergyOutput::Of;
     const auto add = [&](Of of, const auto& elements, const auto& is_known) {

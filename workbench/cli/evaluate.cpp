@@ -1,4 +1,4 @@
-// mbgen evaluate: accelerations at given states, the door for every oracle.
+// mbgen evaluate: accelerations at given states; interface of all oracles.
 
 #include <cmath>
 #include <memory>

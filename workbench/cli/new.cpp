@@ -1,4 +1,4 @@
-// mbgen new: a commented model to start from.
+// mbgen new: a commented starting model.
 
 #include <fmt/format.h>
 

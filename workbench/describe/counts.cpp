@@ -9,7 +9,7 @@
 namespace mbgen {
 namespace {
 
-/// The treatments of the recursive form by name, each taken away.
+/// Optional treatments of the recursive form by name, each switched off alone.
 constexpr std::pair<const char*, RecursionChoices> kTreatments[] = {
     {"rotors held by their base", {.rotors = false}},
     {"bodies of blocks held by the body below", {.subtrees = false}},

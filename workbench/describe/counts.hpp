@@ -1,5 +1,5 @@
 #pragma once
-// Operations of the accelerations, and what the decisions about them save.
+// Operation counts of the accelerations, and the savings of decisions about them.
 
 #include <string>
 #include <vector>
@@ -14,17 +14,17 @@ struct Saving {
   long without = 0, with = 0;
 };
 
-/// Operations of the accelerations: of each form, and the savings of decisions.
+/// Operation counts of the accelerations: in each form, and savings of decisions.
 struct Counts {
   long operations_of_form[2] = {0, 0};  ///< by Form, 0 for none
   std::vector<Saving> savings;
 };
 
-/// Operations of the accelerations in a form; 0 for a form that grows so far beyond the other one that it is not
-/// traced.
+/// Operation count of the accelerations in a form; 0 for a form that is not traced because it is far larger than the
+/// other.
 long count_operations_of(const Compilation& compilation, Form form);
 
-/// Operations that each treatment of the recursive form saves: traces the accelerations again without it.
+/// Operations saved by each treatment of the recursive form; traces the accelerations again without it.
 std::vector<Saving> count_savings(const Compilation& compilation);
 
 }  // namespace mbgen

@@ -166,7 +166,7 @@ class ModelText : public ModelWords {
     return text;
   }
 
-  /// ", turns with stiffness 2000, ...". Requires: the tyre has a patch that turns.
+  /// ", turns with stiffness 2000, ...". Requires: a tyre with a turning contact patch.
   std::string turning(const Tyre& tyre) const {
     return fmt::format(", turns with stiffness {} and radius {} under {}{}", quantity(tyre.parking->stiffness),
                        quantity(tyre.parking->radius), quantity(tyre.parking->load),
@@ -238,7 +238,7 @@ class ModelText : public ModelWords {
                        kDirections[static_cast<int>(load.direction)]);
   }
 
-  /// What presses, and bristles.
+  /// Load and bristles.
   std::string details(const FrictionLaw& friction) const {
     const std::string pressed = friction.load < 0 ? "" : ", pressed by " + model_.sampled[friction.load].name;
     if (!friction.has_bristle()) return pressed;

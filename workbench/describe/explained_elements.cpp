@@ -63,7 +63,7 @@ std::string reaction_text(const Model& model, const ReactionLoad& load) {
                      kDirections[static_cast<int>(load.direction)]);
 }
 
-/// Where a reaction presses a friction, what that is and how late it acts.
+/// For a friction with a reaction as normal load: the reaction, and its delay by sampling.
 std::string load_text(const Model& model, const std::string& name, const FrictionLaw& law) {
   if (law.load < 0) return "";
   const SampledValue& load = model.sampled[static_cast<std::size_t>(law.load)];

@@ -1,5 +1,5 @@
 #pragma once
-// Elements of a model that give way, stop or stick, and its states, in words: sections of `mbgen explain`.
+// Compliant elements, stops, sticking frictions and states of a model, in words: sections of `mbgen explain`.
 
 #include <string>
 

@@ -50,8 +50,8 @@ struct Engine {
   /// Accelerations of a state that steps of h seconds led to, without joint forces: at a singular position those of the
   /// motion through it. The derivative keeps its values unless the status is ok.
   std::function<Status(const GenericState&, double h, GenericDerivative&)> accelerations_in_motion;
-  /// Sets the sampled values that are due at the start of a step of h seconds, as steps do, or with h = 0 those that
-  /// are due at the time of the state; any: whether there are such. The state is unchanged on failure. Empty function
+  /// Sets the sampled values that are due at the start of a step of h seconds, as steps do, or with h = 0 the values
+  /// due at the time of the state; any: whether there are such. The state is unchanged on failure. Empty function
   /// without sampled values.
   std::function<Status(GenericState&, double h, bool& any)> sample;
   /// Sets the reactions that press frictions at the start, of engines that find reactions by equations of their own; of

@@ -14,20 +14,20 @@ namespace {
 
 Vector3 sum(const Vector3& a, const Vector3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
-/// A unit vector across an axis that is not vertical: that to the top of the wheel.
+/// A unit vector across an axis that is not vertical: the direction to the top of the wheel.
 Vector3 upwards_across(const Vector3& axis) {
   const double level = std::hypot(axis[0], axis[1]);
   return {-axis[0] * axis[2] / level, -axis[1] * axis[2] / level, level};
 }
 
-/// What a wheel is to the rig.
+/// Wheel on the rig.
 struct MountedWheel {
   std::string name;
   Attachment centre;
   Vector3 axis;
 };
 
-/// Turns the user's model into that of the rig.
+/// Converts the user's model to the model of the rig.
 class RigBuilder {
  public:
   RigBuilder(const Compilation& user, const Axle& axle, const OperatingPoint& at, const Pads& pads)
@@ -67,7 +67,7 @@ class RigBuilder {
   }
 
  private:
-  /// The rig's axes are those of the reference: the body still has to point along x.
+  /// The axes of the rig are the axes of the reference: the body must still point along x.
   void check_heading() const {
     constexpr double kStraight = 0.01;  // rad
     const Matrix3& now = poses_[static_cast<std::size_t>(axle_.body)].rotation;
@@ -80,7 +80,7 @@ class RigBuilder {
                     model_.file, axle_.name, model_.bodies[static_cast<std::size_t>(axle_.body)].name, yaw));
   }
 
-  /// Cuts the joints that the user's model cuts, so that its coordinates are those of the rig.
+  /// Cuts the joints that the user's model cuts, so that both have the same coordinates.
   void keep_tree() {
     for (std::size_t j = 0; j < model_.joints.size(); ++j) {
       Joint& joint = model_.joints[j];
@@ -146,7 +146,7 @@ class RigBuilder {
     return centre.body == axle_.left.centre.body || centre.body == axle_.right.centre.body;
   }
 
-  /// A new input of the model, and what it is worth at the start.
+  /// Adds an input to the model with its value at the start.
   Quantity add_input(const std::string& name, double start) {
     Input input;
     input.name = name;
@@ -182,7 +182,7 @@ class RigBuilder {
     return static_cast<int>(model_.outputs.size()) - 1;
   }
 
-  /// The three components of a point, relative to another one where there is one.
+  /// The three components of a point, relative to another one if given.
   int add_vector(const std::string& name, const Attachment& point, const Attachment& relative_to = {}) {
     const int first = static_cast<int>(model_.outputs.size());
     for (int axis = 0; axis < 3; ++axis) {
@@ -195,14 +195,14 @@ class RigBuilder {
     return first;
   }
 
-  /// Position of a reference place of a body at the start, global axes.
+  /// Global position at the start of a body point given at the reference.
   Vector3 at_start(int body, const Vector3& reference) const {
     const Pose& home = model_.bodies[static_cast<std::size_t>(body)].pose;
     return to_global(poses_[static_cast<std::size_t>(body)], to_local(home, reference));
   }
 
-  /// Puts a wheel on a pad and keeps it from turning on its carrier. travel: the input that lifts it, -1 for none.
-  /// Result: index of the pad's motion.
+  /// Puts a wheel on a pad and locks its rotation on its carrier. travel: the input that lifts it, -1 for none. Result:
+  /// index of the pad's motion.
   int mount(const MountedWheel& wheel, int travel) {
     const Vector3 reference = reference_position(model_, wheel.centre);
     const double height = at_start(wheel.centre.body, reference)[2] - reference[2];
@@ -235,7 +235,7 @@ class RigBuilder {
     return motion;
   }
 
-  /// Keeps the wheel from turning about its axis. A joint beside that axis is a pivot of the arm that carries the
+  /// Locks the rotation of the wheel about its axis. A joint beside this axis is a pivot of the arm that carries the
   /// wheel.
   void lock(const MountedWheel& wheel) {
     constexpr double kSameAxis = 1e-3, kOnAxis = 1e-3;  // 1, m
@@ -320,7 +320,7 @@ class RigBuilder {
     }
   }
 
-  /// Coordinates of the user's model as they are at its state, pads at theirs.
+  /// Sets the coordinates of the user's model to its state, and the pads to theirs.
   void take_start() {
     const Topology& topology = rig_.compilation.topology;
     GenericState& start = rig_.start;

@@ -1,4 +1,4 @@
-// The parts of the user's model that a rig takes away.
+// The parts of the user's model that a rig removes.
 
 #include "compiler/model/each_friction.hpp"
 #include "workbench/kc/rig.hpp"
@@ -6,7 +6,7 @@
 namespace mbgen::kc {
 namespace {
 
-/// Takes frictions away, and the loads that press them, which are the last sampled values.
+/// Removes frictions, and their pressing loads, which are the last sampled values.
 void take_frictions_away(Model& model) {
   std::size_t loads = 0;
   each_friction(model, [&loads](const FrictionLaw& friction) { loads += friction.load >= 0 ? 1 : 0; });

@@ -1,5 +1,5 @@
 #pragma once
-// All that looks along a motion for what its step cannot show.
+// All checks along a motion that its single steps cannot make.
 
 #include <vector>
 
@@ -11,7 +11,7 @@
 
 namespace mbgen {
 
-/// Takes the samples of one motion. Where an integrator chooses its own steps, there is only the scale.
+/// Takes the samples of one motion. If an integrator chooses its own steps, only the energy scale is computed.
 class MotionWatch {
  public:
   /// start: of the motion; inputs: of the run. is_controlled: whether a manoeuvre moves inputs. It keeps references to
@@ -20,7 +20,7 @@ class MotionWatch {
               const GenericState& start, const InputsOverTime& inputs, bool is_controlled);
 
   void add(const Sample& sample);
-  /// Gives the energy balance of the motion its scale, and finds what is to be said of the steps.
+  /// Sets the scale of the motion's energy balance, and judges its steps.
   StepVerdict judge(SimulationSummary& summary) const;
 
  private:

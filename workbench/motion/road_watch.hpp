@@ -1,5 +1,5 @@
 #pragma once
-// Roads that have no height beyond their borders: a motion that ends there says which wheel left which road.
+// Roads without height beyond their borders: a motion that ends there reports the wheel and the road.
 
 #include <optional>
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace mbgen {
 
-/// Wheels that stand on such roads, along a motion.
+/// Wheels on such roads, along a motion.
 class RoadWatch {
  public:
   explicit RoadWatch(const Compilation& compilation);
 
   void add(const GenericState& state);
-  /// Which wheel was beyond a border after the last sample, or goes there by twice as far as it came from the
-  /// one before; empty where none does.
+  /// The wheel that was beyond a border at the last sample, or will be after twice its last displacement; empty if
+  /// there is none.
   std::string departure() const;
 
  private:
@@ -33,7 +33,7 @@ class RoadWatch {
   long samples_ = 0;
 };
 
-/// Adds to the findings about a motion that ended with numbers that are none why they are.
+/// Adds the cause to the findings about a motion that ended with values that are not numbers.
 void judge_roads(const RoadWatch& roads, const SimulationSummary& summary, StepVerdict& verdict);
 
 }  // namespace mbgen

@@ -68,8 +68,8 @@ Json motion_json(const GenericSolver& solver, const std::vector<GenericState>& f
           {"poses", base64(numbers)}};
 }
 
-/// What is shown together of outputs: the same quantity of points, tyres, springs or joints, along one axis; of
-/// expressions what has the same beginning of its name.
+/// Outputs with one quantity are shown together: the same quantity of points, tyres, springs or joints, along one axis;
+/// expressions with the same beginning of their name.
 std::string quantity_of(const Output& output) {
   const auto numbered = [&](const char* kind, const auto& source) {
     return fmt::format("{} {}", kind, static_cast<int>(source.what));

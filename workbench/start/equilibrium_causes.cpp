@@ -37,14 +37,14 @@ bool has_lateral_force(const Tyre& tyre) {
   return tyre.coefficients[tyre_field_index(tyre_fields(tyre.model), "PDY1")].value != 0;
 }
 
-/// "tyre "left" (car.json:30:5)", where the file has a line.
+/// "tyre "left" (car.json:30:5)", if the file has a line.
 std::string placed(const std::string& kind, const std::string& name, const Where& where) {
   const std::string named = fmt::format("{} \"{}\"", kind, name);
   return where.line > 0 ? fmt::format("{} ({}:{}:{})", named, where.file, where.line, where.column) : named;
 }
 
-/// `radius of tyre "fl"`, with its place: that in the .tir file where a note on the file tells this number, which the
-/// tyre has from there, else that of the tyre.
+/// `radius of tyre "fl"`, with its place: in the .tir file if a note on the file says that the tyre has this number
+/// from there, else in the tyre.
 std::string placed_value(const Model& model, const Tyre& tyre, const char* what, const char* key, double number) {
   const std::string said = fmt::format(" is {:.6g} ", number);
   const auto tells = [&](const Diagnostic& note) {
@@ -54,7 +54,7 @@ std::string placed_value(const Model& model, const Tyre& tyre, const char* what,
   return fmt::format("{} of {}", what, placed("tyre", tyre.name, note == model.notes.end() ? tyre.where : note->where));
 }
 
-/// Lines that say the same of one tyre each: the first, and how many more there are.
+/// Lines with the same cause for one tyre each: the first, and the number of the others.
 void add_first(const std::vector<std::string>& lines, std::vector<std::string>& causes) {
   if (lines.empty()) return;
   causes.push_back(lines.front());
@@ -124,7 +124,7 @@ void add_below_road(const Model& model, const std::vector<Vector3>& centres, std
   add_first(below, causes);
 }
 
-/// A centre of mass that is not over the tyres, under which a vehicle tips over.
+/// A centre of mass beyond the tyres, for which a vehicle tips over.
 void add_overhang(const AtRest& rest, const std::vector<Vector3>& centres, std::vector<std::string>& causes) {
   constexpr std::size_t kStands = 3;  // tyres, on which a vehicle stands by itself
   const Model& model = rest.compilation.model;
@@ -151,7 +151,7 @@ void add_overhang(const AtRest& rest, const std::vector<Vector3>& centres, std::
   }
 }
 
-/// Tyres at one place, and such that are above each other as left and right ones are beside each other.
+/// Tyres at one place, and tyres above each other that should be left and right.
 void add_places(const AtRest& rest, std::vector<std::string>& causes) {
   const Model& model = rest.compilation.model;
   if (model.tyres.empty()) return;
@@ -180,8 +180,8 @@ void add_places(const AtRest& rest, std::vector<std::string>& causes) {
   if (causes.size() == before) add_overhang(rest, centres, causes);
 }
 
-/// Joint forces on the coordinate that accelerates most, and of models with tyres forces along the road, which nothing
-/// that rolls withstands, as far as they act at rest.
+/// Joint forces on the coordinate that accelerates most, and for models with tyres forces along the road, which rolling
+/// bodies cannot resist, as far as they act at rest.
 void add_drives(const AtRest& rest, std::vector<std::string>& causes) {
   const Model& model = rest.compilation.model;
   const auto value = [&](const Quantity& quantity) { return evaluate<double>(quantity, model.expressions, rest); };
@@ -201,7 +201,7 @@ void add_drives(const AtRest& rest, std::vector<std::string>& causes) {
   }
 }
 
-/// Frictions that stick on the coordinate that accelerates most hold less than acts there.
+/// Stick-slip frictions on the coordinate that accelerates most whose limit is below the force there.
 void add_holds(const AtRest& rest, std::vector<std::string>& causes) {
   const Model& model = rest.compilation.model;
   for (const JointFriction& friction : model.frictions) {
@@ -219,7 +219,7 @@ void add_holds(const AtRest& rest, std::vector<std::string>& causes) {
   }
 }
 
-/// Bodies that fall as if nothing held them.
+/// Bodies that fall without support.
 void add_falling(const AtRest& rest, std::vector<std::string>& causes) {
   const Model& model = rest.compilation.model;
   const Topology& topology = rest.compilation.topology;

@@ -21,7 +21,7 @@ std::string coordinate_text(const Compilation& compilation, std::size_t i, doubl
   return fmt::format("{} {:.4g} {}{}", body.coordinate, value, unit_of(body.kind), per);
 }
 
-/// Accelerations at a position, none where these are not to be had.
+/// Accelerations at a position, none if they cannot be computed.
 std::vector<double> accelerations_at(const Compilation& compilation, const std::vector<double>& inputs,
                                      const GenericState& at) {
   GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);

@@ -166,7 +166,7 @@ LocalLine<T> local_line(const ForceWork<T>& work, const Attachment& from, const 
           reference_distance(system.topology, system.constants, to, line.to, from, line.from)};
 }
 
-/// What an expression looks at as a local coordinate: a coordinate of the tree, or a length.
+/// Local coordinate that an expression depends on: a coordinate of the tree, or a length.
 template <class T>
 LocalCoordinate<T> local_of(const ForceWork<T>& work, const ExpressionNode& node) {
   if (node.kind == ExpressionNode::Kind::position || node.kind == ExpressionNode::Kind::velocity)
@@ -187,7 +187,7 @@ struct LawPoint {
   std::vector<T> position, velocity, state;
 };
 
-/// What a law gives: forces along the first coordinates, and the rates of the first states.
+/// Results of a law: forces along the first coordinates, and the rates of the first states.
 template <class T>
 struct LawResult {
   std::vector<T> force, rate;
@@ -216,7 +216,7 @@ std::vector<int> expressions_of(const Fields&... fields) {
   return expressions;
 }
 
-/// What the expressions look at that moves, each once.
+/// Moving quantities that the expressions depend on, each once.
 inline std::vector<const ExpressionNode*> moving_nodes(const Model& model, const std::vector<int>& expressions) {
   using Kind = ExpressionNode::Kind;
   std::vector<const ExpressionNode*> nodes;

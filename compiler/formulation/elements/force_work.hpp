@@ -78,7 +78,7 @@ struct ForceWork {
   const Velocities<T>& v;
   AppliedForces<T>& forces;
   SharedTyreLaw<T> shared_law = {};  ///< where tyres share one
-  /// What expressions of laws over Slopes see moving, with a derivative of one; null for nothing.
+  /// Quantity whose derivative is one for expressions of laws over Slopes; null for none.
   const ExpressionNode* moved = nullptr;
   T value(const Quantity& q) const { return value_of(system.model, q, system.environment); }
   /// The value of an element's field, named <meaning>_<element>.

@@ -19,7 +19,7 @@ A smooth_friction(const ForceWork<T>& work, const FrictionLaw& friction, const s
                         value(friction.velocity, "velocity"), value(friction.stribeck_velocity, "stribeck"), rate);
 }
 
-/// What the viscous part takes from it, N m or N.
+/// Viscous part of the friction, N m or N.
 template <class T, class A>
 A viscous_friction(const ForceWork<T>& work, const FrictionLaw& friction, const std::string& name, const A& rate) {
   return number<A>(work, friction.viscous, "viscous", name) * rate;

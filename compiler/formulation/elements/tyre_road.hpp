@@ -21,7 +21,7 @@ Vector<T> spin_axis(const System<T>& system, const Kinematics<T>& k, const Tyre&
   return direction_in(system, k, body, constant<T>(tyre.axis), carrier);
 }
 
-/// What a wheel stands on: a plane of the road at the place of its centre, as it was laid there, at rest.
+/// Plane of the road under a wheel, at the place of its centre, as it was laid there, at rest.
 template <class T>
 struct RoadPlane {
   Vector<T> up;     ///< its unit normal, in the frame that carries the wheel

@@ -73,8 +73,8 @@ void add_law(const Set& set, const TyreProperties<Slope<T>>& properties, const T
   }
 }
 
-/// Fills what the patch of a tyre with turning gives: its coordinate and its state are the last ones. What the motion
-/// of the patch over the road takes of the turn is left out: it is never stiff.
+/// Fills what the patch of a tyre with turning gives: its coordinate and its state are the last ones. The decay
+/// of the turn by the motion of the patch over the road is left out: it is never stiff.
 template <class Set, class T>
 void add_turning(const Set& set, const TyreProperties<Slope<T>>& properties, const TyreContact<Slope<T>>& contact,
                  ElementTangents<T>& element) {

@@ -67,9 +67,9 @@ std::vector<std::vector<T>> solved_columns(const ImplicitFactors<T>& factors, st
   return matrix;
 }
 
-/// Eliminates the auxiliary states of an element into its tangents: their changes are those that solve
-/// (1 / g - F) change = rates + P (change of positions) + Q (change of velocities). state_pivot: per state of the
-/// user's own, the first of them `first_user`.
+/// Eliminates the auxiliary states of an element into its tangents: their changes solve (1 / g - F) change = rates + P
+/// (change of positions) + Q (change of velocities). state_pivot: per user-defined state, the first of them
+/// `first_user`.
 template <class T>
 void eliminate_states(ElementTangents<T>& tangents, const T& g, int first_user, ImplicitElement<T>& element,
                       std::vector<T>& state_pivot) {

@@ -7,9 +7,9 @@
 
 namespace mbgen {
 
-/// Tangents of all force elements and states of the user's own; those that share such a state are one. Forces and
-/// torques on bodies count as given where they look at no state. Requires: v about the origins of frames. Cost: linear
-/// in the number of elements.
+/// Tangents of all force elements and user-defined states; elements that share such a state are one. Forces and torques
+/// on bodies count as given unless they depend on states. Requires: v about the origins of frames. Cost: linear in the
+/// number of elements.
 template <class T>
 std::vector<ElementTangents<T>> force_tangents(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v) {
   see_states_and_lengths(system, k, v);  // that laws look at

@@ -63,7 +63,7 @@ void eliminate_rotor(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
   const Vector<T> omega = s.omega[unit.base];
   const T spin = dot(axis, omega) + s.system().zd(w);
   base.needed.angular = base.needed.angular + (s.polar[w] * spin) * cross(omega, axis);
-  if (driven) {  // its spin acceleration is that of the base and the prescribed one
+  if (driven) {  // its spin acceleration: of the base, plus the prescribed one
     const Vector<T> along = s.polar[w] * axis;
     base.reduced.angular = base.reduced.angular + square(s.polar[w], axis);
     base.needed.angular = base.needed.angular + *driven * along;

@@ -20,7 +20,7 @@ struct RecursionWork {
   System<T>& system;
   const Recursion& recursion;
   const Kinematics<T>& k;
-  std::vector<Vector<T>> offset;       ///< bodies of blocks: origin from that of the body before, base frame, m
+  std::vector<Vector<T>> offset;       ///< bodies of blocks: origin from the previous body's origin, base frame, m
   std::vector<QuasiAxes<T>> quasi;     ///< per tree body that ends a quasi step
   std::vector<const JointStep*> step;  ///< per tree body: the step that ends there, null inside a step
 

@@ -71,7 +71,7 @@ function pointTable({ state, drift }) {
   return table("Point", [], [["modes about", state], ["largest rate of the states there, per s", drift]]);
 }
 
-/** What the page does not show as it is. */
+/** List of simplifications that the page makes. */
 function noteList(notes) {
   const list = Object.assign(document.createElement("ul"), { id: "notes" });
   list.append(...notes.map((textContent) => Object.assign(document.createElement("li"), { textContent })));
