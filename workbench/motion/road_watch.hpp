@@ -13,14 +13,18 @@ namespace mbgen {
 /// Wheels that stand on such roads, along a motion.
 class RoadWatch {
  public:
-  explicit RoadWatch(const Compilation& compilation);
+  /// start: of the motion, which may have no sample.
+  RoadWatch(const Compilation& compilation, const GenericState& start);
 
-  void add(const GenericState& state);
+  void add(const Sample& sample) { add(sample.state); }
+  /// Adds to the findings about a motion that ended with numbers that are none why they are.
+  void judge(const SimulationSummary& summary, StepVerdict& verdict) const;
   /// Which wheel was beyond a border after the last sample, or goes there by twice as far as it came from the
   /// one before; empty where none does.
   std::string departure() const;
 
  private:
+  void add(const GenericState& state);
   struct Wheel {
     const Tyre* tyre;
     const RoadGrid* grid;
@@ -32,8 +36,5 @@ class RoadWatch {
   std::vector<Wheel> wheels_;
   long samples_ = 0;
 };
-
-/// Adds to the findings about a motion that ended with numbers that are none why they are.
-void judge_roads(const RoadWatch& roads, const SimulationSummary& summary, StepVerdict& verdict);
 
 }  // namespace mbgen

@@ -41,9 +41,6 @@ struct SimulationRecord {
   ManoeuvreWords manoeuvre = {};
 };
 
-/// Hint where loops that a motion drives cannot follow it; empty for other ends.
-std::string hint_of_reach(const Compilation& compilation, Status status);
-
 /// For people: steps, real-time factor, closure residual, energy balance, ranges of the outputs and of inputs that
 /// move.
 std::string summary_text(const SimulationRecord& record);
