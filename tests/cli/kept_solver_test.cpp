@@ -149,7 +149,7 @@ TEST_F(KeptSolver, MakesRoomAndSaysSoOnce) {
     write("longer.json", longer);
     const Outcome run = mbgen("simulate longer.json --duration 0.02 --step 1e-2 --out o.csv");
     EXPECT_EQ(run.exit_code, 0);
-    EXPECT_EQ(run.err.find("one solver that was not used for longest made room") != std::string::npos,
+    EXPECT_EQ(run.err.find("the least recently used solver made room") != std::string::npos,
               std::string(length) == "-3]")
         << run.err;
   }

@@ -77,9 +77,9 @@ void keep_within_room(const fs::path& cache) {
   if (removed == 0 || fs::exists(cache / kLimitFile, problem)) return;
   write_limit(cache, room);
   print_message(
-      "{}: note: {} that was not used for longest made room: compiled solvers take {} MB at most\n"
+      "{}: note: the least recently used {} made room: compiled solvers take {} MB at most\n"
       "  hint: mbgen cache lists them, mbgen cache --limit sets another size; this is said once\n",
-      cache.string(), removed == 1 ? "one solver" : fmt::format("{} solvers", removed), room >> 20);
+      cache.string(), removed == 1 ? "solver" : fmt::format("{} solvers", removed), room >> 20);
 }
 
 }  // namespace mbgen
