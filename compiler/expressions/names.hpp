@@ -72,8 +72,7 @@ std::string did_you_mean(std::string_view word, const NameMap<Target>& names, co
 struct Names {
   NameMap<int> later_parameters;  ///< defined, but below the parameter that is being read
   NameMap<int> values;            ///< states, then sampled values
-  NameMap<int> parameters, inputs, bodies, joints, rods, couplings, springs, air_springs, tyre_data, tyres, motions;
-  NameMap<int> joint_springs, bushings, bump_stops, roads;
+  NameMap<int> parameters, inputs, bodies, joints, rods, couplings, springs, air_springs, tyre_data, motions, roads;
   std::vector<NameMap<CoordinateReference>> coordinates;  ///< per Level::scope, as they are called there
   std::vector<std::size_t> body_scopes;                   ///< per body: the scope that defines it
   std::vector<NameMap<int>> points;                       ///< per body

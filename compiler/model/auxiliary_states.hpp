@@ -58,7 +58,9 @@ double magnitude_of(const AuxiliaryState& state);
 int first_turn(const Model& model);
 int turn_state(const Model& model, std::size_t tyre);
 
-/// The first state of the bristles.
+/// The first state of the bristles, and that of a friction. Requires: it is one of the model's; where it has no
+/// bristles its state is that of the next.
 int first_bristle(const Model& model);
+std::size_t bristle_state(const Model& model, const FrictionLaw& friction);
 
 }  // namespace mbgen

@@ -10,6 +10,11 @@ namespace mbgen::reading {
 
 constexpr std::size_t kLongestDescription = 4096;
 
+/// A text for people.
+inline FieldInfo prose_field(std::string_view name, std::string_view doc) {
+  return {.name = name, .shape = Shape::text, .doc = doc, .longest = kLongestDescription};
+}
+
 /// The rows of Presentation, for the table of a kind that has it.
 template <class F>
 std::array<Field<F>, 5> presentation_fields() {

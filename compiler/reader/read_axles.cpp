@@ -12,7 +12,7 @@ namespace mbgen::reading {
 namespace {
 
 void take_tyre(Reader& reader, const Value& value, AxleWheel& wheel) {
-  const int index = find_named(reader, *find(value, "tyre"), "tyre", reader.names.tyres);
+  const int index = find_named(reader, *find(value, "tyre"), "tyre", names_of<Tyre>(reader));
   if (index < 0) return;
   const Tyre& tyre = reader.model.tyres[static_cast<std::size_t>(index)];
   wheel.centre = tyre.centre;

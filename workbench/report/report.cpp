@@ -47,24 +47,34 @@ Json blocks_json(const Topology& topology, const Analysis& analysis) {
   return blocks;
 }
 
+/// Elements that show something by their section, all springs together.
+Json element_counts(const Model& model) {
+  Json counts = Json::object();
+  each_kind([&](auto kind) {
+    if (kind.quantities.size() == 0) return;
+    const std::string_view section = kind.section;
+    const std::string name(section.ends_with("springs") ? "springs" : section);
+    counts[name] = counts.value(name, std::size_t{0}) + kind.list(model).size();
+  });
+  return counts;
+}
+
 Json model_json(const Model& model, const Topology& topology, const Analysis& analysis) {
-  return {{"name", model.name},
-          {"file", model.file},
-          {"hash", model.hash},
-          {"bodies", model.bodies.size()},
-          {"joints", model.joints.size()},
-          {"rods", model.rods.size()},
-          {"springs", model.springs.size() + model.joint_springs.size() + model.air_springs.size()},
-          {"bushings", model.bushings.size()},
-          {"bump_stops", model.bump_stops.size()},
-          {"tyres", model.tyres.size()},
-          {"coordinates", topology.size()},
-          {"equations", equation_count(topology)},
-          {"independent_equations", analysis.independent_equations},
-          {"degrees_of_freedom", analysis.degrees_of_freedom},
-          {"position_freedoms", analysis.position_freedoms},
-          {"driven", model.motions.size()},
-          {"blocks", blocks_json(topology, analysis)}};
+  Json json = {{"name", model.name},
+               {"file", model.file},
+               {"hash", model.hash},
+               {"bodies", model.bodies.size()},
+               {"joints", model.joints.size()},
+               {"rods", model.rods.size()}};
+  json.update(element_counts(model));
+  json.update({{"coordinates", topology.size()},
+               {"equations", equation_count(topology)},
+               {"independent_equations", analysis.independent_equations},
+               {"degrees_of_freedom", analysis.degrees_of_freedom},
+               {"position_freedoms", analysis.position_freedoms},
+               {"driven", model.motions.size()},
+               {"blocks", blocks_json(topology, analysis)}});
+  return json;
 }
 
 std::string_view page_file(std::string_view path) {

@@ -10,8 +10,9 @@
 #include <variant>
 #include <vector>
 
-#include "compiler/formulation/elements/applied_forces.hpp"
+#include "compiler/formulation/elements/seen_place.hpp"
 #include "compiler/formulation/elements/slope.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 
 namespace mbgen {
 
@@ -36,6 +37,12 @@ struct ElementTangents {
 };
 
 namespace detail {
+
+/// Elements add their tangents pass after pass, in each in the order of the list of kinds: the order of these sums is
+/// part of the bits of emitted code.
+template <class Kind>
+inline constexpr int kTangentPass = 1;
+inline constexpr int kTangentPasses = 3;
 
 template <class T>
 std::vector<std::vector<T>> zeros(std::size_t rows, std::size_t columns) {
@@ -141,6 +148,19 @@ LocalCoordinate<T> tree_local(const System<T>& system, const CoordinateReference
                            tree_coordinate(system.topology, reference)};
   if (local.shared >= 0) local.row[local.shared] = T(1.0);
   return local;
+}
+
+/// How a coordinate between two bodies moves with the tree's coordinates: what a unit force along it does, turned
+/// round. force, moment: on `to`, in the axes of the body of `from`.
+template <class T>
+std::vector<T> row_between(const ForceWork<T>& work, const SeenPlace<T>& s, const Vector<T>& force,
+                           const Vector<T>& moment) {
+  const System<T>& system = work.system;
+  std::vector<T> row(system.topology.bodies.size(), T(0.0));
+  const auto seen = [&](const Vector<T>& v) { return direction_in(system, work.k, s.from.body, v, s.frame); };
+  add_force(work, s.to, s.from.body, s.frame, seen(force), seen(moment), row);
+  add_force(work, s.from, s.to.body, s.frame, seen(-force), seen(-moment - cross(s.gap, force)), row);
+  return row;
 }
 
 /// The length of a line between two points as a local coordinate.
