@@ -66,9 +66,37 @@ void each_element(SomeModel& model, const Use& use) {
   });
 }
 
+/// Calls use(element) for the elements and rods whose lengths expressions see, in the order of their numbers there.
+template <class SomeModel, class Use>
+void each_line(SomeModel& model, const Use& use) {
+  each_kind([&](auto kind) {
+    if constexpr (kind.has_length)
+      for (auto& element : kind.list(model)) use(element);
+  });
+  for (auto& rod : model.rods) use(rod);
+}
+
+/// How many kinds with lengths stand before one.
+template <class Kind>
+constexpr std::size_t length_place() {
+  std::size_t place = 0;
+  bool is_before = true;
+  each_kind([&](auto other) {
+    is_before = is_before && !std::is_same_v<typename decltype(other)::Element, Kind>;
+    if (is_before && other.has_length) ++place;
+  });
+  return place;
+}
+
 template <class Element>
 Connection connection_of(const Element& element) {
   return KindOf<Element>::connection(element);
+}
+
+/// Whether a rig can take elements of a kind away.
+template <class Kind>
+constexpr bool can_be_silent(Kind kind) {
+  return requires(typename Kind::Element & element) { kind.silence(element); };
 }
 
 /// Field of an output that names an element of a kind.

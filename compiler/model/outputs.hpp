@@ -68,7 +68,7 @@ struct ElementOutput {
   int kind = -1;     ///< place in ElementKinds
   int element = -1;  ///< index into the model's list of that kind
   int quantity = 0;  ///< index into the quantities of the kind
-  int axis = 0;      ///< 0 x, 1 y, 2 z, of a quantity of three components; see BushingState for those of a bushing
+  int axis = 0;      ///< 0 x, 1 y, 2 z, of a quantity of three components, in the element's own axes
 };
 /// Angles of a wheel to the axes of a vehicle: x forward, y to the left, z up.
 struct WheelOutput {
@@ -79,8 +79,8 @@ struct WheelOutput {
   double side = 1;          ///< 1 for a wheel on the left of the vehicle or in its middle, -1 on its right
   Attachment lower, upper;  ///< points of the steering axis, for caster and kingpin inclination
 };
-/// Potential energy of all elastic elements: work of their elastic forces, J, zero where a spring has its natural
-/// length, a joint spring is at `free`, and a bushing or a bump stop has no deflection.
+/// Potential energy of all elastic elements: work of their elastic forces, J, zero where an element is without them
+/// but for a preload.
 struct StoredEnergyOutput {};
 struct DriveOutput {
   int motion = -1;

@@ -1,4 +1,4 @@
-// Couplings, and ends and names of springs.
+// Couplings, and ends and names of elements between points.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -79,12 +79,14 @@ void read_couplings(Reader& reader, const Entries& entries) {
   });
 }
 
-void name_springs(Reader& reader, const Entries& springs, const Entries& air_springs) {
-  const auto tell = [](NameMap<int>& names, const Entries& entries) {
-    for (const Entry& entry : entries) names.emplace(entry.name, static_cast<int>(names.size()));
-  };
-  tell(reader.names.springs, springs);
-  tell(reader.names.air_springs, air_springs);
+void name_lines(Reader& reader, const std::array<Entries, ElementKinds::count>& entries) {
+  each_kind([&]<class Kind>(KindOf<Kind> kind) {
+    if (!kind.has_length) return;
+    LengthNames list{with_article(kind.words)};
+    for (const Entry& entry : entries[kKindIndex<Kind>])
+      list.names.emplace(entry.name, static_cast<int>(list.names.size()));
+    reader.names.lengths.push_back(std::move(list));
+  });
 }
 
 }  // namespace mbgen::reading

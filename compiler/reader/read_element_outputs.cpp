@@ -44,10 +44,6 @@ bool has_components(std::string_view source, std::string_view name) {
   return has;
 }
 
-std::string with_article(std::string_view words) {
-  return fmt::format("{} {}", std::string_view("aeiou").find(words.front()) < 5 ? "an" : "a", words);
-}
-
 /// The element that a source names: its kind and index, with a complaint where there is none, or several.
 ElementOutput named_element(Reader& reader, const Value& value, std::string_view source) {
   const Value& written = *find(value, source);

@@ -166,7 +166,7 @@ void read_sections(Reader& reader) {
   read_couplings(reader, entries(&FileFields::couplings));
   std::array<Entries, ElementKinds::count> elements;
   each_section([&]<class Kind>(KindOf<Kind>) { elements[kKindIndex<Kind>] = entries(&SectionOf<Kind>::section); });
-  name_springs(reader, elements[kKindIndex<PointSpring>], elements[kKindIndex<AirSpring>]);
+  name_lines(reader, elements);
   const Entries states = entries(&FileFields::states), sampled = entries(&FileFields::sampled);
   read_states(reader, states, sampled);
   read_roads(reader, entries(&FileFields::roads));

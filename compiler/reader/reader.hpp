@@ -64,13 +64,11 @@ struct Reader {
 
 inline const Scope& current_scope(const Reader& reader) { return reader.scopes[reader.scope]; }
 
-/// Names of the elements of a kind; expressions see those of springs and air springs, too.
+/// Names of the elements of a kind; expressions see those of kinds with a length, too.
 template <class Kind>
 NameMap<int>& names_of(Reader& reader) {
-  if constexpr (std::is_same_v<Kind, PointSpring>)
-    return reader.names.springs;
-  else if constexpr (std::is_same_v<Kind, AirSpring>)
-    return reader.names.air_springs;
+  if constexpr (KindOf<Kind>::has_length)
+    return reader.names.lengths[length_place<Kind>()].names;
   else
     return reader.element_names[kKindIndex<Kind>];
 }
@@ -330,8 +328,13 @@ bool has_any(const Value& value, std::initializer_list<std::string_view> keys);
 double check_ends(Reader& reader, const Value& value, const Attachment& from, const Attachment& to);
 /// States and sampled values; their expressions may name springs and air springs.
 void read_states(Reader& reader, const Entries& states, const Entries& sampled);
-/// Tells the names of springs and air springs, so that expressions can be read before these are.
-void name_springs(Reader& reader, const Entries& springs, const Entries& air_springs);
+/// "an air spring".
+inline std::string with_article(std::string_view words) {
+  return (std::string_view("aeiou").find(words.front()) < 5 ? "an " : "a ") + std::string(words);
+}
+
+/// Tells expressions the names of elements with a length, before these are read. entries: of every kind.
+void name_lines(Reader& reader, const std::array<Entries, ElementKinds::count>& entries);
 /// Complains about states that have the name of another auxiliary state. Requires: tyres are read.
 void check_state_names(Reader& reader, const Entries& states, const Entries& sampled);
 /// Sets the lags that are not written. Requires: the solver's settings are read.
@@ -367,8 +370,6 @@ void read_vehicle(Reader& reader, const std::vector<Part>& parts);
 bool is_large_angle(double angle);
 /// Notes an angle of more than a turn, which likely was typed in degrees.
 void note_turns(Reader& reader, const Value& value, double angle);
-/// Notes on bushings that pull away from the reference or add energy.
-void note_bushings(Reader& reader);
 /// Notes on the whole model. Requires: it has no problems.
 void note_unlikely(Reader& reader);
 

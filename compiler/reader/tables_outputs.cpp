@@ -35,9 +35,19 @@ Field<OutputFields> element_row(KindOf<Kind>) {
   return field<OutputFields, &SourceName<Kind>::element>(element_field<Kind>());
 }
 
+/// "springs, joint springs": the kinds of elements that store energy.
+std::string kinds_with_energy() {
+  std::vector<std::string> kinds;
+  each_kind([&](auto kind) {
+    if (quantity_index(kind, kPotentialEnergy) >= 0) kinds.push_back(fmt::format("{}s", kind.words));
+  });
+  return enumeration(kinds);
+}
+
 /// What an output is of.
 std::vector<Field<OutputFields>> source_fields() {
   using F = OutputFields;
+  static const std::string energy_doc = fmt::format("potential energy of all {} together", kinds_with_energy());
   std::vector<Field<F>> rows = {
       field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit; default: unit of the quantity"}),
       field<F, &F::expression>({.name = "expression", .doc = "value over t, parameters, inputs and coordinates"}),
@@ -63,10 +73,7 @@ std::vector<Field<OutputFields>> source_fields() {
   add(is_tyre);
   add(is_spring);
   rows.push_back(
-      field<F, &F::elements>({.name = "elements",
-                              .shape = Shape::word,
-                              .doc = "potential energy of all springs, joint springs, bushings and bump stops together",
-                              .words = kBodySets}));
+      field<F, &F::elements>({.name = "elements", .shape = Shape::word, .doc = energy_doc, .words = kBodySets}));
   add([&](std::string_view key) { return !is_tyre(key) && !is_spring(key); });
   const Field<F> others[] = {
       field<F, &F::motion>({.name = "motion",

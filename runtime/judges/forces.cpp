@@ -18,8 +18,10 @@ Values CartesianMechanism::complete(Values values, const std::vector<Moving>& bo
     values.lengths.push_back(at.length);
     values.rates.push_back(at.rate);
   };
-  for (const int kind : {kKindIndex<PointSpring>, kKindIndex<AirSpring>})
-    for (const ElementPart& part : parts.elements[static_cast<std::size_t>(kind)]) add(part.from, part.to);
+  each_kind([&]<class Kind>(KindOf<Kind> kind) {
+    if (!kind.has_length) return;
+    for (const ElementPart& part : parts.elements[kKindIndex<Kind>]) add(part.from, part.to);
+  });
   for (const PartRod& rod : parts.rods) add(rod.from, rod.to);
   return values;
 }

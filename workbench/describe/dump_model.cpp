@@ -131,8 +131,6 @@ class ModelText : public ModelWords {
     return text;
   }
 
-  std::string details(const Bushing& bushing) const { return bushing.is_mirrored ? ", counts mirrored" : ""; }
-
   std::string details(const AppliedForce& force) const {
     return fmt::format(", {} axes", force.in_body_axes ? "body" : "global");
   }

@@ -56,7 +56,7 @@ std::vector<Column> element_forces(const ReportSource& source, const std::vector
   if (forces.empty()) return forces;
   const GenericSolver solver(model, source.topology, source.analysis);
   const std::size_t count = source.topology.bodies.size();
-  // No force of a spring, bushing or stop depends on accelerations or joint forces.
+  // No force of an elastic element depends on accelerations or joint forces.
   const GenericDerivative none{std::vector<double>(count), std::vector<double>(auxiliary_state_names(model).size())};
   const std::vector<double> tau(count);
   // Without columns of them Maxwell branches are relaxed.

@@ -1,5 +1,7 @@
 #include "workbench/report/report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -59,6 +61,19 @@ Json element_counts(const Model& model) {
   return counts;
 }
 
+/// The same for people: [["springs and dampers", 4]], kinds of which there are none left out.
+Json element_rows(const Json& counts) {
+  Json rows = Json::array();
+  each_kind([&](auto kind) {
+    const std::string_view section = kind.section;
+    const bool is_spring = section == "springs";
+    const auto count = counts.find(section);
+    if (count == counts.end() || *count == 0) return;
+    rows.push_back({is_spring ? "springs and dampers" : fmt::format("{}s", kind.words), *count});
+  });
+  return rows;
+}
+
 Json model_json(const Model& model, const Topology& topology, const Analysis& analysis) {
   Json json = {{"name", model.name},
                {"file", model.file},
@@ -66,7 +81,9 @@ Json model_json(const Model& model, const Topology& topology, const Analysis& an
                {"bodies", model.bodies.size()},
                {"joints", model.joints.size()},
                {"rods", model.rods.size()}};
-  json.update(element_counts(model));
+  const Json counts = element_counts(model);
+  json.update(counts);
+  json["elements"] = element_rows(counts);
   json.update({{"coordinates", topology.size()},
                {"equations", equation_count(topology)},
                {"independent_equations", analysis.independent_equations},

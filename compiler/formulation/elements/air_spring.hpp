@@ -1,7 +1,7 @@
 #pragma once
 // Air springs between two points.
 
-#include "compiler/formulation/elements/element_tangents.hpp"
+#include "compiler/formulation/elements/connections.hpp"
 #include "mbgen/solver/forces.hpp"
 
 namespace mbgen {
@@ -30,31 +30,28 @@ A air_spring_push(const ForceWork<T>& work, const AirSpring& spring, const A& le
                           value(spring.exponent, "exponent"), volume(A(natural)), volume(length), area(length));
 }
 
+template <class T, class Use>
+void connect(const ForceWork<T>& work, const AirSpring& spring, const Use& use) {
+  use(AlongLine<T>(work, spring.from, spring.to, line_number(work.system.model, spring)));
+}
+
 template <class T>
-void apply(ForceWork<T>& work, const AirSpring& spring) {
-  states_of<AirSpring>(work.forces)
-      .push_back(line_element(work, spring.from, spring.to, [&](const T& length, const T&, const T& reference) {
-        const T natural = natural_length(work, spring.length, reference, spring.name);
-        const T push = air_spring_push(work, spring, length, natural);
-        work.system.scribe.name(push, "push_", spring.name);
-        return -push;
-      }));
+auto law_of(const ForceWork<T>& work, const AirSpring& spring, const AlongLine<T>& at) {
+  return [&, natural = natural_length(work, spring.length, at.reference(work), spring.name)]<class A>(const A& length,
+                                                                                                      const A&) {
+    A push = air_spring_push(work, spring, length, natural);
+    if constexpr (std::is_same_v<T, A>) work.system.scribe.name(push, "push_", spring.name);
+    return -push;
+  };
+}
+
+template <class T>
+std::vector<int> law_expressions(const ForceWork<T>&, const AirSpring&) {
+  return {};
 }
 
 template <>
 inline constexpr int kTangentPass<AirSpring> = 0;
-
-template <class T>
-void add_tangents(ForceWork<T>& work, const AirSpring& spring, std::vector<ElementTangents<T>>& elements) {
-  using S = Slope<T>;
-  const Model& model = work.system.model;
-  const std::size_t number = model.springs.size() + index_in(model.air_springs, spring);
-  const LocalLine<T> line = local_line(work, spring.from, spring.to, static_cast<int>(number));
-  const T natural = natural_length(work, spring.length, line.reference, spring.name);
-  elements.push_back(scalar_element(work, line.coordinate, line.length, line.rate, {}, [&](const S& length, const S&) {
-    return air_spring_push(work, spring, length, natural);
-  }));
-}
 
 }  // namespace detail
 }  // namespace mbgen

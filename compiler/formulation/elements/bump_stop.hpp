@@ -1,9 +1,8 @@
 #pragma once
 // Bump stops: travel between points or of a coordinate, and the law that pushes after the clearance.
 
-#include "compiler/formulation/elements/element_tangents.hpp"
+#include "compiler/formulation/elements/connections.hpp"
 #include "compiler/formulation/elements/energy.hpp"
-#include "compiler/formulation/elements/seen_place.hpp"
 
 namespace mbgen {
 
@@ -49,96 +48,50 @@ BumpStopState<A> bump_stop_law(const ForceWork<T>& work, const BumpStop& stop, c
   return state;
 }
 
-/// Travel of a stop across a plane of `from`: the direction and the travel are seen from that body.
-template <class T>
-struct TravelAlongAxis {
-  SeenPlace<T> seen;
-  Vector<T> axis;  ///< in the axes of the body of `from`
-  T travel, rate;
+template <class T, class Use>
+void connect(const ForceWork<T>& work, const BumpStop& stop, const Use& use) {
+  const int outwards = stop.side == BumpStop::Side::compression ? -1 : 1;
+  if (stop.is_on_joint())
+    use(AlongCoordinate<T>(work.system, stop.joint, stop.side == BumpStop::Side::below ? -1 : 1));
+  else if (stop.axis)
+    use(AlongAxis<T>(work, stop.from, stop.to, T(outwards) * constant<T>(*stop.axis)));
+  else
+    use(AlongLine<T>(work, stop.from, stop.to, -1));
+}
+
+/// A stop's state with the force against the position of its connection.
+template <class A>
+struct ActingBumpStop : BumpStopState<A> {
+  A resistance{0.0};
 };
 
-template <class T>
-TravelAlongAxis<T> travel_along_axis(const ForceWork<T>& work, const BumpStop& stop) {
-  const System<T>& system = work.system;
-  TravelAlongAxis<T> t;
-  t.seen = seen_place(work, stop.from, stop.to);
-  const auto reference = [&](const Attachment& at, const Place<T>& place) {
-    return place.at + carrier_origin(system.topology, system.constants, at.body);
+/// On a coordinate or along an axis the position is the travel.
+template <class T, class At>
+auto law_of(const ForceWork<T>& work, const BumpStop& stop, const At&) {
+  return [&]<class A>(const A& travel, const A& rate) {
+    const BumpStopState<A> state = bump_stop_law(work, stop, travel, rate);
+    return ActingBumpStop<A>{state, state.force};
   };
-  t.axis = T(stop.side == BumpStop::Side::compression ? -1.0 : 1.0) * constant<T>(*stop.axis);
-  t.travel = dot(t.axis, t.seen.gap - (reference(stop.to, t.seen.to) - reference(stop.from, t.seen.from)));
-  t.rate = dot(t.axis, t.seen.drift);
-  return t;
+}
+
+/// Between points it is the length.
+template <class T>
+auto law_of(const ForceWork<T>& work, const BumpStop& stop, const AlongLine<T>& at) {
+  return [&, reference = at.reference(work)]<class A>(const A& length, const A& rate) {
+    const A sign(stop.side == BumpStop::Side::compression ? -1.0 : 1.0);
+    const BumpStopState<A> state = bump_stop_law(work, stop, A(sign * (length - A(reference))), A(sign * rate));
+    return ActingBumpStop<A>{state, sign * state.force};
+  };
+}
+
+template <class T, class At>
+BumpStopState<T> seen_as(const BumpStop&, const At&, const ActingBumpStop<T>& acting) {
+  return acting;
 }
 
 template <class T>
-BumpStopState<T> stop_along_axis(ForceWork<T>& work, const BumpStop& stop) {
-  const TravelAlongAxis<T> t = travel_along_axis(work, stop);
-  const BumpStopState<T> state = bump_stop_law(work, stop, t.travel, t.rate);
-  act_between(work, stop.from, stop.to, t.seen, state.force * t.axis, Vector<T>{});
-  return state;
-}
-
-/// A stop on the distance of two points.
-template <class T>
-BumpStopState<T> stop_on_distance(ForceWork<T>& work, const BumpStop& stop) {
-  const T sign(stop.side == BumpStop::Side::compression ? -1.0 : 1.0);
-  BumpStopState<T> state;
-  line_element(work, stop.from, stop.to, [&](const T& length, const T& rate, const T& reference) {
-    state = bump_stop_law(work, stop, T(sign * (length - reference)), T(sign * rate));
-    return sign * state.force;
-  });
-  return state;
-}
-
-/// A stop on a coordinate.
-template <class T>
-BumpStopState<T> stop_on_coordinate(ForceWork<T>& work, const BumpStop& stop) {
-  const Environment<T>& e = work.system.environment;
-  const T sign(stop.side == BumpStop::Side::below ? -1.0 : 1.0);
-  const BumpStopState<T> state =
-      bump_stop_law(work, stop, T(sign * e.position(stop.joint)), T(sign * e.velocity(stop.joint)));
-  add_joint_force(work, stop.joint, T(-sign * state.force));
-  return state;
-}
-
-template <class T>
-void apply(ForceWork<T>& work, const BumpStop& stop) {
-  states_of<BumpStop>(work.forces)
-      .push_back(stop.is_on_joint() ? stop_on_coordinate(work, stop)
-                 : stop.axis        ? stop_along_axis(work, stop)
-                                    : stop_on_distance(work, stop));
-}
-
-/// The tangents of a bump stop on a coordinate, between points or along an axis.
-template <class T>
-ElementTangents<T> tangents_of(ForceWork<T>& work, const BumpStop& stop) {
-  using S = Slope<T>;
-  const auto push = [&](const S& travel, const S& rate) { return -bump_stop_law(work, stop, travel, rate).force; };
-  if (stop.is_on_joint()) {
-    const Environment<T>& e = work.system.environment;
-    const T sign(stop.side == BumpStop::Side::below ? -1.0 : 1.0);
-    LocalCoordinate<T> along{tree_local(work.system, stop.joint).row};
-    for (T& entry : along.row) entry = S::times(sign, entry);
-    return scalar_element(work, std::move(along), T(sign * e.position(stop.joint)), T(sign * e.velocity(stop.joint)),
-                          expressions_of(stop.force), push);
-  }
-  if (stop.axis) {
-    const TravelAlongAxis<T> t = travel_along_axis(work, stop);
-    return scalar_element(work, {row_between(work, t.seen, t.axis, Vector<T>{})}, t.travel, t.rate,
-                          expressions_of(stop.force), push);
-  }
-  const S sign(stop.side == BumpStop::Side::compression ? -1.0 : 1.0);
-  const LocalLine<T> line = local_line(work, stop.from, stop.to, -1);
-  return scalar_element(
-      work, line.coordinate, line.length, line.rate, expressions_of(stop.force), [&](const S& length, const S& rate) {
-        return -(sign * bump_stop_law(work, stop, S(sign * (length - S(line.reference))), S(sign * rate)).force);
-      });
-}
-
-template <class T>
-void add_tangents(ForceWork<T>& work, const BumpStop& stop, std::vector<ElementTangents<T>>& elements) {
-  elements.push_back(tangents_of(work, stop));
+std::vector<int> law_expressions(const ForceWork<T>&, const BumpStop& stop) {
+  return expressions_of(stop.force);
 }
 
 template <class T>

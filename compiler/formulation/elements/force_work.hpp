@@ -242,28 +242,13 @@ Line<T> line_between(const System<T>& system, const Kinematics<T>& k, const Velo
   return {a, b, frame, gap, length, reciprocal, dot(gap, gap_rate) * reciprocal};
 }
 
-/// Length at which a spring or an air spring is counted from: its own, or that of the reference configuration.
+/// Length from which that of an element is counted: its own, or that of the reference configuration.
 template <class T>
 T natural_length(const ForceWork<T>& work, const std::optional<Quantity>& own, const T& reference,
                  const std::string& element) {
   T length = own ? work.value(*own) : reference;
   work.system.scribe.constant(length, "l0_", element);
   return length;
-}
-
-/// Two places joined by a line element; `tension` gives its force from length and rate.
-template <class T, class Tension>
-ElementState<T> line_element(ForceWork<T>& work, const Attachment& from, const Attachment& to, const Tension& tension) {
-  const Line<T> line = line_between(work.system, work.k, work.v, from, to);
-  ElementState<T> state;
-  state.length = line.length;
-  state.rate = line.rate;
-  const T reference = reference_distance(work.system.topology, work.system.constants, to, line.to, from, line.from);
-  state.force = tension(state.length, state.rate, reference);
-  const Vector<T> force = (state.force * line.reciprocal) * line.gap;
-  apply_force(work, from.body, line.from, force, line.frame);
-  apply_force(work, to.body, line.to, -force, line.frame);
-  return state;
 }
 
 }  // namespace detail

@@ -62,6 +62,18 @@ BristleResult<A> friction_law(const ForceWork<T>& work, const FrictionLaw& frict
   return result;
 }
 
+/// How fast the parts of a friction that may have bristles move on each other, rad/s or m/s.
+template <class T>
+T sliding_rate(const System<T>& system, const Kinematics<T>&, const Velocities<T>&, const JointFriction& friction) {
+  return system.environment.velocity(friction.joint);
+}
+template <class T>
+T sliding_rate(const System<T>& system, const Kinematics<T>& k, const Velocities<T>& v,
+               const SpringFriction& friction) {
+  const PointSpring& spring = system.model.springs[static_cast<std::size_t>(friction.spring)];
+  return line_between(system, k, v, spring.from, spring.to).rate;
+}
+
 /// The reaction that presses a friction as it was taken last, N or N m. Requires: the friction has one.
 template <class T>
 const T& held_load(const System<T>& system, const FrictionLaw& friction) {
@@ -117,13 +129,12 @@ template <class T>
 void apply(ForceWork<T>& work, const SpringFriction& friction) {
   const Model& model = work.system.model;
   const PointSpring& spring = model.springs[friction.spring];
-  const ElementState<T> state = line_element(work, spring.from, spring.to, [&](const T&, const T& rate, const T&) {
-    T tension = -friction_force_at(work, friction, friction.name, rate, bristle_state(model, friction));
-    work.system.scribe.name(tension, "force_", friction.name);
-    return tension;
-  });
+  const AlongLine<T> at(work, spring.from, spring.to, friction.spring);
+  T tension = -friction_force_at(work, friction, friction.name, at.rate, bristle_state(model, friction));
+  work.system.scribe.name(tension, "force_", friction.name);
+  at.resist(work, tension);
   SpringState<T>& total = states_of<PointSpring>(work.forces)[friction.spring];
-  total.force = total.force + state.force;
+  total.force = total.force + tension;
 }
 
 /// Smooth: it has no bristles.
@@ -131,6 +142,24 @@ template <class T>
 void apply(ForceWork<T>& work, const RodFriction& friction) {
   rod_friction(work, friction,
                [&](const T& rate) { return friction_force_at(work, friction, friction.name, rate, 0); });
+}
+
+/// The spring that presses a friction, where it is.
+template <class T>
+struct PressingSpring {
+  const PointSpring& spring;
+  AlongLine<T> at;
+  LocalCoordinate<T> row;
+  T natural;  ///< m
+};
+
+/// number: index into Model::springs.
+template <class T>
+PressingSpring<T> pressing_spring(const ForceWork<T>& work, int number) {
+  const PointSpring& spring = work.system.model.springs[number];
+  const AlongLine<T> at(work, spring.from, spring.to, number);
+  LocalCoordinate<T> row = at.row(work);
+  return {spring, at, std::move(row), natural_length(work, spring.free_length, at.reference(work), spring.name)};
 }
 
 /// A friction on a local coordinate that moves at `rate`. state: of its bristles, where it has some.
@@ -144,23 +173,24 @@ ElementTangents<T> friction_element(ForceWork<T>& work, const FrictionLaw& frict
     element.states.push_back(state);
     element.at.state.push_back(work.system.x[state]);
   }
-  std::optional<SpringLine<T>> normal;
+  std::optional<PressingSpring<T>> normal;
   if (friction.normal >= 0) {
-    normal.emplace(spring_line(work, friction.normal));
-    const LocalLine<T>& line = normal->line;
-    if (line.coordinate.shared == element.coordinates[0].shared) {
-      element.at.position[0] = line.length;
+    normal.emplace(pressing_spring(work, friction.normal));
+    const LocalCoordinate<T>& line = normal->row;
+    if (line.shared == element.coordinates[0].shared) {
+      element.at.position[0] = normal->at.position;
     } else {
-      element.coordinates.push_back(line.coordinate);
-      element.at.position.push_back(line.length);
-      element.at.velocity.push_back(line.rate);
+      element.coordinates.push_back(line);
+      element.at.position.push_back(normal->at.position);
+      element.at.velocity.push_back(normal->at.rate);
     }
-    for (const int expression : expressions_of(normal->spring)) element.expressions.push_back(expression);
+    for (const int expression : law_expressions(work, normal->spring)) element.expressions.push_back(expression);
   }
   ElementTangents<T> tangents = differentiated(work, std::move(element), [&](const LawPoint<S>& at) {
-    const S pressing = normal               ? normal->tension(work, at.position.back(), at.velocity.back())
-                       : friction.load >= 0 ? S(held_load(work.system, friction))
-                                            : S(0.0);
+    const S pressing =
+        normal ? spring_tension(work, normal->spring, at.position.back(), at.velocity.back(), normal->natural)
+        : friction.load >= 0 ? S(held_load(work.system, friction))
+                             : S(0.0);
     const S deflection = friction.has_bristle() ? at.state[0] : S(0.0);
     BristleResult<S> law = friction_law(work, friction, name, at.velocity[0], pressing, deflection);
     LawResult<S> result{{law.force}, {}};
@@ -189,8 +219,8 @@ template <class T>
 void add_tangents(ForceWork<T>& work, const SpringFriction& friction, std::vector<ElementTangents<T>>& elements) {
   const Model& model = work.system.model;
   const PointSpring& spring = model.springs[friction.spring];
-  const LocalLine<T> line = local_line(work, spring.from, spring.to, friction.spring);
-  elements.push_back(friction_element(work, friction, friction.name, line.coordinate, line.rate,
+  const AlongLine<T> line(work, spring.from, spring.to, friction.spring);
+  elements.push_back(friction_element(work, friction, friction.name, line.row(work), line.rate,
                                       static_cast<int>(bristle_state(model, friction))));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // Springs and dampers between two points.
 
-#include "compiler/formulation/elements/element_tangents.hpp"
+#include "compiler/formulation/elements/connections.hpp"
 #include "compiler/formulation/elements/energy.hpp"
 #include "mbgen/solver/forces.hpp"
 
@@ -32,52 +32,33 @@ A spring_tension(const ForceWork<T>& work, const PointSpring& spring, const A& l
   return tension;
 }
 
-template <class T>
-void apply(ForceWork<T>& work, const PointSpring& spring) {
-  const ElementState<T> state =
-      line_element(work, spring.from, spring.to, [&](const T& length, const T& rate, const T& reference) {
-        const T natural = natural_length(work, spring.free_length, reference, spring.name);
-        const T tension = spring_tension(work, spring, length, rate, natural);
-        work.system.scribe.name(tension, "tension_", spring.name);
-        return tension;
-      });
-  states_of<PointSpring>(work.forces).push_back({state, state.force});
+template <class T, class Use>
+void connect(const ForceWork<T>& work, const PointSpring& spring, const Use& use) {
+  use(AlongLine<T>(work, spring.from, spring.to, line_number(work.system.model, spring)));
 }
 
-/// The tension of a spring by its length and rate.
 template <class T>
-struct SpringLine {
-  const PointSpring& spring;
-  LocalLine<T> line;
-  T natural;
-  Slope<T> tension(const ForceWork<T>& work, const Slope<T>& length, const Slope<T>& rate) const {
-    return spring_tension(work, spring, length, rate, natural);
-  }
-};
-
-/// number: index into Model::springs.
-template <class T>
-SpringLine<T> spring_line(const ForceWork<T>& work, int number) {
-  const PointSpring& spring = work.system.model.springs[number];
-  LocalLine<T> line = local_line(work, spring.from, spring.to, number);
-  T natural = natural_length(work, spring.free_length, line.reference, spring.name);
-  return {spring, std::move(line), std::move(natural)};
+auto law_of(const ForceWork<T>& work, const PointSpring& spring, const AlongLine<T>& at) {
+  return [&, natural = natural_length(work, spring.free_length, at.reference(work), spring.name)]<class A>(
+             const A& length, const A& rate) {
+    A tension = spring_tension(work, spring, length, rate, natural);
+    if constexpr (std::is_same_v<T, A>) work.system.scribe.name(tension, "tension_", spring.name);
+    return tension;
+  };
 }
 
-inline std::vector<int> expressions_of(const PointSpring& spring) {
+template <class T>
+SpringState<T> seen_as(const PointSpring&, const AlongLine<T>& at, const T& tension) {
+  return {{at.position, at.rate, tension}, tension};
+}
+
+template <class T>
+std::vector<int> law_expressions(const ForceWork<T>&, const PointSpring& spring) {
   return expressions_of(spring.stiffness, spring.damping, spring.preload, spring.force);
 }
 
 template <>
 inline constexpr int kTangentPass<PointSpring> = 0;
-
-template <class T>
-void add_tangents(ForceWork<T>& work, const PointSpring& spring, std::vector<ElementTangents<T>>& elements) {
-  using S = Slope<T>;
-  const SpringLine<T> s = spring_line(work, static_cast<int>(index_in(work.system.model.springs, spring)));
-  elements.push_back(scalar_element(work, s.line.coordinate, s.line.length, s.line.rate, expressions_of(s.spring),
-                                    [&](const S& length, const S& rate) { return -s.tension(work, length, rate); }));
-}
 
 template <class T>
 T stored_energy(const EnergyWork<T>& work, const PointSpring& spring) {

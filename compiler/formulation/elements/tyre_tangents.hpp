@@ -3,6 +3,7 @@
 // its deflection states, by the velocities of the slips and these states, and of its moment against turning.
 
 #include "compiler/formulation/elements/element_tangents.hpp"
+#include "compiler/formulation/elements/tyre_road.hpp"
 
 namespace mbgen {
 namespace detail {

@@ -26,7 +26,7 @@ struct KindOf<AirSpring> : KindDefaults {
   using Element = AirSpring;
   static constexpr const char *key = "air_spring", *section = "air_springs", *words = "air spring";
   static constexpr const char* source = "spring";
-  static constexpr bool is_elastic = true;
+  static constexpr bool is_elastic = true, has_length = true;
   static constexpr std::array quantities = {ElementQuantity{"force", "N"}, ElementQuantity{"length", "m"},
                                             ElementQuantity{"rate", "m/s"}};
   template <class SomeModel>
@@ -43,6 +43,11 @@ struct KindOf<AirSpring> : KindDefaults {
     use("area", element.area);
     use("volume", element.volume);
     use("volume0", element.volume0);
+  }
+  /// A rig takes it away: it stays, without force.
+  static void silence(AirSpring& element) {
+    element.area = Quantity(0.0);
+    element.volume.reset();
   }
 };
 

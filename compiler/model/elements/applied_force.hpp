@@ -34,6 +34,8 @@ struct KindOf<AppliedForce> : KindDefaults {
     use("force", element.force);
     use("torque", element.torque);
   }
+  /// A rig takes it away: it stays, without force.
+  static void silence(AppliedForce& element) { element.force = element.torque = {0.0, 0.0, 0.0}; }
 };
 
 }  // namespace mbgen

@@ -42,6 +42,7 @@ struct KindOf<BumpStop> : KindDefaults {
   using Element = BumpStop;
   static constexpr const char *key = "bump_stop", *section = "bump_stops", *words = "bump stop";
   static constexpr bool is_elastic = true;
+  static constexpr Drawing drawing = Drawing::pad;
   /// deflection: beyond the clearance, negative before
   static constexpr std::array quantities = {
       ElementQuantity{"force", "N", 1, "N m"}, ElementQuantity{"deflection", "m", 1, "rad"},

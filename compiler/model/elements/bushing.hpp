@@ -93,6 +93,7 @@ struct KindOf<Bushing> : KindDefaults {
   using Element = Bushing;
   static constexpr const char *key = "bushing", *section = "bushings", *words = "bushing";
   static constexpr bool is_elastic = true;
+  static constexpr Drawing drawing = Drawing::frame;
   static constexpr std::array quantities = {
       ElementQuantity{"force", "N", 3}, ElementQuantity{"moment", "N m", 3}, ElementQuantity{"deflection", "m", 3},
       ElementQuantity{"rotation_vector", "rad", 3}, ElementQuantity{kPotentialEnergy, "J"}};
@@ -127,6 +128,7 @@ struct KindOf<Bushing> : KindDefaults {
     }
     use("stiffness", element.stiffness);
     use("damping", element.damping);
+    if (element.is_mirrored) use("counts", "mirrored");
   }
 };
 

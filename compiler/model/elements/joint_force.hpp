@@ -26,6 +26,8 @@ struct KindOf<JointForce> : KindDefaults {
   static void fields(const JointForce& element, const Use& use) {
     use("force", element.force);
   }
+  /// A rig takes it away: it stays, without force.
+  static void silence(JointForce& element) { element.force = 0.0; }
 };
 
 }  // namespace mbgen

@@ -41,6 +41,13 @@ struct KindOf<JointSpring> : KindDefaults {
     use("preload", element.preload);
     use("force", element.force);
   }
+  /// A rig takes it away: it stays, without force.
+  static void silence(JointSpring& element) {
+    element.stiffness.reset();
+    element.damping.reset();
+    element.force.reset();
+    element.preload = 0.0;
+  }
 };
 
 }  // namespace mbgen

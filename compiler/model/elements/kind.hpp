@@ -73,6 +73,10 @@ struct ElementQuantity {
   const char* unit_of_turn = unit;  ///< of an element on a coordinate that turns
 };
 
+/// How a report draws an element: as a link between its two ends, as a pad at one end that the other comes to, or as
+/// the mark of a frame. Elements without ends are not drawn.
+enum class Drawing { link, pad, frame };
+
 /// The last quantity of a kind that shows it.
 constexpr const char* kPotentialEnergy = "potential_energy";
 
@@ -82,6 +86,8 @@ constexpr const char* kPotentialEnergy = "potential_energy";
 ///   connection(element)   where it acts
 ///   fields(element, use)  calls use(name, value) for its quantities, laws, tables and force expressions, and for
 ///                         numbers, words and directions that tell it apart
+/// and where a rig can take it away
+///   silence(element)      leaves it without force
 template <class Kind>
 struct KindOf;
 
@@ -90,6 +96,8 @@ struct KindDefaults {
   static constexpr const char* source = nullptr;  ///< field of an output that names an element, where it is not `key`
   static constexpr const char* shows = "";        ///< its outputs, for people; the first kind of a `source` tells it
   static constexpr bool is_elastic = false;       ///< it holds its bodies and stores energy
+  static constexpr bool has_length = false;       ///< expressions see length.NAME and rate.NAME of it
+  static constexpr Drawing drawing = Drawing::link;
   static constexpr std::array<ElementQuantity, 0> quantities = {};
 };
 

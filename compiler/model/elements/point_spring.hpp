@@ -24,7 +24,7 @@ template <>
 struct KindOf<PointSpring> : KindDefaults {
   using Element = PointSpring;
   static constexpr const char *key = "spring", *section = "springs", *words = "spring";
-  static constexpr bool is_elastic = true;
+  static constexpr bool is_elastic = true, has_length = true;
   static constexpr std::array quantities = {ElementQuantity{"force", "N"}, ElementQuantity{"length", "m"},
                                             ElementQuantity{"rate", "m/s"}, ElementQuantity{kPotentialEnergy, "J"}};
   static constexpr const char* shows = "state of a spring or air spring";
@@ -40,6 +40,13 @@ struct KindOf<PointSpring> : KindDefaults {
     use("free_length", element.free_length);
     use("preload", element.preload);
     use("force", element.force);
+  }
+  /// A rig takes it away: it stays, without force.
+  static void silence(PointSpring& element) {
+    element.stiffness.reset();
+    element.damping.reset();
+    element.force.reset();
+    element.preload = 0.0;
   }
 };
 

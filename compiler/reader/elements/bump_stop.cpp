@@ -102,24 +102,25 @@ std::span<const Field<BumpStopFields>> fields<BumpStopFields>() {
 }
 namespace {
 
-/// Takes the ends of the spring or air spring of that name.
+/// Takes the ends of the element with a length of that name.
 void take_ends_of_spring(Reader& reader, const Value& value, BumpStopFields& stop) {
   const Visibility& visible = current_scope(reader).visible;
-  const auto spring = find_visible(reader.names.springs, *stop.spring, visible);
-  const auto air_spring = find_visible(reader.names.air_springs, *stop.spring, visible);
-  const bool is_spring = spring != reader.names.springs.end();
-  if (!is_spring && air_spring == reader.names.air_springs.end()) {
-    NameMap<int> known = reader.names.springs;
-    known.insert(reader.names.air_springs.begin(), reader.names.air_springs.end());
+  NameMap<int> known;
+  bool is_found = false;
+  each_kind([&]<class Kind>(KindOf<Kind> kind) {
+    if constexpr (kind.has_length) {
+      const NameMap<int>& names = names_of<Kind>(reader);
+      known.insert(names.begin(), names.end());
+      const auto place = find_visible(names, *stop.spring, visible);
+      if (is_found || place == names.end()) return;
+      is_found = true;
+      const Kind& spring = kind.list(reader.model)[static_cast<std::size_t>(place->second)];
+      stop.from = spring.from, stop.to = spring.to;
+    }
+  });
+  if (!is_found)
     report(reader, *find(value, "spring"), "unknown spring " + in_quotes(*stop.spring),
            suggestion(reader, *stop.spring, known));
-    return;
-  }
-  const auto take = [&](const auto& of) { stop.from = of.from, stop.to = of.to; };
-  if (is_spring)
-    take(reader.model.springs[static_cast<std::size_t>(spring->second)]);
-  else
-    take(reader.model.air_springs[static_cast<std::size_t>(air_spring->second)]);
 }
 
 /// Complains where a stop is at no place or at several.

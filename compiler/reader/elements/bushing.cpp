@@ -323,7 +323,7 @@ ElementSection section_of<Bushing>() {
                     "a spring and a damper in a row, is relaxed at the start",
                     {}, {{"maxwell_stiffness", "maxwell_time"}, {"maxwell_time", "maxwell_stiffness"}})};
           },
-          read_bushings, trouble_of_bushing};
+          read_bushings, trouble_of_bushing, note_bushings};
 }
 
 }  // namespace mbgen::reading

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/reader.hpp"
 
 namespace mbgen::reading {
@@ -77,9 +78,6 @@ bool is_negative(const std::optional<Law>& law) {
 }  // namespace
 
 void note_bushings(Reader& reader) {
-  const auto add = [&](const Bushing& bushing, const std::string& message, const char* hint) {
-    reader.model.notes.push_back({bushing.where, message, hint, {}});
-  };
   constexpr const char* kStiffnessHint = "positive stiffness pulls back to the reference";
   constexpr const char* kDampingHint = "positive damping acts against the motion";
   for (const Bushing& bushing : reader.model.bushings) {
@@ -88,16 +86,17 @@ void note_bushings(Reader& reader) {
       if (!bushing.freedoms[i]) continue;
       const std::string of = fmt::format("{} of bushing {}", kBushingFreedomNames[i], name);
       if (is_negative(bushing.freedoms[i]->stiffness))
-        add(bushing, fmt::format("stiffness {} is negative: it pushes away", of), kStiffnessHint);
+        note_at(reader, bushing.where, fmt::format("stiffness {} is negative: it pushes away", of), kStiffnessHint);
       if (is_negative(bushing.freedoms[i]->damping))
-        add(bushing, fmt::format("damping {} is negative: it adds energy", of), kDampingHint);
+        note_at(reader, bushing.where, fmt::format("damping {} is negative: it adds energy", of), kDampingHint);
     }
     if (is_negative_somewhere(bushing, bushing.stiffness, &BushingFreedom::stiffness))
-      add(bushing, fmt::format("stiffness of bushing {} is negative in some direction: it pushes away", name),
-          kStiffnessHint);
+      note_at(reader, bushing.where,
+              fmt::format("stiffness of bushing {} is negative in some direction: it pushes away", name),
+              kStiffnessHint);
     if (is_negative_somewhere(bushing, bushing.damping, &BushingFreedom::damping))
-      add(bushing, fmt::format("damping of bushing {} is negative in some direction: it adds energy", name),
-          kDampingHint);
+      note_at(reader, bushing.where,
+              fmt::format("damping of bushing {} is negative in some direction: it adds energy", name), kDampingHint);
   }
 }
 

@@ -224,14 +224,14 @@ void read_frictions(Reader& reader, const Entries& entries) {
     check_levels(r, value, friction);
     if (!check_place(r, value)) return;
     friction.load = add_load(r, value, friction);
-    if (friction.pressing_spring) friction.normal = find_element(r, value, "normal", r.names.springs);
+    if (friction.pressing_spring) friction.normal = find_element(r, value, "normal", names_of<PointSpring>(r));
     if (!friction.rod)
       if (const Value* end = find(value, "end"))
         report(r, *end, "\"end\" is of friction in the end of a rod", "leave it out");
     if (friction.rod) {
       r.model.rod_frictions.push_back(rod_friction(r, value, friction));
     } else if (friction.spring) {
-      const int spring = find_element(r, value, "spring", r.names.springs);
+      const int spring = find_element(r, value, "spring", names_of<PointSpring>(r));
       r.model.spring_frictions.push_back({friction, friction.name, friction.where, spring});
     } else {
       r.model.frictions.push_back({friction, friction.name, friction.where, *friction.joint});

@@ -54,6 +54,13 @@ std::string trouble_of_joint_spring(const Model& model, std::size_t index) {
   return look_at_motion(model, spring.stiffness, spring.preload, spring.free) ? kByMotion : "";
 }
 
+void note_joint_springs(Reader& reader) {
+  for (const JointSpring& spring : reader.model.joint_springs)
+    if (spring.free.expression < 0)
+      note_angle(reader, spring.where, fmt::format("\"free\" of {}", in_quotes(spring.name)), spring.joint,
+                 spring.free.value);
+}
+
 }  // namespace
 
 template <>
@@ -96,7 +103,7 @@ ElementSection section_of<JointSpring>() {
             return std::vector<ObjectKind>{
                 kind_of<JointSpring>("joint_spring", "spring and damper on a coordinate or a difference of two")};
           },
-          read_joint_springs, trouble_of_joint_spring};
+          read_joint_springs, trouble_of_joint_spring, note_joint_springs};
 }
 
 }  // namespace mbgen::reading

@@ -14,6 +14,7 @@ struct ElementSection {
   void (*read)(Reader&, const Entries& entries);  ///< into the model
   /// of an elastic kind: why the force of an element is not integrated, "" where it is
   std::string (*trouble)(const Model&, std::size_t index) = nullptr;
+  void (*note)(Reader&) = nullptr;  ///< on values that are allowed and likely not meant
 };
 
 /// The section of a kind that stands first in it.
@@ -66,6 +67,16 @@ inline FieldInfo element_end(std::string_view name, std::string_view doc) {
 inline FieldInfo element_coordinate(std::string_view name, std::string_view doc, Need need) {
   return {.name = name, .shape = Shape::coordinate, .doc = doc, .need = need};
 }
+
+/// Adds a note on an element.
+void note_at(Reader& reader, const Where& where, std::string message, std::string hint = {});
+
+/// Notes an angle of more than a turn; no angle where the coordinate does not turn. name: of the angle.
+void note_angle(Reader& reader, const Where& where, const std::string& name, const CoordinateReference& coordinate,
+                double angle);
+
+/// Notes on bushings that pull away from the reference or add energy.
+void note_bushings(Reader& reader);
 
 constexpr const char* kByExpression = "a force by an expression, which is not integrated";
 constexpr const char* kByMotion = "a law that depends on the motion, which is not integrated";

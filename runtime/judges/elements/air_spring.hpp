@@ -1,7 +1,6 @@
 #pragma once
 // Air springs between two points.
 
-#include "compiler/expressions/curve.hpp"
 #include "mbgen/solver/forces.hpp"
 #include "runtime/judges/elements/at_work.hpp"
 
