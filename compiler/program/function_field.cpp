@@ -1,6 +1,7 @@
 #include "compiler/program/function_field.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/program/arithmetic.hpp"
 

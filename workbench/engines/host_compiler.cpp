@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <stdexcept>
+#include <system_error>
 
 #include "compiler/emit/emit.hpp"
 #include "compiler/text/user_error.hpp"

@@ -1,6 +1,8 @@
 // Inertias that no rigid body has: files of real robots have them, and the group of bodies that moves as one decides.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "compiler/algebra/dense.hpp"

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <system_error>
 
 #include "compiler/text/hash.hpp"
 #include "compiler/text/user_error.hpp"
