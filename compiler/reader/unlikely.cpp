@@ -40,13 +40,17 @@ void note_damping(Reader& reader) {
 
 constexpr const char* kDegreesHint = "angles are in rad; degrees are written { \"deg\": 40 }";
 
-void note_angles(Reader& reader) {
+void note_start(Reader& reader) {
   const Model& model = reader.model;
   for (const InitialValue& start : model.initial.positions) {
     if (start.coordinate.joint < 0) continue;
     note_angle(reader, start.where, "initial position of " + coordinate_name(model, start.coordinate), start.coordinate,
                start.value);
   }
+}
+
+void note_motions(Reader& reader) {
+  const Model& model = reader.model;
   for (const Motion& motion : model.motions) {
     if (motion.position.expression < 0)
       note_angle(reader, motion.where, fmt::format("angle of {}", in_quotes(motion.name)), motion.joint,
@@ -186,11 +190,12 @@ void note_turns(Reader& reader, const Value& value, double angle) {
 
 void note_unlikely(Reader& reader) {
   note_damping(reader);
+  note_start(reader);
   each_section([&]<class Kind>(KindOf<Kind>) {
     if (const auto note = section_of<Kind>().note) note(reader);
   });
   note_ends(reader);
-  note_angles(reader);
+  note_motions(reader);
   note_inertias(reader, note_far_points(reader));
 }
 
