@@ -10,7 +10,7 @@ namespace mbgen::reading {
 
 /// An element with a length, of length.NAME and rate.NAME.
 struct FoundLength {
-  int index = -1;            ///< of Model::springs, air_springs, then rods; -1: none
+  int index = -1;            ///< of elements with a length, kind by kind, then rods; -1: none
   std::string problem = {};  ///< "" where there is none
   std::string hint = {};
 };

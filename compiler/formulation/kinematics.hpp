@@ -169,7 +169,7 @@ Kinematics<T> kinematics(System<T>& system) {
   k.base_column.resize(n);
   std::vector<detail::Turn<T>> turns(n);
   for (int i = 0; i < static_cast<int>(n); ++i) {
-    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
+    const auto heading = within_body(system.scribe, i);
     turns[i] = detail::turn_of(system, k, turns, i);
     detail::advance_pose(system, k, turns[i], i);
     if (system.layout.bodies[i].chain_start >= 0) detail::own_chain(system, k, i);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/model/elements.hpp"
+#include "compiler/model/bodies.hpp"
 
 namespace mbgen {
 

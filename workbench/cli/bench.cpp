@@ -66,10 +66,11 @@ int run(const BenchOptions& options) {
     throw UserError(fmt::format("--evaluations: must be positive, found {}\n", options.evaluations));
   }
   const Compilation compilation =
-      expect(compile(read_set_model(options.model, options.set), {chosen_form(options.form)}));
+      expect(decide_to_write(read_set_model(options.model, options.set), chosen_form(options.form)));
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   std::vector<Engine> engines;
-  for (const EngineChoice& choice : choices(options.engine.choice, options.lanes)) {
+  for (EngineChoice choice : choices(options.engine.choice, options.lanes)) {
+    choice.form = chosen_form(options.form);
     engines.push_back(make_engine(compilation, choice));
     engines.back().set_inputs(inputs);
   }

@@ -17,18 +17,12 @@
 #include "workbench/host/process.hpp"
 #include "workbench/host/progress.hpp"
 #include "workbench/manoeuvre/manoeuvre_run.hpp"
-#include "workbench/motion/branch_guard.hpp"
-#include "workbench/motion/contact_watch.hpp"
 #include "workbench/motion/controlled_engine.hpp"
-#include "workbench/motion/load_watch.hpp"
+#include "workbench/motion/motion_end.hpp"
+#include "workbench/motion/motion_judge.hpp"
 #include "workbench/motion/motion_table.hpp"
-#include "workbench/motion/motion_watch.hpp"
-#include "workbench/motion/road_watch.hpp"
-#include "workbench/motion/simulation.hpp"
 #include "workbench/motion/simulation_arguments.hpp"
 #include "workbench/motion/simulation_text.hpp"
-#include "workbench/motion/step_verdict.hpp"
-#include "workbench/start/equilibrium_causes.hpp"
 #include "workbench/start/initial_state.hpp"
 
 namespace mbgen::cli {
@@ -44,83 +38,55 @@ struct SimulateOptions {
   bool json = false;
 };
 
-/// A motion and the notes on it.
+/// A motion and the facts around it.
 struct Run {
-  SimulationSummary summary;
-  StepVerdict verdict;
-  std::vector<MovedValue> moved;                ///< of the start
-  std::shared_ptr<ErrorControlRecord> control;  ///< of a motion with error control
-  int signal = 0;                               ///< that stopped it
+  JudgedMotion motion;
+  std::vector<MovedValue> moved;  ///< of the start
+  int signal = 0;                 ///< that stopped it
 };
 
 Run compute(const Compilation& compilation, const EngineChoice& choice, const InputsOverTime& inputs,
-            SimulationSettings settings, std::optional<ErrorControl> control, MotionTable& table,
+            SimulationSettings settings, const std::optional<ErrorControl>& control, MotionTable& table,
             ManoeuvreRun* manoeuvre) {
-  Engine engine = make_engine(compilation, choice);
+  const Engine engine = make_engine(compilation, choice);
   Start start = initial_start(compilation, inputs.at(0));
   start.state = initial_state(start, engine);
   print_notes(start_notes(compilation, start));
-  Progress progress;
-  ContactWatch contacts(compilation);
-  LoadWatch loads(compilation.model);
-  RoadWatch roads(compilation);
-  settings.is_error_controlled = control.has_value();
-  MotionWatch watch(compilation, choice.integrator, settings, start.state, inputs, manoeuvre != nullptr);
-  roads.add(start.state);
-  settings.has_multipliers = contacts.needs_multipliers();
   if (manoeuvre) manoeuvre->look_at_steering(compilation, start.state, inputs.at(0));
-  Run run;
-  run.moved = start.moved;
-  if (control) {
-    control->end = start.state.t + static_cast<double>(settings.steps) * settings.step;
-    run.control = std::make_shared<ErrorControlRecord>();
-    engine = with_error_control(compilation, engine, inputs, *control, run.control);
-  }
-  // The inputs of a manoeuvre are not known before, and steps of error control are looked at one by one.
-  if (manoeuvre == nullptr && !run.control) engine = with_branch_guard(compilation, engine, inputs);
-  const auto on_sample = [&](const Sample& sample) {
-    contacts.add(sample);
-    loads.add(sample);
-    roads.add(sample.state);
-    watch.add(sample);
-    table.add(sample);
-    progress.show(sample.step, settings.steps);
-  };
+  Progress progress;
   HeldSignals signals;
   settings.is_stopped = [&] { return signals.taken() != 0; };
-  run.summary = simulate(engine, start.state, inputs, settings, on_sample,
-                         manoeuvre ? manoeuvre->control(settings.step) : InputControl());
-  if (run.summary.is_stopped) run.signal = signals.taken();
+  const MotionTask task{.compilation = compilation,
+                        .engine = engine,
+                        .integrator = choice.integrator,
+                        .settings = settings,
+                        .start = start.state,
+                        .inputs = inputs,
+                        .error_control = control,
+                        .control = manoeuvre ? manoeuvre->control(settings.step) : InputControl()};
+  Run run{judged_motion(task,
+                        [&](const Sample& sample) {
+                          table.add(sample);
+                          progress.show(sample.step, settings.steps);
+                        }),
+          start.moved};
+  if (run.motion.summary.is_stopped) run.signal = signals.taken();
   progress.clear();
-  run.verdict = watch.judge(run.summary);
-  judge_contacts(contacts, run.verdict);
-  judge_loads(loads, run.verdict);
-  judge_roads(roads, run.summary, run.verdict);
-  if (manoeuvre) manoeuvre->judge(run.verdict);
+  if (manoeuvre) manoeuvre->judge(run.motion.verdict);
   return run;
 }
 
 /// Warnings, and why there is no good result, on standard error.
-int tell(const SimulationRecord& record) {
-  const StepVerdict& verdict = record.verdict;
+int tell(const Compilation& compilation, const JudgedMotion& motion, const std::string& file) {
+  const StepVerdict& verdict = motion.verdict;
   for (const std::string& warning : verdict.warnings) print_message("simulate: warning: {}\n", warning);
-  const SimulationSummary& summary = record.summary;
-  if (summary.status.ok() && verdict.failure.empty()) return kDone;
-  if (summary.status.ok()) {
-    print_message("simulate: {}; {} holds the motion\n", verdict.failure, shown_name(record.file));
+  if (motion.summary.status.ok() && verdict.failure.empty()) return kDone;
+  if (motion.summary.status.ok()) {
+    print_message("simulate: {}; {} holds the motion\n", verdict.failure, shown_name(file));
     return kUserFault;
   }
-  const bool of_control = record.control && !record.control->failure.empty();
-  print_message("simulate: stopped after t = {:.10g} s: {}{}; {} holds the motion up to there\n", summary.end_time,
-                describe(record.compilation, summary.status),
-                of_control ? fmt::format(" ({})", record.control->failure) : "", shown_name(record.file));
-  const std::string hint =
-      verdict.failure.empty() ? hint_of_reach(record.compilation, summary.status) : verdict.failure;
-  if (!hint.empty()) print_message("  hint: {}\n", hint);
-  if (summary.status.code == Code::not_a_number) {
-    for (const std::string& ends : coinciding_ends(record.compilation, summary.last))
-      print_message("  hint: {}\n", ends);
-  }
+  print_message("simulate: {}; {} holds the motion up to there\n", end_text(compilation, motion), shown_name(file));
+  for (const std::string& hint : hints_of_end(compilation, motion)) print_message("  hint: {}\n", hint);
   return kUserFault;
 }
 
@@ -138,7 +104,7 @@ SolverSettings::Integrator chosen_integrator(const Model& model, const SimulateO
 
 int run(SimulateOptions options) {
   EngineChoice choice = chosen_engine(options.engine);
-  const std::optional<Form> form = chosen_form(options.form);
+  choice.form = chosen_form(options.form);
   Model model = read_set_model(options.model, options.set);
   const auto manoeuvre = prepare_manoeuvre(options.manoeuvre, options.model, options.set, model, options.simulation);
   const SimulationSettings settings = settings_of(options.simulation, model.solver);
@@ -150,7 +116,7 @@ int run(SimulateOptions options) {
           ? chosen_integrator(model, options, settings, choice.name)
           : integrator_of(control ? "" : options.simulation.integrator, model.solver.integrator, choice.name);
   const Compilation compilation =
-      expect(choice.name == "generated" ? compile(std::move(model), {form}) : decide(std::move(model)));
+      expect(choice.name == "generated" ? decide_to_write(std::move(model), choice.form) : decide(std::move(model)));
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
   count_notes(compilation);
   require_whole_periods(settings, compilation.model);
@@ -161,27 +127,28 @@ int run(SimulateOptions options) {
   MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step, options.every,
                     std::move(read));
   const Run run = compute(compilation, choice, inputs, settings, control, table, manoeuvre.get());
+  const JudgedMotion& motion = run.motion;
   const SimulationRecord record{compilation,
                                 choice,
                                 settings,
-                                run.summary,
+                                motion.summary,
                                 options.file,
                                 table.finish(),
                                 options.every,
-                                run.verdict,
+                                motion.verdict,
                                 run.moved,
                                 options.set,
                                 inputs.is_constant && !manoeuvre,
-                                run.control,
+                                motion.control,
                                 manoeuvre ? manoeuvre->words() : ManoeuvreWords()};
   table.commit(run_json(record));
   print_beside(options.file, options.json ? summary_json(record) : summary_text(record));
-  if (run.signal == 0) return tell(record);
-  tell(record);
+  const int exit_code = tell(compilation, motion, options.file);
+  if (run.signal == 0) return exit_code;
   print_message(
       "simulate: interrupted at t = {:.10g} s; {} holds the motion up to there, run the same command again for "
       "all of it\n",
-      run.summary.end_time, shown_name(options.file));
+      motion.summary.end_time, shown_name(options.file));
   throw Interrupted{run.signal};
 }
 

@@ -7,7 +7,7 @@
 
 namespace mbgen {
 
-/// Bushings, bump stops, frictions that stick; "" without any.
+/// Elements that give way, stop or stick; "" without any.
 std::string elements_explanation(const Model& model);
 
 /// States of the user's own and sampled values; "" without any.

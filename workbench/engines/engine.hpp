@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -91,8 +92,9 @@ struct EngineChoice {
   GenericAlgebra algebra;                                   ///< of the generic engine
   Stabilisation stabilisation = Stabilisation::projection;  ///< of the Cartesian engines
   SolverUse use = SolverUse::running;
-  int lanes = 0;          ///< of the generated engine: accelerations in batches of so many, 0 for one by one
-  bool use_cache = true;  ///< keep compiled solvers for the next time
+  std::optional<Form> form = {};  ///< of the generated engine, none for the shorter one
+  int lanes = 0;                  ///< of the generated engine: accelerations in batches of so many, 0 for one by one
+  bool use_cache = true;          ///< keep compiled solvers for the next time
 };
 
 /// Names of the engines there are.

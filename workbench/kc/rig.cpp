@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/model/element_outputs.hpp"
 #include "compiler/model/vectors.hpp"
 #include "compiler/text/user_error.hpp"
 
@@ -301,23 +302,36 @@ class RigBuilder {
       if (!is_away(name))
         rig_.elements.push_back({name, unit, add_output("rig " + name, std::move(source)), -1, sense});
     };
-    for (std::size_t i = 0; i < model_.springs.size(); ++i)
-      add(model_.springs[i].name, "m", -1, SpringOutput{SpringOutput::What::length, static_cast<int>(i), -1});
-    for (std::size_t i = 0; i < model_.air_springs.size(); ++i)
-      add(model_.air_springs[i].name, "m", -1, SpringOutput{SpringOutput::What::length, -1, static_cast<int>(i)});
-    for (std::size_t i = 0; i < model_.bump_stops.size(); ++i) {
-      const BumpStop& stop = model_.bump_stops[i];
-      const bool is_turn = stop.is_on_joint() && freedom_of(model_, stop.joint).kind == FreedomKind::revolute;
-      add(stop.name, is_turn ? "rad" : "m", 1, BumpStopOutput{BumpStopOutput::What::deflection, static_cast<int>(i)});
-    }
-    for (const JointSpring& spring : model_.joint_springs) {
-      if (is_away(spring.name)) continue;
-      add(spring.name, unit_of(freedom_of(model_, spring.joint).kind), 1,
-          CoordinateOutput{CoordinateOutput::What::position, spring.joint});
-      if (spring.relative_to)
-        rig_.elements.back().less = add_output("rig less " + spring.name,
-                                               CoordinateOutput{CoordinateOutput::What::position, *spring.relative_to});
-    }
+    each_kind([&]<class Kind>(KindOf<Kind> kind) {
+      constexpr bool has_length = quantity_index(KindOf<Kind>{}, "length") >= 0;
+      constexpr int travel = quantity_index(KindOf<Kind>{}, has_length ? "length" : "deflection");
+      if constexpr (kind.is_elastic && travel >= 0)
+        if constexpr (kind.quantities[travel].components == 1)
+          for (std::size_t i = 0; i < kind.list(model_).size(); ++i) {
+            const ElementOutput output = output_of<Kind>(kind.quantities[travel].name, i);
+            add(kind.list(model_)[i].name, unit_of(model_, output), has_length ? -1 : 1, output);
+          }
+    });
+    add_coordinates(add);
+  }
+
+  /// Travels of elastic elements on coordinates that show none themselves.
+  template <class Add>
+  void add_coordinates(const Add& add) {
+    each_kind([&]<class Kind>(KindOf<Kind> kind) {
+      if (!kind.is_elastic || quantity_index(kind, "deflection") >= 0) return;
+      for (const Kind& element : kind.list(model_)) {
+        const Connection connection = connection_of(element);
+        const OnCoordinate* on = std::get_if<OnCoordinate>(&connection);
+        if (!on || is_away(element.name)) continue;
+        const auto position = [](const CoordinateReference& joint) {
+          return CoordinateOutput{CoordinateOutput::What::position, joint};
+        };
+        add(element.name, unit_of(freedom_of(model_, on->joint).kind), 1, position(on->joint));
+        if (on->relative_to)
+          rig_.elements.back().less = add_output("rig less " + element.name, position(*on->relative_to));
+      }
+    });
   }
 
   /// Sets the coordinates of the user's model to its state, and the pads to theirs.

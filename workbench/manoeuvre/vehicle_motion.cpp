@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "compiler/model/element_outputs.hpp"
 #include "compiler/text/user_error.hpp"
 
 namespace mbgen {
@@ -125,8 +126,7 @@ void add_vehicle_outputs(Model& model) {
   add_turn(model, "vehicle_roll", reference.body, 2);
   add_yaw_rate(model, "vehicle_yaw_rate", reference.body);
   for (std::size_t i = 0; i < model.tyres.size(); ++i)
-    add_output(model, "vehicle_load_" + model.tyres[i].name, "N",
-               TyreOutput{TyreOutput::What::load, static_cast<int>(i)});
+    add_output(model, "vehicle_load_" + model.tyres[i].name, "N", output_of<Tyre>("load", i));
 }
 
 std::size_t first_vehicle_output(const Model& model) { return model.outputs.size() - model.tyres.size() - kLoads; }

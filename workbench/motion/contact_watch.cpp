@@ -82,10 +82,10 @@ std::string ContactWatch::failure() const {
   return {};
 }
 
-void judge_contacts(const ContactWatch& contacts, StepVerdict& verdict) {
-  for (std::string& warning : contacts.warnings()) verdict.warnings.push_back(std::move(warning));
-  if (const std::string failure = contacts.failure(); !failure.empty() && verdict.failure.empty()) {
-    verdict.failure = failure;
+void ContactWatch::judge(const SimulationSummary&, StepVerdict& verdict) const {
+  for (std::string& warning : warnings()) verdict.warnings.push_back(std::move(warning));
+  if (std::string flat = failure(); !flat.empty() && verdict.failure.empty()) {
+    verdict.failure = std::move(flat);
     verdict.outcome = "a disc fell flat";
   }
 }

@@ -20,6 +20,8 @@ class ContactWatch {
   /// Whether the motion's samples need their multipliers.
   bool needs_multipliers() const { return !contacts_.empty(); }
   void add(const Sample& sample);
+  /// Adds what contacts did to the findings about a motion.
+  void judge(const SimulationSummary& summary, StepVerdict& verdict) const;
   /// A warning for each contact that pulled, with the first time and the largest force.
   std::vector<std::string> warnings() const;
   /// Reason why the motion is wrong: a disc fell flat, where its contact jumps to the other side; empty if none did.
@@ -41,8 +43,5 @@ class ContactWatch {
   std::optional<GenericSolver> solver_;  ///< for poses, where there are contacts
   std::vector<Contact> contacts_;
 };
-
-/// Adds the findings about contacts to the findings about a motion.
-void judge_contacts(const ContactWatch& contacts, StepVerdict& verdict);
 
 }  // namespace mbgen

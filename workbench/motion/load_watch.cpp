@@ -43,8 +43,8 @@ std::vector<std::string> LoadWatch::warnings() const {
   return texts;
 }
 
-void judge_loads(const LoadWatch& loads, StepVerdict& verdict) {
-  for (std::string& warning : loads.warnings()) verdict.warnings.push_back(std::move(warning));
+void LoadWatch::judge(const SimulationSummary&, StepVerdict& verdict) const {
+  for (std::string& warning : warnings()) verdict.warnings.push_back(std::move(warning));
 }
 
 }  // namespace mbgen

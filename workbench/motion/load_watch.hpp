@@ -15,6 +15,8 @@ class LoadWatch {
   explicit LoadWatch(const Model& model);
 
   void add(const Sample& sample);
+  /// Adds what loads did to the findings about a motion.
+  void judge(const SimulationSummary& summary, StepVerdict& verdict) const;
   /// A warning for each load that jumped, with the first time and the largest jump.
   std::vector<std::string> warnings() const;
 
@@ -28,9 +30,6 @@ class LoadWatch {
   };
   std::vector<Load> loads_;
 };
-
-/// Adds the findings about loads to the findings about a motion.
-void judge_loads(const LoadWatch& loads, StepVerdict& verdict);
 
 /// Largest change of a load within a period without a warning, in parts of its largest value.
 constexpr double kLoadJump = 0.1;

@@ -31,13 +31,14 @@ double reach_of(const Tyre& tyre) {
 
 }  // namespace
 
-RoadWatch::RoadWatch(const Compilation& compilation) : compilation_(compilation) {
+RoadWatch::RoadWatch(const Compilation& compilation, const GenericState& start) : compilation_(compilation) {
   for (const Tyre& tyre : compilation.model.tyres) {
     if (tyre.road < 0) continue;
     for (const RoadGrid& grid : compilation.model.roads[static_cast<std::size_t>(tyre.road)].grids)
       if (grid.ends == RoadBorder::refuse || grid.sides == RoadBorder::refuse) wheels_.push_back({&tyre, &grid});
   }
   if (!wheels_.empty()) solver_.emplace(compilation.model, compilation.topology, compilation.analysis);
+  add(start);
 }
 
 void RoadWatch::add(const GenericState& state) {
@@ -77,9 +78,9 @@ std::string RoadWatch::departure() const {
   return {};
 }
 
-void judge_roads(const RoadWatch& roads, const SimulationSummary& summary, StepVerdict& verdict) {
+void RoadWatch::judge(const SimulationSummary& summary, StepVerdict& verdict) const {
   if (summary.status.ok()) return;
-  if (std::string departure = roads.departure(); !departure.empty()) verdict.failure = std::move(departure);
+  if (std::string beyond = departure(); !beyond.empty()) verdict.failure = std::move(beyond);
 }
 
 }  // namespace mbgen

@@ -13,14 +13,18 @@ namespace mbgen {
 /// Wheels on such roads, along a motion.
 class RoadWatch {
  public:
-  explicit RoadWatch(const Compilation& compilation);
+  /// start: of the motion, which may have no sample.
+  RoadWatch(const Compilation& compilation, const GenericState& start);
 
-  void add(const GenericState& state);
+  void add(const Sample& sample) { add(sample.state); }
+  /// Adds the cause to the findings about a motion that ended with values that are not numbers.
+  void judge(const SimulationSummary& summary, StepVerdict& verdict) const;
   /// The wheel that was beyond a border at the last sample, or will be after twice its last displacement; empty if
   /// there is none.
   std::string departure() const;
 
  private:
+  void add(const GenericState& state);
   struct Wheel {
     const Tyre* tyre;
     const RoadGrid* grid;
@@ -32,8 +36,5 @@ class RoadWatch {
   std::vector<Wheel> wheels_;
   long samples_ = 0;
 };
-
-/// Adds the cause to the findings about a motion that ended with values that are not numbers.
-void judge_roads(const RoadWatch& roads, const SimulationSummary& summary, StepVerdict& verdict);
 
 }  // namespace mbgen

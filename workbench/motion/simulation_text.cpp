@@ -216,17 +216,6 @@ std::vector<double> table_row(const Sample& sample, int decimals) {
   return row;
 }
 
-std::string hint_of_reach(const Compilation& compilation, Status status) {
-  if (status.code != Code::loop_not_closed && status.code != Code::loop_singular) return {};
-  const auto block = static_cast<std::size_t>(status.index);
-  if (status.index < 0 || block >= compilation.analysis.blocks.size()) return {};
-  const std::vector<std::string> driven =
-      local_names(compilation.topology, compilation.topology.blocks[block], compilation.analysis.blocks[block].driven);
-  if (driven.empty()) return {};
-  return fmt::format("the lengths in these loops let {} go no farther: change a length, or its motion",
-                     fmt::join(driven, ", "));
-}
-
 std::string summary_text(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
   const EnergyBalance& energy = summary.energy;

@@ -41,9 +41,6 @@ struct SimulationRecord {
   ManoeuvreWords manoeuvre = {};
 };
 
-/// Hint for driven loops that cannot follow their motion; empty for other ends.
-std::string hint_of_reach(const Compilation& compilation, Status status);
-
 /// For people: steps, real-time factor, closure residual, energy balance, ranges of the outputs and of changing inputs.
 std::string summary_text(const SimulationRecord& record);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/model/element_outputs.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/engines/engine.hpp"
 #include "workbench/start/equilibrium_causes.hpp"
@@ -61,7 +62,7 @@ std::vector<double> tyre_loads(const Compilation& compilation, const std::vector
   Model model = compilation.model;
   model.outputs.clear();
   for (std::size_t i = 0; i < model.tyres.size(); ++i) {
-    model.outputs.push_back({"", {}, "", TyreOutput{TyreOutput::What::load, static_cast<int>(i)}});
+    model.outputs.push_back({"", {}, "", output_of<Tyre>("load", i)});
   }
   GenericSolver solver(model, compilation.topology, compilation.analysis);
   solver.set_inputs(inputs);

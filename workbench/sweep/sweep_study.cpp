@@ -15,12 +15,9 @@
 #include "workbench/engines/engine_arguments.hpp"
 #include "workbench/host/assignments.hpp"
 #include "workbench/host/files.hpp"
-#include "workbench/motion/branch_guard.hpp"
-#include "workbench/motion/contact_watch.hpp"
-#include "workbench/motion/load_watch.hpp"
-#include "workbench/motion/motion_watch.hpp"
+#include "workbench/motion/motion_end.hpp"
+#include "workbench/motion/motion_judge.hpp"
 #include "workbench/motion/simulation_arguments.hpp"
-#include "workbench/motion/step_verdict.hpp"
 #include "workbench/start/initial_state.hpp"
 
 namespace mbgen {
@@ -108,9 +105,7 @@ void require_unchanged(const Study& study, const Result<Model>& of_case) {
 /// The system of one case. Fails: UserError.
 Compilation compilation_of_case(const Study& study, const StudySolver& solver, Model model) {
   if (!study.is_tuned) return expect(decide(std::move(model)));
-  Compilation compilation{std::move(model), solver.compilation.topology, solver.compilation.analysis, {}};
-  compilation.programs.form = solver.compilation.programs.form;
-  return compilation;
+  return {std::move(model), solver.compilation.topology, solver.compilation.analysis, {}};
 }
 
 /// The columns that the metrics need, point by point.
@@ -170,27 +165,22 @@ std::optional<CaseResult> measured(const Study& study, const Compilation& compil
                                    const InputsOverTime& inputs, const std::function<bool()>& is_stopped) {
   const GenericState start = initial_state(initial_start(compilation, inputs.at(0)), engine);
   Recorder recorder(study, compilation, inputs);
-  ContactWatch contacts(compilation);
-  LoadWatch loads(compilation.model);
-  MotionWatch watch(compilation, study.choice.integrator, study.settings, start, inputs, false);
   SimulationSettings settings = study.settings;
-  settings.has_multipliers = contacts.needs_multipliers();
   settings.is_stopped = is_stopped;
-  const Engine looked_at = with_branch_guard(compilation, engine, inputs);
-  SimulationSummary summary = simulate(looked_at, start, inputs, settings, [&](const Sample& sample) {
-    recorder.add(sample);
-    contacts.add(sample);
-    loads.add(sample);
-    watch.add(sample);
-  });
+  const MotionTask task{.compilation = compilation,
+                        .engine = engine,
+                        .integrator = study.choice.integrator,
+                        .settings = settings,
+                        .start = start,
+                        .inputs = inputs};
+  const JudgedMotion motion = judged_motion(task, [&](const Sample& sample) { recorder.add(sample); });
+  const auto& [summary, verdict, control] = motion;
   if (summary.is_stopped) return {};
   if (!summary.status.ok()) {
-    return failed(study,
-                  fmt::format("stopped after t = {} s: {}", summary.end_time, describe(compilation, summary.status)));
+    std::vector<std::string> words = hints_of_end(compilation, motion);
+    words.insert(words.begin(), end_text(compilation, motion));
+    return failed(study, fmt::format("{}", fmt::join(words, "; ")));
   }
-  StepVerdict verdict = watch.judge(summary);
-  judge_contacts(contacts, verdict);
-  judge_loads(loads, verdict);
   if (!verdict.failure.empty()) return failed(study, verdict.failure);
   CaseResult result{"ok", evaluate(study.metrics, compilation.model.parameters, recorder.points()),
                     summary.energy.relative_error()};
@@ -262,7 +252,7 @@ std::string description(const Study& study) {
 StudySolver prepare(const Study& study) {
   if (!study.is_tuned) return {};
   if (study.choice.name != "generated") return {expect(decide(study.model)), nullptr};
-  StudySolver solver{expect(compile(study.model)), nullptr};
+  StudySolver solver{expect(decide_to_write(study.model)), nullptr};
   solver.table = load_solver(solver.compilation, study.choice);
   return solver;
 }

@@ -3,6 +3,7 @@
 // its deflection states, by the velocities of the slips and these states, and of its moment against turning.
 
 #include "compiler/formulation/elements/element_tangents.hpp"
+#include "compiler/formulation/elements/tyre_road.hpp"
 
 namespace mbgen {
 namespace detail {
@@ -133,11 +134,8 @@ ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_
 }
 
 template <class T>
-void tyre_tangents(ForceWork<T>& work, std::vector<ElementTangents<T>>& elements) {
-  for (std::size_t i = 0; i < work.system.model.tyres.size(); ++i) {
-    const auto heading = work.system.scribe.within(OwnerKind::tyre, i);
-    elements.push_back(tyre_element(work, work.system.model.tyres[i], i));
-  }
+void add_tangents(ForceWork<T>& work, const Tyre& tyre, std::vector<ElementTangents<T>>& elements) {
+  elements.push_back(tyre_element(work, tyre, index_in(work.system.model.tyres, tyre)));
 }
 
 }  // namespace detail

@@ -218,7 +218,7 @@ bool is_symmetric_alone(const ImplicitElement<T>& element) {
   return element.states.empty() && element.is_symmetric && is_diagonal(element.stiffness);
 }
 
-/// Unites elements on the same coordinates of the tree, as bushings of one arm, where that costs less in a stage.
+/// Unites elements on the same coordinates of the tree, as compliances of one arm, where that costs less in a stage.
 template <class T>
 std::vector<ImplicitElement<T>> united_where_less(std::vector<ImplicitElement<T>> elements) {
   std::vector<ImplicitElement<T>> result;

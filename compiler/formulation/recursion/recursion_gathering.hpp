@@ -108,7 +108,7 @@ CompositeBody<T> gather_block(RecursionState<T>& s, std::size_t u) {
                       PerBody<OuterArms<T>>(unit)};
   start_equations(s, g);
   for (auto step = unit.steps.rbegin(); step != unit.steps.rend(); ++step) {
-    const auto heading = system.scribe.within(OwnerKind::tree_body, step->body());
+    const auto heading = within_body(system.scribe, step->body());
     if (is_arm(s, unit, *step))
       gather_arm(s, g, step->body());
     else if (is_outer_arm(s, unit, *step))

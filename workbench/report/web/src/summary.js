@@ -28,9 +28,7 @@ function table(caption, heads, rows) {
 function modelRows(model) {
   return [
     ["file", model.file], ["hash", model.hash], ["bodies with ground", model.bodies], ["joints", model.joints],
-    ["rods", model.rods], ["springs and dampers", model.springs],
-    ...(model.bushings ? [["bushings", model.bushings]] : []),
-    ...(model.bump_stops ? [["bump stops", model.bump_stops]] : []), ["tyres", model.tyres],
+    ["rods", model.rods], ...model.elements,
     ["relative coordinates", model.coordinates], ["loop equations", model.equations],
     ["of which independent", model.independent_equations],
     ...(model.position_freedoms === model.degrees_of_freedom ? [] : [["freedoms of positions", model.position_freedoms]]),
