@@ -10,17 +10,17 @@
 namespace mbgen {
 namespace {
 
-constexpr double kSlipOfRadius = 0.1;  // of a tyre's radius, what its slip states reach
+constexpr double kSlipOfRadius = 0.1;  // of a tyre's radius: typical size of its slip states
 constexpr double kExtension = 1e-3;    // m or rad, of the spring of a Maxwell branch
-constexpr double kBristle = 1e-4;      // m or rad, what bristles bend before they slide
-constexpr double kTurn = 0.01;         // rad, what a patch turns before it slides
+constexpr double kBristle = 1e-4;      // m or rad: typical deflection of bristles before sliding
+constexpr double kTurn = 0.01;         // rad: typical rotation of a contact patch before sliding
 constexpr int kSlipsOfTyre = 2;
 
 AuxiliaryState hidden(const std::string& name, const std::string& unit, double size) {
   return {name, unit, unit + "/s", "auxiliary state", 0, {}, size};
 }
 
-/// Names are asked for while a model is read: a coordinate may be none yet.
+/// Units are needed while a model is read: a reference to a coordinate may be invalid.
 const char* unit_of_coordinate(const Model& model, const CoordinateReference& coordinate) {
   return coordinate.joint < 0 ? "" : unit_of(freedom_of(model, coordinate).kind);
 }

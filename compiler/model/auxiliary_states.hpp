@@ -1,9 +1,9 @@
 #pragma once
-// Auxiliary states of a model, in their order: two slip deflections per tyre (m), the turn of each tyre whose patch has
-// a moment against turning (rad), the deflection of each bristle of a friction (rad or m, those on coordinates first),
-// the extension of the spring of each Maxwell branch of a six-freedom element (m or rad), the states of the user's own,
-// the sampled values, those of the user before the loads that press frictions, and what sampled values with a delay
-// will be.
+// Auxiliary states of a model, in their order: two slip deflections per tyre (m), the rotation of each tyre with a
+// moment of its patch against turning (rad), the deflection of each bristle of a friction (rad or m, frictions on
+// coordinates first), the extension of the spring of each Maxwell branch of a six-freedom element (m or rad), the
+// user's states, the sampled values (the user's before loads of frictions), and the pending values of sampled values
+// with a delay.
 
 #include <optional>
 #include <string>
@@ -18,19 +18,19 @@ struct AuxiliaryState {
   std::string unit, rate_unit;
   std::string description;
   double initial = 0;
-  std::optional<double> nominal;  ///< usual magnitude, where the model says it
-  double size = 1;                ///< usual magnitude where neither that nor the initial value tells it
+  std::optional<double> nominal;  ///< typical magnitude given by the model
+  double size = 1;                ///< typical magnitude if neither `nominal` nor the initial value gives one
 };
 
 std::vector<AuxiliaryState> auxiliary_states(const Model& model);
 
 int auxiliary_state_count(const Model& model);
 
-/// Number of the first of them that are slips and turns of tyres and bristles of frictions. At rest these hold by
-/// themselves; the others then have the values at which their rates vanish.
+/// Number of leading states that are slips and rotations of tyres or bristles of frictions. At rest these keep any
+/// value; the others then have the values at which their rates are zero.
 int slip_state_count(const Model& model);
 
-/// Place of the first extension of the Maxwell branches of an element of six freedoms; they follow element by element.
+/// Position of the first extension of the Maxwell branches of a six-freedom element; the elements follow one another.
 int first_extension(const Model& model, std::size_t element);
 
 /// Names of the auxiliary states.
@@ -39,28 +39,28 @@ std::vector<std::string> auxiliary_state_names(const Model& model);
 /// Values of the auxiliary states at the start.
 std::vector<double> initial_auxiliary_states(const Model& model);
 
-/// Place of the first state of the user's own; sampled values follow them.
+/// Position of the user's first state; sampled values follow them.
 int first_user_state(const Model& model);
 
-/// Place of the first sampled value.
+/// Position of the first sampled value.
 int first_sampled_value(const Model& model);
 
-/// How many of the last auxiliary states hold between the instants at which they are set: sampled values.
+/// Number of trailing auxiliary states that are constant between the instants at which they are set: sampled values.
 int held_state_count(const Model& model);
 
-/// Whether a sampled value is the load of a reaction, so that to set it takes accelerations and multipliers.
+/// Whether a sampled value is the load of a reaction; setting it then needs accelerations and multipliers.
 bool takes_reactions(const Model& model);
 
-/// Size of a state that counts as much as 1 rad or 1 m of a coordinate: in searches, differences and tolerances. Its
-/// nominal value, else its initial one, else what slips, bristles and Maxwell branches reach, else 1.
+/// Magnitude of a state equivalent to 1 rad or 1 m of a coordinate in searches, differences and tolerances: its nominal
+/// value, else its initial one, else the typical size of slips, bristles and Maxwell branches, else 1.
 double magnitude_of(const AuxiliaryState& state);
 
-/// The first turn of the tyres, behind their slips, and that of a tyre. Requires: this tyre has one.
+/// The first rotation state of the tyres, after their slips, and the one of a tyre. Requires: this tyre has one.
 int first_turn(const Model& model);
 int turn_state(const Model& model, std::size_t tyre);
 
-/// The first state of the bristles, and the state of a friction. Requires: it is one of the model's; where it has no
-/// bristles its state is that of the next.
+/// The first state of the bristles, and the state of a friction. Requires: a friction of the model; without bristles
+/// the result is the state of the next friction.
 int first_bristle(const Model& model);
 std::size_t bristle_state(const Model& model, const FrictionLaw& friction);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Bodies of a model, with the joints and rods between them and how pictures show them.
+// Bodies of a model, joints and rods between them, and their shapes in pictures.
 
 #include <array>
 #include <optional>
@@ -53,32 +53,32 @@ enum class JointType {
   point_on_plane,  ///< the point of `to` in a plane of `from`
   parallel_axes,
   orientation,   ///< no turn between the bodies
-  homokinetic,   ///< two shafts that meet in a point and turn alike at any bend
+  homokinetic,   ///< constant-velocity joint of two shafts that intersect
   rolling_disc,  ///< the rim of a disc rolls on a plane of `from` without slip
   rolling_ball,  ///< likewise a ball
-  knife_edge     ///< a blade on a plane of `from`: its point does not move across it
+  knife_edge     ///< a blade on a plane of `from`: its point has no velocity across it
 };
 
-/// Types that are equations only: without coordinates, and never in the tree.
+/// Types that consist of equations only: no coordinates, never in the tree.
 constexpr bool closes_only(JointType type) { return type >= JointType::point_on_line; }
 
-/// Types that turn in every way: three angles of a sequence.
+/// Types with three rotations: angles of a sequence.
 constexpr bool is_ball(JointType type) { return type == JointType::spherical || type == JointType::free; }
 
-/// Types that need a second axis, on `to`; a homokinetic joint may have one.
+/// Types with a second axis, on `to`; optional for a homokinetic joint.
 constexpr bool has_second_axis(JointType type) {
   return type == JointType::universal || type == JointType::rolling_disc || type == JointType::knife_edge;
 }
 
-/// Types with equations of velocities alone (nonholonomic): rolling and blades.
+/// Types with nonholonomic equations: rolling and blades.
 constexpr bool holds_velocities(JointType type) { return type >= JointType::rolling_disc; }
 
 enum class FreedomKind { revolute, prismatic };
 
-/// Of a coordinate.
+/// Unit of a coordinate.
 constexpr const char* unit_of(FreedomKind kind) { return kind == FreedomKind::revolute ? "rad" : "m"; }
 
-/// As the model format writes them.
+/// Name in the model format.
 const char* name_of(JointType type);
 const char* name_of(FreedomKind kind);
 
@@ -95,7 +95,7 @@ struct Attachment {
   int point = -1;  ///< index into Body::points
 };
 
-/// Whether the user asks for a joint to be cut ("cut": true), kept in the tree ("cut": false) or leaves it to mbgen.
+/// Request of the user: the joint is cut ("cut": true), in the tree ("cut": false), or mbgen decides.
 enum class CutMark { automatic, cut, tree };
 
 struct Joint {
@@ -103,36 +103,35 @@ struct Joint {
   Where where;
   JointType type = JointType::revolute;
   Attachment from, to;
-  /// unit, GLOBAL axes at the reference configuration; of a planar joint or point_on_plane the normal, of a universal
-  /// one the first axis, of a homokinetic one the shaft of `from`; of rolling and knife_edge the normal of the plane
-  /// through the point of `from`, to the side of the disc or ball
+  /// unit, GLOBAL axes at the reference configuration; planar joint, point_on_plane: the normal; universal: the first
+  /// axis; homokinetic: the shaft of `from`; rolling and knife_edge: the normal of the plane through the point of
+  /// `from`, towards the disc or ball
   Vector3 axis{0, 0, 1};
   /// universal: second axis, perpendicular to the first; homokinetic: the shaft of `to`; rolling_disc: the axle, on
   /// `to`; knife_edge: the line of the blade, on `to`; GLOBAL axes at the reference
   Vector3 second_axis{0, 0, 1};
   std::optional<Quantity> radius;  ///< m, of a rolling_disc or rolling_ball, about the point of `to`
   CutMark cut = CutMark::automatic;
-  /// index into Model::joints: of a joint that is driven where it is cut, the fixed joint that closes its loop; this
-  /// one then stands in the tree and holds a body without mass in place of the cut one; else -1
+  /// index into Model::joints: for a driven joint that is cut, the fixed joint that closes its loop; the driven joint
+  /// is then in the tree, with a massless body instead of the cut one; else -1
   int closure = -1;
-  std::vector<Freedom> freedoms;  ///< empty for fixed, and where closes_only
+  std::vector<Freedom> freedoms;  ///< empty for fixed joints, and for closes_only
   std::string description = {};
 };
 
 /// One equation of a closed loop: its name, and the unit of its multiplier.
 struct ClosureRow {
   std::string_view name, unit;
-  bool of_velocities = false;  ///< no function of positions has this rate (nonholonomic)
+  bool of_velocities = false;  ///< no function of positions has it as derivative (nonholonomic)
 };
 
-/// The equations that a cut joint of this type closes, in their order; none for a free one. Source: theory.md
-/// section 3.
+/// Equations of a cut joint of this type, in their order; none for a free one. Source: theory.md section 3.
 std::span<const ClosureRow> closure_rows(JointType type);
 
 /// The equation of a rod.
 constexpr ClosureRow kRodRow{"distance", "N"};
 
-/// The equation of a coupling: its unit is that of energy over that of the relation, which the model does not tell.
+/// The equation of a coupling: the unit of its multiplier is energy over the unit of the relation, which is unknown.
 constexpr ClosureRow kCouplingRow{"relation", ""};
 
 /// A bar with a spherical joint at each end: a distance constraint with exact inertia (theory.md section 5).
@@ -140,14 +139,15 @@ struct Rod {
   std::string name;
   Where where;
   Attachment from, to;
-  Quantity mass;                   ///< kg, uniform along the rod; zero is massless
-  std::optional<Quantity> length;  ///< m; without it the reference distance; with a drive the length where that is zero
-  /// index into Model::joints: slide whose driven coordinate is added to the length; -1 where the length is constant
+  Quantity mass;  ///< kg, uniform along the rod; zero: massless
+  /// m; default: the reference distance; with a drive: the length at drive position zero
+  std::optional<Quantity> length;
+  /// index into Model::joints: slide whose driven coordinate is added to the length; -1: constant length
   int drive = -1;
 };
 
-/// How pictures show a body or a part of it; it has no effect on the motion. A box has its edges along the axes of the
-/// body's frame.
+/// Shape of a body or a part of it in pictures; without effect on the motion. The edges of a box are along the axes of
+/// the body's frame.
 struct DisplayShape {
   enum class Kind { box, cylinder, sphere };
   std::string name;

@@ -1,5 +1,5 @@
 #pragma once
-// Boxes around points.
+// Bounding boxes of points.
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace mbgen {
 
-/// The smallest box, along the axes, around all points that were added.
+/// Smallest axis-aligned box around all added points.
 struct Box {
   Vector3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
 
@@ -21,7 +21,7 @@ struct Box {
     }
   }
   Vector3 centre() const { return {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2}; }
-  /// From corner to corner; 0 of an empty box.
+  /// Length of the diagonal; 0 for an empty box.
   double diagonal() const { return is_empty() ? 0 : std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]); }
 };
 

@@ -1,11 +1,11 @@
 #pragma once
-// All frictions of a model, whatever they act on.
+// All frictions of a model, of every kind.
 
 #include "compiler/model/model.hpp"
 
 namespace mbgen {
 
-/// Calls use(friction) for frictions on coordinates, then along springs, then in the ends of rods.
+/// Calls use(friction) for frictions on coordinates, then along springs, then in rod ends.
 template <class Use>
 void each_friction(const Model& model, const Use& use) {
   each_element(model, [&](const auto& element) {

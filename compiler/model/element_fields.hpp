@@ -1,5 +1,5 @@
 #pragma once
-// Numbers and references that the fields of elements hold.
+// Numbers and references in the fields of elements.
 
 #include <array>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
-// The list of the kinds of elements: whoever enumerates elements loops over it. Forces are added in its order, which is
-// part of the bits of emitted code.
+// List of the kinds of elements, for all loops over elements. Forces are added in its order, which changes the bits of
+// emitted code.
 
 #include <string_view>
 #include <type_traits>
@@ -26,7 +26,7 @@ struct Kinds {
   static constexpr void each(const Use& use) {
     (use(KindOf<Kind>{}), ...);
   }
-  /// Place in the list, `count` for a type that is not in it.
+  /// Index in the list, `count` for a type not in it.
   template <class Element>
   static constexpr int index_of() {
     int index = 0;
@@ -38,7 +38,7 @@ struct Kinds {
 using ElementKinds = Kinds<PointSpring, AirSpring, JointSpring, JointFriction, SpringFriction, RodFriction, JointForce,
                            AppliedForce, Tyre, Bushing, BumpStop>;
 
-/// Place of a kind in the list.
+/// Index of a kind in the list.
 template <class Element>
 requires(ElementKinds::index_of<Element>() <
          ElementKinds::count) constexpr int kKindIndex = ElementKinds::index_of<Element>();
@@ -49,7 +49,7 @@ constexpr void each_kind(const Use& use) {
   ElementKinds::each(use);
 }
 
-/// Calls use(KindOf<Kind>{}) for the kind at a place of the list, for none at -1.
+/// Calls use(KindOf<Kind>{}) for the kind at an index of the list, for none at -1.
 template <class Use>
 void with_kind(int index, const Use& use) {
   int next = 0;
@@ -66,7 +66,7 @@ void each_element(SomeModel& model, const Use& use) {
   });
 }
 
-/// Calls use(element) for the elements and rods whose lengths expressions see, in the order of their numbers there.
+/// Calls use(element) for the elements and rods with lengths in expressions, in the order of their numbers there.
 template <class SomeModel, class Use>
 void each_line(SomeModel& model, const Use& use) {
   each_kind([&](auto kind) {
@@ -76,7 +76,7 @@ void each_line(SomeModel& model, const Use& use) {
   for (auto& rod : model.rods) use(rod);
 }
 
-/// How many kinds with lengths stand before one.
+/// Number of kinds with lengths before one.
 template <class Kind>
 constexpr std::size_t length_place() {
   std::size_t place = 0;
@@ -93,19 +93,19 @@ Connection connection_of(const Element& element) {
   return KindOf<Element>::connection(element);
 }
 
-/// Whether a rig can take elements of a kind away.
+/// Whether a rig can remove elements of a kind.
 template <class Kind>
 constexpr bool can_be_silent(Kind kind) {
   return requires(typename Kind::Element & element) { kind.silence(element); };
 }
 
-/// Field of an output that names an element of a kind.
+/// Name of the output field for an element of a kind.
 template <class Kind>
 constexpr std::string_view source_key(Kind) {
   return Kind::source ? Kind::source : Kind::key;
 }
 
-/// Place of a quantity in the table of its kind, -1 of one that the kind does not show.
+/// Index of a quantity in the table of its kind, -1 for a quantity not in it.
 template <class Kind>
 constexpr int quantity_index(Kind, std::string_view name) {
   for (std::size_t i = 0; i < Kind::quantities.size(); ++i)

@@ -1,5 +1,5 @@
 #pragma once
-// Ground that a host tells under wheels.
+// Ground under wheels given by a host program.
 
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace mbgen {
 
-/// Indices of the tyres that stand on a road of a host, one a road.
+/// Indices of the tyres on roads given by a host, one per road.
 std::vector<int> tyres_on_host(const Model& model);
 
 }  // namespace mbgen

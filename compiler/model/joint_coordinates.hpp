@@ -1,5 +1,5 @@
 #pragma once
-// Names and directions of the coordinates of joints, as the model reference tells them. read_joints.cpp makes them.
+// Names and directions of joint coordinates, for the model reference. read_joints.cpp creates them.
 
 #include <span>
 #include <string_view>
@@ -8,15 +8,15 @@
 
 namespace mbgen {
 
-/// Coordinates of a type of joint, by the fields that are written.
+/// Coordinates of a type of joint, depending on its fields.
 struct JointCoordinates {
   JointType type;
-  std::string_view written;     ///< fields that the names depend on, as in a model; empty where there are none
-  std::string_view names;       ///< in the order in which they act; NAME is that of the joint
+  std::string_view written;     ///< fields with effect on the names, as in a model; empty if there are none
+  std::string_view names;       ///< in their order in the joint; NAME is the joint's name
   std::string_view directions;  ///< of each, in the frame of `from`: "along x, about axis"
 };
 
-/// Every type of joint, those of whose coordinates the names depend on the axis more than once.
+/// Every type of joint; several times for names that depend on the axis.
 std::span<const JointCoordinates> joint_coordinates();
 
 }  // namespace mbgen

@@ -1,4 +1,4 @@
-// Names of kinds, as the model format writes them.
+// Names of kinds in the model format.
 #include <array>
 
 #include "compiler/model/model.hpp"

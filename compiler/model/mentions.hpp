@@ -1,5 +1,5 @@
 #pragma once
-// Kinds of nodes that the expressions of a model mention.
+// Search for kinds of nodes in the expressions of a model.
 
 #include <algorithm>
 #include <initializer_list>
@@ -8,7 +8,7 @@
 
 namespace mbgen {
 
-/// Whether an expression (index into Model::expressions, or -1) has a node of one of some kinds.
+/// Whether an expression (index into Model::expressions, or -1) has a node of one of these kinds.
 inline bool mentions(const Model& model, int expression, std::initializer_list<ExpressionNode::Kind> kinds) {
   if (expression < 0) return false;
   const std::vector<ExpressionNode>& nodes = model.expressions[static_cast<std::size_t>(expression)].nodes;

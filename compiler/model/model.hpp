@@ -26,31 +26,31 @@ struct Input {
   Where where;
   std::string unit;
   double default_value = 0;
-  int derivative = -1;  ///< index into Model::inputs of its rate of change; -1: it counts as constant
+  int derivative = -1;  ///< index into Model::inputs of its rate of change; -1: constant
   Presentation shown = {};
 };
 
-/// A value that a coordinate or its velocity is to have at the start.
+/// Initial value of a coordinate or its velocity.
 struct InitialValue {
   CoordinateReference coordinate;
   double value = 0;  ///< rad or m, or per second
   Where where;
-  double weight = 1;    ///< of its squared error, where the values asked for do not fit together
-  bool locked = false;  ///< the start keeps it, at any error of the others
-  int expression = -1;  ///< index into Model::expressions, over parameters that act at the start; -1: constant
+  double weight = 1;    ///< weight of its squared error, for values that are not consistent
+  bool locked = false;  ///< the value is exact, whatever the errors of others
+  int expression = -1;  ///< index into Model::expressions, over start parameters; -1: constant
 };
 
-/// Angular velocity of a ball joint that starts in the pole of its angles, where they have no rates.
+/// Angular velocity of a ball joint with initial angles at their pole, where rates of angles are undefined.
 struct InitialTurning {
   int joint = -1;                 ///< index into Model::joints
-  Vector3 angular_velocity = {};  ///< rad/s, of `to` against `from`, axes of `from`
+  Vector3 angular_velocity = {};  ///< rad/s, of `to` relative to `from`, axes of `from`
   Where where;
 };
 
 struct Initial {
-  bool equilibrium = false;                         ///< start from static equilibrium, then give `velocities`
-  std::vector<InitialValue> positions, velocities;  ///< the rest is zero or follows from the closures
-  std::vector<InitialTurning> turnings = {};        ///< joints that have none of their rates among `velocities`
+  bool equilibrium = false;                         ///< start from static equilibrium, then set `velocities`
+  std::vector<InitialValue> positions, velocities;  ///< all others are zero or follow from the closures
+  std::vector<InitialTurning> turnings = {};        ///< for joints without rates in `velocities`
 };
 
 struct SolverSettings {
@@ -58,31 +58,31 @@ struct SolverSettings {
   Integrator integrator = Integrator::rk4;
   double step = 1e-3;                ///< s
   double duration = 1;               ///< s
-  double closure_tolerance = 1e-12;  ///< m or 1, largest residual that projection leaves
-  double tolerance = 1e-6;           ///< relative, for importers that integrate the model with a method of their own
+  double closure_tolerance = 1e-12;  ///< m or 1, largest residual after projection
+  double tolerance = 1e-6;           ///< relative, for importers with an integrator of their own
 
-  /// Whether a step uses the steps before it.
+  /// Whether a step uses previous steps.
   bool is_multistep() const { return integrator == Integrator::abm4; }
-  /// Whether a step solves linear equations of the tangents of its force elements.
+  /// Whether a step solves linear equations with the tangents of its force elements.
   bool is_implicit() const { return integrator == Integrator::rosenbrock; }
 };
 
-/// A multibody system as the user described it, names resolved and every number checked.
+/// A multibody system as described by the user, names resolved and every number checked.
 struct Model {
   std::string name;
   std::string file;                ///< as given to read_model
-  std::vector<std::string> files;  ///< that and every file it includes, in the order of reading, each once
+  std::vector<std::string> files;  ///< the main file and every included file, in the order of reading, each once
   /// 16 hex digits over the content (includes too), for the banner and manifest
   std::string hash;
   About about;
-  Diagnostics notes;                         ///< entries of its files that it does not use; nothing is wrong
+  Diagnostics notes;                         ///< unused entries of its files; no errors
   Vector3Quantity gravity{0.0, 0.0, -9.81};  ///< m/s^2, global
   std::vector<Parameter> parameters;
   std::vector<Input> inputs;
   std::vector<Expression> expressions;
-  /// index into bodies of the body named "ground"; -1 when there is none
+  /// index into bodies of the body named "ground"; -1 if there is none
   int ground = -1;
-  std::vector<Point> hardpoints;  ///< by which positions were named: m, global axes at the reference
+  std::vector<Point> hardpoints;  ///< named positions in its files: m, global axes at the reference
   std::vector<Body> bodies;
   std::vector<Joint> joints;
   std::vector<Rod> rods;
@@ -98,7 +98,7 @@ struct Model {
   std::vector<AppliedForce> forces;
   std::vector<JointForce> joint_forces;
   std::vector<Road> roads;
-  std::shared_ptr<const std::vector<double>> samples;  ///< of roads and large tables, null without; never changed
+  std::shared_ptr<const std::vector<double>> samples;  ///< of roads and large tables, null if there are none; immutable
   std::vector<Tyre> tyres;
   std::vector<Axle> axles;
   std::optional<Vehicle> vehicle;
@@ -111,11 +111,11 @@ struct Model {
   SolverSettings solver;
 };
 
-/// The freedom that a coordinate belongs to. Requires: the reference names one.
+/// The freedom of a coordinate. Requires: a valid reference.
 const Freedom& freedom_of(const Model& model, const CoordinateReference& coordinate);
 
-/// Global position of a point at the reference configuration and default parameters, m; NaN for an attachment that
-/// could not be read.
+/// Global position of a point at the reference configuration and default parameters, m; NaN for an unreadable
+/// attachment.
 Vector3 reference_position(const Model& model, const Attachment& attachment);
 
 }  // namespace mbgen

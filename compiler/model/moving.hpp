@@ -10,8 +10,8 @@
 
 namespace mbgen {
 
-/// An environment of T seen by a motion: time runs, parameters stand still, and inputs move by the derivatives that the
-/// model names for them.
+/// Environment of T for a motion: time advances, parameters are constant, and inputs change by the derivatives named in
+/// the model.
 template <class T, class Environment>
 struct MotionEnvironment {
   const std::vector<Input>& inputs;  ///< of the model
@@ -24,7 +24,7 @@ struct MotionEnvironment {
     return {environment.input(index), value_or_zero(rate), value_or_zero(acceleration)};
   }
   Jet<T> time() const { return {environment.time(), T(1.0), T(0.0)}; }
-  // read_model refuses coordinates and locals in a motion.
+  // Never called: read_model refuses coordinates and locals in a motion.
   Jet<T> position(const CoordinateReference&) const { return {}; }
   Jet<T> velocity(const CoordinateReference&) const { return {}; }
   Jet<T> local(int) const { return {}; }
@@ -34,7 +34,7 @@ struct MotionEnvironment {
   T value_or_zero(int index) const { return index < 0 ? T(0.0) : environment.input(index); }
 };
 
-/// Coordinates that move as they are told while parameters stand still: what the relation of a coupling sees.
+/// Environment of a coupling's relation: coordinates move as given, parameters are constant.
 template <class T, class Environment>
 struct RelationEnvironment {
   const std::vector<CoordinateReference>& coordinates;
@@ -45,14 +45,14 @@ struct RelationEnvironment {
   Jet<T> position(const CoordinateReference& c) const {
     return positions[static_cast<std::size_t>(std::ranges::find(coordinates, c) - coordinates.begin())];
   }
-  // read_model refuses inputs, time, velocities and locals in a relation.
+  // Never called: read_model refuses inputs, time, velocities and locals in a relation.
   Jet<T> input(int) const { return {}; }
   Jet<T> time() const { return {}; }
   Jet<T> velocity(const CoordinateReference&) const { return {}; }
   Jet<T> local(int) const { return {}; }
 };
 
-/// The relation of a coupling and its derivatives while its coordinates move. positions: in their order.
+/// Relation of a coupling and its time derivatives. positions: of its coordinates, in their order.
 template <class T, class Environment>
 Jet<T> evaluate_relation(const Model& model, const Coupling& coupling, const std::vector<Jet<T>>& positions,
                          const Environment& environment) {
@@ -78,7 +78,7 @@ std::vector<T> relation_slopes(const Model& model, const Coupling& coupling, con
   return slopes;
 }
 
-/// Position, velocity and acceleration that a motion prescribes. environment: of T, as for evaluate.
+/// Prescribed position, velocity and acceleration of a motion. environment: of T, as for evaluate.
 template <class T, class Environment>
 Jet<T> evaluate_motion(const Model& model, const Motion& motion, const Environment& environment) {
   return evaluate<Jet<T>>(motion.position, model.expressions,

@@ -1,5 +1,5 @@
 #pragma once
-// Outputs of a model, and how values of its interface are shown.
+// Outputs of a model, and display of values of its interface.
 
 #include <array>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace mbgen {
 
-/// No body: of axes the global ones, of an observer and of a reference ground.
+/// No body: global axes, or ground as observer or reference.
 constexpr int kNoBody = -1;
 
 /// Motion of a point, absolute or relative to another point.
@@ -21,9 +21,9 @@ struct PointOutput {
   Attachment point;
   int axis = 0;                 ///< 0 x, 1 y, 2 z
   bool in_body_axes = false;    ///< components in the axes of the point's body, else in those of `axes`
-  int axes = kNoBody;           ///< body in whose axes the components are
-  Attachment relative_to = {};  ///< point that is subtracted; none: the origin of the global frame
-  int observer = kNoBody;       ///< body from which the velocity or acceleration is seen; used with relative_to
+  int axes = kNoBody;           ///< body with the axes of the components
+  Attachment relative_to = {};  ///< reference point; none: the origin of the global frame
+  int observer = kNoBody;       ///< observer of the velocity or acceleration; used with relative_to
 };
 
 /// Rotation of a body relative to another one.
@@ -33,11 +33,11 @@ struct RotationOutput {
   int body = -1;
   int relative_to = kNoBody;
   int axis = 0;  ///< 0 x, 1 y, 2 z, 3 w of a quaternion
-  std::array<int, 3> sequence{2, 1,
-                              0};  ///< axes of the rotations of `angle`, each about the axes that the last one left
-  int turn = 0;                    ///< which of them
-  int axes = kNoBody;              ///< of the components of an angular velocity or acceleration
-  int observer = kNoBody;          ///< body from which an angular acceleration is seen
+  /// axes of the rotations of `angle`, each about the axes rotated by the previous ones
+  std::array<int, 3> sequence{2, 1, 0};
+  int turn = 0;            ///< which of them
+  int axes = kNoBody;      ///< of the components of an angular velocity or acceleration
+  int observer = kNoBody;  ///< observer of an angular acceleration
 };
 
 /// Energy and momentum of one body, or of all bodies and rods.
@@ -45,14 +45,14 @@ struct MomentumOutput {
   enum class What { kinetic_energy, potential_energy, momentum, angular_momentum };
   What what = What::kinetic_energy;
   int body = kNoBody;     ///< none: all bodies and rods
-  Attachment about = {};  ///< of an angular momentum; none: the centre of mass of what counts
+  Attachment about = {};  ///< point of an angular momentum; none: centre of mass of the bodies concerned
   int axis = 0;           ///< 0 x, 1 y, 2 z
-  int axes = kNoBody;     ///< body in whose axes the components are
+  int axes = kNoBody;     ///< body with the axes of the components
 };
 
 /// Distance of two points, or the angle at the second one between the directions to the first and the third.
 struct PointsOutput {
-  std::array<Attachment, 3> points = {};  ///< the third has no body: a distance
+  std::array<Attachment, 3> points = {};  ///< third without a body: a distance
 };
 
 struct CoordinateOutput {
@@ -70,25 +70,25 @@ struct ElementOutput {
   int quantity = 0;  ///< index into the quantities of the kind
   int axis = 0;      ///< 0 x, 1 y, 2 z, of a quantity of three components, in the element's own axes
 };
-/// Angles of a wheel to the axes of a vehicle: x forward, y to the left, z up.
+/// Angles of a wheel relative to the axes of a vehicle: x forward, y to the left, z up.
 struct WheelOutput {
   enum class What { toe, camber, steer_angle, caster, kingpin_inclination };
   What what = What::toe;
   int tyre = -1;            ///< index into Model::tyres
-  int vehicle = kNoBody;    ///< body whose axes are the vehicle's
+  int vehicle = kNoBody;    ///< body with the vehicle's axes
   double side = 1;          ///< 1 for a wheel on the left of the vehicle or in its middle, -1 on its right
   Attachment lower, upper;  ///< points of the steering axis, for caster and kingpin inclination
 };
-/// Potential energy of all elastic elements: work of their elastic forces, J, zero where an element is without them
-/// but for a preload.
+/// Potential energy of all elastic elements: work of their elastic forces, J; zero of an element where its elastic
+/// forces vanish, except a preload.
 struct StoredEnergyOutput {};
 struct DriveOutput {
   int motion = -1;
 };  ///< generalised driving force of a motion
 
-/// A component of the force or moment that a joint or rod transmits from its `from` to its `to` body: the
-/// sum of constraint, springs, friction, forces and drives of its coordinates. Moments are about the joint's point
-/// on `to`, at both ends; a rod transmits none.
+/// A component of the force or moment transmitted by a joint or rod from its `from` to its `to` body: the sum of
+/// constraint, springs, friction, forces and drives of its coordinates. Moments are about the joint's point on `to`, at
+/// both ends; a rod transmits none.
 struct ReactionOutput {
   enum class What { force, moment };
   enum class End { to, from };

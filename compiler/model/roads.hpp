@@ -1,5 +1,5 @@
 #pragma once
-// Roads that tyres stand on: height and friction over a place, in the axes of the road.
+// Roads under tyres: height and friction over the position, in the axes of the road.
 
 #include <array>
 #include <memory>
@@ -16,7 +16,7 @@ namespace mbgen {
 /// A part of a road in its axes: x along it from `from` on, y to the left from `right` to `left`.
 struct RoadStretch {
   Quantity from;                        ///< m
-  std::optional<Quantity> length;       ///< m, > 0; none: it never ends, and has no beginning either
+  std::optional<Quantity> length;       ///< m, > 0; none: infinite in both directions
   std::optional<Quantity> right, left;  ///< m; none: as wide as the road
 };
 
@@ -36,11 +36,11 @@ struct RoadFeature : RoadStretch {
   std::optional<Quantity> wave_length, last_wave_length;  ///< m, > 0; l0 and l1 of a sweep
   Quantity phase;                                         ///< rad
 
-  /// Short and with edges, which an enveloping contact looks at by themselves.
+  /// Short with edges: sampled individually by an enveloping contact.
   bool is_obstacle() const { return kind == Kind::plank || kind == Kind::pothole; }
 };
 
-/// A part of a road with friction of its own, which hides what lies below: the last one that covers a place counts.
+/// A part of a road with its own friction; where several overlap, the last one counts.
 struct RoadPatch : RoadStretch {
   std::string name;
   Where where;
@@ -53,20 +53,20 @@ struct RoadPatch : RoadStretch {
 /// with the uniform B-splines b of degree 3. Source: C. de Boor, A Practical Guide to Splines, 1978, chapter IX.
 struct RoadTracks {
   double from = 0, spacing = 1;  ///< m: x of the first place, and the distance of two
-  int count = 0;                 ///< places; of periodic tracks those of a period
-  bool is_periodic = false;      ///< else level before the first and behind the last
+  int count = 0;                 ///< points; for periodic tracks the points of a period
+  bool is_periodic = false;      ///< else level before the first and after the last point
   double right = -1, left = 1;   ///< m: y of the tracks
   int first = 0;                 ///< index into Model::samples of the first coefficient, of 2 (count + 4)
 };
 
 struct CrgRoad;
 
-/// Heights beyond a border of a grid: the border's own, 0, the grid again, its mirror image, or none: not a number.
+/// Heights beyond a border of a grid: the border's own, 0, the grid repeated, its mirror image, or none (not a number).
 enum class RoadBorder { keep, zero, repeat, reflect, refuse };
 const char* name_of(RoadBorder border);
 
-/// A grid of heights along a reference line, of an OpenCRG file, as tables in Model::samples. Whole numbers there are
-/// as they are. u along the line, v to the left of it; beyond its ends the line goes straight on.
+/// A grid of heights along a reference line, of an OpenCRG file, as tables in Model::samples, where whole numbers are
+/// exact. u along the line, v to the left of it; beyond its ends the line is straight.
 struct RoadGrid {
   std::shared_ptr<const CrgRoad> road;  ///< the same, not as tables
   double smooth_begin = 0,
@@ -78,7 +78,7 @@ struct RoadGrid {
   int line = 0;
   int heights = 0;  ///< m, section by section, right to left
   int columns = 0;  ///< v of each column, m
-  /// column to the right of the beginning of each cell, from the first column's v on; no cell is wider than a column
+  /// column to the right of the begin of each cell, from the first column's v on; no cell is wider than a column
   int column_cells = 0, column_cell_count = 0;
   double column_cell = 1;  ///< m
   /// section near the middle of each cell of the plane, row by row along x
@@ -86,33 +86,33 @@ struct RoadGrid {
   double cell = 1, cell_x = 0, cell_y = 0;  ///< m: size, and the corner of the first
 };
 
-/// Inputs by which a host tells the ground under a wheel, each NAME_x and so on after its road: a place (m, global),
-/// and there the height of the ground (m), its slopes (1, global axes) and the factor of the tyre's friction.
+/// Inputs of a host for the ground under a wheel, each NAME_x and so on after its road: a position (m, global), and
+/// there the height of the ground (m), its slopes (1, global axes) and the factor of the tyre's friction.
 constexpr std::array<std::string_view, 6> kHostInputs = {"x", "y", "height", "slope_x", "slope_y", "friction"};
 
-/// A road: height = height(x, y) + those of its tracks, grids and features, over the plane z = origin.z of the global
+/// A road: height(x, y) plus the heights of its tracks, grids and features, above the plane z = origin.z of the global
 /// frame.
 struct Road {
   std::string name;
   Where where;
-  Vector3 origin{};           ///< m, global: x = y = 0 of the road, and the height that its heights are counted from
+  Vector3 origin{};           ///< m, global: x = y = 0 of the road, and zero of its heights
   double heading = 0;         ///< rad, of its axis x from the global one, to the left
   std::optional<int> height;  ///< expression; local 0 x, local 1 y, both m in the axes of the road; m
-  /// 1, in its axes: added to the slopes of its heights, of ground that a host gives under one wheel
+  /// 1, in its axes: added to the slopes of its heights, for ground under one wheel given by a host
   Quantity slope_x, slope_y;
   std::optional<int> friction;  ///< likewise; factor of the tyre's friction; 1 without
-  /// index of the first of kHostInputs, one after another: `height` and `friction` are then the plane that a host tells
-  /// under one wheel; -1 for none
+  /// index of the first of kHostInputs, in a row: `height` and `friction` are then the host's plane under one wheel; -1
+  /// for none
   int host_input = -1;
   std::vector<RoadTracks> tracks;
   std::vector<RoadGrid> grids;
   std::vector<RoadFeature> features;
   std::vector<RoadPatch> patches;
 
-  /// One height everywhere, but for features.
+  /// Constant height, apart from features.
   bool is_level() const { return !height && tracks.empty() && grids.empty() && !is_of_one_point(); }
   bool has_friction() const { return friction || !patches.empty(); }
-  /// Known below one point alone: a host tells a plane, or slopes are given.
+  /// Valid below one point only: a host gives a plane, or slopes are given.
   bool is_of_one_point() const {
     const auto is_given = [](const Quantity& q) { return q.expression >= 0 || q.value != 0; };
     return host_input >= 0 || is_given(slope_x) || is_given(slope_y);

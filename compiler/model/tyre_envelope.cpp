@@ -1,4 +1,4 @@
-// Enveloping contacts of tyres: how many places their cams look at, and their words.
+// Enveloping contacts of tyres: number of samples of their cams, and description.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace mbgen {
 
 int TyreEnvelope::last_sample() const {
-  constexpr double kAtEnd = 1e-9;  // a cam does not reach below its own end, but below its middle always
+  constexpr double kAtEnd = 1e-9;  // a cam has no sample below its own end, but always one below its middle
   return static_cast<int>(std::max(std::ceil((0.5 * base + length) / spacing() - kAtEnd) - 1, steps));
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Vectors, rotations and poses in numbers.
+// Numerical vectors, rotations and poses.
 
 #include "compiler/model/bodies.hpp"
 
@@ -14,7 +14,7 @@ double norm(const Vector3& a);
 /// Angle between two vectors, 0 to pi.
 double angle_between(const Vector3& a, const Vector3& b);
 
-/// A place of a body's frame in the global frame, and the other way round.
+/// Transformation of a position from a body's frame to the global frame, and back.
 Vector3 to_global(const Pose& pose, const Vector3& local);
 Vector3 to_local(const Pose& pose, const Vector3& global);
 

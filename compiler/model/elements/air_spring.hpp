@@ -14,9 +14,9 @@ struct AirSpring {
   Quantity pressure;               ///< Pa absolute, at the reference length
   Quantity ambient;                ///< Pa absolute
   Quantity exponent;               ///< polytropic exponent
-  std::optional<Quantity> length;  ///< m, reference length; without it the reference distance
+  std::optional<Quantity> length;  ///< m, reference length; default: the reference distance
   Law area;                        ///< m^2: constant, or a table over length (m)
-  /// m^3 over length (m); without it volume0 + area(length0) * (l - length0)
+  /// m^3 over length (m); default: volume0 + area(length0) * (l - length0)
   std::optional<Table> volume;
   Quantity volume0;  ///< m^3 at the reference length (used without `volume`)
 };
@@ -44,7 +44,7 @@ struct KindOf<AirSpring> : KindDefaults {
     use("volume", element.volume);
     use("volume0", element.volume0);
   }
-  /// A rig takes it away: it stays, without force.
+  /// Removal by a rig: the element remains, without force.
   static void silence(AirSpring& element) {
     element.area = Quantity(0.0);
     element.volume.reset();

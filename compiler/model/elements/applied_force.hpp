@@ -34,7 +34,7 @@ struct KindOf<AppliedForce> : KindDefaults {
     use("force", element.force);
     use("torque", element.torque);
   }
-  /// A rig takes it away: it stays, without force.
+  /// Removal by a rig: the element remains, without force.
   static void silence(AppliedForce& element) { element.force = element.torque = {0.0, 0.0, 0.0}; }
 };
 

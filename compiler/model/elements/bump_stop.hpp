@@ -1,5 +1,5 @@
 #pragma once
-// Bump stops: elements that push after a clearance is used up, and never pull.
+// Bump stops: compression elements with a clearance.
 
 #include <optional>
 #include <string>
@@ -9,29 +9,29 @@
 
 namespace mbgen {
 
-/// Stop that engages when its travel s has used up a clearance. With p = s - clearance, while p > 0,
-/// f = (stiffness(p) + force(p, dp/dt)) (1 + damping dp/dt), at least 0, against the travel; else nothing.
+/// Stop with a clearance, over its travel s. With p = s - clearance, its force against the travel for p > 0 is
+/// f = (stiffness(p) + force(p, dp/dt)) (1 + damping dp/dt), at least 0, else 0.
 /// stiffness(p) is factor p^exponent, or a table. The travel is zero at the reference configuration.
 struct BumpStop {
   enum class Side {
-    compression,  ///< s: what the distance of the points falls by, or the way of `to` against `axis`
-    extension,    ///< s: what the distance grows by, or the way of `to` along `axis`
+    compression,  ///< s: reduction of the distance, or motion of `to` against `axis`
+    extension,    ///< s: increase of the distance, or motion of `to` along `axis`
     above,        ///< s: the coordinate
     below         ///< s: minus the coordinate
   };
   std::string name;
   Where where;
-  /// two points; no bodies where it is on a coordinate
+  /// two points; no bodies for a stop on a coordinate
   Attachment from, to;
-  /// unit, GLOBAL axes at the reference, moves with `from`; none: along the line between the points. With it, both
-  /// bodies are pushed at the point of `to`.
+  /// unit, GLOBAL axes at the reference, fixed to `from`; none: along the line between the points. With an axis, the
+  /// forces on both bodies are at the point of `to`.
   std::optional<Vector3> axis;
   CoordinateReference joint;  ///< joint -1: between points
   Side side = Side::compression;
   Quantity clearance;            ///< m or rad
   std::optional<Law> stiffness;  ///< N/m^exponent or N m/rad^exponent, or a table over the penetration
   double exponent = 1;           ///< >= 1
-  Quantity damping;              ///< s/m or s/rad: share of the force per speed of the penetration
+  Quantity damping;              ///< s/m or s/rad: relative increase of the force over the rate of penetration
   std::optional<int> force;      ///< expression; local 0 `penetration`, local 1 `rate`; N or N m
 
   bool is_on_joint() const { return side == Side::above || side == Side::below; }

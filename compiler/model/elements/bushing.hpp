@@ -14,7 +14,7 @@ namespace mbgen {
 /// Freedoms of a bushing: displacements along its axes x, y, z, then the components of its rotation vector.
 constexpr int kBushingFreedoms = 6;
 
-/// As the model format writes them, in their order.
+/// Names in the model format, in their order.
 constexpr std::array<std::string_view, kBushingFreedoms> kBushingFreedomNames = {"tx", "ty", "tz", "rx", "ry", "rz"};
 
 /// One freedom of a bushing by itself, over its deflection q (m or rad) and rate dq/dt:
@@ -33,40 +33,40 @@ struct BushingFreedom {
 using BushingMatrix = std::array<Quantity, kBushingFreedoms * kBushingFreedoms>;
 
 /// Compliant element between a frame on `from` and one on `to`, which have the same axes at the reference
-/// configuration. Deflections q, in the axes of the frame on `from`: position of the point of `to` less that of the
-/// point of `from` (m), and the rotation vector of the frame on `to` against that on `from` (rad), which is zero at the
-/// reference and at most kLargestBushingTurn long. The force f, and the moment whose power is that of f on the rates of
-/// the rotation vector, act on `from` as f counts and on `to` the other way, both at the point of `to`; so a bushing of
-/// stiffnesses alone conserves energy at any deflection.
+/// configuration. Deflections q, in the axes of the frame on `from`: position of the point of `to` minus position of
+/// the point of `from` (m), and the rotation vector of the frame on `to` relative to the frame on `from` (rad), zero at
+/// the reference and at most kLargestBushingTurn long. The force f, and the moment with the same power on the rates of
+/// the rotation vector, act on `from` with their sign and on `to` with the opposite sign, both at the point of `to`; so
+/// a bushing of stiffnesses alone conserves energy at any deflection.
 struct Bushing {
   std::string name;
   Where where;
   Attachment from, to;
   /// columns: its axes x, y, z, GLOBAL axes at the reference
   Matrix3 axes{1, 0, 0, 0, 1, 0, 0, 0, 1};
-  /// y is mirrored too: ty, rx and rz count the other way, so that equal deflections are mirrored ones
+  /// y is mirrored too: ty, rx and rz have the opposite sense, so that equal deflections are mirror images
   bool is_mirrored = false;
   std::array<std::optional<BushingFreedom>, kBushingFreedoms> freedoms;  ///< none: free
   std::optional<BushingMatrix> stiffness;                                ///< added: N/m, N, N m/rad
   std::optional<BushingMatrix> damping;                                  ///< added: N s/m, N s, N m s/rad
 };
 
-/// rad: beyond it the rotation vector comes near half a turn, where it jumps, and a bushing gives no number.
+/// rad: beyond it the rotation vector approaches its jump at half a turn, and the result is not a number.
 constexpr double kLargestBushingTurn = 3;
 
-/// 1, or -1 where the freedom counts the other way than the component in the bushing's axes.
+/// 1, or -1 for a freedom with the opposite sense to the component in the bushing's axes.
 constexpr double bushing_sense(const Bushing& bushing, int freedom) {
   return bushing.is_mirrored && (freedom == 1 || freedom == 3 || freedom == 5) ? -1 : 1;
 }
 
-/// Whether a matrix has an entry that is not written as zero.
+/// Whether a matrix has an entry that is not a literal zero.
 inline bool bushing_couples(const std::optional<BushingMatrix>& matrix, int row, int column) {
   if (!matrix) return false;
   const Quantity& entry = (*matrix)[static_cast<std::size_t>(kBushingFreedoms * row + column)];
   return entry.expression >= 0 || entry.value != 0;
 }
 
-/// Whether any force acts in a freedom.
+/// Whether a freedom has a force.
 inline bool bushing_acts(const Bushing& bushing, int freedom) {
   bool acts = bushing.freedoms[static_cast<std::size_t>(freedom)].has_value();
   for (int column = 0; column < kBushingFreedoms; ++column)

@@ -26,7 +26,7 @@ struct KindOf<JointForce> : KindDefaults {
   static void fields(const JointForce& element, const Use& use) {
     use("force", element.force);
   }
-  /// A rig takes it away: it stays, without force.
+  /// Removal by a rig: the element remains, without force.
   static void silence(JointForce& element) { element.force = 0.0; }
 };
 

@@ -41,7 +41,7 @@ struct KindOf<JointSpring> : KindDefaults {
     use("preload", element.preload);
     use("force", element.force);
   }
-  /// A rig takes it away: it stays, without force.
+  /// Removal by a rig: the element remains, without force.
   static void silence(JointSpring& element) {
     element.stiffness.reset();
     element.damping.reset();

@@ -1,5 +1,5 @@
 #pragma once
-// A kind of element as every floor sees it: its words, where it acts, what it shows, which fields it has.
+// Kinds of elements: names, attachment, quantities for outputs, fields; used by all floors.
 
 #include <array>
 #include <optional>
@@ -48,7 +48,7 @@ struct InRodEnd {
 using Connection =
     std::variant<BetweenPoints, AlongDirection, BetweenFrames, OnCoordinate, OnBody, AlongSpring, InRodEnd>;
 
-/// Calls use(from, to) where an element acts between two points.
+/// Calls use(from, to) for an element between two points.
 template <class Use>
 void with_ends(const Connection& connection, const Use& use) {
   std::visit(
@@ -58,45 +58,45 @@ void with_ends(const Connection& connection, const Use& use) {
       connection);
 }
 
-/// Calls use(attachment) for the points by which an element itself holds on to bodies.
+/// Calls use(attachment) for the points at which an element itself is attached to bodies.
 template <class Use>
 void each_attachment(const Connection& connection, const Use& use) {
   with_ends(connection, [&](const Attachment& from, const Attachment& to) { use(from), use(to); });
   if (const OnBody* body = std::get_if<OnBody>(&connection)) use(body->at);
 }
 
-/// A value that an element shows, as the model format names it.
+/// A quantity of an element for outputs, by its name in the model format.
 struct ElementQuantity {
   const char* name;
   const char* unit;
   int components = 1;               ///< 3: an axis says which
-  const char* unit_of_turn = unit;  ///< of an element on a coordinate that turns
+  const char* unit_of_turn = unit;  ///< for an element on a rotational coordinate
 };
 
-/// How a report draws an element: as a link between its two ends, as a pad at one end that the other comes to, or as
-/// the mark of a frame. Elements without ends are not drawn.
+/// Picture of an element in a report: a link between its two ends, a pad at the end that is hit, or a mark of a frame.
+/// Elements without ends are not drawn.
 enum class Drawing { link, pad, frame };
 
-/// The last quantity of a kind that shows it.
+/// The last quantity in the table of a kind with energy.
 constexpr const char* kPotentialEnergy = "potential_energy";
 
 /// A kind of element, specialised beside its struct, with
-///   key, section, words   its name in the model format, its section there, and for people
+///   key, section, words   its name and its section in the model format, its name for people
 ///   list(model)           its list in a Model
 ///   connection(element)   where it acts
 ///   fields(element, use)  calls use(name, value) for its quantities, laws, tables and force expressions, and for
-///                         numbers, words and directions that tell it apart
-/// and where a rig can take it away
-///   silence(element)      leaves it without force
+///                         numbers, words and directions that distinguish it
+/// and for a kind that a rig can remove
+///   silence(element)      sets its force to zero
 template <class Kind>
 struct KindOf;
 
 /// Defaults of most kinds.
 struct KindDefaults {
-  static constexpr const char* source = nullptr;  ///< field of an output that names an element, where it is not `key`
-  static constexpr const char* shows = "";        ///< its outputs, for people; the first kind of a `source` tells it
-  static constexpr bool is_elastic = false;       ///< it holds its bodies and stores energy
-  static constexpr bool has_length = false;       ///< expressions see length.NAME and rate.NAME of it
+  static constexpr const char* source = nullptr;  ///< output field for an element, if not `key`
+  static constexpr const char* shows = "";        ///< description of its outputs; given by the first kind of a `source`
+  static constexpr bool is_elastic = false;       ///< connects its bodies elastically and has potential energy
+  static constexpr bool has_length = false;       ///< expressions may use its length.NAME and rate.NAME
   static constexpr Drawing drawing = Drawing::link;
   static constexpr std::array<ElementQuantity, 0> quantities = {};
 };

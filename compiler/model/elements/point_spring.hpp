@@ -14,7 +14,7 @@ struct PointSpring {
   Attachment from, to;
   std::optional<Law> stiffness;         ///< N/m, or a table of N over m
   std::optional<Law> damping;           ///< N s/m, or a table of N over m/s
-  std::optional<Quantity> free_length;  ///< m; without it the reference distance
+  std::optional<Quantity> free_length;  ///< m; default: the reference distance
   Quantity preload;                     ///< N, tension positive
   /// expression; local 0 `length` (m), local 1 `rate` (m/s); N, tension positive
   std::optional<int> force;
@@ -41,7 +41,7 @@ struct KindOf<PointSpring> : KindDefaults {
     use("preload", element.preload);
     use("force", element.force);
   }
-  /// A rig takes it away: it stays, without force.
+  /// Removal by a rig: the element remains, without force.
   static void silence(PointSpring& element) {
     element.stiffness.reset();
     element.damping.reset();

@@ -6,12 +6,12 @@
 
 namespace mbgen {
 
-/// Friction in the ball at an end of a rod, against the turn of the body there relative to the rod's line; smooth.
+/// Smooth friction in the ball joint at a rod's end, against the rotation of the body there relative to the rod's line.
 struct RodFriction : FrictionLaw {
   std::string name;
   Where where;
   int rod = -1;          ///< index into Model::rods
-  bool at_from = false;  ///< the ball is on the body of `from`, else on that of `to`
+  bool at_from = false;  ///< the ball joint is on the body of `from`, else on the body of `to`
 };
 
 template <>

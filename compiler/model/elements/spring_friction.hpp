@@ -6,7 +6,7 @@
 
 namespace mbgen {
 
-/// Friction along the line of a spring between two points: its leaves, its bush.
+/// Friction along the line of a spring between two points, as of leaves or a bush.
 struct SpringFriction : FrictionLaw {
   std::string name;
   Where where;

@@ -11,29 +11,29 @@ namespace mbgen {
 
 enum class TyreModel { pac89, pac2002, mf61 };
 
-/// Forces of slip along and across together: by the set, or by a friction ellipse, as pac89 always has it.
+/// Combined slip: by the set's coefficients, or by a friction ellipse, always used for pac89.
 enum class CombinedSlip { set, ellipse };
 
 /// An enveloping contact: four cams with the outline of a superellipse, a rear and a front one below the middle of each
 /// half of the tyre's width, |s / length|^order + |z / height|^order = 1. Lengths in unloaded radii of the tyre.
 struct TyreEnvelope {
-  double base = 0;                           ///< distance of the front cams from the rear ones, > 0
+  double base = 0;                           ///< distance of front and rear cams, > 0
   double length = 0, height = 0, order = 0;  ///< half axes along and down, > 0; exponent, >= 1
   double width = 0;                          ///< of the tyre on the road, > 0
-  double steps = 0;                          ///< places that are looked at between wheel and cam centre, whole, >= 1
+  double steps = 0;                          ///< sampling intervals from wheel to cam centre, whole, >= 1
 
-  /// Places at spacing() * i, i = -last_sample() ... last_sample(), are looked at.
+  /// The road is sampled at spacing() * i, i = -last_sample() ... last_sample().
   double spacing() const { return 0.5 * base / steps; }
   int last_sample() const;
 };
 
-/// "enveloping, base 0.4, ...", for those who read.
+/// "enveloping, base 0.4, ...", for people.
 std::string to_text(const TyreEnvelope& envelope);
 
-/// The patch of a tyre that turns about the road's normal, as of TyreProperties in tyre.hpp.
+/// Torsional friction of the contact patch about the road's normal, as of TyreProperties in tyre.hpp.
 struct TyrePatch {
   Quantity stiffness;  ///< N m/rad, against turning under `load`, > 0
-  Quantity radius;     ///< m, moment of a patch that turns over its friction under `load`, > 0
+  Quantity radius;     ///< m, moment of the turning patch over its friction under `load`, > 0
   Quantity load;       ///< N, > 0
 };
 
@@ -42,7 +42,7 @@ struct Tyre {
   std::string name;
   Where where;
   Attachment centre;  ///< wheel centre, a point of the wheel body on its spin axis
-  /// unit spin axis, GLOBAL axes at the reference; forward rolling is positive about it when it points left
+  /// unit spin axis, GLOBAL axes at the reference; it points left for positive forward rolling
   Vector3 axis{0, 1, 0};
   TyreModel model = TyreModel::pac2002;
   /// in the order of kPac2002Fields or kMf61Fields, or a0.. b0.. c0.. of pac89 (runtime header tyre.hpp)
@@ -56,16 +56,16 @@ struct Tyre {
   int road = -1;                         ///< index into Model::roads, -1: flat and horizontal
   std::optional<TyreEnvelope> envelope;  ///< none: contact in one point
   Quantity road_height;                  ///< m, global z of the flat road; added to the height of one of Model::roads
-  Quantity friction;                     ///< scales the friction (1 is the measured one)
+  Quantity friction;                     ///< factor of the friction, 1: as measured
   /// 1: moment = -coefficient * load * radius * tanh(speed / low_speed); of mf61 its QSY1
   Quantity rolling_resistance;
   Quantity pressure;                              ///< Pa, of inflation; of mf61 alone
   Quantity relaxation_x, relaxation_y;            ///< m, relaxation lengths of the slips, at nominal load
-  bool over_load_x = false, over_load_y = false;  ///< the set gives them over the load
+  bool over_load_x = false, over_load_y = false;  ///< the set gives them as functions of the load
   Quantity low_speed;                             ///< m/s, below it slip is damped so that the wheel comes to rest
-  std::optional<TyrePatch> parking;               ///< none: turning gives no moment, and there is no state of it
+  std::optional<TyrePatch> parking;               ///< none: no moment against turning, and no state for it
   CombinedSlip combined_slip = CombinedSlip::set;
-  bool turn_slip = false;  ///< the set's turn slip acts; of mf61 alone, then there is `parking`
+  bool turn_slip = false;  ///< turn slip of the set is active; mf61 only, always with `parking`
 };
 
 template <>
