@@ -14,7 +14,7 @@ struct StateOf<AirSpring> {
 
 namespace detail {
 
-/// Push of an air spring by its length, N. natural: see natural_length.
+/// Pushing force of an air spring from its length, N. natural: see natural_length.
 template <class T, class A>
 A air_spring_push(const ForceWork<T>& work, const AirSpring& spring, const A& length, const T& natural) {
   const auto area = [&](const A& l) {

@@ -6,7 +6,7 @@
 namespace mbgen {
 namespace detail {
 
-/// Components of a body's force or torque, seen from the frame that carries the place.
+/// Components of a body's force or torque in the frame that carries the attachment.
 template <class T>
 Vector<T> in_carrier(const ForceWork<T>& work, const AppliedForce& applied, const Place<T>& place,
                      const Vector<T>& components) {
@@ -31,7 +31,7 @@ void apply(ForceWork<T>& work, const AppliedForce& applied) {
 template <>
 inline constexpr int kTangentPass<AppliedForce> = 2;
 
-/// By components that look at states of the user's own, by all that these look at.
+/// Tangents by the user's states used in the components, and by everything that these states depend on.
 template <class T>
 void add_tangents(ForceWork<T>& work, const AppliedForce& applied, std::vector<ElementTangents<T>>& elements) {
   using S = Slope<T>;

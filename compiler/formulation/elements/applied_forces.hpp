@@ -1,13 +1,13 @@
 #pragma once
 // Applied forces (step 5): force elements of the model as wrenches on bodies, generalised forces on coordinates, and
-// the rates of the auxiliary states. The laws themselves are templates of the runtime's headers.
+// rates of the auxiliary states. The laws themselves are templates of the runtime's headers.
 
 #include "compiler/formulation/elements/every_kind.hpp"
 #include "compiler/formulation/elements/user_states.hpp"
 
 namespace mbgen {
 
-/// All applied forces but gravity. Cost: linear in the number of elements.
+/// All applied forces except gravity. Cost: linear in the number of elements.
 template <class T>
 AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v,
                                 const detail::SharedTyreLaw<T>& shared_law = {}) {
@@ -15,7 +15,7 @@ AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const
   forces.about = v.about;
   forces.wrench.resize(system.topology.bodies.size());
   forces.joint.assign(system.topology.bodies.size(), T(0.0));
-  forces.xd.assign(system.x.size(), T(0.0));  // sampled values hold between the instants at which they are set
+  forces.xd.assign(system.x.size(), T(0.0));  // sampled values are constant between the instants at which they are set
   see_states_and_lengths(system, k, v);
   detail::ForceWork<T> work{system, k, v, forces, shared_law};
   each_element(system.model, [&](const auto& element) {

@@ -1,5 +1,5 @@
 #pragma once
-// Bristles of frictions at a state: how fast their parts slide, and how far they bend before they do.
+// Bristles of frictions at a state: sliding speed, and deflection at which they slide.
 
 #include <cmath>
 #include <string>
@@ -10,21 +10,21 @@
 
 namespace mbgen {
 
-/// Bristles of one friction, rad or m where it is on a coordinate, m along a spring.
+/// Bristles of one friction: rad or m for one on a coordinate, m along a spring.
 struct BristleEnd {
   std::string name;      ///< of the friction
-  double rate = 0;       ///< of the parts on each other, per second
-  double end = 0;        ///< deflection of steady sliding at that rate, 0 where the friction has no limit
-  double holds = 0;      ///< the same of parts that do not move: what stiction holds
-  double stiffness = 0;  ///< N m/rad or N/m, per N of what presses
-  double damping = 0;    ///< N m s/rad or N s/m, per N of what presses
+  double rate = 0;       ///< relative speed of the parts, per second
+  double end = 0;        ///< deflection of steady sliding at this speed, 0 for a friction without limit
+  double holds = 0;      ///< the same at rest: limit of stiction
+  double stiffness = 0;  ///< N m/rad or N/m, per N of normal force
+  double damping = 0;    ///< N m s/rad or N s/m, per N of normal force
   double lag = 0;        ///< s
   bool has_limit() const { return end > 0; }
   bool slides() const { return std::abs(rate) > kSlidingBristle; }
 };
 
-/// All bristles of a model, in the order of their states. Requires: `system` has the state's auxiliary states.
-/// Ensures: expressions see the state's lengths.
+/// All bristles of a model, in the order of their states. Requires: `system` has the state's auxiliary states. Ensures:
+/// the state's lengths are set for expressions.
 inline std::vector<BristleEnd> bristle_ends(System<double>& system, const Kinematics<double>& k,
                                             const Velocities<double>& v) {
   see_states_and_lengths(system, k, v);

@@ -1,12 +1,12 @@
 #pragma once
-// Bump stops: travel between points or of a coordinate, and the law that pushes after the clearance.
+// Bump stops: travel between points or of a coordinate, and force law beyond the clearance.
 
 #include "compiler/formulation/elements/connections.hpp"
 #include "compiler/formulation/elements/energy.hpp"
 
 namespace mbgen {
 
-/// A bump stop's way beyond its clearance, the rate of that and the force against it.
+/// Penetration of a bump stop, its rate and its force.
 template <class T>
 struct BumpStopState {
   T penetration{0.0}, rate{0.0}, force{0.0};  ///< m or rad, per second, N or N m
@@ -17,7 +17,7 @@ struct StateOf<BumpStop> {
   using type = BumpStopState<T>;
 };
 
-/// By index of the quantity.
+/// Value of a quantity by its index.
 template <class T>
 T shown(const BumpStopState<T>& stop, int quantity, int /*axis*/) {
   const T* values[] = {&stop.force, &stop.penetration, &stop.rate};
@@ -26,8 +26,8 @@ T shown(const BumpStopState<T>& stop, int quantity, int /*axis*/) {
 
 namespace detail {
 
-/// Force of a bump stop against its travel, N or N m, never negative; a function of travel and its rate alone.
-/// A: T, or Slope<T> where the law is differentiated.
+/// Force of a bump stop against its travel, N or N m, never negative; depends on travel and its rate only. A: T, or
+/// Slope<T> for differentiation.
 template <class T, class A>
 BumpStopState<A> bump_stop_law(const ForceWork<T>& work, const BumpStop& stop, const A& travel, const A& rate) {
   using mbgen::max, mbgen::select;
@@ -59,13 +59,13 @@ void connect(const ForceWork<T>& work, const BumpStop& stop, const Use& use) {
     use(AlongLine<T>(work, stop.from, stop.to, -1));
 }
 
-/// A stop's state with the force against the position of its connection.
+/// State of a stop with the force against the position of its connection.
 template <class A>
 struct ActingBumpStop : BumpStopState<A> {
   A resistance{0.0};
 };
 
-/// On a coordinate or along an axis the position is the travel.
+/// On a coordinate or along an axis, the position is the travel.
 template <class T, class At>
 auto law_of(const ForceWork<T>& work, const BumpStop& stop, const At&) {
   return [&]<class A>(const A& travel, const A& rate) {
@@ -74,7 +74,7 @@ auto law_of(const ForceWork<T>& work, const BumpStop& stop, const At&) {
   };
 }
 
-/// Between points it is the length.
+/// Between points, the position is the length.
 template <class T>
 auto law_of(const ForceWork<T>& work, const BumpStop& stop, const AlongLine<T>& at) {
   return [&, reference = at.reference(work)]<class A>(const A& length, const A& rate) {

@@ -1,5 +1,5 @@
 #pragma once
-// Bushings: the law of their six freedoms, Maxwell branches.
+// Bushings: force law of their six freedoms, Maxwell branches.
 
 #include "compiler/formulation/elements/energy.hpp"
 #include "compiler/formulation/elements/six_freedoms.hpp"
@@ -7,8 +7,8 @@
 
 namespace mbgen {
 
-/// A bushing's deflection and what acts on its `to` body at the point of `to`, in its axes on `from`, counted as its
-/// freedoms are.
+/// Deflection of a bushing, and load on its `to` body at the point of `to`, in its axes on `from`, with the sense of
+/// its freedoms.
 template <class T>
 struct BushingState {
   Vector<T> deflection, rotation;  ///< m, rad
@@ -20,7 +20,7 @@ struct StateOf<Bushing> {
   using type = BushingState<T>;
 };
 
-/// By index of the quantity.
+/// Value of a quantity by its index.
 template <class T>
 T shown(const BushingState<T>& bushing, int quantity, int axis) {
   const Vector<T>* values[] = {&bushing.force, &bushing.moment, &bushing.deflection, &bushing.rotation};
@@ -30,7 +30,7 @@ T shown(const BushingState<T>& bushing, int quantity, int axis) {
 
 namespace detail {
 
-/// A value per freedom of a bushing, counted as they are.
+/// A value per freedom of a bushing, with its sense.
 template <class T>
 using BushingValues = std::array<T, kBushingFreedoms>;
 
@@ -41,8 +41,8 @@ struct BushingForces {
   std::vector<T> extension_rates;
 };
 
-/// The law of a bushing: a function of deflections, their rates and the extensions of its Maxwell branches alone.
-/// A: T, or Slope<T> where the law is differentiated.
+/// Force law of a bushing; depends on deflections, their rates and the extensions of its Maxwell branches only. A: T,
+/// or Slope<T> for differentiation.
 template <class T, class A>
 BushingForces<A> bushing_law(const ForceWork<T>& work, const Bushing& bushing, const BushingValues<A>& deflection,
                              const BushingValues<A>& rate, const A* extensions) {
@@ -62,7 +62,7 @@ BushingForces<A> bushing_law(const ForceWork<T>& work, const Bushing& bushing, c
         force = force + value((*bushing.damping)[upper], "d_", pair) * rate[j];
     }
     if (const std::optional<BushingFreedom>& own = bushing.freedoms[i]) {
-      // One after the other: names are given in the order of evaluation, which compilers choose within an expression.
+      // Separate statements: names are given in the order of evaluation, which is unspecified within an expression.
       force = force + value(own->preload, "f0_", freedom);
       force = force + law(work, own->stiffness, deflection[i], ("k_" + freedom).c_str(), bushing.name);
       force = force + law(work, own->damping, rate[i], ("d_" + freedom).c_str(), bushing.name);
@@ -102,7 +102,7 @@ void apply(ForceWork<T>& work, const Bushing& bushing) {
   states_of<Bushing>(work.forces).push_back(std::move(state));
 }
 
-/// The freedoms along which a bushing acts.
+/// Freedoms of a bushing with a force.
 inline std::vector<int> acting_freedoms(const Bushing& bushing) {
   std::vector<int> freedoms;
   for (int i = 0; i < kBushingFreedoms; ++i)
@@ -152,7 +152,7 @@ void add_tangents(ForceWork<T>& work, const Bushing& bushing, std::vector<Elemen
   elements.push_back(tangents_of(work, bushing, first_extension(model, index_in(model.bushings, bushing))));
 }
 
-/// Springs of Maxwell branches too.
+/// Including the springs of Maxwell branches.
 template <class T>
 T stored_energy(const EnergyWork<T>& work, const Bushing& bushing) {
   const System<T>& system = work.system;

@@ -1,12 +1,12 @@
 #pragma once
-// Connections of elements with a law over one scalar: its position and rate, how a force against it acts on the bodies,
-// and how it moves with the coordinates of the tree. An element of such a kind states
-//   connect(work, element, use)     calls use(connection) with the one that it has
-//   law_of(work, element, at)       its law there: (position, rate) of T or of Slope<T> to the force against the
-//                                   position, N or N m, or to a struct whose `resistance` that is
-//   law_expressions(work, element)  that its law looks at, see LawElement; all of its fields if it states none
-//   seen_as(element, at, acting)    its state, of a kind that shows quantities
-// and the drivers below give its forces and its tangents from them.
+// Connections of elements with a law over one scalar: position and rate, loads on the bodies of a force against it, and
+// derivatives by the tree's coordinates. A kind of such elements defines
+//   connect(work, element, use)     calls use(connection) with its connection
+//   law_of(work, element, at)       its law there: function of (position, rate), of T or of Slope<T>; the force against
+//                                   the position, N or N m, or a struct with the force as `resistance`
+//   law_expressions(work, element)  expressions in its law, see LawElement; default: all of its fields
+//   seen_as(element, at, acting)    its quantities, for a kind with quantities
+// and the drivers below compute its forces and tangents from them.
 
 #include <utility>
 
@@ -16,8 +16,7 @@
 namespace mbgen {
 namespace detail {
 
-/// A coordinate, or its difference to another one; rad or m. With a sign, 1 or -1, it counts that way and is an
-/// element's own.
+/// A coordinate, or its difference to another one; rad or m. sign: 1 or -1 for a sense of the element's own, else 0.
 template <class T>
 struct AlongCoordinate {
   CoordinateReference joint;
@@ -54,7 +53,7 @@ struct AlongCoordinate {
   }
 };
 
-/// The way of `to` along an axis that turns with the body of `from`, zero at the reference, m.
+/// Displacement of `to` along an axis fixed to the body of `from`, zero at the reference, m.
 template <class T>
 struct AlongAxis {
   const Attachment &from, &to;
@@ -77,7 +76,7 @@ struct AlongAxis {
   LocalCoordinate<T> row(const ForceWork<T>& work) const { return {row_between(work, seen, axis, Vector<T>{})}; }
 };
 
-/// The number by which expressions see the length of an element.
+/// Number of an element's length in expressions.
 template <class Kind>
 int line_number(const Model& model, const Kind& element) {
   int number = 0;
@@ -96,7 +95,7 @@ std::vector<int> law_expressions(const ForceWork<T>&, const Kind& element) {
   return expressions;
 }
 
-/// The force against the position that a law gives.
+/// The force of a law against the position.
 template <class A>
 const A& resistance_in(const A& force) {
   return force;
@@ -105,7 +104,7 @@ template <class Acting>
 requires requires(const Acting& acting) { acting.resistance; }
 const auto& resistance_in(const Acting& acting) { return acting.resistance; }
 
-/// Quantities of an element between two points that has no more.
+/// Quantities of an element between two points with no others.
 template <class T, class Kind>
 requires std::is_same_v<typename StateOf<Kind>::template type<T>, ElementState<T>> ElementState<T> seen_as(
     const Kind&, const AlongLine<T>& at, const T& tension) {
@@ -133,7 +132,7 @@ void apply(ForceWork<T>& work, const Kind& element) {
   });
 }
 
-/// Its tangents.
+/// Tangents of an element with a scalar law.
 template <class T, class Kind>
 requires HasScalarLaw<T, Kind>
 void add_tangents(ForceWork<T>& work, const Kind& element, std::vector<ElementTangents<T>>& elements) {

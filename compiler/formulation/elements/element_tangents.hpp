@@ -1,8 +1,8 @@
 #pragma once
-// Tangents of a force element: how its forces, and the rates of its auxiliary states, change with its own coordinates
-// (a length, a joint's angle, the motion of a tyre's contact), their rates and the states, and along which directions
-// of the tree these coordinates go. The change of a direction at a constant force is left out, see
-// docs/method/implicit.md.
+// Tangents of a force element: derivatives of its forces, and of the rates of its auxiliary states, by its local
+// coordinates (a length, a joint's angle, the motion of a tyre's contact), their rates and the states; and the
+// directions of the local coordinates in the tree's. The change of a direction at a constant force (geometric
+// stiffness) is omitted, see docs/method/implicit.md.
 
 #include <algorithm>
 #include <optional>
@@ -16,30 +16,30 @@
 
 namespace mbgen {
 
-/// A coordinate that an element acts along or looks at: it moves by row . zd.
+/// A coordinate that an element acts along or depends on, with the rate row . zd.
 template <class T>
 struct LocalCoordinate {
   std::vector<T> row;  ///< over the tree's coordinates
-  /// One number for one coordinate in all elements: that of the tree's coordinate, or their number and that of the
-  /// line whose length it is, see each_line; -1 of an element's own.
+  /// Common number of a coordinate in all elements: index of the tree's coordinate, or their count plus the number of
+  /// the line with this length, see each_line; -1 for a coordinate of one element.
   int shared = -1;
 };
 
-/// Derivatives of one element. Its force a acts along local coordinate a. Matrices are [force or rate][by what].
+/// Derivatives of one element. Force a acts along local coordinate a. Matrices are [force or rate][variable].
 template <class T>
 struct ElementTangents {
   std::vector<LocalCoordinate<T>> coordinates;
   std::vector<int> states;                                                        ///< auxiliary ones
   std::vector<std::vector<T>> by_position, by_velocity, by_state;                 ///< of forces
   std::vector<std::vector<T>> rate_by_position, rate_by_velocity, rate_by_state;  ///< of the rates of its states
-  /// Of its forces by velocities, states eliminated, the symmetric part counts.
+  /// Use the symmetric part of the derivatives of its forces by velocities, with states eliminated.
   bool counts_as_symmetric = false;
 };
 
 namespace detail {
 
-/// Elements add their tangents pass after pass, in each in the order of the list of kinds: the order of these sums is
-/// part of the bits of emitted code.
+/// Pass in which a kind adds its tangents; within a pass the order is the list of kinds. The order of these sums
+/// changes the bits of emitted code.
 template <class Kind>
 inline constexpr int kTangentPass = 1;
 inline constexpr int kTangentPasses = 3;
@@ -49,7 +49,7 @@ std::vector<std::vector<T>> zeros(std::size_t rows, std::size_t columns) {
   return std::vector<std::vector<T>>(rows, std::vector<T>(columns, T(0.0)));
 }
 
-/// Gives the matrices of an element their sizes; what is new is zero.
+/// Resizes the matrices of an element; new entries are zero.
 template <class T>
 void fit(ElementTangents<T>& e) {
   const std::size_t coordinates = e.coordinates.size(), states = e.states.size();
@@ -63,7 +63,7 @@ void fit(ElementTangents<T>& e) {
   to(e.rate_by_state, states, states);
 }
 
-/// An element with no tangents yet.
+/// An element without tangents.
 template <class T>
 ElementTangents<T> element_tangents(std::vector<LocalCoordinate<T>> coordinates, std::vector<int> states) {
   ElementTangents<T> element{std::move(coordinates), std::move(states), {}, {}, {}, {}, {}, {}, false};
@@ -71,7 +71,7 @@ ElementTangents<T> element_tangents(std::vector<LocalCoordinate<T>> coordinates,
   return element;
 }
 
-/// The place of a coordinate in an element, which takes it in where it does not have it.
+/// Index of a coordinate in an element; adds it if it is new.
 template <class T>
 std::size_t place_in(ElementTangents<T>& element, LocalCoordinate<T> coordinate) {
   auto& all = element.coordinates;
@@ -85,7 +85,7 @@ std::size_t place_in(ElementTangents<T>& element, LocalCoordinate<T> coordinate)
   return place;
 }
 
-/// The place of an auxiliary state in an element, likewise.
+/// Index of an auxiliary state in an element; adds it if it is new.
 template <class T>
 std::size_t place_of_state(ElementTangents<T>& element, int state) {
   const auto place = static_cast<std::size_t>(std::ranges::find(element.states, state) - element.states.begin());
@@ -95,8 +95,8 @@ std::size_t place_of_state(ElementTangents<T>& element, int state) {
   return place;
 }
 
-/// Adds to a row how a wrench on a body acts on the tree's coordinates, without the joints that also move body `other`.
-/// wrench: in the frame that carries the body, about its origin.
+/// Adds the generalised forces of a wrench on a body to a row, without the joints that also move body `other`. wrench:
+/// in the frame that carries the body, about its origin.
 template <class T>
 void add_wrench(const ForceWork<T>& work, int body, int other, Spatial<T> wrench, std::vector<T>& row) {
   const System<T>& system = work.system;
@@ -110,9 +110,9 @@ void add_wrench(const ForceWork<T>& work, int body, int other, Spatial<T> wrench
   }
 }
 
-/// Adds to a row how a force through a place and a moment, on its body, act on the tree's coordinates, without the
-/// joints that also move body `other`. frame: of their axes, which both bodies see. Joints are met in their base
-/// frames, where the axes of many are constant; those on the ground, which may be far away, in the frame that carries
+/// Adds the generalised forces of a force through a point and of a moment, both on its body, to a row, without the
+/// joints that also move body `other`. frame: of their axes, common to both bodies. Joints are treated in their base
+/// frames, where the axes of many are constant; joints on the ground, which may be far away, in the frame that carries
 /// the body.
 template <class T>
 void add_force(const ForceWork<T>& work, const Place<T>& place, int other, int frame, const Vector<T>& force,
@@ -141,7 +141,7 @@ void add_force(const ForceWork<T>& work, const Place<T>& place, int other, int f
   }
 }
 
-/// A coordinate of the tree; one that does not move where the tree does not have it.
+/// A coordinate of the tree; with a zero row for a coordinate outside the tree.
 template <class T>
 LocalCoordinate<T> tree_local(const System<T>& system, const CoordinateReference& reference) {
   LocalCoordinate<T> local{std::vector<T>(system.topology.bodies.size(), T(0.0)),
@@ -150,8 +150,8 @@ LocalCoordinate<T> tree_local(const System<T>& system, const CoordinateReference
   return local;
 }
 
-/// How a coordinate between two bodies moves with the tree's coordinates: what a unit force along it does, turned
-/// round. force, moment: on `to`, in the axes of the body of `from`.
+/// Row of a coordinate between two bodies: by virtual work, the generalised forces of a unit force along it. force,
+/// moment: on `to`, in the axes of the body of `from`.
 template <class T>
 std::vector<T> row_between(const ForceWork<T>& work, const SeenPlace<T>& s, const Vector<T>& force,
                            const Vector<T>& moment) {
@@ -167,7 +167,7 @@ std::vector<T> row_between(const ForceWork<T>& work, const SeenPlace<T>& s, cons
 template <class T>
 struct AlongLine {
   const Attachment &from, &to;
-  int number = -1;  ///< of the line in expressions, see LocalCoordinate; -1 of one that they do not see
+  int number = -1;  ///< of the line in expressions, see LocalCoordinate; -1 if it is not used there
   Line<T> line;
   T position, rate;  ///< m, m/s
 
@@ -179,7 +179,7 @@ struct AlongLine {
         position(line.length),
         rate(line.rate) {}
 
-  /// The distance at the reference, m.
+  /// Distance at the reference, m.
   T reference(const ForceWork<T>& work) const {
     return reference_distance(work.system.topology, work.system.constants, to, line.to, from, line.from);
   }
@@ -197,7 +197,7 @@ struct AlongLine {
   }
 };
 
-/// Local coordinate that an expression depends on: a coordinate of the tree, or a length.
+/// Local coordinate of a variable in an expression: a coordinate of the tree, or a length.
 template <class T>
 LocalCoordinate<T> local_of(const ForceWork<T>& work, const ExpressionNode& node) {
   if (node.kind == ExpressionNode::Kind::position || node.kind == ExpressionNode::Kind::velocity)
@@ -210,7 +210,7 @@ LocalCoordinate<T> local_of(const ForceWork<T>& work, const ExpressionNode& node
   return local;
 }
 
-/// Where a law is differentiated: at its coordinates, their rates and its states.
+/// Arguments of a law for differentiation: coordinates, their rates and states.
 template <class T>
 struct LawPoint {
   std::vector<T> position, velocity, state;
@@ -222,13 +222,13 @@ struct LawResult {
   std::vector<T> force, rate;
 };
 
-/// An element as its law sees it.
+/// Element in the form of its law.
 template <class T>
 struct LawElement {
   std::vector<LocalCoordinate<T>> coordinates;
   std::vector<int> states = {};
-  LawPoint<T> at = {};                ///< of the first of them, by which the law is differentiated
-  std::vector<int> expressions = {};  ///< of the law: it is differentiated by what these look at, too; -1 for none
+  LawPoint<T> at = {};                ///< of the first of them, the arguments of the law
+  std::vector<int> expressions = {};  ///< of the law: it is differentiated by their variables too; -1 for none
 };
 
 inline void add_expression(const Quantity& field, std::vector<int>& to) { to.push_back(field.expression); }
@@ -245,7 +245,7 @@ std::vector<int> expressions_of(const Fields&... fields) {
   return expressions;
 }
 
-/// Moving quantities that the expressions depend on, each once.
+/// Moving variables of the expressions, each once.
 inline std::vector<const ExpressionNode*> moving_nodes(const Model& model, const std::vector<int>& expressions) {
   using Kind = ExpressionNode::Kind;
   std::vector<const ExpressionNode*> nodes;
@@ -316,7 +316,7 @@ ElementTangents<T> scalar_element(ForceWork<T>& work, LocalCoordinate<T> coordin
                            });
 }
 
-/// Adds an element to another one.
+/// Merges an element into another one.
 template <class T>
 void join(ElementTangents<T>& to, const ElementTangents<T>& from) {
   to.counts_as_symmetric = to.counts_as_symmetric && from.counts_as_symmetric;
@@ -337,7 +337,7 @@ void join(ElementTangents<T>& to, const ElementTangents<T>& from) {
   add(&E::rate_by_state, states, states);
 }
 
-/// Elements that share auxiliary states, joined to one; the others as they are.
+/// Elements with common auxiliary states, merged; the others unchanged.
 template <class T>
 std::vector<ElementTangents<T>> joined_by_states(std::vector<ElementTangents<T>> elements) {
   std::vector<ElementTangents<T>> result;

@@ -7,7 +7,7 @@
 namespace mbgen {
 namespace detail {
 
-/// State that energies of elements read: what its force elements have seen.
+/// State for energies of elements: the quantities of the force elements.
 template <class T>
 struct EnergyWork {
   const System<T>& system;

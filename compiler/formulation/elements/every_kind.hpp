@@ -1,6 +1,6 @@
 #pragma once
-// The forces of every kind of element: apply(work, element) adds them, add_tangents(work, element, elements) their
-// derivatives where they have some, stored_energy(work, element) integrates the elastic law.
+// Forces of every kind of element: apply(work, element) adds them, add_tangents(work, element, elements) adds their
+// derivatives, if any, stored_energy(work, element) integrates the elastic law.
 
 #include "compiler/formulation/elements/air_spring.hpp"
 #include "compiler/formulation/elements/applied_force.hpp"

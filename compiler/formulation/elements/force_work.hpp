@@ -1,6 +1,5 @@
 #pragma once
-// Common parts of the force elements: their results, their view of the system, characteristics, and forces put on
-// bodies.
+// Common parts of the force elements: results, access to the system, characteristics, and loads on bodies.
 
 #include <functional>
 #include <optional>
@@ -19,7 +18,7 @@ struct ElementState {
   T length{0.0}, rate{0.0}, force{0.0};  ///< m, m/s, N (tension positive)
 };
 
-/// The struct of T in which an element of a kind is seen, specialised beside the forces of kinds that show quantities.
+/// Struct of T for the quantities of a kind, specialised beside its forces.
 template <class Kind>
 struct StateOf {
   template <class T>
@@ -58,10 +57,10 @@ struct AppliedForces {
   std::vector<JointAction<T>> joint_actions;  ///< terms of the sum `joint`
   std::vector<T> xd;                          ///< rates of the auxiliary states
   typename StatesOf<T, ElementKinds>::type states;  ///< per kind as the model's list, see states_of
-  MotionPoint about = MotionPoint::frame_origin;    ///< point of the body that wrenches are about
+  MotionPoint about = MotionPoint::frame_origin;    ///< reference point of wrenches on a body
 };
 
-/// The elements of a kind as they are seen, none of a kind that shows nothing.
+/// Quantities of the elements of a kind; none for a kind without quantities.
 template <class Kind, class Forces>
 auto& states_of(Forces& forces) {
   return std::get<kKindIndex<Kind>>(forces.states);
@@ -72,14 +71,14 @@ const auto& state_of(const System<T>& system, const AppliedForces<T>& forces, co
   return states_of<Kind>(forces)[index_in(KindOf<Kind>::list(system.model), element)];
 }
 
-/// By index of the quantity of a spring.
+/// Value of a spring's quantity by its index.
 template <class T>
 T shown(const ElementState<T>& state, int quantity, int /*axis*/) {
   const T* values[] = {&state.force, &state.length, &state.rate};
   return *values[quantity];
 }
 
-/// Values made while the result lives belong to an element of the model.
+/// During its lifetime, new values belong to an element of the model.
 template <class T, class Kind>
 [[nodiscard]] auto within(const System<T>& system, const Kind& element) {
   return system.scribe.within(owner_of_kind(kKindIndex<Kind>), index_in(KindOf<Kind>::list(system.model), element));
@@ -87,12 +86,12 @@ template <class T, class Kind>
 
 namespace detail {
 
-/// The forces of a tyre (index into Model::tyres) by a law that several share, none where it shares none.
+/// Forces of a tyre (index into Model::tyres) from a law shared by several tyres, none without a shared law.
 template <class T>
 using SharedTyreLaw =
     std::function<std::optional<WheelForces<T>>(std::size_t tyre, const TyreProperties<T>&, const WheelMotion<T>&)>;
 
-/// State that the force elements read, and sums that they add to.
+/// State for the force elements, and the sums of their loads.
 template <class T>
 struct ForceWork {
   System<T>& system;
@@ -100,7 +99,7 @@ struct ForceWork {
   const Velocities<T>& v;
   AppliedForces<T>& forces;
   SharedTyreLaw<T> shared_law = {};  ///< where tyres share one
-  /// Quantity whose derivative is one for expressions of laws over Slopes; null for none.
+  /// Variable of differentiation in expressions of laws over Slopes; null for none.
   const ExpressionNode* moved = nullptr;
   T value(const Quantity& q) const { return value_of(system.model, q, system.environment); }
   /// The value of an element's field, named <meaning>_<element>.
@@ -112,12 +111,12 @@ struct ForceWork {
   Place<T> place(const Attachment& at) const { return place_of(system, at); }
 };
 
-/// An environment of T for an expression over A: everything stands still but the locals and one of what it looks at.
+/// Environment of T for an expression over A: everything is constant except the locals and one variable.
 template <class T, class A>
 struct MovedEnvironment {
   const Environment<T>& environment;
   std::vector<A> locals = {};
-  const ExpressionNode* moved = nullptr;  ///< that whose derivative is one, null for none
+  const ExpressionNode* moved = nullptr;  ///< variable of differentiation, null for none
 
   A parameter(int i) const { return A(environment.parameter(i)); }
   A input(int i) const { return A(environment.input(i)); }
@@ -140,7 +139,7 @@ struct MovedEnvironment {
   A seen(const T& value, bool is_moved) const { return is_moved ? A(value, T(1.0)) : A(value); }
 };
 
-/// The value of an element's field over A: T, or Slope<T> where the law is differentiated.
+/// Value of an element's field over A: T, or Slope<T> for differentiation.
 template <class A, class T>
 A number(const ForceWork<T>& work, const Quantity& q, const char* meaning, const std::string& element) {
   if constexpr (!std::is_same_v<T, A>)
@@ -150,8 +149,8 @@ A number(const ForceWork<T>& work, const Quantity& q, const char* meaning, const
   return A(work.value(q, meaning, element));
 }
 
-/// Value of a characteristic at an argument: factor times argument, or a table. The factor is named
-/// <meaning>_<element>. A: T, or Slope<T> where the law is differentiated, as in the functions that follow.
+/// Value of a characteristic: factor times argument, or a table. The factor is named <meaning>_<element>. A: T, or
+/// Slope<T> for differentiation, also in the functions that follow.
 template <class T, class A>
 A law(const ForceWork<T>& work, const Law& law, const A& argument, const char* meaning, const std::string& element) {
   if (const Quantity* factor = std::get_if<Quantity>(&law))
@@ -178,8 +177,8 @@ A with_locals(const ForceWork<T>& work, int expression, const A& first, const A&
   }
 }
 
-/// A number that actions of one element share, where numbers are worked with; 0 for symbols, whose powers nobody tells
-/// apart.
+/// A number common to all actions of one element, in numerical evaluation; 0 for symbols, whose powers are not
+/// separated.
 template <class T>
 int element_in_hand(const ForceWork<T>& work) {
   if constexpr (requires { work.system.scribe.parts; }) {
@@ -210,7 +209,7 @@ void add_joint_force(ForceWork<T>& work, const CoordinateReference& reference, c
   work.forces.joint_actions.push_back({i, force, element_in_hand(work)});
 }
 
-/// Adds a force at a place of a body, given in the axes of a frame at or below the place's.
+/// Adds a force at a point of a body, given in the axes of a frame at the body or below it.
 template <class T>
 void apply_force(ForceWork<T>& work, int model_body, const Place<T>& place, const Vector<T>& force, int frame) {
   const int carrier = work.system.layout.frame_of(place.body);
@@ -220,7 +219,7 @@ void apply_force(ForceWork<T>& work, int model_body, const Place<T>& place, cons
              arm_of(work.system, work.k, place, work.forces.about)});
 }
 
-/// The line between two places, in the axes of a frame.
+/// Line between two points, in the axes of a frame.
 template <class T>
 struct Line {
   Place<T> from, to;
@@ -242,7 +241,7 @@ Line<T> line_between(const System<T>& system, const Kinematics<T>& k, const Velo
   return {a, b, frame, gap, length, reciprocal, dot(gap, gap_rate) * reciprocal};
 }
 
-/// Length at which an element's deflection is zero: its own, or its length at the reference configuration.
+/// Length at zero deflection: given by the element, or its length at the reference configuration.
 template <class T>
 T natural_length(const ForceWork<T>& work, const std::optional<Quantity>& own, const T& reference,
                  const std::string& element) {

@@ -1,5 +1,5 @@
 #pragma once
-// Friction on coordinates, along springs and in the ends of rods.
+// Friction on coordinates, along springs and in rod ends.
 
 #include "compiler/formulation/elements/point_spring.hpp"
 #include "compiler/model/auxiliary_states.hpp"
@@ -8,11 +8,11 @@
 namespace mbgen {
 namespace detail {
 
-/// rad/s: below it a rod's end counts as at rest, and the direction of its turn fades.
+/// rad/s: below it a rod's end counts as at rest, and the direction of its rotation is regularised.
 inline constexpr double kLeastTurn = 1e-9;
 
-/// Force of the smooth law without its viscous part, N m or N, on the part that moves at `rate`.
-/// A: T, or Slope<T> where the law is differentiated.
+/// Force of smooth friction without its viscous part, N m or N, on the part that moves at `rate`. A: T, or Slope<T> for
+/// differentiation.
 template <class T, class A>
 A smooth_friction(const ForceWork<T>& work, const FrictionLaw& friction, const std::string& name, const A& rate) {
   const auto value = [&](const Quantity& q, const char* meaning) { return number<A>(work, q, meaning, name); };
@@ -49,8 +49,8 @@ BristleResult<A> bristle_law(const ForceWork<T>& work, const FrictionLaw& fricti
 }
 
 /// Force of friction, N m or N, on the part that moves at `rate`, against the motion, and the rate of its bristles.
-/// normal: force of the spring that presses, without friction, or of the reaction, where one does; deflection: of the
-/// bristles, where there are some.
+/// normal: normal force, from a spring without its friction, or from a reaction, if any; deflection: of the bristles,
+/// if any.
 template <class T, class A>
 BristleResult<A> friction_law(const ForceWork<T>& work, const FrictionLaw& friction, const std::string& name,
                               const A& rate, const A& normal, const A& deflection) {
@@ -62,7 +62,7 @@ BristleResult<A> friction_law(const ForceWork<T>& work, const FrictionLaw& frict
   return result;
 }
 
-/// How fast the parts of a friction that may have bristles move on each other, rad/s or m/s.
+/// Relative speed of the parts of a friction with possible bristles, rad/s or m/s.
 template <class T>
 T sliding_rate(const System<T>& system, const Kinematics<T>&, const Velocities<T>&, const JointFriction& friction) {
   return system.environment.velocity(friction.joint);
@@ -74,15 +74,15 @@ T sliding_rate(const System<T>& system, const Kinematics<T>& k, const Velocities
   return line_between(system, k, v, spring.from, spring.to).rate;
 }
 
-/// The reaction that presses a friction as it was taken last, N or N m. Requires: the friction has one.
+/// Last sampled reaction that presses a friction, N or N m. Requires: the friction has one.
 template <class T>
 const T& held_load(const System<T>& system, const FrictionLaw& friction) {
   return system.x[static_cast<std::size_t>(first_sampled_value(system.model) + friction.load)];
 }
 
-/// Moment in the ball at an end of a rod against the turn of the body there relative to the rod's line, as far as that
-/// is across the line: a rod spins about it as it likes. The rod, without inertia of its own here, hands the moment on
-/// by a pair of forces at its ends. moment: N m, over the size of the turn, rad/s, against it.
+/// Moment in the ball joint at a rod's end against the rotation of the body relative to the rod's line, except its
+/// component along the line: the rod spins freely about it. The rod, without inertia here, transmits the moment as a
+/// pair of forces at its ends. moment: N m, over the angular speed, rad/s, against it.
 template <class T, class Moment>
 void rod_friction(ForceWork<T>& work, const RodFriction& friction, const Moment& moment) {
   const System<T>& system = work.system;
@@ -98,13 +98,14 @@ void rod_friction(ForceWork<T>& work, const RodFriction& friction, const Moment&
   using std::sqrt;
   const T rate = sqrt(dot(turn, turn) + T(kLeastTurn * kLeastTurn));
   const Vector<T> on_body = (moment(rate) / rate) * turn;
-  const Vector<T> on_to = line.reciprocal * cross(along, on_body);  // of -on_body = gap x on_to, the rod at rest
+  const Vector<T> on_to =
+      line.reciprocal * cross(along, on_body);  // solution of -on_body = gap x on_to, the rod in equilibrium
   act(work, {end.body, {}, direction_up(system, work.k, line.frame, on_body, carrier), {}});
   apply_force(work, rod.to.body, line.to, on_to, line.frame);
   apply_force(work, rod.from.body, line.from, -on_to, line.frame);
 }
 
-/// Force of a friction, N m or N, on the part that moves at `rate`. state: of its bristles, where it has some.
+/// Force of a friction, N m or N, on the part that moves at `rate`. state: of its bristles, if any.
 template <class T>
 T friction_force_at(ForceWork<T>& work, const FrictionLaw& friction, const std::string& name, const T& rate,
                     std::size_t state) {
@@ -137,14 +138,14 @@ void apply(ForceWork<T>& work, const SpringFriction& friction) {
   total.force = total.force + tension;
 }
 
-/// Smooth: it has no bristles.
+/// Smooth friction, without bristles.
 template <class T>
 void apply(ForceWork<T>& work, const RodFriction& friction) {
   rod_friction(work, friction,
                [&](const T& rate) { return friction_force_at(work, friction, friction.name, rate, 0); });
 }
 
-/// The spring that presses a friction, where it is.
+/// The spring that presses a friction, with its line.
 template <class T>
 struct PressingSpring {
   const PointSpring& spring;
@@ -162,7 +163,7 @@ PressingSpring<T> pressing_spring(const ForceWork<T>& work, int number) {
   return {spring, at, std::move(row), natural_length(work, spring.free_length, at.reference(work), spring.name)};
 }
 
-/// A friction on a local coordinate that moves at `rate`. state: of its bristles, where it has some.
+/// A friction on a local coordinate that moves at `rate`. state: of its bristles, if any.
 template <class T>
 ElementTangents<T> friction_element(ForceWork<T>& work, const FrictionLaw& friction, const std::string& name,
                                     LocalCoordinate<T> coordinate, const T& rate, int state) {
@@ -198,7 +199,7 @@ ElementTangents<T> friction_element(ForceWork<T>& work, const FrictionLaw& frict
     return result;
   });
   if (friction.has_bristle()) {
-    // Bristles bent beyond their end spring back, and would feed the motion over a whole step.
+    // Bristles beyond their largest deflection spring back, and would add energy over a whole step.
     using mbgen::max, mbgen::min, mbgen::select;
     T &force = tangents.by_velocity[0][0], &bending = tangents.rate_by_velocity[0][0];
     force = select(bending, force, min(force, T(0.0)));

@@ -7,7 +7,7 @@
 
 namespace mbgen {
 
-/// A spring as it is seen; `force` with the frictions along its line.
+/// Quantities of a spring; `force` includes frictions along its line.
 template <class T>
 struct SpringState : ElementState<T> {
   T own{0.0};  ///< N, by its own law
@@ -20,12 +20,12 @@ struct StateOf<PointSpring> {
 
 namespace detail {
 
-/// Tension of a spring by its length and rate, N. natural: see natural_length.
+/// Tension of a spring from its length and rate, N. natural: see natural_length.
 template <class T, class A>
 A spring_tension(const ForceWork<T>& work, const PointSpring& spring, const A& length, const A& rate,
                  const T& natural) {
   A tension = number<A>(work, spring.preload, "f0", spring.name);
-  // One after the other: compilers choose the order within an expression, and values follow it.
+  // Separate statements: the order of evaluation within an expression is unspecified, and values depend on it.
   tension = tension + law(work, spring.stiffness, length - natural, "k", spring.name);
   tension = tension + law(work, spring.damping, rate, "d", spring.name);
   if (spring.force) tension = tension + with_locals(work, *spring.force, length, rate);

@@ -1,21 +1,21 @@
 #pragma once
-// A place as another body sees it, for force elements whose directions turn with that body.
+// Relative position of an attachment in another body's axes, for forces with directions fixed to that body.
 
 #include "compiler/formulation/elements/force_work.hpp"
 
 namespace mbgen::detail {
 
-/// The place `to` seen from the place `from`; vectors in the axes of the body of `from`.
+/// The attachment `to` relative to the attachment `from`; vectors in the axes of the body of `from`.
 template <class T>
 struct SeenPlace {
   Place<T> from, to;
   int frame = kGround;  ///< that both bodies see
   Vector<T> gap;        ///< from `from` to `to`, m
-  Vector<T> drift;      ///< its rate for who turns with the body, m/s
+  Vector<T> drift;      ///< rate of `gap` relative to the body of `from`, m/s
   Vector<T> spin;       ///< of the body, rad/s
 };
 
-/// Angular velocity of a body in the axes of a frame that it sees.
+/// Angular velocity of a body in the axes of another frame.
 template <class T>
 Vector<T> spin_in(const ForceWork<T>& work, int body, int frame) {
   return direction_in(work.system, work.k, work.system.layout.frame_of(body),
@@ -38,8 +38,8 @@ SeenPlace<T> seen_place(const ForceWork<T>& work, const Attachment& from, const 
   return s;
 }
 
-/// Puts a force and a moment at the place `to` on the body of `from`, and the opposite on that of `to`. from, to: what
-/// was seen; force, moment: on `from`, in the axes of its body.
+/// Adds a force and a moment at `to` on the body of `from`, and the opposite on the body of `to`. from, to: from
+/// seen_place; force, moment: on `from`, in the axes of its body.
 template <class T>
 void act_between(ForceWork<T>& work, const Attachment& from, const Attachment& to, const SeenPlace<T>& s,
                  const Vector<T>& force, const Vector<T>& moment) {

@@ -1,5 +1,5 @@
 #pragma once
-// The connection of two frames in six freedoms: deflections, how forces against them act, and how they move.
+// Connection of two frames in six freedoms: deflections, generalised forces, and derivatives by coordinates.
 
 #include <array>
 #include <cmath>
@@ -11,10 +11,10 @@
 namespace mbgen {
 namespace detail {
 
-/// Below this square of the sine the functions of an angle are series, exact to rounding with six terms.
+/// Squared sine below which functions of an angle are evaluated as series, exact to rounding with six terms.
 constexpr double kSmallSineSquared = 1e-3;
 
-/// A rotation by its rotation vector, with what takes an angular velocity to the rate of the vector.
+/// A rotation by its rotation vector, with the map from angular velocity to the rate of the vector.
 template <class T>
 struct TurnedBy {
   Vector<T> vector;  ///< theta: axis times angle, rad
@@ -22,17 +22,17 @@ struct TurnedBy {
   T curvature{0.0};  ///< h: (1 - angle/2 cot(angle/2)) / sine^2
 };
 
-/// The rotation vector of a rotation matrix up to kLargestBushingTurn, not a number beyond. Smooth through zero, where
-/// angle/sine and h are their series in the square of the sine. sines: half the skew part of the matrix; cosine: of the
-/// angle. Source: the exponential map of rotations, as in F. C. Park, "Computing the exponential and its derivative";
-/// the series are those of asin(s)/s and of (1 - asin(s)/2 (1 + sqrt(1 - s^2))/s)/s^2.
+/// The rotation vector of a rotation matrix up to kLargestBushingTurn, not a number beyond. Smooth at zero, where
+/// angle/sine and h are series in the square of the sine. sines: half of the skew-symmetric part of the matrix; cosine:
+/// of the angle. Source: the exponential map of rotations, as in F. C. Park, "Computing the exponential and its
+/// derivative"; the series belong to asin(s)/s and (1 - asin(s)/2 (1 + sqrt(1 - s^2))/s)/s^2.
 template <class T>
 TurnedBy<T> turned_by(const Vector<T>& sines, const T& cosine) {
   using mbgen::select;
   using std::atan2, std::sqrt;
   const T square = dot(sines, sines);
   const T half(0.5), one(1.0);
-  // Small angle: a small sine, and not the sine of nearly half a turn.
+  // Small angle: a small sine, except near half a turn.
   const T is_small = T(2.0 * kSmallSineSquared) - (square + (one - cosine));
   const T by_series =
       one +
@@ -53,14 +53,14 @@ TurnedBy<T> turned_by(const Vector<T>& sines, const T& cosine) {
   return turned;
 }
 
-/// Rate of the rotation vector from the angular velocity, both in the axes that the rotation starts from: the inverse
-/// of the left Jacobian of the exponential map.
+/// Rate of the rotation vector from the angular velocity, both in the axes before the rotation: the inverse of the left
+/// Jacobian of the exponential map.
 template <class T>
 Vector<T> rate_of_vector(const TurnedBy<T>& turned, const Vector<T>& spin) {
   return spin - T(0.5) * cross(turned.vector, spin) + turned.curvature * cross(turned.sines, cross(turned.sines, spin));
 }
 
-/// Moment whose power on the angular velocity is that of `forces` on the rate of the rotation vector: the transpose of
+/// Moment with the same power on the angular velocity as `forces` on the rate of the rotation vector: the transpose of
 /// rate_of_vector.
 template <class T>
 Vector<T> moment_of_forces(const TurnedBy<T>& turned, const Vector<T>& forces) {
@@ -68,13 +68,13 @@ Vector<T> moment_of_forces(const TurnedBy<T>& turned, const Vector<T>& forces) {
          turned.curvature * cross(turned.sines, cross(turned.sines, forces));
 }
 
-/// Deflections of a frame at `to` against one at `from`, which have the same axes at the reference, and their rates, in
-/// the axes at `from`: displacements (m), then the components of the rotation vector (rad), each counted by its sense.
+/// Deflections of a frame at `to` relative to one at `from`, with the same axes at the reference, and their rates, in
+/// the axes at `from`: displacements (m), then the components of the rotation vector (rad), each with its sense.
 template <class T>
 struct SixFreedoms {
   const Attachment &from, &to;
   const Matrix3& frame_axes;    ///< columns, GLOBAL axes at the reference
-  std::array<double, 6> sense;  ///< 1, or -1 where a freedom counts the other way than its component
+  std::array<double, 6> sense;  ///< 1, or -1 for a freedom with the opposite sense to its component
   SeenPlace<T> seen;
   TurnedBy<T> turned;
   std::array<T, 6> position, rate;
@@ -103,17 +103,17 @@ struct SixFreedoms {
     }
   }
 
-  /// The axes in those of the `from` body.
+  /// The axes relative to the `from` body.
   Matrix<T> columns() const { return pose_rotation<T>(Pose{{}, frame_axes}); }
 
-  /// Components as the freedoms count; first: 0 of displacements, 3 of turns.
+  /// Components with the sense of the freedoms; first: 0 for displacements, 3 for rotations.
   Vector<T> counted(const Vector<T>& v, int first) const {
     const auto way = [&](int i) { return T(sense[first + i]); };
     return Vector<T>{way(0) * v.x, way(1) * v.y, way(2) * v.z};
   }
 
-  /// Forces against the deflections; turns: whether any is against a turn. Result: force and moment on `from`, in the
-  /// frame's axes.
+  /// Applies forces against the deflections; turns: whether a rotation has a force. Result: force and moment on `from`,
+  /// in the frame's axes.
   std::pair<Vector<T>, Vector<T>> resist(ForceWork<T>& work, const std::array<T, 6>& forces, bool turns) const {
     std::array<T, 6> on_from;
     for (int i = 0; i < 6; ++i) on_from[i] = T(sense[i]) * forces[i];
@@ -125,7 +125,7 @@ struct SixFreedoms {
     return {force, moment};
   }
 
-  /// How the deflection in a freedom moves.
+  /// Row of the deflection in a freedom.
   std::vector<T> row(const ForceWork<T>& work, int freedom) const {
     const Matrix<T> axes = columns();
     const T way(sense[freedom]);

@@ -1,6 +1,6 @@
 #pragma once
-// A value with its derivative along one direction: how a force law is differentiated by one of its own coordinates, at
-// numbers and at symbols alike.
+// Forward differentiation: a value with its derivative along one direction, for force laws over their local
+// coordinates, both numerical and symbolic.
 
 #include <cmath>
 #include <concepts>
@@ -10,7 +10,7 @@
 
 namespace mbgen {
 
-/// x and dx/ds. T: double or a symbolic Expr. Derivatives that are zero are kept so: 0 times infinity is 0 here.
+/// x and dx/ds. T: double or a symbolic Expr. Zero derivatives remain zero: 0 times infinity is 0 here.
 template <class T>
 struct Slope {
   T value{0.0}, slope{0.0};
@@ -20,7 +20,7 @@ struct Slope {
   requires std::convertible_to<Number, T> Slope(const Number& constant) : value(constant) {}
   Slope(const T& x, const T& dx) : value(x), slope(dx) {}
 
-  /// f(x) by the chain rule. derivative(): f'(x), asked where x moves.
+  /// f(x) by the chain rule. derivative(): f'(x), called only if dx/ds is not zero.
   template <class Derivative>
   static Slope chain(const Slope& x, const T& f, const Derivative& derivative) {
     return is_zero(x.slope) ? Slope(f) : Slope(f, derivative() * x.slope);
@@ -89,7 +89,7 @@ struct Slope {
     const T value = tanh(x.value);
     return chain(x, value, [&] { return T(1.0) - value * value; });
   }
-  /// x^y; x > 0 where y moves or is no whole number.
+  /// x^y; requires x > 0 if y varies or is no whole number.
   friend Slope pow(const Slope& x, const Slope& y) {
     using std::log, std::pow;
     const T value = pow(x.value, y.value);
@@ -98,7 +98,7 @@ struct Slope {
     return {value, by_base + by_exponent};
   }
 
-  /// a where condition >= 0, else b; the switch itself has no derivative.
+  /// a for condition >= 0, else b; the switch itself has no derivative.
   friend Slope select(const Slope& condition, const Slope& a, const Slope& b) {
     using mbgen::select;
     const bool stands = is_zero(a.slope) && is_zero(b.slope);

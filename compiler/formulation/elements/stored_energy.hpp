@@ -5,7 +5,7 @@
 
 namespace mbgen {
 
-/// J, of all elastic elements. The reader lets no law pass that is not integrated.
+/// Potential energy of all elastic elements, J. The reader refuses laws that are not integrated.
 template <class T>
 T stored_energy_of_all(const System<T>& system, const AppliedForces<T>& forces) {
   const detail::EnergyWork<T> work{system, forces};

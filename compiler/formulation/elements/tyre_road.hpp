@@ -6,7 +6,7 @@
 
 namespace mbgen {
 
-/// By index of the quantity.
+/// Value of a quantity by its index.
 template <class T>
 T shown(const TyreResult<T>& tyre, int quantity, int /*axis*/) {
   const T* values[] = {&tyre.load, &tyre.fx, &tyre.fy, &tyre.mz, &tyre.kappa, &tyre.alpha};
@@ -21,8 +21,8 @@ struct StateOf<Tyre> {
 
 namespace detail {
 
-/// Spin axis of the wheel in its carrying frame; the joint's own axis where they agree, so that the spin angle drops
-/// out.
+/// Spin axis of the wheel in its carrying frame; equal to the joint's own axis if possible, so that the spin angle
+/// cancels.
 template <class T>
 Vector<T> spin_axis(const System<T>& system, const Kinematics<T>& k, const Tyre& tyre, int body) {
   if (body == kGround) return constant<T>(tyre.axis);
@@ -35,7 +35,7 @@ Vector<T> spin_axis(const System<T>& system, const Kinematics<T>& k, const Tyre&
   return direction_in(system, k, body, constant<T>(tyre.axis), carrier);
 }
 
-/// Plane of the road under a wheel, at the place of its centre, as it was laid there, at rest.
+/// Plane of the road under a wheel at rest, at the position of the wheel centre.
 template <class T>
 struct RoadPlane {
   Vector<T> up;     ///< its unit normal, in the frame that carries the wheel
@@ -43,9 +43,9 @@ struct RoadPlane {
   T friction{1.0};  ///< factor of the tyre's friction
 };
 
-/// The plane under a wheel: that of the tyre's envelope, or the one that touches the road straight below the centre.
-/// The latter is one look at the road, no search: with the road's curvature c (1/m) and slope p against the wheel, the
-/// nearest point of the road is closer by about c h^2 p^2 / 2 than this plane, h its distance.
+/// The plane under a wheel: from the tyre's envelope, or tangential to the road vertically below the centre. The latter
+/// needs one evaluation of the road instead of a search: with the road's curvature c (1/m) and slope p relative to the
+/// wheel, the nearest point of the road is closer by about c h^2 p^2 / 2 than this plane, h its distance.
 template <class T>
 RoadPlane<T> road_plane(const ForceWork<T>& work, const Tyre& tyre) {
   using std::sqrt;
@@ -81,7 +81,7 @@ inline Turning turning_of(const Tyre& tyre) {
   return tyre.turn_slip ? Turning::turn_slip : Turning::patch;
 }
 
-/// A wheel in the axes of the frame that carries it. road: what it stands on.
+/// A wheel in the axes of the frame that carries it. road: plane under it.
 template <class T>
 WheelMotion<T> wheel_motion(const ForceWork<T>& work, const Tyre& tyre, std::size_t index, const RoadPlane<T>& road) {
   const System<T>& system = work.system;
@@ -99,7 +99,7 @@ WheelMotion<T> wheel_motion(const ForceWork<T>& work, const Tyre& tyre, std::siz
   return wheel;
 }
 
-/// The contact of a wheel, and where it is: m, from the point that the wheel body's motion is about.
+/// The contact of a wheel and its position, m, from the reference point of the wheel body's motion.
 template <class T>
 struct PlacedContact {
   RoadContact<T> contact;
@@ -111,7 +111,7 @@ PlacedContact<T> placed_contact(const ForceWork<T>& work, const Tyre& tyre, cons
   return {contact, arm_of(work.system, work.k, work.place(tyre.centre), work.v.about) + contact.down};
 }
 
-/// Properties of a mounted tyre; value: of a quantity of the tyre with the meaning of its name.
+/// Properties of a mounted tyre; value: of one of the tyre's quantities, named by its meaning.
 template <class T, class Value>
 TyreProperties<T> tyre_properties(const Tyre& tyre, const Value& value) {
   TyreProperties<T> properties{value(tyre.radius, "radius"),
@@ -137,7 +137,7 @@ TyreProperties<T> tyre_properties(const Tyre& tyre, const Value& value) {
   return properties;
 }
 
-/// Calls use(set) with a tyre's set of coefficients as its model has them.
+/// Calls use(set) with a tyre's set of coefficients in the form of its model.
 template <class T, class Use>
 auto with_tyre_set(TyreModel model, const std::vector<T>& coefficients, const Use& use) {
   if (model == TyreModel::mf61) return use(MagicFormula61<T>::from_fields(coefficients.data()));
@@ -152,7 +152,7 @@ TyreResult<T> tyre_law(TyreModel model, const std::vector<T>& coefficients, cons
   return with_tyre_set(model, coefficients, [&](const auto& set) { return tyre_forces(set, properties, contact); });
 }
 
-/// Properties of a tyre where it stands, named; over A: T, or Slope<T>.
+/// Properties of a mounted tyre, named; over A: T, or Slope<T>.
 template <class A, class T>
 TyreProperties<A> properties_on(const ForceWork<T>& work, const Tyre& tyre, const RoadPlane<T>& road) {
   TyreProperties<A> properties = tyre_properties<A>(
@@ -169,7 +169,7 @@ TyreResult<T> tyre_result(const ForceWork<T>& work, const Tyre& tyre, const Tyre
   return tyre_law(tyre.model, coefficients, properties, contact);
 }
 
-/// Leaves a tyre to a law that several share. Result: false where it shares none.
+/// Leaves a tyre to a shared law. Result: false for a tyre without one.
 template <class T>
 bool act_by_shared_law(ForceWork<T>& work, const Tyre& tyre, std::size_t i, const TyreProperties<T>& properties,
                        const WheelMotion<T>& wheel) {

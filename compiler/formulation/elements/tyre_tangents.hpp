@@ -1,6 +1,6 @@
 #pragma once
-// Tangents of a tyre: of its load by the deflection and its rate, of its forces in the road's plane, with the rates of
-// its deflection states, by the velocities of the slips and these states, and of its moment against turning.
+// Tangents of a tyre: of its load by the deflection and its rate; of its forces in the road's plane and the rates of
+// its deflection states by the velocities of the slips and these states; of its moment against turning.
 
 #include "compiler/formulation/elements/element_tangents.hpp"
 #include "compiler/formulation/elements/tyre_road.hpp"
@@ -14,7 +14,7 @@ struct PlaneForces {
   T fx, fy;
 };
 
-/// Derivatives of the forces in the plane by the slips, as the law of the tyre's set has them.
+/// Derivatives of the forces in the plane by the slips, from the law of the tyre's set.
 template <class T>
 struct SlipStiffness {
   PlaneForces<T> by_kappa, by_alpha;
@@ -37,7 +37,7 @@ SlipStiffness<T> slip_stiffness(const Set& set, const TyreProperties<Slope<T>>& 
           forces(S(slip.kappa.value), S(slip.alpha.value, T(1.0)))};
 }
 
-/// Fills what the law of a set gives: set, properties and contact over Slope, with no direction yet.
+/// Derivatives from the law of a set: set, properties and contact over Slope, with no direction yet.
 template <class Set, class T>
 void add_law(const Set& set, const TyreProperties<Slope<T>>& properties, const TyreContact<Slope<T>>& contact,
              ElementTangents<T>& element) {
@@ -74,8 +74,8 @@ void add_law(const Set& set, const TyreProperties<Slope<T>>& properties, const T
   }
 }
 
-/// Fills what the patch of a tyre with turning gives: its coordinate and its state are the last ones. The decay
-/// of the turn by the motion of the patch over the road is left out: it is never stiff.
+/// Derivatives of the patch of a tyre with turning; its coordinate and its state are the last ones. The decay of the
+/// rotation by the motion of the patch over the road is omitted: it is never stiff.
 template <class Set, class T>
 void add_turning(const Set& set, const TyreProperties<Slope<T>>& properties, const TyreContact<Slope<T>>& contact,
                  ElementTangents<T>& element) {
@@ -92,7 +92,7 @@ void add_turning(const Set& set, const TyreProperties<Slope<T>>& properties, con
   element.rate_by_velocity[2][3] = by_rate.dturn.slope;
 }
 
-/// Local coordinates: slip along the wheel, motion to the left, motion up, of the contact point; with turning also the
+/// Local coordinates of the contact point: slip along the wheel, motion to the left, motion up; with turning also the
 /// rotation about the road's normal.
 template <class T>
 ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_t index) {
@@ -126,8 +126,8 @@ ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_
     ElementTangents<T> element = element_tangents<T>(std::move(coordinates), std::move(states));
     add_law(set, properties, motion, element);
     if (tyre.parking) add_turning(set, properties, motion, element);
-    // So that the matrix of a vehicle is, and a half of it is worked on; but no forces by turn slip without their
-    // mirror.
+    // The matrix of a vehicle then is symmetric, and half of it is sufficient; not for forces by turn slip, which have
+    // no symmetric counterpart.
     element.counts_as_symmetric = !tyre.turn_slip;
     return element;
   });

@@ -1,12 +1,12 @@
 #pragma once
-// Tangents of the states of the user's own.
+// Tangents of the user's states.
 
 #include "compiler/formulation/elements/element_tangents.hpp"
 
 namespace mbgen {
 namespace detail {
 
-/// The states of the user's own, each an element without a force.
+/// The user's states, each as an element without a force.
 template <class T>
 void state_tangents(ForceWork<T>& work, std::vector<ElementTangents<T>>& elements) {
   using S = Slope<T>;

@@ -1,5 +1,5 @@
 #pragma once
-// States of the user's own: what expressions see of them and of the lengths of springs, and their rates.
+// The user's states: values for expressions, lengths of springs for expressions, and rates.
 
 #include <cstddef>
 #include <set>
@@ -10,7 +10,7 @@
 namespace mbgen {
 namespace detail {
 
-/// Of springs, air springs and rods, those whose length or rate an expression of the model looks at.
+/// Numbers of the springs, air springs and rods with their length or rate in an expression of the model.
 inline std::set<int> lengths_looked_at(const Model& model) {
   using Kind = ExpressionNode::Kind;
   std::set<int> looked_at;
@@ -22,7 +22,7 @@ inline std::set<int> lengths_looked_at(const Model& model) {
 
 }  // namespace detail
 
-/// Gives expressions the states of the user's own, the sampled values, and those lengths that one looks at.
+/// Sets the user's states, the sampled values, and the used lengths for expressions.
 template <class T>
 void see_states_and_lengths(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v) {
   const Model& model = system.model;
@@ -45,7 +45,7 @@ void see_states_and_lengths(System<T>& system, const Kinematics<T>& k, const Vel
 
 namespace detail {
 
-/// Rates of the states of the user's own.
+/// Rates of the user's states.
 template <class T>
 void user_states(ForceWork<T>& work) {
   const Model& model = work.system.model;
@@ -60,9 +60,8 @@ void user_states(ForceWork<T>& work) {
 
 }  // namespace detail
 
-/// The auxiliary states that hold between instants, as they are after those of `due` are set. due: per sampled value,
-/// 1 where its instant is now, else 0; loads: see reaction_loads, none where no value is a load.
-/// Requires: see_states_and_lengths.
+/// Auxiliary states that are constant between instants, after the values of `due` are set. due: per sampled value, 1 if
+/// its instant is now, else 0; loads: see reaction_loads, none if no value is a load. Requires: see_states_and_lengths.
 template <class T>
 std::vector<T> sampled_states(System<T>& system, const std::vector<T>& due, const std::vector<T>& loads) {
   using mbgen::select;
@@ -74,7 +73,7 @@ std::vector<T> sampled_states(System<T>& system, const std::vector<T>& due, cons
     const SampledValue& sampled = model.sampled[i];
     const auto heading = system.scribe.within(OwnerKind::sampled, i);
     const T is_due = due[i] - T(0.5);
-    // The last of those that wait is the next to take effect, and each moves up.
+    // The last pending value takes effect next, and each moves up by one.
     T next = sampled.load ? loads[i] : value_of(model, sampled.value, system.environment);
     for (int k = 0; k < sampled.delay; ++k, ++waiting) {
       const T before = seen[waiting];

@@ -1,16 +1,16 @@
 #pragma once
 // A wheel on a plane road: from the motion of the wheel to the contact of its tyre, and from the tyre's forces to the
-// wheel. All vectors in the axes of one frame, whichever.
+// wheel. All vectors are in the axes of one common frame.
 
 #include "compiler/formulation/vector.hpp"
 #include "mbgen/tyres/tyre.hpp"
 
 namespace mbgen {
 
-/// Motion of a wheel, as its tyre sees it.
+/// Motion of a wheel, as input of its tyre.
 template <class T>
 struct WheelMotion {
-  Vector<T> up, axis;           ///< unit: the road's normal, the wheel's axis (the one to the left)
+  Vector<T> up, axis;           ///< unit: the road's normal, the wheel's axis (to the left)
   T height{0.0};                ///< of the wheel centre above the road, along its normal, m
   Vector<T> velocity, angular;  ///< of the wheel centre, m/s; of the wheel, rad/s
   T u{0.0}, v{0.0};             ///< deflection states of the tyre, m
