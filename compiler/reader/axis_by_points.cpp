@@ -11,7 +11,8 @@
 namespace mbgen::reading {
 namespace {
 
-constexpr double kNearest = 1e-6;  ///< m: nearer points have no direction, hardpoint tables leave micrometres
+constexpr double kNearest =
+    1e-6;  ///< m: nearer points have no reliable direction, since hardpoint tables round to micrometres
 constexpr Vector3 kNowhere = {kUnreadable, kUnreadable, kUnreadable};
 
 /// One end of an axis in the axes of the current scope: constants, a hardpoint, or a point of a body.
@@ -64,14 +65,14 @@ void read_axis_by_points(Reader& reader, const Value& value, Vector3& target) {
 void turn_axis_by_points(const Reader& reader, const Value* written, int body, Vector3& axis) {
   if (body < 0 || !written) return;
   const auto index = static_cast<std::size_t>(body);
-  if (reader.names.body_scopes[index] != reader.scope) return;  // its axes are those of the file where it stands
+  if (reader.names.body_scopes[index] != reader.scope) return;  // its axes are axes of its own file
   turn_axis_by_points(*written, reader.body_frames[index].rotation, axis);
 }
 
 void turn_axis_by_points(const Value& written, const Matrix3& rotation, Vector3& axis) {
   if (written.kind != Value::Kind::object || std::isnan(axis[0])) return;
   axis = rotated(without_rest(transposed(rotation)), axis);
-  // A rest of turning would give coordinates other names and the equations more terms.
+  // Rounding errors of rotations would change names of coordinates and add terms to the equations.
   for (double& component : axis) component = without_rounding(component, 1);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Bodies that the reader adds: without mass, at a point of a body of the model.
+// Massless bodies added by the reader at a point of a body of the model.
 
 #include <string>
 
@@ -7,8 +7,7 @@
 
 namespace mbgen::reading {
 
-/// Adds a body without mass, with the frame of the body of `at` and that point alone. scope: whose names it has.
-/// Result: its only point.
+/// Adds a massless body with the frame of `at`'s body and a single point. scope: of its name. Result: this point.
 Attachment add_carried_body(Reader& reader, const std::string& name, const Where& where, const Attachment& at,
                             std::size_t scope);
 

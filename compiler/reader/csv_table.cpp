@@ -17,16 +17,16 @@
 namespace mbgen::reading {
 namespace {
 
-/// Endings of files that people make for models; of any other, which may be of the machine, messages show no text.
+/// File name extensions of data for models; messages show no text of other files, which may be system files.
 constexpr std::string_view kDataEndings[] = {".csv", ".tsv", ".txt", ".dat", ".tir", ".crg"};
 
-/// A field of a line, without blanks and quotes around it.
+/// A field of a line, without surrounding blanks and quotes.
 struct CsvField {
   std::string_view text;
   Place place;
 };
 
-/// Fields of the line that starts at `start`. Quotes keep the commas between them.
+/// Fields of the line that starts at `start`. Commas within quotes do not separate.
 std::vector<CsvField> fields_of(const Document& document, std::uint32_t file, std::size_t start, std::size_t end) {
   const std::string_view text = document.text;
   std::vector<CsvField> fields;
@@ -60,7 +60,7 @@ std::optional<double> number_of(std::string_view text) {
 
 bool is_shown(const Reader& reader, Place place) { return reader.documents[place.file].is_shown; }
 
-/// Index of a named column; nothing with a complaint.
+/// Index of a named column; nothing with a problem.
 std::optional<std::size_t> find_column(Reader& reader, const Value& table, std::string_view key,
                                        const std::string& wanted, const std::vector<CsvField>& header) {
   const std::size_t by_position = key == "x" ? 0 : 1;
@@ -79,7 +79,7 @@ std::optional<std::size_t> find_column(Reader& reader, const Value& table, std::
   return std::nullopt;
 }
 
-/// The number in a column of a line; nothing with a complaint.
+/// The number in a column of a line; nothing with a problem.
 std::optional<double> number_in(Reader& reader, const std::vector<CsvField>& fields, std::size_t column) {
   const CsvField& field = column < fields.size() ? fields[column] : fields.back();
   if (column >= fields.size()) {
@@ -97,7 +97,7 @@ std::optional<double> number_in(Reader& reader, const std::vector<CsvField>& fie
   return number;
 }
 
-/// Whether a file that a model names is one that its author made, to go by its name.
+/// Whether a file named by a model is data of its author, judged by its extension.
 bool has_ending_of_data(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });

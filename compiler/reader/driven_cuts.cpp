@@ -1,4 +1,4 @@
-// Joints that are driven where they are cut: their coordinates stand in the tree, on a body without mass.
+// Driven joints that are cut: their coordinates are in the tree, on a massless body.
 #include <fmt/format.h>
 
 #include "compiler/reader/carried_body.hpp"

@@ -1,4 +1,4 @@
-// Names of elements as messages call them.
+// Names of elements in messages.
 #include "compiler/reader/reader.hpp"
 
 namespace mbgen::reading {

@@ -1,6 +1,5 @@
 #pragma once
-// The table of fields: one per kind of object of the model format. It serves reading, the JSON Schema and the
-// documentation.
+// Table of fields of each kind of object of the model format, used for reading, JSON Schema and documentation.
 
 #include <optional>
 #include <span>
@@ -13,7 +12,7 @@
 
 namespace mbgen::reading {
 
-/// Kind of value that a field takes.
+/// Kind of value of a field.
 enum class Shape {
   boolean,
   number,  ///< constant; a number or an expression of untunable parameters
@@ -27,11 +26,11 @@ enum class Shape {
   place,            ///< a position, or "body.point"
   inertia,          ///< three or six quantities
   six_by_six,       ///< six rows of six quantities
-  axis,             ///< a letter with sign, or three constants, or two points where FieldInfo::by_points says so
+  axis,             ///< a letter with sign, or three constants, or two points if FieldInfo::by_points
   attachment,       ///< "body.point"
   attachments,      ///< two of them, up to FieldInfo::most
   coordinate,       ///< name of a coordinate
-  reference,        ///< name of another element, FieldInfo::of says of which map
+  reference,        ///< name of another element, in the map FieldInfo::of
   force,            ///< expression with FieldInfo::locals
   equation,         ///< number or name of a closure equation
   law,              ///< quantity or table
@@ -65,16 +64,16 @@ struct FieldInfo {
   Bound bound = Bound::none;
   Depends depends = Depends::all;
   bool angle = false;                             ///< {"deg": number} may be written
-  bool by_points = false;                         ///< an axis may go from one point to another: its reader turns it
-  bool at_start = false;                          ///< parameters that act at the start may stand in it
+  bool by_points = false;                         ///< an axis may be given by two points; its reader transforms it
+  bool at_start = false;                          ///< start parameters are allowed
   std::size_t longest = 256;                      ///< bytes of a text
   std::size_t most = 2;                           ///< points of Shape::attachments
-  std::span<const std::string_view> words = {};   ///< in the order of the enumeration they stand for
+  std::span<const std::string_view> words = {};   ///< in the order of their enumeration
   std::span<const std::string_view> locals = {};  ///< variables of a Shape::force expression
   std::string_view of = {};                       ///< kind of the objects inside
 };
 
-/// A number that is constant, with its value where it is absent.
+/// A constant number, with a default.
 inline FieldInfo constant_info(std::string_view name, std::string_view doc, std::string_view unit, double fallback,
                                Bound bound, Depends depends) {
   return {.name = name,
@@ -88,7 +87,7 @@ inline FieldInfo constant_info(std::string_view name, std::string_view doc, std:
 
 struct Reader;
 
-/// A row with the member of Object that it fills.
+/// A row with its member of Object.
 template <class Object>
 struct Field {
   FieldInfo info;
@@ -106,12 +105,12 @@ struct ObjectKind {
   std::string_view name;
   std::string_view doc;
   std::vector<FieldInfo> fields;
-  std::vector<std::string_view> exactly_one = {};  ///< of these fields one must be there, and only one
-  /// the second field must be there where the first one is
+  std::vector<std::string_view> exactly_one = {};  ///< exactly one of these fields is required
+  /// the second field is required if the first one is present
   std::vector<std::pair<std::string_view, std::string_view>> needs = {};
 };
 
-/// The kind of the objects that a table describes.
+/// The kind of object described by a table.
 template <class Object>
 ObjectKind kind_of(std::string_view name, std::string_view doc, std::vector<std::string_view> exactly_one = {},
                    std::vector<std::pair<std::string_view, std::string_view>> needs = {}) {
@@ -123,7 +122,7 @@ ObjectKind kind_of(std::string_view name, std::string_view doc, std::vector<std:
 /// Every kind, the whole file ("model") first.
 std::vector<ObjectKind> object_kinds();
 
-/// JSON text of the definitions of a schema: what fields share, then each of these kinds by its name.
+/// JSON text of the definitions of a schema: common parts of fields, then each of these kinds by its name.
 std::string schema_definitions(const std::vector<ObjectKind>& kinds);
 
 }  // namespace mbgen::reading

@@ -1,6 +1,6 @@
 #pragma once
-// Hardpoints: positions with names of their own, defined once and used by any body, joint, pose or instance. A body
-// gets a point at a hardpoint where something names it there: "arm.lower_ball".
+// Hardpoints: named positions, defined once and used by any body, joint, pose or instance. A body gets a point at a
+// hardpoint by a reference to it, as "arm.lower_ball".
 
 #include <map>
 #include <string>
@@ -24,7 +24,7 @@ struct Hardpoint {
 struct Hardpoints {
   std::vector<Hardpoint> list;
   NameMap<int> names;  ///< as the model knows them
-  /// Body and hardpoint -> the point of the body that stands there, index into Body::points.
+  /// Body and hardpoint -> the body's point there, index into Body::points.
   std::map<std::pair<int, int>, int> points;
 };
 

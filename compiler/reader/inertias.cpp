@@ -1,4 +1,4 @@
-// Inertias, checked for each group of bodies that moves as one.
+// Checks of inertias, over each group of rigidly connected bodies.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 enum class Fault { none, indefinite, no_mass, triangle };
 
-/// A fault and how a message tells it.
+/// A fault and its message.
 struct Finding {
   Fault fault = Fault::none;
   std::string text;
@@ -44,7 +44,7 @@ std::array<double, 3> principal_moments(const std::array<double, 6>& entries) {
   return moments;
 }
 
-/// Fault of an inertia that no rigid body has. NaN has none: it was reported before.
+/// Fault of a physically impossible inertia. None for NaN, which has been reported.
 Finding finding_of(double mass, const std::array<double, 6>& inertia) {
   if (std::any_of(inertia.begin(), inertia.end(), [](double entry) { return std::isnan(entry); })) return {};
   const auto [smallest, middle, largest] = principal_moments(inertia);
@@ -72,7 +72,7 @@ void add_point_mass(std::array<double, 6>& inertia, double mass, const Vector3& 
   inertia[5] -= mass * d[1] * d[2];
 }
 
-/// Complains about the fault of a body's inertia, or notes why it is accepted.
+/// Reports the fault of a body's inertia, or notes the reason for accepting it.
 void judge(Reader& reader, int body, const Finding& alone, const std::vector<int>& groups) {
   const WrittenInertia& written = reader.inertias[body];
   const InScope in_scope(reader, reader.names.body_scopes[body]);

@@ -1,4 +1,4 @@
-// Second rates of inputs that move a joint, where the model has the first only.
+// Second rates of inputs for motions, added if the model has only the first.
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 namespace mbgen::reading {
 namespace {
 
-/// The inputs that motions look at.
+/// Inputs used by motions.
 std::set<int> inputs_of_motions(const Model& model) {
   std::set<int> inputs;
   for (const Motion& motion : model.motions) {

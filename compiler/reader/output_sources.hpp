@@ -1,5 +1,5 @@
 #pragma once
-// Sources of outputs: what the readers of them share.
+// Sources of outputs: common parts of their readers.
 
 #include <array>
 #include <initializer_list>
@@ -43,7 +43,7 @@ inline constexpr std::array<std::string_view, 29> kQuantityWords = {"position",
                                                                     "kingpin_inclination",
                                                                     "deflection"};
 
-/// Calls use(KindOf<Kind>{}) for the first kind of every source that is an element and shows something.
+/// Calls use(KindOf<Kind>{}) for the first kind of every source that is an element with quantities.
 template <class Use>
 constexpr void each_element_source(const Use& use) {
   int index = 0;
@@ -58,7 +58,8 @@ constexpr void each_element_source(const Use& use) {
   });
 }
 
-/// An output has one of them. Tyres, whose outputs are those of their wheels too, stand before the other elements.
+/// Sources of an output, exactly one per output. Tyres, also the source of outputs of wheels, precede the other
+/// elements.
 constexpr auto kOutputSources = [] {
   constexpr std::string_view before[] = {"expression", "point", "points", "body", "bodies", "joint", "tyre"};
   constexpr std::string_view after[] = {"elements", "motion", "reaction", "multiplier"};
@@ -77,34 +78,34 @@ constexpr auto kOutputSources = [] {
   return sources;
 }();
 
-/// Of a point or a coordinate.
+/// Quantities of a point or a coordinate.
 inline constexpr std::array kMotionQuantities = {Quantities::position, Quantities::velocity, Quantities::acceleration};
 
-/// The source of an output and the unit it has by itself.
+/// The source of an output and its SI unit.
 struct Resolved {
   decltype(Output::source) source;
   std::string unit;
 };
 
-/// Complains about a field that an output of `source` does not take.
+/// Reports a field that an output of `source` does not have.
 void refuse(Reader& reader, const Value& value, std::string_view key, std::string_view source);
 
-/// Complains where a field that an output of `source` needs is not there.
+/// Reports a missing field of an output of `source`.
 void require(Reader& reader, const Value& value, std::string_view key, std::string_view source);
 
-/// The quantity, when the source has it, else the first quantity of the source, with a complaint.
+/// The quantity if the source has it, else the first quantity of the source, with a problem.
 Quantities quantity_of(Reader& reader, const Value& value, const OutputFields& output,
                        std::span<const Quantities> allowed, std::string_view source);
 
-/// Index of a named element, or -1 with a complaint.
+/// Index of a named element, or -1 with a problem.
 int find_element(Reader& reader, const Value& value, std::string_view key, const NameMap<int>& names);
 
-/// A joint, a rod or a coupling by its name; all -1 with a complaint.
+/// A joint, a rod or a coupling by its name; all -1 with a problem.
 struct Connection {
   int joint = -1, rod = -1, coupling = -1;
 };
 
-/// couplings: whether the name may be that of a coupling.
+/// couplings: whether couplings are allowed.
 Connection find_connection(Reader& reader, const Value& value, std::string_view key, const std::string& name,
                            bool couplings);
 
@@ -115,10 +116,10 @@ Resolved body_output(Reader& reader, const Value& value, const OutputFields& out
 Resolved bodies_output(Reader& reader, const Value& value, const OutputFields& output);
 Resolved wheel_output(Reader& reader, const Value& value, const OutputFields& output, Quantities quantity);
 
-/// A quantity of the element that a source names; fails where its force is not integrated and its energy is asked for.
+/// A quantity of a source's element; fails for the energy of a force that is not integrated.
 Resolved element_output(Reader& reader, const Value& value, const OutputFields& output, std::string_view source);
 
-/// Energy that all elements hold; likewise.
+/// Potential energy of all elements; likewise.
 Resolved elements_output(Reader& reader, const Value& value, const OutputFields& output);
 
 /// Unit of a position, velocity or acceleration.

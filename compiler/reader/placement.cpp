@@ -1,4 +1,4 @@
-// Positions of instances, and the bodies, points, axes and forces inside them in global axes.
+// Poses of instances, and their bodies, points, axes and forces in global axes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ Matrix3 flipped_columns(const Matrix3& matrix, const Vector3& flip) {
   return result;
 }
 
-/// flip * matrix * flip: a rotation as the mirrored frame sees it.
+/// flip * matrix * flip: a rotation in the mirrored frame.
 Matrix3 flipped_both(const Matrix3& matrix, const Vector3& flip) {
   return transposed(flipped_columns(transposed(flipped_columns(matrix, flip)), flip));
 }
@@ -37,8 +37,8 @@ Placement composed(const Placement& outer, const Placement& inner) {
   return result;
 }
 
-/// The written vector's components turn into those in the frame of a body by this matrix: that of a body of the same
-/// scope took the flip along, others stand in the model by themselves.
+/// Matrix from a written vector's components to the frame of a body: for a body of the same scope the frame includes
+/// the flip, other bodies are not mirrored.
 Matrix3 to_body_frame(const Reader& reader, int body) {
   const Placement& placement = current_scope(reader).placement;
   const auto index = static_cast<std::size_t>(body);
@@ -86,7 +86,7 @@ int add_multiple(Expression& sum, double factor, const Expression& term) {
                       : add_call(sum, Function::multiply, value, add_number(sum, factor));
 }
 
-/// Sign that a rotation about `axis` (a displacement along it) gets, beside the effect of the flip on the axis.
+/// Sign of a rotation about `axis` (a displacement along it), apart from the effect of the flip on the axis.
 double sense(const Scope& scope, const Vector3& axis, FreedomKind kind) {
   const double mirrored = kind == FreedomKind::revolute ? handedness(scope.placement) : 1;
   if (!scope.keeps_direction) return mirrored;
@@ -115,7 +115,7 @@ Placement read_placement(Reader& reader, const InstanceFields& instance) {
   return placement;
 }
 
-/// Complains about connections of bodies that the subsystem does not list, or to bodies that are not there.
+/// Reports connections of unknown bodies, or to unknown bodies.
 void check_connections(Reader& reader, const Scope& scope) {
   std::vector<std::string_view> known;
   for (const FileFields& file : scope.files) {
@@ -135,7 +135,7 @@ void check_connections(Reader& reader, const Scope& scope) {
 Quantity combination(Reader& reader, const Vector3& factors, const Vector3Quantity& quantities, double constant) {
   std::vector<Expression>& expressions = reader.model.expressions;
   Quantity result(constant);
-  double number = constant;  // what does not depend on parameters
+  double number = constant;  // part that is independent of parameters
   Expression sum;
   int total = -1;
   for (std::size_t i = 0; i < 3; ++i) {

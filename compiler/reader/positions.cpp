@@ -1,4 +1,4 @@
-// Hardpoints, and the points of bodies that stand at them.
+// Hardpoints, and points of bodies at hardpoints.
 #include "compiler/reader/positions.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 namespace mbgen::reading {
 namespace {
 
-/// A position of a scope in the coordinates of a body frame, both as the scope writes them.
+/// A position of a scope in the coordinates of a body frame, both as written in the scope.
 Vector3Quantity in_frame(Reader& reader, const Pose& frame, const Vector3Quantity& position) {
   const auto& [x, y, z] = frame.origin;
   return transformed(reader, without_rest(transposed(frame.rotation)), moved(reader, position, {-x, -y, -z}));
@@ -26,7 +26,7 @@ Vector3Quantity between(Reader& reader, const Vector3Quantity& position, std::si
   return transformed(reader, transposed(axes_of(end)), moved(reader, in_model, {-x, -y, -z}));
 }
 
-/// The first tunable parameter that a position follows from.
+/// The first tunable parameter in a position.
 std::optional<std::string> tunable_parameter(const Model& model, const Vector3Quantity& position) {
   for (const Quantity& quantity : position) {
     if (quantity.expression < 0) continue;
@@ -38,7 +38,7 @@ std::optional<std::string> tunable_parameter(const Model& model, const Vector3Qu
   return {};
 }
 
-/// Name of a body's point at a hardpoint: the hardpoint's name in the scope of the body, unless it is taken.
+/// Name of a body's point at a hardpoint: the hardpoint's name in the body's scope, unless it exists already.
 std::string name_of_point(const Reader& reader, const Hardpoint& hardpoint, int body) {
   const Level& level = reader.scopes[reader.names.body_scopes[static_cast<std::size_t>(body)]].visible.front();
   const std::vector<Point>& points = reader.model.bodies[static_cast<std::size_t>(body)].points;
@@ -51,7 +51,7 @@ std::string name_of_point(const Reader& reader, const Hardpoint& hardpoint, int 
   return name;
 }
 
-/// The point of a body at a hardpoint; the body gets it when it is first asked for.
+/// The point of a body at a hardpoint, created at the first reference.
 Attachment attached(Reader& reader, int body, int index) {
   const auto [place, is_new] = reader.hardpoints.points.try_emplace({body, index}, -1);
   if (is_new) {
@@ -165,7 +165,7 @@ Vector3Quantity position_on_body(Reader& reader, int hardpoint, int body) {
   const std::size_t scope = reader.names.body_scopes[index];
   const Vector3Quantity written =
       in_frame(reader, reader.body_frames[index], between(reader, found.position, found.scope, scope));
-  const Vector3& flip = reader.scopes[scope].placement.flip;  // the frame of a mirrored body took it along
+  const Vector3& flip = reader.scopes[scope].placement.flip;  // included in the frame of a mirrored body
   return transformed(reader, {flip[0], 0, 0, 0, flip[1], 0, 0, 0, flip[2]}, written);
 }
 
@@ -173,7 +173,7 @@ Attachment find_point(Reader& reader, int body, const std::string& name) {
   const NameMap<int>& points = reader.names.points[static_cast<std::size_t>(body)];
   const Visibility& of_body = reader.scopes[reader.names.body_scopes[static_cast<std::size_t>(body)]].visible;
   const Visibility& of_user = current_scope(reader).visible;
-  const bool is_inside = of_body.size() > of_user.size();  // the inner names come first, from both sides
+  const bool is_inside = of_body.size() > of_user.size();  // inner names take precedence, on both sides
   for (const Visibility* visible : {is_inside ? &of_body : &of_user, is_inside ? &of_user : &of_body}) {
     for (const Level& level : *visible) {
       const std::string full = full_name(level, name);

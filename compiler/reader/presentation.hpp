@@ -1,5 +1,5 @@
 #pragma once
-// Presentation of a value of the interface beside its name: its description, range and units.
+// Presentation of an interface value: description, range and units.
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ inline FieldInfo prose_field(std::string_view name, std::string_view doc) {
   return {.name = name, .shape = Shape::text, .doc = doc, .longest = kLongestDescription};
 }
 
-/// The rows of Presentation, for the table of a kind that has it.
+/// The rows of Presentation, for the table of a kind with it.
 template <class F>
 std::array<Field<F>, 5> presentation_fields() {
   const auto number = [](std::string_view name, std::string_view doc, Bound bound) {
@@ -48,12 +48,12 @@ std::array<Field<F>, n + m> joined(const std::array<Field<F>, n>& first, const s
   return all;
 }
 
-/// Checks a range and the units of a value of the interface: display_unit must be of the dimension of `unit`. Notes a
-/// unit that mbgen does not know. value: the object that is written; given: the value itself, where it has one.
+/// Checks range and units of an interface value: display_unit must have the dimension of `unit`. Notes an unknown unit.
+/// value: the object written; given: the value itself, if any.
 void check_presentation(Reader& reader, const Value& value, const std::string& unit, const Presentation& shown,
                         std::optional<double> given);
 
-/// Complains about a unit other than that in which the value is: no value is ever converted.
+/// Reports a unit other than the unit of the value: values are never converted.
 void check_unit_of(Reader& reader, const Value& value, const std::string& unit, std::string_view known);
 
 }  // namespace mbgen::reading

@@ -1,6 +1,5 @@
 #pragma once
-// Objects of the model format that are not structs of the Model one to one: the tables fill them, later functions
-// resolve them.
+// Objects of the model format without a one-to-one struct in Model: filled by the tables, resolved by later functions.
 
 #include <array>
 #include <optional>
@@ -13,7 +12,7 @@
 
 namespace mbgen::reading {
 
-/// The section of a kind of element, used of the first kind in it.
+/// The section of a kind of element, for the first kind in it.
 template <class Kind>
 struct SectionOf {
   const Value *section = nullptr;
@@ -23,7 +22,7 @@ struct SectionsOf;
 template <class... Kind>
 struct SectionsOf<Kinds<Kind...>> : SectionOf<Kind>... {};
 
-/// The whole file: its sections, read later because each needs the names of those before it.
+/// The whole file: its sections, read in order since each needs the names of those before it.
 struct FileFields : About, SectionsOf<ElementKinds> {
   std::size_t document = 0;  ///< index into Documents
   const Value *format = nullptr, *name = nullptr, *gravity = nullptr, *include = nullptr;
@@ -36,10 +35,10 @@ struct FileFields : About, SectionsOf<ElementKinds> {
   const Value *outputs = nullptr, *shapes = nullptr, *initial = nullptr, *solver = nullptr, *instances = nullptr;
 };
 
-/// Planes that a subsystem is mirrored about.
+/// Mirror planes of subsystems.
 enum class Mirror { xz, yz, xy };
 
-/// A subsystem as the model places it; entries that depend on parameters are read when those are known.
+/// A subsystem as placed by the model; entries with parameters are read after the parameters.
 struct InstanceFields {
   std::optional<std::string> file, prefix, suffix;
   const Value *offset = nullptr, *rotation = nullptr, *parameters = nullptr, *connect = nullptr;
@@ -86,17 +85,17 @@ struct JointFields : Joint {
   std::optional<bool> marked_cut;
 };
 
-/// A rod with its length as written, which may be a function of time and inputs.
+/// A rod with its length as written, possibly a function of time and inputs.
 struct RodFields : Rod {
   std::optional<Quantity> written_length;
 };
 
-/// A state with its derivative as written: read when the initial values of all are known.
+/// A state with its derivative as written: read after all initial values.
 struct UserStateFields : UserState, Presentation {
   const Value *written = nullptr;
 };
 
-/// A reaction as a load.
+/// A reaction as normal force.
 struct ReactionFields {
   std::optional<std::string> reaction;
   std::optional<ReactionOutput::What> quantity;
@@ -213,7 +212,7 @@ enum class Turn { first, second, third };
 /// Bodies or elements of an output of several.
 enum class BodySet { all };
 
-/// Name of the element of a kind that an output is of.
+/// Name of the element in an output of a kind.
 template <class Kind>
 struct SourceName {
   std::optional<std::string> element;
@@ -263,7 +262,7 @@ struct InitialFields {
   const Value *positions = nullptr, *velocities = nullptr, *orientations = nullptr;
 };
 
-// The tables, declared before a reader asks for one.
+// The tables, declared before their use.
 template <>
 std::span<const Field<FileFields>> fields<FileFields>();
 template <>

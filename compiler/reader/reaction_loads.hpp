@@ -1,5 +1,5 @@
 #pragma once
-// Reactions of joints and rods as loads: their fields, and what they name.
+// Reactions of joints and rods as normal forces: fields and resolution.
 
 #include <array>
 
@@ -12,7 +12,7 @@ namespace mbgen::reading {
 inline constexpr std::array<std::string_view, 2> kReactionQuantityWords = {"force", "moment"};
 inline constexpr std::array<std::string_view, 3> kLoadDirectionWords = {"whole", "across", "along"};
 
-/// The rows of ReactionFields, for the table of a kind that has it. doc: of the reaction.
+/// The rows of ReactionFields, for the table of a kind with it. doc: of the reaction.
 template <class F>
 std::array<Field<F>, 3> reaction_fields(std::string_view doc) {
   return {field<F, &F::reaction>({.name = "reaction", .shape = Shape::reference, .doc = doc, .of = "joints"}),
@@ -29,7 +29,7 @@ std::array<Field<F>, 3> reaction_fields(std::string_view doc) {
                                    .words = kLoadDirectionWords})};
 }
 
-/// The reaction that `fields` name; complains about fields that do not fit it. Requires: fields.reaction.
+/// The reaction named by `fields`; reports fields that do not apply to it. Requires: fields.reaction.
 ReactionLoad read_reaction(Reader& reader, const Value& value, const ReactionFields& fields);
 
 /// Unit of a load: N or N m.

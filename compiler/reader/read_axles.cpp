@@ -1,4 +1,4 @@
-// Axles: their wheels, from tyres or by themselves.
+// Axles: their wheels, from tyres or given individually.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ AxleWheel read_wheel(Reader& reader, const Value& value) {
   return wheel;
 }
 
-/// The element of that name that the rig may take away, as the model calls it; "" when there is none.
+/// The element of that name that a rig may remove, as named in the model; "" if there is none.
 std::string removable(const Reader& reader, const std::string& written) {
   const Model& model = reader.model;
   for (const Level& level : current_scope(reader).visible) {
@@ -84,13 +84,13 @@ void read_without(Reader& reader, const Value& value, Axle& axle) {
   }
 }
 
-/// y of a wheel's centre at the reference, m, global; nothing where its point could not be read.
+/// y of a wheel's centre at the reference, m, global; nothing for an unreadable point.
 std::optional<double> to_the_left(const Reader& reader, const AxleWheel& wheel) {
   if (wheel.centre.body < 0 || wheel.centre.point < 0) return std::nullopt;
   return reference_position(reader.model, wheel.centre)[1];
 }
 
-/// Refuses one wheel on both sides, and notes a left one that is on the right.
+/// Refuses one wheel on both sides, and notes a left wheel on the right.
 void check_wheel_sides(Reader& reader, const AxleFields& axle) {
   constexpr double kBeside = 1e-6;  // m
   const std::optional<double> left = to_the_left(reader, axle.left), right = to_the_left(reader, axle.right);

@@ -35,7 +35,7 @@ struct PointPlace {
 };
 using PointPlaces = std::vector<NameMap<PointPlace>>;
 
-/// Three quantities as the current scope writes them, or a hardpoint. Result: in the frame of the body.
+/// Three quantities as written in the current scope, or a hardpoint. Result: in the frame of the body.
 Vector3Quantity point_position(Reader& reader, int body, const Value& value) {
   const FieldInfo info{.name = "point", .shape = Shape::position, .depends = Depends::parameters};
   if (value.kind == Value::Kind::text) {
@@ -79,7 +79,7 @@ void read_points(Reader& reader, std::size_t body, const Value& value, PointPlac
   }
 }
 
-/// Index of the input that `value` names as the derivative of `input`, or -1 with a complaint.
+/// Index of the input named by `value` as derivative of `input`, or -1 with a problem.
 int derivative_of(Reader& reader, const Value& value, const InputFields& input) {
   const int index = find_named(reader, value, "input", reader.names.inputs);
   if (index < 0 || index != reader.names.inputs.find(input.name)->second) return index;
@@ -87,9 +87,9 @@ int derivative_of(Reader& reader, const Value& value, const InputFields& input) 
   return -1;
 }
 
-/// Complains about inputs with too many derivatives in a row: about the last that has one too many.
+/// Reports chains of too many derivatives, at the input with one too many.
 void refuse_long_rows(Reader& reader, const Entries& entries) {
-  constexpr int kMostDerivatives = 8;  // more than any signal is known by; each makes the emitted polynomials longer
+  constexpr int kMostDerivatives = 8;  // beyond any known signal; each one lengthens the emitted polynomials
   const std::vector<Input>& inputs = reader.model.inputs;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     int derivatives = 0;
@@ -104,7 +104,7 @@ void refuse_long_rows(Reader& reader, const Entries& entries) {
   }
 }
 
-/// Complains once about each circle of inputs that are derivatives of each other.
+/// Reports each cycle of inputs that are derivatives of each other, once.
 void refuse_circles(Reader& reader, const Entries& entries) {
   std::vector<Input>& inputs = reader.model.inputs;
   std::vector<int> met_from(inputs.size(), -1);
@@ -122,13 +122,13 @@ void refuse_circles(Reader& reader, const Entries& entries) {
   }
 }
 
-/// The value that an instance gives a parameter of its subsystem, or nullptr.
+/// An instance's value for a parameter of its subsystem, or nullptr.
 const Value* override_of(const Reader& reader, const Entry& entry) {
   const Value* overrides = reader.scopes[entry.scope].instance.parameters;
   return overrides ? find(*overrides, entry.written) : nullptr;
 }
 
-/// Complains about values for parameters that the subsystem does not have.
+/// Reports values for unknown parameters of a subsystem.
 void check_overrides(Reader& reader, const Entries& entries) {
   for (std::size_t i = 1; i < reader.scopes.size(); ++i) {
     const Scope& scope = reader.scopes[i];
@@ -152,7 +152,7 @@ void check_overrides(Reader& reader, const Entries& entries) {
   }
 }
 
-/// A parameter as its file has it, with the value of the instance where it gives one.
+/// A parameter of a file, with the value given by the instance, if any.
 void read_parameter(Reader& reader, const Entry& entry, ParameterFields& parameter) {
   const FieldInfo& value_info = fields<ParameterFields>()[0].info;
   const Value& value = *entry.value;
@@ -164,7 +164,7 @@ void read_parameter(Reader& reader, const Entry& entry, ParameterFields& paramet
   if (const Value* given = override_of(reader, entry)) {
     const InScope in_scope(reader, current_scope(reader).parent);
     read_value(reader, *given, value_info, parameter.quantity);
-    if (parameter.quantity.expression >= 0) parameter.tunable = false;  // it follows from the model's parameters
+    if (parameter.quantity.expression >= 0) parameter.tunable = false;  // it depends on the model's parameters
   } else if (parameter.tunable && parameter.quantity.expression >= 0) {
     report(reader, entry.place, in_quotes(entry.name) + " follows from tunable parameters and cannot be tuned itself",
            "leave out \"tunable\": it changes with them");
@@ -195,7 +195,7 @@ int add_body(Reader& reader, Body body, Place place, const Pose& written, Writte
   return index;
 }
 
-/// A body that the current scope defines, or points that one of its files adds to it.
+/// A body defined in the current scope, or points added to it by one of its files.
 void read_body(Reader& reader, const Entry& entry, PointPlaces& places) {
   BodyFields body = with_defaults<BodyFields>();
   body.name = entry.name;
@@ -216,7 +216,7 @@ void read_body(Reader& reader, const Entry& entry, PointPlaces& places) {
   if (body.point_list) read_points(reader, static_cast<std::size_t>(index), *body.point_list, places);
 }
 
-/// Points of a body that another scope defines.
+/// Points added to a body of another scope.
 void read_outer_points(Reader& reader, const Entry& entry, PointPlaces& places) {
   for (const Member& member : entry.value->members) {
     if (member.key == "points") continue;
@@ -244,7 +244,7 @@ void read_outer_points(Reader& reader, const Entry& entry, PointPlaces& places) 
          suggestion(reader, target.text, reader.names.bodies));
 }
 
-/// Reads a parameter as a study varies it.
+/// Reads a parameter with its value in a study.
 void vary(const Reader& reader, ParameterFields& parameter) {
   const auto varied = std::find_if(reader.varied.begin(), reader.varied.end(),
                                    [&](const VariedParameter& one) { return one.name == parameter.name; });
@@ -254,7 +254,7 @@ void vary(const Reader& reader, ParameterFields& parameter) {
   parameter.expression = -1;
 }
 
-/// Fields of a parameter's object beside its value.
+/// Checks the fields of a parameter's object beside its value.
 void check_parameter(Reader& reader, const Value& value, const ParameterFields& parameter) {
   if (value.kind != Value::Kind::object || find(value, "deg")) return;
   const Value* number = find(value, "value");

@@ -10,7 +10,7 @@
 namespace mbgen::reading {
 namespace {
 
-/// The coordinates whose positions stand in an expression, each once, as they come.
+/// Coordinates with positions in an expression, each once, in order of appearance.
 std::vector<CoordinateReference> positions_in(const Expression& expression) {
   std::vector<CoordinateReference> found;
   for (const ExpressionNode& node : expression.nodes) {

@@ -16,7 +16,7 @@ namespace {
 constexpr double kMostCells = 50000;  ///< of the plane around a reference line
 constexpr std::size_t kMostHeights = 2000000;
 
-/// Appends a table. Result: its place.
+/// Appends a table. Result: its index.
 int add_table(std::vector<double>& samples, const std::vector<double>& numbers) {
   const auto first = static_cast<int>(samples.size());
   samples.insert(samples.end(), numbers.begin(), numbers.end());
@@ -36,12 +36,12 @@ std::vector<double> line_of(const CrgRoad& road) {
   return line;
 }
 
-/// Columns by equal cells that are no wider than the narrowest column.
+/// Columns in equal cells, no wider than the narrowest column.
 void add_column_cells(const CrgRoad& road, std::vector<double>& samples, RoadGrid& grid) {
   double narrowest = INFINITY;
   for (std::size_t k = 1; k < road.v.size(); ++k) narrowest = std::min(narrowest, road.v[k] - road.v[k - 1]);
   const double width = road.v.back() - road.v.front();
-  // A little narrower, so that rounding puts no second border into a cell.
+  // Slightly narrower, so that rounding never puts two borders into a cell.
   const double count = std::min(std::ceil(1.001 * width / narrowest), 1e6);
   grid.column_cell = width / count;
   grid.column_cell_count = static_cast<int>(count);
@@ -49,15 +49,15 @@ void add_column_cells(const CrgRoad& road, std::vector<double>& samples, RoadGri
   std::size_t column = 0;
   for (int k = 0; k < grid.column_cell_count; ++k) {
     const double begin = road.v.front() + grid.column_cell * k;
-    // A border within rounding of the beginning counts as behind it: the comparison that follows decides.
+    // A border within rounding of the begin counts as after it: the comparison that follows is decisive.
     while (column + 2 < road.v.size() && road.v[column + 1] <= begin - 1e-9 * width) ++column;
     cells.push_back(static_cast<double>(column));
   }
   grid.column_cells = add_table(samples, cells);
 }
 
-/// The first of the sections nearest to a place. longest: way between two neighbours, m; guess: a section near by.
-/// Sections that cannot be as near as the nearest one so far are passed over: with a good guess nearly all.
+/// The first of the sections nearest to a position. longest: distance of two neighbours, m; guess: a section near by.
+/// Sections that cannot be nearer than the nearest so far are skipped: nearly all for a good guess.
 std::size_t nearest_section(const CrgRoad& road, double longest, double x, double y, std::size_t guess) {
   constexpr double kRounding = 1e-9;
   const auto square_to = [&](std::size_t i) {
@@ -65,7 +65,7 @@ std::size_t nearest_section(const CrgRoad& road, double longest, double x, doubl
     return dx * dx + dy * dy;
   };
   std::size_t nearest = guess;
-  double least = square_to(guess) * (1 + kRounding), distance = std::sqrt(least);  // a little farther than the guess
+  double least = square_to(guess) * (1 + kRounding), distance = std::sqrt(least);  // slightly farther than the guess
   for (std::size_t i = 0; i < road.sections();) {
     const double square = square_to(i);
     if (square < least) {
@@ -104,8 +104,8 @@ void add_plane_cells(const CrgRoad& road, std::vector<double>& samples, RoadGrid
   grid.cells = add_table(samples, cells);
 }
 
-/// The files of a road, which name one another by $ROAD_CRG_FILE: their places in the documents, and their names as
-/// they are written. Fails: nothing, with a complaint.
+/// The files of a road, linked by $ROAD_CRG_FILE: their indices in the documents, and their names as written. Fails:
+/// nothing, with a problem.
 std::optional<std::vector<std::pair<std::size_t, std::string>>> files_of_road(Reader& reader, const Value& file) {
   constexpr std::size_t kMostFiles = 8;
   std::uint32_t index = 0;

@@ -1,4 +1,4 @@
-// Outputs of elements, and which laws have no potential energy that is known.
+// Outputs of elements, and laws without a known potential energy.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace mbgen::reading {
 namespace {
 
-/// Complains where the force of an element is not integrated. Result: whether it did.
+/// Reports a force of an element that is not integrated. Result: whether it did.
 template <class Element>
 bool tells_trouble(Reader& reader, const Value& value, const Element& element, const std::string& hint) {
   const std::string trouble = section_of<Element>().trouble(
@@ -20,7 +20,7 @@ bool tells_trouble(Reader& reader, const Value& value, const Element& element, c
   return true;
 }
 
-/// Quantities of all kinds that a source may name, each once.
+/// Quantities of all kinds of a source, each once.
 std::vector<Quantities> quantities_of(std::string_view source) {
   std::vector<Quantities> all;
   each_kind([&](auto kind) {
@@ -34,7 +34,7 @@ std::vector<Quantities> quantities_of(std::string_view source) {
   return all;
 }
 
-/// Whether some quantity of a source has components, all of them where `name` is empty.
+/// Whether a quantity of a source has components; any quantity if `name` is empty.
 bool has_components(std::string_view source, std::string_view name) {
   bool has = false;
   each_kind([&](auto kind) {
@@ -44,7 +44,7 @@ bool has_components(std::string_view source, std::string_view name) {
   return has;
 }
 
-/// The element that a source names: its kind and index, with a complaint where there is none, or several.
+/// The element of a source: its kind and index, with a problem for none or several.
 ElementOutput named_element(Reader& reader, const Value& value, std::string_view source) {
   const Value& written = *find(value, source);
   ElementOutput output;

@@ -1,4 +1,4 @@
-// Files: an included file is merged into its includer, a placed one becomes a scope of its own for each instance.
+// Files: an included file is merged into its includer, a placed one becomes a separate scope for each instance.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kDeepest = 32;            ///< files that include or place each other
-constexpr std::size_t kMostInstances = 10'000;  ///< far beyond what people place; nested ones multiply
+constexpr std::size_t kDeepest = 32;            ///< nesting of includes and instances
+constexpr std::size_t kMostInstances = 10'000;  ///< far beyond practical models; nested instances multiply
 
 std::string canonical(const std::string& path) {
   std::error_code error;
@@ -27,9 +27,9 @@ std::string canonical(const std::string& path) {
 /// State of the reading of all files.
 struct Loading {
   std::vector<std::string> open;  ///< canonical paths from the first file to the one being read
-  std::size_t bytes = 0;          ///< of text, of each instance again
-  bool complete = true;           ///< false when names that a file defines could not be read
-  /// The first scope of each prefix and suffix: those of the same have one set of names.
+  std::size_t bytes = 0;          ///< of text, counted again for each instance
+  bool complete = true;           ///< false if names defined in a file could not be read
+  /// The first scope of each prefix and suffix: scopes with equal ones have common names.
   std::map<std::pair<std::string, std::string>, std::size_t> levels = {{{}, 0}};
 };
 
@@ -37,8 +37,8 @@ void load(Reader& reader, Loading& loading, std::size_t document);
 
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
 
-/// Index of the parsed file, reading it when it is new; nothing, with a complaint, when it cannot be read or parsed.
-/// what: "include" or "file", as messages call it.
+/// Index of the parsed file, which is read if it is new; nothing, with a problem, if it cannot be read or parsed. what:
+/// "include" or "file", for messages.
 std::optional<std::size_t> open_file(Reader& reader, Loading& loading, const Value& item, const NamedFile& file,
                                      std::string_view what) {
   const auto fail = [&](std::string message, std::string hint = {}) {
@@ -66,7 +66,7 @@ std::optional<std::size_t> open_file(Reader& reader, Loading& loading, const Val
   Document& document = reader.documents[index];
   const std::size_t problems = reader.problems.size();
   document.parsed = parse_document(document, static_cast<std::uint32_t>(index), reader.problems);
-  if (reader.problems.size() > problems) loading.complete = false;  // what a second key hides is unknown, too
+  if (reader.problems.size() > problems) loading.complete = false;  // the content of a duplicate key is unknown too
   return document.parsed ? std::optional(index) : std::nullopt;
 }
 
@@ -80,14 +80,14 @@ void load_include(Reader& reader, Loading& loading, const std::string& file, con
   if (const auto document = open_file(reader, loading, item, named, "include")) load(reader, loading, *document);
 }
 
-/// Complains about a section that is no object.
+/// Reports a section that is no object.
 bool is_map(Reader& reader, const Value& section) {
   if (section.kind == Value::Kind::object) return true;
   report(reader, section, "must be an object of named elements, got " + describe(section));
   return false;
 }
 
-/// Complains about affixes that make no names.
+/// Reports affixes that give no valid names.
 bool check_affixes(Reader& reader, const Value& value, const Scope& scope) {
   bool valid = true;
   for (const std::string_view key : {"prefix", "suffix"}) {
@@ -176,7 +176,7 @@ void load_parts(Reader& reader, Loading& loading, const Document& document, cons
   loading.open.pop_back();
 }
 
-/// Complains about a file of mbgen that is no model. Result: whether it is one.
+/// Reports a file of mbgen that is no model. Result: whether it is one.
 bool is_other_file(Reader& reader, const Document& document) {
   if (find(document.root, "mbgen")) return false;
   const std::string name = file_name(document.file);
@@ -194,7 +194,8 @@ bool is_other_file(Reader& reader, const Document& document) {
   return false;
 }
 
-/// Whether a key is like the name of a section: its own names are unknown, and all that use them would be told.
+/// Whether a key resembles the name of a section: its names are then unknown, and messages on their uses would be
+/// misleading.
 bool has_misspelt_section(const Value& root) {
   std::vector<std::string_view> known;
   for (const Field<FileFields>& row : fields<FileFields>()) known.push_back(row.info.name);

@@ -1,4 +1,4 @@
-// Roads of a host: their inputs, and the plane that these tell.
+// Roads of a host: their inputs, and the plane given by them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 namespace mbgen::reading {
 namespace {
 
-/// The places of kHostInputs.
+/// Indices of kHostInputs.
 enum HostInput { kX, kY, kHeight, kSlopeX, kSlopeY, kFriction };
 
 std::string input_name(const std::string& road, int which) {
   return fmt::format("{}_{}", road, kHostInputs[static_cast<std::size_t>(which)]);
 }
 
-/// Reads a field as if the road had this text for it.
+/// Reads a field from this text, as if it were written in the road.
 void read_field(Reader& reader, std::string_view name, Place place, std::string text, RoadFields& road) {
   Value written;
   written.kind = Value::Kind::text;

@@ -1,4 +1,4 @@
-// The state at the start.
+// Initial state.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ bool has_parts(const Value& value) {
   return std::any_of(table.begin(), table.end(), [&](const auto& row) { return find(value, row.info.name); });
 }
 
-/// A number, or an object with that and how it gives way. Result: the number's text.
+/// A number, or an object with a number, its weight and its lock. Result: the number's text.
 const Value& read_initial_value(Reader& reader, const Value& value, const FieldInfo& info, InitialValue& target) {
   if (!has_parts(value)) {
     Quantity quantity;
@@ -33,7 +33,7 @@ const Value& read_initial_value(Reader& reader, const Value& value, const FieldI
   return member_or_object(value, "value");
 }
 
-/// 0 for a constant, 1 where it is linear in what it depends on, else 2.
+/// Degree of an expression: 0 constant, 1 linear, else 2.
 int degree(const Expression& expression) {
   std::vector<int> degrees;
   for (const ExpressionNode& node : expression.nodes) {
@@ -95,7 +95,7 @@ void read_initial_values(Reader& reader, const Value* values, std::string_view k
   }
 }
 
-/// Whether the model, not one of its instances, asks for it.
+/// Whether the model, as opposed to one of its instances, starts from equilibrium.
 bool asks_for_equilibrium(const std::vector<Part>& parts) {
   bool asks = false;
   for (const auto& [value, scope] : parts) {
@@ -111,7 +111,7 @@ void read_initial(Reader& reader, const std::vector<Part>& parts) {
   InitialFields fields = with_defaults<InitialFields>();
   Initial& initial = reader.model.initial;
   const bool balances = asks_for_equilibrium(parts);
-  reader.folds_tunable = !reader.varied.empty();  // who varies parameters finds the initial state of each value
+  reader.folds_tunable = !reader.varied.empty();  // a study computes the initial state for each value
   for (const auto& [value, scope] : parts) {
     const InScope in_scope(reader, scope);
     fields.positions = fields.velocities = fields.orientations = nullptr;
@@ -119,7 +119,7 @@ void read_initial(Reader& reader, const std::vector<Part>& parts) {
     read_initial_values(reader, fields.positions, "positions", !balances, initial.positions);
     read_initial_values(reader, fields.velocities, "velocities", true, initial.velocities);
     read_orientations(reader, fields.orientations, initial);
-    if (scope != 0) fields.equilibrium = false;  // a question of the whole model
+    if (scope != 0) fields.equilibrium = false;  // a property of the whole model
   }
   reader.folds_tunable = false;
   initial.equilibrium = fields.equilibrium;

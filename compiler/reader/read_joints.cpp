@@ -12,9 +12,9 @@
 namespace mbgen::reading {
 namespace {
 
-constexpr double kClosureTolerance = 1e-6;  ///< m: what a hardpoint table with micrometres leaves
+constexpr double kClosureTolerance = 1e-6;  ///< m: rounding of a hardpoint table in micrometres
 constexpr double kAngleTolerance = 1e-6;    ///< rad
-constexpr double kLeastLean = 1e-3;         ///< sine of the angle of an axle or blade against the normal of its plane
+constexpr double kLeastLean = 1e-3;         ///< sine of the angle of an axle or blade to the normal of its plane
 constexpr std::string_view kLetters = "xyz";
 
 bool has_axis(JointType type) {
@@ -26,13 +26,13 @@ bool has_axis(JointType type) {
 
 bool has_radius(JointType type) { return type == JointType::rolling_disc || type == JointType::rolling_ball; }
 
-/// Whether the axis of `to` is the axis of `from` in all positions.
+/// Whether the axis of `to` equals the axis of `from` in all positions.
 bool shares_axis(JointType type) {
   return type == JointType::revolute || type == JointType::prismatic || type == JointType::cylindrical ||
          type == JointType::planar || type == JointType::parallel_axes;
 }
 
-/// Index of the frame axis that a direction lies along, or -1 for a skew one.
+/// Index of the frame axis along a direction, or -1 for a skew one.
 int letter_index(const Vector3& direction) {
   for (int i = 0; i < 3; ++i) {
     if (std::abs(direction[static_cast<std::size_t>(i)]) == 1) return i;
@@ -60,7 +60,7 @@ void add_planar(std::vector<Freedom>& freedoms, const std::string& name, const V
         freedom(name, FreedomKind::revolute, kLetters.substr(static_cast<std::size_t>(letter), 1), normal));
     return;
   }
-  // The frame axis farthest from the normal, made perpendicular to it.
+  // The frame axis with the largest angle to the normal, made perpendicular to it.
   const auto smallest =
       std::min_element(normal.begin(), normal.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
   Vector3 second = cross(normal, unit(static_cast<int>(smallest - normal.begin())));
@@ -71,7 +71,7 @@ void add_planar(std::vector<Freedom>& freedoms, const std::string& name, const V
   freedoms.push_back(freedom(name, FreedomKind::revolute, "z", normal));
 }
 
-/// Freedoms in the order the joint applies them, axes in the frame of `from`. Requires: axes and sequence were read.
+/// Freedoms in their order in the joint, axes in the frame of `from`. Requires: axes and sequence were read.
 std::vector<Freedom> freedoms_of(const JointFields& joint) {
   const std::string& name = joint.name;
   const Vector3 axis = joint.written_axis.value_or(Vector3{}), axis2 = joint.axis2.value_or(Vector3{});
@@ -123,7 +123,7 @@ std::vector<Freedom> freedoms_of(const JointFields& joint) {
   return freedoms;
 }
 
-/// Complains about axes that are missing or have no meaning for the type. Result: whether the freedoms can be named.
+/// Reports missing axes, and axes that the type does not have. Result: whether the freedoms can be named.
 bool check_fields(Reader& reader, const Value& value, const JointFields& joint) {
   const std::string type = find(value, "type")->text;
   const char* article = type == "orientation" ? "an" : "a";
@@ -162,7 +162,7 @@ bool check_sequence(Reader& reader, const Value& value, const JointFields& joint
   return false;
 }
 
-/// angle: of the axle or blade against the normal of the plane, rad.
+/// angle: of the axle or blade to the normal of the plane, rad.
 void check_axis_on_plane(Reader& reader, const Value& value, const JointFields& joint, double angle) {
   if (std::sin(angle) >= kLeastLean) return;
   const bool is_disc = joint.type == JointType::rolling_disc;
@@ -207,7 +207,7 @@ void check_place(Reader& reader, const Value& value, const JointFields& joint, c
   const Vector3 axis = placed_axis(reader, joint.from.body, *joint.written_axis, FreedomKind::prismatic);
   const bool is_line = joint.type == JointType::point_on_line;
   const double off = is_line ? norm(cross(gap, axis)) : std::abs(dot(gap, axis));
-  if (off <= kClosureTolerance || std::isnan(off)) return;  // what is not a number has its message
+  if (off <= kClosureTolerance || std::isnan(off)) return;  // NaN has been reported
   report(reader, *find(value, "to"),
          fmt::format("joint does not close at the reference, {} is {:.6g} m off the {}",
                      attachment_text(reader.model, joint.to), off, is_line ? "line" : "plane"),
@@ -216,8 +216,8 @@ void check_place(Reader& reader, const Value& value, const JointFields& joint, c
                      attachment_text(reader.model, joint.from)));
 }
 
-/// The rim of a disc, or a ball, touches the plane at the reference; a radius that is not given follows from that.
-/// gap: from the point of `from` to the centre, m.
+/// Checks that the rim of a disc, or a ball, touches the plane at the reference; sets a missing radius from this. gap:
+/// from the point of `from` to the centre, m.
 void settle_radius(Reader& reader, const Value& value, JointFields& joint, const Vector3& gap) {
   const bool is_disc = joint.type == JointType::rolling_disc;
   if (!joint.written_axis || (is_disc && !joint.axis2)) return;
@@ -275,14 +275,14 @@ void check_closure(Reader& reader, const Value& value, JointFields& joint) {
   }
 }
 
-/// Axes by points are read in the axes of the scope and count, as others, in the frame of a body.
+/// Axes by points are read in the axes of the scope and transformed to the frame of a body, like others.
 void turn_axes_by_points(const Reader& reader, const Value& value, JointFields& joint) {
   if (joint.written_axis) turn_axis_by_points(reader, find(value, "axis"), joint.from.body, *joint.written_axis);
   if (joint.axis_to) turn_axis_by_points(reader, find(value, "axis_to"), joint.to.body, *joint.axis_to);
   if (joint.axis2) turn_axis_by_points(reader, find(value, "axis2"), joint.from.body, *joint.axis2);
 }
 
-/// Turns the axes to global ones.
+/// Transforms the axes to global ones.
 void resolve_axes(Reader& reader, JointFields& joint, int index) {
   const auto kind = joint.type == JointType::prismatic || joint.type == JointType::cylindrical ||
                             joint.type == JointType::planar || closes_only(joint.type)
@@ -292,12 +292,12 @@ void resolve_axes(Reader& reader, JointFields& joint, int index) {
     return placed_axis(reader, joint.from.body, axis, of);
   };
   if (joint.written_axis) joint.axis = global(*joint.written_axis, kind);
-  // An axle is one that a body turns about: mirrored wheels roll forward alike.
+  // Axle of a rolling body: mirrored wheels have the same sense of forward rolling.
   if (joint.axis2)
     joint.second_axis = global(*joint.axis2, joint.type == JointType::rolling_disc ? FreedomKind::revolute : kind);
   if (joint.type == JointType::homokinetic) {
     if (!joint.axis2) joint.second_axis = joint.axis;
-    // A mirrored instance may turn round one of two shafts.
+    // A mirrored instance may reverse one of two shafts.
     if (dot(joint.axis, joint.second_axis) < 0)
       for (double& component : joint.second_axis) component = -component;
   }
@@ -308,7 +308,7 @@ void resolve_axes(Reader& reader, JointFields& joint, int index) {
   }
 }
 
-/// Tells the scope of a joint, and those that enclose it, how they call its coordinates.
+/// Adds the names of a joint's coordinates to its scope and the enclosing scopes.
 void name_coordinates(Reader& reader, const Entry& entry, const Joint& joint, int index) {
   const Visibility& visible = reader.scopes[entry.scope].visible;
   const Level& own = visible.front();

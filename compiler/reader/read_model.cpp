@@ -1,4 +1,4 @@
-// The door: the sections of all files, read one after the other.
+// Interface of the reader: the sections of all files, read one after the other.
 #include "compiler/reader/read_model.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A body of an including file with nothing but points adds them to the body of an included file; so does any ground.
+/// A body with points only in an including file adds them to the body of an included file; so does any ground.
 bool extends_body(const Entry& entry) {
   const auto& members = entry.value->members;
   const bool points_only =
@@ -27,13 +27,13 @@ bool extends_body(const Entry& entry) {
   return points_only || entry.name == "ground";
 }
 
-/// Where a name stands first.
+/// First definition of a name.
 struct FirstPlace {
   Place place;
   std::size_t scope = 0;
 };
 
-/// Complains about a name that is there already.
+/// Reports a duplicate name.
 void report_twice(Reader& reader, const Entry& entry, const FirstPlace& first) {
   std::string where = place_text(reader.documents, first.place, entry.place);
   const std::string& instance = reader.scopes[first.scope].path;
@@ -43,13 +43,13 @@ void report_twice(Reader& reader, const Entry& entry, const FirstPlace& first) {
          first.scope != entry.scope ? "give the instance another prefix or suffix" : "");
 }
 
-/// Whether an instance is placed by another one, or by one that it places.
+/// Whether an instance is another one or inside it.
 bool is_inside(const Reader& reader, std::size_t instance, std::size_t outer) {
   while (instance > outer) instance = reader.scopes[instance].parent;
   return instance == outer;
 }
 
-/// Names of the bodies that instances define; definitions inside an instance come before its additions to them.
+/// Names of the bodies defined by instances; definitions inside an instance precede its additions to them.
 NameMap<std::size_t> bodies_of_instances(Reader& reader) {
   NameMap<std::size_t> names;
   for (std::size_t scope = 1; scope < reader.scopes.size(); ++scope) {
@@ -67,7 +67,7 @@ NameMap<std::size_t> bodies_of_instances(Reader& reader) {
   return names;
 }
 
-/// Adds the entries of one map to those of its section. inner: of a map of bodies, those that instances define.
+/// Adds the entries of one map to those of its section. inner: for a map of bodies, the bodies defined by instances.
 void collect_map(Reader& reader, const Value& map, const NameMap<std::size_t>* inner, NameMap<FirstPlace>& places,
                  Entries& entries) {
   for (const Member& member : map.members) {
@@ -221,7 +221,7 @@ Result<Model> read(std::string_view text, const std::string& file_name, const st
   Reader reader;
   reader.varied = varied;
   reader.model.file = file_name;
-  // Names that could not be read would all be unknown: that problem comes first.
+  // After a failure names are unknown, so further messages would be misleading.
   if (load_files(reader, file_name, std::string(text))) {
     const FileFields& asked_for = reader.scopes[0].files.back();
     read_name(reader, asked_for);

@@ -1,5 +1,5 @@
 #pragma once
-// The door of the reader: JSON text -> Model, or every diagnostic at once.
+// Interface of the reader: JSON text -> Model, or all diagnostics at once.
 
 #include <string>
 #include <string_view>
@@ -16,15 +16,15 @@ namespace mbgen {
 /// Fails: with every syntactic and semantic problem found, in order of position.
 Result<Model> read_model(std::string_view text, const std::string& file_name);
 
-/// Reads a model from a file. Fails as read_model, and when the file cannot be read, is empty or larger than 64 MB.
+/// Reads a model from a file. Fails as read_model, and if the file cannot be read, is empty or larger than 64 MB.
 Result<Model> read_model_file(const std::string& path);
 
-/// JSON Schema (draft 2020-12) of the model format, made from the reader's own table of fields.
+/// JSON Schema (draft 2020-12) of the model format, from the reader's own table of fields.
 std::string model_schema();
 
-/// Reads a model from a file. Tunable parameters may stand in `initial`, which is then that of their values: who varies
-/// parameters reads the model for each value. Fails: as read_model_file, and where a tunable parameter stands for a
-/// number that has to be constant.
+/// Reads a model from a file. Tunable parameters are allowed in `initial`, which is then valid for their present
+/// values: a study reads the model for each value. Fails: as read_model_file, and for a tunable parameter in place of a
+/// constant.
 Result<Model> read_varied_model(const std::string& path, const std::vector<VariedParameter>& varied);
 
 }  // namespace mbgen

@@ -19,18 +19,18 @@ constexpr std::array kBodyQuantities = {Quantities::angle,
                                         Quantities::angular_momentum};
 constexpr std::span<const Quantities> kMomentumQuantities = std::span(kBodyQuantities).subspan(5);
 
-/// Name of the quantity, as the model has it; of none the default.
+/// Name of the quantity in the model; the default if there is none.
 std::string_view quantity_name(const Value& value, std::string_view otherwise) {
   const Value* written = find(value, "quantity");
   return written && written->kind == Value::Kind::text ? std::string_view(written->text) : otherwise;
 }
 
-/// Whether the quantity is one that the source has; quantity_of has complained otherwise.
+/// Whether the source has the quantity; otherwise quantity_of has reported it.
 bool is_known(const OutputFields& output, Quantities quantity) {
   return !output.quantity || *output.quantity == quantity;
 }
 
-/// Complains about those of the fields that are not in `taken`, a list with blanks between.
+/// Reports the fields that are not in `taken`, a list separated by blanks.
 void refuse_others(Reader& reader, const Value& value, std::initializer_list<std::string_view> fields,
                    std::string_view taken, std::string_view of) {
   const std::string list = fmt::format(" {} ", taken);
@@ -38,7 +38,7 @@ void refuse_others(Reader& reader, const Value& value, std::initializer_list<std
     if (list.find(fmt::format(" {} ", key)) == std::string::npos) refuse(reader, value, key, of);
 }
 
-/// Index of the body that a field names, kNoBody where it is absent, or with a complaint.
+/// Index of the body named by a field; kNoBody if it is absent, or with a problem.
 int body_of(Reader& reader, const Value& value, std::string_view key) {
   const Value* written = find(value, key);
   if (!written) return kNoBody;
@@ -53,14 +53,14 @@ int body_of(Reader& reader, const Value& value, std::string_view key) {
   return body;
 }
 
-/// Body in whose axes a component is. own: the body that `frame` means by "body".
+/// Body with the axes of a component. own: the body for `frame` "body".
 int axes_of(Reader& reader, const Value& value, const OutputFields& output, int own) {
   if (const Member* member = find_member(value, "axes_of"); member && find(value, "frame"))
     report(reader, member->place, "output has both \"frame\" and \"axes_of\"");
   return output.in_body_axes.value_or(false) ? own : body_of(reader, value, "axes_of");
 }
 
-/// The observer of a relative motion: by default the body of the axes; ground sees one that is not relative.
+/// Observer of a relative motion: by default the body of the axes; ground for a motion that is not relative.
 int observer_of(Reader& reader, const Value& value, int axes) {
   const Member* member = find_member(value, "observer");
   if (find(value, "relative_to")) return member ? body_of(reader, value, "observer") : axes;
@@ -108,7 +108,7 @@ Resolved momentum_output(Reader& reader, const Value& value, const OutputFields&
   return {source, quantity == Quantities::momentum ? "kg m/s" : "kg m^2/s"};
 }
 
-/// Fields that quantities of bodies take.
+/// Fields for quantities of bodies.
 std::string_view taken_by(Quantities quantity) {
   switch (quantity) {
     case Quantities::angle:
@@ -129,7 +129,7 @@ std::string_view taken_by(Quantities quantity) {
   }
 }
 
-/// 1 for a wheel on the left of a vehicle or in its middle, -1 on its right: by the reference configuration.
+/// 1 for a wheel on the left of a vehicle or in its middle, -1 on its right: from the reference configuration.
 double side_of(const Model& model, const Tyre& tyre, int vehicle) {
   constexpr double kMiddle = 1e-6;  // m
   const Pose pose = vehicle == kNoBody ? Pose{} : model.bodies[static_cast<std::size_t>(vehicle)].pose;

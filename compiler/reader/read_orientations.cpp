@@ -1,4 +1,4 @@
-// Orientations of spherical and free joints at the start, as values of their angles and rates.
+// Initial orientations of spherical and free joints, as values of their angles and rates.
 
 #include <fmt/format.h>
 
@@ -12,13 +12,13 @@
 namespace mbgen::reading {
 namespace {
 
-/// The turns of a joint in its order: coordinates, and the axes of `from` that they turn about.
+/// Rotations of a joint in their order: coordinates, and axes in `from`.
 struct Turns {
   std::vector<CoordinateReference> coordinates;
   std::vector<int> axes;  ///< 0 x, 1 y, 2 z
 };
 
-/// Axes of instances may be reversed, and the values with them: equal coordinates are mirrored motions.
+/// Instances may reverse axes, and values with them: equal coordinates are mirrored motions.
 Turns turns_of(const Model& model, int joint) {
   Turns turns;
   const Joint& of = model.joints[static_cast<std::size_t>(joint)];
@@ -47,7 +47,7 @@ std::array<double, 4> quaternion_of(const Vector3& rotation) {
   return {std::cos(angle / 2), sine * rotation[0], sine * rotation[1], sine * rotation[2]};
 }
 
-/// A turn in the axes of a joint's turns: the first, the second, and what makes them right-handed.
+/// A rotation in the axes of a joint's rotations: the first, the second, and their right-handed complement.
 ball_detail::Turn<double> turn_in(const Turns& turns, const Matrix3& r, const Vector3& velocity) {
   const std::size_t i = static_cast<std::size_t>(turns.axes[0]), j = static_cast<std::size_t>(turns.axes[1]);
   const std::size_t axis[3] = {i, j, 3 - i - j};
@@ -61,7 +61,7 @@ ball_detail::Turn<double> turn_in(const Turns& turns, const Matrix3& r, const Ve
   return turn;
 }
 
-/// Sign of a joint's turns: the third counts the other way round where they are left-handed.
+/// Sign of a joint's rotations: the third is reversed for left-handed axes.
 double sign_of(const Turns& turns, std::size_t k) {
   return k == 2 && turns.axes[1] != (turns.axes[0] + 1) % 3 ? -1 : 1;
 }
@@ -76,7 +76,7 @@ void set_value(std::vector<InitialValue>& list, const CoordinateReference& coord
   list.push_back(initial);
 }
 
-/// Angles of a joint at the start, from the values of its coordinates.
+/// Initial angles of a joint, from the values of its coordinates.
 ball_detail::Angles<double> angles_at_start(const Turns& turns, const Initial& initial) {
   ball_detail::Angles<double> angles{};
   for (std::size_t k = 0; k < 3; ++k)
@@ -93,10 +93,10 @@ void set_orientation(const Turns& turns, const OrientationFields& fields, const 
     set_value(initial.positions, turns.coordinates[k], sign_of(turns, k) * angles.z[k], where);
 }
 
-/// As rates of the angles, or where these cannot say it as it is.
+/// Sets an angular velocity as rates of the angles, or directly near their pole.
 void set_angular_velocity(int joint, const Turns& turns, const Vector3& velocity, const Where& where,
                           Initial& initial) {
-  constexpr double kNearPole = 1e-3;  // cosine of the second angle: three digits are lost there
+  constexpr double kNearPole = 1e-3;  // cosine of the second angle: three digits are lost below
   const ball_detail::Angles<double> angles = angles_at_start(turns, initial);
   const double s = std::sin(angles.z[0]), c = std::cos(angles.z[0]), cosine = std::cos(angles.z[1]);
   if (!(std::abs(cosine) > kNearPole)) {

@@ -1,4 +1,4 @@
-// Reactions of joints and rods as loads.
+// Reactions of joints and rods as normal forces.
 
 #include "compiler/reader/output_sources.hpp"
 #include "compiler/reader/reaction_loads.hpp"
@@ -6,7 +6,7 @@
 namespace mbgen::reading {
 namespace {
 
-/// The direction in which a joint's reaction presses parts on each other.
+/// Direction of the normal force in a joint's reaction.
 ReactionLoad::Direction pressing_direction(JointType type) {
   switch (type) {
     case JointType::revolute:
@@ -25,7 +25,7 @@ ReactionLoad::Direction pressing_direction(JointType type) {
   }
 }
 
-/// Whether parts press on each other along or across the axis of a joint.
+/// Whether a normal force along or across the axis of a joint is possible.
 bool has_direction(const Model& model, const ReactionLoad& load) {
   return load.joint >= 0 &&
          pressing_direction(model.joints[static_cast<std::size_t>(load.joint)].type) != ReactionLoad::Direction::whole;

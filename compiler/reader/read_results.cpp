@@ -37,7 +37,7 @@ void resolve_motion(Reader& reader, const Value& value, MotionFields& motion) {
   }
 }
 
-/// Kind of source of an output; index into kOutputSources, or -1 with a complaint.
+/// Kind of source of an output; index into kOutputSources, or -1 with a problem.
 int source_of(Reader& reader, const Value& value) {
   int source = -1;
   for (std::size_t i = 0; i < kOutputSources.size(); ++i) {
@@ -130,7 +130,7 @@ Resolved reaction_output(Reader& reader, const Value& value, const OutputFields&
   return {reaction, is_force ? "N" : "N m"};
 }
 
-/// Index of the equation that is written as a number or a name; 0 with a complaint.
+/// Index of the equation given by number or name; 0 with a problem.
 int equation_of(Reader& reader, const Value& value, const Value* written, std::span<const ClosureRow> rows,
                 const std::string& of) {
   std::vector<std::string_view> names;
@@ -179,7 +179,7 @@ Resolved multiplier_output(Reader& reader, const Value& value, const OutputField
   }
   if (rows.empty()) return {multiplier, ""};
   multiplier.equation = equation_of(reader, value, output.equation, rows, of);
-  if (connection.coupling >= 0) {  // a curve is in units of its coordinate
+  if (connection.coupling >= 0) {  // a curve has the unit of its coordinate
     const Coupling& coupling = reader.model.couplings[static_cast<std::size_t>(connection.coupling)];
     if (coupling.curve && coupling.joint && coupling.joint->joint >= 0)
       return {multiplier, is_rotation(reader.model, *coupling.joint) ? "N m" : "N"};
@@ -187,7 +187,7 @@ Resolved multiplier_output(Reader& reader, const Value& value, const OutputField
   return {multiplier, std::string(rows[static_cast<std::size_t>(multiplier.equation)].unit)};
 }
 
-/// Fields beside its source that an output may have, and those that sources take; elements: see taken_by_source.
+/// Fields of an output beside its source, and those of sources; elements: see taken_by_source.
 constexpr std::string_view kDetails[] = {"quantity", "axis", "frame", "axes_of",       "relative_to", "observer",
                                          "sequence", "turn", "about", "steering_axis", "end",         "equation"};
 constexpr std::pair<std::string_view, std::string_view> kTaken[] = {

@@ -12,7 +12,7 @@
 namespace mbgen::reading {
 namespace {
 
-/// Which fields a kind of feature needs, and which it knows nothing of.
+/// Required fields of a kind of feature, and fields that it does not have.
 struct FeatureRule {
   const char* word;
   bool needs_length, has_waves, has_last_wave;
@@ -67,7 +67,7 @@ void read_parts(Reader& reader, const Value* map, std::vector<Part>& parts, cons
   read_list(reader, entries, parts, check);
 }
 
-/// coefficients: as RoadTracks counts them.
+/// coefficients: in the order of RoadTracks.
 RoadTracks& add_tracks(Reader& reader, Road& road, double width, const std::vector<double>& coefficients) {
   RoadTracks& tracks = road.tracks.emplace_back();
   tracks.right = -width / 2;
@@ -114,7 +114,7 @@ void read_iso_road(Reader& reader, const Value& value, Road& road) {
   tracks.is_periodic = true;
 }
 
-/// Heights at equal distances from a column; empty with a complaint.
+/// Heights at equal distances from a column; empty with a problem.
 std::vector<std::array<double, 2>> read_heights(Reader& reader, const Value& value, const RoadProfileFields& fields,
                                                 const std::string& column, const char* key) {
   constexpr double kEqual = 1e-6;  // of a distance

@@ -1,4 +1,4 @@
-// Rods, and the driven coordinates of those whose length is a function of time or of inputs.
+// Rods, and driven coordinates of rods with a length that depends on time or inputs.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,12 +14,12 @@ namespace {
 constexpr double kSmallestLength = 1e-6;  // m
 constexpr std::string_view kDriveSuffix = "_length";
 
-/// Whether a value changes while a solver runs, but for its tunable parameters.
+/// Whether a value changes during a run, apart from tunable parameters.
 bool moves(const Model& model, const Quantity& quantity) {
   return mentions(model, quantity.expression, {ExpressionNode::Kind::time, ExpressionNode::Kind::input});
 }
 
-/// Whether the names of the drive's body, joint and motion are free.
+/// Whether the names of the drive's body, joint and motion are unused.
 bool has_free_names(Reader& reader, const Entry& entry, const std::string& name) {
   const Names& names = reader.names;
   const bool is_taken = names.bodies.contains(name) || names.joints.contains(name) || names.rods.contains(name);
@@ -34,8 +34,8 @@ bool has_free_names(Reader& reader, const Entry& entry, const std::string& name)
   return !is_taken && is_valid_name(name);
 }
 
-/// A slide without mass from the rod's first end, along the rod at the reference; its coordinate is what the length has
-/// more than there, and a motion drives it.
+/// Adds a massless slide at the rod's first end, along the rod at the reference; its coordinate is the difference to
+/// the reference length, and is driven by a motion.
 void add_drive(Reader& reader, const Entry& entry, const Quantity& length, double distance, Rod& rod) {
   Model& model = reader.model;
   Entry named = entry;

@@ -1,4 +1,4 @@
-// How bodies are drawn.
+// Shapes of bodies for pictures.
 #include <fmt/format.h>
 
 #include <charconv>

@@ -1,4 +1,4 @@
-// States of the user's own, and values that are set at instants of time.
+// The user's states, and values set at instants of time.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ int read_delay(Reader& reader, const Value& value, const SampledValueFields& sam
   return 0;
 }
 
-/// Source of a sampled value where it is a reaction.
+/// Source of a sampled value that is a reaction.
 void read_source(Reader& reader, const Value& value, SampledValueFields& one) {
   if (one.written && one.reaction) {
     report(reader, *find(value, "reaction"), "sampled value has both value and reaction", "leave out one of them");
@@ -58,7 +58,7 @@ void read_source(Reader& reader, const Value& value, SampledValueFields& one) {
   }
 }
 
-/// The expressions, when the initial values of all are known. written: of each element of `list`, in its order.
+/// Reads the expressions, after all initial values. written: of each element of `list`, in its order.
 template <class Element>
 void read_expressions(Reader& reader, const Entries& entries, const std::vector<const Value*>& written,
                       const FieldInfo& info, Quantity Element::*target, std::vector<Element>& list) {

@@ -20,9 +20,9 @@ MagicFormula61<double> numbers_of(const std::vector<Quantity>& coefficients) {
 }
 
 /// Stiffness of a standing patch against turning, N m/rad, at nominal load and pressure. A patch of bristles has the
-/// stiffness of its lateral ones, which is that of the aligning moment over the slip angle, and that of its
-/// longitudinal ones, the moment over spin divided by half the length of the patch; the carcass is in series.
-/// length: m, of half the patch. Source: brush model, Pacejka (2012), sections 3.2 and 3.3.
+/// sum of two stiffnesses: of lateral bristles, equal to the aligning moment over the slip angle, and of longitudinal
+/// bristles, the moment over spin divided by half the length of the patch; the carcass is in series. length: m, of half
+/// the patch. Source: brush model, Pacejka (2012), sections 3.2 and 3.3.
 double turn_stiffness(const MagicFormula61<double>& set, double length, const std::optional<double>& yaw_stiffness) {
   const double nominal = set.fnomin * set.lfzo;
   const auto at = magic::mf61_state<double>(set, nominal, set.nompres, 1, 1);
@@ -34,7 +34,7 @@ double turn_stiffness(const MagicFormula61<double>& set, double length, const st
   return yaw_stiffness && *yaw_stiffness > 0 ? patch * *yaw_stiffness / (patch + *yaw_stiffness) : patch;
 }
 
-/// Whether turn slip acts, with complaints and notes.
+/// Whether turn slip is active, with problems and notes.
 bool takes_turn_slip(Reader& reader, const Value& value, const TurningOfFile& of_file, const TyreFields& tyre) {
   const Member* member = find_member(value, "turn_slip");
   const bool wished = tyre.written_turn_slip.value_or(of_file.turn_slip);

@@ -9,7 +9,7 @@
 
 namespace mbgen::reading {
 
-/// Coefficients that the formulas of turn slip divide by.
+/// Coefficients in denominators of the formulas of turn slip.
 inline constexpr std::string_view kTurnSlipNeeds[] = {"PHYP1", "PHYP2", "QCRP1", "QDRP1"};
 inline constexpr std::string_view kTurnSlipNeedsText =
     "turn slip needs PHYP1, PHYP2, QCRP1 and QDRP1 of its set, not zero";
@@ -20,12 +20,12 @@ struct TurningOfFile {
   std::optional<double> yaw_stiffness = {};  ///< N m/rad: YAW_STIFFNESS, of the carcass
 };
 
-/// Whether a set of mf61 has all that turn slip divides by.
+/// Whether a set of mf61 has all these coefficients.
 bool has_turn_slip(const std::vector<Quantity>& coefficients);
 
-/// Sets turn_slip and parking of a tyre whose set, radius and stiffness are known, and notes coefficients of turn slip
-/// in a set of the model that do not act. Complains about turn slip of other sets than mf61, or of a set without
-/// PHYP1, PHYP2, QCRP1 or QDRP1, and about a patch without a number that the set does not give.
+/// Sets turn_slip and parking of a tyre with known set, radius and stiffness, and notes inactive coefficients of turn
+/// slip in a set of the model. Reports turn slip of other sets than mf61, or of a set without PHYP1, PHYP2, QCRP1 or
+/// QDRP1, and a patch without a number that the set does not give.
 void use_turning(Reader& reader, const Value& value, const TurningOfFile& of_file, TyreFields& tyre);
 
 }  // namespace mbgen::reading

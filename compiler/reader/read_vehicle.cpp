@@ -1,4 +1,4 @@
-// The vehicle of a model: one object, whose entries in later files win.
+// The vehicle of a model: one object; entries in later files override.
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
 

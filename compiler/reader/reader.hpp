@@ -1,6 +1,6 @@
 #pragma once
-// Data that the parts of the reader share: the model under construction, the names known so far and the problems found.
-// A value that could not be read is NaN or index -1, so that no later check complains about it again.
+// Common data of the parts of the reader: the model under construction, the names known so far and the problems found.
+// An unreadable value is NaN or index -1, so that later checks do not report it again.
 
 #include <array>
 #include <initializer_list>
@@ -22,7 +22,7 @@ namespace mbgen::reading {
 struct RoadFields;
 struct TyreFields;
 
-/// Where a body's inertia stands, nullptr where it has none, and whether one that no rigid body has will do.
+/// Position of a body's inertia, nullptr without one, and whether a physically impossible one is accepted.
 struct WrittenInertia {
   const Value* value = nullptr;
   bool accepted = false;
@@ -35,7 +35,7 @@ struct Entry {
   Place place;          ///< of the key
   const Value* value;
   std::size_t scope = 0;
-  bool adds_points = false;  ///< to a body that another scope defines
+  bool adds_points = false;  ///< to a body of another scope
 };
 using Entries = std::vector<Entry>;
 
@@ -47,24 +47,24 @@ struct Reader {
   Names names;
   std::array<NameMap<int>, ElementKinds::count> element_names = {};  ///< see names_of
   Hardpoints hardpoints = {};
-  std::vector<Pose> body_frames = {};     ///< per body: its pose as the scope that defines it writes it
+  std::vector<Pose> body_frames = {};     ///< per body: its pose as written in its scope
   bool has_bodies = false;                ///< bodies and their points are read
   std::vector<WrittenInertia> inertias;   ///< per body
   std::vector<Place> body_places = {};    ///< per body: of its key
-  std::vector<Scope> scopes = {Scope{}};  ///< the model, then its instances, each after the one that places it
+  std::vector<Scope> scopes = {Scope{}};  ///< the model, then its instances, each after the scope that places it
   std::size_t scope = 0;                  ///< whose text is being read
-  std::size_t placed_scopes = 1;          ///< so many of the first have their placement
+  std::size_t placed_scopes = 1;          ///< number of leading scopes with their placement
   std::vector<VariedParameter> varied = {};
-  /// Of roads and large tables, see Model::samples: those tables point to it while others still add to it.
+  /// Samples of roads and large tables, see Model::samples: finished tables point to it while others are still added.
   std::shared_ptr<std::vector<double>> samples = std::make_shared<std::vector<double>>();
   std::vector<TableData> large_tables = {};
   Entries tyre_data = {};      ///< coefficients of tyres
-  bool folds_tunable = false;  ///< the present value takes tunable parameters at their values
+  bool folds_tunable = false;  ///< for the present value tunable parameters are replaced by their values
 };
 
 inline const Scope& current_scope(const Reader& reader) { return reader.scopes[reader.scope]; }
 
-/// Names of the elements of a kind; expressions see those of kinds with a length, too.
+/// Names of the elements of a kind; expressions use those with a length, too.
 template <class Kind>
 NameMap<int>& names_of(Reader& reader) {
   if constexpr (KindOf<Kind>::has_length)
@@ -73,7 +73,7 @@ NameMap<int>& names_of(Reader& reader) {
     return reader.element_names[kKindIndex<Kind>];
 }
 
-/// Reads the text of a scope as long as it lives.
+/// Reads the text of a scope during its lifetime.
 class InScope {
  public:
   InScope(Reader& reader, std::size_t scope) : reader_(reader), before_(reader.scope) { reader.scope = scope; }
@@ -97,23 +97,23 @@ inline void report(Reader& reader, const Value& value, std::string message, std:
   report(reader, value.place, std::move(message), std::move(hint));
 }
 
-/// Adds a note on an entry that is allowed and likely not meant.
+/// Adds a note on an entry that is allowed but unlikely.
 void note(Reader& reader, Place place, std::string message, std::string hint = {});
 
-/// Nobody reads the hints after so many problems, and searching the nearest name for each takes long.
+/// Hints are omitted after many problems: nobody reads them, and the search for the nearest name takes long.
 inline bool suggests(const Reader& reader) { return reader.problems.size() < 1000; }
 
-/// The name that was probably meant, as a hint.
+/// Hint with the nearest known name.
 template <class Target>
 std::string suggestion(const Reader& reader, std::string_view word, const NameMap<Target>& names) {
   return suggests(reader) ? did_you_mean(word, names, current_scope(reader).visible) : std::string();
 }
 
-/// The member's value when it is there, else the object itself: where to complain about a field.
+/// The member's value if present, else the object itself: position of a message about a field.
 const Value& member_or_object(const Value& object, std::string_view key);
 
-// Readers of one value by the type it goes to. Each reports a wrong value and leaves `target` unreadable then.
-// An optional<int> is the index of a force expression; an optional word that could not be read stays empty.
+// Readers of one value by its type. Each reports a wrong value and leaves `target` unreadable then. An optional<int> is
+// the index of a force expression; an unreadable optional word stays empty.
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, bool& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, double& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::string& target);
@@ -132,7 +132,7 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Pose&
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<std::array<double, 2>>& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, const Value*& target);
 
-/// constant + sum of factors * quantities, as an expression of its own where one of them is an expression.
+/// constant + sum of factors * quantities, as an expression if one of them is an expression.
 Quantity combination(Reader& reader, const Vector3& factors, const Vector3Quantity& quantities, double constant);
 /// factor * quantity.
 inline Quantity scaled(Reader& reader, double factor, const Quantity& quantity) {
@@ -142,14 +142,14 @@ inline Quantity scaled(Reader& reader, double factor, const Quantity& quantity) 
 /// Index into info.words, or -1.
 int read_word(Reader& reader, const Value& value, const FieldInfo& info);
 
-/// Index of the element that a text names, -1 with a complaint; of any other value -1 alone. kind: of the elements, for
-/// people.
+/// Index of the element named by a text, -1 with a problem; -1 without a problem for any other value. kind: of the
+/// elements, for people.
 int find_named(Reader& reader, const Value& reference, std::string_view kind, const NameMap<int>& names);
 
 /// The coordinate of this name. Fails: unknown, or a joint of several coordinates or none.
 CoordinateReference read_coordinate(Reader& reader, Place place, const std::string& name);
 
-/// Index of the expression, in Model::expressions, -1 when unreadable.
+/// Index of the expression in Model::expressions, -1 if unreadable.
 int read_force_expression(Reader& reader, const Value& value, const FieldInfo& info);
 
 template <class Enumeration>
@@ -171,7 +171,7 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::
   }
 }
 
-/// Default of an absent member; members without a default in the table stay as their struct makes them.
+/// Default of an absent member; members without a default in the table keep the default of their struct.
 template <class Target>
 void set_default(const FieldInfo& info, Target& target) {
   if constexpr (std::is_enum_v<Target>) {
@@ -211,11 +211,11 @@ Object with_defaults() {
   return object;
 }
 
-/// Reports a value that is no object (false), unknown, reserved and missing keys.
+/// Reports a value that is no object (false), and unknown, reserved and missing keys.
 bool check_keys(Reader& reader, const Value& value, const std::vector<const FieldInfo*>& rows);
 
-/// Fills the members of `object` that are present; required ones that are absent are reported and spoiled.
-/// Result: false when the value is no object.
+/// Fills the members of `object` that are present; missing required ones are reported and spoiled. Result: false if the
+/// value is no object.
 template <class Object>
 bool read_fields(Reader& reader, const Value& value, Object& object) {
   const std::span<const Field<Object>> table = fields<Object>();
@@ -232,8 +232,8 @@ bool read_fields(Reader& reader, const Value& value, Object& object) {
   return readable;
 }
 
-/// Fills one list of the model: an element per entry, in order, with defaults, name and place set.
-/// check: void(Reader&, const Value&, Element&) for rules that a table cannot say; called when the value is an object.
+/// Fills one list of the model: an element per entry, in order, with defaults, name and position set. check:
+/// void(Reader&, const Value&, Element&) for rules beyond a table; called if the value is an object.
 template <class Element, class Check>
 void read_list(Reader& reader, const Entries& entries, std::vector<Element>& list, Check check) {
   for (const Entry& entry : entries) {
@@ -247,33 +247,33 @@ void read_list(Reader& reader, const Entries& entries, std::vector<Element>& lis
 }
 
 // Instances.
-/// Reads a file, the files that it includes and the subsystems that it places into reader.scopes. Result: false when
-/// names that it defines could not be read.
+/// Reads a file, its included files and its subsystems into reader.scopes. Result: false if names defined in them could
+/// not be read.
 bool load_files(Reader& reader, const std::string& file, std::string text);
-/// A file that another one names, and its canonical path.
+/// A file named by another one, and its canonical path.
 struct NamedFile {
   std::string path, identity;
 };
 /// named: relative to the directory of `file`.
 NamedFile beside(const std::string& file, const std::string& named);
-/// A file of the model that load_files does not read, so that messages can point into it. Result: its index.
+/// Adds a file of the model that is not read by load_files, for positions in messages. Result: its index.
 std::size_t add_document(Reader& reader, const std::string& file, std::string text);
-/// Reads where the instances stand. Requires: parameters are read.
+/// Reads the poses of the instances. Requires: parameters are read.
 void place_instances(Reader& reader);
-/// Whether a body of the current scope belongs to the scope that places it: it is connected, or ground.
+/// Whether a body of the current scope belongs to the scope that places it: a connected body, or ground.
 bool is_outer_body(const Reader& reader, std::string_view name);
 /// Whether the current scope, or one that places it, connects its body `name` to a body of another name.
 bool is_connected(const Reader& reader, std::string_view name);
 /// Name of a body of the current scope in the innermost scope that defines it, or in the model.
 std::string find_outer_name(const Reader& reader, std::string_view name);
-/// Index of the body that the current scope calls so, or -1.
+/// Index of the body of this name in the current scope, or -1.
 int find_body(const Reader& reader, std::string_view name);
-/// Moves a body that the current scope defines to its place.
+/// Transforms a body of the current scope to its pose in the model.
 void place_body(Reader& reader, Body& body);
-/// The axes of a subsystem in those of the model, its mirror among them.
+/// The axes of a subsystem relative to the model, including its mirroring.
 Matrix3 axes_of(const Placement& placement);
-/// Quarter turns in degrees come out of sine and cosine with a rest of 1e-16 that would make every structural zero of
-/// the equations a number.
+/// Removes rounding errors from a rotation: sine and cosine of quarter turns in degrees deviate by 1e-16, which would
+/// make every structural zero of the equations a number.
 Matrix3 without_rest(const Matrix3& rotation);
 /// matrix * vector + constant
 Vector3Quantity transformed(Reader& reader, const Matrix3& matrix, const Vector3Quantity& vector,
@@ -284,27 +284,26 @@ double handedness(const Placement& placement);
 Vector3Quantity placed_point(Reader& reader, int body, const Vector3Quantity& written);
 /// A direction of the current scope in global axes, mirrored where the scope is. Requires: the body was read.
 Vector3 placed_direction(const Reader& reader, int body, const Vector3& written);
-/// An axis of the current scope in global axes, in the direction about which (along which) it counts positive: a
-/// mirrored rotation counts such that equal coordinates are mirrored motions, or keeps its direction.
+/// An axis of the current scope in global axes, in its positive direction: a mirrored rotation is positive such that
+/// equal coordinates are mirrored motions, or keeps its direction.
 Vector3 placed_axis(const Reader& reader, int body, const Vector3& written, FreedomKind kind);
-/// Whether coordinates of this axis have the other sign than a mirrored motion.
+/// Whether coordinates of this axis have the opposite sign to a mirrored motion.
 bool is_reversed(const Reader& reader, const Vector3& written, FreedomKind kind);
-/// Complains about a use of a coordinate inside a mirrored instance where it has the other sign.
+/// Reports a use of a coordinate with the opposite sign inside a mirrored instance.
 void refuse_reversed(Reader& reader, Place place, const CoordinateReference& coordinate);
-/// Turns the components of an applied force.
+/// Transforms the components of an applied force.
 void place_force(Reader& reader, AppliedForce& force);
 
-// The sections of a model, in the order in which they must be read: each knows the names of those before it.
+// The sections of a model, in the order of reading: each needs the names of those before it.
 void read_parameters(Reader& reader, const Entries& entries);
 void read_inputs(Reader& reader, const Entries& entries);
 void read_bodies(Reader& reader, const Entries& entries);
 void read_joints(Reader& reader, const Entries& entries);
-/// Inertias of bodies that move as one: bodies that fixed joints hold together count together. Requires: joints are
-/// read.
+/// Checks the inertias of groups of rigidly connected bodies. Requires: joints are read.
 void check_inertias(Reader& reader);
-/// Per body: the lowest index of the bodies that fixed joints hold together with it.
+/// Per body: the lowest index of the bodies rigidly connected to it by fixed joints.
 std::vector<int> rigid_groups(const Model& model);
-/// Bodies that move as one, in global axes at the reference: moments and products about the centre of mass.
+/// A group of rigidly connected bodies, in global axes at the reference: moments and products about the centre of mass.
 struct RigidGroup {
   double mass = 0;   ///< kg
   Vector3 centre{};  ///< m
@@ -312,19 +311,18 @@ struct RigidGroup {
 };
 /// group: their number in rigid_groups.
 RigidGroup rigid_group(const Model& model, const std::vector<int>& groups, int group);
-/// Gives a tyre the axis of its wheel's joint where it has none of its own, and notes entries that are likely not
-/// meant.
+/// Gives a tyre without an axis the axis of its wheel's joint, and notes unlikely entries.
 void place_on_wheel(Reader& reader, const Value& value, const std::vector<int>& groups, TyreFields& tyre);
 void read_rods(Reader& reader, const Entries& entries);
 void read_couplings(Reader& reader, const Entries& entries);
-/// Names the coordinates of a joint: tells its scope, and those that enclose it, and complains where a name is taken.
+/// Adds the names of a joint's coordinates to its scope and the enclosing scopes; reports existing names.
 void add_coordinates(Reader& reader, const Entry& entry, const Joint& joint, int index);
-/// Gives a joint that is marked cut, and that a motion drives, the coordinates that the motion needs: it moves a body
-/// without mass, and a fixed joint closes the loop. entry: of the motion.
+/// Gives a driven joint that is marked cut the coordinates for its motion: it moves a massless body, and a fixed joint
+/// closes the loop. entry: of the motion.
 void drive_at_cut(Reader& reader, const Entry& entry, int joint);
 /// Whether an object has one of these fields.
 bool has_any(const Value& value, std::initializer_list<std::string_view> keys);
-/// Complains when both ends are on one body. Result: the distance of the ends at the reference, NaN when there is none.
+/// Reports two ends on one body. Result: the distance of the ends at the reference, NaN if there is none.
 double check_ends(Reader& reader, const Value& value, const Attachment& from, const Attachment& to);
 /// States and sampled values; their expressions may name springs and air springs.
 void read_states(Reader& reader, const Entries& states, const Entries& sampled);
@@ -333,24 +331,24 @@ inline std::string with_article(std::string_view words) {
   return (std::string_view("aeiou").find(words.front()) < 5 ? "an " : "a ") + std::string(words);
 }
 
-/// Tells expressions the names of elements with a length, before these are read. entries: of every kind.
+/// Adds the names of elements with a length for expressions, before the elements are read. entries: of every kind.
 void name_lines(Reader& reader, const std::array<Entries, ElementKinds::count>& entries);
-/// Complains about states that have the name of another auxiliary state. Requires: tyres are read.
+/// Reports states with the name of another auxiliary state. Requires: tyres are read.
 void check_state_names(Reader& reader, const Entries& states, const Entries& sampled);
-/// Sets the lags that are not written. Requires: the solver's settings are read.
+/// Sets default lags. Requires: the solver's settings are read.
 void finish_frictions(Reader& reader);
 void read_roads(Reader& reader, const Entries& entries);
-/// Adds the inputs of roads that a host gives. Requires: the model's own inputs are read.
+/// Adds the inputs of roads given by a host. Requires: the model's own inputs are read.
 void add_host_inputs(Reader& reader, const Entries& roads);
-/// The plane that a host tells, as height and friction of `road`.
+/// Sets the host's plane as height and friction of `road`.
 void lay_host_plane(Reader& reader, const Value& value, RoadFields& road);
-/// Complains where a tyre stands on a road of a host, and one of `before` does so too.
+/// Reports a second tyre, after `before`, on a road of a host.
 void check_host_road(Reader& reader, const Value& value, const Tyre& tyre, const std::vector<Tyre>& before);
 /// The road of an OpenCRG file, as a grid of `road`.
 void read_crg_road(Reader& reader, const Value& value, Road& road);
 void read_axles(Reader& reader, const Entries& entries);
 void read_motions(Reader& reader, const Entries& entries);
-/// Gives inputs that move a joint by a first rate alone a second one, see is_made_rate. Requires: all motions are read.
+/// Adds second rates to inputs of motions with a first rate only, see is_made_rate. Requires: all motions are read.
 void make_second_rates(Reader& reader);
 void read_outputs(Reader& reader, const Entries& entries);
 void read_shapes(Reader& reader, const Entries& entries);
@@ -359,16 +357,16 @@ struct Part {
   const Value* value;
   std::size_t scope = 0;
 };
-/// Files from the innermost instance and include to the file asked for: the later value wins.
+/// Files from the innermost instance and include to the main file: later values override.
 void read_initial(Reader& reader, const std::vector<Part>& parts);
-/// Orientations of joints at the start, as values of their coordinates; they come after those that are there.
+/// Initial orientations of joints, as values of their coordinates, after the existing ones.
 void read_orientations(Reader& reader, const Value* values, Initial& initial);
 void read_solver(Reader& reader, const std::vector<Part>& parts);
 void read_vehicle(Reader& reader, const std::vector<Part>& parts);
 
-// Values that are allowed and likely not meant.
+// Values that are allowed but unlikely.
 bool is_large_angle(double angle);
-/// Notes an angle of more than a turn, which likely was typed in degrees.
+/// Notes an angle of more than a turn, probably typed in degrees.
 void note_turns(Reader& reader, const Value& value, double angle);
 /// Notes on the whole model. Requires: it has no problems.
 void note_unlikely(Reader& reader);

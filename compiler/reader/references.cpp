@@ -1,5 +1,4 @@
-// Readers of values that refer to other elements or hold a structure of their own: attachments, coordinates, tables,
-// poses.
+// Readers of references to other elements and of structured values: attachments, coordinates, tables, poses.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +27,7 @@ Matrix3 rotation_about(const Vector3& axis, double angle) {
           z * x * d - y * s, z * y * d + x * s, c + z * z * d};
 }
 
-/// Points stand in the model or in a file, and columns belong to files.
+/// Checks that points come either from the model or from a file, and columns from a file.
 void check_table(Reader& reader, const Value& value) {
   const Member *points = find_member(value, "table"), *csv = find_member(value, "csv");
   if (!points && !csv) report(reader, value, "a table needs \"table\" or \"csv\"");
@@ -40,8 +39,7 @@ void check_table(Reader& reader, const Value& value) {
   }
 }
 
-/// Puts the pieces of a table of many points among the samples. Equal ones, as of a part that is placed four times,
-/// share them.
+/// Moves the pieces of a table of many points to the samples. Equal tables, as of a part placed four times, share them.
 void keep_as_data(Reader& reader, const Value& value, Table& table) {
   if (table.x.size() > kMostPointsAsData) {
     const Member* csv = find_member(value, "csv");
@@ -93,7 +91,7 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Attachment
   }
   const std::string body = value.text.substr(0, dot), point = value.text.substr(dot + 1);
   const int index = find_body(reader, body);
-  if (index < 0 && is_connected(reader, body)) return;  // that what it is connected to is unknown was reported there
+  if (index < 0 && is_connected(reader, body)) return;  // an unknown body of the connection was reported there
   if (index < 0) {
     std::string hint = body == "ground" ? "give ground its points in bodies: \"ground\": { \"points\": { ... } }"
                                         : suggestion(reader, body, reader.names.bodies);
@@ -144,8 +142,8 @@ int find_named(Reader& reader, const Value& reference, std::string_view kind, co
 
 namespace {
 
-/// Complains about a coordinate that has the name of a body: by the joint that moves it, or at the body where none
-/// does. Result: false where it is none, or where joints could not be read.
+/// Reports a coordinate with the name of a body: with the joint that moves the body, or at the body without one.
+/// Result: false if the name is no body, or if joints could not be read.
 bool refuse_body(Reader& reader, Place place, const std::string& name) {
   const auto found = find_visible(reader.names.bodies, name, current_scope(reader).visible);
   if (found == reader.names.bodies.end()) return false;
@@ -241,10 +239,11 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& 
 
 namespace {
 
-/// Notes a spline that between two points leaves all of them by more than they span.
+/// Notes a spline that overshoots its points by more than their range.
 void note_overshoot(Reader& reader, const Value& value, const Table& table) {
   constexpr int kParts = 32;
-  constexpr double kTold = 0.5;  // of what the points span; splines through smooth rows leave them by a few hundredths
+  constexpr double kTold =
+      0.5;  // of the range of the points; splines through smooth points overshoot by a few hundredths
   if (table.interpolation != Table::Interpolation::spline || table.slopes.size() < 2) return;
   const auto [least, most] = std::minmax_element(table.y.begin(), table.y.end());
   const Overshoot farthest = farthest_overshoot(table.x, *least, *most, kParts, [&](std::size_t i, double x) {

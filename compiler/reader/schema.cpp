@@ -1,4 +1,4 @@
-// The JSON Schema of the model format, made from the tables of fields.
+// JSON Schema of the model format, from the tables of fields.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -28,7 +28,7 @@ Json either(const Json& first, const Json& second) { return {{"anyOf", Json::arr
 
 Json letters() { return {{"enum", {"x", "y", "z", "-x", "-y", "-z"}}}; }
 
-/// Things that several fields share.
+/// Definitions used by several fields.
 Json shared_definitions() {
   const Json expression = {{"type", "string"},
                            {"minLength", 1},
@@ -61,7 +61,7 @@ Json shared_definitions() {
   };
 }
 
-/// Of fields that hold more than one value.
+/// Schema of a field with several values.
 Json shape_of_several(const FieldInfo& info) {
   switch (info.shape) {
     case Shape::quaternion:
@@ -145,7 +145,7 @@ Json field_schema(const FieldInfo& info) {
   if (info.shape == Shape::boolean && info.fallback) schema["default"] = *info.fallback != 0;
   if (info.shape != Shape::boolean && info.fallback) schema["default"] = *info.fallback;
   if (!info.fallback_word.empty()) schema["default"] = info.fallback_word;
-  // Bounds hold for numbers; a text under the same keyword is not affected.
+  // Bounds apply to numbers; a text under the same keyword is not affected.
   if (info.bound == Bound::positive) schema["exclusiveMinimum"] = 0;
   if (info.bound == Bound::not_negative) schema["minimum"] = 0;
   return schema;

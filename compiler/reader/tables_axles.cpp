@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, 2> kAxleEnds = {"front", "rear"};
 /// In the order of TorqueSupport.
 constexpr std::array<std::string_view, 2> kSupports = {"carrier", "body"};
 
-/// "springs and forces": the sections of elements that a rig can take away.
+/// "springs and forces": sections of elements that a rig can remove.
 std::string removable_sections() {
   std::vector<std::string> sections;
   each_kind([&](auto kind) {

@@ -18,7 +18,7 @@ Field<FileFields> section_row(KindOf<Kind> kind) {
   return field<FileFields, &SectionOf<Kind>::section>(section(kind.section, kind.key, section_of<Kind>().doc));
 }
 
-/// Sections in front of those of elements.
+/// Sections before those of elements.
 std::vector<Field<FileFields>> first_sections() {
   using F = FileFields;
   return {
@@ -59,7 +59,7 @@ std::vector<Field<FileFields>> first_sections() {
   };
 }
 
-/// Sections behind those of elements.
+/// Sections after those of elements.
 std::vector<Field<FileFields>> last_sections() {
   using F = FileFields;
   return {

@@ -29,13 +29,13 @@ constexpr FieldInfo element_field() {
   return {.name = source_key(Of{}), .shape = Shape::reference, .doc = Of::shows, .of = Of::section};
 }
 
-/// The field that names an element.
+/// The field for an element's name.
 template <class Kind>
 Field<OutputFields> element_row(KindOf<Kind>) {
   return field<OutputFields, &SourceName<Kind>::element>(element_field<Kind>());
 }
 
-/// "springs, joint springs": the kinds of elements that store energy.
+/// "springs, joint springs": kinds of elements with potential energy.
 std::string kinds_with_energy() {
   std::vector<std::string> kinds;
   each_kind([&](auto kind) {
@@ -104,7 +104,7 @@ std::string element_quantities() {
   return text;
 }
 
-/// Fields of its quantity.
+/// Fields of the quantity.
 auto quantity_fields() {
   using F = OutputFields;
   static const std::string doc = fmt::format(
@@ -129,7 +129,7 @@ auto quantity_fields() {
   };
 }
 
-/// Fields of its details: reference body, observer, rotations.
+/// Fields of details: reference body, observer, rotations.
 auto detail_fields() {
   using F = OutputFields;
   return std::array{

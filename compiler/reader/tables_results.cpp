@@ -141,7 +141,7 @@ std::span<const Field<SolverSettings>> fields<SolverSettings>() {
 
 namespace {
 
-/// Kinds behind those of elements.
+/// Kinds after those of elements.
 std::vector<ObjectKind> other_kinds() {
   static const std::string output_doc =
       fmt::format("a result; exactly one of {} and {}",

@@ -34,7 +34,7 @@ FieldInfo number(std::string_view name, std::string_view doc, std::string_view u
   return constant_info(name, doc, unit, fallback, bound, Depends::parameters);
 }
 
-/// Where a feature or patch is.
+/// Fields of the position of a feature or patch.
 template <class S>
 auto stretch_fields(std::string_view doc_of_length) {
   FieldInfo from = length("from", "x where it begins");

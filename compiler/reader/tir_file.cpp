@@ -15,7 +15,7 @@
 namespace mbgen::reading {
 namespace {
 
-/// The line up to its comment; quotes keep what stands between them.
+/// The line up to its comment; comment characters within quotes are text.
 std::string_view without_comment(std::string_view line) {
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -25,7 +25,7 @@ std::string_view without_comment(std::string_view line) {
   return line;
 }
 
-/// Adds the value of a line. Complains about a second one.
+/// Adds the value of a line. Reports a duplicate.
 void add_entry(Reader& reader, TirEntries& entries, std::string_view line, TirEntry entry) {
   const std::size_t equals = line.find('=');
   const std::string key = upper(without_blanks(line.substr(0, equals)));
@@ -41,7 +41,7 @@ void add_entry(Reader& reader, TirEntries& entries, std::string_view line, TirEn
                      place_text(reader.documents, first->second.place, entry.place)));
 }
 
-/// The entry of a key, which is used then, or nullptr.
+/// The entry of a key, marked as used, or nullptr.
 const TirEntry* use_entry(TirEntries& entries, std::string_view key) {
   const auto found = entries.keys.find(key);
   if (found == entries.keys.end()) return nullptr;
@@ -49,7 +49,7 @@ const TirEntry* use_entry(TirEntries& entries, std::string_view key) {
   return &found->second;
 }
 
-/// All entries of a file; of tables, whose rows have no key, the section.
+/// All entries of a file; for tables, with rows without a key, the section.
 TirEntries entries_of(Reader& reader, const Document& document, std::uint32_t file) {
   TirEntries entries;
   const std::string_view text = document.text;
@@ -79,7 +79,7 @@ TirEntries entries_of(Reader& reader, const Document& document, std::uint32_t fi
   return entries;
 }
 
-/// The number of a key; nothing when it is absent, or with a complaint.
+/// The number of a key; nothing if it is absent, or with a problem.
 std::optional<double> number_of_key(Reader& reader, TirEntries& entries, std::string_view key) {
   const TirEntry* entry = use_entry(entries, key);
   if (!entry) return std::nullopt;
@@ -115,7 +115,7 @@ constexpr TirUnit kTirUnits[] = {
     {"ANGLE", "RAD", 1},
 };
 
-/// Factor to SI of a quantity; 1 without a word of it. Complains about unknown words.
+/// Factor of a quantity to SI; 1 without a unit. Reports unknown units.
 double unit_of(Reader& reader, TirEntries& entries, std::string_view quantity) {
   const TirEntry* entry = use_entry(entries, quantity);
   if (!entry) return 1;
@@ -130,7 +130,7 @@ double unit_of(Reader& reader, TirEntries& entries, std::string_view quantity) {
   return 1;
 }
 
-/// PROPERTY_FILE_FORMAT, and the model where the word tells it; else FITTYP does.
+/// PROPERTY_FILE_FORMAT, and its tyre model, else the model from FITTYP.
 struct TirFormat {
   std::string_view word;
   std::optional<TyreModel> model = {};
@@ -144,7 +144,7 @@ constexpr TirFormat kTirFormats[] = {{"PAC2002", TyreModel::pac2002},
                                      {"MF-TYRE"},
                                      {"USER"}};
 
-/// The set that a file is of; nothing, with a complaint, for other tyre models.
+/// The tyre model of a file; nothing, with a problem, for an unsupported one.
 std::optional<TyreModel> tyre_model_of(Reader& reader, const Value& value, TirEntries& entries) {
   constexpr std::string_view kHint =
       "the files understood are PAC2002 and Magic Formula 5.2 (FITTYP 6, 21 or 52), 6.1 and 6.2 (FITTYP 61 or 62)";
@@ -212,8 +212,8 @@ void read_coefficients(Reader& reader, const Value& value, TirEntries& entries, 
   }
 }
 
-/// Whether turn slip acts: as the model says, else as the last digit of USE_MODE does, 5 of MF-Tyre: combined forces
-/// and turn slip. A file without its coefficients gets a note.
+/// Whether turn slip is active: from the model, else from the last digit of USE_MODE, 5 in MF-Tyre: combined forces and
+/// turn slip. A file without its coefficients gets a note.
 TurningOfFile turning_of(Reader& reader, TirEntries& entries, const TirUnits& units, const WishesOfTyre& wishes) {
   constexpr double kCombinedAndTurnSlip = 5;
   TurningOfFile turning;
@@ -233,7 +233,7 @@ TurningOfFile turning_of(Reader& reader, TirEntries& entries, const TirUnits& un
   return turning;
 }
 
-/// Stiffness and pressure of MF 6.1; what the file does not give is left to the tyre's own defaults.
+/// Stiffness and pressure of MF 6.1; missing ones are left to the tyre's own defaults.
 template <class Number>
 void read_mf61(const Number& number, const TirUnits& units, TirTyre& tyre) {
   const auto of = [&](std::string_view name) {
@@ -248,8 +248,8 @@ void read_mf61(const Number& number, const TirUnits& units, TirTyre& tyre) {
   if (const double pressure = number("INFLPRES", 0)) tyre.pressure = pressure * per_length / units.length;
 }
 
-/// Cams of MF-Swift; their base is ELLIPS_SHIFT times the contact length at nominal load, of which Q_RA1 and Q_RA2 are
-/// coefficients. Source: I. J. M. Besselink, A. J. C. Schmeitz, H. B. Pacejka, Vehicle System Dynamics 48, 2010.
+/// Cams of MF-Swift; their base is ELLIPS_SHIFT times the contact length at nominal load, from coefficients Q_RA1 and
+/// Q_RA2. Source: I. J. M. Besselink, A. J. C. Schmeitz, H. B. Pacejka, Vehicle System Dynamics 48, 2010.
 CamsOfFile cams_of(Reader& reader, TirEntries& entries, const TirTyre& tyre) {
   const auto number = [&](std::string_view key) {
     const std::optional<double> found = number_of_key(reader, entries, key);

@@ -11,7 +11,7 @@
 
 namespace mbgen::reading {
 
-/// Data of a file on the cams of TyreEnvelope.
+/// Data of a file for the cams of TyreEnvelope.
 struct CamsOfFile {
   std::optional<double> base = {}, length = {}, height = {}, order = {};
 };
@@ -20,11 +20,11 @@ struct CamsOfFile {
 struct TirTyre {
   TyreModel model;                                ///< pac2002 or mf61
   std::vector<Quantity> coefficients = {};        ///< in the order of tyre_fields(model)
-  std::optional<double> stiffness = {};           ///< N/m: VERTICAL_STIFFNESS; of mf61 else by Q_FZ1 and Q_FZ2
+  std::optional<double> stiffness = {};           ///< N/m: VERTICAL_STIFFNESS; for mf61 else from Q_FZ1 and Q_FZ2
   std::optional<double> damping = {};             ///< N s/m: VERTICAL_DAMPING
   std::optional<double> rolling_resistance = {};  ///< QSY1 of pac2002
   std::optional<double> pressure = {};            ///< Pa: INFLPRES
-  CamsOfFile cams = {};                           ///< ELLIPS_..., where they are asked for
+  CamsOfFile cams = {};                           ///< ELLIPS_..., on request
   TurningOfFile turning = {};                     ///< of mf61
   Place nominal = {};                             ///< of FNOMIN
 };
@@ -35,18 +35,18 @@ struct TirEntry {
   Place place = {};               ///< of the value
   std::string_view section = {};  ///< without brackets, as written
   Place key = {};
-  bool used = false;  ///< its number or word was asked for
+  bool used = false;  ///< its number or word was read
 };
 
 struct TirEntries {
   std::map<std::string, TirEntry, std::less<>> keys;       ///< in capitals
-  std::vector<std::pair<std::string_view, Place>> tables;  ///< sections with rows that have no key
+  std::vector<std::pair<std::string_view, Place>> tables;  ///< sections with rows without a key
 };
 
 /// Requests of a tyre to its file.
 struct WishesOfTyre {
   bool cams = false;                   ///< the tyre uses the cams of the file
-  std::optional<bool> turn_slip = {};  ///< as the model says; else the file's USE_MODE does
+  std::optional<bool> turn_slip = {};  ///< from the model; else from the file's USE_MODE
 };
 
 /// Reads a file of PAC2002 or Magic Formula 5.2, 6.1 or 6.2, relative to the file that names it. Sections, units,
@@ -57,15 +57,15 @@ struct WishesOfTyre {
 /// read where it acts.
 std::optional<TirTyre> read_tir(Reader& reader, const Value& value, const WishesOfTyre& wishes);
 
-/// Letters of the alphabet in capitals, as keys and sections are compared.
+/// Capital letters, for comparison of keys and sections.
 std::string upper(std::string_view text);
 
-/// The number of an entry, with an exponent of C or Fortran; nothing when it is none.
+/// The number of an entry, with an exponent of C or Fortran; nothing for text.
 std::optional<double> number_of(const TirEntry& entry);
 
-/// Notes in the model, once per file, the entries that nobody asked for, sorted by purpose. Silent on entries of
-/// every file, header, units, dimensions, limits of validity, and on coefficients at which a formula is as without
-/// them. Names that no file has get the nearest one. model: of the file.
+/// Notes unused entries in the model, once per file, sorted by purpose. Silent on common entries (header, units,
+/// dimensions, limits of validity) and on coefficients with neutral values. Unknown names get the nearest one. model:
+/// of the file.
 void note_unused(Reader& reader, TyreModel model, const TirEntries& entries);
 
 /// Factors to SI.
@@ -73,8 +73,8 @@ struct TirUnits {
   double length, force, time;
 };
 
-/// Notes sizes that no tyre has in the units of the file: numbers in millimetres where it says metres, or the reverse.
-/// tyre: in SI.
+/// Notes sizes that are impossible for a tyre in the units of the file: numbers in millimetres declared as metres, or
+/// the reverse. tyre: in SI.
 void note_sizes(Reader& reader, const TirEntries& entries, const TirUnits& units, const TirTyre& tyre);
 
 }  // namespace mbgen::reading

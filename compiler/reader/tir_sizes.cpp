@@ -1,4 +1,4 @@
-// Numbers of a .tir file that its units make a size that no tyre has.
+// Numbers of a .tir file that give impossible sizes in its units.
 #include <fmt/format.h>
 
 #include "compiler/model/tyre_sets.hpp"
@@ -8,7 +8,7 @@
 namespace mbgen::reading {
 namespace {
 
-/// Sizes that tyres have, from a toy's to a dumper's, in SI.
+/// Possible sizes of tyres, from a toy's to a dumper's, in SI.
 struct TirSize {
   std::string_view key, unit;
   double least, most;
@@ -28,7 +28,7 @@ double factor_of(std::string_view key, const TirUnits& units) {
   return key == "LONGVL" ? units.length / units.time : units.force / (units.length * units.length);
 }
 
-/// "with LENGTH = 'mm'", or that the file has no such unit.
+/// "with LENGTH = 'mm'", or a text for a missing unit.
 std::string by_unit(const TirEntries& entries, const char* quantity, const char* fallback) {
   const auto unit = entries.keys.find(quantity);
   return unit == entries.keys.end() ? fmt::format("without {} in [UNITS], that is in {}", quantity, fallback)

@@ -10,7 +10,7 @@
 namespace mbgen::reading {
 namespace {
 
-/// Coefficients of the format that no formula of ours has: a name, or its start before a number.
+/// Coefficients of the format without a formula here: a name, or its begin before a number.
 struct TirGroup {
   std::string_view purpose;
   std::array<std::string_view, 12> names, numbered;
@@ -38,15 +38,15 @@ constexpr TirGroup kGroups[] = {
 };
 constexpr std::string_view kUnknownPurpose = "unknown names";
 
-/// Sections that every file has and that say nothing of forces, and how limits of validity are called.
+/// Common sections without effect on forces, and prefixes of limits of validity.
 constexpr std::string_view kSilentSections[] = {"MDI_HEADER", "UNITS", "MODEL", "DIMENSION", "INERTIA"};
 constexpr std::string_view kSilentEnding = "_RANGE";
 
-/// Keys that are read beside the coefficients.
+/// Keys used in addition to the coefficients.
 constexpr std::string_view kOthers[] = {
     "VERTICAL_STIFFNESS", "VERTICAL_DAMPING", "INFLPRES", "USE_MODE", "LCZ", "Q_FZ1"};
 
-/// Pressures of measurement and limits, which coefficients of inflation pressure need.
+/// Pressures of measurement and limits, used with coefficients of inflation pressure.
 constexpr std::string_view kSilentKeys[] = {"IP", "IP_NOM", "NOMPRES", "INFLPRES", "PRESMIN", "PRESMAX"};
 
 template <class Words>
@@ -63,7 +63,7 @@ std::string_view purpose_of(std::string_view key) {
   return kUnknownPurpose;
 }
 
-/// Whether a formula with this coefficient would be as one without: a factor of 1, else a term of 0.
+/// Whether a coefficient has a neutral value: a factor of 1, or a term of 0.
 bool is_neutral(std::string_view key, const TirEntry& entry) {
   return number_of(entry) == (key.starts_with('L') && key != "LMUV" ? 1.0 : 0.0);
 }
@@ -76,7 +76,7 @@ bool is_silent(const std::string& key, const TirEntry& entry) {
 
 bool is_earlier(Place a, Place b) { return a.offset < b.offset; }
 
-/// " turn slip (PECP1, PECP2);" of the keys of one purpose: all coefficients of the format, of others a few.
+/// " turn slip (PECP1, PECP2);" for the keys of one purpose: all coefficients of the format, only a few others.
 std::string list_of(std::string_view purpose, const std::vector<std::string_view>& keys) {
   constexpr std::size_t kMostUnknown = 12;
   if (keys.empty()) return {};
@@ -90,7 +90,7 @@ std::string list_of(std::string_view purpose, const std::vector<std::string_view
   return fmt::format("{} ({}); ", purpose, names);
 }
 
-/// Names that the format has and that are near to the first unknown ones, each as `did you mean`.
+/// Names of the format near to the first unknown ones, each as `did you mean`.
 std::string nearest_names(TyreModel model, const std::vector<std::string_view>& unknown) {
   constexpr std::size_t kMost = 4;
   std::vector<std::string_view> known;
@@ -127,7 +127,7 @@ void note_unused(Reader& reader, TyreModel model, const TirEntries& entries) {
   Where where = where_of(reader.documents, *std::min_element(places.begin(), places.end(), is_earlier));
   const auto is_of_file = [&](const Diagnostic& note) { return note.where.file == where.file; };
   Diagnostics& notes = reader.model.notes;
-  if (std::any_of(notes.begin(), notes.end(), is_of_file)) return;  // several tyres are of the file
+  if (std::any_of(notes.begin(), notes.end(), is_of_file)) return;  // several tyres may use the file
   notes.push_back(
       {std::move(where), "the model does not use " + lists, nearest_names(model, keys[kUnknownPurpose]), {}});
 }

@@ -19,8 +19,8 @@ using Names = std::vector<std::string_view>;
 struct NominalSet {
   double load = 0;                                                   ///< N
   std::function<TyreForces<double>(double kappa, double alpha)> of;  ///< N, y to the left
-  double friction_x = 1, friction_y = 1;                             ///< of the peaks; their sign counts alone
-  /// Coefficient by name; 0 of pac89, which has none.
+  double friction_x = 1, friction_y = 1;                             ///< at the peaks; only their sign is used
+  /// Coefficient by name; 0 for pac89, which has no names.
   std::function<double(std::string_view name)> number;
 };
 
@@ -31,7 +31,7 @@ std::vector<double> numbers_of(const std::vector<Quantity>& coefficients) {
 }
 
 NominalSet nominal_set(const Tyre& tyre) {
-  constexpr double kLoadOfPac89 = 4000;  // N, which its coefficients do not tell
+  constexpr double kLoadOfPac89 = 4000;  // N; its coefficients have no nominal load
   const std::vector<double> values = numbers_of(tyre.coefficients);
   const std::span<const TyreField> fields = tyre_fields(tyre.model);
   NominalSet set;
@@ -68,7 +68,7 @@ NominalSet nominal_set(const Tyre& tyre) {
   return set;
 }
 
-/// " (PKX1 and PDX1 are 0)" of those that are; empty for none.
+/// " (PKX1 and PDX1 are 0)" for those that are 0; empty for none.
 std::string zeros_among(const NominalSet& set, const TyreModel& model, const Names& names) {
   Names zeros;
   for (const std::string_view name : names)
@@ -77,14 +77,14 @@ std::string zeros_among(const NominalSet& set, const TyreModel& model, const Nam
   return fmt::format(" ({} {} 0)", fmt::join(zeros, ", "), zeros.size() == 1 ? "is" : "are");
 }
 
-/// How a force of one direction is called, and the names behind it.
+/// Name of a force in one direction, and its coefficients.
 struct Direction {
   std::string_view force, stiffness, unit, effect;
   Names names;
   std::string_view sign;
 };
 
-/// Notes on one direction. force: over its slip, positive where it should push. Result: whether there is a force.
+/// Notes on one direction. force: over its slip, positive if it opposes the slip. Result: whether there is a force.
 bool note_direction(Reader& reader, Place place, const NominalSet& set, TyreModel model, const Direction& direction,
                     const std::function<double(double)>& force) {
   constexpr double kSmall = 1e-6, kLeast = 1e-6;
@@ -106,7 +106,7 @@ bool note_direction(Reader& reader, Place place, const NominalSet& set, TyreMode
   return true;
 }
 
-/// Coefficients of combined slip that are missing; empty where the set has them.
+/// Missing coefficients of combined slip; empty for a complete set.
 std::string pure_slip_only(const NominalSet& set) {
   const auto is_zero = [&](std::string_view name) { return set.number(name) == 0; };
   Names missing;

@@ -1,4 +1,4 @@
-// Notes on allowed values that are likely mistakes: signs, units and angles that were typed wrongly.
+// Notes on allowed values that are probably mistakes: wrong signs, units or angles.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace mbgen::reading {
 namespace {
 
-/// Whether a damping law pushes in the direction of the motion somewhere.
+/// Whether a damping law is negative somewhere.
 bool adds_energy(const std::optional<Law>& damping) {
   if (!damping) return false;
   if (const auto* factor = std::get_if<Quantity>(&*damping)) return factor->value < 0;
@@ -27,7 +27,7 @@ concept HasDampingLaw = requires(Element element) {
   requires std::is_same_v<decltype(element.damping), std::optional<Law>>;
 };
 
-/// Notes elements with one damping law that adds energy.
+/// Notes elements with a damping law that adds energy.
 void note_damping(Reader& reader) {
   each_element(reader.model, [&]<class Element>(const Element& element) {
     if constexpr (HasDampingLaw<std::remove_const_t<Element>>)
@@ -77,7 +77,7 @@ std::vector<Spot> spots_of(const Model& model) {
     if (std::isfinite(at[0] + at[1] + at[2])) spots.push_back({index, std::move(name), at});
   };
   for (int i = 0; i < static_cast<int>(model.bodies.size()); ++i) {
-    if (i == model.ground) continue;  // a point very far away is how a force of one direction is written
+    if (i == model.ground) continue;  // a far point on ground stands for a force of constant direction
     const Body& body = model.bodies[i];
     for (const Point& point : body.points) add(i, body.name + "." + point.name, point.position);
     if (body.mass.value > 0) add(i, {}, body.com);
@@ -91,7 +91,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Notes points that lie much farther out than most. Result: the extent of the other points, m.
+/// Notes points much farther out than most. Result: the extent of the other points, m.
 double note_far_points(Reader& reader) {
   constexpr double kFar = 30;
   constexpr std::size_t kFewest = 5;  // fewer have no middle
@@ -124,7 +124,7 @@ double note_far_points(Reader& reader) {
   return 2 * extent;
 }
 
-/// How far the points of a body reach from its centre of mass, m; 0 where they are one.
+/// Largest distance of a body's points from its centre of mass, m; 0 for a single point.
 double reach_of(const Body& body) {
   const auto place = [](const Vector3Quantity& at) { return Vector3{at[0].value, at[1].value, at[2].value}; };
   double reach = 0;
@@ -132,10 +132,10 @@ double reach_of(const Body& body) {
   return body.points.size() > 1 && std::isfinite(reach) ? reach : 0;
 }
 
-/// Notes inertias with radii of gyration larger than the whole model, which no body in it is, or far beyond the points
-/// of the body itself.
+/// Notes inertias with radii of gyration larger than the whole model, impossible for its bodies, or far larger than the
+/// extent of the body's own points.
 void note_inertias(Reader& reader, double extent) {
-  constexpr double kFactor = 2;  // of a size, which is twice what points reach
+  constexpr double kFactor = 2;  // of a size, twice the extent of the points
   for (const Body& body : reader.model.bodies) {
     const double largest = std::max({body.inertia[0].value, body.inertia[1].value, body.inertia[2].value});
     if (!(body.mass.value > 0) || !(extent > 0)) continue;
@@ -151,7 +151,7 @@ void note_inertias(Reader& reader, double extent) {
   }
 }
 
-/// Notes elements along the line between two points that are one at the reference.
+/// Notes elements along the line between two points that coincide at the reference.
 void note_ends(Reader& reader) {
   constexpr double kOnePlace = 1e-9;  // m
   each_element(reader.model, [&]<class Kind>(const Kind& element) {

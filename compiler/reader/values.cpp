@@ -22,7 +22,7 @@ struct ReferenceEnvironment {
   double position(const CoordinateReference&) const { return 0; }
   double velocity(const CoordinateReference&) const { return 0; }
   double local(int) const { return 0; }
-  /// Expressions of states are read when the initial values of all are.
+  /// Expressions of states are read after all initial values.
   double state(int index) const {
     const auto i = static_cast<std::size_t>(index), count = model.states.size();
     if (i < count) return model.states[i].initial;
@@ -36,8 +36,8 @@ void wrong_type(Reader& reader, const Value& value, std::string_view wanted, std
   report(reader, value, fmt::format("must be {}, got {}", wanted, describe(value)), std::move(hint));
 }
 
-/// Reports a number that is too large or out of its bound; NaN passes: it was reported before. Result: whether it is
-/// usable.
+/// Reports a number that is too large or out of its bound; NaN passes, since it has been reported. Result: whether it
+/// is usable.
 bool check_number(Reader& reader, const Value& value, const FieldInfo& info, double number) {
   if (std::abs(number) > kLargestNumber) {
     report(reader, value, fmt::format("must be at most {:g} in magnitude, got {}", kLargestNumber, number));
@@ -51,7 +51,7 @@ bool check_number(Reader& reader, const Value& value, const FieldInfo& info, dou
   return false;
 }
 
-/// The nodes of an expression text. Result: nothing when there were problems.
+/// The nodes of an expression text. Result: nothing after problems.
 std::optional<Expression> parse(Reader& reader, const Value& value, const FieldInfo& info) {
   const Scope& place = current_scope(reader);
   const ExpressionScope scope{reader.names,         place.visible, reader.model.parameters, reader.model.expressions,
@@ -71,8 +71,8 @@ int add_expression(Reader& reader, Expression expression) {
   return static_cast<int>(reader.model.expressions.size()) - 1;
 }
 
-/// Whether the sign of an expression is that of one parameter or input: products and quotients with positive numbers.
-/// Result: its node, or null.
+/// The single parameter or input that decides the sign of an expression: in products and quotients with positive
+/// numbers. Result: its node, or null.
 const ExpressionNode* signed_as(const Expression& expression) {
   const ExpressionNode* found = nullptr;
   for (const ExpressionNode& node : expression.nodes) {
@@ -88,8 +88,8 @@ const ExpressionNode* signed_as(const Expression& expression) {
   return found;
 }
 
-/// A tunable parameter or an input that alone makes a bounded number has that bound while a solver runs, too: as its
-/// least value.
+/// A tunable parameter or input that alone decides a bounded number gets this bound as its least value, for run time
+/// too.
 void bound_at_run_time(Reader& reader, const Expression& expression, const FieldInfo& info) {
   const ExpressionNode* node = info.bound == Bound::none ? nullptr : signed_as(expression);
   if (!node) return;
@@ -105,7 +105,7 @@ void read_expression(Reader& reader, const Value& value, const FieldInfo& info, 
   if (!expression) return;
   target.value = evaluate<double>(*expression, ReferenceEnvironment{reader.model});
   const bool constant = expression->nodes.size() == 1 && expression->nodes[0].kind == ExpressionNode::Kind::number;
-  // A force may well be singular where all coordinates are zero; what depends on parameters alone may not.
+  // A force may be singular where all coordinates are zero; an expression of parameters alone may not.
   const bool must_be_finite = info.depends <= Depends::parameters || constant;
   if (must_be_finite && !std::isfinite(target.value)) {
     const bool spoiled = std::any_of(expression->nodes.begin(), expression->nodes.end(),
@@ -143,7 +143,7 @@ std::string_view wanted_of(const FieldInfo& info) {
   return info.shape == Shape::position ? "an array of 3 numbers or the name of a hardpoint" : "an array of 3 numbers";
 }
 
-/// Three constants or quantities. Result: false, with the target left unreadable, when the array has another size.
+/// Three constants or quantities. Result: false, with an unreadable target, for an array of another size.
 template <class Number>
 void read_three(Reader& reader, const Value& value, const FieldInfo& info, std::array<Number, 3>& target,
                 std::string_view wanted) {

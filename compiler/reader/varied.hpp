@@ -6,14 +6,14 @@
 
 namespace mbgen {
 
-/// A parameter that is read otherwise than it is written.
+/// A parameter with a value other than written.
 struct VariedParameter {
-  std::string name;             ///< ignored where the model has no such parameter
-  std::optional<double> value;  ///< in place of the file's, also where that follows from other parameters
+  std::string name;             ///< ignored if the model has no such parameter
+  std::optional<double> value;  ///< instead of the file's, also for a dependent parameter
   bool tunable = false;         ///< whether it can be changed in a solver
 };
 
-/// A name that is no parameter: the step of the motion, s, which loads of frictions without a period follow.
+/// A name that is no parameter: the step of the motion, s, default period of frictions' loads.
 constexpr const char* kStepOfMotion = "--step";
 
 }  // namespace mbgen

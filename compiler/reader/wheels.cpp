@@ -1,4 +1,4 @@
-// Tyres and the joints that their wheels turn in: the default axis of a tyre, and notes on likely mistakes.
+// Tyres and the joints of their wheels: default axis of a tyre, and notes on likely mistakes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,10 +12,10 @@ namespace mbgen::reading {
 namespace {
 
 constexpr double kAngleSlack = 1e-6;  ///< rad
-constexpr double kOffset = 1e-6;      ///< m: what a hardpoint table with micrometres leaves
+constexpr double kOffset = 1e-6;      ///< m: rounding of a hardpoint table in micrometres
 constexpr double kUnbalanced = 1e-6;  ///< of the moment of inertia about the axis
 constexpr double kWobble = 0.5;       ///< rad: a larger angle is no static toe or camber
-constexpr double kAcross = 0.8;       ///< rad: a wheel that is turned farther rolls to the side
+constexpr double kAcross = 0.8;       ///< rad: a wheel at a larger angle rolls sideways
 constexpr const char* kWheels = "docs/use/writing_models.md, \"Wheels\"";
 
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
@@ -26,10 +26,10 @@ double angle_of_lines(const Vector3& a, const Vector3& b) {
   return std::min(angle, std::numbers::pi - angle);
 }
 
-/// The joint that holds the rigid group of a tyre's wheel.
+/// The joints of the rigid group of a tyre's wheel.
 struct Holding {
   std::vector<int> hinges;  ///< its revolute and cylindrical joints
-  std::vector<int> others;  ///< its other joints, but fixed ones
+  std::vector<int> others;  ///< its other joints, except fixed ones
   int rods = 0;
   int size() const { return static_cast<int>(hinges.size() + others.size()) + rods; }
 };
@@ -55,10 +55,10 @@ int far_group(const Model& model, const std::vector<int>& groups, int joint, int
   return from == group ? to : from;
 }
 
-/// Where a tyre's wheel turns.
+/// Body and joint of a tyre's rotation.
 struct Wheel {
   int joint = -1;    ///< that it turns in
-  int carried = -1;  ///< a body that turns on the tyre's own, which holds still: the wheel is likely that one
+  int carried = -1;  ///< a body that rotates on the tyre's fixed one: probably the wheel
 };
 
 Wheel wheel_of(const Reader& reader, const std::vector<int>& groups, const Holding& holding, int group,
@@ -81,7 +81,7 @@ Wheel wheel_of(const Reader& reader, const std::vector<int>& groups, const Holdi
   return wheel;
 }
 
-/// Whether a joint that is no hinge lets the wheel turn by itself.
+/// Whether a joint other than a hinge lets the wheel rotate.
 bool may_turn(const Model& model, const Holding& holding, const Vector3& axis) {
   if (holding.size() != 1 || holding.others.empty()) return false;
   const Joint& joint = model.joints[holding.others.front()];
@@ -103,8 +103,7 @@ void note_standing(Reader& reader, Place place, const TyreFields& tyre, const Wh
   }
 }
 
-/// Notes on the axis of a tyre that differs from the axis of its wheel's joint. left: where an axis that nobody wrote
-/// points.
+/// Notes on a tyre's axis that differs from the axis of its wheel's joint. left: direction of a default axis.
 void note_axis(Reader& reader, const Value& value, const TyreFields& tyre, const Joint& joint, const Vector3& left) {
   const Value* written = find(value, "axis");
   const std::string name = in_quotes(joint.name);
@@ -128,13 +127,13 @@ void note_axis(Reader& reader, const Value& value, const TyreFields& tyre, const
   }
 }
 
-/// The part of a vector across a unit axis.
+/// Component of a vector perpendicular to a unit axis.
 Vector3 across(const Vector3& vector, const Vector3& axis) {
   const double along = dot(vector, axis);
   return {vector[0] - along * axis[0], vector[1] - along * axis[1], vector[2] - along * axis[2]};
 }
 
-/// Notes on a wheel that is not in balance, and on a tyre beside its joint.
+/// Notes on an unbalanced wheel, and on a tyre beside its joint.
 void note_balance(Reader& reader, Place place, const TyreFields& tyre, const Joint& joint, const RigidGroup& wheel) {
   const std::string name = in_quotes(joint.name);
   const Vector3 on_axis = reference_position(reader.model, joint.to);

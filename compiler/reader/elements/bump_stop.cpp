@@ -1,4 +1,4 @@
-// Bump stops and where they are.
+// Bump stops and their attachments.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace mbgen::reading {
 
-/// A bump stop as written, with where it is still open.
+/// A bump stop as written, before its attachment is resolved.
 struct BumpStopFields : BumpStop {
   std::optional<Attachment> written_from, written_to;
   std::optional<std::string> spring;
@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 2> kStopLocals = {"penetration", "rate"};
 /// In the order of BumpStop::Side.
 constexpr std::array<std::string_view, 4> kSides = {"compression", "extension", "above", "below"};
 
-/// Where a stop is.
+/// Fields of the attachment.
 auto stop_place_fields() {
   using S = BumpStopFields;
   return std::array{
@@ -58,7 +58,7 @@ auto stop_place_fields() {
   };
 }
 
-/// Fields of its law.
+/// Fields of the law.
 auto stop_law_fields() {
   using S = BumpStopFields;
   return std::array{
@@ -102,7 +102,7 @@ std::span<const Field<BumpStopFields>> fields<BumpStopFields>() {
 }
 namespace {
 
-/// Takes the ends of the element with a length of that name.
+/// Takes over the ends of the element with a length of that name.
 void take_ends_of_spring(Reader& reader, const Value& value, BumpStopFields& stop) {
   const Visibility& visible = current_scope(reader).visible;
   NameMap<int> known;
@@ -123,7 +123,7 @@ void take_ends_of_spring(Reader& reader, const Value& value, BumpStopFields& sto
            suggestion(reader, *stop.spring, known));
 }
 
-/// Complains where a stop is at no place or at several.
+/// Reports a stop with no attachment or with several.
 bool has_one_place(Reader& reader, const Value& value) {
   const bool points = find(value, "from") || find(value, "to");
   const Member *spring = find_member(value, "spring"), *joint = find_member(value, "joint");
@@ -205,14 +205,14 @@ void read_bump_stops(Reader& reader, const Entries& entries) {
   }
 }
 
-/// Whether the curve is negative anywhere from zero on: looked at in sixteen places between two points.
+/// Whether the curve is negative anywhere from zero on: sampled at sixteen places between two points.
 bool falls_below_zero(const Table& table) {
   constexpr int kPlaces = 16;
   bool falls = value_along(table, 0.0) < 0;
   const auto look_at = [&](double x) { falls = falls || (x > 0 && value_along(table, x) < 0); };
   for (std::size_t i = 0; i + 1 < table.x.size(); ++i)
     for (int k = 0; k <= kPlaces; ++k) look_at(table.x[i] + k * (table.x[i + 1] - table.x[i]) / kPlaces);
-  // As far again: the straight line beyond the points may fall.
+  // One sample at twice the range: the linear extrapolation may fall.
   look_at(2 * std::max(table.x.back(), width_of(table)));
   return falls;
 }

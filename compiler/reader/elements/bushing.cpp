@@ -13,7 +13,7 @@
 
 namespace mbgen::reading {
 
-/// A bushing with axes as written, in the frame of `from`; its freedoms are read when they are told apart.
+/// A bushing with axes as written, in the frame of `from`, before its freedoms are read.
 struct BushingFields : Bushing {
   std::optional<Vector3> written_axis, axis2;
   const Value *tx = nullptr, *ty = nullptr, *tz = nullptr, *rx = nullptr, *ry = nullptr, *rz = nullptr;
@@ -37,7 +37,7 @@ FieldInfo matrix(std::string_view name, std::string_view doc, std::string_view u
   return {.name = name, .shape = Shape::six_by_six, .doc = doc, .unit = unit};
 }
 
-/// Where a bushing is.
+/// Fields of the attachment.
 auto bushing_frame_fields() {
   using S = BushingFields;
   return std::array{
@@ -62,7 +62,7 @@ auto bushing_frame_fields() {
   };
 }
 
-/// Fields of its law.
+/// Fields of the law.
 auto bushing_law_fields() {
   using S = BushingFields;
   return std::array{
@@ -124,7 +124,7 @@ std::span<const Field<BushingFreedom>> fields<BushingFreedom>() {
 }
 namespace {
 
-constexpr double kMeeting = 1e-6;     ///< m: what a hardpoint table with micrometres leaves
+constexpr double kMeeting = 1e-6;     ///< m: rounding of a hardpoint table in micrometres
 constexpr double kLeastAngle = 1e-3;  ///< rad, between the two axes
 constexpr double kRounding = 1e-12;   ///< of the largest entry of a matrix
 
@@ -136,7 +136,7 @@ Vector3 normalised(Vector3 vector) {
   return vector;
 }
 
-/// A direction across an axis: the letter after that of the axis, or one across a skew axis.
+/// A direction perpendicular to an axis: the letter after the axis's, or any for a skew axis.
 Vector3 across(const Vector3& axis) {
   std::size_t least = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -146,7 +146,7 @@ Vector3 across(const Vector3& axis) {
   return normalised(cross(axis, unit(least)));
 }
 
-/// The part of a direction across an axis, a unit vector.
+/// Perpendicular component of a direction, as a unit vector.
 Vector3 part_across(const Vector3& axis, const Vector3& direction) {
   Vector3 part = direction;
   const double along = dot(axis, direction);
@@ -154,7 +154,7 @@ Vector3 part_across(const Vector3& axis, const Vector3& direction) {
   return normalised(part);
 }
 
-/// Sets the axes of a bushing, and whether they count mirrored.
+/// Sets the axes of a bushing and their mirroring.
 void place_axes(Reader& reader, const Value& value, BushingFields& bushing) {
   const auto spoiled = [](const std::optional<Vector3>& axis) { return axis && std::isnan((*axis)[0]); };
   if (bushing.from.body < 0 || spoiled(bushing.written_axis) || spoiled(bushing.axis2)) return;
@@ -183,7 +183,7 @@ void place_axes(Reader& reader, const Value& value, BushingFields& bushing) {
   bushing.is_mirrored = handedness(current_scope(reader).placement) < 0;
 }
 
-/// A freedom by the field that writes it; `both` is the field that stands for two of them.
+/// Reads a freedom from its field, or from `both`, the field common to two freedoms.
 void read_freedom(Reader& reader, const Value& value, const Value* written, const char* key, const Value* both,
                   const char* both_key, std::optional<BushingFreedom>& target) {
   if (written && both) {
@@ -207,7 +207,7 @@ void read_freedom(Reader& reader, const Value& value, const Value* written, cons
 
 void read_freedoms(Reader& reader, const Value& value, BushingFields& bushing) {
   const auto read = [&](std::size_t index, const Value* written, const Value* both, const char* both_key) {
-    // A value of two freedoms is read for both, its problems once.
+    // A field common to two freedoms is read for both; its problems count once.
     const std::size_t problems = reader.problems.size();
     read_freedom(reader, value, written, kBushingFreedomNames[index].data(), both, both_key, bushing.freedoms[index]);
     return reader.problems.size() == problems;
@@ -224,7 +224,7 @@ void read_freedoms(Reader& reader, const Value& value, BushingFields& bushing) {
 
 std::size_t place_in_matrix(std::size_t row, std::size_t column) { return kBushingFreedoms * row + column; }
 
-/// Complains where an entry is not that on the other side of the diagonal, at any value of tunable parameters.
+/// Reports a matrix that is not symmetric at all values of tunable parameters.
 void check_symmetry(Reader& reader, const Value& value, std::string_view key, const BushingMatrix& matrix) {
   double largest = 0;
   for (const Quantity& entry : matrix) largest = std::max(largest, std::abs(entry.value));

@@ -1,4 +1,4 @@
-// Bushings that pull away from the reference or add energy.
+// Notes on bushings with negative stiffness, or with negative damping.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,16 +11,16 @@
 namespace mbgen::reading {
 namespace {
 
-constexpr double kLeastPivot = 1e-12;  ///< of a matrix with ones on its diagonal
-constexpr double kCoupling = 1e-6;     ///< of freedoms of which one has no stiffness left
+constexpr double kLeastPivot = 1e-12;  ///< of a matrix with unit diagonal
+constexpr double kCoupling = 1e-6;     ///< of freedoms of which one has lost its stiffness
 
-/// Whether a symmetric matrix with a constant part of each freedom's own has a negative value in some direction: by
-/// elimination, with the largest pivots first.
+/// Whether a symmetric matrix plus a constant of each freedom is not positive semidefinite: by elimination with the
+/// largest pivots first.
 bool is_negative_somewhere(const BushingMatrix& quantities, const std::array<double, kBushingFreedoms>& own) {
   std::array<double, kBushingFreedoms * kBushingFreedoms> a{};
   std::transform(quantities.begin(), quantities.end(), a.begin(), [](const Quantity& q) { return q.value; });
   const auto at = [&](std::size_t row, std::size_t column) -> double& { return a[kBushingFreedoms * row + column]; };
-  // Lengths and angles have other units: each freedom counts by its own stiffness.
+  // Lengths and angles have different units: each freedom is scaled by its own stiffness.
   std::array<double, kBushingFreedoms> scale{};
   for (std::size_t i = 0; i < kBushingFreedoms; ++i) {
     at(i, i) += own[i];
@@ -50,7 +50,8 @@ bool is_negative_somewhere(const BushingMatrix& quantities, const std::array<dou
   return false;
 }
 
-/// The same of a bushing's matrix with what its freedoms add, where those are constants.
+/// Whether a bushing's matrix plus its freedoms' laws is not positive semidefinite; false for laws that are not
+/// constant.
 bool is_negative_somewhere(const Bushing& bushing, const std::optional<BushingMatrix>& matrix,
                            std::optional<Law> BushingFreedom::*law) {
   if (!matrix) return false;
@@ -65,7 +66,7 @@ bool is_negative_somewhere(const Bushing& bushing, const std::optional<BushingMa
   return is_negative_somewhere(*matrix, own);
 }
 
-/// Whether a law acts in the direction of its argument somewhere.
+/// Whether a law is negative somewhere, a force along its argument.
 bool is_negative(const std::optional<Law>& law) {
   if (!law) return false;
   if (const auto* factor = std::get_if<Quantity>(&*law)) return factor->value < 0;

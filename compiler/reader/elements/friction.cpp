@@ -1,4 +1,4 @@
-// Friction on coordinates, along springs and in the ends of rods.
+// Friction on coordinates, along springs and in rod ends.
 #include <fmt/format.h>
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace mbgen::reading {
 
-/// Friction on a coordinate, along a spring or in the ball at the end of a rod.
+/// Friction on a coordinate, along a spring or in the ball joint at a rod's end.
 struct FrictionFields : FrictionLaw, ReactionFields {
   std::string name;
   Where where;
@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 3> kFrictionLaws = {"smooth", "elasto_pla
 /// In the order of ReactionOutput::End.
 constexpr std::array<std::string_view, 2> kRodEnds = {"to", "from"};
 
-/// Where a friction is, and its levels.
+/// Fields of the attachment and of the levels.
 auto friction_level_fields() {
   using S = FrictionFields;
   return std::array{
@@ -72,7 +72,7 @@ auto friction_level_fields() {
   };
 }
 
-/// Of bristles and of what presses.
+/// Fields of bristles and of the normal force.
 auto friction_bristle_fields() {
   using S = FrictionFields;
   return std::array{
@@ -127,7 +127,7 @@ namespace {
 
 constexpr double kStribeckOverVelocity = 10;
 
-/// Complains about fields that the law does not have, and about one that it needs and has not.
+/// Reports fields without effect on the law, and missing fields of the law.
 void check_law(Reader& reader, const Value& value, const FrictionFields& friction) {
   const bool bristle = friction.has_bristle();
   const auto refuse_field = [&](std::string_view key, const char* law) {
@@ -148,7 +148,7 @@ void check_law(Reader& reader, const Value& value, const FrictionFields& frictio
     report(reader, *find(value, "elastic"), fmt::format("must be below 1, got {}", friction.elastic.value));
 }
 
-/// Levels of friction, and the speed over which one goes over to the other.
+/// Levels of friction, and the speed of the transition between them.
 void check_levels(Reader& reader, const Value& value, FrictionFields& friction) {
   if (!find(value, "coulomb") && !find(value, "stiction") && !find(value, "viscous"))
     report(reader, value, "friction has no coulomb, stiction or viscous");
@@ -168,7 +168,7 @@ void check_levels(Reader& reader, const Value& value, FrictionFields& friction) 
   }
 }
 
-/// Complains unless it acts on exactly one thing. Result: whether it does.
+/// Reports a friction without exactly one attachment. Result: whether it has one.
 bool check_place(Reader& reader, const Value& value) {
   std::string_view first;
   for (const std::string_view key : {"joint", "spring", "rod"}) {
@@ -186,7 +186,7 @@ bool check_place(Reader& reader, const Value& value) {
   return !first.empty();
 }
 
-/// Friction in the end of a rod.
+/// Friction in a rod end.
 RodFriction rod_friction(Reader& reader, const Value& value, const FrictionFields& friction) {
   if (friction.has_bristle())
     report(reader, *find(value, "law"), "friction in the end of a rod is smooth: it has no one direction to stick in");
@@ -196,7 +196,7 @@ RodFriction rod_friction(Reader& reader, const Value& value, const FrictionField
   return result;
 }
 
-/// The load of a friction as a value that is set at instants; -1 without one.
+/// Adds the normal force of a friction as a sampled value; -1 without one.
 int add_load(Reader& reader, const Value& value, const FrictionFields& friction) {
   if (!friction.reaction) {
     for (const std::string_view key : {"quantity", "direction", "period"})
@@ -209,7 +209,7 @@ int add_load(Reader& reader, const Value& value, const FrictionFields& friction)
   SampledValue load;
   load.name = friction.name + "_load";
   load.where = friction.where;
-  load.period = friction.period.value_or(0);  // finish_frictions knows the step
+  load.period = friction.period.value_or(0);  // set by finish_frictions, which knows the step
   load.load = read_reaction(reader, value, friction);
   load.unit = unit_of(*load.load);
   load.shown.description = "reaction that presses " + friction.name;

@@ -32,10 +32,10 @@ std::string trouble_of_spring(const Model& model, std::size_t index) {
   return look_at_motion(model, spring.stiffness, spring.preload, spring.free_length) ? kByMotion : "";
 }
 
-/// Notes springs whose length without force is far from the one that they have: a free length in millimetres, a preload
+/// Notes springs with a length at zero force far from their length: probably a free length in millimetres, or a preload
 /// over a stiffness in N/mm.
 void note_springs(Reader& reader) {
-  constexpr double kFactor = 50;  // of the length at the reference; springs of machines stretch by less than five
+  constexpr double kFactor = 50;  // of the reference length; springs of machines stretch by less than five
   for (const PointSpring& spring : reader.model.springs) {
     if (spring.from.body < 0 || spring.to.body < 0 || spring.from.point < 0 || spring.to.point < 0) continue;
     const Vector3 from = reference_position(reader.model, spring.from),
@@ -43,7 +43,7 @@ void note_springs(Reader& reader) {
     const double length = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
     const auto* stiffness = spring.stiffness ? std::get_if<Quantity>(&*spring.stiffness) : nullptr;
     const std::string name = in_quotes(spring.name);
-    if (!(length > 0)) continue;  // ends that coincide have a note of their own
+    if (!(length > 0)) continue;  // coinciding ends have their own note
     const double free = spring.free_length ? spring.free_length->value : 0;
     if (free > kFactor * length) {
       note_at(reader, spring.where,

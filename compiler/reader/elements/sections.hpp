@@ -1,5 +1,5 @@
 #pragma once
-// Sections of elements in the model format: one source a section, with the table of its fields and their reading.
+// Sections of elements in the model format: one source per section, with the table of its fields and their reading.
 
 #include "compiler/model/element_fields.hpp"
 #include "compiler/model/mentions.hpp"
@@ -10,14 +10,14 @@ namespace mbgen::reading {
 
 struct ElementSection {
   std::string_view doc;
-  std::vector<ObjectKind> (*kinds)();             ///< of its objects, and of those in them
+  std::vector<ObjectKind> (*kinds)();             ///< of its objects and their inner objects
   void (*read)(Reader&, const Entries& entries);  ///< into the model
-  /// of an elastic kind: why the force of an element is not integrated, "" where it is
+  /// for an elastic kind: reason why the force of an element is not integrated, "" if it is
   std::string (*trouble)(const Model&, std::size_t index) = nullptr;
-  void (*note)(Reader&) = nullptr;  ///< on values that are allowed and likely not meant
+  void (*note)(Reader&) = nullptr;  ///< on values that are allowed but unlikely
 };
 
-/// The section of a kind that stands first in it.
+/// The section of the first kind in it.
 template <class Kind>
 ElementSection section_of();
 template <>
@@ -39,7 +39,7 @@ ElementSection section_of<Bushing>();
 template <>
 ElementSection section_of<BumpStop>();
 
-/// Whether a kind stands first in its section.
+/// Whether a kind is the first in its section.
 template <class Kind>
 constexpr bool leads_section() {
   bool leads = true, is_before = true;
@@ -71,17 +71,17 @@ inline FieldInfo element_coordinate(std::string_view name, std::string_view doc,
 /// Adds a note on an element.
 void note_at(Reader& reader, const Where& where, std::string message, std::string hint = {});
 
-/// Notes an angle of more than a turn; no angle where the coordinate does not turn. name: of the angle.
+/// Notes an angle of more than a turn; not for a translational coordinate. name: of the angle.
 void note_angle(Reader& reader, const Where& where, const std::string& name, const CoordinateReference& coordinate,
                 double angle);
 
-/// Notes on bushings that pull away from the reference or add energy.
+/// Notes on bushings with negative stiffness or damping.
 void note_bushings(Reader& reader);
 
 constexpr const char* kByExpression = "a force by an expression, which is not integrated";
 constexpr const char* kByMotion = "a law that depends on the motion, which is not integrated";
 
-/// Whether one of the fields looks at what moves.
+/// Whether one of the fields depends on moving quantities.
 template <class... Fields>
 bool look_at_motion(const Model& model, const Fields&... fields) {
   using Kind = ExpressionNode::Kind;

@@ -18,7 +18,7 @@
 namespace mbgen::reading {
 namespace {
 
-/// A coefficient set in the order of the runtime; empty when it could not be read.
+/// A coefficient set in the order of the runtime; empty if it could not be read.
 struct CoefficientSet {
   TyreModel model = TyreModel::pac2002;
   std::vector<Quantity> coefficients;
@@ -123,7 +123,7 @@ void check_tyre(Reader& reader, const Value& value, const std::vector<int>& grou
   }
 }
 
-/// Relaxation lengths of a set at its nominal load and pressure, m; zero where it gives none.
+/// Relaxation lengths of a set at its nominal load and pressure, m; zero for missing ones.
 tyre_law::Relaxation<double> nominal_relaxation(const CoefficientSet& set) {
   std::vector<double> values;
   for (const Quantity& q : set.coefficients) values.push_back(q.value);
@@ -140,7 +140,7 @@ tyre_law::Relaxation<double> nominal_relaxation(const CoefficientSet& set) {
           pac2002.pty2 == 0 ? 0 : magic::pac2002_relaxation_y<double>(pac2002, at, 0)};
 }
 
-/// A length that the model does not give follows the load as the set says, where it says so.
+/// A relaxation length not given by the model depends on the load according to the set, if it says so.
 void take_relaxation(const Value& value, const CoefficientSet& set, TyreFields& tyre) {
   if (set.model == TyreModel::pac89) return;
   const tyre_law::Relaxation<double> of_set = nominal_relaxation(set);
@@ -152,7 +152,7 @@ void take_relaxation(const Value& value, const CoefficientSet& set, TyreFields& 
   take("relaxation_y", of_set.y, tyre.relaxation_y, tyre.over_load_y);
 }
 
-/// Takes a set, and properties that it has and the model does not give.
+/// Takes over a set, and its properties that are not given by the model.
 void use_coefficients(Reader& reader, const Value& value, CoefficientSet& set, TyreFields& tyre) {
   tyre.model = set.model;
   tyre.coefficients = set.coefficients;
@@ -175,7 +175,7 @@ void use_coefficients(Reader& reader, const Value& value, CoefficientSet& set, T
   }
 }
 
-/// Cams know the edges of planks and potholes, not the steps of an expression.
+/// Notes steps of expressions: cams find edges of planks and potholes only.
 void note_steps_below(Reader& reader, const Value& value, const TyreFields& tyre) {
   if (tyre.road < 0) return;
   const Road& road = reader.model.roads[static_cast<std::size_t>(tyre.road)];
@@ -193,7 +193,7 @@ void note_steps_below(Reader& reader, const Value& value, const TyreFields& tyre
         "make steps of planks and potholes: cams know their edges");
 }
 
-/// The envelope of a tyre, with what a file gives of its cams; after the road.
+/// The envelope of a tyre, with the cam data of a file; after the road.
 void use_envelope(Reader& reader, const CamsOfFile& of_file, TyreFields& tyre) {
   constexpr int kMostSamples = 50;  // to each side
   if (!tyre.enveloping) return;
@@ -223,7 +223,7 @@ void use_envelope(Reader& reader, const CamsOfFile& of_file, TyreFields& tyre) {
   if (reader.problems.size() == problems) tyre.envelope = cams;
 }
 
-/// The road under a tyre: the one of that name, or the only one.
+/// The road under a tyre: the named one, or the only one.
 void use_road(Reader& reader, const Value& value, TyreFields& tyre) {
   const NameMap<int>& roads = reader.names.roads;
   if (!tyre.written_road) {
@@ -236,7 +236,7 @@ void use_road(Reader& reader, const Value& value, TyreFields& tyre) {
   if (!tyre.written_road->empty()) tyre.road = find_named(reader, *find(value, "road"), "road", roads);
 }
 
-/// Takes coefficients from a .tir file, and properties of the tyre that the model does not give.
+/// Takes over coefficients from a .tir file, and properties of the tyre that are not given by the model.
 void use_file(Reader& reader, const Value& value, TyreFields& tyre) {
   const Value& file = *find(value, "tir");
   if (file.kind != Value::Kind::text) return;
@@ -257,7 +257,7 @@ void use_file(Reader& reader, const Value& value, TyreFields& tyre) {
   use_turning(reader, value, read->turning, tyre);
 }
 
-/// Coefficients stand in a set of the model or in a file.
+/// Checks that coefficients come from a set of the model or from a file.
 void check_source(Reader& reader, const Value& value) {
   const Member *data = find_member(value, "data"), *tir = find_member(value, "tir");
   if (!data && !tir) report(reader, value, "a tyre needs \"data\" or \"tir\"");
