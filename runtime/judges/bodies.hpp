@@ -14,7 +14,7 @@ struct CartesianBody {
   Eigen::Vector3d spin;         ///< angular velocity, rad/s
 };
 
-/// All bodies that move: the bodies of the model but ground, massless ones too, then the rods that have mass.
+/// All moving bodies: the bodies of the model except ground, massless ones included, then the rods with mass.
 struct CartesianState {
   std::vector<CartesianBody> bodies;
   std::vector<double> x;  ///< auxiliary states, as GenericState::x

@@ -10,15 +10,15 @@
 namespace mbgen {
 namespace {
 
-/// Steps of the model over which Baumgarte's method closes what is open: tied to the model's own step and not to the
-/// step at hand, so that the equations that are integrated do not change with it.
+/// Time constant of Baumgarte's method in steps of the model: independent of the present step, so that the integrated
+/// equations do not change with it.
 constexpr double kStepsToClose = 50;
 
 bool same(const GenericState& a, const GenericState& b) {
   return a.z == b.z && a.zd == b.zd && a.x == b.x && a.t == b.t;
 }
 
-/// Equations (5), solved.
+/// Solution of equations (5).
 struct Solved {
   Evaluation evaluation;
   CartesianSolution solution;
@@ -35,7 +35,7 @@ struct CartesianSolver::Content {
   double closing_rate;  ///< alpha of Baumgarte's method, 1/s
   std::vector<Input> model_inputs;
   std::vector<double> inputs;  ///< at the start of a step
-  PlacedState left;            ///< by the last step; its z is empty before the first one
+  PlacedState left;            ///< after the last step; its z is empty before the first one
 
   Content(const Model& model, const Topology& t, CartesianMethod m, Stabilisation s)
       : topology(t),
@@ -50,7 +50,7 @@ struct CartesianSolver::Content {
 
   Mechanics mechanics() const { return {system, topology}; }
 
-  /// The bodies that the last step left, or placed along the tree.
+  /// The bodies after the last step, or placed along the tree.
   PlacedState configuration(const GenericState& state) const {
     return same(left.z, state) ? left : PlacedState{system.place(state), state};
   }
@@ -66,8 +66,8 @@ struct CartesianSolver::Content {
     return status;
   }
 
-  /// Rates at one stage of a step. equations: those that the first stage kept, which sets them. The later stages are
-  /// not closed, so another choice among redundant equations would be another differential equation.
+  /// Rates at one stage of a step. equations: kept equations, set by the first stage. The later stages are not closed,
+  /// so that another choice among redundant equations would change the differential equation.
   Status stage(const PlacedState& at, std::vector<int>& equations, CartesianRates& rates) const {
     const std::vector<double> no_tau(at.z.z.size(), 0.0);
     Evaluation evaluation;
@@ -85,7 +85,7 @@ struct CartesianSolver::Content {
     return rates.qdd.allFinite() ? Status{} : Status{Code::not_a_number, -1};
   }
 
-  /// Inputs dt seconds after the start of the step, by the derivatives that they name.
+  /// Inputs dt seconds after the start of the step, extrapolated by their derivatives.
   void advance_inputs(double dt) {
     if (inputs_have_derivatives(model_inputs)) system.set_inputs(advanced_inputs(model_inputs, inputs, dt));
   }
@@ -100,7 +100,7 @@ struct CartesianSolver::Content {
     return status;
   }
 
-  /// Where a step of h seconds leads.
+  /// Result of a step of h seconds.
   Status advance(PlacedState& at, double h) {
     std::vector<int> equations;
     bool any = false;

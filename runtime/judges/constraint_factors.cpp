@@ -42,7 +42,7 @@ ConstraintFactors::ConstraintFactors(const Eigen::MatrixXd& jacobian, const Pivo
   for (Index k = 0; k < r; ++k) null_basis_.row(pivot_columns_[k]) = dependent_part.row(k);
 }
 
-/// Rows stay where they are, with zeros at the pivot columns behind them; untouched rows cost nothing.
+/// Rows stay in place, with zeros at the pivot columns after them; unchanged rows cost nothing.
 void ConstraintFactors::eliminate(const Eigen::MatrixXd& jacobian, const PivotRule& rule) {
   const Index m = jacobian.rows(), n = jacobian.cols();
   RowMajor rows = jacobian;

@@ -17,7 +17,7 @@ void add_point(const End& from, const End& to, std::vector<Row>& rows) {
   for (int k = 0; k < 3; ++k) rows.push_back(coincidence(from, to, Vector3d::Unit(k)));
 }
 
-/// The directions that a joint holds: its axis on both bodies, and the turn about it.
+/// Equations of directions of a joint: its axis on both bodies, and the rotation about it.
 void add_directions(JointType type, const End& from, const End& to, const Eigen::Matrix3d& on_from,
                     const Eigen::Matrix3d& on_to, std::vector<Row>& rows) {
   if (type == JointType::universal) {
@@ -32,7 +32,7 @@ void add_directions(JointType type, const End& from, const End& to, const Eigen:
     rows.push_back(perpendicular(from, to, on_from.col(0), on_to.col(1)));
 }
 
-/// Equations of a joint, in the order of the closures of the recursive formulation.
+/// Equations of a joint, in the order of the recursive formulation's closures.
 void add_joint(const PartJoint& joint, const std::vector<Moving>& bodies, std::vector<Row>& rows) {
   if (joint.type == JointType::free) return;
   const End from = end_of(bodies, joint.from), to = end_of(bodies, joint.to);
@@ -62,7 +62,7 @@ void add_joint(const PartJoint& joint, const std::vector<Moving>& bodies, std::v
   add_directions(joint.type, from, to, on_from, on_to, rows);
 }
 
-/// A rod whose length is given over time, with its rates.
+/// A rod with a prescribed length and its rates.
 Row driven_distance(const End& from, const End& to, const Jet<double>& length) {
   Row row = distance(from, to, length.value);
   row.rate = length.first;
@@ -70,7 +70,7 @@ Row driven_distance(const End& from, const End& to, const Jet<double>& length) {
   return row;
 }
 
-/// A massless rod keeps its length; a massive one is a body with a spherical joint at each end, and does not spin.
+/// A massless rod has constant length; a massive one is a body with a spherical joint at each end, without spin.
 void add_rod(const PartRod& rod, int ground, const std::vector<Moving>& bodies, std::vector<Row>& rows) {
   const End from = end_of(bodies, rod.from), to = end_of(bodies, rod.to);
   if (rod.body < 0) {

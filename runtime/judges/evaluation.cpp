@@ -11,18 +11,18 @@ namespace mbgen {
 namespace {
 
 constexpr double kZeroPivot = 1e-10;  // relative to the first
-/// Closures that are open by 1 m or 1 make of a zero a pivot of up to 2, relative to the first one, in all our models;
-/// pivots of equations that count are above 0.02.
+/// Closures open by 1 m or 1 turn a zero into a pivot of up to 2, relative to the first one, in all our models; pivots
+/// of independent equations are above 0.02.
 constexpr double kPivotPerResidual = 10, kLargestZero = 5e-3;
-/// Relative rounding of c, and its error by closures that are open by 1 m or 1.
+/// Relative rounding of c, and its error from closures open by 1 m or 1.
 constexpr double kCompatible = 1e-8;
 constexpr double kBiasPerResidual = 100;
-/// Rates this close to the largest one (relative) are as large.
+/// Relative difference of rates below which they count as equal.
 constexpr double kTie = 1e-6;
 
 double largest(const Eigen::VectorXd& values) { return values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff(); }
 
-/// Tree coordinate that a motion of the bodies turns or shifts most.
+/// Tree coordinate that moves most in a motion of the bodies.
 int leading_coordinate(const Mechanics& mechanics, const PlacedState& at, const Eigen::VectorXd& motion) {
   CartesianState moving = at.bodies;
   mechanics.system.set_velocities(moving, motion);
@@ -33,7 +33,7 @@ int leading_coordinate(const Mechanics& mechanics, const PlacedState& at, const 
   return static_cast<int>(std::find_if(rates.begin(), rates.end(), leads) - rates.begin());
 }
 
-/// The step of Newton's method on the positions, shortened where it would leave the basin.
+/// Newton step for the positions, shortened if it would leave the basin of attraction.
 Eigen::VectorXd newton_step(const Evaluation& evaluation) {
   const Eigen::VectorXd dq =
       mass_orthogonal_correction(evaluation.terms.mass, *evaluation.factors, -evaluation.terms.residual);

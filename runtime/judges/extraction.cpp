@@ -1,4 +1,4 @@
-// Forces from multipliers: closures of the tree, driving forces, reactions of the joints.
+// Forces from multipliers: multipliers of the tree's closures, driving forces, reactions of the joints.
 
 #include "runtime/judges/mechanism.hpp"
 #include "runtime/judges/system.hpp"
@@ -9,7 +9,7 @@ namespace {
 using namespace cartesian;
 using Eigen::Vector3d;
 
-/// Axes that a tree body had in common with the global ones at the reference configuration.
+/// Axes of a tree body that coincided with the global ones at the reference configuration.
 Eigen::Matrix3d frame_of(const Topology& topology, const Parts& parts, const std::vector<Moving>& bodies, int tree) {
   if (tree == kGround) return Eigen::Matrix3d::Identity();
   const int b = parts.index_of[topology.bodies[tree].model_body];
@@ -21,13 +21,13 @@ bool has_point(JointType type) {
          type == JointType::fixed || type == JointType::homokinetic;
 }
 
-/// Multiplier of a massive rod's distance when its mass is split among its ends (theory.md section 5): half the
-/// difference of the forces at its ends, and (m_jj - m_jk) / 2 times the acceleration of one end towards the other.
+/// Multiplier of a massive rod's distance with its mass lumped to its ends (theory.md section 5): half the difference
+/// of the forces at its ends, and (m_jj - m_jk) / 2 times the acceleration of one end towards the other.
 double rod_tension(const PartRod& rod, const Moving& body, const Vector3d& at_from, const Vector3d& at_to) {
   return 0.5 * (at_to - at_from).dot(body.axes.col(0)) + rod.mass * rod.length * body.spin.squaredNorm() / 12;
 }
 
-/// A wrench about the centre of mass, seen about a point at `arm` from it.
+/// A wrench about the centre of mass, transformed to a point at `arm` from it.
 CartesianWrench about(const Vector3d& arm, const Vector6d& wrench) {
   return {wrench.head<3>(), wrench.tail<3>() - arm.cross(wrench.head<3>())};
 }
@@ -68,7 +68,7 @@ std::vector<double> CartesianSystem::driving_forces(const Eigen::VectorXd& lambd
   std::vector<double> result;
   for (std::size_t k = 0; k < mechanism_->model.motions.size(); ++k)
     result.push_back(-lambda[mechanism_->first.motions + static_cast<int>(k)]);
-  // A motion that makes a rod longer pushes against its tension.
+  // The drive of a rod's length acts against its tension.
   for (std::size_t r = 0; r < mechanism_->parts.rods.size(); ++r)
     if (const int motion = mechanism_->parts.rods[r].motion; motion >= 0)
       result[motion] -= lambda[mechanism_->first.rods[r]];

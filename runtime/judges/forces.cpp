@@ -54,7 +54,7 @@ Status CartesianMechanism::sample(const std::vector<Moving>& bodies, const Value
     any = any || is_due;
     const auto waiting = values.states.begin() + static_cast<std::ptrdiff_t>(queue);
     if (is_due) {
-      // A queue: the newest goes in front, the oldest comes out as the value.
+      // A queue: the newest value enters at the front, the oldest is the result.
       std::vector<double> line(waiting, waiting + sampled.delay);
       line.insert(line.begin(), sampled.load ? loads[place - model.states.size()] : values(sampled.value));
       values.states[place] = line.back();

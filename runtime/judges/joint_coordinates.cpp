@@ -21,7 +21,7 @@ double nearest_turn(double angle, double guess) {
   return angle - 2 * std::numbers::pi * std::round((angle - guess) / (2 * std::numbers::pi));
 }
 
-/// Axes of successive rotations, each carried along by those before it, in the axes of the first.
+/// Axes of successive rotations, each rotated by the previous ones, in the axes of the first.
 Columns carried_axes(const std::vector<Vector3d>& axes, const Angles& angles) {
   Columns columns(3, axes.size());
   Matrix3d turn = Matrix3d::Identity();
@@ -38,7 +38,7 @@ Matrix3d turned(const std::vector<Vector3d>& axes, const Angles& angles) {
   return turn;
 }
 
-/// Rates of the angles from an angular velocity; least squares where it has other components.
+/// Rates of the angles from an angular velocity; least squares if it has other components.
 Inverse rates_of(const Columns& columns) {
   if (columns.cols() == 3) return Matrix3d(columns).inverse();
   if (columns.cols() == 1) return columns.transpose() / columns.squaredNorm();
@@ -46,15 +46,15 @@ Inverse rates_of(const Columns& columns) {
   return (two.transpose() * two).inverse() * two.transpose();
 }
 
-/// The angle of a turn about one axis.
+/// Angle of a rotation about one axis.
 double angle_about(const Vector3d& axis, const Matrix3d& turn) {
   const Vector3d first = axis.unitOrthogonal(), second = axis.cross(first);
   return std::atan2(second.dot(turn * first) - first.dot(turn * second),
                     first.dot(turn * first) + second.dot(turn * second));
 }
 
-/// Angles of three turns about axes that are square to each other, in every position; of the two triples that there are
-/// the one nearer to a guess.
+/// Angles of three rotations about mutually perpendicular axes, in every position; of the two possible triples the one
+/// nearer to a guess.
 Angles ball_angles(const std::vector<Vector3d>& axes, const Matrix3d& turn, const Angles& guess) {
   Matrix3d basis;
   basis << axes[0], axes[1], axes[0].cross(axes[1]);
@@ -83,7 +83,7 @@ bool are_square(const std::vector<Vector3d>& axes) {
          std::abs(axes[0].dot(axes[2])) < kSquare;
 }
 
-/// Angles of a sequence whose product is `turn`, nearest to a guess: two by Newton.
+/// Angles of a sequence with product `turn`, nearest to a guess: two by Newton's method.
 Angles sequence_angles(const std::vector<Vector3d>& axes, const Matrix3d& turn, Angles angles) {
   if (axes.size() == 1) angles[0] = nearest_turn(angle_about(axes[0], turn), angles[0]);
   if (axes.size() <= 1) return angles;
@@ -99,13 +99,13 @@ Angles sequence_angles(const std::vector<Vector3d>& axes, const Matrix3d& turn, 
   return angles;
 }
 
-/// Motion of the bodies of a joint relative to `from`, in its axes turned back to the reference configuration.
+/// Motion of a joint's bodies relative to `from`, in its axes rotated back to the reference configuration.
 struct RelativeMotion {
   End from, to;
   Matrix3d axes;         ///< those axes, global
   Matrix3d turn;         ///< of `to` in them
-  Vector3d spin;         ///< of `to` relative to `from`, in them
-  Vector3d spin_change;  ///< rate of `spin` while the bodies have no angular acceleration
+  Vector3d spin;         ///< of `to` relative to `from`, in these axes
+  Vector3d spin_change;  ///< rate of `spin` for bodies without angular acceleration
 };
 
 RelativeMotion relative_motion(const PartJoint& joint, const std::vector<Part>& parts,
@@ -146,7 +146,7 @@ void add_rotations(const RelativeMotion& m, const PartJoint& joint, const std::v
   const Columns columns = carried_axes(axes, angles);
   const Inverse inverse = rates_of(columns);
   const Angles rates = inverse * m.spin;
-  Vector3d carried = Vector3d::Zero(), change = m.spin_change;  // the axes' own rates use up part of the change
+  Vector3d carried = Vector3d::Zero(), change = m.spin_change;  // part of the change is due to the axes' own rates
   for (std::size_t k = 0; k < axes.size(); ++k) {
     change -= rates[k] * carried.cross(columns.col(k));
     carried += rates[k] * columns.col(k);

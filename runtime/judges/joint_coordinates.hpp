@@ -1,5 +1,5 @@
 #pragma once
-// Relative coordinates of a joint of the tree, read off the poses and motions of its two bodies.
+// Relative coordinates of a joint of the tree, from the poses and motions of its two bodies.
 
 #include <array>
 #include <vector>
@@ -15,9 +15,9 @@ struct JointCoordinate {
   Row row;  ///< its columns are also the wrenches of a unit generalised force
 };
 
-/// The coordinates of a joint in the order of its freedoms. Angles of a sequence are those nearest to `guess`: per tree
-/// coordinate. Bodies that strain the joint's constraints give the coordinates that fit best.
-/// Requires: the sequence is not at its singular position.
+/// The coordinates of a joint in the order of its freedoms. Angles of a sequence are the nearest to `guess`: per tree
+/// coordinate. For bodies that violate the joint's constraints, the coordinates are a least-squares fit. Requires: the
+/// sequence is not at its singular position.
 std::vector<JointCoordinate> joint_coordinates(const PartJoint& joint, const std::vector<Part>& parts,
                                                const std::vector<Moving>& bodies, const std::vector<double>& guess);
 

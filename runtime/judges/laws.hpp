@@ -7,7 +7,7 @@
 
 namespace mbgen::cartesian {
 
-/// y of a table, found and computed without the formulation's pieces.
+/// y of a table, computed independently of the formulation's pieces.
 double value_of(const Table& table, double argument);
 
 /// Factor times argument, or a table over it; zero without a law.

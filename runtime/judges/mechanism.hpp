@@ -1,5 +1,5 @@
 #pragma once
-// A mechanism as the Cartesian equations see it: its numbers, the places of its equations, and its forces at a state.
+// A mechanism for the Cartesian equations: its numbers, the positions of its equations, and its forces at a state.
 
 #include <utility>
 #include <vector>
@@ -12,9 +12,9 @@
 namespace mbgen {
 namespace cartesian {
 
-/// Places of the equations: of the joints of the model, then of the rods, then one per motion, then one per coupling.
+/// Order of the equations: joints of the model, then rods, then one per motion, then one per coupling.
 struct FirstRows {
-  std::vector<int> joints, rods;  ///< first row of each, and one past the last of all
+  std::vector<int> joints, rods;  ///< first row of each, and the end of the last
   int motions = 0, couplings = 0, end = 0;
   std::vector<int> loop_of;  ///< per equation: index into Topology::loops, or -1
 };
@@ -33,14 +33,14 @@ struct CoupledCoordinate {
   double slope = 0;
 };
 
-/// A spring as it is now: m, m/s, its tension with its friction, and by its own law, N.
+/// A spring at this instant: m, m/s, tension including friction, and of its law alone, N.
 struct LineAtWork {
   double length = 0, rate = 0, force = 0, own = 0;
 };
 
 /// Forces of the model's elements at one state.
 struct Forces {
-  std::vector<Load> loads;     ///< springs, applied forces, tyres; on ground too
+  std::vector<Load> loads;     ///< springs, applied forces, tyres; also on ground
   std::vector<double> joints;  ///< per tree coordinate, N or N m
   std::vector<double> xd;      ///< rates of the auxiliary states
   std::vector<LineAtWork> springs;
@@ -58,7 +58,7 @@ struct CartesianMechanism {
   cartesian::FirstRows first;
 
   CartesianMechanism(const Model& model, const Topology& topology);
-  /// Evaluates the parts anew, at the parameters and inputs.
+  /// Updates the parts for the present parameters and inputs.
   void refresh();
 
   cartesian::Values values(const GenericState& z, double t) const {
@@ -66,7 +66,7 @@ struct CartesianMechanism {
   }
   int moving() const { return parts.ground(); }
 
-  /// Bodies with ground as the last, which stands still.
+  /// Bodies with ground as the last, at rest.
   std::vector<cartesian::Moving> bodies(const CartesianState& state) const;
   std::vector<cartesian::Row> equations_at(const std::vector<cartesian::Moving>& bodies,
                                            const cartesian::Values& values) const;
@@ -79,12 +79,11 @@ struct CartesianMechanism {
   std::vector<cartesian::CoupledCoordinate> coupled_coordinates(const Coupling& coupling,
                                                                 const std::vector<cartesian::Moving>& bodies,
                                                                 const cartesian::Values& values) const;
-  /// Values with all that expressions may look at: states and lengths too.
+  /// Values with everything used in expressions: states and lengths too.
   cartesian::Values complete(cartesian::Values values, const std::vector<cartesian::Moving>& bodies,
                              const std::vector<double>& x) const;
-  /// Sets the sampled values whose instant is at the start of a step of h seconds, in x; any: whether there are such.
-  /// loads: per value, where it is one of a reaction.
-  /// Fails: sample_inside_step, auxiliary_not_a_number; x is then unchanged.
+  /// Sets the sampled values whose instant is at the start of a step of h seconds, in x; any: whether there are such
+  /// values. loads: per value, for reactions. Fails: sample_inside_step, auxiliary_not_a_number; x is then unchanged.
   Status sample(const std::vector<cartesian::Moving>& bodies, const cartesian::Values& values,
                 const std::vector<double>& loads, double h, bool& any, std::vector<double>& x) const;
   cartesian::Forces forces(const std::vector<cartesian::Moving>& bodies, const std::vector<double>& x,

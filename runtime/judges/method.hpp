@@ -1,9 +1,9 @@
 #pragma once
-// The choice among the formulations of the paper's first section.
+// Formulations of the paper's first section.
 
 namespace mbgen {
 
-/// How (5) is solved.
+/// Solution method of (5).
 enum class CartesianMethod {
   augmented,    ///< (5) with redundant equations removed by (12)-(15)
   range_space,  ///< (16)-(20)

@@ -13,9 +13,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr Index kPerBody = 6;
-/// Root of the kinetic energy of a motion over what it would be if no body were massless: what is not larger is none.
+/// Square root of a motion's kinetic energy relative to the same motion without massless bodies; below it there is no
+/// inertia.
 constexpr double kNoInertia = 1e-8;
-/// Smallest pivot of a body's inertia relative to the largest; below is rounding of an exact zero.
+/// Smallest pivot of a body's inertia relative to the largest; smaller ones are rounding errors of zero.
 constexpr double kNoMass = 1e-13;
 
 /// M times `factor`, body by body.
@@ -43,7 +44,7 @@ MatrixXd times_root_of_mass(const MatrixXd& mass, const MatrixXd& factor) {
   return product;
 }
 
-/// Diagonal of M, zeros replaced by the mean of the others: a size of inertia for every coordinate.
+/// Diagonal of M, zeros replaced by the mean of the others: typical inertia of every coordinate.
 VectorXd typical_inertia(const MatrixXd& mass) {
   VectorXd inertia = mass.diagonal();
   const auto massive = static_cast<double>((inertia.array() > 0).count());
@@ -51,8 +52,7 @@ VectorXd typical_inertia(const MatrixXd& mass) {
   return (inertia.array() > 0).select(inertia, mean);
 }
 
-/// Inertia that a unit acceleration of each reduced equation meets, roughly: what makes its rows as large as those
-/// of M.
+/// Approximate inertia against a unit acceleration of each reduced equation: scales its rows to the magnitude of M.
 VectorXd equation_scale(const CartesianEquations& e) {
   return (e.factors.reduced().array().square().matrix() * typical_inertia(e.mass).cwiseInverse()).cwiseInverse();
 }
@@ -67,7 +67,7 @@ CartesianSolution with_multipliers(const CartesianEquations& e, VectorXd qdd) {
   return with_multipliers(e, std::move(qdd), e.factors.reduced_multipliers(unbalanced));
 }
 
-/// The matrix of (15), its equations multiplied by their scale so that pivots of both halves compare.
+/// The matrix of (15), with scaled equations so that pivots of both halves are comparable.
 CartesianSolution augmented(const CartesianEquations& e) {
   const MatrixXd& reduced = e.factors.reduced();
   const Index n = e.mass.rows(), r = reduced.rows();
@@ -82,8 +82,9 @@ CartesianSolution augmented(const CartesianEquations& e) {
   return with_multipliers(e, x.head(n), scale.cwiseProduct(x.tail(r)));
 }
 
-/// (16)-(20) with M* = M + U' W U and F* = F + U' W c in place of M and F. Where U qdd = c both give the same
-/// equations with the same multipliers, and M* is positive definite exactly when (9) holds, massless bodies or not.
+/// (16)-(20) with M* = M + U' W U and F* = F + U' W c instead of M and F. For U qdd = c both give the same equations
+/// with the same multipliers, and M* is positive definite if and only if (9) is satisfied, with or without massless
+/// bodies.
 CartesianSolution range_space(const CartesianEquations& e) {
   const MatrixXd& reduced = e.factors.reduced();
   const VectorXd weight = equation_scale(e);
@@ -96,7 +97,7 @@ CartesianSolution range_space(const CartesianEquations& e) {
   const VectorXd x = first.matrixL().solve(force);
   const MatrixXd transposed_21 = first.matrixL().solve(reduced.transpose());
   const Eigen::LLT<MatrixXd> second(transposed_21.transpose() * transposed_21);
-  // (18) has (18)'s signs: -lambda is what L2 L2' meets
+  // signs as in (18): the unknown of L2 L2' is -lambda
   const VectorXd lambda = -second.solve(e.bias.kept - transposed_21.transpose() * x);
   return with_multipliers(e, first.matrixU().solve(x - transposed_21 * lambda), lambda);
 }

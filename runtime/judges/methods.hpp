@@ -27,12 +27,12 @@ struct CartesianSolution {
 /// Cost: augmented (n + r)^3, null_space n^3, range_space n^3 and n r^2, maggi as the elimination of Phi_q.
 CartesianSolution solve(CartesianMethod method, const CartesianEquations& equations);
 
-/// A motion that the equations allow and no mass resists, n values; nothing when rank [M; Phi_q] = n (9).
-/// The size of a motion is the root of its kinetic energy, against that of the same motion with typical masses in place
-/// of zeros: rounding of a dead centre counts as zero, a small body of a heavy vehicle does not.
+/// A motion allowed by the equations without inertia, n values; nothing if rank [M; Phi_q] = n (9). The magnitude of a
+/// motion is the square root of its kinetic energy, relative to the same motion with typical masses instead of zeros:
+/// rounding at a dead centre counts as zero, a small body of a heavy vehicle does not.
 std::optional<Eigen::VectorXd> motion_without_inertia(const Eigen::MatrixXd& mass, const ConstraintFactors& factors);
 
-/// The correction dq of least dq' M dq with Phi_q dq = c: the mass-orthogonal projections of Bayo and Ledesma, of
+/// The correction dq with least dq' M dq and Phi_q dq = c: the mass-orthogonal projections of Bayo and Ledesma, of
 /// positions with c = -Phi and of velocities with c = -(Phi_q qd - b). Massless bodies follow the others exactly.
 /// Requires: as solve.
 Eigen::VectorXd mass_orthogonal_correction(const Eigen::MatrixXd& mass, const ConstraintFactors& factors,

@@ -28,17 +28,17 @@ Path operator-(const Path& a, const Path& b) {
   return {a.position - b.position, a.velocity - b.velocity, a.acceleration - b.acceleration};
 }
 
-/// The same vector as a body sees it that turns with `spin` and `spin_rate`; axes stay.
+/// The same vector in the frame of a body with `spin` and `spin_rate`; axes unchanged.
 Path seen_from(const Path& path, const Vector3d& spin, const Vector3d& spin_rate) {
   const Vector3d velocity = path.velocity - spin.cross(path.position);
-  // The rate of that, less what the turning of the axes makes of it.
+  // Its rate, minus the effect of the rotating axes.
   const Vector3d rate = path.acceleration - spin_rate.cross(path.position) - spin.cross(path.velocity);
   return {path.position, velocity, rate - spin.cross(velocity)};
 }
 
 double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
 
-/// Angles of the sequence, the second within a quarter turn of zero, or not negative where the first axis returns.
+/// Angles of the sequence, the second within a quarter turn of zero, or not negative if the first axis is repeated.
 Vector3d angles_of(const Matrix3d& r, const std::array<int, 3>& sequence) {
   Vector3d a = r.eulerAngles(sequence[0], sequence[1], sequence[2]);
   const bool returns = sequence[2] == sequence[0];
@@ -46,7 +46,7 @@ Vector3d angles_of(const Matrix3d& r, const std::array<int, 3>& sequence) {
   return a.unaryExpr(&wrapped);
 }
 
-/// Accelerations, multipliers and all that follows from them alone.
+/// Accelerations, multipliers and their direct results.
 struct Solution {
   const Eigen::VectorXd& qdd;
   std::vector<double> zdd, drives, multipliers;
@@ -89,7 +89,7 @@ class Instant {
     return result;
   }
 
-  /// J: the work of all elastic forces.
+  /// Work of all elastic forces, J.
   double value(const StoredEnergyOutput&) const {
     double sum = 0;
     const AtWork at{c_, bodies_, state_.x, values_};
@@ -127,7 +127,7 @@ class Instant {
     return 0;
   }
 
-  /// W: of all applied forces, tau and drives but not gravity.
+  /// Power of all applied forces, tau and drives, without gravity, W.
   double power(const std::vector<double>& tau) const {
     double power = 0;
     for (const Load& load : forces_.loads) power += power_of(load.body, load.wrench);
@@ -277,7 +277,7 @@ GenericOutputs CartesianSystem::outputs(const CartesianState& state, const Gener
     return instant.value(MomentumOutput{.what = MomentumOutput::What::potential_energy, .body = body});
   };
   values.potential_energy = potential(kNoBody);
-  // A body that is fixed to ground has no part in the balance.
+  // Bodies fixed to ground do not contribute to the balance.
   for (std::size_t b = 0; b < mechanism_->model.bodies.size(); ++b)
     if (mechanism_->topology.tree_body[b] == kGround && static_cast<int>(b) != mechanism_->model.ground)
       values.potential_energy -= potential(static_cast<int>(b));

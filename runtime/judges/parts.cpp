@@ -27,7 +27,7 @@ Vector3d reference_of(const Attachment& at, const Values& value) {
   return reference_of(body, body.points[at.point].position, value);
 }
 
-/// The same at the parameters of the model, and what others have moved it by.
+/// Reference position at default parameters (written), and its displacement by the present ones (tuned).
 Vector3d written(const Attachment& at, const Values& value) {
   const Body& body = value.model.bodies[at.body];
   const Vector3Quantity& point = body.points[at.point].position;
@@ -79,8 +79,7 @@ PartJoint joint_of(const Parts& parts, const Joint& joint, bool cut, const std::
   PartJoint part;
   part.type = joint.type;
   part.from = place_of(parts, joint.from, value);
-  // The tree turns about the point of `from`; only a closure can see that the point of `to` is not quite there. Both go
-  // where parameters take them.
+  // The tree rotates about the point of `from`; only a closure has the exact point of `to`. Parameters move both.
   part.to = cut ? place_of(parts, joint.to, value)
                 : place_at(parts, joint.to.body, written(joint.from, value) + tuned(joint.to, value));
   part.triad_from = triad_on(parts, part.from, joint.axis);
@@ -187,7 +186,8 @@ Parts make_parts(const Model& model, const Topology& topology, const Values& val
     if (loop.joint >= 0) cut[loop.joint] = true;
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     const std::vector<int>& coordinates = values.table[j];
-    const bool closes = cut[j] || (!coordinates.empty() && coordinates[0] < 0);  // a cut free joint is no closure
+    const bool closes =
+        cut[j] || (!coordinates.empty() && coordinates[0] < 0);  // a cut joint of type free is no closure
     parts.joints.push_back(joint_of(parts, model.joints[j], closes, coordinates, values));
   }
   each_kind([&]<class Kind>(KindOf<Kind> kind) {

@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of a model as the Cartesian equations use them: everything in the axes of its body, from its centre of
+// The numbers of a model for the Cartesian equations: everything in the axes of its body, relative to its centre of
 // mass.
 
 #include <Eigen/Dense>
@@ -10,7 +10,7 @@
 
 namespace mbgen::cartesian {
 
-/// A rigid body. Ground is one too, with its centre at the origin.
+/// A rigid body. Ground is included, with its centre at the origin.
 struct Part {
   double mass = 0;                                     ///< kg
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();   ///< about the centre of mass, body axes, kg m^2
@@ -44,12 +44,12 @@ struct PartRod {
   Place from, to;
   double length = 0, mass = 0;
   int body = -1;    ///< index into Parts::bodies, -1 for a massless rod
-  int motion = -1;  ///< index into Model::motions: what it adds to the length; -1 for a constant length
+  int motion = -1;  ///< index into Model::motions: addition to the length; -1 for a constant length
 };
 
-/// The places of an element by its connection.
+/// Attachments of an element, by its connection.
 struct ElementPart {
-  Place from, to;                                  ///< of an element on one body `from` alone
+  Place from, to;                                  ///< for an element on one body only `from`
   double reference = 0;                            ///< m, distance at the reference configuration
   Eigen::Matrix3d axes_from, axes_to;              ///< columns: axes of a frame, in the axes of either body
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();  ///< body axes of `from`; zero: along the line
@@ -61,7 +61,7 @@ struct PartTyre {
   Eigen::Vector3d axis;  ///< spin axis, body axes
 };
 
-/// Indices run as in the model, but for the bodies: those that move, the massive rods, ground.
+/// Indices as in the model, except bodies: the moving ones, the massive rods, ground.
 struct Parts {
   std::vector<Part> bodies;
   std::vector<int> index_of;  ///< per Model::bodies: index into `bodies`
@@ -74,8 +74,8 @@ struct Parts {
 };
 
 /// Two perpendiculars to a unit axis and the axis itself, as columns of a right-handed triad. For a coordinate axis the
-/// next two, turned with its sign; else the first is the axis times the coordinate axis it is least along. This choice
-/// is shared with the closures of the recursive formulation, so that multipliers compare.
+/// next two, with its sign; else the first is the cross product of the axis and the coordinate axis with the largest
+/// angle to it. The closures of the recursive formulation make the same choice, so that multipliers are comparable.
 Eigen::Matrix3d triad(const Eigen::Vector3d& axis);
 
 /// A point of a body of the model.

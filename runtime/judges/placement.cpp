@@ -1,4 +1,4 @@
-// Between tree coordinates and bodies: placing them along the tree, reading the coordinates back.
+// Conversion between tree coordinates and bodies: placement along the tree, coordinates from poses.
 
 #include <Eigen/Geometry>
 
@@ -14,18 +14,19 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// Displacement of a body from the reference configuration: the point that was at r is now at turn * r + shift.
+/// Displacement of a body from the reference configuration: the point at r moves to turn * r + shift.
 struct Displaced {
   Matrix3d turn = Matrix3d::Identity();
   Vector3d shift = Vector3d::Zero();
   Vector3d spin = Vector3d::Zero();
-  Vector3d point = Vector3d::Zero(), velocity = Vector3d::Zero();  ///< a point of the body, now, and how it moves
+  Vector3d point = Vector3d::Zero(),
+           velocity = Vector3d::Zero();  ///< present position of a point of the body, and its velocity
 
   Vector3d place(const Vector3d& reference) const { return turn * reference + shift; }
   Vector3d velocity_at(const Vector3d& place) const { return velocity + spin.cross(place - point); }
 };
 
-/// The displacement of a joint's child: the joint moves it first, at the reference, then goes with the parent.
+/// The displacement of a joint's child: first by the joint, at the reference, then with the parent.
 Displaced beyond(const Displaced& parent, const TreeBody& body, const Vector3d& pin, double z, double zd) {
   const Vector3d axis(body.axis[0], body.axis[1], body.axis[2]);
   const Vector3d now = parent.turn * axis;

@@ -18,7 +18,7 @@ struct Profile {
   double height = 0, slope = 0;
 };
 
-/// Values of an expression over a place that moves along one axis of the road.
+/// Values of an expression at a point that moves along one axis of the road.
 struct MovingPlace {
   const Values& value;
   std::array<Jet<double>, 2> place;
@@ -39,7 +39,7 @@ Profile along_axis(const Values& value, int expression, const Vector2d& at, int 
   return {jet.value, jet.first};
 }
 
-/// Height 1 with its ramps, by the place from the nearer end.
+/// Unit height with ramps, by the distance from the nearer end.
 Profile plateau(double u, double length, double ramp) {
   const bool is_leaving = u > length / 2;
   const double inside = is_leaving ? length - u : u;
@@ -77,7 +77,7 @@ Profile shape(const RoadFeature& feature, double u, const Values& value) {
   return {limit.height * inner.height, limit.height * inner.slope + limit.slope * inner.height};
 }
 
-/// Height of one track by the algorithm of de Boor and Cox: corners are cut until one value is left.
+/// Height of one track by the algorithm of de Boor and Cox: repeated interpolation until one value remains.
 Profile along_track(const RoadTracks& tracks, const std::vector<double>& samples, double x, int side) {
   double u = (x - tracks.from) / tracks.spacing;
   if (tracks.is_periodic) u -= tracks.count * std::floor(u / tracks.count);
@@ -101,7 +101,8 @@ Profile along_track(const RoadTracks& tracks, const std::vector<double>& samples
   return {d[0], slope};
 }
 
-/// A place between two borders, for one beyond them too. is_outside: whether a border's own height counts there.
+/// Coordinate within two borders, also for a point beyond them. is_outside: whether a border's own height is used
+/// there.
 double between_borders(RoadBorder border, double place, double first, double last, bool& is_outside) {
   is_outside = place < first || place > last;
   if (!is_outside || border == RoadBorder::keep || border == RoadBorder::zero || border == RoadBorder::refuse)
@@ -114,7 +115,7 @@ double between_borders(RoadBorder border, double place, double first, double las
   return border == RoadBorder::repeat ? first + way - size : last - (way - size);
 }
 
-/// Whether a place is beyond a border where the road has no height.
+/// Whether a point is beyond a border without heights.
 bool is_refused(RoadBorder border, double place, double first, double last) {
   constexpr double kRounding = 1e-8;  // m
   return border == RoadBorder::refuse && (place < first - kRounding || place > last + kRounding);
@@ -184,14 +185,14 @@ void add_ground(const Road& road, const Vector2d& at, const Values& value, RoadS
   }
 }
 
-/// The road that cams of half a tyre's width see.
+/// Road under the cams of half a tyre's width.
 struct SeenRoad {
   const Road& road;
   const Values& value;
   double strip;    ///< m
   double breadth;  ///< m, of the strip along the road
 
-  /// Height 1 of an obstacle over a place, of one with steps by how much of the strip lies on it.
+  /// Unit height of an obstacle at a point; for one with steps the fraction of the strip that lies on it.
   double share_of(const RoadFeature& feature, double x) const {
     const double u = x - value(feature.from);
     if (!feature.is_obstacle() || feature.ramp > 0) return shape(feature, u, value).height;
@@ -199,7 +200,7 @@ struct SeenRoad {
     const double share = std::max(last - first, 0.0) / breadth;
     return feature.kind == RoadFeature::Kind::plank ? share : -share;
   }
-  /// Height of the kinds of features that are asked for: each by how much of the strip it lies under.
+  /// Height of the requested kinds of features, each weighted by the fraction of the strip above it.
   double features(const Vector2d& at, bool obstacles) const {
     double height = 0;
     for (const RoadFeature& feature : road.features) {
@@ -232,7 +233,7 @@ struct SeenRoad {
   }
 };
 
-/// Height below the middle of a row of cams along `heading`, and the slope that it sees.
+/// Height below the middle of a row of cams along `heading`, and its slope.
 Profile envelope_of_row(const SeenRoad& seen, const TyreEnvelope& cams, double radius, const Vector2d& middle,
                         const Vector2d& heading) {
   struct Place {

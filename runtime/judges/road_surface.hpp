@@ -7,15 +7,15 @@
 
 namespace mbgen::cartesian {
 
-/// The road at a place: its height with the slopes of its tangent plane, and the factor that it puts on friction.
+/// The road at a point: height, slopes of its tangent plane, and factor of friction.
 struct RoadSurface {
   double height = 0;  ///< m, global z
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
   double friction = 1;
 };
 
-/// The road of a tyre below a place, or the plane that its envelope makes of the road there. place: global x and y, m;
-/// axis: of the wheel, unit, to the left.
+/// The road of a tyre below a point, or the plane from its envelope there. place: global x and y, m; axis: of the
+/// wheel, unit, to the left.
 RoadSurface road_surface(const Tyre& tyre, const Eigen::Vector2d& place, const Eigen::Vector3d& axis,
                          const Values& value);
 

@@ -11,7 +11,7 @@ namespace {
 
 Vector6d wrench(const Vector3d& force, const Vector3d& moment) { return (Vector6d() << force, moment).finished(); }
 
-/// Second derivative of a direction that turns with an angular velocity, while that stays.
+/// Second derivative of a direction that rotates with a constant angular velocity.
 Vector3d centripetal(const Vector3d& spin, const Vector3d& direction) { return spin.cross(spin.cross(direction)); }
 
 }  // namespace
@@ -59,7 +59,7 @@ Row equal_turns(const End& from, const End& to, const Eigen::Matrix3d& on_from, 
 
 Row no_slip(const End& from, const End& to, const RollingContact& contact, const Vector3d& direction,
             const Vector3d& direction_rate) {
-  // From the centres of mass, whose velocities do not depend on where the contact is.
+  // Arms from the centres of mass, whose velocities are independent of the contact's position.
   const auto arm = [&](const End& end) { return Vector3d(contact.place - end.position + end.arm); };
   const auto centre = [](const End& end) { return Vector3d(end.velocity - end.spin.cross(end.arm)); };
   const auto velocity = [&](const End& end) { return Vector3d(centre(end) + end.spin.cross(arm(end))); };
@@ -97,7 +97,7 @@ std::vector<Row> rolling(JointType type, const End& from, const End& to, const E
     rows[0].of_velocities = false;
     return rows;
   }
-  // The normal less its part along the axle points away from the lowest point of the rim.
+  // The normal minus its component along the axle points away from the lowest point of the rim.
   const Vector3d up = normal - lean * axle, up_rate = normal_rate - lean_rate * axle - lean * axle_rate;
   const RollingContact contact{to.position - radius * share * up,
                                to.velocity - radius * (share_rate * up + share * up_rate)};
@@ -122,7 +122,7 @@ Row distance(const End& from, const End& to, double length) {
 }
 
 Row no_spin(int rod, int ground, const Moving& motion) {
-  // The axis turns across itself, so its rate does not see the spin: no bias.
+  // The axis rotates perpendicular to itself, so its rate has no component along the spin: no bias.
   return {rod, ground, wrench(Vector3d::Zero(), motion.axes.col(0)), Vector6d::Zero(), 0, 0, 0};
 }
 

@@ -3,13 +3,13 @@
 namespace mbgen {
 namespace {
 
-/// Rates of everything, of one stage.
+/// All rates of one stage.
 struct Stage {
   std::vector<CartesianBody> motion;  ///< velocity and spin of the bodies, attitude: rate of the quaternion
   CartesianRates rates;
 };
 
-/// The change of a state by `weight` (s) times a stage.
+/// Adds `weight` (s) times a stage to a state.
 void add(const Stage& stage, double weight, CartesianState& state) {
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     CartesianBody& body = state.bodies[b];

@@ -1,6 +1,6 @@
 #pragma once
-// The mechanism in Cartesian coordinates: six per body, every joint a constraint (theory.md section 6). Slow and
-// obviously right: it shares no kinematics with the recursive formulation, whose judge it is.
+// The mechanism in Cartesian coordinates: six per body, every joint a constraint (theory.md section 6). Slow but
+// obviously correct: it shares no kinematics with the recursive formulation, which it judges.
 
 #include <Eigen/Dense>
 #include <memory>
@@ -13,10 +13,10 @@
 
 namespace mbgen {
 
-/// Index-1 terms at one state, n = 6 per body, m equations: M qdd + Phi_q' lambda = F, Phi_q qdd = c (5).
-/// qdd holds, body after body, the acceleration of the centre of mass and the angular acceleration, global axes.
-/// Equations in order: the joints of the model, tree or cut alike; the rods; the motions. A massive rod has a spherical
-/// joint at each end, from and to, and one equation more: it does not spin about its axis (a rate only, residual zero).
+/// Index-1 terms at one state, n = 6 per body, m equations: M qdd + Phi_q' lambda = F, Phi_q qdd = c (5). qdd contains,
+/// body after body, the acceleration of the centre of mass and the angular acceleration, global axes. Equations in
+/// order: the joints of the model, tree and cut alike; the rods; the motions. A massive rod has a spherical joint at
+/// each end, from and to, and one more equation: no spin about its axis (nonholonomic, residual zero).
 struct CartesianTerms {
   Eigen::MatrixXd mass;      ///< M, n x n, positive semidefinite: zero for massless bodies
   Eigen::VectorXd force;     ///< F, n: applied and gyroscopic
@@ -25,7 +25,7 @@ struct CartesianTerms {
   Eigen::VectorXd velocity;  ///< Phi_q qd - b, m: violation of (3) by the velocities
   Eigen::VectorXd bias;      ///< c of (4), m
   std::vector<double> xd;    ///< rates of the auxiliary states
-  std::vector<int> late;     ///< equations that hold velocities alone
+  std::vector<int> late;     ///< nonholonomic equations
 };
 
 /// A force and a moment about a named point, global axes.
@@ -43,16 +43,16 @@ class CartesianSystem {
 
   int coordinates() const;  ///< n
   int equations() const;    ///< m
-  /// Index into Topology::loops of the closure that an equation belongs to, -1 for joints of the tree and motions.
+  /// Index into Topology::loops of an equation's closure, -1 for joints of the tree and motions.
   int loop_of(int equation) const;
 
   /// Values in model order (all inputs; tunable parameters only).
   void set_inputs(const std::vector<double>& inputs);
   void set_parameters(const std::vector<double>& tunable_parameters);
 
-  /// Bodies placed along the tree by its coordinates; loops may stay open. Massive rods lie along their end points.
+  /// Bodies placed along the tree by its coordinates; loops may be open. Massive rods lie along their end points.
   CartesianState place(const GenericState& state) const;
-  /// Tree coordinates and rates of the bodies' relative poses; angles are those nearest to `guess`.
+  /// Tree coordinates and rates from the bodies' relative poses; angles are the nearest to `guess`.
   GenericState joint_state(const CartesianState& state, const GenericState& guess) const;
   /// Tree accelerations from the accelerations of the bodies. z: the coordinates at this state.
   std::vector<double> joint_accelerations(const CartesianState& state, const GenericState& z,
@@ -62,19 +62,19 @@ class CartesianSystem {
   /// Whether sampled values are loads of reactions.
   bool takes_reactions() const;
   /// Sets the sampled values whose instant is at the start of a step of h seconds, or with h = 0 at the time of the
-  /// state; any: whether there are such. z: the coordinates at this state.
-  /// lambda: the multipliers there, where values are loads of reactions.
-  /// Fails: sample_inside_step, auxiliary_not_a_number; the state is then unchanged.
+  /// state; any: whether there are such values. z: the coordinates at this state. lambda: the multipliers there, for
+  /// values that are loads of reactions. Fails: sample_inside_step, auxiliary_not_a_number; the state is then
+  /// unchanged.
   Status sample(CartesianState& state, const GenericState& z, const Eigen::VectorXd& lambda, double h, bool& any) const;
   /// Sets the values that are loads of reactions in z, which has the coordinates at this state. lambda: as of sample.
   void press(const CartesianState& state, const Eigen::VectorXd& lambda, GenericState& z) const;
-  /// Moves the bodies by a small displacement (m, rad), n values; velocities stay.
+  /// Moves the bodies by a small displacement (m, rad), n values; velocities are unchanged.
   void displace(CartesianState& state, const Eigen::VectorXd& dq) const;
   /// Velocities of all bodies as n values, and back.
   Eigen::VectorXd velocities(const CartesianState& state) const;
   void set_velocities(CartesianState& state, const Eigen::VectorXd& qd) const;
 
-  /// Multipliers of the closures of Topology::loops, in their order and scale, from those of all equations.
+  /// Multipliers of the closures of Topology::loops, in their order and scale, from the multipliers of all equations.
   std::vector<double> loop_multipliers(const CartesianState& state, const Eigen::VectorXd& lambda) const;
   /// Generalised driving force of each motion, from the multipliers of all equations.
   std::vector<double> driving_forces(const Eigen::VectorXd& lambda) const;
@@ -92,7 +92,7 @@ class CartesianSystem {
                          const Eigen::VectorXd& qdd, const Eigen::VectorXd& lambda) const;
 
  private:
-  /// Per sampled value the size of the reaction that it is set to, N or N m; zero where it is another one.
+  /// Per sampled value the magnitude of its reaction, N or N m; zero for a value that is none.
   std::vector<double> reaction_loads(const CartesianState& state, const GenericState& z,
                                      const Eigen::VectorXd& lambda) const;
 

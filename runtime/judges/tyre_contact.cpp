@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Contact axes and point of a wheel disc: the point of the wheel's plane on the plane that touches the road below its
-/// centre, or that its envelope makes of the road, straight below the centre along the wheel's plane.
+/// Contact axes and point of a wheel disc: on the tangential plane of the road below the centre, or the plane from the
+/// tyre's envelope, the point below the centre along the wheel's plane.
 struct Contact {
   Vector3d forward, left, up;
   Vector3d arm;         ///< from the wheel's centre of mass to the contact point
@@ -27,7 +27,7 @@ Contact contact_of(const Tyre& tyre, const PartTyre& part, const Moving& wheel, 
   c.up = Vector3d(-road.gradient.x(), -road.gradient.y(), 1).normalized();
   c.forward = axis.cross(c.up).normalized();
   c.left = c.up.cross(c.forward);
-  // Down the wheel's plane, a unit vector; the road is met at the loaded radius along it.
+  // Unit vector down the wheel's plane; the road is at the loaded radius along it.
   const Vector3d down = axis.cross(c.forward);
   const double steepness = -down.dot(c.up);
   const double height = c.up.z() * (position.z() - road.height);
@@ -44,7 +44,7 @@ Contact contact_of(const Tyre& tyre, const PartTyre& part, const Moving& wheel, 
   c.motion.vy = (velocity + turning.cross(radius * down)).dot(c.left);
   c.motion.spin = spin;
   c.motion.camber = std::asin(sine);
-  // Rate of the heading: of the axis as it is seen from above.
+  // Rate of the heading: of the axis as seen from above.
   const Vector3d across = axis - sine * c.up, across_rate = wheel.spin.cross(axis);
   c.motion.turn_rate = c.up.dot(across.cross(across_rate)) / across.squaredNorm();
   return c;

@@ -8,7 +8,7 @@ namespace mbgen::cartesian {
 
 struct RoadWheel {
   Vector6d wrench;            ///< on the wheel about its centre of mass, global axes
-  TyreResult<double> result;  ///< of the tyre law, in the axes of the contact
+  TyreResult<double> result;  ///< from the tyre law, in the axes of the contact
 };
 
 /// Deflection states of a tyre.

@@ -1,5 +1,5 @@
 #pragma once
-// Values that expressions of the model see: parameters, inputs, time, and coordinates by joint and component.
+// Values for expressions of the model: parameters, inputs, time, and coordinates by joint and component.
 
 #include <array>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace mbgen::cartesian {
 
-/// Tree index per joint of the model and component; -1 where the joint is cut.
+/// Tree index per joint of the model and component; -1 for a cut joint.
 using CoordinateTable = std::vector<std::vector<int>>;
 
 struct Values {
@@ -19,7 +19,7 @@ struct Values {
   double t = 0;
   const std::vector<double>*z = nullptr, *zd = nullptr;  ///< per tree coordinate; zero without
   std::array<double, 2> locals{};
-  std::vector<double> states{};            ///< of the user's own, then sampled values
+  std::vector<double> states{};            ///< the user's, then sampled values
   std::vector<double> lengths{}, rates{};  ///< of springs, air springs, rods: m, m/s
 
   double parameter(int i) const { return parameters[i]; }

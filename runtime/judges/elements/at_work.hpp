@@ -1,5 +1,5 @@
 #pragma once
-// Elements of a mechanism at one instant: what their forces, outputs and energies look at.
+// Elements of a mechanism at one instant: arguments of their forces, outputs and energies.
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +19,13 @@ struct AtWork {
   const Values& value;
 };
 
-/// Place of an element in the model's list.
+/// Index of an element in the model's list.
 template <class Kind>
 std::size_t index_of(const AtWork& at, const Kind& element) {
   return static_cast<std::size_t>(&element - KindOf<Kind>::list(at.c.model).data());
 }
 
-/// Its places, see ElementPart.
+/// Its attachments, see ElementPart.
 template <class Kind>
 const ElementPart& part_of(const AtWork& at, const Kind& element) {
   return at.c.parts.elements[kKindIndex<Kind>][index_of(at, element)];
@@ -35,7 +35,7 @@ inline Load force_at(const End& end, const Eigen::Vector3d& force) {
   return {end.body, (Vector6d() << force, end.arm.cross(force)).finished()};
 }
 
-/// An element between two points as it is now.
+/// An element between two points at this instant.
 struct Line {
   End from, to;
   Eigen::Vector3d direction;
@@ -61,7 +61,7 @@ inline void add_on_coordinate(const AtWork& at, const CoordinateReference& coord
   if (i >= 0) forces.joints[i] += force;
 }
 
-/// Integral over an interval by Gauss's rule with five places, exact for polynomials up to the ninth degree.
+/// Integral over an interval by Gauss's rule with five points, exact for polynomials up to the ninth degree.
 template <class Function>
 inline double integral(double from, double to, const Function& function) {
   const double inner = std::sqrt(5 - 2 * std::sqrt(10.0 / 7)) / 3, outer = std::sqrt(5 + 2 * std::sqrt(10.0 / 7)) / 3;
@@ -73,7 +73,7 @@ inline double integral(double from, double to, const Function& function) {
   return half * sum;
 }
 
-/// Places between zero and `to` where a table changes its polynomial, and both ends.
+/// Limits of a table's polynomials between zero and `to`, and both ends.
 inline std::vector<double> corners(const Table& table, double to) {
   const double width = table.x.back() - table.x.front(), low = std::min(0.0, to), high = std::max(0.0, to);
   const double first = table.periodic ? std::floor((low - table.x.front()) / width) : 0;

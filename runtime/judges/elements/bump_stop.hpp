@@ -1,5 +1,5 @@
 #pragma once
-// Bump stops: travel, law, and what it does to the bodies or the coordinate.
+// Bump stops: travel, law, and loads on the bodies or the coordinate.
 
 #include "runtime/judges/elements/at_work.hpp"
 
@@ -64,7 +64,7 @@ inline void apply(const AtWork& at, const BumpStop& stop, Forces& forces) {
     return;
   }
   const ElementPart& part = part_of(at, stop);
-  const Eigen::Vector3d place = end_of(at.bodies, part.to).position;  // both are pushed there, on one line of action
+  const Eigen::Vector3d place = end_of(at.bodies, part.to).position;  // both forces are here, on one line of action
   const auto add = [&](int body, const Eigen::Vector3d& force) {
     const Eigen::Vector3d arm = place - at.bodies[body].position;
     forces.loads.push_back({body, (Vector6d() << force, arm.cross(force)).finished()});
@@ -83,7 +83,7 @@ inline double energy_of(const AtWork& at, const BumpStop& stop) {
   const double penetration = stop_at_work(at, stop).penetration;
   if (penetration <= 0) return 0;
   if (std::holds_alternative<Table>(*stop.stiffness)) return work_of(stop.stiffness, at.value, penetration);
-  // Force at the end times the way, over the power of the way that the work has.
+  // Work of a power law: final force times penetration, over the exponent plus one.
   const double force = law(stop.stiffness, at.value, std::pow(penetration, stop.exponent));
   return force * penetration / (stop.exponent + 1);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Bushings: their deflection by rotation vectors, their law, what it does to the bodies.
+// Bushings: deflection by rotation vectors, law, and loads on the bodies.
 
 #include <Eigen/Geometry>
 #include <limits>
@@ -10,7 +10,7 @@ namespace mbgen::cartesian {
 
 /// A bushing at one instant.
 struct BushingAtWork {
-  Vector6d deflection;            ///< m, then rad, counted as its freedoms are
+  Vector6d deflection;            ///< m, then rad, with the sense of its freedoms
   Eigen::Vector3d force, moment;  ///< on `from`, in the bushing's axes, at the point of `to`: N, N m
   Load on_from, on_to;
   std::vector<double> xd;  ///< rates of the extensions of its Maxwell branches
@@ -22,7 +22,7 @@ inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
   return m;
 }
 
-/// The matrix J of spin = J dtheta/dt, for a rotation vector theta and the spin in the axes that it turns.
+/// The matrix J of spin = J dtheta/dt, for a rotation vector theta and the spin in the rotated axes.
 inline Eigen::Matrix3d spin_of_rate(const Eigen::Vector3d& theta) {
   const double angle = theta.norm();
   const Eigen::Matrix3d cross = cross_matrix(theta);
@@ -68,7 +68,7 @@ inline Load load_at(const Moving& body, int index, const Eigen::Vector3d& place,
   return {index, (Vector6d() << force, moment + (place - body.position).cross(force)).finished()};
 }
 
-/// extensions: of its Maxwell branches. Gives no number where the bodies turn by more than kLargestBushingTurn.
+/// extensions: of its Maxwell branches. Not a number for a relative rotation beyond kLargestBushingTurn.
 inline BushingAtWork bushing_at_work(const Bushing& bushing, const ElementPart& part, const std::vector<Moving>& bodies,
                                      const double* extensions, const Values& value) {
   const Moving &from_body = bodies[part.from.body], &to_body = bodies[part.to.body];
@@ -96,7 +96,7 @@ inline BushingAtWork bushing_at_work(const Bushing& bushing, const ElementPart& 
   return result;
 }
 
-/// Of its Maxwell branches.
+/// Extensions of its Maxwell branches.
 inline const double* extensions_of(const AtWork& at, const Bushing& bushing) {
   return at.x.data() + first_extension(at.c.model, index_of(at, bushing));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The judges' elements, with laws of their own: apply(at, element, forces) adds forces, shown(at, forces, element,
+// The judges' elements, with independent laws: apply(at, element, forces) adds forces, shown(at, forces, element,
 // quantity, axis) gives outputs by the table of the kind, energy_of(at, element) integrates the elastic law.
 
 #include "runtime/judges/elements/air_spring.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// Friction on coordinates, along springs and in the ends of rods.
+// Friction on coordinates, along springs and in rod ends.
 
 #include <functional>
 
@@ -43,9 +43,9 @@ inline void apply(const AtWork& at, const SpringFriction& friction, Forces& forc
   forces.springs[static_cast<std::size_t>(friction.spring)].force += pull;
 }
 
-/// Moment against the turn of a body relative to the rod in whose end it sits, across the rod's line. The rod
-/// is turned by forces at its ends, beside those that its own equations carry. moment: N m, over the size of the turn,
-/// rad/s, against it.
+/// Moment against the rotation of a body relative to a rod, in the joint at the rod's end, perpendicular to the rod's
+/// line. Forces at the rod's ends balance it, in addition to those of its own equations. moment: N m, over the angular
+/// speed, rad/s, against it.
 inline void add_rod_friction(const PartRod& rod, bool at_from, const std::vector<Moving>& bodies,
                              const std::function<double(double)>& moment, Forces& forces) {
   const Line line = line_between(rod.from, rod.to, bodies);
@@ -59,7 +59,7 @@ inline void add_rod_friction(const PartRod& rod, bool at_from, const std::vector
   if (rate == 0) return;
   const Eigen::Vector3d on_body = moment(rate) / rate * turn;
   forces.loads.push_back({end.body, (Vector6d() << Eigen::Vector3d::Zero(), on_body).finished()});
-  // The rod turns with the pair: (to - from) x pair = -on_body.
+  // Equilibrium of the rod under the pair: (to - from) x pair = -on_body.
   const Eigen::Vector3d pair = on_body.cross(-axis) / line.length;
   forces.loads.push_back(force_at(line.to, pair));
   forces.loads.push_back(force_at(line.from, -pair));
