@@ -33,10 +33,10 @@ std::array<Field<F>, 5> presentation_fields() {
           {.name = "description", .shape = Shape::text, .doc = "for people", .longest = kLongestDescription}),
       field<F, &F::display_unit>({.name = "display_unit",
                                   .shape = Shape::text,
-                                  .doc = "unit that importers of an FMU show it in; its values stay in `unit`"}),
-      field<F, &F::min>(number("min", "least value that is meant; FMUs and the C interface refuse less", Bound::none)),
+                                  .doc = "unit for display in importers of an FMU; values remain in `unit`"}),
+      field<F, &F::min>(number("min", "least allowed value; FMUs and the C interface refuse lower ones", Bound::none)),
       field<F, &F::max>(
-          number("max", "largest value that is meant; FMUs and the C interface refuse more", Bound::none)),
+          number("max", "largest allowed value; FMUs and the C interface refuse higher ones", Bound::none)),
       field<F, &F::nominal>(number("nominal", "usual magnitude", Bound::positive))};
 }
 

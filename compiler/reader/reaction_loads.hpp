@@ -21,12 +21,12 @@ std::array<Field<F>, 3> reaction_fields(std::string_view doc) {
                                   .doc = "of the reaction: its force, or its moment about the joint's point on `to`; "
                                          "default: force",
                                   .words = kReactionQuantityWords}),
-          field<F, &F::direction>({.name = "direction",
-                                   .shape = Shape::word,
-                                   .doc = "of the reaction: its whole size, or of what acts across or along the "
-                                          "joint's axis; default: across the axis about which parts turn or along "
-                                          "which they slide, along a normal",
-                                   .words = kLoadDirectionWords})};
+          field<F, &F::direction>(
+              {.name = "direction",
+               .shape = Shape::word,
+               .doc = "of the reaction: its magnitude, or the magnitude of its component across or along the joint's "
+                      "axis; default: across an axis of rotation or sliding, along a normal",
+               .words = kLoadDirectionWords})};
 }
 
 /// The reaction named by `fields`; reports fields that do not apply to it. Requires: fields.reaction.

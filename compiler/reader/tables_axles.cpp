@@ -45,9 +45,8 @@ std::span<const Field<AxleWheelFields>> fields<AxleWheelFields>() {
           {.name = "axis", .shape = Shape::axis, .doc = "spin axis in the wheel frame; default y", .by_points = true}),
       field<F, &F::written_radius>(
           positive("radius", "from the centre to the contact patch, loaded; default: the tyre's unloaded radius")),
-      field<F, &F::steering_axis>({.name = "steering_axis",
-                                   .shape = Shape::attachments,
-                                   .doc = "lower and upper point of the axis that the wheel is steered about"}),
+      field<F, &F::steering_axis>(
+          {.name = "steering_axis", .shape = Shape::attachments, .doc = "lower and upper point of the steering axis"}),
   };
   return table;
 }
@@ -55,12 +54,11 @@ std::span<const Field<AxleWheelFields>> fields<AxleWheelFields>() {
 template <>
 std::span<const Field<AxleFields>> fields<AxleFields>() {
   using F = AxleFields;
-  static const std::string without_doc =
-      removable_sections() + " that the rig takes away: those that stand for the road";
+  static const std::string without_doc = removable_sections() + " removed by the rig: those in place of the road";
   static const std::array table = {
       field<F, &F::written_body>({.name = "body",
                                   .shape = Shape::reference,
-                                  .doc = "body that the rig holds, default ground",
+                                  .doc = "body fixed by the rig, default ground",
                                   .fallback_word = "ground",
                                   .of = "bodies"}),
       field<F, &F::written_left>({.name = "left", .shape = Shape::object, .doc = "the left wheel", .of = "axle_wheel"}),
@@ -76,9 +74,9 @@ std::span<const Field<AxleFields>> fields<AxleFields>() {
                          .doc = "end of the vehicle: the sign of anti-dive and its kin",
                          .fallback_word = "front",
                          .words = kAxleEnds}),
-      field<F, &F::wheelbase>(positive(
-          "wheelbase",
-          "of the vehicle; for Ackermann's angles and anti-dive; default: the way to the only axle at the other end")),
+      field<F, &F::wheelbase>(positive("wheelbase",
+                                       "of the vehicle; for Ackermann's angles and anti-dive; default: the distance to "
+                                       "the only axle at the other end")),
       field<F, &F::centre_of_gravity_height>(
           positive("centre_of_gravity_height", "of the vehicle above the road; for anti-dive")),
       field<F, &F::brake_share>(
@@ -87,12 +85,12 @@ std::span<const Field<AxleFields>> fields<AxleFields>() {
           positive("drive_share", "of the vehicle's driving force at this axle, 0 to 1", Bound::not_negative, "1")),
       field<F, &F::brakes_on>({.name = "brakes_on",
                                .shape = Shape::word,
-                               .doc = "what carries a brake's torque: carrier, or body with inboard brakes",
+                               .doc = "support of a brake's torque: carrier, or body with inboard brakes",
                                .fallback_word = "carrier",
                                .words = kSupports}),
       field<F, &F::drive_on>({.name = "drive_on",
                               .shape = Shape::word,
-                              .doc = "what carries the drive's torque: body, or carrier of a rigid axle with its gear",
+                              .doc = "support of the drive's torque: body, or carrier of a rigid axle with its gear",
                               .fallback_word = "body",
                               .words = kSupports}),
       field<F, &F::written_without>({.name = "without", .shape = Shape::paths, .doc = without_doc}),

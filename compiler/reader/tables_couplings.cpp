@@ -27,13 +27,13 @@ std::span<const Field<TableFields>> fields<TableFields>() {
       field<F, &F::y>({.name = "y", .shape = Shape::text, .doc = "column of y in the CSV file; default: the second"}),
       field<F, &F::interpolation>({.name = "interpolation",
                                    .shape = Shape::word,
-                                   .doc = "between the points; outside them straight lines continue the ends",
+                                   .doc = "between the points; extrapolation is linear",
                                    .fallback_word = "linear",
                                    .words = kInterpolations}),
       field<F, &F::periodic>({.name = "periodic",
                               .shape = Shape::boolean,
-                              .doc = "true: the points are one period; outside them the curve goes on as it came, each "
-                                     "period higher by the last y less the first",
+                              .doc = "true: the points are one period; the curve is continued periodically, each "
+                                     "period shifted by the last y minus the first",
                               .fallback = 0}),
   };
   return table;
@@ -44,16 +44,16 @@ std::span<const Field<Coupling>> fields<Coupling>() {
   static const std::array table = {
       field<Coupling, &Coupling::relation>(
           {.name = "relation",
-           .doc = "expression over positions of coordinates, z.NAME, and parameters; it stays zero",
+           .doc = "expression over positions of coordinates, z.NAME, and parameters; it is constrained to zero",
            .depends = Depends::positions}),
       field<Coupling, &Coupling::joint>(
-          {.name = "joint", .shape = Shape::coordinate, .doc = "coordinate that a curve gives the position of"}),
+          {.name = "joint", .shape = Shape::coordinate, .doc = "dependent coordinate of a curve"}),
       field<Coupling, &Coupling::follows>(
-          {.name = "follows", .shape = Shape::coordinate, .doc = "coordinate whose position the curve is over"}),
+          {.name = "follows", .shape = Shape::coordinate, .doc = "independent coordinate of the curve"}),
       field<Coupling, &Coupling::curve>(
           {.name = "curve",
            .shape = Shape::table,
-           .doc = "table of the position of joint over that of follows (rad or m), spline or monotone_cubic"}),
+           .doc = "table of the position of joint over the position of follows (rad or m), spline or monotone_cubic"}),
   };
   return table;
 }

@@ -46,8 +46,8 @@ std::vector<Field<FileFields>> first_sections() {
       field<F, &F::inputs>(section("inputs", "input", "values given to the solver at every step")),
       field<F, &F::hardpoints>({.name = "hardpoints",
                                 .shape = Shape::points,
-                                .doc = "positions with names, in global axes at the reference configuration; they "
-                                       "stand wherever a position stands, and as points of any body",
+                                .doc = "named positions, in global axes at the reference configuration; allowed for "
+                                       "any position, and as points of any body",
                                 .unit = "m",
                                 .depends = Depends::parameters}),
       field<F, &F::bodies>(section("bodies", "body", "rigid bodies; \"ground\" is the fixed one")),
@@ -73,8 +73,8 @@ std::vector<Field<FileFields>> last_sections() {
                              .of = "vehicle"}),
       field<F, &F::motions>(section("motions", "motion", "driven coordinates")),
       field<F, &F::outputs>(section("outputs", "output", "results to write at every step")),
-      field<F, &F::shapes>(section("shapes", "shape", "how pictures show bodies, without effect on the motion")),
-      field<F, &F::initial>({.name = "initial", .shape = Shape::object, .doc = "state at the start", .of = "initial"}),
+      field<F, &F::shapes>(section("shapes", "shape", "shapes of bodies in pictures, without effect on the motion")),
+      field<F, &F::initial>({.name = "initial", .shape = Shape::object, .doc = "initial state", .of = "initial"}),
       field<F, &F::solver>({.name = "solver", .shape = Shape::object, .doc = "time integration", .of = "solver"}),
       field<F, &F::instances>(section("instances", "instance", "subsystems: files that are placed in this one")),
   };

@@ -31,15 +31,16 @@ std::span<const Field<InstanceFields>> fields<InstanceFields>() {
                           .shape = Shape::text,
                           .doc = "file of the subsystem, in the format of a model, relative to this file",
                           .need = Need::required}),
-      field<F, &F::prefix>({.name = "prefix",
-                            .shape = Shape::text,
-                            .doc = "put before every name of the subsystem; default: the instance's name and _, or "
-                                   "nothing where a suffix is given"}),
+      field<F, &F::prefix>(
+          {.name = "prefix",
+           .shape = Shape::text,
+           .doc =
+               "put before every name of the subsystem; default: the instance's name and _, or nothing with a suffix"}),
       field<F, &F::suffix>({.name = "suffix", .shape = Shape::text, .doc = "put after every name of the subsystem"}),
       field<F, &F::connect>({.name = "connect",
                              .shape = Shape::names,
-                             .doc = "bodies of the subsystem that are bodies of this file: its name here; the points "
-                                    "that the subsystem gives them are added to them"}),
+                             .doc = "bodies of the subsystem that are bodies of this file: the name here; their points "
+                                    "in the subsystem are added"}),
       field<F, &F::parameters>({.name = "parameters",
                                 .shape = Shape::overrides,
                                 .doc = "values for parameters of the subsystem, over parameters of this file",
@@ -47,8 +48,8 @@ std::span<const Field<InstanceFields>> fields<InstanceFields>() {
                                 .angle = true}),
       field<F, &F::mirror>({.name = "mirror",
                             .shape = Shape::word,
-                            .doc = "plane of the subsystem's own axes that it is mirrored about, before it is turned "
-                                   "and moved; xz makes a right side of a left one",
+                            .doc = "mirror plane, in the subsystem's own axes, applied before rotation and offset; xz "
+                                   "turns a left side into a right one",
                             .words = kMirrors}),
       field<F, &F::parallel>({.name = "coordinates",
                               .shape = Shape::word,
@@ -57,12 +58,12 @@ std::span<const Field<InstanceFields>> fields<InstanceFields>() {
                               .words = kCoordinateSenses}),
       field<F, &F::rotation>({.name = "rotation",
                               .shape = Shape::rotations,
-                              .doc = "turn about the subsystem's origin: one rotation, or a list whose matrices are "
-                                     "multiplied left to right",
+                              .doc = "rotation about the subsystem's origin: one rotation, or a list whose matrices "
+                                     "are multiplied left to right",
                               .of = "rotation"}),
       field<F, &F::offset>({.name = "offset",
                             .shape = Shape::position,
-                            .doc = "where the subsystem's origin stands, default [0, 0, 0]",
+                            .doc = "position of the subsystem's origin, default [0, 0, 0]",
                             .unit = "m"}),
   };
   return table;
@@ -75,7 +76,7 @@ std::span<const Field<ParameterFields>> fields<ParameterFields>() {
       std::array{
           field<F, &F::quantity>({.name = "value",
                                   .shape = Shape::quantity,
-                                  .doc = "value, may use parameters above it; it follows the tunable ones",
+                                  .doc = "value, may use parameters above it; it changes with tunable ones",
                                   .need = Need::required,
                                   .depends = Depends::parameters,
                                   .angle = true}),
@@ -84,12 +85,11 @@ std::span<const Field<ParameterFields>> fields<ParameterFields>() {
                                  .shape = Shape::boolean,
                                  .doc = "can be changed in the generated solver",
                                  .fallback = 0}),
-          field<F, &F::at_start>(
-              {.name = "at_start",
-               .shape = Shape::boolean,
-               .doc = "stands in the velocities of `initial` alone; an FMU takes it as a fixed parameter, "
-                      "before its initialisation",
-               .fallback = 0}),
+          field<F, &F::at_start>({.name = "at_start",
+                                  .shape = Shape::boolean,
+                                  .doc = "used in the velocities of `initial` only; a fixed parameter of an FMU, set "
+                                         "before its initialisation",
+                                  .fallback = 0}),
       },
       presentation_fields<F>());
   return table;
@@ -103,13 +103,13 @@ std::span<const Field<InputFields>> fields<InputFields>() {
           field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit, for people"}),
           field<F, &F::default_value>({.name = "default",
                                        .shape = Shape::number,
-                                       .doc = "value when nobody sets the input",
+                                       .doc = "value if the input is not set",
                                        .fallback = 0,
                                        .depends = Depends::nothing}),
           field<F, &F::rate>(
               {.name = "derivative",
                .shape = Shape::reference,
-               .doc = "input that is its time derivative; without one the input counts as constant during a step",
+               .doc = "input that is its time derivative; without one the input is constant during a step",
                .of = "inputs"}),
       },
       presentation_fields<F>());
@@ -122,12 +122,12 @@ std::span<const Field<AxisFields>> fields<AxisFields>() {
   static const std::array table = {
       field<F, &F::from>({.name = "from",
                           .shape = Shape::place,
-                          .doc = "where the axis comes from, in global axes at the reference configuration",
+                          .doc = "start of the axis, in global axes at the reference configuration",
                           .unit = "m",
                           .need = Need::required}),
       field<F, &F::to>({.name = "to",
                         .shape = Shape::place,
-                        .doc = "where it goes to, at least 1e-6 m from there",
+                        .doc = "end of the axis, at least 1e-6 m from its start",
                         .unit = "m",
                         .need = Need::required}),
   };
@@ -176,7 +176,7 @@ std::span<const Field<BodyFields>> fields<BodyFields>() {
                           .doc = "body frame in the global frame at the reference configuration; default: the same",
                           .of = "pose"}),
       field<F, &F::mass>({.name = "mass",
-                          .doc = "mass; a body without is massless",
+                          .doc = "mass; default: a massless body",
                           .unit = "kg",
                           .fallback = 0,
                           .bound = Bound::not_negative,
@@ -192,12 +192,11 @@ std::span<const Field<BodyFields>> fields<BodyFields>() {
            .doc = "about the centre of mass in body axes: xx yy zz, or the matrix entries xx yy zz xy xz yz",
            .unit = "kg m^2",
            .depends = Depends::parameters}),
-      field<F, &F::accepts_inertia>(
-          {.name = "accept_inertia",
-           .shape = Shape::boolean,
-           .doc = "true: an inertia that no rigid body has is taken as it is, as long as it is not negative about any "
-                  "axis; a note says so. Imported robots may need it",
-           .fallback = 0}),
+      field<F, &F::accepts_inertia>({.name = "accept_inertia",
+                                     .shape = Shape::boolean,
+                                     .doc = "true: a physically impossible inertia is accepted unless it is negative "
+                                            "about an axis, with a note. Imported robots may need it",
+                                     .fallback = 0}),
       field<F, &F::point_list>({.name = "points",
                                 .shape = Shape::positions,
                                 .doc = "named points in the body frame",
@@ -240,7 +239,7 @@ std::span<const Field<JointFields>> fields<JointFields>() {
            .by_points = true}),
       field<F, &F::axis_to>({.name = "axis_to",
                              .shape = Shape::axis,
-                             .doc = "the same axis in the frame of `to`, to be checked against `axis`",
+                             .doc = "the same axis in the frame of `to`, checked against `axis`",
                              .by_points = true}),
       field<F, &F::axis2>(
           {.name = "axis2",
@@ -249,13 +248,12 @@ std::span<const Field<JointFields>> fields<JointFields>() {
                   "homokinetic joint the shaft of `to`, likewise; default: `axis`; of a rolling_disc its axle, of a "
                   "knife_edge the line of the blade, both of `to` and likewise in the frame of `from`",
            .by_points = true}),
-      field<F, &F::radius>({.name = "radius",
-                            .doc =
-                                "radius of a rolling_disc or rolling_ball; default: by it the plane is touched at the "
-                                "reference",
-                            .unit = "m",
-                            .bound = Bound::positive,
-                            .depends = Depends::parameters}),
+      field<F, &F::radius>(
+          {.name = "radius",
+           .doc = "radius of a rolling_disc or rolling_ball; default: the distance to the plane at the reference",
+           .unit = "m",
+           .bound = Bound::positive,
+           .depends = Depends::parameters}),
       field<F, &F::sequence>({.name = "sequence",
                               .shape = Shape::text,
                               .doc = "order of the rotations of a spherical or free joint: x, y, z in any order",
@@ -282,14 +280,13 @@ std::span<const Field<RodFields>> fields<RodFields>() {
                           .fallback = 0,
                           .bound = Bound::not_negative,
                           .depends = Depends::parameters}),
-      field<F, &F::written_length>(
-          {.name = "length",
-           .doc = "length; over t or inputs the rod is an actuator without mass, and its length less that at the "
-                  "reference is the driven coordinate of the rod's name and _length; default: the distance of the ends "
-                  "at the reference",
-           .unit = "m",
-           .bound = Bound::positive,
-           .depends = Depends::motion}),
+      field<F, &F::written_length>({.name = "length",
+                                    .doc = "length; if it depends on t or inputs, the rod is a massless actuator, and "
+                                           "its length minus the reference length is the driven coordinate of the "
+                                           "rod's name and _length; default: the distance of the ends at the reference",
+                                    .unit = "m",
+                                    .bound = Bound::positive,
+                                    .depends = Depends::motion}),
   };
   return table;
 }

@@ -125,7 +125,7 @@ auto quantity_fields() {
            .shape = Shape::word,
            .doc = "axes of the component: global (default), or of the point's body, of a reaction the body at `end`",
            .words = kFrames}),
-      field<F, &F::axes_of>(body_field("axes_of", "body in whose axes the component is, in place of `frame`")),
+      field<F, &F::axes_of>(body_field("axes_of", "body with the axes of the component, instead of `frame`")),
   };
 }
 
@@ -133,29 +133,25 @@ auto quantity_fields() {
 auto detail_fields() {
   using F = OutputFields;
   return std::array{
-      field<F, &F::relative_to>(body_field("relative_to",
-                                           "of a point: body.point that is subtracted; of a body: body that its "
-                                           "rotation is relative to; of a wheel's angles: body whose axes are the "
-                                           "vehicle's (x forward, y to the left, z up); default: ground")),
-      field<F, &F::observer>(body_field("observer",
-                                        "body from which the velocity or acceleration is seen, where `relative_to` "
-                                        "stands; default: the body of the axes, so that the velocity is the rate of "
-                                        "the component of the position")),
+      field<F, &F::relative_to>(
+          body_field("relative_to",
+                     "of a point: reference body.point; of a body: reference body of its rotation; of a wheel's "
+                     "angles: body with the vehicle's axes (x forward, y to the left, z up); default: ground")),
+      field<F, &F::observer>(
+          body_field("observer",
+                     "observer of the velocity or acceleration, with `relative_to`; default: the body of the axes, so "
+                     "that the velocity is the rate of the component of the position")),
       field<F, &F::sequence>({.name = "sequence",
                               .shape = Shape::text,
-                              .doc =
-                                  "axes of the three rotations of an angle, each about the axes that the ones before "
-                                  "it left, as \"zyx\" or \"zxz\"; default \"zyx\""}),
-      field<F, &F::turn>({.name = "turn",
-                          .shape = Shape::word,
-                          .doc = "which of the three rotations the angle belongs to",
-                          .words = kTurns}),
+                              .doc = "axes of the three rotations of an angle, each about the axes rotated by the "
+                                     "previous ones, as \"zyx\" or \"zxz\"; default \"zyx\""}),
+      field<F, &F::turn>(
+          {.name = "turn", .shape = Shape::word, .doc = "rotation of the angle, one of three", .words = kTurns}),
       field<F, &F::about>({.name = "about",
                            .shape = Shape::attachment,
-                           .doc = "point that an angular momentum is about; default: the centre of mass"}),
-      field<F, &F::steering_axis>({.name = "steering_axis",
-                                   .shape = Shape::attachments,
-                                   .doc = "lower and upper point of the axis that the wheel is steered about"}),
+                           .doc = "reference point of an angular momentum; default: the centre of mass"}),
+      field<F, &F::steering_axis>(
+          {.name = "steering_axis", .shape = Shape::attachments, .doc = "lower and upper point of the steering axis"}),
       field<F, &F::end>({.name = "end",
                          .shape = Shape::word,
                          .doc = "body that a reaction acts on, default to; its moment is about the joint's point on "

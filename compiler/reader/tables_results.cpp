@@ -49,12 +49,14 @@ std::span<const Field<InitialValueFields>> fields<InitialValueFields>() {
                            .at_start = true}),
       field<F, &F::weight>({.name = "weight",
                             .shape = Shape::number,
-                            .doc = "weight of its squared error, where the values do not fit together",
+                            .doc = "weight of its squared error, if values are inconsistent",
                             .fallback = 1,
                             .bound = Bound::positive,
                             .depends = Depends::nothing}),
-      field<F, &F::locked>(
-          {.name = "locked", .shape = Shape::boolean, .doc = "the value is kept, the others give way", .fallback = 0}),
+      field<F, &F::locked>({.name = "locked",
+                            .shape = Shape::boolean,
+                            .doc = "the value is exact, only the others are changed",
+                            .fallback = 0}),
   };
   return table;
 }
@@ -65,17 +67,17 @@ std::span<const Field<OrientationFields>> fields<OrientationFields>() {
   static const std::array table = {
       field<F, &F::quaternion>({.name = "quaternion",
                                 .shape = Shape::quaternion,
-                                .doc = "w, x, y, z of the turn of `to` against `from`, of any length but zero",
+                                .doc = "w, x, y, z of the rotation of `to` relative to `from`, of any length but zero",
                                 .depends = Depends::nothing}),
       field<F, &F::rotation_vector>(
           {.name = "rotation_vector",
            .shape = Shape::vector,
-           .doc = "axis times angle of the turn of `to` against `from`, in the axes of `from`",
+           .doc = "axis times angle of the rotation of `to` relative to `from`, in the axes of `from`",
            .unit = "rad",
            .depends = Depends::nothing}),
       field<F, &F::angular_velocity>({.name = "angular_velocity",
                                       .shape = Shape::vector,
-                                      .doc = "of `to` against `from`, in the axes of `from`",
+                                      .doc = "of `to` relative to `from`, in the axes of `from`",
                                       .unit = "rad/s",
                                       .depends = Depends::nothing}),
   };
@@ -88,17 +90,16 @@ std::span<const Field<InitialFields>> fields<InitialFields>() {
   static const std::array table = {
       field<F, &F::equilibrium>({.name = "equilibrium",
                                  .shape = Shape::boolean,
-                                 .doc = "start from static equilibrium, then give the velocities",
+                                 .doc = "start from static equilibrium, then set the velocities",
                                  .fallback = 0}),
-      field<F, &F::positions>(
-          {.name = "positions",
-           .shape = Shape::values,
-           .doc = "coordinates at the start; the others are zero or follow from the closures; values that "
-                  "do not fit together are moved as little as possible",
-           .unit = "rad or m",
-           .depends = Depends::nothing,
-           .angle = true,
-           .of = "initial_value"}),
+      field<F, &F::positions>({.name = "positions",
+                               .shape = Shape::values,
+                               .doc = "coordinates at the start; the others are zero or follow from the closures; "
+                                      "inconsistent values are changed as little as possible",
+                               .unit = "rad or m",
+                               .depends = Depends::nothing,
+                               .angle = true,
+                               .of = "initial_value"}),
       field<F, &F::velocities>({.name = "velocities",
                                 .shape = Shape::values,
                                 .doc = "velocities at the start",
@@ -106,12 +107,11 @@ std::span<const Field<InitialFields>> fields<InitialFields>() {
                                 .depends = Depends::nothing,
                                 .angle = true,
                                 .of = "initial_value"}),
-      field<F, &F::orientations>({.name = "orientations",
-                                  .shape = Shape::map,
-                                  .doc =
-                                      "turns of spherical and free joints at the start, by joint, in place of angles "
-                                      "and their rates",
-                                  .of = "initial_orientation"}),
+      field<F, &F::orientations>(
+          {.name = "orientations",
+           .shape = Shape::map,
+           .doc = "initial orientations of spherical and free joints, by joint, instead of angles and their rates",
+           .of = "initial_orientation"}),
   };
   return table;
 }
@@ -130,11 +130,10 @@ std::span<const Field<SolverSettings>> fields<SolverSettings>() {
                                 .words = kIntegrators}),
       field<S, &S::step>(number("step", "time step", "s", 1e-3, Bound::positive)),
       field<S, &S::duration>(number("duration", "simulated time", "s", 1, Bound::not_negative)),
-      field<S, &S::closure_tolerance>(number("closure_tolerance", "largest closure residual that projection leaves",
-                                             "m or 1", 1e-12, Bound::positive)),
-      field<S, &S::tolerance>(number("tolerance",
-                                     "relative tolerance that an FMU recommends to integrators of importers", "", 1e-6,
-                                     Bound::positive)),
+      field<S, &S::closure_tolerance>(
+          number("closure_tolerance", "largest closure residual after projection", "m or 1", 1e-12, Bound::positive)),
+      field<S, &S::tolerance>(
+          number("tolerance", "relative tolerance recommended by an FMU to importers", "", 1e-6, Bound::positive)),
   };
   return table;
 }
@@ -152,29 +151,27 @@ std::vector<ObjectKind> other_kinds() {
           "a road: its height is the sum of `height` and all features, over the plane z of its origin; x "
           "along it, y to the left"),
       kind_of<IsoRoadFields>("iso_road", "a rough road by the power spectral density of ISO 8608"),
-      kind_of<RoadProfileFields>(
-          "road_profile",
-          "heights at equal distances along a road, between them a cubic spline, outside level; of "
-          "both sides in one column, or of a left and a right track"),
-      kind_of<CrgFields>("crg_road",
-                         "a road of an OpenCRG file; beyond its ends it goes straight on, beyond a border it keeps the "
-                         "border's height"),
-      kind_of<RoadFeature>("road_feature", "what stands out of a road, or is missing in it"),
-      kind_of<RoadPatch>("road_patch", "a part of a road with friction of its own"),
+      kind_of<RoadProfileFields>("road_profile",
+                                 "heights at equal distances along a road, interpolated by a cubic spline, level "
+                                 "outside; one column for both sides, or a left and a right track"),
+      kind_of<CrgFields>(
+          "crg_road",
+          "a road from an OpenCRG file; it is straight beyond its ends, and has the border's height beyond a border"),
+      kind_of<RoadFeature>("road_feature", "an obstacle on a road, a gap in it, or waves"),
+      kind_of<RoadPatch>("road_patch", "a part of a road with its own friction"),
       kind_of<AxleFields>("axle",
                           "an axle on a rig for kinematics and compliance; x forward, y to the left and z up at the "
                           "reference"),
       kind_of<AxleWheelFields>("axle_wheel", "a wheel of an axle; exactly one of tyre and centre", {"tyre", "centre"}),
-      kind_of<VehicleFields>("vehicle", "what drives, and by which inputs; for manoeuvres"),
+      kind_of<VehicleFields>("vehicle", "the vehicle and its inputs, for manoeuvres"),
       kind_of<MotionFields>("motion", "a driven coordinate; exactly one of angle and position", {"angle", "position"}),
       kind_of<OutputFields>("output", output_doc, {std::begin(kOutputSources), std::end(kOutputSources)}),
       kind_of<ShapeFields>("shape", "how a part of a body is drawn"),
-      kind_of<InitialFields>("initial", "state at the start"),
-      kind_of<InitialValueFields>("initial_value",
-                                  "a value at the start, and its weight where values do not fit together"),
+      kind_of<InitialFields>("initial", "initial state"),
+      kind_of<InitialValueFields>("initial_value", "an initial value, and its weight if values are inconsistent"),
       kind_of<OrientationFields>("initial_orientation",
-                                 "turn of a spherical or free joint at the start; at most one of quaternion and "
-                                 "rotation_vector, without both the angles of positions hold"),
+                                 "initial orientation of a spherical or free joint; at most one of quaternion and "
+                                 "rotation_vector, without both the angles of positions are used"),
       kind_of<SolverSettings>("solver", "time integration"),
       kind_of<TableFields>("table", "a characteristic by points, exactly one of table and csv", {"table", "csv"}),
   };

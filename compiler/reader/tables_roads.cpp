@@ -42,8 +42,8 @@ auto stretch_fields(std::string_view doc_of_length) {
   return std::array{
       field<S, &S::from>(from),
       field<S, &S::length>(length("length", doc_of_length, Bound::positive)),
-      field<S, &S::right>(length("right", "y from which on it is there; default: from the right side of the road on")),
-      field<S, &S::left>(length("left", "y up to which it is there; default: up to the left side of the road")),
+      field<S, &S::right>(length("right", "y of its right side; default: the right side of the road")),
+      field<S, &S::left>(length("left", "y of its left side; default: the left side of the road")),
   };
 }
 
@@ -98,7 +98,7 @@ std::span<const Field<RoadPatch>> fields<RoadPatch>() {
                                                 .need = Need::required,
                                                 .bound = Bound::not_negative,
                                                 .depends = Depends::motion})},
-             stretch_fields<S>("its length along the road; without one it has no ends"));
+             stretch_fields<S>("its length along the road; default: infinite"));
   return table;
 }
 
@@ -106,20 +106,20 @@ template <>
 std::span<const Field<IsoRoadFields>> fields<IsoRoadFields>() {
   using S = IsoRoadFields;
   static const std::array table = {
-      field<S, &S::letter>({.name = "class",
-                            .shape = Shape::word,
-                            .doc = "class: the geometric mean of its band, 16e-6 m^3 for A, four times that of the "
-                                   "class before for the others, falls with the square of the wave number",
-                            .need = Need::required,
-                            .words = kRoadClasses}),
-      field<S, &S::seed>(number("seed", "whole number that the phases are drawn from", "", 1, Bound::not_negative)),
-      field<S, &S::length>(
-          number("length", "period of the road, which then begins again without a seam", "m", 250, Bound::positive)),
+      field<S, &S::letter>(
+          {.name = "class",
+           .shape = Shape::word,
+           .doc = "class: the spectral density is the geometric mean of its band, 16e-6 m^3 for A and four times the "
+                  "previous class for the others; it falls with the square of the wave number",
+           .need = Need::required,
+           .words = kRoadClasses}),
+      field<S, &S::seed>(number("seed", "whole number, seed of the random phases", "", 1, Bound::not_negative)),
+      field<S, &S::length>(number("length", "period of the road, which repeats smoothly", "m", 250, Bound::positive)),
       field<S, &S::track>(number("track", kTrack, "m", 2, Bound::positive)),
       field<S, &S::coherence>(
           number("coherence",
                  "of the two tracks, squared as usual, at a wave length of 10 m; its logarithm grows with the wave "
-                 "number, so that long waves are alike on both sides; 1: all waves are, 0: none is",
+                 "number, so that long waves are equal on both sides; 1: all waves are equal, 0: none is",
                  "1", 0.5, Bound::not_negative)),
       field<S, &S::longest_wave>(number("longest_wave", "longest wave length of the road", "m", 90, Bound::positive)),
       field<S, &S::shortest_wave>(
@@ -162,17 +162,14 @@ std::span<const Field<CrgFields>> fields<CrgFields>() {
                           .need = Need::required}),
       field<S, &S::smooth_begin>(
           zone("smooth_begin",
-               "length over which the road grows out of its reference line at its start; default: as "
-               "the file asks, else 0")),
-      field<S, &S::smooth_end>(zone("smooth_end",
-                                    "length over which it fades into its reference line at its end; "
-                                    "likewise")),
+               "length over which heights grow from the reference line at its start; default: from the file, else 0")),
+      field<S, &S::smooth_end>(
+          zone("smooth_end", "length over which heights fade to the reference line at its end; likewise")),
       field<S, &S::beyond_ends>(
           {.name = "beyond_ends",
            .shape = Shape::word,
-           .doc = "heights before its start and behind its end: those of the border on and on, 0, "
-                  "the road again, its mirror image, or none (refuse): there a wheel ends the motion; "
-                  "default: as the file asks, else keep",
+           .doc = "heights before its start and after its end: the border's, 0, the road repeated, its mirror image, "
+                  "or none (refuse: a wheel there ends the motion); default: from the file, else keep",
            .words = kBorders}),
       field<S, &S::beyond_sides>(
           {.name = "beyond_sides", .shape = Shape::word, .doc = "likewise to its left and right", .words = kBorders}),
@@ -184,12 +181,12 @@ template <>
 std::span<const Field<RoadFields>> fields<RoadFields>() {
   using S = RoadFields;
   static const std::array table = {
-      field<S, &S::origin>({.name = "origin",
-                            .shape = Shape::vector,
-                            .doc = "where the road has x = y = 0, in global axes, default [0, 0, 0]; its z is the "
-                                   "height that heights are counted from",
-                            .unit = "m",
-                            .depends = Depends::nothing}),
+      field<S, &S::origin>(
+          {.name = "origin",
+           .shape = Shape::vector,
+           .doc = "point with x = y = 0 of the road, in global axes, default [0, 0, 0]; its z is the zero of heights",
+           .unit = "m",
+           .depends = Depends::nothing}),
       field<S, &S::heading>({.name = "heading",
                              .shape = Shape::number,
                              .doc = "direction of its x, from the global one to the left",
@@ -198,21 +195,22 @@ std::span<const Field<RoadFields>> fields<RoadFields>() {
                              .depends = Depends::nothing,
                              .angle = true}),
       field<S, &S::height>(over_place("height", "height over `x` and `y` (m) of the road; default: 0", "m")),
-      field<S, &S::from_host>({.name = "host",
-                               .shape = Shape::boolean,
-                               .doc = "true: a host gives the ground under the one wheel on it, as a plane: inputs "
-                                      "NAME_x and NAME_y (a place, m), NAME_height (m), NAME_slope_x and "
-                                      "NAME_slope_y (there, global axes) and NAME_friction, NAME that of the road",
-                               .fallback = 0}),
+      field<S, &S::from_host>(
+          {.name = "host",
+           .shape = Shape::boolean,
+           .doc = "true: a host gives the ground under the one wheel on it, as a plane: inputs NAME_x and NAME_y (a "
+                  "position, m), NAME_height (m), NAME_slope_x and NAME_slope_y (there, global axes) and "
+                  "NAME_friction, with the road's name as NAME",
+           .fallback = 0}),
       field<S, &S::slope_x>(slope("slope_x",
-                                  "slope along x of ground that inputs give under a wheel, beside `height`; "
-                                  "added to the slopes of all heights")),
+                                  "slope along x of ground under a wheel given by inputs, beside `height`; added to "
+                                  "the slopes of all heights")),
       field<S, &S::slope_y>(slope("slope_y", "likewise along y")),
       field<S, &S::friction>(
           over_place("friction", "factor of the friction of tyres, over `x` and `y` (m) of the road; default: 1", "1")),
       field<S, &S::iso_8608>({.name = "iso_8608",
                               .shape = Shape::object,
-                              .doc = "a rough road of a class of ISO 8608 under it all",
+                              .doc = "an added rough road of a class of ISO 8608",
                               .of = "iso_road"}),
       field<S, &S::profile>({.name = "profile",
                              .shape = Shape::object,
@@ -220,15 +218,15 @@ std::span<const Field<RoadFields>> fields<RoadFields>() {
                              .of = "road_profile"}),
       field<S, &S::crg>({.name = "crg",
                          .shape = Shape::object,
-                         .doc = "a road of an OpenCRG file, its x and y those of this road",
+                         .doc = "a road from an OpenCRG file, with the same x and y",
                          .of = "crg_road"}),
       field<S, &S::feature_map>({.name = "features",
                                  .shape = Shape::map,
-                                 .doc = "bumps, planks, potholes, waves; where several are, their heights are added",
+                                 .doc = "bumps, planks, potholes, waves; heights of several are added",
                                  .of = "road_feature"}),
       field<S, &S::patch_map>({.name = "patches",
                                .shape = Shape::map,
-                               .doc = "parts with friction of their own; the last one at a place counts",
+                               .doc = "parts with their own friction; where several overlap, the last one counts",
                                .of = "road_patch"}),
   };
   return table;

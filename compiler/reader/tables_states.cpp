@@ -20,7 +20,7 @@ std::span<const Field<UserStateFields>> fields<UserStateFields>() {
   using F = UserStateFields;
   static const std::array table =
       joined(std::array{field<F, &F::written>({.name = "derivative",
-                                               .doc = "rate of the state, over all that a force may depend on",
+                                               .doc = "rate of the state, an expression like a force",
                                                .unit = "unit of the state over s",
                                                .need = Need::required}),
                         field<F, &F::initial>(kInitial), field<F, &F::unit>(kUnit)},
@@ -40,17 +40,17 @@ std::span<const Field<SampledValueFields>> fields<SampledValueFields>() {
                                 .need = Need::required,
                                 .bound = Bound::positive}),
           field<F, &F::written>({.name = "value",
-                                 .doc = "what the value is set to at an instant; sampled values above it are seen as "
-                                        "they are set there, itself and those below as they were before"}),
+                                 .doc = "new value at an instant; it may use the new values of sampled values above "
+                                        "it, and the old values of itself and of those below"}),
           field<F, &F::initial>(kInitial),
           field<F, &F::written_delay>({.name = "delay",
                                        .shape = Shape::number,
-                                       .doc = "so many instants pass before what is computed takes effect",
+                                       .doc = "number of instants until a computed value takes effect",
                                        .fallback = 0,
                                        .bound = Bound::not_negative}),
           field<F, &F::unit>(kUnit),
       },
-      joined(reaction_fields<F>("in place of value: joint or rod whose transmitted force the value is set to"),
+      joined(reaction_fields<F>("instead of value: joint or rod; the value is set to its transmitted force"),
              presentation_fields<F>()));
   return table;
 }

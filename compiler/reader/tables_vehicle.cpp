@@ -23,14 +23,14 @@ std::span<const Field<VehicleFields>> fields<VehicleFields>() {
   static const std::array table = {
       field<F, &F::reference>({.name = "reference",
                                .shape = Shape::attachment,
-                               .doc = "point whose place, speed and accelerations are the vehicle's; on the body whose "
-                                      "heading, roll and pitch are the vehicle's, x forward, y to the left, z up",
+                               .doc = "reference point of the vehicle's position, speed and accelerations; its body "
+                                      "gives heading, roll and pitch, x forward, y to the left, z up",
                                .need = Need::required}),
       field<F, &F::towed>({.name = "towed",
                            .shape = Shape::attachment,
-                           .doc = "point whose lateral acceleration is that of the last towed unit, on its body; the "
-                                  "rearmost tyres are this unit's"}),
-      field<F, &F::written_steer>(input("steer", "input that steers, rad; it moves with its derivatives where it has")),
+                           .doc = "reference point of the last towed unit, on its body, for lateral acceleration; the "
+                                  "rearmost tyres belong to this unit"}),
+      field<F, &F::written_steer>(input("steer", "steering input, rad; its derivatives, if any, change with it")),
       field<F, &F::steer_ratio>({.name = "steer_ratio",
                                  .shape = Shape::number,
                                  .doc = "angle at that input over the mean angle of the road wheels, which is positive "
@@ -45,11 +45,11 @@ std::span<const Field<VehicleFields>> fields<VehicleFields>() {
       field<F, &F::brake_limit>(positive("brake_limit", "largest braking torque, of all wheels together", "N m")),
       field<F, &F::written_speed>({.name = "speed",
                                    .shape = Shape::reference,
-                                   .doc = "parameter that is the speed at the start, m/s: manoeuvres set it",
+                                   .doc = "parameter of the initial speed, m/s: set by manoeuvres",
                                    .of = "parameters"}),
       field<F, &F::wheelbase>(
           positive("wheelbase", "for the driver; default: from the foremost to the rearmost tyres", "m")),
-      field<F, &F::width>(positive("width", "of the vehicle, by which lanes are laid out", "m")),
+      field<F, &F::width>(positive("width", "width of the vehicle, for the widths of lanes", "m")),
   };
   return table;
 }

@@ -102,18 +102,18 @@ std::string fields_table(const Json& schema, const Json& object) {
 constexpr std::string_view kIntroduction =
     R"text(# Model reference
 
-Every field of the model format, made from the tables of its reader: `mbgen schema --markdown`.
+Every field of the model format, generated from the tables of its reader: `mbgen schema --markdown`.
 
 Units are SI. An angle is in radians, or `{"deg": number}`. Comments are allowed. A number may be an
 [expression](#expressions).
 
-A *position* is three numbers, or the name of a hardpoint. Hardpoints stand in global axes at the reference
-configuration, those of a subsystem in the subsystem's axes. Where coordinates of a body are meant, mbgen turns
-them into its frame. A point of a body is written `body.point`; where the body has no such point, `body.hardpoint`
-is the point that the body has there.
+A *position* is three numbers, or the name of a hardpoint. Hardpoints are in global axes at the reference
+configuration, hardpoints of a subsystem in the subsystem's axes; mbgen transforms them to a body's frame if needed. A
+point of a body is written `body.point`; if the body has no such point, `body.hardpoint` is its point at the
+hardpoint.
 
 An *axis* is a letter, `"-y"`, a vector of any length, or [two points](#axis_by_points) `{"from": "a", "to": "b"}`.
-A letter or a vector counts in the frame that the field names, points are in global axes as hardpoints are.
+A letter or a vector is in the frame named by the field, points are in global axes like hardpoints.
 
 )text";
 
@@ -121,11 +121,11 @@ A letter or a vector counts in the frame that the field names, points are in glo
 std::string expressions_text() {
   std::string text = R"text(## Expressions
 
-`+ - * / ^`, brackets, numbers, `pi`, names and functions: `"2*k*sin(pi*t)"`. `^` comes first and takes a sign
-behind it: `-x^2` is `-(x^2)`, `2^-1` is 0.5. Names are parameters; a parameter takes those above it. Forces, motions
-and outputs take `t` and inputs too. Forces, states, sampled values and outputs take
+`+ - * / ^`, brackets, numbers, `pi`, names and functions: `"2*k*sin(pi*t)"`. `^` comes first and may be
+followed by a sign: `-x^2` is `-(x^2)`, `2^-1` is 0.5. Names are parameters; a parameter may use parameters above it.
+Forces, motions and outputs may also use `t` and inputs. Forces, states, sampled values and outputs may use
 `z.COORDINATE`, a position, and `zd.COORDINATE`, its velocity, `length.NAME`, the length of a spring, an air
-spring or a rod, and `rate.NAME`, its rate, names of states and of sampled values, and the names that the field lists.
+spring or a rod, and `rate.NAME`, its rate, names of states and of sampled values, and the names listed by the field.
 
 | function | value |
 |---|---|
@@ -150,8 +150,8 @@ std::string quoted_names(std::string_view names) {
 std::string coordinates_text() {
   std::string text = R"text(## Coordinates of joints
 
-A joint with one freedom has one coordinate, of the name of the joint. A joint with several has these, in the order
-in which they act from the body at `from` to the body at `to`. Each direction is in the frame of `from`, turned by
+A joint with one freedom has one coordinate with the name of the joint. A joint with several has these, in their order
+from the body at `from` to the body at `to`. Each direction is in the frame of `from`, rotated by
 the coordinates before it. Positions are in m and rad.
 
 | joint | for example | coordinates of joint `NAME` | directions |
@@ -162,9 +162,9 @@ the coordinates before it. Positions are in m and rad.
                         row.names.empty() ? "none" : quoted_names(row.names), row.directions);
   }
   return text + R"text(
-A letter counts with either sign: `"-x"` gives the names of `"x"`. Of a planar joint with another normal, `e` is the
-axis of the frame that is farthest from the normal, projected on the plane and made a unit vector. Names of coordinates
-stand in `initial`, `motions`, `joint_springs`, `frictions`, `joint_forces`, outputs, and with `z.` and `zd.` in
+The sign of a letter does not matter: `"-x"` gives the names of `"x"`. For a planar joint with another normal, `e` is
+the axis of the frame with the largest angle to the normal, projected on the plane and normalised. Names of coordinates
+are used in `initial`, `motions`, `joint_springs`, `frictions`, `joint_forces`, outputs, and with `z.` and `zd.` in
 expressions.
 
 )text";

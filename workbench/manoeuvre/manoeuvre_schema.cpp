@@ -12,11 +12,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kIntroduction = R"text(# Manoeuvre reference
 
-Every field of manoeuvre files, made from the tables of their reader: `mbgen schema --manoeuvre --markdown`. How they
-are used stands in [manoeuvres.md](manoeuvres.md).
+Every field of manoeuvre files, generated from the tables of their reader: `mbgen schema --manoeuvre --markdown`. For
+their use see [manoeuvres.md](manoeuvres.md).
 
 Units are SI. A number may be an expression without names, as `"80/3.6"`; an angle is in radians, or
-`{"deg": number}`. Comments are allowed. The field `type` says which of the tables holds.
+`{"deg": number}`. Comments are allowed. The field `type` selects one of the tables.
 )text";
 
 Json schema_of_files() {

@@ -62,10 +62,12 @@ std::vector<Field<F>> with_common(FieldInfo speed, std::vector<Field<F>> own) {
   all.insert(all.end(), own.begin(), own.end());
   for (Field<F>& row : std::vector<Field<F>>{
            field<F, &F::duration>(open_number("duration", "default: as long as the manoeuvre takes", "s")),
-           field<F, &F::step>(open_number("step", "default: that of the model", "s")),
+           field<F, &F::step>(open_number("step", "default: the model's", "s")),
            field<F, &F::period>(number("period", "of driver and speed controller, in whole steps", "s", 0.01)),
-           field<F, &F::written_driver>(
-               {.name = "driver", .shape = Shape::object, .doc = "who steers along a course", .of = "driver"}),
+           field<F, &F::written_driver>({.name = "driver",
+                    .shape = Shape::object,
+                    .doc = "driver model that steers along a course",
+                    .of = "driver"}),
            field<F, &F::written_speed_control>({.name = "speed_control",
                     .shape = Shape::object,
                     .doc = "controller of the speed",
@@ -82,8 +84,7 @@ FieldInfo amplitude_info(std::string_view what) { return angle("steer", what); }
 
 FieldInfo lateral_info() {
   return open_number("lateral_acceleration",
-                     "in place of `steer`: the angle that gives it by wheelbase and the driver's `understeer`",
-                     "m/s^2");
+                     "instead of `steer`: the angle for it, from wheelbase and the driver's `understeer`", "m/s^2");
 }
 
 }  // namespace
@@ -92,16 +93,16 @@ template <>
 std::span<const Field<DriverSettings>> fields<DriverSettings>() {
   using F = DriverSettings;
   static const std::array table = {
-      field<F, &F::preview>(number("preview", "time ahead at which the driver compares course and path", "s", 1.0)),
+      field<F, &F::preview>(number("preview", "preview time for the comparison of course and path", "s", 1.0)),
       field<F, &F::anticipation>(
-          number("anticipation", "time by which the driver turns in before the course does", "s", 0.3)),
+          number("anticipation", "time by which the driver turns in earlier than the course", "s", 0.3)),
       field<F, &F::gain>(number("gain", "of the correction", "1", 0.5)),
-      field<F, &F::understeer>(number("understeer",
-                                      "the driver's knowledge of the vehicle: more angle of the road wheels for every "
-                                      "m/s^2 across",
-                                      "rad s^2/m", 0, Bound::none)),
+      field<F, &F::understeer>(
+          number("understeer",
+                 "the driver's knowledge of the vehicle: additional angle of the road wheels over lateral acceleration",
+                 "rad s^2/m", 0, Bound::none)),
       field<F, &F::largest_rate>(number("largest_rate", "of the road wheels", "rad/s", 0.6)),
-      field<F, &F::lag>(number("lag", "of the hands, from the angle that is wanted", "s", 0.1)),
+      field<F, &F::lag>(number("lag", "of the hands, from the wanted angle", "s", 0.1)),
   };
   return table;
 }
@@ -111,7 +112,7 @@ std::span<const Field<SpeedSettings>> fields<SpeedSettings>() {
   using F = SpeedSettings;
   static const std::array table = {
       field<F, &F::gain>(number("gain", "acceleration for an error of 1 m/s", "1/s", 1)),
-      field<F, &F::integral_time>(number("integral_time", "in which the integral does as much as the gain", "s", 4)),
+      field<F, &F::integral_time>(number("integral_time", "integral time of the PI controller", "s", 4)),
   };
   return table;
 }
@@ -121,21 +122,19 @@ std::span<const Field<Event>> fields<Event>() {
   using F = Event;
   static const std::array table = {
       field<F, &F::at>(required(open_number("at", "instant", "s", Bound::not_negative))),
-      field<F, &F::over>(number("over", "time that the change takes, as 10 u^3 - 15 u^4 + 6 u^5", "s", 0.1)),
-      field<F, &F::steer>(angle(
-          "steer", "to this angle at the steering input; with `frequency` an amplitude about the angle there is")),
+      field<F, &F::over>(number("over", "duration of the change, as 10 u^3 - 15 u^4 + 6 u^5", "s", 0.1)),
+      field<F, &F::steer>(
+          angle("steer", "new angle at the steering input; with `frequency` an amplitude about the present angle")),
       field<F, &F::frequency>(open_number("frequency", "of a sine", "Hz")),
       field<F, &F::cycles>(number("cycles", "of the sine", "1", 1)),
       field<F, &F::steer_table>({.name = "steer_table",
                                  .shape = Shape::table_points,
-                                 .doc = "angle at the steering input over the time since `at`, added to the angle "
-                                        "there is: s, rad; PCHIP between points"}),
-      field<F, &F::drive>(
-          open_number("drive", "to this driving torque, which no controller changes then", "N m", Bound::none)),
-      field<F, &F::brake>(
-          open_number("brake", "to this braking torque; the drive is taken away", "N m", Bound::not_negative)),
-      field<F, &F::speed>(open_number("speed", "the controller holds the speed again, and goes to this one", "m/s",
-                                      Bound::not_negative)),
+                                 .doc = "angle at the steering input over the time since `at`, added to the present "
+                                        "angle: s, rad; PCHIP between points"}),
+      field<F, &F::drive>(open_number("drive", "new driving torque, without the speed controller", "N m", Bound::none)),
+      field<F, &F::brake>(open_number("brake", "new braking torque, without drive", "N m", Bound::not_negative)),
+      field<F, &F::speed>(
+          open_number("speed", "new speed for the controller, which is active again", "m/s", Bound::not_negative)),
       field<F, &F::is_free>(switched("free", "true: no drive and no brake, gear free")),
       field<F, &F::input>(
           {.name = "input", .shape = Shape::reference, .doc = "any other input, to `value`", .of = "inputs"}),
@@ -148,8 +147,7 @@ template <>
 std::span<const Field<Written<EventManoeuvre>>> fields<Written<EventManoeuvre>>() {
   using F = Written<EventManoeuvre>;
   static const std::vector table = with_common<F>(
-      open_number("speed", "at the start, held until an event says otherwise; default: that of the model, gear free",
-                  "m/s"),
+      open_number("speed", "at the start, held until an event says otherwise; default: the model's, gear free", "m/s"),
       {field<F, &F::written_events>({.name = "events",
                                      .shape = Shape::rotations,
                                      .doc = "changes at instants, in order of time",
@@ -170,9 +168,8 @@ std::span<const Field<Written<CircleManoeuvre>>> fields<Written<CircleManoeuvre>
                              .words = kMethods}),
        field<F, &F::radius>(open_number("radius", "of the circle that the driver follows, at constant_radius", "m")),
        field<F, &F::steer>(angle("steer", "at the input: held at constant_steer, the last one at constant_speed")),
-       field<F, &F::last_speed>(
-           open_number("last_speed", "to which the speed grows; default: until the limit below", "m/s")),
-       field<F, &F::acceleration>(number("acceleration", "by which the speed grows", "m/s^2", 0.1)),
+       field<F, &F::last_speed>(open_number("last_speed", "final speed; default: until the limit below", "m/s")),
+       field<F, &F::acceleration>(number("acceleration", "of the speed", "m/s^2", 0.1)),
        field<F, &F::largest_lateral_acceleration>(
            number("largest_lateral_acceleration", "at which the manoeuvre ends", "m/s^2", 5)),
        field<F, &F::side>(side_info())});
@@ -184,10 +181,10 @@ std::span<const Field<Written<StepManoeuvre>>> fields<Written<StepManoeuvre>>() 
   using F = Written<StepManoeuvre>;
   static const std::vector table = with_common<F>(
       speed_info(),
-      {field<F, &F::steer>(amplitude_info("angle at the input to which it steps")),
+      {field<F, &F::steer>(amplitude_info("final angle at the input")),
        field<F, &F::lateral_acceleration>(lateral_info()),
        field<F, &F::at>(number("at", "when it begins", "s", 1, Bound::not_negative)),
-       field<F, &F::rate>(open_number("rate", "largest rate at the input; default: the change takes 0.15 s", "rad/s")),
+       field<F, &F::rate>(open_number("rate", "largest rate at the input; default: for a change in 0.15 s", "rad/s")),
        field<F, &F::side>(side_info())});
   return table;
 }
@@ -213,7 +210,7 @@ std::span<const Field<Written<LaneManoeuvre>>> fields<Written<LaneManoeuvre>>() 
                             .doc = "standard of the track",
                             .fallback_word = "iso_3888_1",
                             .words = kTracks}),
-       field<F, &F::approach>(number("approach", "straight way before the first section", "m", 50)),
+       field<F, &F::approach>(number("approach", "straight distance before the first section", "m", 50)),
        field<F, &F::width>(open_number("width", "of the vehicle; default: the `width` of the model", "m")),
        field<F, &F::side>(side_info())});
   return table;
@@ -237,9 +234,9 @@ std::span<const Field<Written<BrakingManoeuvre>>> fields<Written<BrakingManoeuvr
       speed_info(),
       {field<F, &F::brake>(open_number("brake", "torque of all wheels together", "N m")),
        field<F, &F::deceleration>(open_number(
-           "deceleration", "in place of `brake`: the torque of the mass times this at the tyres' radius", "m/s^2")),
+           "deceleration", "instead of `brake`: the torque is the mass times this times the tyres' radius", "m/s^2")),
        field<F, &F::at>(number("at", "when it begins", "s", 1, Bound::not_negative)),
-       field<F, &F::over>(number("over", "time in which the torque rises", "s", 0.3)),
+       field<F, &F::over>(number("over", "rise time of the torque", "s", 0.3)),
        field<F, &F::last_speed>(number("last_speed", "at which the manoeuvre ends", "m/s", 0.2)),
        field<F, &F::has_driver>({.name = "steering",
                                  .shape = Shape::word,
@@ -272,12 +269,14 @@ std::vector<ObjectKind> manoeuvre_kinds() {
           kTypes[5], "slow sines about straight ahead, ISO 13674-1; one of steer and lateral_acceleration", amplitude),
       kind_of<Written<BrakingManoeuvre>>(kTypes[6], "braking straight ahead; one of brake and deceleration", torque),
       kind_of<Written<BrakingManoeuvre>>(
-          kTypes[7], "braking on a road whose sides differ in friction; one of brake and deceleration", torque),
+          kTypes[7],
+          "braking on split friction, different on the left and right of the road; one of brake and deceleration",
+          torque),
       kind_of<Written<RideManoeuvre>>(kTypes[8], "straight over the model's road at a speed"),
       kind_of<Event>("event",
                      "change at an instant; exactly one of steer, steer_table, drive, brake, speed, free and input"),
-      kind_of<DriverSettings>("driver", "a driver who looks ahead"),
-      kind_of<SpeedSettings>("speed_control", "a controller of driving and braking torque with gain and integral"),
+      kind_of<DriverSettings>("driver", "a driver model with preview"),
+      kind_of<SpeedSettings>("speed_control", "a PI controller of driving and braking torque"),
   };
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Bump stops: compression elements with a clearance.
+// Bump stops: unilateral elements with a clearance.
 
 #include <optional>
 #include <string>

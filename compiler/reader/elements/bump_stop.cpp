@@ -39,21 +39,20 @@ auto stop_place_fields() {
       field<S, &S::written_to>({.name = "to", .shape = Shape::attachment, .doc = "other end, on another body"}),
       field<S, &S::spring>({.name = "spring",
                             .shape = Shape::reference,
-                            .doc = "spring or air spring whose ends are those of the stop",
+                            .doc = "spring or air spring with the same ends",
                             .of = "springs"}),
       field<S, &S::written_joint>({.name = "joint",
                                    .shape = Shape::coordinate,
                                    .doc = "coordinate that the stop is on; zero at the reference"}),
       field<S, &S::written_axis>({.name = "axis",
                                   .shape = Shape::axis,
-                                  .doc =
-                                      "direction along which the way of `to` counts, in the frame of `from`; default: "
-                                      "along the line between the points",
+                                  .doc = "direction of the displacement of `to`, in the frame of `from`; default: "
+                                         "along the line between the points",
                                   .by_points = true}),
       field<S, &S::written_side>({.name = "side",
                                   .shape = Shape::word,
-                                  .doc = "between points compression (default) or extension, with `axis` the way "
-                                         "against it or along it; of a coordinate above or below",
+                                  .doc = "between points compression (default) or extension, with `axis` the "
+                                         "displacement against it or along it; of a coordinate above or below",
                                   .words = kSides}),
   };
 }
@@ -64,7 +63,7 @@ auto stop_law_fields() {
   return std::array{
       field<S, &S::clearance>(
           {.name = "clearance",
-           .doc = "way from the reference configuration to the contact; below zero: in contact there",
+           .doc = "displacement from the reference configuration to the contact; negative: in contact there",
            .unit = "m or rad",
            .need = Need::required,
            .angle = true}),
@@ -81,7 +80,7 @@ auto stop_law_fields() {
                               .fallback = 1,
                               .depends = Depends::nothing}),
       field<S, &S::damping>({.name = "damping",
-                             .doc = "share by which the force rises per speed of the penetration, in contact only",
+                             .doc = "relative increase of the force over the rate of penetration, in contact only",
                              .unit = "s/m or s/rad",
                              .fallback = 0,
                              .bound = Bound::not_negative}),
@@ -230,12 +229,12 @@ std::string trouble_of_bump_stop(const Model& model, std::size_t index) {
 
 template <>
 ElementSection section_of<BumpStop>() {
-  return {"stops that push beyond a clearance",
+  return {"stops beyond a clearance",
           [] {
             return std::vector<ObjectKind>{kind_of<BumpStopFields>(
                 "bump_stop",
-                "a stop that pushes when its clearance is used up, and never pulls; on the distance of two "
-                "points or the way along an axis (from and to, or spring), or on a coordinate (joint)")};
+                "a stop that acts beyond its clearance, and never pulls; on the distance of two points or the "
+                "displacement along an axis (from and to, or spring), or on a coordinate (joint)")};
           },
           read_bump_stops, trouble_of_bump_stop};
 }

@@ -43,12 +43,12 @@ auto bushing_frame_fields() {
   return std::array{
       field<S, &S::from>({.name = "from",
                           .shape = Shape::attachment,
-                          .doc = "point of the frame in whose axes deflections count",
+                          .doc = "point of the frame with the axes of deflections",
                           .need = Need::required}),
       field<S, &S::to>({.name = "to",
                         .shape = Shape::attachment,
-                        .doc = "point of the frame that is deflected, on another body; at the reference at the point "
-                               "of `from`, or the bushing is deflected there",
+                        .doc = "point of the deflected frame, on another body; a distance to the point of `from` at "
+                               "the reference is a deflection there",
                         .need = Need::required}),
       field<S, &S::written_axis>({.name = "axis",
                                   .shape = Shape::axis,
@@ -56,8 +56,8 @@ auto bushing_frame_fields() {
                                   .by_points = true}),
       field<S, &S::axis2>({.name = "axis2",
                            .shape = Shape::axis,
-                           .doc = "direction of its axis x, likewise, of which the part across `axis` counts; default: "
-                                  "the letter after that of `axis`, or across a skew one",
+                           .doc = "direction of its axis x, likewise; its component perpendicular to `axis` is used; "
+                                  "default: the next letter after `axis`, or a perpendicular of a skew one",
                            .by_points = true}),
   };
 }
@@ -66,11 +66,11 @@ auto bushing_frame_fields() {
 auto bushing_law_fields() {
   using S = BushingFields;
   return std::array{
-      field<S, &S::radial>(freedom("radial", "laws of tx and of ty, each by itself")),
+      field<S, &S::radial>(freedom("radial", "common law of tx and ty, each over its own deflection")),
       field<S, &S::tx>(freedom("tx", "displacement along its axis x, m")),
       field<S, &S::ty>(freedom("ty", "displacement along its axis y, m")),
       field<S, &S::tz>(freedom("tz", "displacement along its axis z, m")),
-      field<S, &S::conical>(freedom("conical", "laws of rx and of ry, each by itself")),
+      field<S, &S::conical>(freedom("conical", "common law of rx and ry, each over its own deflection")),
       field<S, &S::rx>(freedom("rx", "component x of the rotation vector, rad")),
       field<S, &S::ry>(freedom("ry", "component y of the rotation vector, rad")),
       field<S, &S::rz>(freedom("rz", "component z of the rotation vector, rad")),
@@ -110,11 +110,11 @@ std::span<const Field<BushingFreedom>> fields<BushingFreedom>() {
                            .doc = "force or moment added, against positive deflections, over `deflection` and `rate`",
                            .unit = "N or N m",
                            .locals = kFreedomLocals}),
-      field<F, &F::maxwell_stiffness>({.name = "maxwell_stiffness",
-                                       .doc = "stiffness of a Maxwell branch beside them, for a stiffness that rises "
-                                              "with frequency by it",
-                                       .unit = "N/m or N m/rad",
-                                       .bound = Bound::not_negative}),
+      field<F, &F::maxwell_stiffness>(
+          {.name = "maxwell_stiffness",
+           .doc = "stiffness of a Maxwell branch in parallel, by which the stiffness rises with frequency",
+           .unit = "N/m or N m/rad",
+           .bound = Bound::not_negative}),
       field<F, &F::maxwell_time>({.name = "maxwell_time",
                                   .doc = "relaxation time of the branch: its damping over its stiffness",
                                   .unit = "s",
@@ -313,14 +313,13 @@ ElementSection section_of<Bushing>() {
   return {"rubber and mounts: six freedoms between two bodies",
           [] {
             return std::vector<ObjectKind>{
-                kind_of<BushingFields>(
-                    "bushing",
-                    "compliant element of six freedoms between two frames, whose axes agree at the reference; "
-                    "what its fields give is added up"),
+                kind_of<BushingFields>("bushing",
+                                       "compliant element of six freedoms between two frames, with equal axes at the "
+                                       "reference; the forces of its fields are added"),
                 kind_of<BushingFreedom>(
                     "bushing_freedom",
-                    "one freedom of a bushing; its force acts against the deflection of `to`. A Maxwell branch, "
-                    "a spring and a damper in a row, is relaxed at the start",
+                    "one freedom of a bushing; its force acts against the deflection of `to`. A Maxwell branch, a "
+                    "spring and a damper in series, is relaxed at the start",
                     {}, {{"maxwell_stiffness", "maxwell_time"}, {"maxwell_time", "maxwell_stiffness"}})};
           },
           read_bushings, trouble_of_bushing, note_bushings};

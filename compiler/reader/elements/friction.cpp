@@ -37,19 +37,20 @@ auto friction_level_fields() {
       field<S, &S::joint>({.name = "joint", .shape = Shape::coordinate, .doc = "coordinate it acts on"}),
       field<S, &S::spring>({.name = "spring",
                             .shape = Shape::reference,
-                            .doc = "spring along whose line it acts, in place of a coordinate",
+                            .doc = "spring with friction along its line, instead of a coordinate",
                             .of = "springs"}),
-      field<S, &S::rod>({.name = "rod",
-                         .shape = Shape::reference,
-                         .doc = "rod in whose end it acts, against the turn of the body there; its rates are rad/s",
-                         .of = "rods"}),
+      field<S, &S::rod>(
+          {.name = "rod",
+           .shape = Shape::reference,
+           .doc = "rod with friction in its end, against the rotation of the body there; its rates are rad/s",
+           .of = "rods"}),
       field<S, &S::end>({.name = "end", .shape = Shape::word, .doc = "end of the rod", .words = kRodEnds}),
-      field<S, &S::kind>({.name = "law",
-                          .shape = Shape::word,
-                          .doc = "smooth: a force of the speed alone, which creeps at rest; elasto_plastic, lugre: "
-                                 "bristles, which hold",
-                          .fallback_word = "smooth",
-                          .words = kFrictionLaws}),
+      field<S, &S::kind>(
+          {.name = "law",
+           .shape = Shape::word,
+           .doc = "smooth: depends on the speed only, and creeps at rest; elasto_plastic, lugre: bristles, which stick",
+           .fallback_word = "smooth",
+           .words = kFrictionLaws}),
       field<S, &S::coulomb>(
           {.name = "coulomb",
            .doc = "sliding friction; with normal or reaction the coefficient of friction (m on a rotation)",
@@ -66,7 +67,7 @@ auto friction_level_fields() {
                              .fallback = 0,
                              .bound = Bound::not_negative}),
       field<S, &S::velocity>({.name = "velocity",
-                              .doc = "of law smooth: speed over which the sign of friction is smoothed",
+                              .doc = "of law smooth: regularisation speed",
                               .unit = "rad/s or m/s",
                               .bound = Bound::positive}),
   };
@@ -85,7 +86,7 @@ auto friction_bristle_fields() {
                                .unit = "N m/rad or N/m",
                                .bound = Bound::positive}),
       field<S, &S::damping>({.name = "damping",
-                             .doc = "of bristles that bend; with normal or reaction per N of it",
+                             .doc = "of bristles; with normal or reaction per N of it",
                              .unit = "N m s/rad or N s/m",
                              .fallback = 0,
                              .bound = Bound::not_negative}),
@@ -97,29 +98,28 @@ auto friction_bristle_fields() {
                              .bound = Bound::not_negative}),
       field<S, &S::lag>({.name = "lag",
                          .shape = Shape::number,
-                         .doc = "bristles follow no faster; default: the step of solver",
+                         .doc = "least time constant of bristles; default: the step of solver",
                          .unit = "s",
                          .bound = Bound::not_negative}),
       field<S, &S::pressing_spring>({.name = "normal",
                                      .shape = Shape::reference,
-                                     .doc = "spring whose force, without its friction, presses the parts together",
+                                     .doc = "spring with the normal force (without its friction)",
                                      .of = "springs"}),
-      field<S, &S::period>({.name = "period",
-                            .shape = Shape::number,
-                            .doc = "time between the instants at which the reaction is taken, a multiple of the "
-                                   "solver's step; default: the step of solver",
-                            .unit = "s",
-                            .bound = Bound::positive})};
+      field<S, &S::period>(
+          {.name = "period",
+           .shape = Shape::number,
+           .doc = "sampling period of the reaction, a multiple of the solver's step; default: the step of solver",
+           .unit = "s",
+           .bound = Bound::positive})};
 }
 
 }  // namespace
 
 template <>
 std::span<const Field<FrictionFields>> fields<FrictionFields>() {
-  static const std::array table =
-      joined(joined(friction_level_fields(), friction_bristle_fields()),
-             reaction_fields<FrictionFields>(
-                 "joint or rod whose transmitted force presses the parts together, in place of normal"));
+  static const std::array table = joined(
+      joined(friction_level_fields(), friction_bristle_fields()),
+      reaction_fields<FrictionFields>("joint or rod with the normal force as transmitted force, instead of normal"));
   return table;
 }
 

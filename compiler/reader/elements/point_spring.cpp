@@ -72,7 +72,7 @@ std::span<const Field<PointSpring>> fields<PointSpring>() {
       field<S, &S::to>(element_end("to", "other end, on another body")),
       field<S, &S::stiffness>({.name = "stiffness",
                                .shape = Shape::law,
-                               .doc = "stiffness, or a table of N over the extension (length less free_length, m)",
+                               .doc = "stiffness, or a table of N over the extension (length minus free_length, m)",
                                .unit = "N/m",
                                .bound = Bound::not_negative}),
       field<S, &S::damping>({.name = "damping",

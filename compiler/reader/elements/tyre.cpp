@@ -308,12 +308,11 @@ ElementSection section_of<Tyre>() {
                 kind_of<TyreDataFields>("tyre_data", "coefficients of a tyre"),
                 kind_of<TyreFields>("tyre", "a tyre on a road; exactly one of data and tir", {"data", "tir"},
                                     {{"data", "stiffness"}}),
-                kind_of<TyreEnvelope>(
-                    "tyre_envelope",
-                    "four cams that make a plane of a road: a rear and a front one below each half of the tyre's "
-                    "width; lengths in unloaded radii of the tyre"),
-                kind_of<TyrePatch>("tyre_patch",
-                                   "the patch of a tyre that turns about the road's normal, as of a parked wheel")};
+                kind_of<TyreEnvelope>("tyre_envelope",
+                                      "four cams that replace the road by a plane: a rear and a front one below each "
+                                      "half of the tyre's width; lengths in unloaded radii of the tyre"),
+                kind_of<TyrePatch>(
+                    "tyre_patch", "contact patch of a tyre that turns about the road's normal, as for a parked wheel")};
           },
           read_tyres};
 }

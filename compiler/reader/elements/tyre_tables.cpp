@@ -37,18 +37,16 @@ std::span<const Field<TyreEnvelope>> fields<TyreEnvelope>() {
     return constant_info(name, doc, "1", fallback, Bound::positive, Depends::nothing);
   };
   static const std::array table = {
-      field<S, &S::base>(number(
-          "base", "distance of front and rear cams; of a .tir file with ELLIPS_SHIFT that times its contact length",
-          0.4)),
+      field<S, &S::base>(
+          number("base", "distance of front and rear cams; of a .tir file ELLIPS_SHIFT times its contact length", 0.4)),
       field<S, &S::length>(number("length", "half axis of a cam along the road; of a .tir file its ELLIPS_LENGTH", 1)),
       field<S, &S::height>(number(
-          "height", "half axis of a cam upwards, higher than what it rolls over; of a .tir file its ELLIPS_HEIGHT", 1)),
+          "height", "half axis of a cam upwards, larger than the obstacles; of a .tir file its ELLIPS_HEIGHT", 1)),
       field<S, &S::order>(number(
           "order", "exponent of a cam's outline, at least 1, 2: an ellipse; of a .tir file its ELLIPS_ORDER", 1.8)),
       field<S, &S::width>(number("width", "width of the tyre on the road", 0.6)),
       field<S, &S::steps>(
-          number("steps",
-                 "how finely a cam sees the road: places that are looked at from below wheel to cam centre, whole", 1)),
+          number("steps", "sampling of the road by a cam: intervals from below the wheel to the cam centre, whole", 1)),
   };
   return table;
 }
@@ -66,9 +64,10 @@ std::span<const Field<TyrePatch>> fields<TyrePatch>() {
                                      "N m/rad")),
       field<S, &S::radius>(number("radius",
                                   "moment of a patch that turns on the spot, over its friction, under `load`; it grows "
-                                  "with the root of the load; default of turn slip: QCRP1 times UNLOADED_RADIUS",
+                                  "with the square root of the load; default of turn slip: QCRP1 times UNLOADED_RADIUS",
                                   "m")),
-      field<S, &S::load>(number("load", "of one tyre, under which these hold; default: FNOMIN of the set", "N")),
+      field<S, &S::load>(
+          number("load", "reference load of one tyre for these values; default: FNOMIN of the set", "N")),
   };
   return table;
 }
@@ -132,35 +131,30 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
                                      "NOMPRES",
                               .unit = "Pa",
                               .bound = Bound::positive}),
-      field<S, &S::relaxation_x>(number(
-          "relaxation_x",
-          "relaxation length of longitudinal slip, whatever the load; default: over the load where the set gives "
-          "it (PTX1, LONGITUDINAL_STIFFNESS)",
-          "m", 0.3, Bound::positive)),
-      field<S, &S::relaxation_y>(
-          number("relaxation_y",
-                 "relaxation length of lateral slip, whatever the load; default: over the load where the set gives it "
-                 "(PTY1, LATERAL_STIFFNESS)",
-                 "m", 0.6, Bound::positive)),
-      field<S, &S::low_speed>(number("low_speed", "speed below which slip is damped so that the wheel comes to rest",
+      field<S, &S::relaxation_x>(number("relaxation_x",
+                                        "relaxation length of longitudinal slip, at any load; default: depends on the "
+                                        "load if the set gives it (PTX1, LONGITUDINAL_STIFFNESS)",
+                                        "m", 0.3, Bound::positive)),
+      field<S, &S::relaxation_y>(number("relaxation_y",
+                                        "relaxation length of lateral slip, at any load; default: depends on the load "
+                                        "if the set gives it (PTY1, LATERAL_STIFFNESS)",
+                                        "m", 0.6, Bound::positive)),
+      field<S, &S::low_speed>(number("low_speed", "speed below which slip is damped, so that the wheel comes to rest",
                                      "m/s", 2, Bound::positive)),
       field<S, &S::combined_slip>(
           {.name = "combined_slip",
            .shape = Shape::word,
-           .doc = "forces of slip along and across together: by the set's coefficients, or by a friction ellipse in "
-                  "their place, as pac89 always has it",
+           .doc = "combined slip: by the set's coefficients, or by a friction ellipse, always used for pac89",
            .fallback_word = "set",
            .words = kCombinedSlips}),
       field<S, &S::written_turn_slip>(
           {.name = "turn_slip",
            .shape = Shape::boolean,
-           .doc = "turn slip of an mf61 set acts; default: as USE_MODE of a .tir file asks by its last digit, 5, else "
-                  "not"}),
+           .doc = "turn slip of an mf61 set is active; default: if the last digit of USE_MODE of a .tir file is 5"}),
       field<S, &S::written_parking>({.name = "parking",
                                      .shape = Shape::object,
-                                     .doc =
-                                         "moment of the patch against turning, as of a parked wheel that is steered; "
-                                         "default: none, with turn slip that of its coefficients",
+                                     .doc = "moment of the patch against turning, as for a parked wheel that is "
+                                            "steered; default: none, with turn slip from its coefficients",
                                      .of = "tyre_patch"}),
   };
   return table;
