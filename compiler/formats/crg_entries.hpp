@@ -1,5 +1,5 @@
 #pragma once
-// Entries and faults of OpenCRG files.
+// Entries and problems of OpenCRG files.
 
 #include <cstddef>
 #include <map>
@@ -15,12 +15,12 @@ inline std::optional<double> entry_of(const CrgEntries& entries, const char* nam
   return found == entries.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Why a file is no road, or how it was read: at a line of its text part, or a byte of its data.
+/// A problem of a file, or a note on its reading: at a line of its text part, or a byte of its data.
 struct CrgProblem {
   std::size_t line = 0;  ///< from 1; 0: see byte
   std::size_t byte = 0;  ///< from 0
   std::string message, hint;
-  std::size_t file = 0;  ///< of those that name one another
+  std::size_t file = 0;  ///< index of the linked file
 };
 
 }  // namespace mbgen

@@ -31,7 +31,7 @@ double big_endian(std::string_view bytes) {
                            : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
 }
 
-/// Sections that REFERENCE_LINE_END_U asks for, as the C API counts them; nothing without it, or where it is no end.
+/// Number of sections by REFERENCE_LINE_END_U, counted like the C API; nothing without it, or if it is no end.
 std::optional<std::size_t> asked_sections(const CrgHeader& header) {
   const std::optional<double> end = header.value("REFERENCE_LINE_END_U");
   const double start = header.value("REFERENCE_LINE_START_U", 0), step = header.value("REFERENCE_LINE_INCREMENT", 0);
@@ -46,8 +46,8 @@ std::string asks_and_has(const CrgHeader& header, std::size_t asked, std::size_t
                      *header.value("REFERENCE_LINE_END_U"), asked, sections);
 }
 
-/// Numbers follow each other in records of kRecord bytes, the last one filled up with NaN: sections of nothing else
-/// that lie in it whole are none, unless REFERENCE_LINE_END_U counts them.
+/// Numbers are in records of kRecord bytes, the last one padded with NaN: sections of NaN only within it are omitted,
+/// unless REFERENCE_LINE_END_U includes them.
 std::optional<CrgProblem> read_binary(std::string_view data, CrgHeader& header, CrgData& result) {
   const std::size_t size = header.format.size(), columns = header.columns.size();
   const std::size_t count = std::min(data.size() / size, kMostNumbers);
@@ -115,7 +115,7 @@ std::optional<CrgProblem> read_text(std::string_view data, CrgHeader& header, Cr
   return {};
 }
 
-/// Where the columns of heights are.
+/// Assigns the columns of heights.
 std::optional<CrgProblem> place_columns(CrgHeader& header, std::size_t heights, CrgRoad& road) {
   if (!header.v.empty() && header.v.size() != heights)
     return at_line(header.definition, "some long sections tell their v, others do not");
@@ -147,8 +147,8 @@ std::optional<CrgProblem> place_columns(CrgHeader& header, std::size_t heights, 
   return {};
 }
 
-/// Heights that are missing, by GRID_NAN_MODE: 2 (also for none and for numbers without a meaning) those to their
-/// right, else to their left; 1 zero; each plus GRID_NAN_OFFSET. 0 leaves them missing, and such a road bears no wheel.
+/// Fills missing heights by GRID_NAN_MODE: 2 (default, also for undefined modes) the height to their right, else to
+/// their left; 1 zero; each plus GRID_NAN_OFFSET. With 0 they remain missing, and no wheel can be on such a road.
 std::optional<CrgProblem> fill_heights(const CrgHeader& header, CrgRoad& road) {
   const double mode = entry_of(header.modifiers, "GRID_NAN_MODE").value_or(2);
   const double offset = entry_of(header.modifiers, "GRID_NAN_OFFSET").value_or(0);
@@ -175,7 +175,7 @@ std::optional<CrgProblem> fill_heights(const CrgHeader& header, CrgRoad& road) {
   return {};
 }
 
-/// Integrates the headings: forward, or where the end is given both ways, each weighted by how near it began.
+/// Integrates the headings: forward, or from both ends if both are given, weighted by the distance to the ends.
 void lay_reference_line(const CrgHeader& header, bool is_curved, CrgRoad& road) {
   const std::size_t n = road.heading.size();
   const double h = road.increment, first = header.value("REFERENCE_LINE_START_PHI", 0);
@@ -257,7 +257,7 @@ std::optional<CrgProblem> make_road(CrgHeader& header, const CrgData& data, CrgR
 
 namespace {
 
-/// Reads the data of a file with its header; road: what they make.
+/// Reads the data of a file with its header; road: the result.
 std::optional<CrgProblem> read_data(std::string_view text, CrgHeader& header, CrgRoad& road) {
   CrgData data;
   if (header.columns.empty())
@@ -290,7 +290,7 @@ std::optional<CrgProblem> read_crg(std::span<const std::string_view> texts, CrgR
   for (std::size_t i = 0; i < texts.size(); ++i) {
     CrgHeader header;
     if (std::optional<CrgProblem> problem = read_header(texts[i], header)) return in_file(*problem, i);
-    // Blocks of a file that names another take the place of those there.
+    // Blocks of the linking file override blocks of the linked one.
     if (naming.has_options) header.options = naming.options, header.has_options = true;
     if (naming.has_modifiers) header.modifiers = naming.modifiers, header.has_modifiers = true;
     header.parameters.insert(naming.parameters.begin(), naming.parameters.end());

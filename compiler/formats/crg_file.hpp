@@ -21,7 +21,7 @@ struct CrgClosure {
   enum class Kind { open, meeting, apart };
   Kind kind = Kind::open;
   double before = 0, behind = 0;  ///< m, >= 0
-  double gap = 0;                 ///< m, between end and start, of a line that is asked to close
+  double gap = 0;                 ///< m, between end and start, for a line to be closed
 };
 
 /// A road of an OpenCRG file. u: along the reference line, v: to the left of it, m. Sections are the rows of the file.
@@ -30,12 +30,12 @@ struct CrgRoad {
   std::vector<double> v;                         ///< m, of the columns of heights, increasing, at least two
   std::vector<double> heights;                   ///< m, section by section, right to left; no NaN
   std::vector<double> x, y, heading;             ///< of the reference line at each section: m, rad of the way to it
-  double end_x = 0, end_y = 0, end_heading = 0;  ///< where the straight line behind the end begins
+  double end_x = 0, end_y = 0, end_heading = 0;  ///< start of the straight extension beyond the end
   std::vector<double> line_height;               ///< m, of the reference line at each section
   std::vector<double> banking;                   ///< 1, rise to the left at each section; empty: none
   CrgClosure closure;
   CrgEntries options, modifiers;  ///< what the file asks for
-  std::vector<CrgProblem> notes;  ///< how it was read where it leaves something open
+  std::vector<CrgProblem> notes;  ///< on unclear parts of the file
 
   std::size_t sections() const { return x.size(); }
   double end() const { return start + increment * static_cast<double>(sections() - 1); }
@@ -49,11 +49,11 @@ struct CrgRoad {
 /// Fails: with the first problem; binary data that END_U asks for and that are not there. Requires nothing of the text.
 std::optional<CrgProblem> read_crg(std::string_view text, CrgRoad& road);
 
-/// The same of files that name one another by $ROAD_CRG_FILE, the last one with the data: blocks of options and
-/// modifiers of an earlier file count in place of those of a later one.
+/// Reads files linked by $ROAD_CRG_FILE, the last one with the data: blocks of options and modifiers of an earlier file
+/// override those of a later one.
 std::optional<CrgProblem> read_crg(std::span<const std::string_view> texts, CrgRoad& road);
 
-/// The file that has the data of this one, relative to it; empty: this one has them.
+/// The file with the data of this one, relative to it; empty: this one.
 std::string named_crg_file(std::string_view text);
 
 }  // namespace mbgen

@@ -20,7 +20,7 @@ std::string in_capitals(std::string_view text) {
   return result;
 }
 
-/// +e00 and the like, behind a number.
+/// Exponent +e00 and the like, after a number.
 bool is_signed_exponent(std::string_view text) {
   const auto take = [&](std::string_view among) {
     const bool is_there = !text.empty() && among.find(text.front()) != std::string_view::npos;
@@ -82,7 +82,7 @@ std::optional<CrgProblem> read_column(std::string_view text, std::size_t line, C
   return {};
 }
 
-/// Name of a file, which may go on in further lines.
+/// Name of a file, possibly continued in further lines.
 std::optional<CrgProblem> read_file_name(std::string_view text, std::size_t line, CrgHeader& header) {
   if (text.find('$') != std::string_view::npos)
     return at_line(line, fmt::format("file name \"{}\" has an environment variable, which mbgen does not read", text),

@@ -15,7 +15,7 @@ double cross(const Way& a, const Way& b) { return a.x * b.y - a.y * b.x; }
 
 using Section = std::ptrdiff_t;
 
-/// A section of the reference line. Those beyond the ends are those at the ends, or of a ring the next ones.
+/// Position of a section of the reference line. Beyond the ends it is the end section, or the next one in a ring.
 PlanePlace place_of(const CrgRoad& road, Section section) {
   const auto last = static_cast<Section>(road.sections()) - 1;
   if (road.closure.kind == CrgClosure::Kind::meeting && (section < 0 || section > last))
@@ -26,7 +26,7 @@ PlanePlace place_of(const CrgRoad& road, Section section) {
 Way between(const PlanePlace& from, const PlanePlace& to) { return {to.x - from.x, to.y - from.y}; }
 Way way(const CrgRoad& road, Section from, Section to) { return between(place_of(road, from), place_of(road, to)); }
 
-/// Interval of a grid and the share of it.
+/// Interval of a grid and the fraction of it.
 struct Share {
   std::size_t index = 0;
   double rest = 0;
@@ -40,15 +40,15 @@ double value_in(const std::vector<double>& values, const Share& at) {
   return std::lerp(values[at.index], values[at.index + 1], at.rest);
 }
 
-/// The line through a section on which v is counted: across the way from the section before to the one behind, and so
-/// long that it reaches v beside the interval.
+/// Direction of v at a section: perpendicular to the chord between the previous and the next section, scaled so that it
+/// reaches v beside the interval.
 Way across(const CrgRoad& road, Section section, Section interval) {
   const Way along = way(road, section - 1, section + 1), of_interval = way(road, interval, interval + 1);
   const double length = std::hypot(of_interval.x, of_interval.y) / dot(along, of_interval);
   return {-along.y * length, along.x * length};
 }
 
-/// From a border of the road, straight on.
+/// Position straight on from a border of the road.
 PlanePlace straight_on(double x, double y, double heading, double du, double v) {
   const double c = std::cos(heading), s = std::sin(heading);
   return {x + c * du - s * v, y + s * du + c * v};
@@ -65,7 +65,7 @@ double u_on_line(const CrgRoad& road, double u) {
   return u - length * std::floor((u - first) / length);
 }
 
-/// Whether the walk along a closed line goes over its seam, from its end to its start or back.
+/// Whether the search along a closed line crosses its seam, from its end to its start or back.
 bool goes_over_seam(const CrgRoad& road, bool is_forward, const PlanePlace& at) {
   if (road.closure.kind != CrgClosure::Kind::apart) return road.closure.kind == CrgClosure::Kind::meeting;
   const auto last = static_cast<Section>(road.sections()) - 1;
@@ -73,7 +73,7 @@ bool goes_over_seam(const CrgRoad& road, bool is_forward, const PlanePlace& at) 
                     : dot(between(place_of(road, last), at), way(road, last - 1, last)) < 0;
 }
 
-/// The section at which the interval beside a place ends, from one near by: forward, then back.
+/// End section of the interval beside a position, searched from one near by: forward, then backward.
 Section interval_end(const CrgRoad& road, const PlanePlace& at, Section i) {
   const auto last = static_cast<Section>(road.sections()) - 1;
   int seams = 1;
@@ -90,7 +90,7 @@ Section interval_end(const CrgRoad& road, const PlanePlace& at, Section i) {
   return i;
 }
 
-/// Beside the straight lines that go on from the ends, up to where those of a closed line meet.
+/// Coordinates beside the straight extensions of the ends, up to their intersection for a closed line.
 CrgPlace beside_extension(const CrgRoad& road, bool is_behind, const PlanePlace& at) {
   const CrgPlace start = straight_back(road.start, road.x[0], road.y[0], road.heading[0], at);
   const CrgPlace end = straight_back(road.end(), road.end_x, road.end_y, road.end_heading, at);

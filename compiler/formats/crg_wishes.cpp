@@ -26,7 +26,7 @@ constexpr std::array kOfData = {"SCALE_Z_GRID", "SCALE_SLOPE",     "SCALE_BANKIN
 constexpr std::array kBorderModes = {"BORDER_MODE_U", "BORDER_MODE_V"};
 constexpr std::array kOffsetsBeyond = {"BORDER_OFFSET_U", "BORDER_OFFSET_V"};
 constexpr std::array kSmoothing = {"BORDER_SMOOTH_UBEG", "BORDER_SMOOTH_UEND"};
-/// Options that change no height: messages, checks, the search for a place, and how curvature is told.
+/// Options without effect on heights: messages, checks, search of positions, output of curvature.
 constexpr std::array<std::string_view, 5> kHarmless = {"WARN_", "CHECK_", "LOG_", "REFLINE_SEARCH_", "CURV_MODE"};
 
 template <class Names>
@@ -38,7 +38,7 @@ bool has_point(const CrgRoad& road) {
   return std::any_of(kPoints.begin(), kPoints.end(), [&](const char* name) { return road.modifiers.contains(name); });
 }
 
-/// Of a reference point along one axis, from `first` to `last`.
+/// Coordinate of a reference point along one axis, from `first` to `last`.
 double reference(const CrgEntries& m, const char* place, const char* fraction, const char* offset, double first,
                  double last, double fallback) {
   if (const std::optional<double> share = entry_of(m, fraction))
@@ -55,7 +55,7 @@ RoadBorder border_of(const CrgEntries& options, const char* name) {
                      : RoadBorder::keep;
 }
 
-/// Why the line of a road that is asked to close does not, or not in its end; empty where it does.
+/// Reason why a line to be closed remains open, or is not closed at its end; empty if it is closed.
 std::string why_open(const CrgRoad& road, double asked) {
   using Kind = CrgClosure::Kind;
   if (asked == 0 || (asked == 1 && road.closure.kind == Kind::meeting)) return {};

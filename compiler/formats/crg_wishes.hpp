@@ -9,13 +9,14 @@
 
 namespace mbgen {
 
-/// The road where its modifiers put it: by a reference point (REFPOINT_), else turned and shifted (REFLINE_).
+/// The road after its modifiers of position: by a reference point (REFPOINT_), else rotated and shifted (REFLINE_).
 CrgRoad relocated(CrgRoad road);
 
-/// Takes over what the options of the grid's road say of its borders and of smoothing at its ends.
+/// Applies the options of the grid's road for borders and smoothing of the ends.
 void follow_options(RoadGrid& grid);
 
-/// Modifiers and options of a road, closed as asked, that are not followed, a text each: "NAME = value", perhaps why.
+/// Modifiers and options that are not applied to a road, closed on request, one text each: "NAME = value", possibly
+/// with a reason.
 std::vector<std::string> not_followed(const CrgRoad& road);
 
 }  // namespace mbgen

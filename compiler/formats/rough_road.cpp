@@ -19,8 +19,8 @@ std::uint64_t next(std::uint64_t& state) {
   return z ^ (z >> 31);
 }
 
-/// cos x (step 1) or sin x / x (step 2) by their series of Taylor; z = x^2. By named fused operations: libraries differ
-/// in their sines, compilers in what they fuse.
+/// cos x (step 1) or sin x / x (step 2) by Taylor series; z = x^2. With explicit fused operations: sines differ between
+/// libraries, fused operations between compilers.
 double series(double z, int step) {
   constexpr int kTerms = 11;  // beyond them 1e-20 for angles up to pi/4
   double sum = 0;
@@ -31,7 +31,7 @@ double series(double z, int step) {
   return sum;
 }
 
-/// base^exponent, 0 <= base <= 1, exponent >= 0, by square roots, which are the same everywhere.
+/// base^exponent, 0 <= base <= 1, exponent >= 0, by square roots, which are exact to the bit everywhere.
 double power(double base, double exponent) {
   if (base == 0) return exponent == 0 ? 1 : 0;
   double result = 1;
@@ -72,7 +72,7 @@ std::vector<double> coefficients_of(const RoughRoad& road) {
     const double number = static_cast<double>(k) / road.length;  // 1/m
     const double ratio = kReference / number;
     const double square = 2 * road.roughness * (ratio * ratio) / road.length;
-    // The coefficients of a sine's spline are the sine by this factor.
+    // Spline coefficients of a sine are the sine times this factor.
     const double amplitude = std::sqrt(square) * (3 / (2 + cosine[k]));
     const double alike = power(road.coherence, 0.5 * number / kReference);
     const std::array<double, 2> share = {amplitude * std::sqrt((1 + alike) / 2),

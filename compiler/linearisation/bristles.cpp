@@ -11,15 +11,15 @@
 namespace mbgen {
 namespace {
 
-/// A matrix of which a state's deflection makes one column, and the state's rate has a row in each of its columns.
+/// Subtracts from a matrix the product of a state's column (by deflection), by_rate and the row of the state's rate.
 /// by_rate: force per rate over force per deflection.
 void take_out(Eigen::MatrixXd& matrix, const Eigen::RowVectorXd& rates, const Eigen::VectorXd& by_deflection,
               double by_rate) {
   matrix -= by_deflection * (by_rate * rates);
 }
 
-/// How fast the end of a bristle without a limit grows, m or rad, with each state and input: to the side to which the
-/// limit opens, by two differences without the error of second order.
+/// Derivatives of a bristle's limit that opens from zero, m or rad, by each state and input, to the side of the
+/// opening, by one-sided differences of second order.
 struct Opening {
   Eigen::RowVectorXd by_state, by_input;
 };
@@ -33,7 +33,7 @@ double one_sided(const std::function<double(double)>& end, double value) {
   return 0;
 }
 
-/// Of states, those that are auxiliary. bristle: place among the bristles.
+/// Derivatives by the auxiliary states among the states. bristle: index among the bristles.
 Opening opening_of(const Model& model, const Topology& topology, const OperatingPoint& point, std::size_t bristle,
                    const LinearSystem& system) {
   OperatingPoint moved = point;
@@ -60,7 +60,7 @@ Opening opening_of(const Model& model, const Topology& topology, const Operating
   return opening;
 }
 
-/// opening: null where the parts stand, which no limit moves.
+/// opening: null for parts at rest, for which no limit changes.
 void release(const BristleEnd& bristle, Eigen::Index b, const Opening* opening, LinearSystem& system) {
   const Eigen::VectorXd rates_by_deflection = system.A.col(b), outputs_by_deflection = system.C.col(b);
   const Eigen::RowVectorXd by_state = system.A.row(b), by_input = system.B.row(b);
@@ -72,7 +72,7 @@ void release(const BristleEnd& bristle, Eigen::Index b, const Opening* opening, 
   take_out(system.C, by_state, outputs_by_deflection, by_rate);
   take_out(system.D, by_input, outputs_by_deflection, by_rate);
   if (opening != nullptr && force != 0) {
-    // A limit that opens acts against the motion by stiffness times its end.
+    // A limit that opens acts against the motion by stiffness times its deflection.
     const double by_end = bristle.stiffness / force * std::copysign(1.0, bristle.rate);
     system.A += rates_by_deflection * (by_end * opening->by_state);
     system.B += rates_by_deflection * (by_end * opening->by_input);

@@ -1,5 +1,5 @@
 #pragma once
-// Programs run on numbers that are named by the groups of their slots.
+// Numerical evaluation of programs, with numbers by groups of slots.
 
 #include <map>
 #include <span>
@@ -16,7 +16,7 @@ using Groups = std::map<SlotGroup, std::vector<double>>;
 /// A group, with zeros for missing values.
 std::vector<double> group_of(const Groups& groups, SlotGroup group, int size);
 
-/// Outputs of a program by their groups. Fails: std::out_of_range when an input is not among `inputs`.
+/// Outputs of a program by their groups. Fails: std::out_of_range for an input that is not among `inputs`.
 Groups evaluate(const Program& program, const Groups& inputs);
 
 /// Number of entries of a direction.

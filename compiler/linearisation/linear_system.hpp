@@ -1,12 +1,12 @@
 #pragma once
-// Linear equations as data, and the point that they belong to.
+// Linear equations as data, and their operating point.
 
 #include <Eigen/Core>
 #include <vector>
 
 namespace mbgen {
 
-/// Where a model is linearised. Requires of it: closed loops and consistent velocities.
+/// Point of linearisation. Requires: closed loops and consistent velocities.
 struct OperatingPoint {
   std::vector<double> z, zd, x;  ///< all coordinates, all velocities, auxiliary states
   double t = 0;                  ///< s
@@ -31,7 +31,7 @@ struct LinearSystem {
   Eigen::MatrixXd C;            ///< outputs of the model x states
   Eigen::MatrixXd D;            ///< outputs x inputs
   Eigen::MatrixXd coordinates;  ///< coordinates x states: deviations of all positions
-  Eigen::VectorXd drift;        ///< s' at the point itself; zero for accelerations in an equilibrium
+  Eigen::VectorXd drift;        ///< s' at the point itself; zero accelerations in an equilibrium
 };
 
 }  // namespace mbgen

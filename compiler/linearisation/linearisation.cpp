@@ -14,7 +14,7 @@
 namespace mbgen {
 namespace {
 
-/// The programs, each with its derivatives along a direction.
+/// The programs with their derivatives along a direction.
 struct DifferentiatedPrograms {
   Program closure, accelerations, multipliers, outputs;
   bool has_closure = false, has_multipliers = false;
@@ -49,7 +49,7 @@ Groups known_at(const Model& model, const Topology& topology, const OperatingPoi
   return known;
 }
 
-/// Index of a loop block that stands badly with its frozen partition.
+/// Index of a loop block that is ill-conditioned with its frozen partition.
 std::optional<int> singular_block(const Groups& results) {
   const auto pivots = results.find(Array::pivot);
   if (pivots == results.end()) return {};
@@ -70,7 +70,7 @@ class Derivatives {
               int outputs)
       : programs_(programs), groups_(groups), known_(std::move(known)), outputs_(outputs) {}
 
-  /// The accelerations and the other inputs of the outputs. Result: a loop block that is singular here.
+  /// Computes the accelerations and the other inputs of the outputs. Result: a loop block that is singular here.
   std::optional<int> solve() {
     known_[Array::seed] = std::vector<double>(static_cast<std::size_t>(direction_size(groups_)), 0.0);
     if (programs_.has_closure) {
@@ -86,8 +86,8 @@ class Derivatives {
     return {};
   }
 
-  /// How far loops move positions after each of them has moved by 1: a column per coordinate. The Newton step of the
-  /// closure has the derivative of the closed positions: at the solution it does not depend on the dependent ones.
+  /// Derivative of the closed positions by each position: a column per coordinate, from the Newton step of the closure;
+  /// at the solution it does not depend on the dependent positions.
   Eigen::MatrixXd closing() {
     const int n = size_of(Array::z);
     Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, n);
@@ -98,7 +98,7 @@ class Derivatives {
     return columns;
   }
 
-  /// The direction in which one entry of a group changes.
+  /// Unit direction of one entry of a group.
   Groups unit_direction(SlotGroup group, int index) const {
     Groups direction;
     for (const DirectionGroup& part : groups_) direction[part.group].assign(static_cast<std::size_t>(part.size), 0.0);
@@ -106,7 +106,7 @@ class Derivatives {
     return direction;
   }
 
-  /// Completes a direction of states or inputs and gives the rates that go with it: groups z, zd, zdd, xd, y.
+  /// Completes a direction of states or inputs and computes its rates: groups z, zd, zdd, xd, y.
   Groups along(SlotGroup group, int index, const PositionStates& positions) {
     Groups direction = unit_direction(group, index);
     if (programs_.has_closure) {
@@ -131,7 +131,7 @@ class Derivatives {
   const Groups& known() const { return known_; }
 
  private:
-  /// Moves the positions of a direction so that loops stay closed and positions that are states are as given.
+  /// Closes the loops along a direction of positions, with the given positions of states.
   void close(const PositionStates& positions, Groups& direction) {
     const std::vector<double> given = direction[Array::z];
     std::vector<double>& z = direction[Array::z];
@@ -171,7 +171,7 @@ std::vector<LinearState> states_of(const Model& model, const std::vector<int>& p
   return states;
 }
 
-/// The rates of the states among those of everything.
+/// Rates of the states, selected from all rates.
 Eigen::VectorXd rates_of(const std::vector<LinearState>& states, const Groups& rates) {
   constexpr Array kRates[] = {Array::zd, Array::zdd, Array::xd};
   Eigen::VectorXd result(static_cast<Eigen::Index>(states.size()));
@@ -191,7 +191,7 @@ Diagnostic singular(const Model& model, const Loop& loop) {
                  "linearise at a position near by");
 }
 
-/// The problem of a ball whose angles are near their pole, none where all are far.
+/// Problem of a ball joint with angles near their pole, none if there is no such joint.
 std::optional<Diagnostic> near_pole(const Model& model, const Topology& topology, const OperatingPoint& point) {
   for (const Ball& ball : topology.balls) {
     if (!leaves_chart(ball, 0.0, point.z.data())) continue;

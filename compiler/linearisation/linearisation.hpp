@@ -1,5 +1,5 @@
 #pragma once
-// The door of the linearisation room: the equations of motion for small deviations from one state.
+// Interface of the linearisation room: equations of motion for small deviations from one state.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -15,25 +15,24 @@
 
 namespace mbgen {
 
-/// How many states are positions; they come first.
+/// Number of states that are positions; they come first.
 Eigen::Index position_count(const LinearSystem& system);
 
-/// Linearises by the symbolic program's derivatives, differentiated forward (program.hpp) along each state and input.
-/// programs: after the passes, nothing taken out of them.
-/// Fails: a loop block at whose position the frozen partition is singular (its loop named), derivatives that are not
-/// finite (state or input named).
-/// Cost: one run of the differentiated programs per state and input.
+/// Linearises with the symbolic program's derivatives, by forward differentiation (program.hpp) along each state and
+/// input. programs: after the passes, complete. Fails: a loop block with a singular frozen partition at the point
+/// (names its loop), derivatives that are not finite (names state or input). Cost: one run of the differentiated
+/// programs per state and input.
 Result<LinearSystem> linearise(const Model& model, const Topology& topology, const Analysis& analysis,
                                const Programs& programs, const OperatingPoint& point);
 
-/// A solution s = Re(shape exp(eigenvalue t)) of s' = A s; of a conjugate pair the one that turns forward.
+/// A solution s = Re(shape exp(eigenvalue t)) of s' = A s; of a conjugate pair the one with positive imaginary part.
 struct Mode {
   std::complex<double> eigenvalue;                ///< 1/s
   std::vector<std::complex<double>> states;       ///< per state
-  std::vector<std::complex<double>> coordinates;  ///< per tree coordinate, the largest of them 1
-  int auxiliary = -1;                             ///< the auxiliary state that moves most where no coordinate does
-  bool is_neutral = false;                        ///< eigenvalue zero but for rounding: the system may stay anywhere
-  bool is_unstable = false;                       ///< grows, by more than rounding
+  std::vector<std::complex<double>> coordinates;  ///< per tree coordinate, normalised to the largest
+  int auxiliary = -1;        ///< the auxiliary state with the largest amplitude in a mode without coordinates
+  bool is_neutral = false;   ///< eigenvalue zero up to rounding: indifferent equilibrium
+  bool is_unstable = false;  ///< grows, by more than rounding
 
   bool oscillates() const { return eigenvalue.imag() > 0 && !is_neutral; }
   double frequency() const { return std::abs(eigenvalue.imag()) / 6.283185307179586; }    ///< Hz, damped
@@ -42,19 +41,20 @@ struct Mode {
   double damping_ratio() const { return is_neutral ? 0.0 : -eigenvalue.real() / std::abs(eigenvalue); }
 };
 
-/// Modes of the system; as many of the smallest eigenvalues are neutral as states stay, or drift at a constant rate
-/// along others that do, whatever rounding makes of them. The fastest oscillations first, then the modes that do not
-/// oscillate, the fastest first.
+/// Modes of the system. The number of neutral ones, with the smallest eigenvalues, is the number of states that are
+/// constant, or that drift at a constant rate along others, whatever their rounding errors. Oscillations first, by
+/// decreasing frequency, then the others by decreasing rate.
 std::vector<Mode> modes(const LinearSystem& system);
 
-/// The coordinates that move most in a mode, with signs, or phases in degrees where they are neither in step nor
-/// against each other; independent ones first. Rotations and translations each over the first of their kind, and behind
-/// a semicolon the kind that moves less, with the ratio of the two scales; where none moves, the auxiliary state.
+/// The coordinates with the largest amplitudes in a mode, with signs, or phases in degrees unless they are in phase or
+/// in antiphase; independent ones first. Rotations and translations are relative to the first of their kind; the kind
+/// with smaller amplitudes follows a semicolon, with the ratio of the two scales. For a mode without coordinates, the
+/// auxiliary state.
 std::string leading_coordinates(const Model& model, const Topology& topology, const Analysis& analysis,
                                 const Mode& mode);
 
-/// Independent coordinates that tell apart all places at which the system goes on as it does: chassis_tx, chassis_ty
-/// and chassis_rz of a vehicle on the road.
+/// Independent coordinates that distinguish all positions with the same motion: chassis_tx, chassis_ty and chassis_rz
+/// of a vehicle on the road.
 std::vector<std::string> neutral_coordinates(const Topology& topology, const LinearSystem& system);
 
 }  // namespace mbgen

@@ -11,21 +11,21 @@
 namespace mbgen {
 namespace {
 
-/// An eigenvalue this much smaller than the largest is zero: those of a chain of two, as position and velocity of a
-/// body that nothing holds are, come out at the square root of the rounding.
+/// Eigenvalue relative to the largest that counts as zero: a double zero, as position and velocity of an unconstrained
+/// body, is computed with an error of the square root of rounding.
 constexpr double kNeutral = 1e-6;
-/// Growth this much smaller than the largest eigenvalue is rounding: a mode without damping does not grow.
+/// Growth relative to the largest eigenvalue that is rounding: a mode without damping does not grow.
 constexpr double kGrowth = 1e-9;
-/// A coordinate that moves less than this part of the one of its kind that moves most is not named.
+/// Least amplitude named, relative to the largest of its kind.
 constexpr double kNamed = 0.1;
 constexpr std::size_t kMostNamed = 4, kMostOfOther = 2;
-/// Translations are not named where a radian goes with less of a metre than this, nor rotations the other way round.
+/// Least ratio of metres to radians, or the reverse, for which the other kind is named.
 constexpr double kOtherKind = 0.01;
-/// A phase this near to half a turn, or to none, becomes a sign.
+/// Phases this near to 0 or 180 degrees are shown as a sign.
 constexpr double kInPhase = 15;  // degrees
-/// Neutral states that differ by less in their positions are the same place at other speeds.
+/// Neutral states with a smaller difference in positions are the same position with different speeds.
 constexpr double kSameShape = 1e-3;
-/// A singular value this much smaller than the largest is zero.
+/// Singular value relative to the largest that counts as zero.
 constexpr double kNothing = 1e-11;
 
 Mode mode_of(const LinearSystem& system, std::complex<double> eigenvalue, const Eigen::VectorXcd& vector) {
@@ -85,8 +85,8 @@ Eigen::VectorXd balancing_units(const LinearSystem& system) {
   return units;
 }
 
-/// An orthonormal basis of the states that stay, or drift at a constant rate along others that stay, as a heading makes
-/// the place: of the kernels of A, A^2, ..
+/// An orthonormal basis of the states that are constant, or drift at a constant rate along constant ones, as position
+/// for a constant heading: kernels of A, A^2, ...
 Eigen::MatrixXd neutral_states(const LinearSystem& system) {
   const Eigen::VectorXd units = balancing_units(system);
   const Eigen::MatrixXd a = units.cwiseInverse().asDiagonal() * system.A * units.asDiagonal();
@@ -104,8 +104,8 @@ Eigen::MatrixXd neutral_states(const LinearSystem& system) {
   return right_singular_vectors(in_own_units.transpose()).vectors.leftCols(basis.cols());
 }
 
-/// The largest eigenvalue that is zero but for rounding: in a chain of three, as rate of turn, heading and place of a
-/// wheel that rolls, it is the third root of rounding.
+/// The largest eigenvalue that is zero up to rounding: for a triple zero, as yaw rate, heading and position of a
+/// rolling wheel, the error is the cube root of rounding.
 double largest_zero(const LinearSystem& system, const Eigen::VectorXcd& values) {
   std::vector<double> sizes;
   for (const std::complex<double> value : values) sizes.push_back(std::abs(value));
@@ -123,7 +123,7 @@ struct MovingCoordinate {
 
 bool is_translation(const TreeBody& body) { return body.kind == FreedomKind::prismatic; }
 
-/// Keeps coordinates that move by more than a part of the largest: independent coordinates first, the largest first.
+/// Keeps coordinates with amplitudes above a fraction of the largest: independent coordinates first, the largest first.
 void leave_leading(std::vector<MovingCoordinate>& moving) {
   double largest = 0;
   for (const MovingCoordinate& one : moving) largest = std::max(largest, std::abs(one.amplitude));
@@ -133,7 +133,7 @@ void leave_leading(std::vector<MovingCoordinate>& moving) {
   });
 }
 
-/// How far the first of them moves, 0 when there is none.
+/// Amplitude of the first one, 0 if there is none.
 double size_of(const std::vector<MovingCoordinate>& moving) {
   return moving.empty() ? 0.0 : std::abs(moving.front().amplitude);
 }

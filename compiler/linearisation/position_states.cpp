@@ -7,7 +7,7 @@
 namespace mbgen {
 namespace {
 
-/// A pivot this much smaller than the largest is zero: rounding of a matrix that is a projection.
+/// Pivot relative to the largest that counts as zero: rounding of a projection matrix.
 constexpr double kNoPivot = 1e-9;
 
 bool contains(const std::vector<int>& list, int value) {
@@ -25,7 +25,7 @@ std::optional<PositionStates> position_states(const Topology& topology, const An
     driven += analysis.driven[i] ? 1 : 0;
     if (!analysis.driven[i] && !contains(states.coordinates, i)) others.push_back(i);
   }
-  // Rows of positions are combinations of the rows of `closing`: their pivots are the positions that they decide.
+  // Rows of positions are combinations of the rows of `closing`: their pivots are the positions determined by them.
   const Eigen::MatrixXd rows = closing(others, others);
   if (rows.size() > 0 && rows.cwiseAbs().maxCoeff() > kNoPivot) {
     for (const int column : leading_columns(rows, kNoPivot))

@@ -1,6 +1,6 @@
 #pragma once
-// Positions that are states of a linear system. Where bodies roll or slide on blades, more positions are free than
-// velocities: some of the positions that closing moves are states, too.
+// Positions among the states of a linear system. With rolling bodies or blades there are more free positions than
+// velocities: some of the positions changed by the closure are states, too.
 
 #include <Eigen/Core>
 #include <optional>
@@ -11,17 +11,17 @@
 
 namespace mbgen {
 
-/// Coordinates whose positions are states.
+/// Coordinates with positions as states.
 struct PositionStates {
-  std::vector<int> coordinates;  ///< the independent ones, then those that only rolling makes dependent, ascending
-  /// coordinates x states: deviations of all positions when one of these changes by 1 and the others do not; empty
-  /// where the independent ones are all, since closing gives these then
+  std::vector<int> coordinates;  ///< independent ones, then those dependent by rolling only, ascending
+  /// coordinates x states: deviations of all positions for a unit change of one of these and none of the others; empty
+  /// if these are the independent ones, since the closure then gives the deviations
   Eigen::MatrixXd along;
 };
 
-/// closing: coordinates x coordinates, how far Newton's step of the closure moves each position after one of them has
-/// moved by 1. It puts back what rows of positions ask for, by directions that roll.
-/// Result: none where another number of positions is free than elsewhere.
+/// closing: coordinates x coordinates, change of each position by Newton's step of the closure after a unit change of
+/// one of them. It restores the rows of positions, in directions allowed by rolling. Result: none if the number of free
+/// positions differs from the usual one.
 std::optional<PositionStates> position_states(const Topology& topology, const Analysis& analysis,
                                               const Eigen::MatrixXd& closing);
 
