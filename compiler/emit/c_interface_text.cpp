@@ -94,6 +94,7 @@ std::string c_source_text(const EmitContext& context) {
        {"parameter_ranges",
         range_rows(tunable_parameters(context.model), context.names.parameters, context.options.scalar)},
        {"has_quantities", has_quantities(context)},
+       {"has_input_quantities", has_input_quantities(context)},
        {"input_ranges", range_rows(context.model.inputs, context.names.inputs, context.options.scalar)},
        {"method", step_function(context.model.solver)},
        {"arguments", arguments},

@@ -25,6 +25,10 @@ void add_samples(const EmitContext& context, std::vector<EmittedFile>& files);
 /// `<model>.cpp`. for_importers: with the functions that an FMU asks for besides.
 EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, bool for_importers);
 
+/// 1 for every coordinate that turns and that accelerations or closures look at, else 0; "" where none is. Wheels that
+/// are symmetric about their axis are not: nothing depends on their turn.
+std::string turning_table(const EmitContext& context, const std::string& scalar);
+
 /// The legend below its banner: tree, loops and names, for whoever reads the file beside the equations.
 std::string legend_text(const EmitContext& context);
 

@@ -20,6 +20,7 @@
 #include "workbench/motion/branch_guard.hpp"
 #include "workbench/motion/contact_watch.hpp"
 #include "workbench/motion/controlled_engine.hpp"
+#include "workbench/motion/input_bounds.hpp"
 #include "workbench/motion/load_watch.hpp"
 #include "workbench/motion/motion_table.hpp"
 #include "workbench/motion/motion_watch.hpp"
@@ -76,8 +77,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
     run.control = std::make_shared<ErrorControlRecord>();
     engine = with_error_control(compilation, engine, inputs, *control, run.control);
   }
-  // The inputs of a manoeuvre are not known before, and steps of error control are looked at one by one.
-  if (manoeuvre == nullptr && !run.control) engine = with_branch_guard(compilation, engine, inputs);
+  if (!run.control) engine = with_branch_guard(compilation, engine);  // steps of error control are looked at one by one
   const auto on_sample = [&](const Sample& sample) {
     contacts.add(sample);
     loads.add(sample);
@@ -96,7 +96,11 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
   judge_contacts(contacts, run.verdict);
   judge_loads(loads, run.verdict);
   judge_roads(roads, run.summary, run.verdict);
-  if (manoeuvre) manoeuvre->judge(run.verdict);
+  if (manoeuvre) {
+    manoeuvre->judge(run.verdict);
+  } else {
+    judge_inputs(compilation.model, inputs, run.verdict);
+  }
   return run;
 }
 

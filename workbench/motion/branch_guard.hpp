@@ -6,19 +6,20 @@
 #include <vector>
 
 #include "workbench/engines/engine.hpp"
-#include "workbench/motion/inputs_over_time.hpp"
 
 namespace mbgen {
 
-/// Looks at steps by the Jacobians of the loops in relative coordinates, as the steps of generated code are looked at
-/// near singular positions, see check_side of mbgen/singular_step.hpp.
+/// Looks at steps by the Jacobians of the loops in relative coordinates, as the steps of generated code are looked at,
+/// see check_way of mbgen/solver/singular_step.hpp.
 class BranchGuard {
  public:
-  /// inputs_at: of the model, at a time. It keeps a reference to the compilation.
-  BranchGuard(const Compilation& compilation, std::function<std::vector<double>(double)> inputs_at);
+  /// inputs_at: of the model, at a time. most: see WayLimits; 0 for steps whose error is controlled, which only may
+  /// leap. It keeps a reference to the compilation.
+  BranchGuard(const Compilation& compilation, std::function<std::vector<double>(double)> inputs_at, double most);
 
   /// Looks at a step of h seconds between two closed states, but for one that changes charts. Result: ok; singular_met
-  /// where it passed a singular position. Fails: loop_singular where it leapt over one that branches do not cross at.
+  /// where it passed a singular position. Fails: loop_singular where it leapt over one that branches do not cross at,
+  /// or turned aside from one within a step that is too long for it.
   Status look(const GenericState& from, const GenericState& to, double h) const;
   /// rad or m, the largest way of a coordinate in a loop.
   double way(const GenericState& from, const GenericState& to) const;
@@ -27,12 +28,12 @@ class BranchGuard {
   mutable GenericSolver solver_;  ///< for its inputs
   std::function<std::vector<double>(double)> inputs_at_;
   std::vector<int> joints_;  ///< coordinates in loops
+  double most_;
 };
 
-/// The engine with steps that are looked at: one that leapt fails and leaves its state. Judges do not look themselves,
-/// and steps of other engines that move a loop by more than about 0.05 rad may have no stage near the position that
-/// they leap over. inputs: of the run; outlive the engine.
-Engine with_branch_guard(const Compilation& compilation, const Engine& engine, const InputsOverTime& inputs);
+/// The engine with steps that are looked at: one that leapt fails and leaves its state. Engines that look themselves
+/// are returned as they are; judges do not, nor do solvers whose loops keep their frozen partition.
+Engine with_branch_guard(const Compilation& compilation, const Engine& engine);
 
 /// Steps of error control that leapt, which are taken again by shorter ones.
 class LeapWatch {

@@ -44,6 +44,9 @@ struct SimulationRecord {
 /// Hint where loops that a motion drives cannot follow it; empty for other ends.
 std::string hint_of_reach(const Compilation& compilation, Status status);
 
+/// Singular positions that the motion passed, in words behind a status; "" where it passed none.
+std::string passages_text(const Topology& topology, const SimulationSummary& summary);
+
 /// For people: steps, real-time factor, closure residual, energy balance, ranges of the outputs and of inputs that
 /// move.
 std::string summary_text(const SimulationRecord& record);

@@ -17,9 +17,11 @@
 #include "workbench/host/files.hpp"
 #include "workbench/motion/branch_guard.hpp"
 #include "workbench/motion/contact_watch.hpp"
+#include "workbench/motion/input_bounds.hpp"
 #include "workbench/motion/load_watch.hpp"
 #include "workbench/motion/motion_watch.hpp"
 #include "workbench/motion/simulation_arguments.hpp"
+#include "workbench/motion/simulation_text.hpp"
 #include "workbench/motion/step_verdict.hpp"
 #include "workbench/start/initial_state.hpp"
 
@@ -176,7 +178,7 @@ std::optional<CaseResult> measured(const Study& study, const Compilation& compil
   SimulationSettings settings = study.settings;
   settings.has_multipliers = contacts.needs_multipliers();
   settings.is_stopped = is_stopped;
-  const Engine looked_at = with_branch_guard(compilation, engine, inputs);
+  const Engine looked_at = with_branch_guard(compilation, engine);
   SimulationSummary summary = simulate(looked_at, start, inputs, settings, [&](const Sample& sample) {
     recorder.add(sample);
     contacts.add(sample);
@@ -191,10 +193,14 @@ std::optional<CaseResult> measured(const Study& study, const Compilation& compil
   StepVerdict verdict = watch.judge(summary);
   judge_contacts(contacts, verdict);
   judge_loads(loads, verdict);
+  judge_inputs(compilation.model, inputs, verdict);
   if (!verdict.failure.empty()) return failed(study, verdict.failure);
-  CaseResult result{"ok", evaluate(study.metrics, compilation.model.parameters, recorder.points()),
+  CaseResult result{"ok" + passages_text(compilation.topology, summary),
+                    evaluate(study.metrics, compilation.model.parameters, recorder.points()),
                     summary.energy.relative_error()};
-  if (!verdict.warnings.empty()) result.status = fmt::format("warning: {}", fmt::join(verdict.warnings, "; "));
+  if (!verdict.warnings.empty())
+    result.status =
+        fmt::format("warning: {}{}", fmt::join(verdict.warnings, "; "), passages_text(compilation.topology, summary));
   for (std::size_t m = 0; m < result.metrics.size(); ++m) {
     if (std::isfinite(result.metrics[m])) continue;
     return failed(study, fmt::format("metric {} is {}", study.metrics.list[m].name, result.metrics[m]));
