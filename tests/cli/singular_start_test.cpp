@@ -115,11 +115,11 @@ TEST_F(Singular, EmittedSolversDoNotTakeThemForACrossingEither) {
 
 TEST_F(Singular, CasesOfASweepTellWhatTheyPassed) {
   std::string text = crossed_four_bar(1);
-  text.replace(text.find("\"initial\""), 0, R"("parameters": { "fast": { "value": 3, "tunable": true } }, )");
-  text.replace(text.find("\"ja\": 3"), 7, R"("ja": "fast")");
+  text.replace(text.find("\"initial\""), 0, R"("parameters": { "heavy": { "value": 1, "tunable": true } }, )");
+  text.replace(text.find("\"mass\": 1,"), 10, R"("mass": "heavy",)");
   write("four_bar.json", text);
   const Outcome done = mbgen(
-      "sweep four_bar.json --engine generic --vary fast=2,3 --duration 1 --step 0.001 --metric \"e=max(z.ja)\" --out "
+      "sweep four_bar.json --engine generic --vary heavy=1,2 --duration 1 --step 0.001 --metric \"e=max(z.ja)\" --out "
       "s.csv");
   EXPECT_EQ(done.exit_code, 0) << done.err;
   const std::string table = read("s.csv");

@@ -70,7 +70,7 @@ void compare_gaps(Core<Model>& core) noexcept {
   if (mean.coordinate < 0) return;
   tell_of_turn(core, mean.coordinate,
                "turns far from one evaluation of a completed step to the next, in the mean, and forces turn with it; "
-               "take shorter steps: methods with so few evaluations keep these forces to 0.1 % up to, in rad,",
+               "take shorter steps: methods with so few bear, in rad,",
                two ? kTurnOfTwo : kTurnOfOthers, mean.turn);
 }
 
