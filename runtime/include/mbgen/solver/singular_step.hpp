@@ -22,7 +22,7 @@ constexpr int kSpacings = 20;
 constexpr int kHalvings = 10;
 
 /// Change of the velocities of a loop in a step, as part of them and of what the method bears, from which it turns
-/// aside. Measured with `most` as its factor, see docs/use/numerical_trouble.md and tests/system/trouble.
+/// aside. Measured with `most` as its factor, see docs/use/numerical_trouble.md and tests/system/near_singular.
 constexpr double kTurnsAside = 0.8;
 
 /// How long the way of a loop in a step may be.
