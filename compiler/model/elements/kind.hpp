@@ -73,6 +73,15 @@ struct ElementQuantity {
   const char* unit_of_turn = unit;  ///< for an element on a rotational coordinate
 };
 
+/// Bound of a number, see mbgen/bounds.hpp.
+enum class QuantityBound { positive, not_negative, share };
+
+/// Bound of a field, by the last part of its name.
+struct FieldBound {
+  const char* field;
+  QuantityBound bound;
+};
+
 /// Picture of an element in a report: a link between its two ends, a pad at the end that is hit, or a mark of a frame.
 /// Elements without ends are not drawn.
 enum class Drawing { link, pad, frame };
@@ -99,6 +108,7 @@ struct KindDefaults {
   static constexpr bool has_length = false;       ///< expressions may use its length.NAME and rate.NAME
   static constexpr Drawing drawing = Drawing::link;
   static constexpr std::array<ElementQuantity, 0> quantities = {};
+  static constexpr std::array<FieldBound, 0> bounds = {};  ///< of its fields, as the reader holds them
 };
 
 }  // namespace mbgen
