@@ -225,7 +225,9 @@ Status GenericSolver::watch_way(const GenericState& from, const GenericState& to
     const double clearance =
         std::min(clearance_of(analysis, start[b].jacobian), clearance_of(analysis, end[b].jacobian));
     if (h * ways[b].fastest <= limits.most * clearance) continue;
-    if (ways[b].turns(limits)) return {Code::loop_singular, static_cast<int>(b)};
+    const std::size_t held = static_cast<std::size_t>(analysis.rank) + analysis.driven.size();
+    const bool is_free = equations_->topology.blocks[b].joints.size() > held || limits.aside == 0;
+    if (is_free && ways[b].turns(limits)) return {Code::loop_singular, static_cast<int>(b)};
     if (sides_differ(analysis, start[b].jacobian, end[b].jacobian)) return {Code::singular_met, static_cast<int>(b)};
   }
   return {};

@@ -267,7 +267,9 @@ template <class System>
     const LoopWay way = way_of<System>(b, from, to);
     const double reach = h * way.fastest / limits.most;
     if (reach <= sides.clearance(b, sides.end) && reach <= sides.clearance(b, sides.start)) continue;
-    if (way.turns(limits)) return {Code::loop_singular, b};
+    // Where motions drive all of it, nothing is integrated: the end of its reach is told by the closure.
+    const bool is_free = System::kBlockLayout[b].free > 0 || limits.aside == 0;
+    if (is_free && way.turns(limits)) return {Code::loop_singular, b};
     if (sides.differ(b)) return {Code::singular_met, b};
   }
   return {};
