@@ -28,11 +28,9 @@ FrameRows default_rows(const std::vector<NumberMember>& members, int lanes) {
 /// pairs are numbers one by one.
 ShapedProgram in_lanes(const EmitContext& context, ShapedProgram shaped) {
   shaped.program = &program_of(context.programs, shaped.role);
-  shaped.shape.scalar = "Lanes";
+  shaped.shape.scalar = Scalar::lanes;
   shaped.shape.read_back_after = kReadBackAfter;
   shaped.shape.in_groups = shaped.role != Role::derived_constants;
-  for (Argument& argument : shaped.shape.arguments)
-    if (argument.name == "tau") argument.type = "const Lanes";
   return shaped;
 }
 
@@ -49,7 +47,7 @@ std::string batch_interface_text(const EmitContext& context) {
 
 std::string batch_text(const EmitContext& context, const std::vector<ShapedProgram>& scalars) {
   FrameRows programs, members;
-  ConstantNames constants(context.programs);
+  ConstantNames constants(context.written);
   for (const ShapedProgram& scalar : scalars) {
     if (scalar.role == Role::closure_terms || scalar.role == Role::accelerations_chosen ||
         scalar.role == Role::sampled || scalar.role == Role::ground_places)
@@ -68,12 +66,12 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
                         {"has_inputs", !context.names.inputs.empty()},
                         {"inputs", name_rows(context.names.inputs)},
                         {"outputs", name_rows(names_of(output_members(context)))},
-                        {"constants", constants.declarations("double")},
+                        {"constants", constants.declarations(Scalar::doubles)},
                         {"programs", programs},
                         {"one_step_methods", one_step_methods},
                         {"projection", false}};
   values.merge(tuned_values(context.programs, false));
-  values.merge(system_values(context, members, "Lanes"));
+  values.merge(system_values(context, members, Scalar::lanes));
   return fill_template(context, "batch.cpp.in", values);
 }
 

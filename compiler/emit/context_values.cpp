@@ -49,7 +49,7 @@ FrameValues context_values(const EmitContext& context) {
           {"solver", names.solver},
           {"has_samples", context.model.samples != nullptr},
           {"version", kMbgenVersion},
-          {"scalar", context.options.scalar},
+          {"scalar", name_of(context.options.scalar)},
           {"lanes", context.options.lanes > 0 ? std::to_string(context.options.lanes) : ""},
           {"initial", context.options.initial.has_value()},
           {"advances", inputs_have_derivatives(context.model.inputs)},

@@ -12,6 +12,6 @@ namespace mbgen {
 /// vectors, an element in each lane; other numbers element by element: floats, which have no functions of vectors, and
 /// vectors of a batch, whose lanes are instances. scalar: type of the program around them. constants: as those of a
 /// shape.
-std::string law_texts(const EmitContext& context, const std::string& scalar, ConstantNames* constants);
+std::string law_texts(const EmitContext& context, Scalar scalar, ConstantNames* constants);
 
 }  // namespace mbgen

@@ -49,7 +49,7 @@ struct ParameterTexts {
       else if (node.op == Op::input)
         phrases.push_back({parameter(program.inputs[static_cast<std::size_t>(node.input)].index)});
       else
-        phrases.push_back(operation_phrase("double", node.op, phrase(node.operands[0]), phrase(node.operands[1]),
+        phrases.push_back(operation_phrase(Scalar::doubles, node.op, phrase(node.operands[0]), phrase(node.operands[1]),
                                            phrase(node.operands[2])));
     }
     return phrases[program.outputs[0].value].text;

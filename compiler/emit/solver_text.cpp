@@ -44,7 +44,7 @@ int divide_file(std::vector<ShapedProgram>& programs, std::size_t least_values) 
 }
 
 /// The arrays of initial_state(). Copied number by number, as a bare target may have no memcpy.
-FrameRows start_rows(const InitialState& initial, const std::string& scalar) {
+FrameRows start_rows(const InitialState& initial, Scalar scalar) {
   return mapped(std::array{initial.z, initial.zd, initial.x}, [&](const std::vector<double>& values) {
     std::vector<std::string> items = number_texts(values, scalar);
     if (items.empty()) items.push_back(number_text(0, scalar));
@@ -54,7 +54,7 @@ FrameRows start_rows(const InitialState& initial, const std::string& scalar) {
 }
 
 /// Charts of balls that start in the other one, behind the time; "" where none does.
-std::string start_charts(const InitialState& initial, const std::string& scalar) {
+std::string start_charts(const InitialState& initial, Scalar scalar) {
   if (initial.charts.empty()) return "";
   return fmt::format(", {{{}}}", fmt::join(number_texts(initial.charts, scalar), ", "));
 }
@@ -74,7 +74,7 @@ std::string turning_table(const EmitContext& context) {
     }
   }
   if (!any) return "";
-  const std::string head = fmt::format("constexpr {} kTurning", context.options.scalar);
+  const std::string head = fmt::format("constexpr {} kTurning", name_of(context.options.scalar));
   return array_text(head, number_texts(turning, context.options.scalar), "");
 }
 
@@ -83,7 +83,7 @@ std::string turning_table(const EmitContext& context) {
 EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, bool for_importers) {
   const std::string& solver = context.names.solver;
   FrameRows hot, rare, members;
-  ConstantNames constants(context.programs);
+  ConstantNames constants(context.written);
   const int rare_parts = divide_file(programs, context.options.file_part_values);
   for (ShapedProgram& shaped : programs) {
     shaped.shape.constants = &constants;
@@ -106,12 +106,13 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
       // An FMU looks at turns itself, see mbgen/fmu_turns.hpp.
       {"turning", for_importers ? "" : turning_table(context)},
       {"pairs", context.in_pairs},
-      {"laws", !context.programs.laws.empty() && context.options.scalar == "double"},
+      {"laws", !context.written.laws.empty() && context.options.scalar == Scalar::doubles},
       {"hot", hot},
       {"rare", rare},
       {"projection", has_projection ? size_text(context.layout.projection_entries) : ""},
       {"inputs_now", advances ? "now" : "inputs"},
-      {"since_start", context.options.scalar == "float" ? "static_cast<float>(state.t - start)" : "state.t - start"},
+      {"since_start",
+       context.options.scalar == Scalar::floats ? "static_cast<float>(state.t - start)" : "state.t - start"},
       {"start", context.options.initial ? start_rows(*context.options.initial, context.options.scalar) : FrameRows{}},
       {"start_charts", context.options.initial ? start_charts(*context.options.initial, context.options.scalar) : ""}};
   values.merge(system_values(context, members, context.options.scalar));

@@ -205,7 +205,7 @@ Engine make_generated_engine(const std::shared_ptr<const SolverTable>& table, co
   Engine engine;
   engine.name = choice.name;
   engine.balls = compilation.topology.balls;
-  engine.form = name_of(compilation.programs.form);
+  engine.form = name_of(compilation.form());
   engine.batch = std::max(choice.lanes, 1);
   const auto evaluate = choice.lanes > 0 ? accelerations_in_lanes : accelerations;
   engine.accelerations = [solver, evaluate](const LoadedState& at, GenericDerivative& derivative) {

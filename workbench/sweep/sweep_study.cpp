@@ -106,7 +106,7 @@ void require_unchanged(const Study& study, const Result<Model>& of_case) {
 Compilation compilation_of_case(const Study& study, const StudySolver& solver, Model model) {
   if (!study.is_tuned) return expect(decide(std::move(model)));
   Compilation compilation{std::move(model), solver.compilation.topology, solver.compilation.analysis, {}};
-  compilation.programs.form = solver.compilation.programs.form;
+  compilation.whole.programs.form = solver.compilation.form();
   return compilation;
 }
 
