@@ -100,7 +100,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
   FrameValues values = {
       {"banner", banner_text(context.model, "//") + legend_text(context)},
       {"constants", constants.declarations(context.options.scalar)},
-      {"rare_parts", rare_parts > 0 ? std::to_string(rare_parts) : ""},
+      {"rare_parts", rare_parts > 1 ? fmt::format("1 to {}", rare_parts) : rare_parts > 0 ? "1" : ""},
       {"all_parts", rare_parts + 1},
       {"for_importers", for_importers},
       // An FMU looks at turns itself, see mbgen/fmu_turns.hpp.
