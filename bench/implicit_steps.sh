@@ -1,5 +1,5 @@
 #!/bin/sh
-# What an implicit step costs against one of Runge-Kutta of the same model: times in turns of one run, one instance and
+# Cost of an implicit step against one of Runge-Kutta of the same model: times in turns of one run, one instance and
 # eight lanes. Models ask for "integrator": "rosenbrock".
 #   bench/implicit_steps.sh [-b MBGEN] [-n STEPS] [-t TURNS] [MODEL.json...]
 # Default: build/release/mbgen, 500 steps in 15 turns, models/rubber_wishbone.json and models/rubber_coach.json.

@@ -86,9 +86,20 @@ Diagnostics too_large(const Compilation& c, std::optional<Form> form) {
        ""}};
 }
 
+Result<Compilation> decide_to_write(Model model, std::optional<Form> form) {
+  Result<Compilation> decided = decide(std::move(model));
+  if (!decided) return decided;
+  if (Diagnostics problems = too_large(*decided, form); !problems.empty()) return problems;
+  return decided;
+}
+
+Form written_form(const Compilation& c, std::optional<Form> asked) {
+  return asked.value_or(form_of(c.topology, c.analysis));
+}
+
 void add_programs(Compilation& c, const CompileOptions& options) {
   Stages stages(options.watch);
-  const Form form = options.form.value_or(form_of(c.topology, c.analysis));
+  const Form form = written_form(c, options.form);
   if (form == Form::recursive) choose_by_counting(c.model, c.topology, c.analysis);
   c.whole = traced_programs(c.model, c.topology, c.analysis, form);
   if (!stages.ended("program", c)) return;
@@ -126,6 +137,27 @@ Result<Compilation> compile(const std::string& path, const CompileOptions& optio
 
 std::vector<EmittedFile> emit(const Compilation& c, const EmitOptions& options) {
   return emit(c.emitted, c.model, c.topology, c.analysis, options);
+}
+
+namespace {
+
+/// A model without its default values.
+Model without_defaults(Model model) {
+  model.hash.clear();
+  for (Parameter& parameter : model.parameters)
+    if (parameter.tunable) parameter.value = 0;
+  for (Input& input : model.inputs) input.default_value = 0;
+  return model;
+}
+
+}  // namespace
+
+std::vector<EmittedFile> emit_for_loading(const Compilation& c, bool clocked, int lanes) {
+  const Model model = without_defaults(c.model);
+  std::vector<EmittedFile> files = emit(c.emitted, model, c.topology, c.analysis, {.lanes = lanes});
+  files.push_back(clocked ? emit_clocked_driver(c.emitted, model, c.topology, c.analysis, lanes)
+                          : emit_driver(model, lanes));
+  return files;
 }
 
 namespace {
@@ -175,10 +207,6 @@ Result<LinearSystem> linearise_by_any_choice(const Compilation& c, const Operati
   if (system) return system;
   const std::optional<Compilation> anew = chosen_at(c, point.z);
   return anew ? linearise(*anew, point) : system;
-}
-
-EmittedFile emit_clocked_driver(const Compilation& c, int lanes) {
-  return emit_clocked_driver(c.emitted, c.model, c.topology, c.analysis, lanes);
 }
 
 }  // namespace mbgen

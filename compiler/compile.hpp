@@ -57,6 +57,12 @@ constexpr double kMostOperations = 2097152;
 /// One diagnostic with the size when the solver of a decided model is too large to be written.
 Diagnostics too_large(const Compilation& decided, std::optional<Form> form = {});
 
+/// Decides a model whose solver is to be written. Fails: as decide, too_large.
+Result<Compilation> decide_to_write(Model model, std::optional<Form> form = {});
+
+/// The form in which the solver of a decided model is written. asked: by the user, none for the shorter one.
+Form written_form(const Compilation& decided, std::optional<Form> asked);
+
 /// Chooses the partitions of the recursive form by counting (counted_partitions.hpp), which engines that trace nothing
 /// do without; then traces and lowers the programs of a decided model that is not too large.
 void add_programs(Compilation& decided, const CompileOptions& options = {});
@@ -74,6 +80,10 @@ Result<Compilation> compile(const std::string& path, const CompileOptions& optio
 /// The files of the specialised solver, see emit.
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options = {});
 
+/// The files of a solver that mbgen loads, with its driver. mbgen gives parameters, inputs and states itself: files of
+/// models with equal equations differ in comments at most. clocked: the driver times the nine steps.
+std::vector<EmittedFile> emit_for_loading(const Compilation& compilation, bool clocked, int lanes = 0);
+
 /// The model with partitions of its loop blocks chosen for one position (analysis/choice_at.hpp) and its `whole`
 /// programs alone; none where no other choice helps. z: of every coordinate, loops closed.
 std::optional<Compilation> chosen_at(const Compilation& compilation, const std::vector<double>& z);
@@ -87,8 +97,5 @@ Result<LinearSystem> linearise_by_any_choice(const Compilation& compilation, con
 
 /// The files of an FMU that starts from `initial`, see emit_fmu.
 FmuFiles emit_fmu(const Compilation& compilation, const InitialState& initial, FmiVersion version);
-
-/// The driver that times the nine steps, see emit_clocked_driver.
-EmittedFile emit_clocked_driver(const Compilation& compilation, int lanes = 0);
 
 }  // namespace mbgen

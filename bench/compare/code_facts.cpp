@@ -35,7 +35,7 @@ double children_seconds() {
   return seconds(use.ru_utime) + seconds(use.ru_stime);
 }
 
-/// What a program prints; "" when it fails.
+/// Output of a program; "" when it fails.
 std::string answer(const fs::path& scratch, const Words& words) {
   const fs::path log = scratch / "log";
   return run_side_by_side({{words, log}})[0] == 0 ? read_text(log) : "";

@@ -1,5 +1,5 @@
 #pragma once
-// What can be said of generated code without a clock, and how long it takes to make it.
+// Measures of generated code that need no clock, and the time of generation.
 
 #include <optional>
 #include <string>

@@ -52,9 +52,8 @@ Row row_of(const Contestant& contestant, const Contestant& reference, const std:
 
 Model model_of(const std::string& path, bool rods_are_massless) {
   Model model = expect(read_model_file(path));
-  const std::size_t forces = model.springs.size() + model.joint_springs.size() + model.frictions.size() +
-                             model.air_springs.size() + model.forces.size() + model.joint_forces.size() +
-                             model.tyres.size() + model.motions.size();
+  std::size_t forces = model.motions.size();
+  each_element(model, [&](const auto&) { ++forces; });
   if (forces > 0)
     throw UserError(fmt::format("{}: has force elements or motions, which other solvers do not get\n", path));
   if (!rods_are_massless) return model;

@@ -8,7 +8,7 @@
 
 namespace mbgen::compare {
 
-/// What the machine is: processor, caches, compiler.
+/// Description of the machine: processor, caches, compiler.
 std::string machine_text();
 
 /// The table of one comparison: contestants, targets, code.

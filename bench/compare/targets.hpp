@@ -8,7 +8,7 @@
 
 namespace mbgen::compare {
 
-/// What is compared with a target.
+/// Figures that are compared with a target.
 enum class Figure {
   single_microseconds,
   lane_microseconds,  ///< per instance, eight instances in lanes

@@ -5,8 +5,8 @@
 
 namespace mbgen {
 
-/// The smallest turn that takes the direction of `from` to that of `to`. Opposite directions: half a turn about an axis
-/// across both, for the z axis about x, as MuJoCo does. Requires: neither is zero.
+/// The smallest rotation that takes the direction of `from` to the direction of `to`. Opposite directions: half a turn
+/// about an axis across both, for the z axis about x, as MuJoCo does. Requires: neither is zero.
 Eigen::Quaterniond shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 }  // namespace mbgen

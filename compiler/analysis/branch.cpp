@@ -115,8 +115,8 @@ void replace(std::size_t b, const std::vector<Configuration>& places, std::vecto
   }
 }
 
-/// Ranks of a block above that of its branch; empty when the reference, or a walk from it, has them all. Where no
-/// plain step leaves the reference, branches may meet there, and the walk goes on along one of them.
+/// Ranks of a block above the rank of its branch; empty if the reference, or a walk from it, reaches all of them. If no
+/// plain step leaves the reference, branches may cross there, and the walk continues along one of them.
 std::vector<RankCount> keep_block(NumericSystem& numbers, std::size_t b, const std::vector<ClosureEquation>& equations,
                                   std::vector<Configuration>& configurations) {
   const std::vector<BlockPart> parts = parts_of(numbers.topology(), numbers.topology().blocks[b]);

@@ -114,7 +114,7 @@ bool costs_a_joint(const PartView& view, std::size_t s) {
   return (free.rowwise().norm().array() < kJointStill).any();
 }
 
-/// True when nothing moves and no axis is nearly parallel to the others: what is redundant was found to agree by then.
+/// Whether nothing moves and no axis is nearly parallel to the others: redundant equations were found to agree before.
 bool is_structure(const Model& model, const Topology& topology, const PartView& view) {
   if (!view.locked()) return false;
   const std::optional<Misalignment> off = misaligned_joint(model, topology, view.part.loops);

@@ -48,7 +48,7 @@ double pivot_ratio(const Elimination& e, int row, int column, const std::vector<
   return worst;
 }
 
-/// Markowitz: the sparsest entry among those that are large enough everywhere.
+/// Markowitz: the sparsest of the entries that are large enough everywhere.
 std::pair<int, int> choose_pivot(const Elimination& e, const std::vector<int>& rows, const std::vector<int>& columns,
                                  double& ratio) {
   const auto filled = [&](int r, int c) { return e.largest(r, c) > kStructuralZero; };

@@ -57,8 +57,8 @@ struct PartitionCandidate : LoopPartition {
   bool symmetric = false;             ///< see is_symmetric
 };
 
-/// Rows of velocities alone, some of which repeat others. They get pivots after the rows of positions, so that of rows
-/// that repeat each other those of positions are kept: they alone can be closed.
+/// Equations of velocities alone, some of which are redundant. They get pivots after the position equations, so that
+/// the latter are kept: only they can be closed.
 struct LateRows {
   std::vector<int> equations;  ///< local, ascending; empty where none of them is redundant
   int early_rank = 0;          ///< pivots of the other rows

@@ -90,8 +90,8 @@ std::set<Candidate> candidates(const std::vector<MatrixXd>& jacobians, int rank,
 /// The candidates of one block, each judged once.
 class Search {
  public:
-  /// jacobians: of full rank. best: weakest singular value of all columns, per sample. columns: those that may depend.
-  /// like, late: see choose_partition.
+  /// jacobians: of full rank. best: smallest singular value of all columns, per sample. columns: candidates for
+  /// dependence. like, late: see choose_partition.
   Search(const std::vector<MatrixXd>& jacobians, const std::vector<double>& best, const std::vector<int>& columns,
          int rank, std::span<const PartitionCandidate> like, const LateRows& late)
       : jacobians_(jacobians), best_(best), columns_(columns), rank_(rank), like_(like), late_(late) {}
@@ -135,7 +135,7 @@ class Search {
     std::optional<Ordering> ordering;
   };
 
-  /// Its conditions: the weakest singular value of the dependent Jacobian over that of all columns, per sample.
+  /// Its condition: smallest singular value of the dependent Jacobian over that value for all columns, per sample.
   Judgement& judged(const Candidate& candidate) {
     const auto [at, is_new] = judged_.try_emplace(candidate);
     Judgement& judgement = at->second;

@@ -9,7 +9,7 @@
 
 namespace mbgen {
 
-/// Generic rank: the largest over the samples. jacobians: free of units; columns: those that may be dependent (empty:
+/// Generic rank: the largest over the samples. jacobians: free of units; columns: candidates for dependence (empty:
 /// all).
 int generic_rank(const std::vector<Eigen::MatrixXd>& jacobians, const std::vector<int>& columns);
 

@@ -7,7 +7,7 @@
 
 namespace mbgen::search_numbers {
 
-// What counts as zero, and as equal.
+// Thresholds of zero and of equality.
 constexpr double kStructuralZero = 1e-12;  ///< entries of rows scaled to largest entry 1: far above rounding, far below
                                            ///< any number that people type
 constexpr double kStillShare = 1e-7;       ///< Rz in rad or m: samples are closed to 1e-11, which grows by the
@@ -34,7 +34,7 @@ constexpr std::size_t kShortList = 20;        ///< candidates that may be counte
                                               ///< the second of them, closure_prismatic in the fifth
 constexpr std::uint64_t kSeed = 20120402;     ///< any number: every run takes the same weights
 
-// What a candidate is estimated to cost, in operations.
+// Estimated costs of a candidate, in operations.
 constexpr double kDirectionCost = 20;       ///< on a body per free direction that moves it, about a third of a body
 constexpr double kPairCost = 5;             ///< and per pair of directions: a product of a motion and a momentum
 constexpr std::size_t kPatternSamples = 3;  ///< an entry of Rz that vanishes in three positions vanishes in all

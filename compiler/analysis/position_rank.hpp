@@ -1,5 +1,5 @@
 #pragma once
-// What holds positions: the rank of a block without the rows that hold velocities alone (rolling, blades).
+// Position rank of a block: without the rows that hold velocities alone (rolling, blades).
 
 #include <vector>
 
@@ -7,8 +7,8 @@
 
 namespace mbgen {
 
-/// Rank of the rows of block `b` that hold positions; that of all rows where it has no others. whole: of the block;
-/// rank: of all its rows.
+/// Rank of the position equations of block `b`; of all its equations if it has no others. whole: of the block; rank: of
+/// all its rows.
 int position_rank(const NumericSystem& numbers, std::size_t b, const PartView& whole, int rank,
                   const std::vector<Configuration>& configurations);
 

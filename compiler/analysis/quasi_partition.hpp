@@ -6,10 +6,10 @@
 
 namespace mbgen {
 
-/// Sets BlockAnalysis::quasi and its candidates of every block: its partition over (quasi-)velocities, from that of its
-/// joint rates. A block without balls keeps its partition; only the references of its rods' pivots change, whose rows
-/// are not divided by the rods' lengths. The kinematics are worked out once per configuration, and only where a block
-/// has balls.
+/// Sets BlockAnalysis::quasi and its candidates of every block: its partition over (quasi-)velocities, from the
+/// partition over its joint rates. A block without balls keeps its partition; only the references of its rods' pivots
+/// change, whose rows are not divided by the rods' lengths. The kinematics are computed once per configuration, and
+/// only if a block has balls.
 void set_quasi_partitions(NumericSystem& numbers, const std::vector<Configuration>& configurations, Analysis& analysis);
 
 }  // namespace mbgen

@@ -62,7 +62,7 @@ std::vector<int> loops_of(const Topology& topology, const LoopBlock& block, cons
   return loops;
 }
 
-/// The rows leave the joints of their loops a freedom, and those that follow from others agree along it.
+/// Whether the rows leave the joints of their loops a freedom, and the dependent rows agree along it.
 bool agree(const PartPosition& at, const DependentRows& rows, const BlockPart& loops) {
   std::vector<int> movable;
   for (std::size_t c = 0; c < at.view.part.columns.size(); ++c)
@@ -86,7 +86,7 @@ bool agree(const PartPosition& at, const DependentRows& rows, const BlockPart& l
   return stepped;
 }
 
-/// All rows of some loops of a part: those that full pivoting takes, and the others.
+/// All rows of some loops of a part: the rows with pivots by full pivoting, and the others.
 DependentRows rows_of(const PartPosition& at, const BlockPart& loops) {
   std::vector<int> rows, late;
   for (std::size_t r = 0; r < at.view.part.rows.size(); ++r) {

@@ -7,8 +7,8 @@
 
 namespace mbgen {
 
-/// Rows of a matrix that depend on each other: the connected components of its dependences, each with the rows that
-/// are kept and those that follow from them. Rows on which nothing depends are in none.
+/// Rows of a matrix that depend on each other: the connected components of its dependences, each with its kept rows and
+/// its dependent rows. Rows on which nothing depends are in none.
 struct DependentRows {
   std::vector<int> kept, redundant;
 };

@@ -10,6 +10,7 @@
 #include "compiler/analysis/configuration.hpp"
 #include "compiler/analysis/violation.hpp"
 #include "compiler/formulation/reaction_loads.hpp"
+#include "compiler/model/each_friction.hpp"
 
 namespace mbgen {
 namespace {
@@ -122,16 +123,11 @@ class StressScene {
   /// The frictions that a sampled reaction presses, or the value where the model sampled it.
   void name_load(int load, Undetermined& found) const {
     bool presses = false;
-    const auto name = [&](const auto& frictions) {
-      for (const auto& friction : frictions) {
-        if (friction.load != load) continue;
-        presses = true;
-        add_once(found.frictions, friction.name);
-      }
-    };
-    name(model_.frictions);
-    name(model_.spring_frictions);
-    name(model_.rod_frictions);
+    each_friction(model_, [&](const auto& friction) {
+      if (friction.load != load) return;
+      presses = true;
+      add_once(found.frictions, friction.name);
+    });
     if (!presses) add_once(found.sampled, model_.sampled[static_cast<std::size_t>(load)].name);
   }
 

@@ -29,7 +29,7 @@ double extent_of(const Constants<double>& constants) {
   return std::max(extent, 1e-3);  // m: all joints at the origin of the axes
 }
 
-/// Planes half way between joints of bodies of one mass, those that most pairs ask for first.
+/// Planes half way between joints of bodies of equal mass, in decreasing order of their pairs.
 std::vector<Mirror> planes(const Topology& topology, const Constants<double>& c, double tolerance) {
   struct Counted {
     Mirror plane;

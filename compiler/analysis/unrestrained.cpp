@@ -71,62 +71,31 @@ struct Scene {
     return body < 0 ? Vector3d::Zero() : twists[body].turning;
   }
 
-  double stretch(const std::vector<Twist>& twists, const Attachment& from, const Attachment& to) const {
-    const Vector3d line = at(to) - at(from), speed = velocity(twists, to) - velocity(twists, from);
-    return line.norm() > 0 ? line.normalized().dot(speed) : speed.norm();
-  }
-
-  /// How far every element that could hold a motion takes part in it.
-  std::vector<double> holds(const JointGroup& group, const VectorXd& speeds) const {
-    const std::vector<Twist> moved = twists(group, speeds);
-    const auto speed = [&](const CoordinateReference& coordinate) {
-      const auto known = coordinates.find({coordinate.joint, coordinate.component});
-      if (known == coordinates.end()) return 0.0;
-      const auto found = std::find(group.joints.begin(), group.joints.end(), known->second);
-      return found == group.joints.end() ? 0.0 : speeds[found - group.joints.begin()];
-    };
-    std::vector<double> list;
-    for (const PointSpring& spring : model.springs) list.push_back(stretch(moved, spring.from, spring.to));
-    for (const AirSpring& spring : model.air_springs) list.push_back(stretch(moved, spring.from, spring.to));
-    for (const Bushing& bushing : model.bushings) {
-      const Vector3d shift = velocity(moved, bushing.to) - velocity(moved, bushing.from);
-      const Vector3d turn = turning(moved, bushing.to) - turning(moved, bushing.from);
-      for (int i = 0; i < kBushingFreedoms; ++i) {
-        const Vector3d axis(bushing.axes[i % 3], bushing.axes[3 + i % 3], bushing.axes[6 + i % 3]);
-        list.push_back(bushing_acts(bushing, i) ? axis.dot(i < 3 ? shift : turn) : 0);
-      }
-    }
-    for (const JointSpring& spring : model.joint_springs)
-      list.push_back(speed(spring.joint) - (spring.relative_to ? speed(*spring.relative_to) : 0));
-    for (const JointFriction& friction : model.frictions) list.push_back(speed(friction.joint));
-    for (const SpringFriction& friction : model.spring_frictions) {
-      const PointSpring& spring = model.springs[friction.spring];
-      list.push_back(stretch(moved, spring.from, spring.to));
-    }
-    for (const JointForce& force : model.joint_forces) list.push_back(speed(force.joint));
-    for (const AppliedForce& force : model.forces) {
-      const bool turns = std::any_of(force.torque.begin(), force.torque.end(),
-                                     [](const Quantity& q) { return q.expression >= 0 || q.value != 0; });
-      const int body = carrier(force.at.body);
-      for (int i = 0; i < 3; ++i) list.push_back(turns && body >= 0 ? moved[body].turning[i] : 0);
-    }
-    return list;
-  }
-
   /// Whether both ends of a spring are on bodies that move.
   bool carries_springs(const std::vector<Twist>& moved) const {
     const auto moves = [&](const Attachment& end) {
       const int body = carrier(end.body);
       return body >= 0 && moved[body].turning.norm() > kNoMotion;
     };
-    const auto both = [&](const auto& spring) { return moves(spring.from) && moves(spring.to); };
-    return std::any_of(model.springs.begin(), model.springs.end(), both) ||
-           std::any_of(model.air_springs.begin(), model.air_springs.end(), both) ||
-           std::any_of(model.bushings.begin(), model.bushings.end(), both) ||
-           std::any_of(model.joint_springs.begin(), model.joint_springs.end(), [&](const JointSpring& spring) {
-             const Joint& joint = model.joints[spring.joint.joint];
-             return moves(joint.from) && moves(joint.to);
-           });
+    bool carries = false;
+    each_elastic([&](const auto& element) {
+      const Connection connection = connection_of(element);
+      const auto both = [&](const Attachment& from, const Attachment& to) {
+        carries = carries || (moves(from) && moves(to));
+      };
+      with_ends(connection, both);
+      if (const OnCoordinate* on = std::get_if<OnCoordinate>(&connection))
+        both(model.joints[on->joint.joint].from, model.joints[on->joint.joint].to);
+    });
+    return carries;
+  }
+
+  /// Calls use(element) for every element that holds its bodies and stores energy.
+  template <class Use>
+  void each_elastic(const Use& use) const {
+    each_element(model, [&](const auto& element) {
+      if constexpr (KindOf<std::decay_t<decltype(element)>>::is_elastic) use(element);
+    });
   }
 
   /// Whether all that turns lies with its centre of mass on the axis: a wheel, a rotor.
@@ -141,6 +110,72 @@ struct Scene {
     return true;
   }
 };
+
+/// How far an element takes part in a motion of a group, by where it acts.
+struct Participation {
+  const Scene& scene;
+  const JointGroup& group;
+  const VectorXd& speeds;
+  std::vector<Twist> moved;
+
+  void add(const BetweenPoints& at, std::vector<double>& list) const {
+    const Vector3d line = scene.at(at.to) - scene.at(at.from), speed = drift(at);
+    list.push_back(line.norm() > 0 ? line.normalized().dot(speed) : speed.norm());
+  }
+  void add(const AlongDirection& at, std::vector<double>& list) const {
+    const Vector3d line = scene.at(at.to) - scene.at(at.from);
+    list.push_back(vector_of(at.axis).dot(drift(at) - scene.turning(moved, at.from).cross(line)));
+  }
+  void add(const BetweenFrames& at, std::vector<double>& list) const {
+    const Vector3d turn = scene.turning(moved, at.to) - scene.turning(moved, at.from);
+    for (int i = 0; i < 6; ++i) {
+      const Vector3d axis(at.axes[i % 3], at.axes[3 + i % 3], at.axes[6 + i % 3]);
+      list.push_back(at.acts[i] ? axis.dot(i < 3 ? drift(at) : turn) : 0);
+    }
+  }
+  void add(const OnCoordinate& at, std::vector<double>& list) const {
+    list.push_back(speed(at.joint) - (at.relative_to ? speed(*at.relative_to) : 0));
+  }
+  /// A torque holds, a force moves.
+  void add(const OnBody& at, std::vector<double>& list) const {
+    const Vector3d turn = scene.turning(moved, at.at);
+    for (int i = 0; i < 3; ++i) list.push_back(at.turns ? turn[i] : 0);
+  }
+  void add(const AlongSpring& at, std::vector<double>& list) const {
+    const PointSpring& spring = scene.model.springs[at.spring];
+    add(BetweenPoints{spring.from, spring.to}, list);
+  }
+  /// The turn of the body at the end against the rod, across the rod's line.
+  void add(const InRodEnd& at, std::vector<double>& list) const {
+    const Rod& rod = scene.model.rods[at.rod];
+    const Vector3d line = scene.at(rod.to) - scene.at(rod.from), along = line.normalized();
+    const Vector3d turn = scene.turning(moved, at.at_from ? rod.from : rod.to);
+    const Vector3d across = turn - along.dot(turn) * along - along.cross(drift(rod)) / line.norm();
+    for (int i = 0; i < 3; ++i) list.push_back(across[i]);
+  }
+
+ private:
+  template <class Ends>
+  Vector3d drift(const Ends& at) const {
+    return scene.velocity(moved, at.to) - scene.velocity(moved, at.from);
+  }
+  double speed(const CoordinateReference& coordinate) const {
+    const auto known = scene.coordinates.find({coordinate.joint, coordinate.component});
+    if (known == scene.coordinates.end()) return 0;
+    const auto found = std::find(group.joints.begin(), group.joints.end(), known->second);
+    return found == group.joints.end() ? 0 : speeds[found - group.joints.begin()];
+  }
+};
+
+/// How far every element that could hold a motion takes part in it.
+std::vector<double> participations(const Scene& scene, const JointGroup& group, const VectorXd& speeds) {
+  const Participation participation{scene, group, speeds, scene.twists(group, speeds)};
+  std::vector<double> list;
+  each_element(scene.model, [&](const auto& element) {
+    std::visit([&](const auto& at) { participation.add(at, list); }, connection_of(element));
+  });
+  return list;
+}
 
 /// The body that a motion turns most, -1 where none turns.
 int most_turned(const Scene& scene, const std::vector<Twist>& moved) {
@@ -187,7 +222,7 @@ MatrixXd speeds_of(const std::vector<std::vector<double>>& rz) {
 MatrixXd unrestrained_directions(const Scene& scene, const JointGroup& group, const MatrixXd& speeds) {
   MatrixXd holds;
   for (Eigen::Index q = 0; q < speeds.cols(); ++q) {
-    const std::vector<double> column = scene.holds(group, speeds.col(q));
+    const std::vector<double> column = participations(scene, group, speeds.col(q));
     holds.conservativeResize(static_cast<Eigen::Index>(column.size()), speeds.cols());
     for (std::size_t i = 0; i < column.size(); ++i) holds(static_cast<Eigen::Index>(i), q) = column[i];
   }
@@ -200,13 +235,13 @@ MatrixXd unrestrained_directions(const Scene& scene, const JointGroup& group, co
 
 Diagnostics unrestrained_motions(const Model& model, const Topology& topology, const Analysis& analysis) {
   Diagnostics notes;
-  const bool has_springs =
-      !model.springs.empty() || !model.air_springs.empty() || !model.joint_springs.empty() || !model.bushings.empty();
+  const Scene scene(model, topology);
+  bool has_springs = false;
+  scene.each_elastic([&](const auto&) { has_springs = true; });
   if (!has_springs && model.tyres.empty()) return notes;
   NumericSystem numbers(model, topology);
   System<double>& system = numbers.at(std::vector<double>(topology.bodies.size(), 0.0));
   const auto projections = frozen_directions(system, kinematics(system), analysis.blocks, analysis.driven);
-  const Scene scene(model, topology);
   for (std::size_t g = 0; g < topology.groups.size(); ++g) {
     const JointGroup& group = topology.groups[g];
     const bool is_free = model.joints[topology.bodies[group.joints[0]].joint].type == JointType::free;

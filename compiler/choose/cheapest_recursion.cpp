@@ -8,7 +8,7 @@
 namespace mbgen {
 namespace {
 
-/// Operations of a program without what is spelled twice: passes take that out.
+/// Operations of a program without its repeated values, which passes remove.
 long operations_of(const Program& program) {
   return count_operations(merge_equal_values(remove_dead_values(program))).total();
 }

@@ -21,8 +21,8 @@ double decimal_sum(double a, double b);
 double decimal_product(double a, double b);
 
 /// A number freed of the rounding of earlier steps: the decimal of at most 11 digits, counted from the first of `size`,
-/// that lies within 4e-15 of `size` of it; itself where there is none. size: of the largest term of a sum, so that what
-/// is left of terms that cancel becomes 0. Numbers that are equal but for rounding become one number.
+/// within 4e-15 of `size` of it; itself if there is none. size: of the largest term of a sum, so that the remainder of
+/// terms that cancel becomes 0. Numbers that are equal up to rounding become one number.
 double without_rounding(double value, double size);
 
 }  // namespace mbgen

@@ -1,4 +1,4 @@
-// The batch interface: the solver's programs once more, on vectors.
+// The batch interface: the solver's programs on vectors.
 
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/law_text.hpp"
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kReadBackAfter = 64;
 constexpr int kLaneBytes = 8;
 
-/// Arrays of lanes that have the default in each.
+/// Arrays of lanes filled with the default.
 FrameRows default_rows(const std::vector<NumberMember>& members, int lanes) {
   return mapped(members, [&](const NumberMember& member) {
     const std::vector<std::string> values(static_cast<std::size_t>(lanes), member.value);
@@ -24,8 +24,8 @@ FrameRows default_rows(const std::vector<NumberMember>& members, int lanes) {
   });
 }
 
-/// The program on vectors: a sibling of the scalar function, with the same name and arguments. Its lanes are instances:
-/// pairs are numbers one by one.
+/// The program on vectors, beside the scalar function, with the same name and arguments. Its lanes are instances: pairs
+/// are split into single numbers.
 ShapedProgram in_lanes(const EmitContext& context, ShapedProgram shaped) {
   shaped.program = &program_of(context.programs, shaped.role);
   shaped.shape.scalar = Scalar::lanes;

@@ -19,7 +19,7 @@ FrameRows c_members(const std::vector<NumberMember>& members) {
   });
 }
 
-/// Rows of what has a range: its place, its member and the range.
+/// Rows of the items that have a range: place, member and range.
 template <class Given>
 FrameRows range_rows(const std::vector<Given>& all, const std::vector<std::string>& members, Scalar scalar) {
   const double largest =
@@ -36,7 +36,7 @@ FrameRows range_rows(const std::vector<Given>& all, const std::vector<std::strin
   return rows;
 }
 
-/// What the header says of the inputs.
+/// Comment of the header on the inputs.
 std::string input_comment(const EmitContext& context) {
   const std::vector<Input>& inputs = context.model.inputs;
   if (!inputs_have_derivatives(inputs)) return "/* Inputs. They are constant during a step. */";
@@ -53,7 +53,7 @@ std::string input_comment(const EmitContext& context) {
   return "/*\n" + wrapped_words(input_rows(inputs).empty() ? goes_on : goes_on + made, " * ") + "\n */";
 }
 
-/// Quoted, for Python: the escapes of C++ that string_literal writes are those of Python, too.
+/// Quoted list for Python: string_literal writes escapes of C++ that are valid in Python too.
 std::string python_list(const std::vector<std::string>& items) {
   return "[" + joined(mapped(items, string_literal), ", ") + "]";
 }

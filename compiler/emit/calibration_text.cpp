@@ -16,7 +16,7 @@ constexpr std::size_t kLongestPart = 100;    // an identifier's part has 128 cha
 constexpr int kTimeBytes = 8;                // the time is a double in both precisions
 constexpr const char* kByteOrderMark = "\xef\xbb\xbf";
 
-/// How the standard writes numbers of a type.
+/// Format of the numbers of a type in the standard.
 struct CalibrationType {
   int bytes;
   std::string name, largest;
@@ -45,10 +45,10 @@ struct CalibrationStructure {
   std::vector<CalibrationNumber> numbers = {};
 };
 
-/// What every name of the file begins with.
+/// Prefix of every name of the file.
 std::string prefix_of(const EmitContext& context) { return context.names.solver.substr(0, kLongestPart); }
 
-/// A quoted string: one line, not longer than the standard lets it be.
+/// A quoted string: one line, within the standard's length.
 std::string a2l_string(const std::string& text) {
   std::string line = comment_text(text);
   if (line.size() > kLongestString) {
@@ -64,7 +64,7 @@ std::string a2l_string(const std::string& text) {
   return quoted + "\"";
 }
 
-/// Adds a number to a structure. path: its name behind the solver's; place: among numbers of its size.
+/// Adds a number to a structure. path: its name after the solver's name; place: among numbers of its size.
 void add_number(const EmitContext& context, const std::string& path, const std::string& text, const std::string& unit,
                 int place, CalibrationStructure& structure) {
   const CalibrationType type = type_of(context.options.scalar);
@@ -72,13 +72,13 @@ void add_number(const EmitContext& context, const std::string& path, const std::
                                context.names.solver + "_a2l_" + structure.name, type.bytes * place, type});
 }
 
-/// Adds named numbers; texts: what the model calls them, for those that it names.
+/// Adds named numbers; texts: their names in the model, where it has them.
 void add_members(const EmitContext& context, const std::vector<NumberMember>& members,
                  const std::vector<std::string>& texts, CalibrationStructure& structure) {
   for (std::size_t i = 0; i < members.size(); ++i) {
     const auto& [name, value, unit] = members[i];
     const bool is_of_model = i < texts.size();
-    // Units of the energies go on in words.
+    // The units of energies continue in words.
     add_number(context, structure.name + "." + name, is_of_model ? texts[i] : name,
                is_of_model ? unit : unit.substr(0, unit.find(',')), static_cast<int>(i), structure);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// The source of every emitted file.
+// Source data of every emitted file.
 
 #include <utility>
 
@@ -12,10 +12,10 @@
 namespace mbgen {
 
 struct EmitContext;
-/// Whether the accelerations of the solver are those in pairs: of doubles, where no loops are better.
+/// Whether the solver uses the accelerations in pairs: for doubles, unless loops are better.
 bool takes_pairs(const EmitContext& context);
 
-/// Source of every emitted file. Requires: what it refers to lives as long.
+/// Source data of every emitted file. Requires: the referenced objects outlive it.
 struct EmitContext {
   EmitContext(const WrittenPrograms& of_solver, const Model& of_model, const Topology& tree, const Analysis& decisions,
               EmitOptions chosen)

@@ -12,13 +12,13 @@
 namespace mbgen {
 namespace {
 
-/// The file name without its directories: the same text wherever the model lies.
+/// File name without its directories: the same text for any location of the model.
 std::string base_name(const std::string& path) {
   const std::size_t slash = path.find_last_of("/\\");
   return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 
-/// The text with nothing in it that would end or begin a C comment.
+/// The text without anything that would end or begin a C comment.
 std::string apart(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -29,7 +29,7 @@ std::string apart(const std::string& text) {
   return result;
 }
 
-/// s, of the sampled values.
+/// Periods of the sampled values, s.
 std::vector<std::string> period_items(const Model& model) {
   return mapped(model.sampled, [](const SampledValue& value) { return number_text(value.period); });
 }
@@ -40,7 +40,7 @@ std::vector<std::string> ground_inputs(const Model& model) {
                 [&](int tyre) { return std::to_string(model.roads[model.tyres[tyre].road].host_input); });
 }
 
-/// What every frame may name.
+/// Values for the names that every frame may use.
 FrameValues context_values(const EmitContext& context) {
   const SolverNames& names = context.names;
   const SolverLayout& layout = context.layout;

@@ -1,5 +1,5 @@
 #pragma once
-// Values of frames that several files have.
+// Values of frames that several files share.
 
 #include <string>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace mbgen {
 
-/// The embedded frame of this name, filled with the values, and where it names others with the solver's names, sizes
-/// and choices, which every frame may name: context_values.cpp lists them.
+/// The embedded frame of this name, filled with the values and, where it names them, with the common values of the
+/// solver (names, sizes, choices), listed in context_values.cpp.
 std::string fill_template(const EmitContext& context, const std::string& name, const FrameValues& values = {});
 
 /// First lines of every emitted file, each after `mark` ("//" or "#"): model, content hash, command, mbgen version.
@@ -33,7 +33,7 @@ std::vector<NumberMember> parameter_members(const EmitContext& context);
 std::vector<NumberMember> input_members(const EmitContext& context);
 std::vector<NumberMember> output_members(const EmitContext& context);
 
-/// The function of a solver that takes a step by the model's integrator.
+/// Name of the solver's step function for the model's integrator.
 std::string step_function(const SolverSettings& settings);
 
 /// A row for each name, as `member`.
@@ -42,8 +42,8 @@ FrameRows name_rows(const std::vector<std::string>& names);
 /// A row for each, with its unit for a comment: `member`, `unit`.
 FrameRows member_rows(const std::vector<NumberMember>& members);
 
-/// Values of tuned.in, struct Tuned: the tunable parameters with the constants that follow from them, which every
-/// function of a solver takes. constructs: whether it makes itself of parameters.
+/// Values of tuned.in, struct Tuned: the tunable parameters with the constants that depend on them; every function of a
+/// solver takes it. constructs: whether it is constructed from parameters.
 FrameValues tuned_values(const Programs& programs, bool constructs);
 
 }  // namespace mbgen

@@ -19,7 +19,7 @@ constexpr const char* kKinds[] = {"add", "multiply", "divide", "sqrt", "trigonom
 constexpr const char* kKindTitles[] = {"+ -", "*", "/", "sqrt", "trig", "other", "+ - * /"};
 constexpr const char* kCalls[] = {"accelerations", "closures", "factorisations", "operations"};
 
-/// What the calls of one function lead to. has_care: the pivoting path may be taken everywhere.
+/// Calls and operations under one function. has_care: the pivoting path may be taken everywhere.
 CostJson call_json(const EmitContext& context, const CostJson& programs, const char* function, const char* title,
                    CallCount calls, bool has_care) {
   const auto operations = [&](const char* program) {
@@ -33,7 +33,7 @@ CostJson call_json(const EmitContext& context, const CostJson& programs, const c
       operations("accelerations") + terms + (chooses ? operations("accelerations_chosen") : 0L);
   const long of_implicit = calls.matrices == 0 ? 0 : operations("tangents") + kImplicitStages * operations("changes");
   const bool is_step = std::string_view(function).starts_with("step_");
-  // Once, where an instant begins the step.
+  // Once, if an instant begins the step.
   const bool takes = is_step && takes_reactions(context.model);
   const long of_samples = is_step ? operations("sampled") + (takes ? operations("multipliers") : 0) : 0;
   const int accelerations = calls.accelerations + (takes ? 1 : 0);
@@ -66,7 +66,7 @@ CostJson calls_json(const EmitContext& context, const CostJson& programs) {
   return calls;
 }
 
-/// A line of a table: a title and cells of one width.
+/// A line of a table: a title and cells of equal width.
 template <class Cells>
 std::string row(const std::string& title, int title_width, const Cells& cells, int cell_width) {
   std::string text = fmt::format("  {:<{}}", title, title_width);

@@ -1,5 +1,5 @@
 #pragma once
-// The cost of a solver before it is compiled: operations by kind, and how often its loops run at most.
+// The cost of a solver before its compilation: operations by kind, and bounds of its loops.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace mbgen {
 
-/// `worst_case` of the manifest: bounds of every loop whose length is no size of the model, and the sums over a call of
+/// `worst_case` of the manifest: bounds of every loop whose length is not a size of the model, and sums over a call of
 /// each function. programs: `programs` of the manifest. See docs/use/cost_sheet.md.
 nlohmann::ordered_json worst_case_json(const EmitContext& context, const nlohmann::ordered_json& programs);
 

@@ -19,7 +19,7 @@ FrameRows numbered_rows(const std::vector<std::string>& names) {
   return rows;
 }
 
-/// clocked: the program that is told the end of each step, "" for a driver without. laws: elements share laws in it.
+/// clocked: the program that receives the end of each step, "" for a driver without. laws: whether it has shared laws.
 EmittedFile driver(const Model& model, int lanes, const std::string& clocked, bool laws) {
   const SolverNames names = model_names(model);
   const std::vector<double> parameters = mapped(tunable_parameters(model), &Parameter::value);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kRuntime = "runtime/include/";
 
-/// Adds the runtime's headers that a text includes, and those that they include.
+/// Adds the runtime's headers that a text includes, directly or indirectly.
 void add_included_headers(std::string_view text, std::vector<EmittedFile>& files) {
   constexpr std::string_view kInclude = "#include \"mbgen/";
   for (std::size_t at = text.find(kInclude); at != std::string_view::npos; at = text.find(kInclude, at + 1)) {
@@ -46,7 +46,7 @@ std::string build_text(const EmitContext& context) {
                         {"clang_flags", cmake_flags(CompilerFamily::clang)}});
 }
 
-/// `<model>_samples.hpp`: tables that programs take numbers from.
+/// `<model>_samples.hpp`: tables of numbers for programs.
 std::string samples_text(const EmitContext& context) {
   return fill_template(
       context, "samples.hpp.in",

@@ -21,6 +21,7 @@ std::string right_term(const Phrase& phrase) {
   return operand(phrase, phrase.binding == Binding::sign ? Binding::primary : Binding::product);
 }
 
+/// Functions by operation. For vectors, namespace mbgen has the functions of std.
 struct NamedFunction {
   Op op;
   const char* of_numbers;
@@ -46,14 +47,14 @@ constexpr NamedFunction kFunctions[] = {{Op::sqrt, "std::sqrt", "mbgen::sqrt"},
                                         {Op::multiply_add, "fma"},
                                         {Op::multiply_subtract, "fms"}};
 
-/// An operation in the making.
+/// An operation under construction.
 struct Operation {
   Op op;
   Phrase a, b, c;
 };
 
-/// The same value to the bit, with signs of operands as signs of terms where an operation has them: a - (-p) is a + p,
-/// and fnma(-p, a, c) is fma(p, a, c).
+/// The same value to the bit, with signs of operands absorbed by the signs of terms where possible: a - (-p) becomes a
+/// + p, and fnma(-p, a, c) becomes fma(p, a, c).
 Operation with_signs_taken_in(Operation o) {
   const auto sheds_sign = [](Phrase& phrase) {
     if (phrase.binding != Binding::sign) return false;

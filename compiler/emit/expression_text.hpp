@@ -8,7 +8,7 @@
 
 namespace mbgen {
 
-/// How tightly the outermost operator of a text binds.
+/// Binding strength of the outermost operator of a text.
 enum class Binding { sum, product, sign, primary };
 
 struct Phrase {
@@ -16,12 +16,11 @@ struct Phrase {
   Binding binding = Binding::primary;
 };
 
-/// A number or the name of one; a negative one binds as its sign does.
+/// A number or its name; a negative one binds like its sign.
 Phrase constant_phrase(const std::string& text);
 
-/// The operation on its operands, values of a scalar type; those beyond its arity are ignored. Associativity is kept:
-/// a + (b + c) stays as it is, since floating-point sums are not associative. Vectors have functions of
-/// mbgen/lanes.hpp.
+/// The operation on its operands, values of a scalar type; operands beyond its arity are ignored. Associativity is
+/// kept: a + (b + c) remains, since floating-point sums are not associative. Vectors use functions of mbgen/lanes.hpp.
 Phrase operation_phrase(Scalar scalar, Op op, const Phrase& first, const Phrase& second, const Phrase& third);
 
 }  // namespace mbgen

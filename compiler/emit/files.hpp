@@ -1,5 +1,5 @@
 #pragma once
-// What is written, with what choices, and what a solver knows of its start.
+// Files that are written, choices for them, and the solver's knowledge of its start.
 
 #include <optional>
 #include <string>
@@ -13,26 +13,26 @@ namespace mbgen {
 /// Version of mbgen in banners and manifests, equal to the project version of CMakeLists.txt.
 constexpr const char* kMbgenVersion = "0.1.0";
 
-/// Values that make a part of a file worth a compilation of its own: that reads the headers once more, which takes as
-/// long as some thousand values.
+/// Least number of values for which a part of a file gets its own compilation: this reads the headers once more, which
+/// takes as long as some thousand values.
 constexpr std::size_t kFilePartValues = 4000;
 
 /// A file to write, path relative to the output directory.
 struct EmittedFile {
   std::string path;
   std::string text;
-  /// Of a source: compilations with MBGEN_PART = 0, 1, ..., rare_parts give together what one without it gives. What
-  /// the parts from 1 on hold runs rarely.
+  /// For a source: compilations with MBGEN_PART = 0, 1, ..., rare_parts together give the code of one without it. Code
+  /// of the parts from 1 on runs rarely.
   int rare_parts = 0;
 };
 
-/// A parameter that acts at the start, and the change of the velocities there by its change of 1.
+/// A parameter that affects the start, and the derivative of the initial velocities with respect to it.
 struct StartParameter {
   int parameter = -1;  ///< index into Model::parameters
   std::vector<double> zd;
 };
 
-/// Where solvers start: loops closed, velocities consistent.
+/// Initial state of solvers: loops closed, velocities consistent.
 struct InitialState {
   std::vector<double> z, zd, x;
   std::vector<StartParameter> parameters = {};

@@ -12,10 +12,10 @@
 namespace mbgen {
 namespace {
 
-/// What tags of sections and frames begin with.
+/// First characters of tags of sections and frames.
 constexpr std::string_view kMarks = "#~^/>";
 
-/// A frame in which lines that hold tags of sections or frames and nothing else are these tags.
+/// The frame with every line that holds only tags of sections or frames replaced by these tags.
 std::string without_lines_of_tags(std::string_view frame) {
   std::string result;
   while (!frame.empty()) {
@@ -38,7 +38,7 @@ class FrameFiller {
   FrameFiller(std::string_view frame_name, const FrameValues& common)
       : frame_name_(frame_name), open_rows_({&common}) {}
 
-  /// Text with its names replaced by values of the row, or of the rows that are open around it.
+  /// Text with its names replaced by values of the row, or of the enclosing rows.
   std::string fill(std::string_view text, const FrameValues& row) {
     open_rows_.push_back(&row);
     std::string result;
@@ -64,7 +64,7 @@ class FrameFiller {
     return result;
   }
 
-  /// Fails where no section showed a value.
+  /// Fails for a value that no section used.
   void check_used(const FrameValues& values) const {
     for (const auto& [name, value] : values) {
       if (!used_.contains(&value)) fail("{{" + name + "}} is not used");
@@ -73,7 +73,7 @@ class FrameFiller {
   }
 
  private:
-  /// Text up to a mark, taken off with the mark.
+  /// Text before a mark; removes it and the mark from `text`.
   std::string_view cut(std::string_view& text, std::string_view mark, const std::string& problem) const {
     const std::size_t end = text.find(mark);
     if (end == std::string_view::npos) fail(problem);
@@ -92,7 +92,7 @@ class FrameFiller {
       }
       return result;
     }
-    // What does not stay is looked through for names all the same; those of a row that is not there are unknown.
+    // A section that is left out is searched for names all the same; names of its missing row are unknown.
     unknown_rows_ += value.is_text ? 0 : 1;
     const std::string without = fill(body, {});
     unknown_rows_ -= value.is_text ? 0 : 1;

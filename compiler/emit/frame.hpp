@@ -1,5 +1,5 @@
 #pragma once
-// Frames: texts with names in them, which values take the place of; most lie under templates/.
+// Frames: texts with names that are replaced by values; most are under templates/.
 
 #include <concepts>
 #include <map>
@@ -11,12 +11,12 @@
 namespace mbgen {
 
 struct FrameValue;
-/// What the names of a frame, or of one row of a section, stand for.
+/// Values of the names of a frame, or of one row of a section.
 using FrameValues = std::map<std::string, FrameValue>;
-/// What a section is repeated for.
+/// Rows over which a section is repeated.
 using FrameRows = std::vector<FrameValues>;
 
-/// A text, which may be a number; a section of its name has one row, or none where the text is empty. Or rows.
+/// A text or number, whose section has one row, or none if the text is empty; or rows.
 struct FrameValue {
   std::string text = {};
   FrameRows rows = {};
@@ -30,11 +30,11 @@ struct FrameValue {
 };
 
 /// Fills a frame: every {{name}} becomes its value. Text from {{#name}} to {{/name}} is repeated for each row of the
-/// value, where names of the row stand before those around it; text from {{^name}} to {{/name}} stays where there is no
-/// row. {{~name}} is as {{#name}} where each row is one statement on a line, broken where that is too long. {{>name}}
-/// is another frame of templates/, with the same values. A line that holds nothing but such tags leaves no line. Fails:
-/// throws std::logic_error when a name has no value, rows stand for a text, a value is not used, or a section does not
-/// end. common: values that the frame may name or not, behind the others.
+/// value; names of the row take precedence over names around it. Text from {{^name}} to {{/name}} remains if there is
+/// no row. {{~name}} is {{#name}} for rows of one statement each, wrapped if it is too long. {{>name}} is another frame
+/// of templates/, with the same values. A line that holds only such tags leaves no line. Fails: throws std::logic_error
+/// when a name has no value, rows replace a text, a value is not used, or a section does not end. common: optional
+/// values of lower precedence.
 std::string fill_frame(std::string_view frame_name, std::string_view frame, const FrameValues& values,
                        const FrameValues& common = {});
 

@@ -7,12 +7,12 @@
 namespace mbgen {
 namespace {
 
-/// The type of such an argument: AccelerationsWork1 of the first.
+/// Type of such an argument: AccelerationsWork1 of "w1".
 std::string work_type(const ProgramShape& shape, const CrossingStruct& work) {
   return shape.result + "Work" + std::to_string(work.number);
 }
 
-/// An argument of a function or of one of its parts, as its declaration writes it; unused ones have no name.
+/// Declaration of an argument of a function or of one of its parts; unused ones have no name.
 std::string declaration(const ProgramShape& shape, const Argument& argument, bool is_used) {
   using enum Passing;
   const auto passed = [&]() -> const char* {
@@ -44,7 +44,7 @@ Arguments taken_arguments(const ProgramShape& shape, const CrossingStructs& cros
   return list;
 }
 
-/// Every parameter of a function; arrays of structs where it goes by groups.
+/// All parameters of a function; arrays of structs if it computes group by group.
 std::string whole_parameters(const ProgramShape& shape, const std::set<std::string>& used) {
   std::vector<std::string> list;
   for (Argument argument : taken_arguments(shape, {})) {
@@ -66,7 +66,7 @@ std::string part_parameters(const ProgramShape& shape, const CrossingStructs& cr
   return joined(list, ", ");
 }
 
-/// The arguments of a part, those of group g where it is called for each.
+/// Arguments of a part; those of group g if it is called for each group.
 std::string part_arguments(const ProgramShape& shape, const CrossingStructs& crossing,
                            const std::set<std::string>& used) {
   std::vector<std::string> list;
@@ -75,7 +75,7 @@ std::string part_arguments(const ProgramShape& shape, const CrossingStructs& cro
   return joined(list, ", ");
 }
 
-/// The calls of the laws that elements share, a row each.
+/// Calls of the shared laws, one row each.
 FrameRows law_rows(const ProgramShape& shape) {
   return mapped(shape.laws, [](const LawShape& law) {
     return FrameValues{
@@ -83,7 +83,7 @@ FrameRows law_rows(const ProgramShape& shape) {
   });
 }
 
-/// The parts as functions of their own, and the calls of them. law_part: the first that comes after the laws.
+/// The parts as functions, and their calls. law_part: the first part after the laws.
 FrameRows part_rows(const ProgramShape& shape, const std::vector<PartText>& parts, const CrossingStructs& crossing,
                     std::size_t law_part) {
   FrameRows rows;
@@ -109,7 +109,7 @@ std::string declaration(const ProgramShape& shape, const std::set<std::string>& 
   return wrapped_statement("void " + shape.function + "(" + whole_parameters(shape, used) + ") noexcept" + end);
 }
 
-/// Members of such a struct: values by themselves, then those that share a place in unions.
+/// Members of such a struct: single values, then the values that share a place in unions.
 std::string member_declarations(const CrossingStruct& work) {
   std::string text, unions, type;
   std::vector<std::string> alone;

@@ -38,10 +38,10 @@ void add_line(PartText& part, const std::string& statement);
 /// Adds words as a comment of its own lines.
 void add_comment(PartText& part, const std::string& words);
 
-/// Struct of the result (when the shape has members), struct of the values that cross parts (when there are any), one
-/// static function per part and the function that calls them; a single part is that function itself.
-/// crossing: structs of the values that cross parts. law_part: see Schedule. Where the file has parts, those that only
-/// call the function see the struct of its result and a declaration.
+/// Struct of the result (if the shape has members), struct of the values that cross parts (if there are any), one
+/// static function per part and the function that calls them; a single part is that function itself. crossing: structs
+/// of the values that cross parts. law_part: see Schedule. In a file with parts, the parts that only call the function
+/// see the struct of its result and a declaration.
 std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,
                           const CrossingStructs& crossing, std::size_t law_part);
 

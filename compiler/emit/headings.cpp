@@ -5,8 +5,8 @@
 namespace mbgen {
 namespace {
 
-/// Values without a name that come back to a section for less than this have no heading of their own; likewise to an
-/// owner, where the order mixes sections, and where it does not.
+/// Least length of a run of values that returns to a section, or to an owner in a mixed order, for a heading; and of a
+/// run of an owner in an order by section.
 constexpr std::size_t kShortestRun = 12, kShortestSortedRun = 3;
 
 /// "12 add, 20 multiply, 1 divide": the kinds of operation that occur, "none" when none does.

@@ -20,13 +20,13 @@ class Headings {
 
   void start_part();
   /// Writes the heading before the i-th value of the order. has_owner: false for a value of a call for many arguments,
-  /// which belongs to all owners in its section, and for one that is written into another expression alone.
+  /// which belongs to all owners in its section, and for a value that is written only inside another expression.
   void write_before(std::size_t i, bool has_owner, PartText& part);
-  /// Writes the heading before a loop: that of its first value, and the owner of its last slice.
+  /// Writes the heading before a loop: the heading of its first value, and the owner of its last slice.
   void write_before_loop(const ScheduledUnit& loop, PartText& part);
   /// Writes the text after the values from `first` to before `last`: the operations of sections that end there.
   void write_after(std::size_t first, std::size_t last, PartText& part) const;
-  /// A loop has many owners: the next one is written anew.
+  /// A loop has many owners: the heading of the next owner is written again.
   void leave_loop() { owner_.reset(); }
   /// Number of the step that ends with the part whose last value is before place `end`.
   std::optional<int> ended_step(std::size_t end) const;
@@ -34,8 +34,8 @@ class Headings {
  private:
   const Node& node_at(std::size_t i) const { return program_.nodes[schedule_.order[i]]; }
   const Section& section_of(std::size_t i) const { return node_at(i).section; }
-  /// True when the values from place `i` on stay in its section, and with its owner, for so long. The names of others
-  /// tell their step.
+  /// Whether the values from place `i` on remain in its section, and with its owner, for this length. Otherwise their
+  /// names tell the step.
   bool goes_on(std::size_t i, std::size_t length, bool with_owner) const;
   void write_section(const Node& node, PartText& part);
 
@@ -46,7 +46,7 @@ class Headings {
   std::map<Section, std::size_t> end_;  ///< place of the last value of each section
   std::set<Section> entered_;           ///< sections with a heading so far
   std::optional<Section> section_;
-  using Owners = std::pair<Owner, Owner>;  ///< that of a value, that of its second lane
+  using Owners = std::pair<Owner, Owner>;  ///< of a value and of its second lane
   std::optional<Owners> owner_;
 };
 

@@ -48,7 +48,7 @@ FrameRows default_rows(const std::vector<NumberMember>& members) {
   });
 }
 
-/// The items of kInputRows; empty where no rates can be made.
+/// The items of kInputRows; empty if no rates can be computed.
 std::string input_rows_text(const Model& model, const SolverNames& names) {
   std::vector<std::string> rows;
   for (const std::vector<int>& row : input_rows(model.inputs)) {

@@ -8,14 +8,14 @@
 namespace mbgen {
 namespace {
 
-/// How the function of a law sees its elements.
+/// Elements as the function of a law sees them.
 enum class Elements {
   in_lanes,     ///< several at once, an element in each lane of a vector
   one_by_one,   ///< numbers
   of_instances  ///< one by one, each a vector whose lanes are instances
 };
 
-/// Where a law finds an argument of the element k, or of those beside it.
+/// Place of an argument of element k, or of the elements computed with it.
 std::string argument_text(const LawShape& law, const LawArgument& argument, Elements elements,
                           const std::string& type) {
   const std::string place = law.argument + "." + argument.name, element = place + "[k]";
@@ -53,7 +53,7 @@ ProgramShape function_shape(const EmitContext& context, const SharedLaw& shared,
   return shape;
 }
 
-/// The arguments that are known numbers, unless the law's program has them itself.
+/// The arguments that are known numbers, unless the law's program contains them.
 FrameRows known_rows(const SharedLaw& shared, const LawShape& law, Scalar scalar) {
   FrameRows rows;
   for (const LawArgument& argument : shared.arguments) {

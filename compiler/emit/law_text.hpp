@@ -1,6 +1,5 @@
 #pragma once
-// Laws that elements share: a struct of the numbers that a law and the program around it pass each other, and the
-// function of the law.
+// Shared laws: a struct of the numbers that a law and the program around it exchange, and the function of the law.
 
 #include <string>
 
@@ -8,10 +7,9 @@
 
 namespace mbgen {
 
-/// The text of every shared law, to stand before the program around them; empty where there is none. Doubles go in
-/// vectors, an element in each lane; other numbers element by element: floats, which have no functions of vectors, and
-/// vectors of a batch, whose lanes are instances. scalar: type of the program around them. constants: as those of a
-/// shape.
+/// Text of all shared laws, to be placed before the program around them; empty without any. Doubles are computed in
+/// vectors, one element per lane; other numbers element by element: floats, which have no vector functions, and vectors
+/// of a batch, whose lanes are instances. scalar: type of the program around them. constants: as in a shape.
 std::string law_texts(const EmitContext& context, Scalar scalar, ConstantNames* constants);
 
 }  // namespace mbgen

@@ -1,5 +1,5 @@
 #pragma once
-// Names of the values of one program, and of the numbers of a model that the text of one file names.
+// Names of the values of one program, and of the model's numbers in the text of one file.
 
 #include <map>
 #include <string>
@@ -16,7 +16,7 @@ namespace mbgen {
 class LocalNames : public UniqueNames {
  public:
   explicit LocalNames(const Program& program) : program_(program) {}
-  /// By the label of the value, or by the number of its step and one of its own: s3_12.
+  /// Name by the label of the value, or by the number of its step and a number in it: s3_12.
   std::string of_value(ValueId value);
 
  private:
@@ -27,15 +27,15 @@ class LocalNames : public UniqueNames {
 /// Identifiers of named constants, one table for all programs of a file.
 class ConstantNames {
  public:
-  /// The constants of all programs, in the order of the first, and there of their first uses.
+  /// The constants of all programs, in the order of the programs and of their first uses.
   explicit ConstantNames(const WrittenPrograms& programs);
-  /// The identifiers that a program may use: each stands for one value in the whole file, a second value of the same
-  /// name gets a number.
+  /// Identifiers for a program: each stands for one value in the whole file; a second value with the same name gets a
+  /// number.
   std::vector<std::string> identifiers(const Program& program);
   /// The constant as an expression: its identifier, or the negative of it.
   std::string text(const Program& program, const Node& node);
-  /// `constexpr double m_crank = 0.8;` for each constant that a text has used; empty
-  /// without any. scalar: doubles or floats.
+  /// `constexpr double m_crank = 0.8;` for each constant that a text has used; empty without any. scalar: doubles or
+  /// floats.
   std::string declarations(Scalar scalar) const;
 
  private:

@@ -15,7 +15,7 @@ Json count_json(const OperationCount& count) {
           {"total", count.total()}};
 }
 
-/// Adds what the laws that the program leaves to others take, for all of their elements.
+/// Adds the operations of the laws that the program leaves to others, for all of their elements.
 void add_laws(const EmitContext& context, const ShapedProgram& shaped, Json& json) {
   for (std::size_t k = 0; k < shaped.shape.laws.size(); ++k) {
     const LawShape& law = shaped.shape.laws[k];

@@ -1,5 +1,5 @@
 #pragma once
-// Lists made of lists.
+// Lists computed from lists.
 
 #include <functional>
 #include <iterator>
@@ -9,7 +9,7 @@
 
 namespace mbgen {
 
-/// What `make` gives for each item: a function of it, or one of its members.
+/// Results of `make`, a function of an item or one of its members, for each item.
 template <class Items, class Make>
 auto mapped(const Items& items, Make make) {
   std::vector<std::decay_t<std::invoke_result_t<Make&, decltype(*std::begin(items))>>> results;

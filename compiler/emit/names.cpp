@@ -18,7 +18,7 @@ std::string sanitised(const std::string& name) {
     if (is_letter_or_digit(c)) {
       result += c;
     } else if (!result.empty() && result.back() != '_') {
-      // Two underscores in a row are reserved to the compiler, and so is one at the start.
+      // Two successive underscores are reserved to the compiler, and so is one at the start.
       result += '_';
     }
   }

@@ -32,18 +32,18 @@ std::vector<Parameter> tunable_parameters(const Model& model);
 /// A name as an identifier that is no keyword: letters, digits, single underscores. Not unique.
 std::string identifier_base(const std::string& name);
 
-/// Names that no identifier may have: keywords, names of emitted code, and names that are or may be macros, as every
+/// Whether a name is reserved: keywords, names of emitted code, and names that are or may be macros, such as every
 /// UPPER_CASE name with an underscore.
 bool is_reserved(std::string_view name);
 
-/// Names that the solver's namespace and build target may not have besides: `main`, functions and types that C headers
-/// declare in the global namespace, targets that CMake keeps for itself.
+/// Further names that the solver's namespace and build target cannot have: `main`, functions and types that C headers
+/// declare in the global namespace, targets that CMake reserves.
 bool is_reserved_for_solvers(std::string_view name);
 
-/// Gives every name once.
+/// Gives every name only once.
 class UniqueNames {
  public:
-  /// Keeps a name for something else. Result: whether it was free.
+  /// Reserves a name. Result: whether it was free.
   bool reserve(const std::string& name) { return taken_.insert(name).second; }
   /// `base`, or `base` with a number: "crank_2"; "class_2" for "class_".
   std::string unique(const std::string& base);
@@ -58,7 +58,7 @@ class UniqueNames {
 /// Name of the emitted files and of the namespace: the identifier of the model's name.
 std::string solver_name(const Model& model);
 
-/// Names that a model alone decides; coordinates and loop_blocks stay empty.
+/// Names that depend on the model alone; coordinates and loop_blocks remain empty.
 SolverNames model_names(const Model& model);
 
 /// All names.

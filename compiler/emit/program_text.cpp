@@ -13,14 +13,14 @@
 namespace mbgen {
 namespace {
 
-/// Room for `const double s12_345 = ` before an expression that may have to be named later.
+/// Space for `const double s12_345 = ` before an expression that may get a name later.
 constexpr std::size_t kNamingRoom = 28;
 
-/// From this many equal constants in an array of the result on, it is filled first.
+/// Least number of equal constants in an array of the result for which it is filled first.
 constexpr std::size_t kWorthFilling = 8;
 
-/// Writes the units of a schedule one after the other: a loop, or straight code, which is a loop of one slice. A value
-/// stands for the values at its place in all slices; the first of them is its name in the tables below.
+/// Writes the units of a schedule in order: a loop, or straight code as a loop of one slice. A value represents the
+/// values at its place in all slices; the first of them is its key in the tables below.
 class ProgramWriter {
  public:
   ProgramWriter(const Program& program, const Schedule& schedule, const ProgramShape& shape)
@@ -42,7 +42,7 @@ class ProgramWriter {
 
   // --- values ---
 
-  /// The operand with the longest text that has no statement of its own yet, kNoValue when all have.
+  /// The operand with the longest text that is not yet a statement, kNoValue if there is none.
   ValueId longest_pending_operand(ValueId v) {
     ValueId longest = kNoValue;
     for (int k = 0; k < arity(program_.nodes[v].op); ++k) {
@@ -62,7 +62,7 @@ class ProgramWriter {
     pending_[v] = false;
   }
 
-  /// Stores a value where other slices, loops and the result look for it.
+  /// Stores a value where other slices, loops and the result need it.
   void deliver(ValueId v, const std::string& text, PartText& part) {
     if (schedule_.has_loops() && texts_.facts(v).crosses)
       add_line(part, texts_.stored_place(texts_.slices_of(v), part) + " = " + text + ";");
@@ -116,7 +116,7 @@ class ProgramWriter {
     deliver(partner, texts_.phrase(partner).text, part);
   }
 
-  /// Composes a value; operands get statements of their own where the line grows too long.
+  /// Composes a value; operands become statements if the line is too long.
   void compose_in_line(const ScheduledUnit& unit, ValueId v, PartText& part) {
     texts_.phrase(v) = texts_.compose(unit, v, part);
     while (texts_.phrase(v).text.size() + kNamingRoom > kLineWidth) {
@@ -128,7 +128,7 @@ class ProgramWriter {
     for (int k = 0; k < arity(program_.nodes[v].op); ++k) pending_[texts_.facts(v).operands[k]] = false;
   }
 
-  /// Writes one value, or keeps its text for its only user. last: value before it in the part, kNoValue for none.
+  /// Writes one value, or keeps its text for its only user. last: previous value of the part, kNoValue for none.
   void write_value(const ScheduledUnit& unit, ValueId v, ValueId last, PartText& part) {
     const ScheduledValue& value = texts_.facts(v);
     if (const int call = texts_.place_in_call(v).call; call >= 0) {
@@ -208,8 +208,8 @@ class ProgramWriter {
 
   const Slot& input_of(ValueId v) const { return program_.inputs[program_.nodes[v].input]; }
 
-  /// Outputs that are constants or inputs, and those that the program does not give; a frequent one fills its array.
-  /// of_laws: those that are results of shared laws, or all others.
+  /// Outputs that are constants or inputs, or that the program does not give; a frequent value fills its array.
+  /// of_laws: only results of shared laws, otherwise all others.
   void write_plain_outputs(bool of_laws, PartText& part) {
     std::map<SlotGroup, std::map<int, std::string>> plain;
     std::map<SlotGroup, std::set<int>> given;

@@ -55,7 +55,7 @@ struct ParameterTexts {
     return phrases[program.outputs[0].value].text;
   }
 
-  /// Whether parameters make it, and not one alone by positive factors, which has its bound itself.
+  /// Whether several parameters determine it; a single parameter times positive factors has its own bound.
   bool is_joint(const Quantity& quantity) const {
     if (quantity.expression < 0) return false;
     int parameters = 0;

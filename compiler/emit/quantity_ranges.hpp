@@ -1,5 +1,5 @@
 #pragma once
-// Masses and inertias that tunable parameters make together, and that the reader would refuse: conditions of C++.
+// Conditions in C++ on masses and inertias that several tunable parameters determine, as the reader would check them.
 
 #include <string>
 #include <vector>
@@ -15,13 +15,13 @@ struct QuantityRange {
   std::string broken;  ///< condition over `values`, the parameters: true where no body has it
 };
 
-/// Of masses that not one parameter alone makes, and of inertias of bodies that nothing is fixed to. An inertia must
-/// not be negative about any axis, nor break the triangle rule unless it does so at the values of the model, where it
-/// is accepted. Empty without such.
+/// Ranges of masses that depend on several parameters, and of inertias of bodies without fixed neighbours. An inertia
+/// must not be negative about any axis, nor violate the triangle inequality unless it does so at the values of the
+/// model, where it is accepted. Empty if there are none.
 std::vector<QuantityRange> quantity_ranges(const EmitContext& context);
 bool has_quantities(const EmitContext& context);
 
-/// Adds `<model>_quantities.hpp`, which tells the first that no body has, where the model has some.
+/// Adds `<model>_quantities.hpp`, which finds the first impossible quantity, if the model can have one.
 void add_quantities(const EmitContext& context, std::vector<EmittedFile>& files);
 
 }  // namespace mbgen

@@ -11,7 +11,7 @@
 namespace mbgen {
 namespace {
 
-/// Whether an embedded list of names has this one.
+/// Whether an embedded list of names contains this one.
 template <const char* list>
 bool is_in(std::string_view name) {
   static const std::vector<std::string> words = words_of(list);
@@ -21,7 +21,7 @@ bool is_in(std::string_view name) {
 
 constexpr char kReserved[] = "reserved.names", kGlobal[] = "global.names", kTargets[] = "build_targets.names";
 
-/// What the library's functions for other types than double end in, longest first.
+/// Endings of the library's functions for types other than double, longest first.
 constexpr std::string_view kPrecisions[] = {
     "f128_r", "f128_l", "f32x_r", "f32x_l", "f64x_r", "f64x_l", "f32_r", "f32_l", "f64_r", "f64_l", "f128", "f32x",
     "f64x",   "f32",    "f64",    "f_r",    "l_r",    "f_l",    "l_l",   "_r",    "_l",    "f",     "l"};

@@ -35,7 +35,7 @@ constexpr std::pair<Array, const char*> kMembers[] = {
     {Array::Jz, "Jacobian of each block, row by row"},
     {Array::Rz, "free directions of each block, row by row"}};
 
-/// One number a coordinate, at the coordinate's name.
+/// Whether the array has one number per coordinate, at the coordinate's name.
 bool is_by_coordinate(Array array) {
   using enum Array;
   return array == z || array == zd || array == zdd || array == dz || array == driven_acceleration || array == tau;
@@ -45,19 +45,19 @@ Texts around(const std::string& before, const std::vector<std::string>& names, c
   return mapped(names, [&](const std::string& name) { return before + name + after; });
 }
 
-/// The value of an output that the program does not give. A block of rank zero has no pivot to watch.
+/// Value of an output that the program does not give. A block of rank zero has no pivot to monitor.
 std::string missing_value(Array array) {
   if (array == Array::driven_acceleration) return "";
   return array == Array::pivot || array == Array::inertia || array == Array::state_pivot ? "1.0" : "0.0";
 }
 
-/// Size of an array, of those too that the programs decide.
+/// Size of an array, including arrays whose size depends on the programs.
 int size_in(const EmitContext& context, Array array) {
   if (array == Array::derived) return derived_constant_count(context.programs);
   return array == Array::tangent ? tangent_count(context.programs) : size_of(context.layout, array);
 }
 
-/// Adds where an array lives in the struct of an argument, by coordinates or by number.
+/// Adds the places of an array in the struct of an argument, by coordinates or by number.
 void add_array(Places& places, const std::string& argument, Array array, const EmitContext& context) {
   const bool is_bare = array == Array::tau || array == Array::due;
   const std::string name = is_bare ? name_of(array) : argument + "." + name_of(array);
@@ -89,7 +89,7 @@ constexpr ArgumentOfArray kArguments[] = {
     {Array::Rz, "projection", "const Projection"},       {Array::step, "size", "const StepSize"},
     {Array::tangent, "tangents", "const Tangents"}};
 
-/// A program as its text names it.
+/// Names of a program in its text.
 struct ShapeRow {
   Role role;
   const char *name, *result, *title;
@@ -115,7 +115,7 @@ constexpr ShapeRow kShapes[] = {
     {Role::sampled, "sampled_values", "SampledValues", "Values that hold between instants, after those that are due."},
     {Role::ground_places, "ground_places", "GroundPlaces", "Places below the wheels on ground of the host."}};
 
-/// Whether a solver has the program: those of closures are left out when there is nothing to close.
+/// Whether a solver has the program: programs of closures are left out if there is nothing to close.
 bool is_written(Role role, const EmitContext& context) {
   const SolverLayout& layout = context.layout;
   if (role == Role::derived_constants) return derived_constant_count(context.programs) > 0;
@@ -127,7 +127,7 @@ bool is_written(Role role, const EmitContext& context) {
   return role != Role::accelerations_chosen || ((!layout.blocks.empty() || layout.balls > 0) && layout.chooses_again);
 }
 
-/// Names the shared laws in the shape of the program around them.
+/// Adds the names of the shared laws to the shape of the program around them.
 void add_laws(const EmitContext& context, ProgramShape& shape) {
   for (std::size_t k = 0; k < context.written.laws.size(); ++k) {
     const SharedLaw& shared = context.written.laws[k];
@@ -150,7 +150,7 @@ void add_laws(const EmitContext& context, ProgramShape& shape) {
   }
 }
 
-/// Arrays that the text of a program only takes where it looks at them.
+/// Arrays that the text of a program takes only if it uses them.
 std::vector<Array> unused_arrays(const Program& program, Role role) {
   std::vector<Array> unused;
   if (!takes_multipliers(program)) unused.push_back(Array::lambda);
@@ -188,7 +188,7 @@ ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
   return shape;
 }
 
-/// The shape with floats in place of doubles. The time stays one, and is narrowed where a program looks at it.
+/// Changes the shape from doubles to floats. The time remains a double, and is narrowed where a program uses it.
 void take_floats(ProgramShape& shape) {
   shape.scalar = Scalar::floats;
   shape.inputs[Array::t].texts = {"static_cast<float>(state.t)"};
@@ -197,8 +197,9 @@ void take_floats(ProgramShape& shape) {
   }
 }
 
-/// The programs whose time counts, unless they are so short that registers and cache hold most of them. All others, and
-/// the matrix form, keep the order of the steps of the method: a person reads them from top to bottom.
+/// Order of the values: for speed in programs whose time matters, unless they are so short that registers and cache
+/// hold most values. All others, and the matrix form, keep the order of the method's steps, for people who read from
+/// top to bottom.
 ValueOrder order_of(Form form, const ShapedProgram& shaped) {
   const bool runs_in_every_step = shaped.role == Role::accelerations || shaped.role == Role::closure ||
                                   shaped.role == Role::tangents || shaped.role == Role::changes;

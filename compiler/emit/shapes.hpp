@@ -1,5 +1,5 @@
 #pragma once
-// The shape of a program's text: its function, and where each slot lives in emitted code.
+// Shape of a program's text: its function, and the place of each slot in emitted code.
 
 #include <map>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace mbgen {
 
-/// Where the slots of one group live.
+/// Places of the slots of one group.
 struct GroupPlace {
   std::string argument;                  ///< function parameter that holds them, "result" for outputs
   std::vector<std::string> texts;        ///< expression of each index, for example "state.z[Coordinate::crank_pin]"
@@ -39,7 +39,7 @@ struct ArrayMember {
   std::string comment;
 };
 
-/// A law that elements share, for the program around it: the struct that they pass each other.
+/// A shared law, for the program around it: the struct that they exchange.
 struct LawShape {
   std::string argument, type;  ///< "tyres", "Tyres"
   std::string lanes;           ///< name of the number of elements that one call computes
@@ -72,10 +72,10 @@ struct Argument {
 /// Of a function, in order.
 using Arguments = std::vector<Argument>;
 
-/// The arguments of a program by its spec but those that hold `unused` arrays.
+/// Arguments of a program by its spec, except arguments that hold `unused` arrays.
 Arguments arguments_of(Role role, const std::vector<Array>& unused = {});
 
-/// Everything about one program but its values.
+/// All properties of one program except its values.
 struct ProgramShape {
   std::string title;                 ///< sentence for the comment
   std::string name;                  ///< "accelerations"
@@ -88,11 +88,11 @@ struct ProgramShape {
   Titles titles = {};               ///< of sections and owners
   Scalar scalar = Scalar::doubles;  ///< of every value but pairs
   std::string elements = {};        ///< type of the elements that vectors of Scalar::elements hold: "Tyres"
-  /// The function takes an array of structs in place of each argument, one a group of instances, and goes part by part.
+  /// The function takes an array of structs for each argument, one per group of instances, and computes part by part.
   bool in_groups = false;
-  /// Argument that is told the end of every section by its number, "" for none: then the parts follow the sections.
+  /// Argument that receives the number of every section at its end, "" for none: then the parts follow the sections.
   std::string clock;
-  /// Names of the model's numbers in the file that this goes into, null: numbers are written as such.
+  /// Names of the model's numbers in the target file, null: numbers are written as literals.
   ConstantNames* constants = nullptr;
   /// Values after which mbgen::read_back() is called, 0: never.
   std::size_t read_back_after = 0;
@@ -105,13 +105,13 @@ struct ProgramShape {
 /// Name of the type of its values: double, LanesTyres.
 std::string type_text(const ProgramShape& shape);
 
-/// A constant of a program as it is written: by its name where it has one.
+/// Text of a constant: its name if it has one.
 std::string constant_text(const Program& program, const Node& node, const ProgramShape& shape);
 
-/// How a program of this shape is scheduled. roll_above: see ScheduleOptions.
+/// Options for scheduling a program of this shape. roll_above: see ScheduleOptions.
 ScheduleOptions schedule_options(const ProgramShape& shape, std::size_t roll_above);
 
-/// One program with all that its text needs.
+/// A program with everything that its text needs.
 struct ShapedProgram {
   const Program* program = nullptr;
   Role role;
@@ -125,19 +125,19 @@ int derived_constant_count(const Programs& programs);
 /// Number of entries of the implicit equations.
 int tangent_count(const Programs& programs);
 
-/// Identifier of each derived constant: that of its body or element; empty where it is none of theirs.
+/// Identifier of each derived constant, after its body or element; empty if it belongs to none.
 std::vector<std::string> derived_constant_names(const Programs& programs);
 
-/// Whether a program looks at an array.
+/// Whether a program reads an array.
 bool takes(const Program& program, Array array);
 
-/// Whether a program looks at multipliers or driving forces.
+/// Whether a program reads multipliers or driving forces.
 bool takes_multipliers(const Program& program);
 
 /// The programs of a solver; programs of closures are left out when there is nothing to close.
 std::vector<ShapedProgram> shaped_programs(const EmitContext& context);
 
-/// The program of accelerations once more, with a clock that is told the end of each step.
+/// The program of accelerations with a clock that receives the end of each step.
 ShapedProgram clocked_accelerations(const EmitContext& context);
 
 }  // namespace mbgen

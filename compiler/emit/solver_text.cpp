@@ -19,8 +19,8 @@ bool runs_rarely(Role role) {
          role == Role::outputs;
 }
 
-/// Gives programs that run rarely the parts 1, 2, ... of the file, each with at least so many values; the rest of the
-/// file is part 0. A file with fewer such values stays whole. Result: the number of parts beside part 0.
+/// Assigns rarely used programs to the parts 1, 2, ... of the file, each with at least so many values; the rest of the
+/// file is part 0. A file with fewer such values is not divided. Result: the number of parts beside part 0.
 int divide_file(std::vector<ShapedProgram>& programs, std::size_t least_values) {
   std::vector<ShapedProgram*> rare;
   std::size_t left = 0;
@@ -43,7 +43,7 @@ int divide_file(std::vector<ShapedProgram>& programs, std::size_t least_values) 
   return part;
 }
 
-/// The arrays of initial_state(). Copied number by number, as a bare target may have no memcpy.
+/// The arrays of initial_state(). They are copied number by number, since a bare target may have no memcpy.
 FrameRows start_rows(const InitialState& initial, Scalar scalar) {
   return mapped(std::array{initial.z, initial.zd, initial.x}, [&](const std::vector<double>& values) {
     std::vector<std::string> items = number_texts(values, scalar);
@@ -53,14 +53,14 @@ FrameRows start_rows(const InitialState& initial, Scalar scalar) {
   });
 }
 
-/// Charts of balls that start in the other one, behind the time; "" where none does.
+/// Charts of balls that start in their other chart, after the time; "" if there are none.
 std::string start_charts(const InitialState& initial, Scalar scalar) {
   if (initial.charts.empty()) return "";
   return fmt::format(", {{{}}}", fmt::join(number_texts(initial.charts, scalar), ", "));
 }
 
-/// 1 for every coordinate that turns and that accelerations or closures look at, else 0; "" where none is. Wheels that
-/// are symmetric about their axis are not: nothing depends on their turn.
+/// 1 for every rotation on which accelerations or closures depend, else 0; "" if there is none. Nothing depends on the
+/// rotation of axisymmetric wheels.
 std::string turning_table(const EmitContext& context) {
   std::vector<double> turning(context.topology.bodies.size(), 0.0);
   bool any = false;
@@ -103,7 +103,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
       {"rare_parts", rare_parts > 1 ? fmt::format("1 to {}", rare_parts) : rare_parts > 0 ? "1" : ""},
       {"all_parts", rare_parts + 1},
       {"for_importers", for_importers},
-      // An FMU looks at turns itself, see mbgen/fmu_turns.hpp.
+      // An FMU checks rotations by itself, see mbgen/fmu_turns.hpp.
       {"turning", for_importers ? "" : turning_table(context)},
       {"pairs", context.in_pairs},
       {"laws", !context.written.laws.empty() && context.options.scalar == Scalar::doubles},

@@ -32,7 +32,7 @@ Items free_direction_items(const EmitContext& context) {
   return items;
 }
 
-/// Coordinates and hand of every ball that has charts.
+/// Coordinates and handedness of every ball that has charts.
 Items ball_items(const Topology& topology) {
   return mapped(topology.balls, [](const Ball& ball) {
     return fmt::format("{{{{{}}}, {}}}", fmt::join(ball.coordinate, ", "), ball.hand);
@@ -60,7 +60,7 @@ std::vector<int> drive_coordinates(const EmitContext& context) {
                 [&](const Motion& motion) { return tree_coordinate(context.topology, motion.joint); });
 }
 
-/// Where each parameter or input is in its struct, to name one that is not finite.
+/// Place of each parameter or input in its struct, for messages on values that are not finite.
 std::string member_table(Scalar scalar, const std::string& structure, const std::string& name, const Items& members) {
   return table(name_of(scalar), structure + "::*" + name, member_places(structure, members), "nullptr");
 }
@@ -127,7 +127,7 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
   }
   const bool has_late = std::find(late.begin(), late.end(), true) != late.end();
   const bool watches_states = context.model.solver.is_implicit() && layout.own_states > 0;
-  // What only closures or loops ask for is left out without them, so that nothing is unused; lanes leave the choice of
+  // Members for closures and loops are left out without them, so that nothing is unused; lanes leave the choice of
   // coordinates at run time to the solver of one instance.
   return {{"blocks", blocks.size()},
           {"free_directions", layout.free_directions},

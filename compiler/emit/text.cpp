@@ -110,7 +110,7 @@ std::string wrapped_statement(const std::string& line) {
   std::string result;
   std::string rest = line;
   while (rest.size() > kLineWidth) {
-    // After a comma where that leaves a line at least half full, else at any space, else beyond the limit.
+    // Breaks after a comma if the line is then at least half full, else at any space, else beyond the limit.
     const std::size_t comma = rest.rfind(", ", kLineWidth - 1);
     std::size_t cut = comma != std::string::npos && comma > kLineWidth / 2 ? comma + 1 : rest.rfind(' ', kLineWidth);
     if (cut == std::string::npos || cut <= margin.size()) cut = rest.find(' ', kLineWidth);

@@ -55,7 +55,7 @@ ValueTexts::ValueTexts(const Program& program, const Schedule& schedule, const P
   name_calls();
 }
 
-// --- names that are given before the first line is written ---
+// --- names given before the first line ---
 
 void ValueTexts::reserve_names() {
   if (shape_.constants != nullptr) {

@@ -1,5 +1,5 @@
 #pragma once
-// How the values of a scheduled program are written: their names, their places in memory, their expressions.
+// Text of the values of a scheduled program: names, places in memory, expressions.
 
 #include <set>
 #include <string>
@@ -21,16 +21,15 @@ struct CallNames {
   std::set<std::string> work;  ///< arguments whose members they are
 };
 
-/// Texts of values, part by part. A value stands for the values at its place in all slices of a loop: the first of them
-/// is asked for.
-/// Fails: throws std::logic_error when a slot has no place in the shape.
+/// Texts of values, part by part. A value represents the values at its place in all slices of a loop; callers pass the
+/// first of them. Fails: throws std::logic_error when a slot has no place in the shape.
 class ValueTexts {
  public:
   using Slices = std::vector<ValueId>;  ///< one value a slice
 
   ValueTexts(const Program& program, const Schedule& schedule, const ProgramShape& shape);
 
-  /// Begins a part: copies of inputs and tables of another one are not seen.
+  /// Begins a part: copies of inputs and tables of other parts are not visible.
   void start_part(const PlaceRange& range);
 
   /// The type of a value, and its name.
@@ -46,41 +45,41 @@ class ValueTexts {
   Phrase compose(const ScheduledUnit& unit, ValueId v, PartText& part);
   /// An operand in every slice of the unit that uses it.
   Phrase phrase_of(const ScheduledUnit& unit, const Slices& values, PartText& part);
-  /// What users of an operation write for it.
+  /// Text of an operation where it is used.
   Phrase& phrase(ValueId v) { return phrases_[v]; }
   /// A result of a call for many arguments.
   Phrase result_phrase(ValueId v, PartText& part);
   Phrase constants_phrase(const Slices& values);
-  /// A plain number where a value is asked for.
+  /// A number for a place that expects a value.
   std::string number(const std::string& text) const;
 
-  /// The label that the value has in all slices, or that of its section and a number.
+  /// The common label of the value in all slices, or its section and a number.
   std::string name_of(ValueId v);
   /// The place in memory of a value that crosses parts, in programs without loops.
   std::string crossing_place(ValueId v, const std::string& name, PartText& part);
-  /// The place of values in the array of a program with loops.
+  /// Place of values in the array of a program with loops.
   std::string stored_place(const Slices& values, PartText& part);
-  /// The place of one slot a slice, all of one group.
+  /// Place of one slot per slice, all of one group.
   std::string slots_text(const Places& places, const std::vector<Slot>& slots, PartText& part);
   const GroupPlace& place_of(const Places& places, const Slot& slot) const;
   std::size_t output_count(ValueId v) const { return outputs_[v].size(); }
-  /// The places of the result that a value goes to.
+  /// Places of the result that receive a value.
   std::vector<std::string> output_texts(ValueId v, PartText& part);
 
-  /// Tables of a loop that is about to be written.
+  /// Declarations of the tables of the next loop.
   std::string table_declarations() { return tables_.declarations(); }
   const CrossingStructs& crossing() const { return crossing_; }
 
  private:
   void reserve_names();
-  /// Where the calls for many arguments leave their results: in a struct when another part needs one of them.
+  /// Names the results of calls for many arguments: in a struct if another part needs one of them.
   void name_calls();
-  /// One more struct of values that cross parts.
+  /// Adds a struct of values that cross parts.
   CrossingStruct& add_crossing();
-  /// The structs of single values, or that of a program with loops.
+  /// Declares the structs of single values, or the struct of a program with loops.
   void declare_crossing();
   Phrase input_phrase(const Slices& values, PartText& part);
-  /// A value in memory that this part reads often, by a name of its own.
+  /// Local copy of a value in memory that this part reads often.
   Phrase copied(ValueId v, const std::string& local, const std::string& place, PartText& part);
 
   const Program& program_;

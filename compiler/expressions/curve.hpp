@@ -35,14 +35,14 @@ T argument_in(const Table& table, const T& argument) {
   return T(table.x.front()) + (1 / turn) * (T(std::numbers::pi) + atan2(-sin(angle), -cos(angle)));
 }
 
-/// What whole periods before it add to y. at: argument_in of the argument.
+/// Rise of y over the whole periods before. at: argument_in of the argument.
 template <class T>
 T rise_before(const Table& table, const T& argument, const T& at) {
   if (!table.periodic || rise_of(table) == 0) return T(0.0);
   return rise_of(table) / width_of(table) * (argument - at);
 }
 
-/// y at the argument. Cost: linear in the number of points, or that of piece_at.
+/// y at the argument. Cost: linear in the number of points, or the cost of piece_at.
 template <class A>
 A value_along(const Table& table, const A& argument) {
   const int count = static_cast<int>(table.x.size());
@@ -92,8 +92,8 @@ TablePiece<T> chosen_piece(const Table& table, const T& at) {
 
 }  // namespace detail
 
-/// The same with derivatives, of a cubic or spline table: the argument chooses the coefficients of its piece. Cost:
-/// six operations per point, or that of piece_at.
+/// The same with derivatives, of a cubic or spline table: the argument chooses the coefficients of its piece. Cost: six
+/// operations per point, or the cost of piece_at.
 template <class T>
 CurvePoint<T> curve_at(const Table& table, const T& argument) {
   const T at = argument_in(table, argument);

@@ -64,7 +64,7 @@ struct ExpressionNode {
   Kind kind = Kind::number;
   Function function = Function::add;  ///< for Kind::call
   double number = 0;                  ///< for Kind::number
-  /// parameter, input or local; of Model::states, then Model::sampled; of Model::springs, then air_springs, then rods
+  /// parameter, input or local; of Model::states, then Model::sampled; of elements with a length, then rods
   int index = -1;
   CoordinateReference coordinate;  ///< for Kind::position and Kind::velocity
   int first = -1, second = -1, third = -1;

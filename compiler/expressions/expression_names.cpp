@@ -14,24 +14,24 @@ namespace mbgen::reading {
 FoundLength find_length(const ExpressionScope& scope, std::string_view name) {
   const Names& names = scope.names;
   FoundLength found;
-  const char* kind = nullptr;
+  std::string kind;
   int first = 0;
   NameMap<int> known;
-  const std::pair<const NameMap<int>*, const char*> lists[] = {
-      {&names.springs, "a spring"}, {&names.air_springs, "an air spring"}, {&names.rods, "a rod"}};
-  for (const auto& [list, kind_of_list] : lists) {
-    const auto element = find_visible(*list, name, scope.visible);
-    if (element != list->end() && kind) {
+  const auto look_in = [&](const NameMap<int>& list, const std::string& kind_of_list) {
+    const auto element = find_visible(list, name, scope.visible);
+    if (element != list.end() && !kind.empty()) {
       found.problem = fmt::format("{} is {} and {}", in_quotes(name), kind, kind_of_list);
       found.hint = "rename one of them";
-    } else if (element != list->end()) {
+    } else if (element != list.end()) {
       found.index = first + element->second;
       kind = kind_of_list;
     }
-    first += static_cast<int>(list->size());
-    known.insert(list->begin(), list->end());
-  }
-  if (kind) return found;
+    first += static_cast<int>(list.size());
+    known.insert(list.begin(), list.end());
+  };
+  for (const LengthNames& list : names.lengths) look_in(list.names, list.kind);
+  look_in(names.rods, "a rod");
+  if (!kind.empty()) return found;
   return {-1, "unknown spring or rod " + in_quotes(name),
           scope.suggest ? did_you_mean(name, known, scope.visible) : ""};
 }
@@ -70,7 +70,10 @@ std::string hint_of_unknown_name(const ExpressionScope& scope, std::string_view 
     return fmt::format("{} is a function, write {}(...)", name, name);
   if (find_coordinate(scope.names, name, scope.visible))
     return fmt::format("coordinates are written z.{} and zd.{}", name, name);
-  if (find_visible(scope.names.springs, name, scope.visible) != scope.names.springs.end())
+  const auto has_it = [&](const LengthNames& list) {
+    return find_visible(list.names, name, scope.visible) != list.names.end();
+  };
+  if (std::any_of(scope.names.lengths.begin(), scope.names.lengths.end(), has_it))
     return fmt::format("lengths of springs and their rates are written length.{} and rate.{}", name, name);
   if (name == "z" || name == "zd") return fmt::format("coordinates are written {}.NAME", name);
   if (!scope.suggest) return {};

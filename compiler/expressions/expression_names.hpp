@@ -10,7 +10,7 @@ namespace mbgen::reading {
 
 /// An element with a length, of length.NAME and rate.NAME.
 struct FoundLength {
-  int index = -1;            ///< of Model::springs, air_springs, then rods; -1: none
+  int index = -1;            ///< of elements with a length, kind by kind, then rods; -1: none
   std::string problem = {};  ///< "" where there is none
   std::string hint = {};
 };
@@ -26,10 +26,10 @@ const char* limit_of(Depends depends);
 /// Hint at the operator that is missing before a word that follows a value.
 std::string hint_after_value(std::string_view word);
 
-/// What to write in place of zdd.NAME.
+/// Replacement for zdd.NAME.
 std::string hint_of_acceleration(std::string_view name);
 
-/// What was probably meant by a name that is no parameter, input, variable or state.
+/// Likely meaning of a name that is no parameter, input, variable or state.
 std::string hint_of_unknown_name(const ExpressionScope& scope, std::string_view name);
 
 }  // namespace mbgen::reading

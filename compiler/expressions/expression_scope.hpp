@@ -1,5 +1,5 @@
 #pragma once
-// What the names of an expression mean, and which of them it may use.
+// Meanings of the names of an expression, and limits on their use.
 
 #include <span>
 #include <string_view>

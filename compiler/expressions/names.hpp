@@ -68,12 +68,18 @@ std::string did_you_mean(std::string_view word, const NameMap<Target>& names, co
   return did_you_mean(word, candidates);
 }
 
+/// Elements of one kind with a length, which expressions see as length.NAME and rate.NAME.
+struct LengthNames {
+  std::string kind;  ///< "a spring"
+  NameMap<int> names = {};
+};
+
 /// Every name that an element may refer to, as the model knows it, with its index in the Model.
 struct Names {
   NameMap<int> later_parameters;  ///< defined, but below the parameter that is being read
   NameMap<int> values;            ///< states, then sampled values
-  NameMap<int> parameters, inputs, bodies, joints, rods, couplings, springs, air_springs, tyre_data, tyres, motions;
-  NameMap<int> joint_springs, bushings, bump_stops, roads;
+  NameMap<int> parameters, inputs, bodies, joints, rods, couplings, tyre_data, motions, roads;
+  std::vector<LengthNames> lengths;                       ///< kind by kind; rods follow them
   std::vector<NameMap<CoordinateReference>> coordinates;  ///< per Level::scope, as they are called there
   std::vector<std::size_t> body_scopes;                   ///< per body: the scope that defines it
   std::vector<NameMap<int>> points;                       ///< per body

@@ -70,7 +70,7 @@ FrameRows unit_definitions(const FmuLayout& fmu) {
   });
 }
 
-/// What variables and unknowns are counted from where they refer to each other: FMI 2 has indices.
+/// First index of variables and unknowns where they refer to each other: FMI 2 has indices.
 int first_index(FmiVersion version) { return version == FmiVersion::two ? 1 : 0; }
 
 /// reference: the variable's value reference.

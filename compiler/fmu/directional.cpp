@@ -9,7 +9,7 @@
 namespace mbgen {
 namespace {
 
-/// What struct Direction holds, in this order.
+/// Members of struct Direction, in this order.
 std::vector<DirectionGroup> direction_groups(const EmitContext& context) {
   using enum Array;
   return direction_of(context.layout, {z, zd, x, t, in, par, zdd, lambda, drive});
@@ -79,7 +79,7 @@ std::string directional_source_text(const EmitContext& context, const Programs& 
   for (const AlongRow& row : rows) {
     const ProgramShape shape = shape_along(context, row);
     Program derived = along(program_of(programs, row.role), direction_groups(context));
-    // What the shape has no place for is not asked for: pivots of the multipliers, what they are made of.
+    // Outputs without a place in the shape are dropped: pivots of the multipliers, and all that these alone need.
     std::erase_if(derived.outputs,
                   [&](const OutputValue& output) { return !shape.outputs.contains(output.slot.group); });
     const Program lean = remove_dead_values(derived);

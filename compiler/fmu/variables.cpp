@@ -38,7 +38,7 @@ void add_parameters_and_inputs(const EmitContext& context, FmuLayout& fmu) {
     add_given({Array::in, i++}, input, fmu_input_name(input.name), "input" + rate, Causality::input, Start::none,
               input.default_value, fmu);
   }
-  // Importers are told which inputs belong together; a derivative that inputs share is that of none.
+  // The description connects an input with its derivative; a derivative that several inputs share belongs to none.
   for (const std::vector<int>& row : input_rows(model.inputs)) {
     for (std::size_t k = 1; k < row.size(); ++k) {
       fmu.variables[static_cast<std::size_t>(first_input + row[k])].derivative_of = first_input + row[k - 1];
@@ -183,7 +183,7 @@ Knowns reached(const Program& program, const Knowns& knowns) {
   return result;
 }
 
-/// Knowns of dependent and driven positions: those that the closure's Newton step looks at, until nothing is added.
+/// Knowns of dependent and driven positions: the knowns of the closure's Newton step, until nothing is added.
 void close_positions(const EmitContext& context, const Programs& programs, const FmuLayout& fmu, Knowns& knowns) {
   for (bool grows = true; grows;) {
     grows = false;
@@ -249,7 +249,7 @@ References references_of(const FmuLayout& fmu) {
   return references;
 }
 
-/// What all numbers of the programs depend on.
+/// Dependencies of all numbers of the programs.
 Knowns dependencies(const EmitContext& context, const Programs& programs, const References& references,
                     const FmuLayout& fmu) {
   Knowns knowns;
@@ -273,8 +273,8 @@ Knowns dependencies(const EmitContext& context, const Programs& programs, const 
   return knowns;
 }
 
-/// What a variable depends on at the initialisation: on start values of coordinates in place of states, and on the
-/// parameters that velocities follow from there in place of these.
+/// Dependencies of a variable at the initialisation: start values of coordinates replace states, and the parameters
+/// that velocities follow from replace velocities.
 std::set<int> at_start(const FmuLayout& fmu, const References& references, const InitialState& initial,
                        const std::set<int>& dependencies) {
   const int first_parameter = static_cast<int>(fmu.variables.size() - initial.parameters.size());

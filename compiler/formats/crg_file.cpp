@@ -73,7 +73,7 @@ std::optional<CrgProblem> read_binary(std::string_view data, CrgHeader& header, 
   return {};
 }
 
-/// The number of a field of data. Result: nothing for what is no number; **** is NaN.
+/// The number of a field of data. Result: none if it is not a number; **** is NaN.
 std::optional<double> number_of_field(std::string_view field, std::size_t line, CrgHeader& header) {
   if (field.starts_with('*')) return kNotANumber;
   const std::optional<CrgNumber> number = crg_number(field);

@@ -13,7 +13,7 @@
 
 namespace mbgen {
 
-/// What a reference line does at its ends.
+/// Ends of a reference line.
 ///   open     it goes straight on for ever
 ///   meeting  its end is its start: sections follow each other in a ring
 ///   apart    end and start go straight on until they meet, `before` and `behind` them

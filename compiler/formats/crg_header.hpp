@@ -50,7 +50,7 @@ struct CrgNumber {
   double value;
   bool is_odd;  ///< written as 2.0+e00, of which the C API reads the 2.0
 };
-/// Exponents are of C or Fortran. Result: nothing for what is no number.
+/// Exponents are of C or Fortran. Result: none if it is not a number.
 std::optional<CrgNumber> crg_number(std::string_view text);
 
 /// That an odd number is read. name: "NAME = ", or nothing.

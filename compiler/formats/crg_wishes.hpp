@@ -1,5 +1,5 @@
 #pragma once
-// What OpenCRG files ask for beside their data: modifiers and options. Source: ASAM OpenCRG 1.2.0, chapters "modifiers"
+// Requests of an OpenCRG file beside its data: modifiers and options. Source: ASAM OpenCRG 1.2.0, chapters "modifiers"
 // and "options".
 
 #include <string>

@@ -61,7 +61,7 @@ RelativeMotion<T> at_rest(const Topology& topology) {
 template <class T>
 void set_relative_motion(System<T>& system, const Kinematics<T>& k, const LoopBlock& block, RelativeMotion<T>& m) {
   for (int i : block.joints) {
-    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
+    const auto heading = within_body(system.scribe, i);
     const int p = system.topology.bodies[i].parent;
     const Spatial<T> below = p == block.base ? Spatial<T>{} : m.velocity[p];
     const Acceleration<T> below_acceleration = p == block.base ? Acceleration<T>{} : m.acceleration[p];
@@ -110,7 +110,7 @@ struct Triad {
 Triad triad(const Vector3& axis);
 /// The same triad, turned the short way until its axis is another one. Requires: not opposite axes.
 Triad bent(const Triad& triad, const Vector3& axis);
-/// The triad that a cut joint fixes on its `to` body; on `from` it is that of its axis.
+/// The triad that a cut joint fixes on its `to` body; on `from` its axis gives the triad.
 Triad triad_on_to(const Joint& joint);
 
 /// Wrench rows of a closure: the row's Jacobian entry is +wrench_from . b for joints that move `from`, -wrench_to . b
@@ -246,7 +246,7 @@ LoopEnd<T> loop_end(const System<T>& system, const Kinematics<T>& k, const Relat
 template <class T>
 std::vector<Row<T>> loop_rows(System<T>& system, const Kinematics<T>& k, const RelativeMotion<T>& motion,
                               const Loop& loop, int frame) {
-  const auto heading = system.scribe.within(OwnerKind::loop, index_in(system.topology.loops, loop));
+  const auto heading = within_loop(system.scribe, index_in(system.topology.loops, loop));
   if (loop.kind == ClosureKind::rod) {
     const RodConstants<T>& rod = system.constants.rods[loop.rod];
     const T length = length_of(system, loop);

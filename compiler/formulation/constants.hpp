@@ -24,7 +24,7 @@ struct Environment {
   std::vector<T> users_z, users_zd;  ///< as the model counts them, for expressions; empty: z and zd
   std::vector<T> locals;
   std::vector<T> states;          ///< of the user's own, then sampled values and what they will be
-  std::vector<T> lengths, rates;  ///< of springs, air springs, rods: m, m/s; those that an expression looks at
+  std::vector<T> lengths, rates;  ///< of springs, air springs, rods: m, m/s; only of elements in expressions
 
   T parameter(int i) const { return parameters[i]; }
   T input(int i) const { return inputs[i]; }
@@ -248,7 +248,7 @@ Constants<T> make_constants(const Model& model, const Topology& topology, const 
   return constants;
 }
 
-/// What rounding may leave of an inertia of zero, in kg m^2 or kg: closed loops cancel velocities of all bodies to some
+/// Limit of the rounding in an inertia of zero, kg m^2 or kg: closed loops cancel velocities of all bodies to some
 /// 1e-16 of theirs, and the inertia is their square. 1e-12 of a velocity leaves its first digits right.
 template <class T>
 double inertia_left_by_rounding(const Constants<T>& constants) {

@@ -21,7 +21,7 @@ struct CouplingEquation {
 /// each of its coordinates and once more.
 template <class T>
 CouplingEquation<T> coupling_equation(const System<T>& system, const Loop& loop) {
-  const auto heading = system.scribe.within(OwnerKind::loop, index_in(system.topology.loops, loop));
+  const auto heading = within_loop(system.scribe, index_in(system.topology.loops, loop));
   const Coupling& coupling = system.model.couplings[loop.coupling];
   std::vector<int> joints;
   std::vector<T> positions;

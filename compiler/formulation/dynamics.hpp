@@ -46,14 +46,14 @@ std::vector<T> tree_forces(System<T>& system, const Kinematics<T>& k, const Iner
   detail::rod_forces(system, k, a, forces);
   std::vector<Spatial<T>> own(n), base(n);
   for (int i = 0; i < n; ++i) {
-    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
+    const auto heading = within_body(system.scribe, i);
     const Spatial<T> inertial =
         inertial_force(m.body[i], velocity_of(system, v, i).angular, acceleration_of(system, a, i));
     (system.layout.bodies[i].own_frame ? own[i] : base[i]) = forces.wrench[i] - inertial;
   }
   std::vector<T> result(n);
   for (int i = n - 1; i >= 0; --i) {
-    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
+    const auto heading = within_body(system.scribe, i);
     const BodyLayout& layout = system.layout.bodies[i];
     if (layout.own_frame) base[i] = base[i] + detail::lowered(k, i, own[i]);
     const Spatial<T>& above = layout.joint_frame == layout.base ? base[i] : own[layout.joint_frame];
@@ -114,7 +114,7 @@ GroupMass<T> group_mass(System<T>& system, const Kinematics<T>& k, const Inertia
   const std::size_t count = group.joints.size();
   GroupMass<T> result;
   for (int i : group.joints) {
-    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
+    const auto heading = within_body(system.scribe, i);
     result.momentum.push_back(m.of_joint(system.layout, i) * k.column[i]);
     name(system.scribe, result.momentum.back(), "F", "N", system.topology.bodies[i].coordinate);
   }

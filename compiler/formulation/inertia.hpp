@@ -97,7 +97,7 @@ Inertias<T> inertias(System<T>& system, const Kinematics<T>& k) {
   m.own.resize(n);
   m.base.resize(n);
   for (int i = 0; i < n; ++i) {
-    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
+    const auto heading = within_body(system.scribe, i);
     m.body[i] = body_inertia(system, k, i);
     (system.layout.bodies[i].own_frame ? m.own[i] : m.base[i]) = about_origin(m.body[i]);
   }
@@ -109,7 +109,7 @@ Inertias<T> inertias(System<T>& system, const Kinematics<T>& k) {
     });
   }
   for (int i = n - 1; i >= 0; --i) {
-    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
+    const auto heading = within_body(system.scribe, i);
     if (system.layout.bodies[i].own_frame) m.base[i] = m.base[i] + moved(k.orientation[i], k.position[i], m.own[i]);
     const int p = system.topology.bodies[i].parent;
     if (p == kGround) continue;

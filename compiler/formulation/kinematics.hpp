@@ -49,7 +49,7 @@ Place<T> place_of(const System<T>& system, const Attachment& at) {
   return place;
 }
 
-/// Origin of a body from that of the body before it, at the reference configuration, m: p_<coordinate>.
+/// Origin of a body relative to the origin of the previous body, at the reference configuration, m: p_<coordinate>.
 template <class T>
 Vector<T> joint_offset(const System<T>& system, int body) {
   const int parent = system.topology.bodies[body].parent;
@@ -66,8 +66,8 @@ Spatial<T> joint_column(bool revolute, const Vector<T>& axis, const Vector<T>& p
   return revolute ? Spatial<T>{cross(pin, axis), axis} : Spatial<T>{axis, {}};
 }
 
-/// Axes of the body before a ball, in chart 1 those that it starts from there: turned by a quarter about its second
-/// axis. back: the axes are seen from the other side of the ball, as rows of what the quarter turns.
+/// Axes of the body before a ball, in chart 1 turned by a quarter about its second axis. back: the axes are seen from
+/// the other side of the ball, as rows of the rotated matrix.
 template <class T>
 Matrix<T> before_ball(const System<T>& system, int ball, const Matrix<T>& axes, bool back = false) {
   const int second = system.topology.balls[ball].coordinate[1];
@@ -89,7 +89,7 @@ struct Turn {
   T angle{0.0};
 };
 
-/// Turn of body i: its joint's, added to that of the body before where the axes are parallel.
+/// Rotation of body i: of its joint, added to the rotation of the previous body if the axes are parallel.
 template <class T>
 Turn<T> turn_of(const System<T>& system, const Kinematics<T>& k, const std::vector<Turn<T>>& turns, int i) {
   const TreeBody& body = system.topology.bodies[i];
@@ -169,7 +169,7 @@ Kinematics<T> kinematics(System<T>& system) {
   k.base_column.resize(n);
   std::vector<detail::Turn<T>> turns(n);
   for (int i = 0; i < static_cast<int>(n); ++i) {
-    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
+    const auto heading = within_body(system.scribe, i);
     turns[i] = detail::turn_of(system, k, turns, i);
     detail::advance_pose(system, k, turns[i], i);
     if (system.layout.bodies[i].chain_start >= 0) detail::own_chain(system, k, i);
@@ -182,7 +182,7 @@ Kinematics<T> kinematics(System<T>& system) {
   return k;
 }
 
-/// Origin of a body from that of its parent, in the axes of its base frame, m.
+/// Origin of a body relative to its parent's origin, in the axes of its base frame, m.
 template <class T>
 Vector<T> offset_from_parent(const System<T>& system, const Kinematics<T>& k, int i) {
   if (system.on_base(i)) return k.position[i];

@@ -83,17 +83,8 @@ std::vector<bool> loaded_bodies(const Model& model, const Topology& topology) {
   const auto load = [&](const Attachment& at) {
     if (const int body = topology.tree_body[at.body]; body != kGround) loaded[body] = true;
   };
-  const auto load_ends = [&](const auto& elements) {
-    for (const auto& element : elements) load(element.from), load(element.to);
-  };
-  load_ends(model.rods);
-  load_ends(model.springs);
-  load_ends(model.air_springs);
-  load_ends(model.bushings);
-  for (const BumpStop& stop : model.bump_stops)
-    if (!stop.is_on_joint()) load(stop.from), load(stop.to);
-  for (const AppliedForce& force : model.forces) load(force.at);
-  for (const Tyre& tyre : model.tyres) load(tyre.centre);
+  for (const Rod& rod : model.rods) load(rod.from), load(rod.to);
+  each_element(model, [&](const auto& element) { each_attachment(connection_of(element), load); });
   return loaded;
 }
 

@@ -12,8 +12,8 @@ namespace mbgen {
 /// the global axes at the reference configuration; the origin of body i's frame is the point of joint i.
 struct BodyLayout {
   bool own_frame =
-      false;           ///< inertia and forces of the body are held in its own frame (a base), else in that of `base`
-  int base = kGround;  ///< nearest frame body below this one
+      false;  ///< inertia and forces of the body are held in its own frame (a base), else in the frame of `base`
+  int base = kGround;         ///< nearest frame body below this one
   int joint_frame = kGround;  ///< frame of the axis of joint i: its base, or the own body that its chain leads to
   int chain_start = -1;  ///< for an own body whose joints are in its frame: first body of the chain of joints, else -1
   bool rotor = false;    ///< symmetric about its joint axis: its inertia needs no rotation

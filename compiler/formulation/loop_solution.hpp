@@ -222,7 +222,7 @@ std::vector<std::vector<T>> frozen_rz(const FrozenFactors<T>& factors, const Loo
 }
 
 /// Rz of every joint group at a position by the frozen order, zdd_star zero. partitions: one LoopPartition per block;
-/// driven: per tree coordinate; quality: per block, that of its factors, for who watches them. Cost: as the closures.
+/// driven: per tree coordinate; quality: per block, of its factors, for monitors. Cost: as the closures.
 template <class T, class Partitions>
 std::vector<GroupProjection<T>> frozen_directions(System<T>& system, const Kinematics<T>& k,
                                                   const Partitions& partitions, const std::vector<bool>& driven,

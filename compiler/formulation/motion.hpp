@@ -91,7 +91,7 @@ Acceleration<T> parent_acceleration(const System<T>& system, const Accelerations
 /// Joint i in the base frame of its body, about the points that motions are about.
 template <class T>
 struct JointSeen {
-  Vector<T> offset;     ///< of the point of the child from that of its parent
+  Vector<T> offset;     ///< of the point of the child from the parent's point
   Vector<T> axis, pin;  ///< pin: from the point of the child
   Spatial<T> column;    ///< motion of the child for a unit rate
   Vector<T> origin;     ///< of the child, from its point
@@ -130,7 +130,7 @@ Velocities<T> velocities(System<T>& system, const Kinematics<T>& k, MotionPoint 
   Velocities<T> v{std::vector<Spatial<T>>(n), std::vector<Spatial<T>>(n), about};
   for (int i = 0; i < n; ++i) {
     const BodyLayout& layout = system.layout.bodies[i];
-    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
+    const auto heading = within_body(system.scribe, i);
     const detail::JointSeen<T> joint = detail::joint_seen(system, k, i, about);
     const Spatial<T> parent = detail::parent_velocity(system, v, i);
     v.base[i] = advanced(Spatial<T>{velocity_at(parent, joint.offset), parent.angular}, joint.column, system.zd(i));
@@ -157,7 +157,7 @@ Accelerations<T> accelerations(System<T>& system, const Kinematics<T>& k, const 
   a.ground.linear = -system.constants.gravity;
   for (int i = 0; i < n; ++i) {
     const BodyLayout& layout = system.layout.bodies[i];
-    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
+    const auto heading = within_body(system.scribe, i);
     const detail::JointSeen<T> joint = detail::joint_seen(system, k, i, v.about);
     Acceleration<T> parent = detail::parent_acceleration(system, a, i);
     parent.linear = parent.at(joint.offset);

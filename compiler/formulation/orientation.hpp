@@ -56,7 +56,7 @@ T angle_of_turn(const Matrix<T>& r, const std::array<int, 3>& sequence, int turn
   }
   const T first = atan2(y, x + T(kTiny));  // not pi where both are zero and have a sign
   if (turn == 0) return first;
-  // Row j of the matrix that is left when the first turn is taken back is that of the third turn alone.
+  // After removal of the first rotation, row j of the matrix is row j of the third rotation.
   const T c = cos(first), s = sign * sin(first);
   const auto left = [&](int column) { return c * entry(r, j, column) + s * entry(r, k, column); };
   return returns ? atan2(-sign * left(k), left(j)) : atan2(sign * left(i), left(j));

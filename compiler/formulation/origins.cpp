@@ -19,20 +19,16 @@ struct AlongAxis {
   bool has_below = false;
 };
 
-/// Every attachment of a force element, rod or cut joint.
+/// Every attachment of a rod, force element or cut joint, those between two bodies first: of equal origins the first
+/// counts.
 template <class Use>
 void for_attachments(const Model& model, const Topology& topology, const Use& use) {
-  const auto use_ends = [&](const auto& elements) {
-    for (const auto& element : elements) use(element.from), use(element.to);
-  };
-  use_ends(model.rods);
-  use_ends(model.springs);
-  use_ends(model.air_springs);
-  use_ends(model.bushings);
-  for (const BumpStop& stop : model.bump_stops)
-    if (!stop.is_on_joint()) use(stop.from), use(stop.to);
-  for (const AppliedForce& force : model.forces) use(force.at);
-  for (const Tyre& tyre : model.tyres) use(tyre.centre);
+  for (const Rod& rod : model.rods) use(rod.from), use(rod.to);
+  for (const bool on_one : {false, true})
+    each_element(model, [&](const auto& element) {
+      const Connection connection = connection_of(element);
+      if (std::holds_alternative<OnBody>(connection) == on_one) each_attachment(connection, use);
+    });
   for (const Loop& loop : topology.loops)
     if (loop.joint >= 0) use(model.joints[loop.joint].from), use(model.joints[loop.joint].to);
 }
@@ -63,7 +59,7 @@ Vector3 centre_of_mass(const Body& body) {
   return at;
 }
 
-/// What each body has along its axis; empty points of bodies that do not slide.
+/// Constants of each body along its axis; empty points of bodies that do not slide.
 std::vector<AlongAxis> numbers_along_axes(const Model& model, const Topology& topology, const Layout& layout) {
   std::vector<AlongAxis> numbers(topology.bodies.size());
   const auto component = [&](int body) {

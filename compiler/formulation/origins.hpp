@@ -7,7 +7,7 @@
 
 namespace mbgen {
 
-/// A coordinate of an origin that is not that of the joint's point.
+/// A coordinate of an origin that differs from the joint's point.
 struct SlidOrigin {
   int component = -1;  ///< along the axis: 0 x, 1 y, 2 z; -1: the origin is the point of the joint
   double value = 0;    ///< m, global at the reference configuration

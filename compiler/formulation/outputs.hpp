@@ -49,25 +49,6 @@ T point_output(const System<T>& system, const SolvedState<T>& s, const PointOutp
 }
 
 template <class T>
-T tyre_output(const TyreResult<T>& tyre, TyreOutput::What what) {
-  switch (what) {
-    case TyreOutput::What::load:
-      return tyre.load;
-    case TyreOutput::What::longitudinal_force:
-      return tyre.fx;
-    case TyreOutput::What::lateral_force:
-      return tyre.fy;
-    case TyreOutput::What::aligning_moment:
-      return tyre.mz;
-    case TyreOutput::What::longitudinal_slip:
-      return tyre.kappa;
-    case TyreOutput::What::lateral_slip:
-      return tyre.alpha;
-  }
-  return T(0.0);
-}
-
-template <class T>
 T coordinate_output(const Topology& topology, const Coordinates<T>& users, const CoordinateOutput& output) {
   const int i = tree_coordinate(topology, output.coordinate);
   if (i < 0) return T(0.0);
@@ -76,32 +57,17 @@ T coordinate_output(const Topology& topology, const Coordinates<T>& users, const
 }
 
 template <class T>
-T spring_output(const SolvedState<T>& s, const SpringOutput& output) {
-  const ElementState<T>& state =
-      output.point_spring >= 0 ? s.forces.springs[output.point_spring] : s.forces.air_springs[output.air_spring];
-  if (output.what == SpringOutput::What::force) return state.force;
-  return output.what == SpringOutput::What::length ? state.length : state.rate;
-}
-
-template <class T>
-T bump_stop_output(const BumpStopState<T>& stop, BumpStopOutput::What what) {
-  if (what == BumpStopOutput::What::force) return stop.force;
-  return what == BumpStopOutput::What::deflection ? stop.penetration : stop.rate;
-}
-
-template <class T>
-T bushing_output(const BushingState<T>& bushing, const BushingOutput& output) {
-  switch (output.what) {
-    case BushingOutput::What::force:
-      return component(bushing.force, output.axis);
-    case BushingOutput::What::moment:
-      return component(bushing.moment, output.axis);
-    case BushingOutput::What::deflection:
-      return component(bushing.deflection, output.axis);
-    case BushingOutput::What::rotation_vector:
-      return component(bushing.rotation, output.axis);
-  }
-  return T(0.0);
+T element_output(const System<T>& system, const AppliedForces<T>& forces, const ElementOutput& output) {
+  T value(0.0);
+  with_kind(output.kind, [&](auto kind) {
+    const auto& element = kind.list(system.model)[output.element];
+    const EnergyWork<T> work{system, forces};
+    if constexpr (requires { stored_energy(work, element); })
+      if (output.quantity == quantity_index(kind, kPotentialEnergy)) return void(value = stored_energy(work, element));
+    if constexpr (requires { shown(state_of(system, forces, element), 0, 0); })
+      value = shown(state_of(system, forces, element), output.quantity, output.axis);
+  });
+  return value;
 }
 
 template <class T>
@@ -150,13 +116,8 @@ struct OutputReader {
   }
   T operator()(const PointOutput& output) const { return point_output(system, s, output); }
   T operator()(const CoordinateOutput& output) const { return coordinate_output(system.topology, users, output); }
-  T operator()(const TyreOutput& output) const { return tyre_output(s.forces.tyres[output.tyre], output.what); }
-  T operator()(const SpringOutput& output) const { return spring_output(s, output); }
-  T operator()(const BushingOutput& output) const { return bushing_output(s.forces.bushings[output.bushing], output); }
-  T operator()(const BumpStopOutput& output) const {
-    return bump_stop_output(s.forces.bump_stops[output.stop], output.what);
-  }
-  T operator()(const StoredEnergyOutput& output) const { return stored_energy_output(system, s.forces, output); }
+  T operator()(const ElementOutput& output) const { return element_output(system, s.forces, output); }
+  T operator()(const StoredEnergyOutput&) const { return stored_energy_of_all(system, s.forces); }
   T operator()(const DriveOutput& output) const { return s.drive_forces[output.motion]; }
   T operator()(const ReactionOutput& output) const { return reaction_output(system, s.kinematics, reactions, output); }
   T operator()(const MultiplierOutput& output) const { return multiplier_output(system.topology, s, output); }

@@ -46,7 +46,7 @@ Turning<T> turning_in(const System<T>& system, const SolvedState<T>& s, int body
           seen(acceleration_of(system, s.accelerations, tree).angular)};
 }
 
-/// Motion of a point less that of another one, as an observer sees it, in the axes of a frame.
+/// Motion of a point relative to another one, as an observer sees it, in the axes of a frame.
 template <class T>
 Vector<T> relative_motion(const System<T>& system, const SolvedState<T>& s, const PointOutput& output, int frame) {
   const Kinematics<T>& k = s.kinematics;
@@ -109,7 +109,7 @@ T rotation_output(const System<T>& system, const SolvedState<T>& s, const Rotati
   return component(in_axes_of_any(system, s.kinematics, frame, motion, output.axes), output.axis);
 }
 
-/// From one point to another, in the axes of a frame at or below those that carry them, m.
+/// From one point to another, in the axes of a frame at or below both carrying frames, m.
 template <class T>
 Vector<T> gap_between(const System<T>& system, const Kinematics<T>& k, const Attachment& from, const Attachment& to,
                       int frame) {

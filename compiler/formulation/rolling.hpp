@@ -43,8 +43,8 @@ MovingVector<T> fixed_on(const End<T>& end, const Vector<T>& direction) {
   return {direction, cross(end.velocity.angular, direction)};
 }
 
-/// Velocity along a direction of the material of `from` less that of `to` at a place that moves over both: the second
-/// derivative has the acceleration of the material that passes there. The residual is zero.
+/// Velocity along a direction of the material of `from` relative to the material of `to`, at a place that moves over
+/// both: the second derivative has the acceleration of the material that passes there. The residual is zero.
 template <class T, template <class> class End>
 auto slip_row(const End<T>& from, const End<T>& to, const MovingVector<T>& place, const MovingVector<T>& along) {
   const End<T> there_from = at(from, place.value), there_to = at(to, place.value);

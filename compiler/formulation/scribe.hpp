@@ -33,6 +33,21 @@ struct Scribe {
   void constant(T&, const Parts&...) {}
 };
 
+/// Values made while the result lives belong to a body of the tree with its coordinate, a loop, or a loop block; index:
+/// into the list of the topology.
+template <class Scribe, class Index>
+[[nodiscard]] auto within_body(Scribe& scribe, Index index) {
+  return scribe.within(OwnerKind::tree_body, static_cast<std::size_t>(index));
+}
+template <class Scribe, class Index>
+[[nodiscard]] auto within_loop(Scribe& scribe, Index index) {
+  return scribe.within(OwnerKind::loop, static_cast<std::size_t>(index));
+}
+template <class Scribe, class Index>
+[[nodiscard]] auto within_block(Scribe& scribe, Index index) {
+  return scribe.within(OwnerKind::loop_block, static_cast<std::size_t>(index));
+}
+
 /// Index of an item of a list.
 template <class Item>
 std::size_t index_in(const std::vector<Item>& list, const Item& item) {

@@ -20,11 +20,10 @@ struct LinearState {
   int index = 0;  ///< tree coordinate, or auxiliary state
 };
 
-/// s' = A s + B u and y = C s + D u for the deviations s of the states, u of the inputs and y of the outputs.
-/// States are the positions of the independent coordinates, their velocities, and the auxiliary states but those that
-/// hold (sampled values); the dependent coordinates follow, so that loops stay closed and driven coordinates at their
-/// motions. Time stands still. Where bodies roll, positions of coordinates whose velocities only rolling gives are
-/// states, too: they follow the independent ones.
+/// s' = A s + B u and y = C s + D u for the deviations s of the states, u of the inputs and y of the outputs. States
+/// are the positions of the independent coordinates, their velocities, and the auxiliary states except sampled values;
+/// the dependent coordinates keep the loops closed, driven coordinates keep their motions, and time is fixed. With
+/// rolling, positions whose velocities follow from rolling only are states too: they come after the independent ones.
 struct LinearSystem {
   std::vector<LinearState> states;
   Eigen::MatrixXd A;            ///< states x states

@@ -2,6 +2,7 @@
 // The door of the linearisation room: the equations of motion for small deviations from one state.
 
 #include <Eigen/Core>
+#include <cmath>
 #include <complex>
 #include <string>
 #include <vector>

@@ -61,7 +61,7 @@ bool comes_before(const Mode& a, const Mode& b) {
 }
 
 /// Units of the states, powers of two, in which the column of A of an auxiliary state is as large as its row outside of
-/// the diagonal: a pressure of 1e6 Pa beside an angle would hide what is zero. Positions and velocities keep theirs.
+/// the diagonal: a pressure of 1e6 Pa beside an angle would hide zeros. Positions and velocities keep their units.
 /// Source: E. E. Osborne, "On Pre-Conditioning of Matrices", Journal of the ACM 7(4), 1960.
 Eigen::VectorXd balancing_units(const LinearSystem& system) {
   Eigen::MatrixXd a = system.A;

@@ -5,6 +5,8 @@
 #include <span>
 #include <utility>
 
+#include "compiler/model/each_friction.hpp"
+
 namespace mbgen {
 namespace {
 
@@ -47,12 +49,12 @@ std::vector<AuxiliaryState> auxiliary_states(const Model& model) {
   }
   for (const Tyre& tyre : model.tyres)
     if (tyre.parking) states.push_back(hidden(tyre.name + "_turn", "rad", kTurn));
-  const auto add_bristle = [&](const FrictionLaw& friction, const std::string& name, const char* unit) {
-    if (friction.has_bristle()) states.push_back(hidden(name + "_bristle", unit, kBristle));
-  };
-  for (const JointFriction& friction : model.frictions)
-    add_bristle(friction, friction.name, unit_of_coordinate(model, friction.joint));
-  for (const SpringFriction& friction : model.spring_frictions) add_bristle(friction, friction.name, "m");
+  each_friction(model, [&](const auto& friction) {
+    if (!friction.has_bristle()) return;
+    const Connection connection = connection_of(friction);
+    const OnCoordinate* on = std::get_if<OnCoordinate>(&connection);
+    states.push_back(hidden(friction.name + "_bristle", on ? unit_of_coordinate(model, on->joint) : "m", kBristle));
+  });
   for (const Bushing& bushing : model.bushings) {
     for (int i = 0; i < kBushingFreedoms; ++i) {
       if (!has_maxwell_branch(bushing, i)) continue;
@@ -82,10 +84,20 @@ int turn_state(const Model& model, std::size_t tyre) {
 
 int first_bristle(const Model& model) { return turn_state(model, model.tyres.size()); }
 
+std::size_t bristle_state(const Model& model, const FrictionLaw& friction) {
+  auto state = static_cast<std::size_t>(first_bristle(model));
+  bool is_before = true;
+  each_friction(model, [&](const FrictionLaw& other) {
+    is_before = is_before && &other != &friction;
+    if (is_before && other.has_bristle()) ++state;
+  });
+  return state;
+}
+
 int slip_state_count(const Model& model) {
-  const auto has_bristle = [](const FrictionLaw& friction) { return friction.has_bristle(); };
-  return first_bristle(model) + static_cast<int>(std::ranges::count_if(model.frictions, has_bristle) +
-                                                 std::ranges::count_if(model.spring_frictions, has_bristle));
+  int count = first_bristle(model);
+  each_friction(model, [&](const FrictionLaw& friction) { count += friction.has_bristle() ? 1 : 0; });
+  return count;
 }
 
 std::vector<std::string> auxiliary_state_names(const Model& model) {

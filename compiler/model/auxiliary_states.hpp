@@ -1,8 +1,9 @@
 #pragma once
 // Auxiliary states of a model, in their order: two slip deflections per tyre (m), the turn of each tyre whose patch has
 // a moment against turning (rad), the deflection of each bristle of a friction (rad or m, those on coordinates first),
-// the extension of the spring of each Maxwell branch of a bushing (m or rad), the states of the user's own, the sampled
-// values, those of the user before the loads that press frictions, and what sampled values with a delay will be.
+// the extension of the spring of each Maxwell branch of a six-freedom element (m or rad), the states of the user's own,
+// the sampled values, those of the user before the loads that press frictions, and what sampled values with a delay
+// will be.
 
 #include <optional>
 #include <string>
@@ -29,8 +30,8 @@ int auxiliary_state_count(const Model& model);
 /// themselves; the others then have the values at which their rates vanish.
 int slip_state_count(const Model& model);
 
-/// Place of the first extension of a bushing's Maxwell branches; they follow bushing after bushing.
-int first_extension(const Model& model, std::size_t bushing);
+/// Place of the first extension of the Maxwell branches of an element of six freedoms; they follow element by element.
+int first_extension(const Model& model, std::size_t element);
 
 /// Names of the auxiliary states.
 std::vector<std::string> auxiliary_state_names(const Model& model);
@@ -58,7 +59,9 @@ double magnitude_of(const AuxiliaryState& state);
 int first_turn(const Model& model);
 int turn_state(const Model& model, std::size_t tyre);
 
-/// The first state of the bristles.
+/// The first state of the bristles, and the state of a friction. Requires: it is one of the model's; where it has no
+/// bristles its state is that of the next.
 int first_bristle(const Model& model);
+std::size_t bristle_state(const Model& model, const FrictionLaw& friction);
 
 }  // namespace mbgen

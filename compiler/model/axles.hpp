@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/model/elements.hpp"
+#include "compiler/model/bodies.hpp"
 
 namespace mbgen {
 
@@ -18,7 +18,7 @@ struct AxleWheel {
   bool is_there() const { return centre.body >= 0; }
 };
 
-/// What carries the reaction of a torque about the spin axis of a wheel.
+/// Part that carries the reaction of a torque about the spin axis of a wheel.
 enum class TorqueSupport { carrier, body };
 
 /// An axle of a vehicle that drives along global x at the reference, z up. With one wheel the other side is its mirror.

@@ -8,9 +8,9 @@ namespace mbgen {
 /// Calls use(friction) for frictions on coordinates, then along springs, then in the ends of rods.
 template <class Use>
 void each_friction(const Model& model, const Use& use) {
-  for (const JointFriction& friction : model.frictions) use(friction);
-  for (const SpringFriction& friction : model.spring_frictions) use(friction);
-  for (const RodFriction& friction : model.rod_frictions) use(friction);
+  each_element(model, [&](const auto& element) {
+    if constexpr (std::is_base_of_v<FrictionLaw, std::decay_t<decltype(element)>>) use(element);
+  });
 }
 
 }  // namespace mbgen

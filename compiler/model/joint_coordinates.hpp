@@ -8,7 +8,7 @@
 
 namespace mbgen {
 
-/// What a joint that is written so has as coordinates.
+/// Coordinates of a type of joint, by the fields that are written.
 struct JointCoordinates {
   JointType type;
   std::string_view written;     ///< fields that the names depend on, as in a model; empty where there are none

@@ -1,5 +1,5 @@
 #pragma once
-// What the values of a model look at while it moves.
+// Kinds of nodes that the expressions of a model mention.
 
 #include <algorithm>
 #include <initializer_list>

@@ -7,10 +7,9 @@
 
 #include "compiler/expressions/parameter.hpp"
 #include "compiler/model/axles.hpp"
-#include "compiler/model/bump_stops.hpp"
-#include "compiler/model/bushings.hpp"
-#include "compiler/model/elements.hpp"
+#include "compiler/model/element_kinds.hpp"
 #include "compiler/model/outputs.hpp"
+#include "compiler/model/relations.hpp"
 #include "compiler/model/roads.hpp"
 #include "compiler/model/states.hpp"
 #include "compiler/model/vehicle.hpp"

@@ -63,10 +63,12 @@ struct CoordinateOutput {
 struct ExpressionOutput {
   Quantity value;
 };  ///< over t, parameters, inputs, coordinates
-struct TyreOutput {
-  enum class What { load, longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip };
-  What what = What::load;
-  int tyre = -1;  ///< index into Model::tyres
+/// A quantity of an element.
+struct ElementOutput {
+  int kind = -1;     ///< place in ElementKinds
+  int element = -1;  ///< index into the model's list of that kind
+  int quantity = 0;  ///< index into the quantities of the kind
+  int axis = 0;      ///< 0 x, 1 y, 2 z, of a quantity of three components, in the element's own axes
 };
 /// Angles of a wheel to the axes of a vehicle: x forward, y to the left, z up.
 struct WheelOutput {
@@ -77,30 +79,9 @@ struct WheelOutput {
   double side = 1;          ///< 1 for a wheel on the left of the vehicle or in its middle, -1 on its right
   Attachment lower, upper;  ///< points of the steering axis, for caster and kingpin inclination
 };
-struct SpringOutput {
-  enum class What { force, length, rate };
-  What what = What::force;
-  int point_spring = -1, air_spring = -1;  ///< one of them
-};
-/// A component in the bushing's axes on `from`: what acts on `to` at its point, or the deflection.
-struct BushingOutput {
-  enum class What { force, moment, deflection, rotation_vector };
-  What what = What::force;
-  int bushing = -1;  ///< index into Model::bushings
-  int axis = 0;      ///< 0 x, 1 y, 2 z; of a mirrored bushing counted as its freedoms are
-};
-struct BumpStopOutput {
-  enum class What { force, deflection, rate };  ///< deflection: beyond the clearance, negative before
-  What what = What::force;
-  int stop = -1;  ///< index into Model::bump_stops
-};
-/// Potential energy of springs, joint springs, bushings and bump stops: work of their elastic forces, J, zero where a
-/// spring has its natural length, a joint spring is at `free`, and a bushing or a bump stop has no deflection.
-struct StoredEnergyOutput {
-  enum class Of { all, spring, joint_spring, bushing, bump_stop };
-  Of of = Of::all;
-  int element = -1;  ///< index into the list of the model; -1 for all
-};
+/// Potential energy of all elastic elements: work of their elastic forces, J, zero where an element is without them
+/// but for a preload.
+struct StoredEnergyOutput {};
 struct DriveOutput {
   int motion = -1;
 };  ///< generalised driving force of a motion
@@ -129,9 +110,8 @@ struct Output {
   std::string name;
   Where where;
   std::string unit;
-  std::variant<ExpressionOutput, PointOutput, CoordinateOutput, TyreOutput, SpringOutput, DriveOutput, ReactionOutput,
-               MultiplierOutput, RotationOutput, MomentumOutput, PointsOutput, WheelOutput, BushingOutput,
-               BumpStopOutput, StoredEnergyOutput>
+  std::variant<ExpressionOutput, PointOutput, CoordinateOutput, ElementOutput, StoredEnergyOutput, DriveOutput,
+               ReactionOutput, MultiplierOutput, RotationOutput, MomentumOutput, PointsOutput, WheelOutput>
       source;
   Presentation shown = {};
 };

@@ -20,7 +20,7 @@ struct RoadStretch {
   std::optional<Quantity> right, left;  ///< m; none: as wide as the road
 };
 
-/// What stands out of a road, or is missing in it. u: m from the beginning, L its length, h its height.
+/// Obstacle on a road, or a gap in it. u: m from the beginning, L its length, h its height.
 ///   bump     h sin^2(pi u / L)
 ///   plank    h, with ramps of length r at both ends: h (3 q^2 - 2 q^3), q = u / r; steps where r is 0
 ///   pothole  a plank that goes down
@@ -61,8 +61,7 @@ struct RoadTracks {
 
 struct CrgRoad;
 
-/// What lies beyond a border of a grid: its height on and on, height 0, the grid again, its mirror image, or nothing: a
-/// height that is no number.
+/// Heights beyond a border of a grid: the border's own, 0, the grid again, its mirror image, or none: not a number.
 enum class RoadBorder { keep, zero, repeat, reflect, refuse };
 const char* name_of(RoadBorder border);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/model/elements.hpp"
+#include "compiler/model/elements/tyre.hpp"
 
 namespace mbgen {
 

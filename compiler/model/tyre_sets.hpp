@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "compiler/model/elements.hpp"
+#include "compiler/model/elements/tyre.hpp"
 #include "mbgen/tyres/mf61_set.hpp"
 #include "mbgen/tyres/pac2002.hpp"
 

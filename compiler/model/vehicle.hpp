@@ -1,5 +1,5 @@
 #pragma once
-// What of a model is its vehicle: for manoeuvres. Without effect on the motion.
+// Parts of a model that are its vehicle: for manoeuvres. Without effect on the motion.
 
 #include <optional>
 

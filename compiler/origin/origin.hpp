@@ -42,22 +42,20 @@ enum class OwnerKind : std::uint8_t {
   loop_block,
   body,  ///< of the model, as the next
   joint,
-  spring,
-  air_spring,
-  joint_spring,
-  friction,
-  spring_friction,
-  rod_friction,
-  joint_force,
-  force,
-  tyre,
-  bushing,
-  bump_stop,
   motion,
   output,
   state,
-  sampled
+  sampled,
+  element  ///< of the first kind in the model's list; those of the next kinds follow, see owner_of_kind
 };
+
+/// Elements of the kind at a place of the model's list, which nobody below the model knows.
+constexpr OwnerKind owner_of_kind(int place) {
+  return static_cast<OwnerKind>(static_cast<int>(OwnerKind::element) + place);
+}
+
+/// Place of the kind in the model's list; negative for owners that are no elements.
+constexpr int place_of_kind(OwnerKind kind) { return static_cast<int>(kind) - static_cast<int>(OwnerKind::element); }
 
 /// A part of the mechanism.
 struct Owner {

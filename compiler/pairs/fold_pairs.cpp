@@ -174,7 +174,7 @@ class Folding {
     to = to == kNoValue ? signed_value(term, sign) : builder_.append(sign < 0 ? Op::subtract : Op::add, to, term);
   }
 
-  /// Left and right are summed in lanes; what is alone comes first.
+  /// Left and right are summed in lanes; single values come first.
   ValueId sum(ValueId v) {
     std::vector<std::pair<ValueId, int>> numbers;
     std::map<int, std::vector<std::pair<ValueId, int>>> pairs;  // by parity

@@ -9,7 +9,7 @@
 
 namespace mbgen {
 
-/// What the mirror makes of a value. "At the image" means: with inputs as the mirror makes them.
+/// Mirror image of a value. "At the image" means: with inputs as the mirror makes them.
 struct MirrorImage {
   enum class Kind : std::uint8_t {
     unknown,  ///< no other value is its image, and an input that it needs has none
@@ -29,7 +29,7 @@ struct SignedTerm {
   int sign = 1;
 };
 
-/// What pairs may be made of.
+/// Values that pairs may be made of.
 struct PairedValues {
   std::vector<MirrorImage> images;  ///< one per value
   /// Twins, where there are no mirror images: per value that is the earlier twin, the operands of the other one, each
@@ -38,7 +38,7 @@ struct PairedValues {
   std::vector<std::array<SignedTerm, 3>> beside = {};
 
   bool are_twins() const { return !beside.empty(); }
-  /// Whether the pair of a value holds what is beside it.
+  /// Whether the pair of a value holds the other term.
   bool are_one_pair(ValueId a, const SignedTerm& b) const {
     const MirrorImage &one = images[a], &other = images[b.value];
     return one.kind == MirrorImage::Kind::paired && other.kind == MirrorImage::Kind::paired &&

@@ -95,7 +95,7 @@ class TwinSigns {
     if (op == Op::sqrt) signs_.agree(of_operand(v, 0), kPlus);
   }
 
-  /// s p_k = whether operand k is subtracted in one only: what is known decides s, what is open follows.
+  /// s p_k = whether operand k is subtracted in one only: known operands determine s, and s the open ones.
   void find_of_sum(ValueId v) {
     Sign sign = signs_.open(v);
     for (const bool is_known : {true, false})
@@ -121,7 +121,7 @@ class TwinSigns {
     signs_.set(v, {first.first == Signs::kKnown ? second.first : first.first, first.second * second.second});
   }
 
-  /// What operand k of the other one is multiplied by in the pair that holds both.
+  /// Factor of operand k of the other value in the pair that holds both.
   int sign_beside(ValueId v, int k) const {
     const Op op = program_.nodes[v].op;
     const int sign = signs_.settled(v);

@@ -23,7 +23,7 @@ bool are_one_operation(const Node& a, const Node& b) { return a.op == b.op || (i
 /// Whether operands of two that are one operation may be turned.
 bool are_turned(const Node& a) { return is_sum(a) || is_commutative(a.op); }
 
-/// Pairs twins by what is alike around them.
+/// Pairs twins by the similarity of their operands and users.
 class TwinFinder {
  public:
   TwinFinder(const Program& program, std::span<const TwinInput> inputs)
@@ -57,7 +57,7 @@ class TwinFinder {
   }
 
  private:
-  /// What is alike to one other value alone comes first: that tells which of several the others are alike to.
+  /// Values with one candidate come first: their twins decide between the candidates of the others.
   void find() {
     bool takes_nearest = false;
     for (int round = 0; round < kRounds; ++round) {
@@ -127,8 +127,8 @@ class TwinFinder {
     return best;
   }
 
-  /// The twin of v, kNoValue when nothing is alike or what is alike is more like another one; where several are alike,
-  /// only with `takes_nearest`.
+  /// The twin of v, kNoValue if nothing is similar or the most similar value is more similar to another one; if several
+  /// are equally similar, only with `takes_nearest`.
   ValueId best_match(ValueId v, bool takes_nearest) const {
     const Match match = most_like(v);
     if (match.twin == kNoValue || (!match.is_alone && !takes_nearest)) return kNoValue;

@@ -8,9 +8,9 @@
 namespace mbgen {
 
 /// The twins of a program: pairs of a value and its twin, the later one crossed, signs all 1; other values are unknown.
-/// Found by structure, from twin inputs on: users of twins that are the same operation, with other operands that are
-/// one value, twins, constants or alike themselves. Any twins are sound: those that need what the others give are left
-/// out, and inputs of parts that are not equal have few twins among their users.
+/// Found by structure, from twin inputs on: users of twins with the same operation, whose other operands are one value,
+/// twins, constants or similar themselves. Any twins are sound. Twins that depend on each other are left out, and
+/// inputs of unequal parts have few twins among their users.
 PairedValues twin_values(const Program& program, std::span<const TwinInput> inputs);
 
 }  // namespace mbgen

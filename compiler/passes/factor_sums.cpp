@@ -30,7 +30,7 @@ constexpr std::size_t kProbes = 2;
 /// Times the bound of its roundings before: the most that a sum may have, at every probe.
 constexpr double kMostOfSums = 2;
 
-/// Bounds of the roundings at one ordinary state, of the program as it was and of what is written of it.
+/// Rounding bounds at one ordinary state, of the original program and of its factored part.
 struct SumProbe {
   RoundedValues before, now;
 };

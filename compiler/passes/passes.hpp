@@ -36,8 +36,8 @@ Program write_shorter_forms(const Program& program);
 ///   =>   %4 = constant 1; %5 = div %4 %3; %6 = mul %0 %5; %7 = mul %1 %5; %8 = mul %2 %5
 Program merge_divisions(const Program& program);
 
-/// Bytes of code, about, that a program without calls takes once its products are in sums: what is compared where
-/// programs of the same values compete.
+/// Approximate bytes of code of a program without calls, with products fused into sums, for the comparison of programs
+/// with the same values.
 long size_of_code(const Program& program);
 
 /// Writes every sum as one chain: terms that cancel leave it, constants become one, a factor that several products

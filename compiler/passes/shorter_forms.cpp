@@ -12,12 +12,13 @@
 namespace mbgen {
 namespace {
 
-/// Values looked at below one: with 10 the truck keeps 19 operations that 30 take off, 100 take off no more.
+/// Number of nearest values that are tried below a value: 30 save 19 operations of the truck more than 10, 100 save
+/// none in addition.
 constexpr std::size_t kMostLeaves = 30;
-constexpr std::size_t kMostFreed = 100;  ///< values that may go with one: more are not looked at
+constexpr std::size_t kMostFreed = 100;  ///< values that may be freed with one: more are not tried
 constexpr std::size_t kTriedStates = 2;
-/// Times the roundings of a value that those of another form of it may amount to: a difference of large numbers is
-/// none.
+/// Largest ratio of the rounding of another form to the rounding of the value: it excludes differences of large
+/// numbers.
 constexpr double kMoreRounding = 2;
 
 /// An operation on values known earlier.
@@ -67,7 +68,7 @@ class ShorterForms {
   }
 
  private:
-  /// Cost of what is needed for one more use of a value; all that got a use goes into `changed`.
+  /// Cost of one more use of a value; values that got a use are added to `changed`.
   int take(ValueId value, std::vector<ValueId>& changed) {
     int cost = 0;
     std::size_t next = changed.size();
@@ -112,7 +113,7 @@ class ShorterForms {
     return value < v ? value : kNoValue;
   }
 
-  /// No more rounding than twice that of the value as it stands.
+  /// Whether its rounding is at most twice the rounding of the value's present form.
   bool is_accurate(const Form& form, ValueId v) const {
     return std::ranges::all_of(rounded_, [&](const std::vector<Rounded>& all) {
       constexpr double kUnit = 0x1p-52;
@@ -145,7 +146,7 @@ class ShorterForms {
     return forms;
   }
 
-  /// What the operands of a form cost beside what is there.
+  /// Additional cost of the operands of a form.
   int cost_of_operands(const Form& form) {
     std::vector<ValueId> taken;
     const int cost = take(form.first, taken) + take(form.second, taken);

@@ -63,8 +63,8 @@ std::vector<Rank> ranks_of_nodes(const Program& program, std::span<const std::ui
 
 bool is_labelled(const Node& node) { return node.op != Op::constant && node.label >= 0; }
 
-/// Where the walk of a moment begins: at its values with names, in the order of naming, then at those that no other
-/// value of the moment needs.
+/// Starting points of the walk of a moment: its named values, in the order of naming, then values without users in the
+/// moment.
 std::vector<ValueId> starts_of_moments(const Program& program, std::span<const std::uint32_t> moments,
                                        std::span<const Rank> ranks) {
   std::vector<bool> is_start(program.nodes.size(), true);

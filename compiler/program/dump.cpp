@@ -36,12 +36,13 @@ std::string text_of(const Section& section) {
 }
 
 std::string text_of(const Owner& owner) {
-  constexpr const char* kKinds[] = {
-      "",           "tree_body",    "loop",      "loop_block",      "body",         "joint",       "spring",
-      "air_spring", "joint_spring", "friction",  "spring_friction", "rod_friction", "joint_force", "force",
-      "tyre",       "bushing",      "bump_stop", "motion",          "output",       "state",       "sampled"};
-  static_assert(std::size(kKinds) == static_cast<std::size_t>(OwnerKind::sampled) + 1);
-  return owner.kind == OwnerKind::none ? "" : fmt::format("{} {}", kKinds[static_cast<int>(owner.kind)], owner.index);
+  constexpr const char* kKinds[] = {"",      "tree_body", "loop",   "loop_block", "body",
+                                    "joint", "motion",    "output", "state",      "sampled"};
+  static_assert(std::size(kKinds) == static_cast<std::size_t>(OwnerKind::element));
+  if (owner.kind == OwnerKind::none) return "";
+  if (const int kind = place_of_kind(owner.kind); kind >= 0)
+    return fmt::format("element {} of kind {}", owner.index, kind);
+  return fmt::format("{} {}", kKinds[static_cast<int>(owner.kind)], owner.index);
 }
 
 std::string dump(const Program& program, const Titles& titles) {

@@ -1,6 +1,7 @@
 #include "compiler/program/function_field.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/program/arithmetic.hpp"
 
@@ -136,7 +137,7 @@ void FunctionField::invert_first_parts() {
   inverse_parts_ = first_parts_of_inverses(residues);
 }
 
-/// Exponents combined one by one, those that are missing being 0.
+/// Combines exponents one by one; missing ones are 0.
 template <class Combine>
 FunctionField::Exponents FunctionField::combined(const Exponents& a, const Exponents& b, const Combine& combine) {
   Exponents result;

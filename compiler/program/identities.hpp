@@ -7,7 +7,7 @@
 
 namespace mbgen {
 
-/// What a value is: zero, an earlier value or its negative; itself when `first` is its own number.
+/// Identity of a value: zero, an earlier value or its negative; itself when `first` is its own number.
 struct Identity {
   ValueId first = kNoValue;
   int sign = 1;  ///< 1, -1, or 0 for zero

@@ -1,5 +1,5 @@
 #pragma once
-// Kinds of values, and those that the result needs.
+// Kinds of values, and the values that the result needs.
 
 #include "compiler/program/program.hpp"
 

@@ -36,7 +36,7 @@ Vector3 read_end(Reader& reader, const Value& value) {
   return constant_position(reader, value, "point " + in_quotes(value.text), position_here(reader, 0, in_model));
 }
 
-/// What a message calls the ends.
+/// Name of the ends in messages.
 std::string ends_text(const AxisFields& axis) {
   const bool are_named = axis.from->kind == Value::Kind::text && axis.to->kind == Value::Kind::text;
   return are_named ? fmt::format("{} and {}", in_quotes(axis.from->text), in_quotes(axis.to->text)) : "its two points";

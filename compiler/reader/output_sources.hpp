@@ -12,10 +12,70 @@
 
 namespace mbgen::reading {
 
-/// An output has one of them.
-constexpr std::array<std::string_view, 15> kOutputSources = {
-    "expression",   "point",   "points",    "body",     "bodies", "joint",    "tyre",      "spring",
-    "joint_spring", "bushing", "bump_stop", "elements", "motion", "reaction", "multiplier"};
+/// In the order of Quantities.
+inline constexpr std::array<std::string_view, 29> kQuantityWords = {"position",
+                                                                    "velocity",
+                                                                    "acceleration",
+                                                                    "load",
+                                                                    "longitudinal_force",
+                                                                    "lateral_force",
+                                                                    "aligning_moment",
+                                                                    "longitudinal_slip",
+                                                                    "lateral_slip",
+                                                                    "force",
+                                                                    "length",
+                                                                    "rate",
+                                                                    "moment",
+                                                                    "distance",
+                                                                    "angle",
+                                                                    "rotation_vector",
+                                                                    "quaternion",
+                                                                    "angular_velocity",
+                                                                    "angular_acceleration",
+                                                                    "kinetic_energy",
+                                                                    "potential_energy",
+                                                                    "momentum",
+                                                                    "angular_momentum",
+                                                                    "toe",
+                                                                    "camber",
+                                                                    "steer_angle",
+                                                                    "caster",
+                                                                    "kingpin_inclination",
+                                                                    "deflection"};
+
+/// Calls use(KindOf<Kind>{}) for the first kind of every source that is an element and shows something.
+template <class Use>
+constexpr void each_element_source(const Use& use) {
+  int index = 0;
+  each_kind([&](auto kind) {
+    bool is_first = kind.quantities.size() > 0;
+    int before = 0;
+    each_kind([&](auto other) {
+      if (before++ < index && source_key(other) == source_key(kind)) is_first = false;
+    });
+    ++index;
+    if (is_first) use(kind);
+  });
+}
+
+/// An output has one of them. Tyres, whose outputs are those of their wheels too, stand before the other elements.
+constexpr auto kOutputSources = [] {
+  constexpr std::string_view before[] = {"expression", "point", "points", "body", "bodies", "joint", "tyre"};
+  constexpr std::string_view after[] = {"elements", "motion", "reaction", "multiplier"};
+  constexpr std::size_t elements = [] {
+    std::size_t count = 0;
+    each_element_source([&](auto kind) { count += source_key(kind) == "tyre" ? 0 : 1; });
+    return count;
+  }();
+  std::array<std::string_view, std::size(before) + elements + std::size(after)> sources;
+  std::size_t next = 0;
+  for (const std::string_view key : before) sources[next++] = key;
+  each_element_source([&](auto kind) {
+    if (source_key(kind) != "tyre") sources[next++] = source_key(kind);
+  });
+  for (const std::string_view key : after) sources[next++] = key;
+  return sources;
+}();
 
 /// Of a point or a coordinate.
 inline constexpr std::array kMotionQuantities = {Quantities::position, Quantities::velocity, Quantities::acceleration};
@@ -55,8 +115,11 @@ Resolved body_output(Reader& reader, const Value& value, const OutputFields& out
 Resolved bodies_output(Reader& reader, const Value& value, const OutputFields& output);
 Resolved wheel_output(Reader& reader, const Value& value, const OutputFields& output, Quantities quantity);
 
-/// Energy that an element, or all of them, holds; complains where a force of one is not integrated.
-Resolved stored_energy_output(Reader& reader, const Value& value, const StoredEnergyOutput& source);
+/// A quantity of the element that a source names; fails where its force is not integrated and its energy is asked for.
+Resolved element_output(Reader& reader, const Value& value, const OutputFields& output, std::string_view source);
+
+/// Energy that all elements hold; likewise.
+Resolved elements_output(Reader& reader, const Value& value, const OutputFields& output);
 
 /// Unit of a position, velocity or acceleration.
 const char* motion_unit(bool rotation, Quantities quantity);

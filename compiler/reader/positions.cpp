@@ -38,7 +38,7 @@ std::optional<std::string> tunable_parameter(const Model& model, const Vector3Qu
   return {};
 }
 
-/// What the point of a body at a hardpoint is called: as the scope of the body calls the hardpoint, if no other is.
+/// Name of a body's point at a hardpoint: the hardpoint's name in the scope of the body, unless it is taken.
 std::string name_of_point(const Reader& reader, const Hardpoint& hardpoint, int body) {
   const Level& level = reader.scopes[reader.names.body_scopes[static_cast<std::size_t>(body)]].visible.front();
   const std::vector<Point>& points = reader.model.bodies[static_cast<std::size_t>(body)].points;

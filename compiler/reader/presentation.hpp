@@ -10,6 +10,18 @@ namespace mbgen::reading {
 
 constexpr std::size_t kLongestDescription = 4096;
 
+/// "springs, tyres and forces". Requires: there are some.
+inline std::string enumeration(const std::vector<std::string>& names) {
+  std::string text = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) text += (i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
+/// A text for people.
+inline FieldInfo prose_field(std::string_view name, std::string_view doc) {
+  return {.name = name, .shape = Shape::text, .doc = doc, .longest = kLongestDescription};
+}
+
 /// The rows of Presentation, for the table of a kind that has it.
 template <class F>
 std::array<Field<F>, 5> presentation_fields() {

@@ -13,15 +13,23 @@
 
 namespace mbgen::reading {
 
+/// The section of a kind of element, used of the first kind in it.
+template <class Kind>
+struct SectionOf {
+  const Value *section = nullptr;
+};
+template <class List>
+struct SectionsOf;
+template <class... Kind>
+struct SectionsOf<Kinds<Kind...>> : SectionOf<Kind>... {};
+
 /// The whole file: its sections, read later because each needs the names of those before it.
-struct FileFields : About {
+struct FileFields : About, SectionsOf<ElementKinds> {
   std::size_t document = 0;  ///< index into Documents
   const Value *format = nullptr, *name = nullptr, *gravity = nullptr, *include = nullptr;
   const Value *hardpoints = nullptr;
   const Value *parameters = nullptr, *inputs = nullptr, *bodies = nullptr, *joints = nullptr, *rods = nullptr;
-  const Value *springs = nullptr, *joint_springs = nullptr, *frictions = nullptr, *air_springs = nullptr;
-  const Value *bushings = nullptr, *bump_stops = nullptr;
-  const Value *forces = nullptr, *joint_forces = nullptr, *tyre_data = nullptr, *tyres = nullptr, *motions = nullptr;
+  const Value *tyre_data = nullptr, *motions = nullptr;
   const Value *axles = nullptr, *vehicle = nullptr;
   const Value *roads = nullptr;
   const Value *couplings = nullptr, *states = nullptr, *sampled = nullptr;
@@ -98,37 +106,6 @@ struct ReactionFields {
 struct SampledValueFields : SampledValue, Presentation, ReactionFields {
   const Value *written = nullptr;
   double written_delay = 0;
-};
-
-/// Friction on a coordinate, along a spring or in the ball at the end of a rod.
-struct FrictionFields : FrictionLaw, ReactionFields {
-  std::string name;
-  Where where;
-  std::optional<CoordinateReference> joint;
-  std::optional<std::string> spring, rod, pressing_spring;
-  std::optional<ReactionOutput::End> end;
-  std::optional<double> period;
-};
-
-struct AirSpringFields : AirSpring {
-  Law written_volume;
-};
-
-/// A bushing with axes as written, in the frame of `from`; its freedoms are read when they are told apart.
-struct BushingFields : Bushing {
-  std::optional<Vector3> written_axis, axis2;
-  const Value *tx = nullptr, *ty = nullptr, *tz = nullptr, *rx = nullptr, *ry = nullptr, *rz = nullptr;
-  const Value *radial = nullptr, *conical = nullptr;  ///< tx and ty, rx and ry
-  const Value *written_stiffness = nullptr, *written_damping = nullptr;
-};
-
-/// A bump stop as written, with where it is still open.
-struct BumpStopFields : BumpStop {
-  std::optional<Attachment> written_from, written_to;
-  std::optional<std::string> spring;
-  std::optional<CoordinateReference> written_joint;
-  std::optional<Vector3> written_axis;
-  std::optional<Side> written_side;
 };
 
 struct TyreDataFields {
@@ -233,10 +210,20 @@ enum class Letter { x, y, z, w };
 
 enum class Turn { first, second, third };
 
-/// What an output of several bodies or elements is of.
+/// Bodies or elements of an output of several.
 enum class BodySet { all };
 
-struct OutputFields : Presentation {
+/// Name of the element of a kind that an output is of.
+template <class Kind>
+struct SourceName {
+  std::optional<std::string> element;
+};
+template <class List>
+struct SourceNames;
+template <class... Kind>
+struct SourceNames<Kinds<Kind...>> : SourceName<Kind>... {};
+
+struct OutputFields : Presentation, SourceNames<ElementKinds> {
   std::string name;
   Where where;
   std::string unit;
@@ -246,8 +233,7 @@ struct OutputFields : Presentation {
   std::optional<std::vector<Attachment>> points, steering_axis;
   std::optional<Attachment> about;
   std::optional<BodySet> bodies, elements;
-  std::optional<std::string> tyre, spring, joint_spring, motion, reaction, multiplier, bushing, bump_stop, body,
-      axes_of, observer, sequence;
+  std::optional<std::string> motion, reaction, multiplier, body, axes_of, observer, sequence;
   const Value *equation = nullptr, *relative_to = nullptr;
   std::optional<Turn> turn;
   std::optional<ReactionOutput::End> end;
@@ -301,27 +287,9 @@ std::span<const Field<RodFields>> fields<RodFields>();
 template <>
 std::span<const Field<Coupling>> fields<Coupling>();
 template <>
-std::span<const Field<PointSpring>> fields<PointSpring>();
-template <>
-std::span<const Field<JointSpring>> fields<JointSpring>();
-template <>
-std::span<const Field<FrictionFields>> fields<FrictionFields>();
-template <>
-std::span<const Field<AirSpringFields>> fields<AirSpringFields>();
-template <>
-std::span<const Field<BushingFields>> fields<BushingFields>();
-template <>
-std::span<const Field<BushingFreedom>> fields<BushingFreedom>();
-template <>
-std::span<const Field<BumpStopFields>> fields<BumpStopFields>();
-template <>
 std::span<const Field<UserStateFields>> fields<UserStateFields>();
 template <>
 std::span<const Field<SampledValueFields>> fields<SampledValueFields>();
-template <>
-std::span<const Field<AppliedForce>> fields<AppliedForce>();
-template <>
-std::span<const Field<JointForce>> fields<JointForce>();
 template <>
 std::span<const Field<TyreDataFields>> fields<TyreDataFields>();
 template <>

@@ -12,7 +12,7 @@ namespace mbgen::reading {
 namespace {
 
 void take_tyre(Reader& reader, const Value& value, AxleWheel& wheel) {
-  const int index = find_named(reader, *find(value, "tyre"), "tyre", reader.names.tyres);
+  const int index = find_named(reader, *find(value, "tyre"), "tyre", names_of<Tyre>(reader));
   if (index < 0) return;
   const Tyre& tyre = reader.model.tyres[static_cast<std::size_t>(index)];
   wheel.centre = tyre.centre;
@@ -58,12 +58,12 @@ std::string removable(const Reader& reader, const std::string& written) {
   const Model& model = reader.model;
   for (const Level& level : current_scope(reader).visible) {
     const std::string name = full_name(level, written);
-    const auto has = [&](const auto& list) {
-      return std::any_of(list.begin(), list.end(), [&](const auto& element) { return element.name == name; });
-    };
-    if (has(model.forces) || has(model.joint_forces) || has(model.springs) || has(model.joint_springs) ||
-        has(model.air_springs))
-      return name;
+    bool has_one = false;
+    each_kind([&](auto kind) {
+      const auto is_called_so = [&](const auto& element) { return element.name == name; };
+      if (can_be_silent(kind)) has_one = has_one || std::ranges::any_of(kind.list(model), is_called_so);
+    });
+    if (has_one) return name;
   }
   return "";
 }

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "compiler/model/model.hpp"
+#include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/positions.hpp"
 #include "compiler/reader/reader.hpp"
 #include "compiler/text/read_text.hpp"
@@ -162,21 +164,14 @@ void read_sections(Reader& reader) {
   check_inertias(reader);
   read_rods(reader, entries(&FileFields::rods));
   read_couplings(reader, entries(&FileFields::couplings));
-  const Entries springs = entries(&FileFields::springs), air_springs = entries(&FileFields::air_springs);
-  name_springs(reader, springs, air_springs);
+  std::array<Entries, ElementKinds::count> elements;
+  each_section([&]<class Kind>(KindOf<Kind>) { elements[kKindIndex<Kind>] = entries(&SectionOf<Kind>::section); });
+  name_lines(reader, elements);
   const Entries states = entries(&FileFields::states), sampled = entries(&FileFields::sampled);
   read_states(reader, states, sampled);
-  read_springs(reader, springs);
-  read_joint_springs(reader, entries(&FileFields::joint_springs));
-  read_frictions(reader, entries(&FileFields::frictions));
-  read_air_springs(reader, air_springs);
-  read_bushings(reader, entries(&FileFields::bushings));
-  read_bump_stops(reader, entries(&FileFields::bump_stops));
-  read_forces(reader, entries(&FileFields::forces));
-  read_joint_forces(reader, entries(&FileFields::joint_forces));
   read_roads(reader, entries(&FileFields::roads));
-  const Entries tyre_data = entries(&FileFields::tyre_data);
-  read_tyres(reader, tyre_data, entries(&FileFields::tyres));
+  reader.tyre_data = entries(&FileFields::tyre_data);
+  each_section([&]<class Kind>(KindOf<Kind>) { section_of<Kind>().read(reader, elements[kKindIndex<Kind>]); });
   check_state_names(reader, states, sampled);
   read_motions(reader, entries(&FileFields::motions));
   make_second_rates(reader);

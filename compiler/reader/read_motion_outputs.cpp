@@ -217,7 +217,7 @@ Resolved bodies_output(Reader& reader, const Value& value, const OutputFields& o
 Resolved wheel_output(Reader& reader, const Value& value, const OutputFields& output, Quantities quantity) {
   WheelOutput wheel;
   wheel.what = offset<WheelOutput::What>(quantity, Quantities::toe);
-  wheel.tyre = find_element(reader, value, "tyre", reader.names.tyres);
+  wheel.tyre = find_element(reader, value, "tyre", names_of<Tyre>(reader));
   wheel.vehicle = body_of(reader, value, "relative_to");
   if (wheel.tyre >= 0)
     wheel.side = side_of(reader.model, reader.model.tyres[static_cast<std::size_t>(wheel.tyre)], wheel.vehicle);

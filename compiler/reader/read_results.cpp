@@ -57,26 +57,6 @@ int source_of(Reader& reader, const Value& value) {
   return source;
 }
 
-constexpr std::array kTyreQuantities = {Quantities::load,
-                                        Quantities::longitudinal_force,
-                                        Quantities::lateral_force,
-                                        Quantities::aligning_moment,
-                                        Quantities::longitudinal_slip,
-                                        Quantities::lateral_slip,
-                                        Quantities::toe,
-                                        Quantities::camber,
-                                        Quantities::steer_angle,
-                                        Quantities::caster,
-                                        Quantities::kingpin_inclination};
-constexpr std::array kSpringQuantities = {Quantities::force, Quantities::length, Quantities::rate,
-                                          Quantities::potential_energy};
-/// In the order of BumpStopOutput::What, then the energy.
-constexpr std::array kBumpStopQuantities = {Quantities::force, Quantities::deflection, Quantities::rate,
-                                            Quantities::potential_energy};
-/// In the order of BushingOutput::What, then the energy.
-constexpr std::array kBushingQuantities = {Quantities::force, Quantities::moment, Quantities::deflection,
-                                           Quantities::rotation_vector, Quantities::potential_energy};
-constexpr std::array kStoredQuantities = {Quantities::potential_energy};
 constexpr std::array kReactionQuantities = {Quantities::force, Quantities::moment};
 
 Resolved joint_output(Reader& reader, const Value& value, const OutputFields& output) {
@@ -87,86 +67,11 @@ Resolved joint_output(Reader& reader, const Value& value, const OutputFields& ou
 }
 
 Resolved tyre_output(Reader& reader, const Value& value, const OutputFields& output) {
-  const Quantities quantity = quantity_of(reader, value, output, kTyreQuantities, "tyre");
-  if (quantity >= Quantities::toe) return wheel_output(reader, value, output, quantity);
+  if (output.quantity >= Quantities::toe && output.quantity <= Quantities::kingpin_inclination)
+    return wheel_output(reader, value, output, *output.quantity);
   for (const std::string_view key : {"relative_to", "steering_axis"})
     refuse(reader, value, key, output.quantity ? find(value, "quantity")->text : "load");
-  const int tyre = find_element(reader, value, "tyre", reader.names.tyres);
-  const char* unit = quantity == Quantities::aligning_moment     ? "N m"
-                     : quantity >= Quantities::longitudinal_slip ? "1"
-                                                                 : "N";
-  if (quantity == Quantities::lateral_slip) unit = "rad";
-  return {TyreOutput{offset<TyreOutput::What>(quantity, Quantities::load), tyre}, unit};
-}
-
-Resolved spring_output(Reader& reader, const Value& value, const OutputFields& output) {
-  const Quantities quantity = quantity_of(reader, value, output, kSpringQuantities, "spring");
-  SpringOutput spring;
-  spring.what = offset<SpringOutput::What>(quantity, Quantities::force);
-  const std::string& name = *output.spring;
-  const Visibility& visible = current_scope(reader).visible;
-  const auto air_spring = find_visible(reader.names.air_springs, name, visible);
-  const bool is_spring = find_visible(reader.names.springs, name, visible) != reader.names.springs.end();
-  const bool is_air_spring = air_spring != reader.names.air_springs.end();
-  if (is_spring && is_air_spring) {
-    report(reader, *find(value, "spring"), in_quotes(name) + " is a spring and an air spring", "rename one of them");
-  } else if (is_air_spring) {
-    spring.air_spring = air_spring->second;
-  } else {
-    NameMap<int> known = reader.names.springs;
-    if (!is_spring) known.insert(reader.names.air_springs.begin(), reader.names.air_springs.end());
-    spring.point_spring = find_element(reader, value, "spring", known);
-  }
-  if (quantity == Quantities::potential_energy) {
-    if (is_air_spring) report(reader, *find(value, "quantity"), "an air spring has a gas law, which is not integrated");
-    return stored_energy_output(reader, value, {StoredEnergyOutput::Of::spring, spring.point_spring});
-  }
-  return {spring, quantity == Quantities::force ? "N" : quantity == Quantities::length ? "m" : "m/s"};
-}
-
-Resolved bushing_output(Reader& reader, const Value& value, const OutputFields& output) {
-  const Quantities quantity = quantity_of(reader, value, output, kBushingQuantities, "bushing");
-  if (quantity == Quantities::potential_energy) {
-    refuse(reader, value, "axis", "potential_energy");
-    const int element = find_element(reader, value, "bushing", reader.names.bushings);
-    return stored_energy_output(reader, value, {StoredEnergyOutput::Of::bushing, element});
-  }
-  require(reader, value, "axis", "bushing");
-  const auto what = std::find(kBushingQuantities.begin(), kBushingQuantities.end(), quantity);
-  constexpr const char* kUnits[] = {"N", "N m", "m", "rad"};  // in the order of BushingOutput::What
-  const auto index = what - kBushingQuantities.begin();
-  BushingOutput bushing;
-  bushing.what = static_cast<BushingOutput::What>(index);
-  bushing.bushing = find_element(reader, value, "bushing", reader.names.bushings);
-  bushing.axis = static_cast<int>(output.axis.value_or(Letter::x));
-  return {bushing, kUnits[index]};
-}
-
-Resolved bump_stop_output(Reader& reader, const Value& value, const OutputFields& output) {
-  const Quantities quantity = quantity_of(reader, value, output, kBumpStopQuantities, "bump stop");
-  const auto what = std::find(kBumpStopQuantities.begin(), kBumpStopQuantities.end(), quantity);
-  BumpStopOutput stop;
-  stop.what = static_cast<BumpStopOutput::What>(what - kBumpStopQuantities.begin());
-  stop.stop = find_element(reader, value, "bump_stop", reader.names.bump_stops);
-  if (quantity == Quantities::potential_energy)
-    return stored_energy_output(reader, value, {StoredEnergyOutput::Of::bump_stop, stop.stop});
-  if (stop.stop < 0) return {stop, ""};
-  const BumpStop& of = reader.model.bump_stops[static_cast<std::size_t>(stop.stop)];
-  const bool turns = of.is_on_joint() && of.joint.joint >= 0 && is_rotation(reader.model, of.joint);
-  if (stop.what == BumpStopOutput::What::force) return {stop, turns ? "N m" : "N"};
-  const bool is_rate = stop.what == BumpStopOutput::What::rate;
-  return {stop, motion_unit(turns, is_rate ? Quantities::velocity : Quantities::position)};
-}
-
-Resolved joint_spring_output(Reader& reader, const Value& value, const OutputFields& output) {
-  quantity_of(reader, value, output, kStoredQuantities, "joint spring");
-  const int element = find_element(reader, value, "joint_spring", reader.names.joint_springs);
-  return stored_energy_output(reader, value, {StoredEnergyOutput::Of::joint_spring, element});
-}
-
-Resolved elements_output(Reader& reader, const Value& value, const OutputFields& output) {
-  quantity_of(reader, value, output, kStoredQuantities, "set of elements");
-  return stored_energy_output(reader, value, {StoredEnergyOutput::Of::all, -1});
+  return element_output(reader, value, output, "tyre");
 }
 
 Resolved motion_output(Reader& reader, const Value& value) {
@@ -282,33 +187,39 @@ Resolved multiplier_output(Reader& reader, const Value& value, const OutputField
   return {multiplier, std::string(rows[static_cast<std::size_t>(multiplier.equation)].unit)};
 }
 
-/// Fields beside its source that an output may have, and those that each source takes, in the order of kOutputSources.
+/// Fields beside its source that an output may have, and those that sources take; elements: see taken_by_source.
 constexpr std::string_view kDetails[] = {"quantity", "axis", "frame", "axes_of",       "relative_to", "observer",
                                          "sequence", "turn", "about", "steering_axis", "end",         "equation"};
-constexpr std::string_view kTaken[] = {
-    "",
-    "quantity axis frame axes_of relative_to observer",
-    "quantity",
-    "quantity axis frame axes_of relative_to observer sequence turn about",
-    "quantity axis axes_of about",
-    "quantity",
-    "quantity relative_to steering_axis",
-    "quantity",
-    "quantity",
-    "quantity axis",
-    "quantity",
-    "quantity",
-    "",
-    "quantity axis frame end",
-    "equation",
+constexpr std::pair<std::string_view, std::string_view> kTaken[] = {
+    {"expression", ""},
+    {"point", "quantity axis frame axes_of relative_to observer"},
+    {"points", "quantity"},
+    {"body", "quantity axis frame axes_of relative_to observer sequence turn about"},
+    {"bodies", "quantity axis axes_of about"},
+    {"joint", "quantity"},
+    {"tyre", "quantity relative_to steering_axis"},
+    {"elements", "quantity"},
+    {"motion", ""},
+    {"reaction", "quantity axis frame end"},
+    {"multiplier", "equation"},
 };
-static_assert(std::size(kTaken) == kOutputSources.size());
+
+std::string_view taken_by_source(std::string_view source) {
+  for (const auto& [name, taken] : kTaken)
+    if (name == source) return taken;
+  bool has_axis = false;
+  each_kind([&](auto kind) {
+    for (const ElementQuantity& quantity : kind.quantities)
+      has_axis = has_axis || (source_key(kind) == source && quantity.components > 1);
+  });
+  return has_axis ? "quantity axis" : "quantity";
+}
 
 Resolved resolve_output(Reader& reader, const Value& value, const OutputFields& output) {
   const int source = source_of(reader, value);
   if (source < 0) return {};
   const std::string_view name = kOutputSources[static_cast<std::size_t>(source)];
-  const std::string taken = fmt::format(" {} ", kTaken[source]);
+  const std::string taken = fmt::format(" {} ", taken_by_source(name));
   for (const std::string_view key : kDetails)
     if (taken.find(fmt::format(" {} ", key)) == std::string::npos) refuse(reader, value, key, name);
   if (output.axis == Letter::w && output.quantity != Quantities::quaternion)
@@ -320,14 +231,11 @@ Resolved resolve_output(Reader& reader, const Value& value, const OutputFields& 
   if (name == "bodies") return bodies_output(reader, value, output);
   if (name == "joint") return joint_output(reader, value, output);
   if (name == "tyre") return tyre_output(reader, value, output);
-  if (name == "spring") return spring_output(reader, value, output);
-  if (name == "joint_spring") return joint_spring_output(reader, value, output);
   if (name == "elements") return elements_output(reader, value, output);
-  if (name == "bushing") return bushing_output(reader, value, output);
-  if (name == "bump_stop") return bump_stop_output(reader, value, output);
   if (name == "reaction") return reaction_output(reader, value, output);
   if (name == "multiplier") return multiplier_output(reader, value, output);
-  return motion_output(reader, value);
+  if (name == "motion") return motion_output(reader, value);
+  return element_output(reader, value, output, name);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ int read_delay(Reader& reader, const Value& value, const SampledValueFields& sam
   return 0;
 }
 
-/// What a sampled value is set to, where that is a reaction.
+/// Source of a sampled value where it is a reaction.
 void read_source(Reader& reader, const Value& value, SampledValueFields& one) {
   if (one.written && one.reaction) {
     report(reader, *find(value, "reaction"), "sampled value has both value and reaction", "leave out one of them");

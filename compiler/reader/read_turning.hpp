@@ -1,5 +1,5 @@
 #pragma once
-// What a tyre makes of the turning of its contact: turn slip and the moment of a parked wheel.
+// Turning of a tyre's contact: turn slip and the moment of a parked wheel.
 
 #include <optional>
 #include <string_view>
@@ -14,7 +14,7 @@ inline constexpr std::string_view kTurnSlipNeeds[] = {"PHYP1", "PHYP2", "QCRP1",
 inline constexpr std::string_view kTurnSlipNeedsText =
     "turn slip needs PHYP1, PHYP2, QCRP1 and QDRP1 of its set, not zero";
 
-/// What a .tir file says of turning.
+/// Data of a .tir file on turning.
 struct TurningOfFile {
   bool turn_slip = false;                    ///< USE_MODE asks for it
   std::optional<double> yaw_stiffness = {};  ///< N m/rad: YAW_STIFFNESS, of the carcass

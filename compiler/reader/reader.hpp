@@ -3,6 +3,7 @@
 // A value that could not be read is NaN or index -1, so that no later check complains about it again.
 
 #include <array>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <string>
@@ -27,12 +28,24 @@ struct WrittenInertia {
   bool accepted = false;
 };
 
+/// One named object of a map of the model, from any of its files.
+struct Entry {
+  std::string name;     ///< in the model
+  std::string written;  ///< in its file
+  Place place;          ///< of the key
+  const Value* value;
+  std::size_t scope = 0;
+  bool adds_points = false;  ///< to a body that another scope defines
+};
+using Entries = std::vector<Entry>;
+
 struct Reader {
   Documents documents;
   Problems problems;
   Problems notes;  ///< nothing is wrong
   Model model;
   Names names;
+  std::array<NameMap<int>, ElementKinds::count> element_names = {};  ///< see names_of
   Hardpoints hardpoints = {};
   std::vector<Pose> body_frames = {};     ///< per body: its pose as the scope that defines it writes it
   bool has_bodies = false;                ///< bodies and their points are read
@@ -45,10 +58,20 @@ struct Reader {
   /// Of roads and large tables, see Model::samples: those tables point to it while others still add to it.
   std::shared_ptr<std::vector<double>> samples = std::make_shared<std::vector<double>>();
   std::vector<TableData> large_tables = {};
+  Entries tyre_data = {};      ///< coefficients of tyres
   bool folds_tunable = false;  ///< the present value takes tunable parameters at their values
 };
 
 inline const Scope& current_scope(const Reader& reader) { return reader.scopes[reader.scope]; }
+
+/// Names of the elements of a kind; expressions see those of kinds with a length, too.
+template <class Kind>
+NameMap<int>& names_of(Reader& reader) {
+  if constexpr (KindOf<Kind>::has_length)
+    return reader.names.lengths[length_place<Kind>()].names;
+  else
+    return reader.element_names[kKindIndex<Kind>];
+}
 
 /// Reads the text of a scope as long as it lives.
 class InScope {
@@ -209,17 +232,6 @@ bool read_fields(Reader& reader, const Value& value, Object& object) {
   return readable;
 }
 
-/// One named object of a map of the model, from any of its files.
-struct Entry {
-  std::string name;     ///< in the model
-  std::string written;  ///< in its file
-  Place place;          ///< of the key
-  const Value* value;
-  std::size_t scope = 0;
-  bool adds_points = false;  ///< to a body that another scope defines
-};
-using Entries = std::vector<Entry>;
-
 /// Fills one list of the model: an element per entry, in order, with defaults, name and place set.
 /// check: void(Reader&, const Value&, Element&) for rules that a table cannot say; called when the value is an object.
 template <class Element, class Check>
@@ -310,24 +322,23 @@ void add_coordinates(Reader& reader, const Entry& entry, const Joint& joint, int
 /// Gives a joint that is marked cut, and that a motion drives, the coordinates that the motion needs: it moves a body
 /// without mass, and a fixed joint closes the loop. entry: of the motion.
 void drive_at_cut(Reader& reader, const Entry& entry, int joint);
+/// Whether an object has one of these fields.
+bool has_any(const Value& value, std::initializer_list<std::string_view> keys);
 /// Complains when both ends are on one body. Result: the distance of the ends at the reference, NaN when there is none.
 double check_ends(Reader& reader, const Value& value, const Attachment& from, const Attachment& to);
 /// States and sampled values; their expressions may name springs and air springs.
 void read_states(Reader& reader, const Entries& states, const Entries& sampled);
-/// Tells the names of springs and air springs, so that expressions can be read before these are.
-void name_springs(Reader& reader, const Entries& springs, const Entries& air_springs);
+/// "an air spring".
+inline std::string with_article(std::string_view words) {
+  return (std::string_view("aeiou").find(words.front()) < 5 ? "an " : "a ") + std::string(words);
+}
+
+/// Tells expressions the names of elements with a length, before these are read. entries: of every kind.
+void name_lines(Reader& reader, const std::array<Entries, ElementKinds::count>& entries);
 /// Complains about states that have the name of another auxiliary state. Requires: tyres are read.
 void check_state_names(Reader& reader, const Entries& states, const Entries& sampled);
-void read_springs(Reader& reader, const Entries& entries);
-void read_joint_springs(Reader& reader, const Entries& entries);
-void read_frictions(Reader& reader, const Entries& entries);
 /// Sets the lags that are not written. Requires: the solver's settings are read.
 void finish_frictions(Reader& reader);
-void read_air_springs(Reader& reader, const Entries& entries);
-void read_bushings(Reader& reader, const Entries& entries);
-void read_bump_stops(Reader& reader, const Entries& entries);
-void read_forces(Reader& reader, const Entries& entries);
-void read_joint_forces(Reader& reader, const Entries& entries);
 void read_roads(Reader& reader, const Entries& entries);
 /// Adds the inputs of roads that a host gives. Requires: the model's own inputs are read.
 void add_host_inputs(Reader& reader, const Entries& roads);
@@ -337,7 +348,6 @@ void lay_host_plane(Reader& reader, const Value& value, RoadFields& road);
 void check_host_road(Reader& reader, const Value& value, const Tyre& tyre, const std::vector<Tyre>& before);
 /// The road of an OpenCRG file, as a grid of `road`.
 void read_crg_road(Reader& reader, const Value& value, Road& road);
-void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres);
 void read_axles(Reader& reader, const Entries& entries);
 void read_motions(Reader& reader, const Entries& entries);
 /// Gives inputs that move a joint by a first rate alone a second one, see is_made_rate. Requires: all motions are read.
@@ -360,8 +370,6 @@ void read_vehicle(Reader& reader, const std::vector<Part>& parts);
 bool is_large_angle(double angle);
 /// Notes an angle of more than a turn, which likely was typed in degrees.
 void note_turns(Reader& reader, const Value& value, double angle);
-/// Notes on bushings that pull away from the reference or add energy.
-void note_bushings(Reader& reader);
 /// Notes on the whole model. Requires: it has no problems.
 void note_unlikely(Reader& reader);
 

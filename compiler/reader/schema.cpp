@@ -69,8 +69,7 @@ Json shape_of_several(const FieldInfo& info) {
     case Shape::inertia:
       return either(array_of(reference("quantity"), 3, 3), array_of(reference("quantity"), 6, 6));
     case Shape::six_by_six:
-      return array_of(array_of(reference("quantity"), kBushingFreedoms, kBushingFreedoms), kBushingFreedoms,
-                      kBushingFreedoms);
+      return array_of(array_of(reference("quantity"), 6, 6), 6, 6);
     case Shape::attachments:
       return array_of(reference("attachment"), 2, static_cast<int>(info.most));
     case Shape::table_points:

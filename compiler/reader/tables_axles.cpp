@@ -1,6 +1,7 @@
 // Table of fields: axles.
 #include <array>
 
+#include "compiler/reader/presentation.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
 
@@ -11,6 +12,15 @@ namespace {
 constexpr std::array<std::string_view, 2> kAxleEnds = {"front", "rear"};
 /// In the order of TorqueSupport.
 constexpr std::array<std::string_view, 2> kSupports = {"carrier", "body"};
+
+/// "springs and forces": the sections of elements that a rig can take away.
+std::string removable_sections() {
+  std::vector<std::string> sections;
+  each_kind([&](auto kind) {
+    if (can_be_silent(kind)) sections.emplace_back(kind.section);
+  });
+  return enumeration(sections);
+}
 
 FieldInfo positive(std::string_view name, std::string_view doc, Bound bound = Bound::positive,
                    std::string_view unit = "m") {
@@ -45,6 +55,8 @@ std::span<const Field<AxleWheelFields>> fields<AxleWheelFields>() {
 template <>
 std::span<const Field<AxleFields>> fields<AxleFields>() {
   using F = AxleFields;
+  static const std::string without_doc =
+      removable_sections() + " that the rig takes away: those that stand for the road";
   static const std::array table = {
       field<F, &F::written_body>({.name = "body",
                                   .shape = Shape::reference,
@@ -83,10 +95,7 @@ std::span<const Field<AxleFields>> fields<AxleFields>() {
                               .doc = "what carries the drive's torque: body, or carrier of a rigid axle with its gear",
                               .fallback_word = "body",
                               .words = kSupports}),
-      field<F, &F::written_without>({.name = "without",
-                                     .shape = Shape::paths,
-                                     .doc = "forces, joint_forces, springs, joint_springs and air_springs that the "
-                                            "rig takes away: those that stand for the road"}),
+      field<F, &F::written_without>({.name = "without", .shape = Shape::paths, .doc = without_doc}),
   };
   return table;
 }

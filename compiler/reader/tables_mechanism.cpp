@@ -1,4 +1,4 @@
-// Tables of fields: the file, parameters, inputs, bodies, joints, rods.
+// Tables of fields: instances, parameters, inputs, bodies, joints, rods.
 #include <array>
 
 #include "compiler/reader/presentation.hpp"
@@ -21,80 +21,7 @@ constexpr std::array<std::string_view, 16> kJointTypes = {
 constexpr std::array<std::string_view, 3> kMirrors = {"xz", "yz", "xy"};
 constexpr std::array<std::string_view, 2> kCoordinateSenses = {"mirrored", "parallel"};
 
-FieldInfo prose(std::string_view name, std::string_view doc) {
-  return {.name = name, .shape = Shape::text, .doc = doc, .longest = kLongestDescription};
-}
-
-FieldInfo section(std::string_view name, std::string_view of, std::string_view doc) {
-  return {.name = name, .shape = Shape::map, .doc = doc, .of = of};
-}
-
 }  // namespace
-
-template <>
-std::span<const Field<FileFields>> fields<FileFields>() {
-  using F = FileFields;
-  static const std::array table = {
-      field<F, &F::format>({.name = "mbgen",
-                            .shape = Shape::number,
-                            .doc = "version of the format, 1; may be absent in an included file"}),
-      field<F, &F::name>({.name = "name", .shape = Shape::text, .doc = "name of the model; default: the file's name"}),
-      field<F, &F::description>(prose("description", "of the model, for people")),
-      field<F, &F::author>(prose("author", "who made the model")),
-      field<F, &F::version>({.name = "version", .shape = Shape::text, .doc = "version of the model"}),
-      field<F, &F::copyright>(prose("copyright", "of the model")),
-      field<F, &F::licence>(prose("licence", "under which the model may be used")),
-      field<F, &F::gravity>({.name = "gravity",
-                             .shape = Shape::quantity_vector,
-                             .doc = "gravity in global axes, default [0, 0, -9.81]",
-                             .unit = "m/s^2",
-                             .depends = Depends::parameters}),
-      field<F, &F::include>({.name = "include",
-                             .shape = Shape::paths,
-                             .doc = "files of the same format whose content is merged in, relative to this file"}),
-      field<F, &F::parameters>({.name = "parameters",
-                                .shape = Shape::parameters,
-                                .doc = "named constants; tunable ones can be changed in the generated solver",
-                                .of = "parameter"}),
-      field<F, &F::inputs>(section("inputs", "input", "values given to the solver at every step")),
-      field<F, &F::hardpoints>({.name = "hardpoints",
-                                .shape = Shape::points,
-                                .doc = "positions with names, in global axes at the reference configuration; they "
-                                       "stand wherever a position stands, and as points of any body",
-                                .unit = "m",
-                                .depends = Depends::parameters}),
-      field<F, &F::bodies>(section("bodies", "body", "rigid bodies; \"ground\" is the fixed one")),
-      field<F, &F::joints>(section("joints", "joint", "joints between bodies, tree or loop closing")),
-      field<F, &F::rods>(section("rods", "rod", "bars with a spherical joint at each end")),
-      field<F, &F::states>(section("states", "state", "states of your own: their derivatives are expressions")),
-      field<F, &F::sampled>(section("sampled", "sampled_value", "values set at instants: sampled controllers")),
-      field<F, &F::couplings>(section("couplings", "coupling", "relations between coordinates: gears, racks, screws")),
-      field<F, &F::springs>(section("springs", "spring", "springs and dampers between two points")),
-      field<F, &F::joint_springs>(section("joint_springs", "joint_spring", "springs and dampers on coordinates")),
-      field<F, &F::frictions>(section("frictions", "friction", "friction on coordinates and springs")),
-      field<F, &F::air_springs>(section("air_springs", "air_spring", "polytropic air springs between two points")),
-      field<F, &F::bushings>(section("bushings", "bushing", "rubber and mounts: six freedoms between two bodies")),
-      field<F, &F::bump_stops>(section("bump_stops", "bump_stop", "stops that push beyond a clearance")),
-      field<F, &F::forces>(section("forces", "force", "forces and torques on bodies")),
-      field<F, &F::joint_forces>(section("joint_forces", "joint_force", "generalised forces on coordinates")),
-      field<F, &F::roads>(
-          section("roads", "road", "roads under tyres; without one a tyre is on a flat horizontal road")),
-      field<F, &F::tyre_data>(section("tyre_data", "tyre_data", "coefficient sets of tyres")),
-      field<F, &F::axles>(section("axles", "axle", "axles of a vehicle, for mbgen kc; without effect on the motion")),
-      field<F, &F::tyres>(section("tyres", "tyre", "tyres on roads")),
-      field<F, &F::vehicle>({.name = "vehicle",
-                             .shape = Shape::object,
-                             .doc = "the vehicle, for manoeuvres; without effect on the motion",
-                             .of = "vehicle"}),
-      field<F, &F::motions>(section("motions", "motion", "driven coordinates")),
-      field<F, &F::outputs>(section("outputs", "output", "results to write at every step")),
-      field<F, &F::shapes>(section("shapes", "shape", "how pictures show bodies, without effect on the motion")),
-      field<F, &F::initial>({.name = "initial", .shape = Shape::object, .doc = "state at the start", .of = "initial"}),
-      field<F, &F::solver>({.name = "solver", .shape = Shape::object, .doc = "time integration", .of = "solver"}),
-      field<F, &F::instances>(section("instances", "instance", "subsystems: files that are placed in this one")),
-  };
-  return table;
-}
 
 template <>
 std::span<const Field<InstanceFields>> fields<InstanceFields>() {
@@ -276,7 +203,7 @@ std::span<const Field<BodyFields>> fields<BodyFields>() {
                                 .doc = "named points in the body frame",
                                 .unit = "m",
                                 .depends = Depends::parameters}),
-      field<F, &F::description>(prose("description", "for people")),
+      field<F, &F::description>(prose_field("description", "for people")),
   };
   return table;
 }
@@ -337,7 +264,7 @@ std::span<const Field<JointFields>> fields<JointFields>() {
           {.name = "cut",
            .shape = Shape::boolean,
            .doc = "true: the joint closes a loop; false: it stays in the tree; absent: mbgen chooses"}),
-      field<F, &F::description>(prose("description", "for people")),
+      field<F, &F::description>(prose_field("description", "for people")),
   };
   return table;
 }

@@ -1,4 +1,7 @@
 // Table of fields: outputs.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <array>
 
 #include "compiler/reader/output_sources.hpp"
@@ -13,36 +16,6 @@ constexpr std::array<std::string_view, 4> kComponents = {"x", "y", "z", "w"};
 constexpr std::array<std::string_view, 3> kTurns = {"first", "second", "third"};
 /// In the order of BodySet.
 constexpr std::array<std::string_view, 1> kBodySets = {"all"};
-/// In the order of Quantities.
-constexpr std::array<std::string_view, 29> kQuantities = {"position",
-                                                          "velocity",
-                                                          "acceleration",
-                                                          "load",
-                                                          "longitudinal_force",
-                                                          "lateral_force",
-                                                          "aligning_moment",
-                                                          "longitudinal_slip",
-                                                          "lateral_slip",
-                                                          "force",
-                                                          "length",
-                                                          "rate",
-                                                          "moment",
-                                                          "distance",
-                                                          "angle",
-                                                          "rotation_vector",
-                                                          "quaternion",
-                                                          "angular_velocity",
-                                                          "angular_acceleration",
-                                                          "kinetic_energy",
-                                                          "potential_energy",
-                                                          "momentum",
-                                                          "angular_momentum",
-                                                          "toe",
-                                                          "camber",
-                                                          "steer_angle",
-                                                          "caster",
-                                                          "kingpin_inclination",
-                                                          "deflection"};
 /// In the order of ReactionOutput::End.
 constexpr std::array<std::string_view, 2> kEnds = {"to", "from"};
 
@@ -50,10 +23,32 @@ FieldInfo body_field(std::string_view name, std::string_view doc) {
   return {.name = name, .shape = Shape::reference, .doc = doc, .of = "bodies"};
 }
 
-/// What an output is of.
-auto source_fields() {
+template <class Kind>
+constexpr FieldInfo element_field() {
+  using Of = KindOf<Kind>;
+  return {.name = source_key(Of{}), .shape = Shape::reference, .doc = Of::shows, .of = Of::section};
+}
+
+/// The field that names an element.
+template <class Kind>
+Field<OutputFields> element_row(KindOf<Kind>) {
+  return field<OutputFields, &SourceName<Kind>::element>(element_field<Kind>());
+}
+
+/// "springs, joint springs": the kinds of elements that store energy.
+std::string kinds_with_energy() {
+  std::vector<std::string> kinds;
+  each_kind([&](auto kind) {
+    if (quantity_index(kind, kPotentialEnergy) >= 0) kinds.push_back(fmt::format("{}s", kind.words));
+  });
+  return enumeration(kinds);
+}
+
+/// Fields of an output's source.
+std::vector<Field<OutputFields>> source_fields() {
   using F = OutputFields;
-  return std::array{
+  static const std::string energy_doc = fmt::format("potential energy of all {} together", kinds_with_energy());
+  std::vector<Field<F>> rows = {
       field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit; default: unit of the quantity"}),
       field<F, &F::expression>({.name = "expression", .doc = "value over t, parameters, inputs and coordinates"}),
       field<F, &F::point>({.name = "point", .shape = Shape::attachment, .doc = "motion of a point"}),
@@ -67,32 +62,20 @@ auto source_fields() {
                             .doc = "energy or momentum of all bodies and rods together",
                             .words = kBodySets}),
       field<F, &F::joint>({.name = "joint", .shape = Shape::coordinate, .doc = "motion of a coordinate"}),
-      field<F, &F::tyre>({.name = "tyre",
-                          .shape = Shape::reference,
-                          .doc = "state of a tyre, or angle of its wheel to a vehicle",
-                          .of = "tyres"}),
-      field<F, &F::spring>(
-          {.name = "spring", .shape = Shape::reference, .doc = "state of a spring or air spring", .of = "springs"}),
-      field<F, &F::joint_spring>({.name = "joint_spring",
-                                  .shape = Shape::reference,
-                                  .doc = "potential energy of a joint spring",
-                                  .of = "joint_springs"}),
-      field<F, &F::elements>({.name = "elements",
-                              .shape = Shape::word,
-                              .doc = "potential energy of all springs, joint springs, bushings and bump stops together",
-                              .words = kBodySets}),
-      field<F, &F::bushing>(
-          {.name = "bushing",
-           .shape = Shape::reference,
-           .doc = "bushing; the output is its force or moment on `to` at its point, its deflection or its rotation "
-                  "vector, in its axes on `from`, or its potential energy",
-           .of = "bushings"}),
-      field<F, &F::bump_stop>(
-          {.name = "bump_stop",
-           .shape = Shape::reference,
-           .doc = "force of a bump stop, its deflection beyond the clearance, the rate of that, or its "
-                  "potential energy",
-           .of = "bump_stops"}),
+  };
+  const auto add = [&](const auto& is_asked) {
+    each_element_source([&](auto kind) {
+      if (is_asked(source_key(kind))) rows.push_back(element_row(kind));
+    });
+  };
+  const auto is_tyre = [](std::string_view key) { return key == "tyre"; };
+  const auto is_spring = [](std::string_view key) { return key.ends_with("spring"); };
+  add(is_tyre);
+  add(is_spring);
+  rows.push_back(
+      field<F, &F::elements>({.name = "elements", .shape = Shape::word, .doc = energy_doc, .words = kBodySets}));
+  add([&](std::string_view key) { return !is_tyre(key) && !is_spring(key); });
+  const Field<F> others[] = {
       field<F, &F::motion>({.name = "motion",
                             .shape = Shape::reference,
                             .doc = "generalised force that drives a motion",
@@ -106,27 +89,33 @@ auto source_fields() {
                                 .doc = "multiplier of one equation of a cut joint, rod or coupling",
                                 .of = "joints"}),
   };
+  rows.insert(rows.end(), std::begin(others), std::end(others));
+  return rows;
 }
 
-/// What of it.
+/// " of the spring (force, length, rate, potential_energy)," and so on.
+std::string element_quantities() {
+  std::string text;
+  each_element_source([&](auto kind) {
+    std::vector<std::string_view> names;
+    for (const ElementQuantity& quantity : kind.quantities) names.push_back(quantity.name);
+    text += fmt::format(" of the {} ({}),", kind.words, fmt::join(names, ", "));
+  });
+  return text;
+}
+
+/// Fields of its quantity.
 auto quantity_fields() {
   using F = OutputFields;
+  static const std::string doc = fmt::format(
+      "quantity of the point or coordinate (position, velocity, acceleration), of the points (distance of two, angle "
+      "of three), of the body (angle, rotation_vector, quaternion, angular_velocity, angular_acceleration, "
+      "kinetic_energy, potential_energy, momentum, angular_momentum), of all bodies (kinetic_energy, potential_energy, "
+      "momentum, angular_momentum),{} of a tyre's wheel (toe, camber, steer_angle, caster, kingpin_inclination), of "
+      "all elements (potential_energy) or of the reaction (force, moment); default: the first of each",
+      element_quantities());
   return std::array{
-      field<F, &F::quantity>(
-          {.name = "quantity",
-           .shape = Shape::word,
-           .doc =
-               "quantity of the point or coordinate (position, velocity, acceleration), of the points (distance of "
-               "two, angle of three), of the body (angle, rotation_vector, quaternion, angular_velocity, "
-               "angular_acceleration, kinetic_energy, potential_energy, momentum, angular_momentum), of all bodies "
-               "(kinetic_energy, potential_energy, momentum, angular_momentum), of the tyre (load, "
-               "longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip, toe, camber, "
-               "steer_angle, caster, kingpin_inclination), of the spring (force, length, rate, potential_energy), of "
-               "the bushing (force, moment, deflection, rotation_vector, potential_energy), of the bump stop "
-               "(force, deflection, rate, potential_energy), of the joint spring or of all elements "
-               "(potential_energy) or of the reaction (force, moment); default: "
-               "the first of each",
-           .words = kQuantities}),
+      field<F, &F::quantity>({.name = "quantity", .shape = Shape::word, .doc = doc, .words = kQuantityWords}),
       field<F, &F::axis>({.name = "axis",
                           .shape = Shape::word,
                           .doc = "component of a vector; w: the scalar part of a quaternion, which is never negative",
@@ -140,7 +129,7 @@ auto quantity_fields() {
   };
 }
 
-/// What it is relative to and how it is counted.
+/// Fields of its details: reference body, observer, rotations.
 auto detail_fields() {
   using F = OutputFields;
   return std::array{
@@ -182,8 +171,12 @@ auto detail_fields() {
 
 template <>
 std::span<const Field<OutputFields>> fields<OutputFields>() {
-  static const std::array table =
-      joined(joined(joined(source_fields(), quantity_fields()), detail_fields()), presentation_fields<OutputFields>());
+  static const std::vector<Field<OutputFields>> table = [] {
+    std::vector<Field<OutputFields>> rows = source_fields();
+    const auto others = joined(joined(quantity_fields(), detail_fields()), presentation_fields<OutputFields>());
+    rows.insert(rows.end(), others.begin(), others.end());
+    return rows;
+  }();
   return table;
 }
 

@@ -1,6 +1,10 @@
 // Tables of fields: motions, outputs, initial state, solver; and the list of all kinds.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <array>
 
+#include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/output_sources.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
@@ -135,8 +139,51 @@ std::span<const Field<SolverSettings>> fields<SolverSettings>() {
   return table;
 }
 
-std::vector<ObjectKind> object_kinds() {
+namespace {
+
+/// Kinds behind those of elements.
+std::vector<ObjectKind> other_kinds() {
+  static const std::string output_doc =
+      fmt::format("a result; exactly one of {} and {}",
+                  fmt::join(kOutputSources.begin(), kOutputSources.end() - 1, ", "), kOutputSources.back());
   return {
+      kind_of<RoadFields>(
+          "road",
+          "a road: its height is the sum of `height` and all features, over the plane z of its origin; x "
+          "along it, y to the left"),
+      kind_of<IsoRoadFields>("iso_road", "a rough road by the power spectral density of ISO 8608"),
+      kind_of<RoadProfileFields>(
+          "road_profile",
+          "heights at equal distances along a road, between them a cubic spline, outside level; of "
+          "both sides in one column, or of a left and a right track"),
+      kind_of<CrgFields>("crg_road",
+                         "a road of an OpenCRG file; beyond its ends it goes straight on, beyond a border it keeps the "
+                         "border's height"),
+      kind_of<RoadFeature>("road_feature", "what stands out of a road, or is missing in it"),
+      kind_of<RoadPatch>("road_patch", "a part of a road with friction of its own"),
+      kind_of<AxleFields>("axle",
+                          "an axle on a rig for kinematics and compliance; x forward, y to the left and z up at the "
+                          "reference"),
+      kind_of<AxleWheelFields>("axle_wheel", "a wheel of an axle; exactly one of tyre and centre", {"tyre", "centre"}),
+      kind_of<VehicleFields>("vehicle", "what drives, and by which inputs; for manoeuvres"),
+      kind_of<MotionFields>("motion", "a driven coordinate; exactly one of angle and position", {"angle", "position"}),
+      kind_of<OutputFields>("output", output_doc, {std::begin(kOutputSources), std::end(kOutputSources)}),
+      kind_of<ShapeFields>("shape", "how a part of a body is drawn"),
+      kind_of<InitialFields>("initial", "state at the start"),
+      kind_of<InitialValueFields>("initial_value",
+                                  "a value at the start, and its weight where values do not fit together"),
+      kind_of<OrientationFields>("initial_orientation",
+                                 "turn of a spherical or free joint at the start; at most one of quaternion and "
+                                 "rotation_vector, without both the angles of positions hold"),
+      kind_of<SolverSettings>("solver", "time integration"),
+      kind_of<TableFields>("table", "a characteristic by points, exactly one of table and csv", {"table", "csv"}),
+  };
+}
+
+}  // namespace
+
+std::vector<ObjectKind> object_kinds() {
+  std::vector<ObjectKind> kinds = {
       kind_of<FileFields>("model", "a multibody system; SI units, angles in rad"),
       kind_of<InstanceFields>("instance", "a subsystem: a file placed in this one"),
       kind_of<ParameterFields>("parameter", "a named constant"),
@@ -155,69 +202,12 @@ std::vector<ObjectKind> object_kinds() {
           "sampled_value",
           "a value that is set at t = 0, period, 2 period and so on; exactly one of value and reaction",
           {"value", "reaction"}),
-      kind_of<PointSpring>("spring", "spring and damper between two points"),
-      kind_of<JointSpring>("joint_spring", "spring and damper on a coordinate or a difference of two"),
-      kind_of<FrictionFields>("friction",
-                              "friction on a coordinate, along a spring or in the end of a rod; exactly one of joint, "
-                              "spring and rod",
-                              {"joint", "spring", "rod"}, {{"rod", "end"}, {"end", "rod"}}),
-      kind_of<AirSpringFields>("air_spring", "polytropic air spring between two points"),
-      kind_of<BushingFields>("bushing",
-                             "compliant element of six freedoms between two frames, whose axes agree at the reference; "
-                             "what its fields give is added up"),
-      kind_of<BushingFreedom>(
-          "bushing_freedom",
-          "one freedom of a bushing; its force acts against the deflection of `to`. A Maxwell branch, "
-          "a spring and a damper in a row, is relaxed at the start",
-          {}, {{"maxwell_stiffness", "maxwell_time"}, {"maxwell_time", "maxwell_stiffness"}}),
-      kind_of<BumpStopFields>(
-          "bump_stop",
-          "a stop that pushes when its clearance is used up, and never pulls; on the distance of two "
-          "points or the way along an axis (from and to, or spring), or on a coordinate (joint)"),
-      kind_of<AppliedForce>("force", "force and torque on a body"),
-      kind_of<JointForce>("joint_force", "generalised force on a coordinate"),
-      kind_of<RoadFields>(
-          "road",
-          "a road: its height is the sum of `height` and all features, over the plane z of its origin; x "
-          "along it, y to the left"),
-      kind_of<IsoRoadFields>("iso_road", "a rough road by the power spectral density of ISO 8608"),
-      kind_of<RoadProfileFields>(
-          "road_profile",
-          "heights at equal distances along a road, between them a cubic spline, outside level; of "
-          "both sides in one column, or of a left and a right track"),
-      kind_of<CrgFields>("crg_road",
-                         "a road of an OpenCRG file; beyond its ends it goes straight on, beyond a border it keeps the "
-                         "border's height"),
-      kind_of<RoadFeature>("road_feature", "what stands out of a road, or is missing in it"),
-      kind_of<RoadPatch>("road_patch", "a part of a road with friction of its own"),
-      kind_of<TyreDataFields>("tyre_data", "coefficients of a tyre"),
-      kind_of<TyreFields>("tyre", "a tyre on a road; exactly one of data and tir", {"data", "tir"},
-                          {{"data", "stiffness"}}),
-      kind_of<TyreEnvelope>(
-          "tyre_envelope",
-          "four cams that make a plane of a road: a rear and a front one below each half of the tyre's "
-          "width; lengths in unloaded radii of the tyre"),
-      kind_of<TyrePatch>("tyre_patch", "the patch of a tyre that turns about the road's normal, as of a parked wheel"),
-      kind_of<AxleFields>("axle",
-                          "an axle on a rig for kinematics and compliance; x forward, y to the left and z up at the "
-                          "reference"),
-      kind_of<AxleWheelFields>("axle_wheel", "a wheel of an axle; exactly one of tyre and centre", {"tyre", "centre"}),
-      kind_of<VehicleFields>("vehicle", "what drives, and by which inputs; for manoeuvres"),
-      kind_of<MotionFields>("motion", "a driven coordinate; exactly one of angle and position", {"angle", "position"}),
-      kind_of<OutputFields>("output",
-                            "a result; exactly one of expression, point, points, body, bodies, joint, tyre, spring, "
-                            "joint_spring, bushing, bump_stop, elements, motion, reaction and multiplier",
-                            {std::begin(kOutputSources), std::end(kOutputSources)}),
-      kind_of<ShapeFields>("shape", "how a part of a body is drawn"),
-      kind_of<InitialFields>("initial", "state at the start"),
-      kind_of<InitialValueFields>("initial_value",
-                                  "a value at the start, and its weight where values do not fit together"),
-      kind_of<OrientationFields>("initial_orientation",
-                                 "turn of a spherical or free joint at the start; at most one of quaternion and "
-                                 "rotation_vector, without both the angles of positions hold"),
-      kind_of<SolverSettings>("solver", "time integration"),
-      kind_of<TableFields>("table", "a characteristic by points, exactly one of table and csv", {"table", "csv"}),
   };
+  each_section([&](auto kind) {
+    for (ObjectKind& of : section_of<typename decltype(kind)::Element>().kinds()) kinds.push_back(std::move(of));
+  });
+  for (ObjectKind& other : other_kinds()) kinds.push_back(std::move(other));
+  return kinds;
 }
 
 }  // namespace mbgen::reading

@@ -11,7 +11,7 @@
 
 namespace mbgen::reading {
 
-/// What a file gives of the cams of TyreEnvelope.
+/// Data of a file on the cams of TyreEnvelope.
 struct CamsOfFile {
   std::optional<double> base = {}, length = {}, height = {}, order = {};
 };
@@ -43,7 +43,7 @@ struct TirEntries {
   std::vector<std::pair<std::string_view, Place>> tables;  ///< sections with rows that have no key
 };
 
-/// What a tyre asks of its file.
+/// Requests of a tyre to its file.
 struct WishesOfTyre {
   bool cams = false;                   ///< the tyre uses the cams of the file
   std::optional<bool> turn_slip = {};  ///< as the model says; else the file's USE_MODE does

@@ -5,14 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/reader.hpp"
 
 namespace mbgen::reading {
 namespace {
-
-void add_note(Reader& reader, const Where& where, std::string message, std::string hint = {}) {
-  reader.model.notes.push_back({where, std::move(message), std::move(hint), {}});
-}
 
 /// Whether a damping law pushes in the direction of the motion somewhere.
 bool adds_energy(const std::optional<Law>& damping) {
@@ -25,36 +22,35 @@ bool adds_energy(const std::optional<Law>& damping) {
   return false;
 }
 
-template <class Elements>
-void note_damping(Reader& reader, const Elements& elements) {
-  for (const auto& element : elements) {
-    if (adds_energy(element.damping))
-      add_note(reader, element.where, fmt::format("damping of {} is negative: it adds energy", in_quotes(element.name)),
-               "positive damping acts against the motion");
-  }
+template <class Element>
+concept HasDampingLaw = requires(Element element) {
+  requires std::is_same_v<decltype(element.damping), std::optional<Law>>;
+};
+
+/// Notes elements with one damping law that adds energy.
+void note_damping(Reader& reader) {
+  each_element(reader.model, [&]<class Element>(const Element& element) {
+    if constexpr (HasDampingLaw<std::remove_const_t<Element>>)
+      if (adds_energy(element.damping))
+        note_at(reader, element.where,
+                fmt::format("damping of {} is negative: it adds energy", in_quotes(element.name)),
+                "positive damping acts against the motion");
+  });
 }
 
 constexpr const char* kDegreesHint = "angles are in rad; degrees are written { \"deg\": 40 }";
 
-void note_angle(Reader& reader, const Where& where, const std::string& what, const CoordinateReference& coordinate,
-                double angle) {
-  if (coordinate.joint < 0 || coordinate.component < 0 || !is_rotation(reader.model, coordinate)) return;
-  if (is_large_angle(angle))
-    add_note(reader, where, fmt::format("{} is {:.6g} rad, more than a turn", what, angle), kDegreesHint);
-}
-
-void note_angles(Reader& reader) {
+void note_start(Reader& reader) {
   const Model& model = reader.model;
   for (const InitialValue& start : model.initial.positions) {
     if (start.coordinate.joint < 0) continue;
     note_angle(reader, start.where, "initial position of " + coordinate_name(model, start.coordinate), start.coordinate,
                start.value);
   }
-  for (const JointSpring& spring : model.joint_springs) {
-    if (spring.free.expression < 0)
-      note_angle(reader, spring.where, fmt::format("\"free\" of {}", in_quotes(spring.name)), spring.joint,
-                 spring.free.value);
-  }
+}
+
+void note_motions(Reader& reader) {
+  const Model& model = reader.model;
   for (const Motion& motion : model.motions) {
     if (motion.position.expression < 0)
       note_angle(reader, motion.where, fmt::format("angle of {}", in_quotes(motion.name)), motion.joint,
@@ -118,7 +114,7 @@ double note_far_points(Reader& reader) {
       continue;
     }
     const Body& body = reader.model.bodies[spot.body];
-    add_note(
+    note_at(
         reader, body.where,
         fmt::format("{} is {:.4g} m from the middle of the model, most points are within {:.2g} m",
                     spot.name.empty() ? "centre of mass of " + in_quotes(body.name) : "point " + in_quotes(spot.name),
@@ -148,59 +144,42 @@ void note_inertias(Reader& reader, double extent) {
     if (!is_beyond_all && !is_beyond_own) continue;
     const std::string than = is_beyond_all ? fmt::format("the whole model is {:.2g} m large", extent)
                                            : fmt::format("its points are within {:.2g} m of its centre of mass", reach);
-    add_note(reader, body.where,
-             fmt::format("inertia of {} is that of {:.4g} kg at a radius of {:.4g} m, {}", in_quotes(body.name),
-                         body.mass.value, radius, than),
-             "inertia is in kg m^2");
+    note_at(reader, body.where,
+            fmt::format("inertia of {} is that of {:.4g} kg at a radius of {:.4g} m, {}", in_quotes(body.name),
+                        body.mass.value, radius, than),
+            "inertia is in kg m^2");
   }
 }
 
-/// Notes elements between two points that are one at the reference.
-template <class Elements>
-void note_ends(Reader& reader, const Elements& elements, const char* kind) {
+/// Notes elements along the line between two points that are one at the reference.
+void note_ends(Reader& reader) {
   constexpr double kOnePlace = 1e-9;  // m
-  for (const auto& element : elements) {
-    if (element.from.body < 0 || element.to.body < 0 || element.from.point < 0 || element.to.point < 0) continue;
+  each_element(reader.model, [&]<class Kind>(const Kind& element) {
+    const auto connection = connection_of(element);
+    const BetweenPoints* line = std::get_if<BetweenPoints>(&connection);
+    if (!line || line->from.body < 0 || line->to.body < 0 || line->from.point < 0 || line->to.point < 0) return;
     const double length =
-        distance(reference_position(reader.model, element.from), reference_position(reader.model, element.to));
-    if (!(length < kOnePlace)) continue;
-    add_note(reader, element.where,
-             fmt::format("the ends of {} {} coincide at the reference: it has no direction there", kind,
-                         in_quotes(element.name)),
-             "move one of its points, or start from positions at which they are apart");
-  }
-}
-
-/// Notes springs whose length without force is far from the one that they have: a free length in millimetres, a preload
-/// over a stiffness in N/mm.
-void note_free_lengths(Reader& reader) {
-  constexpr double kFactor = 50;  // of the length at the reference; springs of machines stretch by less than five
-  for (const PointSpring& spring : reader.model.springs) {
-    if (spring.from.body < 0 || spring.to.body < 0 || spring.from.point < 0 || spring.to.point < 0) continue;
-    const double length =
-        distance(reference_position(reader.model, spring.from), reference_position(reader.model, spring.to));
-    const auto* stiffness = spring.stiffness ? std::get_if<Quantity>(&*spring.stiffness) : nullptr;
-    const std::string name = in_quotes(spring.name);
-    if (!(length > 0)) continue;  // ends that coincide have a note of their own
-    const double free = spring.free_length ? spring.free_length->value : 0;
-    if (free > kFactor * length) {
-      add_note(reader, spring.where,
-               fmt::format("\"free_length\" of spring {} is {:.4g} m, its length at the reference {:.4g} m", name, free,
-                           length),
-               "lengths are in m");
-    } else if (stiffness && stiffness->value > 0 &&
-               std::abs(spring.preload.value) > kFactor * length * stiffness->value) {
-      add_note(reader, spring.where,
-               fmt::format("spring {} has {:.4g} N of preload over {:.4g} N/m: it is without force {:.4g} m from its "
-                           "length at the reference, {:.4g} m",
-                           name, std::abs(spring.preload.value), stiffness->value,
-                           std::abs(spring.preload.value) / stiffness->value, length),
-               "stiffness is in N/m");
-    }
-  }
+        distance(reference_position(reader.model, line->from), reference_position(reader.model, line->to));
+    if (!(length < kOnePlace)) return;
+    note_at(reader, element.where,
+            fmt::format("the ends of {} {} coincide at the reference: it has no direction there", KindOf<Kind>::words,
+                        in_quotes(element.name)),
+            "move one of its points, or start from positions at which they are apart");
+  });
 }
 
 }  // namespace
+
+void note_at(Reader& reader, const Where& where, std::string message, std::string hint) {
+  reader.model.notes.push_back({where, std::move(message), std::move(hint), {}});
+}
+
+void note_angle(Reader& reader, const Where& where, const std::string& name, const CoordinateReference& coordinate,
+                double angle) {
+  if (coordinate.joint < 0 || coordinate.component < 0 || !is_rotation(reader.model, coordinate)) return;
+  if (is_large_angle(angle))
+    note_at(reader, where, fmt::format("{} is {:.6g} rad, more than a turn", name, angle), kDegreesHint);
+}
 
 bool is_large_angle(double angle) { return std::abs(angle) > 2 * std::numbers::pi * (1 + 1e-12); }
 
@@ -210,13 +189,13 @@ void note_turns(Reader& reader, const Value& value, double angle) {
 }
 
 void note_unlikely(Reader& reader) {
-  note_damping(reader, reader.model.springs);
-  note_damping(reader, reader.model.joint_springs);
-  note_bushings(reader);
-  note_ends(reader, reader.model.springs, "spring");
-  note_ends(reader, reader.model.air_springs, "air spring");
-  note_free_lengths(reader);
-  note_angles(reader);
+  note_damping(reader);
+  note_start(reader);
+  each_section([&]<class Kind>(KindOf<Kind>) {
+    if (const auto note = section_of<Kind>().note) note(reader);
+  });
+  note_ends(reader);
+  note_motions(reader);
   note_inertias(reader, note_far_points(reader));
 }
 

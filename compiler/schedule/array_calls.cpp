@@ -37,7 +37,7 @@ std::optional<ArrayFunction> called_function(Op op) {
   }
 }
 
-/// What no value of it exceeds in size, infinity where that is not known: of arcs and their multiples.
+/// Bound on the size of a value, infinity where none is known: of arcs and their multiples.
 double bound_of(const Program& program, ValueId v) {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   const auto& [first, second, third] = program.nodes[v].operands;
@@ -70,8 +70,7 @@ std::vector<bool> found_alone(const Program& program) {
   return is_alone;
 }
 
-/// What is known of the values of the range at hand. Members by value id; the others of the program are not looked
-/// at.
+/// Facts about the values of the range at hand. Members by value id; other values of the program are not looked at.
 struct Levels {
   std::vector<bool> is_here;    ///< in this range
   std::vector<bool> is_called;  ///< computed by a call for many arguments
@@ -195,7 +194,7 @@ class NewOrder {
     for (std::size_t i = 0; i < kept; ++i) add(range[i]);
   }
 
-  /// What the arguments need and stands nowhere yet, in the old order.
+  /// Adds the values that the arguments need and that stand nowhere yet, in the old order.
   void add_needed(const Group& group) {
     std::vector<bool> is_needed(program_.nodes.size(), false);
     for (const Arguments& arguments : group.arguments) {
@@ -263,7 +262,7 @@ bool is_given(const Program& program, ValueId v) {
   return true;
 }
 
-/// Puts what is computed by calls before the rest of the range. is_candidate: values that may be.
+/// Puts values computed by calls before the rest of the range. is_candidate: values that may be called.
 template <class IsCandidate>
 void gather(const Program& program, std::span<ValueId> range, Levels& levels, ArrayCalls& result,
             IsCandidate is_candidate) {
@@ -284,7 +283,7 @@ void gather(const Program& program, std::span<ValueId> range, Levels& levels, Ar
   for (const ValueId v : range) levels.is_here[v] = levels.is_called[v] = false;
 }
 
-/// Functions of what is given from the start, over all that a section has between other sections' values.
+/// Functions of inputs, over all of a section that values of other sections interrupt.
 void gather_given(const Program& program, std::vector<ValueId>& order, Levels& levels, ArrayCalls& result) {
   for (const Section& section : program.sections) {
     const auto is_in_section = [&](ValueId v) { return program.nodes[v].section == section; };

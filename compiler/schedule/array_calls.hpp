@@ -12,7 +12,7 @@ constexpr std::size_t kFewestInLanes = 4;
 /// More arguments than this are split into several calls: their values stay in one part of the program.
 constexpr int kMostInLanes = 64;
 
-/// What a call computes of each argument. Bounded: of angles up to pi either way.
+/// Function that a call computes of each argument. Bounded: of angles up to pi either way.
 enum class ArrayFunction {
   sine_and_cosine,
   sine,
@@ -52,12 +52,11 @@ enum class Gathering {
               ///< cosines nobody needs, and cosines likewise, are calls of their own
 };
 
-/// Brings elementary functions of a section together in `order`, as far as none needs another: first what
-/// the arguments of the first of them need, then these, then what the arguments of those need that use their results,
-/// and so on; last the rest of the section. What needs inputs only is gathered from all of a section before that, where
-/// others' values stand between its own. Groups of too few arguments stay where they are. Example:
-/// wheels that each have sin(c*atan(slip)) in turn become all slips, one call for the arc tangents, all products, one
-/// call for the sines.
+/// Brings elementary functions of a section together in `order`, as far as none needs another: first the operands of
+/// the first functions' arguments, then these functions, then the operands of the functions that use their results, and
+/// so on; last the rest of the section. Before that, functions of inputs are gathered from all of a section that values
+/// of other sections interrupt. Groups of too few arguments stay where they are. Example: wheels that each have
+/// sin(c*atan(slip)) in turn become all slips, one call for the arc tangents, all products, one call for the sines.
 ArrayCalls gather_calls(const Program& program, std::vector<ValueId>& order, Gathering gathering = Gathering::in_lanes);
 
 }  // namespace mbgen

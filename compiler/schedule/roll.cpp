@@ -21,7 +21,7 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
   return hash ^ (hash >> 27);
 }
 
-/// What a value must have in common with the values at its place in the other slices.
+/// Properties that a value must share with the values at its place in the other slices.
 std::vector<std::uint64_t> signatures(const Program& program, const std::vector<ValueId>& order,
                                       const std::set<SlotGroup>& indexed) {
   const auto of_slot = [&](const Slot& slot) {

@@ -69,7 +69,7 @@ void match_operands(const Program& program, const ScheduledUnit& unit, Schedule&
   }
 }
 
-/// Marks what is used elsewhere as stored, all values at its place of the slice alike.
+/// Marks values with uses elsewhere as stored, all values at one place of the slice alike.
 void mark_stored(const Program& program, Schedule& schedule) {
   for (const ScheduledUnit& unit : schedule.units) {
     for (std::size_t offset = 0; offset < unit.period; ++offset) {

@@ -32,7 +32,7 @@ bool is_angle_pair(const Program& program, const Schedule& schedule, ValueId a, 
          schedule.value[a].operands == schedule.value[b].operands && first.section == second.section;
 }
 
-/// Counts the uses of every value, and finds those that no local variable serves.
+/// Counts the uses of every value, and finds the values that cannot be local variables.
 void find_uses(const Program& program, Schedule& schedule) {
   for (const ScheduledUnit& unit : schedule.units)
     for (std::size_t i = unit.first; i < unit.last(); ++i) {
@@ -53,7 +53,7 @@ void find_uses(const Program& program, Schedule& schedule) {
     }
 }
 
-/// Gives the values that cross parts their places: short addresses go to those that are read most.
+/// Assigns places to values that cross parts: the most frequently read values get short addresses.
 void place_crossing(const Program& program, Schedule& schedule, bool shares) {
   const std::vector<int> widths = widths_of(program);
   const auto part_of = [&](ValueId v) { return schedule.units[static_cast<std::size_t>(schedule.value[v].unit)].part; };

@@ -11,7 +11,7 @@
 namespace mbgen {
 namespace {
 
-/// What a cut inside a section costs, in crossing values: a section kept whole is worth a few more stores.
+/// Cost of a cut inside a section, in crossing values: a section kept whole is worth a few more stores.
 constexpr long kSectionCost = 10;
 
 /// Section after section, when no value needs one of a later section.

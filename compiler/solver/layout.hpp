@@ -1,5 +1,5 @@
 #pragma once
-// Sizes of a solver: how many numbers each array of its programs holds, and which of them are a loop block's.
+// Sizes of a solver: the size of each array of its programs, and the share of each loop block.
 
 #include <initializer_list>
 #include <optional>
@@ -34,19 +34,19 @@ struct SolverLayout {
 
 SolverLayout solver_layout(const Model& model, const Topology& topology, const Analysis& analysis);
 
-/// Size of an array that its spec names, over all loop blocks where each has its share. Requires: none of
-/// `derived`, `tangent` and `seed`, which programs decide.
+/// Size of an array of a program's spec, over all loop blocks if each has a share. Requires: not `derived`, `tangent`
+/// or `seed`, whose sizes depend on the programs.
 int size_of(const SolverLayout& layout, Array array);
 
-/// The first number and how many.
+/// First place and count.
 struct ArrayShare {
   int first = 0, size = 0;
 };
 
-/// The share of a loop block in a flat array; none of an array that has no shares.
+/// Share of a loop block in a flat array; none for an array without shares.
 std::optional<ArrayShare> share_of(const BlockPlaces& block, Array array);
 
-/// A direction that holds these arrays one after another.
+/// A direction that contains these arrays one after another.
 std::vector<DirectionGroup> direction_of(const SolverLayout& layout, std::initializer_list<Array> arrays);
 
 }  // namespace mbgen

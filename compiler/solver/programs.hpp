@@ -42,23 +42,23 @@ struct ProgramSpec {
   std::vector<Array> inputs, outputs;
 };
 
-/// One spec a role, in the order of the roles. No emitted program takes or gives an array that its spec does not have.
+/// One spec per role, in the order of the roles. Emitted programs use only the arrays of their specs.
 const std::vector<ProgramSpec>& program_specs();
 
 const ProgramSpec& spec_of(Role role);
 const char* name_of(Role role);
 
-/// What a law takes of its elements.
+/// Argument of a law, taken from its elements.
 struct LawArgument {
   std::string name;
   bool is_common = false;            ///< one value for all elements
   std::vector<double> numbers = {};  ///< an element, where they are known before anything runs
 };
 
-/// A force law that several elements have in common: a program of its own, which is written in lanes, an element in
-/// each. It takes Array::law_argument and gives Array::law_result, a number an argument or result. The accelerations
-/// around it give the arguments of law k that are no numbers as of_block(Array::law_argument, k), see argument_place,
-/// and take its results as of_block(Array::law_result, k), number result * elements + element.
+/// A force law that several elements share: a separate program, which is written in lanes, one element in each. It
+/// takes Array::law_argument and gives Array::law_result, one number per argument or result. The accelerations around
+/// it give those arguments of law k that are not numbers as of_block(Array::law_argument, k), see argument_place, and
+/// take its results as of_block(Array::law_result, k), number result * elements + element.
 struct SharedLaw {
   Program program;
   std::vector<int> tyres;  ///< the elements: indices into Model::tyres
@@ -66,25 +66,24 @@ struct SharedLaw {
   std::vector<std::string> results;
 };
 
-/// Place of an element's argument among those that the accelerations around a law give; a common one has a single
+/// Place of an element's argument among the arguments that the accelerations give; a common argument has a single
 /// place.
 int argument_place(const SharedLaw& law, std::size_t argument, std::size_t element);
 
-/// What a mirror of the mechanism makes of an input: its value becomes sign times that of the image, and the other way
-/// round.
+/// Mirror image of an input: in the mirrored mechanism its value is sign times the value of the image, and conversely.
 struct MirroredInput {
   Slot slot, image;
   int sign = 1;
 };
 
-/// An input, and that of an equal part of the mechanism which is no mirror image.
+/// An input, and the input of an equal part of the mechanism that is not its mirror image.
 struct TwinInput {
   Slot slot, twin;
 };
 
 /// Inputs of the accelerations that belong to parts of the mechanism which are alike.
 struct AlikeInputs {
-  /// Inputs that a mirror of the mechanism takes to others or to themselves; empty where it has none.
+  /// Images of inputs under a mirror of the mechanism; empty if it has none.
   std::vector<MirroredInput> mirror;
   std::vector<TwinInput> twins;  ///< inputs of parts that are equal, each pair once
 };
@@ -146,7 +145,7 @@ std::vector<const Program*> all_programs(const Programs& programs, const std::ve
 std::vector<const Program*> all_programs(const WholePrograms& whole);
 std::vector<const Program*> all_programs(const WrittenPrograms& written);
 
-/// The programs themselves when they keep to their specs. Fails: std::logic_error with program and slot.
+/// The programs themselves if they conform to their specs. Fails: std::logic_error with program and slot.
 WrittenPrograms verified(WrittenPrograms written);
 
 }  // namespace mbgen

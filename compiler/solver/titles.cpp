@@ -31,7 +31,7 @@ constexpr StepTitle kStepTitles[] = {
     {"tangents of the force elements and factors of the implicit equations"},
 };
 
-/// A block as its loops name it.
+/// Name of a block by its loops.
 std::string block_name(const Topology& topology, const LoopBlock& block) {
   const std::string& first = topology.loops[static_cast<std::size_t>(block.loops.front())].name;
   const std::string& last = topology.loops[static_cast<std::size_t>(block.loops.back())].name;
@@ -58,23 +58,9 @@ std::string name_in(const Model& model, std::size_t i) {
 
 /// Names of the model's own parts.
 constexpr std::pair<OwnerKind, std::string (*)(const Model&, std::size_t)> kNames[] = {
-    {OwnerKind::body, name_in<&Model::bodies>},
-    {OwnerKind::joint, name_in<&Model::joints>},
-    {OwnerKind::spring, name_in<&Model::springs>},
-    {OwnerKind::air_spring, name_in<&Model::air_springs>},
-    {OwnerKind::joint_spring, name_in<&Model::joint_springs>},
-    {OwnerKind::friction, name_in<&Model::frictions>},
-    {OwnerKind::spring_friction, name_in<&Model::spring_frictions>},
-    {OwnerKind::rod_friction, name_in<&Model::rod_frictions>},
-    {OwnerKind::joint_force, name_in<&Model::joint_forces>},
-    {OwnerKind::force, name_in<&Model::forces>},
-    {OwnerKind::tyre, name_in<&Model::tyres>},
-    {OwnerKind::bushing, name_in<&Model::bushings>},
-    {OwnerKind::bump_stop, name_in<&Model::bump_stops>},
-    {OwnerKind::motion, name_in<&Model::motions>},
-    {OwnerKind::output, name_in<&Model::outputs>},
-    {OwnerKind::state, name_in<&Model::states>},
-    {OwnerKind::sampled, name_in<&Model::sampled>}};
+    {OwnerKind::body, name_in<&Model::bodies>},    {OwnerKind::joint, name_in<&Model::joints>},
+    {OwnerKind::motion, name_in<&Model::motions>}, {OwnerKind::output, name_in<&Model::outputs>},
+    {OwnerKind::state, name_in<&Model::states>},   {OwnerKind::sampled, name_in<&Model::sampled>}};
 
 std::string owner_title(const Model& model, const Topology& topology, const Owner& owner) {
   const auto i = static_cast<std::size_t>(owner.index);
@@ -83,7 +69,9 @@ std::string owner_title(const Model& model, const Topology& topology, const Owne
   if (owner.kind == OwnerKind::loop_block) return fmt::format("loop block {}", i);
   for (const auto& [kind, name_of_part] : kNames)
     if (kind == owner.kind) return name_of_part(model, i);
-  return "";
+  std::string title;
+  with_kind(place_of_kind(owner.kind), [&](auto kind) { title = kind.list(model)[i].name; });
+  return title;
 }
 
 }  // namespace

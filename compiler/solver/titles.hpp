@@ -1,5 +1,5 @@
 #pragma once
-// Titles of steps and of parts of a mechanism, as headings of emitted code, dumps and tables have them.
+// Titles of steps and of parts of a mechanism, for headings of emitted code, dumps and tables.
 
 #include "compiler/model/model.hpp"
 #include "compiler/program/program.hpp"

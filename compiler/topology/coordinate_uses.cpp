@@ -1,12 +1,9 @@
 #include "compiler/topology/coordinate_uses.hpp"
 
+#include <fmt/format.h>
+
 namespace mbgen {
 namespace {
-
-template <class Elements>
-void add_elements(std::vector<CoordinateUse>& uses, const std::string& kind, const Elements& elements) {
-  for (const auto& element : elements) uses.push_back({element.joint, kind + " " + element.name});
-}
 
 void add_expressions(std::vector<CoordinateUse>& uses, const Model& model) {
   using Kind = ExpressionNode::Kind;
@@ -19,15 +16,15 @@ void add_expressions(std::vector<CoordinateUse>& uses, const Model& model) {
 }
 
 void add_elements_of_laws(std::vector<CoordinateUse>& uses, const Model& model) {
-  add_elements(uses, "motion", model.motions);
-  add_elements(uses, "joint spring", model.joint_springs);
-  for (const JointSpring& spring : model.joint_springs) {
-    if (spring.relative_to) uses.push_back({*spring.relative_to, "joint spring " + spring.name});
-  }
-  add_elements(uses, "friction", model.frictions);
-  add_elements(uses, "joint force", model.joint_forces);
-  for (const BumpStop& stop : model.bump_stops)
-    if (stop.is_on_joint()) uses.push_back({stop.joint, "bump stop " + stop.name});
+  for (const Motion& motion : model.motions) uses.push_back({motion.joint, "motion " + motion.name});
+  each_element(model, [&](const auto& element) {
+    const Connection connection = connection_of(element);
+    const OnCoordinate* on = std::get_if<OnCoordinate>(&connection);
+    if (!on) return;
+    const std::string name = fmt::format("{} {}", KindOf<std::decay_t<decltype(element)>>::words, element.name);
+    uses.push_back({on->joint, name});
+    if (on->relative_to) uses.push_back({*on->relative_to, name});
+  });
 }
 
 }  // namespace

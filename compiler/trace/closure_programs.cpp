@@ -104,7 +104,7 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
       return std::pair(std::move(rows), std::move(pivots));
     });
     const auto step = tracing.scribe.step(Step::velocities);
-    const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
+    const auto heading = within_block(tracing.scribe, b);
     std::vector<Expr> open, known_z, known_zd;
     for (const Expr& value : closed.residual) open.push_back(-value);
     for (int j : block.joints) {

@@ -22,8 +22,8 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
                                       Role role = Role::accelerations, RecursionChoices choices = {},
                                       const std::vector<SharedLaw>& laws = {});
 
-/// What the mirror of the mechanism makes of the inputs of the accelerations, results of these laws among them; empty
-/// where it has none.
+/// Mirror images of the inputs of the accelerations, results of these laws among them; empty where the mechanism has no
+/// mirror.
 std::vector<MirroredInput> mirrored_inputs(const Model& model, const Topology& topology,
                                            const std::vector<SharedLaw>& laws);
 
@@ -45,7 +45,7 @@ Program trace_closure_terms(const Model& model, const Topology& topology, const 
 Program trace_multipliers(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
 
 /// Outputs of the model and its energies. Multipliers come from outside, so that they are right where the frozen
-/// partition is not; without loops there are none, and the driving forces are what is missing.
+/// partition is not; without loops there are none, and the driving forces come from outside.
 Program trace_outputs(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
 
 /// Auxiliary states that hold, after the sampled values that are due are set; empty without such values.
@@ -66,8 +66,8 @@ enum class TraceOrder {
   as_recorded  ///< for counting: as many operations, in less time
 };
 
-/// The share of a loop block in the recursive accelerations, for counting: its joints, those that it moves on and the
-/// units directly on it, without applied forces. Of the other blocks nothing is traced. partition: in place of `quasi`.
+/// The share of a loop block in the recursive accelerations, for counting: its joints, the joints of its base and the
+/// units directly on it, without applied forces. Other blocks are not traced. partition: in place of `quasi`.
 Program trace_block(const Model& model, const Topology& topology, const Analysis& analysis, int block,
                     const LoopPartition& partition, TraceOrder order);
 

@@ -48,7 +48,7 @@ BlockMultipliers<Expr> rate_multipliers(Tracing& tracing, const GivenState& s, s
   const LoopPartition& partition = tracing.analysis.blocks[b];
   const SparseClosure<Expr> closed =
       sparse_closure(tracing.system, s.kinematics, block, at_rest<Expr>(tracing.system.topology));
-  const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
+  const auto heading = within_block(tracing.scribe, b);
   BlockMultipliers<Expr> result;
   for (int j : block.joints) result.left.push_back(s.missing.joint[j]);
   const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, partition, block.joints.size());

@@ -4,7 +4,7 @@
 namespace mbgen {
 namespace {
 
-/// What the frozen path knows of a block: factors, Rz and zdd_star.
+/// Values of a block on the frozen path: factors, Rz and zdd_star.
 struct FrozenBlocks {
   std::vector<FrozenFactors<Expr>> factors;
   std::vector<std::vector<std::vector<Expr>>> rz;
@@ -18,7 +18,7 @@ void frozen_jacobians(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks&
   const RelativeMotion<Expr> rest = at_rest<Expr>(system.topology);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
     const SparseClosure<Expr> closed = sparse_closure(system, k, system.topology.blocks[b], rest);
-    const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
+    const auto heading = within_block(tracing.scribe, b);
     const std::size_t coordinates = system.topology.blocks[b].joints.size();
     blocks.factors.push_back(factorise_frozen(closed.jacobian, tracing.analysis.blocks[b], coordinates));
   }
@@ -29,7 +29,7 @@ void frozen_projections(Tracing& tracing, FrozenBlocks& blocks) {
   System<Expr>& system = tracing.system;
   const auto step = tracing.scribe.step(Step::projection);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
-    const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
+    const auto heading = within_block(tracing.scribe, b);
     blocks.rz.push_back(
         frozen_rz(blocks.factors[b], tracing.analysis.blocks[b], system.topology.blocks[b].joints.size()));
     name_rz(system, system.topology.blocks[b].joints, blocks.rz[b]);
@@ -45,7 +45,7 @@ void frozen_bias(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& bloc
     const LoopBlock& block = system.topology.blocks[b];
     set_relative_motion(system, k, block, relative);
     const SparseClosure<Expr> closed = sparse_closure(system, k, block, relative);
-    const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
+    const auto heading = within_block(tracing.scribe, b);
     blocks.zdd_star.push_back(frozen_zdd_star(blocks.factors[b], tracing.analysis.blocks[b], closed,
                                               tracing.driven_values(block, &Drive<Expr>::acceleration)));
     name_zdd_star(system, block.joints, blocks.zdd_star[b]);

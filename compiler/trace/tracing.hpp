@@ -35,7 +35,7 @@ class Tracing {
     drive = drives(system);
   }
 
-  /// What `work` gives, its values in this step.
+  /// Result of `work`, with its values in this step.
   template <class Work>
   auto in(Step step, Work work) {
     const auto scope = scribe.step(step);

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Measures the paper's tables 1 and 2 on this machine: docs/evidence/tables.sh [MBGEN]
-# What it prints is what docs/evidence/tables.md holds. The machine should have nothing else to do.
+# docs/evidence/tables.md holds its output. The machine should have nothing else to do.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mbgen=${1:-$here/../../build/release/mbgen}

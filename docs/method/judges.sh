@@ -47,7 +47,7 @@ echo "|---|---|---|---|---|"
 for model in "$@"; do
   count=$("$mbgen" inspect "$model" --json | grep -o '"relative_coordinates": [0-9]*' | grep -o '[0-9]*')
   random_states "$count" > "$scratch/open.json"
-  # What evaluate prints after projection is itself a file of states.
+  # The output of evaluate after projection is itself a file of states.
   "$mbgen" evaluate "$model" --states "$scratch/open.json" --project --engine generic |
     sed 's/"zdd":\[[^]]*\],//g' > "$scratch/closed.json"
   "$mbgen" evaluate "$model" --states "$scratch/closed.json" | accelerations > "$scratch/generated"

@@ -5,7 +5,7 @@
 
 #include "four_bar_a2l.h"
 
-/* What the file's symbols link to: objects of file scope, under these names. */
+/* Objects of file scope under the names that the file's symbols link to. */
 four_bar_parameters four_bar_a2l_parameters;
 four_bar_inputs four_bar_a2l_inputs;
 four_bar_outputs four_bar_a2l_outputs;

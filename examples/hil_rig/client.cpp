@@ -18,7 +18,7 @@ struct Heard {
   Motion motion;
 };
 
-// What the client knows of the plant's packets; a plant that started anew is another session.
+// The client's knowledge of the plant's packets; a plant that started anew is another session.
 struct Hearing {
   std::optional<std::uint32_t> session;
   Numbers numbers;

@@ -9,7 +9,7 @@
 
 namespace hil_rig {
 
-/// What became of a client's run.
+/// Result of a client's run.
 struct ClientResult {
   long motions = 0;    ///< received whole and newer than those before
   long dropped = 0;    ///< broken, doubled or late

@@ -8,7 +8,7 @@
 
 namespace hil_rig {
 
-/// What the driver is to do, and how.
+/// Task and constants of the driver.
 struct Driver {
   double lane_change = 3.5;    ///< m to the left, and back again
   double out_at = 30;          ///< m along the road, where the way out begins
@@ -30,8 +30,8 @@ inline double path(const Driver& driver, double x) {
   return driver.lane_change * (change(driver.out_at) - change(driver.back_at));
 }
 
-/// What the driver does when the coach moves so: the circle through the coach and the point ahead, tangent to where it
-/// heads, gives the curvature; the speed is kept proportionally.
+/// The driver's command for a motion of the coach: the circle through the coach and the point ahead, tangent to the
+/// heading, gives the curvature; the speed is kept proportionally.
 inline Command drive(const Driver& driver, const Motion& motion) {
   const double ahead = driver.preview * std::max(motion.forward_speed, 5.0);
   const double dx = ahead * std::cos(motion.yaw);

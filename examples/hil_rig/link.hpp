@@ -1,6 +1,6 @@
 #pragma once
-// What becomes of packets that are lost, late, doubled or broken: pure functions over packets and times, without
-// sockets and clocks. docs/use/hil_rig.md has the policy as a table.
+// Policy for packets that are lost, late, doubled or broken: pure functions over packets and times, without sockets and
+// clocks. docs/use/hil_rig.md has the policy as a table.
 
 #include <cmath>
 
@@ -118,7 +118,7 @@ constexpr Phase phase_of(const Link& link, const Policy& policy, std::int64_t no
   return quiet < policy.hold + policy.ramp ? Phase::ramp : Phase::neutral;
 }
 
-/// What the plant does at `now`: the last command, held, then its ramp to neutral.
+/// The plant's command at `now`: the last command, held, then its ramp to neutral.
 constexpr Command command_at(const Link& link, const Policy& policy, std::int64_t now) {
   switch (phase_of(link, policy, now)) {
     case Phase::fresh:

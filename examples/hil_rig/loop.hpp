@@ -12,7 +12,7 @@
 
 namespace hil_rig {
 
-/// What the loop says of itself, made into words by whoever reads it.
+/// Message of the loop about itself, made into words by its reader.
 struct Event {
   enum class Kind { phase, parameters, overrun, session, failed } kind = Kind::phase;
   long cycle = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// What goes over the network: fixed layouts, little-endian on every machine, with a checksum at the end. Pure functions
+// Packets on the network: fixed layouts, little-endian on every machine, with a checksum at the end. Pure functions
 // over bytes; docs/use/hil_rig.md has the same as a table.
 
 #include <array>
@@ -15,7 +15,7 @@ constexpr std::uint16_t kVersion = 1;
 
 enum class Type : std::uint16_t { command = 1, motion = 2, setting = 3, answer = 4 };
 
-/// What every packet begins with.
+/// Start of every packet.
 struct Header {
   Type type = Type::command;
   std::uint32_t session = 0;   ///< chosen by the sender when it starts

@@ -62,7 +62,7 @@ void take_events(Shared& shared, View& view) {
   for (Event event; shared.events.pop(event);) view.say(words_of(event));
 }
 
-// What the thread beside the loop does until the loop is done.
+// Work of the thread beside the loop until the loop is done.
 void watch(const Socket& control, int signals, coach_rig::Parameters parameters, Shared& shared) {
   View view(stdout, isatty(STDOUT_FILENO) == 1);
   Glance glance;

@@ -1,5 +1,5 @@
 #pragma once
-// What a thread needs to keep a period on PREEMPT_RT, and what it does without where it is not permitted.
+// Settings by which a thread keeps a period on PREEMPT_RT; each that is not permitted is left out.
 
 #include <cstdint>
 #include <cstdio>

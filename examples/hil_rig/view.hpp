@@ -1,5 +1,5 @@
 #pragma once
-// What a run looks like: redrawn in place on a terminal, a line a second elsewhere, and the result at the end.
+// View of a run: redrawn in place on a terminal, a line a second elsewhere, and the result at the end.
 
 #include <cstdio>
 #include <deque>

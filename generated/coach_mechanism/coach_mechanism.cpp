@@ -1,4 +1,4 @@
-// coach_mechanism, content hash cd516c6f0e4092ba
+// coach_mechanism, content hash f103c08ed05488f2
 // Made by `mbgen generate coach_mechanism.json`, mbgen 0.1.0. Change the model, not this file.
 //
 // Tree, each body with its coordinate, on the body before it:

@@ -1,4 +1,4 @@
-// coach_mechanism, content hash cd516c6f0e4092ba
+// coach_mechanism, content hash f103c08ed05488f2
 // Made by `mbgen generate coach_mechanism.json`, mbgen 0.1.0. Change the model, not this file.
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace coach_mechanism {
 
 constexpr const char* kModel = "coach_mechanism";
-constexpr const char* kHash = "cd516c6f0e4092ba";
+constexpr const char* kHash = "f103c08ed05488f2";
 
 constexpr int kCoordinates = 32;
 constexpr int kAuxiliaryStates = 0;
@@ -102,7 +102,7 @@ inline constexpr const char* const kLoopBlockNames[] = {
 struct Parameters {
 };
 
-/// What functions take: no constants follow from the parameters.
+/// Argument type of the functions: no constants follow from the parameters.
 using Tuned = Parameters;
 
 /// Inputs with their defaults. They are constant during a step.

@@ -82,7 +82,7 @@ struct Parameters {
   double k = 1200.0;  ///< N/m
 };
 
-/// What functions take: no constants follow from the parameters.
+/// Argument type of the functions: no constants follow from the parameters.
 using Tuned = Parameters;
 
 /// Inputs with their defaults. They are constant during a step.

@@ -9,9 +9,8 @@ namespace {
 
 constexpr double kDifference = 1e-6;  // rad or m, for the stiffness by central differences
 
-}  // namespace
-
-Balance balance(GenericEquations& equations, const GenericState& state) {
+/// A balance without inertias.
+Balance forces_at(GenericEquations& equations, const GenericState& state) {
   System<double>& system = equations.system(state);
   const Kinematics<double> k = kinematics(system);
   const Velocities<double> v = velocities(system, k);
@@ -30,7 +29,16 @@ Balance balance(GenericEquations& equations, const GenericState& state) {
       b.rz.transpose() * Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
   for (Eigen::Index i = 0; i < states; ++i)
     b.force[b.rz.cols() + i] = forces.xd[first + i] / magnitudes[static_cast<std::size_t>(first + i)];
-  tree_mass_matrix(system, k, m, equations.mass);
+  return b;
+}
+
+}  // namespace
+
+Balance balance(GenericEquations& equations, const GenericState& state) {
+  Balance b = forces_at(equations, state);
+  System<double>& system = equations.system(state);
+  const Kinematics<double> k = kinematics(system);
+  tree_mass_matrix(system, k, inertias(system, k), equations.mass);
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(b.rz.rows(), b.rz.rows());
   spread(equations.mass, mass);
   b.inertia = (b.rz.transpose() * mass * b.rz).diagonal();
@@ -73,7 +81,7 @@ Status stiffness_at(const GenericSolver& solver, GenericEquations& equations, co
     GenericState ahead, behind;
     if (const Status status = moved(solver, equations, state, b, change, ahead); !status.ok()) return status;
     if (const Status status = moved(solver, equations, state, b, -change, behind); !status.ok()) return status;
-    stiffness.col(u) = (balance(equations, ahead).force - balance(equations, behind).force) / (2 * kDifference);
+    stiffness.col(u) = (forces_at(equations, ahead).force - forces_at(equations, behind).force) / (2 * kDifference);
   }
   return {};
 }

@@ -24,7 +24,7 @@ class PartitionedJacobian {
   double factorise(const std::vector<BlockClosure<double>>& closures);
   /// Sets the dependent entries of x, per coordinate, so that Phi_z x = right_hand_side.
   void solve(const PerBlock& right_hand_side, std::vector<double>& x);
-  /// Phi_d^-1 Phi_i: row k is that of dependent_coordinates()[k], column q that of the q-th direction of its block.
+  /// Phi_d^-1 Phi_i: row k belongs to dependent_coordinates()[k], column q to the q-th direction of its block.
   const std::vector<double>& dependence();
 
   const std::vector<BlockPartition>& partition() const { return partition_; }

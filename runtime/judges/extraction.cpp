@@ -68,7 +68,7 @@ std::vector<double> CartesianSystem::driving_forces(const Eigen::VectorXd& lambd
   std::vector<double> result;
   for (std::size_t k = 0; k < mechanism_->model.motions.size(); ++k)
     result.push_back(-lambda[mechanism_->first.motions + static_cast<int>(k)]);
-  // What makes a rod longer pushes against its tension.
+  // A motion that makes a rod longer pushes against its tension.
   for (std::size_t r = 0; r < mechanism_->parts.rods.size(); ++r)
     if (const int motion = mechanism_->parts.rods[r].motion; motion >= 0)
       result[motion] -= lambda[mechanism_->first.rods[r]];

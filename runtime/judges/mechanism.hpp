@@ -33,9 +33,9 @@ struct CoupledCoordinate {
   double slope = 0;
 };
 
-/// A spring or air spring as it is now: m, m/s, and its tension with its friction, N.
+/// A spring as it is now: m, m/s, its tension with its friction, and by its own law, N.
 struct LineAtWork {
-  double length = 0, rate = 0, force = 0;
+  double length = 0, rate = 0, force = 0, own = 0;
 };
 
 /// Forces of the model's elements at one state.
@@ -43,7 +43,7 @@ struct Forces {
   std::vector<Load> loads;     ///< springs, applied forces, tyres; on ground too
   std::vector<double> joints;  ///< per tree coordinate, N or N m
   std::vector<double> xd;      ///< rates of the auxiliary states
-  std::vector<LineAtWork> springs, air_springs;
+  std::vector<LineAtWork> springs;
   std::vector<TyreResult<double>> tyres;
 };
 

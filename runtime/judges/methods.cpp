@@ -1,6 +1,7 @@
 #include "runtime/judges/methods.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/algebra/dense.hpp"
 

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "runtime/judges/bump_stops.hpp"
-#include "runtime/judges/bushings.hpp"
+#include "compiler/model/element_outputs.hpp"
+#include "runtime/judges/elements/every_kind.hpp"
 #include "runtime/judges/mechanism.hpp"
-#include "runtime/judges/stored_energy.hpp"
 #include "runtime/judges/system.hpp"
 
 namespace mbgen {
@@ -77,17 +76,27 @@ class Instant {
     return (*derivatives[static_cast<int>(output.what)])[i];
   }
 
-  double value(const TyreOutput& output) const {
-    const TyreResult<double>& tyre = forces_.tyres[output.tyre];
-    const double values[] = {tyre.load, tyre.fx, tyre.fy, tyre.mz, tyre.kappa, tyre.alpha};
-    return values[static_cast<int>(output.what)];
+  double value(const ElementOutput& output) const {
+    double result = 0;
+    const AtWork at{c_, bodies_, state_.x, values_};
+    with_kind(output.kind, [&](auto kind) {
+      const auto& element = kind.list(c_.model)[static_cast<std::size_t>(output.element)];
+      if constexpr (requires { energy_of(at, element); })
+        if (is_stored_energy(output)) return void(result = energy_of(at, element));
+      if constexpr (requires { shown(at, forces_, element, 0, 0); })
+        result = shown(at, forces_, element, output.quantity, output.axis);
+    });
+    return result;
   }
 
-  double value(const SpringOutput& output) const {
-    const LineAtWork& line =
-        output.point_spring >= 0 ? forces_.springs[output.point_spring] : forces_.air_springs[output.air_spring];
-    const double values[] = {line.force, line.length, line.rate};
-    return values[static_cast<int>(output.what)];
+  /// J: the work of all elastic forces.
+  double value(const StoredEnergyOutput&) const {
+    double sum = 0;
+    const AtWork at{c_, bodies_, state_.x, values_};
+    each_element(c_.model, [&](const auto& element) {
+      if constexpr (requires { energy_of(at, element); }) sum += energy_of(at, element);
+    });
+    return sum;
   }
 
   double value(const DriveOutput& output) const { return solution_.drives[output.motion]; }
@@ -207,28 +216,6 @@ class Instant {
     if (output.what == What::camber) return -output.side * std::asin(axis.z());
     return (output.what == What::toe ? -output.side : 1) * std::atan2(forward.y(), forward.x());
   }
-
-  double value(const BushingOutput& output) const {
-    const auto b = static_cast<std::size_t>(output.bushing);
-    const Bushing& bushing = c_.model.bushings[b];
-    const BushingAtWork at_work = bushing_at_work(bushing, c_.parts.bushings[b], bodies_,
-                                                  state_.x.data() + first_extension(c_.model, b), values_);
-    const bool turns =
-        output.what == BushingOutput::What::moment || output.what == BushingOutput::What::rotation_vector;
-    const int place = output.axis + (turns ? 3 : 0);
-    if (output.what >= BushingOutput::What::deflection) return at_work.deflection[place];
-    const Vector3d& acts = turns ? at_work.moment : at_work.force;
-    return -bushing_sense(bushing, place) * acts[output.axis];
-  }
-
-  double value(const BumpStopOutput& output) const {
-    const StopAtWork stop =
-        stop_at_work(c_.model.bump_stops[output.stop], c_.parts.bump_stops[output.stop], bodies_, values_);
-    if (output.what == BumpStopOutput::What::force) return stop.force;
-    return output.what == BumpStopOutput::What::deflection ? stop.penetration : stop.rate;
-  }
-
-  double value(const StoredEnergyOutput& output) const { return stored_energy(c_, output, bodies_, state_.x, values_); }
 
  private:
   template <class Connection>

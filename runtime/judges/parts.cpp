@@ -98,30 +98,39 @@ PartJoint joint_of(const Parts& parts, const Joint& joint, bool cut, const std::
   return part;
 }
 
-PartLine line_of(const Parts& parts, const Attachment& from, const Attachment& to, const Values& value) {
-  return {place_of(parts, from, value), place_of(parts, to, value),
-          (reference_of(from, value) - reference_of(to, value)).norm()};
+/// Distance of two points at the reference, m.
+double reference_distance(const Attachment& from, const Attachment& to, const Values& value) {
+  return (reference_of(from, value) - reference_of(to, value)).norm();
 }
 
-PartFrames frames_of(const Parts& parts, const Bushing& bushing, const Values& value) {
-  const Place from = place_of(parts, bushing.from, value), to = place_of(parts, bushing.to, value);
-  const Matrix3d axes = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(bushing.axes.data());
-  return {from, to, parts.bodies[from.body].axes.transpose() * axes, parts.bodies[to.body].axes.transpose() * axes};
-}
-
-PartStop stop_of(const Parts& parts, const BumpStop& stop, const Values& value) {
-  if (stop.is_on_joint()) return {};
-  PartStop part{line_of(parts, stop.from, stop.to, value)};
-  if (!stop.axis) return part;
-  const Matrix3d axes = parts.bodies[part.line.from.body].axes;
-  part.axis = axes.transpose() * vector_of(*stop.axis);
-  part.gap = axes.transpose() * (reference_of(stop.to, value) - reference_of(stop.from, value));
+ElementPart part_of(const Parts& parts, const Connection& connection, const Values& value) {
+  ElementPart part;
+  each_attachment(connection, [&](const Attachment& at) { part.from = place_of(parts, at, value); });
+  with_ends(connection, [&](const Attachment& from, const Attachment& to) {
+    part.from = place_of(parts, from, value);
+    part.to = place_of(parts, to, value);
+    part.reference = reference_distance(from, to, value);
+  });
+  if (const BetweenFrames* frames = std::get_if<BetweenFrames>(&connection)) {
+    const Matrix3d axes = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(frames->axes.data());
+    part.axes_from = parts.bodies[part.from.body].axes.transpose() * axes;
+    part.axes_to = parts.bodies[part.to.body].axes.transpose() * axes;
+  }
+  if (const AlongDirection* along = std::get_if<AlongDirection>(&connection)) {
+    const Matrix3d axes = parts.bodies[part.from.body].axes;
+    part.axis = axes.transpose() * vector_of(along->axis);
+    part.gap = axes.transpose() * (reference_of(along->to, value) - reference_of(along->from, value));
+  }
   return part;
 }
 
 PartRod rod_of(const Parts& parts, const Rod& rod, const Values& value) {
-  const PartLine line = line_of(parts, rod.from, rod.to, value);
-  PartRod part{line.from, line.to, rod.length ? value(*rod.length) : line.reference, value(rod.mass), -1, -1};
+  PartRod part{place_of(parts, rod.from, value),
+               place_of(parts, rod.to, value),
+               rod.length ? value(*rod.length) : reference_distance(rod.from, rod.to, value),
+               value(rod.mass),
+               -1,
+               -1};
   const std::vector<Motion>& motions = value.model.motions;
   for (std::size_t k = 0; k < motions.size(); ++k)
     if (rod.drive >= 0 && motions[k].joint.joint == rod.drive) part.motion = static_cast<int>(k);
@@ -181,17 +190,14 @@ Parts make_parts(const Model& model, const Topology& topology, const Values& val
     const bool closes = cut[j] || (!coordinates.empty() && coordinates[0] < 0);  // a cut free joint is no closure
     parts.joints.push_back(joint_of(parts, model.joints[j], closes, coordinates, values));
   }
-  for (const PointSpring& spring : model.springs)
-    parts.springs.push_back(line_of(parts, spring.from, spring.to, values));
-  for (const AirSpring& spring : model.air_springs)
-    parts.air_springs.push_back(line_of(parts, spring.from, spring.to, values));
-  for (const AppliedForce& force : model.forces) parts.forces.push_back(place_of(parts, force.at, values));
+  each_kind([&]<class Kind>(KindOf<Kind> kind) {
+    for (const Kind& element : kind.list(model))
+      parts.elements[kKindIndex<Kind>].push_back(part_of(parts, connection_of(element), values));
+  });
   for (const Tyre& tyre : model.tyres) {
     const Place centre = place_of(parts, tyre.centre, values);
     parts.tyres.push_back({centre, in_body(parts, centre, tyre.axis)});
   }
-  for (const Bushing& bushing : model.bushings) parts.bushings.push_back(frames_of(parts, bushing, values));
-  for (const BumpStop& stop : model.bump_stops) parts.bump_stops.push_back(stop_of(parts, stop, values));
   return parts;
 }
 

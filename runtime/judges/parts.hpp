@@ -47,21 +47,11 @@ struct PartRod {
   int motion = -1;  ///< index into Model::motions: what it adds to the length; -1 for a constant length
 };
 
-/// An element between two points, with its length at the reference configuration.
-struct PartLine {
-  Place from, to;
-  double reference = 0;  ///< m
-};
-
-/// An element between two frames, whose axes agree at the reference configuration.
-struct PartFrames {
-  Place from, to;
-  Eigen::Matrix3d axes_from, axes_to;  ///< columns: its axes, in the axes of either body
-};
-
-/// A bump stop between two points.
-struct PartStop {
-  PartLine line;
+/// The places of an element by its connection.
+struct ElementPart {
+  Place from, to;                                  ///< of an element on one body `from` alone
+  double reference = 0;                            ///< m, distance at the reference configuration
+  Eigen::Matrix3d axes_from, axes_to;              ///< columns: axes of a frame, in the axes of either body
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();  ///< body axes of `from`; zero: along the line
   Eigen::Vector3d gap = Eigen::Vector3d::Zero();   ///< from `from` to `to` at the reference, body axes of `from`, m
 };
@@ -77,11 +67,8 @@ struct Parts {
   std::vector<int> index_of;  ///< per Model::bodies: index into `bodies`
   std::vector<PartJoint> joints;
   std::vector<PartRod> rods;
-  std::vector<PartLine> springs, air_springs;
-  std::vector<Place> forces;
+  std::array<std::vector<ElementPart>, ElementKinds::count> elements;  ///< per kind as in the model
   std::vector<PartTyre> tyres;
-  std::vector<PartFrames> bushings;
-  std::vector<PartStop> bump_stops;
   Eigen::Vector3d gravity;
   int ground() const { return static_cast<int>(bodies.size()) - 1; }
 };

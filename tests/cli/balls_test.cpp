@@ -135,8 +135,8 @@ TEST_F(CommandLine, RacketFlipsOnAndOn) {
   EXPECT_LT(std::abs(report["relative_energy_error"].get<double>()), 1e-7);
 }
 
-// A brick turns 1e5 times: 31416 s at 20 rad/s in steps of a fiftieth of a radian. What the steps take from its energy
-// is the error of Runge-Kutta in angles, and no step meets a pole.
+// A brick turns 1e5 times: 31416 s at 20 rad/s in steps of a fiftieth of a radian. Its loss of energy is the error
+// of Runge-Kutta in angles, and no step meets a pole.
 TEST_F(CommandLine, BrickTumblesAHundredThousandTurns) {
   const std::string start = R"("float_ry": 3, "float_rx": 0.02)";
   write("m.json", with_text(free_racket(), start, R"("float_rx": 4, "float_ry": 19, "float_rz": 5)"));

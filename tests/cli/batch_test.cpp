@@ -1,4 +1,4 @@
-// What `--batch` writes and refuses.
+// Output and refusals of `--batch`.
 
 #include "tests/support/cli_support.hpp"
 

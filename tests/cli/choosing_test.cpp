@@ -41,7 +41,7 @@ std::string text_of(const FourBar& bars) {
                      body("rocker", "ground", "0", "cx", "cy"), bars.more);
 }
 
-/// What `simulate` reported, and its table.
+/// Report and table of `simulate`.
 struct Motion {
   Json report;
   Table table;

@@ -1,4 +1,4 @@
-// What can be asked of a model without running it: help, exit codes, check, inspect, generate, dumps, schema.
+// Commands that ask a model without running it: help, exit codes, check, inspect, generate, dumps, schema.
 
 #include "tests/support/cli_support.hpp"
 
@@ -189,7 +189,7 @@ TEST_F(CommandLine, DumpsEveryStageAndNothingElse) {
   }
   ASSERT_EQ(mbgen("generate four_bar.json --out made --no-runtime").exit_code, 0);
   EXPECT_NE(mbgen("inspect four_bar.json --dump=code").out.find(read("made/four_bar.cpp")), std::string::npos);
-  // What is dumped is what is generated, in the form and for the instances that are asked for.
+  // The dump equals the generated code, in the form and for the instances that are asked for.
   ASSERT_EQ(mbgen("generate four_bar.json --out made --no-runtime --form matrix --batch 4").exit_code, 0);
   const std::string code = mbgen("generate four_bar.json --dump=code --form matrix --batch 4").out;
   EXPECT_NE(code.find(read("made/four_bar.cpp")), std::string::npos);

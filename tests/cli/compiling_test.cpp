@@ -24,7 +24,7 @@ class Compiling : public CommandLine {
     set("XDG_CACHE_HOME", path("cache").string());
   }
 
-  /// What `mbgen ARGUMENTS` writes to a terminal.
+  /// Output of `mbgen ARGUMENTS` on a terminal.
   std::string on_terminal(const std::string& arguments) const {
     return shell(fmt::format("script -qec \"'{}' {}\" /dev/null </dev/null", MBGEN_BINARY, arguments)).out;
   }

@@ -1,4 +1,4 @@
-// mbgen import: what it prints for people and for machines, and how it ends. What robots become: tests/import.
+// mbgen import: its output for people and for machines, and its exit codes. Imported robots: tests/import.
 #include "tests/support/cli_support.hpp"
 
 namespace mbgen::cli_test {

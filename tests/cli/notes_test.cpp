@@ -1,4 +1,4 @@
-// What mbgen check says of models that are allowed and likely not meant: tests/errors/notes/<name>.json, and the exact
+// Notes of mbgen check on models that are allowed and likely not meant: tests/errors/notes/<name>.json, and the exact
 // text in <name>.txt. MBGEN_UPDATE=1 cli_test --gtest_filter='Notes.*' rewrites the texts.
 #include "tests/support/cli_support.hpp"
 #include "tests/support/expected_text.hpp"

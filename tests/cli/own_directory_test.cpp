@@ -1,4 +1,4 @@
-// What is linked and loaded comes from directories that nobody else can write.
+// Linked and loaded files come from directories that nobody else can write.
 
 #include "workbench/host/own_directory.hpp"
 

@@ -23,7 +23,7 @@ class Seeing : public CommandLine {
   Outcome swing(const std::string& arguments) {
     return mbgen("simulate swing.json --engine generic --duration 0.5 --step 0.01 " + arguments);
   }
-  /// What a command that must fail by the user's fault says.
+  /// Message of a command that must fail by the user's fault.
   std::string refusal(const std::string& command) {
     const Outcome outcome = mbgen(command);
     EXPECT_EQ(outcome.exit_code, 1) << command;

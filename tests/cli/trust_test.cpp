@@ -1,4 +1,4 @@
-// What keeps a result that is wrong from passing for a good one: the step against the model, tables against themselves,
+// Checks that keep a wrong result from passing for a good one: the step against the model, tables against themselves,
 // rows against time, an equilibrium that there is not.
 
 #include <cmath>
@@ -188,7 +188,7 @@ TEST_F(Trust, StepThatIsTooLongIsAnError) {
     EXPECT_EQ(summary["warnings"].size(), 1u);
     const double stable = summary["stable_step"].get<double>(), fitting = summary["fitting_step"].get<double>();
     EXPECT_LT(stable, 1e-3);
-    // What is said to do does; what is stable and no more is a warning.
+    // The advised step serves; a step that is stable and no more is warned of.
     const Outcome good = mbgen(simulate + fmt::format(" --step {}", fitting));
     EXPECT_EQ(good.exit_code, 0);
     EXPECT_EQ(good.err, "") << integrator << fitting;

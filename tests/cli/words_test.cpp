@@ -1,4 +1,4 @@
-// What mbgen says of itself: explanations, the man page, completions, help.
+// Texts of mbgen on itself: explanations, the man page, completions, help.
 
 #include "tests/support/cli_support.hpp"
 
@@ -132,7 +132,7 @@ TEST_F(CommandLine, StandardOutputTakesAResult) {
       "-: cannot read file, it does not exist\n  hint: standard input is /dev/stdin, a file of this name is ./-\n");
 }
 
-// What is left where a variable of the shell is not set.
+// A variable of the shell that is not set leaves an empty word.
 TEST_F(CommandLine, EmptyWordsAreRefused) {
   write("pendulum.json", kPendulum);
   for (const char* command :

@@ -37,7 +37,7 @@ int main() {
 }
 )";
 
-/// What the program prints, by every compiler that is installed with every one of the flags.
+/// Outputs of the program by every installed compiler with every one of the flags.
 std::set<std::string> printed(const std::vector<std::string>& more_flags) {
   TemporaryDirectory directory;
   write(directory.path(), {"bits.cpp", kProgram});

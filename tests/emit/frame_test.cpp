@@ -75,9 +75,10 @@ TEST(Frames, dropLinesThatHoldTagsOfSectionsAlone) {
 }
 
 TEST(Frames, holdOtherFrames) {
-  EXPECT_EQ(fill_frame("frame", "a\n{{>tuned.in}}\nb",
-                       {{"derived", ""}, {"constructs", false}, {"tuned_comment", ""}, {"scalar", "double"}}),
-            "a\n/// What functions take: no constants follow from the parameters.\nusing Tuned = Parameters;\nb");
+  EXPECT_EQ(
+      fill_frame("frame", "a\n{{>tuned.in}}\nb",
+                 {{"derived", ""}, {"constructs", false}, {"tuned_comment", ""}, {"scalar", "double"}}),
+      "a\n/// Argument type of the functions: no constants follow from the parameters.\nusing Tuned = Parameters;\nb");
   EXPECT_EQ(error_of("{{>no_such.in}}", {}), "templates/no_such.in: not embedded");
 }
 

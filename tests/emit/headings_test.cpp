@@ -21,7 +21,7 @@ std::map<std::string, std::string> coordinates_of_bodies(const std::string& path
   return coordinates;
 }
 
-/// What a heading of the body or coordinate in a value's name begins with, "" for a value that is named after neither.
+/// Start of the heading for the body or coordinate in a value's name, "" for a value that is named after neither.
 std::string heading_of(const std::string& name, const std::map<std::string, std::string>& coordinates) {
   static const std::regex kOfBody("(?:R|r|v|w|a|alpha|f|n)_(\\w+?)(?:_[xyz]){1,2}(?:_\\d+)?");
   static const std::regex kOfCoordinate("(?:u|b|Q)_(\\w+?)(?:_[xyz])?(?:_\\d+)?");

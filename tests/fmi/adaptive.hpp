@@ -1,6 +1,6 @@
 #pragma once
 // An importer that chooses its steps: the pair of J. R. Dormand and P. J. Prince, "A family of embedded Runge-Kutta
-// formulae", 1980, orders 5 and 4. What it costs, where it asks for events, how near it comes to a table.
+// formulae", 1980, orders 5 and 4. Its cost, its events, its distance from a table.
 
 #include <algorithm>
 #include <cmath>

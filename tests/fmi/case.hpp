@@ -1,5 +1,5 @@
 #pragma once
-// What the importer drives: an FMU, its description and the table of `mbgen simulate`.
+// Input of the importer: an FMU, its description and the table of `mbgen simulate`.
 
 #include <cmath>
 #include <cstdlib>
@@ -96,7 +96,7 @@ inline std::vector<unsigned> references_of(const std::vector<Unknown>& unknowns)
   return references;
 }
 
-/// What directional derivatives are asked by.
+/// Knowns of directional derivatives.
 struct Knowns {
   std::vector<unsigned> all;      ///< the states first
   std::set<unsigned> parameters;  ///< those of them that are tunable

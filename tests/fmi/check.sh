@@ -109,7 +109,7 @@ done
 c++ -std=c++17 -O1 $warnings -pthread -I "$root/templates" "$here/two_units.cpp" "$scratch"/static_*/sources/*.o -lm -o "$scratch/two_units"
 guid_of() { sed -n 's/.* guid="\([^"]*\)".*/\1/p' "$scratch/static_$1/modelDescription.xml"; }
 "$scratch/two_units" "$(guid_of pendulum)" "$(guid_of slider_crank)" || fail "two FMUs in one program"
-# What the model says of itself and of its values; names that are taken get a prefix, and a note says so.
+# Texts of the model about itself and its values; names that are taken get a prefix, and a note says so.
 described() { grep -q -- "$1" "$scratch/described_$2/modelDescription.xml" || fail "FMI $2: no $1"; }
 for version in 2 3; do
   if [ ! -d "$scratch/described_$version" ]; then continue; fi

@@ -1,6 +1,6 @@
 #pragma once
-// What the importer reads of a model description: names, references and dependencies. It is written by mbgen, element
-// by element on lines of their own, and checked against the schemas by xmllint: no XML parser is needed here.
+// The importer's part of a model description: names, references and dependencies. It is written by mbgen, element by
+// element on lines of their own, and checked against the schemas by xmllint: no XML parser is needed here.
 
 #include <cstdlib>
 #include <fstream>

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "compiler/model/element_outputs.hpp"
 #include "tests/support/dynamics.hpp"
 #include "tests/support/model_support.hpp"
 #include "tests/support/reaction_support.hpp"
@@ -20,8 +21,8 @@ MechanismInState sliding(const std::string& place, const std::string& law) {
     "springs": { "idle": { "from": "ground.wall", "to": "mass.nose", "preload": 0 } },
     "bump_stops": { "stop": { )" +
                          place + R"(, "clearance": 0.1, )" + law + " } } }");
-  for (const auto what : {BumpStopOutput::What::force, BumpStopOutput::What::deflection})
-    model.outputs.push_back({"probe" + std::to_string(model.outputs.size()), {}, "", BumpStopOutput{what, 0}});
+  for (const char* what : {"force", "deflection"})
+    model.outputs.push_back({"probe" + std::to_string(model.outputs.size()), {}, "", output_of<BumpStop>(what, 0)});
   MechanismInState m(analysed(std::move(model)));
   m.set("slide", 0.098, 2);
   return m;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/model/element_outputs.hpp"
 #include "tests/support/dynamics.hpp"
 #include "tests/support/model_support.hpp"
 #include "tests/support/reaction_support.hpp"
@@ -12,7 +13,6 @@ namespace mbgen {
 namespace {
 
 using namespace mbgen::testing;
-using What = BushingOutput::What;
 
 /// A body of 2 kg with its centre of mass in a bushing to the ground, in space. bushing: its fields.
 std::string mass_on(const std::string& bushing, const std::string& gravity = "[0, 0, 0]") {
@@ -42,8 +42,8 @@ std::vector<double> outputs_of(const MechanismInState& m, GenericState state) {
 /// With outputs of all that a bushing shows: force, moment, deflection, rotation vector.
 MechanismInState with_outputs(const std::string& text) {
   Model model = model_of(text);
-  for (const What what : {What::force, What::moment, What::deflection, What::rotation_vector})
-    add_vector(model, BushingOutput{what, 0, 0});
+  for (const char* what : {"force", "moment", "deflection", "rotation_vector"})
+    add_vector(model, output_of<Bushing>(what, 0));
   return MechanismInState(analysed(std::move(model)));
 }
 
@@ -106,8 +106,8 @@ TEST(Bushings, ConserveEnergyAndMomentumAtLargeDeflections) {
     "bushings": { "rubber": { "from": "first.eye", "to": "second.eye", "axis": [1, 2, 3], "axis2": [1, 0, 0.5],
       "tx": { "stiffness": 300 }, "ty": { "stiffness": 500 }, "tz": { "stiffness": 200 },
       "rx": { "stiffness": 20 }, "ry": { "stiffness": 35 }, "rz": { "stiffness": 8 } } } })");
-  add_vector(model, BushingOutput{What::deflection, 0, 0});
-  add_vector(model, BushingOutput{What::rotation_vector, 0, 0});
+  add_vector(model, output_of<Bushing>("deflection", 0));
+  add_vector(model, output_of<Bushing>("rotation_vector", 0));
   add_vector(model, MomentumOutput{MomentumOutput::What::momentum});
   add_vector(model, MomentumOutput{MomentumOutput::What::angular_momentum});
   const auto drift = [&](int steps, double& turn) {

@@ -131,7 +131,7 @@ TEST(CrgTrack, HasNoStepAtItsSeam) {
     }
 }
 
-// What slopes are, by differences of heights.
+// Slopes against differences of heights.
 TEST(CrgTrack, HasTheSlopesOfItsHeights) {
   const Model model = model_with(ring(seamless, kPieces, "REFLINE_CONTINUATION = 1\n"));
   for (const double angle : {-0.9 * kTurn, -0.1 * kTurn, 0.2 * kTurn, 0.6 * kTurn, 11.3 * kTurn})

@@ -131,8 +131,8 @@ Eigen::MatrixXd rates_of_turns(const Free& axle, const Eigen::MatrixXd& matrix) 
   return matrix.bottomRows(2).middleCols(axle.half() + 1, axle.half() - 1);
 }
 
-// What rolling takes of the turn is left out, and the spin of a leaning wheel counts as turning: neither is there where
-// upright wheels turn on the spot.
+// The matrix leaves out the part of rolling in the turn, and counts the spin of a leaning wheel as turning: neither is
+// there where upright wheels turn on the spot.
 TEST(Implicit, MatrixHasThePatchesThatTurn) {
   for (const bool on_patches : {true, false}) {
     const Free axle = steered_axle(on_patches);

@@ -253,7 +253,7 @@ TEST(MotionOutputs, EnergiesOfAllAreThoseOfTheEnergyBalance) {
       ASSERT_TRUE(solver.accelerations(state, no_tau, derivative).ok());
       const GenericOutputs outputs = solver.outputs(state, no_tau, derivative);
       EXPECT_NEAR(outputs.y[6], outputs.kinetic_energy, 1e-11 * (1 + outputs.kinetic_energy));
-      // What is fixed to ground has no part in the balance, and is constant.
+      // The energy of bodies fixed to ground has no part in the balance, and is constant.
       const double constant = outputs.y[7] - outputs.potential_energy;
       if (is_first) difference = constant;
       EXPECT_NEAR(constant, difference, 1e-11 * (1 + std::abs(outputs.y[7])));

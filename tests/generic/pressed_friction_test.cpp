@@ -162,7 +162,7 @@ TEST(PressedFriction, PinSlowsAPendulumAsTheClosedFormDoes) {
   EXPECT_LT(expected, 0.8);
 }
 
-// What is held is late by half a period on average: the error falls with the period.
+// A held load is late by half a period on average: the error falls with the period.
 TEST(PressedFriction, ErrorFallsWithThePeriod) {
   std::vector<double> at;
   for (const double period : {16e-3, 8e-3, 4e-3, 5e-4}) {

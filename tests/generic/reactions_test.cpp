@@ -1,6 +1,7 @@
 // Newton's and Euler's laws for every body of every model in motion: what its joints, rods, springs, forces and tyres
 // give it against the second differences of its positions.
 
+#include "compiler/model/element_outputs.hpp"
 #include "compiler/model/tyre_sets.hpp"
 #include "tests/support/reaction_support.hpp"
 
@@ -66,15 +67,14 @@ void probe_reaction(Probes& p, int joint, int rod, const Attachment& from, const
                          position(rod >= 0 ? from : to)});
 }
 
-template <class Springs>
-void probe_springs(Probes& p, const Springs& springs, bool air) {
+template <class Spring>
+void probe_springs(Probes& p, const std::vector<Spring>& springs) {
   for (std::size_t i = 0; i < springs.size(); ++i) {
-    SpringOutput source;
-    (air ? source.air_spring : source.point_spring) = static_cast<int>(i);
     p.spring_from.push_back(springs[i].from);
     p.spring_to.push_back(springs[i].to);
     p.springs.push_back({add_motion(p.model, springs[i].from, PointOutput::What::position),
-                         add_motion(p.model, springs[i].to, PointOutput::What::position), add_scalar(p.model, source)});
+                         add_motion(p.model, springs[i].to, PointOutput::What::position),
+                         add_scalar(p.model, output_of<Spring>("force", i))});
   }
 }
 
@@ -110,22 +110,19 @@ Probes probes_of(Model model) {
     probe_reaction(p, static_cast<int>(j), -1, plain.joints[j].from, plain.joints[j].to);
   for (std::size_t r = 0; r < plain.rods.size(); ++r)
     probe_reaction(p, -1, static_cast<int>(r), plain.rods[r].from, plain.rods[r].to);
-  probe_springs(p, plain.springs, false);
-  probe_springs(p, plain.air_springs, true);
+  probe_springs(p, plain.springs);
+  probe_springs(p, plain.air_springs);
   for (const AppliedForce& force : plain.forces)
     p.force_at.push_back(add_motion(p.model, force.at, PointOutput::What::position));
   for (std::size_t t = 0; t < plain.tyres.size(); ++t) {
-    const auto of = [&](TyreOutput::What what) { return add_scalar(p.model, TyreOutput{what, static_cast<int>(t)}); };
-    p.tyres.push_back({add_motion(p.model, plain.tyres[t].centre, PointOutput::What::position),
-                       of(TyreOutput::What::load), of(TyreOutput::What::longitudinal_force),
-                       of(TyreOutput::What::lateral_force), of(TyreOutput::What::aligning_moment)});
+    const auto of = [&](const char* what) { return add_scalar(p.model, output_of<Tyre>(what, t)); };
+    p.tyres.push_back({add_motion(p.model, plain.tyres[t].centre, PointOutput::What::position), of("load"),
+                       of("longitudinal_force"), of("lateral_force"), of("aligning_moment")});
   }
   for (std::size_t b = 0; b < plain.bushings.size(); ++b) {
-    const auto vector = [&](BushingOutput::What what) {
-      return add_vector(p.model, BushingOutput{what, static_cast<int>(b), 0});
-    };
-    p.bushings.push_back({add_motion(p.model, plain.bushings[b].to, PointOutput::What::position),
-                          vector(BushingOutput::What::force), vector(BushingOutput::What::moment)});
+    const auto vector = [&](const char* what) { return add_vector(p.model, output_of<Bushing>(what, b)); };
+    p.bushings.push_back(
+        {add_motion(p.model, plain.bushings[b].to, PointOutput::What::position), vector("force"), vector("moment")});
   }
   for (std::size_t s = 0; s < plain.bump_stops.size(); ++s) {
     const BumpStop& stop = plain.bump_stops[s];
@@ -135,7 +132,7 @@ Probes probes_of(Model model) {
     }
     p.stops.push_back({add_motion(p.model, stop.from, PointOutput::What::position),
                        add_motion(p.model, stop.to, PointOutput::What::position),
-                       add_scalar(p.model, BumpStopOutput{BumpStopOutput::What::force, static_cast<int>(s)})});
+                       add_scalar(p.model, output_of<BumpStop>("force", s))});
   }
   return p;
 }

@@ -296,7 +296,7 @@ TEST(CrgGrid, GoesOnBeyondItsBordersAsAsked) {
     }
   ASSERT_EQ(short_road("SPARKLE = 1\n").notes.size(), 1u);
   EXPECT_NE(short_road("SPARKLE = 1\n").notes[0].message.find("what is not followed: SPARKLE = 1"), std::string::npos);
-  // What the model says counts more than what the file asks for; both smooth the road at every repetition.
+  // The model's choice takes precedence over the file's; both smooth the road at every repetition.
   const Model chosen = short_road("BORDER_MODE_U = 4\nBORDER_SMOOTH_UBEG = 1\n", R"(, "beyond_ends": "repeat")");
   EXPECT_NEAR(height(chosen, 2.25, 0).z, 0.25 * height(kept, 0.25, 0).z, 1e-12);
   EXPECT_NEAR(height(short_road("BORDER_SMOOTH_UBEG = 1\n", R"(, "smooth_begin": 0)"), 0.25, 0).z,

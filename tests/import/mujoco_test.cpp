@@ -1,5 +1,5 @@
-// What MuJoCo reads of a robot's file against what mbgen imports of it: accelerations at random states. The files are
-// read by both from the disk, so that nothing of mbgen stands between them and MuJoCo.
+// MuJoCo against mbgen's import of the same robot's file: accelerations at random states. Both read the file from the
+// disk, so that nothing of mbgen stands between it and MuJoCo.
 
 #include <mujoco/mujoco.h>
 
@@ -38,7 +38,7 @@ struct MujocoRobot {
   }
 };
 
-/// What a spherical or free joint does: angles in the order x, y, z of the axes they turn about first, second, third.
+/// Motion of a spherical or free joint: angles in the order x, y, z of the axes they turn about first, second, third.
 struct Turning {
   Matrix3d rotation = Matrix3d::Identity();
   Vector3d omega = Vector3d::Zero(), alpha = Vector3d::Zero();  ///< in the axes of the frame that carries the joint

@@ -115,7 +115,7 @@ TEST_P(EveryModel, BiasIsTheRateOfTheVelocityResiduals) {
   EXPECT_LT(largest(slope + bias), 1e-7 * std::max(1.0, largest(bias)));
 }
 
-// What the recursive formulation gives, by other coordinates and other equations; seen: below 5e-12.
+// Accelerations of the recursive formulation, by other coordinates and other equations; seen: below 5e-12.
 TEST_P(EveryModel, AccelerationsAreTheRecursiveOnes) {
   const GenericSolver solver(m.model, m.topology, m.analysis);
   const std::vector<double> tau = random_tau(m, 3);

@@ -128,7 +128,7 @@ TEST(Linearisation, BobOnTopFalls) {
   EXPECT_NEAR(values[1].real(), std::sqrt(9.81), 1e-12);
 }
 
-/// What the generic runtime has at a state beside the point.
+/// Results of the generic runtime at a state beside the point.
 struct Beside {
   Eigen::VectorXd deviations;  ///< of the states and the inputs, once the loops are closed
   Eigen::VectorXd results;     ///< rates of the states and outputs

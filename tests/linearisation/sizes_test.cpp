@@ -1,4 +1,4 @@
-// What is too large to be written is refused with its size, before anything is traced.
+// A linearisation that is too large is refused with its size, before anything is traced.
 
 #include "compiler/compile.hpp"
 #include "tests/support/mechanism_support.hpp"

@@ -1,5 +1,5 @@
-// What a driver is made of: signals with their derivatives, courses, lanes, hands and the controller of speed; and
-// every message about a manoeuvre file: tests/errors/manoeuvres/<rule>.json and the exact text beside it, which
+// Parts of a driver: signals with their derivatives, courses, lanes, hands and the controller of speed; and every
+// message about a manoeuvre file: tests/errors/manoeuvres/<rule>.json and the exact text beside it, which
 // MBGEN_UPDATE=1 rewrites.
 
 #include <gtest/gtest.h>

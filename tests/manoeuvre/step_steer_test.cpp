@@ -53,7 +53,7 @@ VehicleSeries step_series(const Answers& answers, double step, double duration) 
   return s;
 }
 
-/// What the closed form says, all times from half of the ramp.
+/// Values of the closed form, all times from half of the ramp.
 struct Expected {
   double steady_yaw, steady_lateral, steady_sideslip, yaw_90, lateral_90, yaw_peak, overshoot;
 };

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "compiler/expressions/evaluate.hpp"
+#include "compiler/model/element_outputs.hpp"
 #include "mbgen/tyres/tyre.hpp"
 #include "tests/support/model_support.hpp"
 
@@ -205,11 +206,13 @@ TEST(Outputs, SourcesAndUnits) {
   EXPECT_EQ(outputs[1].unit, "m/s^2");
   EXPECT_EQ(std::get<CoordinateOutput>(outputs[2].source).what, CoordinateOutput::What::velocity);
   EXPECT_EQ(outputs[2].unit, "rad/s");
-  EXPECT_EQ(std::get<TyreOutput>(outputs[3].source).what, TyreOutput::What::lateral_force);
-  EXPECT_EQ(std::get<TyreOutput>(outputs[3].source).tyre, 0);
-  EXPECT_EQ(std::get<SpringOutput>(outputs[4].source).what, SpringOutput::What::rate);
-  EXPECT_EQ(std::get<SpringOutput>(outputs[4].source).point_spring, 0);
-  EXPECT_EQ(std::get<SpringOutput>(outputs[4].source).air_spring, -1);
+  const auto element = [&](std::size_t i) { return std::get<ElementOutput>(outputs[i].source); };
+  EXPECT_EQ(element(3).kind, kKindIndex<Tyre>);
+  EXPECT_STREQ(quantity_of(element(3)).name, "lateral_force");
+  EXPECT_EQ(element(3).element, 0);
+  EXPECT_EQ(element(4).kind, kKindIndex<PointSpring>);
+  EXPECT_STREQ(quantity_of(element(4)).name, "rate");
+  EXPECT_EQ(element(4).element, 0);
   EXPECT_EQ(outputs[4].unit, "m/s");
   EXPECT_EQ(std::get<DriveOutput>(outputs[5].source).motion, 0);
   EXPECT_EQ(outputs[5].unit, "N m");

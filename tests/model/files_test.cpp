@@ -231,7 +231,7 @@ TEST_F(Files, AnInstanceAddsPointsToBodiesOfThoseInside) {
   EXPECT_EQ(right.points.size(), 1u);
 }
 
-// What a wheel and its brake call each other does not depend on how often they are there.
+// The names of a wheel and its brake do not depend on the number of their instances.
 TEST_F(Files, InstancesOfTheSameSuffixHaveOneSetOfNames) {
   write("wheel.json", R"({ "parameters": { "mass": 3 },
     "bodies": { "ground": { "points": { "hub": [0, 1, 0] } },

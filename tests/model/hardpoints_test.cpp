@@ -217,7 +217,7 @@ TEST(AxesByPoints, AreUnitVectorsInTheFrameOfTheBody) {
   EXPECT_EQ(short_one.at(0).axis[0], short_one.at(0).axis[2]) << "as 0.01 and 0.01";
 }
 
-// What lies along an axis of a turned frame is called by its letter, though turning there and back leaves a rest.
+// An axis along an axis of a turned frame gets its letter, though turning there and back leaves a rest.
 TEST(AxesByPoints, AlongAnAxisOfATurnedFrameHaveItsLetter) {
   for (int i = 1; i <= 20; ++i) {
     const double about_z = 0.3 * i, about_x = -1.1 * i;

@@ -19,7 +19,7 @@ const std::vector<MirroredInput> kMirror = {{{Array::z, 0}, {Array::z, 1}, -1}, 
                                             {{Array::z, 2}, {Array::z, 3}, 1},  {{Array::z, 3}, {Array::z, 2}, 1},
                                             {{Array::z, 4}, {Array::z, 4}, 1},  {{Array::z, 5}, {Array::z, 5}, -1}};
 
-/// What the mirror makes of each output.
+/// Mirror image of each output.
 std::vector<MirrorImage> images_of_outputs(const Program& program) {
   const std::vector<MirrorImage> images = mirror_images(program, kMirror);
   std::vector<MirrorImage> result;

@@ -11,7 +11,7 @@
 namespace mbgen {
 namespace {
 
-/// What a compiler may do with `a() o b()`: evaluate the left operand first, or the right one.
+/// Order of evaluation of `a() o b()` by a compiler: the left operand first, or the right one.
 using Evaluate = std::function<Expr(Op, const std::function<Expr()>&, const std::function<Expr()>&)>;
 
 Expr applied(Op op, const Expr& a, const Expr& b) {

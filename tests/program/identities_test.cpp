@@ -16,7 +16,7 @@ namespace {
 
 using Make = std::function<std::vector<Expr>(const std::vector<Expr>& x)>;
 
-/// What the values of `make`, over six inputs, are, in the numbers of the values themselves.
+/// Identities of the values of `make` over six inputs, in the numbers of the values themselves.
 struct Found {
   std::vector<ValueId> values;
   std::vector<Identity> all;

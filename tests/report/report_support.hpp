@@ -1,5 +1,5 @@
 #pragma once
-// What tests of the pages share: models, and what a page's numbers say.
+// Helpers of the tests of pages: models, and the numbers of a page.
 
 #include <cstring>
 #include <string>

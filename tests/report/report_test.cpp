@@ -1,4 +1,4 @@
-// What the page of a report is given: poses, shapes, numbers, and text that cannot leave its place.
+// Data of a report's page: poses, shapes, numbers, and text that cannot leave its place.
 #include "workbench/report/report.hpp"
 
 #include <fmt/format.h>

@@ -46,7 +46,7 @@ void close(const StateOf<T>& state, ClosureOf<T>& values) noexcept {
   values.pivot[0] = mbgen::abs(along_z) / kUsualPivot;
 }
 
-/// What the solver of one body and that of lanes have in common.
+/// Common part of the solvers of one body and of lanes.
 struct Rod {
   using Parameters = ::mbgen::Parameters;
   using Inputs = mbgen::Inputs;

@@ -1,5 +1,5 @@
 #pragma once
-// What a tyre and its mirror image have in common.
+// Comparison of a tyre with its mirror image.
 
 #include <gtest/gtest.h>
 

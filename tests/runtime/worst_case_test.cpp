@@ -9,14 +9,14 @@
 namespace mbgen {
 namespace {
 
-/// What was called so far.
+/// Counts of calls so far.
 struct Counter {
   CallCount calls;
   int nearest = 0;          ///< calls of project_nearest among the projections
   bool looks_back = false;  ///< the step is looked at for a leap
 };
 
-/// What makes a step be taken again with care.
+/// Cause for which a step is taken again with care.
 enum class Alarm { none, projection, fifth_evaluation };
 
 /// A coordinate that is singular to project_nearest as long as that makes most work: nodes are clear at the last

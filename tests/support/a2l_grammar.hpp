@@ -41,7 +41,7 @@ struct Token {
   std::string text;
 };
 
-/// What may stand in a block. arguments: i identifier, s string, n number, w word of the standard, f format; a list is
+/// Contents of a block. arguments: i identifier, s string, n number, w word of the standard, f format; a list is
 /// identifiers to the end of the block.
 struct Rule {
   std::string arguments;

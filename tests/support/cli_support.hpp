@@ -25,7 +25,7 @@ using Json = nlohmann::json;
 inline const std::string kSource = MBGEN_SOURCE_DIR;
 inline constexpr const char* kEngines[] = {"generated", "generic"};
 
-/// What one run left behind.
+/// Result of one run.
 struct Outcome {
   int exit_code = -1;
   std::string out, err;

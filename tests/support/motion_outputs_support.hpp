@@ -7,6 +7,7 @@
 #include <optional>
 #include <random>
 
+#include "compiler/model/element_outputs.hpp"
 #include "compiler/reader/read_model.hpp"
 #include "tests/support/reaction_support.hpp"
 
@@ -105,19 +106,17 @@ class MotionOutputs {
     }
   }
 
-  /// What an expression adds to a force is in none of them.
+  /// No stored energy holds the part that an expression adds to a force.
   void add_stored_energies() {
-    using Of = StoredEnergyOutput::Of;
-    const auto add = [&](Of of, const auto& elements, const auto& is_known) {
-      for (std::size_t i = 0; i < elements.size(); ++i)
-        if (is_known(elements[i])) ask(StoredEnergyOutput{of, static_cast<int>(i)});
-    };
-    const auto always = [](const auto&) { return true; };
     const auto has_law = [](const BumpStop& stop) { return stop.stiffness.has_value(); };
-    add(Of::spring, model_.springs, always);
-    add(Of::joint_spring, model_.joint_springs, always);
-    add(Of::bushing, model_.bushings, always);
-    add(Of::bump_stop, model_.bump_stops, has_law);
+    each_kind([&]<class Kind>(KindOf<Kind> kind) {
+      if (quantity_index(kind, kPotentialEnergy) < 0) return;
+      for (std::size_t i = 0; i < kind.list(model_).size(); ++i) {
+        if constexpr (std::is_same_v<Kind, BumpStop>)
+          if (!has_law(kind.list(model_)[i])) continue;
+        ask(output_of<Kind>(kPotentialEnergy, i));
+      }
+    });
     if (std::all_of(model_.bump_stops.begin(), model_.bump_stops.end(), has_law)) ask(StoredEnergyOutput{});
   }
 

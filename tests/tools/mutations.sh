@@ -9,7 +9,7 @@ tree=$scratch/tree
 mkdir -p "$tree"
 export CCACHE_BASEDIR="$tree" CCACHE_NOHASHDIR=1
 
-# What a suite says of the fault that is in.
+# Verdict of a suite on the fault that is in.
 verdict() {
   test=$tree/build/$1_test
   if ! ninja -C "$tree/build" "$1_test" > "$scratch/build.log" 2>&1; then

@@ -11,6 +11,6 @@ if [ $# -eq 0 ]; then
   set -- $(git ls-files 'compiler/*.cpp' 'runtime/*.cpp')
 fi
 printf '%s\n' "$@" | nice xargs -P "$(nproc)" -n 1 clang-tidy -p "$build" --quiet 2>/dev/null | sort -u > "$build/tidy.txt"
-# What the analyser says inside the libraries' headers is not about our files.
+# The analyser's findings inside the libraries' headers are not about our files.
 if grep -E "^$PWD/(compiler|runtime)/.*(error|warning):" "$build/tidy.txt"; then exit 1; fi
 echo "clang-tidy: $# files without a warning"

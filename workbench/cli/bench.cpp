@@ -28,7 +28,7 @@ struct BenchOptions {
   bool json = false;
 };
 
-/// Every engine, the generated one also in lanes when asked for, the generic one with every linear algebra.
+/// Every engine; on request the generated one also in lanes, the generic one with every linear algebra.
 std::vector<EngineChoice> choices(const EngineChoice& common, int lanes) {
   std::vector<EngineChoice> list;
   for (const std::string& name : engine_names()) {
@@ -53,7 +53,7 @@ std::vector<EngineChoice> choices(const EngineChoice& common, int lanes) {
   return list;
 }
 
-/// The generic engine on Eigen: the one that errors are measured against when the states bring no accelerations.
+/// The generic engine on Eigen: reference of errors if the states contain no accelerations.
 const Engine& reference_engine(const std::vector<Engine>& engines) {
   for (const Engine& engine : engines) {
     if (engine.name == "generic") return engine;
@@ -66,10 +66,11 @@ int run(const BenchOptions& options) {
     throw UserError(fmt::format("--evaluations: must be positive, found {}\n", options.evaluations));
   }
   const Compilation compilation =
-      expect(compile(read_set_model(options.model, options.set), {chosen_form(options.form)}));
+      expect(decide_to_write(read_set_model(options.model, options.set), chosen_form(options.form)));
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   std::vector<Engine> engines;
-  for (const EngineChoice& choice : choices(options.engine.choice, options.lanes)) {
+  for (EngineChoice choice : choices(options.engine.choice, options.lanes)) {
+    choice.form = chosen_form(options.form);
     engines.push_back(make_engine(compilation, choice));
     engines.back().set_inputs(inputs);
   }

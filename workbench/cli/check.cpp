@@ -27,15 +27,15 @@ struct CheckOptions {
 
 struct Findings {
   Diagnostics problems, notes;
-  int bodies = 0, freedoms = 0, driven = 0;  ///< that move; with the driven ones; coordinates that motions prescribe
+  int bodies = 0, freedoms = 0, driven = 0;  ///< moving; including driven ones; prescribed by motions
 };
 
-/// Faults of the model or of the state that it starts from, or notes on them.
+/// Faults of the model or of its initial state, or notes on them.
 Findings findings_of(const CheckOptions& options) {
   Findings findings;
   try {
     Model read = read_set_model(options.model, options.set);
-    findings.notes = grouped(read.notes);  // a likely mistake of units tells why the mechanism is refused
+    findings.notes = grouped(read.notes);  // a likely mistake of units may be the cause of the refusal
     const Compilation compilation = expect(decide(std::move(read)));
     const Model& model = compilation.model;
     findings.notes = all_notes(compilation);

@@ -5,7 +5,7 @@
 namespace mbgen::cli {
 namespace {
 
-/// Refuses the empty word, which a variable of a shell that nobody set leaves behind.
+/// Refuses the empty word, the result of an unset shell variable.
 CLI::Option* with_value(CLI::Option* option) {
   return option->check(
       [](const std::string& word) { return word.empty() ? std::string("must not be empty") : std::string(); });
@@ -128,7 +128,7 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
-    // `mbgen WORD --help` of a word that is no command.
+    // `mbgen WORD --help` with an unknown command.
     const std::vector<std::string> words = app_->remaining(true);
     if (!words.empty() && app_->get_subcommands().empty()) return app_->exit(CLI::ExtrasError(words));
     return app_->exit(help);

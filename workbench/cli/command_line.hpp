@@ -1,6 +1,6 @@
 #pragma once
-// Commands and their options as typed. CLI11 stays behind command_line.cpp: a file that includes it compiles for six
-// seconds longer.
+// Commands and their options as typed. CLI11 is included in command_line.cpp only: it adds six seconds of compile time
+// per file.
 
 #include <functional>
 #include <memory>
@@ -15,21 +15,21 @@ class Option;
 
 namespace mbgen::cli {
 
-/// An option of a command, or an argument without a name. A handle: copies mean the same option.
+/// An option, or a positional argument, of a command. A handle: copies refer to the same option.
 class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
   Option required() const;
-  /// The value is one of these words.
+  /// Restricts the value to these words.
   Option one_of(const std::vector<std::string>& words) const;
-  /// The value is a whole number between these two, which count.
+  /// Restricts the value to whole numbers from first to last.
   Option between(int first, int last) const;
-  /// The help names the value that the variable has now.
+  /// Shows the current value of the variable as default in the help.
   Option with_shown_default() const;
-  /// One value each time that the option is typed.
+  /// Takes one value each time the option is typed.
   Option one_value_at_a_time() const;
-  /// One word may hold several values with this between them.
+  /// Splits one word into several values at this character.
   Option separated_by(char delimiter) const;
   Option needs(Option other) const;
   Option excludes(Option other) const;
@@ -38,7 +38,7 @@ class Option {
   CLI::Option* option_;
 };
 
-/// An option as help, manual and completion tell it.
+/// An option in help, manual and completion.
 struct OptionWords {
   std::string name;                     ///< all its names, "-o,--out"
   std::vector<std::string> long_names;  ///< without dashes
@@ -46,16 +46,16 @@ struct OptionWords {
   bool takes_value, is_argument;
 };
 
-/// A command, or the application, whose subcommands are the commands. A handle: copies mean the same command. What an
-/// option fills has to live until the command line is parsed.
+/// A command, or the application, whose subcommands are the commands. A handle: copies refer to the same command. The
+/// variable of an option must outlive the parsing of the command line.
 class NamedCommand {
  public:
   explicit NamedCommand(CLI::App* app) : app_(app) {}
 
   NamedCommand add_command(const std::string& name, const std::string& description) const;
-  /// The text after the options of the help.
+  /// Sets the text after the options in the help.
   void footer(const std::string& text) const;
-  /// Runs when the command line names the command.
+  /// Sets the function called when the command line names the command.
   void callback(const std::function<void()>& run) const;
 
   // names: "-o,--out"; without dashes: an argument.
@@ -64,7 +64,7 @@ class NamedCommand {
   Option add_option(const std::string& names, int& value, const std::string& description) const;
   Option add_option(const std::string& names, long& value, const std::string& description) const;
   Option add_option(const std::string& names, std::optional<double>& value, const std::string& description) const;
-  /// take: called with the word typed.
+  /// take: called with the typed word.
   Option add_option(const std::string& names, const std::function<void(const std::string&)>& take,
                     const std::string& description) const;
   Option add_flag(const std::string& names, bool& is_given, const std::string& description) const;
@@ -75,9 +75,9 @@ class NamedCommand {
   std::string footer() const;
   std::vector<OptionWords> options() const;
   std::vector<NamedCommand> commands() const;
-  /// The commands that the command line named.
+  /// Commands named on the command line.
   std::vector<NamedCommand> chosen_commands() const;
-  /// Words that nobody expected, of chosen commands too.
+  /// Unexpected words, also of the named commands.
   std::vector<std::string> unexpected_words() const;
   bool is_given(const std::string& option) const;
 
@@ -92,8 +92,8 @@ class CommandLine {
   ~CommandLine();
 
   NamedCommand application() const { return NamedCommand(app_.get()); }
-  /// Runs the command that is named. Returns nothing when it ran, else the exit code of CLI11, 0 after --help, the
-  /// message being printed.
+  /// Runs the named command. Returns nothing after a run, else the exit code of CLI11 with the message printed, 0 after
+  /// --help.
   std::optional<int> parse(int argc, char** argv);
 
  private:

@@ -8,8 +8,7 @@ namespace mbgen::cli {
 /// Exit codes, the same for every command.
 enum ExitCode : int { kDone = 0, kUserFault = 1, kOurDefect = 2 };
 
-// Each adds its command to the application; when the command line names it, it runs and sets the exit code.
-// Fails: UserError.
+// Each function adds its command to the application; the command sets the exit code when it is run. Fails: UserError.
 void add_check(NamedCommand application, int& exit_code);
 void add_explain(NamedCommand application, int& exit_code);
 void add_new(NamedCommand application, int& exit_code);
@@ -25,6 +24,7 @@ void add_linearize(NamedCommand application, int& exit_code);
 void add_kc(NamedCommand application, int& exit_code);
 void add_sweep(NamedCommand application, int& exit_code);
 void add_bench(NamedCommand application, int& exit_code);
+void add_cache(NamedCommand application, int& exit_code);
 void add_import(NamedCommand application, int& exit_code);
 void add_schema(NamedCommand application, int& exit_code);
 void add_completion(NamedCommand application, int& exit_code);

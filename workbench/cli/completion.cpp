@@ -1,4 +1,4 @@
-// mbgen completion: scripts for shells, from the table of commands and options itself.
+// mbgen completion: shell scripts from the table of commands and options.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,7 +15,7 @@ struct CompletionOptions {
   std::string shell;
 };
 
-/// --words of a command, with their first line of description.
+/// --words of a command, with the first line of their description.
 struct CompletedOption {
   std::string word, description;
 };

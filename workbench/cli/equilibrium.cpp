@@ -1,4 +1,4 @@
-// mbgen equilibrium: where a model stays at rest.
+// mbgen equilibrium: state of rest of a model.
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ struct EquilibriumOptions {
   bool json = false;
 };
 
-/// A file to include: a model that starts there.
+/// Writes a file to include: a model that starts in the equilibrium.
 void write_start(const EquilibriumOptions& options, const Compilation& compilation, const Equilibrium& found) {
   const nlohmann::ordered_json positions = equilibrium_json(compilation, found)["positions"];
   write_file(options.file, json_text({{"mbgen", 1}, {"initial", {{"positions", positions}}}}), compilation.model.files);

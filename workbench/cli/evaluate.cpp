@@ -1,4 +1,4 @@
-// mbgen evaluate: accelerations at given states, the door for every oracle.
+// mbgen evaluate: accelerations at given states; interface of all oracles.
 
 #include <cmath>
 #include <memory>
@@ -74,10 +74,10 @@ Json evaluate_state(const Engine& engine, const Compilation& compilation, const 
 int run(const EvaluateOptions& options) {
   Model model = read_set_model(options.model, options.set);
   if (options.reactions) add_reaction_outputs(model);
-  const EngineChoice choice = chosen_engine(options.engine);
-  const std::optional<Form> form = chosen_form(options.form);
+  EngineChoice choice = chosen_engine(options.engine);
+  choice.form = chosen_form(options.form);
   const Compilation compilation =
-      expect(choice.name == "generated" ? compile(std::move(model), {form}) : decide(std::move(model)));
+      expect(choice.name == "generated" ? decide_to_write(std::move(model), choice.form) : decide(std::move(model)));
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   const StatesFile file = read_states(options.states, compilation, inputs);
   Engine engine = make_engine(compilation, choice);

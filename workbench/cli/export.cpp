@@ -39,10 +39,10 @@ struct ExportOptions {
   bool sources_only = false, json = false;
 };
 
-/// Where every entry of the archive says that it was last changed.
+/// Time of modification of all entries of the archive.
 constexpr const char* kTimeOfEntries = "--mtime=2000-01-01 00:00:00 UTC";
 
-/// Names the variables that an FMU calls otherwise than the model, since names there are of one list.
+/// Notes on variables with other names in the FMU, where all names form one list.
 Diagnostics renamed_notes(const Model& model) {
   Diagnostics notes;
   const auto note = [&](const auto& one, const std::string& name, const char* kind) {
@@ -61,7 +61,7 @@ Diagnostics renamed_notes(const Model& model) {
   return notes;
 }
 
-/// A zip archive of these entries: the same bytes for the same files, whenever it is made.
+/// Packs a zip archive of these entries, reproducibly.
 void pack(const fs::path& scratch, const fs::path& content, std::vector<std::string> entries, const fs::path& archive) {
   std::sort(entries.begin(), entries.end());
   Command tar{{"cmake", "-E", "env", "TZ=UTC", "cmake", "-E", "chdir", content.string(), "cmake", "-E", "tar", "cf",
@@ -73,8 +73,7 @@ void pack(const fs::path& scratch, const fs::path& content, std::vector<std::str
                               read_text(scratch / "zip.log")));
 }
 
-/// Importers integrate states that determine each other's rates; where bodies roll, positions and velocities do not
-/// pair.
+/// Model exchange needs pairs of a position and its rate; rolling bodies have more positions than velocities.
 void note_rolling(const Compilation& compilation) {
   const Loop* rolling = rolling_loop(compilation.topology);
   if (!rolling) return;
@@ -86,7 +85,7 @@ void note_rolling(const Compilation& compilation) {
                 {}}});
 }
 
-/// Start values of an FMU are angles and rates of the model, which a joint in their pole has not.
+/// Start values of an FMU are angles and their rates, which are singular at the pole of a joint.
 void refuse_pole(const Compilation& compilation, const InitialState& initial) {
   if (initial.charts.empty()) return;
   const InitialTurning& turning = compilation.model.initial.turnings.front();

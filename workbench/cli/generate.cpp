@@ -32,7 +32,7 @@ struct GenerateOptions {
   std::optional<double> budget;  ///< microseconds of a step
 };
 
-/// The model, under the name that was asked for.
+/// The model, renamed if a name is given.
 Model read_named(const GenerateOptions& options) {
   Model model = read_set_model(options.model, options.set);
   if (options.name.empty()) return model;
@@ -44,7 +44,7 @@ Model read_named(const GenerateOptions& options) {
   return model;
 }
 
-/// Fails: UserError for a budget that is none.
+/// Fails: UserError for an invalid budget.
 void check_budget(const GenerateOptions& options) {
   if (!options.budget) return;
   if (!options.measure) throw UserError("--budget-us: needs --measure\n");
@@ -53,13 +53,13 @@ void check_budget(const GenerateOptions& options) {
   }
 }
 
-/// Adds the files of the measured cost; the manifest stays the last one.
+/// Adds the files of the measured cost; the manifest remains the last one.
 void add_measured_files(const MeasuredCost& cost, const Compilation& compilation, std::vector<EmittedFile>& files) {
   files.insert(files.end() - 1, {{cost.solver + "_measured.json", json_text(measured_json(cost, compilation))},
                                  {cost.solver + "_measured.txt", measured_text(cost, compilation)}});
 }
 
-/// Writes the files and the rule for them. Result: their paths.
+/// Writes the files and their dependency rule. Result: their paths.
 std::vector<std::string> write_all(const GenerateOptions& options, const Model& model,
                                    std::vector<EmittedFile> emitted) {
   std::vector<NamedText> files;
@@ -69,13 +69,13 @@ std::vector<std::string> write_all(const GenerateOptions& options, const Model& 
     files.push_back({std::move(file.path), std::move(file.text)});
   }
   std::optional<AtomicFile> depfile = depfile_of(options.depfile, paths.back(), model.files);
-  // Killed in between, mbgen leaves the manifest older than the model: a build tool starts it again.
+  // If mbgen is killed here, the manifest is older than the model and a build tool runs it again.
   if (depfile) depfile->commit();
-  write_files(options.directory, files, model.files);  // the manifest is named like the model
+  write_files(options.directory, files, model.files);  // the manifest has the model's name
   return paths;
 }
 
-/// Fails: UserError for options that exist in double precision only.
+/// Fails: UserError for options available in double precision only.
 void require_precision(const GenerateOptions& options) {
   if (options.emit.scalar == Scalar::doubles) return;
   if (options.emit.lanes > 0) {
@@ -86,7 +86,7 @@ void require_precision(const GenerateOptions& options) {
   }
 }
 
-/// Fails: UserError for a number of the model that single precision has no place for.
+/// Fails: UserError for a number of the model outside the range of single precision.
 void require_range(const Compilation& compilation, Scalar scalar) {
   if (scalar == Scalar::doubles) return;
   if (const std::optional<double> number = beyond_single_precision(compilation.emitted, compilation.model)) {

@@ -25,7 +25,8 @@ struct HtmlReportOptions {
   std::vector<std::string> set;
 };
 
-/// The model in the description of a result's run. Fails: UserError when there is none, or it is of another table.
+/// Entry of the model in the description of a result's run. Fails: UserError if it is missing or belongs to another
+/// table.
 nlohmann::json run_of(const Results& results, const std::string& path) {
   if (results.run.empty()) {
     throw UserError(
@@ -53,14 +54,14 @@ std::vector<std::string> strings_of(const nlohmann::json& array) {
   return strings;
 }
 
-/// Parameters that the command line of a run gave.
+/// Parameters given on the command line of a run.
 std::vector<std::string> set_of(const nlohmann::json& run) {
   const auto place = run.is_object() ? run.find("set") : run.end();
   return run.is_object() && place != run.end() && place->is_array() ? strings_of(*place) : std::vector<std::string>();
 }
 
-/// The model of a result: the one asked for, else the one that the run names, unchanged since, with the parameters that
-/// were asked for, else the values of the run. Fails: UserError.
+/// The model of a result: the requested one, else the unchanged one named in the run, with the requested parameters,
+/// else those of the run. Fails: UserError.
 Model model_of(const Results& results, const HtmlReportOptions& options) {
   if (!options.model.empty()) {
     const nlohmann::json run = nlohmann::json::parse(results.run, nullptr, false);

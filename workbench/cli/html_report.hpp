@@ -1,11 +1,11 @@
 #pragma once
-// Common parts of the commands that write pages.
+// Common parts of commands that write pages.
 
 #include <string>
 
 namespace mbgen::cli {
 
-/// Fails: UserError when this mbgen was built without the page. asked: the command or option that needs it.
+/// Fails: UserError if this mbgen was built without the page. asked: command or option that needs it.
 void require_report_page(const std::string& asked);
 
 }  // namespace mbgen::cli

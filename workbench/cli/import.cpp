@@ -1,4 +1,4 @@
-// mbgen import: a robot in URDF or MJCF becomes a model.
+// mbgen import: conversion of a robot in URDF or MJCF to a model.
 
 #include "workbench/import/import.hpp"
 
@@ -60,7 +60,7 @@ int run(const ImportOptions& options) {
     throw UserError("--json: the report takes standard output, give the model a file with --out\n");
   const ImportedModel model = expect(import_robot(import_request(options)));
   const std::string file = options.file.empty() ? model.name + ".json" : options.file;
-  // The text must be a model; where it is not, the translation is at fault.
+  // The text must be a valid model; otherwise the translation is at fault.
   if (const Result<Model> read = read_model(model.json, file); !read) {
     throw std::logic_error("the imported model cannot be read:\n" + to_text(read.problems()));
   }

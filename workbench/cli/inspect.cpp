@@ -1,4 +1,4 @@
-// mbgen inspect: the analysis of a model, before any code is written.
+// mbgen inspect: analysis of a model before code generation.
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@
 namespace mbgen::cli {
 namespace {
 
-/// Tracing again without each treatment takes a second from here on.
+/// From this size on, the repeated tracing without each treatment takes over a second.
 constexpr int kMostBodiesCounted = 200;
 
 struct InspectOptions {
@@ -30,7 +30,7 @@ struct InspectOptions {
   bool json = false;
 };
 
-/// Adds the programs and counts their operations, pass by pass.
+/// Adds the programs and counts their operations per pass.
 Counts add_counted_programs(Compilation& compilation, std::optional<Form> form, bool with_savings) {
   Counts counts;
   std::vector<Saving> of_passes;

@@ -1,4 +1,4 @@
-// mbgen linearize: small motions about a state.
+// mbgen linearize: small oscillations about a state.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -105,7 +105,7 @@ Json linear_json(const Compilation& compilation, const OperatingPoint& point, co
           {"modes", modes_json(compilation, list)}};
 }
 
-/// Four decimals; a number that rounds to zero has no sign.
+/// Four decimals, without the sign of a rounded zero.
 std::string without_minus_zero(double value) {
   const std::string text = fmt::format("{:.4f}", value);
   return text == "-0.0000" ? "0.0000" : text;
@@ -115,12 +115,12 @@ double largest_drift(const LinearSystem& system) {
   return system.drift.size() > 0 ? system.drift.cwiseAbs().maxCoeff() : 0.0;
 }
 
-/// One line for all that stays where it is put.
+/// One line for all neutral modes.
 std::string neutral_text(const Compilation& compilation, const std::vector<Mode>& list,
                          const std::vector<std::string>& places) {
   const auto first = std::find_if(list.begin(), list.end(), [](const Mode& mode) { return mode.is_neutral; });
   if (first == list.end()) return "";
-  long count = 0;  // of a conjugate pair the list has one
+  long count = 0;  // the list has one of each conjugate pair
   for (const Mode& mode : list) count += !mode.is_neutral ? 0 : mode.eigenvalue.imag() > 0 ? 2 : 1;
   const char* kind = rolling_loop(compilation.topology) ? "rigid body and rolling" : "rigid body";
   return fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}{}: {}\n", first - list.begin() + 1, 0, "", "-", "-", kind,
@@ -165,7 +165,7 @@ std::string modes_text(const Compilation& compilation, const std::vector<Mode>& 
   return text;
 }
 
-/// Which state was asked for, in words.
+/// Description of the requested state.
 std::string state_text(const StateArguments& state) {
   if (!state.result.empty()) {
     return state.time ? fmt::format("state at {:g} s of {}", *state.time, state.result)
@@ -191,7 +191,7 @@ int run(const LinearizeOptions& options) {
   count_notes(compilation);
   const ChosenPoint chosen = operating_point(compilation, options.state);
   const OperatingPoint& point = chosen.point;
-  // A steady motion names its states by the coordinates that it was sought with.
+  // A steady motion keeps the coordinates of its solution as names of states.
   LinearSystem system =
       expect(chosen.steady ? linearise(compilation, point) : linearise_by_any_choice(compilation, point));
   const std::vector<std::string> places = neutral_coordinates(compilation.topology, system);

@@ -1,4 +1,4 @@
-// mbgen: a JSON description of a multibody system becomes a specialised C++ solver.
+// mbgen: compiler from a JSON description of a multibody system to a specialised C++ solver.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -24,7 +24,7 @@
 namespace mbgen::cli {
 namespace {
 
-/// Colours on a terminal, unless somebody wants none (no-color.org) or the terminal cannot.
+/// Colours on a terminal that supports them, unless NO_COLOR is set (no-color.org).
 Style style_of_errors() {
   const char* refused = std::getenv("NO_COLOR");
   const char* terminal = std::getenv("TERM");
@@ -33,7 +33,7 @@ Style style_of_errors() {
   return isatty(STDERR_FILENO) == 1 && !is_refused && !is_dumb ? Style::coloured : Style::plain;
 }
 
-/// The long names of a command's options.
+/// Long names of a command's options.
 std::vector<std::string> option_names(const NamedCommand& command) {
   std::vector<std::string> names;
   for (const OptionWords& option : command.options()) {
@@ -42,7 +42,7 @@ std::vector<std::string> option_names(const NamedCommand& command) {
   return names;
 }
 
-/// The name that was probably meant by the first unknown word.
+/// Hint with the nearest name for the first unknown word.
 std::string hint_of(const NamedCommand& application) {
   const std::vector<NamedCommand> chosen = application.chosen_commands();
   std::vector<std::string> commands;
@@ -64,9 +64,9 @@ int run(int argc, char** argv) {
       "Each command explains itself: mbgen simulate --help\n"
       "--out - writes a result to standard output, and all messages to standard error.\n"
       "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault.");
-  for (const auto add : {add_new, add_check, add_explain, add_inspect, add_generate, add_export, add_simulate, add_plot,
-                         add_report, add_evaluate, add_equilibrium, add_linearize, add_kc, add_sweep, add_bench,
-                         add_import, add_schema, add_completion, add_manual}) {
+  for (const auto add : {add_new,   add_check,  add_explain,  add_inspect,     add_generate,   add_export, add_simulate,
+                         add_plot,  add_report, add_evaluate, add_equilibrium, add_linearize,  add_kc,     add_sweep,
+                         add_bench, add_cache,  add_import,   add_schema,      add_completion, add_manual}) {
     add(line.application(), exit_code);
   }
   const std::optional<int> refused = line.parse(argc, argv);
@@ -80,7 +80,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace mbgen::cli;
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write, not the end of the process
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the size limit is a write error instead of the end of the process
   try {
     return run(argc, argv);
   } catch (const mbgen::UserError& error) {

@@ -1,4 +1,4 @@
-// mbgen manual: the man page, from the table of commands and options itself.
+// mbgen manual: the man page, from the table of commands and options.
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 namespace mbgen::cli {
 namespace {
 
-/// Text that troff takes as it is: no escapes, no hyphens that become dashes, no lines that begin a request.
+/// Text escaped for troff: no escapes, no hyphens turned into dashes, no lines that begin a request.
 std::string roff(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -39,7 +39,7 @@ std::string options_text(const NamedCommand& command) {
   return text;
 }
 
-/// The lines after a command's options, its example first, as they stand.
+/// Lines after a command's options, its example first, verbatim.
 std::string footer_text(const NamedCommand& command) {
   std::string text = ".PP\n.nf\n";
   std::istringstream lines(command.footer());

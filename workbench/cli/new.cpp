@@ -1,4 +1,4 @@
-// mbgen new: a commented model to start from.
+// mbgen new: a commented starting model.
 
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "compiler/emit/embedded.hpp"
 #include "compiler/text/json_text.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// Arguments that several commands share.
+// Arguments shared by several commands.
 
 #include <string>
 #include <vector>
@@ -30,7 +30,7 @@ void add_dump_option(NamedCommand command, std::string& stage);
 /// --depfile FILE
 void add_depfile_option(NamedCommand command, std::string& path);
 
-/// --batch: 4 or 8 instances a call, 0 when it is not given.
+/// --batch: 4 or 8 instances per call, 0 if not given.
 void add_batch_option(NamedCommand command, int& lanes);
 
 /// --scalar double|float

@@ -1,4 +1,4 @@
-// mbgen plot: columns of results or of a study over time or over another column, as a picture.
+// mbgen plot: curves of results or of a study, over time or another column.
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ struct PlotOptions {
   bool degrees = false;
 };
 
-/// A column as it is drawn: angles in degrees where that is asked for.
+/// A column for drawing: angles in degrees on request.
 Column drawn(Column column, bool degrees) {
   std::string& unit = column.heading.unit;
   if (!degrees || !unit.starts_with("rad") || (unit.size() > 3 && unit[3] != '/')) return column;
@@ -34,7 +34,7 @@ Column drawn(Column column, bool degrees) {
   return column;
 }
 
-/// A file to draw from, with the column that its curves are over.
+/// A file with data, and the column for the abscissa.
 struct PlotSource {
   std::string path;
   Results results;
@@ -42,7 +42,7 @@ struct PlotSource {
   bool is_sweep = false;
 };
 
-/// The only column of a name.
+/// The only column of this name.
 const Column& single_column(const PlotSource& source, const std::string& name, const std::string& option) {
   const Results& results = source.results;
   const Column& first = results.columns.front();
@@ -61,13 +61,13 @@ PlotSource read_source(const std::string& path, const PlotOptions& options) {
   return source;
 }
 
-/// Rows that one curve goes through, and the addition to its label.
+/// Rows of one curve, and the addition to its label.
 struct Rows {
   std::string label;
   std::vector<std::size_t> indices;
 };
 
-/// All rows, or the rows of each value of the column `by`. Cases of a study go along x, whatever their order.
+/// All rows, or the rows of each value of the column `by`. Cases of a study are sorted by x.
 std::vector<Rows> rows_of(const PlotSource& source, const PlotOptions& options) {
   std::vector<Rows> all;
   const Column* by = options.by.empty() ? nullptr : &single_column(source, options.by, "--by");
@@ -88,8 +88,8 @@ std::vector<Rows> rows_of(const PlotSource& source, const PlotOptions& options) 
   return all;
 }
 
-/// The columns of one --columns in one file: a panel for each unit among them, in the order in which they are named.
-/// first: the panels before belong to others.
+/// Columns of one --columns in one file: a panel for each of their units, in the order of the names. first: index of
+/// the first new panel.
 void add_panels(const PlotSource& source, const std::string& names, const PlotOptions& options, std::size_t first,
                 std::vector<Panel>& panels) {
   const std::vector<Rows> all = rows_of(source, options);
@@ -112,7 +112,7 @@ void add_panels(const PlotSource& source, const std::string& names, const PlotOp
   }
 }
 
-/// Fails: UserError where files are not over the same.
+/// Fails: UserError if the abscissas of files differ.
 void require_same_axis(const std::vector<PlotSource>& sources) {
   const Heading& first = sources.front().over.heading;
   for (const PlotSource& source : sources) {

@@ -104,7 +104,7 @@ SolverSettings::Integrator chosen_integrator(const Model& model, const SimulateO
 
 int run(SimulateOptions options) {
   EngineChoice choice = chosen_engine(options.engine);
-  const std::optional<Form> form = chosen_form(options.form);
+  choice.form = chosen_form(options.form);
   Model model = read_set_model(options.model, options.set);
   const auto manoeuvre = prepare_manoeuvre(options.manoeuvre, options.model, options.set, model, options.simulation);
   const SimulationSettings settings = settings_of(options.simulation, model.solver);
@@ -116,7 +116,7 @@ int run(SimulateOptions options) {
           ? chosen_integrator(model, options, settings, choice.name)
           : integrator_of(control ? "" : options.simulation.integrator, model.solver.integrator, choice.name);
   const Compilation compilation =
-      expect(choice.name == "generated" ? compile(std::move(model), {form}) : decide(std::move(model)));
+      expect(choice.name == "generated" ? decide_to_write(std::move(model), choice.form) : decide(std::move(model)));
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
   count_notes(compilation);
   require_whole_periods(settings, compilation.model);

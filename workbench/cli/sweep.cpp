@@ -1,4 +1,4 @@
-// mbgen sweep: one motion for every combination of values, a few numbers of each.
+// mbgen sweep: simulations over all combinations of values, with a few metrics of each.
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -33,17 +34,17 @@ using std::chrono::steady_clock;
 
 constexpr int kMostJobs = 1024;
 constexpr long kSlurmParts = 8;
-/// How often a rank that waits for the others looks, at first and at last.
+/// Polling interval of a rank that waits for the others, at first and at last.
 constexpr std::chrono::milliseconds kFirstLook{10}, kLastLook{1000};
-/// How long it waits while no other rank is seen at work.
+/// Timeout without another rank at work.
 constexpr std::chrono::minutes kPatience{5};
-/// How long it waits in silence then.
+/// Silent part of this timeout.
 constexpr std::chrono::seconds kSilence{5};
 
 struct SweepOptions {
   StudyArguments study;
   std::string file, part, slurm;
-  int jobs = 0;  ///< 0: as many as there are processors
+  int jobs = 0;  ///< 0: one per processor
   long parts = kSlurmParts;
   bool restart = false, json = false;
 };
@@ -53,8 +54,8 @@ void add_journals(const std::string& table, const std::string& words, CaseResult
   for (const std::filesystem::path& path : journals_of(table)) results.merge(read_journal(path, words));
 }
 
-/// Computes cases in `jobs` threads, each result into the journal before it counts. Fails: as run_case and
-/// Journal::add, with the first failure once all threads have ended.
+/// Computes cases in `jobs` threads; a result is written to the journal before it counts. Fails: as run_case and
+/// Journal::add, with the first failure after all threads have ended.
 void compute(const Study& study, const std::vector<long>& cases, int jobs, bool tells_notes, Journal& journal,
              CaseResults& results) {
   const StudySolver solver = prepare(study);
@@ -95,7 +96,7 @@ void compute(const Study& study, const std::vector<long>& cases, int jobs, bool 
   if (is_interrupted() && done < static_cast<long>(cases.size())) throw Interrupted{signals.taken()};
 }
 
-/// Waits until the other ranks have written all cases. Fails: UserError when none of them is seen at work any more.
+/// Waits until the other ranks have written all cases. Fails: UserError after the timeout without another rank at work.
 void gather(const SweepOptions& options, const std::string& words, const SweepPart& part, long size,
             CaseResults& results) {
   HeldSignals signals;
@@ -113,7 +114,7 @@ void gather(const SweepOptions& options, const std::string& words, const SweepPa
       try {
         results.merge(read_journal(path, words));
       } catch (const UserError&) {
-        // With --restart: the journal of a rank that has not begun anew yet.
+        // With --restart: the old journal of a rank that has not started yet.
       }
     }
     if (results.size() > before || is_at_work) last_seen = steady_clock::now();
@@ -130,7 +131,7 @@ void gather(const SweepOptions& options, const std::string& words, const SweepPa
   }
 }
 
-/// With --restart: journals of other divisions into parts, which nobody would begin anew.
+/// With --restart: removes journals of other partitions, which no process would restart.
 void remove_other_journals(const SweepOptions& options, const SweepPart& part) {
   std::vector<std::filesystem::path> own;
   for (long k = 0; k < part.count; ++k) own.push_back(journal_path(options.file, {k, part.count}));
@@ -140,7 +141,7 @@ void remove_other_journals(const SweepOptions& options, const SweepPart& part) {
   }
 }
 
-/// The command line of a study again, for a script.
+/// Command line of a study, for a script.
 std::vector<std::string> words_of(const SweepOptions& options) {
   const StudyArguments& study = options.study;
   std::vector<std::string> words{"sweep", study.model};

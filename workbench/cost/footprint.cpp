@@ -1,6 +1,7 @@
 #include "workbench/cost/footprint.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <sstream>
 

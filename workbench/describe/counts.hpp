@@ -1,5 +1,5 @@
 #pragma once
-// Operations of the accelerations, and what the decisions about them save.
+// Operation counts of the accelerations, and the savings of decisions about them.
 
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace mbgen {
 
-/// Operations of the accelerations: of each form, and the savings of decisions.
+/// Operation counts of the accelerations: in each form, and savings of decisions.
 struct Counts {
   long operations_of_form[2] = {0, 0};  ///< by Form, 0 for none
   std::vector<Saving> savings;

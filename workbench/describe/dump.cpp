@@ -110,7 +110,7 @@ std::string dump_of(const Stage& stage) {
   return dump_programs(so_far);
 }
 
-/// How much of the accelerations in pairs is done on pairs.
+/// Share of statements on pairs in the accelerations in pairs.
 std::string pairs_text(const Program& program) {
   const std::vector<int> widths = widths_of(program);
   const std::vector<ValueId> statements = live_operations(program);
@@ -118,7 +118,7 @@ std::string pairs_text(const Program& program) {
   return fmt::format("; in pairs {} of {} statements", std::ranges::count_if(statements, is_pair), statements.size());
 }
 
-/// The operations of the accelerations, and of all programs, after a stage.
+/// Operation counts of the accelerations, and of all programs, after a stage.
 std::string stage_line(const Stage& stage) {
   const std::string line = fmt::format("{:<18}{:>10.1f} ms", stage.name, stage.milliseconds);
   const auto [programs, in_pairs] = programs_of(stage.so_far);

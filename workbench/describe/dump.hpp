@@ -13,15 +13,15 @@
 
 namespace mbgen {
 
-/// Names of the stages, in the order of the pipeline: those of the compiler, code, and passes, which lists the stages
+/// Names of the stages, in the order of the pipeline: the compiler's, then `code` and `passes`, a list of the stages
 /// with operations and times.
 std::vector<std::string> dump_stages();
 
-/// The state that emitted code begins with; none where a model has no start.
+/// Initial state of emitted code; none for a model without a start.
 using StartOf = std::function<std::optional<InitialState>(const Compilation&)>;
 
-/// Runs the pipeline up to the stage and gives its result as text. start: asked for `code` alone. form, options: as the
-/// solver is asked for. Fails: UserError for an unknown stage and for a model that does not reach it.
+/// Runs the pipeline up to the stage; its result as text. start: called for `code` alone. form, options: of the solver.
+/// Fails: UserError for an unknown stage and for a model that does not reach it.
 std::string dump_stage(Model model, const std::string& stage, const StartOf& start, std::optional<Form> form = {},
                        EmitOptions options = {});
 

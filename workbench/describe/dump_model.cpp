@@ -62,7 +62,7 @@ class ModelText : public ModelWords {
     return text;
   }
 
-  std::string rods_and_springs() const {
+  std::string rods_and_couplings() const {
     std::string text = "rods\n";
     for (const Rod& rod : model_.rods) {
       text += fmt::format("  {}: from {} to {}, mass {}, length {}\n", rod.name, attachment(rod.from),
@@ -72,101 +72,77 @@ class ModelText : public ModelWords {
       text += coupling.curve ? fmt::format("  {}: {} = {} over {}\n", coupling.name, coordinate(*coupling.joint),
                                            table(*coupling.curve), coordinate(*coupling.follows))
                              : fmt::format("  {}: {} stays 0\n", coupling.name, quantity(coupling.relation));
-    text += "springs\n";
-    for (const PointSpring& spring : model_.springs) {
-      text += fmt::format("  {}: from {} to {}, stiffness {}, damping {}, preload {}\n", spring.name,
-                          attachment(spring.from), attachment(spring.to), law(spring.stiffness), law(spring.damping),
-                          quantity(spring.preload));
-    }
-    for (const JointSpring& spring : model_.joint_springs) {
-      text +=
-          fmt::format("  {}: on {}{}, stiffness {}, damping {}, preload {}\n", spring.name, coordinate(spring.joint),
-                      spring.relative_to ? " relative to " + coordinate(*spring.relative_to) : "",
-                      law(spring.stiffness), law(spring.damping), quantity(spring.preload));
-    }
-    for (const AirSpring& spring : model_.air_springs) {
-      text += fmt::format("  {}: air, from {} to {}, pressure {}, exponent {}, area {}\n", spring.name,
-                          attachment(spring.from), attachment(spring.to), quantity(spring.pressure),
-                          quantity(spring.exponent), law(spring.area));
-    }
     return text;
   }
 
-  std::string bushings() const {
-    std::string text;
-    for (const Bushing& bushing : model_.bushings) {
-      text += fmt::format("  {}: bushing, from {} to {}, axes ({}){}\n", bushing.name, attachment(bushing.from),
-                          attachment(bushing.to), fmt::join(bushing.axes, ", "),
-                          bushing.is_mirrored ? ", counts mirrored" : "");
-      for (std::size_t i = 0; i < bushing.freedoms.size(); ++i) {
-        const std::optional<BushingFreedom>& own = bushing.freedoms[i];
-        if (!own) continue;
-        text += fmt::format("    {}: stiffness {}, damping {}, preload {}", kBushingFreedomNames[i],
-                            law(own->stiffness), law(own->damping), quantity(own->preload));
-        if (own->force) text += fmt::format(", force {{{}}}", model_.expressions[*own->force].text);
-        if (own->maxwell_stiffness)
-          text +=
-              fmt::format(", Maxwell branch {}, {} s", quantity(*own->maxwell_stiffness), quantity(own->maxwell_time));
-        text += '\n';
+  // Of a field of an element.
+  std::string field(const Quantity& value) const { return quantity(value); }
+  std::string field(const Law& value) const { return law(value); }
+  std::string field(const Table& value) const { return table(value); }
+  std::string field(int expression) const { return fmt::format("{{{}}}", model_.expressions[expression].text); }
+  std::string field(double value) const { return fmt::format("{}", value); }
+  std::string field(const char* word) const { return word; }
+  template <std::size_t size>
+  std::string field(const std::array<Quantity, size>& values) const {
+    return quantities(values);
+  }
+  template <std::size_t size>
+  std::string field(const std::array<double, size>& values) const {
+    return fmt::format("({})", fmt::join(values, ", "));
+  }
+
+  // Where an element acts.
+  std::string place(const BetweenPoints& at) const {
+    return fmt::format("from {} to {}", attachment(at.from), attachment(at.to));
+  }
+  std::string place(const AlongDirection& at) const {
+    return fmt::format("{} along ({})", place(BetweenPoints{at.from, at.to}), fmt::join(at.axis, ", "));
+  }
+  std::string place(const BetweenFrames& at) const { return place(BetweenPoints{at.from, at.to}); }
+  std::string place(const OnCoordinate& at) const {
+    return fmt::format("on {}{}", coordinate(at.joint),
+                       at.relative_to ? " relative to " + coordinate(*at.relative_to) : "");
+  }
+  std::string place(const OnBody& at) const { return "at " + attachment(at.at); }
+  std::string place(const AlongSpring& at) const { return "along spring " + model_.springs[at.spring].name; }
+  std::string place(const InRodEnd& at) const {
+    return fmt::format("in rod {} at {}", model_.rods[at.rod].name, at.at_from ? "from" : "to");
+  }
+
+  /// "  name: spring, from a.A to b.B, stiffness 1000, damping 20": fields that are there.
+  template <class Element>
+  std::string element(const Element& element) const {
+    std::string text = fmt::format("  {}: {}, {}", element.name, KindOf<Element>::words,
+                                   std::visit([&](const auto& at) { return place(at); }, connection_of(element)));
+    KindOf<Element>::fields(element, [&](const std::string& name, const auto& value) {
+      if constexpr (requires { *value, value.has_value(); }) {
+        if (value) text += fmt::format(", {} {}", name, field(*value));
+      } else {
+        text += fmt::format(", {} {}", name, field(value));
       }
-      if (bushing.stiffness) text += fmt::format("    stiffness {}\n", quantities(*bushing.stiffness));
-      if (bushing.damping) text += fmt::format("    damping {}\n", quantities(*bushing.damping));
-    }
+    });
+    if constexpr (requires { details(element); }) text += details(element);
+    return text + "\n";
+  }
+
+  std::string elements() const {
+    std::string text = "elements\n";
+    each_element(model_, [&](const auto& each) { text += element(each); });
     return text;
   }
 
-  std::string bump_stops() const {
-    const char* sides[] = {"compression", "extension", "above", "below"};
-    std::string text;
-    for (const BumpStop& stop : model_.bump_stops) {
-      const std::string place = stop.is_on_joint() ? "on " + coordinate(stop.joint)
-                                                   : "from " + attachment(stop.from) + " to " + attachment(stop.to);
-      text += fmt::format("  {}: bump stop, {}, {}, clearance {}, stiffness {}, exponent {}, damping {}\n", stop.name,
-                          place, sides[static_cast<int>(stop.side)], quantity(stop.clearance), law(stop.stiffness),
-                          stop.exponent, quantity(stop.damping));
-      if (stop.axis) text += fmt::format("    along ({})\n", fmt::join(*stop.axis, ", "));
-      if (stop.force) text += fmt::format("    force {{{}}}\n", model_.expressions[*stop.force].text);
-    }
-    return text;
+  std::string details(const AppliedForce& force) const {
+    return fmt::format(", {} axes", force.in_body_axes ? "body" : "global");
   }
 
-  std::string forces() const {
-    std::string text = "forces\n";
-    for (const AppliedForce& force : model_.forces) {
-      text += fmt::format("  {}: at {}, force {}, torque {}, {} axes\n", force.name, attachment(force.at),
-                          quantities(force.force), quantities(force.torque), force.in_body_axes ? "body" : "global");
-    }
-    for (const JointForce& force : model_.joint_forces) {
-      text += fmt::format("  {}: on {}, {}\n", force.name, coordinate(force.joint), quantity(force.force));
-    }
-    for (const JointFriction& friction : model_.frictions) {
-      text += fmt::format("  {}: friction on {}, coulomb {}, viscous {}{}\n", friction.name, coordinate(friction.joint),
-                          quantity(friction.coulomb), quantity(friction.viscous), details(friction));
-    }
-    for (const SpringFriction& friction : model_.spring_frictions) {
-      text += fmt::format("  {}: friction along spring {}, coulomb {}, viscous {}{}\n", friction.name,
-                          model_.springs[friction.spring].name, quantity(friction.coulomb), quantity(friction.viscous),
-                          details(friction));
-    }
-    for (const RodFriction& friction : model_.rod_frictions) {
-      text += fmt::format("  {}: friction in rod {} at {}, coulomb {}, viscous {}{}\n", friction.name,
-                          model_.rods[friction.rod].name, friction.at_from ? "from" : "to", quantity(friction.coulomb),
-                          quantity(friction.viscous), details(friction));
-    }
-    for (const Tyre& tyre : model_.tyres) {
-      text += fmt::format("  {}: tyre at {}, axis ({}), count {}, radius {}, stiffness {}{}{}{}{}{}\n", tyre.name,
-                          attachment(tyre.centre), fmt::join(tyre.axis, ", "), tyre.count, quantity(tyre.radius),
-                          quantity(tyre.stiffness),
-                          tyre.model == TyreModel::mf61 ? ", pressure " + quantity(tyre.pressure) : "",
-                          tyre.road < 0 ? "" : ", on road " + model_.roads[tyre.road].name,
-                          tyre.envelope ? ", " + to_text(*tyre.envelope) : "",
-                          tyre.combined_slip == CombinedSlip::ellipse ? ", combined slip by an ellipse" : "",
-                          tyre.parking ? turning(tyre) : "");
-    }
-    return text;
+  std::string details(const Tyre& tyre) const {
+    return fmt::format("{}{}{}{}", tyre.road < 0 ? "" : ", on road " + model_.roads[tyre.road].name,
+                       tyre.envelope ? ", " + to_text(*tyre.envelope) : "",
+                       tyre.combined_slip == CombinedSlip::ellipse ? ", combined slip by an ellipse" : "",
+                       tyre.parking ? turning(tyre) : "");
   }
 
-  /// ", turns with stiffness 2000, ...". Requires: the tyre has a patch that turns.
+  /// ", turns with stiffness 2000, ...". Requires: a tyre with a turning contact patch.
   std::string turning(const Tyre& tyre) const {
     return fmt::format(", turns with stiffness {} and radius {} under {}{}", quantity(tyre.parking->stiffness),
                        quantity(tyre.parking->radius), quantity(tyre.parking->load),
@@ -238,13 +214,11 @@ class ModelText : public ModelWords {
                        kDirections[static_cast<int>(load.direction)]);
   }
 
-  /// What presses, and bristles.
+  /// Load and bristles.
   std::string details(const FrictionLaw& friction) const {
     const std::string pressed = friction.load < 0 ? "" : ", pressed by " + model_.sampled[friction.load].name;
     if (!friction.has_bristle()) return pressed;
-    return pressed + fmt::format(", {} with stiffness {}, damping {}",
-                                 friction.kind == FrictionLaw::Kind::lugre ? "lugre" : "elasto_plastic",
-                                 quantity(friction.stiffness), quantity(friction.damping));
+    return pressed + (friction.kind == FrictionLaw::Kind::lugre ? ", lugre" : ", elasto_plastic");
   }
 
  private:
@@ -296,8 +270,8 @@ std::string dump_model(const Model& model) {
   for (const Body& body : model.bodies) text += describe.body(body);
   text += "joints\n";
   for (const Joint& joint : model.joints) text += describe.joint(joint);
-  text += describe.rods_and_springs() + describe.bushings() + describe.bump_stops() + describe.forces() +
-          describe.roads() + describe.axles() + vehicle_dump(model) + "motions\n";
+  text += describe.rods_and_couplings() + describe.elements() + describe.roads() + describe.axles() +
+          vehicle_dump(model) + "motions\n";
   for (const Motion& motion : model.motions) {
     text += fmt::format("  {}: {} = {}\n", motion.name, describe.coordinate(motion.joint),
                         describe.quantity(motion.position));

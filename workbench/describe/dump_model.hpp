@@ -1,5 +1,5 @@
 #pragma once
-// The model as the reader understood it, as text.
+// The model after reading, as text.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace mbgen {
 
-/// Every element of the model with its numbers; expressions as they were written.
+/// Every element of the model with its numbers, and expressions as written.
 std::string dump_model(const Model& model);
 
 }  // namespace mbgen

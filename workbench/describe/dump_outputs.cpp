@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "compiler/model/element_outputs.hpp"
 #include "compiler/topology/names.hpp"
 
 namespace mbgen {
@@ -71,38 +74,15 @@ struct OutputText : ModelWords {
     const char* quantities[] = {"position", "velocity", "acceleration"};
     return fmt::format("{} of {}", quantities[static_cast<int>(output.what)], coordinate(output.coordinate));
   }
-  std::string source(const TyreOutput& output) const {
-    const char* quantities[] = {
-        "load", "longitudinal force", "lateral force", "aligning moment", "longitudinal slip", "lateral slip"};
-    return fmt::format("{} of tyre {}", quantities[static_cast<int>(output.what)], model_.tyres[output.tyre].name);
+  std::string source(const ElementOutput& output) const {
+    const ElementQuantity quantity = quantity_of(output);
+    std::string text = quantity.name;
+    std::replace(text.begin(), text.end(), '_', ' ');
+    with_kind(output.kind,
+              [&](auto kind) { text += fmt::format(" of {} {}", kind.words, element_name(model_, output)); });
+    return quantity.components > 1 ? fmt::format("{}, {}", text, "xyz"[output.axis]) : text;
   }
-  std::string source(const SpringOutput& output) const {
-    const char* quantities[] = {"force", "length", "rate"};
-    const bool is_air = output.air_spring >= 0;
-    return fmt::format("{} of {} {}", quantities[static_cast<int>(output.what)], is_air ? "air spring" : "spring",
-                       is_air ? model_.air_springs[output.air_spring].name : model_.springs[output.point_spring].name);
-  }
-  std::string source(const BushingOutput& output) const {
-    const char* quantities[] = {"force", "moment", "deflection", "rotation vector"};
-    return fmt::format("{} of bushing {}, {}", quantities[static_cast<int>(output.what)],
-                       model_.bushings[output.bushing].name, "xyz"[output.axis]);
-  }
-  std::string source(const BumpStopOutput& output) const {
-    const char* quantities[] = {"force", "deflection", "rate"};
-    return fmt::format("{} of bump stop {}", quantities[static_cast<int>(output.what)],
-                       model_.bump_stops[output.stop].name);
-  }
-  std::string source(const StoredEnergyOutput& output) const {
-    using Of = StoredEnergyOutput::Of;
-    const auto named = [&](const char* kind, const auto& elements) {
-      return fmt::format("potential energy of {} {}", kind, elements[output.element].name);
-    };
-    if (output.of == Of::spring) return named("spring", model_.springs);
-    if (output.of == Of::joint_spring) return named("joint spring", model_.joint_springs);
-    if (output.of == Of::bushing) return named("bushing", model_.bushings);
-    if (output.of == Of::bump_stop) return named("bump stop", model_.bump_stops);
-    return "potential energy of all elements";
-  }
+  std::string source(const StoredEnergyOutput&) const { return "potential energy of all elements"; }
   std::string source(const DriveOutput& output) const {
     return "driving force of motion " + model_.motions[output.motion].name;
   }

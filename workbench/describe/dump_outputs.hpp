@@ -1,5 +1,5 @@
 #pragma once
-// Outputs as text, and the names behind indices.
+// Outputs as text, with names in place of indices.
 
 #include <string>
 

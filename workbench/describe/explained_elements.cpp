@@ -17,7 +17,7 @@ const std::string& body_of(const Model& model, const Attachment& at) {
   return model.bodies[static_cast<std::size_t>(at.body)].name;
 }
 
-std::string bushing_text(const Model& model, const Bushing& bushing) {
+std::string text_of(const Model& model, const Bushing& bushing) {
   std::vector<std::string> acting, branches;
   for (int i = 0; i < kBushingFreedoms; ++i) {
     const std::string name(kBushingFreedomNames[static_cast<std::size_t>(i)]);
@@ -34,7 +34,7 @@ std::string bushing_text(const Model& model, const Bushing& bushing) {
   return words;
 }
 
-std::string stop_text(const Model& model, const BumpStop& stop) {
+std::string text_of(const Model& model, const BumpStop& stop) {
   const std::string clearance = number_or_text(model, stop.clearance);
   const bool is_on_this_side = stop.side == BumpStop::Side::above || stop.side == BumpStop::Side::compression;
   if (stop.is_on_joint()) {
@@ -53,6 +53,16 @@ std::string friction_text(const std::string& name, const std::string& place, con
       law.kind == FrictionLaw::Kind::lugre ? "LuGre, which creeps under loads that vibrate" : "elasto-plastic", name);
 }
 
+std::string text_of(const Model& model, const JointFriction& friction) {
+  return friction.has_bristle() ? friction_text(friction.name, "on " + freedom_of(model, friction.joint).name, friction)
+                                : "";
+}
+
+std::string text_of(const Model& model, const SpringFriction& friction) {
+  return friction.has_bristle() ? friction_text(friction.name, "along " + model.springs[friction.spring].name, friction)
+                                : "";
+}
+
 /// "the force of crank_pin across its axis".
 std::string reaction_text(const Model& model, const ReactionLoad& load) {
   static constexpr const char* kDirections[] = {"", " across its axis",
@@ -63,7 +73,7 @@ std::string reaction_text(const Model& model, const ReactionLoad& load) {
                      kDirections[static_cast<int>(load.direction)]);
 }
 
-/// Where a reaction presses a friction, what that is and how late it acts.
+/// For a friction with a reaction as normal load: the reaction, and its delay by sampling.
 std::string load_text(const Model& model, const std::string& name, const FrictionLaw& law) {
   if (law.load < 0) return "";
   const SampledValue& load = model.sampled[static_cast<std::size_t>(law.load)];
@@ -75,14 +85,15 @@ std::string load_text(const Model& model, const std::string& name, const Frictio
 
 std::string elements_explanation(const Model& model) {
   std::string text;
-  for (const Bushing& bushing : model.bushings) text += paragraph(bushing_text(model, bushing));
-  for (const BumpStop& stop : model.bump_stops) text += paragraph(stop_text(model, stop));
-  for (const JointFriction& friction : model.frictions)
-    if (friction.has_bristle())
-      text += paragraph(friction_text(friction.name, "on " + freedom_of(model, friction.joint).name, friction));
-  for (const SpringFriction& friction : model.spring_frictions)
-    if (friction.has_bristle())
-      text += paragraph(friction_text(friction.name, "along " + model.springs[friction.spring].name, friction));
+  const auto add_kinds = [&](bool frictions) {
+    each_element(model, [&]<class Element>(const Element& element) {
+      if (std::is_base_of_v<FrictionLaw, Element> != frictions) return;
+      if constexpr (requires { text_of(model, element); })
+        if (const std::string words = text_of(model, element); !words.empty()) text += paragraph(words);
+    });
+  };
+  add_kinds(false);
+  add_kinds(true);
   each_friction(model, [&](const auto& friction) { text += load_text(model, friction.name, friction); });
   return text.empty() ? "" : heading("What gives way, stops or sticks") + text;
 }

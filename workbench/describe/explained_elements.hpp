@@ -1,5 +1,5 @@
 #pragma once
-// Elements of a model that give way, stop or stick, and its states, in words: sections of `mbgen explain`.
+// Compliant elements, stops, sticking frictions and states of a model, in words: sections of `mbgen explain`.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace mbgen {
 
-/// Bushings, bump stops, frictions that stick; "" without any.
+/// Elements that give way, stop or stick; "" without any.
 std::string elements_explanation(const Model& model);
 
 /// States of the user's own and sampled values; "" without any.

@@ -25,7 +25,7 @@ namespace mbgen {
 namespace {
 
 constexpr int kBarWidth = 30;
-/// Axes count as parallel, or as perpendicular, up to this (rad).
+/// Tolerance for parallel and perpendicular axes, rad.
 constexpr double kParallel = 1e-9;
 
 std::string overview_text(const Compilation& c) {
@@ -60,7 +60,7 @@ std::string overview_text(const Compilation& c) {
   return paragraph(words);
 }
 
-/// A body and the bodies that hang on it.
+/// A body and its branch of the tree.
 std::string branch_text(const Topology& topology, int i, int depth) {
   const TreeBody& body = topology.bodies[static_cast<std::size_t>(i)];
   std::string text = fmt::format("{:>{}}{}: {} by {}{}\n", "", 2 * depth, body.name,
@@ -128,7 +128,7 @@ std::string cuts_explanation(const Compilation& c) {
   return text.empty() ? "" : heading("Cuts") + text;
 }
 
-/// Axes of the turning and of the sliding joints of a loop, at the reference.
+/// Axes of the rotational and of the translational freedoms of a loop, in the reference position.
 struct LoopAxes {
   std::vector<Vector3> turns, slides;
 };
@@ -148,7 +148,7 @@ LoopAxes axes_of(const Model& model, const Topology& topology, const Loop& loop)
   return axes;
 }
 
-/// Whether the loop stays in planes across one direction: all pins along it, all slides across it.
+/// Whether the loop is planar: all pins along one direction, all slides across it.
 bool is_planar(const LoopAxes& axes) {
   if (axes.turns.empty()) return false;
   const Vector3& normal = axes.turns.front();
@@ -158,7 +158,7 @@ bool is_planar(const LoopAxes& axes) {
          std::all_of(axes.slides.begin(), axes.slides.end(), is_across);
 }
 
-/// Why equations of a loop say nothing new.
+/// Reason for redundant equations of a loop.
 std::string cause_of(const Compilation& c, const Loop& loop) {
   const LoopAxes axes = axes_of(c.model, c.topology, loop);
   if (loop.joint >= 0 && is_planar(axes)) {
@@ -235,7 +235,7 @@ std::string plane_of(const Mirror& mirror) {
                      mirror.normal[2], mirror.offset);
 }
 
-/// Left and right, where most bodies with mass have a mirror image: a number that differs may be a slip.
+/// Left and right, for a model in which most bodies with mass have a mirror image: a number that differs may be a slip.
 std::string sides_explanation(const Compilation& c) {
   const Mirror mirror = find_mirror(c.model, c.topology);
   std::vector<std::string> pairs, unlike, alone;
@@ -262,7 +262,7 @@ std::string sides_explanation(const Compilation& c) {
   return text;
 }
 
-/// Balls whose angles are meant themselves, with the reason.
+/// Ball joints that keep their angles as coordinates, with the reason.
 std::string poles_explanation(const Compilation& c) {
   std::string text;
   for (const RealPole& pole : real_poles(c.model, c.topology))
@@ -300,7 +300,7 @@ std::string twins_explanation(const Compilation& c) {
                                fmt::join(pairs, "; ")));
 }
 
-/// What the solver of one instance computes in pairs, by steps; empty where that is nothing.
+/// Pairs in the solver of one instance, by steps; empty without pairs.
 std::string pairs_explanation(const std::optional<PairedAccelerations>& paired, const Titles& titles) {
   if (!paired) return "";
   const Program& program = paired->program;

@@ -1,5 +1,5 @@
 #pragma once
-// The structure that mbgen found in a model, in words.
+// Structure of a model as found by mbgen, in words.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 namespace mbgen {
 
 /// Tree, cuts and their reasons, loop blocks, redundant equations and their reasons, left and right, freedoms,
-/// elements that give way, stop or stick, states, operations by part.
+/// compliant elements, stops and sticking frictions, states, operations by part.
 std::string explanation_text(const Compilation& compilation);
 
 }  // namespace mbgen

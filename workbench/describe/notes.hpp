@@ -1,5 +1,5 @@
 #pragma once
-// Notes: messages of a command about a file in which nothing is wrong.
+// Notes: messages about a file without an error.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -9,20 +9,19 @@
 
 namespace mbgen {
 
-/// What the files of a model say and it does not use, what its loops lock, in which modes it is not, and what nothing
-/// holds.
+/// Notes on unused parts of a model's files, on locked loops and their modes, and on unconstrained bodies.
 Diagnostics all_notes(const Compilation& compilation);
 
-/// One note as people read it, without the line of text that it names.
+/// One note as text, without the quoted line of the file.
 std::string note_text(const Diagnostic& note);
 
-/// Notes on standard error.
+/// Prints notes on standard error.
 void print_notes(const Diagnostics& notes);
 
-/// How many notes there are and where to read them, on standard error; nothing for none.
+/// Prints the number of notes, and the command to read them, on standard error; nothing for none.
 void count_notes(const Compilation& compilation);
 
-/// Problems or notes as machines read them, an array.
+/// Problems or notes as a JSON array.
 nlohmann::ordered_json diagnostics_json(const Diagnostics& diagnostics);
 
 }  // namespace mbgen

@@ -1,5 +1,5 @@
 #pragma once
-// Words in lines: paragraphs, headings, counts.
+// Text layout: paragraphs, headings, counts.
 
 #include <string>
 #include <vector>

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Bodies of the model that a fixed joint made part of another one, and so have no coordinate.
+/// Number of bodies merged into another one by a fixed joint, thus without a coordinate.
 long count_merged_bodies(const Model& model, const Topology& topology) {
   long merged = 0;
   for (int body = 0; body < static_cast<int>(model.bodies.size()); ++body) {
@@ -107,7 +107,7 @@ Json report_program(const Program& program, const Titles& titles) {
 
 }  // namespace
 
-/// Rows of a path matrix that are written out: more bodies have their parents alone, in `coordinates`.
+/// Largest path matrix written out; for more bodies only their parents, in `coordinates`.
 constexpr int kMostBodiesInPathMatrix = 500;
 
 Json make_report(const Compilation& compilation, const Counts& counts) {
@@ -124,7 +124,7 @@ Json make_report(const Compilation& compilation, const Counts& counts) {
   report["bodies"] = moving_bodies + 1;  // and ground
   report["massless_bodies"] = std::count_if(topology.bodies.begin(), topology.bodies.end(), is_massless);
   report["joints"] = moving_bodies + static_cast<long>(cut_joints.size());
-  report["tree_joints"] = moving_bodies;  // each moving body hangs on one
+  report["tree_joints"] = moving_bodies;  // one per moving body
   report["cut_joints"] = cut_joints.size();
   report["cut_joint_names"] = cut_joints;
   report["rods"] = model.rods.size();

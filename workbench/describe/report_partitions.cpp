@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Free directions of a block: coordinates, of a ball the components of its angular velocity.
+/// Free directions of a block: coordinates, for a ball joint the components of its angular velocity.
 std::vector<std::string> direction_names(const Topology& topology, const RecursionUnit& unit,
                                          const std::vector<int>& columns) {
   std::vector<std::string> names;

@@ -45,7 +45,7 @@ std::string equations_text(const Json& redundant, int steps) {
   return text;
 }
 
-/// Ranks in assembly modes that the reference does not reach.
+/// Ranks in assembly modes not reached from the reference.
 std::string other_modes_text(const Json& block) {
   const Json& certificate = block["certificate"];
   std::vector<std::string> ranks;

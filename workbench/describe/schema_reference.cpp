@@ -20,7 +20,7 @@ std::string joined(const std::vector<std::string>& parts, const char* between) {
   return text;
 }
 
-/// A cell of a table: no bar ends it before its time.
+/// A cell of a table, with bars escaped.
 std::string cell(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -30,12 +30,12 @@ std::string cell(const std::string& text) {
   return escaped;
 }
 
-/// As code, where there is something.
+/// As code; empty for an empty text.
 std::string quoted(std::string_view text) { return text.empty() ? std::string() : fmt::format("`{}`", text); }
 
 bool has_section(const Json& definition) { return definition.contains("properties"); }
 
-/// Allowed values, in words; names of objects link to their sections.
+/// Allowed values in words; names of objects become links to their sections.
 std::string kind_text(const Json& schema, const Json& value);
 
 std::string reference_text(const Json& schema, const std::string& reference) {
@@ -117,7 +117,7 @@ A letter or a vector counts in the frame that the field names, points are in glo
 
 )text";
 
-/// What expressions are made of.
+/// Syntax of expressions.
 std::string expressions_text() {
   std::string text = R"text(## Expressions
 

@@ -9,8 +9,7 @@ namespace mbgen {
 /// The definitions of a schema as sections.
 std::string definitions_reference(const nlohmann::ordered_json& schema);
 
-/// Every object of the schema as a section in Markdown, its fields as a table: type of the value, whether it is
-/// required, and its meaning.
+/// A section in Markdown for every object of the schema, with a table of its fields: type, required or not, meaning.
 std::string schema_reference(const nlohmann::ordered_json& schema);
 
 }  // namespace mbgen

@@ -10,7 +10,7 @@ namespace mbgen {
 /// A section of the model's dump, "" without a vehicle.
 std::string vehicle_dump(const Model& model);
 
-/// What manoeuvres move and by which inputs, for `explain`; "" without a vehicle.
+/// Parts moved by manoeuvres, and the inputs used, for `explain`; "" without a vehicle.
 std::string vehicle_explanation(const Model& model);
 
 }  // namespace mbgen

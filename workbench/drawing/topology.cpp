@@ -136,7 +136,7 @@ void add_brackets(Sheet& sheet) {
       sheet.brackets.push_back(bracket);
     }
   }
-  // Ports from the top of a row down: closures that come from above first, then those that leave to the nearest row.
+  // Ports from the top of a row down: closures from above first, then the closures to the nearest row.
   std::vector<std::pair<int, std::size_t>> ends;
   for (std::size_t r = 0; r < sheet.rows.size(); ++r) {
     ends.clear();

@@ -4,13 +4,16 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
+#include <optional>
 #include <stdexcept>
 
 #include "compiler/text/hash.hpp"
 #include "compiler/text/user_error.hpp"
+#include "workbench/engines/code_without_comments.hpp"
 #include "workbench/engines/host_compiler.hpp"
 #include "workbench/engines/kept_object.hpp"
+#include "workbench/engines/kept_objects.hpp"
+#include "workbench/engines/kept_request.hpp"
 #include "workbench/host/files.hpp"
 #include "workbench/host/own_directory.hpp"
 #include "workbench/host/temporary_directory.hpp"
@@ -22,29 +25,17 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSymbol = "mbgen_solver_table";
 
-/// The line of /proc/cpuinfo that lists the processor's instruction sets: code made for one processor may not run on
-/// another.
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("flags") || line.starts_with("Features")) return line;
-  }
-  return "";
-}
+bool is_code(const EmittedFile& file) { return file.path.ends_with(".cpp") || file.path.ends_with(".hpp"); }
 
 std::string object_name(const std::string& solver, const std::vector<EmittedFile>& files,
                         const HostCompiler& compiler) {
   Hash hash;
   for (const EmittedFile& file : files) {
+    if (!is_code(file)) continue;
     hash.add(file.path);
-    hash.add(file.text);
+    hash.add(code_without_comments(file.text));
   }
-  for (const std::string& word : compiler.words) hash.add(word);
-  for (const std::string& flag : compiler.flags) hash.add(flag);
-  for (const std::string& flag : compiler.hot_flags) hash.add(flag);
-  for (const std::string& flag : compiler.rare_flags) hash.add(flag);
-  hash.add(compiler.version);
-  hash.add(processor());
+  hash.add(key_of(compiler));
   return fmt::format("{}-{}.so", solver, hash.text());
 }
 
@@ -71,44 +62,66 @@ fs::path build(const fs::path& scratch, const std::string& solver, const std::ve
   return result;
 }
 
-/// The table of a compiled solver, null when the file is none of this mbgen and this model.
-std::shared_ptr<const SolverTable> open_solver(const fs::path& object, const std::string& hash) {
+/// The table of a compiled solver, null when the file is none of this mbgen and a model of that name.
+std::shared_ptr<const SolverTable> open_solver(const fs::path& object, const std::string& model) {
   void* handle = ::dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) return nullptr;
   const std::shared_ptr<void> library(handle, ::dlclose);
   const auto table_of = reinterpret_cast<const SolverTable* (*)()>(::dlsym(handle, kSymbol));
   const SolverTable* table = table_of == nullptr ? nullptr : table_of();
-  if (table == nullptr || table->layout != kSolverTableLayout || table->hash != hash) return nullptr;
+  if (table == nullptr || table->layout != kSolverTableLayout || table->model != model) return nullptr;
   return {library, table};
+}
+
+/// The same of the cache, null when it has none that is whole.
+std::shared_ptr<const SolverTable> open_kept(const fs::path& object, const std::string& model) {
+  if (!is_own_file(object) || !is_sealed(object)) return nullptr;
+  auto solver = open_solver(object, model);
+  if (solver) mark_used(object);
+  return solver;
+}
+
+std::vector<EmittedFile> files_of(const Compilation& decided, const EngineChoice& choice) {
+  Compilation compilation = decided;
+  add_programs(compilation, {choice.form});
+  return emit_for_loading(compilation, choice.use == SolverUse::timing_steps, choice.lanes);
 }
 
 }  // namespace
 
-std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, const EngineChoice& choice) {
-  const bool use_cache = choice.use_cache;
-  std::vector<EmittedFile> files = emit(compilation, {.lanes = choice.lanes});
-  files.push_back(choice.use == SolverUse::timing_steps ? emit_clocked_driver(compilation, choice.lanes)
-                                                        : emit_driver(compilation.model, choice.lanes));
-  const fs::path cache = use_cache ? own_cache() : fs::path();
+std::shared_ptr<const SolverTable> load_solver(const Compilation& decided, const EngineChoice& choice) {
+  const fs::path cache = choice.use_cache ? own_cache() : fs::path();
   const bool has_cache = !cache.empty();
   const TemporaryDirectory scratch(has_cache ? cache : temporary_parent());
   HostCompiler compiler = find_compiler(scratch.path(), "-march=native", choice.lanes);
   if (choice.use == SolverUse::running && choice.lanes == 0) {
     compiler.hot_flags = quick_compile_flags(compiler.is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
   }
-  const std::string name = solver_name(compilation.model);
+  const std::string& model = decided.model.name;
+  const std::string request = has_cache ? request_of(decided, choice, compiler) : "";
+  if (const auto kept = has_cache ? object_of_request(cache, request) : std::nullopt) {
+    if (auto solver = open_kept(*kept, model)) return solver;
+  }
+  const std::vector<EmittedFile> files = files_of(decided, choice);
+  const std::string name = solver_name(decided.model);
   const fs::path kept = cache / object_name(name, files, compiler);
-
-  if (has_cache && is_own_file(kept) && is_sealed(kept)) {
-    if (auto solver = open_solver(kept, compilation.model.hash)) return solver;
+  if (has_cache) {
+    if (auto solver = open_kept(kept, model)) {
+      remember_request(cache, scratch.path(), request, kept);
+      return solver;
+    }
   }
   fs::path object = build(scratch.path(), name, files, compiler);
   if (has_cache) {
     seal(object);
-    if (keep(object, kept)) object = kept;
+    if (keep(object, kept)) {
+      object = kept;
+      remember_request(cache, scratch.path(), request, kept);
+    }
   }
-  auto solver = open_solver(object, compilation.model.hash);
+  auto solver = open_solver(object, model);
   if (!solver) throw std::runtime_error(fmt::format("the compiled solver {} does not load", object.string()));
+  if (has_cache) keep_within_room(cache);
   return solver;
 }
 

@@ -13,13 +13,14 @@
 
 namespace mbgen {
 
-/// Emits the solver and its driver, compiles them with $CXX (or c++) for this processor and loads the result.
-/// choice: its use, its lanes, and use_cache: look for the object under ${XDG_CACHE_HOME:-~/.cache}/mbgen first, and
-/// keep it there. Its name is a hash of the code, the compiler's version, the flags and the processor; any number of
-/// mbgen may run at the same time.
-/// Fails: UserError when there is no compiler (the text names --engine generic), std::runtime_error with the end of the
-/// compiler's messages when it rejects the code.
-std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, const EngineChoice& choice);
+/// Writes the solver of a decided model and its driver, compiles them with $CXX (or c++) for this processor and loads
+/// the result. choice: its use, form and lanes, and use_cache: look for the object under
+/// ${XDG_CACHE_HOME:-~/.cache}/mbgen first, and keep it there. Its name is a hash of the code without comments and
+/// default values, the compiler's version, the flags and the processor: models of equal equations share one solver. A
+/// request that was met before finds its object without translating. Any number of mbgen may run at the same time.
+/// Requires: not too_large. Fails: UserError when there is no compiler (the text names --engine generic),
+/// std::runtime_error with the end of the compiler's messages when it rejects the code.
+std::shared_ptr<const SolverTable> load_solver(const Compilation& decided, const EngineChoice& choice);
 
 /// An engine of its own behind a solver that others may use at the same time. compilation: of the solver, or one
 /// whose model has other values of the tunable parameters; engines run at those.

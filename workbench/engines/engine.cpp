@@ -66,8 +66,8 @@ std::vector<std::string> names_of(const Compilation& compilation, Subject subjec
   return names;
 }
 
-/// What lacks an inertia may be an angle at its pole: says so of balls, and why they have no other angles. "" for other
-/// directions.
+/// A ball without inertia in a direction may have its angles at their pole: names the joint, and why it has no other
+/// angles. "" for other directions.
 std::string pole_text(const Compilation& compilation, Status status) {
   if (status.code != Code::no_inertia) return "";
   const TreeBody& body = compilation.topology.bodies[status.index];

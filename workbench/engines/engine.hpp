@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,8 +50,8 @@ struct Engine {
   /// Accelerations of a state that steps of h seconds led to, without joint forces: at a singular position those of the
   /// motion through it. The derivative keeps its values unless the status is ok.
   std::function<Status(const GenericState&, double h, GenericDerivative&)> accelerations_in_motion;
-  /// Sets the sampled values that are due at the start of a step of h seconds, as steps do, or with h = 0 those that
-  /// are due at the time of the state; any: whether there are such. The state is unchanged on failure. Empty function
+  /// Sets the sampled values that are due at the start of a step of h seconds, as steps do, or with h = 0 the values
+  /// due at the time of the state; any: whether there are such. The state is unchanged on failure. Empty function
   /// without sampled values.
   std::function<Status(GenericState&, double h, bool& any)> sample;
   /// Sets the reactions that press frictions at the start, of engines that find reactions by equations of their own; of
@@ -91,8 +92,9 @@ struct EngineChoice {
   GenericAlgebra algebra;                                   ///< of the generic engine
   Stabilisation stabilisation = Stabilisation::projection;  ///< of the Cartesian engines
   SolverUse use = SolverUse::running;
-  int lanes = 0;          ///< of the generated engine: accelerations in batches of so many, 0 for one by one
-  bool use_cache = true;  ///< keep compiled solvers for the next time
+  std::optional<Form> form = {};  ///< of the generated engine, none for the shorter one
+  int lanes = 0;                  ///< of the generated engine: accelerations in batches of so many, 0 for one by one
+  bool use_cache = true;          ///< keep compiled solvers for the next time
 };
 
 /// Names of the engines there are.

@@ -9,7 +9,7 @@
 
 namespace mbgen {
 
-/// The form that was typed, none for "". Fails: UserError for a form that there is not.
+/// The form of this name, none for "". Fails: UserError for an unknown form.
 std::optional<Form> chosen_form(const std::string& typed);
 
 /// Engine and inputs as typed.
@@ -19,8 +19,8 @@ struct EngineArguments {
   std::vector<std::string> inputs;                           ///< name=value
 };
 
-/// The engine that the arguments choose. Fails: UserError for a linear algebra, factorisation or stabilisation that is
-/// unknown, or that the engine does not let one choose, and for QR without Eigen.
+/// The engine that the arguments choose. Fails: UserError for an unknown linear algebra, factorisation or
+/// stabilisation, for one that the engine does not offer, and for QR without Eigen.
 EngineChoice chosen_engine(const EngineArguments& arguments);
 
 }  // namespace mbgen

@@ -177,7 +177,7 @@ std::array<double, kSteps> step_shares(LoadedSolver& solver, const std::vector<L
   return shares;
 }
 
-/// The memory of one engine, parameters at the model's values.
+/// The memory of one engine, parameters and inputs at the model's values.
 std::shared_ptr<LoadedSolver> prepared(std::shared_ptr<const SolverTable> shared, const Model& model) {
   auto solver = std::make_shared<LoadedSolver>();
   solver->table = std::move(shared);
@@ -185,7 +185,7 @@ std::shared_ptr<LoadedSolver> prepared(std::shared_ptr<const SolverTable> shared
   for (const Parameter& parameter : model.parameters) {
     if (parameter.tunable) solver->parameters.push_back(parameter.value);
   }
-  solver->inputs.assign(table.default_inputs, table.default_inputs + table.inputs);
+  for (const Input& input : model.inputs) solver->inputs.push_back(input.default_value);
   solver->state.resize(static_cast<std::size_t>(table.state_size));
   solver->derivative.resize(static_cast<std::size_t>(table.derivative_size));
   solver->history.resize(static_cast<std::size_t>(table.history_bytes) / sizeof(double) + 1);
@@ -205,7 +205,7 @@ Engine make_generated_engine(const std::shared_ptr<const SolverTable>& table, co
   Engine engine;
   engine.name = choice.name;
   engine.balls = compilation.topology.balls;
-  engine.form = name_of(compilation.form());
+  engine.form = name_of(written_form(compilation, choice.form));
   engine.batch = std::max(choice.lanes, 1);
   const auto evaluate = choice.lanes > 0 ? accelerations_in_lanes : accelerations;
   engine.accelerations = [solver, evaluate](const LoadedState& at, GenericDerivative& derivative) {

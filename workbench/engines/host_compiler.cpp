@@ -7,8 +7,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <system_error>
 
 #include "compiler/emit/emit.hpp"
 #include "compiler/text/user_error.hpp"
@@ -29,6 +31,16 @@ bool is_short_of_something(const std::string& messages, int code) {
   if (code == 128 + SIGKILL || messages.find("Killed") != std::string::npos) return true;
   return std::any_of(std::begin(kShortages), std::end(kShortages),
                      [&](const char* words) { return messages.find(words) != std::string::npos; });
+}
+
+/// The line of /proc/cpuinfo that lists the processor's instruction sets: code made for one processor may not run on
+/// another.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("flags") || line.starts_with("Features")) return line;
+  }
+  return "";
 }
 
 [[noreturn]] void reject(const Command& command, int code) {
@@ -54,6 +66,12 @@ void require_result(const Command& command) {
 }
 
 }  // namespace
+
+std::string key_of(const HostCompiler& compiler) {
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", fmt::join(compiler.words, " "), fmt::join(compiler.flags, " "),
+                     fmt::join(compiler.hot_flags, " "), fmt::join(compiler.rare_flags, " "), compiler.version,
+                     processor());
+}
 
 HostCompiler find_cross_compiler(const std::filesystem::path& scratch, const CrossTarget& target) {
   HostCompiler compiler;

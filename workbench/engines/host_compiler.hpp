@@ -18,6 +18,9 @@ struct HostCompiler {
   bool is_clang = false;
 };
 
+/// A text that differs where two compilers may make different objects of the same source on this processor.
+std::string key_of(const HostCompiler& compiler);
+
 /// A machine that a compiler here can compile for.
 struct CrossTarget {
   std::string platform;   ///< "" for this machine

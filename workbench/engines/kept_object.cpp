@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <system_error>
 
 #include "compiler/text/hash.hpp"
 #include "compiler/text/user_error.hpp"

@@ -22,7 +22,7 @@ namespace {
   throw UserError(fmt::format("--set: the model has no parameter \"{}\"{}{}\n", name, hint.empty() ? "" : "; ", hint));
 }
 
-/// A parameter as the command line gives it. It stays tunable where it is.
+/// A parameter given on the command line; it keeps its tunability.
 VariedParameter parameter_from(const Model& model, const std::string& assignment) {
   const std::size_t sign = assignment.find('=');
   if (sign == std::string::npos) {

@@ -1,5 +1,5 @@
 #pragma once
-// name=value, as typed: inputs of a model, and parameters in place of the values in its file.
+// name=value as typed: values of inputs, and of parameters instead of the values in the file.
 
 #include <string>
 #include <vector>
@@ -9,21 +9,19 @@
 
 namespace mbgen {
 
-/// A line with the name that was probably meant, or "".
+/// A hint with the nearest known name, or "".
 std::string nearest_hint(const std::string& word, const std::vector<std::string>& candidates);
 
-/// Value of every input of the model: its default, or what `assignments` (name=value) say.
-/// Fails: UserError for a name that the model does not have or a value that is no finite number.
+/// Value of every input of the model: its default, or its value in `assignments` (name=value). Fails: UserError for an
+/// unknown name or a value that is no finite number.
 std::vector<double> input_values(const Model& model, const std::vector<std::string>& assignments);
 
-/// The parameters that the command line gives, in the order of their names; each stays tunable where it is. Fails:
-/// UserError as read_set_model.
+/// Parameters given on the command line, sorted by name; each keeps its tunability. Fails: UserError as read_set_model.
 std::vector<VariedParameter> set_parameters(const Model& model, const std::vector<std::string>& assignments);
 
-/// The model of a file with parameters at other values: name=value, in place of the file's values, before anything is
-/// folded; values that follow from them follow. Its hash is then that of file and values.
-/// Fails: UserError for a name that is no parameter of the model (the nearest is named), a value that is no finite
-/// number, a name given twice, and as read_model_file.
+/// The model of a file with changed parameters: name=value replaces the file's values before constant folding, and
+/// dependent values follow. Its hash covers file and values. Fails: UserError for a name that is no parameter (the
+/// nearest is named), a value that is not a finite number, a repeated name, and as read_model_file.
 Model read_set_model(const std::string& path, const std::vector<std::string>& assignments);
 
 }  // namespace mbgen

@@ -1,5 +1,5 @@
 #pragma once
-// The dependency file of a build tool: the files that a command has read.
+// Dependency file for a build tool: the files read by a command.
 
 #include <optional>
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace mbgen {
 
-/// The rule `output: inputs` in the syntax of Make, as compilers write it with -MD.
-/// Fails: UserError for the end of a line in a path, which Make cannot say.
+/// The rule `output: inputs` in the syntax of Make, as written by compilers with -MD. Fails: UserError for a line end
+/// in a path, which Make cannot express.
 std::string depfile_text(const std::string& output, const std::vector<std::string>& inputs);
 
-/// That rule in a file, complete but for its name; none where `path` is empty. Fails: UserError.
+/// The same rule in a file, complete but not yet committed; none for an empty `path`. Fails: UserError.
 std::optional<AtomicFile> depfile_of(const std::string& path, const std::string& output,
                                      const std::vector<std::string>& inputs);
 

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <system_error>
 #include <utility>
 
 #include "compiler/text/characters.hpp"
@@ -24,8 +25,8 @@ constexpr int kMostLinksFollowed = 40;  // as the kernel follows
   throw UserError(fmt::format("{}: cannot {}: {}\n", path.string(), action, std::strerror(errno)));
 }
 
-/// The file that a path stands for: where symbolic links lead, so that they stay links, also to a file that is still
-/// to be written. Fails: UserError for links in a circle.
+/// Target of a path through its symbolic links, which are kept; the target need not exist. Fails: UserError for
+/// circular links.
 std::filesystem::path behind_links(std::filesystem::path path) {
   std::error_code problem;
   for (int links = 0; std::filesystem::is_symlink(path, problem); ++links) {
@@ -103,7 +104,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& path, const std::vector<std:
   temporary_ = name;
   const mode_t mask = ::umask(0);
   ::umask(mask);
-  ::fchmod(descriptor, 0666 & ~mask);  // mkstemp makes the file private; its name should not change what others may do
+  ::fchmod(descriptor, 0666 & ~mask);  // mkstemp makes the file private: restore the usual permissions
   stream_ = ::fdopen(descriptor, "wb");
   if (stream_ == nullptr) fail("write");
 }

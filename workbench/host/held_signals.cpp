@@ -3,8 +3,7 @@
 namespace mbgen {
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenLooks{
-    20};  // a person sees no delay, and a step costs no call of the system
+constexpr std::chrono::milliseconds kBetweenLooks{20};  // short for a person, long beside a system call
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 #pragma once
-// Signals that would end this process, held back while it does what it would have to tidy up.
+// Blocking of termination signals during work that has to be cleaned up.
 
 #include <atomic>
 #include <chrono>
@@ -7,22 +7,21 @@
 
 namespace mbgen {
 
-/// Holds SIGINT, SIGTERM and SIGHUP back in the thread that makes it and in those that this one starts, for its life;
-/// not those that somebody ignores, handles or holds back already. A signal that came and was not taken acts at the
-/// end.
+/// Blocks SIGINT, SIGTERM and SIGHUP in its thread and in threads started from it, for its lifetime, except signals
+/// that are already ignored, handled or blocked. A pending signal acts at the end.
 class HeldSignals {
  public:
-  /// beside: another signal to hold back, for `wait`.
+  /// beside: another signal to block, for `wait`.
   explicit HeldSignals(int beside = 0);
   HeldSignals(const HeldSignals&) = delete;
   HeldSignals& operator=(const HeldSignals&) = delete;
   ~HeldSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 
-  /// Waits for a signal that is held back. Result: the one that is to end this process; 0 for `beside`, or without one.
+  /// Waits for a blocked signal. Result: the termination signal; 0 for `beside`, or after the longest time.
   int wait(std::chrono::nanoseconds longest) const;
-  /// The signal that was to end this process, 0 without one; looks a few times a second. For any thread.
+  /// The pending termination signal, 0 for none; polled a few times a second. Thread-safe.
   int taken();
-  /// The signals that were held back before.
+  /// Signal mask before this object.
   const sigset_t& before() const { return before_; }
 
  private:

@@ -9,7 +9,7 @@ namespace mbgen {
 void print_plain(std::string_view text) { print_styled(terminal_text(text)); }
 
 void print_styled(std::string_view text) {
-  // Nobody is there to be told when this fails.
+  // A failure cannot be reported anywhere.
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
   static_cast<void>(std::fflush(stderr));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Words for people, on standard error.
+// Messages on standard error.
 
 #include <fmt/format.h>
 
@@ -8,15 +8,14 @@
 
 namespace mbgen {
 
-/// Writes a text to standard error as it is, with its escape sequences, for colours and for lines that are written
-/// over. Requires: it has terminal_text of everything that others wrote. A standard error that is closed or full is no
-/// fault of the command.
+/// Writes a text to standard error unchanged, including escape sequences for colours and for rewritten lines. Requires:
+/// terminal_text for all text from outside. A closed or full standard error is ignored.
 void print_styled(std::string_view text);
 
-/// Writes a plain text: characters that would command a terminal are shown as `?` (terminal_text).
+/// Writes a plain text; control characters of terminals are shown as `?` (terminal_text).
 void print_plain(std::string_view text);
 
-/// The same with a format.
+/// print_plain of a formatted text.
 template <class... Values>
 void print_message(fmt::format_string<Values...> format, Values&&... values) {
   print_plain(fmt::format(format, std::forward<Values>(values)...));

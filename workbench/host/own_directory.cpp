@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <deque>
+#include <system_error>
 
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/message.hpp"

@@ -21,7 +21,7 @@ namespace {
 constexpr pid_t kNoProcess = -1;
 constexpr std::chrono::milliseconds kLongestPause{50};  // a person sees no delay
 
-/// Starts a program in a process group of its own, which holds the programs that it starts in turn.
+/// Starts a program in a new process group, which its child processes inherit.
 pid_t start(const Command& command, const sigset_t& signals) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -56,7 +56,7 @@ int ask(pid_t process, int options) {
   return WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
 }
 
-/// Programs at work, by their places in the list.
+/// Running programs, by index in the list.
 using Running = std::map<std::size_t, pid_t>;
 
 void end_all(const Running& running) {

@@ -1,5 +1,5 @@
 #pragma once
-// Other programs, started without a shell.
+// Execution of programs without a shell.
 
 #include <cstddef>
 #include <filesystem>
@@ -13,22 +13,22 @@ namespace mbgen {
 struct Command {
   std::vector<std::string> arguments;
   std::filesystem::path log;
-  std::filesystem::path result = {};  ///< file that it makes; empty for none
+  std::filesystem::path result = {};  ///< its output file; empty for none
 };
 
 /// Exit code of a program that was not started.
 constexpr int kNotStarted = 127;
 
-/// A signal that ends this process came while it waited for programs. It passes through every function, so that they
-/// tidy up; main then ends by the signal.
+/// A termination signal during the wait for programs. Thrown through all functions, so that they clean up; main then
+/// ends the process by the signal.
 struct Interrupted {
   int signal = 0;
 };
 
-/// Runs programs, in order, as many at a time as there are processors, and waits for the last. None is started after
-/// one that failed. watch: called every few hundredths of a second with the number of programs that have ended. Result:
-/// exit codes, in order; 128 + signal for a killed one. The first that is not 0 is that of a program that failed.
-/// Fails: Interrupted, once the programs have been ended.
+/// Runs programs in order, at most one per processor at a time, and waits for all. None is started after a failure.
+/// watch: called every few hundredths of a second with the number of ended programs. Result: exit codes, in order; 128
+/// + signal for a killed program. The first code that is not 0 belongs to a failed program. Fails: Interrupted, after
+/// the programs have been ended.
 std::vector<int> run_side_by_side(const std::vector<Command>& commands,
                                   const std::function<void(std::size_t ended)>& watch = {});
 

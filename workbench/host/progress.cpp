@@ -14,10 +14,10 @@ namespace mbgen {
 namespace {
 
 constexpr int kBarWidth = 40;
-constexpr std::size_t kUsualWidth = 80;  // of a terminal that does not tell
+constexpr std::size_t kUsualWidth = 80;  // of a terminal of unknown width
 constexpr std::chrono::milliseconds kInterval{100};
 
-/// Columns of the terminal; in the last one the cursor would go on to the next line.
+/// Usable columns of the terminal: a character in the last one would move the cursor to the next line.
 std::size_t columns() {
   winsize size = {};
   const bool tells = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;

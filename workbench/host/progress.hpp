@@ -1,23 +1,23 @@
 #pragma once
-// Progress of long work, on standard error, when that is a terminal.
+// Progress of long work, on standard error if it is a terminal.
 
 #include <chrono>
 #include <string>
 
 namespace mbgen {
 
-/// A line that is written over as things change, a few times a second. Silent in a pipe.
+/// A line that is rewritten at most a few times a second. Silent unless on a terminal.
 class StatusLine {
  public:
   StatusLine();
   StatusLine(const StatusLine&) = delete;
   StatusLine& operator=(const StatusLine&) = delete;
   ~StatusLine() { clear(); }
-  /// Whether to show something now: on a terminal, unless the line changed a moment ago.
+  /// Whether to show something now: on a terminal, and some time after the last change.
   bool is_due() const;
-  /// Writes the text, cut at the width of the terminal. Requires: is_due().
+  /// Writes the text, cut to the width of the terminal. Requires: is_due().
   void show(const std::string& text);
-  /// Takes the line away.
+  /// Clears the line.
   void clear();
 
  private:
@@ -27,11 +27,11 @@ class StatusLine {
   Clock::time_point last_;
 };
 
-/// A bar of how many steps are done.
+/// Progress bar by completed steps.
 class Progress {
  public:
   void show(long done, long of);
-  /// Takes the bar away.
+  /// Clears the bar.
   void clear() { line_.clear(); }
 
  private:

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <ctime>
 #include <string>
+#include <system_error>
 
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/own_directory.hpp"

@@ -1,13 +1,13 @@
 #pragma once
-// Zip archives that are the same bytes whenever and by whomever they are made.
+// Reproducible zip archives: same bytes for the same content.
 
 #include <string>
 
 namespace mbgen {
 
-/// The archive with nothing in the heads of its entries that tells of the circumstances: times of access and creation
-/// become that of modification, owners become 0. `cmake -E tar --mtime` settles the time of modification alone.
-/// archive: as cmake writes it, without a comment at its end. Fails: std::runtime_error when it is no such archive.
+/// The archive with neutral headers of its entries: times of access and creation become the time of modification,
+/// owners become 0. `cmake -E tar --mtime` sets only the time of modification. archive: as written by cmake, without a
+/// comment at its end. Fails: std::runtime_error for other files.
 std::string without_circumstances(std::string archive);
 
 }  // namespace mbgen

@@ -1,6 +1,6 @@
 #pragma once
-// A mechanism on its way from a robot's file to a model: bodies placed at the reference configuration, joints in global
-// axes, so that whatever frames a format has, what is written meets at the reference.
+// A mechanism on its way from a robot's file to a model: bodies at the reference configuration, joints in global axes,
+// so that written points meet at the reference for any frames of the format.
 
 #include <Eigen/Geometry>
 #include <set>
@@ -113,8 +113,8 @@ struct Assembly {
 /// A speed at which Coulomb friction is half smoothed: rad/s or m/s. Robots' formats have none.
 constexpr double kFrictionVelocity = 1e-3;
 
-/// The text as a name of the model format that none of `taken` is; it is added to them. What is no letter or digit
-/// becomes _.
+/// The text as a name of the model format that none of `taken` is; it is added to them. Characters other than letters
+/// and digits become _.
 std::string unique_name(std::string_view text, std::set<std::string>& taken);
 std::string valid_name(std::string_view text);
 

@@ -73,7 +73,7 @@ struct Closing {
     return false;
   }
 
-  /// A joint and those that follow it, with the slopes of their relations.
+  /// A joint and its followers, with the slopes of their relations.
   std::vector<std::pair<int, double>> followers(int leader) const {
     std::vector<std::pair<int, double>> list = {{leader, 1.0}};
     for (std::size_t next = 0; next < list.size(); ++next) {

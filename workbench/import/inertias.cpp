@@ -1,6 +1,8 @@
 // Inertias that no rigid body has: files of real robots have them, and the group of bodies that moves as one decides.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "compiler/algebra/dense.hpp"
@@ -9,7 +11,7 @@
 namespace mbgen::importing {
 namespace {
 
-/// Of the trace; stricter than the model's reader, so that rounding of what is written cannot matter.
+/// Share of the trace; stricter than the model's reader, so that rounding of written numbers cannot matter.
 constexpr double kInertiaSlack = 0.5e-9;
 
 enum class Fault { none, indefinite, no_mass, triangle };
@@ -31,7 +33,7 @@ Finding finding_of(double mass, const Matrix3d& inertia) {
   return {};
 }
 
-/// Per body: the lowest index of those that fixed joints hold together with it.
+/// Per body: the lowest index among the bodies that fixed joints connect to it.
 std::vector<int> rigid_groups(const Assembly& assembly) {
   std::vector<int> group(assembly.bodies.size());
   std::iota(group.begin(), group.end(), 0);

@@ -1,6 +1,6 @@
 #pragma once
-// Elements and attributes that a format has, and their treatment: the one list behind the notes about what is not
-// carried over. An attribute that is in no list is told with the nearest name.
+// Elements and attributes of a format, and their treatment: the one list behind the notes about parts that are not
+// carried over. The note on an attribute that is in no list proposes the nearest name.
 
 #include <span>
 
@@ -37,8 +37,8 @@ struct KnownFormat {
 
 extern const KnownFormat kUrdf, kMjcf;
 
-/// Notes about elements and attributes that are not carried over, one a kind, and about those that the format does not
-/// have. What is inside an element that is left out is not looked at.
+/// Notes about elements and attributes that are not carried over, one per kind, and about unknown ones. The inside of
+/// an element that is left out is not checked.
 void note_left_out(Reading& reading, const Element& root, const KnownFormat& format);
 
 /// Whether the format has the attribute in an element of this path.

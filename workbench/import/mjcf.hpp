@@ -121,8 +121,8 @@ void read_mass(Mjcf& mjcf, const Element& element, const std::string& childclass
 /// Scales all masses where <compiler settotalmass> asks for it.
 void scale_masses(Mjcf& mjcf);
 
-/// Puts frames with copies in the place of <replicate>, and copies of the tendons, equalities and actuators that refer
-/// to what is in it. Requires: settings are read. Problems: no count, more than 2 million elements.
+/// Replaces <replicate> by frames with copies, and adds copies of the tendons, equalities and actuators that refer to
+/// the copied elements. Requires: settings are read. Problems: no count, more than 2 million elements.
 void expand_replicates(Mjcf& mjcf, Element& root);
 
 /// The tree of <worldbody>.

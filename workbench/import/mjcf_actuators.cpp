@@ -88,8 +88,8 @@ void read_fixed(Mjcf& mjcf, const Element& tendon) {
     problem(mjcf.reading, tendon.spot, fmt::format("tendon {} is defined twice", quoted_text(written)));
 }
 
-/// An actuator as MuJoCo computes it: force = gain * u + bias + by_length * length + by_rate * rate, of its own length,
-/// which is gear times that of what it pulls; u follows the input after a time constant.
+/// Law of an actuator in MuJoCo: force = gain * u + bias + by_length * length + by_rate * rate, with its own length,
+/// gear times the length of its target; u follows the input after a time constant.
 struct Law {
   double gain = 1, bias = 0, by_length = 0, by_rate = 0;
   double time_constant = 0;

@@ -162,7 +162,7 @@ Chain chain_of_tree(Mjcf& mjcf, const Element& root, const std::vector<MjcfClosu
   return chain;
 }
 
-/// Coordinates are zero where the joints are now: what is counted from there follows.
+/// Coordinates are zero at the present joint positions: quantities that refer to the old zero are shifted.
 void move_zero(Mjcf& mjcf, MjcfJoint& joint, double move) {
   joint.moved = move;
   joint.reference += move;

@@ -85,7 +85,7 @@ std::vector<double> polynomial_of(Mjcf& mjcf, const Element& equality) {
   std::vector<double> factors = {0, 1};
   if (const Attribute* written = attribute(equality, "polycoef"))
     factors = numbers(mjcf.reading, *written, 1, 5).value_or(factors);
-  // MuJoCo keeps the defaults of those that are not given.
+  // MuJoCo keeps the defaults of missing factors.
   if (factors.size() < 2) factors.push_back(1);
   return factors;
 }

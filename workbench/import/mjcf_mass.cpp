@@ -1,6 +1,7 @@
 // MJCF: masses, as <inertial> gives them or of the shapes of the geoms.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-// MJCF: <replicate> becomes copies of what is in it, each in a frame, before anything else is read.
+// MJCF: <replicate> becomes copies of its contents, each in a frame, before anything else is read.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -75,7 +75,7 @@ std::string suffix_of(const std::string& separator, int copy, int count) {
   return separator + fmt::format("{:0{}}", copy, std::to_string(count).size());
 }
 
-/// Elements of a section that refer to what is copied are copied, too.
+/// Copies the elements of a section that refer to copied elements.
 void copy_references(Element& section, std::set<Named>& names, const std::string& separator, int count,
                      std::size_t& elements) {
   std::vector<Element> children;

@@ -1,5 +1,6 @@
 #include "workbench/import/stl.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstring>

@@ -1,6 +1,7 @@
 // URDF: loops that the format has no word for, by extensions of others and by a sidecar file.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>

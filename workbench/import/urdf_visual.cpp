@@ -1,6 +1,7 @@
 // URDF: visuals of links, as shapes of the model.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>

@@ -16,12 +16,12 @@ bool is_load(Sweep::Kind kind) { return kind >= Sweep::Kind::brake_force; }
 
 Load load_of(Sweep::Kind kind) { return kLoadOf[static_cast<int>(kind) - static_cast<int>(Sweep::Kind::brake_force)]; }
 
-/// The wheels that the rig has; what is missing is left empty.
+/// The wheels of the rig; a missing one is empty.
 AxleState wheels_of(const Rig& rig, const RigPoint& point) {
   return {wheel_of(rig, point, 0), wheel_of(rig, point, 1)};
 }
 
-/// Fills the missing wheel of `state` with the mirror of the wheel there is in `partner`.
+/// Fills the missing wheel of `state` with the mirror image of the existing wheel of `partner`.
 void complete(AxleState& state, const AxleState& partner) {
   if (!state.left.is_there) state.left = mirrored(partner.right);
   if (!state.right.is_there) state.right = mirrored(partner.left);
@@ -32,14 +32,14 @@ RigInputs scaled(double factor, RigInputs inputs) {
   return inputs;
 }
 
-/// Values of a curve that follow from the imposed one alone; of an axle with one wheel the other has none.
+/// Inputs of a point of a curve; for an axle with one wheel the other has none.
 RigInputs imposed_at(const Rig& rig, Sweep::Kind kind, double value) {
   if (kind == Sweep::Kind::steering) return scaled(value, kSteering);
   if (kind == Sweep::Kind::parallel_travel || !is_real(rig, 0) || !is_real(rig, 1)) return scaled(value, kParallel);
   return scaled(value, kOpposite);
 }
 
-/// A point under load: forces and their arms turn with the wheels, so its direction and the balance are sought in turn.
+/// A point under load: forces and their arms turn with the wheels, so that direction and balance are found alternately.
 Status find_loaded_point(const Rig& rig, Load load, double value, const RigPoint& near, RigPoint& point) {
   constexpr double kTurnsNoMore = 1e-12;
   constexpr int kMostTurns = 50;
@@ -57,7 +57,7 @@ Status find_loaded_point(const Rig& rig, Load load, double value, const RigPoint
   return {Code::no_equilibrium, -1};
 }
 
-/// The balance at a value of what a curve imposes, sought from a point at another one: at once, or in parts of the way.
+/// The balance at a value of the curve's input, found from the point at another value: at once, or in smaller steps.
 Status walk_to(Rig& rig, const Sweep& sweep, double value, const PointOfCurve& near, RigPoint& found) {
   Status status;
   for (const int parts : {1, 4, 16}) {
@@ -78,8 +78,8 @@ Status walk_to(Rig& rig, const Sweep& sweep, double value, const PointOfCurve& n
   return status;
 }
 
-/// A point of a curve, sought from one near by with partitions that stand well there. Result: why there is none, ""
-/// when there is one.
+/// A point of a curve, found from a near one with partitions that are well-conditioned there. Result: the reason if
+/// there is none, else "".
 std::string find_curve_point(Rig& rig, const Sweep& sweep, double value, const PointOfCurve& near,
                              PointOfCurve& found) {
   found.imposed = value;
@@ -90,8 +90,8 @@ std::string find_curve_point(Rig& rig, const Sweep& sweep, double value, const P
   return problem ? problem->message : "";
 }
 
-/// Gives every point its axle. Where wheels move against each other the mirror of the wheel is that at minus the value;
-/// points without one are left out.
+/// Gives every point its axle. If wheels move against each other, the mirror of the wheel is the wheel at minus the
+/// value; points without it are left out.
 std::vector<PointOfCurve> completed(const Rig& rig, Sweep::Kind kind, std::vector<PointOfCurve> points) {
   std::vector<AxleState> wheels;
   for (const PointOfCurve& point : points) wheels.push_back(wheels_of(rig, point.at));

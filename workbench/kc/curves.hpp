@@ -1,5 +1,5 @@
 #pragma once
-// The curves of a rig: points one after the other, and what is read of them.
+// The curves of a rig: successive points, and their evaluation.
 
 #include <functional>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace mbgen::kc {
 
-/// What a curve imposes.
+/// Imposed motion of a curve.
 struct Sweep {
   enum class Kind {
     parallel_travel,
@@ -25,29 +25,29 @@ struct Sweep {
   double amplitude = 0;
 };
 
-/// A point of a curve with the axle there; of an axle with one wheel the other one is its mirror.
+/// A point of a curve with its axle; for an axle with one wheel the other one is its mirror image.
 struct PointOfCurve {
   double imposed = 0;
   RigPoint at;
   AxleState axle;
 };
 
-/// The points of a curve from the lowest value to the highest, and why it ends early, "" when it does not.
+/// The points of a curve from the lowest value to the highest, and the reason for an early end, "" without one.
 struct CurvePoints {
   std::vector<PointOfCurve> points;
   std::string note;
   bool is_stopped = false;  ///< by who watched it: points are missing
 };
 
-/// The point at which nothing is imposed; the rig gets partitions that stand well there.
-/// Fails: with one problem when there is no equilibrium, or no derivatives.
+/// The point with zero inputs; the rig gets partitions that are well-conditioned there. Fails: with one problem if
+/// there is no equilibrium, or no derivatives.
 Result<PointOfCurve> start_point(Rig& rig);
 
-/// goes_on: asked after every point.
+/// goes_on: called after every point.
 CurvePoints curve_points(const Rig& rig, const PointOfCurve& start, const Sweep& sweep, int count,
                          const std::function<bool()>& goes_on = {});
 
-/// Name of a curve, as its files are called, and its title.
+/// Name of a curve, used for its files, and its title.
 std::string name_of(Sweep::Kind kind);
 std::string title_of(Sweep::Kind kind);
 
@@ -57,7 +57,7 @@ Dual deflection_of(const RigElement& element, const RigPoint& point);
 /// Whether an element moves with the wheels.
 bool follows_wheels(const RigElement& element, const RigPoint& start);
 
-/// What is read along a curve.
+/// Table of values along a curve.
 KcTable curve_table(const Rig& rig, const PointOfCurve& start, const Sweep& sweep,
                     const std::vector<PointOfCurve>& points);
 
@@ -70,8 +70,8 @@ RigInputs both_loads(const AxleState& axle, const Rig& rig, Load load);
 /// Whether a wheel is on the rig itself, and no mirror.
 inline bool is_real(const Rig& rig, int which) { return rig.wheels[static_cast<std::size_t>(which)].centre >= 0; }
 
-/// Shares of anti-dive and its kin at a point, by the names that the axle's end gives them; none where the axle does
-/// not tell what they need.
+/// Shares of anti-dive, anti-lift and anti-squat at a point, named by the axle's end; none if the axle lacks the
+/// necessary data.
 struct AntiShare {
   std::string name, meaning;
   double value;

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers with their derivatives along what a rig imposes.
+// Numbers with their derivatives along the inputs of a rig.
 
 #include <cmath>
 
@@ -58,7 +58,7 @@ inline DualVector cross(const DualVector& a, const DualVector& b) {
 }
 inline DualVector unit(const DualVector& a) { return (Dual(1) / sqrt(dot(a, a))) * a; }
 
-/// Derivative along a combination of what is imposed.
+/// Derivative along a combination of the rig's inputs.
 inline double along(const Dual& a, const RigInputs& direction) {
   double sum = 0;
   for (std::size_t i = 0; i < direction.size(); ++i) sum += a.slope[i] * direction[i];

@@ -21,7 +21,7 @@ void add_steering_axis(const WheelState& wheel, WheelGeometry& g) {
   g.scrub_radius = -(side * dot(off, g.left));
 }
 
-/// A vector mirrored about y = 0: of a position or a direction of the wheel.
+/// A vector mirrored about y = 0: a position or a direction of the wheel.
 DualVector mirrored(DualVector vector, bool is_axis) {
   static constexpr int kSource[kRigInputs] = {kTravelRight, kTravelLeft, kSteer, 8, 9, 10, 11, 12, 3, 4, 5, 6, 7};
   static constexpr double kSign[kRigInputs] = {1, 1, -1, 1, -1, -1, 1, -1, 1, -1, -1, 1, -1};
@@ -35,7 +35,7 @@ DualVector mirrored(DualVector vector, bool is_axis) {
   return vector;
 }
 
-/// Direction of the way of a contact centre over its rise in opposite travel, seen from behind.
+/// Slope of the path of a contact centre over its rise in opposite travel, seen from behind.
 double sideways_slope(const WheelGeometry& wheel) {
   return along(wheel.patch[1], kOpposite) / along(wheel.patch[2], kOpposite);
 }
@@ -111,7 +111,7 @@ RollCentre roll_centre(const AxleState& axle) {
   const WheelGeometry left = geometry_of(axle.left), right = geometry_of(axle.right);
   const double slope_left = sideways_slope(left), slope_right = sideways_slope(right);
   const double yl = left.patch[1].value, zl = left.patch[2].value, yr = right.patch[1].value, zr = right.patch[2].value;
-  // Normals of the ways: z = zl - slope_left (y - yl), z = zr - slope_right (y - yr).
+  // Normals of the paths: z = zl - slope_left (y - yl), z = zr - slope_right (y - yr).
   constexpr double kParallelNormals = 1e-12, kOneLine = 1e-9;  // m over m, m
   const double divisor = slope_left - slope_right;
   if (!(std::abs(divisor) > kParallelNormals)) {

@@ -28,7 +28,7 @@ double place_of(const Model& model, const Axle& axle) {
   return sum / count;
 }
 
-/// The axle with the wheelbase of the model where it tells none and the model has one axle at the other end.
+/// The axle with the wheelbase of the model, if it has none and the model has one axle at the other end.
 Axle with_wheelbase(const Model& model, Axle axle) {
   const auto is_opposite = [&](const Axle& other) { return other.end != axle.end && other.body == axle.body; };
   if (axle.wheelbase || std::count_if(model.axles.begin(), model.axles.end(), is_opposite) != 1) return axle;
@@ -37,7 +37,7 @@ Axle with_wheelbase(const Model& model, Axle axle) {
   return axle;
 }
 
-/// Whether loads at the wheels move them.
+/// Whether the wheels move under load.
 bool is_compliant(const Rig& rig, const PointOfCurve& start) {
   constexpr double kMoves = 1e-14;  // m/N or rad/N: rubber gives 1e-9 and more
   for (const Load load : {Load::brake_force, Load::lateral_force, Load::aligning_moment}) {
@@ -95,7 +95,7 @@ Result<StandingRig> standing_rig(const Compilation& user, const Axle& axle, cons
   return StandingRig{std::move(*rig), std::move(*start)};
 }
 
-/// Wheels that stand on pads or hang free together.
+/// Wheels that are on pads, or hang free, together.
 struct OtherWheels {
   std::string name;  ///< for a note
   std::set<int> tyres;
@@ -133,8 +133,8 @@ std::string note_of_hanging(const std::vector<OtherWheels>& hanging) {
   return fmt::format("wheels of {} hang free: on pads they would have no position of rest", names);
 }
 
-/// The rig with other axles on pads; those that cannot stand there hang free, which a note tells.
-/// Fails: UserError. Cost: a rig for each other axle where one cannot stand.
+/// The rig with other axles on pads; axles that cannot stand there hang free, with a note. Fails: UserError. Cost: a
+/// rig for each other axle if one cannot stand.
 StandingRig standing_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at,
                          std::vector<std::string>& notes) {
   Result<StandingRig> on_pads = standing_rig(user, axle, at, Pads{});
@@ -145,7 +145,7 @@ StandingRig standing_rig(const Compilation& user, const Axle& axle, const Operat
   for (const OtherWheels& wheels : hanging) pads.hanging.insert(wheels.tyres.begin(), wheels.tyres.end());
   Result<StandingRig> best = standing_rig(user, axle, at, pads);
   if (!best) throw UserError(on_pads.problems());
-  // Each that can stand is put back on its pads.
+  // Every axle that can stand is put back on its pads.
   for (std::size_t i = 0; i < hanging.size() && hanging.size() > 1;) {
     Pads more = pads;
     for (const int tyre : hanging[i].tyres) more.hanging.erase(tyre);

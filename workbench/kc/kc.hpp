@@ -11,7 +11,7 @@
 
 namespace mbgen {
 
-/// What is asked of a rig. Values are amplitudes: the rig goes from minus to plus.
+/// Requests to a rig. Values are amplitudes: the rig goes from minus to plus.
 struct KcWish {
   std::optional<double> travel = {};  ///< m, of the wheels' centres; none: 0.05
   std::optional<double> steer = {};   ///< rad or m, of the steering coordinate; none: 0.3 rad or 0.03 m
@@ -23,12 +23,11 @@ struct KcWish {
 /// The axle of this name; without a name the only one of the model. Fails: UserError.
 const Axle& find_axle(const Model& model, const std::string& name);
 
-/// Told how many points of all curves are done. Result: false to stop there.
+/// Receives the number of completed points of all curves. Result: false to stop there.
 using KcWatch = std::function<bool(long done, long of)>;
 
-/// Runs the rig of an axle from a state of the model. Definitions: docs/use/kc.md. Curves that a watcher stops have the
-/// points up to there, which a note tells.
-/// Fails: UserError where the rig cannot be made or has no equilibrium at the start.
+/// Runs the rig of an axle from a state of the model. Definitions: docs/use/kc.md. A curve that a watcher stops has its
+/// points so far, with a note. Fails: UserError if the rig cannot be made or has no equilibrium at the start.
 KcReport kinematics_and_compliance(const Compilation& compilation, const Axle& axle, const OperatingPoint& at,
                                    const KcWish& wish, const KcWatch& watch = {});
 

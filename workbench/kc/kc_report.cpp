@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A unit that people read, and the factor to it.
+/// A unit for people, and the factor to it.
 struct Shown {
   std::string unit;
   double factor = 1;

@@ -1,5 +1,5 @@
 #pragma once
-// What a rig tells of an axle: figures and curves, as text, tables, pictures and a page.
+// Report of a rig on an axle: figures and curves, as text, tables, pictures and a page.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace mbgen {
 
-/// A value of the axle at the start: one of the axle, or of a single wheel; or two, left and right.
+/// A value of the axle at the start: of the axle or a single wheel, or two values, left and right.
 struct KcFigure {
   std::string name, unit, meaning;
   std::vector<double> values;
 };
 
-/// One rig curve; its first column is what the rig imposes. SI units, angles in rad.
+/// One rig curve; its first column is the input of the rig. SI units, angles in rad.
 struct KcTable {
   std::string name, title;
   std::vector<Column> columns;
@@ -32,7 +32,7 @@ struct KcReport {
 /// The figures for people: angles in degrees, small lengths in mm.
 std::string kc_text(const KcReport& report);
 
-/// The figures and tables for machines.
+/// The figures and tables for programs.
 nlohmann::ordered_json kc_json(const KcReport& report);
 
 /// A CSV table and an SVG picture for each curve, then the page AXLE.html with all of them.

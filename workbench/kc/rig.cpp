@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/model/element_outputs.hpp"
 #include "compiler/model/vectors.hpp"
 #include "compiler/text/user_error.hpp"
 
@@ -14,20 +15,20 @@ namespace {
 
 Vector3 sum(const Vector3& a, const Vector3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
-/// A unit vector across an axis that is not vertical: that to the top of the wheel.
+/// A unit vector across an axis that is not vertical: the direction to the top of the wheel.
 Vector3 upwards_across(const Vector3& axis) {
   const double level = std::hypot(axis[0], axis[1]);
   return {-axis[0] * axis[2] / level, -axis[1] * axis[2] / level, level};
 }
 
-/// What a wheel is to the rig.
+/// Wheel on the rig.
 struct MountedWheel {
   std::string name;
   Attachment centre;
   Vector3 axis;
 };
 
-/// Turns the user's model into that of the rig.
+/// Converts the user's model to the model of the rig.
 class RigBuilder {
  public:
   RigBuilder(const Compilation& user, const Axle& axle, const OperatingPoint& at, const Pads& pads)
@@ -67,7 +68,7 @@ class RigBuilder {
   }
 
  private:
-  /// The rig's axes are those of the reference: the body still has to point along x.
+  /// The axes of the rig are the axes of the reference: the body must still point along x.
   void check_heading() const {
     constexpr double kStraight = 0.01;  // rad
     const Matrix3& now = poses_[static_cast<std::size_t>(axle_.body)].rotation;
@@ -80,7 +81,7 @@ class RigBuilder {
                     model_.file, axle_.name, model_.bodies[static_cast<std::size_t>(axle_.body)].name, yaw));
   }
 
-  /// Cuts the joints that the user's model cuts, so that its coordinates are those of the rig.
+  /// Cuts the joints that the user's model cuts, so that both have the same coordinates.
   void keep_tree() {
     for (std::size_t j = 0; j < model_.joints.size(); ++j) {
       Joint& joint = model_.joints[j];
@@ -146,7 +147,7 @@ class RigBuilder {
     return centre.body == axle_.left.centre.body || centre.body == axle_.right.centre.body;
   }
 
-  /// A new input of the model, and what it is worth at the start.
+  /// Adds an input to the model with its value at the start.
   Quantity add_input(const std::string& name, double start) {
     Input input;
     input.name = name;
@@ -182,7 +183,7 @@ class RigBuilder {
     return static_cast<int>(model_.outputs.size()) - 1;
   }
 
-  /// The three components of a point, relative to another one where there is one.
+  /// The three components of a point, relative to another one if given.
   int add_vector(const std::string& name, const Attachment& point, const Attachment& relative_to = {}) {
     const int first = static_cast<int>(model_.outputs.size());
     for (int axis = 0; axis < 3; ++axis) {
@@ -195,14 +196,14 @@ class RigBuilder {
     return first;
   }
 
-  /// Position of a reference place of a body at the start, global axes.
+  /// Global position at the start of a body point given at the reference.
   Vector3 at_start(int body, const Vector3& reference) const {
     const Pose& home = model_.bodies[static_cast<std::size_t>(body)].pose;
     return to_global(poses_[static_cast<std::size_t>(body)], to_local(home, reference));
   }
 
-  /// Puts a wheel on a pad and keeps it from turning on its carrier. travel: the input that lifts it, -1 for none.
-  /// Result: index of the pad's motion.
+  /// Puts a wheel on a pad and locks its rotation on its carrier. travel: the input that lifts it, -1 for none. Result:
+  /// index of the pad's motion.
   int mount(const MountedWheel& wheel, int travel) {
     const Vector3 reference = reference_position(model_, wheel.centre);
     const double height = at_start(wheel.centre.body, reference)[2] - reference[2];
@@ -235,7 +236,7 @@ class RigBuilder {
     return motion;
   }
 
-  /// Keeps the wheel from turning about its axis. A joint beside that axis is a pivot of the arm that carries the
+  /// Locks the rotation of the wheel about its axis. A joint beside this axis is a pivot of the arm that carries the
   /// wheel.
   void lock(const MountedWheel& wheel) {
     constexpr double kSameAxis = 1e-3, kOnAxis = 1e-3;  // 1, m
@@ -301,26 +302,39 @@ class RigBuilder {
       if (!is_away(name))
         rig_.elements.push_back({name, unit, add_output("rig " + name, std::move(source)), -1, sense});
     };
-    for (std::size_t i = 0; i < model_.springs.size(); ++i)
-      add(model_.springs[i].name, "m", -1, SpringOutput{SpringOutput::What::length, static_cast<int>(i), -1});
-    for (std::size_t i = 0; i < model_.air_springs.size(); ++i)
-      add(model_.air_springs[i].name, "m", -1, SpringOutput{SpringOutput::What::length, -1, static_cast<int>(i)});
-    for (std::size_t i = 0; i < model_.bump_stops.size(); ++i) {
-      const BumpStop& stop = model_.bump_stops[i];
-      const bool is_turn = stop.is_on_joint() && freedom_of(model_, stop.joint).kind == FreedomKind::revolute;
-      add(stop.name, is_turn ? "rad" : "m", 1, BumpStopOutput{BumpStopOutput::What::deflection, static_cast<int>(i)});
-    }
-    for (const JointSpring& spring : model_.joint_springs) {
-      if (is_away(spring.name)) continue;
-      add(spring.name, unit_of(freedom_of(model_, spring.joint).kind), 1,
-          CoordinateOutput{CoordinateOutput::What::position, spring.joint});
-      if (spring.relative_to)
-        rig_.elements.back().less = add_output("rig less " + spring.name,
-                                               CoordinateOutput{CoordinateOutput::What::position, *spring.relative_to});
-    }
+    each_kind([&]<class Kind>(KindOf<Kind> kind) {
+      constexpr bool has_length = quantity_index(KindOf<Kind>{}, "length") >= 0;
+      constexpr int travel = quantity_index(KindOf<Kind>{}, has_length ? "length" : "deflection");
+      if constexpr (kind.is_elastic && travel >= 0)
+        if constexpr (kind.quantities[travel].components == 1)
+          for (std::size_t i = 0; i < kind.list(model_).size(); ++i) {
+            const ElementOutput output = output_of<Kind>(kind.quantities[travel].name, i);
+            add(kind.list(model_)[i].name, unit_of(model_, output), has_length ? -1 : 1, output);
+          }
+    });
+    add_coordinates(add);
   }
 
-  /// Coordinates of the user's model as they are at its state, pads at theirs.
+  /// Travels of elastic elements on coordinates that show none themselves.
+  template <class Add>
+  void add_coordinates(const Add& add) {
+    each_kind([&]<class Kind>(KindOf<Kind> kind) {
+      if (!kind.is_elastic || quantity_index(kind, "deflection") >= 0) return;
+      for (const Kind& element : kind.list(model_)) {
+        const Connection connection = connection_of(element);
+        const OnCoordinate* on = std::get_if<OnCoordinate>(&connection);
+        if (!on || is_away(element.name)) continue;
+        const auto position = [](const CoordinateReference& joint) {
+          return CoordinateOutput{CoordinateOutput::What::position, joint};
+        };
+        add(element.name, unit_of(freedom_of(model_, on->joint).kind), 1, position(on->joint));
+        if (on->relative_to)
+          rig_.elements.back().less = add_output("rig less " + element.name, position(*on->relative_to));
+      }
+    });
+  }
+
+  /// Sets the coordinates of the user's model to its state, and the pads to theirs.
   void take_start() {
     const Topology& topology = rig_.compilation.topology;
     GenericState& start = rig_.start;

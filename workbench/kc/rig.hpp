@@ -1,5 +1,5 @@
 #pragma once
-// The rig of an axle: the user's model with its body held and its wheels on pads, as a model of its own.
+// The rig of an axle: the user's model with its body fixed and its wheels on pads, as a separate model.
 
 #include <array>
 #include <optional>
@@ -12,9 +12,9 @@
 
 namespace mbgen::kc {
 
-/// What a rig imposes, in this order: travels of both wheel centres (m, up), steering (rad or m, from the start), then
-/// for each wheel the force along x and y (N) at the centre of the wheel and the torque about x, y and z (N m) on the
-/// wheel body, global axes.
+/// Inputs of a rig, in this order: travels of both wheel centres (m, up), steering (rad or m, from the start), then for
+/// each wheel the force along x and y (N) at the centre of the wheel and the torque about x, y and z (N m) on the wheel
+/// body, global axes.
 enum RigInput {
   kTravelLeft,
   kTravelRight,
@@ -26,7 +26,7 @@ enum RigInput {
 constexpr int kLoads = 5;
 using RigInputs = std::array<double, kRigInputs>;
 
-/// Places of a wheel's values among the outputs of the rig's model, the first of three or one; -1: there is none.
+/// Places of a wheel's values among the outputs of the rig's model, the first of three or one; -1: none.
 struct RigWheel {
   int centre = -1;             ///< m, position
   int axis = -1;               ///< spin axis, unit
@@ -45,9 +45,9 @@ struct RigElement {
   double sense = 1;            ///< -1 of a length: compression counts positive
 };
 
-/// The rig's model with its start. Wheels do not turn on their carriers, motions stay where they are at the start,
-/// tyres, frictions and what the axle names in `without` are taken away; wheels of other axles that have tyres stand on
-/// pads that do not move.
+/// The rig's model with its start. Wheels do not turn on their carriers, and motions keep their initial values. Tyres,
+/// frictions and the elements in the axle's `without` are removed; wheels of other axles with tyres stand on fixed
+/// pads.
 struct Rig {
   Axle axle;
   Compilation compilation;
@@ -62,20 +62,20 @@ struct Rig {
 /// A problem of an axle of a model.
 Diagnostic problem_of(const Model& model, const Axle& axle, const std::string& message, const std::string& hint = "");
 
-/// Which wheels stand on pads, and what moves them.
+/// Wheels on pads, and the drives of the pads.
 struct Pads {
   std::set<int> hanging = {};  ///< tyres of other axles that hang free, the others stand on pads of their own
   bool are_driven = true;      ///< pads of the axle are driven, or else go where its wheels go
 };
 
-/// The rig at a state of the user's model, at these values of its inputs; without programs.
-/// Fails: with one problem where it is no model to solve; UserError where nothing holds the body to ground.
+/// The rig at a state of the user's model, at these values of its inputs; without programs. Fails: with one problem if
+/// it is not a solvable model; UserError if nothing holds the body to ground.
 Result<Rig> make_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at, const Pads& pads);
 
-/// Takes away tyres, frictions, outputs, the start, and the forces that the axle names.
+/// Removes tyres, frictions, outputs, the start, and the forces that the axle names.
 void take_away(const Axle& axle, Model& model);
 
-/// A state of balance on the rig: the outputs of its model, and their derivatives along the imposed values.
+/// A state of balance on the rig: the outputs of its model, and their derivatives along the inputs.
 struct RigPoint {
   RigInputs imposed{};
   GenericState state;
@@ -84,17 +84,16 @@ struct RigPoint {
   Eigen::MatrixXd slopes;      ///< outputs x kRigInputs; empty unless asked for
 };
 
-/// The static equilibrium at imposed values, sought from a state near by; of a mechanism without free directions its
-/// closed position. Status: of the search.
+/// The static equilibrium at given inputs, found from a near state; for a mechanism without free directions its closed
+/// position. Status: of the search.
 Status find_point(const Rig& rig, const RigInputs& imposed, const GenericState& near, RigPoint& point);
 
 /// Adds the derivatives: of closed loops by their velocities, of compliant ones by the linear response of the
-/// equilibrium, both from the differentiated programs (no differences).
-/// Result: none, or why they cannot be had.
+/// equilibrium, both from the differentiated programs (no differences). Result: none, or the reason for their absence.
 std::optional<Diagnostic> add_slopes(const Rig& rig, RigPoint& point);
 
-/// Chooses the partitions of the rig's loops for a position, where those that it has stand badly there and others do
-/// not. Coordinates stay the same ones.
+/// Chooses the partitions of the rig's loops for a position, if the present ones are ill-conditioned there and others
+/// are not. The coordinates remain the same.
 void choose_at(Rig& rig, const GenericState& state);
 
 }  // namespace mbgen::kc

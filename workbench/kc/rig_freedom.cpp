@@ -10,7 +10,7 @@
 namespace mbgen::kc {
 namespace {
 
-/// How the pads of a rig that drives none of them follow its free directions at the start: pads x directions.
+/// Motion of the pads of a rig without drives along its free directions at the start: pads x directions.
 Eigen::MatrixXd pads_along_freedoms(const Rig& rig) {
   const Compilation& c = rig.compilation;
   const std::optional<Analysis> here = chosen_at(c.model, c.topology, c.analysis, rig.start.z);

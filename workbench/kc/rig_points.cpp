@@ -15,7 +15,7 @@ namespace {
 
 using StateKind = LinearState::Kind;
 
-/// Values of the model's inputs where the rig imposes these.
+/// Values of the model's inputs for inputs of the rig.
 std::vector<double> model_inputs(const Rig& rig, const RigInputs& imposed) {
   std::vector<double> inputs = rig.start_inputs;
   for (std::size_t i = 0; i < imposed.size(); ++i) {
@@ -24,8 +24,8 @@ std::vector<double> model_inputs(const Rig& rig, const RigInputs& imposed) {
   return inputs;
 }
 
-/// How the free positions and the auxiliary states follow the inputs so that nothing accelerates: with A and B of the
-/// linear system and velocities zero, A_p p + A_x x + B u = 0 in the rows of accelerations and auxiliary rates.
+/// Derivatives of the free positions and auxiliary states by the inputs without accelerations: with A and B of the
+/// linear system and zero velocities, A_p p + A_x x + B u = 0 in the rows of accelerations and auxiliary rates.
 Eigen::MatrixXd response(const LinearSystem& system) {
   std::vector<Eigen::Index> unknown, rows;
   for (std::size_t i = 0; i < system.states.size(); ++i) {

@@ -1,4 +1,4 @@
-// The parts of the user's model that a rig takes away.
+// The parts of the user's model that a rig removes.
 
 #include "compiler/model/each_friction.hpp"
 #include "workbench/kc/rig.hpp"
@@ -6,13 +6,13 @@
 namespace mbgen::kc {
 namespace {
 
-/// Takes frictions away, and the loads that press them, which are the last sampled values.
+/// Removes frictions, and their pressing loads, which are the last sampled values.
 void take_frictions_away(Model& model) {
   std::size_t loads = 0;
   each_friction(model, [&loads](const FrictionLaw& friction) { loads += friction.load >= 0 ? 1 : 0; });
-  model.frictions.clear();
-  model.spring_frictions.clear();
-  model.rod_frictions.clear();
+  each_kind([&]<class Kind>(KindOf<Kind> kind) {
+    if constexpr (std::is_base_of_v<FrictionLaw, Kind>) kind.list(model).clear();
+  });
   model.sampled.resize(model.sampled.size() - loads);
 }
 
@@ -25,22 +25,12 @@ void take_away(const Axle& axle, Model& model) {
   model.notes.clear();
   model.initial = {};
   for (const std::string& name : axle.without) {
-    const auto each = [&](auto& list, const auto& silence) {
-      for (auto& element : list) {
-        if (element.name == name) silence(element);
+    each_kind([&](auto kind) {
+      if constexpr (can_be_silent(decltype(kind){})) {
+        for (auto& element : kind.list(model))
+          if (element.name == name) kind.silence(element);
       }
-    };
-    const auto silence_spring = [](auto& spring) {
-      spring.stiffness.reset();
-      spring.damping.reset();
-      spring.force.reset();
-      spring.preload = 0.0;
-    };
-    each(model.springs, silence_spring);
-    each(model.joint_springs, silence_spring);
-    each(model.air_springs, [](AirSpring& spring) { spring.area = Quantity(0.0), spring.volume.reset(); });
-    each(model.forces, [](AppliedForce& force) { force.force = force.torque = {0.0, 0.0, 0.0}; });
-    each(model.joint_forces, [](JointForce& force) { force.force = 0.0; });
+    });
   }
 }
 

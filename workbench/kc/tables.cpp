@@ -1,4 +1,4 @@
-// What is read along the curves, and at the start.
+// Values along the curves, and at the start.
 
 #include <fmt/format.h>
 
@@ -11,12 +11,12 @@
 namespace mbgen::kc {
 namespace {
 
-/// Direction along which the derivatives of a curve are.
+/// Direction of the derivatives of a curve.
 RigInputs direction_of(Sweep::Kind kind) {
   return kind == Sweep::Kind::opposite_travel ? kOpposite : kind == Sweep::Kind::steering ? kSteering : kParallel;
 }
 
-/// Something read of one wheel. `home`: the same wheel at the start.
+/// A quantity of one wheel. `home`: the same wheel at the start.
 struct WheelReading {
   const char *name, *unit, *meaning;
   std::function<double(const WheelState& wheel, const WheelState& home)> read;
@@ -54,7 +54,7 @@ std::vector<WheelReading> position_readings() {
   };
 }
 
-/// Rate of a wheel's load with its own travel, both wheels moving along a direction.
+/// Rate of a wheel's load with its own travel, when both wheels move along a direction.
 double wheel_rate(const WheelState& wheel, const RigInputs& direction) {
   const double own = direction[wheel.side > 0 ? kTravelLeft : kTravelRight];
   return along(wheel.load, direction) / own;
@@ -67,7 +67,7 @@ Column column(const std::string& name, const std::string& unit, const std::vecto
   return result;
 }
 
-/// Length of the wheelbase less that at the start, by the mean of both contact centres.
+/// Change of the wheelbase since the start, by the mean of both contact centres.
 double wheelbase_change(const Axle& axle, const AxleState& now, const AxleState& home) {
   const double forward = 0.5 * (change(geometry_of(now.left).patch, geometry_of(home.left).patch, 0) +
                                 change(geometry_of(now.right).patch, geometry_of(home.right).patch, 0));
@@ -288,7 +288,7 @@ KcTable curve_table(const Rig& rig, const PointOfCurve& start, const Sweep& swee
   TableBuilder table(rig, start, sweep.kind, points);
   const Heading abscissa = abscissa_of(rig, sweep.kind);
   table.add(abscissa.name, abscissa.unit, [](const PointOfCurve& point) { return point.imposed; });
-  // Toe says of travel what the steer angle says of steering and loads.
+  // Toe serves curves of travel, the steer angle curves of steering and loads.
   const std::string left_out = sweep.kind <= Sweep::Kind::opposite_travel ? "steer_angle" : "toe";
   for (const WheelReading& reading : position_readings()) {
     if (reading.name != left_out) table.add_wheels(reading);

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kDegreeOfHeading = std::numbers::pi / 180;
 constexpr double kAcross = 90 * kDegreeOfHeading;
-constexpr double kSlide = 30 * kDegreeOfHeading;  // more than any tyre needs for its largest force
-constexpr double kFast = 5;                       // m/s: slower, tight bends make such angles too
+constexpr double kSlide = 30 * kDegreeOfHeading;  // beyond the slip angle of any tyre's largest force
+constexpr double kFast = 5;                       // m/s: tight bends at lower speeds reach such angles too
 
 void note_first(bool happens, double t, std::optional<double>& first) {
   if (happens && !first) first = t;
@@ -30,7 +30,7 @@ double heading_of(const Model& model, const std::vector<Pose>& poses, const Tyre
   return std::atan2(-axis[0], axis[1]);
 }
 
-/// Mean heading of the foremost wheels less that of the rearmost, with a value at the steering input.
+/// Mean heading of the foremost wheels minus the mean heading of the rearmost, after a change of the steering input.
 std::optional<double> steered(const Compilation& c, GenericState state, std::vector<double> inputs, double change) {
   GenericSolver solver(c.model, c.topology, c.analysis);
   inputs[static_cast<std::size_t>(c.model.vehicle->steer)] += change;

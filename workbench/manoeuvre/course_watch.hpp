@@ -1,5 +1,5 @@
 #pragma once
-// When a vehicle stops to do what its manoeuvre means: off its course, across it, or sliding.
+// Faults of a manoeuvre's motion: the vehicle leaves its course, turns across it, or slides.
 
 #include <optional>
 #include <string>
@@ -14,20 +14,20 @@ namespace mbgen {
 constexpr double kCircleLeft = 0.5;  ///< m, ISO 4138: the path is within 0.5 m of the circle
 constexpr double kLaneLeft = 1.75;   ///< m, half a lane
 
-/// Times at which it first happens, s.
+/// Time of the first occurrence of each fault, s.
 struct CourseWatch {
   std::optional<double> leaves, turns, slides;
 
-  /// A point. place: on the course, none where there is none. most: m beside it, farther off it is left. heading: rad,
-  /// of the course there.
+  /// Adds a point. place: on the course, none without a course. most: lateral offset of leaving it, m. heading: of the
+  /// course, rad.
   void add(double t, const PlaneMotion& motion, const std::optional<CoursePlace>& place, double most, double heading);
 
   /// Warnings, a line each.
   std::vector<std::string> warnings(double most) const;
 };
 
-/// Angle of the wheels of the foremost tyres less that of the rearmost, rad to the left, for one at the steering input;
-/// at a start. None where the input moves no wheels: it is no angle then, or a force turns them.
+/// Angle of the foremost wheels minus the angle of the rearmost, over the angle at the steering input, at a start;
+/// positive to the left. None if the input moves no wheels: it is then no angle, or the wheels are steered by a force.
 std::optional<double> steering_slope(const Compilation& compilation, const GenericState& start,
                                      const std::vector<double>& inputs);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Manoeuvres as their files describe them: SI units, radians.
+// Manoeuvres as described in their files: SI units, radians.
 
 #include <array>
 #include <optional>
@@ -12,26 +12,26 @@
 
 namespace mbgen {
 
-/// A driver who looks ahead.
+/// Settings of the driver model with preview.
 struct DriverSettings {
   double preview = 0;       ///< s
-  double anticipation = 0;  ///< s, from steering to turning: by this much ahead the driver turns in
-  double gain = 0;          ///< of the correction, 1: a point that follows it meets the path without ringing
-  double understeer = 0;    ///< rad s^2/m: road wheels turn by this more for every m/s^2 across
+  double anticipation = 0;  ///< s, delay from steering to turning; the driver steers earlier by it
+  double gain = 0;          ///< of the correction; 1: a point that follows it meets the path without overshoot
+  double understeer = 0;    ///< rad s^2/m: additional angle of the road wheels over lateral acceleration
   double largest_rate = 0;  ///< rad/s, of the road wheels
-  double lag = 0;           ///< s, from the angle that is wanted to the angle
+  double lag = 0;           ///< s, from the wanted angle to the angle
 };
 
-/// A controller that holds a speed.
+/// Settings of the speed controller.
 struct SpeedSettings {
   double gain = 0;           ///< 1/s: acceleration over error
   double integral_time = 0;  ///< s
 };
 
-/// Speeds are refused beyond it, m/s: nothing on tyres goes three times as fast as sound.
+/// Highest speed accepted, m/s: nearly three times the speed of sound.
 constexpr double kMostSpeed = 1000;
 
-/// What all manoeuvres have.
+/// Members of all manoeuvres.
 struct ManoeuvreBase {
   std::string description;
   std::optional<double> speed;           ///< m/s, at the start
@@ -39,10 +39,10 @@ struct ManoeuvreBase {
   double period = 0;                     ///< s, of driver and speed controller
   DriverSettings driver;
   SpeedSettings speed_control;
-  Diagnostics notes = {};  ///< on values that are allowed and likely not meant
+  Diagnostics notes = {};  ///< on values that are allowed but unlikely
 };
 
-/// Exactly one thing that happens from an instant on.
+/// One change from an instant on.
 struct Event {
   double at = 0, over = 0;                           ///< s
   std::optional<double> steer, drive, brake, speed;  ///< rad, N m, N m, m/s
@@ -61,7 +61,7 @@ struct EventManoeuvre : ManoeuvreBase {
 
 enum class Side { left, right };
 
-/// Steering by an angle at the input, or by the lateral acceleration that it is meant to give.
+/// Amplitude of steering: an angle at the input, or the lateral acceleration to be reached.
 struct SteerAmplitude {
   std::optional<double> steer, lateral_acceleration;  ///< rad, m/s^2
 };
@@ -71,7 +71,7 @@ struct CircleManoeuvre : ManoeuvreBase {
   enum class Method { radius, speed, steer };  ///< what is constant
   Method method = Method::radius;
   std::optional<double> radius, steer, last_speed;  ///< m, rad at the input, m/s
-  double acceleration = 0;                          ///< m/s^2, by which the speed grows
+  double acceleration = 0;                          ///< m/s^2, of the speed
   double largest_lateral_acceleration = 0;          ///< m/s^2: ends there
   Where radius_where = {};                          ///< where `radius` is written
   Side side = Side::left;
@@ -104,22 +104,22 @@ struct WeaveManoeuvre : ManoeuvreBase, SteerAmplitude {
   double cycles = 0;
 };
 
-/// Braking from a straight course.
+/// Straight-line braking.
 struct BrakingManoeuvre : ManoeuvreBase {
-  std::optional<double> brake, deceleration;  ///< N m of all wheels together, m/s^2
+  std::optional<double> brake, deceleration;  ///< N m, sum of all wheels; m/s^2
   double at = 0, over = 0;                    ///< s
   double last_speed = 0;                      ///< m/s: ends there
   bool has_driver = false;                    ///< else the steering is held
-  bool is_split = false;                      ///< the sides of the road differ in friction
+  bool is_split = false;                      ///< split friction: left and right differ
 };
 
-/// Over a road at a speed.
+/// Drive over a road at a speed.
 struct RideManoeuvre : ManoeuvreBase {};
 
 using Manoeuvre = std::variant<EventManoeuvre, CircleManoeuvre, StepManoeuvre, SweepManoeuvre, LaneManoeuvre,
                                WeaveManoeuvre, BrakingManoeuvre, RideManoeuvre>;
 
-/// The type as its file calls it.
+/// Name of the type in files.
 std::string type_of(const Manoeuvre& manoeuvre);
 
 const ManoeuvreBase& base_of(const Manoeuvre& manoeuvre);

@@ -7,7 +7,7 @@
 namespace mbgen {
 namespace {
 
-/// The series from an instant on.
+/// Points of the series from an instant on.
 VehicleSeries from(VehicleSeries series, double begin) {
   const auto first = std::lower_bound(series.t.begin(), series.t.end(), begin) - series.t.begin();
   const auto cut = [first](std::vector<double>& values) { values.erase(values.begin(), values.begin() + first); };
@@ -44,7 +44,7 @@ struct Measures {
   }
   VehicleMetrics operator()(const LaneManoeuvre& lanes) const {
     const double half = lanes.width.value_or(vehicle.width.value_or(0)) / 2;
-    // The body is the first unit: what it tows goes its own way.
+    // The contour is the contour of the first unit: towed units are not checked against the lanes.
     const double rear = vehicle.towed.body < 0 ? facts.rear : facts.wheelbase - facts.front;
     return lane_change_metrics(series, {.sections = plan.sections,
                                         .x = start.x,

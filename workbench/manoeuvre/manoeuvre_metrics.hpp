@@ -1,12 +1,12 @@
 #pragma once
-// Which metrics of the standards belong to a manoeuvre.
+// Selection of the metrics of the standards for a manoeuvre.
 
 #include "workbench/manoeuvre/metrics.hpp"
 #include "workbench/manoeuvre/plan.hpp"
 
 namespace mbgen {
 
-/// Metrics of a manoeuvre that was driven; none of events. start: the place where it began.
+/// Metrics of a completed manoeuvre; none for events. start: position at the begin.
 VehicleMetrics metrics_of(const Manoeuvre& manoeuvre, const Plan& plan, const VehicleFacts& facts,
                           const Vehicle& vehicle, const PlaneMotion& start, const VehicleSeries& series);
 

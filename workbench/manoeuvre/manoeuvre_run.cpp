@@ -13,13 +13,13 @@ namespace mbgen {
 namespace {
 
 constexpr double kUnlimited = 1e15;
-constexpr double kSameStep = 1e-6;      // of a step: a plan that ends so little after one ends there
-constexpr double kEngineBraking = 0.3;  // m/s^2, by the drive before the brakes help
+constexpr double kSameStep = 1e-6;      // of a step: tolerance for the end of a plan
+constexpr double kEngineBraking = 0.3;  // m/s^2, largest deceleration by the drive without brakes
 
-/// The part of a change that is done.
+/// Completed fraction of a change.
 double done(double t, double at, double over) { return smooth_step((t - at) / over).value; }
 
-/// An input and all that it has of derivatives go on along a curve.
+/// Sets the course of an input, and its derivatives on the inputs of the derivatives.
 void follow(const std::vector<Input>& model_inputs, int input, Course course, InputsOverTime& inputs) {
   while (input >= 0) {
     const auto i = static_cast<std::size_t>(input);
@@ -33,7 +33,7 @@ void follow_line(int input, double t, double end, double from, double to, Inputs
   if (input >= 0) inputs.courses[static_cast<std::size_t>(input)] = straight_lines({t, end}, {from, to});
 }
 
-/// The polynomial from some rates to others, with the accelerations where the input has one.
+/// Hermite polynomial between two rates; it matches accelerations too where the model has an input for them.
 Course between(const std::vector<Input>& model_inputs, int input, double t, double end, const Rates& from,
                const Rates& to) {
   std::vector<std::vector<double>> orders = {{from.value, to.value}, {from.rate, to.rate}};
@@ -43,7 +43,7 @@ Course between(const std::vector<Input>& model_inputs, int input, double t, doub
   return hermite({t, end}, orders);
 }
 
-/// What a constant second derivative leads to.
+/// Rates after a time with a constant second derivative.
 Rates advanced(const Rates& from, double acceleration, double time) {
   return {from.value + time * (from.rate + time * acceleration / 2), from.rate + time * acceleration, acceleration};
 }
@@ -74,7 +74,7 @@ void ManoeuvreRun::complete(SimulationArguments& arguments, double step_of_model
   const std::string length_of = arguments.duration ? "--duration" : fmt::format("{}: /{}", file_, plan_.length_of);
   if (!arguments.duration) arguments.duration = plan_.duration;
   if (!arguments.step) arguments.step = base_of(manoeuvre_).step;
-  constexpr double kMostSteps = 1e7;  // metrics need all of them at once: 1.5 GB
+  constexpr double kMostSteps = 1e7;  // metrics hold all of them in memory: 1.5 GB
   const double step = arguments.step.value_or(step_of_model), steps = *arguments.duration / step;
   if (steps > kMostSteps)
     throw UserError(
@@ -230,7 +230,7 @@ std::shared_ptr<ManoeuvreRun> prepare_manoeuvre(const std::string& file, const s
   const bool is_planned = !arguments.duration;
   run->complete(arguments, model.solver.step);
   const double step = arguments.step.value_or(model.solver.step);
-  // A plan lasts whole steps: times of rows are then multiples of the step.
+  // The plan is a whole number of steps long, so that times of rows are multiples of the step.
   if (is_planned && step > 0) arguments.duration = std::ceil(*arguments.duration / step - kSameStep) * step;
   return run;
 }

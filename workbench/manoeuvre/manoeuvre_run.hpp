@@ -1,5 +1,5 @@
 #pragma once
-// A manoeuvre that is driven: who moves the inputs from point to point of a motion, and what came of it.
+// Execution of a manoeuvre: control of the inputs from point to point of a motion, and its result.
 
 #include <memory>
 #include <string>
@@ -12,35 +12,35 @@
 
 namespace mbgen {
 
-/// Drives one motion. Not for use by several motions.
+/// Controls one motion; several motions need several runs.
 class ManoeuvreRun {
  public:
   /// model: with the outputs of the vehicle. file: of the manoeuvre.
   ManoeuvreRun(const Model& model, const Manoeuvre& manoeuvre, const std::string& file);
 
-  /// The plan's length and the manoeuvre's step, where the command line does not say others. Fails: UserError for what
-  /// a manoeuvre does not go with.
+  /// Sets the plan's length and the manoeuvre's step unless the command line sets others. Fails: UserError for options
+  /// that a manoeuvre excludes.
   void complete(SimulationArguments& arguments, double step_of_model) const;
 
-  /// Looks whether the road wheels turn to the side that the vehicle's steer_ratio says, at a start with these inputs.
+  /// Checks the sign of the vehicle's steer_ratio against the turn of the road wheels, at a start with these inputs.
   void look_at_steering(const Compilation& compilation, const GenericState& start, const std::vector<double>& inputs);
 
-  /// Moves the inputs of a motion by steps of that many seconds; the run outlives it. Its calls fail: UserError where
-  /// the vehicle does not start at the manoeuvre's speed.
+  /// Control of the inputs of a motion with this step, s; the run must outlive it. Its calls fail: UserError if the
+  /// vehicle does not start at the manoeuvre's speed.
   InputControl control(double step);
 
-  /// Adds what makes the motion another one than the manoeuvre asks for.
+  /// Adds deviations of the motion from the manoeuvre.
   void judge(StepVerdict& verdict) const;
-  /// What came of it, after the motion.
+  /// Result of the manoeuvre, after the motion.
   ManoeuvreWords words() const;
 
  private:
-  /// Takes a point of the motion. Result: false where the manoeuvre is over.
+  /// Adds a point of the motion. Result: false at the end of the manoeuvre.
   bool take(const Sample& sample, InputsOverTime& inputs);
   void start(const InputsOverTime& inputs);
   void observe(double t);
   std::string reason_to_end() const;
-  /// m, beside the course, at which it is left.
+  /// Lateral offset from the course, m, at which the vehicle has left it.
   double widest_offset() const;
   void steer(double t, double end, InputsOverTime& inputs);
   void drive(double t, double end, InputsOverTime& inputs);
@@ -67,14 +67,14 @@ class ManoeuvreRun {
   double phase_drive_ = 0, phase_brake_ = 0;  ///< N m, when the phase began
   VehicleSeries series_;
   double largest_offset_ = 0, largest_speed_error_ = 0;  ///< m, m/s
-  std::vector<double> lifted_;                           ///< s, per wheel, when it first had no load; negative: never
+  std::vector<double> lifted_;                           ///< s, per wheel, of its first lift-off; negative: never
   CourseWatch watch_;
-  std::string steering_fault_;  ///< what is wrong with steer_ratio
+  std::string steering_fault_;  ///< fault of steer_ratio
   std::string ended_;           ///< why before its time
 };
 
-/// A run of the manoeuvre of a file with a model: the speed at the start and the outputs of the vehicle are set, and
-/// `assignments` (--set) get the speed. Null without a file. Fails: UserError.
+/// A run of the manoeuvre of a file with a model. Sets the speed at the start (also in `assignments`, --set) and adds
+/// the outputs of the vehicle. Null without a file. Fails: UserError.
 std::shared_ptr<ManoeuvreRun> prepare_manoeuvre(const std::string& file, const std::string& model_file,
                                                 std::vector<std::string>& assignments, Model& model,
                                                 SimulationArguments& arguments);

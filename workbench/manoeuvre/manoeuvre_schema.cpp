@@ -1,4 +1,4 @@
-// The JSON Schema of manoeuvre files and their reference, made from the tables of fields.
+// JSON Schema and reference of manoeuvre files, from the tables of fields.
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-// What came of a manoeuvre, for people and machines.
+// Result of a manoeuvre as text and as JSON.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -46,7 +46,7 @@ ManoeuvreWords ManoeuvreRun::words() const {
   const VehicleMetrics metrics = metrics_of(manoeuvre_, plan_, facts_, vehicle_, start_, series_);
   ManoeuvreWords words;
   words.lines = fmt::format("  manoeuvre                 {} ({}){}\n", type_of(manoeuvre_), file_,
-                            ended_.empty() ? "" : ", ended where " + ended_);
+                            ended_.empty() ? "" : ", ended when " + ended_);
   Json manoeuvre = {{"file", file_}, {"type", type_of(manoeuvre_)}, {"ended", ended_.empty() ? Json() : Json(ended_)}};
   if (plan_.has_driver) {
     words.lines += fmt::format("    course followed within  {:.4g} m\n", largest_offset_);

@@ -2,8 +2,8 @@
 // Numbers that the standards of vehicle dynamics define, from the motion of a vehicle. Definitions by formula:
 // docs/use/metrics.md. Axes are those of ISO 8855: x forward, y to the left, z up.
 //
-// Every function computes what its series allows. What it cannot give is missing from the values and stands in the
-// notes with the reason; so does a series that cannot be used at all. Every value is finite.
+// Every function computes what its series allows. A value that it cannot give is missing from the values and stands in
+// the notes with the reason; so does a series that cannot be used at all. Every value is finite.
 
 #include <string>
 #include <vector>
@@ -13,13 +13,13 @@
 
 namespace mbgen {
 
-/// A line of a diagram. NaN in y interrupts it.
+/// A curve of a diagram. NaN in y interrupts it.
 struct DiagramCurve {
   std::string name;
   std::vector<double> x, y;
 };
 
-/// A picture beside the numbers.
+/// A diagram beside the values.
 struct Diagram {
   std::string title;
   Heading x, y;
@@ -29,40 +29,40 @@ struct Diagram {
 struct VehicleMetrics {
   std::vector<VehicleMetric> values = {};
   std::vector<Diagram> diagrams = {};
-  /// Numbers that are not given with the reason; what to know about those that are.
+  /// Missing metrics with the reason; remarks on the others.
   std::vector<std::string> notes = {};
 };
 
-/// Steady driving in a circle whose lateral acceleration grows slowly, ISO 4138.
+/// Steady-state circular driving with slowly growing lateral acceleration, ISO 4138.
 struct SteadyCircle {
   enum class Kind { constant_radius, constant_speed, constant_steer };
   Kind kind = Kind::constant_radius;
   double wheelbase = 0;             ///< m
-  double radius = 0;                ///< m, that was asked for at constant_radius; 0: the path is not compared with it
-  double steering_ratio = 1;        ///< angle at the steering input for an angle of one at the wheels
-  double linear_limit = 3;          ///< m/s^2: gradients are those of straight lines fitted below it
-  std::vector<double> tracks = {};  ///< m, per axle; none: shares of the load transfer, not of the roll moment
+  double radius = 0;                ///< m, nominal, at constant_radius; 0: the path is not checked
+  double steering_ratio = 1;        ///< angle at the steering input over the angle at the wheels
+  double linear_limit = 3;          ///< m/s^2: gradients are slopes of straight lines fitted below it
+  std::vector<double> tracks = {};  ///< m, per axle; none: shares of the load transfer instead of the roll moment
 };
 VehicleMetrics steady_circle_metrics(const VehicleSeries& series, const SteadyCircle& circle);
 
 /// A step of the steering angle at constant speed, ISO 7401.
 struct StepSteer {
-  double steady_time = 1;   ///< s at the end over which steady values are means
-  double smoothing = 0.05;  ///< s to each side of a local parabola, about 10 Hz; 0: none
+  double steady_time = 1;   ///< s at the end, over which steady values are averaged
+  double smoothing = 0.05;  ///< s, half width of the local parabola, about 10 Hz; 0: none
 };
 VehicleMetrics step_steer_metrics(const VehicleSeries& series, const StepSteer& step);
 
 /// Sines of growing frequency, pulses or random steering at constant speed, ISO 7401.
 struct SineSweep {
-  double lowest = 0, highest = 0;  ///< Hz, that the steering angle holds; 0: as far as its spectrum goes
-  double segment = 0;              ///< s, of a window of Welch's method; 0: a third of the series, at most 20 s
+  double lowest = 0, highest = 0;  ///< Hz, band of the steering angle; 0: from its spectrum
+  double segment = 0;              ///< s, window of Welch's method; 0: a third of the series, at most 20 s
 };
 VehicleMetrics sine_sweep_metrics(const VehicleSeries& series, const SineSweep& sweep);
 
 /// Slow sine steering about straight ahead, ISO 13674-1.
 struct Weave {
   double frequency = 0.2;  ///< Hz
-  double settled = 0;      ///< s, from which on whole cycles are taken; 0: after the first cycle
+  double settled = 0;      ///< s, begin of the whole cycles; 0: after the first cycle
 };
 VehicleMetrics weave_metrics(const VehicleSeries& series, const Weave& weave);
 
@@ -74,22 +74,22 @@ struct LaneSection {
 
 /// Lane change, ISO 3888-1 and ISO 3888-2.
 struct LaneChange {
-  std::vector<LaneSection> sections;  ///< in the order in which they are driven
+  std::vector<LaneSection> sections;  ///< in driving order
   double x = 0, y = 0, heading = 0;   ///< m, m, rad: the frame of the track in the world
   double front = 0, rear = 0, to_left = 0,
          to_right = 0;  ///< m, >= 0: from the reference point to the sides of the body
 };
 VehicleMetrics lane_change_metrics(const VehicleSeries& series, const LaneChange& lanes);
 
-/// The last towed unit against the first one, ISO 14791.
+/// Motion of the last towed unit relative to the first unit, ISO 14791.
 struct Towing {
   double front = 0,
          towed_rear = 0;   ///< m, from the points of both units to the foremost axle, and back to the rearmost
-  bool is_circle = false;  ///< of one radius: offtracking is that of the circle
+  bool is_circle = false;  ///< of constant radius: offtracking is the steady one of the circle
 };
 VehicleMetrics towing_metrics(const VehicleSeries& series, const Towing& towing);
 
-/// Braking to standstill, straight ahead or on different frictions left and right; deceleration by UN Regulation 13.
+/// Braking to standstill, straight ahead or on split friction; deceleration by UN Regulation 13.
 struct Braking {
   double begin = 0;  ///< s: when the brake is applied
 };
@@ -97,7 +97,7 @@ VehicleMetrics braking_metrics(const VehicleSeries& series, const Braking& braki
 
 /// Ride over a road, ISO 2631-1.
 struct Ride {
-  double begin = 0;  ///< s: values are of the time from there on
+  double begin = 0;  ///< s: begin of the evaluated time
 };
 VehicleMetrics ride_metrics(const VehicleSeries& series, const Ride& ride);
 

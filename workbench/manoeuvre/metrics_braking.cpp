@@ -1,5 +1,5 @@
-// Braking to standstill: mean fully developed deceleration by UN Regulation 13, annex 4; deviation as of ISO 14512 for
-// different frictions left and right.
+// Braking to standstill: mean fully developed deceleration by UN Regulation 13, annex 4; deviation on split friction as
+// of ISO 14512.
 
 #include <fmt/format.h>
 
@@ -13,12 +13,12 @@ namespace {
 
 using namespace manoeuvre;
 
-constexpr double kUpper = 0.8, kLower = 0.1;  ///< of the speed at the begin: range of the mean deceleration
-constexpr double kStandstill = 0.25;          ///< m/s: below, the rest of the way is that of the mean deceleration
+constexpr double kUpper = 0.8, kLower = 0.1;  ///< of the initial speed: range of the mean deceleration
+constexpr double kStandstill = 0.25;  ///< m/s: below it the remaining distance follows from the mean deceleration
 
-/// Speed along the path and the way so far, per point.
+/// Speed along the path and distance travelled, per point.
 struct Way {
-  Values t = {}, speed = {}, length = {};  ///< from the point on at which braking begins
+  Values t = {}, speed = {}, length = {};  ///< from the begin of braking on
   std::size_t first = 0;
 };
 
@@ -34,7 +34,7 @@ Way way_of(const VehicleSeries& s, double begin) {
   return way;
 }
 
-/// The time and the way at which the speed first falls to a value; NaN when it does not.
+/// Time and distance of the first fall of the speed to a value; NaN if there is none.
 struct Fall {
   double time = 0, length = 0;
 };
@@ -47,7 +47,7 @@ Fall fall_to(const Way& way, double speed) {
   if (std::isnan(time) || i == 0) return {std::nan(""), std::nan("")};
   if (i == way.t.size()) return {time, way.length.back()};
   const double step = way.t[i] - way.t[i - 1], share = (time - way.t[i - 1]) / step;
-  // The way between two points is that of a constant deceleration.
+  // Between two points the deceleration is constant.
   const double bend = (way.speed[i] - way.speed[i - 1]) * step / 2 * share * (share - 1);
   return {time, way.length[i - 1] + share * (way.length[i] - way.length[i - 1]) + bend};
 }

@@ -13,15 +13,15 @@ namespace {
 
 using namespace manoeuvre;
 
-constexpr double kMostScatter = 0.1;   ///< of the largest value, left by a fitted line
-constexpr double kMostDetour = 0.05;   ///< of the curvature that was asked for
-constexpr double kWindow = 1;          ///< s over which the largest lateral acceleration is a mean
-constexpr double kLeastTurning = 0.1;  ///< m/s^2: below, a path says little of its radius
+constexpr double kMostScatter = 0.1;   ///< residual of a fitted line, of the largest value
+constexpr double kMostDetour = 0.05;   ///< of the nominal curvature
+constexpr double kWindow = 1;          ///< s, averaging window of the largest lateral acceleration
+constexpr double kLeastTurning = 0.1;  ///< m/s^2: below it the radius of a path is ill-conditioned
 
-/// The points below the linear limit, and what varies over them.
+/// Points below the linear limit, and the values over them.
 struct Linear {
   Values lateral, steer, curvature, sideslip, roll, yaw_rate;
-  std::map<int, Values> transfer;  ///< N, per axle: half the difference of right and left
+  std::map<int, Values> transfer;  ///< N, per axle: half the difference of right and left load
 };
 
 Linear linear_range(const VehicleSeries& s, const SteadyCircle& circle) {
@@ -58,7 +58,7 @@ std::string fault_of_circle(const VehicleSeries& s, const SteadyCircle& circle) 
   return "";
 }
 
-/// Slope over lateral acceleration. largest_size: of what the line stands for, against which scatter is judged.
+/// Adds a slope over lateral acceleration. largest_size: of the fitted quantity, reference of its scatter.
 bool add_gradient(VehicleMetrics& metrics, const std::string& name, const Linear& linear, const Values& values,
                   double largest_size, const std::string& unit, const std::string& meaning) {
   const Line line = fitted_line(linear.lateral, values);
@@ -72,7 +72,7 @@ bool add_gradient(VehicleMetrics& metrics, const std::string& name, const Linear
   return true;
 }
 
-/// What follows from steer angles: the gradient of understeer and the speed that it gives.
+/// Metrics from steer angles: the understeer gradient, and the characteristic or critical speed.
 void add_understeer(VehicleMetrics& metrics, const Linear& linear, const SteadyCircle& circle) {
   Values beyond_path;
   for (std::size_t i = 0; i < linear.steer.size(); ++i)
@@ -85,7 +85,7 @@ void add_understeer(VehicleMetrics& metrics, const Linear& linear, const SteadyC
   }
   const double gradient = metrics.values[place].value;
   const double speed = std::sqrt(circle.wheelbase / std::abs(gradient));
-  // A gradient within rounding of zero gives no speed that means anything.
+  // The characteristic speed is ill-conditioned for a gradient within rounding of zero.
   if (!(speed < 1000)) {
     metrics.notes.push_back("characteristic_speed: the vehicle steers neutrally");
   } else if (gradient > 0) {
@@ -115,7 +115,7 @@ void add_load_transfer(VehicleMetrics& metrics, const Linear& linear, const Stea
         "1", is_moment ? "load transfer times track, of all axles'" : "of the load transfer of all axles");
 }
 
-/// The path against the one that was asked for.
+/// Compares the path with the nominal one.
 void compare_path(VehicleMetrics& metrics, const Linear& linear, const SteadyCircle& circle) {
   if (circle.kind != SteadyCircle::Kind::constant_radius || !(circle.radius > 0)) return;
   double worst = 0;

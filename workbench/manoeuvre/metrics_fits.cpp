@@ -15,7 +15,7 @@ std::string fault_of(const VehicleSeries& series, std::initializer_list<Read> re
   if (t.size() < 3) return fmt::format("the series has {} points", t.size());
   const double step = step_of(series);
   for (std::size_t i = 1; i < t.size(); ++i) {
-    // Written so that a time that is not a number fails too.
+    // The negated form also fails for NaN.
     if (!(step > 0 && std::abs(t[i] - t[i - 1] - step) <= 1e-6 * step)) return "the steps of time are not equal";
   }
   for (const Read& one : read) {

@@ -25,8 +25,8 @@ PlanePose pose_at(const VehicleSeries& s, const LaneChange& lanes, std::size_t i
   return {c * dx + k * dy, -k * dx + c * dy, s.heading[i] - lanes.heading};
 }
 
-/// How far the body is beyond a limit of a section; below zero: how far it keeps away. The most of corners that are
-/// within the section and of the section's ends that are beside the body.
+/// Distance of the body beyond a limit of a section, negative inside: the largest over the body's corners within the
+/// section and the section's ends beside the body.
 double excess_of(const LaneSection& section, const PlanePose& pose, const LaneChange& lanes) {
   double most = -std::numeric_limits<double>::infinity();
   const double c = std::cos(pose.heading), k = std::sin(pose.heading);
@@ -67,7 +67,7 @@ std::string fault_of_lanes(const VehicleSeries& s, const LaneChange& lanes) {
   return "";
 }
 
-/// When the reference point passes an x of the track, with the speed there.
+/// Time and speed at which the reference point passes an x of the track.
 struct Passage {
   double time = 0, speed = 0;
 };

@@ -14,8 +14,9 @@ namespace {
 using namespace manoeuvre;
 
 constexpr double kShortestRide = 5;  ///< s: two periods of the weighting's lowest frequency
-constexpr double kMostCrest = 9;     ///< ISO 2631-1, clause 6.2: beyond, the weighted mean square says too little
-constexpr double kLeastRate = 50;    ///< Hz, of the points: two for each period of what people feel most
+constexpr double kMostCrest = 9;  ///< ISO 2631-1, clause 6.2: above it the weighted mean square alone is not sufficient
+constexpr double kLeastRate =
+    50;  ///< Hz, sampling rate: two points per period of the frequencies with the largest weight
 
 /// W_k of ISO 2631-1, annex A: band limits, transition from acceleration to velocity, upward step.
 Complex weighting(double frequency) {
@@ -33,7 +34,7 @@ Complex weighting(double frequency) {
   return band * transition * low(p, kStepFrom, kStepQ) / low(p, kStepTo, kStepQ) * ratio * ratio;
 }
 
-/// The acceleration as people feel it. Zeros behind the series keep its end from its begin.
+/// Frequency-weighted acceleration. Zeros appended to the series separate its end from its begin.
 Values weighted(const Values& acceleration, double time_step) {
   std::vector<Complex> x(power_of_two(2 * acceleration.size()));
   std::copy(acceleration.begin(), acceleration.end(), x.begin());

@@ -1,5 +1,6 @@
 #include "workbench/manoeuvre/metrics_spectra.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>

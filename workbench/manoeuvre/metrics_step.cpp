@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "workbench/manoeuvre/metrics_fits.hpp"
@@ -11,12 +12,12 @@ namespace {
 
 using namespace manoeuvre;
 
-constexpr double kStart = 0.05;           ///< of the step: before it is exceeded the vehicle runs straight ahead
+constexpr double kStart = 0.05;           ///< of the step: straight ahead until it is exceeded
 constexpr double kResponse = 0.9;         ///< of the steady value: end of the response time
 constexpr double kMostDrift = 0.02;       ///< of the step, between the halves of the time of the steady values
-constexpr double kLeastOvershoot = 0.01;  ///< of the steady value: below there is no peak to speak of
+constexpr double kLeastOvershoot = 0.01;  ///< of the steady value: smaller peaks are not reported
 
-/// Where the step stands in a series.
+/// Position of the step in a series.
 struct SteerStep {
   Span before, steady;
   double half_time = 0;  ///< s, at half of the step of the steer angle
@@ -58,14 +59,14 @@ Found find_step(const VehicleSeries& s, const StepSteer& asked, std::size_t reac
   std::size_t start = 0;
   while (risen[start] < kStart) ++start;
   step.half_time = time_of_rise(s.t, risen, 0.5, 0);
-  // As long before as half of the rise takes: there nothing has begun, smoothing included.
+  // The reference ends half a rise time before the step, so that smoothing does not reach it.
   const auto rise = static_cast<std::size_t>((step.half_time - s.t[start]) / step_of(s)) + 1;
   step.before = {0, start > rise ? start - rise : 1};
   step.size = last - mean(s.steer, step.before);
   return found;
 }
 
-/// A response: its steady change, and its times. NaN: not there.
+/// A response: its steady change, and its times. NaN: none.
 struct StepResponse {
   double change = 0, response_time = 0, peak_time = 0, overshoot = 0;
   bool is_steady = false;
@@ -113,7 +114,7 @@ void add_response(VehicleMetrics& metrics, const std::string& name, const std::s
   }
 }
 
-/// Angles when the vehicle is steady.
+/// Adds the steady-state angles.
 void add_angles(VehicleMetrics& metrics, const VehicleSeries& s, const SteerStep& step, const StepResponse& yaw) {
   const Values sideslip = sideslip_of(s);
   const double steady = mean(sideslip, step.steady) - mean(sideslip, step.before);

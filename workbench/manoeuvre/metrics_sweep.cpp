@@ -15,21 +15,21 @@ namespace {
 using namespace manoeuvre;
 
 constexpr double kLeastPower = 1e-3;   ///< of the strongest line of the steer angle
-constexpr double kLongestWindow = 20;  ///< s, of a window that is not asked for
+constexpr double kLongestWindow = 20;  ///< s, of a default window
 constexpr double kShortestWindow = 8;  ///< s
-constexpr double kSlow = 0.5;          ///< Hz: up to here the gain is taken back to zero frequency
+constexpr double kSlow = 0.5;          ///< Hz: range of the extrapolation of the gain to zero frequency
 constexpr double kLeastCoherence = 0.9;
-constexpr double kLatestStart = 0.25;  ///< Hz: from higher lines nothing is said of zero frequency
+constexpr double kLatestStart = 0.25;  ///< Hz: no extrapolation to zero frequency from a higher lowest line
 constexpr double kLeastPeak = 1.01;    ///< of the steady gain
-constexpr double kWorstFit = 0.05;     ///< of a second order to the response
-constexpr double kAtRest = 0.02;       ///< of the spread of values: the first one of a series that starts from rest
-constexpr double kHighestOfFit = 3;    ///< Hz: beyond, roll and tyres are no second order
+constexpr double kWorstFit = 0.05;     ///< of the response: residual of the second-order model
+constexpr double kAtRest = 0.02;       ///< of the spread of values: largest first value of a series from rest
+constexpr double kHighestOfFit = 3;    ///< Hz: roll and tyres make the response of higher order beyond
 
 /// A response over its frequencies.
 struct FrequencyResponse {
   Values frequency, gain, phase;  ///< Hz; output per rad; rad, without jumps
   std::vector<Complex> value;
-  double sign = 1;  ///< -1: slow steering to the left turns to the right; gain and phase are of the other sign
+  double sign = 1;  ///< -1: slow steering to the left turns to the right; gain and phase have the opposite sign
 };
 
 double interpolated(const Values& x, const Values& y, double at) {
@@ -38,8 +38,8 @@ double interpolated(const Values& x, const Values& y, double at) {
   return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
 }
 
-/// The spectra of two series. Where both start from rest, rest before them lets every window have its part in their
-/// begin: a sweep is slow there.
+/// Spectra of two series. If both start from rest, rest is prepended, so that all windows cover their begin: a sweep is
+/// slow there.
 Spectra spectra_with_begin(const Values& input, const Values& output, double time_step, std::size_t width) {
   for (const Values* values : {&input, &output}) {
     if (std::abs(values->front()) > kAtRest * spread(*values, {0, values->size()}, 0))
@@ -53,10 +53,10 @@ Spectra spectra_with_begin(const Values& input, const Values& output, double tim
   return spectra_of(with_rest(input), with_rest(output), time_step, width);
 }
 
-/// The lines from the lowest to the highest frequency that the steer angle holds.
+/// Lines within the band of the steer angle.
 Span excited_lines(const Spectra& spectra, const SineSweep& asked, double segment) {
   const double strongest = *std::max_element(spectra.input.begin(), spectra.input.end());
-  // Two lines of a segment: the window's main lobe is free of that of negative frequencies.
+  // At least two lines from zero: the window's main lobe then does not reach negative frequencies.
   const double lowest = std::max(asked.lowest, 2 / segment) * (1 - 1e-9);
   const auto frequency = [&](std::size_t k) { return spectra.step * static_cast<double>(k); };
   const auto is_excited = [&](std::size_t k) { return spectra.input[k] >= kLeastPower * strongest; };
@@ -70,7 +70,7 @@ Span excited_lines(const Spectra& spectra, const SineSweep& asked, double segmen
   return lines;
 }
 
-/// The response at the lines of the steer angle, up to the first one that it does not follow.
+/// Response at the lines of the steer angle, up to the first line without coherence.
 FrequencyResponse followed_response(VehicleMetrics& metrics, const std::string& name, const Spectra& spectra,
                                     Span lines) {
   FrequencyResponse response;
@@ -97,7 +97,7 @@ FrequencyResponse followed_response(VehicleMetrics& metrics, const std::string& 
   return response;
 }
 
-/// The gain at zero frequency: the gains of slow lines as a + b f^2 + c f^4.
+/// Gain at zero frequency, extrapolated from slow lines by a + b f^2 + c f^4.
 std::optional<double> steady_gain(const FrequencyResponse& response) {
   Values squares, gains;
   for (std::size_t i = 0; i < response.gain.size() && response.frequency[i] <= kSlow; ++i) {
@@ -108,7 +108,7 @@ std::optional<double> steady_gain(const FrequencyResponse& response) {
   return polynomial(squares, gains, 2).front();
 }
 
-/// First frequency beyond which a gain is below another; nothing where it does not fall so far.
+/// First frequency beyond which the gain is below a value; none if it does not fall so far.
 std::optional<double> fall_below(const FrequencyResponse& response, double gain) {
   for (std::size_t i = 1; i < response.gain.size(); ++i) {
     const double before = response.gain[i - 1], after = response.gain[i];

@@ -12,9 +12,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostPoints = 500;  ///< of a curve: more than a diagram shows
+constexpr std::size_t kMostPoints = 500;  ///< of a curve, sufficient for a diagram
 
-/// A value as people read it, degrees in place of radians.
+/// A value for people, in degrees instead of radians.
 std::string shown(const VehicleMetric& metric) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   double value = metric.value;
@@ -32,7 +32,7 @@ Json numbers(const std::vector<double>& values) {
   Json list = Json::array();
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (i % std::max<std::size_t>(every, 1) != 0 && i + 1 != values.size()) continue;
-    // Six digits: more than a diagram shows.
+    // Six digits are sufficient for a diagram.
     list.push_back(std::isfinite(values[i]) ? Json(std::stod(fmt::format("{:.6g}", values[i]))) : Json(nullptr));
   }
   return list;

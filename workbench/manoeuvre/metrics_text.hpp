@@ -1,5 +1,5 @@
 #pragma once
-// Metrics for people and for the description of a run.
+// Metrics as text and as JSON of the description of a run.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace mbgen {
 
-/// A line for each value, with degrees in place of radians, then the notes.
+/// A line for each value, in degrees instead of radians, then the notes.
 std::string metrics_text(const VehicleMetrics& metrics);
 
 /// Adds "metrics", "diagrams" and "metric_notes" to the description of a run, as `mbgen report` reads them. Values are

@@ -1,4 +1,4 @@
-// The last towed unit against the first one, ISO 14791.
+// Motion of the last towed unit relative to the first unit, ISO 14791.
 
 #include <fmt/format.h>
 
@@ -13,11 +13,11 @@ namespace {
 
 using namespace manoeuvre;
 
-constexpr double kLeastTurn = 0.1;     ///< m/s^2: below, a path says little of its radius
-constexpr double kLinearUpTo = 3;      ///< m/s^2, up to which a line is fitted
+constexpr double kLeastTurn = 0.1;     ///< m/s^2: below it the radius of a path is ill-conditioned
+constexpr double kLinearUpTo = 3;      ///< m/s^2, upper end of the fitted line
 constexpr double kLeastSwing = 0.02;   ///< of the largest: smaller extremes are noise
 constexpr double kRestOfSteer = 1e-6;  ///< of the largest angle
-constexpr double kLeastMotion = 1e-9;  ///< m/s^2 or rad/s, below which nothing moves
+constexpr double kLeastMotion = 1e-9;  ///< m/s^2 or rad/s, below it a unit is at rest
 
 /// A point of the vehicle's plane.
 struct At {
@@ -27,8 +27,8 @@ At ahead(double x, double y, double heading, double along) {
   return {x + along * std::cos(heading), y + along * std::sin(heading)};
 }
 
-/// How far the rearmost axle's middle is to the left of the path that the foremost one's went, at each point; NaN
-/// before that path begins.
+/// Offset of the rearmost axle's middle to the left of the foremost axle's path, at each point; NaN before the begin of
+/// that path.
 Values offtracking(const VehicleSeries& s, const Towing& towing) {
   std::vector<At> path;
   for (std::size_t i = 0; i < s.t.size(); ++i) path.push_back(ahead(s.x[i], s.y[i], s.heading[i], towing.front));
@@ -48,7 +48,7 @@ Values offtracking(const VehicleSeries& s, const Towing& towing) {
   return aside;
 }
 
-/// Of a circle: offtracking to its inside over lateral acceleration.
+/// Adds the offtracking of a circle: to its inside, over lateral acceleration.
 void add_circle(VehicleMetrics& metrics, const VehicleSeries& s, const Values& aside) {
   Values lateral, inwards;
   for (std::size_t i = 0; i < s.t.size(); ++i) {
@@ -72,7 +72,7 @@ void add_circle(VehicleMetrics& metrics, const VehicleSeries& s, const Values& a
       {"Offtracking", {"lateral acceleration", "m/s^2"}, {"offtracking", "m"}, {{"inwards", lateral, inwards}}});
 }
 
-/// Damping of the articulation that swings by itself, behind the last change of the steer angle.
+/// Adds the damping of the free articulation oscillation after the last change of the steer angle.
 void add_damping(VehicleMetrics& metrics, const VehicleSeries& s) {
   std::size_t first = s.t.size() - 1;
   while (first > 0 && std::abs(s.steer[first - 1] - s.steer.back()) <= kRestOfSteer * largest(s.steer)) --first;

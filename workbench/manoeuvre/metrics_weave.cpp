@@ -13,19 +13,19 @@ namespace {
 
 using namespace manoeuvre;
 
-constexpr double kNearCentre = 0.5;     ///< of the amplitude: the part of a branch that is fitted
+constexpr double kNearCentre = 0.5;     ///< of the amplitude: fitted part of a branch
 constexpr int kDegree = 3;              ///< of the fit of a branch
-constexpr double kMostHarmonics = 0.2;  ///< of the amplitude, left by the sine of the steer angle
-constexpr double kLeastAnswer = 0.5;    ///< of the spread of a response that has to be its sine
+constexpr double kMostHarmonics = 0.2;  ///< of the amplitude: residual of the sine of the steer angle
+constexpr double kLeastAnswer = 0.5;    ///< of the spread of a response: least amplitude of its sine
 
 /// mean + amplitude sin(omega t + phase).
 struct Sine {
   double mean = 0, amplitude = 0, phase = 0, omega = 0;
-  double left = 0;  ///< root of the mean square of what it leaves
+  double left = 0;  ///< root-mean-square residual
   double rate_sign(double t) const { return sign_of(std::cos(omega * t + phase)); }
 };
 
-/// Over whole cycles, where sine, cosine and constant are orthogonal.
+/// Least-squares sine over whole cycles, where sine, cosine and constant are orthogonal.
 Sine fitted_sine(const Values& t, const Values& values, Span span, double frequency) {
   Sine sine{mean(values, span), 0, 0, 2 * std::numbers::pi * frequency};
   double in = 0, across = 0;
@@ -43,13 +43,13 @@ Sine fitted_sine(const Values& t, const Values& values, Span span, double freque
   return sine;
 }
 
-/// The loop of one value over another near the centre: both branches as polynomials there.
+/// Hysteresis loop of one value over another near the centre, by a polynomial per branch.
 struct SlowLoop {
-  double slope = 0;  ///< mean of the branches at zero of the value across
+  double slope = 0;  ///< mean slope of the branches at zero of `across`
   double width = 0;  ///< distance of the branches there
 };
 
-/// Of `up` over `across`, both about their means. Branches: where `across` rises and falls.
+/// Loop of `up` over `across`, both minus their means. Branches: `across` rises, `across` falls.
 SlowLoop loop_at_zero(const Values& t, const Values& across, const Sine& of_across, const Values& up, const Sine& of_up,
                       Span span) {
   Values x[2], y[2];
@@ -63,13 +63,13 @@ SlowLoop loop_at_zero(const Values& t, const Values& across, const Sine& of_acro
   return {(rising[1] + falling[1]) / 2, std::abs(rising[0] - falling[0])};
 }
 
-/// Whole cycles after the settling, empty when there are fewer than two.
+/// Whole cycles after the settling time, empty for fewer than two.
 Span whole_cycles(const VehicleSeries& s, const Weave& weave) {
   const double first = std::max(weave.settled > 0 ? weave.settled : s.t.front() + 1 / weave.frequency, s.t.front());
   const double step = step_of(s), period = 1 / weave.frequency;
   const double cycles = std::floor((s.t.back() - first) / period + 1e-6);
   if (cycles < 2) return {};
-  // A cycle's last point is the first of the next one.
+  // The last point of a cycle is the first point of the next.
   const auto points = static_cast<std::size_t>(std::lround(cycles * period / step));
   return {s.t.size() - std::min(points, s.t.size()), s.t.size()};
 }

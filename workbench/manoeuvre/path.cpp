@@ -30,7 +30,7 @@ std::vector<LaneSection> sections_of(const std::array<Stretch, 5>& stretches, do
   return sections;
 }
 
-/// The place some metres along the arc of a point's curvature.
+/// The point at a distance along the circle of a point's curvature.
 PathPoint along_arc(const PathPoint& from, double way) {
   const double half = from.curvature * way / 2;
   const double chord = half == 0 ? way : way * std::sin(half) / half;
@@ -38,7 +38,7 @@ PathPoint along_arc(const PathPoint& from, double way) {
           from.heading + 2 * half, from.curvature};
 }
 
-/// The last way before another one at which a course has a point: points stand at whole multiples of the spacing.
+/// The last sampled distance before a given one: points stand at whole multiples of the spacing.
 double point_before(double way) { return std::max(0.0, (std::floor(way / kSpacing) - 1) * kSpacing); }
 
 double centre(const LaneSection& section) { return (section.left + section.right) / 2; }
@@ -57,7 +57,7 @@ PathPoint Path::at(double way) const {
 }
 
 double Path::nearest(double x, double y, double way) const {
-  // Newton's method on the tangent: the way between two samples is short beside any radius.
+  // Newton's method on the tangent: the spacing of samples is short relative to any radius.
   for (int i = 0; i < 4; ++i) {
     const PathPoint point = at(way);
     way += (x - point.x) * std::cos(point.heading) + (y - point.y) * std::sin(point.heading);
@@ -85,7 +85,7 @@ Path circle_path(double straight, double radius, double transition) {
 }
 
 Path lane_path(const std::vector<LaneSection>& sections) {
-  // A change begins and ends inside of the lanes, where it is still small: 0.036 of the whole at the limits.
+  // The lane change extends into the lanes, by 0.036 of the offset at their limits.
   constexpr double kInside = 0.25;  // of the way between the lanes
   Signal lateral;
   for (std::size_t i = 0; i + 1 < sections.size(); ++i) {

@@ -10,8 +10,8 @@
 namespace mbgen {
 namespace {
 
-constexpr double kSettles = 5;        // s, before something changes slowly
-constexpr double kSettlesOnRoad = 1;  // s, from the plane of the equilibrium to a rough road
+constexpr double kSettles = 5;        // s, before a slow change
+constexpr double kSettlesOnRoad = 1;  // s, from the flat start to a rough road
 
 [[noreturn]] void refuse_input(const Model& model, const Event& event) {
   std::vector<std::string_view> known;
@@ -36,7 +36,7 @@ struct Planner {
         fmt::format("{}: this manoeuvre needs \"{}\" in the section \"vehicle\" of {}\n", file, what, model.file));
   }
 
-  /// N m of all wheels for an acceleration of the whole vehicle.
+  /// Sum of the wheels' torques, N m, for an acceleration of the whole vehicle.
   double torque_of(double acceleration) const { return facts.mass * facts.radius * acceleration; }
 
   double within_limit(double steer) const {
@@ -47,7 +47,7 @@ struct Planner {
     return steer;
   }
 
-  /// A plan at a constant speed, steered by its signal or by the driver.
+  /// A plan at constant speed, with steering by its signal or by the driver.
   Plan at_speed(const ManoeuvreBase& base, bool steers) const {
     require(vehicle().drive >= 0, "drive");
     if (steers) require(vehicle().steer >= 0, "steer");
@@ -57,14 +57,14 @@ struct Planner {
     return plan;
   }
 
-  /// rad at the input.
+  /// Amplitude at the steering input, rad.
   double amplitude(const ManoeuvreBase& base, const SteerAmplitude& wish) const {
     if (wish.steer) return within_limit(*wish.steer);
     const double speed = *base.speed, wheels = facts.wheelbase / (speed * speed) + base.driver.understeer;
     return within_limit(vehicle().steer_ratio * wheels * *wish.lateral_acceleration);
   }
 
-  /// The sign of an angle at the input, or of y, to a side.
+  /// Sign of an angle at the input, or of y, for a side.
   static double sign(Side side) { return side == Side::left ? 1 : -1; }
 
   void drive_along(Plan& plan, Path path) const {
@@ -171,7 +171,7 @@ Plan Planner::operator()(const CircleManoeuvre& circle) const {
   const double first = *circle.speed;
   double begin = kStraight + kTransition + kSettles, last = circle.last_speed.value_or(2 * first);
   if (circle.method == CircleManoeuvre::Method::radius) {
-    // A little more than the limit, which ends it.
+    // Slightly above the limit, at which the manoeuvre ends.
     last = circle.last_speed.value_or(1.05 * std::sqrt(circle.largest_lateral_acceleration * *circle.radius));
     if (last > kMostSpeed)
       throw UserError(
@@ -226,7 +226,7 @@ Plan Planner::operator()(const BrakingManoeuvre& braking) const {
   plan.path = straight_path();
   plan.has_driver = braking.has_driver;
   plan.length_of = braking.brake ? "brake" : "deceleration";
-  // Three times as long as with all of the torque: wheels may lock.
+  // Three times the duration with the whole torque: wheels may lock.
   plan.duration = braking.at + braking.over + 3 * *braking.speed * torque_of(1) / torque + kSettles;
   return plan;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A manoeuvre for a vehicle: what happens when, whatever its type.
+// Plan of a manoeuvre for a vehicle: its changes over time, the same form for all types.
 
 #include <limits>
 #include <optional>
@@ -19,7 +19,7 @@ struct TorquePhase {
   double drive = 0, brake = 0;  ///< N m, where it does not
 };
 
-/// An input of the model goes to a value.
+/// Change of an input of the model to a value.
 struct InputChange {
   int input = 0;            ///< index into Model::inputs
   double at = 0, over = 0;  ///< s
@@ -28,7 +28,7 @@ struct InputChange {
 
 struct Plan {
   bool has_driver = false;
-  bool is_straight = false;            ///< without a driver, but along the line and the heading of the start
+  bool is_straight = false;            ///< without a driver, along the line and heading of the start
   Path path;                           ///< in the frame of the start, of a driver
   Signal steer;                        ///< rad at the input, without a driver
   Signal speed;                        ///< m/s, to hold
@@ -36,16 +36,16 @@ struct Plan {
   std::vector<InputChange> others;     ///< in order of time
   std::vector<LaneSection> sections;   ///< in the frame of the start
   double duration = 0;                 ///< s, at the longest
-  const char* length_of = "duration";  ///< field of the file that makes it so long
-  double begin = 0;                    ///< s, from which metrics are taken
+  const char* length_of = "duration";  ///< field of the file that sets this duration
+  double begin = 0;                    ///< s, begin of the evaluated time
   std::optional<double> free_way;      ///< m of the path from which on the gear is free
-  // Conditions that end it before.
+  // Conditions of an earlier end.
   double last_way = std::numeric_limits<double>::infinity();                      ///< m of the path
   double last_speed = -1;                                                         ///< m/s, below which it is over
   double largest_lateral_acceleration = std::numeric_limits<double>::infinity();  ///< m/s^2
 };
 
-/// Fails: UserError where the vehicle has not what the manoeuvre needs. file: of the manoeuvre, for messages.
+/// Fails: UserError if the vehicle lacks data that the manoeuvre needs. file: of the manoeuvre, for messages.
 Plan plan_of(const Manoeuvre& manoeuvre, const Model& model, const VehicleFacts& facts, const std::string& file);
 
 }  // namespace mbgen

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kSpeedHint = "speeds are in m/s; km/h may be written \"80/3.6\"";
 
-/// Reports where not exactly one of the fields is there.
+/// Reports an error unless exactly one of the fields is given.
 void require_one(Reader& reader, const Value& value, const std::vector<std::string_view>& names) {
   const auto is_there = [&](std::string_view name) { return find(value, name) != nullptr; };
   const auto count = std::count_if(names.begin(), names.end(), is_there);
@@ -24,7 +24,7 @@ void require_one(Reader& reader, const Value& value, const std::vector<std::stri
   report(reader, value, fmt::format("must have exactly one of {}, got {}", list, count));
 }
 
-/// Notes an acceleration beyond what tyres on a road give.
+/// Notes an acceleration beyond the friction of tyres on a road.
 void check_acceleration(Reader& reader, const Value& value, std::string_view name,
                         const std::optional<double>& acceleration) {
   constexpr double kUnlikely = 15, kGravity = 9.81;  // m/s^2
@@ -41,7 +41,7 @@ void check_amplitude(Reader& reader, const Value& value, const SteerAmplitude& a
   check_acceleration(reader, value, "lateral_acceleration", amplitude.lateral_acceleration);
 }
 
-/// Refuses a speed that nothing has, and notes one that is likely in km/h.
+/// Refuses an impossible speed, and notes one that is probably in km/h.
 void check_speed(Reader& reader, const Value& value, std::string_view name, const std::optional<double>& speed) {
   constexpr double kUnlikely = 70;  // m/s, 252 km/h
   if (!speed || !find(value, name)) return;
@@ -52,7 +52,7 @@ void check_speed(Reader& reader, const Value& value, std::string_view name, cons
     note(reader, place, fmt::format("{:g} m/s are {:g} km/h", *speed, 3.6 * *speed), kSpeedHint);
 }
 
-/// Notes an understeer that is likely in degrees: of cars it is 0 to 0.01 rad s^2/m, 6 deg for 10 m/s^2.
+/// Notes an understeer that is probably in degrees: for cars it is 0 to 0.01 rad s^2/m, 6 deg for 10 m/s^2.
 void check_understeer(Reader& reader, const Value& driver, double understeer) {
   constexpr double kUnlikely = 0.05, kDegree = std::numbers::pi / 180;
   if (!(std::abs(understeer) >= kUnlikely)) return;

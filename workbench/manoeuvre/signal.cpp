@@ -14,7 +14,7 @@ Rates product(const Rates& a, const Rates& b) {
           a.acceleration * b.value + 2 * a.rate * b.rate + a.value * b.acceleration};
 }
 
-/// The sine of a phase, rad.
+/// Sine of a phase, rad, with its derivatives.
 Rates sine_of(const Rates& phase) {
   const double s = std::sin(phase.value), c = std::cos(phase.value);
   return {s, c * phase.rate, c * phase.acceleration - s * phase.rate * phase.rate};
@@ -52,14 +52,14 @@ void Signal::add_change(double change, double at, double over) {
 }
 
 void Signal::go_to(double value, double at, double over) {
-  constexpr double kLater = 1e9;  // s, when all that has begun is over
+  constexpr double kLater = 1e9;  // s, after the end of all changes
   add_change(value - this->at(kLater).value, at, over);
 }
 
 void Signal::add_ramp(double change, double at, double rate) {
-  // The rate itself is smooth: its integral over a rise of a second is half a second's worth.
+  // The rate changes smoothly: its integral over a rise of one second equals half a second at the full rate.
   const double whole = std::abs(change / rate), rise = std::min(1.0, whole), signed_rate = std::copysign(rate, change);
-  const auto integral = [rise](double u) {  // of smooth_step over t, u: s since its start
+  const auto integral = [rise](double u) {  // of smooth_step over t; u: s since its start
     if (u <= 0) return 0.0;
     const double v = std::min(1.0, u / rise);
     return rise * v * v * v * v * (2.5 + v * (v - 3)) + std::max(0.0, u - rise);

@@ -1,5 +1,5 @@
 #pragma once
-// Values over time as sums of parts that are known with their first two derivatives.
+// Signals over time as sums of parts with known first and second derivatives.
 
 #include <array>
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace mbgen {
 
-/// A value and its first and second derivative by time.
+/// A value with its first and second time derivative.
 struct Rates {
   double value = 0, rate = 0, acceleration = 0;
 };
@@ -22,22 +22,21 @@ struct Signal {
   /// Adds `change` from the instant `at` on, over some seconds as 10 u^3 - 15 u^4 + 6 u^5: the second derivative is
   /// continuous, and the largest rate is kSmoothRate change / over.
   void add_change(double change, double at, double over);
-  /// Adds what is missing to end at a value, also where earlier changes still go on.
+  /// Adds the change to a final value; it accounts for earlier changes that still continue.
   void go_to(double value, double at, double over);
   /// Adds a change at a constant rate; it begins and ends within a second.
   void add_ramp(double change, double at, double rate);
-  /// Adds whole or broken cycles of a sine.
+  /// Adds cycles of a sine; the number need not be whole.
   void add_sine(double amplitude, double at, double frequency, double cycles);
-  /// Adds a sine whose frequency grows in proportion to e^t over `duration`, and whose amplitude grows during the first
-  /// cycle.
+  /// Adds a sine with exponentially growing frequency over `duration`; its amplitude grows during the first cycle.
   void add_sweep(double amplitude, double at, double first_frequency, double last_frequency, double duration);
-  /// Adds points by PCHIP, times since `at`.
+  /// Adds PCHIP interpolation of points, times since `at`.
   void add_table(const std::vector<std::array<double, 2>>& points, double at);
 };
 
 constexpr double kSmoothRate = 1.875;
 
-/// 10 u^3 - 15 u^4 + 6 u^5 and its derivatives by u, held outside of 0 to 1.
+/// 10 u^3 - 15 u^4 + 6 u^5 and its derivatives by u, constant outside 0 to 1.
 Rates smooth_step(double u);
 
 }  // namespace mbgen

@@ -48,7 +48,7 @@ FieldInfo required(FieldInfo info) {
   return info;
 }
 
-/// The fields of a type, after those that all types have.
+/// The fields of a type, after the fields of all types.
 template <class F>
 std::vector<Field<F>> with_common(FieldInfo speed, std::vector<Field<F>> own) {
   std::vector<Field<F>> all = {

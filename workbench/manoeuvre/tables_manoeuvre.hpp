@@ -7,7 +7,7 @@
 
 namespace mbgen::reading {
 
-/// What the tables of all types have beside the members of the manoeuvre.
+/// Fields of all types that are no members of the manoeuvre.
 struct CommonFields {
   const Value *format = nullptr, *written_driver = nullptr, *written_speed_control = nullptr;
   std::string type;
@@ -41,10 +41,10 @@ std::span<const Field<Written<BrakingManoeuvre>>> fields<Written<BrakingManoeuvr
 template <>
 std::span<const Field<Written<RideManoeuvre>>> fields<Written<RideManoeuvre>>();
 
-/// Types of manoeuvres as files call them, in the order of the alternatives of Manoeuvre; BrakingManoeuvre has two.
+/// Names of the types in files, in the order of the alternatives of Manoeuvre; BrakingManoeuvre has two.
 std::span<const std::string_view> manoeuvre_types();
 
-/// Every kind of object of a manoeuvre file, those of the types first, in their order.
+/// All kinds of objects of a manoeuvre file, the types first, in their order.
 std::vector<ObjectKind> manoeuvre_kinds();
 
 }  // namespace mbgen::reading

@@ -7,18 +7,19 @@
 #include <limits>
 #include <numbers>
 
+#include "compiler/model/element_outputs.hpp"
 #include "compiler/text/user_error.hpp"
 
 namespace mbgen {
 namespace {
 
-/// Outputs in this order, then the loads; before them those of the towed unit: kX to kAy, its heading and yaw rate.
+/// Outputs in this order, then the loads; before them kX to kAy of the towed unit, its heading and yaw rate.
 constexpr std::size_t kTowed = 8;
 enum Index : std::size_t { kX, kY, kVx, kVy, kAx, kAy, kAz, kHeading, kPitch, kRoll, kYawRate, kLoads };
 
 Vector3 centre_of(const Model& model, const Tyre& tyre) { return reference_position(model, tyre.centre); }
 
-/// Places of axles along x, from front to rear.
+/// Positions of axles along x, from front to rear.
 std::vector<double> axle_places(const Model& model) {
   std::vector<double> all, places;
   for (const Tyre& tyre : model.tyres) all.push_back(centre_of(model, tyre)[0]);
@@ -37,7 +38,7 @@ void add_output(Model& model, const std::string& name, const char* unit, decltyp
   model.outputs.push_back({name, {}, unit, std::move(source), {}});
 }
 
-/// kX to kAy of a point.
+/// Adds kX to kAy of a point.
 void add_plane_outputs(Model& model, const std::string& of, const Attachment& at) {
   using What = PointOutput::What;
   const auto point = [&](const char* name, const char* unit, What what, int axis) {
@@ -60,7 +61,7 @@ void add_yaw_rate(Model& model, const std::string& name, int body) {
              RotationOutput{.what = RotationOutput::What::angular_velocity, .body = body, .axis = 2});
 }
 
-/// The motion by kX to kAy and a heading near the last one.
+/// Plane motion from kX to kAy, with the heading nearest to the last one.
 PlaneMotion plane_motion(const double* y, double remainder, double last_heading) {
   const double c = std::cos(remainder), s = std::sin(remainder);
   const double heading = last_heading + std::remainder(remainder - last_heading, 2 * std::numbers::pi);
@@ -125,8 +126,7 @@ void add_vehicle_outputs(Model& model) {
   add_turn(model, "vehicle_roll", reference.body, 2);
   add_yaw_rate(model, "vehicle_yaw_rate", reference.body);
   for (std::size_t i = 0; i < model.tyres.size(); ++i)
-    add_output(model, "vehicle_load_" + model.tyres[i].name, "N",
-               TyreOutput{TyreOutput::What::load, static_cast<int>(i)});
+    add_output(model, "vehicle_load_" + model.tyres[i].name, "N", output_of<Tyre>("load", i));
 }
 
 std::size_t first_vehicle_output(const Model& model) { return model.outputs.size() - model.tyres.size() - kLoads; }

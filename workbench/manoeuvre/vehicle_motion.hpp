@@ -1,5 +1,5 @@
 #pragma once
-// The vehicle of a model: what it is, and how it moves.
+// The vehicle of a model: its data and its motion.
 
 #include <optional>
 #include <string>
@@ -12,28 +12,27 @@
 
 namespace mbgen {
 
-/// What a manoeuvre needs to know of a vehicle, from the parts of its model at the reference.
+/// Data of a vehicle for manoeuvres, from the parts of its model in the reference position.
 struct VehicleFacts {
-  double mass = 0;                           ///< kg, of all bodies and rods
-  double radius = 0;                         ///< m, mean of the tyres
-  double wheelbase = 0;                      ///< m
-  double towed_rear = 0;                     ///< m, from the point of the towed unit back to the rearmost tyres
-  double front = 0, rear = 0;                ///< m, from the reference point to the foremost and the rearmost tyres
-  std::vector<double> tracks;                ///< m, per axle, between its outermost tyres
+  double mass = 0;             ///< kg, of all bodies and rods
+  double radius = 0;           ///< m, mean of the tyres
+  double wheelbase = 0;        ///< m
+  double towed_rear = 0;       ///< m, from the reference point of the towed unit back to the rearmost tyres
+  double front = 0, rear = 0;  ///< m, from the reference point to the foremost and the rearmost tyres
+  std::vector<double> tracks;  ///< m, per axle, between its outermost tyres
   std::vector<VehicleSeries::Wheel> wheels;  ///< per tyre of the model; axles from front to rear
 };
 
-/// Tyres whose centres are within kSameAxle of each other along x are of one axle. Fails: UserError without a vehicle
-/// or without tyres.
+/// Tyres belong to one axle if their centres are within kSameAxle of each other along x. Fails: UserError without a
+/// vehicle or without tyres.
 VehicleFacts vehicle_facts(const Model& model);
 constexpr double kSameAxle = 0.3;  // m
 
-/// Appends the outputs that vehicle_reading takes: `vehicle_x` and so on, and `vehicle_load_TYRE`, before
-/// them those of a towed unit, `towed_x` and so on; they are columns of
-/// the table too. Fails: UserError where the model has an output of such a name.
+/// Appends the outputs of vehicle_reading: outputs of a towed unit (`towed_x`, ...), then `vehicle_x`, ...,
+/// `vehicle_load_TYRE`. They are also columns of the table. Fails: UserError if the model has an output of such a name.
 void add_vehicle_outputs(Model& model);
 
-/// Index of the first of them. Requires: the model has them, behind its own.
+/// Index of the first vehicle output. Requires: the model has them, after its own outputs.
 std::size_t first_vehicle_output(const Model& model);
 
 /// A point of the vehicle's motion.
@@ -49,8 +48,8 @@ struct VehicleReading {
   std::optional<Towed> towed;  ///< the last unit
 };
 
-/// Of a sample of a model with these outputs. first: first_vehicle_output. last: the reading before, near whose
-/// headings these are, which are no remainders of a turn; it has a towed unit where the model has one.
+/// Vehicle motion of a sample. first: first_vehicle_output. last: the reading before; headings are continued from it
+/// without jumps, and it has a towed unit if the model has one.
 VehicleReading vehicle_reading(const Sample& sample, std::size_t first, const VehicleReading& last);
 
 /// Adds a point.

@@ -1,5 +1,5 @@
 #pragma once
-// What a manoeuvre's numbers are computed from, and a number.
+// Time series of a vehicle's motion for metrics, and a metric's value.
 
 #include <string>
 #include <vector>
@@ -22,7 +22,7 @@ struct VehicleSeries {
     bool is_left = false;
   };
   std::vector<Wheel> wheels;
-  /// Of the point of the last towed unit, as above; empty: there is none.
+  /// Motion of the last towed unit's reference point, as above; empty: no towed unit.
   struct Towed {
     std::vector<double> x, y, heading, lateral_acceleration, yaw_rate;
   };
@@ -34,7 +34,7 @@ struct VehicleMetric {
   std::string name;
   double value = 0;
   std::string unit;     ///< SI; "1" where there is none
-  std::string meaning;  ///< for people: what it is, with the standard's number
+  std::string meaning;  ///< for people: definition, with the standard's number
 };
 
 }  // namespace mbgen

@@ -1,5 +1,5 @@
 #pragma once
-// Steps that leap from one branch of a motion to another, for engines that do not look for it themselves.
+// Detection of steps that jump from one branch of a motion to another, for engines without their own.
 
 #include <functional>
 #include <utility>
@@ -10,17 +10,17 @@
 
 namespace mbgen {
 
-/// Looks at steps by the Jacobians of the loops in relative coordinates, as the steps of generated code are looked at
-/// near singular positions, see check_side of mbgen/singular_step.hpp.
+/// Checks steps by the Jacobians of the loops in relative coordinates, as generated code checks steps near singular
+/// positions, see check_side of mbgen/singular_step.hpp.
 class BranchGuard {
  public:
-  /// inputs_at: of the model, at a time. It keeps a reference to the compilation.
+  /// inputs_at: inputs of the model at a time. It keeps a reference to the compilation.
   BranchGuard(const Compilation& compilation, std::function<std::vector<double>(double)> inputs_at);
 
-  /// Looks at a step of h seconds between two closed states, but for one that changes charts. Result: ok; singular_met
-  /// where it passed a singular position. Fails: loop_singular where it leapt over one that branches do not cross at.
+  /// Checks a step of h seconds between two closed states, unless it changes charts. Result: ok; singular_met if it
+  /// passed a singular position. Fails: loop_singular if it jumped across a position where branches do not cross.
   Status look(const GenericState& from, const GenericState& to, double h) const;
-  /// rad or m, the largest way of a coordinate in a loop.
+  /// Largest displacement of a coordinate in a loop, rad or m.
   double way(const GenericState& from, const GenericState& to) const;
 
  private:
@@ -29,23 +29,23 @@ class BranchGuard {
   std::vector<int> joints_;  ///< coordinates in loops
 };
 
-/// The engine with steps that are looked at: one that leapt fails and leaves its state. Judges do not look themselves,
-/// and steps of other engines that move a loop by more than about 0.05 rad may have no stage near the position that
-/// they leap over. inputs: of the run; outlive the engine.
+/// The engine with a check of its steps: a step that jumped fails and leaves its state. Judges have no check of their
+/// own, and steps of other engines that move a loop by more than about 0.05 rad may have no stage near the crossing.
+/// inputs: of the run; outlive the engine.
 Engine with_branch_guard(const Compilation& compilation, const Engine& engine, const InputsOverTime& inputs);
 
-/// Steps of error control that leapt, which are taken again by shorter ones.
+/// Steps of error control that jumped; shorter ones repeat them.
 class LeapWatch {
  public:
   explicit LeapWatch(BranchGuard guard) : guard_(std::move(guard)) {}
 
-  /// Whether a step from `last` to `closed` leapt to another branch, and is to be taken again.
+  /// Whether a step from `last` to `closed` jumped to another branch, and is to be repeated.
   bool look(const GenericState& last, const GenericState& closed);
-  /// s, of steps that start at t; 0 for no bound.
+  /// Bound of steps that start at t, s; 0 for no bound.
   double longest(double t) const { return t < leapt_to_ ? longest_ : 0; }
-  /// Of a step that leapt: ok while shorter ones are to be tried, else loop_singular.
+  /// After a jump: ok while shorter steps are to be tried, else loop_singular.
   Status status() const { return tries_ > kMostTries ? leapt_ : Status{}; }
-  /// singular_met where a singular position was passed since the last call.
+  /// singular_met if a singular position was passed since the last call.
   Status take_notice() { return std::exchange(notice_, Status{}); }
 
  private:

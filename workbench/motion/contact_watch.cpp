@@ -13,7 +13,7 @@ constexpr double kRoundingOfForce = 1e-9;  // of the largest: a contact without 
 
 using Eigen::Vector3d;
 
-/// A direction that is given at the reference, on a body that is at a pose.
+/// Current direction of a body-fixed direction, given at the reference, for a body with this pose.
 Vector3d turned(const Body& body, const Pose& pose, const Vector3& direction) {
   using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   const Eigen::Map<const Rotation> reference(body.pose.rotation.data()), now(pose.rotation.data());

@@ -1,6 +1,6 @@
 #pragma once
-// Rolling contacts that do what no real one does: nothing lifts off, so a motion says where a disc or ball would, and
-// where a disc fell flat.
+// Checks of rolling contacts: the model cannot lose contact, so that a motion reports where a real disc or ball would
+// lift off, and where a disc fell flat.
 
 #include <Eigen/Core>
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace mbgen {
 
-/// The normal forces of rolling discs and balls along a motion, and the directions in which discs roll.
+/// Normal forces of rolling discs and balls along a motion, and the rolling directions of discs.
 class ContactWatch {
  public:
   explicit ContactWatch(const Compilation& compilation);
@@ -24,7 +24,7 @@ class ContactWatch {
   void judge(const SimulationSummary& summary, StepVerdict& verdict) const;
   /// A warning for each contact that pulled, with the first time and the largest force.
   std::vector<std::string> warnings() const;
-  /// Why the motion is wrong: a disc was flat, where its contact jumps to the other side; empty where none was.
+  /// Reason why the motion is wrong: a disc fell flat, where its contact jumps to the other side; empty if none did.
   std::string failure() const;
 
  private:

@@ -7,7 +7,8 @@
 namespace mbgen {
 namespace {
 
-/// rad or m by which closing the loops may move a coordinate of a trial state: more is another way to close them.
+/// Largest change of a coordinate, rad or m, by closing the loops of a trial state: beyond it another assembly mode is
+/// likely.
 constexpr double kLargestClosing = 0.1;
 
 GenericState with_values(GenericState state, double t, const double* y) {

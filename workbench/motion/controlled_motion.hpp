@@ -15,26 +15,26 @@
 namespace mbgen {
 
 /// y: all coordinates, their velocities, auxiliary states. f closes the loops at y before it evaluates the rates, so
-/// that it depends on the closed state alone.
+/// that it depends only on the closed state.
 class ControlledMotion {
  public:
-  /// magnitudes: of the auxiliary states, see magnitude_of. corners: none where laws are taken as they come.
-  /// inputs: outlive the motion.
+  /// magnitudes: of the auxiliary states, see magnitude_of. corners: none if laws have no corner handling. inputs:
+  /// outlive the motion.
   ControlledMotion(Engine engine, const InputsOverTime& inputs, std::vector<double> magnitudes,
                    std::optional<Corners> corners)
       : engine_(std::move(engine)), inputs_(inputs), magnitudes_(std::move(magnitudes)), corners_(std::move(corners)) {}
 
-  /// The motion goes on from a closed state, whose balls keep their charts; up to `end` (s) the inputs are those just
-  /// before it, and after that they are not asked for.
+  /// Continues from a closed state, whose balls keep their charts. Up to `end` (s) the inputs are their left limits
+  /// there; later inputs are not used.
   void begin(const GenericState& state, double end);
   std::size_t size() const { return 2 * guess_.z.size() + guess_.x.size(); }
   void copy(const GenericState& state, double* y) const;
   /// The closed state at y.
   Status close(double t, const double* y, GenericState& state) const;
-  /// Rates at y. Fails: as the engine; loop_not_closed where closing is a jump.
+  /// Rates at y. Fails: like the engine; loop_not_closed if closing is a jump.
   Status rates(double t, const double* y, double* f) const;
-  /// Derivatives of f by y, column by column; columns that closing takes back are zero. f: at y. scratch: of the same
-  /// size. set(row, column, value) takes them.
+  /// Derivatives of f by y, column by column; columns that closing cancels are zero. f: at y. scratch: of the same
+  /// size. set(row, column, value) receives them.
   template <class Set>
   Status jacobian(double t, double* y, const double* f, double* scratch, const Set& set) const;
   /// Closing starts from this state from now on.
@@ -42,7 +42,7 @@ class ControlledMotion {
   const GenericState& guess() const { return guess_; }
   const Engine& engine() const { return engine_; }
   const InputsOverTime& inputs() const { return inputs_; }
-  /// What counts as much as 1 rad, 1 m or 1 per second of entry i of y.
+  /// Size of entry i of y that counts as much as 1 rad, 1 m or 1 per second.
   double size_of(std::size_t i) const {
     const std::size_t first = 2 * guess_.z.size();
     return i < first ? 1.0 : magnitudes_[i - first];
@@ -50,21 +50,21 @@ class ControlledMotion {
 
   /// Corners of the laws; none while a ball is in its other chart.
   std::size_t corners() const { return corners_ ? corners_->count() : 0; }
-  /// What the corners choose by at y.
+  /// Conditions that choose the sides of the corners, at y.
   std::vector<double> conditions(double t, const double* y) const;
-  /// Rates stay on these sides of the corners from now on, each 1 or -1; 0 for the side on which the state is.
+  /// Rates keep these sides of the corners from now on, each 1 or -1; 0 for the side of the state.
   void hold(std::vector<double> sides) { sides_ = std::move(sides); }
   const std::vector<double>& sides() const { return sides_; }
-  /// What other sides than those that are held change in the rates at y.
+  /// Change of the rates at y by other sides in place of the held ones.
   GenericDerivative change_by(double t, const double* y, const std::vector<double>& sides) const;
   /// Evaluations so far.
   long evaluations() const { return evaluations_; }
 
  private:
   Status rates_of(const GenericState& closed, double* f) const;
-  /// Takes the rates back to the sides that are held.
+  /// Corrects the rates to the held sides.
   void keep_sides(const GenericState& closed, GenericDerivative& rates) const;
-  /// The state at y as it is, in the angles of the model.
+  /// The state at y without closing, in the angles of the model.
   GenericState open(double t, const double* y) const;
   std::vector<double> inputs_at(double t) const;
 

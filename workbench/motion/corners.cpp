@@ -13,7 +13,7 @@ namespace {
 
 bool chooses(Op op) { return op == Op::select || op == Op::abs || op == Op::min || op == Op::max; }
 
-/// A corner is what is chosen by: a value, or the difference of two.
+/// Quantity that decides a corner: a value, or the difference of two.
 using Choice = std::pair<ValueId, ValueId>;
 
 Choice choice_of(const Node& node) {
@@ -21,7 +21,7 @@ Choice choice_of(const Node& node) {
   return {node.operands[0], of_two ? node.operands[1] : kNoValue};
 }
 
-/// Which values change along a motion.
+/// Whether each value changes along a motion.
 std::vector<bool> moving_values(const Program& program) {
   std::vector<bool> moves;
   for (const Node& node : program.nodes) {
@@ -33,7 +33,7 @@ std::vector<bool> moving_values(const Program& program) {
   return moves;
 }
 
-/// The rates alone, without what nothing needs.
+/// The rates without values that they do not need.
 Program rates_alone(Program program) {
   std::erase_if(program.outputs, [](const OutputValue& output) {
     return output.slot.group != SlotGroup(Array::zdd) && output.slot.group != SlotGroup(Array::xd);

@@ -1,6 +1,6 @@
 #pragma once
-// Corners of a model's laws: where a stop is met, a wheel lifts off, a table has a point, friction or min, max, abs and
-// step of an expression take their other side.
+// Corners of a model's laws: contact of a stop, lift-off of a wheel, points of a table, and changes of branch in
+// friction or in min, max, abs and step of an expression.
 
 #include <cstddef>
 #include <vector>
@@ -10,19 +10,18 @@
 
 namespace mbgen {
 
-/// Every operation of the accelerations that chooses by a sign, and the rates with the choices given from outside: so
-/// that each law goes on smoothly beyond its corner until the corner is found. Traced from the model; works at any
-/// engine's states.
+/// All operations of the accelerations that switch by a sign, and the rates with given sides: each law continues
+/// smoothly beyond its corner until the corner is found. Traced from the model; works at the states of any engine.
 class Corners {
  public:
-  /// None of a model whose accelerations are too large to be traced.
+  /// Without corners if the accelerations of the model are too large to be traced.
   explicit Corners(const Compilation& compilation);
 
   std::size_t count() const { return conditions_.outputs.size(); }
-  /// What each chooses by: one side from zero on, the other one below. state: in the angles of the model.
+  /// Condition of each corner: one side from zero on, the other one below. state: in the angles of the model.
   std::vector<double> conditions(const GenericState& state, const std::vector<double>& inputs) const;
-  /// Rates with these sides, each 1 or -1, less those with other ones. Not finite where a law has no values beyond its
-  /// corner.
+  /// Rates with these sides, each 1 or -1, minus the rates with the other ones. Not finite if a law has no values
+  /// beyond its corner.
   GenericDerivative difference(const GenericState& state, const std::vector<double>& inputs,
                                const std::vector<double>& sides, const std::vector<double>& other) const;
 

@@ -7,7 +7,7 @@
 namespace mbgen {
 namespace {
 
-/// The last piece holds on for this part of it: a clock that adds up steps rounds.
+/// Overshoot of the end, in parts of the last piece, for which the piece continues: a clock that adds up steps rounds.
 constexpr double kOvershoot = 1e-6;
 constexpr int kSamples = 32;  // of a piece, for its range
 

@@ -1,5 +1,5 @@
-// The only source that knows SUNDIALS. Functions of CVODE are documented in its user guide (A. C. Hindmarsh et al.,
-// version 6); its memory goes with the stepper.
+// The only source that includes SUNDIALS. The user guide of CVODE (A. C. Hindmarsh et al., version 6) documents its
+// functions; the stepper owns its memory.
 
 #include "workbench/motion/cvode_steps.hpp"
 
@@ -38,27 +38,27 @@ class CvodeStepper : public Stepper {
   Status step(GenericState& state, double h) override;
 
  private:
-  /// Starts or goes on from a state at its time.
+  /// Starts or continues from a state at its time.
   Status start(GenericState state);
   /// Holds the sides of the corners on which the motion starts.
   void take_sides();
   void make(const GenericState& state);
   void make_solver();
   Status advance();
-  /// What follows a step of CVODE to t_: the closed state, and whether to start anew. flag: of the step.
+  /// Follows a step of CVODE to t_: closes the state, and decides whether to start anew. flag: of the step.
   Status arrive(int flag);
-  /// Goes over the corners at t_; whether the rates change by more than a step bears.
+  /// Handles the corners at t_; whether the rates change by more than the tolerance allows.
   bool passes_corners();
-  /// Whether the motion is on another side of a corner than it is held on: it did not leave the corner the way it came
-  /// to it. Back by a step then, on no side of that corner.
+  /// Whether the motion left a corner on the side that is not held, contrary to its direction of approach. It then
+  /// steps back, and continues on no side of this corner.
   bool went_astray();
-  /// The motion starts anew from the step before the last one.
+  /// Restarts the motion from the step before the last one.
   void step_back();
   Status at(double t, GenericState& state);
   Status fail(int flag);
   void count();
   double next_row(double t) const;
-  /// Sets the sampled values that are due, once at an instant.
+  /// Sets the sampled values that are due, once per instant.
   Status set_sampled(GenericState& state);
 
   static int rates(sunrealtype t, N_Vector y, N_Vector f, void* self);
@@ -224,7 +224,7 @@ bool CvodeStepper::passes_corners() {
   CVodeGetLastStep(cvode_.get(), &h);
   h *= kBesideCorner;
   if (CVodeGetDky(cvode_.get(), t_ - h, 0, dense_.get()) != CV_SUCCESS) return true;
-  // Beyond the corner by as much: what follows from the laws that took their other side has taken its own there.
+  // At this distance beyond the corner, laws that depend on the changed ones have changed their side too.
   N_VLinearSum(2, y_.get(), -1, dense_.get(), dense_.get());
   const double *y = N_VGetArrayPointer(y_.get()), *beyond = N_VGetArrayPointer(dense_.get());
   std::vector<double> sides = motion_.conditions(t_ + h, beyond);

@@ -16,7 +16,7 @@ bool has_cvode();
 class Stepper {
  public:
   virtual ~Stepper() = default;
-  /// The motion h seconds later. Unchanged on failure.
+  /// Advances the state by h seconds. It is unchanged on failure.
   virtual Status step(GenericState& state, double h) = 0;
 };
 

@@ -1,20 +1,20 @@
 #pragma once
-// What motions with error control are asked for, and what they say of themselves.
+// Request for error control of a motion, and its record.
 
 #include <string>
 #include <vector>
 
 namespace mbgen {
 
-/// Method that controls its error.
+/// A method with error control.
 struct ErrorControl {
   enum class Method {
     bdf,   ///< backward differentiation, orders 1 to 5, for stiff models
     adams  ///< Adams-Moulton, orders 1 to 12, by iteration without derivatives
   };
   Method method = Method::bdf;
-  /// Of a step's error: relative, and absolute in rad, m and per second; of auxiliary states in parts of their
-  /// magnitudes (magnitude_of).
+  /// Tolerance of a step's error: relative, and absolute in rad, m and per second; of auxiliary states in parts of
+  /// their magnitudes (magnitude_of).
   double tolerance = 1e-6;
   double end = 0;                 ///< s: no step goes beyond
   std::vector<double> periods{};  ///< s, of the sampled values

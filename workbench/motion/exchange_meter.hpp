@@ -1,5 +1,5 @@
 #pragma once
-// The scale of an energy balance: what went back and forth between the parts of a mechanism.
+// Scale of an energy balance: the energy exchanged between the parts of a mechanism.
 
 #include <limits>
 #include <vector>
@@ -18,17 +18,17 @@ struct Span {
   double width() const { return largest > smallest ? largest - smallest : 0; }
 };
 
-/// Work of each force element (of a spring and of a damper in one element apart), of gravity on each body and of the
-/// drives, and kinetic energy of each body by translation and about each axis. The scale is
-/// the sum of the ranges of the works, or of the kinetic energies where that is more. Energy that stays where it is, of
-/// a rotor or of a vehicle that goes on, is not in it; nor do a spring and a damper, or a drive and a brake, cancel.
+/// Work of each force element (spring and damper of one element separately), of gravity on each body and of the drives,
+/// and kinetic energy of each body by translation and about each axis. The scale is the sum of the ranges of the works,
+/// or of the kinetic energies if this is larger. It excludes constant energy, of a rotor or of a moving vehicle; a
+/// spring and a damper, or a drive and a brake, do not cancel.
 class ExchangeMeter {
  public:
   /// step: s, between samples.
   ExchangeMeter(const Compilation& compilation, double step);
 
   void add(const Sample& sample);
-  /// J; 0 where nothing was exchanged.
+  /// J; 0 if no energy was exchanged.
   double scale() const;
 
  private:

@@ -10,12 +10,13 @@
 namespace mbgen {
 namespace {
 
-/// Between two rows, of the largest rate: the trapezoidal rule is off by 0.19 at four rows a period of a sine.
+/// Gap between two rows, in parts of the largest rate: at four rows per period of a sine the trapezoidal rule has an
+/// error of 0.19.
 constexpr double kLocalGap = 0.2;
 /// Largest sum of the deviations of rows, as part of the range of the values.
 constexpr double kAddsUp = 0.1;
 
-/// The change of the values over a segment, and the same by the rates.
+/// Change of the values over a segment, and the same by the rates.
 struct Change {
   double of_values = 0, of_rates = 0, width = 0;
   double gap() const { return std::abs(of_values - of_rates); }

@@ -24,16 +24,16 @@ struct InputTable {
 /// The unit, "1" for none.
 std::string unit_or_one(const std::string& unit);
 
-/// The column of an input, null where the table has none.
+/// The column of an input, null if the table has none.
 const InputColumn* column_of(const InputTable& table, int input);
 
-/// Reads a table whose header is `t` and names of inputs, each with its unit in brackets where wanted: `steer [rad]`.
-/// Fields may be in quotes (RFC 4180); blank lines are skipped.
-/// Fails: UserError with file and line for an unknown or double column, a unit that is not the model's, a row of
-/// another length than the header, a field that is no finite number, t that does not increase, no rows.
+/// Reads a table whose header is `t` and names of inputs, each with an optional unit in brackets: `steer [rad]`. Fields
+/// may be in quotes (RFC 4180); blank lines are skipped. Fails: UserError with file and line for an unknown or repeated
+/// column, a unit that differs from the model's, a row of another length than the header, a field that is not a finite
+/// number, t that does not increase, no rows.
 InputTable read_input_table(const std::string& path, const Model& model);
 
-/// The same from the file's text; path: as messages name it.
+/// The same from the file's text; path: for messages.
 InputTable parse_input_table(const std::string& text, const std::string& path, const Model& model);
 
 }  // namespace mbgen

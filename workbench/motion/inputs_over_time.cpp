@@ -13,10 +13,10 @@
 namespace mbgen {
 namespace {
 
-/// Who gives an input its values: nobody (its default), the command line, a column, or the derivative of a column.
+/// Source of an input's values: its default, the command line, a column, or the derivative of a column.
 enum class Source { none, assigned, column, derived };
 
-/// A column that runs this part of its range beyond its rows is told.
+/// Overshoot of a column beyond its rows, in parts of its range, that gives a warning.
 constexpr double kOvershootTold = 0.01;
 
 /// An input by its derivatives at t = 0.
@@ -59,7 +59,7 @@ class TableCourses {
   }
 
  private:
-  /// Whether another column has this input as its derivative.
+  /// Whether this input is the derivative of another column.
   bool is_rate(int input) const {
     return std::any_of(table_.columns.begin(), table_.columns.end(),
                        [&](const InputColumn& column) { return model_.inputs[column.input].derivative == input; });
@@ -89,7 +89,7 @@ class TableCourses {
     return {};
   }
 
-  /// A column and its derivatives: those with columns of their own belong to it, or each stands alone.
+  /// Adds a column and its derivatives: columns of the derivatives are joined to it, or each is interpolated by itself.
   void add_column(const InputColumn& column, bool joins_rates) {
     std::vector<std::vector<double>> orders = {column.values};
     int rate = model_.inputs[column.input].derivative;
@@ -114,7 +114,8 @@ class TableCourses {
     }
   }
 
-  /// "at t = 0.35 s, between lines 4 and 5 of the file": where a course is farthest from its column's rows.
+  /// "at t = 0.35 s, between lines 4 and 5 of the file": position of a course's largest deviation from its column's
+  /// rows.
   std::string where_farthest(const InputColumn& column, double smallest, double largest) const {
     constexpr int kParts = 64;  // of a row
     const Course& course = result_.courses[column.input];
@@ -147,7 +148,7 @@ class TableCourses {
   InputsOverTime& result_;
 };
 
-/// Refuses a column for the derivative of an input that has none.
+/// Refuses a column for the derivative of an input without a column.
 void check_rows(const Model& model, const InputTable& table) {
   for (const Input& input : model.inputs) {
     const int rate = input.derivative;

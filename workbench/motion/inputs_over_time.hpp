@@ -9,7 +9,7 @@
 
 namespace mbgen {
 
-/// How a column runs between its rows.
+/// Curve of a column between its rows.
 enum class Interpolation {
   pchip,   ///< cubic that keeps the shape: never outside the two rows beside it
   linear,  ///< straight
@@ -25,23 +25,22 @@ struct InputsOverTime {
   std::vector<double> rows = {};           ///< s, of the table, where derivatives of its inputs may jump
   std::vector<std::string> warnings = {};  ///< complete lines for standard error
 
-  /// Whether a row of the table lies after `start`, and at `end` at the latest; s.
+  /// Whether a row of the table lies after `start`, and not after `end`; s.
   bool has_row(double start, double end) const;
   /// At an instant.
   std::vector<double> at(double t) const;
-  /// Inputs of a step of h seconds from t. An input that advances has its value at t; any other stands still during
-  /// the step, also the last derivative of a row, and has its value in the middle: the step is then right to the second
+  /// Inputs of a step of h seconds from t. An input that advances has its value at t. Other inputs, and the last
+  /// derivative of a chain, are constant during the step and have their value in the middle: the step is then of second
   /// order in h.
   std::vector<double> of_step(double t, double h) const;
 };
 
-/// The inputs that a user asks for.
-/// assignments: name=value, of inputs that keep their value, or continue with their derivatives; the rest has its
-/// default. table: path of a CSV file, "" for none. Its header is `t` and names of inputs, with units in brackets where
-/// wanted, its rows have increasing t (s); before and after the rows values are held.
-/// A derivative without a column is that of its input's interpolation; a column for it joins the interpolation of pchip
-/// and spline (Hermite polynomials), so that all orders belong to one curve.
-/// Fails: UserError with file and line; columns of rates that contradict the values, see check_rates.
+/// The inputs that a user requests. assignments: name=value, for inputs that keep their value, or continue by their
+/// derivatives; the others have their defaults. table: path of a CSV file, "" for none. Its header is `t` and names of
+/// inputs, with optional units in brackets; its rows have increasing t (s); before and after the rows values are
+/// constant. A derivative without a column is the derivative of its input's interpolation; a column for it joins the
+/// interpolation of pchip and spline (Hermite polynomials), so that all orders are consistent. Fails: UserError with
+/// file and line; columns of rates that contradict the values, see check_rates.
 InputsOverTime inputs_over_time(const Model& model, const std::vector<std::string>& assignments,
                                 const std::string& table, Interpolation interpolation);
 

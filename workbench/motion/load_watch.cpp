@@ -20,7 +20,7 @@ LoadWatch::LoadWatch(const Model& model) {
 void LoadWatch::add(const Sample& sample) {
   for (Load& load : loads_) {
     const double now = sample.state.x[load.place], jump = std::abs(now - load.last);
-    // Up to the second row it goes from where it starts to what it is.
+    // Before the second row a load has its start value.
     if (load.rows > 1 && jump > load.jump) {
       load.jump = jump;
       load.time = sample.state.t;

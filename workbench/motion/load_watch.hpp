@@ -1,5 +1,5 @@
 #pragma once
-// Reactions that press frictions act as they were taken last: a motion says where one jumped by more than that bears.
+// Loads that press frictions are delayed by a period: a motion reports a load that jumps by more than this allows.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace mbgen {
 
-/// Changes of the loads of reactions along a motion, from one row to the next.
+/// Changes of the reaction loads along a motion, from one row to the next.
 class LoadWatch {
  public:
   explicit LoadWatch(const Model& model);
@@ -31,7 +31,7 @@ class LoadWatch {
   std::vector<Load> loads_;
 };
 
-/// A load that changes by more than this part of its largest value within a period is warned of.
+/// Largest change of a load within a period without a warning, in parts of its largest value.
 constexpr double kLoadJump = 0.1;
 
 }  // namespace mbgen

@@ -9,10 +9,10 @@
 namespace mbgen {
 namespace {
 
-/// Eigenvalues nearer than this part of them belong together.
+/// Relative distance below which two eigenvalues belong together.
 constexpr double kSameEigenvalue = 1e-6;
 
-/// The row whose product with the states of a mode is 1, and with those of the other modes 0.
+/// Left eigenvector: its product with the states of a mode is 1, with the states of the other modes 0.
 Eigen::VectorXcd left_vector(const EigenVectors& rows, const Mode& mode) {
   const Eigen::Map<const Eigen::VectorXcd> right(mode.states.data(), static_cast<Eigen::Index>(mode.states.size()));
   Eigen::VectorXcd best = Eigen::VectorXcd::Zero(right.size());

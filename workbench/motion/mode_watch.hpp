@@ -1,5 +1,5 @@
 #pragma once
-// Modes that the step does not resolve: whether they take part in a motion.
+// Modes that the step does not resolve, and their part in a motion.
 
 #include <Eigen/Core>
 #include <complex>
@@ -9,8 +9,8 @@
 
 namespace mbgen {
 
-/// Oscillations of the modes of the start along a motion: of those that the method robs of more than
-/// kRobbed, or turns by more than kTurnedPhase.
+/// Oscillations of the modes of the start along a motion: of modes that lose more than kRobbed of their energy to the
+/// method, or are turned by more than kTurnedPhase.
 class ModeWatch {
  public:
   /// inputs: of the model, at the start; settings: of the motion.
@@ -19,7 +19,7 @@ class ModeWatch {
 
   void add(const Sample& sample);
   const std::vector<Mode>& modes() const { return modes_; }
-  /// J, per mode, the largest that it had by oscillating; 0 of modes that are not looked at.
+  /// Largest oscillating energy of each mode, J; 0 for modes that are not monitored.
   const std::vector<double>& energies() const { return energies_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// The table of a motion on its way to a file, and the file that says which run it is of.
+// The table of a motion on its way to a file, and the file that identifies its run.
 
 #include <string>
 #include <vector>
@@ -12,14 +12,14 @@ namespace mbgen {
 
 enum class TableFormat { csv, mat };
 
-/// The format asked for by name, else by the file's ending: .mat, or CSV. Fails: UserError for an unknown name.
+/// Format by its name, else by the file's ending: .mat, or CSV. Fails: UserError for an unknown name.
 TableFormat table_format(const std::string& name, const std::string& file);
 
-/// Name of the file beside a CSV table that holds the text of run_json.
+/// Name of the file beside a CSV table with the text of run_json.
 std::string run_file(const std::string& table);
 
-/// Takes the points of a motion and writes every n-th of them, the first and the last. CSV goes to the file row by row;
-/// MAT, whose size stands in front, is kept in memory until the end.
+/// Takes the points of a motion and writes every n-th of them, the first and the last. CSV is written row by row; MAT,
+/// which starts with its size, is kept in memory until the end.
 class MotionTable {
  public:
   /// step: of the motion, s; read: the files that the command reads. Fails: UserError, as AtomicFile.

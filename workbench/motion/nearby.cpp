@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kDifference = 1e-6;  // rad, m or per second
 
-/// Positions and rates near a state, as the loops let it move.
+/// Positions and rates near a state, along the free directions of the loops.
 struct Nearby {
   const Compilation& compilation;
   GenericSolver solver;
@@ -29,7 +29,7 @@ struct Nearby {
     return static_cast<Eigen::Index>(2 * free.size() + state.x.size());
   }
 
-  /// Rates of the states and all positions where state j is moved by `change`.
+  /// Rates of the states and all positions after a change of state j.
   bool moved(const GenericState& state, Eigen::Index j, double change, Eigen::VectorXd& rates,
              Eigen::VectorXd& positions) {
     const auto count = static_cast<Eigen::Index>(free.size());

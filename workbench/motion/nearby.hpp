@@ -10,10 +10,10 @@ namespace mbgen {
 
 constexpr int kMostStatesForModes = 200;
 
-/// A and coordinates of small motions about a state by central differences of its accelerations; without states for a
-/// model of more than kMostStatesForModes states or with rolling, at a singular position, and where no acceleration is
-/// to be had. Auxiliary states are counted in parts of their magnitudes. inputs: of the model, at that time. Cost: two
-/// evaluations of the generic runtime a state.
+/// A and coordinates of small motions about a state by central differences of its accelerations. Without states for a
+/// model of more than kMostStatesForModes states or with rolling, at a singular position, and if the accelerations
+/// cannot be computed. Auxiliary states are in parts of their magnitudes. inputs: of the model, at that time. Cost: two
+/// evaluations of the generic runtime per state.
 LinearSystem system_near(const Compilation& compilation, const GenericState& state, const std::vector<double>& inputs);
 
 /// The modes of system_near.

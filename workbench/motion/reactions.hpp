@@ -1,5 +1,5 @@
 #pragma once
-// Forces and moments of joints and rods, for every engine: by its own means where it has them, else by outputs of the
+// Forces and moments of joints and rods, for every engine: by its own computation if it has one, else by outputs of the
 // model.
 
 #include <array>
@@ -10,11 +10,11 @@
 
 namespace mbgen {
 
-/// Appends an output for each component of the action of every joint, then every rod, on its `to` body: force, then
+/// Appends an output for each component of the reaction of every joint, then every rod, on its `to` body: force, then
 /// moment about the joint's point on that body, global axes.
 void add_reaction_outputs(Model& model);
 
-/// Lets an engine of a model that has these outputs give its reactions by them, when it has no means of its own.
+/// Lets an engine of a model with these outputs take its reactions from them, if it cannot compute them itself.
 void use_reaction_outputs(Engine& engine, const Model& model);
 
 /// {name: {"force": [x, y, z], "moment": [x, y, z]}} for the joints, then the rods; null stands for a value that is not

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <system_error>
 
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/files.hpp"

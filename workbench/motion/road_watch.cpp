@@ -24,7 +24,7 @@ CrgPlace on_road(const Road& road, const RoadGrid& grid, const Vector3& place) {
   return road_place(*grid.road, {c * dx + s * dy, c * dy - s * dx});
 }
 
-/// How far a wheel looks at its road, m.
+/// Radius around a wheel within which its contact evaluates the road, m.
 double reach_of(const Tyre& tyre) {
   return tyre.envelope ? (tyre.envelope->base / 2 + tyre.envelope->length) * tyre.radius.value : 0;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Roads that have no height beyond their borders: a motion that ends there says which wheel left which road.
+// Roads without height beyond their borders: a motion that ends there reports the wheel and the road.
 
 #include <optional>
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace mbgen {
 
-/// Wheels that stand on such roads, along a motion.
+/// Wheels on such roads, along a motion.
 class RoadWatch {
  public:
   /// start: of the motion, which may have no sample.
   RoadWatch(const Compilation& compilation, const GenericState& start);
 
   void add(const Sample& sample) { add(sample.state); }
-  /// Adds to the findings about a motion that ended with numbers that are none why they are.
+  /// Adds the cause to the findings about a motion that ended with values that are not numbers.
   void judge(const SimulationSummary& summary, StepVerdict& verdict) const;
-  /// Which wheel was beyond a border after the last sample, or goes there by twice as far as it came from the
-  /// one before; empty where none does.
+  /// The wheel that was beyond a border at the last sample, or will be after twice its last displacement; empty if
+  /// there is none.
   std::string departure() const;
 
  private:

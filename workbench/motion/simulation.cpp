@@ -31,7 +31,7 @@ class Integral {
     last_ = value;
     ++count_;
   }
-  /// The next row has a jump to the last one.
+  /// The value jumps before the next row.
   void restart() {
     done_ = value();
     pairs_ = rest_ = 0;
@@ -54,7 +54,7 @@ void widen(std::vector<Range>& ranges, const std::vector<double>& values) {
   }
 }
 
-/// Everything that the summary collects point by point.
+/// Data that the summary collects at each point.
 class Collector {
  public:
   explicit Collector(double h) : h_(h) {}
@@ -83,13 +83,13 @@ class Collector {
     summary.end_time = sample.state.t;
   }
 
-  /// The power just before the next point, where it jumps there.
+  /// Power just before the next point, if it jumps there.
   void add_before_jump(double power) {
     work_.add(power, h_);
     work_.restart();
   }
 
-  /// The power just after the last point, where it jumped there.
+  /// Power just after the last point, if it jumped there.
   void add_after_jump(double power) {
     work_.restart();
     work_.add(power, h_);
@@ -101,14 +101,14 @@ class Collector {
   Integral work_;
 };
 
-/// Sorts the notices of steps by loop block. A singular position takes several steps in a row, which are one passage.
+/// Sorts the notices of steps by loop block. Several successive steps near a singular position are one passage.
 class Notices {
  public:
   explicit Notices(double h) : h_(h) {}
 
   /// t: s, at the end of the step.
   void add(Status status, double t, std::vector<BlockEvents>& blocks) {
-    // Turns have a watcher of their own, which asks whether forces turn with them.
+    // TurnWatch handles turns: it checks whether forces turn with them.
     if (status.code == Code::turned_far) status = {};
     if (status.code >= kFirstNotice && status.index >= static_cast<int>(blocks.size())) {
       blocks.resize(status.index + 1);
@@ -142,7 +142,7 @@ class Notices {
   std::vector<std::optional<double>> entered_;  ///< s, per block: when a singular position was entered that is not left
 };
 
-/// Fills in a sample at a state in a motion by steps of h seconds.
+/// Fills in a sample for a state of a motion with steps of h seconds.
 Status observe(const Engine& engine, double h, const GenericState& state, Sample& sample, LoadedState& at,
                GenericDerivative& derivative) {
   at.state = sample.moving = state;
@@ -153,7 +153,7 @@ Status observe(const Engine& engine, double h, const GenericState& state, Sample
   return status;
 }
 
-/// One step of h seconds to the time `end`, with the inputs that it is given and those at its end.
+/// One step of h seconds to the time `end`, with its given inputs and the inputs at its end.
 Status step(const Engine& engine, const InputsOverTime& inputs, double h, double end, GenericState& state) {
   if (inputs.is_constant) {
     const Status status = engine.step(state, h);
@@ -170,8 +170,8 @@ Status step(const Engine& engine, const InputsOverTime& inputs, double h, double
   return status;
 }
 
-/// The power at the end of a step as it is just before, where a row of a table lies in the step: accelerations of
-/// inputs jump there, and with them the power of driven joints.
+/// Power just before the end of a step, if a row of a table lies in the step: accelerations of inputs jump there, and
+/// with them the power of driven joints.
 std::optional<double> power_before_row(const Engine& engine, const InputsOverTime& inputs, double h, double start,
                                        const GenericState& state) {
   if (!inputs.has_row(start, state.t)) return {};
@@ -185,7 +185,7 @@ std::optional<double> power_before_row(const Engine& engine, const InputsOverTim
   return status.ok() ? std::optional(sample.outputs.applied_power) : std::nullopt;
 }
 
-/// The power at the start of a step once sampled values are set, where some are due: forces jump with them.
+/// Power at the start of a step after sampled values are set, if some are due: forces jump with them.
 std::optional<double> power_after_samples(const Engine& engine, double h, const GenericState& state) {
   if (!engine.sample) return {};
   bool any = false;
@@ -198,13 +198,13 @@ std::optional<double> power_after_samples(const Engine& engine, double h, const 
   return sample.outputs.applied_power;
 }
 
-/// Whether a status may come of a step that is too long.
+/// Whether a step that is too long may be the cause of a status.
 bool may_be_of_step(Status status) {
   return status.code == Code::not_a_number || status.code == Code::auxiliary_not_a_number ||
          status.code == Code::loop_not_closed || status.code == Code::loop_singular;
 }
 
-/// The longest of h/10, h/100 and h/1000 by which the motion goes on from `state` over h seconds, 0 for none.
+/// The longest of h/10, h/100 and h/1000 with which the motion continues from `state` over h seconds, 0 for none.
 double passable_step(const Engine& engine, const InputsOverTime& inputs, const GenericState& state, double h) {
   for (const int parts : {10, 100, 1000}) {
     const double part = h / parts;
@@ -217,7 +217,7 @@ double passable_step(const Engine& engine, const InputsOverTime& inputs, const G
   return 0;
 }
 
-/// A judge takes angles and rates of the model, which a ball in their pole has not.
+/// Judges use angles and rates of the model, which do not exist for a ball at their pole.
 void require_angles(const Engine& engine, const GenericState& state) {
   if (!engine.balls.empty() || largest_absolute(state.charts) == 0) return;
   throw UserError(
@@ -245,7 +245,7 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
   engine.set_inputs(inputs.at(state.t));
   for (sample.step = 0;; ++sample.step) {
     summary.status = observe(engine, settings.step, moving, sample, at, derivative);
-    // In the very pole the angles have no accelerations; everywhere else steps change charts by themselves.
+    // At the pole itself the angles have no accelerations; elsewhere steps change charts by themselves.
     if (!summary.status.ok() && sample.step == 0 && settle_charts(engine.balls, moving))
       summary.status = observe(engine, settings.step, moving, sample, at, derivative);
     if (summary.status.ok() && settings.has_multipliers)

@@ -33,11 +33,12 @@ struct Range {
   double smallest = 0, largest = 0, last = 0;
 };
 
-/// Energy along the motion. In a right solution, kinetic + potential energy changes by the work of the applied forces.
+/// Energy along the motion. In a correct solution, kinetic + potential energy changes by the work of the applied
+/// forces.
 struct EnergyBalance {
   double change = 0;  ///< J, of kinetic energy and potential energy of gravity
   double work = 0;    ///< J, of all other applied forces and drives, integrated by Simpson's rule
-  /// J, largest of |change|, |work| and kinetic energy along the way, or what went back and forth (ExchangeMeter)
+  /// J, largest of |change|, |work| and kinetic energy along the motion, or the exchanged energy (ExchangeMeter)
   double scale = 0;
   double net = 0;    ///< J, largest of |change| and |work| along the way
   double level = 0;  ///< J, largest kinetic + potential energy along the way, as the model counts it
@@ -45,10 +46,10 @@ struct EnergyBalance {
   double relative_error() const { return scale > 0 ? error() / scale : 0; }
 };
 
-/// Passages of singular positions that are told by their times.
+/// Number of passages of singular positions that are listed with their times.
 constexpr std::size_t kSingularTimes = 10;
 
-/// Events of the steps at one loop block, by the notice that each step gave.
+/// Events at one loop block, by the notices of the steps.
 struct BlockEvents {
   long chosen_again = 0;               ///< steps with another choice of coordinates, not near a singular position
   long near_singular = 0;              ///< steps near a singular position, those through one too
@@ -56,9 +57,9 @@ struct BlockEvents {
   std::vector<double> singular_times;  ///< s, of the first kSingularTimes of them
 };
 
-/// Energies that differ by this part of their level are the same but for rounding.
+/// Relative difference of energies that is due to rounding.
 constexpr double kRoundedEnergy = 1e-9;
-/// Speed, rad/s or m/s, of a body at rest, from rounding.
+/// Speed of a body at rest due to rounding, rad/s or m/s.
 constexpr double kAtRest = 1e-9;
 
 struct SimulationSummary {
@@ -76,21 +77,21 @@ struct SimulationSummary {
   std::vector<BlockEvents> blocks;  ///< per loop block, as far as anything was met
   Status status;                    ///< of the step that failed, or ok
   bool is_stopped = false;          ///< before its end, as the settings say
-  /// Whether energy was exchanged, beyond rounding: else the relative error of the balance says nothing.
+  /// Whether energy beyond rounding was exchanged: otherwise the relative error of the balance has no meaning.
   bool exchanges_energy() const { return energy.scale > kRoundedEnergy * energy.level && largest_velocity > kAtRest; }
-  /// Of a step that failed: a shorter one, s, by which the motion goes on from the last good state; 0 where none was
+  /// For a failed step: a shorter one, s, with which the motion continues from the last good state; 0 if none was
   /// found.
   double passable_step = 0;
 };
 
-/// Sets the courses of inputs from a point of the motion on, before the step that starts there. Result: false where the
-/// motion ends at that point.
+/// Sets the courses of inputs from a point of the motion on, before the step that starts there. Result: false to end
+/// the motion at this point.
 using InputControl = std::function<bool(const Sample&, InputsOverTime&)>;
 
-/// Steps the engine from `state`; point k has the time of the start plus k times the step. on_sample gets every point,
-/// the start too. Where inputs change, the state is
-/// projected after each step under those of its time. When a step fails the motion ends at the last good state, and the
-/// summary says why. control, where given, is asked at every point.
+/// Steps the engine from `state`; the time of point k is the start plus k times the step. on_sample receives every
+/// point, including the start. If inputs change, the state is projected after each step with the inputs of its time.
+/// When a step fails, the motion ends at the last good state, and the summary has the reason. control, if given, is
+/// called at every point.
 SimulationSummary simulate(const Engine& engine, const GenericState& state, const InputsOverTime& inputs,
                            const SimulationSettings& settings, const std::function<void(const Sample&)>& on_sample,
                            const InputControl& control = {});

@@ -1,5 +1,5 @@
 #pragma once
-// How a motion is computed, as typed.
+// Settings of a motion, as typed.
 
 #include <optional>
 #include <string>
@@ -19,18 +19,18 @@ struct SimulationArguments {
 InputsOverTime inputs_of(const Model& model, const std::vector<std::string>& assignments,
                          const SimulationArguments& arguments);
 
-/// The duration in whole equal steps, none longer than the one asked for. Fails: UserError for values that make none.
+/// The duration in equal steps, none longer than requested. Fails: UserError for impossible values.
 SimulationSettings settings_of(const SimulationArguments& arguments, const SolverSettings& by_default);
 
-/// Lets loads of frictions whose period is not given follow the step of the motion. set: with which the model was read;
-/// it gets the step where that matters.
+/// Sets loads of frictions without a given period to the step of the motion. set: values with which the model was read;
+/// it receives the step if it matters.
 void follow_step(const SimulationSettings& settings, std::vector<VariedParameter>& set, Model& model);
 
-/// Fails: UserError where the period of a sampled value is no multiple of the step.
+/// Fails: UserError if the period of a sampled value is not a multiple of the step.
 void require_whole_periods(const SimulationSettings& settings, const Model& model);
 
-/// The integrator asked for by name, else the model's where the engine has it. Fails: UserError for an unknown one, or
-/// one that the engine does not have.
+/// The integrator of this name, else the model's if the engine has it. Fails: UserError for an unknown one, or one that
+/// the engine does not have.
 SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings::Integrator of_model,
                                          const std::string& engine);
 

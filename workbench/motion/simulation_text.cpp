@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Singular positions that the motion passed, in words; "" where it passed none.
+/// Singular positions that the motion passed, in words; "" if there are none.
 std::string passages_text(const SimulationRecord& record) {
   long count = 0;
   double first = 0;
@@ -76,7 +76,7 @@ std::string ranges_text(const char* heading, const std::vector<Range>& ranges, c
   return text;
 }
 
-/// How many points of the motion the table has.
+/// Number of the motion's points in the table.
 std::string rows_text(const SimulationRecord& record) {
   return record.every == 1 ? fmt::format("{} rows, every step", record.rows)
                            : fmt::format("{} rows, every {} steps and the last", record.rows, record.every);
@@ -90,7 +90,7 @@ double real_time_factor(const SimulationRecord& record, double seconds) {
   return seconds > 0 ? simulated / seconds : 0;
 }
 
-/// What integrated the motion, as on the command line.
+/// Name of the integrator on the command line.
 const char* integrator_name(const SimulationRecord& record) {
   return record.control ? name_of(record.control->control.method) : name_of(record.choice.integrator);
 }
@@ -151,14 +151,14 @@ Json blocks_json(const SimulationRecord& record) {
   return blocks;
 }
 
-/// Notes on a result, the reason of a wrong one first.
+/// Notes on a result, first the reason for a wrong one.
 Json warnings_json(const SimulationRecord& record) {
   Json list = record.verdict.warnings;
   if (!record.verdict.failure.empty()) list.insert(list.begin(), record.verdict.failure);
   return list;
 }
 
-/// Results of a run, the same on every machine and at every time.
+/// Results of a run that are the same on every machine and at every time.
 Json results_json(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
   Json results = {

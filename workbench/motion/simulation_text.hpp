@@ -16,10 +16,10 @@ namespace mbgen {
 /// Names and units of all columns: t, coordinates, velocities, auxiliary states, outputs, residual.
 std::vector<Heading> headings(const Compilation& compilation);
 
-/// The numbers of one point, in the order of the headings. decimals: of the step; the time has no more of them.
+/// The numbers of one point, in the order of the headings. decimals: of the step, and at most so many of the time.
 std::vector<double> table_row(const Sample& sample, int decimals);
 
-/// What came of a manoeuvre, empty without one.
+/// Result of a manoeuvre in words, empty without one.
 struct ManoeuvreWords {
   std::string lines;    ///< for people
   std::string members;  ///< of a JSON object, as text
@@ -41,15 +41,14 @@ struct SimulationRecord {
   ManoeuvreWords manoeuvre = {};
 };
 
-/// For people: steps, real-time factor, closure residual, energy balance, ranges of the outputs and of inputs that
-/// move.
+/// For people: steps, real-time factor, closure residual, energy balance, ranges of the outputs and of changing inputs.
 std::string summary_text(const SimulationRecord& record);
 
-/// The same for machines.
+/// The same for programs.
 std::string summary_json(const SimulationRecord& record);
 
-/// Text beside or in a table by which `report` finds the model: its file seen from the table's directory, its
-/// hash, and the summary without times and other values that change from run to run.
+/// Text beside or in a table by which `report` finds the model: its file relative to the table's directory, its hash,
+/// and the summary without times and other values that change from run to run.
 std::string run_json(const SimulationRecord& record);
 
 }  // namespace mbgen

@@ -15,20 +15,20 @@
 namespace mbgen {
 namespace {
 
-/// Two digits, and all of them from 100 % on.
+/// Percentage with two digits, or all digits from 100 % on.
 std::string percent_text(double share) {
   return share < 0.995 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
 }
 
 using Integrator = SolverSettings::Integrator;
 
-/// Speed, rad/s or m/s, that values have which blew up: nothing that mbgen models runs so fast.
+/// Speed, rad/s or m/s, of values that blew up: beyond all motions that mbgen models.
 constexpr double kBlownUp = 1e6;
-/// Part of a mode's energy that an acceptable step loses or gains over the motion.
+/// Share of a mode's energy that an acceptable step loses or gains over the motion.
 constexpr double kFittingLoss = kEnergyWarning / 2;
 constexpr int kMostTries = 60;
 
-/// eigenvalue times h, as of a motion that does not grow by itself.
+/// Eigenvalue times h, with growth of the motion itself set to zero.
 std::complex<double> step_of(const Mode& mode, double h) {
   return {std::min(mode.eigenvalue.real(), 0.0) * h, mode.eigenvalue.imag() * h};
 }
@@ -37,7 +37,7 @@ bool is_stable(Integrator integrator, const Mode& mode, double h, double duratio
   return std::log(growth_of_step(integrator, step_of(mode, h))) * duration / h <= 1;
 }
 
-/// The longest stable step up to `longest`, which is not stable.
+/// The longest stable step up to `longest`, which is unstable.
 double stable_step(Integrator integrator, const Mode& mode, double longest, double duration) {
   double low = 0, high = longest;
   for (int k = 0; k < kMostTries; ++k) {
@@ -47,7 +47,7 @@ double stable_step(Integrator integrator, const Mode& mode, double longest, doub
   return low;
 }
 
-/// Whether a step keeps energy and phase of a mode over the time in which it has any.
+/// Whether a step conserves energy and phase of a mode over the time in which the mode has energy.
 bool fits(Integrator integrator, const Mode& mode, double h, double duration) {
   return robbed_share(integrator, mode, h, duration) <= kFittingLoss &&
          turned_phase(integrator, mode, h, duration) <= kTurnedPhase / 2;
@@ -62,7 +62,7 @@ double next_shorter(double h) {
   return power / 2;
 }
 
-/// A step below `h` that fits all modes.
+/// A step below `h` that is acceptable for all modes.
 double fitting_step(Integrator integrator, const std::vector<Mode>& modes, double h, double duration) {
   for (int k = 0; k < kMostTries; ++k) {
     h = next_shorter(h);
@@ -73,8 +73,8 @@ double fitting_step(Integrator integrator, const std::vector<Mode>& modes, doubl
   return 0;
 }
 
-/// The auxiliary state that changes most in a mode, unless velocities do, all in parts of their usual sizes; "" for
-/// none, and for slips of tyres.
+/// The auxiliary state that changes most in a mode, in parts of its typical size, unless velocities do; "" for none,
+/// and for slips of tyres.
 std::string leading_state(const Compilation& compilation, const Mode& mode) {
   const std::vector<AuxiliaryState> states = auxiliary_states(compilation.model);
   const std::size_t first = mode.states.size() - states.size();
@@ -107,7 +107,7 @@ struct StepJudge {
 
   double duration() const { return static_cast<double>(settings.steps) * settings.step; }
 
-  /// Finds the mode that asks for the shortest step.
+  /// Finds the mode that needs the shortest step.
   void compare(const std::vector<Mode>& modes) {
     const Mode* worst = nullptr;
     for (const Mode& mode : modes) {
@@ -124,7 +124,7 @@ struct StepJudge {
                           mode_text(compilation, *worst), verdict.stable_step, name_of(integrator));
   }
 
-  /// A step that the energy balance asks for: its error goes with the fourth power.
+  /// Step from the energy balance: its error is of fourth order.
   void shorten(double relative, const std::vector<Mode>& modes) {
     if (is_unstable) return;
     const auto misses = [&](const Mode& mode) {
@@ -160,7 +160,7 @@ struct StepJudge {
                        verdict.fitting_step);
   }
 
-  /// A motion that came to its end.
+  /// Judges a motion that reached its end.
   void judge_energy(const std::vector<Mode>& modes) {
     const EnergyBalance& energy = summary.energy;
     const double relative = std::abs(energy.relative_error());
@@ -189,7 +189,7 @@ struct StepJudge {
     }
   }
 
-  /// A mode that takes part, and that the method takes out of the motion or turns.
+  /// Warns of a mode that takes part and is damped or turned by the method.
   void judge_modes(const std::vector<Mode>& modes, const std::vector<double>& energies) {
     if (!verdict.failure.empty() || !verdict.warnings.empty()) return;  // the energy balance told it
     const Mode *robbed = nullptr, *turned = nullptr;
@@ -216,14 +216,14 @@ struct StepJudge {
                           mode_text(compilation, *worst), name_of(integrator), farthest, when, advice()));
   }
 
-  /// Values beyond all bounds and energies out of nothing; one of them where the step is known to be unstable.
+  /// Values beyond all bounds and an energy error; one of them is enough if the step is known to be unstable.
   bool blew_up() const {
     const bool runs = !(summary.largest_velocity <= kBlownUp);
     const bool gains = !(std::abs(summary.energy.relative_error()) <= kEnergyFailure);
     return is_unstable ? runs || gains : runs && gains;
   }
 
-  /// A motion that stopped at a step which failed.
+  /// Judges a motion that stopped at a failed step.
   void judge_stop() {
     if (!is_unstable && summary.passable_step == 0) return;
     if (!is_unstable) verdict.fitting_step = summary.passable_step;
@@ -264,7 +264,7 @@ std::array<std::complex<double>, 4> weights_of_abm4(std::complex<double> z) {
           c * (-9.0 * corrected)};
 }
 
-/// The root of its characteristic polynomial that belongs to the motion: by Newton from the exact factor.
+/// The principal root of its characteristic polynomial: by Newton's iteration from the exact factor.
 std::complex<double> factor_of_abm4(std::complex<double> z) {
   const auto weights = weights_of_abm4(z);
   std::complex<double> root = std::exp(z);
@@ -287,7 +287,7 @@ std::complex<double> factor_of_step(Integrator integrator, std::complex<double> 
                                               : factor_of_abm4(z);
 }
 
-/// s, in which a mode has any energy.
+/// Time in which a mode has energy, s.
 double time_of(const Mode& mode, double duration) {
   return 1 / (1 / duration - 2 * std::min(mode.eigenvalue.real(), 0.0));
 }

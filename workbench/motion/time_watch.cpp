@@ -12,12 +12,12 @@ namespace mbgen {
 namespace {
 
 constexpr long kLooks = 100;
-/// Places in a step, in parts of it: three that a method sees, two between. Derivatives of a table jump at its rows,
-/// which often lie where steps begin: that is no change within a step.
+/// Points in a step, in parts of it: three that a method uses, two between them. Derivatives of a table jump at its
+/// rows, often at the start of a step: this is no change within a step.
 constexpr double kInside = 1e-6, kSeen[] = {kInside, 0.5, 1 - kInside}, kBetween[] = {0.25, 0.75};
-/// Of a sine that turns by `a` rad in a step: the mean of the largest deviation from the parabola, over its range.
+/// For a sine that turns by `a` rad in a step: mean of the largest deviation from the parabola, over its range.
 constexpr double kMeanDeviation = 0.00249;  // a^3
-/// A step counts with no more than this part of the range: jumps of single steps are no fast changes.
+/// Largest part of the range that a step may contribute: jumps of single steps are not fast changes.
 constexpr double kMostOfAStep = 0.01;
 /// Ranges of accelerations below these parts of their size, and of the largest of all, are rounding.
 constexpr double kRoundingInTime = 1e-6, kRoundingOfAll = 1e-8;

@@ -1,5 +1,5 @@
 #pragma once
-// Inputs and laws of time that change too fast for the step: what happens between the points of a step, no method sees.
+// Inputs and laws of time that change too fast for the step: a method does not see changes between its points.
 
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace mbgen {
 
-/// Accelerations over the time of a step, at some hundred steps of a motion: by the time that laws look at, and by each
-/// input. A parabola through start, middle and end is what a method can know of them.
+/// Accelerations over the time of a step, at some hundred steps of a motion, with respect to the time in laws and to
+/// each input. A method can resolve no more than a parabola through start, middle and end.
 class TimeWatch {
  public:
   /// inputs: of the run, null where a manoeuvre moves them.
@@ -21,7 +21,7 @@ class TimeWatch {
   std::vector<std::string> warnings() const;
 
  private:
-  /// An argument that moves while the others stand still.
+  /// An argument that changes while the others are constant.
   struct Source {
     int input = -1;                               ///< -1: the time
     std::vector<std::vector<double>> deviations;  ///< per looked at step, per coordinate: from the parabola

@@ -1,5 +1,5 @@
 #pragma once
-// Bodies that turn far within a step: the method sees too few of the directions in which they act.
+// Bodies that turn far within a step: the method resolves too few directions of their forces.
 
 #include <string>
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace mbgen {
 
-/// Turns of all coordinates within a step. A coordinate whose turn changes no acceleration, as of a wheel that is
-/// symmetric about its axis, may turn as it likes: that is tried at states along the motion.
+/// Rotations of all coordinates within a step. A rotation that changes no acceleration, as of an axisymmetric wheel, is
+/// unlimited: this is tested at states along the motion.
 class TurnWatch {
  public:
   /// step: s.
   TurnWatch(const Compilation& compilation, SolverSettings::Integrator integrator, double step);
 
   void add(const Sample& sample);
-  /// A warning for the coordinate that turned farthest, with the first time and a step that would do.
+  /// A warning for the coordinate that turned farthest, with the first time and a suitable step.
   std::vector<std::string> warnings() const;
-  /// s, the longest step that bears the turns; 0 where all are borne.
+  /// The longest step that the rotations allow, s; 0 if all are allowed.
   double longest_step() const;
 
  private:

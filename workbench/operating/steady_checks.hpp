@@ -29,9 +29,9 @@ struct SteadyChoice {
   bool is_rate = false;
 };
 
-/// Directions along which choices change and nothing accelerates, as "zd.car_tx +1, drive +16": the largest of the
-/// rates is 1, of the inputs where no rate changes. derivatives: of what is to vanish, by all unknowns.
-/// choices: rates before inputs.
+/// Directions along which unknowns may change without accelerations, as "zd.car_tx +1, drive +16": the largest rate is
+/// 1, or the largest input if no rate changes. derivatives: of the accelerations, by all unknowns. choices: rates
+/// before inputs.
 std::vector<std::string> free_directions(const Eigen::MatrixXd& derivatives, const std::vector<SteadyChoice>& choices);
 
 }  // namespace mbgen

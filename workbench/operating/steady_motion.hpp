@@ -16,10 +16,10 @@ struct SteadyWish {
   std::vector<std::string> solve;  ///< inputs that are to be found: a drive, a steering angle
 };
 
-/// A motion whose independent coordinates have no acceleration and whose auxiliary states stand still: coordinates that
-/// move in `start`, or that are held, keep constant rates, of which those that are held are given; all others have
-/// none. Where a coordinate turns about an axis that only translations carry, as a vehicle yaws, translations across
-/// that axis turn with it, and have the accelerations of the circle.
+/// A motion whose independent coordinates have no acceleration and whose auxiliary states are constant: coordinates
+/// that move in `start`, or that are held, keep constant rates; held rates are given; all others are zero. If a
+/// coordinate rotates about an axis that only translations carry, as a vehicle yaws, translations across this axis
+/// rotate with it, and have the accelerations of the circle.
 struct SteadyMotion {
   OperatingPoint point;
   double turning = 0;        ///< rad/s, of the vehicle as a whole

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <variant>
 
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/model/element_fields.hpp"
+#include "compiler/model/element_outputs.hpp"
 #include "compiler/model/mentions.hpp"
 #include "runtime/generic/generic.hpp"
 #include "workbench/report/table_states.hpp"
@@ -14,85 +15,33 @@
 namespace mbgen {
 namespace {
 
-bool depends_on_inputs(const Model& model, int expression) {
-  return mentions(model, expression, {ExpressionNode::Kind::input});
+template <class Element>
+bool depends_on_inputs(const Model& model, const Element& element) {
+  bool depends = false;
+  each_expression(element, [&](int expression) {
+    depends = depends || mentions(model, expression, {ExpressionNode::Kind::input});
+  });
+  return depends;
 }
 
-bool depends_on_inputs(const Model& model, const Law& law) {
-  const Quantity* factor = std::get_if<Quantity>(&law);
-  return factor && depends_on_inputs(model, factor->expression);
-}
-
-bool depends_on_inputs(const Model& model, const PointSpring& spring) {
-  return (spring.stiffness && depends_on_inputs(model, *spring.stiffness)) ||
-         (spring.damping && depends_on_inputs(model, *spring.damping)) ||
-         (spring.free_length && depends_on_inputs(model, spring.free_length->expression)) ||
-         depends_on_inputs(model, spring.preload.expression) || depends_on_inputs(model, spring.force.value_or(-1));
-}
-
-bool depends_on_inputs(const Model& model, const AirSpring& spring) {
-  const auto any = [&](std::initializer_list<Quantity> quantities) {
-    return std::any_of(quantities.begin(), quantities.end(),
-                       [&](const Quantity& quantity) { return depends_on_inputs(model, quantity.expression); });
-  };
-  return any({spring.pressure, spring.ambient, spring.exponent, spring.volume0, spring.length.value_or(Quantity())}) ||
-         depends_on_inputs(model, spring.area);
-}
-
-bool depends_on_inputs(const Model& model, const Bushing& bushing) {
-  const auto in_matrix = [&](const std::optional<BushingMatrix>& matrix) {
-    return matrix && std::any_of(matrix->begin(), matrix->end(),
-                                 [&](const Quantity& entry) { return depends_on_inputs(model, entry.expression); });
-  };
-  const auto in_law = [&](const std::optional<Law>& law) { return law && depends_on_inputs(model, *law); };
-  const auto in_freedom = [&](const std::optional<BushingFreedom>& own) {
-    return own &&
-           (in_law(own->stiffness) || in_law(own->damping) || depends_on_inputs(model, own->preload.expression) ||
-            depends_on_inputs(model, own->force.value_or(-1)) ||
-            depends_on_inputs(model, own->maxwell_stiffness.value_or(Quantity()).expression));
-  };
-  return in_matrix(bushing.stiffness) || in_matrix(bushing.damping) ||
-         std::any_of(bushing.freedoms.begin(), bushing.freedoms.end(), in_freedom);
-}
-
-bool depends_on_inputs(const Model& model, const BumpStop& stop) {
-  return depends_on_inputs(model, stop.clearance.expression) || depends_on_inputs(model, stop.damping.expression) ||
-         (stop.stiffness && depends_on_inputs(model, *stop.stiffness)) ||
-         depends_on_inputs(model, stop.force.value_or(-1));
-}
-
-/// The model with the forces of its springs, bushings and bump stops as its only outputs.
+/// The model with the forces of its elastic elements as its only outputs.
 Model watched(Model model) {
   model.outputs.clear();
-  for (std::size_t s = 0; s < model.springs.size(); ++s) {
-    if (depends_on_inputs(model, model.springs[s])) continue;
-    model.outputs.push_back(
-        {model.springs[s].name + ".force", {}, "N", SpringOutput{SpringOutput::What::force, static_cast<int>(s), -1}});
-  }
-  for (std::size_t s = 0; s < model.air_springs.size(); ++s) {
-    if (depends_on_inputs(model, model.air_springs[s])) continue;
-    model.outputs.push_back({model.air_springs[s].name + ".force",
-                             {},
-                             "N",
-                             SpringOutput{SpringOutput::What::force, -1, static_cast<int>(s)}});
-  }
-  for (std::size_t b = 0; b < model.bushings.size(); ++b) {
-    if (depends_on_inputs(model, model.bushings[b])) continue;
-    for (int axis = 0; axis < 3; ++axis)
-      model.outputs.push_back({fmt::format("{}.force_{}", model.bushings[b].name, "xyz"[axis]),
-                               {},
-                               "N",
-                               BushingOutput{BushingOutput::What::force, static_cast<int>(b), axis}});
-  }
-  for (std::size_t s = 0; s < model.bump_stops.size(); ++s) {
-    const BumpStop& stop = model.bump_stops[s];
-    if (depends_on_inputs(model, stop)) continue;
-    const bool turns = stop.is_on_joint() && freedom_of(model, stop.joint).kind == FreedomKind::revolute;
-    model.outputs.push_back({stop.name + ".force",
-                             {},
-                             turns ? "N m" : "N",
-                             BumpStopOutput{BumpStopOutput::What::force, static_cast<int>(s)}});
-  }
+  each_kind([&]<class Kind>(KindOf<Kind> kind) {
+    constexpr int force = quantity_index(KindOf<Kind>{}, "force");
+    if constexpr (kind.is_elastic && force >= 0) {
+      constexpr int components = kind.quantities[force].components;
+      const std::vector<Kind>& elements = kind.list(model);
+      for (std::size_t i = 0; i < elements.size(); ++i) {
+        if (depends_on_inputs(model, elements[i])) continue;
+        for (int axis = 0; axis < components; ++axis) {
+          const ElementOutput output = output_of<Kind>("force", i, axis);
+          const std::string component = components > 1 ? fmt::format("_{}", "xyz"[axis]) : "";
+          model.outputs.push_back({elements[i].name + ".force" + component, {}, unit_of(model, output), output});
+        }
+      }
+    }
+  });
   return model;
 }
 
@@ -107,7 +56,7 @@ std::vector<Column> element_forces(const ReportSource& source, const std::vector
   if (forces.empty()) return forces;
   const GenericSolver solver(model, source.topology, source.analysis);
   const std::size_t count = source.topology.bodies.size();
-  // No force of a spring, bushing or stop depends on accelerations or joint forces.
+  // No force of an elastic element depends on accelerations or joint forces.
   const GenericDerivative none{std::vector<double>(count), std::vector<double>(auxiliary_state_names(model).size())};
   const std::vector<double> tau(count);
   // Without columns of them Maxwell branches are relaxed.

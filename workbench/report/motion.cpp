@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "compiler/model/element_outputs.hpp"
 #include "workbench/report/forces.hpp"
 #include "workbench/report/poses.hpp"
 #include "workbench/report/table_states.hpp"
@@ -25,6 +26,15 @@ const char* group_of(const std::string& name) {
   if (name.starts_with("z.")) return "coordinate";
   if (name.starts_with("zd.")) return "velocity";
   return name.starts_with("residual") ? "residual" : "output";
+}
+
+/// Springs and air springs are shown together: outputs name them by one field.
+std::string quantity_shown(const ElementOutput& output) {
+  if (is_stored_energy(output)) return "energy";
+  const ElementQuantity quantity = quantity_of(output);
+  std::string text;
+  with_kind(output.kind, [&](auto kind) { text = fmt::format("{} {}", source_key(kind), quantity.name); });
+  return quantity.components > 1 ? fmt::format("{} {}", text, output.axis) : text;
 }
 
 }  // namespace
@@ -68,8 +78,8 @@ Json motion_json(const GenericSolver& solver, const std::vector<GenericState>& f
           {"poses", base64(numbers)}};
 }
 
-/// What is shown together of outputs: the same quantity of points, tyres, springs or joints, along one axis; of
-/// expressions what has the same beginning of its name.
+/// Outputs with one quantity are shown together: the same quantity of points, tyres, springs or joints, along one axis;
+/// expressions with the same beginning of their name.
 std::string quantity_of(const Output& output) {
   const auto numbered = [&](const char* kind, const auto& source) {
     return fmt::format("{} {}", kind, static_cast<int>(source.what));
@@ -86,15 +96,11 @@ std::string quantity_of(const Output& output) {
     return is_energy ? "energy" : fmt::format("{} {}", numbered("momentum", *momentum), momentum->axis);
   }
   if (std::holds_alternative<StoredEnergyOutput>(output.source)) return "energy";
+  if (const auto* element = std::get_if<ElementOutput>(&output.source)) return quantity_shown(*element);
   if (const auto* points = std::get_if<PointsOutput>(&output.source))
     return points->points[2].body < 0 ? "distance" : "angle";
   if (const auto* wheel = std::get_if<WheelOutput>(&output.source)) return numbered("wheel", *wheel);
   if (const auto* joint = std::get_if<CoordinateOutput>(&output.source)) return numbered("joint", *joint);
-  if (const auto* tyre = std::get_if<TyreOutput>(&output.source)) return numbered("tyre", *tyre);
-  if (const auto* spring = std::get_if<SpringOutput>(&output.source)) return numbered("spring", *spring);
-  if (const auto* bushing = std::get_if<BushingOutput>(&output.source))
-    return fmt::format("{} {}", numbered("bushing", *bushing), bushing->axis);
-  if (const auto* stop = std::get_if<BumpStopOutput>(&output.source)) return numbered("bump stop", *stop);
   if (const auto* reaction = std::get_if<ReactionOutput>(&output.source)) return numbered("reaction", *reaction);
   if (std::holds_alternative<ExpressionOutput>(output.source)) {
     return "expression " + output.name.substr(0, output.name.find_first_of("_0123456789"));

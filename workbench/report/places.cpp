@@ -18,34 +18,24 @@ double distance(const Vector3& a, const Vector3& b) { return std::hypot(b[0] - a
 
 namespace {
 
-template <class Element>
-void add_ends(const std::vector<Element>& elements, std::vector<Attachment>& list) {
-  for (const Element& element : elements) {
-    list.push_back(element.from);
-    list.push_back(element.to);
-  }
-}
-
 std::vector<Attachment> joint_ends(const Model& model) {
   std::vector<Attachment> list;
   for (const Joint& joint : model.joints) {
     if (joint.type != JointType::free) list.push_back(joint.from);
     list.push_back(joint.to);
   }
-  add_ends(model.rods, list);
+  for (const Rod& rod : model.rods) list.insert(list.end(), {rod.from, rod.to});
   return list;
 }
 
+/// Of elements between two points.
 std::vector<Attachment> spring_ends(const Model& model) {
   std::vector<Attachment> list;
-  add_ends(model.springs, list);
-  add_ends(model.air_springs, list);
-  add_ends(model.bushings, list);
-  for (const BumpStop& stop : model.bump_stops) {
-    if (stop.is_on_joint()) continue;
-    list.push_back(stop.from);
-    list.push_back(stop.to);
-  }
+  each_element(model, [&](const auto& element) {
+    with_ends(connection_of(element), [&](const Attachment& from, const Attachment& to) {
+      list.insert(list.end(), {from, to});
+    });
+  });
   return list;
 }
 

@@ -1,5 +1,7 @@
 #include "workbench/report/report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -47,24 +49,49 @@ Json blocks_json(const Topology& topology, const Analysis& analysis) {
   return blocks;
 }
 
+/// Elements that show something by their section, all springs together.
+Json element_counts(const Model& model) {
+  Json counts = Json::object();
+  each_kind([&](auto kind) {
+    if (kind.quantities.size() == 0) return;
+    const std::string_view section = kind.section;
+    const std::string name(section.ends_with("springs") ? "springs" : section);
+    counts[name] = counts.value(name, std::size_t{0}) + kind.list(model).size();
+  });
+  return counts;
+}
+
+/// The same for people: [["springs and dampers", 4]], kinds of which there are none left out.
+Json element_rows(const Json& counts) {
+  Json rows = Json::array();
+  each_kind([&](auto kind) {
+    const std::string_view section = kind.section;
+    const bool is_spring = section == "springs";
+    const auto count = counts.find(section);
+    if (count == counts.end() || *count == 0) return;
+    rows.push_back({is_spring ? "springs and dampers" : fmt::format("{}s", kind.words), *count});
+  });
+  return rows;
+}
+
 Json model_json(const Model& model, const Topology& topology, const Analysis& analysis) {
-  return {{"name", model.name},
-          {"file", model.file},
-          {"hash", model.hash},
-          {"bodies", model.bodies.size()},
-          {"joints", model.joints.size()},
-          {"rods", model.rods.size()},
-          {"springs", model.springs.size() + model.joint_springs.size() + model.air_springs.size()},
-          {"bushings", model.bushings.size()},
-          {"bump_stops", model.bump_stops.size()},
-          {"tyres", model.tyres.size()},
-          {"coordinates", topology.size()},
-          {"equations", equation_count(topology)},
-          {"independent_equations", analysis.independent_equations},
-          {"degrees_of_freedom", analysis.degrees_of_freedom},
-          {"position_freedoms", analysis.position_freedoms},
-          {"driven", model.motions.size()},
-          {"blocks", blocks_json(topology, analysis)}};
+  Json json = {{"name", model.name},
+               {"file", model.file},
+               {"hash", model.hash},
+               {"bodies", model.bodies.size()},
+               {"joints", model.joints.size()},
+               {"rods", model.rods.size()}};
+  const Json counts = element_counts(model);
+  json.update(counts);
+  json["elements"] = element_rows(counts);
+  json.update({{"coordinates", topology.size()},
+               {"equations", equation_count(topology)},
+               {"independent_equations", analysis.independent_equations},
+               {"degrees_of_freedom", analysis.degrees_of_freedom},
+               {"position_freedoms", analysis.position_freedoms},
+               {"driven", model.motions.size()},
+               {"blocks", blocks_json(topology, analysis)}});
+  return json;
 }
 
 std::string_view page_file(std::string_view path) {

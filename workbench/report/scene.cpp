@@ -159,39 +159,55 @@ Vector3 way_between(const Model& model, const Attachment& from, const Attachment
   return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
 }
 
-double reference_length(const Model& model, const PointSpring& spring) {
-  return distance({}, way_between(model, spring.from, spring.to));
+/// A link as it is drawn; radius over the size of the model.
+struct LinkLook {
+  const char* kind;
+  double radius;
+};
+
+/// Damper, spring or both by the laws that an element has, as wide as its area where it has one. length: at the
+/// reference, over the size of the model.
+template <class Element>
+LinkLook look_of(const Element& element, double length, double size) {
+  constexpr double kPi = 3.14159265358979323846;
+  if constexpr (requires { std::get_if<Quantity>(&element.area); }) {
+    const Quantity* area = std::get_if<Quantity>(&element.area);
+    return {KindOf<Element>::key, area ? std::sqrt(area->value / kPi) / size : kSpring};
+  } else if constexpr (requires { element.damping.has_value(), element.stiffness.has_value(); }) {
+    const bool is_damper = element.damping.has_value(), is_spring = element.stiffness || element.force;
+    return {is_damper && is_spring ? "strut"
+            : is_damper            ? "damper"
+                                   : "spring",
+            is_spring ? std::max(kSpring, kSpringSlimness * length) : kDamper};
+  } else {
+    return {KindOf<Element>::key, kDamper};
+  }
 }
 
 Json links_json(const Model& model, double size) {
   Json links = Json::array();
   std::set<std::array<int, 4>> taken;
-  const auto add = [&](const auto& element, const char* kind, double radius) {
+  const auto add = [&](const auto& element, const LinkLook& look) {
     const Attachment &from = element.from, &to = element.to;
-    // A bump stop inside an air spring has its ends: one of them is seen.
+    // Of elements with the same ends one is seen.
     if (!taken.insert({from.body, from.point, to.body, to.point}).second) return;
     links.push_back({{"name", element.name},
-                     {"kind", kind},
+                     {"kind", look.kind},
                      {"from", end_json(model, from)},
                      {"to", end_json(model, to)},
-                     {"radius", radius * size}});
+                     {"radius", look.radius * size}});
   };
-  for (const Rod& rod : model.rods) add(rod, "rod", kRod);
-  for (const AirSpring& spring : model.air_springs) {
-    const Quantity* area = std::get_if<Quantity>(&spring.area);
-    constexpr double kPi = 3.14159265358979323846;
-    const double radius = area ? std::sqrt(area->value / kPi) : kSpring * size;
-    add(spring, "air_spring", radius / size);
-  }
-  for (const PointSpring& spring : model.springs) {
-    if (reference_length(model, spring) > kFarAway * size) continue;
-    const bool is_damper = spring.damping.has_value(), is_spring = spring.stiffness || spring.force;
-    add(spring,
-        is_damper && is_spring ? "strut"
-        : is_damper            ? "damper"
-                               : "spring",
-        is_spring ? std::max(kSpring, kSpringSlimness * reference_length(model, spring) / size) : kDamper);
-  }
+  const auto add_elements = [&](bool wide) {
+    each_element(model, [&]<class Element>(const Element& element) {
+      if constexpr (requires { element.from, element.to; } && KindOf<Element>::drawing == Drawing::link) {
+        const double length = distance({}, way_between(model, element.from, element.to)) / size;
+        if (wide == requires { element.area; } && length <= kFarAway) add(element, look_of(element, length, size));
+      }
+    });
+  };
+  for (const Rod& rod : model.rods) add(rod, {"rod", kRod});
+  add_elements(true);
+  add_elements(false);
   return links;
 }
 
@@ -205,16 +221,44 @@ bool has_mark(const Model& model, const Joint& joint) {
   });
 }
 
-/// A rubber at an end: of a stop against compression at `from`, else at `to`, towards the other end or along the axis.
-Json stop_json(const Model& model, const BumpStop& stop, double size) {
+/// The mark of an element at a place of it; axis: in the axes of its body.
+template <class Element>
+Json mark_json(const Model& model, const Element& element, const Attachment& at, const Vector3& axis, double radius) {
+  return {{"name", element.name}, {"kind", KindOf<Element>::key}, {"body", at.body},
+          {"on_ground", false},   {"at", place_of(model, at)},    {"axis", axis},
+          {"radius", radius}};
+}
+
+/// A pad at an end: of a stop against compression at `from`, else at `to`, towards the other end or along the axis.
+Json pad_json(const Model& model, const BumpStop& stop, double size) {
   const bool is_rebound = stop.side == BumpStop::Side::extension;
   const Attachment &at = is_rebound ? stop.to : stop.from, &other = is_rebound ? stop.from : stop.to;
   Vector3 way = stop.axis.value_or(way_between(model, at, other));
   if (is_rebound && stop.axis) way = {-way[0], -way[1], -way[2]};
   if (distance({}, way) == 0) way = {0, 0, 1};
-  return {{"name", stop.name},     {"kind", "bump_stop"},       {"body", at.body},
-          {"on_ground", false},    {"at", place_of(model, at)}, {"axis", to_body_axes(model.bodies[at.body].pose, way)},
-          {"radius", kStop * size}};
+  return mark_json(model, stop, at, to_body_axes(model.bodies[at.body].pose, way), kStop * size);
+}
+
+/// Adds marks of elements with frames, then of pads.
+void add_element_marks(const Model& model, double size, Json& marks) {
+  each_element(model, [&](const auto& element) {
+    const Connection connection = connection_of(element);
+    const BetweenFrames* frames = std::get_if<BetweenFrames>(&connection);
+    if (!frames) return;
+    Json axes = Json::array();
+    for (std::size_t k = 0; k < 3; ++k)
+      axes.push_back(to_body_axes(model.bodies[frames->from.body].pose,
+                                  {frames->axes[k], frames->axes[3 + k], frames->axes[6 + k]}));
+    marks.push_back(mark_json(model, element, frames->from, axes[2], kJoint * size));
+    marks.back()["axes"] = axes;
+  });
+  each_element(model, [&](const auto& element) {
+    if constexpr (requires { pad_json(model, element, size); })
+      if (!std::holds_alternative<OnCoordinate>(connection_of(element))) {
+        marks.push_back(pad_json(model, element, size));
+        marks.back()["mark"] = "pad";
+      }
+  });
 }
 
 Json joints_json(const Model& model, double size) {
@@ -229,22 +273,7 @@ Json joints_json(const Model& model, double size) {
                       {"axis", to_body_axes(model.bodies[joint.from.body].pose, joint.axis)},
                       {"radius", kJoint * size}});
   }
-  for (const Bushing& bushing : model.bushings) {
-    Json axes = Json::array();
-    for (std::size_t k = 0; k < 3; ++k)
-      axes.push_back(to_body_axes(model.bodies[bushing.from.body].pose,
-                                  {bushing.axes[k], bushing.axes[3 + k], bushing.axes[6 + k]}));
-    joints.push_back({{"name", bushing.name},
-                      {"kind", "bushing"},
-                      {"body", bushing.from.body},
-                      {"on_ground", false},
-                      {"at", place_of(model, bushing.from)},
-                      {"axis", axes[2]},
-                      {"axes", axes},
-                      {"radius", kJoint * size}});
-  }
-  for (const BumpStop& stop : model.bump_stops)
-    if (!stop.is_on_joint()) joints.push_back(stop_json(model, stop, size));
+  add_element_marks(model, size, joints);
   return joints;
 }
 

@@ -11,7 +11,7 @@ namespace {
 /// grid, the distance of offsets while rows are chosen, and the least tolerance.
 constexpr double kMargin = 3, kApart = 0.5, kFinest = 1 / 25.0, kCoarse = 1 / 3.0, kTolerance = 1 / 500.0;
 constexpr std::size_t kMostLooks = 200'000, kMostChosen = 400;
-/// What a friction of 1 counts as, in radii, and a metre of the way beside one of height.
+/// Height that a friction of 1 counts as, in radii, and weight of a metre of the way beside one of height.
 constexpr double kFrictionHeight = 0.1, kWayHeight = 0.1;
 
 /// The way of the wheels: places with their distance from the first along it, m.
@@ -30,7 +30,7 @@ GroundPlace middle(const std::vector<GroundPlace>& wheels) {
   return sum;
 }
 
-/// Directions from neighbour to neighbour; of a single place that of the wish.
+/// Directions from neighbour to neighbour; for a single place the requested direction.
 void head(const StripWish& wish, std::vector<Station>& places) {
   const std::vector<Station> old = places;
   for (std::size_t i = 0; i < places.size(); ++i) {

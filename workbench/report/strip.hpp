@@ -30,7 +30,7 @@ struct Strip {
   }
 };
 
-/// What the strip is laid along, and how fine.
+/// Request for a strip: the wheels' way and its fineness.
 struct StripWish {
   std::vector<std::vector<GroundPlace>> wheels;  ///< frame by frame the same ones, at least one of each
   double radius = 1;                             ///< m, of the largest wheel: sizes are counted in it

@@ -37,14 +37,14 @@ bool has_lateral_force(const Tyre& tyre) {
   return tyre.coefficients[tyre_field_index(tyre_fields(tyre.model), "PDY1")].value != 0;
 }
 
-/// "tyre "left" (car.json:30:5)", where the file has a line.
+/// "tyre "left" (car.json:30:5)", if the file has a line.
 std::string placed(const std::string& kind, const std::string& name, const Where& where) {
   const std::string named = fmt::format("{} \"{}\"", kind, name);
   return where.line > 0 ? fmt::format("{} ({}:{}:{})", named, where.file, where.line, where.column) : named;
 }
 
-/// `radius of tyre "fl"`, with its place: that in the .tir file where a note on the file tells this number, which the
-/// tyre has from there, else that of the tyre.
+/// `radius of tyre "fl"`, with its place: in the .tir file if a note on the file says that the tyre has this number
+/// from there, else in the tyre.
 std::string placed_value(const Model& model, const Tyre& tyre, const char* what, const char* key, double number) {
   const std::string said = fmt::format(" is {:.6g} ", number);
   const auto tells = [&](const Diagnostic& note) {
@@ -54,7 +54,7 @@ std::string placed_value(const Model& model, const Tyre& tyre, const char* what,
   return fmt::format("{} of {}", what, placed("tyre", tyre.name, note == model.notes.end() ? tyre.where : note->where));
 }
 
-/// Lines that say the same of one tyre each: the first, and how many more there are.
+/// Lines with the same cause for one tyre each: the first, and the number of the others.
 void add_first(const std::vector<std::string>& lines, std::vector<std::string>& causes) {
   if (lines.empty()) return;
   causes.push_back(lines.front());
@@ -124,7 +124,7 @@ void add_below_road(const Model& model, const std::vector<Vector3>& centres, std
   add_first(below, causes);
 }
 
-/// A centre of mass that is not over the tyres, under which a vehicle tips over.
+/// A centre of mass beyond the tyres, for which a vehicle tips over.
 void add_overhang(const AtRest& rest, const std::vector<Vector3>& centres, std::vector<std::string>& causes) {
   constexpr std::size_t kStands = 3;  // tyres, on which a vehicle stands by itself
   const Model& model = rest.compilation.model;
@@ -151,7 +151,7 @@ void add_overhang(const AtRest& rest, const std::vector<Vector3>& centres, std::
   }
 }
 
-/// Tyres at one place, and such that are above each other as left and right ones are beside each other.
+/// Tyres at one place, and tyres above each other that should be left and right.
 void add_places(const AtRest& rest, std::vector<std::string>& causes) {
   const Model& model = rest.compilation.model;
   if (model.tyres.empty()) return;
@@ -180,46 +180,60 @@ void add_places(const AtRest& rest, std::vector<std::string>& causes) {
   if (causes.size() == before) add_overhang(rest, centres, causes);
 }
 
-/// Joint forces on the coordinate that accelerates most, and of models with tyres forces along the road, which nothing
-/// that rolls withstands, as far as they act at rest.
-void add_drives(const AtRest& rest, std::vector<std::string>& causes) {
-  const Model& model = rest.compilation.model;
-  const auto value = [&](const Quantity& quantity) { return evaluate<double>(quantity, model.expressions, rest); };
-  for (const JointForce& force : model.joint_forces) {
-    const double now = value(force.force);
-    if (now == 0 || tree_coordinate(rest.compilation.topology, force.joint) != rest.fastest()) continue;
-    const TreeBody& body = rest.compilation.topology.bodies[static_cast<std::size_t>(rest.fastest())];
-    causes.push_back(fmt::format("{} drives {} by {:.4g} {} at rest", placed("joint force", force.name, force.where),
-                                 body.coordinate, now, body.kind == FreedomKind::prismatic ? "N" : "N m"));
-  }
-  for (const AppliedForce& force : model.forces) {
-    const double along = std::hypot(value(force.force[0]), value(force.force[1]));
-    if (model.tyres.empty() || !(along > 0)) continue;
-    causes.push_back(fmt::format("{} pushes body {} along the road by {:.4g} N at rest",
-                                 placed("force", force.name, force.where),
-                                 model.bodies[static_cast<std::size_t>(force.at.body)].name, along));
-  }
+std::string unit_of_force(const TreeBody& body) { return body.kind == FreedomKind::prismatic ? "N" : "N m"; }
+
+double value_at(const AtRest& rest, const Quantity& quantity) {
+  return evaluate<double>(quantity, rest.compilation.model.expressions, rest);
 }
 
-/// Frictions that stick on the coordinate that accelerates most hold less than acts there.
+/// The coordinate that accelerates most.
+const TreeBody& fastest_of(const AtRest& rest) {
+  return rest.compilation.topology.bodies[static_cast<std::size_t>(rest.fastest())];
+}
+
+/// A joint force drives that coordinate.
+void add_drive(const AtRest& rest, const JointForce& force, std::vector<std::string>& causes) {
+  const double now = value_at(rest, force.force);
+  if (now == 0 || tree_coordinate(rest.compilation.topology, force.joint) != rest.fastest()) return;
+  const TreeBody& body = fastest_of(rest);
+  causes.push_back(fmt::format("{} drives {} by {:.4g} {} at rest", placed("joint force", force.name, force.where),
+                               body.coordinate, now, unit_of_force(body)));
+}
+
+/// Of models with tyres a force acts along the road, which nothing that rolls withstands.
+void add_drive(const AtRest& rest, const AppliedForce& force, std::vector<std::string>& causes) {
+  const Model& model = rest.compilation.model;
+  const double along = std::hypot(value_at(rest, force.force[0]), value_at(rest, force.force[1]));
+  if (model.tyres.empty() || !(along > 0)) return;
+  causes.push_back(fmt::format("{} pushes body {} along the road by {:.4g} N at rest",
+                               placed("force", force.name, force.where),
+                               model.bodies[static_cast<std::size_t>(force.at.body)].name, along));
+}
+
+/// Forces that act at rest.
+void add_drives(const AtRest& rest, std::vector<std::string>& causes) {
+  each_kind([&](auto kind) {
+    using Element = typename decltype(kind)::Element;
+    if constexpr (requires(const Element& element) { add_drive(rest, element, causes); })
+      for (const Element& element : kind.list(rest.compilation.model)) add_drive(rest, element, causes);
+  });
+}
+
+/// Stick-slip frictions on the coordinate that accelerates most whose limit is below the force there.
 void add_holds(const AtRest& rest, std::vector<std::string>& causes) {
   const Model& model = rest.compilation.model;
   for (const JointFriction& friction : model.frictions) {
     if (!friction.has_bristle() || tree_coordinate(rest.compilation.topology, friction.joint) != rest.fastest())
       continue;
-    const double holds = evaluate<double>(friction.stiction, model.expressions, rest);
+    const double holds = value_at(rest, friction.stiction);
     if (!(holds > 0)) continue;
     const char* unit = friction.normal >= 0 || friction.load >= 0 ? " per N that presses" : "";
-    causes.push_back(fmt::format(
-        "{} holds {:.4g} {}{} at most", placed("friction", friction.name, friction.where), holds,
-        rest.compilation.topology.bodies[static_cast<std::size_t>(rest.fastest())].kind == FreedomKind::prismatic
-            ? "N"
-            : "N m",
-        unit));
+    causes.push_back(fmt::format("{} holds {:.4g} {}{} at most", placed("friction", friction.name, friction.where),
+                                 holds, unit_of_force(fastest_of(rest)), unit));
   }
 }
 
-/// Bodies that fall as if nothing held them.
+/// Bodies that fall without support.
 void add_falling(const AtRest& rest, std::vector<std::string>& causes) {
   const Model& model = rest.compilation.model;
   const Topology& topology = rest.compilation.topology;
@@ -241,16 +255,13 @@ std::vector<std::string> coinciding_ends(const Compilation& compilation, const G
   const Model& model = compilation.model;
   const std::vector<Pose> poses = GenericSolver(model, compilation.topology, compilation.analysis).poses(at);
   std::vector<std::string> result;
-  const auto add = [&](const auto& elements, const char* kind) {
-    for (const auto& element : elements) {
-      const double length = distance(place_in(model, poses, element.from), place_in(model, poses, element.to));
-      if (length < kCoincide)
-        result.push_back(fmt::format("the ends of {} coincide: it has no direction there",
-                                     placed(kind, element.name, element.where)));
-    }
-  };
-  add(model.springs, "spring");
-  add(model.air_springs, "air spring");
+  each_element(model, [&]<class Kind>(const Kind& element) {
+    const Connection connection = connection_of(element);
+    const BetweenPoints* line = std::get_if<BetweenPoints>(&connection);
+    if (line && distance(place_in(model, poses, line->from), place_in(model, poses, line->to)) < kCoincide)
+      result.push_back(fmt::format("the ends of {} coincide: it has no direction there",
+                                   placed(KindOf<Kind>::words, element.name, element.where)));
+  });
   return result;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Usual causes of a model that finds no rest.
+// Usual causes for a model without rest.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace mbgen {
 
-/// A search for rest that failed, and numbers of the model in the state where it ended.
+/// A failed search for rest, and numbers of the model in its last state.
 struct AtRest {
   const Compilation& compilation;
   const std::vector<double>& inputs;
@@ -36,10 +36,10 @@ struct AtRest {
   double local(int) const { return 0; }
 };
 
-/// The causes whose signs are there, one line each, with the places of what they name.
+/// The causes that apply, one line each, with the places of the elements they name.
 std::vector<std::string> equilibrium_causes(const AtRest& rest);
 
-/// Springs between two points that are one in a state, a line each.
+/// Springs whose two points coincide in a state, a line each.
 std::vector<std::string> coinciding_ends(const Compilation& compilation, const GenericState& at);
 
 }  // namespace mbgen

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/model/element_outputs.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/engines/engine.hpp"
 #include "workbench/start/equilibrium_causes.hpp"
@@ -21,7 +22,7 @@ std::string coordinate_text(const Compilation& compilation, std::size_t i, doubl
   return fmt::format("{} {:.4g} {}{}", body.coordinate, value, unit_of(body.kind), per);
 }
 
-/// Accelerations at a position, none where these are not to be had.
+/// Accelerations at a position, none if they cannot be computed.
 std::vector<double> accelerations_at(const Compilation& compilation, const std::vector<double>& inputs,
                                      const GenericState& at) {
   GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
@@ -61,7 +62,7 @@ std::vector<double> tyre_loads(const Compilation& compilation, const std::vector
   Model model = compilation.model;
   model.outputs.clear();
   for (std::size_t i = 0; i < model.tyres.size(); ++i) {
-    model.outputs.push_back({"", {}, "", TyreOutput{TyreOutput::What::load, static_cast<int>(i)}});
+    model.outputs.push_back({"", {}, "", output_of<Tyre>("load", i)});
   }
   GenericSolver solver(model, compilation.topology, compilation.analysis);
   solver.set_inputs(inputs);

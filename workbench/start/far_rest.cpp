@@ -1,5 +1,5 @@
-// A note on a static equilibrium that is not where the hardpoints have the vehicle: springs without their stiffness or
-// preload, wheels at a wrong height.
+// A note on a static equilibrium far from the hardpoints of the vehicle: springs without stiffness or preload, wheels
+// at a wrong height.
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace {
 constexpr double kFarUp = 0.1;     // m; hardpoints are taken at a load within the travel of a spring
 constexpr double kFarTurn = 0.12;  // rad, 7 deg, about a horizontal line
 
-/// Whether all tyres stand on level ground of one height and the model says nothing of the vehicle's place.
+/// Whether all tyres stand on level ground of one height and the model gives no position of the vehicle.
 bool is_meant_at_reference(const Model& model) {
   const Initial& initial = model.initial;
   if (!initial.equilibrium || !initial.positions.empty() || model.tyres.size() < 3) return false;
@@ -23,7 +23,7 @@ bool is_meant_at_reference(const Model& model) {
   return model.gravity[0].value == 0 && model.gravity[1].value == 0;
 }
 
-/// The body that a vehicle is: that of its reference point, or the heaviest one.
+/// The body of a vehicle: the body of its reference point, or the heaviest one.
 std::size_t vehicle_body(const Model& model) {
   if (model.vehicle && model.vehicle->reference.body >= 0)
     return static_cast<std::size_t>(model.vehicle->reference.body);
@@ -41,7 +41,7 @@ Diagnostics far_rest_notes(const Compilation& compilation, const GenericState& s
   const GenericSolver solver(model, compilation.topology, compilation.analysis);
   const Pose before = solver.poses(reference_state(compilation))[body], after = solver.poses(start)[body];
   const double up = after.origin[2] - before.origin[2];
-  // The angle between the vertical and what was vertical in the body.
+  // Cosine of the angle between the vertical and the body's vertical at the reference.
   double upright = 0;
   for (std::size_t i = 0; i < 3; ++i) upright += after.rotation[6 + i] * before.rotation[6 + i];
   const double turn = std::acos(std::clamp(upright, -1.0, 1.0));

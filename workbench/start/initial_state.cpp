@@ -17,22 +17,22 @@
 namespace mbgen {
 namespace {
 
-/// A value counts as kept when the closures moved it less than this (rad, m or per second, relative above 1).
+/// A value counts as kept if the closures moved it by less than this (rad, m or per second, relative above 1).
 constexpr double kKept = 1e-9;
 /// Largest deviation of a motion from a value that the model gives with a few digits.
 constexpr double kRounding = 1e-3;
 
-/// Sparse where a block's matrix is too large to be pivoted as a whole.
+/// Sparse if a block's matrix is too large to be pivoted as a whole.
 GenericAlgebra algebra_for(const Topology& topology) {
   const bool is_dense = std::all_of(topology.blocks.begin(), topology.blocks.end(),
                                     [](const LoopBlock& block) { return chooses_again(block); });
   return {is_dense ? LinearAlgebra::eigen : LinearAlgebra::sparse, Factorisation::lu};
 }
 
-/// Largest velocity over the largest one that is asked: no gear or lever multiplies by so much.
+/// Largest ratio of velocities to the largest requested one: no gear or lever multiplies by so much.
 constexpr double kMostMultiplied = 1e6;
 
-/// A value that was asked of a coordinate.
+/// A requested value of a coordinate.
 struct Wish {
   int coordinate = -1;
   double value = 0;
@@ -71,7 +71,7 @@ void require(Status status, const Compilation& compilation, const char* action) 
   }
 }
 
-/// A driven coordinate is where its motion is. Fails: UserError when a wish says otherwise.
+/// A driven coordinate is at its motion. Fails: UserError if a request contradicts this.
 void require_motions(const Compilation& compilation, const std::vector<Wish>& wishes, const std::vector<double>& values,
                      const char* what) {
   for (const Wish& wish : wishes) {
@@ -84,14 +84,14 @@ void require_motions(const Compilation& compilation, const std::vector<Wish>& wi
   }
 }
 
-/// The wishes as the solver takes them.
+/// The requests in the solver's form.
 std::vector<CoordinateWish> of_solver(const std::vector<Wish>& wishes) {
   std::vector<CoordinateWish> result;
   for (const Wish& wish : wishes) result.push_back({wish.coordinate, wish.value, wish.weight, wish.locked});
   return result;
 }
 
-/// Closed positions nearest to the wishes.
+/// Closed positions nearest to the requests.
 GenericState assemble(const Compilation& compilation, const GenericSolver& solver, const std::vector<Wish>& wishes,
                       bool only_a_guess) {
   GenericState simple = reference_state(compilation);
@@ -107,7 +107,7 @@ GenericState assemble(const Compilation& compilation, const GenericSolver& solve
   return state;
 }
 
-/// Consistent velocities nearest to the wishes, at the positions of `state`.
+/// Consistent velocities nearest to the requests, at the positions of `state`.
 void set_velocities(const Compilation& compilation, const GenericSolver& solver, const std::vector<Wish>& wishes,
                     GenericState& state) {
   GenericState simple = state;
@@ -123,7 +123,7 @@ void set_velocities(const Compilation& compilation, const GenericSolver& solver,
   state = simple;
 }
 
-/// The fastest coordinate, -1 where all stand.
+/// The fastest coordinate, -1 if all are at rest.
 int fastest(const std::vector<double>& zd) {
   int result = -1;
   for (std::size_t i = 0; i < zd.size(); ++i)
@@ -132,7 +132,7 @@ int fastest(const std::vector<double>& zd) {
   return result;
 }
 
-/// Next to a singular position a loop makes of an asked velocity any other. Fails: UserError.
+/// Next to a singular position a loop turns a requested velocity into any other one. Fails: UserError.
 void require_reason(const Compilation& compilation, const std::vector<Wish>& wishes, const GenericState& state) {
   const int runs = fastest(state.zd);
   if (runs < 0) return;
@@ -214,7 +214,7 @@ GenericState initial_state(const Start& start, const Engine& engine) {
 
 namespace {
 
-/// Parameters at their values, one of them moved.
+/// Parameters at their values, except one changed.
 struct MovedParameter {
   const Model& model;
   int moved = -1;
@@ -229,7 +229,7 @@ struct MovedParameter {
   double local(int) const { return 0; }
 };
 
-/// Change of the velocities at the start when a parameter that acts there is moved.
+/// Change of the initial velocities with a parameter that affects them.
 std::vector<double> change_of_start(const Compilation& compilation, const GenericSolver& solver,
                                     const GenericState& start, int parameter, double by) {
   const std::vector<InitialValue>& values = compilation.model.initial.velocities;

@@ -1,4 +1,4 @@
-// Report of start values that gave way to the closures.
+// Report of initial values that the closures changed.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Values with a few digits each describe no closed position exactly; smaller moves are no news (rad, m or per second).
+/// Values with a few digits are never exactly closed; smaller changes are not reported (rad, m or per second).
 constexpr double kNews = 1e-3;
 
 bool is_news(const MovedValue& value) {

@@ -133,7 +133,7 @@ Diagnostics fast_notes(const std::vector<SlidingTyre>& tyres) {
   return {};
 }
 
-/// A note on those that slide.
+/// A note on the sliding tyres.
 Diagnostics slip_notes(const std::vector<SlidingTyre>& sliding) {
   if (sliding.empty()) return {};
   const SlidingTyre& first = sliding.front();

@@ -22,9 +22,9 @@ struct StatesFile {
 };
 
 /// Reads {"joint_order": [names], "states": [{"z", "zd", "tau", "x", "t", "inputs", "zdd"}]}. joint_order is any
-/// permutation of all coordinates, by default that of the model; zd, tau, x and t are zero and inputs as in
-/// `default_inputs` where they are missing; null stands for a number that is not finite; other fields are ignored.
-/// Fails: UserError that names the file, the place and the value.
+/// permutation of all coordinates, by default the order of the model; missing zd, tau, x and t are zero, missing inputs
+/// as in `default_inputs`; null represents a number that is not finite; other fields are ignored. Fails: UserError that
+/// names the file, the place and the value.
 StatesFile read_states(const std::string& path, const Compilation& compilation,
                        const std::vector<double>& default_inputs);
 

@@ -18,10 +18,10 @@ using Kind = ExpressionNode::Kind;
 constexpr reading::ReductionName kReductions[] = {{"max", 1},     {"min", 1},   {"mean", 1},  {"rms", 1},
                                                   {"initial", 1}, {"final", 1}, {"range", 1}, {"at", 2}};
 
-/// Meaning of the names in metrics.
+/// Names in metrics and their meaning.
 struct MetricScope {
   std::vector<std::string_view> outputs;
-  std::vector<Parameter> parameters;  ///< all as if they were tunable, so that none becomes a number
+  std::vector<Parameter> parameters;  ///< all as tunable: no constant folding
   reading::Names names;
   reading::Visibility visible = {{0, {}, {}}};
 };
@@ -53,7 +53,7 @@ MetricScope scope_of(const Model& model) {
   return scope;
 }
 
-/// The column that a node stands for, nothing for a node that is none.
+/// Column of a node; nothing for other nodes.
 std::optional<MetricColumn> column_of(const ExpressionNode& node, int outputs) {
   using Of = MetricColumn::Kind;
   switch (node.kind) {
@@ -73,7 +73,7 @@ std::optional<MetricColumn> column_of(const ExpressionNode& node, int outputs) {
   }
 }
 
-/// Lets the nodes name columns as inputs and results of reductions as local variables.
+/// Turns column nodes into inputs and results of reductions into local variables.
 void resolve(Expression& expression, int outputs, std::vector<MetricColumn>& columns) {
   for (ExpressionNode& node : expression.nodes) {
     if (const std::optional<MetricColumn> column = column_of(node, outputs)) {
@@ -105,7 +105,7 @@ std::string name_of(const MetricColumn& column, const Model& model) {
   return {};
 }
 
-/// One metric and where it was written.
+/// Text of one metric and its origin.
 struct MetricText {
   std::string whole;
   std::string name;
@@ -119,7 +119,7 @@ MetricText split(const std::string& text) {
   return {text, text.substr(0, sign), sign + 1};
 }
 
-/// Reads one metric, adds its columns and its problems.
+/// Reads one metric; adds its columns and its problems.
 void read_metric(const MetricText& text, const Where& where, const Model& model, const MetricScope& scope,
                  Metrics& metrics, Diagnostics& problems) {
   const auto complain = [&](std::size_t offset, std::string message, std::string hint) {
@@ -162,7 +162,7 @@ void read_metric(const MetricText& text, const Where& where, const Model& model,
   metrics.list.push_back(std::move(metric));
 }
 
-/// Values that expressions of metrics read.
+/// Values of the variables in expressions of metrics.
 struct MetricEnvironment {
   const std::vector<Parameter>& parameters;
   const double* columns;  ///< of one point; null outside of reductions
@@ -183,7 +183,7 @@ double mean(const std::vector<double>& x) {
   return sum / static_cast<double>(x.size() - 1);
 }
 
-/// On the straight line between the points around the instant.
+/// Value at an instant by linear interpolation.
 double value_at(const std::vector<double>& x, double instant, double step) {
   if (x.size() == 1) return x[0];
   const double place = std::clamp(instant / step, 0.0, static_cast<double>(x.size() - 1));
@@ -192,7 +192,7 @@ double value_at(const std::vector<double>& x, double instant, double step) {
   return x[before] + part * (x[before + 1] - x[before]);
 }
 
-/// The largest of all, NaN when one is.
+/// The best of all values, NaN if any is NaN.
 template <class Better>
 double extreme(const std::vector<double>& x, Better better) {
   double result = x[0];

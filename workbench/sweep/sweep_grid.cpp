@@ -13,9 +13,9 @@ namespace mbgen {
 namespace {
 
 constexpr double kMostCases = 1e7;
-/// A range reaches its end when it misses it by this part of a step.
+/// Tolerance for the end of a range, of a step.
 constexpr double kEndOfRange = 1e-9;
-/// Significant decimal digits that every double keeps.
+/// Significant decimal digits that survive conversion to double and back.
 constexpr int kDigits = 15;
 
 std::vector<std::string> pieces(const std::string& text, char separator) {
@@ -34,7 +34,7 @@ std::vector<std::string> pieces(const std::string& text, char separator) {
   throw UserError(fmt::format("--vary \"{}\": {}\n", text, problem));
 }
 
-/// A value on the decimal that it means: 0.1 + 2 * 0.1 is 0.3. scale: largest of the numbers that it was made of.
+/// A value rounded to the intended decimal: 0.1 + 2 * 0.1 is 0.3. scale: largest of its operands.
 double rounded(double value, double scale) {
   const int digits_before = static_cast<int>(std::floor(std::log10(scale))) + 1;
   const int decimals = std::clamp(kDigits - digits_before, 0, 300);

@@ -21,15 +21,14 @@ struct SweepGrid {
   std::vector<SweepAxis> axes;
 
   long size() const;
-  /// Of all axes, in a case.
+  /// Values of all axes in a case.
   std::vector<double> values_of(long index) const;
 };
 
-/// Reads "name=first:step:last", "name=value,value" or any of both separated by commas. A range ends at the last value
-/// that is not beyond `last`; its values are rounded to the decimals that its numbers have digits for, so that
-/// 0:0.1:0.3 holds 0.3.
-/// Fails: UserError for a name that the model does not have (with the nearest one) or that comes twice, a number that
-/// is none, an empty or an endless range, more cases than a study can have.
+/// Reads "name=first:step:last", "name=value,value" or a mixture separated by commas. A range ends at the last value
+/// not beyond `last`; its values are rounded to the decimals of its numbers, so that 0:0.1:0.3 contains 0.3. Fails:
+/// UserError for an unknown name (with the nearest one) or a repeated one, text that is no number, an empty or infinite
+/// range, too many cases.
 SweepGrid read_grid(const std::vector<std::string>& texts, const Model& model);
 
 }  // namespace mbgen

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <system_error>
 
 #include "compiler/text/hash.hpp"
 #include "compiler/text/user_error.hpp"
@@ -22,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A journal is lines of text: this one with a description behind it, then one a case: hash of the rest of the line,
+// Format of a journal: this line with a description appended, then one line per case: hash of the rest of the line,
 // number of the case, values of the metrics, relative error of the energy, status.
 constexpr std::string_view kFirstLine = "mbgen sweep journal 2 ";
 
@@ -43,7 +44,7 @@ std::string line_of(long index, const CaseResult& result) {
   return hash_of_line(content) + " " + content + "\n";
 }
 
-/// Adds the case of a line, unless the line is damaged.
+/// Adds the case of a line; ignores a damaged line.
 void read_line(const std::string& line, CaseResults& results) {
   const std::size_t blank = line.find(' ');
   if (blank == std::string::npos || hash_of_line(line.substr(blank + 1)) != line.substr(0, blank)) return;
@@ -66,7 +67,7 @@ void read_line(const std::string& line, CaseResults& results) {
   results[index] = std::move(result);
 }
 
-/// The words in which two descriptions differ.
+/// Names of the entries in which two descriptions differ.
 std::vector<std::string> differences(const std::string& one, const std::string& other) {
   using Json = nlohmann::ordered_json;
   const Json a = Json::parse(one, nullptr, false), b = Json::parse(other, nullptr, false);
@@ -91,7 +92,7 @@ void check_first_line(const fs::path& path, const std::string& line, const std::
       path.string(), fmt::join(differences(found, description), ", ")));
 }
 
-/// The text up to the last line end: a killed process leaves a torn line behind it.
+/// The text up to the last line end: a killed process leaves an incomplete line.
 std::string whole_lines(const std::string& text) {
   const std::size_t end = text.rfind('\n');
   return end == std::string::npos ? "" : text.substr(0, end + 1);

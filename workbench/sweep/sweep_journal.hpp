@@ -1,5 +1,5 @@
 #pragma once
-// The finished cases of a study, on disk: a line a case, so that a study that was killed goes on where it was.
+// Finished cases of a study on disk, a line per case, so that a killed study can be resumed.
 
 #include <filesystem>
 #include <string>
@@ -9,8 +9,7 @@
 
 namespace mbgen {
 
-/// Which part of the cases this process computes: the cases whose number leaves the remainder `index` when divided by
-/// `count`.
+/// Share of the cases of this process: the cases with number modulo `count` equal to `index`.
 struct SweepPart {
   long index = 0, count = 1;
   bool has(long index_of_case) const { return index_of_case % count == index; }
@@ -19,25 +18,24 @@ struct SweepPart {
 /// TABLE.journal of a whole study, TABLE.journal.K-of-N of a part.
 std::filesystem::path journal_path(const std::string& table, const SweepPart& part);
 
-/// All journals beside a table, in the order of their names.
+/// All journals beside a table, sorted by name.
 std::vector<std::filesystem::path> journals_of(const std::string& table);
 
-/// The results that a journal holds. A line that is not complete or damaged does not count; a file that is not there
-/// holds nothing.
-/// Fails: UserError when the journal is of another study: says in which words they differ.
+/// Results in a journal. Incomplete or damaged lines are ignored; a missing file is empty. Fails: UserError for a
+/// journal of another study; it names the entries that differ.
 CaseResults read_journal(const std::filesystem::path& path, const std::string& description);
 
-/// A journal that is open for more lines. Locked against other processes as long as it lives.
+/// A journal open for appending, locked against other processes during its lifetime.
 class Journal {
  public:
-  /// Opens or creates it. restart: forget its lines; else a torn last line is cut off.
-  /// Fails: UserError when it cannot be written, another process holds it, or as read_journal.
+  /// Opens or creates it. restart: discard its lines; else an incomplete last line is cut off. Fails: UserError if it
+  /// cannot be written or another process holds it, or as read_journal.
   Journal(const std::filesystem::path& path, const std::string& description, bool restart);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
   ~Journal();
 
-  /// Writes a result so that not even a failure of power loses it. Fails: UserError when the disk does not take it.
+  /// Writes a result and syncs it to disk, safe against power failure. Fails: UserError on a write error.
   void add(long index, const CaseResult& result);
 
  private:

@@ -6,18 +6,19 @@
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
+#include <system_error>
 
 #include "compiler/text/user_error.hpp"
 
 namespace mbgen {
 namespace {
 
-/// The variables in which a launcher tells a process its rank and how many there are.
+/// Environment variables of a launcher for rank and number of processes.
 struct Launcher {
   const char *rank, *size;
 };
 
-// A batch script of Slurm has SLURM_PROCID, too, but is no rank: only steps have a number of tasks.
+// SLURM_PROCID is set in a batch script too, which is no rank: only job steps have a number of tasks.
 constexpr Launcher kLaunchers[] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
                                    {"PMI_RANK", "PMI_SIZE"},
                                    {"SLURM_PROCID", "SLURM_STEP_NUM_TASKS"}};
@@ -35,7 +36,7 @@ std::optional<long> number_of(const char* variable) {
   return text == nullptr ? std::nullopt : whole_number(text);
 }
 
-/// A word as the shell takes it for itself.
+/// A word quoted for the shell.
 std::string shell_quoted(const std::string& word) {
   std::string text = "'";
   for (const char letter : word) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);

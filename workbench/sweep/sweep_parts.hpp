@@ -1,5 +1,5 @@
 #pragma once
-// A study on several processes: ranks of a parallel job, or parts of an array job.
+// A study on several processes: ranks of a parallel job, or tasks of an array job.
 
 #include <optional>
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace mbgen {
 
-/// The part that "K/N" names, K from 1. Fails: UserError.
+/// Part of "K/N", K from 1. Fails: UserError.
 SweepPart part_from(const std::string& text);
 
-/// The part of this process as a rank of a parallel job of more than one, from what OpenMPI (OMPI_COMM_WORLD_RANK,
-/// _SIZE), MPICH and its kin (PMI_RANK, PMI_SIZE) or srun (SLURM_PROCID, SLURM_STEP_NUM_TASKS) put into the
-/// environment; nothing when it is none.
+/// Part of this process as a rank of a parallel job of more than one process, from the environment of OpenMPI
+/// (OMPI_COMM_WORLD_RANK, _SIZE), MPICH and relatives (PMI_RANK, PMI_SIZE) or srun (SLURM_PROCID,
+/// SLURM_STEP_NUM_TASKS); nothing outside such a job.
 std::optional<SweepPart> part_of_rank();
 
-/// Processors that this process may use.
+/// Number of processors available to this process.
 int processors();
 
-/// A shell script that submits an array job of `parts` parts and a job behind it that gathers them. words: the command
-/// line of the study without the name of the program.
+/// Shell script that submits an array job of `parts` tasks and a dependent job that gathers the results. words: the
+/// command line of the study without the name of the program.
 std::string slurm_script(const std::string& model, const std::vector<std::string>& words, long parts, int jobs);
 
 }  // namespace mbgen

@@ -105,9 +105,7 @@ void require_unchanged(const Study& study, const Result<Model>& of_case) {
 /// The system of one case. Fails: UserError.
 Compilation compilation_of_case(const Study& study, const StudySolver& solver, Model model) {
   if (!study.is_tuned) return expect(decide(std::move(model)));
-  Compilation compilation{std::move(model), solver.compilation.topology, solver.compilation.analysis, {}};
-  compilation.whole.programs.form = solver.compilation.form();
-  return compilation;
+  return {std::move(model), solver.compilation.topology, solver.compilation.analysis, {}};
 }
 
 /// The columns that the metrics need, point by point.
@@ -254,7 +252,7 @@ std::string description(const Study& study) {
 StudySolver prepare(const Study& study) {
   if (!study.is_tuned) return {};
   if (study.choice.name != "generated") return {expect(decide(study.model)), nullptr};
-  StudySolver solver{expect(compile(study.model)), nullptr};
+  StudySolver solver{expect(decide_to_write(study.model)), nullptr};
   solver.table = load_solver(solver.compilation, study.choice);
   return solver;
 }

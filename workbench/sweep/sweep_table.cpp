@@ -14,7 +14,7 @@
 namespace mbgen {
 namespace {
 
-/// Rows that people read; of more, the first and last half of these.
+/// Largest number of rows shown; of a longer table, half of them from each end.
 constexpr std::size_t kShownRows = 40;
 
 using Row = std::vector<std::string>;
@@ -29,7 +29,7 @@ Row header(const Study& study) {
   return row;
 }
 
-/// format_string: of a number.
+/// format_string: for numbers.
 Row row_of(const Study& study, long index, const CaseResult& result, const char* format_string) {
   Row row{fmt::format("{}", index + 1)};
   for (const double value : study.grid.values_of(index)) row.push_back(fmt::format("{}", value));
@@ -46,7 +46,7 @@ std::string csv_line(const Row& row) {
   return line + "\n";
 }
 
-/// Columns of numbers to the right, the last one, text, to the left.
+/// Columns of numbers aligned right, the last column, text, aligned left.
 std::string aligned(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 0);
   for (const Row& row : rows) {
@@ -64,7 +64,7 @@ long warnings_of(const CaseResults& results) {
   return std::count_if(results.begin(), results.end(), [](const auto& entry) { return entry.second.is_warned(); });
 }
 
-/// Of the cases with a warning the one whose energies are off the most, a line; nothing where none has one.
+/// A line on the case with the largest energy error among the cases with a warning; empty without a warning.
 std::string worst_text(const Study& study, const CaseResults& results) {
   const std::pair<const long, CaseResult>* worst = nullptr;
   for (const auto& entry : results) {

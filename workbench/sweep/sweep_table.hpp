@@ -1,5 +1,5 @@
 #pragma once
-// The results of a study as tables.
+// Results of a study as tables.
 
 #include <string>
 
@@ -9,17 +9,16 @@ namespace mbgen {
 
 // results: of all cases.
 
-/// CSV: case (from 1), varied values, metrics (empty where a case failed), status; numbers in the shortest form that
-/// reads back the same.
+/// CSV: case (from 1), varied values, metrics (empty for a failed case), status; numbers in their shortest exact form.
 std::string results_csv(const Study& study, const CaseResults& results);
 
-/// For people: the table, in the middle cut out when it is long, then how many cases failed.
+/// Text: the table, shortened in the middle if long, then the number of failed cases.
 std::string results_text(const Study& study, const CaseResults& results, const std::string& file);
 
-/// For machines.
+/// JSON of all cases.
 std::string results_json(const Study& study, const CaseResults& results, const std::string& file);
 
-/// Cases without values.
+/// Number of cases without values.
 long failures_of(const CaseResults& results);
 
 }  // namespace mbgen

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/formulation/elements/applied_forces.hpp"
+#include "compiler/model/each_friction.hpp"
 
 namespace mbgen {
 
@@ -29,7 +30,6 @@ inline std::vector<BristleEnd> bristle_ends(System<double>& system, const Kinema
   see_states_and_lengths(system, k, v);
   std::vector<BristleEnd> ends;
   const auto add = [&](const FrictionLaw& friction, const std::string& name, double rate) {
-    if (!friction.has_bristle()) return;
     const auto value = [&](const Quantity& q) { return value_of(system.model, q, system.environment); };
     const Bristles<double> bristles{value(friction.coulomb),           value(friction.stiction),
                                     value(friction.stribeck_velocity), value(friction.stiffness),
@@ -40,12 +40,10 @@ inline std::vector<BristleEnd> bristle_ends(System<double>& system, const Kinema
     };
     ends.push_back({name, rate, end_at(rate), end_at(0.0), bristles.stiffness, bristles.damping, bristles.lag});
   };
-  for (const JointFriction& friction : system.model.frictions)
-    add(friction, friction.name, system.environment.velocity(friction.joint));
-  for (const SpringFriction& friction : system.model.spring_frictions) {
-    const PointSpring& spring = system.model.springs[static_cast<std::size_t>(friction.spring)];
-    add(friction, friction.name, detail::line_between(system, k, v, spring.from, spring.to).rate);
-  }
+  each_friction(system.model, [&](const auto& friction) {
+    if constexpr (requires { detail::sliding_rate(system, k, v, friction); })
+      if (friction.has_bristle()) add(friction, friction.name, detail::sliding_rate(system, k, v, friction));
+  });
   return ends;
 }
 

@@ -10,8 +10,9 @@
 #include <variant>
 #include <vector>
 
-#include "compiler/formulation/elements/applied_forces.hpp"
+#include "compiler/formulation/elements/seen_place.hpp"
 #include "compiler/formulation/elements/slope.hpp"
+#include "compiler/model/auxiliary_states.hpp"
 
 namespace mbgen {
 
@@ -20,7 +21,7 @@ template <class T>
 struct LocalCoordinate {
   std::vector<T> row;  ///< over the tree's coordinates
   /// One number for one coordinate in all elements: that of the tree's coordinate, or their number and that of the
-  /// spring, air spring or rod whose length it is; -1 of an element's own.
+  /// line whose length it is, see each_line; -1 of an element's own.
   int shared = -1;
 };
 
@@ -36,6 +37,12 @@ struct ElementTangents {
 };
 
 namespace detail {
+
+/// Elements add their tangents pass after pass, in each in the order of the list of kinds: the order of these sums is
+/// part of the bits of emitted code.
+template <class Kind>
+inline constexpr int kTangentPass = 1;
+inline constexpr int kTangentPasses = 3;
 
 template <class T>
 std::vector<std::vector<T>> zeros(std::size_t rows, std::size_t columns) {
@@ -143,42 +150,64 @@ LocalCoordinate<T> tree_local(const System<T>& system, const CoordinateReference
   return local;
 }
 
-/// The length of a line between two points as a local coordinate.
+/// How a coordinate between two bodies moves with the tree's coordinates: what a unit force along it does, turned
+/// round. force, moment: on `to`, in the axes of the body of `from`.
 template <class T>
-struct LocalLine {
-  LocalCoordinate<T> coordinate;
-  T length, rate, reference;  ///< m, m/s, m
-};
-
-/// line: number of the spring, air spring or rod, see LocalCoordinate; -1 for none.
-template <class T>
-LocalLine<T> local_line(const ForceWork<T>& work, const Attachment& from, const Attachment& to, int line_number) {
+std::vector<T> row_between(const ForceWork<T>& work, const SeenPlace<T>& s, const Vector<T>& force,
+                           const Vector<T>& moment) {
   const System<T>& system = work.system;
-  const Line<T> line = line_between(system, work.k, work.v, from, to);
-  const Vector<T> direction = line.reciprocal * line.gap;
   std::vector<T> row(system.topology.bodies.size(), T(0.0));
-  add_force(work, line.to, line.from.body, line.frame, direction, {}, row);
-  add_force(work, line.from, line.to.body, line.frame, -direction, {}, row);
-  const int shared = line_number < 0 ? -1 : system.topology.size() + line_number;
-  return {{std::move(row), shared},
-          line.length,
-          line.rate,
-          reference_distance(system.topology, system.constants, to, line.to, from, line.from)};
+  const auto seen = [&](const Vector<T>& v) { return direction_in(system, work.k, s.from.body, v, s.frame); };
+  add_force(work, s.to, s.from.body, s.frame, seen(force), seen(moment), row);
+  add_force(work, s.from, s.to.body, s.frame, seen(-force), seen(-moment - cross(s.gap, force)), row);
+  return row;
 }
 
-/// What an expression looks at as a local coordinate: a coordinate of the tree, or a length.
+/// The distance of two points, m.
+template <class T>
+struct AlongLine {
+  const Attachment &from, &to;
+  int number = -1;  ///< of the line in expressions, see LocalCoordinate; -1 of one that they do not see
+  Line<T> line;
+  T position, rate;  ///< m, m/s
+
+  AlongLine(const ForceWork<T>& work, const Attachment& a, const Attachment& b, int of_expressions)
+      : from(a),
+        to(b),
+        number(of_expressions),
+        line(line_between(work.system, work.k, work.v, a, b)),
+        position(line.length),
+        rate(line.rate) {}
+
+  /// The distance at the reference, m.
+  T reference(const ForceWork<T>& work) const {
+    return reference_distance(work.system.topology, work.system.constants, to, line.to, from, line.from);
+  }
+  void resist(ForceWork<T>& work, const T& tension) const {
+    const Vector<T> force = (tension * line.reciprocal) * line.gap;
+    apply_force(work, from.body, line.from, force, line.frame);
+    apply_force(work, to.body, line.to, -force, line.frame);
+  }
+  LocalCoordinate<T> row(const ForceWork<T>& work) const {
+    const Vector<T> direction = line.reciprocal * line.gap;
+    std::vector<T> row(work.system.topology.bodies.size(), T(0.0));
+    add_force(work, line.to, line.from.body, line.frame, direction, {}, row);
+    add_force(work, line.from, line.to.body, line.frame, -direction, {}, row);
+    return {std::move(row), number < 0 ? -1 : work.system.topology.size() + number};
+  }
+};
+
+/// Local coordinate that an expression depends on: a coordinate of the tree, or a length.
 template <class T>
 LocalCoordinate<T> local_of(const ForceWork<T>& work, const ExpressionNode& node) {
   if (node.kind == ExpressionNode::Kind::position || node.kind == ExpressionNode::Kind::velocity)
     return tree_local(work.system, node.coordinate);
-  const Model& model = work.system.model;
-  auto i = static_cast<std::size_t>(node.index);
-  const auto line = [&](const auto& element) {
-    return local_line(work, element.from, element.to, node.index).coordinate;
-  };
-  if (i < model.springs.size()) return line(model.springs[i]);
-  i -= model.springs.size();
-  return i < model.air_springs.size() ? line(model.air_springs[i]) : line(model.rods[i - model.air_springs.size()]);
+  LocalCoordinate<T> local;
+  int number = 0;
+  each_line(work.system.model, [&](const auto& element) {
+    if (number++ == node.index) local = AlongLine<T>(work, element.from, element.to, node.index).row(work);
+  });
+  return local;
 }
 
 /// Where a law is differentiated: at its coordinates, their rates and its states.
@@ -187,7 +216,7 @@ struct LawPoint {
   std::vector<T> position, velocity, state;
 };
 
-/// What a law gives: forces along the first coordinates, and the rates of the first states.
+/// Results of a law: forces along the first coordinates, and the rates of the first states.
 template <class T>
 struct LawResult {
   std::vector<T> force, rate;
@@ -216,7 +245,7 @@ std::vector<int> expressions_of(const Fields&... fields) {
   return expressions;
 }
 
-/// What the expressions look at that moves, each once.
+/// Moving quantities that the expressions depend on, each once.
 inline std::vector<const ExpressionNode*> moving_nodes(const Model& model, const std::vector<int>& expressions) {
   using Kind = ExpressionNode::Kind;
   std::vector<const ExpressionNode*> nodes;

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <tuple>
 #include <type_traits>
 
 #include "compiler/expressions/curve.hpp"
@@ -18,18 +19,18 @@ struct ElementState {
   T length{0.0}, rate{0.0}, force{0.0};  ///< m, m/s, N (tension positive)
 };
 
-/// A bushing's deflection and what acts on its `to` body at the point of `to`, in its axes on `from`, counted as its
-/// freedoms are.
-template <class T>
-struct BushingState {
-  Vector<T> deflection, rotation;  ///< m, rad
-  Vector<T> force, moment;         ///< N, N m
+/// The struct of T in which an element of a kind is seen, specialised beside the forces of kinds that show quantities.
+template <class Kind>
+struct StateOf {
+  template <class T>
+  struct type {};
 };
 
-/// A bump stop's way beyond its clearance, the rate of that and the force against it.
-template <class T>
-struct BumpStopState {
-  T penetration{0.0}, rate{0.0}, force{0.0};  ///< m or rad, per second, N or N m
+template <class T, class List>
+struct StatesOf;
+template <class T, class... Kind>
+struct StatesOf<T, Kinds<Kind...>> {
+  using type = std::tuple<std::vector<typename StateOf<Kind>::template type<T>>...>;
 };
 
 /// One force element's force and moment on one body of the model, in the frame that carries the body.
@@ -56,12 +57,33 @@ struct AppliedForces {
   std::vector<Action<T>> actions;             ///< terms of the sum `wrench`, and actions on bodies fixed to ground
   std::vector<JointAction<T>> joint_actions;  ///< terms of the sum `joint`
   std::vector<T> xd;                          ///< rates of the auxiliary states
-  std::vector<ElementState<T>> springs, air_springs;
-  std::vector<TyreResult<T>> tyres;  ///< zero where a law is shared
-  std::vector<BushingState<T>> bushings;
-  std::vector<BumpStopState<T>> bump_stops;
-  MotionPoint about = MotionPoint::frame_origin;  ///< point of the body that wrenches are about
+  typename StatesOf<T, ElementKinds>::type states;  ///< per kind as the model's list, see states_of
+  MotionPoint about = MotionPoint::frame_origin;    ///< point of the body that wrenches are about
 };
+
+/// The elements of a kind as they are seen, none of a kind that shows nothing.
+template <class Kind, class Forces>
+auto& states_of(Forces& forces) {
+  return std::get<kKindIndex<Kind>>(forces.states);
+}
+
+template <class T, class Kind>
+const auto& state_of(const System<T>& system, const AppliedForces<T>& forces, const Kind& element) {
+  return states_of<Kind>(forces)[index_in(KindOf<Kind>::list(system.model), element)];
+}
+
+/// By index of the quantity of a spring.
+template <class T>
+T shown(const ElementState<T>& state, int quantity, int /*axis*/) {
+  const T* values[] = {&state.force, &state.length, &state.rate};
+  return *values[quantity];
+}
+
+/// Values made while the result lives belong to an element of the model.
+template <class T, class Kind>
+[[nodiscard]] auto within(const System<T>& system, const Kind& element) {
+  return system.scribe.within(owner_of_kind(kKindIndex<Kind>), index_in(KindOf<Kind>::list(system.model), element));
+}
 
 namespace detail {
 
@@ -78,7 +100,7 @@ struct ForceWork {
   const Velocities<T>& v;
   AppliedForces<T>& forces;
   SharedTyreLaw<T> shared_law = {};  ///< where tyres share one
-  /// What expressions of laws over Slopes see moving, with a derivative of one; null for nothing.
+  /// Quantity whose derivative is one for expressions of laws over Slopes; null for none.
   const ExpressionNode* moved = nullptr;
   T value(const Quantity& q) const { return value_of(system.model, q, system.environment); }
   /// The value of an element's field, named <meaning>_<element>.
@@ -220,19 +242,13 @@ Line<T> line_between(const System<T>& system, const Kinematics<T>& k, const Velo
   return {a, b, frame, gap, length, reciprocal, dot(gap, gap_rate) * reciprocal};
 }
 
-/// Two places joined by a line element; `tension` gives its force from length and rate.
-template <class T, class Tension>
-ElementState<T> line_element(ForceWork<T>& work, const Attachment& from, const Attachment& to, const Tension& tension) {
-  const Line<T> line = line_between(work.system, work.k, work.v, from, to);
-  ElementState<T> state;
-  state.length = line.length;
-  state.rate = line.rate;
-  const T reference = reference_distance(work.system.topology, work.system.constants, to, line.to, from, line.from);
-  state.force = tension(state.length, state.rate, reference);
-  const Vector<T> force = (state.force * line.reciprocal) * line.gap;
-  apply_force(work, from.body, line.from, force, line.frame);
-  apply_force(work, to.body, line.to, -force, line.frame);
-  return state;
+/// Length at which an element's deflection is zero: its own, or its length at the reference configuration.
+template <class T>
+T natural_length(const ForceWork<T>& work, const std::optional<Quantity>& own, const T& reference,
+                 const std::string& element) {
+  T length = own ? work.value(*own) : reference;
+  work.system.scribe.constant(length, "l0_", element);
+  return length;
 }
 
 }  // namespace detail

@@ -1,11 +1,12 @@
 #pragma once
-// Friction on coordinates and along springs, part of the applied forces.
+// Friction on coordinates, along springs and in the ends of rods.
 
-#include "compiler/formulation/elements/force_work.hpp"
+#include "compiler/formulation/elements/point_spring.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "mbgen/solver/bristle.hpp"
 
-namespace mbgen::detail {
+namespace mbgen {
+namespace detail {
 
 /// rad/s: below it a rod's end counts as at rest, and the direction of its turn fades.
 inline constexpr double kLeastTurn = 1e-9;
@@ -19,7 +20,7 @@ A smooth_friction(const ForceWork<T>& work, const FrictionLaw& friction, const s
                         value(friction.velocity, "velocity"), value(friction.stribeck_velocity, "stribeck"), rate);
 }
 
-/// What the viscous part takes from it, N m or N.
+/// Viscous part of the friction, N m or N.
 template <class T, class A>
 A viscous_friction(const ForceWork<T>& work, const FrictionLaw& friction, const std::string& name, const A& rate) {
   return number<A>(work, friction.viscous, "viscous", name) * rate;
@@ -61,6 +62,18 @@ BristleResult<A> friction_law(const ForceWork<T>& work, const FrictionLaw& frict
   return result;
 }
 
+/// How fast the parts of a friction that may have bristles move on each other, rad/s or m/s.
+template <class T>
+T sliding_rate(const System<T>& system, const Kinematics<T>&, const Velocities<T>&, const JointFriction& friction) {
+  return system.environment.velocity(friction.joint);
+}
+template <class T>
+T sliding_rate(const System<T>& system, const Kinematics<T>& k, const Velocities<T>& v,
+               const SpringFriction& friction) {
+  const PointSpring& spring = system.model.springs[static_cast<std::size_t>(friction.spring)];
+  return line_between(system, k, v, spring.from, spring.to).rate;
+}
+
 /// The reaction that presses a friction as it was taken last, N or N m. Requires: the friction has one.
 template <class T>
 const T& held_load(const System<T>& system, const FrictionLaw& friction) {
@@ -91,43 +104,125 @@ void rod_friction(ForceWork<T>& work, const RodFriction& friction, const Moment&
   apply_force(work, rod.from.body, line.from, -on_to, line.frame);
 }
 
+/// Force of a friction, N m or N, on the part that moves at `rate`. state: of its bristles, where it has some.
 template <class T>
-void frictions(ForceWork<T>& work) {
-  const Model& model = work.system.model;
-  const std::vector<ElementState<T>> springs = work.forces.springs;
-  std::size_t state = static_cast<std::size_t>(first_bristle(model));
-  const auto force_of = [&](const FrictionLaw& friction, const std::string& name, const T& rate) {
-    const T normal = friction.normal >= 0 ? springs[friction.normal].force
-                     : friction.load >= 0 ? held_load(work.system, friction)
-                                          : T(0.0);
-    const T deflection = friction.has_bristle() ? work.system.x[state] : T(0.0);
-    BristleResult<T> result = friction_law(work, friction, name, rate, normal, deflection);
-    if (friction.has_bristle()) work.forces.xd[state++] = result.rate;
-    return result.force;
-  };
-  for (const JointFriction& friction : model.frictions) {
-    const auto heading = work.system.scribe.within(OwnerKind::friction, index_in(model.frictions, friction));
-    const T rate = work.system.environment.velocity(friction.joint);
-    const T force = force_of(friction, friction.name, rate);
-    work.system.scribe.name(force, "force_", friction.name);
-    add_joint_force(work, friction.joint, force);
-  }
-  for (const SpringFriction& friction : model.spring_frictions) {
-    const auto heading =
-        work.system.scribe.within(OwnerKind::spring_friction, index_in(model.spring_frictions, friction));
-    const PointSpring& spring = model.springs[friction.spring];
-    const ElementState<T> state = line_element(work, spring.from, spring.to, [&](const T&, const T& rate, const T&) {
-      T tension = -force_of(friction, friction.name, rate);
-      work.system.scribe.name(tension, "force_", friction.name);
-      return tension;
-    });
-    ElementState<T>& total = work.forces.springs[friction.spring];
-    total.force = total.force + state.force;
-  }
-  for (const RodFriction& friction : model.rod_frictions) {
-    const auto heading = work.system.scribe.within(OwnerKind::rod_friction, index_in(model.rod_frictions, friction));
-    rod_friction(work, friction, [&](const T& rate) { return force_of(friction, friction.name, rate); });
-  }
+T friction_force_at(ForceWork<T>& work, const FrictionLaw& friction, const std::string& name, const T& rate,
+                    std::size_t state) {
+  const T normal = friction.normal >= 0 ? states_of<PointSpring>(work.forces)[friction.normal].own
+                   : friction.load >= 0 ? held_load(work.system, friction)
+                                        : T(0.0);
+  const T deflection = friction.has_bristle() ? work.system.x[state] : T(0.0);
+  BristleResult<T> result = friction_law(work, friction, name, rate, normal, deflection);
+  if (friction.has_bristle()) work.forces.xd[state] = result.rate;
+  return result.force;
 }
 
-}  // namespace mbgen::detail
+template <class T>
+void apply(ForceWork<T>& work, const JointFriction& friction) {
+  const T rate = work.system.environment.velocity(friction.joint);
+  const T force = friction_force_at(work, friction, friction.name, rate, bristle_state(work.system.model, friction));
+  work.system.scribe.name(force, "force_", friction.name);
+  add_joint_force(work, friction.joint, force);
+}
+
+template <class T>
+void apply(ForceWork<T>& work, const SpringFriction& friction) {
+  const Model& model = work.system.model;
+  const PointSpring& spring = model.springs[friction.spring];
+  const AlongLine<T> at(work, spring.from, spring.to, friction.spring);
+  T tension = -friction_force_at(work, friction, friction.name, at.rate, bristle_state(model, friction));
+  work.system.scribe.name(tension, "force_", friction.name);
+  at.resist(work, tension);
+  SpringState<T>& total = states_of<PointSpring>(work.forces)[friction.spring];
+  total.force = total.force + tension;
+}
+
+/// Smooth: it has no bristles.
+template <class T>
+void apply(ForceWork<T>& work, const RodFriction& friction) {
+  rod_friction(work, friction,
+               [&](const T& rate) { return friction_force_at(work, friction, friction.name, rate, 0); });
+}
+
+/// The spring that presses a friction, where it is.
+template <class T>
+struct PressingSpring {
+  const PointSpring& spring;
+  AlongLine<T> at;
+  LocalCoordinate<T> row;
+  T natural;  ///< m
+};
+
+/// number: index into Model::springs.
+template <class T>
+PressingSpring<T> pressing_spring(const ForceWork<T>& work, int number) {
+  const PointSpring& spring = work.system.model.springs[number];
+  const AlongLine<T> at(work, spring.from, spring.to, number);
+  LocalCoordinate<T> row = at.row(work);
+  return {spring, at, std::move(row), natural_length(work, spring.free_length, at.reference(work), spring.name)};
+}
+
+/// A friction on a local coordinate that moves at `rate`. state: of its bristles, where it has some.
+template <class T>
+ElementTangents<T> friction_element(ForceWork<T>& work, const FrictionLaw& friction, const std::string& name,
+                                    LocalCoordinate<T> coordinate, const T& rate, int state) {
+  using S = Slope<T>;
+  LawElement<T> element{
+      {std::move(coordinate)}, {}, {{T(0.0)}, {rate}, {}}, {friction.coulomb.expression, friction.stiction.expression}};
+  if (friction.has_bristle()) {
+    element.states.push_back(state);
+    element.at.state.push_back(work.system.x[state]);
+  }
+  std::optional<PressingSpring<T>> normal;
+  if (friction.normal >= 0) {
+    normal.emplace(pressing_spring(work, friction.normal));
+    const LocalCoordinate<T>& line = normal->row;
+    if (line.shared == element.coordinates[0].shared) {
+      element.at.position[0] = normal->at.position;
+    } else {
+      element.coordinates.push_back(line);
+      element.at.position.push_back(normal->at.position);
+      element.at.velocity.push_back(normal->at.rate);
+    }
+    for (const int expression : law_expressions(work, normal->spring)) element.expressions.push_back(expression);
+  }
+  ElementTangents<T> tangents = differentiated(work, std::move(element), [&](const LawPoint<S>& at) {
+    const S pressing =
+        normal ? spring_tension(work, normal->spring, at.position.back(), at.velocity.back(), normal->natural)
+        : friction.load >= 0 ? S(held_load(work.system, friction))
+                             : S(0.0);
+    const S deflection = friction.has_bristle() ? at.state[0] : S(0.0);
+    BristleResult<S> law = friction_law(work, friction, name, at.velocity[0], pressing, deflection);
+    LawResult<S> result{{law.force}, {}};
+    if (friction.has_bristle()) result.rate.push_back(law.rate);
+    return result;
+  });
+  if (friction.has_bristle()) {
+    // Bristles bent beyond their end spring back, and would feed the motion over a whole step.
+    using mbgen::max, mbgen::min, mbgen::select;
+    T &force = tangents.by_velocity[0][0], &bending = tangents.rate_by_velocity[0][0];
+    force = select(bending, force, min(force, T(0.0)));
+    bending = max(bending, T(0.0));
+  }
+  return tangents;
+}
+
+template <class T>
+void add_tangents(ForceWork<T>& work, const JointFriction& friction, std::vector<ElementTangents<T>>& elements) {
+  const System<T>& system = work.system;
+  elements.push_back(friction_element(work, friction, friction.name, tree_local(system, friction.joint),
+                                      system.environment.velocity(friction.joint),
+                                      static_cast<int>(bristle_state(system.model, friction))));
+}
+
+template <class T>
+void add_tangents(ForceWork<T>& work, const SpringFriction& friction, std::vector<ElementTangents<T>>& elements) {
+  const Model& model = work.system.model;
+  const PointSpring& spring = model.springs[friction.spring];
+  const AlongLine<T> line(work, spring.from, spring.to, friction.spring);
+  elements.push_back(friction_element(work, friction, friction.name, line.row(work), line.rate,
+                                      static_cast<int>(bristle_state(model, friction))));
+}
+
+}  // namespace detail
+}  // namespace mbgen

@@ -5,6 +5,20 @@
 #include "compiler/model/auxiliary_states.hpp"
 
 namespace mbgen {
+
+/// By index of the quantity.
+template <class T>
+T shown(const TyreResult<T>& tyre, int quantity, int /*axis*/) {
+  const T* values[] = {&tyre.load, &tyre.fx, &tyre.fy, &tyre.mz, &tyre.kappa, &tyre.alpha};
+  return *values[quantity];
+}
+
+template <>
+struct StateOf<Tyre> {
+  template <class T>
+  using type = TyreResult<T>;
+};
+
 namespace detail {
 
 /// Spin axis of the wheel in its carrying frame; the joint's own axis where they agree, so that the spin angle drops
@@ -21,7 +35,7 @@ Vector<T> spin_axis(const System<T>& system, const Kinematics<T>& k, const Tyre&
   return direction_in(system, k, body, constant<T>(tyre.axis), carrier);
 }
 
-/// What a wheel stands on: a plane of the road at the place of its centre, as it was laid there, at rest.
+/// Plane of the road under a wheel, at the place of its centre, as it was laid there, at rest.
 template <class T>
 struct RoadPlane {
   Vector<T> up;     ///< its unit normal, in the frame that carries the wheel
@@ -171,27 +185,24 @@ bool act_by_shared_law(ForceWork<T>& work, const Tyre& tyre, std::size_t i, cons
 }
 
 template <class T>
-void tyres(ForceWork<T>& work) {
-  work.forces.tyres.resize(work.system.model.tyres.size());
-  for (std::size_t i = 0; i < work.system.model.tyres.size(); ++i) {
-    const Tyre& tyre = work.system.model.tyres[i];
-    const auto heading = work.system.scribe.within(OwnerKind::tyre, i);
-    const RoadPlane<T> road = road_plane(work, tyre);
-    const WheelMotion<T> wheel = wheel_motion(work, tyre, i, road);
-    const TyreProperties<T> properties = properties_on<T>(work, tyre, road);
-    if (act_by_shared_law(work, tyre, i, properties, wheel)) continue;
-    const auto [contact, point] = placed_contact(work, tyre, wheel);
-    const TyreResult<T> result = tyre_result(work, tyre, properties, contact.motion);
-    const Spatial<T> wrench = tyre_wrench(contact, result);
-    work.system.scribe.name(result.load, "load_", tyre.name);
-    work.system.scribe.name(result.fx, "fx_", tyre.name);
-    work.system.scribe.name(result.fy, "fy_", tyre.name);
-    act(work, {tyre.centre.body, wrench.linear, wrench.angular, point});
-    work.forces.xd[2 * i] = result.du;
-    work.forces.xd[2 * i + 1] = result.dv;
-    if (tyre.parking) work.forces.xd[turn_state(work.system.model, i)] = result.dturn;
-    work.forces.tyres[i] = result;
-  }
+void apply(ForceWork<T>& work, const Tyre& tyre) {
+  const std::size_t i = index_in(work.system.model.tyres, tyre);
+  TyreResult<T>& seen = states_of<Tyre>(work.forces).emplace_back();  // zero where a law is shared
+  const RoadPlane<T> road = road_plane(work, tyre);
+  const WheelMotion<T> wheel = wheel_motion(work, tyre, i, road);
+  const TyreProperties<T> properties = properties_on<T>(work, tyre, road);
+  if (act_by_shared_law(work, tyre, i, properties, wheel)) return;
+  const auto [contact, point] = placed_contact(work, tyre, wheel);
+  const TyreResult<T> result = tyre_result(work, tyre, properties, contact.motion);
+  const Spatial<T> wrench = tyre_wrench(contact, result);
+  work.system.scribe.name(result.load, "load_", tyre.name);
+  work.system.scribe.name(result.fx, "fx_", tyre.name);
+  work.system.scribe.name(result.fy, "fy_", tyre.name);
+  act(work, {tyre.centre.body, wrench.linear, wrench.angular, point});
+  work.forces.xd[2 * i] = result.du;
+  work.forces.xd[2 * i + 1] = result.dv;
+  if (tyre.parking) work.forces.xd[turn_state(work.system.model, i)] = result.dturn;
+  seen = result;
 }
 
 }  // namespace detail

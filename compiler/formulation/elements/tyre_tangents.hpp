@@ -3,6 +3,7 @@
 // its deflection states, by the velocities of the slips and these states, and of its moment against turning.
 
 #include "compiler/formulation/elements/element_tangents.hpp"
+#include "compiler/formulation/elements/tyre_road.hpp"
 
 namespace mbgen {
 namespace detail {
@@ -73,8 +74,8 @@ void add_law(const Set& set, const TyreProperties<Slope<T>>& properties, const T
   }
 }
 
-/// Fills what the patch of a tyre with turning gives: its coordinate and its state are the last ones. What the motion
-/// of the patch over the road takes of the turn is left out: it is never stiff.
+/// Fills what the patch of a tyre with turning gives: its coordinate and its state are the last ones. The decay
+/// of the turn by the motion of the patch over the road is left out: it is never stiff.
 template <class Set, class T>
 void add_turning(const Set& set, const TyreProperties<Slope<T>>& properties, const TyreContact<Slope<T>>& contact,
                  ElementTangents<T>& element) {
@@ -133,11 +134,8 @@ ElementTangents<T> tyre_element(ForceWork<T>& work, const Tyre& tyre, std::size_
 }
 
 template <class T>
-void tyre_tangents(ForceWork<T>& work, std::vector<ElementTangents<T>>& elements) {
-  for (std::size_t i = 0; i < work.system.model.tyres.size(); ++i) {
-    const auto heading = work.system.scribe.within(OwnerKind::tyre, i);
-    elements.push_back(tyre_element(work, work.system.model.tyres[i], i));
-  }
+void add_tangents(ForceWork<T>& work, const Tyre& tyre, std::vector<ElementTangents<T>>& elements) {
+  elements.push_back(tyre_element(work, tyre, index_in(work.system.model.tyres, tyre)));
 }
 
 }  // namespace detail

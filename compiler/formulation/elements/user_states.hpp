@@ -29,18 +29,18 @@ void see_states_and_lengths(System<T>& system, const Kinematics<T>& k, const Vel
   Environment<T>& environment = system.environment;
   environment.states.assign(system.x.begin() + first_user_state(model), system.x.end());
   const std::set<int> looked_at = detail::lengths_looked_at(model);
-  environment.lengths.assign(model.springs.size() + model.air_springs.size() + model.rods.size(), T(0.0));
-  environment.rates = environment.lengths;
-  const auto see = [&](int element, const Attachment& from, const Attachment& to) {
-    if (!looked_at.contains(element)) return;
-    const detail::Line<T> line = detail::line_between(system, k, v, from, to);
-    environment.lengths[element] = line.length;
-    environment.rates[element] = line.rate;
-  };
-  int element = 0;
-  for (const PointSpring& spring : model.springs) see(element++, spring.from, spring.to);
-  for (const AirSpring& spring : model.air_springs) see(element++, spring.from, spring.to);
-  for (const Rod& rod : model.rods) see(element++, rod.from, rod.to);
+  const T unseen(0.0);
+  environment.lengths.clear();
+  environment.rates.clear();
+  each_line(model, [&](const auto& element) {
+    const bool is_seen = looked_at.contains(static_cast<int>(environment.lengths.size()));
+    environment.lengths.push_back(unseen);
+    environment.rates.push_back(unseen);
+    if (!is_seen) return;
+    const detail::Line<T> line = detail::line_between(system, k, v, element.from, element.to);
+    environment.lengths.back() = line.length;
+    environment.rates.back() = line.rate;
+  });
 }
 
 namespace detail {

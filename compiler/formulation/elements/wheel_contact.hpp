@@ -7,7 +7,7 @@
 
 namespace mbgen {
 
-/// What a tyre sees of its wheel.
+/// Motion of a wheel, as its tyre sees it.
 template <class T>
 struct WheelMotion {
   Vector<T> up, axis;           ///< unit: the road's normal, the wheel's axis (the one to the left)
@@ -60,7 +60,7 @@ Spatial<T> tyre_wrench(const RoadContact<T>& contact, const TyreResult<T>& tyre)
           tyre.mx * contact.forward + tyre.my * contact.left + tyre.mz * contact.up};
 }
 
-/// What the law of a tyre gives for its wheel.
+/// Results of a tyre's law for its wheel.
 template <class T>
 struct WheelForces {
   Spatial<T> wrench;   ///< N, and N m at the wheel centre

@@ -16,9 +16,9 @@ struct EliminatedPivots {
   std::vector<T> inertia;     ///< not positive where motion has no inertia: pivot less what rounding leaves of one
 };
 
-/// Eliminates in place; afterwards `mass` holds the rows that substitution needs. mass: lower triangle,
-/// [row][column <= row]. rounding: of diagonals, see inertia_left_by_rounding; elimination leaves 1e-12 of one besides.
-/// subtract(a, factor, q): takes `factor` times the right-hand side of row q off that of row a.
+/// Eliminates in place; afterwards `mass` holds the rows for substitution. mass: lower triangle, [row][column <= row].
+/// rounding: of diagonals, see inertia_left_by_rounding; elimination leaves another 1e-12 of a diagonal. subtract(a,
+/// factor, q): subtracts `factor` times the right-hand side of row q from row a.
 template <class T, class Subtract>
 EliminatedPivots<T> eliminate(std::vector<std::vector<T>>& mass, double rounding, const Subtract& subtract) {
   const std::size_t n = mass.size();

@@ -1,8 +1,7 @@
 #pragma once
 // The linear equations of an implicit step, (M - g D - g^2 K) v = right-hand side in the free directions, where v is
-// the change of their velocities beyond that of an explicit step, g the method's factor times the step, M the reduced
-// mass matrix (63), and K and D are the tangents of the force elements.
-// Source: docs/method/implicit.md.
+// the change of their velocities in addition to an explicit step, g the method's factor times the step, M the reduced
+// mass matrix (63), and K and D are the tangents of the force elements. Source: docs/method/implicit.md.
 
 #include <cstddef>
 #include <utility>
@@ -30,7 +29,7 @@ struct WatchedEquations {
   std::vector<T> state_pivot;  ///< likewise, per state of the user's own; those of other states are always positive
 };
 
-/// What right-hand sides are made of: rates of coordinates, velocities and auxiliary states.
+/// Parts of the right-hand sides: rates of coordinates, velocities and auxiliary states.
 template <class T>
 struct ImplicitRates {
   std::vector<T> zd, zdd, xd;
@@ -127,7 +126,7 @@ bool couples_apart(const ImplicitElement<T>& element, const std::vector<SparseRo
 template <class T>
 struct ImplicitMatrix {
   MirroredMatrix<T> matrix;
-  std::vector<int> first_directions;  ///< per element by itself, of those that it moves with
+  std::vector<int> first_directions;  ///< per single element, of its moving directions
 };
 
 /// Forces of elements by velocities, summed: over the free directions. Of symmetric ones the lower triangle.
@@ -151,9 +150,9 @@ void add_projected(const Topology& topology, const ImplicitEquations<T>& e, std:
   });
 }
 
-/// The sums over all elements but those that couple directions apart, whose rows and factors go to `apart`. An element
-/// is summed over the tree's coordinates where it has no more of them than of directions: many then share one
-/// projection.
+/// The sums over all elements, except elements that couple otherwise uncoupled directions: their rows and factors go to
+/// `apart`. An element is summed over the tree's coordinates if these are not more than its directions: many elements
+/// then share one projection.
 template <class T>
 ElementSums<T> element_sums(const Topology& topology, const ImplicitEquations<T>& e,
                             const std::vector<std::vector<T>>& mass, std::vector<std::pair<SparseRow<T>, T>>& apart) {
@@ -210,7 +209,7 @@ ImplicitMatrix<T> implicit_matrix(const Topology& topology, const ImplicitEquati
 }  // namespace detail
 
 /// The equations at a state. g: the method's factor times the step, s. Cost: as the equations of motion in the matrix
-/// form, and a dense elimination of what is not zero.
+/// form, and a dense elimination of the structural nonzeros.
 template <class T, class Partitions>
 WatchedEquations<T> implicit_equations(System<T>& system, const Partitions& partitions, const std::vector<bool>& driven,
                                        const T& g) {
@@ -307,9 +306,9 @@ void add_motion(const ImplicitEquations<T>& e, const TreeChanges<T>& tree, std::
 
 }  // namespace detail
 
-/// Changes of velocities and auxiliary states, in place of given rates: those that solve (1 / g - A) change = rates, A
-/// with the tangents alone. rates: of coordinates, velocities and states. free: the coordinate of each free direction,
-/// group by group. Result: zdd and xd; no zd, whose change is g times its rate and the change of its velocity.
+/// Changes of velocities and auxiliary states, in place of given rates: they solve (1 / g - A) change = rates, A with
+/// the tangents alone. rates: of coordinates, velocities and states. free: the coordinate of each free direction, group
+/// by group. Result: zdd and xd; no zd, whose change is g times its rate and the change of its velocity.
 template <class T>
 ImplicitRates<T> implicit_changes(const Topology& topology, const std::vector<int>& free, const ImplicitEquations<T>& e,
                                   const T& g, const ImplicitRates<T>& rates) {

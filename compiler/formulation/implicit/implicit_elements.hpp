@@ -67,9 +67,9 @@ std::vector<std::vector<T>> solved_columns(const ImplicitFactors<T>& factors, st
   return matrix;
 }
 
-/// Eliminates the auxiliary states of an element into its tangents: their changes are those that solve
-/// (1 / g - F) change = rates + P (change of positions) + Q (change of velocities). state_pivot: per state of the
-/// user's own, the first of them `first_user`.
+/// Eliminates the auxiliary states of an element into its tangents: their changes solve (1 / g - F) change = rates + P
+/// (change of positions) + Q (change of velocities). state_pivot: per user-defined state, the first of them
+/// `first_user`.
 template <class T>
 void eliminate_states(ElementTangents<T>& tangents, const T& g, int first_user, ImplicitElement<T>& element,
                       std::vector<T>& state_pivot) {
@@ -218,7 +218,7 @@ bool is_symmetric_alone(const ImplicitElement<T>& element) {
   return element.states.empty() && element.is_symmetric && is_diagonal(element.stiffness);
 }
 
-/// Unites elements on the same coordinates of the tree, as bushings of one arm, where that costs less in a stage.
+/// Unites elements on the same coordinates of the tree, as compliances of one arm, where that costs less in a stage.
 template <class T>
 std::vector<ImplicitElement<T>> united_where_less(std::vector<ImplicitElement<T>> elements) {
   std::vector<ImplicitElement<T>> result;

@@ -1,6 +1,6 @@
 #pragma once
-// A matrix that is eliminated from the last row to the first, without touching what is zero at every state, and once
-// where both entries of a pair are one value.
+// A matrix that is eliminated from the last row to the first, without its structural zeros, and only once for the two
+// entries of a symmetric pair.
 
 #include <algorithm>
 #include <cmath>

@@ -1,15 +1,16 @@
 #pragma once
 // Tangents of all force elements.
 
-#include "compiler/formulation/elements/bushing_tangents.hpp"
-#include "compiler/formulation/elements/force_tangents.hpp"
+#include "compiler/formulation/elements/every_kind.hpp"
 #include "compiler/formulation/elements/tyre_tangents.hpp"
+#include "compiler/formulation/elements/user_state_tangents.hpp"
+#include "compiler/formulation/elements/user_states.hpp"
 
 namespace mbgen {
 
-/// Tangents of all force elements and states of the user's own; those that share such a state are one. Forces and
-/// torques on bodies count as given where they look at no state. Requires: v about the origins of frames. Cost: linear
-/// in the number of elements.
+/// Tangents of all force elements and user-defined states; elements that share such a state are one. Forces and torques
+/// on bodies count as given unless they depend on states. Requires: v about the origins of frames. Cost: linear in the
+/// number of elements.
 template <class T>
 std::vector<ElementTangents<T>> force_tangents(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v) {
   see_states_and_lengths(system, k, v);  // that laws look at
@@ -17,13 +18,14 @@ std::vector<ElementTangents<T>> force_tangents(System<T>& system, const Kinemati
   none.about = v.about;
   detail::ForceWork<T> work{system, k, v, none};
   std::vector<ElementTangents<T>> elements;
-  detail::spring_tangents(work, elements);
-  detail::joint_tangents(work, elements);
-  detail::friction_tangents(work, elements);
-  detail::tyre_tangents(work, elements);
-  detail::bushing_tangents(work, elements);
-  detail::bump_stop_tangents(work, elements);
-  detail::body_force_tangents(work, elements);
+  for (int pass = 0; pass < detail::kTangentPasses; ++pass)
+    each_element(system.model, [&](const auto& element) {
+      if constexpr (requires { add_tangents(work, element, elements); }) {
+        if (detail::kTangentPass<std::decay_t<decltype(element)>> != pass) return;
+        const auto heading = within(system, element);
+        add_tangents(work, element, elements);
+      }
+    });
   detail::state_tangents(work, elements);
   return detail::joined_by_states(std::move(elements));
 }

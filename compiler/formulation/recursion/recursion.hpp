@@ -63,7 +63,7 @@ void eliminate_rotor(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
   const Vector<T> omega = s.omega[unit.base];
   const T spin = dot(axis, omega) + s.system().zd(w);
   base.needed.angular = base.needed.angular + (s.polar[w] * spin) * cross(omega, axis);
-  if (driven) {  // its spin acceleration is that of the base and the prescribed one
+  if (driven) {  // its spin acceleration: of the base, plus the prescribed one
     const Vector<T> along = s.polar[w] * axis;
     base.reduced.angular = base.reduced.angular + square(s.polar[w], axis);
     base.needed.angular = base.needed.angular + *driven * along;
@@ -136,7 +136,7 @@ void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   const Matrix<T> base_gradient = acceleration_gradient(turning, base.angular);
   for (const JointStep& step : unit.steps) {
     const int i = step.body(), p = s.work.parent(step);
-    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
+    const auto heading = within_body(system.scribe, i);
     if (step.quasi() && !parts.chosen) {
       set_joint_accelerations(s.work, step, p == unit.base ? Vector<T>{} : parts.velocity[p].angular,
                               quasi_of(step, zdd), zdd);
@@ -221,7 +221,7 @@ void add_own_parts(RecursionState<T>& s, const RecursionUnit& unit, const Applie
   for (const JointStep& step : unit.steps) {
     const int i = step.body();
     if (unit.block < 0 && i != unit.end()) continue;
-    const auto heading = s.system().scribe.within(OwnerKind::tree_body, i);
+    const auto heading = within_body(s.system().scribe, i);
     CompositeBody<T>& c = s.composite[i];
     c.rigid = c.rigid + (s.work.own(i) ? s.constant[i] : s.in_base_axes(i, s.constant[i]));
     c.needed = c.needed - forces.wrench[i];
@@ -296,7 +296,7 @@ void eliminate_units(RecursionState<T>& s, const AppliedForces<T>& forces,
       continue;
     }
     const auto step = scribe.step(Step::reduced_system);
-    const auto heading = scribe.within(OwnerKind::tree_body, unit.end());
+    const auto heading = within_body(scribe, unit.end());
     if (unit.rotor) {
       eliminate_rotor(s, u, forces);
       continue;
@@ -316,7 +316,7 @@ void solve_units(RecursionState<T>& s, RecursiveSolution<T>& solution) {
   solution.zdd.assign(system.topology.bodies.size(), T(0.0));
   for (std::size_t u = 0; u < s.units().size(); ++u) {
     const RecursionUnit& unit = s.units()[u];
-    const auto heading = system.scribe.within(OwnerKind::tree_body, unit.end());
+    const auto heading = within_body(system.scribe, unit.end());
     if (unit.rotor)
       solve_rotor(s, u, solution.zdd);
     else if (unit.block >= 0)

@@ -63,14 +63,14 @@ void set_velocities(RecursionState<T>& s) {
   s.omega.resize(system.topology.bodies.size());
   for (std::size_t u = 0; u < s.units().size(); ++u) {
     const RecursionUnit& unit = s.units()[u];
-    const auto heading = system.scribe.within(OwnerKind::tree_body, unit.end());
+    const auto heading = within_body(system.scribe, unit.end());
     const Vector<T> base = s.omega_of(unit.base);
     if (unit.rotor) continue;
     if (unit.block >= 0) {
       s.blocks[u].velocity = block_motion(s.work, unit, s.velocity);
       for (const JointStep& step : unit.steps) {
         const int i = step.body();
-        const auto of_body = system.scribe.within(OwnerKind::tree_body, i);
+        const auto of_body = within_body(system.scribe, i);
         s.omega[i] = base + s.blocks[u].velocity[i].angular;
         if (s.work.own(i)) s.omega[i] = transposed_times(s.k().orientation[i], s.omega[i]);
         name(system.scribe, s.omega[i], "w_", system.body_name(i));

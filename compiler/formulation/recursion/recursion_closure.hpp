@@ -174,7 +174,7 @@ SparseClosure<T> near_closure(const RecursionWork<T>& work, const RecursionUnit&
           work.system, loop, [&](int joint) { return unit.column(joint); }, result);
       continue;
     }
-    const auto heading = work.system.scribe.within(OwnerKind::loop, l);
+    const auto heading = within_loop(work.system.scribe, l);
     for (const detail::NearRow<T>& row : detail::near_rows(work, unit, velocity, bias, loop, by)) {
       std::map<int, T> columns;
       detail::add_columns(work, unit, loop, loop.body_from, row.force, row.moment_from, 1.0, by, columns);

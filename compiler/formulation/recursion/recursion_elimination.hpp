@@ -67,8 +67,8 @@ int unit_component(Spatial<T> direction) {
   return others > 0 ? -1 : unit;
 }
 
-/// The same of a body with these directions. Where a direction is a component, the unknown is that of the body's
-/// acceleration: its own and that of the base meet the same column of the equations.
+/// The same of a body with these directions. If a direction is a component, the unknown is this component of the body's
+/// acceleration: its own part and the base's part use the same column of the equations.
 template <class T>
 std::vector<T> free_accelerations(const UnitEquations<T>& u, std::vector<Spatial<T>> directions,
                                   const Spatial<T>& base) {

@@ -55,7 +55,7 @@ GatheredForces<T> gathered_forces(System<T>& system, const Kinematics<T>& k, con
   for (int i = n - 1; i >= 0; --i) {
     const BodyLayout& layout = system.layout.bodies[i];
     if (layout.joint_frame != layout.base && layout.joint_frame != i) continue;  // inside a run: taken with its end
-    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
+    const auto heading = within_body(system.scribe, i);
     Spatial<T> whole = carried[i] + detail::needed_force(system, k, v, a, forces, i);
     const auto take = [&](int j, const Vector<T>& pin) {
       detail::take_joint(system, k, j, whole, pin, tau[j] + forces.joint[j], gathered);
@@ -106,7 +106,7 @@ std::vector<T> forces_of_columns(const RecursionWork<T>& work, const RecursionUn
       values[unit.column(step.body())] = gathered.joint[step.body()];
       continue;
     }
-    const auto heading = work.system.scribe.within(OwnerKind::tree_body, step.body());
+    const auto heading = within_body(work.system.scribe, step.body());
     const QuasiAxes<T>& q = work.quasi[step.body()];
     Vector<T> sum = -gathered.needed[step.body()];
     for (int c = 0; c < 3; ++c) sum = sum + applied[step.joints[c]] * q.dual[c];

@@ -6,8 +6,8 @@
 
 namespace mbgen::detail {
 
-/// A body on another body of its block, by one joint: its motion is that of the body below and of its own joint, so
-/// that its inertia joins the subtree of the body below, and only its joint's motion b is projected here.
+/// A body on another body of its block, by one joint: its motion is the sum of the inboard body's motion and its own
+/// joint's, so that its inertia joins the inboard body's subtree, and only its joint's motion b is projected here.
 template <class T>
 void gather_in_subtree(RecursionState<T>& s, BlockGathering<T>& g, const JointStep& step) {
   const int i = step.body(), below = s.work.parent(step);
@@ -108,7 +108,7 @@ CompositeBody<T> gather_block(RecursionState<T>& s, std::size_t u) {
                       PerBody<OuterArms<T>>(unit)};
   start_equations(s, g);
   for (auto step = unit.steps.rbegin(); step != unit.steps.rend(); ++step) {
-    const auto heading = system.scribe.within(OwnerKind::tree_body, step->body());
+    const auto heading = within_body(system.scribe, step->body());
     if (is_arm(s, unit, *step))
       gather_arm(s, g, step->body());
     else if (is_outer_arm(s, unit, *step))

@@ -141,9 +141,9 @@ bool turns_in_a_plane(const Matrix<T>& r) {
   return is_coordinate_axis(rows.x) || is_coordinate_axis(rows.y) || is_coordinate_axis(rows.z);
 }
 
-/// A constant inertia turned by r. Of a body with an axis of symmetry through its centre of mass only this axis and the
-/// centre are turned: K = lambda 1 + delta u u' + m c c'. axis: of the body's joint, in the body and where it is now; a
-/// turn in a plane takes fewer operations on K where another axis is that of symmetry.
+/// A constant inertia rotated by r. For a body with an axis of symmetry through its centre of mass only this axis and
+/// the centre are rotated: K = lambda 1 + delta u u' + m c c'. axis: of the body's joint, in the body and at present; a
+/// rotation in a plane takes fewer operations on K if the axis of symmetry is another one.
 template <class T>
 PseudoInertia<T> turned(const Matrix<T>& r, const Vector3& axis, const Vector<T>& axis_now, const PseudoInertia<T>& m) {
   if (is_zero(m.mass) || !(known_size(m.trace) > 0)) return rotated(r, m);
@@ -183,8 +183,8 @@ Spatial<T> operator*(const PseudoInertia<T>& m, const Spatial<T>& motion) {
           cross(m.moment, motion.linear) + inertia_matrix(m) * motion.angular};
 }
 
-/// Force and moment that a field of accelerations a + g r takes. Where two entries across an axis are known to be
-/// opposite, the moment about it is that of an angular acceleration alone, by J.
+/// Force and moment for an acceleration field a + g r. If two entries across an axis are known to be opposite, the
+/// moment about it is due to an angular acceleration alone, by J.
 template <class T>
 Spatial<T> field_force(const PseudoInertia<T>& m, const Vector<T>& a, const Matrix<T>& g) {
   const Symmetric<T>&k = m.second, j = inertia_matrix(m);

@@ -20,7 +20,7 @@ struct RecursionWork {
   System<T>& system;
   const Recursion& recursion;
   const Kinematics<T>& k;
-  std::vector<Vector<T>> offset;       ///< bodies of blocks: origin from that of the body before, base frame, m
+  std::vector<Vector<T>> offset;       ///< bodies of blocks: origin from the previous body's origin, base frame, m
   std::vector<QuasiAxes<T>> quasi;     ///< per tree body that ends a quasi step
   std::vector<const JointStep*> step;  ///< per tree body: the step that ends there, null inside a step
 
@@ -59,7 +59,7 @@ RecursionWork<T> recursion_work(System<T>& system, const Recursion& recursion, c
     for (const JointStep& step : unit.steps) {
       const int body = step.body(), first = step.joints[0], p = work.parent(step);
       work.step[body] = &step;
-      const auto heading = system.scribe.within(OwnerKind::tree_body, body);
+      const auto heading = within_body(system.scribe, body);
       if (step.quasi()) work.quasi[body] = quasi_axes(system, k, step);
       if (unit.block < 0) continue;
       const Matrix<T> axes = p == unit.base ? identity<T>() : k.orientation[p];
@@ -87,7 +87,7 @@ PerBody<Spatial<T>> block_motion(const RecursionWork<T>& work, const RecursionUn
   PerBody<Spatial<T>> motion(unit);
   for (const JointStep& step : unit.steps) {
     const int p = work.parent(step);
-    const auto heading = work.system.scribe.within(OwnerKind::tree_body, step.body());
+    const auto heading = within_body(work.system.scribe, step.body());
     const Spatial<T> below = p == unit.base ? Spatial<T>{} : motion[p];
     motion[step.body()] =
         Spatial<T>{velocity_at(below, work.offset[step.body()]), below.angular} + step_motion(work, step, values);
@@ -117,7 +117,7 @@ std::vector<T> quasi_velocities(const RecursionWork<T>& work) {
   std::vector<T> values = work.system.environment.zd;
   for (const JointStep* step : work.step) {
     if (step == nullptr || !step->quasi()) continue;
-    const auto heading = work.system.scribe.within(OwnerKind::tree_body, step->body());
+    const auto heading = within_body(work.system.scribe, step->body());
     set_components(*step, rate_sum(work, *step), [&](int j) -> T& { return values[j]; });
   }
   return values;
@@ -128,7 +128,7 @@ template <class T>
 std::vector<T> quasi_forces(const RecursionWork<T>& work, std::vector<T> tau) {
   for (const JointStep* step : work.step) {
     if (step == nullptr || !step->quasi()) continue;
-    const auto heading = work.system.scribe.within(OwnerKind::tree_body, step->body());
+    const auto heading = within_body(work.system.scribe, step->body());
     const QuasiAxes<T>& q = work.quasi[step->body()];
     const auto part = [&](int c) { return tau[step->joints[c]] * q.dual[c]; };
     set_components(*step, part(0) + part(1) + part(2), [&](int j) -> T& { return tau[j]; });
@@ -208,7 +208,7 @@ PerBody<BodyAcceleration<T>> block_bias(const RecursionWork<T>& work, const Recu
   PerBody<BodyAcceleration<T>> bias(unit);
   for (const JointStep& step : unit.steps) {
     const int body = step.body(), p = work.parent(step);
-    const auto heading = work.system.scribe.within(OwnerKind::tree_body, body);
+    const auto heading = within_body(work.system.scribe, body);
     const BodyAcceleration<T> below = p == unit.base ? BodyAcceleration<T>{} : bias[p];
     const Vector<T> turning = p == unit.base ? Vector<T>{} : velocity[p].angular;
     BodyAcceleration<T> b{below.linear + below.gradient * work.offset[body], below.angular, below.gradient};

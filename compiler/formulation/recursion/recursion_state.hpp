@@ -34,8 +34,8 @@ using BlockProjection = std::variant<LoopPartition, GroupProjection<T>>;
 
 namespace detail {
 
-/// Inertias that move with a body and the force that they need, about the body's origin in the frame that carries it
-/// (own frame, or that of its block's base).
+/// Inertias that move with a body and their forces, about the body's origin in the frame that carries it (own frame, or
+/// its block's base frame).
 template <class T>
 struct CompositeBody {
   PseudoInertia<T> rigid;         ///< of the body itself and of arms on it: its angular velocity acts on it as a whole

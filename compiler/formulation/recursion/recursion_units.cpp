@@ -9,7 +9,7 @@
 namespace mbgen {
 namespace {
 
-/// Whether the point of the next joint on a body is that of the body's own joint, whatever parameters there are.
+/// Whether the point of the next joint on a body equals the point of the body's own joint, for any parameters.
 bool in_one_point(const Model& model, const Topology& topology, int body, int next) {
   const TreeBody &here = topology.bodies[body], &above = topology.bodies[next];
   if (here.joint == above.joint) return true;
@@ -42,7 +42,7 @@ std::vector<bool> mere_links(const Model& model, const Topology& topology) {
   return link;
 }
 
-/// What decides which joints are taken as one step.
+/// Inputs of the choice of joints that are taken as one step.
 struct StepRules {
   const Model& model;
   const Topology& topology;

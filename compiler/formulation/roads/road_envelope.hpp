@@ -1,9 +1,8 @@
 #pragma once
-// What a wheel with an enveloping contact stands on: the plane that its cams make of the road. No search, no branches
-// on values. Source: A. J. C. Schmeitz, "A Semi-Empirical Three-Dimensional Model of the Pneumatic Tyre Rolling over
-// Arbitrarily Uneven Road Surfaces", Delft 2004 (tandem of cams with the outline of a superellipse); that cams stand on
-// the line through the road below them, and that edges are looked at for themselves, is mbgen's own.
-
+// Plane of the road under a wheel with an enveloping contact, made by its cams. No search, no branches on values.
+// Source: A. J. C. Schmeitz, "A Semi-Empirical Three-Dimensional Model of the Pneumatic Tyre Rolling over Arbitrarily
+// Uneven Road Surfaces", Delft 2004 (tandem of cams with the outline of a superellipse); that cams stand on the line
+// through the road below them, and that edges are looked at for themselves, is mbgen's own.
 #include "compiler/formulation/roads/road.hpp"
 #include "mbgen/tyres/magic_formula.hpp"
 
@@ -87,8 +86,8 @@ struct EnvelopePoint {
   T height;  ///< m
 };
 
-/// Edges of obstacles, just inside of what is high, so that the road there is the upper one; those beyond the cams
-/// stand at their ends. On a step the cam so stands on the edge itself while it passes, whatever places it looks at.
+/// Edges of obstacles, just inside the higher side, so that the road there is the upper one; edges beyond the cams are
+/// moved to their ends. So the cam stands on the edge itself while it passes, for any evaluation points.
 template <class T>
 void add_edges(const EnvelopeRow<T>& row, const T& reach, std::vector<EnvelopePoint<T>>& points) {
   using mbgen::select;
@@ -108,7 +107,7 @@ void add_edges(const EnvelopeRow<T>& row, const T& reach, std::vector<EnvelopePo
   }
 }
 
-/// What a row makes of its road.
+/// Height and slope of the road under a row of cams.
 template <class T>
 struct EnvelopeLine {
   T height;  ///< m, below the wheel centre, in the axes of the road

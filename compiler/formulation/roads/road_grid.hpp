@@ -157,7 +157,7 @@ A inside_borders(RoadBorder border, const A& place, double size) {
   return within(back, A(0.0), A(size));
 }
 
-/// The height of a place that may lie beyond a border. inside: that at the border; flat: that of height 0.
+/// The height of a place that may lie beyond a border. inside: height at the border; flat: height 0.
 template <class T, class A>
 A height_at_border(RoadBorder border, double offset, const A& place, double size, const A& inside, const A& flat) {
   using mbgen::select;

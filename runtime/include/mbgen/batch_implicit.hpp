@@ -1,5 +1,5 @@
 #pragma once
-// Linearly implicit steps of several instances in lanes, see batch_steps.hpp. `System` is that of batch.hpp with the
+// Linearly implicit steps of several instances in lanes, see batch_steps.hpp. `System` is as in batch.hpp, with the
 // programs tangents and changes, and StepSize, a struct of the row `step`.
 
 #include "mbgen/batch_steps.hpp"
@@ -9,7 +9,7 @@ namespace mbgen {
 
 namespace batch_detail {
 
-/// A System as an implicit integrator sees it. A lane whose equations do not serve is not good.
+/// A System for an implicit integrator. A lane whose equations cannot be used is not good.
 template <class System>
 struct ImplicitLaneDynamics : LaneDynamics<System> {
   using State = typename System::State;
@@ -34,7 +34,7 @@ struct ImplicitLaneDynamics : LaneDynamics<System> {
   void solve(const Tangents& tangents, double g, const StateRates<ImplicitLaneDynamics>& rates,
              Derivative& change) const noexcept {
     using Row = typename System::Row;
-    // The program looks at velocities alone. The others are copied like them: clang calls memset for rows of zeros.
+    // The program reads velocities only. The others are copied too: clang would call memset for rows of zeros.
     State of_positions;
     for (int i = 0; i < System::kCoordinates; ++i) of_positions.z[i] = rates.zd[i];
     for (int i = 0; i < System::kCoordinates; ++i) of_positions.zd[i] = rates.zd[i];

@@ -36,7 +36,7 @@ struct LaneDynamics {
   }
 };
 
-/// Stages as they are; the mask holds the lanes that met trouble.
+/// Plain stages; the mask holds the lanes that need the scalar solver.
 struct LaneStages {
   static constexpr bool goes_on(Status) noexcept { return true; }
 

@@ -66,10 +66,10 @@ template <class Real>
 inline constexpr Real kPivotThreshold = 0.02;
 template <>
 inline constexpr float kPivotThreshold<float> = 0.1f;
-/// Smallest pivot of a block, over its median, from which the frozen partition serves to correct the drift of a step:
-/// the cosine of an eighth of a turn, where of two coordinates the other one becomes the better pivot. Where the pivot
-/// is smaller, a correction of dependents alone moves the mechanism along its free directions by more than the drift.
-/// Then it is shortened by the free directions of the frozen partition, which below kNearSingular is chosen again.
+/// Smallest pivot of a block, over its median, for which dependent coordinates alone may correct the drift of a step:
+/// the cosine of an eighth of a turn, at which the other of two coordinates becomes the better pivot. Below it such a
+/// correction would move the mechanism along its free directions by more than the drift. It is then shortened by the
+/// free directions of the frozen partition; below kNearSingular the partition is chosen again.
 template <class Real>
 inline constexpr Real kFairPivot = Real(0.7);
 /// Corrections below this many closure tolerances are slight: so much the closures may be open.
@@ -103,7 +103,7 @@ template <class Real>
   return total.value();
 }
 
-/// Largest absolute value, NaN when one is; 0 of nothing.
+/// Largest absolute value, NaN if one is; 0 of an empty range.
 template <class Real>
 inline Real largest(const Real* values, int count) noexcept {
   Real result = 0;
@@ -236,8 +236,8 @@ struct BlockFactors {
   }
 };
 
-/// The most telling notice about the blocks at a position. pivot: of the frozen partition, per block.
-/// Fails: loop_singular. Cost: nothing while the frozen pivots are far from small.
+/// The most important notice about the blocks at a position. pivot: of the frozen partition, per block. Fails:
+/// loop_singular. No cost unless the frozen pivots are small.
 template <class System>
 Status notice_at(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                  const typename System::State& state, const RealOf<System>* pivot) noexcept {

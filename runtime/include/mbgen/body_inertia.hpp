@@ -10,7 +10,7 @@ struct BodyInertia {
   double xx, yy, zz, xy, xz, yz;
 };
 
-/// No eigenvalue is below -slack, by the principal minors. True for what is not a number: that has a status of its own.
+/// No eigenvalue is below -slack, by the principal minors. True for NaN, which has its own status.
 inline bool is_semidefinite(const BodyInertia& m, double slack) noexcept {
   const double a = m.xx + slack, b = m.yy + slack, c = m.zz + slack;
   const double ab = a * b - m.xy * m.xy, ac = a * c - m.xz * m.xz, bc = b * c - m.yz * m.yz;
@@ -27,7 +27,8 @@ inline bool breaks_triangle(const BodyInertia& m) noexcept {
   return !is_semidefinite({half - m.xx, half - m.yy, half - m.zz, -m.xy, -m.xz, -m.yz}, inertia_slack(m));
 }
 
-/// A body may have it. as_written: that of the model; one that breaks the triangle rule was accepted as it is.
+/// Whether a body can have this inertia. as_written: of the model; a violation of the triangle inequality there is
+/// accepted.
 inline bool is_inertia(const BodyInertia& m, const BodyInertia& as_written) noexcept {
   return is_semidefinite(m, inertia_slack(m)) && (breaks_triangle(as_written) || !breaks_triangle(m));
 }

@@ -26,8 +26,8 @@ struct Angles {
   Real z[3], zd[3], zdd[3];
 };
 
-/// The turn of a ball with angular velocity and acceleration, in the axes that its chart starts from: the first axis,
-/// the second, and what makes them right-handed.
+/// Rotation of a ball with angular velocity and acceleration, in a right-handed frame before the rotation: the first
+/// axis, the second, and their cross product.
 template <class Real>
 struct Turn {
   Real row[3][3];
@@ -107,7 +107,7 @@ Angles<Real> read(const Ball& ball, const Real* z, const Real* zd, const Real* z
   return a;
 }
 
-/// Writes what `read` read.
+/// Inverse of `read`.
 template <class Real>
 void write(const Ball& ball, const Angles<Real>& a, Real* z, Real* zd, Real* zdd) noexcept {
   for (int k = 0; k < 3; ++k) {
@@ -184,8 +184,8 @@ void change_charts(const Ball* balls, int count, const Real* from, const Real* t
   }
 }
 
-/// Coordinates, rates and accelerations as the model counts them: of balls in chart 1 those of chart 0. At the pole
-/// rates are finite and mean nothing. zdd: may be null.
+/// Coordinates, rates and accelerations in the angles of the model: balls in chart 1 are converted to chart 0. At the
+/// pole rates are finite and without meaning. zdd: may be null.
 template <class Real>
 void to_users_angles(const Ball* balls, int count, const Real* charts, Real* z, Real* zd, Real* zdd) noexcept {
   for (int b = 0; b < count; ++b) {

@@ -56,8 +56,8 @@ struct SolverTable {
   Status (*accelerations_in_motion)(const double* parameters, const double* inputs, const double* state, double h,
                                     double* derivative) noexcept;
 
-  /// Sets the sampled values that are due at the start of a step of h seconds, as steps do, or with h = 0 those that
-  /// are due at the time of the state; any: whether there are such. Null without sampled values.
+  /// Sets the sampled values that are due at the start of a step of h seconds, as steps do, or with h = 0 the values
+  /// due at the time of the state; any: whether there are such. Null without sampled values.
   Status (*sample)(const double* parameters, const double* inputs, double* state, double h, bool* any) noexcept;
 
   /// Outputs y[outputs] and energy[3]: kinetic (J), potential of gravity (J), power of the other applied forces (W).
@@ -82,7 +82,7 @@ struct SolverTable {
                                   const double* taus, int count, int repetitions) noexcept;
 
   /// Ticks spent in each of the nine steps of the paper's tables over the same evaluations, ticks[kSteps]; null in a
-  /// driver without step clock. The steps are those of the frozen partition.
+  /// driver without step clock. The steps belong to the frozen partition.
   void (*step_ticks)(const double* parameters, const double* inputs, const double* states, const double* taus,
                      int count, int repetitions, long long* ticks) noexcept;
 

@@ -1,5 +1,5 @@
 #pragma once
-// The elementary functions of emitted code; docs/method/arithmetic.md says how exact they are.
+// The elementary functions of emitted code; docs/method/arithmetic.md gives their errors.
 
 #include "mbgen/math/arc_tangent.hpp"
 #include "mbgen/math/exponential.hpp"

@@ -21,7 +21,7 @@
 #include <arm_neon.h>
 #endif
 
-// Vectors wider than the processor's have no settled way to be passed; nothing here is called across files.
+// Vectors wider than the processor's have no fixed calling convention; nothing here is called across files.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace mbgen {

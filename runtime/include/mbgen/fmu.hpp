@@ -15,8 +15,7 @@
 
 namespace mbgen::fmu {
 
-/// q, qd and qdd: of the states that loop blocks and balls have, whatever their independent coordinates and angles are
-/// now.
+/// q, qd and qdd: of the states of loop blocks and balls, whatever their present independent coordinates and angles.
 enum class Group : int { time, parameter, input, output, z, zd, zdd, x, xd, q, qd, qdd, start, indicator, none };
 
 struct Place {
@@ -311,13 +310,14 @@ Answer set_values(Core<Model>& core, const unsigned* references, unsigned long c
     core.is_solved = false;
     core.run.history = {};
   }
-  // The constants that follow from the parameters are worked out anew.
+  // Recomputes the constants that depend on the parameters.
   if (is_tuned) core.run.parameters = typename Model::Parameters(core.run.parameters);
   return Answer::ok;
 }
 
-/// Sets derivatives of inputs, all or none: those that are inputs, and the first of those that end a row.
-/// Answer: error for a variable that is no input, an order that the input has not, or a value that is not finite.
+/// Sets derivatives of inputs, all or none: of inputs whose derivative is an input, and the first derivative of the
+/// last one of a chain. Answer: error for a variable that is not an input, an order that the input does not have, or a
+/// value that is not finite.
 template <class Model>
 Answer set_input_derivatives(Core<Model>& core, const unsigned* references, unsigned long count, const int* orders,
                              const double* values) noexcept {

@@ -49,8 +49,8 @@ Answer complete(const Core<Model>& core, typename Model::Direction& direction,
   return Answer::ok;
 }
 
-/// Adds a known's rate to a direction. Dependent positions change nothing: they are guesses of the closed ones.
-/// Result: whether it is a known.
+/// Adds a known's rate to a direction. Dependent positions have no effect: they are guesses of the closed ones. Result:
+/// whether it is a known.
 template <class Model>
 bool add_known(const Run<Model>& run, Place place, double rate, typename Model::Direction& direction) noexcept {
   switch (place.group) {

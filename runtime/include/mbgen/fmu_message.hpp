@@ -46,7 +46,7 @@ class Message {
     if (refusal.has_value) add(", got ").add(refusal.value);
     return *this;
   }
-  /// How the solver's last call failed, and what an importer can do.
+  /// Failure of the solver's last call, and advice for the importer.
   template <class Model>
   Message& add_status(const Core<Model>& core) noexcept {
     const Code code = core.status.code;

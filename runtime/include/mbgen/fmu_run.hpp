@@ -23,8 +23,8 @@ Answer set_times(Core<Model>& core, double start, bool has_stop, double stop) no
   return Answer::ok;
 }
 
-/// Chooses other independent coordinates where those of a loop block serve badly. Requires: closed. Result: whether any
-/// changed.
+/// Chooses other independent coordinates if those of a loop block are ill-conditioned. Requires: closed. Result:
+/// whether any changed.
 template <class Model>
 bool choose_coordinates(Core<Model>& core) noexcept {
   Run<Model>& run = core.run;
@@ -33,8 +33,8 @@ bool choose_coordinates(Core<Model>& core) noexcept {
   return choose({run.state, run.inputs, run.parameters}, run.choice, kWornAtEvent);
 }
 
-/// Keeps what later points are judged by: the inputs, the time, and when the motion meets dead points. Requires: closed
-/// and solved.
+/// Stores the reference for later points: the inputs, the time, and the times of dead points. Requires: closed and
+/// solved.
 template <class Model>
 void keep_point(Core<Model>& core) noexcept {
   Run<Model>& run = core.run;
@@ -44,7 +44,7 @@ void keep_point(Core<Model>& core) noexcept {
   if (Model::kIndicators > 0 && run.interface == Interface::model_exchange) find_dead_points(core, 1, run.dead_point);
 }
 
-/// Closes the loops and goes on to event mode (model exchange) or step mode. Answer: error where they do not close.
+/// Closes the loops and enters event mode (model exchange) or step mode. Answer: error if they cannot be closed.
 template <class Model>
 Answer leave_initialization(Core<Model>& core) noexcept {
   core.is_solved = false;
@@ -108,8 +108,8 @@ bool has_no_rates(const typename Model::Inputs& inputs, int input) noexcept {
 constexpr double kRateGap = 0.2;
 constexpr int kContradictions = 4;
 
-/// Tells, once, where an input moves otherwise than the rates that are given with it say. now: the inputs at a
-/// communication point from which a step was taken; one that was refused is not compared.
+/// Reports, once, an input that changes differently from its given rates. now: the inputs at a communication point from
+/// which a step was taken; refused steps are not compared.
 template <class Model>
 void compare_rates(Core<Model>& core, double point, const typename Model::Inputs& now) noexcept {
   Run<Model>& run = core.run;
@@ -251,8 +251,9 @@ Answer get_nominals(double* nominals, unsigned long count) noexcept {
   return Answer::ok;
 }
 
-/// Event indicators: how well the independent coordinates of each loop block serve, less where others should be chosen.
-/// Where a loop cannot be followed, its indicator is that of a dead point: who looks for the event by roots finds it.
+/// Event indicators: the condition of the independent coordinates of each loop block minus the limit for other
+/// coordinates. If a loop cannot be followed, its indicator has the value of a dead point: root finding then finds the
+/// event.
 template <class Model>
 Answer get_indicators(Core<Model>& core, double* indicators, unsigned long count) noexcept {
   if (count != Model::kIndicators || !is_array(indicators, indicators, count)) return Answer::error;
@@ -289,8 +290,8 @@ Answer set_time(Core<Model>& core, double time) noexcept {
   return Answer::ok;
 }
 
-/// Tells, once, where an input has moved between accepted points though its rates were left out at both: bodies that it
-/// drives jump then and feel no acceleration.
+/// Reports, once, an input that changed between accepted points without rates at both: the bodies that it drives jump
+/// then and feel no acceleration.
 template <class Model>
 void compare_inputs(Core<Model>& core) noexcept {
   const typename Model::Inputs &before = core.run.accepted, &now = core.run.inputs;
@@ -310,7 +311,7 @@ void compare_inputs(Core<Model>& core) noexcept {
 }
 
 /// Accepts the step that an integrator has completed. asks_for_event: other independent coordinates, or other angles of
-/// a ball, would serve better.
+/// a ball, are better conditioned.
 template <class Model>
 Answer accept_step(Core<Model>& core, bool& asks_for_event) noexcept {
   asks_for_event = false;
@@ -353,8 +354,8 @@ bool rates_differ(const typename Model::Derivative& a, const typename Model::Der
   return false;
 }
 
-/// Accepts the values that an event has set; on failure the run is as before. has_changed: the states now belong to
-/// other coordinates, or are other angles, or their rates have jumped with sampled values: integrators start anew.
+/// Accepts the values set in an event; on failure the run is unchanged. has_changed: the states now belong to other
+/// coordinates, or are other angles, or their rates have jumped with sampled values: integrators restart.
 template <class Model>
 Answer settle(Core<Model>& core, bool& has_changed) noexcept {
   has_changed = false;

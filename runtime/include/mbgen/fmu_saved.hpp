@@ -7,7 +7,7 @@
 
 namespace mbgen::fmu {
 
-/// A saved run in a list of those that an instance has made.
+/// A saved run in the list of its instance.
 template <class Model>
 struct Saved {
   Run<Model> run;
@@ -21,7 +21,7 @@ Saved<Model>* find_saved(Saved<Model>* first, const void* pointer) noexcept {
   return first;
 }
 
-/// Takes a run out of the list. Requires: it is there.
+/// Removes a run from the list. Requires: the list contains it.
 template <class Model>
 void remove_saved(Saved<Model>*& first, const Saved<Model>* one) noexcept {
   Saved<Model>** place = &first;

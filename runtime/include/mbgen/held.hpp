@@ -121,7 +121,7 @@ struct HeldBlocks {
     take(b);
     return held_factors<System>(b, held, factored, factors);
   }
-  /// With those that full pivoting leaves.
+  /// Factors with the pivots of full pivoting.
   LoopFactorsOf<RealOf<System>> best(int b) noexcept {
     take(b);
     return factors.factors_of(b, factored);
@@ -150,8 +150,8 @@ double product_of_pivots(int b, const LoopFactorsOf<RealOf<System>>& loop) noexc
   return product;
 }
 
-/// The share of a pivot of the largest that it had, or of the largest that there is: where all are small, others would
-/// serve no better.
+/// Ratio of a pivot to its former largest value, or to the largest available pivot: if all are small, other coordinates
+/// are no better.
 inline double share_of(double pivot, double reference, double largest) noexcept {
   const double least = largest < reference ? largest : reference;
   return least > 0 ? pivot / least : 1;
@@ -159,10 +159,9 @@ inline double share_of(double pivot, double reference, double largest) noexcept 
 
 }  // namespace solver_detail
 
-/// How well the held coordinates of each block serve at a closed state: the share that their smallest pivot has of the
-/// largest that it had since they were chosen, or of the best at this position where that is smaller. 0 at their dead
-/// points, about 1 where they were chosen; 1 for a block without free coordinates.
-/// reference: per block, see choose_held.
+/// Condition of the held coordinates of each block at a closed state: the ratio of their smallest pivot to its largest
+/// value since their choice, or to the best pivot at this position if that is smaller. 0 at their dead points, about 1
+/// at their choice; 1 for a block without free coordinates. reference: per block, see choose_held.
 template <class System>
 void held_service(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                   const typename System::State& state, const unsigned char* held, const double* reference,
@@ -217,8 +216,8 @@ void dead_point_times(const typename System::Parameters& parameters, const typen
 
 namespace solver_detail {
 
-/// Jacobian of block b by its dependent coordinates at two near positions, as det(A' B): negative where a dead point
-/// lies between them. Redundant rows change nothing of that.
+/// Comparison of the Jacobians of block b by its dependent coordinates at two near positions, det(A' B): negative if a
+/// dead point lies between them. Redundant rows do not affect the sign.
 template <class System>
 struct DependentJacobians {
   int columns[System::kBlockCoordinates];
@@ -308,8 +307,8 @@ int block_with_other_side(const typename System::Parameters& parameters, const t
   return -1;
 }
 
-/// Chooses other independent coordinates for the blocks whose held ones serve badly at a closed state.
-/// reference: per block, the largest that its smallest pivot was since the choice; 0 at first. worn: service below
+/// Chooses other independent coordinates for the blocks whose held ones are ill-conditioned at a closed state.
+/// reference: per block, the largest value of its smallest pivot since the choice; 0 at first. worn: condition below
 /// which others are chosen. Result: whether a choice has changed. Singular blocks keep theirs.
 template <class System>
 bool choose_held(const typename System::Parameters& parameters, const typename System::Inputs& inputs,

@@ -1,5 +1,5 @@
 #pragma once
-// Ground that a host tells: a plane under each wheel, asked for once a step.
+// Ground from a function of the host: a plane under each wheel, once per step.
 
 #include <cmath>
 
@@ -7,15 +7,15 @@
 
 namespace mbgen {
 
-/// Tells the ground at a place: x, y in m, global; t in s. Sets height (m, global z), the slopes of the ground along
-/// the global x and y (1) and the factor of the tyre's friction (1), which are 0, 0, 0 and 1 when it is called. host:
-/// as the caller gave it. It must not throw.
+/// Function for the ground at a point: x, y in m, global; t in s. It sets height (m, global z), the slopes of the
+/// ground along the global x and y (1) and the factor of the tyre's friction (1), which are 0, 0, 0 and 1 on entry.
+/// host: pointer of the caller. It must not throw.
 using HostGround = void (*)(void* host, double x, double y, double t, double* height, double* slope_x, double* slope_y,
                             double* friction);
 
-/// Asks for the ground at each place and sets the six inputs of its road: place, height, slopes, friction.
-/// place: x and y of each wheel, m; t: s; first_input: of each wheel; members: of all inputs.
-/// Fails: input_not_a_number with the input for what is not finite; no input is set then. Cost: a call a wheel.
+/// Calls the function at each point and sets the six inputs of its road: point, height, slopes, friction. place: x and
+/// y of each wheel, m; t: s; first_input: of each wheel; members: of all inputs. Fails: input_not_a_number with the
+/// input for a value that is not finite; no input is set then. Cost: one call per wheel.
 template <class Number, int N, int K, class Inputs, int M>
 Status take_ground(const Number (&place)[N], double t, HostGround ground, void* host, const int (&first_input)[K],
                    Number Inputs::*const (&members)[M], Inputs& inputs) noexcept {

@@ -8,15 +8,15 @@
 
 namespace mbgen {
 
-/// Equations of a step, or none where the frozen partition does not serve: the step is then that of an explicit method,
-/// of the same order.
+/// Equations of a step, or none if the frozen partition is ill-conditioned: the step is then explicit, of the same
+/// order.
 template <class System>
 struct StepTangents {
   typename System::Tangents values;
   bool are_known;
 };
 
-/// Auxiliary states whose pivots an implicit step watches: those of the user's own, from System::kFirstOwnState on.
+/// Auxiliary states with monitored pivots in an implicit step: user-defined states, from System::kFirstOwnState on.
 template <class System, class = void>
 inline constexpr int kWatchedStates = 0;
 template <class System>

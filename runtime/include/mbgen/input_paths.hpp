@@ -10,7 +10,7 @@ namespace mbgen {
 constexpr int kLongestInputRow = 9;
 
 /// An input with its derivatives among the inputs, the input first. size: at least two. last_is_made: the model names
-/// all rates but the last, so that a caller who gives these need not know it.
+/// all rates except the last, which the caller need not know.
 template <class Inputs, class Real>
 struct InputRow {
   int size;
@@ -67,8 +67,8 @@ class InputPaths {
     for (Row& row : rows_) row = {};
   }
 
-  /// Inputs for a step of h seconds from now on, `wanted` being those that the caller gives at its start. Then the
-  /// paths stand at the end of the step.
+  /// Inputs for a step of h seconds from now; `wanted`: the caller's inputs at its start. Afterwards the paths are at
+  /// the end of the step.
   Inputs of_step(const Inputs& wanted, double h) noexcept {
     Inputs result = wanted;
     for (int r = 0; r < kCount; ++r) {
@@ -94,7 +94,7 @@ class InputPaths {
     return result;
   }
 
-  /// Inputs as they are now, at the end of the last step, for outputs and accelerations.
+  /// Present inputs, at the end of the last step, for outputs and accelerations.
   Inputs now(const Inputs& wanted) const noexcept {
     Inputs result = wanted;
     for (int r = 0; r < kCount && has_started_; ++r) {
@@ -108,7 +108,7 @@ class InputPaths {
     return result;
   }
 
-  /// Whether a step from now on moves an input whose rates are made; multistep methods start anew then.
+  /// Whether a step from now moves an input with computed rates; multistep methods then restart.
   bool moves(const Inputs& wanted) const noexcept {
     for (int r = 0; r < kCount && has_started_; ++r) {
       if (!is_given(r, wanted) && !is_at_rest(r, wanted.*kRows[r].members[0])) return true;
@@ -145,8 +145,8 @@ class InputPaths {
     return kRows[r].last_is_made && !rows_[r].last_given && wanted.*kRows[r].members[kRows[r].size - 1] == 0;
   }
 
-  /// Slope of the rate before the last one since the last step began; that of the step before it where nobody gave the
-  /// rate anew.
+  /// Slope of the second last rate since the last step began; if the caller did not change the rate, the slope of the
+  /// previous step.
   static Real slope(const Row& row, Real rate) noexcept {
     return row.size > 0 && rate != row.before ? (rate - row.before) / row.size : row.made;
   }

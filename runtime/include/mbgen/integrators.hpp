@@ -65,7 +65,7 @@ const StateRates<System>& past_rates(const AbmHistory<System>& history, int k) n
 
 namespace integrator_detail {
 
-/// Times that differ by this part of a step are the same: who steps may keep the time as a multiple of the step.
+/// Relative difference in a step below which times are equal: callers may keep the time as a multiple of the step.
 constexpr double kSameTime = 1e-6;
 
 /// Whether states of a System have balls with charts.
@@ -144,8 +144,8 @@ Status try_rk4(const System& system, const typename System::State& state, double
   return status.ok() ? more_telling(met, status) : status;
 }
 
-/// One step from past rates where four are known, else by Runge-Kutta, to `result`, a copy of the state. known: how
-/// many are; without any, those at the state go to `current`, which is past[0]. next: rates at the result.
+/// One step from four known past rates, else by Runge-Kutta, to `result`, a copy of the state. known: number of past
+/// rates; if 0, the rates at the state are written to `current`, which is past[0]. next: rates at the result.
 template <class Care, class System>
 Status try_abm4(const System& system, const typename System::State& state, const PastRates<System>& past, int known,
                 double h, typename System::State& result, StateRates<System>& current,
@@ -163,8 +163,8 @@ Status try_abm4(const System& system, const typename System::State& state, const
   return status.ok() ? more_telling(met, status) : status;
 }
 
-/// Takes a step of h seconds to `result` by attempt(care, result), which gets a copy of the state: plainly, and
-/// carefully where that asks for it. A careful step that passed no singular position is looked at for a leap over one.
+/// Takes a step of h seconds to `result` by attempt(care, result), which gets a copy of the state: first plainly, then
+/// carefully if required. A careful step that passed no singular position is checked for a jump across one.
 template <class System, class Attempt>
 Status plainly_or_carefully(const System& system, const typename System::State& state, double h,
                             typename System::State& result, const Attempt& attempt) noexcept {
@@ -178,9 +178,9 @@ Status plainly_or_carefully(const System& system, const typename System::State& 
   return side.ok() ? more_telling(status, side) : side;
 }
 
-/// Takes a step by `step` from the state with its charts settled; the state keeps its charts where the step fails.
-/// take_over: takes what the step remembers from the charts of one state to those of another; its result is a function
-/// that puts back what was remembered.
+/// Takes a step by `step` from the state with its charts settled; the state keeps its charts if the step fails.
+/// take_over: converts the history of the step from the charts of one state to those of another; its result is a
+/// function that restores the history.
 template <class System, class Step, class TakeOver>
 Status with_settled_charts(const System& system, typename System::State& state, const Step& step,
                            const TakeOver& take_over) noexcept {
@@ -202,8 +202,8 @@ Status with_settled_charts(const System& system, typename System::State& state, 
   }
 }
 
-/// Takes a step of h seconds by `step` (state, whether values were set) after those values are set whose instant is at
-/// its start; the state keeps them where the step fails.
+/// Takes a step of h seconds by `step` (state, whether values were set) after setting the values that are due at its
+/// start; the state keeps them if the step fails.
 template <class System, class Step>
 Status with_samples(const System& system, typename System::State& state, double h, const Step& step) noexcept {
   if constexpr (kHasSamples<System>) {
@@ -221,7 +221,7 @@ Status with_samples(const System& system, typename System::State& state, double 
   }
 }
 
-/// One step of h seconds by a method that remembers nothing. attempt(care, start, result): see plainly_or_carefully.
+/// One step of h seconds by a method without history. attempt(care, start, result): see plainly_or_carefully.
 template <class System, class Attempt>
 Status one_step(const System& system, typename System::State& state, double h, const Attempt& attempt) noexcept {
   using State = typename System::State;
@@ -286,8 +286,8 @@ Status settled_abm4(const System& system, typename System::State& state, AbmHist
   return status;
 }
 
-/// What a change of charts changes in a history, as it was: a way back by the charts would lose bits, and find the
-/// other angles of a turn whose second angle is beyond a quarter. Places as past_rates.
+/// Rates of a history before a change of charts: a way back by the charts would lose bits, and find the other angles of
+/// a turn whose second angle is beyond a quarter. Places as past_rates.
 template <class System>
 struct HistoryBefore {
   AbmHistory<System>& history;
@@ -307,7 +307,7 @@ struct HistoryBefore {
   }
 };
 
-/// Takes the rates of a history from the charts of one state to those of another. Result: what they were.
+/// Converts the rates of a history from the charts of one state to those of another. Result: their former values.
 template <class System>
 auto change_history([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& from,
                     [[maybe_unused]] const typename System::State& to,

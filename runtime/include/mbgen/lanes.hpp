@@ -21,7 +21,7 @@ namespace mbgen {
 template <int W>
 struct LaneTypes {
   typedef double Lanes __attribute__((vector_size(8 * W), may_alias));
-  /// The same where doubles stand: as little aligned as they are.
+  /// The same at the address of doubles, with their alignment.
   typedef double InArray __attribute__((vector_size(8 * W), aligned(8), may_alias));
 };
 
@@ -59,7 +59,7 @@ template <class Mask>
   return bits;
 }
 
-/// Lanes of `to` that the mask has become those of `from`.
+/// Copies the lanes of the mask from `from` to `to`.
 template <class Mask, class Lanes>
 [[gnu::always_inline]] inline void take(const Mask& mask, const Lanes& from, Lanes& to) noexcept {
   to = choose(mask, from, to);

@@ -1,6 +1,6 @@
 #pragma once
-// Functions of a generated solver for integrators: rates and projections that tell how near a singular position they
-// are. `System` is described in blocks.hpp.
+// Functions of a generated solver for integrators: rates and projections, with notices about near singular positions.
+// `System` is described in blocks.hpp.
 
 #include <limits>
 
@@ -16,7 +16,7 @@ inline constexpr Real kLargestCorrection = Real(0.2);
 
 namespace solver_detail {
 
-/// Block with a coordinate outside the motions that lies further than kLargestCorrection from where it was, or -1.
+/// Block with a coordinate without a motion that is farther than kLargestCorrection from its former value, or -1.
 template <class System>
 int moved_far(const typename System::State& from, const typename System::State& to) noexcept {
   constexpr RealOf<System> largest = kLargestCorrection<RealOf<System>>;
@@ -65,9 +65,9 @@ Status solve_motion(const typename System::Parameters& parameters, const typenam
   return status;
 }
 
-/// project_state from a good guess, by the shortest corrections where those of dependents alone would take the
-/// mechanism along its free directions. Gives notices.
-/// Fails: as project_state; loop_not_closed also when a coordinate would move by more than kLargestCorrection.
+/// project_state from a good guess, by the shortest corrections if corrections of dependents alone would move the
+/// mechanism along its free directions. Gives notices. Fails: as project_state; loop_not_closed also if a coordinate
+/// would move by more than kLargestCorrection.
 template <class System>
 Status project_motion(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                       typename System::State& state) noexcept {
@@ -77,7 +77,7 @@ Status project_motion(const typename System::Parameters& parameters, const typen
 
 namespace solver_detail {
 
-/// Pivots of a block that are not small: those that say where its coordinates are at a singular position.
+/// Number of pivots of a block that are not small: these identify its coordinates at a singular position.
 template <class System>
 int large_pivots(int b, const LoopFactorsOf<RealOf<System>>& loop) noexcept {
   using Real = RealOf<System>;

@@ -7,8 +7,8 @@
 
 namespace mbgen {
 
-/// A number of one side, and what the same number of the other side is in a mirror; or of a part and of its twin.
-/// Operations go lane by lane; the result of one does not depend on the other.
+/// A number of one side and the corresponding number of the other side in a mirror; or of a part and of its twin.
+/// Operations are lane by lane; the result of one lane does not depend on the other.
 using Pair = array_detail::LanesOf<2>;
 
 /// Two numbers that stand one after the other.

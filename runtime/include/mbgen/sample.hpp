@@ -6,8 +6,8 @@
 
 namespace mbgen {
 
-/// samples[index], a whole number: the first one for what lies before it and for NaN, the last one behind the last.
-/// Index: double, float or a vector of double.
+/// samples[index], a whole number: the first one for smaller indices and NaN, the last one for larger indices. Index:
+/// double, float or a vector of double.
 template <class Index, std::size_t N>
 [[gnu::always_inline]] inline Index sample(const double (&samples)[N], const Index& index) noexcept {
   if constexpr (std::is_arithmetic_v<Index>) {

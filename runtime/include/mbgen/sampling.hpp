@@ -1,6 +1,6 @@
 #pragma once
 // Instants at which sampled values are set: t = 0, period, 2 period, ... A step that begins at one sets them first.
-// Steps of one size have to meet the instants; who varies steps cuts them there (next_instant).
+// Steps of fixed size must meet the instants; variable steps are cut there (next_instant).
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ constexpr double kSameInstant = 0.25;
 /// s around t that count as t, where steps are cut at the instants.
 inline double same_instant(double t) noexcept { return 1e-9 + 1e-12 * std::abs(t); }
 
-/// The next instant of any of `count` values after what counts as t, s; infinite without values.
+/// The next instant of any of `count` values after times equal to t, s; infinite without values.
 inline double next_instant(const double* periods, int count, double t) noexcept {
   double next = HUGE_VAL;
   for (int i = 0; i < count; ++i)
@@ -25,7 +25,7 @@ inline double next_instant(const double* periods, int count, double t) noexcept 
   return next;
 }
 
-/// Which of `count` values are due at the time t, of whatever steps that are cut at the instants: 1 in `due`, else 0.
+/// Marks which of `count` values are due at the time t, for any steps that are cut at the instants: 1 in `due`, else 0.
 template <class Real>
 bool find_due_now(const double* periods, int count, double t, Real* due) noexcept {
   bool any = false;

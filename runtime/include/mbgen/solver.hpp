@@ -94,7 +94,7 @@ Status deliver_sound(const Values& values, typename System::Derivative& derivati
 }
 
 /// Accelerations of a state with a ball in its other chart, by the program that takes charts; the status may be a
-/// notice. values: of the frozen program, whose pivots nobody looks at here: set to 1.
+/// notice. values: of the frozen program; its pivots, unused here, are set to 1.
 template <class System>
 Status other_chart_accelerations(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                                  const typename System::State& state, const RealOf<System>* tau,
@@ -110,8 +110,8 @@ Status other_chart_accelerations(const typename System::Parameters& parameters, 
   }
 }
 
-/// Factors of block b for its multipliers: of redundant equations those left out of the frozen path get none, unless
-/// the others lose rank here.
+/// Factors of block b for its multipliers: equations that the frozen path leaves out get no multiplier, unless the
+/// others lose rank here.
 template <class System>
 LoopFactorsOf<RealOf<System>> multiplier_factors(int b, const typename System::ClosureTerms& terms,
                                                  typename System::ClosureTerms& factored,
@@ -130,7 +130,7 @@ LoopFactorsOf<RealOf<System>> multiplier_factors(int b, const typename System::C
   return factors.factors_of(b, factored);
 }
 
-/// Replaces multipliers and driving forces of the blocks whose frozen partition is bad by those of a pivoted one.
+/// Replaces multipliers and driving forces of blocks with an ill-conditioned frozen partition by pivoted ones.
 template <class System>
 Status repair_multipliers(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                           const typename System::State& state, typename System::ConstraintForces& values) noexcept {
@@ -232,8 +232,7 @@ Status solve_multipliers(const typename System::Parameters& parameters, const ty
   return {};
 }
 
-/// Multipliers for outputs that look at them: not a number where they cannot be found, so that the other outputs are
-/// still given.
+/// Multipliers for outputs: NaN if they cannot be computed, so that the other outputs remain available.
 template <class System>
 typename System::Multipliers multipliers_or_nan(const typename System::Parameters& parameters,
                                                 const typename System::Inputs& inputs,

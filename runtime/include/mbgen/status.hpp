@@ -3,9 +3,8 @@
 
 namespace mbgen {
 
-/// Failures, and from kFirstNotice on notices, the more telling ones last: the call did what it was asked, and the
-/// caller may want to know how. Only steps give notices. Where a function says that it fails with not_a_number, the
-/// four codes after it are meant too.
+/// Failures, and from kFirstNotice on notices, in increasing importance: the call succeeded, and the caller may want to
+/// know how. Only steps give notices. Functions that fail with not_a_number may also fail with the four codes after it.
 enum class Code : int {
   ok = 0,
   not_a_number,            ///< something of a coordinate is not finite; index: coordinate, or -1

@@ -1,6 +1,6 @@
 #pragma once
-// Coordinates that turn farther within a step than its method bears: a method sees too few of the directions in which
-// their forces act.
+// Coordinates that turn farther within a step than the method's limit: the method then resolves too few directions of
+// their forces.
 
 #include <cmath>
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace mbgen {
 
-/// Turn within a step, rad, that a method bears: forces that turn with a body come out right to 0.1 %. Measured with an
-/// unbalanced rotor on a spring, see docs/use/numerical_trouble.md and tests/cli/resolved_test.cpp.
+/// Largest rotation within a step, rad, of each method: forces that turn with a body then have an error of 0.1 %.
+/// Measured with an unbalanced rotor on a spring, see docs/use/numerical_trouble.md and tests/cli/resolved_test.cpp.
 constexpr double kRk4Turn = 0.5, kAbm4Turn = 0.3, kRosenbrockTurn = 0.3;
 
 namespace turns_detail {
@@ -35,8 +35,8 @@ template <class Real, std::size_t N>
 
 }  // namespace turns_detail
 
-/// The status of a step of h seconds that led to the rates zd, or turned_far in place of ok where a coordinate turns
-/// farther in such a step than `largest`, rad. turning: 1 for the coordinates that are looked at, else 0.
+/// Status of a step of h seconds that led to the rates zd, or turned_far in place of ok if a coordinate turns farther
+/// in the step than `largest`, rad. turning: 1 for the coordinates to be checked, else 0.
 template <class Real, std::size_t N>
 [[gnu::always_inline]] inline Status with_turns(Status stepped, const Real (&zd)[N], const Real (&turning)[N], double h,
                                                 double largest) noexcept {
@@ -54,8 +54,8 @@ template <class Real, std::size_t N>
 /// is symmetric about the axis.
 constexpr double kTriedTurns[] = {0.7, 1.9, 3.3};
 
-/// Whether a turn changes an acceleration by more than rounding, which is that of all accelerations and of the square
-/// of the rate, 1/s, of the coordinate. here, there: before and after it.
+/// Whether a rotation changes an acceleration by more than rounding, relative to all accelerations and the square of
+/// the rate of the coordinate, 1/s. here, there: before and after it.
 inline bool differ_by_turn(const double* here, const double* there, int count, double rate) noexcept {
   constexpr double kMatters = 1e-4, kRounding = 1e-9;
   double largest = 0;

@@ -25,16 +25,15 @@ constexpr CallCount operator*(int times, CallCount count) noexcept {
 /// Evaluations of the closures in one projection: one before each Newton step, and one after the last.
 constexpr int kMostClosures = kNewtonIterations + 1;
 
-/// A singular position passed, or not after all: nodes on both sides at every spacing, then all nodes evaluated, and
-/// the middle closed, and what is closed in its place looked at.
+/// A singular position, passed or finally not passed: nodes on both sides at every spacing, then all nodes evaluated,
+/// and the middle closed and checked.
 constexpr CallCount kPassageCalls = {2 * kNodes, 2 * kSpacings + 2 * kNodes + 2};
 
 /// A stage closed with care, and its rates.
 constexpr CallCount kCarefulClosing = CallCount{0, 1} + kPassageCalls;
 constexpr CallCount kCarefulRates = kCarefulClosing + CallCount{1, 0};
 
-/// A careful step looked at for a leap: the place where loops change their side halved, and a passage there that
-/// stands.
+/// A careful step checked for a jump: bisection of the place where loops change their side, and a passage there.
 constexpr CallCount kSideCalls = CallCount{0, 2 + kHalvings} + kPassageCalls + CallCount{0, -1};
 
 /// Calls in one step.

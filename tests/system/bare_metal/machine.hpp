@@ -1,5 +1,5 @@
 #pragma once
-// What run.cpp asks of a machine: cortex_m7.cpp or host.cpp.
+// Functions that run.cpp needs of a machine: cortex_m7.cpp or host.cpp.
 
 /// Writes a text, which ends with a zero.
 void put(const char* text) noexcept;

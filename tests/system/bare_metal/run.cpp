@@ -45,7 +45,7 @@ void put_status(const char* what, mbgen::Status status) noexcept {
   put("\n");
 }
 
-// What a task on the target would keep: not on its stack.
+// Data that a task on the target keeps off its stack.
 State state{};
 History history{};
 Derivative derivative{};

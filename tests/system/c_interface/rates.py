@@ -32,7 +32,7 @@ def ride(given, delay=0.0, forced=False):
     for k in range(3000):
         inputs = driven_cart.Inputs(torque=0.0)
         inputs.way, speed, _ = way(k * STEP - delay)
-        # What is constant during a step is best given as it is in its middle.
+        # A value that is constant during a step is best given as of its middle.
         acceleration = way((k + 0.5) * STEP - delay)[2]
         inputs.speed, inputs.acceleration = (speed, acceleration) if given else (0.0, 0.0)
         solver.inputs = inputs

@@ -58,7 +58,7 @@ c++ -std=c++17 -I "$directory" "$scratch/example.o" "$directory/four_bar.cpp" "$
 [ "$(grep -c ' 0.000000 N$' "$scratch/example.txt")" -eq 2 ]
 echo "calibration: the example sets a parameter"
 
-# What the stack is said to be at most, against a run on a painted one.
+# Stated bound of the stack against a run on a painted one.
 CXX=c++ "$mbgen" generate "$root/models/four_bar.json" --c-api --measure --out "$directory" >/dev/null
 bound=$(awk '/"function": "four_bar_step"/ { found = 1 } found && /"bytes"/ { gsub(/[^0-9]/, ""); print; exit }' \
   "$directory/four_bar_measured.json")

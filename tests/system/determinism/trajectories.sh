@@ -1,6 +1,6 @@
 #!/bin/sh
 # The same trajectories, bit for bit, from g++ and clang++ on x86-64 and from g++ for aarch64 (under qemu), by the CMake
-# file of the emitted solver; see docs/evidence/determinism.md. What is not installed is left out, and said to be.
+# file of the emitted solver; see docs/evidence/determinism.md. Missing compilers are left out with a message.
 #   tests/system/determinism/trajectories.sh [-b MBGEN] [-i] [-s SCALAR] [MODEL.json...]
 # default: build/mbgen, double and float, the linkages, all elements, the coach
 # -i: installs the cross compiler and qemu first (Debian, as root). -s: double or float only.

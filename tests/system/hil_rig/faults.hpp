@@ -18,7 +18,7 @@ struct FaultyNetwork {
   std::deque<Waiting> waiting;
 };
 
-/// What the network delivers when it is given a packet: that, nothing, it twice, it broken, others that waited.
+/// Packets that the network delivers for one that it is given: that one, none, two, a broken one, earlier ones.
 inline std::vector<Bytes> deliver(FaultyNetwork& network, const Bytes& packet) {
   const auto chance = [&](std::size_t sides) { return network.random() % sides; };
   std::vector<Bytes> out;

@@ -82,7 +82,7 @@ class Hostile : public testing::TestWithParam<Compiler> {
         .text;
   }
 
-  /// What the compiler says of the files, in its own dialect, which has more macros than the standard; empty when it
+  /// Messages of the compiler on the files, in its own dialect, which has more macros than the standard; empty when it
   /// takes them.
   std::string complaints(const std::vector<EmittedFile>& files) const {
     std::string text;
@@ -222,7 +222,7 @@ TEST_P(Hostile, fileNamesStayInTheirComments) {
   for (const std::string& file : files) {
     compilation.model.file = file;
     for (const EmittedFile& emitted : emit(compilation)) {
-      // What the banner swallows is missing at the end.
+      // Text that the banner swallows is missing at the end.
       const bool is_build = emitted.path == "CMakeLists.txt";
       if (!is_build && emitted.path != "model.hpp") continue;
       const std::size_t end = emitted.text.find("\n", emitted.text.find("Made by")) + 1;

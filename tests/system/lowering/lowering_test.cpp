@@ -1,4 +1,4 @@
-// What passes make of the programs of every model, against the programs as they were traced.
+// Programs of every model after each pass, against the programs as they were traced.
 
 #include <gtest/gtest.h>
 

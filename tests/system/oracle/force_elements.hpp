@@ -1,6 +1,6 @@
 #pragma once
 // Force elements and motions as foreign solvers want them: where they act, and their laws as functions of plain
-// numbers. What a law says is asked of mbgen's own expressions and tables; all geometry and mechanics is left to the
+// numbers. The values of a law come from mbgen's own expressions and tables; all geometry and mechanics is left to the
 // foreign solver.
 
 #include <array>

@@ -32,7 +32,7 @@ T input_after(const Model& model, int input, T elapsed) {
   return value;
 }
 
-/// What expressions see.
+/// Quantities that expressions read.
 template <class T>
 struct Environment {
   const Source& source;

@@ -1,4 +1,4 @@
-// What stands for MuJoCo where it is not installed.
+// Stub where MuJoCo is not installed.
 
 #include <stdexcept>
 

@@ -18,7 +18,10 @@ inline Model without_tyres(Model model) {
   for (Bushing& bushing : model.bushings)
     for (std::optional<BushingFreedom>& own : bushing.freedoms)
       if (own) own->maxwell_stiffness.reset();
-  std::erase_if(model.outputs, [](const Output& output) { return std::holds_alternative<TyreOutput>(output.source); });
+  std::erase_if(model.outputs, [](const Output& output) {
+    const auto* element = std::get_if<ElementOutput>(&output.source);
+    return element && element->kind == kKindIndex<Tyre>;
+  });
   return model;
 }
 

@@ -63,7 +63,7 @@ std::optional<Vector3d> plane_of(const Mechanism& m, const LoopBlock& block) {
   return normal;
 }
 
-/// What can be compared; no fixed joints (bodies that are fixed to each other are one body in Simbody).
+/// Comparable reactions; no fixed joints (bodies that are fixed to each other are one body in Simbody).
 std::vector<Probe> comparable(const Mechanism& m) {
   std::vector<int> block_of_tree(m.topology.bodies.size(), -1), block_of_loop(m.topology.loops.size(), -1);
   for (std::size_t b = 0; b < m.topology.blocks.size(); ++b) {

@@ -58,7 +58,7 @@ struct ReferenceBody {
   Eigen::Vector3d at_to = Eigen::Vector3d::Zero();  ///< the joint's point on its `to` body
 };
 
-/// What a coupling keeps at zero.
+/// Relation that a coupling keeps at zero.
 struct ReferenceRelation {
   std::vector<int> coordinates;  ///< tree bodies
   /// Its derivative by some of the coordinates (places in that list, at most two) at their positions.

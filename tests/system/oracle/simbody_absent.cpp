@@ -1,4 +1,4 @@
-// What stands for Simbody where it is not installed.
+// Stub where Simbody is not installed.
 
 #include <stdexcept>
 

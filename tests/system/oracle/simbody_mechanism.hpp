@@ -16,7 +16,7 @@ struct Wrench {
   Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
 };
 
-/// What joints and rods transmit to their `to` bodies, about their points there.
+/// Wrenches that joints and rods transmit to their `to` bodies, about their points there.
 struct ForeignReactions {
   /// per tree body: of its joint, where it is the last freedom of the joint; zero elsewhere
   std::vector<Wrench> joints;
@@ -43,7 +43,7 @@ class SimbodyMechanism {
 
   /// All joint accelerations at a consistent state, in the order of the mechanism's bodies.
   std::vector<double> accelerations(const ForeignState& state);
-  /// What goes through the joints there, springs, forces and drives of their coordinates too.
+  /// Reactions at the joints, with the springs, forces and drives of their coordinates.
   ForeignReactions reactions(const ForeignState& state);
   /// The motion from a consistent state without joint forces, at increasing times (s) from start.t on, by Simbody's
   /// Runge-Kutta-Merson method. accuracy: relative, of one step. Fails: what Simbody throws when it cannot go on.

@@ -1,4 +1,4 @@
-// What Simbody says of a mechanism: accelerations, reactions, motion.
+// Simbody's results for a mechanism: accelerations, reactions, motion.
 
 #include <cmath>
 
@@ -36,7 +36,7 @@ Wrench shifted(const SpatialVec& wrench, const Vec3& arm) {
   return {vector_of(wrench[1]), vector_of(wrench[0] + arm % wrench[1])};
 }
 
-/// What the constraints of a closure do to a body, about a point of it.
+/// Wrench of a closure's constraints on a body, about a point of it.
 Wrench constraint_wrench(const SimbodySystem& s, const std::vector<SimTK::Constraint>& constraints,
                          const MobilizedBody& body, const Vec3& station) {
   SpatialVec sum(Vec3(0), Vec3(0));

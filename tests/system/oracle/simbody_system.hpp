@@ -1,5 +1,5 @@
 #pragma once
-// What a Simbody system of a mechanism holds. Only simbody_*.cpp include this.
+// Contents of a Simbody system of a mechanism. Only simbody_*.cpp include this.
 
 #include <Simbody.h>
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs mbgen from a build directory and builds a project outside the tree with it, by Ninja and by Make, for this
-# machine and for aarch64; then the same from the Debian package. What is not installed is left out, and said to be.
+# machine and for aarch64; then the same from the Debian package. Missing tools are left out with a message.
 #   tests/system/package/check.sh BUILD [GENERATOR]
 # GENERATOR: nothing but all of its builds; otherwise that the rules are written anew is seen with Ninja alone.
 set -eu

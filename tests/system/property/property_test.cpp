@@ -1,4 +1,4 @@
-// What must hold for every mechanism, on random ones. A failure shrinks to a small model file, which is printed.
+// Properties of every mechanism, on random ones. A failure shrinks to a small model file, which is printed.
 // MBGEN_PROPERTY_CASES: mechanisms of each family, 6 by default; MBGEN_PROPERTY_SEED: the first seed;
 // MBGEN_PROPERTY_COMPILED: the solver of every so many is compiled, 6 by default.
 
@@ -19,7 +19,7 @@ struct Tally {
   long mechanisms = 0, refused = 0, states = 0;
 };
 
-/// What the property says of a mechanism; nothing of one that is refused.
+/// Violation of the property by a mechanism; none where the mechanism is refused.
 Complaint complaint(const Property& property, const RandomMechanism& random) {
   const Result<Mechanism> m = understood(random);
   return m ? property.violated(random, *m) : Complaint{};

@@ -155,8 +155,8 @@ RandomMechanism renumbered(RandomMechanism mechanism, std::uint64_t seed);
 bool has_plain_joints(const RandomMechanism& mechanism);
 
 /// Whether the last six joints, a closed chain of pins, leave one motion at the reference and not two: with four
-/// parallel axes and two others across it may stand where two of its ways meet. What holds both of them is rigid, but
-/// not against the first bit of a motion.
+/// parallel axes and two others across it may stand where two of its ways meet. A loop through both of them is rigid,
+/// but not against the first bit of a motion.
 bool has_one_way(const RandomMechanism& mechanism);
 
 }  // namespace mbgen::testing

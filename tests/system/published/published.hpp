@@ -27,7 +27,7 @@ struct Problem {
 
 /// All problems in the order of the table.
 std::vector<Problem> problems();
-/// Those that take minutes: not tests.
+/// Problems that take minutes: not tests.
 std::vector<Problem> long_problems();
 
 std::vector<Figure> simple_pendulum();

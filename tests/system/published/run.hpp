@@ -19,7 +19,7 @@ Compilation compiled(const std::string& model);
 Compilation compiled(Model model);
 /// A model written down. Fails: std::runtime_error with the diagnostics.
 Compilation compiled_text(const std::string& text);
-/// What a command prints that is run in the source folder. Fails: std::runtime_error when it fails.
+/// Output of a command that is run in the source folder. Fails: std::runtime_error when it fails.
 std::string output_of(const std::string& command);
 
 /// Copies share the compiled solver, and each goes on from where it was copied.

@@ -1,4 +1,4 @@
-// The tables of README.md and architecture.md name the rooms of CMakeLists.txt, and no others.
+// The table of architecture.md names the rooms of CMakeLists.txt, and no others.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,6 @@ TEST(Documents, NameTheRoomsOfTheHouse) {
   for (const auto& [name, room] : rooms_of_project())
     if (room.directory != "compiler") directories.insert(room.directory);
   const std::filesystem::path root = MBGEN_SOURCE_DIR;
-  EXPECT_EQ(folders_in(text_of(root / "README.md")), directories);
   EXPECT_EQ(folders_in(text_of(root / "docs/build/architecture.md")), directories);
 }
 

@@ -38,7 +38,7 @@ function validator(...options) {
 }
 const validateModel = validator(), validateManoeuvre = validator("--manoeuvre");
 
-/** What the schema says of a file: "" when it accepts, else why not. */
+/** Verdict of the schema on a file: "" when it accepts, else why not. */
 function complaint(file, validate = validateModel) {
   let model;
   try {

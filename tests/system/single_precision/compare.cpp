@@ -39,7 +39,7 @@ void convert(const From& from, To& to) {
 
 double unit_of(double value) { return kUnit * std::max(std::abs(value), 1.0); }
 
-/// What one run sees; distances in z are in rad or m.
+/// Results of one run; distances in z are in rad or m.
 struct Findings {
   double acceleration = 0;                 ///< largest error over what it may be
   double apart = 0, moved = 0;             ///< of the single and of the moved trajectory from the double one

@@ -22,7 +22,7 @@ Model model_of(const std::string& name) {
   return *read_model_file(std::string(MBGEN_SOURCE_DIR) + "/models/" + name + ".json");
 }
 
-/// What `work` gives in each of several threads that run at once.
+/// Results of `work` in each of several threads that run at once.
 template <class Work>
 auto in_threads(const Work& work) {
   std::vector<decltype(work())> results(kThreads);

@@ -22,7 +22,7 @@ struct GenericRun {
   AbmHistory<testing::Dynamics> history{};
 };
 
-/// What a function of an emitted solver says. Fails: std::logic_error when it has touched the heap.
+/// Status of a function of an emitted solver. Fails: std::logic_error when it has touched the heap.
 template <class Call>
 Status watched(const Call& call) {
   if (heap_calls == nullptr) return call();

@@ -1,13 +1,14 @@
 #pragma once
-// How far bodies turn between the evaluations of an importer's integrator. No step of its can be shorter than a gap
-// that it leaves between them, whatever its method is; steps that it refuses fill gaps, and make none.
+// Rotations of bodies between the evaluations of an importer's integrator. For any method, a step is at least as long
+// as the gap between two of its evaluations; refused steps fill gaps and create none.
 
 #include <cmath>
 
 namespace mbgen::fmu {
 
-/// Turn between two evaluations, rad, that no method bears. Explicit methods of order 4 and 5 evaluate at half of a
-/// step or closer, those of order 8 at a quarter, multistep methods at its ends: such a gap is a step of 1.5 to 6 rad.
+/// Rotation between two evaluations, rad, that is too large for any method. Explicit methods of order 4 and 5 evaluate
+/// at half of a step or closer, methods of order 8 at a quarter, multistep methods at the ends: such a gap is a step of
+/// 1.5 to 6 rad.
 constexpr double kFarTurn = 1.5;
 
 /// Gaps that are kept at a time; others are forgotten.
@@ -28,7 +29,7 @@ struct Evaluations {
   Gap gaps[kMostGaps] = {};
   int count = 0;
 
-  /// Begins anew at a completed step.
+  /// Restarts at a completed step.
   void begin(double t, const double* rates) noexcept {
     has_front = true;
     front = t;
@@ -36,7 +37,7 @@ struct Evaluations {
     for (int i = 0; i < coordinates; ++i) rate[i] = rates[i];
   }
 
-  /// Divides the gap that an evaluation lies in; the wider part of it is kept where it is too wide.
+  /// Divides the gap around an evaluation; if it is too wide, its wider part is kept.
   void divide(double t) noexcept {
     int kept = 0;
     for (int k = 0; k < count; ++k) {
@@ -51,7 +52,7 @@ struct Evaluations {
     count = kept;
   }
 
-  /// Takes over an evaluation. is_rotation: of a coordinate. The turn is that of the slower end.
+  /// Adds an evaluation. is_rotation: of a coordinate. The rotation is computed with the smaller rate of the two ends.
   template <class IsRotation>
   void add(double t, const double* rates, const IsRotation& is_rotation) noexcept {
     if (!has_front) return begin(t, rates);

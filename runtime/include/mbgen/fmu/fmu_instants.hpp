@@ -17,7 +17,7 @@ double until_instant([[maybe_unused]] double t, double left) noexcept {
   return left;
 }
 
-/// The time of a step from `begin` on, whose size is rounded: that of the next instant where it is beyond.
+/// End of a step from `begin` with a rounded size: the next instant if it would be beyond.
 template <class Model>
 double not_beyond_instant([[maybe_unused]] double begin, double t) noexcept {
   if constexpr (kHeld<Model> != 0) {
@@ -27,7 +27,7 @@ double not_beyond_instant([[maybe_unused]] double begin, double t) noexcept {
   return t;
 }
 
-/// Whether the time is that of the next event.
+/// Whether the next event is at this time.
 template <class Model>
 bool is_at_event(const Run<Model>& run) noexcept {
   return run.state.t + same_instant(run.state.t) >= run.next_event;

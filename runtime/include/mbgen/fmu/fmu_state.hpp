@@ -31,7 +31,7 @@ enum Mode : unsigned {
 
 enum class Interface : int { model_exchange, co_simulation };
 
-/// Where no input has derivatives: all are taken as they are given.
+/// Without derivatives of inputs: all inputs are used as given.
 template <class Inputs>
 struct GivenInputs {
   Inputs of_step(const Inputs& wanted, double /*h*/) const noexcept { return wanted; }
@@ -51,7 +51,7 @@ struct Closed {
 template <class Model>
 inline constexpr int kBlocks = Model::kLoopBlocks > 0 ? Model::kLoopBlocks : 1;
 
-/// Independent coordinates: of each state whose rate is an acceleration, and how well those of a loop block serve.
+/// Independent coordinates: of each state whose rate is an acceleration, and their condition in loop blocks.
 template <class Model>
 struct Choice {
   int coordinate[Model::kVelocityStates > 0 ? Model::kVelocityStates : 1] = {};
@@ -169,7 +169,7 @@ constexpr bool kHasQuantities = false;
 template <class Model>
 constexpr bool kHasQuantities<Model, decltype(static_cast<void>(&Model::impossible))> = true;
 
-/// Refuses parameters that make what no body has. Result: whether they do.
+/// Refuses parameters that give an impossible mass or inertia. Result: whether they do.
 template <class Model>
 bool is_impossible(Core<Model>& core) noexcept {
   if constexpr (kHasQuantities<Model>) {
@@ -208,7 +208,8 @@ void mark(const Choice<Model>& choice, unsigned char* held) noexcept {
   for (int i = 0; i < Model::kVelocityStates; ++i) held[choice.coordinate[i]] = 1;
 }
 
-/// Chooses other coordinates where those of a loop block serve badly at a closed state. Result: whether any changed.
+/// Chooses other coordinates if those of a loop block are ill-conditioned at a closed state. Result: whether any
+/// changed.
 template <class Model>
 bool choose(const Closed<Model>& at, Choice<Model>& choice, double worn = kWornPivot) noexcept {
   unsigned char held[Model::kCoordinates];
@@ -225,7 +226,7 @@ bool choose(const Closed<Model>& at, Choice<Model>& choice, double worn = kWornP
   return true;
 }
 
-/// Inputs as they are now: between steps at the end of the last one.
+/// The present inputs: between steps at the end of the last one.
 template <class Model>
 typename Model::Inputs current_inputs(const Run<Model>& run) noexcept {
   return (run.mode & (kStep | kIntermediate | kTerminated)) != 0 ? run.paths.now(run.inputs) : run.inputs;

@@ -1,5 +1,5 @@
 #pragma once
-// Bodies that turn farther within a step than its method bears: one inside of an FMU, or one of its importer.
+// Bodies that turn farther within a step than the method's limit, for the steps of an FMU and of an importer.
 
 #include <cmath>
 
@@ -8,8 +8,8 @@
 
 namespace mbgen::fmu {
 
-/// Whether a turn about a coordinate changes an acceleration of the run: not that of a wheel that is symmetric about
-/// its axis. A loop that it opens changes all of them.
+/// Whether a rotation of a coordinate changes an acceleration of the run; it does not for an axisymmetric wheel. If it
+/// opens a loop, all change.
 template <class Model>
 bool turn_matters(const Run<Model>& run, int coordinate) noexcept {
   typename Model::Derivative here{}, there{};
@@ -23,8 +23,8 @@ bool turn_matters(const Run<Model>& run, int coordinate) noexcept {
   return false;
 }
 
-/// Tells that a coordinate turns too far, once, and only where forces turn with it. What does not matter now is looked
-/// at again after twice as many turns. Result: whether it was told.
+/// Reports a coordinate that turns too far, once, and only if forces turn with it. A turn that does not matter now is
+/// tested again after twice as many turns. Result: whether it was reported.
 template <class Model>
 bool tell_of_turn(Core<Model>& core, int coordinate, const char* reason, double limit, double turn) noexcept {
   const unsigned seen = ++core.turned;
@@ -35,8 +35,8 @@ bool tell_of_turn(Core<Model>& core, int coordinate, const char* reason, double 
   return true;
 }
 
-/// Answer: warning, once, where a coordinate turns farther in a step of `size` seconds inside than the method bears,
-/// and forces turn with it.
+/// Answer: warning, once, if a coordinate turns farther in an inner step of `size` seconds than the method's limit, and
+/// forces turn with it.
 template <class Model>
 Answer compare_turns(Core<Model>& core, double size) noexcept {
   for (int i = 0; i < Model::kCoordinates && !core.has_warned_of_turns; ++i) {
@@ -51,8 +51,8 @@ Answer compare_turns(Core<Model>& core, double size) noexcept {
   return Answer::ok;
 }
 
-/// Tells, once, where a step that is completed leaves a gap between its evaluations in which a coordinate turns farther
-/// than any method bears, and forces turn with it. Requires: closed.
+/// Reports, once, a completed step with a gap between its evaluations in which a coordinate turns farther than the
+/// limit of any method, and forces turn with it. Requires: closed.
 template <class Model>
 void compare_gaps(Core<Model>& core) noexcept {
   const Gap gap = core.evaluations.widest(core.run.state.t);

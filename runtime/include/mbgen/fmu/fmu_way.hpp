@@ -1,13 +1,13 @@
 #pragma once
-// How the loops of an instance are closed: along the way from the last closed state, so that they keep their way of
-// assembly; and what is solved there. See fmu_state.hpp.
+// Closing of an instance's loops along the path from the last closed state, so that they keep their assembly mode, and
+// the solution there. See fmu_state.hpp.
 
 #include "mbgen/fmu/fmu_state.hpp"
 
 namespace mbgen::fmu {
 
-/// Parts of the way from the last closed state. A coordinate of a loop turns by so much in a part, rad, as far as
-/// velocities tell; more parts are tried, twice as many each time, where they do not lead on.
+/// Rotation of a coordinate of a loop in one part of the path from the last closed state, rad, by its velocities; if
+/// the parts fail, twice as many are tried each time.
 constexpr double kTurnOfPart = 0.25;
 constexpr int kMostParts = 64, kMostPartsAtFirst = 4096;
 
@@ -134,7 +134,7 @@ Status close_from_last(const Run<Model>& run, typename Model::State& state, doub
   return status;
 }
 
-/// How well the independent coordinates serve, per block, there and on the way. Requires: solved.
+/// Condition of the independent coordinates, per block, there and along the path. Requires: solved.
 template <class Model>
 const double* service_of(Core<Model>& core) noexcept {
   if (!core.has_service) {
@@ -168,8 +168,8 @@ bool leaves_charts([[maybe_unused]] const Run<Model>& run,
   }
 }
 
-/// An event indicator: how well the states of its loop block serve, less where others should be chosen, or whether all
-/// balls have the angles that suit them. Requires: solved, and service_of was asked for.
+/// An event indicator: the condition of the states of its loop block minus the limit for other coordinates, or whether
+/// all balls have suitable angles. Requires: solved, and a call of service_of.
 template <class Model>
 double indicator_of(const Core<Model>& core, int indicator) noexcept {
   const int block = Model::kIndicatorBlock[indicator];
@@ -181,8 +181,9 @@ double indicator_of(const Core<Model>& core, int indicator) noexcept {
 constexpr double kSameDeadPoint = 1.1;
 
 /// The first indicator whose loop block may have passed a dead point of its independent coordinates since the last
-/// accepted point, or -1: they are at it, or the motions there and here both say that it lies between them. States on
-/// both sides of a dead point have the same coordinates, so that a step over it would bounce back. Requires: solved.
+/// accepted point, or -1: it is at the dead point, or the motions at both ends indicate that it lies between them.
+/// States on both sides of a dead point have the same coordinates, so that a step across it would bounce back.
+/// Requires: solved.
 template <class Model>
 int lost_indicator(Core<Model>& core) noexcept {
   const Run<Model>& run = core.run;
@@ -208,9 +209,9 @@ constexpr unsigned kFirstIndicator = static_cast<unsigned>(1 + Model::kParameter
                                                            kFlowing<Model> + 3 * Model::kChosenStates +
                                                            Model::kStartParameters);
 
-/// Closes the loops where they are not, and finds accelerations and outputs. At the start the given positions are the
-/// guess, later the last closed state is. In continuous time of model exchange a state that may be beyond a dead point
-/// is none: the refusal says so.
+/// Closes the loops if they are open, and computes accelerations and outputs. At the start the given positions are the
+/// guess, later the last closed state. In continuous time of model exchange a state that may be beyond a dead point is
+/// refused with the reason.
 template <class Model>
 bool solve(Core<Model>& core) noexcept {
   if (core.is_solved) return true;

@@ -23,7 +23,7 @@ constexpr int kLanes = kVectorBytes / static_cast<int>(sizeof(Real));
 template <int W, class Real = double>
 struct Vector {
   using Lanes __attribute__((vector_size(8 * W))) = double;
-  /// Lanes where doubles stand: as little aligned as they are.
+  /// Lanes at the address of doubles, with their alignment.
   using InArray __attribute__((vector_size(8 * W), aligned(8), may_alias)) = double;
 };
 template <int W>

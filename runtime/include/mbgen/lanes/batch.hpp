@@ -1,7 +1,7 @@
 #pragma once
 // Accelerations, closures, multipliers and outputs of several instances in lanes, by the frozen programs alone. Each
-// function says which lanes are good: there the scalar solver would have gone the same way, with the same bits. What
-// is in the other lanes means nothing; the caller solves them one by one.
+// function says which lanes are good: there the scalar solver would have gone the same way, with the same bits.
+// Numbers in the other lanes mean nothing; the caller solves them one by one.
 //
 // `System` is that of blocks.hpp with rows (rows.hpp) in place of doubles: Row, Mask, kLanes, kGroups, tables and types
 // as there. Its programs take structs of vectors, one a group, see run_groups; Parameters and Inputs are those of one
@@ -211,7 +211,7 @@ typename System::Mask close_lanes(const ParametersOf<System>& parameters, const 
   return done;
 }
 
-/// Lanes in which no coordinate outside the motions lies further than kLargestCorrection from where it was.
+/// Lanes in which every coordinate without a motion is within kLargestCorrection of its former value.
 template <class System>
 typename System::Mask stayed_near(const typename System::State& from, const typename System::State& to) noexcept {
   typename System::Mask near = every_lane<System>();

@@ -17,7 +17,7 @@ constexpr double kArcTangent[12] = {-0x1.5555555555516p-2, 0x1.999999999113bp-3,
                                     0x1.56f477ff08135p-5,  -0x1.c17b86567f83bp-6, 0x1.4b7de8f174f56p-7};
 
 constexpr double kQuarterPi = 0x1.921fb54442d18p-1;
-/// What a double lacks of a multiple of pi/4, over the double.
+/// Rest of a multiple of pi/4 beyond its double, divided by the double.
 constexpr double kPiRest = 0x1.678afae35cdd1p-55;
 
 /// t with atan(a / b) = atan t, or pi/4 + atan t where is_middle has all bits of a lane. Requires: 0 <= a <= b, b > 0.

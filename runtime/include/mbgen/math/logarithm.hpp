@@ -59,7 +59,8 @@ inline void divide_for_logarithm(const T& m, T& quotient, T& u, T& u_rest) noexc
   }
 }
 
-/// log x = total + low, low: what total lacks. Requires: x a positive normal number (others give some number).
+/// log x = total + low, low: rounding error of total. Requires: x a positive normal number (others give an undefined
+/// number).
 template <class T>
 inline void find_logarithm(const T& x, T& total, T& low) noexcept {
   using Word = typename UnsignedOf<T>::Type;

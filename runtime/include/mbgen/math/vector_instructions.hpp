@@ -1,6 +1,6 @@
 #pragma once
-// Instructions of vectors (the vector_size extension of GCC and clang) that compilers do not make of plain text, or
-// make of it in several steps. The text stands here too, for numbers and other processors, and has the same bits.
+// Vector instructions (the vector_size extension of GCC and clang) that compilers do not generate from plain code, or
+// only in several steps. The plain code is here too, for numbers and other processors, with the same bits.
 
 #include <cstdint>
 

@@ -40,7 +40,7 @@ T largest_deflection(const Bristles<T>& bristles, const T& velocity) {
   return max(level / bristles.stiffness, T(kLeastBristle));
 }
 
-/// The velocity that bends bristles, rad/s or m/s: that of the parts, at most `largest` in the time `lag`.
+/// The velocity that bends bristles, rad/s or m/s: the velocity of the parts, limited to `largest` in the time `lag`.
 template <class T>
 T bristle_speed(const Bristles<T>& bristles, const T& largest, const T& velocity) {
   return velocity * (largest / max(largest, bristles.lag * abs(velocity)));
@@ -78,9 +78,9 @@ BristleResult<T> elasto_plastic_friction(const Bristles<T>& bristles, const T& e
   return {-(bristles.stiffness * deflection + bristles.damping * rate), rate};
 }
 
-/// Bristles whose limit is 0, as derivatives should see them. The laws above are springs within kLeastBristle even
-/// then, so that their derivatives at rest are those of a brake that holds. Parts that slide feel the limit against
-/// their motion, so that the derivative by a brake's load is that of closing it; parts that stand feel nothing.
+/// Bristles with the limit 0, for derivatives. The laws above are springs within kLeastBristle even then, so that their
+/// derivatives at rest belong to a brake that holds. For sliding parts the limit acts against the motion, so that the
+/// derivative by a brake's load is the derivative of closing it; parts at rest feel nothing.
 template <class T>
 BristleResult<T> open_bristle(const Bristles<T>& bristles, double lag, const T& deflection, const T& velocity) {
   const T against = select(velocity, T(-1.0), T(1.0));

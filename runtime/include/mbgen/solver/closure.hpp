@@ -47,14 +47,14 @@ bool is_replaced(int b, const typename System::State& state, const typename Syst
   return closure.pivot[b] < kNearSingular<Real> && is_unfair<System, correction>(b, state, closure);
 }
 
-/// True when block b may be near a singular position, or is to be looked at in any case.
+/// Whether block b may be near a singular position, or must be checked in any case.
 template <class System, Correction correction>
 bool is_watched(int b, const typename System::Closure& closure) noexcept {
   return correction == Correction::shortest || !(closure.pivot[b] >= kNearSingular<RealOf<System>>);
 }
 
-/// Shortens dz and zd of the blocks whose frozen partition is not a fair choice at this position, and replaces those of
-/// blocks where it is bad, or of all of them for the shortest correction, by the corrections of a pivoted one. The
+/// Shortens dz and zd of the blocks whose frozen partition is only fair at this position. Replaces them by the
+/// corrections of a pivoted partition for ill-conditioned blocks, or for all blocks with the shortest correction. The
 /// status may be a notice. Fails: loop_singular.
 template <class System, Correction correction>
 Status correct_closure(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
@@ -188,9 +188,9 @@ Status accept(const typename System::Closure& closure, typename System::State& t
   return bad < 0 ? Status{} : Status{Code::not_a_number, bad};
 }
 
-/// Newton on z of `trial`; at the end its velocities are consistent. The status may be a notice.
-/// correct: replaces corrections of the frozen partition where another one is to be taken. ends_at_tolerance: false
-/// where Newton goes on while it gains: near a singular position a small residual says little about the coordinates.
+/// Newton's iteration on z of `trial`; at the end its velocities are consistent. The status may be a notice. correct:
+/// replaces corrections of the frozen partition if another one is needed. ends_at_tolerance: false to iterate while it
+/// improves: near a singular position a small residual does not determine the coordinates.
 template <class System, class Correct>
 Status close_loops(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                    typename System::State& trial, bool ends_at_tolerance, const Correct& correct) noexcept {

@@ -72,8 +72,8 @@ void correct_block(int b, const LoopFactorsOf<RealOf<System>>& loop, const typen
   for (int c = 0; c < block.coordinates; ++c) closure.zd[coordinate[c]] = state.zd[coordinate[c]] + work.solution[c];
 }
 
-/// Shortens dz and zd of a block by the free directions of its frozen partition. put(value, to) replaces what is to be
-/// replaced, for rows some of the lanes. Requires: pivots from kNearSingular on, where it replaces.
+/// Shortens dz and zd of a block by the free directions of its frozen partition. put(value, to) stores a new value, for
+/// rows in some of the lanes. Requires: pivots from kNearSingular on where it stores.
 template <class System, class Put>
 void shorten_block(int b, const typename System::State& state, typename System::Closure& closure,
                    const Put& put) noexcept {

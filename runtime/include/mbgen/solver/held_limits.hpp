@@ -3,14 +3,14 @@
 
 namespace mbgen {
 
-/// How well held coordinates serve, see held_service, below which others are chosen: an integrator that looks at the
-/// end of its steps alone should meet this before it meets kLostPivot.
+/// Condition of held coordinates, see held_service, below which others are chosen: an integrator that checks only the
+/// ends of its steps should reach it before kLostPivot.
 constexpr double kWornPivot = 0.3;
-/// The same at an event: who found it by a root may stand a little before it.
+/// The same at an event: root finding may stop slightly before it.
 constexpr double kWornAtEvent = 0.33;
-/// The same below which a state in the held coordinates no longer tells the ways of assembly apart.
+/// Condition below which a state in the held coordinates does not determine the assembly mode.
 constexpr double kLostPivot = 0.05;
-/// The smallest pivot of held coordinates over that of full pivoting: a smaller share is bad from the start.
+/// Smallest pivot of held coordinates, relative to full pivoting: a smaller ratio is ill-conditioned from the start.
 constexpr double kBadPivot = 0.01;
 
 }  // namespace mbgen

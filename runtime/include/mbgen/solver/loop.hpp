@@ -23,8 +23,8 @@ struct LoopFactorsOf {
 
 using LoopFactors = LoopFactorsOf<double>;
 
-/// Rows that get pivots after the others: those that hold velocities alone. Where rows repeat each other, those of
-/// positions then keep their pivots, which alone can be closed.
+/// Rows that get pivots last: equations of velocities alone. If rows are redundant, position equations then keep their
+/// pivots; only these can be closed.
 struct LatePivots {
   const unsigned char* late = nullptr;  ///< per equation; null: no row is late
   int early_rank = 0;                   ///< pivots of the other rows
@@ -178,10 +178,9 @@ inline Real solve_dependent(const LoopFactorsOf<Real>& loop, const Real* right_h
   return largest;
 }
 
-/// Solves Phi_d' lambda = force_d: multipliers, zero at equations that are no pivots. On return `force` is what Phi'
-/// lambda leaves of it: zero at dependent coordinates.
-/// force: per coordinate (original order); lambda: per equation (original order); work: equations numbers.
-/// Source: theory.md section 4.
+/// Solves Phi_d' lambda = force_d: multipliers, zero at equations without a pivot. On return `force` is reduced by Phi'
+/// lambda: zero at dependent coordinates. force: per coordinate (original order); lambda: per equation (original
+/// order); work: equations numbers. Source: theory.md section 4.
 template <class Real>
 inline void solve_transposed(const LoopFactorsOf<Real>& loop, Real* force, Real* lambda, Real* work) noexcept {
   for (int k = 0; k < loop.rank; ++k) {
@@ -300,8 +299,8 @@ inline void factorise_gram(int coordinates, int free, const Real* rz, Real* gram
   }
 }
 
-/// Takes out of x what lies along the free directions: the shortest of all x that differ by them.
-/// gram: of factorise_gram; x: per coordinate; along: free.
+/// Removes the component along the free directions from x: the shortest of all x that differ by them. gram: of
+/// factorise_gram; x: per coordinate; along: free.
 template <class Real>
 inline void shorten(int coordinates, int free, const Real* rz, const Real* gram, Real* along, Real* x) noexcept {
   for (int p = 0; p < free; ++p) {

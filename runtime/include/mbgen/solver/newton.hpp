@@ -20,7 +20,7 @@ constexpr int kStraightIterations = 10;
 /// Steps of a search for a steady motion; each costs a linearisation.
 constexpr int kSteadyIterations = 60;
 
-/// Largest change of a coordinate in one step of a projection (rad or m): a linear step says nothing about half a turn.
+/// Largest change of a coordinate in one step of a projection (rad or m): a linear step is meaningless for half a turn.
 template <class Real>
 inline constexpr Real kLargestNewtonStep = Real(0.5);
 /// The same in a search (rad or m): shorter, because far from closed loops a step can cross to another assembly mode.

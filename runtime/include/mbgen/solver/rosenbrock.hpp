@@ -43,7 +43,7 @@ void add_changes(const double (&weights)[K], double h, const StateRates<System>*
     zd[k] = &changes[k]->derivative.zdd;
     x[k] = &changes[k]->derivative.xd;
   }
-  // Entry by entry: combine() takes overlapping parts of arrays, which must not be those that it writes.
+  // Entry by entry: combine() reads overlapping parts of arrays, which must differ from the arrays that it writes.
   const auto add = [&](auto& to, const auto& values) {
     for (std::size_t i = 0; i < size_of(to); ++i) combine_entry(to, factors, values, i, to);
   };
@@ -116,8 +116,8 @@ Status try_rosenbrock(const System& system, const typename System::State& start,
 }  // namespace integrator_detail
 
 /// One step of h seconds: the matrix once, four evaluations, four solutions, no iteration, then projection. Of order
-/// three whatever the matrix leaves out; L-stable for what it has.
-/// Gives notices as step_rk4. Fails: as step_rk4, implicit_singular and implicit_state_grows.
+/// three for any matrix; L-stable for the terms that the matrix contains. Gives notices as step_rk4. Fails: as
+/// step_rk4, implicit_singular and implicit_state_grows.
 template <class System>
 Status step_rosenbrock(const System& system, typename System::State& state, double h) noexcept {
   using State = typename System::State;

@@ -177,14 +177,14 @@ template <class Row, int W>
     *reinterpret_cast<typename LaneTypes<width>::InArray*>(to + g * width) = part_of(row, g);
 }
 
-/// A struct of arrays of plain numbers, seen as the struct of the same arrays of rows: nothing is copied.
+/// A struct of arrays of plain numbers as the struct of the same arrays of rows, without a copy.
 template <class Rows, class Plain>
 [[gnu::always_inline]] inline const Rows& as_rows(const Plain& plain) noexcept {
   static_assert(sizeof(Rows) == sizeof(Plain) && alignof(Rows) <= alignof(Plain));
   return reinterpret_cast<const Rows&>(plain);
 }
 
-/// One struct of vectors for every group of instances: what programs read and iterations only pass on.
+/// One struct of vectors for every group of instances: programs read it, iterations only pass it on.
 template <class Struct, int G>
 struct Grouped {
   Struct group[G];
@@ -192,7 +192,7 @@ struct Grouped {
 
 namespace rows_detail {
 
-/// A struct of rows as one struct of vectors a group; nothing is copied where a row is one vector.
+/// A struct of rows as one struct of vectors per group; without a copy if a row is one vector.
 template <template <class> class Struct, class Row>
 class InGroups {
  public:

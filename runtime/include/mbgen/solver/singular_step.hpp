@@ -101,15 +101,15 @@ bool add_node(const System& system, const typename System::State& middle, double
   return true;
 }
 
-/// Whether a System can tell a crossing from branches that only come close to each other.
+/// Whether a System can distinguish a crossing from branches that only come close to each other.
 template <class System, class = void>
 inline constexpr bool kTellsCrossings = false;
 template <class System>
 inline constexpr bool kTellsCrossings<System, std::void_t<decltype(&System::project_crossing)>> = true;
 
-/// State and rates at a singular position from the nodes around it. Result: false when the motion does not lead
-/// through, or not smoothly, or branches only come close there, as those of a four-bar that is no parallelogram by a
-/// little: the nodes lie on both of them then; `through` and `rates` are then unchanged.
+/// State and rates at a singular position from the nodes around it. Result: false if the motion does not pass, or not
+/// smoothly, or if branches only come close there, as in a four-bar that is nearly a parallelogram: the nodes are then
+/// on both of them. `through` and `rates` are unchanged then.
 template <class System>
 bool pass_through(const System& system, const typename System::State& state, double h, typename System::State& through,
                   StateRates<System>& rates) noexcept {
@@ -166,7 +166,7 @@ bool leaps_over([[maybe_unused]] const System& system, [[maybe_unused]] const ty
   }
 }
 
-/// Whether a System can tell on which side of a singular position its loops are.
+/// Whether a System can determine the side of a singular position on which its loops are.
 template <class System, class = void>
 inline constexpr bool kTellsSides = false;
 template <class System>
@@ -194,9 +194,9 @@ void on_the_way(const State& from, const State& to, double h, double part, State
 /// Longest way, rad or m, from which the distance of the first nodes is taken there.
 constexpr double kLookedAt = 0.05;
 
-/// Looks at a step whose stages were all clear of singular positions, and which may have leapt over one all the same.
-/// Where its loops come to another side of it, branches must cross there: singular_met then. Fails: loop_singular where
-/// they come close and do not cross.
+/// Checks a step whose stages were all clear of singular positions, and which may still have jumped across one. If its
+/// loops reach another side of it, branches must cross there: singular_met. Fails: loop_singular if they come close and
+/// do not cross.
 template <class System>
 Status check_side([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& from,
                   [[maybe_unused]] const typename System::State& to, [[maybe_unused]] double h) noexcept {
@@ -230,7 +230,7 @@ constexpr bool asks_for_care(Status status) noexcept {
          status.code == Code::near_singular || status.code == Code::singular_met;
 }
 
-/// Stages as they are, and what asks for care ends the step.
+/// Plain stages; any need for care ends the step.
 struct Plain {
   static constexpr bool goes_on(Status status) noexcept { return status.ok() && !asks_for_care(status); }
 

@@ -173,9 +173,9 @@ T mf61_overturning(const MagicFormula61<T>& set, const Mf61State<T>& at, const T
           fy * (set.qsx13 + set.qsx14 * abs(gamma)));
 }
 
-/// Relaxation lengths, m, of an upright tyre: stiffness of the slip over that of the carcass. Source: I. J. M.
-/// Besselink, A. J. C. Schmeitz, H. B. Pacejka, "An improved Magic Formula/Swift tyre model that can handle inflation
-/// pressure changes", Vehicle System Dynamics 48 (supplement), 2010.
+/// Relaxation lengths, m, of an upright tyre: slip stiffness over carcass stiffness. Source: I. J. M. Besselink, A. J.
+/// C. Schmeitz, H. B. Pacejka, "An improved Magic Formula/Swift tyre model that can handle inflation pressure changes",
+/// Vehicle System Dynamics 48 (supplement), 2010.
 template <class T>
 T mf61_relaxation_x(const MagicFormula61<T>& set, const Mf61State<T>& at) {
   const T carcass = set.longitudinal_stiffness * parabola<T>(set.pcfx1, set.pcfx2, at.dfz) * (1.0 + set.pcfx3 * at.dpi);

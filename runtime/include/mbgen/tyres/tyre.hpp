@@ -7,7 +7,7 @@
 
 namespace mbgen {
 
-/// Moment about the road's normal: none, that of a patch, or at rest that and at speed turn slip (of MF 6.1 alone).
+/// Moment about the road's normal: none, of a patch, or of a patch at rest and turn slip at speed (MF 6.1 only).
 enum class Turning { none, patch, turn_slip };
 
 /// Properties of a mounted tyre. Units as stated, of one tyre.
@@ -67,16 +67,16 @@ inline constexpr double kSlidingDeflection = 0.1;
 inline constexpr double kSlidingDeflectionAtSpeed = 0.5;
 /// Limits of a relaxation length that follows the load, over that at nominal load.
 inline constexpr double kShortestRelaxation = 0.2, kLongestRelaxation = 5;
-/// Largest resultant slip that the formulas are asked for: they are fitted to measurements below it.
+/// Largest resultant slip as an argument of the formulas, which are fitted to measurements below it.
 inline constexpr double kLargestSlip = 1.5;
 /// s, by which a standing patch that turns is damped: a ratio of about 0.3 for a wheel that swings about its kingpin.
 inline constexpr double kTurnDamping = 0.02;
 /// Least friction of a patch that turns: below it stiffness falls with friction, in place of the angle of sliding.
 inline constexpr double kLeastTurnFriction = 0.05;
-/// Largest spin that the formulas are asked for, over the unloaded radius; the tightest of the tests have about 1.
+/// Largest spin as an argument of the formulas, over the unloaded radius; the tightest tests have about 1.
 inline constexpr double kLargestSpin = 30;
 
-/// What spin adds to the radius of a tyre that nothing presses, m.
+/// Growth of the radius of an unloaded tyre with its spin, m.
 /// Source: Pacejka (2012), section 4.3.4 (R_Omega).
 template <class T>
 T growth(const MagicFormula61<T>& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
@@ -103,8 +103,8 @@ T spring(const MagicFormula61<T>& set, const TyreProperties<T>& tyre, const Tyre
   return set.fnomin * max((linear + set.q_fz2 * pressed) * pressed, T(0)) * by_speed * by_pressure;
 }
 
-/// Vertical load of one tyre, N: spring and damper without adhesion. The damper's push is limited to the spring's
-/// force, so that the load grows from zero at touchdown whatever the speed.
+/// Vertical load of one tyre, N: spring and damper without adhesion. The damper's compression force is limited to the
+/// spring's force, so that the load grows from zero at touchdown at any speed.
 template <class Set, class T>
 T load(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
   const T force = spring(set, tyre, contact);
@@ -341,7 +341,7 @@ TurnedForces<T> turned_forces(const Set& set, const TyreProperties<T>& tyre, con
   return with_turn_slip(set, tyre, contact, load, slip, turning_patch(set, tyre, contact, load, slip.rolling));
 }
 
-/// Moment against the rolling of a tyre that bears `load` and pulls with fx, N m.
+/// Moment against the rolling of a tyre under `load` with the longitudinal force fx, N m.
 template <class T>
 T rolling_resistance(const Pac2002<T>& set, const TyreProperties<T>& tyre, const TyreContact<T>&, const T& load,
                      const T&) {
@@ -353,7 +353,7 @@ T rolling_resistance(const Pac89<T>&, const TyreProperties<T>& tyre, const TyreC
   return tyre.rolling_resistance * load * tyre.radius;
 }
 
-/// The property stands for the set's QSY1.
+/// The property replaces the set's QSY1.
 template <class T>
 T rolling_resistance(MagicFormula61<T> set, const TyreProperties<T>& tyre, const TyreContact<T>& contact, const T& load,
                      const T& fx) {

@@ -1,5 +1,5 @@
 #pragma once
-// What the fuzz targets share.
+// Helpers of the fuzz targets.
 
 #include <algorithm>
 #include <cstdint>

@@ -7,5 +7,5 @@ set(CMAKE_EXE_LINKER_FLAGS_INIT -static)
 set(CMAKE_FIND_ROOT_PATH /usr/aarch64-linux-gnu)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
-# What is built runs so; mbgen is of this machine and must not.
+# Built programs run so; mbgen is of this machine and must not.
 set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64)

@@ -1,4 +1,4 @@
-// Arrows of the forces of bushings, as they act on the body of `to`.
+// Arrows of the forces of elements with a frame, as they act on the body of `to`.
 
 import { ConeGeometry, CylinderGeometry, Group, Mesh, Vector3 } from "three";
 import { valueAt } from "./data.js";
@@ -31,7 +31,7 @@ function arrowObject(radius) {
   };
 }
 
-/** The three columns of a bushing's force, or null where the table has none. */
+/** The three columns of an element's force, or null where the table has none. */
 function forceColumns(table, name) {
   const columns = ["x", "y", "z"].map((axis) => table.columns.find((column) => column.name === `${name}.force_${axis}`));
   return columns.every(Boolean) ? columns : null;
@@ -45,10 +45,10 @@ function largestForce(columns) {
   return largest;
 }
 
-/** Puts an arrow on the body of each bushing whose force the table has; a function shows them at a time. */
+/** Puts an arrow on the body of each element with a frame whose force the table has; a function shows them at a time. */
 export function createArrows(scene, table, bodies) {
   const arrows = scene.joints.flatMap((joint) => {
-    const columns = joint.kind === "bushing" && table ? forceColumns(table, joint.name) : null;
+    const columns = joint.axes && table ? forceColumns(table, joint.name) : null;
     if (!columns) return [];
     const arrow = arrowObject(kThickness * scene.size);
     arrow.group.position.set(...joint.at);
@@ -59,7 +59,7 @@ export function createArrows(scene, table, bodies) {
   const scale = largest > 0 ? (kLongest * scene.size) / largest : 0; // m/N
   const vector = new Vector3();
 
-  /** The force of a bushing at a time, N, in the axes of its body. */
+  /** The force of an element at a time, N, in the axes of its body. */
   function forceAt({ axes, columns }, time) {
     vector.set(0, 0, 0);
     axes.forEach((axis, k) => vector.addScaledVector(axis, valueAt(table.times, columns[k].values, time)));

@@ -1,4 +1,4 @@
-// What runs between two bodies and changes its length: rods, springs, dampers, struts, air springs.
+// Links between two bodies that change their length: rods, springs, dampers, struts, air springs.
 
 import { CatmullRomCurve3, CylinderGeometry, Group, LatheGeometry, Mesh, TubeGeometry, Vector2, Vector3 } from "three";
 import { alignY, ball, material } from "./shapes.js";

@@ -112,7 +112,7 @@ function usesKey(element, key) {
   return !isPressed || key === " " || key === "Enter";
 }
 
-/** What was clicked gives the keys back to the page; who comes by Tab keeps the focus. */
+/** A clicked control gives the keys back to the page; a control reached by Tab keeps the focus. */
 function returnKeys() {
   let byPointer = false;
   document.addEventListener("pointerdown", () => { byPointer = true; }, true);

@@ -1,6 +1,6 @@
 // The dialog that chooses the columns of a plot.
 
-const kGroups = { output: "Outputs", force: "Forces of springs, dampers, bushings and bump stops", coordinate: "Coordinates", velocity: "Velocities", residual: "Closure" };
+const kGroups = { output: "Outputs", force: "Forces of elements", coordinate: "Coordinates", velocity: "Velocities", residual: "Closure" };
 
 export function createPicker(table) {
   const dialog = document.getElementById("picker");

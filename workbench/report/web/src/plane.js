@@ -9,7 +9,7 @@ const kMargin = { left: 14, right: 14, top: 14, bottom: 20 };
 const kRoom = 1.12; // beyond the last eigenvalue
 const kNarrowest = 0.3; // of the height, so that undamped modes do not make it a line
 
-/** What the plane shows: all oscillations and all that grows; without them all. Others stand at its edge. */
+/** Range of the plane: all oscillations and all growing modes; without them all modes. Others stand at its edge. */
 function limits(modes) {
   const wanted = modes.filter((mode) => mode.oscillates || mode.unstable);
   const shown = (wanted.length > 0 ? wanted : modes).map((mode) => mode.eigenvalue);

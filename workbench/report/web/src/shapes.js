@@ -129,7 +129,7 @@ export function bodyGroup(body, index, sceneSize) {
   return group;
 }
 
-/** The mark of a joint: a pin, a ball, a slide, a bushing, a bump stop, or a foot on the ground. */
+/** The mark of a joint: a pin, a ball, a slide, a sleeve about a pin, a pad, or a foot on the ground. */
 export function jointMark(joint, up) {
   const surface = material(joint.on_ground ? "#7b838c" : "#e0a526", { roughness: 0.45 });
   const group = new Group();
@@ -143,14 +143,14 @@ export function jointMark(joint, up) {
     const slide = shadowed(new Mesh(new BoxGeometry(2 * r, 5 * r, 2 * r), surface));
     alignY(slide, axis);
     group.add(slide);
-  } else if (joint.kind === "bushing") {
+  } else if (joint.axes) {
     const rubber = material("#3a3f46", { roughness: 0.85, metalness: 0 });
     const sleeve = shadowed(new Mesh(new CylinderGeometry(1.9 * r, 1.9 * r, 3.4 * r, 24), rubber));
     const pin = shadowed(new Mesh(new CylinderGeometry(0.8 * r, 0.8 * r, 4.6 * r, 18), material("#7b838c")));
     alignY(sleeve, axis);
     alignY(pin, axis);
     group.add(sleeve, pin);
-  } else if (joint.kind === "bump_stop") {
+  } else if (joint.mark === "pad") {
     const rubber = material("#3a3f46", { roughness: 0.85, metalness: 0 });
     const stop = shadowed(new Mesh(new CylinderGeometry(0.9 * r, 1.7 * r, 4 * r, 24), rubber));
     stop.position.copy(axis).multiplyScalar(2 * r);

@@ -28,9 +28,7 @@ function table(caption, heads, rows) {
 function modelRows(model) {
   return [
     ["file", model.file], ["hash", model.hash], ["bodies with ground", model.bodies], ["joints", model.joints],
-    ["rods", model.rods], ["springs and dampers", model.springs],
-    ...(model.bushings ? [["bushings", model.bushings]] : []),
-    ...(model.bump_stops ? [["bump stops", model.bump_stops]] : []), ["tyres", model.tyres],
+    ["rods", model.rods], ...model.elements,
     ["relative coordinates", model.coordinates], ["loop equations", model.equations],
     ["of which independent", model.independent_equations],
     ...(model.position_freedoms === model.degrees_of_freedom ? [] : [["freedoms of positions", model.position_freedoms]]),
@@ -71,7 +69,7 @@ function pointTable({ state, drift }) {
   return table("Point", [], [["modes about", state], ["largest rate of the states there, per s", drift]]);
 }
 
-/** What the page does not show as it is. */
+/** List of simplifications that the page makes. */
 function noteList(notes) {
   const list = Object.assign(document.createElement("ul"), { id: "notes" });
   list.append(...notes.map((textContent) => Object.assign(document.createElement("li"), { textContent })));

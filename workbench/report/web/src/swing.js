@@ -41,7 +41,7 @@ export function pace(mode) {
   return time > kLongest ? 1 / niceStep(kLongest / time) : 1;
 }
 
-/** Where a swing is: turns since it began and its size, 1 for all of it. What grows ends with all of it. */
+/** Phase of a swing: turns since it began and its size, 1 for all of it. A growing mode ends at its full size. */
 function courseAt(mode, time) {
   if (mode.neutral) return { turns: 0, size: Math.sin((2 * Math.PI * time) / kNeutralPeriod) };
   const rate = growth(mode);

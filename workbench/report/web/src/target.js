@@ -1,4 +1,4 @@
-// What the camera looks at: a body that it follows, or the middle of the model.
+// Target of the camera: a body that it follows, or the middle of the model.
 
 import { Box3, Vector3 } from "three";
 

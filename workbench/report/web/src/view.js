@@ -44,7 +44,7 @@ export function createView(scene, animation, element, table) {
     isStale = true;
   };
 
-  /** What the camera looks at, where it is now. */
+  /** The camera's target at the time shown. */
   function centre() {
     poseForCamera(world.bodies, shown, time);
     const place = target.centre();

@@ -9,7 +9,7 @@ import { poseBodies, poseForCamera } from "./poses.js";
 import { createRoads } from "./road.js";
 import { bodyGroup, jointMark } from "./shapes.js";
 
-/** What can be shown and hidden, and whether it is shown at first. */
+/** Layers that can be shown and hidden, and whether each is shown at first. */
 export const kLayers = { bodies: true, hulls: true, links: true, joints: true, forces: true, ground: true, tracks: true, names: false };
 
 /** Bodies with the marks of their joints, in layers. */

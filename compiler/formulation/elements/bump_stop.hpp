@@ -1,0 +1,108 @@
+#pragma once
+// Bump stops: travel between points or of a coordinate, and the law that pushes after the clearance.
+
+#include "compiler/formulation/elements/connections.hpp"
+#include "compiler/formulation/elements/energy.hpp"
+
+namespace mbgen {
+
+/// A bump stop's way beyond its clearance, the rate of that and the force against it.
+template <class T>
+struct BumpStopState {
+  T penetration{0.0}, rate{0.0}, force{0.0};  ///< m or rad, per second, N or N m
+};
+template <>
+struct StateOf<BumpStop> {
+  template <class T>
+  using type = BumpStopState<T>;
+};
+
+/// By index of the quantity.
+template <class T>
+T shown(const BumpStopState<T>& stop, int quantity, int /*axis*/) {
+  const T* values[] = {&stop.force, &stop.penetration, &stop.rate};
+  return *values[quantity];
+}
+
+namespace detail {
+
+/// Force of a bump stop against its travel, N or N m, never negative; a function of travel and its rate alone.
+/// A: T, or Slope<T> where the law is differentiated.
+template <class T, class A>
+BumpStopState<A> bump_stop_law(const ForceWork<T>& work, const BumpStop& stop, const A& travel, const A& rate) {
+  using mbgen::max, mbgen::select;
+  const A zero(0.0);
+  BumpStopState<A> state;
+  state.penetration = travel - A(work.value(stop.clearance, "clearance", stop.name));
+  state.rate = rate;
+  const A depth = max(state.penetration, zero);
+  A elastic = zero;
+  if (stop.stiffness) {
+    const A argument = std::holds_alternative<Table>(*stop.stiffness) ? depth : power_by_constant(depth, stop.exponent);
+    elastic = law(work, stop.stiffness, argument, "k", stop.name);
+  }
+  if (stop.force) elastic = elastic + with_locals(work, *stop.force, depth, rate);
+  const A force = elastic * (A(1.0) + A(work.value(stop.damping, "d", stop.name)) * rate);
+  state.force = select(-state.penetration, zero, max(force, zero));
+  if constexpr (std::is_same_v<T, A>) work.system.scribe.name(state.force, "push_", stop.name);
+  return state;
+}
+
+template <class T, class Use>
+void connect(const ForceWork<T>& work, const BumpStop& stop, const Use& use) {
+  const int outwards = stop.side == BumpStop::Side::compression ? -1 : 1;
+  if (stop.is_on_joint())
+    use(AlongCoordinate<T>(work.system, stop.joint, stop.side == BumpStop::Side::below ? -1 : 1));
+  else if (stop.axis)
+    use(AlongAxis<T>(work, stop.from, stop.to, T(outwards) * constant<T>(*stop.axis)));
+  else
+    use(AlongLine<T>(work, stop.from, stop.to, -1));
+}
+
+/// A stop's state with the force against the position of its connection.
+template <class A>
+struct ActingBumpStop : BumpStopState<A> {
+  A resistance{0.0};
+};
+
+/// On a coordinate or along an axis the position is the travel.
+template <class T, class At>
+auto law_of(const ForceWork<T>& work, const BumpStop& stop, const At&) {
+  return [&]<class A>(const A& travel, const A& rate) {
+    const BumpStopState<A> state = bump_stop_law(work, stop, travel, rate);
+    return ActingBumpStop<A>{state, state.force};
+  };
+}
+
+/// Between points it is the length.
+template <class T>
+auto law_of(const ForceWork<T>& work, const BumpStop& stop, const AlongLine<T>& at) {
+  return [&, reference = at.reference(work)]<class A>(const A& length, const A& rate) {
+    const A sign(stop.side == BumpStop::Side::compression ? -1.0 : 1.0);
+    const BumpStopState<A> state = bump_stop_law(work, stop, A(sign * (length - A(reference))), A(sign * rate));
+    return ActingBumpStop<A>{state, sign * state.force};
+  };
+}
+
+template <class T, class At>
+BumpStopState<T> seen_as(const BumpStop&, const At&, const ActingBumpStop<T>& acting) {
+  return acting;
+}
+
+template <class T>
+std::vector<int> law_expressions(const ForceWork<T>&, const BumpStop& stop) {
+  return expressions_of(stop.force);
+}
+
+template <class T>
+T stored_energy(const EnergyWork<T>& work, const BumpStop& stop) {
+  using mbgen::max;
+  const T zero(0.0), depth = max(state_of(work.system, work.forces, stop).penetration, zero);
+  const Quantity* factor = std::get_if<Quantity>(&*stop.stiffness);
+  if (!factor) return work_of(work, stop.stiffness, depth);
+  const double power = stop.exponent + 1;
+  return max(work.value(*factor), zero) * power_by_constant(depth, power) / T(power);
+}
+
+}  // namespace detail
+}  // namespace mbgen

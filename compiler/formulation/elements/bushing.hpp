@@ -1,0 +1,181 @@
+#pragma once
+// Bushings: the law of their six freedoms, Maxwell branches.
+
+#include "compiler/formulation/elements/energy.hpp"
+#include "compiler/formulation/elements/six_freedoms.hpp"
+#include "compiler/model/auxiliary_states.hpp"
+
+namespace mbgen {
+
+/// A bushing's deflection and what acts on its `to` body at the point of `to`, in its axes on `from`, counted as its
+/// freedoms are.
+template <class T>
+struct BushingState {
+  Vector<T> deflection, rotation;  ///< m, rad
+  Vector<T> force, moment;         ///< N, N m
+};
+template <>
+struct StateOf<Bushing> {
+  template <class T>
+  using type = BushingState<T>;
+};
+
+/// By index of the quantity.
+template <class T>
+T shown(const BushingState<T>& bushing, int quantity, int axis) {
+  const Vector<T>* values[] = {&bushing.force, &bushing.moment, &bushing.deflection, &bushing.rotation};
+  const Vector<T>& v = *values[quantity];
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+namespace detail {
+
+/// A value per freedom of a bushing, counted as they are.
+template <class T>
+using BushingValues = std::array<T, kBushingFreedoms>;
+
+/// Forces of a bushing against its deflections, N and N m, and the rates of the extensions of its Maxwell branches.
+template <class T>
+struct BushingForces {
+  BushingValues<T> force;
+  std::vector<T> extension_rates;
+};
+
+/// The law of a bushing: a function of deflections, their rates and the extensions of its Maxwell branches alone.
+/// A: T, or Slope<T> where the law is differentiated.
+template <class T, class A>
+BushingForces<A> bushing_law(const ForceWork<T>& work, const Bushing& bushing, const BushingValues<A>& deflection,
+                             const BushingValues<A>& rate, const A* extensions) {
+  BushingForces<A> result;
+  for (int i = 0; i < kBushingFreedoms; ++i) {
+    const std::string freedom(kBushingFreedomNames[i]);
+    const auto value = [&](const Quantity& quantity, const char* meaning, const std::string& of) {
+      return A(work.value(quantity, (meaning + of).c_str(), bushing.name));
+    };
+    A force(0.0);
+    for (int j = 0; j < kBushingFreedoms; ++j) {
+      const std::string pair = freedom + "_" + std::string(kBushingFreedomNames[j]);
+      const int upper = kBushingFreedoms * std::min(i, j) + std::max(i, j);
+      if (bushing_couples(bushing.stiffness, i, j))
+        force = force + value((*bushing.stiffness)[upper], "k_", pair) * deflection[j];
+      if (bushing_couples(bushing.damping, i, j))
+        force = force + value((*bushing.damping)[upper], "d_", pair) * rate[j];
+    }
+    if (const std::optional<BushingFreedom>& own = bushing.freedoms[i]) {
+      // One after the other: names are given in the order of evaluation, which compilers choose within an expression.
+      force = force + value(own->preload, "f0_", freedom);
+      force = force + law(work, own->stiffness, deflection[i], ("k_" + freedom).c_str(), bushing.name);
+      force = force + law(work, own->damping, rate[i], ("d_" + freedom).c_str(), bushing.name);
+      if (own->force) force = force + with_locals(work, *own->force, deflection[i], rate[i]);
+      if (own->maxwell_stiffness) {
+        const A& extension = extensions[result.extension_rates.size()];
+        force = force + value(*own->maxwell_stiffness, "km_", freedom) * extension;
+        result.extension_rates.push_back(rate[i] - extension / value(own->maxwell_time, "tm_", freedom));
+      }
+    }
+    result.force[i] = force;
+  }
+  return result;
+}
+
+template <class T>
+SixFreedoms<T> freedoms_of(const ForceWork<T>& work, const Bushing& bushing) {
+  std::array<double, kBushingFreedoms> sense;
+  for (int i = 0; i < kBushingFreedoms; ++i) sense[static_cast<std::size_t>(i)] = bushing_sense(bushing, i);
+  return {work, bushing.from, bushing.to, bushing.axes, sense};
+}
+
+template <class T>
+void apply(ForceWork<T>& work, const Bushing& bushing) {
+  const std::vector<T>& x = work.system.x;
+  std::size_t next =
+      static_cast<std::size_t>(first_extension(work.system.model, index_in(work.system.model.bushings, bushing)));
+  const SixFreedoms<T> at = freedoms_of(work, bushing);
+  const BushingForces<T> law = bushing_law(work, bushing, at.position, at.rate, x.data() + next);
+  for (const T& rate : law.extension_rates) work.forces.xd[next++] = rate;
+  const bool turns = bushing_acts(bushing, 3) || bushing_acts(bushing, 4) || bushing_acts(bushing, 5);
+  const auto [force, moment] = at.resist(work, law.force, turns);
+  const auto& q = at.position;
+  BushingState<T> state{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}, at.counted(-force, 0), at.counted(-moment, 3)};
+  name(work.system.scribe, state.deflection, "q_", bushing.name);
+  name(work.system.scribe, state.force, "f_", bushing.name);
+  states_of<Bushing>(work.forces).push_back(std::move(state));
+}
+
+/// The freedoms along which a bushing acts.
+inline std::vector<int> acting_freedoms(const Bushing& bushing) {
+  std::vector<int> freedoms;
+  for (int i = 0; i < kBushingFreedoms; ++i)
+    if (bushing_acts(bushing, i)) freedoms.push_back(i);
+  return freedoms;
+}
+
+template <class T>
+ElementTangents<T> tangents_of(ForceWork<T>& work, const Bushing& bushing, int first_state) {
+  using S = Slope<T>;
+  const SixFreedoms<T> m = freedoms_of(work, bushing);
+  const std::vector<int> freedoms = acting_freedoms(bushing);
+  LawElement<T> element;
+  for (const int freedom : freedoms) {
+    element.coordinates.push_back({m.row(work, freedom)});
+    element.at.position.push_back(m.position[freedom]);
+    element.at.velocity.push_back(m.rate[freedom]);
+    const std::optional<BushingFreedom>& own = bushing.freedoms[freedom];
+    if (own)
+      for (const int expression : expressions_of(own->preload, own->stiffness, own->damping, own->force))
+        element.expressions.push_back(expression);
+  }
+  for (int s = 0; s < maxwell_branches(bushing); ++s) {
+    element.states.push_back(first_state + s);
+    element.at.state.push_back(work.system.x[first_state + s]);
+  }
+  return differentiated(work, std::move(element), [&](const LawPoint<S>& at) {
+    BushingValues<S> deflection, rate;
+    for (int i = 0; i < kBushingFreedoms; ++i) {
+      deflection[i] = S(m.position[i]);
+      rate[i] = S(m.rate[i]);
+    }
+    for (std::size_t a = 0; a < freedoms.size(); ++a) {
+      deflection[freedoms[a]] = at.position[a];
+      rate[freedoms[a]] = at.velocity[a];
+    }
+    BushingForces<S> law = bushing_law(work, bushing, deflection, rate, at.state.data());
+    LawResult<S> result{{}, std::move(law.extension_rates)};
+    for (const int freedom : freedoms) result.force.push_back(-law.force[freedom]);
+    return result;
+  });
+}
+
+template <class T>
+void add_tangents(ForceWork<T>& work, const Bushing& bushing, std::vector<ElementTangents<T>>& elements) {
+  const Model& model = work.system.model;
+  elements.push_back(tangents_of(work, bushing, first_extension(model, index_in(model.bushings, bushing))));
+}
+
+/// Springs of Maxwell branches too.
+template <class T>
+T stored_energy(const EnergyWork<T>& work, const Bushing& bushing) {
+  const System<T>& system = work.system;
+  const BushingState<T>& state = state_of(system, work.forces, bushing);
+  auto branch = static_cast<std::size_t>(first_extension(system.model, index_in(system.model.bushings, bushing)));
+  const auto deflection = [&](int i) { return component(i < 3 ? state.deflection : state.rotation, i % 3); };
+  T energy(0.0);
+  for (int i = 0; i < kBushingFreedoms; ++i) {
+    const T q = deflection(i);
+    for (int j = i; j < kBushingFreedoms; ++j)
+      if (bushing_couples(bushing.stiffness, i, j))
+        energy = energy + T(i == j ? 0.5 : 1.0) * work.value((*bushing.stiffness)[kBushingFreedoms * i + j]) *
+                              (q * deflection(j));
+    const std::optional<BushingFreedom>& own = bushing.freedoms[i];
+    if (!own) continue;
+    energy = energy + work_of(work, own->stiffness, q) + work.value(own->preload) * q;
+    if (own->maxwell_stiffness) {
+      const T& extension = system.x[branch++];
+      energy = energy + T(0.5) * work.value(*own->maxwell_stiffness) * (extension * extension);
+    }
+  }
+  return energy;
+}
+
+}  // namespace detail
+}  // namespace mbgen

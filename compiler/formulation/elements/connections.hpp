@@ -1,0 +1,151 @@
+#pragma once
+// Connections of elements with a law over one scalar: its position and rate, how a force against it acts on the bodies,
+// and how it moves with the coordinates of the tree. An element of such a kind states
+//   connect(work, element, use)     calls use(connection) with the one that it has
+//   law_of(work, element, at)       its law there: (position, rate) of T or of Slope<T> to the force against the
+//                                   position, N or N m, or to a struct whose `resistance` that is
+//   law_expressions(work, element)  that its law looks at, see LawElement; all of its fields if it states none
+//   seen_as(element, at, acting)    its state, of a kind that shows quantities
+// and the drivers below give its forces and its tangents from them.
+
+#include <utility>
+
+#include "compiler/formulation/elements/element_tangents.hpp"
+#include "compiler/model/element_fields.hpp"
+
+namespace mbgen {
+namespace detail {
+
+/// A coordinate, or its difference to another one; rad or m. With a sign, 1 or -1, it counts that way and is an
+/// element's own.
+template <class T>
+struct AlongCoordinate {
+  CoordinateReference joint;
+  std::optional<CoordinateReference> relative_to;
+  int sign = 0;
+  T position, rate;
+
+  AlongCoordinate(const System<T>& system, const CoordinateReference& of,
+                  const std::optional<CoordinateReference>& less)
+      : joint(of), relative_to(less), position(system.environment.position(of)), rate(system.environment.velocity(of)) {
+    if (!relative_to) return;
+    position = position - system.environment.position(*relative_to);
+    rate = rate - system.environment.velocity(*relative_to);
+  }
+  AlongCoordinate(const System<T>& system, const CoordinateReference& of, int counts)
+      : joint(of),
+        sign(counts),
+        position(T(sign) * system.environment.position(of)),
+        rate(T(sign) * system.environment.velocity(of)) {}
+
+  void resist(ForceWork<T>& work, const T& force) const {
+    add_joint_force(work, joint, sign == 0 ? -force : T(-sign) * force);
+    if (relative_to) add_joint_force(work, *relative_to, force);
+  }
+  LocalCoordinate<T> row(const ForceWork<T>& work) const {
+    LocalCoordinate<T> along = tree_local(work.system, joint);
+    if (relative_to || sign != 0) along.shared = -1;
+    if (sign != 0)
+      for (T& entry : along.row) entry = Slope<T>::times(T(sign), entry);
+    if (!relative_to) return along;
+    if (const int other = tree_coordinate(work.system.topology, *relative_to); other >= 0)
+      along.row[other] = along.row[other] - T(1.0);
+    return along;
+  }
+};
+
+/// The way of `to` along an axis that turns with the body of `from`, zero at the reference, m.
+template <class T>
+struct AlongAxis {
+  const Attachment &from, &to;
+  SeenPlace<T> seen;
+  Vector<T> axis;  ///< in the axes of the body of `from`
+  T position, rate;
+
+  AlongAxis(const ForceWork<T>& work, const Attachment& a, const Attachment& b, const Vector<T>& direction)
+      : from(a), to(b), seen(seen_place(work, a, b)), axis(direction) {
+    const auto reference = [&](const Attachment& at, const Place<T>& place) {
+      return place.at + carrier_origin(work.system.topology, work.system.constants, at.body);
+    };
+    position = dot(axis, seen.gap - (reference(to, seen.to) - reference(from, seen.from)));
+    rate = dot(axis, seen.drift);
+  }
+
+  void resist(ForceWork<T>& work, const T& force) const {
+    act_between(work, from, to, seen, force * axis, Vector<T>{});
+  }
+  LocalCoordinate<T> row(const ForceWork<T>& work) const { return {row_between(work, seen, axis, Vector<T>{})}; }
+};
+
+/// The number by which expressions see the length of an element.
+template <class Kind>
+int line_number(const Model& model, const Kind& element) {
+  int number = 0;
+  bool is_before = true;
+  each_kind([&](auto kind) {
+    if constexpr (std::is_same_v<typename decltype(kind)::Element, Kind>) is_before = false;
+    if (is_before && kind.has_length) number += static_cast<int>(kind.list(model).size());
+  });
+  return number + static_cast<int>(index_in(KindOf<Kind>::list(model), element));
+}
+
+template <class T, class Kind>
+std::vector<int> law_expressions(const ForceWork<T>&, const Kind& element) {
+  std::vector<int> expressions;
+  each_expression(element, [&](int expression) { expressions.push_back(expression); });
+  return expressions;
+}
+
+/// The force against the position that a law gives.
+template <class A>
+const A& resistance_in(const A& force) {
+  return force;
+}
+template <class Acting>
+requires requires(const Acting& acting) { acting.resistance; }
+const auto& resistance_in(const Acting& acting) { return acting.resistance; }
+
+/// Quantities of an element between two points that has no more.
+template <class T, class Kind>
+requires std::is_same_v<typename StateOf<Kind>::template type<T>, ElementState<T>> ElementState<T> seen_as(
+    const Kind&, const AlongLine<T>& at, const T& tension) {
+  ElementState<T> state;
+  state.length = at.position;
+  state.rate = at.rate;
+  state.force = tension;
+  return state;
+}
+
+template <class T, class Kind>
+concept HasScalarLaw = requires(ForceWork<T>& work, const Kind& element) {
+  connect(work, element, [](const auto&) {});
+};
+
+/// Forces of an element with a scalar law.
+template <class T, class Kind>
+requires HasScalarLaw<T, Kind>
+void apply(ForceWork<T>& work, const Kind& element) {
+  connect(work, element, [&](const auto& at) {
+    const auto acting = law_of(work, element, at)(at.position, at.rate);
+    at.resist(work, resistance_in(acting));
+    if constexpr (requires { seen_as(element, at, acting); })
+      states_of<Kind>(work.forces).push_back(seen_as(element, at, acting));
+  });
+}
+
+/// Its tangents.
+template <class T, class Kind>
+requires HasScalarLaw<T, Kind>
+void add_tangents(ForceWork<T>& work, const Kind& element, std::vector<ElementTangents<T>>& elements) {
+  using S = Slope<T>;
+  connect(work, element, [&](const auto& at) {
+    LocalCoordinate<T> row = at.row(work);
+    const auto law = law_of(work, element, at);
+    elements.push_back(
+        scalar_element(work, std::move(row), at.position, at.rate, law_expressions(work, element),
+                       [&](const S& position, const S& rate) { return -resistance_in(law(position, rate)); }));
+  });
+}
+
+}  // namespace detail
+}  // namespace mbgen

@@ -1,0 +1,38 @@
+#pragma once
+// Friction on coordinates.
+
+#include "compiler/model/elements/friction_law.hpp"
+#include "compiler/model/elements/kind.hpp"
+
+namespace mbgen {
+
+/// Friction on a coordinate.
+struct JointFriction : FrictionLaw {
+  std::string name;
+  Where where;
+  CoordinateReference joint;
+};
+
+template <>
+struct KindOf<JointFriction> : KindDefaults {
+  using Element = JointFriction;
+  static constexpr const char *key = "friction", *section = "frictions", *words = "friction";
+  template <class SomeModel>
+  static auto& list(SomeModel& model) {
+    return model.frictions;
+  }
+  static Connection connection(const JointFriction& element) { return OnCoordinate{element.joint, {}}; }
+  template <class Use>
+  static void fields(const JointFriction& element, const Use& use) {
+    use("coulomb", element.coulomb);
+    use("stiction", element.stiction);
+    use("viscous", element.viscous);
+    use("velocity", element.velocity);
+    use("stribeck_velocity", element.stribeck_velocity);
+    use("stiffness", element.stiffness);
+    use("damping", element.damping);
+    use("elastic", element.elastic);
+  }
+};
+
+}  // namespace mbgen

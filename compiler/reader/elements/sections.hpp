@@ -1,0 +1,97 @@
+#pragma once
+// Sections of elements in the model format: one source a section, with the table of its fields and their reading.
+
+#include "compiler/model/element_fields.hpp"
+#include "compiler/model/mentions.hpp"
+#include "compiler/reader/raw.hpp"
+#include "compiler/reader/reader.hpp"
+
+namespace mbgen::reading {
+
+struct ElementSection {
+  std::string_view doc;
+  std::vector<ObjectKind> (*kinds)();             ///< of its objects, and of those in them
+  void (*read)(Reader&, const Entries& entries);  ///< into the model
+  /// of an elastic kind: why the force of an element is not integrated, "" where it is
+  std::string (*trouble)(const Model&, std::size_t index) = nullptr;
+  void (*note)(Reader&) = nullptr;  ///< on values that are allowed and likely not meant
+};
+
+/// The section of a kind that stands first in it.
+template <class Kind>
+ElementSection section_of();
+template <>
+ElementSection section_of<PointSpring>();
+template <>
+ElementSection section_of<AirSpring>();
+template <>
+ElementSection section_of<JointSpring>();
+template <>
+ElementSection section_of<JointFriction>();
+template <>
+ElementSection section_of<JointForce>();
+template <>
+ElementSection section_of<AppliedForce>();
+template <>
+ElementSection section_of<Tyre>();
+template <>
+ElementSection section_of<Bushing>();
+template <>
+ElementSection section_of<BumpStop>();
+
+/// Whether a kind stands first in its section.
+template <class Kind>
+constexpr bool leads_section() {
+  bool leads = true, is_before = true;
+  each_kind([&](auto other) {
+    is_before = is_before && !std::is_same_v<typename decltype(other)::Element, Kind>;
+    if (is_before && std::string_view(other.section) == KindOf<Kind>::section) leads = false;
+  });
+  return leads;
+}
+
+/// Calls use(KindOf<Kind>{}) for the first kind of every section.
+template <class Use>
+void each_section(const Use& use) {
+  each_kind([&]<class Kind>(KindOf<Kind> kind) {
+    if constexpr (leads_section<Kind>()) use(kind);
+  });
+}
+
+/// An end of an element.
+inline FieldInfo element_end(std::string_view name, std::string_view doc) {
+  return {.name = name, .shape = Shape::attachment, .doc = doc, .need = Need::required};
+}
+
+/// A coordinate that an element acts on.
+inline FieldInfo element_coordinate(std::string_view name, std::string_view doc, Need need) {
+  return {.name = name, .shape = Shape::coordinate, .doc = doc, .need = need};
+}
+
+/// Adds a note on an element.
+void note_at(Reader& reader, const Where& where, std::string message, std::string hint = {});
+
+/// Notes an angle of more than a turn; no angle where the coordinate does not turn. name: of the angle.
+void note_angle(Reader& reader, const Where& where, const std::string& name, const CoordinateReference& coordinate,
+                double angle);
+
+/// Notes on bushings that pull away from the reference or add energy.
+void note_bushings(Reader& reader);
+
+constexpr const char* kByExpression = "a force by an expression, which is not integrated";
+constexpr const char* kByMotion = "a law that depends on the motion, which is not integrated";
+
+/// Whether one of the fields looks at what moves.
+template <class... Fields>
+bool look_at_motion(const Model& model, const Fields&... fields) {
+  using Kind = ExpressionNode::Kind;
+  bool looks = false;
+  const auto look = [&](int expression) {
+    looks =
+        looks || mentions(model, expression, {Kind::position, Kind::velocity, Kind::state, Kind::length, Kind::rate});
+  };
+  (each_expression_in(fields, look), ...);
+  return looks;
+}
+
+}  // namespace mbgen::reading

@@ -1,0 +1,97 @@
+// Table of fields: the file with its sections.
+#include <vector>
+
+#include "compiler/reader/elements/sections.hpp"
+#include "compiler/reader/presentation.hpp"
+#include "compiler/reader/raw.hpp"
+#include "compiler/reader/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+FieldInfo section(std::string_view name, std::string_view of, std::string_view doc) {
+  return {.name = name, .shape = Shape::map, .doc = doc, .of = of};
+}
+
+template <class Kind>
+Field<FileFields> section_row(KindOf<Kind> kind) {
+  return field<FileFields, &SectionOf<Kind>::section>(section(kind.section, kind.key, section_of<Kind>().doc));
+}
+
+/// Sections in front of those of elements.
+std::vector<Field<FileFields>> first_sections() {
+  using F = FileFields;
+  return {
+      field<F, &F::format>({.name = "mbgen",
+                            .shape = Shape::number,
+                            .doc = "version of the format, 1; may be absent in an included file"}),
+      field<F, &F::name>({.name = "name", .shape = Shape::text, .doc = "name of the model; default: the file's name"}),
+      field<F, &F::description>(prose_field("description", "of the model, for people")),
+      field<F, &F::author>(prose_field("author", "who made the model")),
+      field<F, &F::version>({.name = "version", .shape = Shape::text, .doc = "version of the model"}),
+      field<F, &F::copyright>(prose_field("copyright", "of the model")),
+      field<F, &F::licence>(prose_field("licence", "under which the model may be used")),
+      field<F, &F::gravity>({.name = "gravity",
+                             .shape = Shape::quantity_vector,
+                             .doc = "gravity in global axes, default [0, 0, -9.81]",
+                             .unit = "m/s^2",
+                             .depends = Depends::parameters}),
+      field<F, &F::include>({.name = "include",
+                             .shape = Shape::paths,
+                             .doc = "files of the same format whose content is merged in, relative to this file"}),
+      field<F, &F::parameters>({.name = "parameters",
+                                .shape = Shape::parameters,
+                                .doc = "named constants; tunable ones can be changed in the generated solver",
+                                .of = "parameter"}),
+      field<F, &F::inputs>(section("inputs", "input", "values given to the solver at every step")),
+      field<F, &F::hardpoints>({.name = "hardpoints",
+                                .shape = Shape::points,
+                                .doc = "positions with names, in global axes at the reference configuration; they "
+                                       "stand wherever a position stands, and as points of any body",
+                                .unit = "m",
+                                .depends = Depends::parameters}),
+      field<F, &F::bodies>(section("bodies", "body", "rigid bodies; \"ground\" is the fixed one")),
+      field<F, &F::joints>(section("joints", "joint", "joints between bodies, tree or loop closing")),
+      field<F, &F::rods>(section("rods", "rod", "bars with a spherical joint at each end")),
+      field<F, &F::states>(section("states", "state", "states of your own: their derivatives are expressions")),
+      field<F, &F::sampled>(section("sampled", "sampled_value", "values set at instants: sampled controllers")),
+      field<F, &F::couplings>(section("couplings", "coupling", "relations between coordinates: gears, racks, screws")),
+  };
+}
+
+/// Sections behind those of elements.
+std::vector<Field<FileFields>> last_sections() {
+  using F = FileFields;
+  return {
+      field<F, &F::roads>(
+          section("roads", "road", "roads under tyres; without one a tyre is on a flat horizontal road")),
+      field<F, &F::tyre_data>(section("tyre_data", "tyre_data", "coefficient sets of tyres")),
+      field<F, &F::axles>(section("axles", "axle", "axles of a vehicle, for mbgen kc; without effect on the motion")),
+      field<F, &F::vehicle>({.name = "vehicle",
+                             .shape = Shape::object,
+                             .doc = "the vehicle, for manoeuvres; without effect on the motion",
+                             .of = "vehicle"}),
+      field<F, &F::motions>(section("motions", "motion", "driven coordinates")),
+      field<F, &F::outputs>(section("outputs", "output", "results to write at every step")),
+      field<F, &F::shapes>(section("shapes", "shape", "how pictures show bodies, without effect on the motion")),
+      field<F, &F::initial>({.name = "initial", .shape = Shape::object, .doc = "state at the start", .of = "initial"}),
+      field<F, &F::solver>({.name = "solver", .shape = Shape::object, .doc = "time integration", .of = "solver"}),
+      field<F, &F::instances>(section("instances", "instance", "subsystems: files that are placed in this one")),
+  };
+}
+
+}  // namespace
+
+template <>
+std::span<const Field<FileFields>> fields<FileFields>() {
+  static const std::vector<Field<FileFields>> table = [] {
+    const auto first = first_sections(), last = last_sections();
+    std::vector<Field<FileFields>> rows(first.begin(), first.end());
+    each_section([&](auto kind) { rows.push_back(section_row(kind)); });
+    rows.insert(rows.end(), last.begin(), last.end());
+    return rows;
+  }();
+  return table;
+}
+
+}  // namespace mbgen::reading
