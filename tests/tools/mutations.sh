@@ -24,7 +24,7 @@ verdict() {
 
 (cd "$here" && git ls-files -z | xargs -0 cp --parents -u -p -t "$tree")
 cmake -S "$tree" -B "$tree/build" -G Ninja -DCMAKE_BUILD_TYPE=Release > /dev/null
-ninja -C "$tree/build" model_test emit_test oracle_test published_test > /dev/null
+ninja -C "$tree/build" reader_test emit_test oracle_test published_test > /dev/null
 echo "| fault | file | caught by |"
 echo "|---|---|---|"
 grep -v '^#' "$here/tests/tools/mutations.txt" | while IFS='|' read -r suite file expression what; do

@@ -9,6 +9,7 @@
 #include "workbench/cli/options.hpp"
 #include "workbench/describe/names.hpp"
 #include "workbench/describe/notes.hpp"
+#include "workbench/engines/auto_engine.hpp"
 #include "workbench/engines/engine_arguments.hpp"
 #include "workbench/host/assignments.hpp"
 #include "workbench/host/files.hpp"
@@ -117,6 +118,11 @@ int run(SimulateOptions options) {
           : integrator_of(control ? "" : options.simulation.integrator, model.solver.integrator, choice.name);
   const Compilation compilation =
       expect(choice.name == "generated" ? decide_to_write(std::move(model), choice.form) : decide(std::move(model)));
+  if (choice.name == kAutoEngine) {
+    const AutoEngine chosen = auto_engine(compilation, choice, settings.steps);
+    print_message("simulate: engine {}: {}\n", chosen.name, chosen.reason);
+    choice.name = chosen.name;
+  }
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
   count_notes(compilation);
   require_whole_periods(settings, compilation.model);
@@ -169,6 +175,7 @@ void add_simulate(NamedCommand application, int& exit_code) {
       "derivative, it is the derivative of the curve through the rows.\n"
       "--integrator cvode (stiff models) or cvode-adams steps with error control (SUNDIALS); the table's step is then\n"
       "that of its rows alone.\n"
+      "--engine auto takes the generic engine where its motion is over before a solver would be compiled.\n"
       "Where the step is too long for the model (its fastest mode, or an energy balance off by 0.1 %), standard error\n"
       "says so and names one that would do; values that blow up and an energy balance off by 10 % are an error.");
   add_model_argument(command, options->model);

@@ -81,6 +81,14 @@ std::shared_ptr<const SolverTable> open_kept(const fs::path& object, const std::
   return solver;
 }
 
+HostCompiler compiler_for(const fs::path& scratch, const EngineChoice& choice) {
+  HostCompiler compiler = find_compiler(scratch, "-march=native", choice.lanes);
+  if (choice.use == SolverUse::running && choice.lanes == 0) {
+    compiler.hot_flags = quick_compile_flags(compiler.is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
+  }
+  return compiler;
+}
+
 std::vector<EmittedFile> files_of(const Compilation& decided, const EngineChoice& choice) {
   Compilation compilation = decided;
   add_programs(compilation, {choice.form});
@@ -89,14 +97,19 @@ std::vector<EmittedFile> files_of(const Compilation& decided, const EngineChoice
 
 }  // namespace
 
+bool is_kept(const Compilation& decided, const EngineChoice& choice) {
+  const fs::path cache = choice.use_cache ? own_cache() : fs::path();
+  const TemporaryDirectory scratch(temporary_parent());
+  const HostCompiler compiler = compiler_for(scratch.path(), choice);
+  const auto object = cache.empty() ? std::nullopt : object_of_request(cache, request_of(decided, choice, compiler));
+  return object && is_own_file(*object) && is_sealed(*object);
+}
+
 std::shared_ptr<const SolverTable> load_solver(const Compilation& decided, const EngineChoice& choice) {
   const fs::path cache = choice.use_cache ? own_cache() : fs::path();
   const bool has_cache = !cache.empty();
   const TemporaryDirectory scratch(has_cache ? cache : temporary_parent());
-  HostCompiler compiler = find_compiler(scratch.path(), "-march=native", choice.lanes);
-  if (choice.use == SolverUse::running && choice.lanes == 0) {
-    compiler.hot_flags = quick_compile_flags(compiler.is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
-  }
+  const HostCompiler compiler = compiler_for(scratch.path(), choice);
   const std::string& model = decided.model.name;
   const std::string request = has_cache ? request_of(decided, choice, compiler) : "";
   if (const auto kept = has_cache ? object_of_request(cache, request) : std::nullopt) {
