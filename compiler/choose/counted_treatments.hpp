@@ -1,5 +1,5 @@
 #pragma once
-// What the forms and the treatments of the recursive form cost: each is traced without it and counted.
+// Operations of the forms and of the treatments of the recursive form: the accelerations are traced without each.
 
 #include <string>
 #include <vector>

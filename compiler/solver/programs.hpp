@@ -88,7 +88,7 @@ struct AlikeInputs {
   std::vector<TwinInput> twins;  ///< inputs of parts that are equal, each pair once
 };
 
-/// One program a role; those that a model does not need are empty.
+/// One program per role; a program that the model does not need is empty.
 struct Programs {
   Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, sampled, ground_places,
       tangents, changes, derived_constants;
@@ -111,7 +111,7 @@ struct PairedAccelerations {
 struct WholePrograms {
   Programs programs;
   std::optional<AroundLaws> around_laws;        ///< where elements share laws
-  std::optional<PairedAccelerations> in_pairs;  ///< of those around the laws where there are such; where it pays
+  std::optional<PairedAccelerations> in_pairs;  ///< of accelerations_of_text, if it pays
 
   /// The accelerations as a text has them, number by number.
   const Program& accelerations_of_text() const { return around_laws ? around_laws->program : programs.accelerations; }
@@ -129,15 +129,15 @@ const Program& program_of(const Programs& programs, Role role);
 
 /// The programs that a solver runs: all but the derived constants.
 std::vector<Program*> solver_programs(Programs& programs);
-/// Those, with all other spellings of the accelerations and the laws.
+/// The same with all other spellings of the accelerations and the laws.
 std::vector<Program*> solver_programs(WholePrograms& whole);
-/// Those of a text: the accelerations in pairs where there are some, which their numbers follow, and the laws.
+/// The programs of a text: the accelerations in pairs if there are any, and the laws.
 std::vector<Program*> solver_programs(WrittenPrograms& written);
 
 /// The programs as a text has them, their accelerations without pairs that do not pay.
 WrittenPrograms written(const WholePrograms& whole);
 
-/// The accelerations number by number follow those in pairs, where there are some.
+/// Sets the accelerations number by number from the pairs, if there are any.
 WrittenPrograms with_numbers_of_pairs(WrittenPrograms written);
 
 /// Every program with outputs, one a role, then the laws that elements share.

@@ -40,7 +40,7 @@ Counts add_counted_programs(Compilation& compilation, std::optional<Form> form, 
     before = after;
   };
   add_programs(compilation, {form, [&](const Stage& stage) {
-                               // Of one spelling: that of the text is another one.
+                               // Of one spelling: the text has another one.
                                const Program& plain = stage.so_far.whole.programs.accelerations;
                                count(stage.name, count_operations(plain).total());
                                return true;
