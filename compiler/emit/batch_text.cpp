@@ -3,6 +3,7 @@
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/law_text.hpp"
 #include "compiler/emit/mapped.hpp"
+#include "compiler/emit/quantity_ranges.hpp"
 #include "compiler/emit/system_values.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
@@ -60,14 +61,17 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
     if (shaped.role != Role::outputs && shaped.role != Role::derived_constants)
       members.push_back(system_member(shaped, "lanes::" + shaped.shape.result + "Of<Row>", "lanes::"));
   }
-  FrameRows one_step_methods = {{{"method", "rk4"}}};
-  if (context.model.solver.is_implicit()) one_step_methods.push_back({{"method", "rosenbrock"}});
+  FrameRows one_step_methods = {{{"method", "rk4"}, {"limit", "kRk4Turn"}}};
+  if (context.model.solver.is_implicit())
+    one_step_methods.push_back({{"method", "rosenbrock"}, {"limit", "kRosenbrockTurn"}});
   FrameValues values = {{"parameters", name_rows(context.names.parameters)},
                         {"has_inputs", !context.names.inputs.empty()},
                         {"inputs", name_rows(context.names.inputs)},
                         {"outputs", name_rows(names_of(output_members(context)))},
                         {"constants", constants.declarations(Scalar::doubles)},
                         {"programs", programs},
+                        {"has_quantities", has_quantities(context)},
+                        {"turning", turning_table(context, Scalar::doubles)},
                         {"one_step_methods", one_step_methods},
                         {"projection", false}};
   values.merge(tuned_values(context.programs, false));

@@ -3,6 +3,7 @@
 
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/mapped.hpp"
+#include "compiler/emit/number_limits.hpp"
 #include "compiler/emit/quantity_ranges.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
@@ -30,8 +31,8 @@ FrameRows range_rows(const std::vector<Given>& all, const std::vector<std::strin
     if (!shown.min && !shown.max) continue;
     rows.push_back({{"place", i},
                     {"member", members[i]},
-                    {"least", number_text(std::max(shown.min.value_or(-largest), -largest), scalar)},
-                    {"most", number_text(std::min(shown.max.value_or(largest), largest), scalar)}});
+                    {"least", number_text(limit_in(shown.min.value_or(-largest), scalar), scalar)},
+                    {"most", number_text(limit_in(shown.max.value_or(largest), scalar), scalar)}});
   }
   return rows;
 }
@@ -95,6 +96,7 @@ std::string c_source_text(const EmitContext& context) {
        {"parameter_ranges",
         range_rows(tunable_parameters(context.model), context.names.parameters, context.options.scalar)},
        {"has_quantities", has_quantities(context)},
+       {"has_input_quantities", has_input_quantities(context)},
        {"input_ranges", range_rows(context.model.inputs, context.names.inputs, context.options.scalar)},
        {"method", step_function(context.model.solver)},
        {"arguments", arguments},

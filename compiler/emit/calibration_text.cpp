@@ -4,6 +4,7 @@
 
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/mapped.hpp"
+#include "compiler/emit/number_limits.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
 #include "compiler/model/auxiliary_states.hpp"
@@ -86,10 +87,11 @@ void add_members(const EmitContext& context, const std::vector<NumberMember>& me
 
 /// Ranges of the first numbers of a structure, by "min" and "max".
 template <class Given>
-void add_ranges(const std::vector<Given>& given, CalibrationStructure& structure) {
+void add_ranges(const std::vector<Given>& given, Scalar scalar, CalibrationStructure& structure) {
   for (std::size_t i = 0; i < given.size(); ++i) {
-    structure.numbers[i].least = given[i].shown.min;
-    structure.numbers[i].most = given[i].shown.max;
+    const Presentation& shown = given[i].shown;
+    if (shown.min) structure.numbers[i].least = limit_in(*shown.min, scalar);
+    if (shown.max) structure.numbers[i].most = limit_in(*shown.max, scalar);
   }
 }
 
@@ -124,8 +126,8 @@ std::vector<CalibrationStructure> structures_of(const EmitContext& context) {
   add_members(context, parameter_members(context), names_of(tunable_parameters(model)), parameters);
   add_members(context, input_members(context), names_of(model.inputs), inputs);
   add_members(context, output_members(context), names_of(model.outputs), outputs);
-  add_ranges(tunable_parameters(model), parameters);
-  add_ranges(model.inputs, inputs);
+  add_ranges(tunable_parameters(model), context.options.scalar, parameters);
+  add_ranges(model.inputs, context.options.scalar, inputs);
   add_state(context, state);
   std::vector<CalibrationStructure> all = {parameters, inputs, outputs, state};
   std::erase_if(all, [](const CalibrationStructure& structure) { return structure.numbers.empty(); });

@@ -2,6 +2,7 @@
 
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/mapped.hpp"
+#include "compiler/emit/quantity_ranges.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
 #include "compiler/model/auxiliary_states.hpp"
@@ -78,6 +79,7 @@ std::string interface_text(const EmitContext& context) {
                         {"parameter_members", default_rows(parameter_members(context))},
                         {"input_members", default_rows(input_members(context))},
                         {"output_members", member_rows(output_members(context))},
+                        {"has_quantities", has_quantities(context)},
                         {"input_rows", input_rows_text(context.model, names)}};
   values.merge(tuned_values(context.programs, true));
   return fill_template(context, "solver.hpp.in", values);

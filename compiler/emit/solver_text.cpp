@@ -6,6 +6,7 @@
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/law_text.hpp"
 #include "compiler/emit/mapped.hpp"
+#include "compiler/emit/quantity_ranges.hpp"
 #include "compiler/emit/system_values.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
@@ -59,9 +60,9 @@ std::string start_charts(const InitialState& initial, Scalar scalar) {
   return fmt::format(", {{{}}}", fmt::join(number_texts(initial.charts, scalar), ", "));
 }
 
-/// 1 for every rotation on which accelerations or closures depend, else 0; "" if there is none. Nothing depends on the
-/// rotation of axisymmetric wheels.
-std::string turning_table(const EmitContext& context) {
+}  // namespace
+
+std::string turning_table(const EmitContext& context, Scalar scalar) {
   std::vector<double> turning(context.topology.bodies.size(), 0.0);
   bool any = false;
   for (const Program* program : {&context.programs.accelerations, &context.programs.closure}) {
@@ -74,11 +75,9 @@ std::string turning_table(const EmitContext& context) {
     }
   }
   if (!any) return "";
-  const std::string head = fmt::format("constexpr {} kTurning", name_of(context.options.scalar));
-  return array_text(head, number_texts(turning, context.options.scalar), "");
+  const std::string head = fmt::format("constexpr {} kTurning", name_of(scalar));
+  return array_text(head, number_texts(turning, scalar), "");
 }
-
-}  // namespace
 
 EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, bool for_importers) {
   const std::string& solver = context.names.solver;
@@ -100,12 +99,15 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
   FrameValues values = {
       {"banner", banner_text(context.model, "//") + legend_text(context)},
       {"constants", constants.declarations(context.options.scalar)},
-      {"rare_parts", rare_parts > 1 ? fmt::format("1 to {}", rare_parts) : rare_parts > 0 ? "1" : ""},
+      {"rare_parts", rare_parts > 1   ? fmt::format("1 to {}", rare_parts)
+                     : rare_parts > 0 ? "1"
+                                      : ""},
       {"all_parts", rare_parts + 1},
       {"for_importers", for_importers},
       // An FMU checks rotations by itself, see mbgen/fmu_turns.hpp.
-      {"turning", for_importers ? "" : turning_table(context)},
+      {"turning", for_importers ? "" : turning_table(context, context.options.scalar)},
       {"pairs", context.in_pairs},
+      {"has_quantities", has_quantities(context)},
       {"laws", !context.written.laws.empty() && context.options.scalar == Scalar::doubles},
       {"hot", hot},
       {"rare", rare},

@@ -25,6 +25,10 @@ void add_samples(const EmitContext& context, std::vector<EmittedFile>& files);
 /// `<model>.cpp`. for_importers: with the additional functions for an FMU.
 EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, bool for_importers);
 
+/// 1 for every rotation on which accelerations or closures depend, else 0; "" if there is none. Nothing depends on the
+/// rotation of axisymmetric wheels.
+std::string turning_table(const EmitContext& context, Scalar scalar);
+
 /// The legend below the banner: tree, loops and names, to read beside the equations.
 std::string legend_text(const EmitContext& context);
 

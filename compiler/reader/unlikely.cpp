@@ -155,6 +155,7 @@ void note_inertias(Reader& reader, double extent) {
 void note_ends(Reader& reader) {
   constexpr double kOnePlace = 1e-9;  // m
   each_element(reader.model, [&]<class Kind>(const Kind& element) {
+    if (KindOf<Kind>::drawing == Drawing::pad) return;  // it has the ends of a spring, which is told
     const auto connection = connection_of(element);
     const BetweenPoints* line = std::get_if<BetweenPoints>(&connection);
     if (!line || line->from.body < 0 || line->to.body < 0 || line->from.point < 0 || line->to.point < 0) return;

@@ -739,6 +739,11 @@ int Dynamics::changed_side(const State& from, const State& to) const noexcept {
   return mbgen::changed_side<System>(parameters, inputs, from, to);
 }
 
+mbgen::Status Dynamics::watch_way(const State& from, const State& to, double h,
+                                  const mbgen::WayLimits& limits) const noexcept {
+  return mbgen::watch_way<System>(parameters, inputs, from, to, h, limits);
+}
+
 namespace {
 
 /// 1 for coordinates whose turn changes accelerations or closures, else 0.

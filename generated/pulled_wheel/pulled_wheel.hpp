@@ -170,6 +170,8 @@ struct Dynamics {
   mbgen::Status project_nearest(State& state) const noexcept;
   mbgen::Status project_crossing(State& state, double& clearance) const noexcept;
   int changed_side(const State& from, const State& to) const noexcept;
+  mbgen::Status watch_way(const State& from, const State& to, double h,
+                          const mbgen::WayLimits& limits) const noexcept;
 };
 
 /// Accelerations of a state that steps of h seconds led to, without joint forces from outside: at a

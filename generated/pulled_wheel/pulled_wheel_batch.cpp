@@ -820,6 +820,30 @@ Statuses invalid_step() noexcept {
   return statuses;
 }
 
+/// 1 for coordinates whose turn changes accelerations or closures, else 0.
+constexpr double kTurning[] = {0.0, 1.0, 1.0, 0.0};
+
+/// Looks at the ways of the loops in steps of h seconds that began at `state`.
+struct Ways {
+  const Parameters& parameters;
+  const Inputs& inputs;
+  const State& state;
+  double h, most;
+
+  Mask operator()(const Mask& good, const System::State& result) const noexcept {
+    const mbgen::WayLimits limits = mbgen::integrator_detail::way_limits<double>(most, false);
+    return mbgen::look_at_ways<System>(good, as_rows<System::State>(state), result, limits.least, [&](int lane) {
+      const pulled_wheel::State from = lane_of(state, lane);
+      pulled_wheel::State to = from;
+      for (int i = 0; i < kCoordinates; ++i) to.z[i] = result.z[i][lane];
+      for (int i = 0; i < kCoordinates; ++i) to.zd[i] = result.zd[i][lane];
+      to.t = result.t[lane];
+      const mbgen::Status way = pulled_wheel::Dynamics{lane_of(parameters, lane), lane_of(inputs, lane)}.watch_way(from, to, h, limits);
+      return way.code == mbgen::Code::ok;
+    });
+  }
+};
+
 }  // namespace
 
 pulled_wheel::Parameters lane_of([[maybe_unused]] const Parameters& batch, [[maybe_unused]] int lane) noexcept {
@@ -949,14 +973,16 @@ Statuses step_rk4(const Parameters& parameters, const Inputs& inputs, State& sta
   System::State result;
   in_lanes(state, result);
   const Mask good = mbgen::step_lanes_rk4<System>(in_lanes(parameters), in_lanes(inputs),
-                                                   as_rows<System::State>(state), h, result);
+                                                   as_rows<System::State>(state), h, result,
+                                                   Ways{parameters, inputs, state, h, mbgen::kRk4Turn});
   store_state(good, result, state);
-  return mbgen::with_the_others_alone<kLanes>(good, [&](int lane) {
+  const Statuses statuses = mbgen::with_the_others_alone<kLanes>(good, [&](int lane) {
     pulled_wheel::State one = lane_of(state, lane);
     const mbgen::Status status = pulled_wheel::step_rk4(lane_of(parameters, lane), lane_of(inputs, lane), one, h);
     if (status.ok()) set_lane(state, lane, one);
     return status;
   });
+  return mbgen::with_turns_of_lanes<System>(statuses, good, result, kTurning, h, mbgen::kRk4Turn);
 }
 
 Statuses step_abm4(const Parameters& parameters, const Inputs& inputs, State& state, History& history,
@@ -965,9 +991,10 @@ Statuses step_abm4(const Parameters& parameters, const Inputs& inputs, State& st
   System::State result;
   in_lanes(state, result);
   const Mask good = mbgen::step_rows_abm4<System>(in_lanes(parameters), in_lanes(inputs),
-                                                  as_rows<System::State>(state), history, h, result);
+                                                  as_rows<System::State>(state), history, h, result,
+                                                  Ways{parameters, inputs, state, h, mbgen::kAbm4Turn});
   store_state(good, result, state);
-  return mbgen::with_the_others_alone<kLanes>(good, [&](int lane) {
+  const Statuses statuses = mbgen::with_the_others_alone<kLanes>(good, [&](int lane) {
     pulled_wheel::State one = lane_of(state, lane);
     pulled_wheel::History past = lane_of(history, lane);
     const mbgen::Status status =
@@ -978,6 +1005,7 @@ Statuses step_abm4(const Parameters& parameters, const Inputs& inputs, State& st
     }
     return status;
   });
+  return mbgen::with_turns_of_lanes<System>(statuses, good, result, kTurning, h, mbgen::kAbm4Turn);
 }
 
 Statuses outputs(const Parameters& parameters, const Inputs& inputs, const State& state, const JointForces& forces,

@@ -15,6 +15,8 @@
 
 namespace mbgen {
 
+struct WayLimits;  // mbgen/solver/singular_step.hpp
+
 /// A value that is asked of a coordinate or its velocity.
 struct CoordinateWish {
   int coordinate = -1;
@@ -69,6 +71,8 @@ class GenericSolver {
   Status project_crossing(GenericState& state, double& clearance) const;
   /// Loop block that is on another side of a singular position at `to` than at `from`, or -1.
   int changed_side(const GenericState& from, const GenericState& to) const;
+  /// The way of the loops in a step of h seconds, see watch_way of mbgen/motion.hpp.
+  Status watch_way(const GenericState& from, const GenericState& to, double h, const WayLimits& limits) const;
   /// Equations of an implicit step at a state, and the changes of velocities and auxiliary states that solve them for
   /// given rates. g: s, the method's factor times the step. The status may be a notice.
   /// Fails: not_a_number, implicit_singular, implicit_state_grows.

@@ -79,6 +79,11 @@ bool sides_differ(const BlockAnalysis& analysis, const std::vector<std::vector<d
   return changes_side(loop, start.data(), end.data(), driven.data(), {product.data(), rows.data(), columns.data()});
 }
 
+std::vector<BlockClosure<double>> closures_at(const GenericState& state, GenericEquations& equations) {
+  System<double>& system = equations.system(state);
+  return equations.closures(system, kinematics(system));
+}
+
 /// Entries of a block's joints.
 std::vector<double> of_joints(const std::vector<int>& joints, const std::vector<double>& values) {
   std::vector<double> result;
@@ -89,8 +94,7 @@ std::vector<double> of_joints(const std::vector<int>& joints, const std::vector<
 }  // namespace
 
 Status GenericSolver::notice(const GenericState& state) const {
-  System<double>& system = equations_->system(state);
-  const std::vector<BlockClosure<double>> closures = equations_->closures(system, kinematics(system));
+  const std::vector<BlockClosure<double>> closures = closures_at(state, *equations_);
   Status result;
   for (std::size_t b = 0; b < closures.size(); ++b) {
     const Status of_block = notice_of_block(static_cast<int>(b), equations_->analysis.blocks[b], closures[b].jacobian);
@@ -195,16 +199,36 @@ Status GenericSolver::project_crossing(GenericState& state, double& clearance) c
 }
 
 int GenericSolver::changed_side(const GenericState& from, const GenericState& to) const {
-  const auto jacobians = [&](const GenericState& state) {
-    System<double>& system = equations_->system(state);
-    return equations_->closures(system, kinematics(system));
-  };
-  const std::vector<BlockClosure<double>> start = jacobians(from), end = jacobians(to);
+  const std::vector<BlockClosure<double>> start = closures_at(from, *equations_), end = closures_at(to, *equations_);
   for (std::size_t b = 0; b < start.size(); ++b) {
     const BlockAnalysis& analysis = equations_->analysis.blocks[b];
     if (sides_differ(analysis, start[b].jacobian, end[b].jacobian)) return static_cast<int>(b);
   }
   return -1;
+}
+
+Status GenericSolver::watch_way(const GenericState& from, const GenericState& to, double h,
+                                const WayLimits& limits) const {
+  double moved = 0;
+  std::vector<LoopWay> ways;
+  for (const LoopBlock& block : equations_->topology.blocks) {
+    LoopWay& way = ways.emplace_back();
+    for (const int j : block.joints) {
+      way.add(from.zd[j], to.zd[j]);
+      moved += (to.z[j] - from.z[j]) * (to.z[j] - from.z[j]);
+    }
+  }
+  if (limits.least > 0 && moved <= limits.least * limits.least) return {};
+  const std::vector<BlockClosure<double>> start = closures_at(from, *equations_), end = closures_at(to, *equations_);
+  for (std::size_t b = 0; b < ways.size(); ++b) {
+    const BlockAnalysis& analysis = equations_->analysis.blocks[b];
+    const double clearance =
+        std::min(clearance_of(analysis, start[b].jacobian), clearance_of(analysis, end[b].jacobian));
+    if (h * ways[b].fastest <= limits.most * clearance) continue;
+    if (ways[b].turns(limits)) return {Code::loop_singular, static_cast<int>(b)};
+    if (sides_differ(analysis, start[b].jacobian, end[b].jacobian)) return {Code::singular_met, static_cast<int>(b)};
+  }
+  return {};
 }
 
 }  // namespace mbgen

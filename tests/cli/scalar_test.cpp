@@ -41,6 +41,26 @@ TEST_F(CommandLine, SinglePrecisionGoesWithBothFormsTunablesAndTheInterfaces) {
   }
 }
 
+// A radius must be positive: the least double above zero is zero in single precision.
+TEST_F(CommandLine, SinglePrecisionHasLimitsOfItsOwn) {
+  write("tyre.json", R"({ "mbgen": 1, "name": "tyre",
+      "parameters": { "speed": { "value": 0.1, "tunable": true, "max": 0.3 } },
+      "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
+                  "p": { "mass": 1, "inertia": [1, 1, 1], "points": { "O": [0, 0, 0] } } },
+      "joints": { "slide": { "type": "prismatic", "from": "ground.O", "to": "p.O", "axis": "x" } },
+      "frictions": { "f": { "joint": "slide", "coulomb": 1, "velocity": "speed" } } })");
+  for (const bool is_float : {true, false}) {
+    const Outcome run = mbgen("generate tyre.json --c-api --a2l --no-runtime --out made" +
+                              std::string(is_float ? " --scalar float" : ""));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const std::string range = is_float ? "if (values.speed < 1.1754944e-38f || values.speed > 0.3f)"
+                                       : "if (values.speed < 2.2250738585072014e-308 || values.speed > 0.3)";
+    const std::string limits = is_float ? "1.1754943508222875e-38 0.30000001192092896" : "2.2250738585072014e-308 0.3";
+    EXPECT_NE(read("made/tyre_c.cpp").find(range), std::string::npos) << read("made/tyre_c.cpp");
+    EXPECT_NE(read("made/tyre.a2l").find(limits), std::string::npos) << read("made/tyre.a2l");
+  }
+}
+
 TEST_F(CommandLine, SinglePrecisionHasTheCostSheetOfDoublePrecision) {
   write("four_bar.json", kFourBar);
   ASSERT_EQ(mbgen("generate four_bar.json --out double --no-runtime").exit_code, 0);

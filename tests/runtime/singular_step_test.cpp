@@ -71,6 +71,15 @@ struct Bead {
   int changed_side(const State& from, const State& to) const noexcept {
     return slope(from, 0) * slope(to, 0) + slope(from, 1) * slope(to, 1) < 0 ? 0 : -1;
   }
+  Status watch_way(const State& from, const State& to, double h, const WayLimits& limits) const noexcept {
+    LoopWay way;
+    for (int i = 0; i < 2; ++i) way.add(from.zd[i], to.zd[i]);
+    if (std::hypot(to.z[0] - from.z[0], to.z[1] - from.z[1]) < limits.least) return {};
+    const auto clearance = [](const State& s) { return std::max(std::abs(slope(s, 0)), std::abs(slope(s, 1))); };
+    if (h * way.fastest <= limits.most * std::min(clearance(from), clearance(to))) return {};
+    if (way.turns(limits)) return {Code::loop_singular, 0};
+    return {changed_side(from, to) < 0 ? Code::ok : Code::singular_met, changed_side(from, to)};
+  }
 
   double energy(const State& s) const { return (s.zd[0] * s.zd[0] + s.zd[1] * s.zd[1]) / 2 + gravity * s.z[1]; }
 };

@@ -42,7 +42,7 @@ struct Adversary {
   }
   Status project_nearest(State&) const noexcept {
     ++counter.calls.projections;
-    constexpr int kNearest = kCarefulClosing.projections - 2;  // the others are of project_crossing
+    constexpr int kNearest = kCarefulClosing.projections - 2;  // the others are of project_crossing and watch_way
     return counter.nearest++ % kNearest < 1 + 2 * (kSpacings - 1) ? Status{Code::singular_met, 0} : Status{};
   }
   Status project_crossing(State&, double& clearance) const noexcept {
@@ -55,6 +55,15 @@ struct Adversary {
     counter.looks_back = true;
     counter.nearest = 1;  // no closing comes before the nodes
     return 0;
+  }
+  Status watch_way(const State& from, const State& to, double, const WayLimits& limits) const noexcept {
+    if (limits.least > 0) return {};  // a step whose stages were far from singular positions
+    if (limits.aside == 0) {
+      ++counter.calls.projections;
+      return {};
+    }
+    changed_side(from, to);
+    return {Code::singular_met, 0};
   }
   using Tangents = double;
   Status tangents(const State&, double g, Tangents& values) const noexcept {

@@ -60,6 +60,30 @@ TEST_F(Singular, LongStepsDoNotLeapEither) {
   }
 }
 
+// Gaps of some hundredths: what goes on keeps its energy, and a step that is too long for the gap ends the motion.
+TEST_F(Singular, StepsThatTurnWithTheGapKeepTheEnergyOrFail) {
+  for (const double more : {1e-2, 1e-3, 1e-4, -1e-3}) {
+    write("four_bar.json", crossed_four_bar(1 + more));
+    for (const char* with :
+         {"generic --integrator rk4", "generic --integrator abm4", "generic --integrator rosenbrock", "augmented"}) {
+      for (const double part : {0.02, 0.5, 2.5}) {
+        const double step = std::min(part * std::sqrt(std::abs(more)), 0.1);
+        const Outcome done = mbgen(fmt::format(
+            "simulate four_bar.json --duration 1 --out m.csv --json --step {:.2g} --engine {}", step, with));
+        const Json report = Json::parse(done.out);
+        const std::string status = report["status"], at = fmt::format("{} {} {} {}", more, with, step, status);
+        if (part < 0.1) {
+          EXPECT_EQ(done.exit_code, 0) << at;
+          EXPECT_LT(std::abs(report["relative_energy_error"].get<double>()), 0.01) << at;
+        } else {
+          EXPECT_EQ(done.exit_code, 1) << at;
+          EXPECT_TRUE(status == "loop singular: jd" || status == "loop not closed: jd") << at;
+        }
+      }
+    }
+  }
+}
+
 // Steps of error control turn at a gap of 10 mrad: the rocker stays between -1.8 and 1.25 rad.
 TEST_F(Singular, StepsOfErrorControlTurnWhereTheyLeapt) {
   if (!has_cvode()) GTEST_SKIP() << "built without SUNDIALS";
@@ -87,6 +111,23 @@ TEST_F(Singular, EmittedSolversDoNotTakeThemForACrossingEither) {
     EXPECT_EQ(done.exit_code, 1) << step;
     EXPECT_EQ(Json::parse(done.out)["status"], "loop singular: jd") << step;
   }
+}
+
+TEST_F(Singular, CasesOfASweepTellWhatTheyPassed) {
+  std::string text = crossed_four_bar(1);
+  text.replace(text.find("\"initial\""), 0, R"("parameters": { "heavy": { "value": 1, "tunable": true } }, )");
+  text.replace(text.find("\"mass\": 1,"), 10, R"("mass": "heavy",)");
+  write("four_bar.json", text);
+  const Outcome done = mbgen(
+      "sweep four_bar.json --engine generic --vary heavy=1,2 --duration 1 --step 0.001 --metric \"e=max(z.ja)\" --out "
+      "s.csv");
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  const std::string table = read("s.csv");
+  int told = 0;
+  for (std::size_t at = table.find("\"ok, "); at != std::string::npos; at = table.find("\"ok, ", at + 1)) ++told;
+  EXPECT_EQ(told, 2) << table;
+  EXPECT_NE(table.find("singular position"), std::string::npos) << table;
+  EXPECT_NE(table.find("loops jd at t = "), std::string::npos) << table;
 }
 
 TEST_F(Singular, BarsThatAreEqualToRoundingPass) {

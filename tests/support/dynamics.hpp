@@ -19,6 +19,9 @@ struct Dynamics {
     return solver.project_crossing(state, clearance);
   }
   int changed_side(const State& from, const State& to) const noexcept { return solver.changed_side(from, to); }
+  Status watch_way(const State& from, const State& to, double h, const WayLimits& limits) const noexcept {
+    return solver.watch_way(from, to, h, limits);
+  }
 
   using Tangents = GenericTangents;
   Status tangents(const State& state, double g, Tangents& values) const noexcept {

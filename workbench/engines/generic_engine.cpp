@@ -46,6 +46,10 @@ struct GenericSystem {
     advance_inputs(start);
     return solver.changed_side(from, to);
   }
+  Status watch_way(const GenericState& from, const GenericState& to, double h, const WayLimits& limits) const noexcept {
+    advance_inputs(start);
+    return solver.watch_way(from, to, h, limits);
+  }
   Status sample(GenericState& state, double h, bool& any) const noexcept { return solver.sample(state, h, any); }
   bool leaves_charts(const GenericState& state) const noexcept { return mbgen::leaves_charts(balls, state); }
   bool settle_charts(GenericState& state) const noexcept { return mbgen::settle_charts(balls, state); }

@@ -5,12 +5,14 @@
 #include <memory>
 #include <utility>
 
+#include "compiler/model/inputs.hpp"
+#include "compiler/model/largest_turn.hpp"
 #include "mbgen/integrators.hpp"
 
 namespace mbgen {
 namespace {
 
-/// The functions that check_side needs of a system.
+/// The functions that check_way needs of a system.
 struct GuardedSystem {
   using State = GenericState;
   using Derivative = GenericDerivative;
@@ -27,12 +29,26 @@ struct GuardedSystem {
     return at(state.t).project_crossing(state, clearance);
   }
   int changed_side(const State& from, const State& to) const { return at(from.t).changed_side(from, to); }
+  Status watch_way(const State& from, const State& to, double h, const WayLimits& limits) const {
+    if (limits.most > 0) return at(from.t).watch_way(from, to, h, limits);
+    const int block = changed_side(from, to);
+    return block < 0 ? Status{} : Status{Code::singular_met, block};
+  }
+};
+
+/// Inputs of the step that an engine is in, as it was told.
+struct StepInputs {
+  std::vector<double> values;
+  double start = 0;  ///< s
 };
 
 }  // namespace
 
-BranchGuard::BranchGuard(const Compilation& compilation, std::function<std::vector<double>(double)> inputs_at)
-    : solver_(compilation.model, compilation.topology, compilation.analysis), inputs_at_(std::move(inputs_at)) {
+BranchGuard::BranchGuard(const Compilation& compilation, std::function<std::vector<double>(double)> inputs_at,
+                         double most)
+    : solver_(compilation.model, compilation.topology, compilation.analysis),
+      inputs_at_(std::move(inputs_at)),
+      most_(most) {
   for (const LoopBlock& block : compilation.topology.blocks)
     joints_.insert(joints_.end(), block.joints.begin(), block.joints.end());
 }
@@ -48,18 +64,30 @@ double BranchGuard::way(const GenericState& from, const GenericState& to) const 
 
 Status BranchGuard::look(const GenericState& from, const GenericState& to, double h) const {
   if (joints_.empty() || from.charts != to.charts) return {};
-  return integrator_detail::check_side(GuardedSystem{solver_, inputs_at_}, from, to, h);
+  return integrator_detail::check_way(GuardedSystem{solver_, inputs_at_}, from, to, h, {most_, 0});
 }
 
-Engine with_branch_guard(const Compilation& compilation, const Engine& engine, const InputsOverTime& inputs) {
-  const auto guard = std::make_shared<BranchGuard>(compilation, [&inputs](double t) { return inputs.at(t); });
-  constexpr double kLooksItself = 0.05;  // rad or m
-  const double least = is_cartesian(engine.name) ? 0 : kLooksItself;
+Engine with_branch_guard(const Compilation& compilation, const Engine& engine) {
+  const bool is_judge = is_cartesian(engine.name);
+  if (!is_judge && chooses_again(compilation.topology)) return engine;
+  const auto inputs = std::make_shared<StepInputs>();
+  const auto inputs_at = [inputs, list = compilation.model.inputs](double t) {
+    return advanced_inputs(list, inputs->values, t - inputs->start);
+  };
+  const double most = is_judge ? kRk4Turn : largest_turn(compilation.model.solver.integrator);
+  const auto guard = std::make_shared<BranchGuard>(compilation, inputs_at, most);
+  constexpr double kFar = 0.05;  // rad or m, of loops that are too large to be looked at every time
+  const double least = is_judge ? 0 : kFar;
   Engine guarded = engine;
-  guarded.step = [guard, least, step = engine.step](GenericState& state, double h) {
+  guarded.set_inputs = [inputs, set_inputs = engine.set_inputs](const std::vector<double>& values) {
+    inputs->values = values;
+    set_inputs(values);
+  };
+  guarded.step = [guard, inputs, least, step = engine.step](GenericState& state, double h) {
     GenericState trial = state;
     const Status stepped = step(trial, h);
     const bool looks = stepped.ok() && stepped.code != Code::singular_met && guard->way(state, trial) >= least;
+    inputs->start = state.t;
     const Status seen = looks ? guard->look(state, trial, h) : stepped;
     if (!seen.ok()) return seen;
     state = std::move(trial);

@@ -6,19 +6,20 @@
 #include <vector>
 
 #include "workbench/engines/engine.hpp"
-#include "workbench/motion/inputs_over_time.hpp"
 
 namespace mbgen {
 
-/// Checks steps by the Jacobians of the loops in relative coordinates, as generated code checks steps near singular
-/// positions, see check_side of mbgen/singular_step.hpp.
+/// Checks steps by the Jacobians of the loops in relative coordinates, as generated code checks its steps, see
+/// check_way of mbgen/solver/singular_step.hpp.
 class BranchGuard {
  public:
-  /// inputs_at: inputs of the model at a time. It keeps a reference to the compilation.
-  BranchGuard(const Compilation& compilation, std::function<std::vector<double>(double)> inputs_at);
+  /// inputs_at: inputs of the model at a time. most: see WayLimits; 0 for steps with error control, which can only
+  /// jump. It keeps a reference to the compilation.
+  BranchGuard(const Compilation& compilation, std::function<std::vector<double>(double)> inputs_at, double most);
 
   /// Checks a step of h seconds between two closed states, unless it changes charts. Result: ok; singular_met if it
-  /// passed a singular position. Fails: loop_singular if it jumped across a position where branches do not cross.
+  /// passed a singular position. Fails: loop_singular if it jumped across a position where branches do not cross, or
+  /// turned aside from one within a step that is too long for it.
   Status look(const GenericState& from, const GenericState& to, double h) const;
   /// Largest displacement of a coordinate in a loop, rad or m.
   double way(const GenericState& from, const GenericState& to) const;
@@ -27,12 +28,12 @@ class BranchGuard {
   mutable GenericSolver solver_;  ///< for its inputs
   std::function<std::vector<double>(double)> inputs_at_;
   std::vector<int> joints_;  ///< coordinates in loops
+  double most_;
 };
 
-/// The engine with a check of its steps: a step that jumped fails and leaves its state. Judges have no check of their
-/// own, and steps of other engines that move a loop by more than about 0.05 rad may have no stage near the crossing.
-/// inputs: of the run; outlive the engine.
-Engine with_branch_guard(const Compilation& compilation, const Engine& engine, const InputsOverTime& inputs);
+/// The engine with a check of its steps: a step that jumped fails and leaves its state. Engines with a check of their
+/// own are returned as they are; judges have none, nor have solvers whose loops keep their frozen partition.
+Engine with_branch_guard(const Compilation& compilation, const Engine& engine);
 
 /// Steps of error control that jumped; shorter ones repeat them.
 class LeapWatch {

@@ -45,8 +45,11 @@ Engine with_error_control(const Compilation& compilation, const Engine& engine, 
   std::optional<Corners> corners;
   if (control.finds_corners) corners.emplace(compilation);
   ControlledMotion motion(engine, inputs, std::move(magnitudes), std::move(corners));
-  const std::shared_ptr<Stepper> stepper = make_cvode_stepper(
-      std::move(motion), BranchGuard(compilation, [&inputs](double t) { return inputs.at(t); }), control, *record);
+  const std::shared_ptr<Stepper> stepper =
+      make_cvode_stepper(std::move(motion),
+                         BranchGuard(
+                             compilation, [&inputs](double t) { return inputs.at(t); }, 0),
+                         control, *record);
   Engine controlled = engine;
   controlled.step = [stepper, record](GenericState& state, double h) { return stepper->step(state, h); };
   return controlled;

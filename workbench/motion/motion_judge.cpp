@@ -5,6 +5,7 @@
 #include "workbench/motion/branch_guard.hpp"
 #include "workbench/motion/contact_watch.hpp"
 #include "workbench/motion/controlled_engine.hpp"
+#include "workbench/motion/input_bounds.hpp"
 #include "workbench/motion/load_watch.hpp"
 #include "workbench/motion/road_watch.hpp"
 
@@ -13,13 +14,13 @@ namespace {
 
 /// The engine of a task with steps that are looked at.
 Engine guarded_engine(const MotionTask& task, const std::shared_ptr<ErrorControlRecord>& record) {
-  // Steps of error control are looked at one by one; the inputs of a manoeuvre are not known before.
+  // Steps of error control are looked at one by one.
   if (record) {
     ErrorControl control = *task.error_control;
     control.end = task.start.t + static_cast<double>(task.settings.steps) * task.settings.step;
     return with_error_control(task.compilation, task.engine, task.inputs, control, record);
   }
-  return task.control ? task.engine : with_branch_guard(task.compilation, task.engine, task.inputs);
+  return with_branch_guard(task.compilation, task.engine);
 }
 
 }  // namespace
@@ -28,9 +29,10 @@ MotionJudge::MotionJudge(const MotionTask& task)
     : compilation_(task.compilation),
       integrator_(task.integrator),
       settings_(task.settings),
+      inputs_(task.control ? nullptr : &task.inputs),
       exchanges_(task.compilation, task.settings.step),
       turns_(task.compilation, task.integrator, task.settings.step),
-      times_(task.compilation, task.integrator, task.settings, task.control ? nullptr : &task.inputs),
+      times_(task.compilation, task.integrator, task.settings, inputs_),
       modes_(task.compilation, task.start, task.inputs.at(task.start.t), task.integrator, task.settings) {
   settings_.is_error_controlled = task.is_error_controlled();
   ContactWatch contacts(task.compilation);
@@ -59,6 +61,7 @@ StepVerdict MotionJudge::judge(SimulationSummary& summary) const {
     for (std::string& warning : times_.warnings()) verdict.warnings.push_back(std::move(warning));
   }
   for (const Watcher& watcher : watchers_) watcher.judge(summary, verdict);
+  if (inputs_ != nullptr) judge_inputs(compilation_.model, *inputs_, verdict);
   return verdict;
 }
 

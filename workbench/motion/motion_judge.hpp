@@ -57,6 +57,7 @@ class MotionJudge {
   const Compilation& compilation_;
   SolverSettings::Integrator integrator_;
   SimulationSettings settings_;
+  const InputsOverTime* inputs_;  ///< null in a manoeuvre, which moves them: they are not known before
   ExchangeMeter exchanges_;
   TurnWatch turns_;
   TimeWatch times_;

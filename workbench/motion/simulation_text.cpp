@@ -19,24 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Singular positions that the motion passed, in words; "" if there are none.
-std::string passages_text(const SimulationRecord& record) {
-  long count = 0;
-  double first = 0;
-  std::size_t where = 0;
-  for (std::size_t b = 0; b < record.summary.blocks.size(); ++b) {
-    const BlockEvents& block = record.summary.blocks[b];
-    if (block.singular_met == 0) continue;
-    if (count == 0 || block.singular_times.front() < first) first = block.singular_times.front(), where = b;
-    count += block.singular_met;
-  }
-  if (count == 0) return "";
-  return fmt::format(
-      ", {} singular position{} passed, {}loops {} at t = {:.6g} s", count, count == 1 ? "" : "s",
-      count == 1 ? "" : "first by ",
-      fmt::join(loop_names(record.compilation.topology, record.compilation.topology.blocks[where]), ", "), first);
-}
-
 /// End of the run, in words.
 std::string status_text(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
@@ -48,7 +30,7 @@ std::string status_text(const SimulationRecord& record) {
   return (warnings == 0   ? "ok"
           : warnings == 1 ? "1 warning"
                           : fmt::format("{} warnings", warnings)) +
-         passages_text(record);
+         passages_text(record.compilation.topology, summary);
 }
 
 Json ranges_json(const std::vector<Range>& ranges, const auto& named) {
@@ -191,6 +173,22 @@ Json results_json(const SimulationRecord& record) {
 }
 
 }  // namespace
+
+std::string passages_text(const Topology& topology, const SimulationSummary& summary) {
+  long count = 0;
+  double first = 0;
+  std::size_t where = 0;
+  for (std::size_t b = 0; b < summary.blocks.size(); ++b) {
+    const BlockEvents& block = summary.blocks[b];
+    if (block.singular_met == 0) continue;
+    if (count == 0 || block.singular_times.front() < first) first = block.singular_times.front(), where = b;
+    count += block.singular_met;
+  }
+  if (count == 0) return "";
+  return fmt::format(", {} singular position{} passed, {}loops {} at t = {:.6g} s", count, count == 1 ? "" : "s",
+                     count == 1 ? "" : "first by ", fmt::join(loop_names(topology, topology.blocks[where]), ", "),
+                     first);
+}
 
 std::vector<Heading> headings(const Compilation& compilation) {
   std::vector<Heading> result = {{"t", "s"}};

@@ -41,6 +41,9 @@ struct SimulationRecord {
   ManoeuvreWords manoeuvre = {};
 };
 
+/// Singular positions that the motion passed, in words behind a status; "" if there are none.
+std::string passages_text(const Topology& topology, const SimulationSummary& summary);
+
 /// For people: steps, real-time factor, closure residual, energy balance, ranges of the outputs and of changing inputs.
 std::string summary_text(const SimulationRecord& record);
 

@@ -256,6 +256,7 @@ std::vector<std::string> coinciding_ends(const Compilation& compilation, const G
   const std::vector<Pose> poses = GenericSolver(model, compilation.topology, compilation.analysis).poses(at);
   std::vector<std::string> result;
   each_element(model, [&]<class Kind>(const Kind& element) {
+    if (KindOf<Kind>::drawing == Drawing::pad) return;  // it has the ends of a spring, which is told
     const Connection connection = connection_of(element);
     const BetweenPoints* line = std::get_if<BetweenPoints>(&connection);
     if (line && distance(place_in(model, poses, line->from), place_in(model, poses, line->to)) < kCoincide)

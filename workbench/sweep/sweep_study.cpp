@@ -18,6 +18,7 @@
 #include "workbench/motion/motion_end.hpp"
 #include "workbench/motion/motion_judge.hpp"
 #include "workbench/motion/simulation_arguments.hpp"
+#include "workbench/motion/simulation_text.hpp"
 #include "workbench/start/initial_state.hpp"
 
 namespace mbgen {
@@ -182,9 +183,12 @@ std::optional<CaseResult> measured(const Study& study, const Compilation& compil
     return failed(study, fmt::format("{}", fmt::join(words, "; ")));
   }
   if (!verdict.failure.empty()) return failed(study, verdict.failure);
-  CaseResult result{"ok", evaluate(study.metrics, compilation.model.parameters, recorder.points()),
+  CaseResult result{"ok" + passages_text(compilation.topology, summary),
+                    evaluate(study.metrics, compilation.model.parameters, recorder.points()),
                     summary.energy.relative_error()};
-  if (!verdict.warnings.empty()) result.status = fmt::format("warning: {}", fmt::join(verdict.warnings, "; "));
+  if (!verdict.warnings.empty())
+    result.status =
+        fmt::format("warning: {}{}", fmt::join(verdict.warnings, "; "), passages_text(compilation.topology, summary));
   for (std::size_t m = 0; m < result.metrics.size(); ++m) {
     if (std::isfinite(result.metrics[m])) continue;
     return failed(study, fmt::format("metric {} is {}", study.metrics.list[m].name, result.metrics[m]));

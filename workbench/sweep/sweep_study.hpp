@@ -42,11 +42,13 @@ struct Study {
 
 /// Result of one case.
 struct CaseResult {
-  std::string status;  ///< "ok", "warning: " and the doubt about the values, or the reason why there are none; one line
+  /// "ok", "warning: " and the doubt about the values, each with the singular positions that were passed behind it, or
+  /// the reason why there are none; one line
+  std::string status;
   std::vector<double> metrics;  ///< of all metrics; NaN where there are none
   double energy_error = 0;      ///< of the motion, relative
   bool is_warned() const { return status.starts_with("warning: "); }
-  bool has_values() const { return status == "ok" || is_warned(); }
+  bool has_values() const { return status == "ok" || status.starts_with("ok, ") || is_warned(); }
 };
 
 using CaseResults = std::map<long, CaseResult>;

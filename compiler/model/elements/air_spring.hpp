@@ -34,6 +34,10 @@ struct KindOf<AirSpring> : KindDefaults {
     return model.air_springs;
   }
   static Connection connection(const AirSpring& element) { return BetweenPoints{element.from, element.to}; }
+  static constexpr std::array bounds = {
+      FieldBound{"pressure", QuantityBound::positive}, FieldBound{"ambient", QuantityBound::not_negative},
+      FieldBound{"exponent", QuantityBound::positive}, FieldBound{"length", QuantityBound::positive},
+      FieldBound{"area", QuantityBound::positive},     FieldBound{"volume0", QuantityBound::positive}};
   template <class Use>
   static void fields(const AirSpring& element, const Use& use) {
     use("pressure", element.pressure);

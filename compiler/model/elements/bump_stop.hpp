@@ -58,6 +58,8 @@ struct KindOf<BumpStop> : KindDefaults {
     if (element.axis) return AlongDirection{element.from, element.to, *element.axis};
     return BetweenPoints{element.from, element.to};
   }
+  static constexpr std::array bounds = {FieldBound{"stiffness", QuantityBound::not_negative},
+                                        FieldBound{"damping", QuantityBound::not_negative}};
   template <class Use>
   static void fields(const BumpStop& element, const Use& use) {
     constexpr const char* sides[] = {"compression", "extension", "above", "below"};

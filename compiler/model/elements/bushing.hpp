@@ -109,6 +109,8 @@ struct KindOf<Bushing> : KindDefaults {
     for (int i = 0; i < kBushingFreedoms; ++i) frames.acts[static_cast<std::size_t>(i)] = bushing_acts(element, i);
     return frames;
   }
+  static constexpr std::array bounds = {FieldBound{"maxwell_stiffness", QuantityBound::not_negative},
+                                        FieldBound{"maxwell_time", QuantityBound::positive}};
   template <class Use>
   static void fields(const Bushing& element, const Use& use) {
     use("axes", element.axes);

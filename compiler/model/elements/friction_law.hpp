@@ -1,9 +1,11 @@
 #pragma once
 // The law of frictions, whatever they act on.
 
+#include <array>
 #include <optional>
 
 #include "compiler/expressions/expression.hpp"
+#include "compiler/model/elements/kind.hpp"
 
 namespace mbgen {
 
@@ -33,5 +35,12 @@ struct FrictionLaw {
 
   bool has_bristle() const { return kind != Kind::smooth; }
 };
+
+/// Bounds of the law's fields.
+inline constexpr std::array kFrictionBounds = {
+    FieldBound{"coulomb", QuantityBound::not_negative},       FieldBound{"stiction", QuantityBound::not_negative},
+    FieldBound{"viscous", QuantityBound::not_negative},       FieldBound{"velocity", QuantityBound::positive},
+    FieldBound{"stribeck_velocity", QuantityBound::positive}, FieldBound{"stiffness", QuantityBound::positive},
+    FieldBound{"damping", QuantityBound::not_negative},       FieldBound{"elastic", QuantityBound::share}};
 
 }  // namespace mbgen

@@ -22,6 +22,7 @@ struct KindOf<JointFriction> : KindDefaults {
     return model.frictions;
   }
   static Connection connection(const JointFriction& element) { return OnCoordinate{element.joint, {}}; }
+  static constexpr auto& bounds = kFrictionBounds;
   template <class Use>
   static void fields(const JointFriction& element, const Use& use) {
     use("coulomb", element.coulomb);

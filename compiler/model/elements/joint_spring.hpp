@@ -33,6 +33,8 @@ struct KindOf<JointSpring> : KindDefaults {
     return model.joint_springs;
   }
   static Connection connection(const JointSpring& element) { return OnCoordinate{element.joint, element.relative_to}; }
+  static constexpr std::array bounds = {FieldBound{"stiffness", QuantityBound::not_negative},
+                                        FieldBound{"damping", QuantityBound::not_negative}};
   template <class Use>
   static void fields(const JointSpring& element, const Use& use) {
     use("stiffness", element.stiffness);

@@ -73,6 +73,15 @@ struct ElementQuantity {
   const char* unit_of_turn = unit;  ///< of an element on a coordinate that turns
 };
 
+/// Bound of a number, see mbgen/bounds.hpp.
+enum class QuantityBound { positive, not_negative, share };
+
+/// Bound of a field, by the last part of its name.
+struct FieldBound {
+  const char* field;
+  QuantityBound bound;
+};
+
 /// How a report draws an element: as a link between its two ends, as a pad at one end that the other comes to, or as
 /// the mark of a frame. Elements without ends are not drawn.
 enum class Drawing { link, pad, frame };
@@ -99,6 +108,7 @@ struct KindDefaults {
   static constexpr bool has_length = false;       ///< expressions see length.NAME and rate.NAME of it
   static constexpr Drawing drawing = Drawing::link;
   static constexpr std::array<ElementQuantity, 0> quantities = {};
+  static constexpr std::array<FieldBound, 0> bounds = {};  ///< of its fields, as the reader holds them
 };
 
 }  // namespace mbgen

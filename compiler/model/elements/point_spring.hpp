@@ -33,6 +33,9 @@ struct KindOf<PointSpring> : KindDefaults {
     return model.springs;
   }
   static Connection connection(const PointSpring& element) { return BetweenPoints{element.from, element.to}; }
+  static constexpr std::array bounds = {FieldBound{"stiffness", QuantityBound::not_negative},
+                                        FieldBound{"damping", QuantityBound::not_negative},
+                                        FieldBound{"free_length", QuantityBound::not_negative}};
   template <class Use>
   static void fields(const PointSpring& element, const Use& use) {
     use("stiffness", element.stiffness);

@@ -23,6 +23,7 @@ struct KindOf<RodFriction> : KindDefaults {
     return model.rod_frictions;
   }
   static Connection connection(const RodFriction& element) { return InRodEnd{element.rod, element.at_from}; }
+  static constexpr auto& bounds = kFrictionBounds;
   template <class Use>
   static void fields(const RodFriction& element, const Use& use) {
     use("coulomb", element.coulomb);

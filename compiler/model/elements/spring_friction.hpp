@@ -22,6 +22,7 @@ struct KindOf<SpringFriction> : KindDefaults {
     return model.spring_frictions;
   }
   static Connection connection(const SpringFriction& element) { return AlongSpring{element.spring}; }
+  static constexpr auto& bounds = kFrictionBounds;
   template <class Use>
   static void fields(const SpringFriction& element, const Use& use) {
     use("coulomb", element.coulomb);

@@ -84,6 +84,15 @@ struct KindOf<Tyre> : KindDefaults {
     return model.tyres;
   }
   static Connection connection(const Tyre& element) { return OnBody{element.centre}; }
+  static constexpr std::array bounds = {FieldBound{"radius", QuantityBound::positive},
+                                        FieldBound{"stiffness", QuantityBound::positive},
+                                        FieldBound{"damping", QuantityBound::not_negative},
+                                        FieldBound{"friction", QuantityBound::not_negative},
+                                        FieldBound{"rolling_resistance", QuantityBound::not_negative},
+                                        FieldBound{"pressure", QuantityBound::positive},
+                                        FieldBound{"relaxation_x", QuantityBound::positive},
+                                        FieldBound{"relaxation_y", QuantityBound::positive},
+                                        FieldBound{"low_speed", QuantityBound::positive}};
   template <class Use>
   static void fields(const Tyre& element, const Use& use) {
     use("axis", element.axis);

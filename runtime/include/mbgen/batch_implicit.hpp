@@ -57,16 +57,16 @@ struct ImplicitLaneDynamics : LaneDynamics<System> {
 
 }  // namespace batch_detail
 
-/// One linearly implicit step, as step_rosenbrock. result: a copy of the state. Result: the good lanes.
-/// Requires: is_step(h).
-template <class System>
+/// One linearly implicit step, as step_rosenbrock. result: a copy of the state. look: see step_lanes_rk4. Result: the
+/// good lanes. Requires: is_step(h).
+template <class System, class Look>
 typename System::Mask step_lanes_rosenbrock(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
                                             const typename System::State& state, double h,
-                                            typename System::State& result) noexcept {
+                                            typename System::State& result, const Look& look) noexcept {
   typename System::Mask good = batch_detail::keeps_charts<System>(state);
   const batch_detail::ImplicitLaneDynamics<System> dynamics{{parameters, inputs, state.t, good}};
   integrator_detail::try_rosenbrock<batch_detail::LaneStages>(dynamics, state, h, result);
-  return good;
+  return look(good, result);
 }
 
 }  // namespace mbgen

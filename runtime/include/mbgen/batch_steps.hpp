@@ -4,6 +4,7 @@
 
 #include "mbgen/integrators.hpp"
 #include "mbgen/lanes/batch.hpp"
+#include "mbgen/motion.hpp"
 
 namespace mbgen {
 
@@ -55,21 +56,76 @@ struct LaneStages {
   }
 };
 
+/// Squares of the rates where `taken` (int coordinate -> bool), lane by lane.
+template <class Row, int N, class Taken>
+Row squares_of_rates(const Row (&zd)[N], const Taken& taken) noexcept {
+  Row squares{};
+  for (int i = 0; i < N; ++i) {
+    if (taken(i)) squares = squares + zd[i] * zd[i];
+  }
+  return squares;
+}
+
+/// Steps that nobody looks at: of models without loops, or with loops that keep their frozen partition.
+struct NoWays {
+  template <class Mask, class State>
+  Mask operator()(const Mask& good, const State& /*result*/) const noexcept {
+    return good;
+  }
+};
+
 }  // namespace batch_detail
+
+/// The lanes of `good` that keep their step, as watch_way looks at it: those whose loops do not move by more than
+/// `least`, and of the others those of which `keeps` (int lane -> bool) says so.
+template <class System, class Keeps>
+typename System::Mask look_at_ways(const typename System::Mask& good, const typename System::State& state,
+                                   const typename System::State& result, double least, const Keeps& keeps) noexcept {
+  static constexpr solver_detail::InLoops<System, double> kInLoops{};
+  typename System::Row squares{};
+  for (int i = 0; i < System::kCoordinates; ++i) {
+    const typename System::Row way = result.z[i] - state.z[i];
+    if (kInLoops.is[i] != 0) squares = squares + way * way;
+  }
+  const typename System::Mask far = good & (squares > least * least);
+  typename System::Mask kept = good;
+  for (int lane = 0; lane < System::kLanes && bits_of(far) != 0; ++lane) {
+    if (far[lane] != 0 && !keeps(lane)) kept[lane] = 0;
+  }
+  return kept;
+}
+
+/// Statuses of a step of h seconds with the notice turned_far in the good lanes, as with_turns.
+template <class System, int W, std::size_t N>
+LaneStatuses<W> with_turns_of_lanes(LaneStatuses<W> statuses, const typename System::Mask& good,
+                                    const typename System::State& result, const double (&turning)[N], double h,
+                                    double largest) noexcept {
+  const double rate = largest / h;
+  const typename System::Row squares =
+      batch_detail::squares_of_rates(result.zd, [&](int i) { return turning[i] != 0; });
+  const typename System::Mask far = good & (squares > rate * rate);
+  for (int lane = 0; lane < W && bits_of(far) != 0; ++lane) {
+    if (far[lane] == 0) continue;
+    double zd[N];
+    for (std::size_t i = 0; i < N; ++i) zd[i] = result.zd[i][lane];
+    statuses[lane] = with_turns(statuses[lane], zd, turning, h, largest);
+  }
+  return statuses;
+}
 
 /// True for a step size that a step takes.
 inline bool is_step(double h) noexcept { return integrator_detail::check_step(h).ok(); }
 
-/// One step by the classical Runge-Kutta method, as step_rk4. result: a copy of the state. Result: the good lanes.
-/// Requires: is_step(h).
-template <class System>
+/// One step by the classical Runge-Kutta method, as step_rk4. result: a copy of the state. look: (good lanes, result)
+/// -> those that stay, see look_at_ways. Result: the good lanes. Requires: is_step(h).
+template <class System, class Look>
 typename System::Mask step_lanes_rk4(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
-                                     const typename System::State& state, double h,
-                                     typename System::State& result) noexcept {
+                                     const typename System::State& state, double h, typename System::State& result,
+                                     const Look& look) noexcept {
   typename System::Mask good = batch_detail::keeps_charts<System>(state);
   const batch_detail::LaneDynamics<System> dynamics{parameters, inputs, state.t, good};
   integrator_detail::try_rk4<batch_detail::LaneStages>(dynamics, state, h, result);
-  return good;
+  return look(good, result);
 }
 
 namespace batch_detail {
@@ -92,11 +148,11 @@ void store_rows(const Mask& mask, const Row (&from)[N], double (&to)[N][W]) noex
 }  // namespace batch_detail
 
 /// One step by Adams-Bashforth-Moulton, as step_abm4. Result: the good lanes, whose history has it. Lanes that know
-/// fewer rates than others are not good. Requires: is_step(h).
-template <class System, class History>
+/// fewer rates than others are not good. look: see step_lanes_rk4. Requires: is_step(h).
+template <class System, class History, class Look>
 typename System::Mask step_rows_abm4(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
                                      const typename System::State& state, History& history, double h,
-                                     typename System::State& result) noexcept {
+                                     typename System::State& result, const Look& look) noexcept {
   using namespace batch_detail;
   using Dynamics = LaneDynamics<System>;
   StateRates<Dynamics> known_rates[4], start, next;
@@ -119,6 +175,7 @@ typename System::Mask step_rows_abm4(const ParametersOf<System>& parameters, con
   const integrator_detail::PastRates<Dynamics> past = {most > 0 ? &known_rates[0] : &start, &known_rates[1],
                                                        &known_rates[2], &known_rates[3]};
   integrator_detail::try_abm4<LaneStages>(dynamics, state, past, most, h, result, start, next);
+  good = look(good, result);
 
   const StateRates<Dynamics>* const rates[] = {&next, past[0], past[1], past[2]};
   for (int k = 0; k < 4; ++k) {

@@ -24,6 +24,11 @@
 //   int changed_side(const State& from, const State& to) const noexcept
 //                                                                  only there: a loop block that is on another side of
 //                                                                  a singular position than before, or -1
+//   Status watch_way(const State& from, const State& to, double h, const WayLimits&) const noexcept
+//                                                                  only there: ok, singular_met for a block that is on
+//                                                                  another side, or loop_singular for one that turned
+//                                                                  aside from a singular position within a step that is
+//                                                                  too long for it
 // They may give notices (status.hpp); near_singular and singular_met say how near a singular position the state is.
 // Every step sets sampled values, settles charts, integrates all of z, zd and x, then projects. When anything fails the
 // state and the history stay as they were. Steps allocate only by copies of the System's own types.
@@ -33,6 +38,7 @@
 
 #include "mbgen/solver/singular_step.hpp"
 #include "mbgen/solver/states.hpp"
+#include "mbgen/turns.hpp"
 
 namespace mbgen {
 
@@ -164,18 +170,22 @@ Status try_abm4(const System& system, const typename System::State& state, const
 }
 
 /// Takes a step of h seconds to `result` by attempt(care, result), which gets a copy of the state: first plainly, then
-/// carefully if required. A careful step that passed no singular position is checked for a jump across one.
+/// carefully if required. A step that passed no singular position is checked for a jump across one. most: of the way,
+/// see WayLimits.
 template <class System, class Attempt>
-Status plainly_or_carefully(const System& system, const typename System::State& state, double h,
+Status plainly_or_carefully(const System& system, const typename System::State& state, double h, double most,
                             typename System::State& result, const Attempt& attempt) noexcept {
   copy_state(state, result);
   Status status = attempt(Plain{}, result);
-  if (!asks_for_care(status)) return status;
-  copy_state(state, result);
-  status = attempt(Careful{}, result);
+  const bool careful = asks_for_care(status);
+  if (careful) {
+    copy_state(state, result);
+    status = attempt(Careful{}, result);
+  }
   if (!status.ok() || status.code == Code::singular_met) return status;
-  const Status side = check_side(system, state, result, h);
-  return side.ok() ? more_telling(status, side) : side;
+  using Real = WeightOf<decltype(System::State::z)>;
+  const Status way = check_way(system, state, result, h, way_limits<Real>(most, careful));
+  return way.ok() ? more_telling(status, way) : way;
 }
 
 /// Takes a step by `step` from the state with its charts settled; the state keeps its charts if the step fails.
@@ -221,16 +231,17 @@ Status with_samples(const System& system, typename System::State& state, double 
   }
 }
 
-/// One step of h seconds by a method without history. attempt(care, start, result): see plainly_or_carefully.
+/// One step of h seconds by a method without history. most, attempt(care, start, result): see plainly_or_carefully.
 template <class System, class Attempt>
-Status one_step(const System& system, typename System::State& state, double h, const Attempt& attempt) noexcept {
+Status one_step(const System& system, typename System::State& state, double h, double most,
+                const Attempt& attempt) noexcept {
   using State = typename System::State;
   const Status status = check_step(h);
   if (!status.ok()) return status;
   const auto from_settled = [&](State& start) {
     State result;
-    const Status stepped =
-        plainly_or_carefully(system, start, h, result, [&](auto care, State& to) { return attempt(care, start, to); });
+    const Status stepped = plainly_or_carefully(system, start, h, most, result,
+                                                [&](auto care, State& to) { return attempt(care, start, to); });
     if (stepped.ok()) copy_state(result, start);
     return stepped;
   };
@@ -249,7 +260,7 @@ Status one_step(const System& system, typename System::State& state, double h, c
 template <class System>
 Status step_rk4(const System& system, typename System::State& state, double h) noexcept {
   using State = typename System::State;
-  return integrator_detail::one_step(system, state, h, [&](auto care, const State& start, State& result) {
+  return integrator_detail::one_step(system, state, h, kRk4Turn, [&](auto care, const State& start, State& result) {
     return integrator_detail::try_rk4<decltype(care)>(system, start, h, result);
   });
 }
@@ -268,9 +279,10 @@ Status settled_abm4(const System& system, typename System::State& state, AbmHist
   for (int k = 0; k < 4; ++k) past[k] = &past_rates(history, k);
   if (known == 0) past[0] = &start;
   const int next = (history.newest + history.kRing - 1) % history.kRing;
-  const Status status = plainly_or_carefully(system, state, h, result, [&](auto care, typename System::State& to) {
-    return try_abm4<decltype(care)>(system, state, past, known, h, to, start, history.rates[next]);
-  });
+  const Status status =
+      plainly_or_carefully(system, state, h, kAbm4Turn, result, [&](auto care, typename System::State& to) {
+        return try_abm4<decltype(care)>(system, state, past, known, h, to, start, history.rates[next]);
+      });
   if (!status.ok()) return status;
 
   if (known == 0) copy_rates(start, history.rates[history.newest]);

@@ -6,6 +6,7 @@
 
 #include "mbgen/solver.hpp"
 #include "mbgen/solver/closure.hpp"
+#include "mbgen/solver/singular_step.hpp"
 
 namespace mbgen {
 
@@ -159,29 +160,130 @@ constexpr int most_pivots() noexcept {
 
 }  // namespace solver_detail
 
+namespace solver_detail {
+
+/// Closures of two states, and whether blocks are on other sides of singular positions in them.
+template <class System>
+struct TwoSides {
+  using Real = RealOf<System>;
+  static constexpr int kMost = most_pivots<System>();
+  typename System::ClosureTerms start, end, factored;
+  BlockFactors<System> factors;
+  Real product[kMost * kMost];
+  int rows[kMost], columns[kMost];
+
+  TwoSides(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+           const typename System::State& from, const typename System::State& to) noexcept {
+    System::closure_terms(parameters, inputs, from, start);
+    System::closure_terms(parameters, inputs, to, end);
+  }
+  LoopFactorsOf<Real> factors_of(int b, const typename System::ClosureTerms& terms) noexcept {
+    const BlockLayout& block = System::kBlockLayout[b];
+    copy(terms.Jz + block.first_jacobian, factored.Jz + block.first_jacobian, block.equations * block.coordinates);
+    return factors.factors_of(b, factored);
+  }
+  /// The smallest pivot over a typical one, zero of a singular block.
+  double clearance(int b, const typename System::ClosureTerms& terms) noexcept {
+    const LoopFactorsOf<Real> loop = factors_of(b, terms);
+    const BlockLayout& block = System::kBlockLayout[b];
+    return loop.rank < block.rank ? 0 : static_cast<double>(smallest_pivot(loop)) / block.pivot;
+  }
+  bool differ(int b) noexcept {
+    const BlockLayout& block = System::kBlockLayout[b];
+    const LoopFactorsOf<Real> loop = factors_of(b, start);
+    const unsigned char* const driven = System::kBlockDriven + block.first_coordinate;
+    return changes_side(loop, start.Jz + block.first_jacobian, end.Jz + block.first_jacobian, driven,
+                        SideWork<Real>{product, rows, columns});
+  }
+};
+
+template <class System>
+LoopWay way_of(int b, const typename System::State& from, const typename System::State& to) noexcept {
+  const BlockLayout& block = System::kBlockLayout[b];
+  LoopWay way;
+  for (int c = block.first_coordinate; c < block.first_coordinate + block.coordinates; ++c) {
+    const int i = System::kBlockCoordinate[c];
+    way.add(static_cast<double>(from.zd[i]), static_cast<double>(to.zd[i]));
+  }
+  return way;
+}
+
+/// 1 for coordinates in loops, else 0.
+template <class System, class Real>
+struct InLoops {
+  Real is[System::kCoordinates] = {};
+  constexpr InLoops() noexcept {
+    for (int c = 0; c < System::kBlockCoordinates; ++c) is[System::kBlockCoordinate[c]] = 1;
+  }
+};
+
+}  // namespace solver_detail
+
 /// Loop block that is on another side of a singular position at `to` than at `from`, or -1: see changes_side. inputs:
 /// of the step between them. Requires: states that are finite and in the same charts.
 template <class System>
 int changed_side(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                  const typename System::State& from, const typename System::State& to) noexcept {
-  using Real = RealOf<System>;
-  typename System::ClosureTerms start, factored, end;
-  System::closure_terms(parameters, inputs, from, start);
-  System::closure_terms(parameters, inputs, to, end);
-  solver_detail::BlockFactors<System> factors;
-  constexpr int most = solver_detail::most_pivots<System>();
-  Real product[most * most];
-  int rows[most], columns[most];
+  solver_detail::TwoSides<System> sides(parameters, inputs, from, to);
   for (int b = 0; b < System::kBlocks; ++b) {
-    const BlockLayout& block = System::kBlockLayout[b];
-    const int first = block.first_jacobian;
-    solver_detail::copy(start.Jz + first, factored.Jz + first, block.equations * block.coordinates);
-    const LoopFactorsOf<Real> loop = factors.factors_of(b, factored);
-    const unsigned char* const driven = System::kBlockDriven + block.first_coordinate;
-    const SideWork<Real> work = {product, rows, columns};
-    if (changes_side(loop, start.Jz + first, end.Jz + first, driven, work)) return b;
+    if (sides.differ(b)) return b;
   }
   return -1;
+}
+
+/// Whether loops move far enough from one position to another for their way to be looked at. By the way, not by the
+/// rates at its end: a step that leaps can end at rest.
+template <class System, class Real, std::size_t N>
+[[gnu::always_inline]] inline bool moves_far(const Real (&from)[N], const Real (&to)[N], double least) noexcept {
+  static constexpr solver_detail::InLoops<System, Real> kInLoops{};
+  using namespace array_detail;
+  constexpr int width = width_for<Real>(N);
+  constexpr int whole = static_cast<int>(N) / width * width;
+  LanesOf<width, Real> lanes = {};
+  for (int i = 0; i < whole; i += width) {
+    const LanesOf<width, Real> way =
+        (lanes_at<width>(to + i) - lanes_at<width>(from + i)) * lanes_at<width>(kInLoops.is + i);
+    lanes += way * way;
+  }
+  Real sum = 0;
+  for (int lane = 0; lane < width; ++lane) sum += lanes[lane];
+  for (int i = whole; i < static_cast<int>(N); ++i) {
+    const Real way = kInLoops.is[i] * (to[i] - from[i]);
+    sum += way * way;
+  }
+  const auto limit = static_cast<Real>(least * least);
+  return !(sum <= limit);
+}
+
+namespace solver_detail {
+
+/// watch_way of loops that move far: apart, for its frame.
+template <class System>
+[[gnu::noinline]] Status look_at_way(const typename System::Parameters& parameters,
+                                     const typename System::Inputs& inputs, const typename System::State& from,
+                                     const typename System::State& to, double h, const WayLimits& limits) noexcept {
+  TwoSides<System> sides(parameters, inputs, from, to);
+  for (int b = 0; b < System::kBlocks; ++b) {
+    const LoopWay way = way_of<System>(b, from, to);
+    const double reach = h * way.fastest / limits.most;
+    if (reach <= sides.clearance(b, sides.end) && reach <= sides.clearance(b, sides.start)) continue;
+    if (way.turns(limits)) return {Code::loop_singular, b};
+    if (sides.differ(b)) return {Code::singular_met, b};
+  }
+  return {};
+}
+
+}  // namespace solver_detail
+
+/// The way of the loops in a step of h seconds, see WayLimits: singular_met for a block that is on another side than
+/// before; loop_singular for one whose motion turned aside from a singular position that is nearer than the step is
+/// long, as part of `most`. Requires as changed_side. Cost: two Jacobians where loops move by more than `least`.
+template <class System>
+Status watch_way(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                 const typename System::State& from, const typename System::State& to, double h,
+                 const WayLimits& limits) noexcept {
+  if (limits.least > 0 && !moves_far<System>(from.z, to.z, limits.least)) return {};
+  return solver_detail::look_at_way<System>(parameters, inputs, from, to, h, limits);
 }
 
 /// The same as project_motion with the shortest corrections, as far as rounding lets them go: a smooth function of the

@@ -11,7 +11,8 @@ namespace mbgen {
 /// Calls of a System's functions; see integrators.hpp.
 struct CallCount {
   int accelerations = 0;  ///< of derivative
-  int projections = 0;    ///< of project, project_nearest, project_crossing, and changed_side, which is shorter
+  int projections = 0;    ///< of project, project_nearest, project_crossing, and of changed_side and watch_way, which
+                          ///< are shorter
   int matrices = 0;       ///< of tangents, each followed by kImplicitStages calls of solve
 };
 
@@ -38,7 +39,7 @@ constexpr CallCount kSideCalls = CallCount{0, 2 + kHalvings} + kPassageCalls + C
 
 /// Calls in one step.
 struct StepCalls {
-  CallCount regular;   ///< far from singular positions, the history full
+  CallCount regular;   ///< far from singular positions, ways not looked at (WayLimits), the history full
   CallCount starting;  ///< the same with an empty history
   CallCount worst;     ///< a step that begins as `starting` and is taken again with every stage closed with care
 };

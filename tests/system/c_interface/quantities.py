@@ -31,7 +31,7 @@ def inertia_is_of_a_body(skew, about):
     return moments[0] >= 0 and moments[2] <= moments[0] + moments[1]
 
 
-refused = "parameters make what no body has: "
+refused = "parameters make what no model may have: "
 assert answer() == "ok"
 assert answer(gross=2.0) == refused + NAMES["mass"]
 assert answer(gross=2.0, tare=1.0) == "ok", "the order in which parameters are set does not matter"

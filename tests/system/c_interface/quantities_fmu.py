@@ -63,7 +63,7 @@ for name, bad, good, part in (("gross", 0.5, 2.0, "mass of block"), ("skew", 0.5
     assert set_real(name, bad) == OK
     said.clear()
     assert step(0.01) != OK and said, name
-    assert said[-1].endswith(f"{part} is what no body has: set other parameters"), said
+    assert said[-1].endswith(f"{part} is what no model may have: set other parameters or inputs"), said
     assert set_real(name, good) == OK
 assert step(0.01) == OK
 print("masses and inertias of several parameters hold in an FMU")

@@ -30,6 +30,11 @@ build quantities "$here/quantities.json"
 "$mbgen" export "$here/quantities.json" --fmi 2 -o quantities.fmu >/dev/null
 "$python" -m zipfile -e quantities.fmu unit
 "$python" "$here/quantities_fmu.py" "$(find unit/binaries -name 'quantities.so')" unit/modelDescription.xml
+build bounded "$here/bounded.json"
+"$python" "$here/bounded.py" bounded "$mbgen" "$here/bounded.json"
+"$mbgen" generate "$here/bounded.json" --batch 4 --out lanes >/dev/null
+c++ -std=c++17 -O1 -march=native -Wall -Wextra -Werror -I lanes "$here/bounded.cpp" lanes/bounded.cpp lanes/bounded_batch.cpp -o bounded_host
+./bounded_host
 "$python" "$here/snapshot.py" ranges ranges 1e-3 pull=3 brake=1
 for integrator in rk4 abm4; do
   sed "s/\"integrator\": \"rk4\"/\"integrator\": \"$integrator\"/; s/\"name\": \"triple_rocker\"/\"name\": \"rocker_$integrator\"/" \

@@ -1,6 +1,6 @@
 #!/bin/sh
 # A made-up kind of element, a damper that only pulls, as a patch on a copy of the sources.
-#   tests/system/element_kind/check.sh              it applies, touches nine files, and these compile
+#   tests/system/element_kind/check.sh              it applies, touches nine files, these compile, and it brakes a sled
 #   tests/system/element_kind/check.sh --build [JOBS]   mbgen is built with it: a sled that it brakes follows the closed form
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -19,16 +19,18 @@ files=$(grep -c '^+++ ' "$patch")
 echo "element_kind: $files files"
 
 if [ "${1:-}" != --build ]; then
-  cat >forces.cpp <<'END'
-#include "compiler/formulation/formulation.hpp"
-#include "compiler/formulation/implicit/implicit.hpp"
-template std::vector<mbgen::ElementTangents<double>> mbgen::force_tangents<double>(
-    System<double>&, const Kinematics<double>&, const Velocities<double>&);
-END
-  for source in forces.cpp compiler/reader/elements/one_way_damper.cpp runtime/judges/forces.cpp; do
-    ${CXX:-c++} -std=c++20 -fsyntax-only -I. -Iruntime/include -isystem "${EIGEN:-/usr/include/eigen3}" "$source"
+  compile() { ${CXX:-c++} -std=c++20 -I. -Iruntime/include -isystem "${EIGEN:-/usr/include/eigen3}" "$@"; }
+  for source in compiler/reader/elements/one_way_damper.cpp runtime/judges/forces.cpp; do
+    compile -fsyntax-only "$source"
     echo "element_kind: $source compiles"
   done
+  # The rooms below the formulation, each in one piece, and a sled braked by the new element.
+  cp "$here/sled.cpp.in" sled.cpp
+  for room in text expressions model topology formulation; do
+    find "compiler/$room" -name '*.cpp' | LC_ALL=C sort | sed 's/.*/#include "&"/' >"$room.cpp"
+  done
+  compile -O0 text.cpp expressions.cpp model.cpp topology.cpp formulation.cpp sled.cpp -lfmt -o sled
+  ./sled
   exit
 fi
 

@@ -173,8 +173,8 @@ constexpr bool kHasQuantities<Model, decltype(static_cast<void>(&Model::impossib
 template <class Model>
 bool is_impossible(Core<Model>& core) noexcept {
   if constexpr (kHasQuantities<Model>) {
-    if (const char* name = Model::impossible(core.run.parameters)) {
-      core.refusal = Refusal::of_variable(0, "is what no body has: set other parameters");
+    if (const char* name = Model::impossible(core.run.parameters, core.run.inputs)) {
+      core.refusal = Refusal::of_variable(0, "is what no model may have: set other parameters or inputs");
       core.refusal.has_variable = false;
       core.refusal.subject = name;
       core.status = {};

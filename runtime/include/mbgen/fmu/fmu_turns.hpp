@@ -52,15 +52,26 @@ Answer compare_turns(Core<Model>& core, double size) noexcept {
 }
 
 /// Reports, once, a completed step with a gap between its evaluations in which a coordinate turns farther than the
-/// limit of any method, and forces turn with it. Requires: closed.
+/// limit of any method, or farther from one evaluation to the next, in the mean, than methods with so many bear, if
+/// forces turn with it. Requires: closed.
 template <class Model>
 void compare_gaps(Core<Model>& core) noexcept {
+  if (core.has_warned_of_turns) return;
   const Gap gap = core.evaluations.widest(core.run.state.t);
-  if (gap.coordinate < 0 || core.has_warned_of_turns) return;
-  tell_of_turn(core, gap.coordinate,
-               "turns too far between two evaluations of a completed step, and forces turn with it; take shorter "
-               "steps: methods of integration bear less than, in rad,",
-               kFarTurn, gap.turn);
+  if (gap.coordinate >= 0) {
+    tell_of_turn(core, gap.coordinate,
+                 "turns too far between two evaluations of a completed step, and forces turn with it; take shorter "
+                 "steps: methods of integration bear less than, in rad,",
+                 kFarTurn, gap.turn);
+    return;
+  }
+  const bool two = core.evaluations.instants == 2;
+  const Gap mean = core.evaluations.widest_in_mean(core.run.state.t, [](int i) { return Model::is_rotation(i); });
+  if (mean.coordinate < 0) return;
+  tell_of_turn(core, mean.coordinate,
+               "turns far from one evaluation of a completed step to the next, in the mean, and forces turn with it; "
+               "take shorter steps: methods with so few bear, in rad,",
+               two ? kTurnOfTwo : kTurnOfOthers, mean.turn);
 }
 
 }  // namespace mbgen::fmu

@@ -121,9 +121,10 @@ Status try_rosenbrock(const System& system, const typename System::State& start,
 template <class System>
 Status step_rosenbrock(const System& system, typename System::State& state, double h) noexcept {
   using State = typename System::State;
-  return integrator_detail::one_step(system, state, h, [&](auto care, const State& start, State& result) {
-    return integrator_detail::try_rosenbrock<decltype(care)>(system, start, h, result);
-  });
+  return integrator_detail::one_step(
+      system, state, h, kRosenbrockTurn, [&](auto care, const State& start, State& result) {
+        return integrator_detail::try_rosenbrock<decltype(care)>(system, start, h, result);
+      });
 }
 
 }  // namespace mbgen

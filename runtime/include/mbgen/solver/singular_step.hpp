@@ -21,6 +21,36 @@ constexpr int kSpacings = 20;
 /// Halvings of a step that find the place where its loops change their side.
 constexpr int kHalvings = 10;
 
+/// Change of the velocities of a loop in a step, as part of them and of what the method bears, from which it turns
+/// aside. Measured with `most` as its factor, see docs/use/numerical_trouble.md and tests/system/near_singular.
+constexpr double kTurnsAside = 0.8;
+
+/// How long the way of a loop in a step may be.
+struct WayLimits {
+  double most;                 ///< over the distance to the nearest singular position, where the loop turns aside
+  double least;                ///< rad or m, shorter ways are not looked at
+  double aside = kTurnsAside;  ///< change of velocities over `most` from which it does
+};
+
+/// The way of one loop in a step: largest rate of a coordinate, and squares of the velocities before and after, and of
+/// their change. A singular position is as far as its smallest pivot over a typical one, about, in rad.
+struct LoopWay {
+  double fastest = 0, before = 0, after = 0, change = 0;
+
+  void add(double from, double to) noexcept {
+    const double size = std::abs(from) > std::abs(to) ? std::abs(from) : std::abs(to);
+    fastest = size > fastest ? size : fastest;
+    before += from * from;
+    after += to * to;
+    change += (to - from) * (to - from);
+  }
+  /// Whether the loop turns aside.
+  bool turns(const WayLimits& limits) const noexcept {
+    const double larger = before > after ? before : after, limit = limits.aside * limits.most;
+    return change >= limit * limit * larger;
+  }
+};
+
 namespace integrator_detail {
 
 /// Weights of the nodes at 1, 2, 3, 4 distances, on both sides, for the value in the middle.
@@ -135,11 +165,6 @@ bool pass_through(const System& system, const typename System::State& state, dou
   return true;
 }
 
-/// Largest way of a coordinate in a step, over the smallest pivot (over its typical value), where branches come close
-/// and do not cross: a pivot is about its distance from the singular position in rad. A longer step leaps from one
-/// branch to the other, or turns by more than Runge-Kutta follows.
-constexpr double kMostOfClearance = 0.25;
-
 /// The largest rate of a coordinate, rad/s or m/s.
 template <class State>
 double fastest_rate(const State& state) noexcept {
@@ -151,26 +176,26 @@ double fastest_rate(const State& state) noexcept {
   return fastest;
 }
 
-/// Whether a step of h seconds is too long for a state near a singular position that it does not pass.
-template <class System>
-bool leaps_over([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& closed,
-                [[maybe_unused]] double h) noexcept {
-  if constexpr (kTellsCrossings<System>) {
-    typename System::State middle;
-    copy_state(closed, middle);
-    double clearance = 0;
-    static_cast<void>(system.project_crossing(middle, clearance));
-    return !(h * fastest_rate(closed) <= kMostOfClearance * clearance);
-  } else {
-    return false;
-  }
-}
-
 /// Whether a System can determine the side of a singular position on which its loops are.
 template <class System, class = void>
 inline constexpr bool kTellsSides = false;
 template <class System>
-inline constexpr bool kTellsSides<System, std::void_t<decltype(&System::changed_side)>> = true;
+inline constexpr bool kTellsSides<System, std::void_t<decltype(&System::watch_way)>> = true;
+
+/// Largest way of a loop in a step, over its distance from a singular position that it does not pass and where a stage
+/// is. A longer step leaps from one branch to the other, or turns by more than Runge-Kutta follows.
+constexpr double kMostOfClearance = 0.5;
+
+/// Whether a step of h seconds is too long for a state near a singular position that it does not pass.
+template <class System>
+bool leaps_over([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& closed,
+                [[maybe_unused]] double h) noexcept {
+  if constexpr (kTellsSides<System>) {
+    return !system.watch_way(closed, closed, h, {kMostOfClearance, 0, 0}).ok();
+  } else {
+    return false;
+  }
+}
 
 /// The state after `part` of a step of h seconds: by the cubics through positions and velocities of both ends.
 template <class State>
@@ -191,18 +216,27 @@ void on_the_way(const State& from, const State& to, double h, double part, State
   for (std::size_t i = 0; i < size_of(at.x); ++i) at.x[i] += share * (to.x[i] - from.x[i]);
 }
 
+/// Limits of a method for steps that were taken with care or plainly, whose stages are all at distances of at least
+/// kNearSingular.
+template <class Real>
+constexpr WayLimits way_limits(double most, bool careful) noexcept {
+  return {most, careful ? 0 : most * static_cast<double>(kNearSingular<Real>)};
+}
+
 /// Longest way, rad or m, from which the distance of the first nodes is taken there.
 constexpr double kLookedAt = 0.05;
 
-/// Checks a step whose stages were all clear of singular positions, and which may still have jumped across one. If its
-/// loops reach another side of it, branches must cross there: singular_met. Fails: loop_singular if they come close and
-/// do not cross.
+/// Checks a step of h seconds whose stages were all clear of singular positions, and which may still have jumped across
+/// one, or past one by more than its method bears. If its loops reach another side of it, branches must cross there:
+/// singular_met. Fails: loop_singular if they come close and do not cross.
 template <class System>
-Status check_side([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& from,
-                  [[maybe_unused]] const typename System::State& to, [[maybe_unused]] double h) noexcept {
+Status check_way([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& from,
+                 [[maybe_unused]] const typename System::State& to, [[maybe_unused]] double h,
+                 [[maybe_unused]] const WayLimits& limits) noexcept {
   if constexpr (kTellsSides<System>) {
-    const int block = system.changed_side(from, to);
-    if (block < 0) return {};
+    const Status way = system.watch_way(from, to, h, limits);
+    if (way.code != Code::singular_met) return way;
+    const int block = way.index;
     typename System::State at, through;
     double low = 0, high = 1, clearance = 0;
     for (int k = 0; k < kHalvings; ++k) {
