@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <initializer_list>
 #include <utility>
 
 #include "compiler/analysis/choice_at.hpp"
+#include "compiler/choose/cheapest_recursion.hpp"
 #include "compiler/choose/counted_partitions.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/reader/read_model.hpp"
@@ -22,11 +22,11 @@ class Stages {
   explicit Stages(const StageWatch& watch) : watch_(watch) {}
 
   /// Result: false when the watcher has seen enough.
-  bool ended(std::string_view name, const Compilation& so_far, const Programs& programs = {}) {
+  bool ended(std::string_view name, const Compilation& so_far) {
     if (!watch_) return true;
     const auto now = std::chrono::steady_clock::now();
     const std::chrono::duration<double, std::milli> took = now - start_;
-    const bool go_on = watch_({name, so_far, programs, took.count()});
+    const bool go_on = watch_({name, so_far, took.count()});
     start_ = std::chrono::steady_clock::now();
     return go_on;
   }
@@ -40,7 +40,8 @@ class Stages {
 
 std::vector<std::string> stage_names() {
   std::vector<std::string> names = {"model", "topology", "analysis", "program"};
-  for (const Pass& pass : passes()) names.emplace_back(pass.name);
+  for (const WholePass& pass : whole_passes()) names.emplace_back(pass.name);
+  for (const WrittenPass& pass : written_passes()) names.emplace_back(pass.name);
   return names;
 }
 
@@ -98,27 +99,25 @@ Form written_form(const Compilation& c, std::optional<Form> asked) {
 
 void add_programs(Compilation& c, const CompileOptions& options) {
   Stages stages(options.watch);
-  if (written_form(c, options.form) == Form::recursive) choose_by_counting(c.model, c.topology, c.analysis);
-  Programs programs = trace(c.model, c.topology, c.analysis, options.form);
-  if (!stages.ended("program", c, programs)) return;
-  // The passes of one level; the watcher sees the first programs. Result: false when it has seen enough.
-  const auto lower = [&](Lowered level, std::initializer_list<Programs*> all) {
-    for (const Pass& pass : passes()) {
-      if (pass.result != level) continue;
-      for (Programs* one : all) *one = pass.run(std::move(*one));
-      if (!stages.ended(pass.name, c, **all.begin())) return false;
-    }
-    return true;
-  };
-  if (!lower(Lowered::whole, {&programs})) return;
-  // Laws that elements share, and pairs, are in the text alone.
-  Programs written = with_pairs(with_shared_laws(programs));
-  c.whole = programs = without_shared_laws(std::move(programs));
-  if (!lower(Lowered::lean, {&programs, &written})) return;
-  c.programs = std::move(programs);
-  if (!lower(Lowered::emitted, {&written})) return;
-  c.emitted = verified(with_pairs_apart(std::move(written)));
+  const Form form = written_form(c, options.form);
+  if (form == Form::recursive) choose_by_counting(c.model, c.topology, c.analysis);
+  c.whole = traced_programs(c.model, c.topology, c.analysis, form);
+  if (!stages.ended("program", c)) return;
+
+  const AlikeInputs alike = alike_inputs(c.model, c.topology, c.whole);
+  for (const WholePass& pass : whole_passes()) {
+    c.whole = pass.run(std::move(c.whole), alike);
+    if (!stages.ended(pass.name, c)) return;
+  }
+
+  c.emitted = written(c.whole);
+  for (const WrittenPass& pass : written_passes()) {
+    c.emitted = verified(pass.run(std::move(c.emitted)));
+    if (!stages.ended(pass.name, c)) return;
+  }
 }
+
+Programs counted_programs(const Compilation& c) { return with_derived_constants(c.whole.programs); }
 
 Result<Compilation> compile(Model model, const CompileOptions& options) {
   bool goes_on = true;
@@ -163,11 +162,11 @@ std::vector<EmittedFile> emit_for_loading(const Compilation& c, bool clocked, in
 
 namespace {
 
-Programs whole_programs(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
-  Programs programs = trace(model, topology, analysis, form);
-  for (const Pass& pass : passes())
-    if (pass.result == Lowered::whole) programs = pass.run(std::move(programs));
-  return without_shared_laws(std::move(programs));
+/// The whole programs without spellings for a text.
+WholePrograms whole_programs(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
+  WholePrograms whole = traced_programs(model, topology, analysis, form);
+  whole.around_laws.reset();
+  return optimise(std::move(whole));
 }
 
 /// The whole programs as they are differentiated: a bristle whose limit is 0 is no spring there.
@@ -182,7 +181,7 @@ Programs programs_for_slopes(const Compilation& c) {
   };
   mark(model.frictions);
   mark(model.spring_frictions);
-  return has_bristle ? whole_programs(model, c.topology, c.analysis, c.whole.form) : c.whole;
+  return has_bristle ? whole_programs(model, c.topology, c.analysis, c.form()).programs : c.whole.programs;
 }
 
 }  // namespace
@@ -195,12 +194,12 @@ std::optional<Compilation> chosen_at(const Compilation& c, const std::vector<dou
   std::optional<Analysis> analysis = chosen_at(c.model, c.topology, c.analysis, z);
   if (!analysis) return {};
   Compilation anew{c.model, c.topology, std::move(*analysis)};
-  anew.whole = whole_programs(anew.model, anew.topology, anew.analysis, c.whole.form);
+  anew.whole = whole_programs(anew.model, anew.topology, anew.analysis, c.form());
   return anew;
 }
 
 Result<LinearSystem> linearise(const Compilation& c, const OperatingPoint& point) {
-  return linearise(c.model, c.topology, c.analysis, c.whole, point);
+  return linearise(c.model, c.topology, c.analysis, c.whole.programs, point);
 }
 
 Result<LinearSystem> linearise_by_any_choice(const Compilation& c, const OperatingPoint& point) {

@@ -22,17 +22,17 @@ struct Compilation {
   Model model;
   Topology topology = {};
   Analysis analysis = {};
-  Programs whole = {};     ///< see Lowered
-  Programs programs = {};  ///< lean ones
-  Programs emitted = {};
+  WholePrograms whole = {};      ///< after the passes: derivatives are taken of them
+  WrittenPrograms emitted = {};  ///< contracted
+
+  Form form() const { return whole.programs.form; }
 };
 
 /// A stage that has just ended.
 struct Stage {
-  std::string_view name;  ///< of stage_names
-  const Compilation& so_far;
-  const Programs& programs;  ///< as this stage left them
-  double milliseconds = 0;   ///< of this stage alone
+  std::string_view name;      ///< of stage_names
+  const Compilation& so_far;  ///< programs as this stage left them: whole ones, and emitted ones once there are some
+  double milliseconds = 0;    ///< of this stage alone
 };
 
 /// Looks at a stage. Result: false to stop there.
@@ -66,6 +66,10 @@ Form written_form(const Compilation& decided, std::optional<Form> asked);
 /// Chooses the partitions of the recursive form by counting (counted_partitions.hpp), which engines that trace nothing
 /// do without; then traces and lowers the programs of a decided model that is not too large.
 void add_programs(Compilation& decided, const CompileOptions& options = {});
+
+/// The programs by which operations are counted: without laws apart and without pairs, and without values of tunable
+/// parameters alone.
+Programs counted_programs(const Compilation& compilation);
 
 /// All stages. Fails: as the first stage that fails, too_large.
 Result<Compilation> compile(Model model, const CompileOptions& options = {});

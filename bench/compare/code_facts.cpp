@@ -69,7 +69,7 @@ double generate(const Model& model, const fs::path& scratch, OperationCount& ope
     least = std::min(least, own_seconds() - start);
     const EmittedFile driver = emit_driver(compilation.model);
     write_files(scratch, {{driver.path, driver.text}}, {});
-    operations = count_operations(compilation.programs.accelerations);
+    operations = count_operations(counted_programs(compilation).accelerations);
   }
   return least;
 }

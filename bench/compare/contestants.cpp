@@ -70,13 +70,13 @@ Contestant mbgen_engine(const Compilation& compilation, const std::string& engin
 
 /// The generated solver, and that of the other form of the equations where there is one.
 void add_generated(const Compilation& compilation, std::vector<Contestant>& all) {
-  const Form form = compilation.programs.form;
+  const Form form = compilation.form();
   all.push_back(mbgen_engine(compilation, "generated", fmt::format("mbgen, generated, {}", name_of(form)), ""));
   all.push_back(mbgen_engine(compilation, "generated", "mbgen, generated, eight in lanes", "per instance", kLanes));
   all.back().key = "batch8";
   const Form rest = other_form(form);
   const Compilation other = expect(compile(compilation.model, {rest}));
-  if (other.programs.form == form) return;
+  if (other.form() == form) return;
   all.push_back(mbgen_engine(other, "generated", fmt::format("mbgen, generated, {}", name_of(rest)),
                              "the form with more operations"));
   all.back().key = "other_form";

@@ -29,11 +29,9 @@ FrameRows default_rows(const std::vector<NumberMember>& members, int lanes) {
 /// are split into single numbers.
 ShapedProgram in_lanes(const EmitContext& context, ShapedProgram shaped) {
   shaped.program = &program_of(context.programs, shaped.role);
-  shaped.shape.scalar = "Lanes";
+  shaped.shape.scalar = Scalar::lanes;
   shaped.shape.read_back_after = kReadBackAfter;
   shaped.shape.in_groups = shaped.role != Role::derived_constants;
-  for (Argument& argument : shaped.shape.arguments)
-    if (argument.name == "tau") argument.type = "const Lanes";
   return shaped;
 }
 
@@ -50,7 +48,7 @@ std::string batch_interface_text(const EmitContext& context) {
 
 std::string batch_text(const EmitContext& context, const std::vector<ShapedProgram>& scalars) {
   FrameRows programs, members;
-  ConstantNames constants(context.programs);
+  ConstantNames constants(context.written);
   for (const ShapedProgram& scalar : scalars) {
     if (scalar.role == Role::closure_terms || scalar.role == Role::accelerations_chosen ||
         scalar.role == Role::sampled || scalar.role == Role::ground_places)
@@ -70,14 +68,14 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
                         {"has_inputs", !context.names.inputs.empty()},
                         {"inputs", name_rows(context.names.inputs)},
                         {"outputs", name_rows(names_of(output_members(context)))},
-                        {"constants", constants.declarations("double")},
+                        {"constants", constants.declarations(Scalar::doubles)},
                         {"programs", programs},
                         {"has_quantities", has_quantities(context)},
-                        {"turning", turning_table(context, "double")},
+                        {"turning", turning_table(context, Scalar::doubles)},
                         {"one_step_methods", one_step_methods},
                         {"projection", false}};
   values.merge(tuned_values(context.programs, false));
-  values.merge(system_values(context, members, "Lanes"));
+  values.merge(system_values(context, members, Scalar::lanes));
   return fill_template(context, "batch.cpp.in", values);
 }
 

@@ -22,9 +22,9 @@ FrameRows c_members(const std::vector<NumberMember>& members) {
 
 /// Rows of the items that have a range: place, member and range.
 template <class Given>
-FrameRows range_rows(const std::vector<Given>& all, const std::vector<std::string>& members,
-                     const std::string& scalar) {
-  const double largest = scalar == "float" ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
+FrameRows range_rows(const std::vector<Given>& all, const std::vector<std::string>& members, Scalar scalar) {
+  const double largest =
+      scalar == Scalar::floats ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
   FrameRows rows;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Presentation& shown = all[i].shown;
@@ -89,8 +89,9 @@ std::string c_source_text(const EmitContext& context) {
       {{"parameters", name_rows(names_of(parameter_members(context)))},
        {"inputs", name_rows(names_of(input_members(context)))},
        {"outputs", name_rows(names_of(output_members(context)))},
-       {"parameter_table", array_text("constexpr " + context.options.scalar + " Parameters::*kParameterMembers",
-                                      member_places("Parameters", context.names.parameters), "nullptr")},
+       {"parameter_table",
+        array_text(std::string("constexpr ") + name_of(context.options.scalar) + " Parameters::*kParameterMembers",
+                   member_places("Parameters", context.names.parameters), "nullptr")},
        {"guard", guard_of(context.names.solver)},
        {"parameter_ranges",
         range_rows(tunable_parameters(context.model), context.names.parameters, context.options.scalar)},
@@ -99,7 +100,7 @@ std::string c_source_text(const EmitContext& context) {
        {"input_ranges", range_rows(context.model.inputs, context.names.inputs, context.options.scalar)},
        {"method", step_function(context.model.solver)},
        {"arguments", arguments},
-       {"h", context.options.scalar == "float" ? "static_cast<float>(h)" : "h"},
+       {"h", context.options.scalar == Scalar::floats ? "static_cast<float>(h)" : "h"},
        {"inputs_now", inputs_now},
        {"inputs_used", context.layout.grounds > 0 ? "now" : inputs_now}});
 }
@@ -110,7 +111,7 @@ std::string python_text(const EmitContext& context) {
                        {{"banner", banner_text(model, "#")},
                         {"title", string_literal(model.name)},
                         {"has_quantities", has_quantities(context)},
-                        {"numpy_type", context.options.scalar == "float" ? "float32" : "float64"},
+                        {"numpy_type", context.options.scalar == Scalar::floats ? "float32" : "float64"},
                         {"parameters", member_rows(parameter_members(context))},
                         {"inputs", member_rows(input_members(context))},
                         {"outputs", member_rows(output_members(context))},

@@ -23,8 +23,8 @@ struct CalibrationType {
   std::string name, largest;
 };
 
-CalibrationType type_of(const std::string& scalar) {
-  if (scalar == "float") return {4, "FLOAT32_IEEE", "3.4028235e+38"};
+CalibrationType type_of(Scalar scalar) {
+  if (scalar == Scalar::floats) return {4, "FLOAT32_IEEE", "3.4028235e+38"};
   return {8, "FLOAT64_IEEE", "1.7976931348623157e+308"};
 }
 
@@ -87,7 +87,7 @@ void add_members(const EmitContext& context, const std::vector<NumberMember>& me
 
 /// Ranges of the first numbers of a structure, by "min" and "max".
 template <class Given>
-void add_ranges(const std::vector<Given>& given, const std::string& scalar, CalibrationStructure& structure) {
+void add_ranges(const std::vector<Given>& given, Scalar scalar, CalibrationStructure& structure) {
   for (std::size_t i = 0; i < given.size(); ++i) {
     const Presentation& shown = given[i].shown;
     if (shown.min) structure.numbers[i].least = limit_in(*shown.min, scalar);
@@ -111,7 +111,7 @@ void add_state(const EmitContext& context, CalibrationStructure& structure) {
     add_number(context, "x." + unique.identifier(state.name), state.name, state.unit, place++, structure);
   add_number(context, "t", "time", "s", 2 * coordinates + auxiliary, structure);
   CalibrationNumber& time = structure.numbers.back();
-  time.type = type_of("double");
+  time.type = type_of(Scalar::doubles);
   time.offset = (time.offset + kTimeBytes - 1) / kTimeBytes * kTimeBytes;  // as compilers align it
 }
 
@@ -190,16 +190,17 @@ bool is_ascii(const std::string& text) {
 std::string calibration_text(const EmitContext& context) {
   const std::vector<CalibrationStructure> structures = structures_of(context);
   const Methods methods = methods_of(context, structures);
-  const std::string text = fill_template(context, "calibration.a2l.in",
-                                         {{"banner", c_banner_text(context.model)},
-                                          {"prefix", prefix_of(context)},
-                                          {"title", a2l_string(context.model.name)},
-                                          {"hash", a2l_string(context.model.hash)},
-                                          {"version", a2l_string(kMbgenVersion)},
-                                          {"number_kind", context.options.scalar == "float" ? "Floats" : "Doubles"},
-                                          {"number_type", type_of(context.options.scalar).name},
-                                          {"methods", method_rows(methods)},
-                                          {"structures", structure_rows(structures, methods)}});
+  const std::string text =
+      fill_template(context, "calibration.a2l.in",
+                    {{"banner", c_banner_text(context.model)},
+                     {"prefix", prefix_of(context)},
+                     {"title", a2l_string(context.model.name)},
+                     {"hash", a2l_string(context.model.hash)},
+                     {"version", a2l_string(kMbgenVersion)},
+                     {"number_kind", context.options.scalar == Scalar::floats ? "Floats" : "Doubles"},
+                     {"number_type", type_of(context.options.scalar).name},
+                     {"methods", method_rows(methods)},
+                     {"structures", structure_rows(structures, methods)}});
   return is_ascii(text) ? text : kByteOrderMark + text;
 }
 

@@ -17,9 +17,10 @@ bool takes_pairs(const EmitContext& context);
 
 /// Source data of every emitted file. Requires: the referenced objects outlive it.
 struct EmitContext {
-  EmitContext(const Programs& of_solver, const Model& of_model, const Topology& tree, const Analysis& decisions,
+  EmitContext(const WrittenPrograms& of_solver, const Model& of_model, const Topology& tree, const Analysis& decisions,
               EmitOptions chosen)
-      : programs(of_solver),
+      : written(of_solver),
+        programs(of_solver.programs),
         model(of_model),
         topology(tree),
         analysis(decisions),
@@ -29,7 +30,8 @@ struct EmitContext {
         titles(titles_of(programs.form, model, topology)),
         in_pairs(takes_pairs(*this)) {}
 
-  const Programs& programs;
+  const WrittenPrograms& written;
+  const Programs& programs;  ///< one a role, of `written`
   const Model& model;
   const Topology& topology;
   const Analysis& analysis;

@@ -49,7 +49,7 @@ FrameValues context_values(const EmitContext& context) {
           {"solver", names.solver},
           {"has_samples", context.model.samples != nullptr},
           {"version", kMbgenVersion},
-          {"scalar", context.options.scalar},
+          {"scalar", name_of(context.options.scalar)},
           {"lanes", context.options.lanes > 0 ? std::to_string(context.options.lanes) : ""},
           {"initial", context.options.initial.has_value()},
           {"advances", inputs_have_derivatives(context.model.inputs)},
@@ -158,10 +158,11 @@ FrameValues tuned_values(const Programs& programs, bool constructs) {
     ++k;
   }
   const std::string comment = fmt::format(
-      "Tunable parameters with the {} constants that follow from them. Functions take plain Parameters as well, and "
+      "Tunable parameters with the {} from them. Functions take plain Parameters as well, and "
       "then work these out each time: keep one of these, and assign Parameters to it where they change, at the "
       "boundary of a step.{}{}",
-      count, named, named.empty() ? "" : ".");
+      count == 1 ? "constant that follows" : fmt::format("{} constants that follow", count), named,
+      named.empty() ? "" : ".");
   return {{"constructs", constructs}, {"tuned_comment", wrapped_words(comment, "/// ")}};
 }
 

@@ -46,7 +46,7 @@ EmittedFile driver(const Model& model, int lanes, const std::string& clocked, bo
 
 EmittedFile emit_driver(const Model& model, int lanes) { return driver(model, lanes, "", false); }
 
-EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, const Topology& topology,
+EmittedFile emit_clocked_driver(const WrittenPrograms& programs, const Model& model, const Topology& topology,
                                 const Analysis& analysis, int lanes) {
   const EmitContext context(programs, model, topology, analysis, {});
   const ShapedProgram clocked = clocked_accelerations(context);

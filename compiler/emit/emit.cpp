@@ -48,10 +48,10 @@ std::string build_text(const EmitContext& context) {
 
 /// `<model>_samples.hpp`: tables of numbers for programs.
 std::string samples_text(const EmitContext& context) {
-  return fill_template(context, "samples.hpp.in",
-                       {{"banner", banner_text(context.model, "//")},
-                        {"samples", array_text("inline constexpr double kSamples",
-                                               number_texts(*context.model.samples, "double"), "0")}});
+  return fill_template(
+      context, "samples.hpp.in",
+      {{"banner", banner_text(context.model, "//")},
+       {"samples", array_text("inline constexpr double kSamples", number_texts(*context.model.samples), "0")}});
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ void add_samples(const EmitContext& context, std::vector<EmittedFile>& files) {
   if (context.model.samples) files.push_back({context.names.solver + "_samples.hpp", samples_text(context)});
 }
 
-std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
+std::vector<EmittedFile> emit(const WrittenPrograms& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options) {
   const EmitContext context(programs, model, topology, analysis, options);
   const std::string& name = context.names.solver;
@@ -87,7 +87,7 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
   }
   if (options.runtime_headers) {
     add_runtime_headers(files);
-    if (options.scalar == "double") add_included_headers(emit_driver(model, options.lanes).text, files);
+    if (options.scalar == Scalar::doubles) add_included_headers(emit_driver(model, options.lanes).text, files);
   }
   files.push_back({name + ".json", manifest_text(manifest)});
   return files;
@@ -99,7 +99,7 @@ void add_runtime_headers(std::vector<EmittedFile>& files) {
   for (const std::string& text : texts) add_included_headers(text, files);
 }
 
-std::optional<double> beyond_single_precision(const Programs& programs, const Model& model) {
+std::optional<double> beyond_single_precision(const WrittenPrograms& programs, const Model& model) {
   const auto is_beyond = [](double number) {
     return std::isfinite(number) && std::abs(number) > std::numeric_limits<float>::max();
   };

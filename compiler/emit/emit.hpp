@@ -1,5 +1,5 @@
 #pragma once
-// The door of the emit room: Programs -> C++ text. The same input gives the same bytes on any machine.
+// The door of the emit room: WrittenPrograms -> C++ text. The same input gives the same bytes on any machine.
 
 #include <optional>
 #include <string>
@@ -9,8 +9,8 @@
 #include "compiler/emit/files.hpp"
 #include "compiler/emit/names.hpp"
 #include "compiler/model/model.hpp"
+#include "compiler/solver/programs.hpp"
 #include "compiler/topology/topology.hpp"
-#include "compiler/trace/trace.hpp"
 
 namespace mbgen {
 
@@ -18,7 +18,7 @@ namespace mbgen {
 /// <model>_batch.hpp and <model>_batch.cpp, the runtime headers, and last <model>.json (manifest), which marks
 /// completion. Requires: `programs` traced from the same model, topology and analysis, and contracted, since compilers
 /// do not contract.
-std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
+std::vector<EmittedFile> emit(const WrittenPrograms& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options = {});
 
 /// `<model>_driver.cpp`: the table of mbgen/driver.hpp over plain arrays, for programs that load the compiled solver.
@@ -27,11 +27,11 @@ EmittedFile emit_driver(const Model& model, int lanes = 0);
 
 /// The same with step_ticks: it holds the program of accelerations a second time, divided at its steps. Requires: as
 /// emit.
-EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, const Topology& topology,
+EmittedFile emit_clocked_driver(const WrittenPrograms& programs, const Model& model, const Topology& topology,
                                 const Analysis& analysis, int lanes = 0);
 
 /// The first number, of the programs or a default of the model, that single precision cannot hold, if any.
-std::optional<double> beyond_single_precision(const Programs& programs, const Model& model);
+std::optional<double> beyond_single_precision(const WrittenPrograms& programs, const Model& model);
 
 /// Adds the runtime's headers that the files include, under mbgen/.
 void add_runtime_headers(std::vector<EmittedFile>& files);

@@ -22,17 +22,30 @@ std::string right_term(const Phrase& phrase) {
 }
 
 /// Functions by operation. For vectors, namespace mbgen has the functions of std.
-constexpr std::pair<Op, const char*> kFunctions[] = {
-    {Op::sqrt, "std::sqrt"},          {Op::sin, "mbgen::sine"},
-    {Op::cos, "mbgen::cosine"},       {Op::tan, "mbgen::tangent"},
-    {Op::asin, "mbgen::arc_sine"},    {Op::acos, "mbgen::arc_cosine"},
-    {Op::atan, "mbgen::arc_tangent"}, {Op::atan2, "mbgen::arc_tangent"},
-    {Op::exp, "mbgen::exponential"},  {Op::log, "mbgen::logarithm"},
-    {Op::pow, "mbgen::power"},        {Op::tanh, "mbgen::hyperbolic_tangent"},
-    {Op::floor, "std::floor"},        {Op::abs, "std::abs"},
-    {Op::min, "mbgen::min"},          {Op::max, "mbgen::max"},
-    {Op::select, "mbgen::select"},    {Op::multiply_add, "fma"},
-    {Op::multiply_subtract, "fms"}};
+struct NamedFunction {
+  Op op;
+  const char* of_numbers;
+  const char* of_vectors = of_numbers;
+};
+constexpr NamedFunction kFunctions[] = {{Op::sqrt, "std::sqrt", "mbgen::sqrt"},
+                                        {Op::sin, "mbgen::sine"},
+                                        {Op::cos, "mbgen::cosine"},
+                                        {Op::tan, "mbgen::tangent"},
+                                        {Op::asin, "mbgen::arc_sine"},
+                                        {Op::acos, "mbgen::arc_cosine"},
+                                        {Op::atan, "mbgen::arc_tangent"},
+                                        {Op::atan2, "mbgen::arc_tangent"},
+                                        {Op::exp, "mbgen::exponential"},
+                                        {Op::log, "mbgen::logarithm"},
+                                        {Op::pow, "mbgen::power"},
+                                        {Op::tanh, "mbgen::hyperbolic_tangent"},
+                                        {Op::floor, "std::floor", "mbgen::floor"},
+                                        {Op::abs, "std::abs", "mbgen::abs"},
+                                        {Op::min, "mbgen::min"},
+                                        {Op::max, "mbgen::max"},
+                                        {Op::select, "mbgen::select"},
+                                        {Op::multiply_add, "fma"},
+                                        {Op::multiply_subtract, "fms"}};
 
 /// An operation under construction.
 struct Operation {
@@ -81,8 +94,7 @@ Phrase constant_phrase(const std::string& text) {
   return {text, text.front() == '-' ? Binding::sign : Binding::primary};
 }
 
-Phrase operation_phrase(const std::string& scalar, Op wanted, const Phrase& first, const Phrase& second,
-                        const Phrase& third) {
+Phrase operation_phrase(Scalar scalar, Op wanted, const Phrase& first, const Phrase& second, const Phrase& third) {
   const auto [op, a, b, c] = with_signs_taken_in({wanted, first, second, third});
   switch (op) {
     case Op::constant:
@@ -103,7 +115,7 @@ Phrase operation_phrase(const std::string& scalar, Op wanted, const Phrase& firs
     case Op::subtract_product:
       return {fmt::format("fnma({}, {}, {})", b.text, c.text, a.text), Binding::primary};
     case Op::pack:
-      return {fmt::format("{}{{{}, {}}}", kPairType, a.text, b.text), Binding::primary};
+      return {fmt::format("{}{{{}, {}}}", name_of(Scalar::pairs), a.text, b.text), Binding::primary};
     case Op::first_lane:
       return {operand(a, Binding::primary) + "[0]", Binding::primary};
     case Op::second_lane:
@@ -113,8 +125,8 @@ Phrase operation_phrase(const std::string& scalar, Op wanted, const Phrase& firs
   }
   if (op == Op::select && is_number(scalar))
     return {fmt::format("({} >= {} ? {} : {})", a.text, number_text(0, scalar), b.text, c.text), Binding::primary};
-  std::string text = std::ranges::find(kFunctions, op, &std::pair<Op, const char*>::first)->second;
-  if (!is_number(scalar) && text.starts_with("std::")) text.replace(0, 3, "mbgen");
+  const NamedFunction& function = *std::ranges::find(kFunctions, op, &NamedFunction::op);
+  std::string text = is_number(scalar) ? function.of_numbers : function.of_vectors;
   text += "(" + a.text;
   if (arity(op) > 1) text += ", " + b.text;
   if (arity(op) > 2) text += ", " + c.text;

@@ -3,12 +3,10 @@
 
 #include <string>
 
+#include "compiler/emit/scalar.hpp"
 #include "compiler/program/program.hpp"
 
 namespace mbgen {
-
-/// Type of values of two lanes, mbgen/pair.hpp.
-inline constexpr const char* kPairType = "Pair";
 
 /// Binding strength of the outermost operator of a text.
 enum class Binding { sum, product, sign, primary };
@@ -23,7 +21,6 @@ Phrase constant_phrase(const std::string& text);
 
 /// The operation on its operands, values of a scalar type; operands beyond its arity are ignored. Associativity is
 /// kept: a + (b + c) remains, since floating-point sums are not associative. Vectors use functions of mbgen/lanes.hpp.
-Phrase operation_phrase(const std::string& scalar, Op op, const Phrase& first, const Phrase& second,
-                        const Phrase& third);
+Phrase operation_phrase(Scalar scalar, Op op, const Phrase& first, const Phrase& second, const Phrase& third);
 
 }  // namespace mbgen

@@ -9,11 +9,11 @@ namespace {
 
 /// Type of such an argument: AccelerationsWork1 of "w1".
 std::string work_type(const ProgramShape& shape, const CrossingStruct& work) {
-  return shape.result + "Work" + work.argument.substr(1);
+  return shape.result + "Work" + std::to_string(work.number);
 }
 
 /// Declaration of an argument of a function or of one of its parts; unused ones have no name.
-std::string declaration(const Argument& argument, bool is_used) {
+std::string declaration(const ProgramShape& shape, const Argument& argument, bool is_used) {
   using enum Passing;
   const auto passed = [&]() -> const char* {
     switch (argument.passing) {
@@ -30,7 +30,8 @@ std::string declaration(const Argument& argument, bool is_used) {
     }
     return " ";
   };
-  return argument.type + passed() + (is_used ? argument.name : "/*" + argument.name + "*/");
+  const std::string type = argument.type == kOfScalar ? "const " + type_text(shape) : argument.type;
+  return type + passed() + (is_used ? argument.name : "/*" + argument.name + "*/");
 }
 
 /// The arguments of a program, the structs of values that cross its parts, and the result.
@@ -52,7 +53,7 @@ std::string whole_parameters(const ProgramShape& shape, const std::set<std::stri
       if (argument.name == "tau") argument.type = "const JointForces";
       argument.passing = argument.passing == Passing::sole_reference ? Passing::sole_pointer : Passing::pointer;
     }
-    list.push_back(declaration(argument, used.contains(argument.name)));
+    list.push_back(declaration(shape, argument, used.contains(argument.name)));
   }
   return joined(list, ", ");
 }
@@ -61,7 +62,7 @@ std::string part_parameters(const ProgramShape& shape, const CrossingStructs& cr
                             const std::set<std::string>& used) {
   std::vector<std::string> list;
   for (const Argument& argument : taken_arguments(shape, crossing))
-    if (used.contains(argument.name)) list.push_back(declaration(argument, true));
+    if (used.contains(argument.name)) list.push_back(declaration(shape, argument, true));
   return joined(list, ", ");
 }
 
@@ -78,7 +79,7 @@ std::string part_arguments(const ProgramShape& shape, const CrossingStructs& cro
 FrameRows law_rows(const ProgramShape& shape) {
   return mapped(shape.laws, [](const LawShape& law) {
     return FrameValues{
-        {"argument", law.argument}, {"function", law.function}, {"lanes", law.lanes}, {"elements", law.elements}};
+        {"argument", law.argument}, {"function", law.function()}, {"lanes", law.lanes}, {"elements", law.elements}};
   });
 }
 
@@ -170,7 +171,7 @@ std::string function_text(const ProgramShape& shape, const std::vector<PartText>
   return fill_template("function.in",
                        {{"function", shape.function},
                         {"result", shape.result},
-                        {"scalar", shape.scalar},
+                        {"scalar", type_text(shape)},
                         {"clock", shape.clock},
                         {"in_groups", shape.in_groups},
                         {"has_members", !shape.members.empty()},

@@ -13,6 +13,7 @@ namespace mbgen {
 /// A struct of values that cross the parts of a program: an argument of the parts, and its members.
 struct CrossingStruct {
   std::string argument;  ///< "w1", "w2", ...
+  int number;            ///< of the struct, from 1 on
   struct Place {
     std::string type;
     std::vector<std::string> names;  ///< declarators of the values that follow one another there

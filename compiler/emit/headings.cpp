@@ -45,7 +45,8 @@ bool Headings::goes_on(std::size_t i, std::size_t length, bool with_owner) const
 void Headings::write_section(const Node& node, PartText& part) {
   const std::string title = titles_.section(node.section);
   const bool again = !entered_.insert(node.section).second;
-  if (std::ranges::find(part.sections, title) == part.sections.end()) part.sections.push_back(title);
+  const bool is_known = std::ranges::find(part.sections, title) != part.sections.end();
+  if (!title.empty() && !is_known) part.sections.push_back(title);
   if (section_) part.body += "\n";
   if (!title.empty()) add_comment(part, "--- " + comment_text(title) + (again ? ", continued" : "") + " ---");
   section_ = node.section;

@@ -17,11 +17,9 @@ enum class Elements {
 
 /// Place of an argument of element k, or of the elements computed with it.
 std::string argument_text(const LawShape& law, const LawArgument& argument, Elements elements,
-                          const std::string& scalar) {
+                          const std::string& type) {
   const std::string place = law.argument + "." + argument.name, element = place + "[k]";
-  const auto every_lane = [&](const std::string& number) {
-    return "mbgen::every_lane<" + scalar + ">(" + number + ")";
-  };
+  const auto every_lane = [&](const std::string& number) { return "mbgen::every_lane<" + type + ">(" + number + ")"; };
   if (elements == Elements::in_lanes)
     return argument.is_common ? every_lane(place) : "mbgen::lanes_of(" + place + ", k)";
   if (argument.is_common) return place;
@@ -30,17 +28,19 @@ std::string argument_text(const LawShape& law, const LawArgument& argument, Elem
 
 /// The function of a law.
 ProgramShape function_shape(const EmitContext& context, const SharedLaw& shared, const LawShape& law, Elements elements,
-                            const std::string& scalar) {
+                            Scalar scalar) {
   ProgramShape shape;
   shape.title = elements == Elements::in_lanes ? "The law of the elements from k on that one vector holds."
                                                : "The law of element k.";
-  shape.function = law.function;
+  shape.name = law.argument;
+  shape.function = law.function();
   shape.scalar = scalar;
+  if (scalar == Scalar::elements) shape.elements = law.type;
   shape.titles = context.titles;
   shape.arguments = {{law.argument, law.type, Passing::sole_reference}, {"k", "int", Passing::value}};
   GroupPlace arguments{law.argument, {}}, results{law.argument, {}};
   for (const LawArgument& argument : shared.arguments) {
-    arguments.texts.push_back(argument_text(law, argument, elements, scalar));
+    arguments.texts.push_back(argument_text(law, argument, elements, type_text(shape)));
     arguments.locals.push_back(argument.name);
   }
   for (const std::string& name : shared.results) {
@@ -54,25 +54,25 @@ ProgramShape function_shape(const EmitContext& context, const SharedLaw& shared,
 }
 
 /// The arguments that are known numbers, unless the law's program contains them.
-FrameRows known_rows(const SharedLaw& shared, const LawShape& law, const std::string& scalar) {
+FrameRows known_rows(const SharedLaw& shared, const LawShape& law, Scalar scalar) {
   FrameRows rows;
   for (const LawArgument& argument : shared.arguments) {
     if (argument.numbers.empty() || argument.is_common) continue;
     const std::string place = argument.name + "[" + std::to_string(law.elements) + "] = ";
-    rows.push_back({{"member", braced_list("  static constexpr " + scalar + " " + place,
+    rows.push_back({{"member", braced_list(std::string("  static constexpr ") + name_of(scalar) + " " + place,
                                            number_texts(argument.numbers, scalar), ";")}});
   }
   return rows;
 }
 
-std::string law_text(const EmitContext& context, std::size_t k, const std::string& scalar, ConstantNames* constants) {
-  const SharedLaw& shared = context.programs.laws[k];
+std::string law_text(const EmitContext& context, std::size_t k, Scalar scalar, ConstantNames* constants) {
+  const SharedLaw& shared = context.written.laws[k];
   const LawShape law = law_shape(context, k);
-  const Elements seen = scalar == "double"  ? Elements::in_lanes
-                        : scalar == "float" ? Elements::one_by_one
-                                            : Elements::of_instances;
-  const std::string vector = "Lanes" + law.type;
-  ProgramShape shape = function_shape(context, shared, law, seen, seen == Elements::in_lanes ? vector : scalar);
+  const Elements seen = scalar == Scalar::doubles  ? Elements::in_lanes
+                        : scalar == Scalar::floats ? Elements::one_by_one
+                                                   : Elements::of_instances;
+  ProgramShape shape =
+      function_shape(context, shared, law, seen, seen == Elements::in_lanes ? Scalar::elements : scalar);
   shape.constants = constants;
   FrameRows common, members;
   for (const LawArgument& argument : shared.arguments)
@@ -91,23 +91,23 @@ std::string law_text(const EmitContext& context, std::size_t k, const std::strin
                                      "the wheel; the other names and the units are those of mbgen/tyre.hpp.",
                                  "/// ")},
        {"type", law.type},
-       {"number", scalar},
+       {"number", name_of(scalar)},
        {"elements", law.elements},
-       {"known", known_rows(shared, law, scalar == "float" ? scalar : "double")},
+       {"known", known_rows(shared, law, scalar == Scalar::floats ? scalar : Scalar::doubles)},
        {"common", common},
        {"members", members},
        {"in_vectors", seen == Elements::in_lanes},
        {"one_by_one", seen == Elements::one_by_one},
        {"lanes", law.lanes},
-       {"vector", vector},
+       {"vector", name_of(Scalar::elements) + law.type},
        {"program", program_text(shared.program, order, shape)}});
 }
 
 }  // namespace
 
-std::string law_texts(const EmitContext& context, const std::string& scalar, ConstantNames* constants) {
+std::string law_texts(const EmitContext& context, Scalar scalar, ConstantNames* constants) {
   std::string text;
-  for (std::size_t k = 0; k < context.programs.laws.size(); ++k) text += law_text(context, k, scalar, constants);
+  for (std::size_t k = 0; k < context.written.laws.size(); ++k) text += law_text(context, k, scalar, constants);
   return text;
 }
 

@@ -10,6 +10,6 @@ namespace mbgen {
 /// Text of all shared laws, to be placed before the program around them; empty without any. Doubles are computed in
 /// vectors, one element per lane; other numbers element by element: floats, which have no vector functions, and vectors
 /// of a batch, whose lanes are instances. scalar: type of the program around them. constants: as in a shape.
-std::string law_texts(const EmitContext& context, const std::string& scalar, ConstantNames* constants);
+std::string law_texts(const EmitContext& context, Scalar scalar, ConstantNames* constants);
 
 }  // namespace mbgen

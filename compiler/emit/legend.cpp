@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "compiler/emit/frame.hpp"
 #include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
@@ -48,11 +51,26 @@ std::string loops_text(const EmitContext& context) {
   return text;
 }
 
+/// Whether a value or a number of the programs has a name that begins so.
+bool has_name(const EmitContext& context, std::string_view prefix) {
+  const auto is_so = [&](const Program& program, const Node& node) {
+    if (node.label < 0) return false;
+    const auto label = static_cast<std::size_t>(node.label);
+    return (node.op == Op::constant ? program.constants[label].name : program.labels[label]).starts_with(prefix);
+  };
+  return std::ranges::any_of(all_programs(context.written), [&](const Program* program) {
+    return std::ranges::any_of(program->nodes, [&](const Node& node) { return is_so(*program, node); });
+  });
+}
+
 }  // namespace
 
 std::string legend_text(const EmitContext& context) {
   return fill_template("legend.in",
-                       {{"tree", tree_text(context)}, {"loops", loops_text(context)}, {"pairs", context.in_pairs}});
+                       {{"tree", tree_text(context)},
+                        {"loops", loops_text(context)},
+                        {"moments", has_name(context, "K_") ? "h first moments, K second moments" : "h first moments"},
+                        {"pairs", context.in_pairs}});
 }
 
 }  // namespace mbgen

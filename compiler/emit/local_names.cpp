@@ -23,7 +23,7 @@ ConstantNames::Entry& ConstantNames::entry_of(const NamedConstant& constant) {
   return entries_[found->second];
 }
 
-ConstantNames::ConstantNames(const Programs& programs) {
+ConstantNames::ConstantNames(const WrittenPrograms& programs) {
   for (const Program* program : all_programs(programs)) identifiers(*program);
 }
 
@@ -39,11 +39,12 @@ std::string ConstantNames::text(const Program& program, const Node& node) {
   return node.constant == entry.constant.value ? entry.identifier : "-" + entry.identifier;
 }
 
-std::string ConstantNames::declarations(const std::string& scalar) const {
+std::string ConstantNames::declarations(Scalar scalar) const {
   std::string text;
   for (const Entry& entry : entries_) {
     if (!entry.is_used) continue;
-    text += "constexpr " + scalar + " " + entry.identifier + " = " + number_text(entry.constant.value, scalar) + ";\n";
+    text += std::string("constexpr ") + name_of(scalar) + " " + entry.identifier + " = " +
+            number_text(entry.constant.value, scalar) + ";\n";
   }
   return text;
 }

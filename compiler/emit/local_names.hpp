@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/emit/names.hpp"
+#include "compiler/emit/scalar.hpp"
 #include "compiler/solver/programs.hpp"
 
 namespace mbgen {
@@ -27,15 +28,15 @@ class LocalNames : public UniqueNames {
 class ConstantNames {
  public:
   /// The constants of all programs, in the order of the programs and of their first uses.
-  explicit ConstantNames(const Programs& programs);
+  explicit ConstantNames(const WrittenPrograms& programs);
   /// Identifiers for a program: each stands for one value in the whole file; a second value with the same name gets a
   /// number.
   std::vector<std::string> identifiers(const Program& program);
   /// The constant as an expression: its identifier, or the negative of it.
   std::string text(const Program& program, const Node& node);
-  /// `constexpr double m_crank = 0.8;` for each constant that a text has used; empty without any. scalar: double or
-  /// float.
-  std::string declarations(const std::string& scalar) const;
+  /// `constexpr double m_crank = 0.8;` for each constant that a text has used; empty without any. scalar: doubles or
+  /// floats.
+  std::string declarations(Scalar scalar) const;
 
  private:
   struct Entry {

@@ -19,8 +19,8 @@ Json count_json(const OperationCount& count) {
 void add_laws(const EmitContext& context, const ShapedProgram& shaped, Json& json) {
   for (std::size_t k = 0; k < shaped.shape.laws.size(); ++k) {
     const LawShape& law = shaped.shape.laws[k];
-    Json section = {{"title", law.function + ": tyres of one law, " + std::to_string(law.elements) + " in lanes"}};
-    const Json counts = count_json(count_operations(context.programs.laws[k].program));
+    Json section = {{"title", law.function() + ": tyres of one law, " + std::to_string(law.elements) + " in lanes"}};
+    const Json counts = count_json(count_operations(context.written.laws[k].program));
     for (const auto& [kind, count] : counts.items()) {
       section[kind] = count.get<long>() * law.elements;
       json["operations"][kind] = json["operations"][kind].get<long>() + section[kind].get<long>();
@@ -93,7 +93,7 @@ Json manifest_json(const EmitContext& context, const std::vector<ShapedProgram>&
                    {"loop_blocks", blocks_json(context)},
                    {"programs", programs},
                    {"worst_case", worst_case}};
-  if (context.options.scalar != "double") manifest["scalar"] = context.options.scalar;
+  if (context.options.scalar != Scalar::doubles) manifest["scalar"] = name_of(context.options.scalar);
   return manifest;
 }
 

@@ -72,14 +72,14 @@ class ProgramWriter {
   void write_arguments(const ScheduledUnit& unit, const std::string& array, const Slices& values, PartText& part) {
     std::vector<std::string> list;
     for (const ValueId v : values) {
-      const bool is_pair = texts_.type_of(v) == kPairType;
+      const bool is_pair = texts_.scalar_of(v) == Scalar::pairs;
       if (is_pair && pending_[v]) name_value(v, part);
       const std::string text = texts_.phrase_of(unit, {v}, part).text;
       if (is_pair) list.insert(list.end(), {text + "[0]", text + "[1]"});
       if (!is_pair) list.push_back(program_.nodes[v].op == Op::constant ? texts_.number(text) : text);
       pending_[v] = false;
     }
-    part.body += braced_list("  const " + shape_.scalar + " " + array + "[] = ", list, ";\n");
+    part.body += braced_list("  const " + type_text(shape_) + " " + array + "[] = ", list, ";\n");
   }
 
   /// One call for many arguments.

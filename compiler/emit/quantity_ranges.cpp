@@ -55,7 +55,7 @@ struct SettingTexts {
       else if (node.op == Op::input)
         phrases.push_back({setting(program.inputs[static_cast<std::size_t>(node.input)])});
       else
-        phrases.push_back(operation_phrase("double", node.op, phrase(node.operands[0]), phrase(node.operands[1]),
+        phrases.push_back(operation_phrase(Scalar::doubles, node.op, phrase(node.operands[0]), phrase(node.operands[1]),
                                            phrase(node.operands[2])));
     }
     return phrases[program.outputs[0].value].text;

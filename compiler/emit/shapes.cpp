@@ -84,15 +84,15 @@ struct ArgumentOfArray {
   Passing passing = Passing::reference;
 };
 constexpr ArgumentOfArray kArguments[] = {
-    {Array::tau, "tau", "const double", Passing::pointer}, {Array::zdd, "derivative", "const Derivative"},
-    {Array::lambda, "multipliers", "const Multipliers"},   {Array::due, "due", "const double", Passing::pointer},
-    {Array::Rz, "projection", "const Projection"},         {Array::step, "size", "const StepSize"},
+    {Array::tau, "tau", kOfScalar, Passing::pointer},    {Array::zdd, "derivative", "const Derivative"},
+    {Array::lambda, "multipliers", "const Multipliers"}, {Array::due, "due", kOfScalar, Passing::pointer},
+    {Array::Rz, "projection", "const Projection"},       {Array::step, "size", "const StepSize"},
     {Array::tangent, "tangents", "const Tangents"}};
 
 /// Names of a program in its text.
 struct ShapeRow {
   Role role;
-  const char *function, *result, *title;
+  const char *name, *result, *title;
 };
 
 /// In the order of the file.
@@ -129,8 +129,8 @@ bool is_written(Role role, const EmitContext& context) {
 
 /// Adds the names of the shared laws to the shape of the program around them.
 void add_laws(const EmitContext& context, ProgramShape& shape) {
-  for (std::size_t k = 0; k < context.programs.laws.size(); ++k) {
-    const SharedLaw& shared = context.programs.laws[k];
+  for (std::size_t k = 0; k < context.written.laws.size(); ++k) {
+    const SharedLaw& shared = context.written.laws[k];
     const LawShape law = law_shape(context, k);
     GroupPlace arguments{law.argument, {}}, results{law.argument, {}};
     const auto add = [&](GroupPlace& place, const std::string& name) {
@@ -161,7 +161,8 @@ std::vector<Array> unused_arrays(const Program& program, Role role) {
 ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
   ProgramShape shape;
   shape.title = row.title;
-  shape.function = std::string("compute_") + row.function;
+  shape.name = row.name;
+  shape.function = "compute_" + shape.name;
   shape.result = row.result;
   shape.titles = context.titles;
   shape.inputs = input_places(context);
@@ -189,9 +190,7 @@ ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
 
 /// Changes the shape from doubles to floats. The time remains a double, and is narrowed where a program uses it.
 void take_floats(ProgramShape& shape) {
-  shape.scalar = "float";
-  for (Argument& argument : shape.arguments)
-    if (argument.type == "const double") argument.type = "const float";
+  shape.scalar = Scalar::floats;
   shape.inputs[Array::t].texts = {"static_cast<float>(state.t)"};
   for (auto& [group, place] : shape.outputs) {
     if (!place.missing.empty()) place.missing += "f";
@@ -212,8 +211,8 @@ ValueOrder order_of(Form form, const ShapedProgram& shaped) {
 
 LawShape law_shape(const EmitContext& context, std::size_t k) {
   const std::string number = k > 0 ? std::to_string(k + 1) : "";
-  return {"tyres" + number, "Tyres" + number, "compute_tyres" + number, "kTyreLanes" + number,
-          static_cast<int>(context.programs.laws[k].tyres.size())};
+  return {"tyres" + number, "Tyres" + number, "kTyreLanes" + number,
+          static_cast<int>(context.written.laws[k].tyres.size())};
 }
 
 std::vector<std::string> indexed(const std::string& array, int size, int first) {
@@ -284,10 +283,10 @@ ScheduleOptions schedule_options(const ProgramShape& shape, std::size_t roll_abo
   return options;
 }
 
-bool is_number(const std::string& scalar) { return scalar == "double" || scalar == "float"; }
+std::string type_text(const ProgramShape& shape) { return name_of(shape.scalar) + shape.elements; }
 
 bool takes_pairs(const EmitContext& context) {
-  if (context.options.scalar != "double" || context.programs.in_pairs.outputs.empty()) return false;
+  if (context.options.scalar != Scalar::doubles || !context.written.in_pairs) return false;
   const auto& row = *std::ranges::find(kShapes, Role::accelerations, &ShapeRow::role);
   return !is_rolled(context.programs.accelerations,
                     schedule_options(shape_of(row, context), context.options.roll_above));
@@ -298,8 +297,8 @@ std::vector<ShapedProgram> shaped_programs(const EmitContext& context) {
   for (const ShapeRow& row : kShapes) {
     if (!is_written(row.role, context)) continue;
     ShapedProgram shaped{&program_of(context.programs, row.role), row.role, shape_of(row, context)};
-    if (context.options.scalar == "float") take_floats(shaped.shape);
-    if (row.role == Role::accelerations && context.in_pairs) shaped.program = &context.programs.in_pairs;
+    if (context.options.scalar == Scalar::floats) take_floats(shaped.shape);
+    if (row.role == Role::accelerations && context.in_pairs) shaped.program = &context.written.in_pairs->program;
     shaped.shape.order = order_of(context.programs.form, shaped);
     shaped.schedule = schedule(*shaped.program, schedule_options(shaped.shape, context.options.roll_above));
     all.push_back(std::move(shaped));
@@ -311,7 +310,8 @@ ShapedProgram clocked_accelerations(const EmitContext& context) {
   const Program& program = context.programs.accelerations;
   ProgramShape shape = shape_of(*std::ranges::find(kShapes, Role::accelerations, &ShapeRow::role), context);
   shape.title = "All accelerations, step by step against the clock.";
-  shape.function = "compute_clocked_accelerations";
+  shape.name = "clocked_accelerations";
+  shape.function = "compute_" + shape.name;
   shape.result = "ClockedAccelerations";
   shape.clock = "clock";
   shape.arguments.push_back({"clock", "mbgen::StepClock"});

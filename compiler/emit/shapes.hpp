@@ -42,9 +42,10 @@ struct ArrayMember {
 /// A shared law, for the program around it: the struct that they exchange.
 struct LawShape {
   std::string argument, type;  ///< "tyres", "Tyres"
-  std::string function;        ///< "compute_tyres"
   std::string lanes;           ///< name of the number of elements that one call computes
   int elements = 0;
+
+  std::string function() const { return "compute_" + argument; }
 };
 
 /// The names of law k of the emitted programs.
@@ -59,8 +60,12 @@ enum class Passing {
   sole_pointer
 };
 
+/// Type of an argument that holds numbers of the program's own scalar, which it reads.
+constexpr const char* kOfScalar = "";
+
 struct Argument {
-  std::string name, type;
+  std::string name;
+  std::string type;  ///< in C++, or kOfScalar
   Passing passing = Passing::reference;
 };
 
@@ -73,6 +78,7 @@ Arguments arguments_of(Role role, const std::vector<Array>& unused = {});
 /// All properties of one program except its values.
 struct ProgramShape {
   std::string title;                 ///< sentence for the comment
+  std::string name;                  ///< "accelerations"
   std::string function;              ///< "compute_accelerations"
   std::string result;                ///< name of the result struct
   std::vector<ArrayMember> members;  ///< of the result struct
@@ -80,7 +86,8 @@ struct ProgramShape {
   Places inputs, outputs;
   std::vector<LawShape> laws = {};  ///< that the program leaves to others
   Titles titles = {};               ///< of sections and owners
-  std::string scalar = "double";    ///< type of every value: double, float, or a vector of doubles
+  Scalar scalar = Scalar::doubles;  ///< of every value but pairs
+  std::string elements = {};        ///< type of the elements that vectors of Scalar::elements hold: "Tyres"
   /// The function takes an array of structs for each argument, one per group of instances, and computes part by part.
   bool in_groups = false;
   /// Argument that receives the number of every section at its end, "" for none: then the parts follow the sections.
@@ -94,6 +101,9 @@ struct ProgramShape {
   /// Part of the file that defines the function, see file_parts.hpp.
   int file_part = 0;
 };
+
+/// Name of the type of its values: double, LanesTyres.
+std::string type_text(const ProgramShape& shape);
 
 /// Text of a constant: its name if it has one.
 std::string constant_text(const Program& program, const Node& node, const ProgramShape& shape);
@@ -117,9 +127,6 @@ int tangent_count(const Programs& programs);
 
 /// Identifier of each derived constant, after its body or element; empty if it belongs to none.
 std::vector<std::string> derived_constant_names(const Programs& programs);
-
-/// Whether a scalar type is a plain number: double or float.
-bool is_number(const std::string& scalar);
 
 /// Whether a program reads an array.
 bool takes(const Program& program, Array array);

@@ -45,7 +45,7 @@ int divide_file(std::vector<ShapedProgram>& programs, std::size_t least_values) 
 }
 
 /// The arrays of initial_state(). They are copied number by number, since a bare target may have no memcpy.
-FrameRows start_rows(const InitialState& initial, const std::string& scalar) {
+FrameRows start_rows(const InitialState& initial, Scalar scalar) {
   return mapped(std::array{initial.z, initial.zd, initial.x}, [&](const std::vector<double>& values) {
     std::vector<std::string> items = number_texts(values, scalar);
     if (items.empty()) items.push_back(number_text(0, scalar));
@@ -55,14 +55,14 @@ FrameRows start_rows(const InitialState& initial, const std::string& scalar) {
 }
 
 /// Charts of balls that start in their other chart, after the time; "" if there are none.
-std::string start_charts(const InitialState& initial, const std::string& scalar) {
+std::string start_charts(const InitialState& initial, Scalar scalar) {
   if (initial.charts.empty()) return "";
   return fmt::format(", {{{}}}", fmt::join(number_texts(initial.charts, scalar), ", "));
 }
 
 }  // namespace
 
-std::string turning_table(const EmitContext& context, const std::string& scalar) {
+std::string turning_table(const EmitContext& context, Scalar scalar) {
   std::vector<double> turning(context.topology.bodies.size(), 0.0);
   bool any = false;
   for (const Program* program : {&context.programs.accelerations, &context.programs.closure}) {
@@ -75,14 +75,14 @@ std::string turning_table(const EmitContext& context, const std::string& scalar)
     }
   }
   if (!any) return "";
-  const std::string head = fmt::format("constexpr {} kTurning", scalar);
+  const std::string head = fmt::format("constexpr {} kTurning", name_of(scalar));
   return array_text(head, number_texts(turning, scalar), "");
 }
 
 EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, bool for_importers) {
   const std::string& solver = context.names.solver;
   FrameRows hot, rare, members;
-  ConstantNames constants(context.programs);
+  ConstantNames constants(context.written);
   const int rare_parts = divide_file(programs, context.options.file_part_values);
   for (ShapedProgram& shaped : programs) {
     shaped.shape.constants = &constants;
@@ -99,19 +99,22 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
   FrameValues values = {
       {"banner", banner_text(context.model, "//") + legend_text(context)},
       {"constants", constants.declarations(context.options.scalar)},
-      {"rare_parts", rare_parts > 0 ? std::to_string(rare_parts) : ""},
+      {"rare_parts", rare_parts > 1   ? fmt::format("1 to {}", rare_parts)
+                     : rare_parts > 0 ? "1"
+                                      : ""},
       {"all_parts", rare_parts + 1},
       {"for_importers", for_importers},
       // An FMU checks rotations by itself, see mbgen/fmu_turns.hpp.
       {"turning", for_importers ? "" : turning_table(context, context.options.scalar)},
       {"pairs", context.in_pairs},
       {"has_quantities", has_quantities(context)},
-      {"laws", !context.programs.laws.empty() && context.options.scalar == "double"},
+      {"laws", !context.written.laws.empty() && context.options.scalar == Scalar::doubles},
       {"hot", hot},
       {"rare", rare},
       {"projection", has_projection ? size_text(context.layout.projection_entries) : ""},
       {"inputs_now", advances ? "now" : "inputs"},
-      {"since_start", context.options.scalar == "float" ? "static_cast<float>(state.t - start)" : "state.t - start"},
+      {"since_start",
+       context.options.scalar == Scalar::floats ? "static_cast<float>(state.t - start)" : "state.t - start"},
       {"start", context.options.initial ? start_rows(*context.options.initial, context.options.scalar) : FrameRows{}},
       {"start_charts", context.options.initial ? start_charts(*context.options.initial, context.options.scalar) : ""}};
   values.merge(system_values(context, members, context.options.scalar));

@@ -61,22 +61,21 @@ std::vector<int> drive_coordinates(const EmitContext& context) {
 }
 
 /// Place of each parameter or input in its struct, for messages on values that are not finite.
-std::string member_table(const std::string& scalar, const std::string& structure, const std::string& name,
-                         const Items& members) {
-  return table(scalar, structure + "::*" + name, member_places(structure, members), "nullptr");
+std::string member_table(Scalar scalar, const std::string& structure, const std::string& name, const Items& members) {
+  return table(name_of(scalar), structure + "::*" + name, member_places(structure, members), "nullptr");
 }
 
 /// Sum of all parameters and inputs: not finite when one of them is not.
-std::string argument_sum(const SolverNames& names, const std::string& scalar) {
+std::string argument_sum(const SolverNames& names, Scalar scalar) {
   Items terms;
   for (const std::string& name : names.parameters) terms.push_back("parameters." + name);
   for (const std::string& name : names.inputs) terms.push_back("inputs." + name);
-  if (terms.empty()) terms.push_back(is_number(scalar) ? number_text(0, scalar) : scalar + "{}");
+  if (terms.empty()) terms.push_back(is_number(scalar) ? number_text(0, scalar) : std::string(name_of(scalar)) + "{}");
   return wrapped_statement("    return " + joined(terms, " + ") + ";");
 }
 
 /// Taylor polynomial of an input by Horner's rule: `inputs.a + dt * (inputs.b + dt / 2.0 * inputs.c)`.
-std::string polynomial(const Model& model, const SolverNames& names, int input, int order, const std::string& scalar) {
+std::string polynomial(const Model& model, const SolverNames& names, int input, int order, Scalar scalar) {
   const std::string value = "inputs." + names.inputs[input];
   const int rate = model.inputs[input].derivative;
   if (rate < 0) return value;
@@ -87,7 +86,7 @@ std::string polynomial(const Model& model, const SolverNames& names, int input, 
 }
 
 /// Each input dt seconds after `inputs`: `member`, `value`. scalar: type of the inputs.
-FrameRows later_inputs(const Model& model, const SolverNames& names, const std::string& scalar) {
+FrameRows later_inputs(const Model& model, const SolverNames& names, Scalar scalar) {
   FrameRows rows;
   for (std::size_t i = 0; i < names.inputs.size(); ++i) {
     rows.push_back({{"member", names.inputs[i]}, {"value", polynomial(model, names, static_cast<int>(i), 1, scalar)}});
@@ -98,15 +97,14 @@ FrameRows later_inputs(const Model& model, const SolverNames& names, const std::
 }  // namespace
 
 FrameValues system_member(const ShapedProgram& shaped, const std::string& type, const std::string& scope) {
-  const std::string& function = shaped.shape.function;
   const bool is_called = shaped.role != Role::outputs && shaped.role != Role::derived_constants;
   return {{"result", shaped.shape.members.empty() ? "" : shaped.shape.result},
           {"type", type},
-          {"name", function.substr(std::string_view("compute_").size())},
-          {"function", is_called ? scope + function : ""}};
+          {"name", shaped.shape.name},
+          {"function", is_called ? scope + shaped.shape.function : ""}};
 }
 
-FrameValues system_values(const EmitContext& context, const FrameRows& members, const std::string& scalar) {
+FrameValues system_values(const EmitContext& context, const FrameRows& members, Scalar scalar) {
   const SolverLayout& layout = context.layout;
   const SolverNames& names = context.names;
   Items blocks;
@@ -134,7 +132,7 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
   return {{"blocks", blocks.size()},
           {"free_directions", layout.free_directions},
           {"first_own_state", watches_states ? std::to_string(first_user_state(context.model)) : ""},
-          {"number", context.options.scalar},
+          {"number", name_of(context.options.scalar)},
           {"tolerance", number_text(context.model.solver.closure_tolerance, context.options.scalar)},
           {"alone", is_number(scalar)},
           {"frozen_only", !layout.chooses_again},
@@ -155,7 +153,7 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
           {"multiplier_place", table("int", "kMultiplierPlace", items_of(multiplier_places(context.topology)))},
           {"members", members},
           {"later_inputs", later_inputs(context.model, names, context.options.scalar)},
-          {"scalar", scalar},
+          {"scalar", name_of(scalar)},
           {"parameters_argument", names.parameters.empty() ? "/*parameters*/" : "parameters"},
           {"inputs_argument", names.inputs.empty() ? "/*inputs*/" : "inputs"},
           {"sum", argument_sum(names, scalar)}};

@@ -13,6 +13,6 @@ FrameValues system_member(const ShapedProgram& shaped, const std::string& type, 
 
 /// The members, see mbgen/blocks.hpp and mbgen/batch.hpp. members: rows of each program, as above; scalar: type of its
 /// values.
-FrameValues system_values(const EmitContext& context, const FrameRows& members, const std::string& scalar);
+FrameValues system_values(const EmitContext& context, const FrameRows& members, Scalar scalar);
 
 }  // namespace mbgen

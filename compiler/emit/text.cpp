@@ -30,8 +30,8 @@ std::string shortest_text(Number value) {
 
 std::string number_text(double value) { return shortest_text(value); }
 
-std::string number_text(double value, const std::string& scalar) {
-  if (scalar != "float" || !std::isfinite(value)) return shortest_text(value);
+std::string number_text(double value, Scalar scalar) {
+  if (scalar != Scalar::floats || !std::isfinite(value)) return shortest_text(value);
   return shortest_text(static_cast<float>(value)) + "f";
 }
 
@@ -96,7 +96,7 @@ std::string array_text(const std::string& head, std::vector<std::string> items, 
   return braced_list(head + "[] = ", items, ";");
 }
 
-std::vector<std::string> number_texts(const std::vector<double>& values, const std::string& scalar) {
+std::vector<std::string> number_texts(const std::vector<double>& values, Scalar scalar) {
   return mapped(values, [&](double value) { return number_text(value, scalar); });
 }
 

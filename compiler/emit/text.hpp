@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/emit/scalar.hpp"
+
 namespace mbgen {
 
 /// Width of emitted lines.
@@ -15,8 +17,8 @@ constexpr std::size_t kLineWidth = 100;
 /// 1e-07. Negative ones without parentheses. Infinities and NaN become <cmath> expressions.
 std::string number_text(double value);
 
-/// The same as a literal of a scalar type: for "float" the shortest that reads back as the nearest float, 0.1f.
-std::string number_text(double value, const std::string& scalar);
+/// The same as a literal of a scalar type: of floats the shortest that reads back as the nearest float, 0.1f.
+std::string number_text(double value, Scalar scalar);
 
 /// A number, "" for none.
 std::string number_or_none(const std::optional<double>& number);
@@ -46,7 +48,7 @@ std::string braced_list(const std::string& head, const std::vector<std::string>&
 std::string array_text(const std::string& head, std::vector<std::string> items, const std::string& filler);
 
 /// Numbers as literals of a scalar type.
-std::vector<std::string> number_texts(const std::vector<double>& values, const std::string& scalar = "double");
+std::vector<std::string> number_texts(const std::vector<double>& values, Scalar scalar = Scalar::doubles);
 
 /// Places of the members of a struct, for an array of pointers to them: "&Inputs::torque".
 std::vector<std::string> member_places(const std::string& structure, const std::vector<std::string>& members);

@@ -27,7 +27,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
 
 /// 1 for every rotation on which accelerations or closures depend, else 0; "" if there is none. Nothing depends on the
 /// rotation of axisymmetric wheels.
-std::string turning_table(const EmitContext& context, const std::string& scalar);
+std::string turning_table(const EmitContext& context, Scalar scalar);
 
 /// The legend below the banner: tree, loops and names, to read beside the equations.
 std::string legend_text(const EmitContext& context);

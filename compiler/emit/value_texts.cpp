@@ -66,17 +66,18 @@ void ValueTexts::reserve_names() {
   for (const auto& [group, place] : shape_.inputs) {
     for (const std::string& local : place.locals) names_.reserve(local);
   }
-  for (const char* name : {"result", "fma", "fms", "fnma", kPairType}) names_.reserve(name);
+  for (const char* name : {"result", "fma", "fms", "fnma", mbgen::name_of(Scalar::pairs)}) names_.reserve(name);
   if (schedule_.has_loops()) names_.reserve("k");
 }
 
 CrossingStruct& ValueTexts::add_crossing() {
-  return crossing_.emplace_back(CrossingStruct{names_.unique(fmt::format("w{}", crossing_.size() + 1))});
+  const int number = static_cast<int>(crossing_.size()) + 1;
+  return crossing_.emplace_back(CrossingStruct{names_.unique(fmt::format("w{}", number)), number});
 }
 
 void ValueTexts::declare_crossing() {
   if (schedule_.has_loops())
-    add_crossing().places = {{shape_.scalar, {fmt::format("value[{}]", std::max(schedule_.stored, 1))}}};
+    add_crossing().places = {{type_text(shape_), {fmt::format("value[{}]", std::max(schedule_.stored, 1))}}};
   const auto places = static_cast<std::size_t>(schedule_.places);
   for (std::size_t first = 0; first < places; first += kPlacesTogether)
     add_crossing().places.resize(std::min(places - first, kPlacesTogether));
@@ -98,11 +99,11 @@ void ValueTexts::name_calls() {
       const std::string declared = fmt::format("{}[{}]", array, calls[c].entries);
       if (crossing_calls.contains(static_cast<int>(c))) {
         CrossingStruct& home = crossing_.back();
-        home.places.push_back({shape_.scalar, {declared}});
+        home.places.push_back({type_text(shape_), {declared}});
         names.work.insert(home.argument);
         array = home.argument + "." + array;
       } else {
-        names.declaration += (names.declaration.empty() ? shape_.scalar + " " : ", ") + declared;
+        names.declaration += (names.declaration.empty() ? type_text(shape_) + " " : ", ") + declared;
       }
     }
     call_names_.push_back(names);
@@ -185,7 +186,7 @@ Phrase ValueTexts::constants_phrase(const Slices& values) {
     return program_.nodes[v].constant == first.constant && program_.nodes[v].label == first.label;
   };
   if (std::ranges::all_of(values, is_first)) return constant_phrase(constant_text(program_, first, shape_));
-  return {tables_.item(shape_.scalar, "kConstants", mapped(values, text_of)), Binding::primary};
+  return {tables_.item(type_text(shape_), "kConstants", mapped(values, text_of)), Binding::primary};
 }
 
 Phrase ValueTexts::phrase_of(const ScheduledUnit& unit, const Slices& values, PartText& part) {
@@ -194,7 +195,7 @@ Phrase ValueTexts::phrase_of(const ScheduledUnit& unit, const Slices& values, Pa
   if (node.op == Op::constant) return constants_phrase(values);
   if (node.op == Op::input) return input_phrase(values, part);
   if (is_constant_pair(program_, node))
-    return operation_phrase(type_of(v), node.op, constants_phrase({node.operands[0]}),
+    return operation_phrase(scalar_of(v), node.op, constants_phrase({node.operands[0]}),
                             constants_phrase({node.operands[1]}), {});
   if (place_in_call(v).call >= 0) return result_phrase(v, part);
   if (schedule_.has_loops() && !schedule_.is_local(unit, values)) return {stored_place(values, part), Binding::primary};
@@ -207,11 +208,11 @@ Phrase ValueTexts::compose(const ScheduledUnit& unit, ValueId v, PartText& part)
   Phrase operands[3];
   for (int k = 0; k < arity(node.op); ++k)
     operands[k] = phrase_of(unit, schedule_.operands_of(unit, facts(v).offset, k), part);
-  return operation_phrase(type_of(v), node.op, operands[0], operands[1], operands[2]);
+  return operation_phrase(scalar_of(v), node.op, operands[0], operands[1], operands[2]);
 }
 
 std::string ValueTexts::number(const std::string& text) const {
-  return (!is_number(shape_.scalar) ? shape_.scalar + "{} + " : "") + text;
+  return (!is_number(shape_.scalar) ? type_text(shape_) + "{} + " : "") + text;
 }
 
 std::string ValueTexts::name_of(ValueId v) {

@@ -32,8 +32,9 @@ class ValueTexts {
   /// Begins a part: copies of inputs and tables of other parts are not visible.
   void start_part(const PlaceRange& range);
 
-  /// The type of a value.
-  std::string type_of(ValueId v) const { return widths_[v] == 2 ? kPairType : shape_.scalar; }
+  /// The type of a value, and its name.
+  Scalar scalar_of(ValueId v) const { return widths_[v] == 2 ? Scalar::pairs : shape_.scalar; }
+  std::string type_of(ValueId v) const { return widths_[v] == 2 ? mbgen::name_of(Scalar::pairs) : type_text(shape_); }
   const ScheduledValue& facts(ValueId v) const { return schedule_.value[v]; }
   const ArrayPlace& place_in_call(ValueId v) const { return schedule_.calls.place[v]; }
   const CallNames& call_names(int call) const { return call_names_[static_cast<std::size_t>(call)]; }

@@ -27,8 +27,8 @@ struct FmuFiles {
 
 /// programs: after the passes, with all that depends on parameters; emitted: as they are emitted. initial: the model's,
 /// loops closed.
-FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model& model, const Topology& topology,
-                  const Analysis& analysis, const InitialState& initial, FmiVersion version);
+FmuFiles emit_fmu(const Programs& programs, const WrittenPrograms& emitted, const Model& model,
+                  const Topology& topology, const Analysis& analysis, const InitialState& initial, FmiVersion version);
 
 /// Name of an input, parameter or output in an FMU: its own name, or with a prefix where that is taken: `time` is the
 /// independent variable.

@@ -127,8 +127,8 @@ std::vector<EmittedFile> standard_headers(FmiVersion version) {
 
 }  // namespace
 
-FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model& model, const Topology& topology,
-                  const Analysis& analysis, const InitialState& initial, FmiVersion version) {
+FmuFiles emit_fmu(const Programs& programs, const WrittenPrograms& emitted, const Model& model,
+                  const Topology& topology, const Analysis& analysis, const InitialState& initial, FmiVersion version) {
   const EmitContext context(emitted, model, topology, analysis, {.initial = initial});
   const std::string& solver = context.names.solver;
   const FmuLayout fmu = fmu_layout(context, programs, initial, version);

@@ -10,8 +10,8 @@
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/linearisation/linear_system.hpp"
 #include "compiler/model/model.hpp"
+#include "compiler/solver/programs.hpp"
 #include "compiler/topology/topology.hpp"
-#include "compiler/trace/trace.hpp"
 
 namespace mbgen {
 

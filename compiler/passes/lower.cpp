@@ -20,76 +20,95 @@ void run_on(std::span<Program* const> programs, OnProgram run) {
 }
 
 template <OnProgram run>
-Programs on_each(Programs programs) {
-  run_on(solver_programs(programs), run);
-  return programs;
+WholePrograms on_each(WholePrograms whole, const AlikeInputs&) {
+  run_on(solver_programs(whole), run);
+  return whole;
 }
 
 /// The same of the accelerations alone, where a pass takes longer than it gains in programs that run less often.
 template <OnProgram run>
-Programs on_accelerations(Programs programs) {
-  run_on(std::array{&programs.accelerations, &programs.around_laws}, run);
-  return programs;
+WholePrograms on_accelerations(WholePrograms whole, const AlikeInputs&) {
+  run_on(std::array{&whole.programs.accelerations}, run);
+  if (whole.around_laws) run_on(std::array{&whole.around_laws->program}, run);
+  return whole;
 }
 
-/// The accelerations of the text: those around laws that elements share.
-const Program& written_accelerations(const Programs& programs) {
-  return programs.laws.empty() ? programs.accelerations : programs.around_laws;
+/// None where no pair is worth it.
+std::optional<PairedAccelerations> folded(const Program& program, bool holds_twins, bool holds_sides) {
+  if (program.outputs.empty()) return {};
+  return PairedAccelerations{remove_dead_values(program), holds_twins, holds_sides};
 }
 
 /// Left and right as pairs, or twins and then left and right of what they leave: what takes less code.
-Programs with_pairs_folded(Programs programs) {
-  const Program& program = written_accelerations(programs);
-  programs.in_pairs = remove_dead_values(fold_pairs(program, programs.mirror));
-  Program twins = remove_dead_values(fold_twins(program, programs.twins));
-  if (twins.outputs.empty()) return programs;
-  Program both = remove_dead_values(fold_pairs(twins, programs.mirror));
-  if (!both.outputs.empty()) twins = std::move(both);
-  programs.holds_twins = programs.in_pairs.outputs.empty() || size_of_code(twins) < size_of_code(programs.in_pairs);
-  if (programs.holds_twins) programs.in_pairs = std::move(twins);
-  return programs;
+WholePrograms with_pairs_folded(WholePrograms whole, const AlikeInputs& alike) {
+  const Program& program = whole.accelerations_of_text();
+  whole.in_pairs = folded(fold_pairs(program, alike.mirror), false, true);
+  auto twins = folded(fold_twins(program, alike.twins), true, false);
+  if (!twins) return whole;
+  if (auto both = folded(fold_pairs(twins->program, alike.mirror), true, true)) twins = std::move(both);
+  if (!whole.in_pairs || size_of_code(twins->program) < size_of_code(whole.in_pairs->program))
+    whole.in_pairs = std::move(twins);
+  return whole;
 }
 
 /// Pairs that do not pay leave no trace.
-Programs with_pairs_that_pay(Programs programs) {
-  if (programs.in_pairs.outputs.empty()) return programs;
-  const double most = kWorthPairs * static_cast<double>(size_of_code(written_accelerations(programs)));
-  if (static_cast<double>(size_of_code(programs.in_pairs)) > most) programs.in_pairs = {};
-  return programs;
+WholePrograms with_pairs_that_pay(WholePrograms whole, const AlikeInputs&) {
+  if (!whole.in_pairs) return whole;
+  const double most = kWorthPairs * static_cast<double>(size_of_code(whole.accelerations_of_text()));
+  if (static_cast<double>(size_of_code(whole.in_pairs->program)) > most) whole.in_pairs.reset();
+  return whole;
 }
 
-Programs with_derived_constants(Programs programs) {
-  programs.derived_constants = take_out_derived(solver_programs(programs), Array::par, "derived_constants");
-  return programs;
+WrittenPrograms with_derived_constants_of_text(WrittenPrograms written) {
+  written.programs.derived_constants =
+      take_out_derived(solver_programs(written), Array::par, name_of(Role::derived_constants));
+  return with_numbers_of_pairs(std::move(written));
 }
 
-constexpr Pass kPasses[] = {
-    {"dead-values", "values that no output needs taken out", Lowered::whole, on_each<remove_dead_values>},
-    {"equal-values", "values that are equal by algebra merged", Lowered::whole, on_each<merge_equal_values>},
-    {"shorter-forms", "accelerations: values written as one operation on others", Lowered::whole,
-     on_accelerations<write_shorter_forms>},
-    {"divisions", "divisions by one value merged", Lowered::whole, on_each<merge_divisions>},
-    {"pairs", "left and right of a mirror, or twins, in two lanes", Lowered::whole, with_pairs_folded},
-    {"sums", "sums factored", Lowered::whole, on_each<factor_sums>},
-    {"optimised", "sums of what that left factored", Lowered::whole, on_each<factor_sums>},
-    {"equal-sums", "equal values of what that left merged", Lowered::whole, on_each<merge_equal_values>},
-    {"shorter-sums", "accelerations: values of what that left written shorter", Lowered::whole,
-     on_accelerations<write_shorter_forms>},
-    {"pairs-kept", "pairs left out that do not pay", Lowered::whole, with_pairs_that_pay},
-    {"derived-constants", "what depends on parameters alone taken out", Lowered::lean, with_derived_constants},
-    {"contraction", "products taken into sums, rounded once", Lowered::emitted, on_each<contract>},
+WrittenPrograms contracted(WrittenPrograms written) {
+  run_on(solver_programs(written), contract);
+  return with_numbers_of_pairs(std::move(written));
+}
+
+constexpr WholePass kWholePasses[] = {
+    {"dead-values", on_each<remove_dead_values>},
+    {"equal-values", on_each<merge_equal_values>},
+    {"shorter-forms", on_accelerations<write_shorter_forms>},
+    {"divisions", on_each<merge_divisions>},
+    {"pairs", with_pairs_folded},  // before sums, which factor left and right apart
+    {"sums", on_each<factor_sums>},
+    {"optimised", on_each<factor_sums>},  // sums of what that left
+    {"equal-sums", on_each<merge_equal_values>},
+    {"shorter-sums", on_accelerations<write_shorter_forms>},
+    {"pairs-kept", with_pairs_that_pay},
+};
+
+constexpr WrittenPass kWrittenPasses[] = {
+    {"derived-constants", with_derived_constants_of_text},
+    {"contraction", contracted},
 };
 
 }  // namespace
 
-std::span<const Pass> passes() { return kPasses; }
+std::span<const WholePass> whole_passes() { return kWholePasses; }
+
+std::span<const WrittenPass> written_passes() { return kWrittenPasses; }
+
+WholePrograms optimise(WholePrograms whole, const AlikeInputs& alike) {
+  for (const WholePass& pass : kWholePasses) whole = pass.run(std::move(whole), alike);
+  return whole;
+}
 
 Program optimise(const Program& program) {
-  Programs programs;
-  programs.accelerations = program;
-  for (const Pass& pass : kPasses)
-    if (pass.result == Lowered::whole) programs = pass.run(std::move(programs));
-  return std::move(programs.accelerations);
+  WholePrograms whole;
+  whole.programs.accelerations = program;
+  return optimise(std::move(whole)).programs.accelerations;
+}
+
+Programs with_derived_constants(Programs programs) {
+  programs.derived_constants =
+      take_out_derived(solver_programs(programs), Array::par, name_of(Role::derived_constants));
+  return programs;
 }
 
 }  // namespace mbgen

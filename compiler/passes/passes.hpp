@@ -65,25 +65,28 @@ Program take_out_derived(std::span<Program* const> programs, SlotGroup group, co
 ///   %3 = mul %0 %1; %4 = sub %2 %3   =>   %3 = submul %2 %0 %1
 Program contract(const Program& program);
 
-/// How far programs are from the emitted ones.
-enum class Lowered {
-  whole,   ///< every value follows from the inputs: derivatives are taken here
-  lean,    ///< without values of tunable parameters alone: operations are counted here
-  emitted  ///< rounded and ordered as the C++ text is
+/// One pass over all programs of a solver. run: pure.
+struct WholePass {
+  const char* name;  ///< of the stage: --dump=NAME
+  WholePrograms (*run)(WholePrograms, const AlikeInputs&);
+};
+struct WrittenPass {
+  const char* name;
+  WrittenPrograms (*run)(WrittenPrograms);
 };
 
-/// One pass over all programs of a solver.
-struct Pass {
-  const char* name;           ///< of the stage: --dump=NAME
-  const char* effect;         ///< in words
-  Lowered result;             ///< state of the programs after it
-  Programs (*run)(Programs);  ///< pure
-};
+/// The two lists are the architecture: every decision about a program before it is arranged into functions. Derivatives
+/// are taken of whole programs, written ones are rounded and ordered as the C++ text is.
+std::span<const WholePass> whole_passes();
+std::span<const WrittenPass> written_passes();
 
-/// The list is the architecture: every decision about a program before it is arranged into functions.
-std::span<const Pass> passes();
-
-/// The passes that leave programs whole, on one program.
+/// The passes of whole programs on all of them, without a word.
+WholePrograms optimise(WholePrograms whole, const AlikeInputs& alike = {});
+/// The same on one program.
 Program optimise(const Program& program);
+
+/// The programs without values of tunable parameters alone, which become the derived constants: what runs is counted
+/// so.
+Programs with_derived_constants(Programs programs);
 
 }  // namespace mbgen

@@ -20,6 +20,11 @@ void verify_slot(const ProgramSpec& spec, const std::vector<Array>& allowed, con
     throw std::logic_error(fmt::format("program {}: {} is not in its spec", spec.name, text_of(slot)));
 }
 
+void verify(const ProgramSpec& spec, const Program& program) {
+  for (const Slot& slot : program.inputs) verify_slot(spec, spec.inputs, slot);
+  for (const OutputValue& output : program.outputs) verify_slot(spec, spec.outputs, output.slot);
+}
+
 }  // namespace
 
 const char* name_of(Form form) { return form == Form::matrix ? "matrix" : "recursive"; }
@@ -69,13 +74,24 @@ const Program& program_of(const Programs& programs, Role role) {
 }
 
 std::vector<Program*> solver_programs(Programs& programs) {
-  std::vector<Program*> list = {
-      &programs.accelerations, &programs.closure, &programs.closure_terms, &programs.accelerations_chosen,
-      &programs.multipliers,   &programs.outputs, &programs.sampled,       &programs.ground_places,
-      &programs.tangents,      &programs.changes};
-  if (!programs.laws.empty()) list.push_back(&programs.around_laws);
-  if (!programs.in_pairs.outputs.empty()) list.push_back(&programs.in_pairs);
-  for (SharedLaw& law : programs.laws) list.push_back(&law.program);
+  return {&programs.accelerations, &programs.closure, &programs.closure_terms, &programs.accelerations_chosen,
+          &programs.multipliers,   &programs.outputs, &programs.sampled,       &programs.ground_places,
+          &programs.tangents,      &programs.changes};
+}
+
+std::vector<Program*> solver_programs(WholePrograms& whole) {
+  std::vector<Program*> list = solver_programs(whole.programs);
+  if (whole.in_pairs) list.push_back(&whole.in_pairs->program);
+  if (!whole.around_laws) return list;
+  list.push_back(&whole.around_laws->program);
+  for (SharedLaw& law : whole.around_laws->laws) list.push_back(&law.program);
+  return list;
+}
+
+std::vector<Program*> solver_programs(WrittenPrograms& written) {
+  std::vector<Program*> list = solver_programs(written.programs);
+  if (written.in_pairs) list.front() = &written.in_pairs->program;
+  for (SharedLaw& law : written.laws) list.push_back(&law.program);
   return list;
 }
 
@@ -86,52 +102,42 @@ int argument_place(const SharedLaw& law, std::size_t argument, std::size_t eleme
   return static_cast<int>(place + (law.arguments[argument].is_common ? 0 : element));
 }
 
-Programs with_shared_laws(Programs programs) {
-  if (!programs.laws.empty()) programs.accelerations = std::exchange(programs.around_laws, {});
-  return programs;
+WrittenPrograms written(const WholePrograms& whole) {
+  WrittenPrograms text{whole.programs, {}, whole.in_pairs};
+  text.programs.accelerations = whole.accelerations_of_text();
+  if (whole.around_laws) text.laws = whole.around_laws->laws;
+  return text;
 }
 
-Programs without_shared_laws(Programs programs) {
-  programs.around_laws = {};
-  programs.in_pairs = {};
-  programs.laws.clear();
-  return programs;
+WrittenPrograms with_numbers_of_pairs(WrittenPrograms written) {
+  if (written.in_pairs) written.programs.accelerations = unfolded(written.in_pairs->program);
+  return written;
 }
 
-Programs with_pairs(Programs programs) {
-  if (!programs.in_pairs.outputs.empty()) programs.accelerations = std::exchange(programs.in_pairs, {});
-  return programs;
-}
-
-Programs with_pairs_apart(Programs programs) {
-  if (!has_pairs(programs.accelerations)) return programs;
-  programs.in_pairs = std::move(programs.accelerations);
-  programs.accelerations = unfolded(programs.in_pairs);
-  return programs;
-}
-
-std::vector<const Program*> all_programs(const Programs& programs) {
+std::vector<const Program*> all_programs(const Programs& programs, const std::vector<SharedLaw>& laws) {
   std::vector<const Program*> list;
   for (const ProgramSpec& spec : program_specs()) {
     const Program& program = program_of(programs, spec.role);
     if (!program.outputs.empty()) list.push_back(&program);
   }
-  for (const SharedLaw& law : programs.laws) list.push_back(&law.program);
+  for (const SharedLaw& law : laws) list.push_back(&law.program);
   return list;
 }
 
-Programs verified(Programs programs) {
-  for (const ProgramSpec& spec : program_specs()) {
-    const Program& program = program_of(programs, spec.role);
-    for (const Slot& slot : program.inputs) verify_slot(spec, spec.inputs, slot);
-    for (const OutputValue& output : program.outputs) verify_slot(spec, spec.outputs, output.slot);
-  }
-  for (const SharedLaw& law : programs.laws) {
-    const ProgramSpec spec{Role::accelerations, law.program.name.c_str(), {Array::law_argument}, {Array::law_result}};
-    for (const Slot& slot : law.program.inputs) verify_slot(spec, spec.inputs, slot);
-    for (const OutputValue& output : law.program.outputs) verify_slot(spec, spec.outputs, output.slot);
-  }
-  return programs;
+std::vector<const Program*> all_programs(const WholePrograms& whole) {
+  return whole.around_laws ? all_programs(whole.programs, whole.around_laws->laws) : all_programs(whole.programs);
+}
+
+std::vector<const Program*> all_programs(const WrittenPrograms& written) {
+  return all_programs(written.programs, written.laws);
+}
+
+WrittenPrograms verified(WrittenPrograms written) {
+  for (const ProgramSpec& spec : program_specs()) verify(spec, program_of(written.programs, spec.role));
+  if (written.in_pairs) verify(spec_of(Role::accelerations), written.in_pairs->program);
+  for (const SharedLaw& law : written.laws)
+    verify({Role::accelerations, law.program.name.c_str(), {Array::law_argument}, {Array::law_result}}, law.program);
+  return written;
 }
 
 }  // namespace mbgen

@@ -3,6 +3,7 @@
 // passes rewrite them, emit writes them, linearisation and FMUs differentiate them.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -80,20 +81,47 @@ struct TwinInput {
   Slot slot, twin;
 };
 
-/// Programs that a model does not need are empty.
-struct Programs {
-  Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, sampled, ground_places,
-      tangents, changes, derived_constants;
-  Program around_laws;  ///< `accelerations` without the laws that elements share; empty where they share none
-  std::vector<SharedLaw> laws;
-  /// The accelerations, without shared laws if there are any, with left and right, or with twins, as pairs; empty if
-  /// this does not pay.
-  Program in_pairs;
+/// Inputs of the accelerations that belong to parts of the mechanism which are alike.
+struct AlikeInputs {
   /// Images of inputs under a mirror of the mechanism; empty if it has none.
   std::vector<MirroredInput> mirror;
   std::vector<TwinInput> twins;  ///< inputs of parts that are equal, each pair once
-  bool holds_twins = false;      ///< whether lanes of `in_pairs` hold twins, not left and right
-  Form form = Form::recursive;   ///< of `accelerations` and `accelerations_chosen`
+};
+
+/// One program per role; a program that the model does not need is empty.
+struct Programs {
+  Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, sampled, ground_places,
+      tangents, changes, derived_constants;
+  Form form = Form::recursive;  ///< of `accelerations` and `accelerations_chosen`
+};
+
+/// Accelerations without the laws that elements share, and these laws.
+struct AroundLaws {
+  Program program;
+  std::vector<SharedLaw> laws;
+};
+
+/// Accelerations with left and right, or twins, or both, as pairs.
+struct PairedAccelerations {
+  Program program;
+  bool holds_twins = false, holds_sides = false;  ///< what its lanes hold: one of them, or both
+};
+
+/// Programs in which every value follows from the inputs, and other spellings of the accelerations for the text.
+struct WholePrograms {
+  Programs programs;
+  std::optional<AroundLaws> around_laws;        ///< where elements share laws
+  std::optional<PairedAccelerations> in_pairs;  ///< of accelerations_of_text, if it pays
+
+  /// The accelerations as a text has them, number by number.
+  const Program& accelerations_of_text() const { return around_laws ? around_laws->program : programs.accelerations; }
+};
+
+/// Programs as they are written: without values of tunable parameters alone, which are the derived constants.
+struct WrittenPrograms {
+  Programs programs;                 ///< of numbers; the accelerations around the laws
+  std::vector<SharedLaw> laws = {};  ///< that elements share
+  std::optional<PairedAccelerations> in_pairs = {};
 };
 
 Program& program_of(Programs& programs, Role role);
@@ -101,21 +129,23 @@ const Program& program_of(const Programs& programs, Role role);
 
 /// The programs that a solver runs: all but the derived constants.
 std::vector<Program*> solver_programs(Programs& programs);
+/// The same with all other spellings of the accelerations and the laws.
+std::vector<Program*> solver_programs(WholePrograms& whole);
+/// The programs of a text: the accelerations in pairs if there are any, and the laws.
+std::vector<Program*> solver_programs(WrittenPrograms& written);
 
-/// The programs with `around_laws` in place of the accelerations, if there is one.
-Programs with_shared_laws(Programs programs);
-/// The same programs without shared laws and without pairs.
-Programs without_shared_laws(Programs programs);
+/// The programs as a text has them, their accelerations without pairs that do not pay.
+WrittenPrograms written(const WholePrograms& whole);
 
-/// The programs with `in_pairs` in place of the accelerations, if there is one.
-Programs with_pairs(Programs programs);
-/// The same programs with paired accelerations moved to `in_pairs`, and split into single numbers as the accelerations.
-Programs with_pairs_apart(Programs programs);
+/// Sets the accelerations number by number from the pairs, if there are any.
+WrittenPrograms with_numbers_of_pairs(WrittenPrograms written);
 
-/// Every program with outputs except `around_laws`.
-std::vector<const Program*> all_programs(const Programs& programs);
+/// Every program with outputs, one a role, then the laws that elements share.
+std::vector<const Program*> all_programs(const Programs& programs, const std::vector<SharedLaw>& laws = {});
+std::vector<const Program*> all_programs(const WholePrograms& whole);
+std::vector<const Program*> all_programs(const WrittenPrograms& written);
 
 /// The programs themselves if they conform to their specs. Fails: std::logic_error with program and slot.
-Programs verified(Programs programs);
+WrittenPrograms verified(WrittenPrograms written);
 
 }  // namespace mbgen

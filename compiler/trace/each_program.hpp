@@ -2,6 +2,9 @@
 // The programs of a solver one by one, each in the frames and by the rows of a form. Inside the trace room, and for
 // whoever counts what a choice costs.
 
+#include <optional>
+#include <vector>
+
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/formulation/recursion/recursion_units.hpp"
 #include "compiler/model/model.hpp"
@@ -27,18 +30,10 @@ std::vector<MirroredInput> mirrored_inputs(const Model& model, const Topology& t
 /// Inputs of the accelerations that belong to parts of the mechanism which are equal, results of these laws among them.
 std::vector<TwinInput> twin_inputs(const Model& model, const Topology& topology, const std::vector<SharedLaw>& laws);
 
-/// The laws of tyres that have one set of coefficients, each of two or more; their programs are still empty.
-std::vector<SharedLaw> plan_shared_laws(const Model& model);
-/// Their programs. around: the accelerations traced with the planned laws; loses what it gives as numbers, and all but
-/// one of the values that an argument has for all elements.
-void trace_shared_laws(const Model& model, std::vector<SharedLaw>& laws, Program& around);
-
-/// The frozen program with the reference points of the blocks' bodies that take fewer operations, and these choices.
-struct CheapestRecursion {
-  Program program;
-  RecursionChoices choices;
-};
-CheapestRecursion cheapest_recursion(const Model& model, const Topology& topology, const Analysis& analysis);
+/// The laws of tyres that have one set of coefficients, each of two or more, and the recursive accelerations around
+/// them; none where no law has two tyres.
+std::optional<AroundLaws> trace_around_laws(const Model& model, const Topology& topology, const Analysis& analysis,
+                                            RecursionChoices choices);
 
 /// Newton correction of positions and consistent velocities by the frozen factors (60), (61).
 Program trace_closure(const Model& model, const Topology& topology, const Analysis& analysis, Form form);

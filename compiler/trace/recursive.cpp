@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "compiler/passes/passes.hpp"
 #include "compiler/trace/each_program.hpp"
 #include "compiler/trace/shared_laws.hpp"
 #include "compiler/trace/tracing.hpp"
@@ -55,39 +54,6 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
   for (std::size_t b = 0; role == Role::accelerations && b < topology.blocks.size(); ++b)
     tracing.output_pivot(b, solution.quality[b]);
   return tracing.builder.finish_in_canonical_order();
-}
-
-/// Operations of a program without its repeated values, which passes remove.
-static long operations_of(const Program& program) {
-  return count_operations(merge_equal_values(remove_dead_values(program))).total();
-}
-
-CheapestRecursion cheapest_recursion(const Model& model, const Topology& topology, const Analysis& analysis) {
-  const auto traced = [&](RecursionChoices choices) {
-    return CheapestRecursion{trace_recursive_accelerations(model, topology, analysis, Role::accelerations, choices),
-                             choices};
-  };
-  CheapestRecursion cheapest = traced({});
-  long least = operations_of(cheapest.program);
-  const auto compare = [&](RecursionChoices choices, long least_saving) {
-    CheapestRecursion other = traced(choices);
-    const long count = operations_of(other.program);
-    if (count + least_saving > least) return;
-    cheapest = std::move(other);
-    least = count;
-  };
-  if (!topology.blocks.empty()) {
-    compare({.subtrees = true, .centres = false}, 1);
-    compare({.subtrees = false, .centres = true}, 1);
-    compare({.subtrees = false, .centres = false}, 1);
-  }
-  for (bool RecursionChoices::*treatment :
-       {&RecursionChoices::outer_arms, &RecursionChoices::arm_runs, &RecursionChoices::in_plane}) {
-    RecursionChoices without = cheapest.choices;
-    without.*treatment = false;
-    compare(without, 0);  // the body's own forces keep their names
-  }
-  return cheapest;
 }
 
 }  // namespace mbgen

@@ -102,7 +102,7 @@ SharedLaw planned_law(const Model& model, std::vector<int> tyres) {
   return law;
 }
 
-/// Takes out of the program around a law what it gives as constants, and all but one of equal values.
+/// Takes out of the program around a law the arguments that are numbers, and all but one of equal values.
 void gather_constants(SharedLaw& law, SlotGroup group, Program& around) {
   const std::size_t elements = law.tyres.size();
   std::vector<ValueId> given(law.arguments.size() * elements, kNoValue);
@@ -154,17 +154,17 @@ Program traced_law(const Model& model, const SharedLaw& law) {
 
 }  // namespace
 
-std::vector<SharedLaw> plan_shared_laws(const Model& model) {
+std::optional<AroundLaws> trace_around_laws(const Model& model, const Topology& topology, const Analysis& analysis,
+                                            RecursionChoices choices) {
   std::vector<SharedLaw> laws;
   for (std::vector<int>& tyres : tyres_of_laws(model)) laws.push_back(planned_law(model, std::move(tyres)));
-  return laws;
-}
-
-void trace_shared_laws(const Model& model, std::vector<SharedLaw>& laws, Program& around) {
+  if (laws.empty()) return {};
+  Program around = trace_recursive_accelerations(model, topology, analysis, Role::accelerations, choices, laws);
   for (std::size_t k = 0; k < laws.size(); ++k) {
     gather_constants(laws[k], of_block(Array::law_argument, k), around);
     laws[k].program = traced_law(model, laws[k]);
   }
+  return AroundLaws{std::move(around), std::move(laws)};
 }
 
 detail::SharedTyreLaw<Expr> shared_tyre_law(Tracing& tracing, const std::vector<SharedLaw>& laws) {

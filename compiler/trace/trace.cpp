@@ -17,34 +17,23 @@ Form form_of(const Topology& topology, const Analysis& analysis) {
   return is_worth_writing(Form::recursive, topology, analysis) ? Form::recursive : Form::matrix;
 }
 
-Program trace_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
-  return form == Form::matrix ? trace_matrix_accelerations(model, topology, analysis, Role::accelerations)
-                              : cheapest_recursion(model, topology, analysis).program;
-}
-
-Programs trace(const Model& model, const Topology& topology, const Analysis& analysis, std::optional<Form> form) {
-  Programs programs;
-  programs.form = form.value_or(form_of(topology, analysis));
+WholePrograms trace(const Model& model, const Topology& topology, const Analysis& analysis,
+                    std::optional<TracedRecursion> recursion) {
+  WholePrograms whole;
+  Programs& programs = whole.programs;
+  programs.form = recursion ? Form::recursive : Form::matrix;
   const bool chooses = (!topology.loops.empty() || !topology.balls.empty()) && chooses_again(topology);
   // The frozen and the chosen partition are in one form, so that both are the same equations.
-  if (programs.form == Form::matrix) {
+  if (recursion) {
+    programs.accelerations = std::move(recursion->program);
+    if (chooses)
+      programs.accelerations_chosen =
+          trace_recursive_accelerations(model, topology, analysis, Role::accelerations_chosen, recursion->choices);
+    whole.around_laws = trace_around_laws(model, topology, analysis, recursion->choices);
+  } else {
     programs.accelerations = trace_matrix_accelerations(model, topology, analysis, Role::accelerations);
     if (chooses)
       programs.accelerations_chosen = trace_matrix_accelerations(model, topology, analysis, Role::accelerations_chosen);
-  } else {
-    auto [program, choices] = cheapest_recursion(model, topology, analysis);
-    programs.accelerations = std::move(program);
-    if (chooses)
-      programs.accelerations_chosen =
-          trace_recursive_accelerations(model, topology, analysis, Role::accelerations_chosen, choices);
-    programs.laws = plan_shared_laws(model);
-    programs.mirror = mirrored_inputs(model, topology, programs.laws);
-    programs.twins = twin_inputs(model, topology, programs.laws);
-    if (!programs.laws.empty()) {
-      programs.around_laws =
-          trace_recursive_accelerations(model, topology, analysis, Role::accelerations, choices, programs.laws);
-      trace_shared_laws(model, programs.laws, programs.around_laws);
-    }
   }
   programs.closure = trace_closure(model, topology, analysis, programs.form);
   if (!topology.loops.empty()) programs.closure_terms = trace_closure_terms(model, topology, analysis, programs.form);
@@ -58,7 +47,13 @@ Programs trace(const Model& model, const Topology& topology, const Analysis& ana
     programs.tangents = std::move(tangents);
     programs.changes = std::move(changes);
   }
-  return programs;
+  return whole;
+}
+
+AlikeInputs alike_inputs(const Model& model, const Topology& topology, const WholePrograms& whole) {
+  if (whole.programs.form == Form::matrix) return {};
+  const std::vector<SharedLaw> laws = whole.around_laws ? whole.around_laws->laws : std::vector<SharedLaw>();
+  return {mirrored_inputs(model, topology, laws), twin_inputs(model, topology, laws)};
 }
 
 }  // namespace mbgen

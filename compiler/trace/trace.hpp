@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "compiler/analysis/analysis.hpp"
+#include "compiler/formulation/recursion/recursion_units.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/solver/programs.hpp"
 #include "compiler/topology/topology.hpp"
@@ -18,10 +19,19 @@ bool is_worth_writing(Form form, const Topology& topology, const Analysis& analy
 /// many directions that the recursive form grows beyond it.
 Form form_of(const Topology& topology, const Analysis& analysis);
 
-/// The accelerations alone, with the frozen partition.
-Program trace_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
+/// The accelerations of the recursive form with the frozen partition, and the choices that they are made by.
+struct TracedRecursion {
+  Program program;
+  RecursionChoices choices;
+};
 
-/// Traces every program (theory.md sections 1 to 5). form: of both programs of accelerations, none for form_of.
-Programs trace(const Model& model, const Topology& topology, const Analysis& analysis, std::optional<Form> form = {});
+/// Traces every program (theory.md sections 1 to 5): in the recursive form where its accelerations are given, which
+/// compiler/choose knows, else in the matrix form.
+WholePrograms trace(const Model& model, const Topology& topology, const Analysis& analysis,
+                    std::optional<TracedRecursion> recursion);
+
+/// Inputs of the accelerations that belong to alike parts, results of their shared laws among them; none of the matrix
+/// form, which is not written in pairs.
+AlikeInputs alike_inputs(const Model& model, const Topology& topology, const WholePrograms& whole);
 
 }  // namespace mbgen

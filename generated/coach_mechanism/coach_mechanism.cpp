@@ -68,6 +68,7 @@
 //   pivot of a coordinate: of its column of the closure Jacobian (60), or of its free direction (63)
 //   J entry of the closure Jacobian; Rz projection (61); zdd_star accelerations at zero free ones (62)
 //   s8_12 the 12th value without a name of step 8
+//   a number without a name follows from several of the model, as an inertia about the origin, or bounds a pivot
 //
 // Pairs: values of a left and a right side, or of two equal parts, that do the same operations, one in each lane. The
 // second lane holds the mirror image of its side's value, or that of the other part: of (a)_and_(b) the first lane is
@@ -85,8 +86,8 @@
 
 #include <cmath>
 
-// Compiled with -DMBGEN_PART=0 this file is what runs at every step, with 1 to 1 programs that run rarely; the
-// 2 objects together are the solver. Compiled without MBGEN_PART it is the whole solver.
+// Compiled with -DMBGEN_PART=0 this file is what runs at every step, with -DMBGEN_PART=1 programs that run
+// rarely; the 2 objects together are the solver. Compiled without MBGEN_PART it is the whole solver.
 #ifdef MBGEN_PART
 #define MBGEN_IS_PART(part) (MBGEN_PART == part)
 #define MBGEN_BETWEEN_PARTS inline namespace between_parts
@@ -513,7 +514,7 @@ struct AccelerationsWork6 {
       sines[22], cosines[22];
 };
 
-/// Part 1 of compute_accelerations: ; step 1: poses and axes b; step 2: closure Jacobian Phi_z and
+/// Part 1 of compute_accelerations: step 1: poses and axes b; step 2: closure Jacobian Phi_z and
 /// its factors (60), long_rod_left .. arb_link_rear_right; step 4: velocities; step 6: c and dRz/dt
 /// zd (62), long_rod_left .. arb_link_rear_right; step 9: accelerations from the root to the leaves
 /// (63), (62).

@@ -14,7 +14,7 @@
 // every other body in its own axes. The origin of a body is the point of its joint.
 //
 // Names, followed by body, coordinate, loop or element:
-//   m mass, h first moments, K second moments about the origin; c centre of mass, I inertia about it
+//   m mass, h first moments about the origin; c centre of mass, I inertia about it
 //   p_<coordinate> origin of a body from that of the body before it; p_<body>_<point> a point from its body's
 //     origin; l length, g gravity: numbers of the model, or what its parameters make of them
 //   l0 z0 free length, free coordinate, k stiffness, d damping, f0 preload of an element; its other numbers by their
@@ -25,6 +25,7 @@
 //   pivot of a coordinate: of its column of the closure Jacobian (60), or of its free direction (63)
 //   J entry of the closure Jacobian; Rz projection (61); zdd_star accelerations at zero free ones (62)
 //   s8_12 the 12th value without a name of step 8
+//   a number without a name follows from several of the model, as an inertia about the origin, or bounds a pivot
 
 #include "four_bar.hpp"
 

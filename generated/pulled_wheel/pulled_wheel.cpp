@@ -26,6 +26,7 @@
 //   pivot of a coordinate: of its column of the closure Jacobian (60), or of its free direction (63)
 //   J entry of the closure Jacobian; Rz projection (61); zdd_star accelerations at zero free ones (62)
 //   s8_12 the 12th value without a name of step 8
+//   a number without a name follows from several of the model, as an inertia about the origin, or bounds a pivot
 
 #include "pulled_wheel.hpp"
 

@@ -209,6 +209,21 @@ TEST_F(CommandLine, DumpsEveryStageAndNothingElse) {
   EXPECT_EQ(leftovers(), Names{"four_bar.json"});
 }
 
+// Savings of passes are of one spelling of the accelerations: laws that go into functions of their own save nothing.
+TEST_F(CommandLine, SavingsOfPassesLeadToTheOperations) {
+  const Json report = json_of("inspect '" + kSource + "/models/coach.json' --json");
+  Json last;
+  for (const Json& saving : report["savings"]) {
+    if (!saving["treatment"].get<std::string>().starts_with("pass ")) continue;
+    if (!last.is_null()) {
+      EXPECT_EQ(saving["without"], last["with"]) << saving;
+    }
+    last = saving;
+  }
+  ASSERT_FALSE(last.is_null());
+  EXPECT_EQ(last["with"], report["operations"]["accelerations"]["total"]);
+}
+
 TEST_F(CommandLine, GenerateWritesTheSolverAndListsItsFiles) {
   write("four_bar.json", kFourBar);
   const Json report = json_of("generate four_bar.json --out made/here --json");

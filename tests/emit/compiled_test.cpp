@@ -71,7 +71,7 @@ TEST_P(Emitted, timesTheStepsInADriverWithAClock) {
   const Example example = bead_on_circle();
   EXPECT_EQ(load(example, GetParam()).table()->step_ticks, nullptr);
   std::vector<EmittedFile> files = emit(example, {.runtime_headers = false});
-  files.push_back(emit_clocked_driver(example.programs, example.model, example.topology, example.analysis));
+  files.push_back(emit_clocked_driver({example.programs}, example.model, example.topology, example.analysis));
   const Loaded loaded(files, solver_name(example.model), GetParam(), "");
   ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
   const SolverTable& table = *loaded.table();

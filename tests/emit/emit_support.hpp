@@ -344,7 +344,7 @@ inline Example driven_bead() {
 }
 
 inline std::vector<EmittedFile> emit(const Example& example, const EmitOptions& options = {}) {
-  return mbgen::emit(example.programs, example.model, example.topology, example.analysis, options);
+  return mbgen::emit({example.programs}, example.model, example.topology, example.analysis, options);
 }
 
 /// Text of one of the files, "" when it is not there.

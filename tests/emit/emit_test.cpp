@@ -15,7 +15,8 @@ namespace {
 
 ProgramShape bead_shape() {
   const Example example = bead_on_circle();
-  const EmitContext context(example.programs, example.model, example.topology, example.analysis, {});
+  const WrittenPrograms written{example.programs};
+  const EmitContext context(written, example.model, example.topology, example.analysis, {});
   ProgramShape shape = shaped_programs(context).front().shape;
   shape.order = ValueOrder::by_section;
   shape.titles = {};

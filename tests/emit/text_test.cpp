@@ -17,8 +17,8 @@ namespace {
 TEST(EmittedNumbers, areShortestAndReadBackExactly) {
   EXPECT_EQ(number_text(1), "1.0");
   EXPECT_EQ(number_text(0.1), "0.1");
-  EXPECT_EQ(number_text(0.1, "float"), "0.1f");
-  EXPECT_EQ(number_text(-3.0, "float"), "-3.0f");
+  EXPECT_EQ(number_text(0.1, Scalar::floats), "0.1f");
+  EXPECT_EQ(number_text(-3.0, Scalar::floats), "-3.0f");
   EXPECT_EQ(number_text(-9.81), "-9.81");
   EXPECT_EQ(number_text(1e22), "1e+22");
   EXPECT_EQ(number_text(0.0), "0.0");
@@ -93,7 +93,7 @@ std::string expression(Build build) {
 
 TEST(EmittedExpressions, haveTheParenthesesTheyNeed) {
   const auto op = [](Op o, const Phrase& x, const Phrase& y = {}, const Phrase& z = {}) {
-    return operation_phrase("double", o, x, y, z);
+    return operation_phrase(Scalar::doubles, o, x, y, z);
   };
   using P = const Phrase&;
   EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::add, op(Op::add, a, b), c); }), "a + b + c");
@@ -115,15 +115,15 @@ TEST(EmittedExpressions, haveTheParenthesesTheyNeed) {
             "(a - b >= 0.0 ? b : c)");
   EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::sqrt, op(Op::min, a, b)); }), "std::sqrt(mbgen::min(a, b))");
   EXPECT_EQ(expression([&](P a, P, P) { return op(Op::subtract, a, constant_phrase("-2.5")); }), "a + 2.5");
-  const auto on = [](const char* scalar, Op o) { return operation_phrase(scalar, o, {"a"}, {"b"}, {"c"}).text; };
-  EXPECT_EQ(on("float", Op::select), "(a >= 0.0f ? b : c)");
-  EXPECT_EQ(on("Lanes", Op::select), "mbgen::select(a, b, c)");
-  EXPECT_EQ(on("Lanes", Op::sqrt), "mbgen::sqrt(a)");
+  const auto on = [](Scalar scalar, Op o) { return operation_phrase(scalar, o, {"a"}, {"b"}, {"c"}).text; };
+  EXPECT_EQ(on(Scalar::floats, Op::select), "(a >= 0.0f ? b : c)");
+  EXPECT_EQ(on(Scalar::lanes, Op::select), "mbgen::select(a, b, c)");
+  EXPECT_EQ(on(Scalar::lanes, Op::sqrt), "mbgen::sqrt(a)");
 }
 
 TEST(EmittedExpressions, takeSignsOfOperandsIn) {
   const auto text = [](Op op, const Phrase& x, const Phrase& y, const Phrase& z = {}) {
-    return operation_phrase("double", op, x, y, z).text;
+    return operation_phrase(Scalar::doubles, op, x, y, z).text;
   };
   const Phrase p = constant_phrase("-p"), q = constant_phrase("-q"), a{"a"}, c{"c"};
   EXPECT_EQ(text(Op::add, a, p), "a - p");

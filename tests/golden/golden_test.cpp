@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
+#include "compiler/choose/cheapest_recursion.hpp"
 #include "compiler/compile.hpp"
 #include "compiler/linearisation/groups.hpp"
-#include "compiler/trace/each_program.hpp"
 #include "mbgen/blocks.hpp"
 #include "runtime/generic/generic.hpp"
 #include "tests/support/compiled_solver.hpp"
@@ -54,7 +54,7 @@ Groups interpreted(const Compilation& compilation, const GenericState& state, co
   for (const Parameter& p : compilation.model.parameters)
     if (p.tunable) given[Array::par].push_back(p.value);
   for (const Input& input : compilation.model.inputs) given[Array::in].push_back(input.default_value);
-  const Programs& programs = compilation.programs;
+  const Programs programs = counted_programs(compilation);
   if (!programs.derived_constants.outputs.empty())
     given[Array::derived] = evaluate(programs.derived_constants, given).at(Array::derived);
   return evaluate(programs.accelerations, given);

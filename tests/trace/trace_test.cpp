@@ -1,9 +1,8 @@
 // The traced programs, interpreted, against the formulation at double run by the generic runtime.
 
-#include "compiler/trace/trace.hpp"
-
 #include <map>
 
+#include "compiler/choose/cheapest_recursion.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/trace/each_program.hpp"
 #include "runtime/generic/block_factors.hpp"
@@ -60,7 +59,7 @@ class EveryModel : public ::testing::TestWithParam<std::string> {
  protected:
   EveryModel()
       : m(with_reactions(load(GetParam()))),
-        programs(trace(m.model, m.topology, m.analysis)),
+        programs(traced_programs(m.model, m.topology, m.analysis).programs),
         solver(m.model, m.topology, m.analysis) {}
   Mechanism m;
   Programs programs;
@@ -120,9 +119,9 @@ Slots with_projections(Slots given, const std::vector<GroupProjection<double>>& 
 }
 
 /// Results of all elements of every law, from the arguments that the program around them gives.
-Slots with_law_results(const Programs& programs, const Slots& around, Slots given) {
-  for (std::size_t k = 0; k < programs.laws.size(); ++k) {
-    const SharedLaw& law = programs.laws[k];
+Slots with_law_results(const std::vector<SharedLaw>& laws, const Slots& around, Slots given) {
+  for (std::size_t k = 0; k < laws.size(); ++k) {
+    const SharedLaw& law = laws[k];
     const std::vector<double>& arguments = around.at(of_block(Array::law_argument, k));
     const std::size_t elements = law.tyres.size();
     std::vector<double>& results = given[of_block(Array::law_result, k)];
@@ -145,14 +144,16 @@ TEST(SharedLaws, AccelerationsAroundThemAreTheSame) {
   for (const char* model : {"models/coach.json", "models/truck.json", "tests/data/models/three_wheeler.json",
                             "tests/data/models/turning_three_wheeler.json"}) {
     const Mechanism m = load(model);
-    const Programs programs = trace(m.model, m.topology, m.analysis);
-    ASSERT_EQ(programs.laws.size(), 1u) << model;
-    ASSERT_EQ(programs.laws[0].tyres.size(), m.model.tyres.size());
+    const auto [programs, around_laws, in_pairs] = traced_programs(m.model, m.topology, m.analysis);
+    ASSERT_TRUE(around_laws) << model;
+    const std::vector<SharedLaw>& laws = around_laws->laws;
+    ASSERT_EQ(laws.size(), 1u) << model;
+    ASSERT_EQ(laws[0].tyres.size(), m.model.tyres.size());
     for (const GenericState& state : random_states(m, 3)) {
       Slots given = slots_of(state, random_tau(m, 13));
-      given[of_block(Array::law_result, 0)].resize(programs.laws[0].results.size() * m.model.tyres.size());
-      const Slots around = run(programs.around_laws, m, given);
-      const Slots split = run(programs.around_laws, m, with_law_results(programs, around, given));
+      given[of_block(Array::law_result, 0)].resize(laws[0].results.size() * m.model.tyres.size());
+      const Slots around = run(around_laws->program, m, given);
+      const Slots split = run(around_laws->program, m, with_law_results(laws, around, given));
       const Slots whole = run(programs.accelerations, m, given);
       EXPECT_LT(relative_error(split.at(Array::zdd), whole.at(Array::zdd)), 1e-12) << model;
       EXPECT_LT(relative_error(split.at(Array::xd), whole.at(Array::xd)), 1e-12) << model;
@@ -161,12 +162,14 @@ TEST(SharedLaws, AccelerationsAroundThemAreTheSame) {
 }
 
 TEST(SharedLaws, OneTyreAndTyresOfOtherCoefficientsHaveNone) {
-  EXPECT_TRUE(plan_shared_laws(load("models/pulled_wheel.json").model).empty());
+  const Mechanism one = load("models/pulled_wheel.json");
+  EXPECT_FALSE(trace_around_laws(one.model, one.topology, one.analysis, {}));
   Mechanism m = load("tests/data/models/three_wheeler.json");
   m.model.tyres[1].coefficients[0].value += 1;
-  const std::vector<SharedLaw> laws = plan_shared_laws(m.model);
-  ASSERT_EQ(laws.size(), 1u);
-  EXPECT_EQ(laws[0].tyres, (std::vector<int>{0, 2}));
+  const std::optional<AroundLaws> around = trace_around_laws(m.model, m.topology, m.analysis, {});
+  ASSERT_TRUE(around);
+  ASSERT_EQ(around->laws.size(), 1u);
+  EXPECT_EQ(around->laws[0].tyres, (std::vector<int>{0, 2}));
 }
 
 TEST_P(EveryModelWithLoops, AccelerationsWithAGivenPartitionEqualTheFrozenOnes) {
@@ -185,7 +188,7 @@ TEST(Trace, TheChosenPartitionAtDoubleEqualsItsProgram) {
   for (const char* path : {"models/four_bar.json", "models/pulled_wheel.json", "models/coach_mechanism.json"}) {
     SCOPED_TRACE(path);
     const Mechanism m = load(path);
-    const Program terms = trace(m.model, m.topology, m.analysis).closure_terms;
+    const Program terms = traced_programs(m.model, m.topology, m.analysis).programs.closure_terms;
     const Program program = trace_recursive_accelerations(m.model, m.topology, m.analysis, Role::accelerations_chosen);
     for (const GenericState& state : random_states(m, 3)) {
       const std::vector<double> tau = random_tau(m, 19);
@@ -254,7 +257,8 @@ TEST(Trace, RefusedMechanismsHaveTheAccelerationsOfTheIndependentSolver) {
 
 TEST(Trace, TwoRunsGiveTheSameProgram) {
   const Mechanism m = load("models/four_bar.json");
-  const Programs first = trace(m.model, m.topology, m.analysis), second = trace(m.model, m.topology, m.analysis);
+  const Programs first = traced_programs(m.model, m.topology, m.analysis).programs,
+                 second = traced_programs(m.model, m.topology, m.analysis).programs;
   EXPECT_EQ(dump(first.accelerations), dump(second.accelerations));
 }
 
@@ -263,7 +267,7 @@ TEST(Trace, EveryOperationBelongsToAStep) {
   for (const char* path : {"models/four_bar.json", "models/pulled_wheel.json", "models/slider_crank.json"})
     for (const Form form : {Form::matrix, Form::recursive}) {
       const Mechanism m = load(path);
-      const Programs programs = trace(m.model, m.topology, m.analysis, form);
+      const Programs programs = traced_programs(m.model, m.topology, m.analysis, form).programs;
       for (const Program* program : all_programs(programs))
         for (ValueId v = 0; v < program->nodes.size(); ++v) {
           const Node& node = program->nodes[v];
@@ -277,7 +281,7 @@ TEST(Trace, EveryOperationBelongsToAStep) {
 TEST(Trace, ALongChainIsTracedInTheRecursiveFormAlone) {
   const auto operations = [](int size) {
     const Mechanism m = analysed(grown("chain", size));
-    const Programs programs = trace(m.model, m.topology, m.analysis);
+    const Programs programs = traced_programs(m.model, m.topology, m.analysis).programs;
     EXPECT_EQ(programs.form, Form::recursive);
     return count_operations(programs.accelerations).total();
   };
@@ -290,7 +294,7 @@ TEST(Trace, ALongChainIsTracedInTheRecursiveFormAlone) {
 TEST(Trace, OutputsOfAChainGrowWithItsLength) {
   const auto operations = [](int size) {
     const Mechanism m = analysed(grown("chain", size));
-    return count_operations(trace(m.model, m.topology, m.analysis, Form::recursive).outputs).total();
+    return count_operations(traced_programs(m.model, m.topology, m.analysis, Form::recursive).programs.outputs).total();
   };
   const long of_20 = operations(20), of_40 = operations(40), of_60 = operations(60);
   EXPECT_NEAR(static_cast<double>(of_60 - of_40), static_cast<double>(of_40 - of_20), 0.02 * (of_40 - of_20));
@@ -300,7 +304,7 @@ TEST(Trace, OutputsOfAChainGrowWithItsLength) {
 TEST(Trace, ARingOfFiftyJointsIsTracedInTheMatrixFormAlone) {
   for (const char* kind : {"ring", "spatial-ring"}) {
     const Mechanism m = analysed(grown(kind, 50));
-    const Programs programs = trace(m.model, m.topology, m.analysis);
+    const Programs programs = traced_programs(m.model, m.topology, m.analysis).programs;
     EXPECT_EQ(programs.form, Form::matrix);
     const GenericSolver solver(m.model, m.topology, m.analysis);
     for (const GenericState& state : random_states(m, 2)) {
@@ -316,7 +320,7 @@ TEST(Trace, ARingOfFiftyJointsIsTracedInTheMatrixFormAlone) {
 // Position and velocity of the root must not enter: the equations live in the frame of the chassis.
 TEST(Trace, RootPositionDropsOutOfTheCoach) {
   const Mechanism m = load("models/coach_mechanism.json");
-  const Program program = optimise(trace(m.model, m.topology, m.analysis).accelerations);
+  const Program program = optimise(traced_programs(m.model, m.topology, m.analysis).programs.accelerations);
   for (const Slot& slot : program.inputs)
     for (const char* name : {"chassis_tx", "chassis_ty", "chassis_tz", "wheel_front_left", "wheel_rear_right"})
       EXPECT_FALSE(slot == (Slot{Array::z, find_coordinate(m.topology, name)})) << name;
@@ -326,7 +330,7 @@ TEST(Trace, RootPositionDropsOutOfTheCoach) {
 TEST(Trace, OperationCountsStayLow) {
   const auto count = [](const std::string& path) {
     const Mechanism m = load(path);
-    return count_operations(optimise(trace(m.model, m.topology, m.analysis).accelerations)).total();
+    return count_operations(optimise(traced_programs(m.model, m.topology, m.analysis).programs.accelerations)).total();
   };
   EXPECT_LE(count("models/coach_mechanism.json"), 6700);
   EXPECT_LE(count("models/truck_mechanism.json"), 17000);
@@ -337,7 +341,8 @@ TEST(Trace, ARoughRoadCostsATenthOfTheCoachAtMost) {
   const auto count = [](const std::string& roads) {
     const Mechanism m =
         mechanism_of(R"({ "mbgen": 1, "include": [")" + source_path("models/coach.json") + "\"]" + roads + " }");
-    const OperationCount c = count_operations(optimise(trace(m.model, m.topology, m.analysis).accelerations));
+    const OperationCount c =
+        count_operations(optimise(traced_programs(m.model, m.topology, m.analysis).programs.accelerations));
     return c.total() + c.sqrt + c.trigonometric + c.other;
   };
   const long plane = count("");

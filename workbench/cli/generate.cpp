@@ -77,7 +77,7 @@ std::vector<std::string> write_all(const GenerateOptions& options, const Model& 
 
 /// Fails: UserError for options available in double precision only.
 void require_precision(const GenerateOptions& options) {
-  if (options.emit.scalar == "double") return;
+  if (options.emit.scalar == Scalar::doubles) return;
   if (options.emit.lanes > 0) {
     throw UserError("generate: --batch has lanes of doubles: leave out --batch or --scalar float\n");
   }
@@ -87,9 +87,9 @@ void require_precision(const GenerateOptions& options) {
 }
 
 /// Fails: UserError for a number of the model outside the range of single precision.
-void require_range(const Compilation& compilation, const std::string& scalar) {
-  if (scalar == "double") return;
-  if (const std::optional<double> number = beyond_single_precision(compilation.programs, compilation.model)) {
+void require_range(const Compilation& compilation, Scalar scalar) {
+  if (scalar == Scalar::doubles) return;
+  if (const std::optional<double> number = beyond_single_precision(compilation.emitted, compilation.model)) {
     throw UserError(fmt::format("{}: {} is beyond single precision; use other units, or leave out --scalar float\n",
                                 compilation.model.file, *number));
   }

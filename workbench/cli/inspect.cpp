@@ -35,17 +35,24 @@ Counts add_counted_programs(Compilation& compilation, std::optional<Form> form, 
   Counts counts;
   std::vector<Saving> of_passes;
   long before = 0;
+  const auto count = [&](std::string_view pass, long after) {
+    if (before > after) of_passes.push_back({fmt::format("pass {}", pass), before, after});
+    before = after;
+  };
   add_programs(compilation, {form, [&](const Stage& stage) {
-                               const long after = count_operations(stage.programs.accelerations).total();
-                               if (before > after)
-                                 of_passes.push_back({fmt::format("pass {}", stage.name), before, after});
-                               before = after;
+                               // Of one spelling: the text has another one.
+                               const Program& plain = stage.so_far.whole.programs.accelerations;
+                               count(stage.name, count_operations(plain).total());
                                return true;
                              }});
+  const long with = count_operations(counted_programs(compilation).accelerations).total();
+  count("derived-constants", with);
+  const auto& [model, topology, analysis, whole, emitted] = compilation;
   for (const Form f : {Form::matrix, Form::recursive})
-    counts.operations_of_form[static_cast<int>(f)] = count_operations_of(compilation, f);
+    counts.operations_of_form[static_cast<int>(f)] =
+        f == compilation.form() ? with : count_operations_of(model, topology, analysis, f);
   if (!with_savings || counts.operations_of_form[0] == 0 || counts.operations_of_form[1] == 0) return counts;
-  counts.savings = count_savings(compilation);
+  if (compilation.form() == Form::recursive) counts.savings = count_savings(model, topology, analysis, with);
   counts.savings.insert(counts.savings.end(), of_passes.begin(), of_passes.end());
   return counts;
 }

@@ -42,9 +42,12 @@ void add_batch_option(NamedCommand command, int& lanes) {
       .one_of({"4", "8"});
 }
 
-void add_scalar_option(NamedCommand command, std::string& scalar) {
+void add_scalar_option(NamedCommand command, Scalar& scalar) {
+  const auto take = [&scalar](const std::string& typed) {
+    scalar = typed == name_of(Scalar::floats) ? Scalar::floats : Scalar::doubles;
+  };
   command
-      .add_option("--scalar", scalar,
+      .add_option("--scalar", take,
                   "float: single precision, for processors without double (docs/use/targets.md) (default double)")
       .one_of({"double", "float"});
 }

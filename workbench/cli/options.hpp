@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/emit/scalar.hpp"
 #include "workbench/cli/command_line.hpp"
 
 namespace mbgen {
@@ -33,7 +34,7 @@ void add_depfile_option(NamedCommand command, std::string& path);
 void add_batch_option(NamedCommand command, int& lanes);
 
 /// --scalar double|float
-void add_scalar_option(NamedCommand command, std::string& scalar);
+void add_scalar_option(NamedCommand command, Scalar& scalar);
 
 /// --input
 void add_input_option(NamedCommand command, std::vector<std::string>& inputs);

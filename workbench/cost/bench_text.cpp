@@ -6,8 +6,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "compiler/solver/programs.hpp"
 #include "compiler/text/json_text.hpp"
-#include "compiler/trace/trace.hpp"
 #include "workbench/cost/paper_tables.hpp"
 
 namespace mbgen {

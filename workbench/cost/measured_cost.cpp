@@ -79,7 +79,7 @@ MeasuredJson measured_json(const MeasuredCost& cost, const Compilation& compilat
       {"mbgen", kMbgenVersion},
       {"model", compilation.model.name},
       {"hash", compilation.model.hash},
-      {"form", name_of(compilation.programs.form)},
+      {"form", name_of(compilation.form())},
       {"compiler", cost.compiler},
       {"flags", cost.flags},
       {"processor", cost.processor},

@@ -115,7 +115,7 @@ StepTime measure_step(const Compilation& compilation) {
   EngineChoice choice;
   choice.integrator = settings.integrator;
   choice.use = SolverUse::timing_steps;
-  choice.form = compilation.programs.form;
+  choice.form = compilation.form();
   const std::vector<double> inputs = input_values(compilation.model, {});
   const GenericState start = initial_state(compilation, inputs);
   const TimedMotion motion{make_engine(compilation, choice), start, inputs, settings.step};

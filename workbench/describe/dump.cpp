@@ -74,14 +74,25 @@ std::string dump_analysis(const Topology& topology, const Analysis& analysis) {
   return text;
 }
 
-std::string dump_programs(const Compilation& so_far, const Programs& programs) {
-  const Titles titles = titles_of(programs.form, so_far.model, so_far.topology);
+/// The programs that a stage left, and the accelerations in pairs.
+struct StagePrograms {
+  std::vector<const Program*> all;
+  const std::optional<PairedAccelerations>& in_pairs;
+};
+
+StagePrograms programs_of(const Compilation& so_far) {
+  const std::vector<const Program*> emitted = all_programs(so_far.emitted);
+  if (!emitted.empty()) return {emitted, so_far.emitted.in_pairs};
+  return {all_programs(so_far.whole), so_far.whole.in_pairs};
+}
+
+std::string dump_programs(const Compilation& so_far) {
+  const Titles titles = titles_of(so_far.form(), so_far.model, so_far.topology);
+  const auto [all, in_pairs] = programs_of(so_far);
   std::string text;
-  for (const Program* program : all_programs(programs)) {
-    text += fmt::format("; program {}\n{}\n", program->name, dump(*program, titles));
-  }
-  if (!programs.in_pairs.outputs.empty())
-    text += fmt::format("; program {} in pairs\n{}\n", programs.in_pairs.name, dump(programs.in_pairs, titles));
+  for (const Program* program : all) text += fmt::format("; program {}\n{}\n", program->name, dump(*program, titles));
+  if (in_pairs)
+    text += fmt::format("; program {} in pairs\n{}\n", in_pairs->program.name, dump(in_pairs->program, titles));
   return text;
 }
 
@@ -92,16 +103,15 @@ std::string dump_code(const std::vector<EmittedFile>& files) {
 }
 
 std::string dump_of(const Stage& stage) {
-  const auto& [name, so_far, programs, milliseconds] = stage;
+  const auto& [name, so_far, milliseconds] = stage;
   if (name == "model") return dump_model(so_far.model);
   if (name == "topology") return dump_topology(so_far.topology);
   if (name == "analysis") return dump_analysis(so_far.topology, so_far.analysis);
-  return dump_programs(so_far, programs);
+  return dump_programs(so_far);
 }
 
 /// Share of statements on pairs in the accelerations in pairs.
 std::string pairs_text(const Program& program) {
-  if (program.outputs.empty()) return "";
   const std::vector<int> widths = widths_of(program);
   const std::vector<ValueId> statements = live_operations(program);
   const auto is_pair = [&](ValueId v) { return widths[v] == 2 && program.nodes[v].op != Op::pack; };
@@ -111,12 +121,12 @@ std::string pairs_text(const Program& program) {
 /// Operation counts of the accelerations, and of all programs, after a stage.
 std::string stage_line(const Stage& stage) {
   const std::string line = fmt::format("{:<18}{:>10.1f} ms", stage.name, stage.milliseconds);
-  const std::vector<const Program*> programs = all_programs(stage.programs);
+  const auto [programs, in_pairs] = programs_of(stage.so_far);
   if (programs.empty()) return line + "\n";
   long all = 0;
   for (const Program* program : programs) all += count_operations(*program).total();
   return fmt::format("{}{:>9} operations, {:>8} of them in the accelerations{}\n", line, all,
-                     count_operations(stage.programs.accelerations).total(), pairs_text(stage.programs.in_pairs));
+                     count_operations(*programs.front()).total(), in_pairs ? pairs_text(in_pairs->program) : "");
 }
 
 }  // namespace

@@ -10,11 +10,11 @@
 #include <optional>
 
 #include "compiler/analysis/symmetry.hpp"
+#include "compiler/choose/counted_treatments.hpp"
 #include "compiler/model/vectors.hpp"
 #include "compiler/solver/titles.hpp"
 #include "compiler/topology/poles.hpp"
 #include "compiler/topology/twins.hpp"
-#include "workbench/describe/counts.hpp"
 #include "workbench/describe/explained_elements.hpp"
 #include "workbench/describe/names.hpp"
 #include "workbench/describe/notes.hpp"
@@ -287,7 +287,7 @@ std::string freedoms_explanation(const Compilation& c) {
 
 /// Equal parts that the solver computes in pairs.
 std::string twins_explanation(const Compilation& c) {
-  if (!c.emitted.holds_twins || c.emitted.in_pairs.outputs.empty()) return "";
+  if (!c.emitted.in_pairs || !c.emitted.in_pairs->holds_twins) return "";
   const std::vector<int> twin = find_twins(c.topology);
   std::vector<std::string> pairs;
   for (int i = 0; i < c.topology.size(); ++i)
@@ -301,8 +301,9 @@ std::string twins_explanation(const Compilation& c) {
 }
 
 /// Pairs in the solver of one instance, by steps; empty without pairs.
-std::string pairs_explanation(const Programs& programs, const Titles& titles) {
-  const Program& program = programs.in_pairs;
+std::string pairs_explanation(const std::optional<PairedAccelerations>& paired, const Titles& titles) {
+  if (!paired) return "";
+  const Program& program = paired->program;
   const std::vector<int> widths = widths_of(program);
   const std::map<Section, std::size_t> places = places_of_sections(program);
   std::vector<long> counts(program.sections.size(), 0);
@@ -321,19 +322,20 @@ std::string pairs_explanation(const Programs& programs, const Titles& titles) {
     if (counts[s] > 0 && program.sections[s].step != Step::none)
       steps.push_back(fmt::format("{} of {}", counts[s], titles.section(program.sections[s])));
   const char* what = "left and right";
-  if (programs.holds_twins) what = programs.mirror.empty() ? "twins" : "twins, and left and right of the rest,";
+  if (paired->holds_twins) what = paired->holds_sides ? "twins, and left and right of the rest," : "twins";
   return paragraph(fmt::format(
       "The solver of one instance computes {} in pairs, one instruction for both{}: {} of its {} statements, {}.", what,
-      programs.holds_twins ? "" : " sides", in_pairs, all, listed(steps)));
+      paired->holds_twins ? "" : " sides", in_pairs, all, listed(steps)));
 }
 
 std::string operations_explanation(const Compilation& compilation) {
-  const Programs& programs = compilation.programs;
+  const Programs programs = counted_programs(compilation);
   const Program& accelerations = programs.accelerations;
   const std::vector<OperationCount> counts = count_operations_by_section(accelerations);
   const Titles titles = titles_of(programs.form, compilation.model, compilation.topology);
   const long total = count_operations(accelerations).total();
-  const long other = count_operations_of(compilation, other_form(programs.form));
+  const long other =
+      count_operations_of(compilation.model, compilation.topology, compilation.analysis, other_form(programs.form));
   std::string text =
       heading("Operations") +
       paragraph(fmt::format("One evaluation of all accelerations takes {} additions, multiplications "
@@ -352,7 +354,7 @@ std::string operations_explanation(const Compilation& compilation) {
                         accelerations.sections[s].step == Step::none ? "before the first step"
                                                                      : titles.section(accelerations.sections[s]));
   }
-  return text + pairs_explanation(compilation.emitted, titles);
+  return text + pairs_explanation(compilation.emitted.in_pairs, titles);
 }
 
 std::string notes_explanation(const Diagnostics& notes) {

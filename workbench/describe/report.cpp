@@ -114,7 +114,7 @@ Json make_report(const Compilation& compilation, const Counts& counts) {
   const Model& model = compilation.model;
   const Topology& topology = compilation.topology;
   const Analysis& analysis = compilation.analysis;
-  const Programs& programs = compilation.programs;
+  const Programs programs = counted_programs(compilation);
   const Json cut_joints = report_cut_joints(topology);
   const long moving_bodies = topology.size() + count_merged_bodies(model, topology);
   const auto is_massless = [](const TreeBody& body) { return body.massless; };

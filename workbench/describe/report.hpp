@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/compile.hpp"
 #include "workbench/describe/counts.hpp"
 
 namespace mbgen {

@@ -4,9 +4,9 @@
 #include <tuple>
 #include <utility>
 
+#include "compiler/choose/cheapest_recursion.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/program/rewrite.hpp"
-#include "compiler/trace/trace.hpp"
 
 namespace mbgen {
 namespace {

@@ -5,10 +5,10 @@
 #include <set>
 #include <stdexcept>
 
+#include "compiler/choose/cheapest_recursion.hpp"
 #include "compiler/choose/counted_partitions.hpp"
 #include "compiler/compile.hpp"
 #include "compiler/passes/passes.hpp"
-#include "compiler/trace/trace.hpp"
 
 namespace mbgen::test {
 namespace {

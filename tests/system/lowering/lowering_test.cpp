@@ -57,17 +57,17 @@ std::vector<std::string> models() {
 class Lowering : public testing::TestWithParam<std::string> {};
 
 TEST_P(Lowering, KeepsTheValuesOfEveryProgram) {
-  Programs traced;
+  WholePrograms traced;
   const auto watch = [&](const Stage& stage) {
-    if (stage.name == "program") traced = stage.programs;
+    const WholePrograms& whole = stage.so_far.whole;
+    if (stage.name == "program") traced = whole;
     if (stage.name != "pairs-kept") return true;
     for (const ProgramSpec& spec : program_specs())
-      if (!program_of(traced, spec.role).outputs.empty())
-        expect_values_of(program_of(traced, spec.role), program_of(stage.programs, spec.role), "whole");
-    const bool has_laws = !traced.laws.empty();
-    const Program& around = has_laws ? traced.around_laws : traced.accelerations;
-    if (has_laws) expect_values_of(around, stage.programs.around_laws, "around laws");
-    if (!stage.programs.in_pairs.outputs.empty()) expect_values_of(around, stage.programs.in_pairs, "in pairs");
+      if (!program_of(traced.programs, spec.role).outputs.empty())
+        expect_values_of(program_of(traced.programs, spec.role), program_of(whole.programs, spec.role), "whole");
+    const Program& around = traced.accelerations_of_text();
+    if (whole.around_laws) expect_values_of(around, whole.around_laws->program, "around laws");
+    if (whole.in_pairs) expect_values_of(around, whole.in_pairs->program, "in pairs");
     return false;
   };
   Result<Model> model = read_model_file(MBGEN_SOURCE_DIR "/" + GetParam());

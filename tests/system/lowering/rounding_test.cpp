@@ -218,17 +218,20 @@ void PrintTo(const RoundingCase& rounding_case, std::ostream* out) { *out << rou
 class Roundings : public ::testing::TestWithParam<RoundingCase> {
  protected:
   void follow(const Stage& stage) {
+    const WholePrograms& whole = stage.so_far.whole;
+    const WrittenPrograms& emitted = stage.so_far.emitted;
+    const bool is_whole = all_programs(emitted).empty();
     for (const Role role : {Role::accelerations, Role::accelerations_chosen, Role::closure_terms, Role::multipliers}) {
-      const Program& program = program_of(stage.programs, role);
+      const Program& program = program_of(is_whole ? whole.programs : emitted.programs, role);
       if (!program.outputs.empty()) follow(stage, name_of(role), program);
     }
-    const Program& pairs = stage.programs.in_pairs;
-    if (pairs.outputs.empty() || !stage.programs.laws.empty()) return;
+    const auto& in_pairs = is_whole ? whole.in_pairs : emitted.in_pairs;
+    if (!in_pairs || whole.around_laws) return;
     if (std::ranges::find(tracks_, kPairs, &Track::name) == tracks_.end()) {  // they replace the accelerations
       const auto numbers = std::ranges::find(tracks_, name_of(Role::accelerations), &Track::name);
       tracks_.push_back(numbers->renamed(kPairs));
     }
-    follow(stage, kPairs, unfolded(pairs));
+    follow(stage, kPairs, unfolded(in_pairs->program));
   }
 
  private:

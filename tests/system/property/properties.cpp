@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "compiler/choose/cheapest_recursion.hpp"
 #include "compiler/compile.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/passes/passes.hpp"
@@ -77,7 +78,7 @@ Compilation compiled(const Mechanism& m) {
 Complaint engines_disagree(const RandomMechanism&, const Mechanism& m) {
   const GenericSolver generic(m.model, m.topology, m.analysis);
   const Compilation compilation = compiled(m);
-  const Programs& programs = compilation.whole;
+  const Programs& programs = compilation.whole.programs;
   const Program matrix = optimise(trace_accelerations(m.model, m.topology, m.analysis, Form::matrix));
   for (const GenericState& state : good_states(m, 2)) {
     const std::vector<double> tau = random_tau(m, 3);
@@ -88,8 +89,9 @@ Complaint engines_disagree(const RandomMechanism&, const Mechanism& m) {
     if (const Complaint c =
             differ("the recursive form", interpreted(programs.accelerations, state, tau), expected.zdd, kTolerance))
       return c;
-    if (const Complaint c = differ("the emitted program", interpreted(compilation.emitted.accelerations, state, tau),
-                                   expected.zdd, kTolerance))
+    if (const Complaint c =
+            differ("the emitted program", interpreted(compilation.emitted.programs.accelerations, state, tau),
+                   expected.zdd, kTolerance))
       return c;
     for (const CartesianMethod method : {CartesianMethod::augmented, CartesianMethod::range_space,
                                          CartesianMethod::null_space, CartesianMethod::maggi}) {

@@ -164,9 +164,10 @@ TEST_P(Tunables, EqualFoldedNumbersAndReachEveryTerm) {
   std::printf(
       "%s: %d parameters, %d constants follow; %ld operations, %ld when folded; accelerations differ by %.1e, 50 steps "
       "by %.1e\n",
-      m.model.name.c_str(), solver.table->parameters, static_cast<int>(tuned.programs.derived_constants.outputs.size()),
-      count_operations(tuned.programs.accelerations).total(), count_operations(plain.programs.accelerations).total(),
-      accelerations, motion);
+      m.model.name.c_str(), solver.table->parameters,
+      static_cast<int>(tuned.emitted.programs.derived_constants.outputs.size()),
+      count_operations(counted_programs(tuned).accelerations).total(),
+      count_operations(counted_programs(plain).accelerations).total(), accelerations, motion);
   EXPECT_LT(accelerations, 1e-13);
   EXPECT_LT(motion, 1e-12);
 

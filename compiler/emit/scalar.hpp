@@ -1,0 +1,25 @@
+#pragma once
+// Types of the numbers that emitted code computes with.
+
+namespace mbgen {
+
+enum class Scalar {
+  doubles,
+  floats,
+  pairs,    ///< left and right, or twins, in two lanes: mbgen/pair.hpp
+  lanes,    ///< of a batch: an instance in each lane
+  elements  ///< of a shared law: an element in each lane; each law has a type of its own
+};
+
+/// Whether values are numbers one by one.
+constexpr bool is_number(Scalar scalar) { return scalar == Scalar::doubles || scalar == Scalar::floats; }
+
+/// Name of the type in emitted code; the first part of it for elements.
+constexpr const char* name_of(Scalar scalar) {
+  return scalar == Scalar::doubles  ? "double"
+         : scalar == Scalar::floats ? "float"
+         : scalar == Scalar::pairs  ? "Pair"
+                                    : "Lanes";
+}
+
+}  // namespace mbgen
