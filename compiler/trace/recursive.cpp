@@ -85,7 +85,10 @@ CheapestRecursion cheapest_recursion(const Model& model, const Topology& topolog
        {&RecursionChoices::outer_arms, &RecursionChoices::arm_runs, &RecursionChoices::in_plane}) {
     RecursionChoices without = cheapest.choices;
     without.*treatment = false;
-    compare(without, 0);  // the body's own forces keep their names
+    if (topology.blocks.empty() && treatment != &RecursionChoices::arm_runs)
+      cheapest.choices = without;  // a treatment of bodies of blocks: the program is the same
+    else
+      compare(without, 0);  // the body's own forces keep their names
   }
   return cheapest;
 }
