@@ -8,10 +8,11 @@
 #   bench/growth_model.sh spatial-ring N > ring_N.json     the same with joints about axes of all directions, N >= 7
 #   bench/growth_model.sh separate N > separate_N.json     N four-bars that share nothing but ground
 #   bench/growth_model.sh grid N > grid_N.json             N rows of N four-bars, each on top of the one before
+#   bench/growth_model.sh crank N > crank_N.json           N four-bars on one crank that turns
 set -eu
 
 usage() {
-  sed -n '2,11s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,12s/^# \{0,1\}//p' "$0" >&2
   exit 1
 }
 
@@ -164,7 +165,43 @@ grid() {
   }'
 }
 
+# Pins around the crank, rockers on one pivot, each four-bar in a plane of its own.
+crank() {
+  awk -v n="$1" 'BEGIN {
+    turn = 8 * atan2(1, 1)
+    for (k = 0; k < n; ++k) {
+      ax = 0.1 * cos(turn * k / n); ay = 0.1 * sin(turn * k / n)
+      dx = 0.4 - ax; dy = -ay; d = sqrt(dx * dx + dy * dy)
+      along = (0.42 ^ 2 - 0.25 ^ 2 + d * d) / (2 * d); across = sqrt(0.42 ^ 2 - along * along)
+      cx = ax + (along * dx - across * dy) / d; cy = ay + (along * dy + across * dx) / d; z = 0.05 * (k + 1)
+      a[k] = sprintf("[%.12f, %.12f, %.2f]", ax, ay, z); c[k] = sprintf("[%.12f, %.12f, %.2f]", cx, cy, z); at[k] = sprintf("[0.4, 0, %.2f]", z)
+      m[k] = sprintf("[%.9f, %.9f, %.2f]", (ax + cx) / 2, (ay + cy) / 2, z); r[k] = sprintf("[%.9f, %.9f, %.2f]", (0.4 + cx) / 2, cy / 2, z)
+    }
+    printf "// %d four-bars on one crank. Made by bench/growth_model.sh.\n{\n", n
+    printf "  \"mbgen\": 1, \"name\": \"crank_%d\", \"gravity\": [0, -9.81, 0],\n  \"bodies\": {\n    \"ground\": { \"points\": { \"O\": [0, 0, 0]", n
+    for (k = 0; k < n; ++k) printf ", \"D%d\": %s", k, at[k]
+    printf " } },\n    \"crank\": { \"mass\": 1.5, \"com\": [0, 0, 0], \"inertia\": [0.03, 0.03, 0.03],\n      \"points\": { \"O\": [0, 0, 0]"
+    for (k = 0; k < n; ++k) printf ", \"A%d\": %s", k, a[k]
+    printf " } }"
+    for (k = 0; k < n; ++k) {
+      printf ",\n    \"coupler%d\": { \"mass\": 0.5, \"com\": %s, \"inertia\": [0.007, 0.007, 0.007],\n", k, m[k]
+      printf "      \"points\": { \"A\": %s, \"C\": %s } }", a[k], c[k]
+      printf ",\n    \"rocker%d\": { \"mass\": 0.3, \"com\": %s, \"inertia\": [0.002, 0.002, 0.002],\n", k, r[k]
+      printf "      \"points\": { \"D\": %s, \"C\": %s } }", at[k], c[k]
+    }
+    printf "\n  },\n  \"joints\": {\n    \"crank\": { \"type\": \"revolute\", \"from\": \"ground.O\", \"to\": \"crank.O\", \"axis\": \"z\" }"
+    for (k = 0; k < n; ++k) {
+      printf ",\n    \"A%d\": { \"type\": \"revolute\", \"from\": \"crank.A%d\", \"to\": \"coupler%d.A\", \"axis\": \"z\" },\n", k, k, k
+      printf "    \"D%d\": { \"type\": \"revolute\", \"from\": \"ground.D%d\", \"to\": \"rocker%d.D\", \"axis\": \"z\" },\n", k, k, k
+      printf "    \"C%d\": { \"type\": \"revolute\", \"from\": \"coupler%d.C\", \"to\": \"rocker%d.C\", \"axis\": \"z\" }", k, k, k
+    }
+    printf "\n  },\n  \"outputs\": { \"angle\": { \"unit\": \"rad\", \"expression\": \"z.crank\" } },\n"
+    printf "  \"initial\": { \"velocities\": { \"crank\": 6 } },\n  \"solver\": { \"step\": 1e-3, \"duration\": 1 }\n}\n"
+  }'
+}
+
 case "$1" in
+  crank) crank "$2" ;;
   four-bar) four_bar "$2" ;;
   chain) chain "$2" ;;
   star) star "$2" ;;

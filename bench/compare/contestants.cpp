@@ -88,7 +88,7 @@ std::vector<Contestant> contestants(const Compilation& compilation) {
   const ReferenceMechanism mechanism = reference_mechanism(compilation.model, compilation.topology);
   std::vector<Contestant> all;
   add_generated(compilation, all);
-  all.push_back(mbgen_engine(compilation, "generic", "mbgen, generic (Eigen)", "flags of mbgen itself"));
+  all.push_back(mbgen_engine(compilation, "generic", "mbgen, generic", "flags of mbgen itself"));
   all.push_back(
       {"straightforward", "straightforward Maggi on Eigen", "full pivoting of the whole Phi_z", "", true, {}});
   take_part<StraightforwardMaggi>(all.back(), mechanism, in_one_block(compilation.topology));

@@ -13,12 +13,12 @@
 #include "compiler/analysis/contradiction.hpp"
 #include "compiler/analysis/freedom_walk.hpp"
 #include "compiler/analysis/large_block.hpp"
+#include "compiler/analysis/many_directions.hpp"
 #include "compiler/analysis/partition.hpp"
 #include "compiler/analysis/position_rank.hpp"
 #include "compiler/analysis/quasi_partition.hpp"
 #include "compiler/analysis/redundant_residuals.hpp"
 #include "compiler/analysis/sampling.hpp"
-#include "compiler/analysis/tree_inertia.hpp"
 #include "compiler/model/box.hpp"
 
 namespace mbgen {
@@ -276,26 +276,32 @@ std::vector<double> rounding_of_inertia(const Model& model, const Topology& topo
   return rounding;
 }
 
+/// Inertia that each free direction moves in a position.
+std::vector<double> moved_inertia(NumericSystem& numbers, const Analysis& analysis, const std::vector<double>& z) {
+  System<double>& system = numbers.at(z);
+  const Topology& topology = system.topology;
+  const std::vector<int> free = free_coordinates(topology, analysis);
+  const LeastOperations least = least_operations(topology, analysis);
+  if (topology.blocks.empty() && has_many_directions(free.size(), least.recursive, least.matrix))
+    return inertias_by_recursion(system, analysis.driven, free);
+  const Kinematics<double> k = kinematics(system);
+  const ReducedSystem<double> reduced =
+      reduced_system(system, k, inertias(system, k), frozen_directions(system, k, analysis.blocks, analysis.driven),
+                     std::vector<double>(topology.bodies.size(), 0.0));
+  return solve_reduced(system, reduced).inertia;
+}
+
 /// Coordinates whose free motion has no inertia in every configuration, existence condition (9).
 std::vector<int> without_inertia(NumericSystem& numbers, const Model& model, const Topology& topology,
                                  const Analysis& analysis, const std::vector<Configuration>& configurations) {
   const std::vector<int> names = free_coordinates(topology, analysis);
   const std::vector<double> rounding = rounding_of_inertia(model, topology);
-  if (topology.blocks.empty() && std::ranges::any_of(configurations, [&](const Configuration& at) {
-        return tree_has_inertia(topology, numbers.at(at.z).constants, analysis.driven, at.z, rounding);
-      }))
-    return {};
   std::vector<bool> moved(names.size(), false);
   for (const Configuration& configuration : configurations) {
-    System<double>& system = numbers.at(configuration.z);
-    const Kinematics<double> k = kinematics(system);
-    const ReducedSystem<double> reduced =
-        reduced_system(system, k, inertias(system, k), frozen_directions(system, k, analysis.blocks, analysis.driven),
-                       std::vector<double>(topology.bodies.size(), 0.0));
-    const ReducedSolution<double> solution = solve_reduced(system, reduced);
+    const std::vector<double> inertia = moved_inertia(numbers, analysis, configuration.z);
     bool all = true;
     for (std::size_t q = 0; q < names.size(); ++q) {
-      moved[q] = moved[q] || solution.inertia[q] > rounding[names[q]];
+      moved[q] = moved[q] || inertia[q] > rounding[names[q]];
       all = all && moved[q];
     }
     if (all) break;

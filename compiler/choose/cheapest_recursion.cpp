@@ -38,7 +38,10 @@ TracedRecursion cheapest_recursion(const Model& model, const Topology& topology,
        {&RecursionChoices::outer_arms, &RecursionChoices::arm_runs, &RecursionChoices::in_plane}) {
     RecursionChoices without = cheapest.choices;
     without.*treatment = false;
-    compare(without, 0);  // the body's own forces keep their names
+    if (topology.blocks.empty() && treatment != &RecursionChoices::arm_runs)
+      cheapest.choices = without;  // a treatment of bodies of blocks: the program is the same
+    else
+      compare(without, 0);  // the body's own forces keep their names
   }
   return cheapest;
 }

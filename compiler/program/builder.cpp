@@ -110,9 +110,11 @@ ValueId ProgramBuilder::append(Op op, ValueId first, ValueId second, ValueId thi
   return share_or_push(node);
 }
 
-// Operations are the same when their constants have the same value, whatever their names.
+// Operations are the same when their constants have the same value, whatever their names. A constant itself is told
+// apart by its name: in a long chain thousands have one value.
 std::uint64_t ProgramBuilder::hash_of(const Node& node) const {
   std::uint64_t hash = mixed_word(static_cast<std::uint64_t>(node.op), std::bit_cast<std::uint64_t>(node.constant));
+  if (node.op == Op::constant) hash = mixed_word(hash, static_cast<std::uint64_t>(node.label));
   for (const ValueId operand : node.operands) {
     const bool is_number = operand != kNoValue && is_constant(operand);
     hash = mixed_word(hash, is_number ? std::bit_cast<std::uint64_t>(this->node(operand).constant) : operand);

@@ -2,19 +2,38 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <utility>
+#include <unordered_map>
 
 #include "compiler/program/function_field.hpp"
+#include "compiler/program/mixed_words.hpp"
 
 namespace mbgen {
+namespace {
+
+/// A width and the functions of both lanes, up to the sign of the first.
+struct LanesOfWidth {
+  int width = 1;
+  std::array<Element, 2> lanes;
+  friend bool operator==(const LanesOfWidth&, const LanesOfWidth&) = default;
+};
+
+struct HashOfLanes {
+  std::size_t operator()(const LanesOfWidth& key) const {
+    std::uint64_t hash = static_cast<std::uint64_t>(key.width);
+    for (const Element& e : key.lanes) hash = mixed_word(hash, 2 * static_cast<std::uint64_t>(e.number) + e.negative);
+    return hash;
+  }
+};
+
+}  // namespace
 
 std::vector<Identity> identities(const Program& program) {
   using Lanes = std::array<Element, 2>;
   FunctionField field;
   const std::vector<Lanes> all = elements_of(program, field, input_variables(program, field));
   const std::vector<int> widths = widths_of(program);
-  std::map<std::pair<int, Lanes>, ValueId> first;  // by width, up to the sign of the first lane
+  std::unordered_map<LanesOfWidth, ValueId, HashOfLanes> first;
+  first.reserve(all.size());
   std::vector<Identity> result(all.size());
   for (ValueId v = 0; v < result.size(); ++v) {
     if (all[v] == Lanes{}) {
@@ -22,8 +41,8 @@ std::vector<Identity> identities(const Program& program) {
       continue;
     }
     const bool negative = all[v][0].number != 0 ? all[v][0].negative : all[v][1].negative;
-    const Lanes key = {with_sign(all[v][0], negative), with_sign(all[v][1], negative)};
-    const ValueId earlier = first.try_emplace({std::max(widths[v], 1), key}, v).first->second;
+    const LanesOfWidth key{std::max(widths[v], 1), {with_sign(all[v][0], negative), with_sign(all[v][1], negative)}};
+    const ValueId earlier = first.try_emplace(key, v).first->second;
     const bool opposite = all[earlier] != all[v];
     result[v] = {earlier, opposite ? -1 : 1};
   }

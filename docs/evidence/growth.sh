@@ -1,21 +1,38 @@
 #!/bin/sh
-# Measures anew what docs/evidence/growth.md holds, puts the table between the markers there and draws docs/evidence/growth.svg:
+# Measures anew what docs/evidence/growth.md holds, puts the tables between the markers there and draws docs/evidence/growth.svg:
 #   docs/evidence/growth.sh [TABLE]     TABLE: what bench/growth.sh printed, to draw without measuring
+#   docs/evidence/growth.sh making      the table of bench/making.sh alone
+#   docs/evidence/growth.sh generic     that of bench/generic_steps.sh alone
+# MBGEN: the binary, default as those scripts have it.
 # Needs gnuplot (Debian: gnuplot-nox). Some minutes; the machine should have nothing else to do.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-if [ $# -gt 0 ]; then grep '^|' "$1" > "$scratch/table"; else "$here/../../bench/growth.sh" > "$scratch/table"; fi
+bench=$here/../../bench
 
-awk -v table="$scratch/table" '
-  /^<!-- growth: end -->/ { inside = 0 }
-  !inside { print }
-  /^<!-- growth: begin -->/ {
-    inside = 1
-    while ((getline line < table) > 0) print line
-  }' "$here/growth.md" > "$scratch/page"
-cat "$scratch/page" > "$here/growth.md"
+# put NAME: the table of standard input between the markers of that name.
+put() {
+  cat > "$scratch/table_$1"
+  awk -v table="$scratch/table_$1" -v name="$1" '
+    $0 == "<!-- " name ": end -->" { inside = 0 }
+    !inside { print }
+    $0 == "<!-- " name ": begin -->" {
+      inside = 1
+      while ((getline line < table) > 0) print line
+    }' "$here/growth.md" > "$scratch/page"
+  cat "$scratch/page" > "$here/growth.md"
+}
+
+case "${1-}" in
+  making) "$bench/making.sh" ${MBGEN:+"$MBGEN"} | put making && exit ;;
+  generic) "$bench/generic_steps.sh" ${MBGEN:+"$MBGEN"} | put generic && exit ;;
+  "") "$bench/growth.sh" ${MBGEN:+"$MBGEN"} > "$scratch/table"
+    "$bench/making.sh" ${MBGEN:+"$MBGEN"} | put making
+    "$bench/generic_steps.sh" ${MBGEN:+"$MBGEN"} | put generic ;;
+  *) grep '^|' "$1" > "$scratch/table" ;;
+esac
+put growth < "$scratch/table"
 
 for kind in chain four-bar; do
   awk -F'|' -v kind="$kind" '$2 ~ kind { print $3, $6, $8, $9 + $10 }' "$scratch/table" > "$scratch/$kind"

@@ -51,14 +51,13 @@ class WholeDense {
     for (const FreeJoint& joint : shape_.free_joints) rz_(joint.coordinate, joint.direction) = 1;
   }
 
-  Status factorise(const std::vector<BlockClosure<double>>& closures) {
+  Status factorise(const Closures& closures) {
     std::vector<double>& a = lu_.matrix();
     std::fill(a.begin(), a.end(), 0.0);
     double* column = a.data();
     for (const Column& c : columns_) {
-      const std::vector<std::vector<double>>& jacobian = closures[c.block].jacobian;
       double* entry = column + shape_.blocks[c.block].first_equation;
-      for (const std::vector<double>& row : jacobian) *entry++ = row[c.local];
+      for (const SparseRow<double>& row : closures[c.block].jacobian) *entry++ = row.at(c.local);
       column += shape_.equations;
     }
     lu_.factorise();

@@ -22,7 +22,7 @@ class DenseBlocks {
     for (const FreeJoint& joint : shape_.free_joints) rz_(joint.coordinate, joint.direction) = 1;
   }
 
-  Status factorise(const std::vector<BlockClosure<double>>& closures) {
+  Status factorise(const Closures& closures) {
     for (std::size_t b = 0; b < factors_.size(); ++b) {
       factors_[b].factorise(closures[b].jacobian);
       if (factors_[b].rank() < shape_.blocks[b].rank) return {Code::loop_singular, static_cast<int>(b)};
@@ -34,13 +34,15 @@ class DenseBlocks {
     for (std::size_t b = 0; b < factors_.size(); ++b) {
       const BlockShape& block = shape_.blocks[b];
       const Factors& factors = factors_[b];
-      const Eigen::MatrixXd follow = factors.dependence();
       for (int q = 0; q < block.directions(); ++q) {
         auto column = rz_.col(block.first_direction + q);
         for (int c : factors.free()) column[block.joints[c]] = 0;
         column[block.joints[factors.free()[q]]] = 1;
-        for (int d = 0; d < block.rank; ++d) column[block.joints[factors.dependent()[d]]] = -follow(d, q);
       }
+      if (block.rank == 0) continue;
+      factors.each_dependence([&](int d, int q, double value) {
+        rz_(block.joints[factors.dependent()[d]], block.first_direction + q) = value;
+      });
     }
   }
 

@@ -122,12 +122,12 @@ std::vector<int> position_rows(const MovableBlock& m) {
 Closure all_rows_at(const MovableBlock& m, const VectorXd& z) {
   set_block(m.block, z, m.state.z);
   System<double>& system = m.equations.system(m.state);
-  const BlockClosure<double> closed = closure(system, kinematics(system), m.block, m.equations.rest);
+  const SparseClosure<double> closed = sparse_closure(system, kinematics(system), m.block, m.equations.rest);
   Closure result{Eigen::Map<const VectorXd>(closed.residual.data(), static_cast<Index>(closed.residual.size())),
-                 MatrixXd(static_cast<Index>(closed.residual.size()), z.size())};
+                 MatrixXd::Zero(static_cast<Index>(closed.residual.size()), z.size())};
   for (std::size_t e = 0; e < closed.jacobian.size(); ++e)
-    result.jacobian.row(static_cast<Index>(e)) =
-        Eigen::Map<const Eigen::RowVectorXd>(closed.jacobian[e].data(), z.size());
+    for (std::size_t i = 0; i < closed.jacobian[e].columns.size(); ++i)
+      result.jacobian(static_cast<Index>(e), closed.jacobian[e].columns[i]) = closed.jacobian[e].values[i];
   return result;
 }
 

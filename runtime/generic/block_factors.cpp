@@ -4,140 +4,153 @@
 
 namespace mbgen {
 
-void PivotedLu::compute(const Eigen::MatrixXd& a) {
-  factors_.setThreshold(kRankTolerance<double>);
-  factors_.compute(a);
+SparseRows sparse_rows(const std::vector<std::vector<double>>& matrix) {
+  SparseRows rows(matrix.size());
+  for (std::size_t r = 0; r < matrix.size(); ++r)
+    for (std::size_t c = 0; c < matrix[r].size(); ++c)
+      if (matrix[r][c] != 0) rows[r].push_back(static_cast<int>(c), matrix[r][c]);
+  return rows;
 }
 
-std::vector<int> PivotedLu::rows() const {
-  std::vector<int> result(factors_.rows());
-  for (Eigen::Index r = 0; r < factors_.rows(); ++r) result[factors_.permutationP().indices()[r]] = static_cast<int>(r);
+namespace {
+
+Eigen::MatrixXd dense_matrix(const SparseRows& rows, int columns) {
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), columns);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t e = 0; e < rows[r].columns.size(); ++e)
+      a(static_cast<Eigen::Index>(r), rows[r].columns[e]) = rows[r].values[e];
+  return a;
+}
+
+/// R11^-1 R12 of an upper triangle.
+template <class Upper>
+Eigen::MatrixXd upper_dependence(const Upper& upper, int rank) {
+  Eigen::MatrixXd result = upper.topRows(rank).rightCols(upper.cols() - rank);
+  if (result.size() > 0) upper.topLeftCorner(rank, rank).template triangularView<Eigen::Upper>().solveInPlace(result);
   return result;
 }
 
-Eigen::MatrixXd PivotedLu::dependence(int rank) const {
-  Eigen::MatrixXd result = factors_.matrixLU().topRows(rank).rightCols(factors_.cols() - rank);
-  if (result.size() > 0)
-    factors_.matrixLU().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solveInPlace(result);
-  return result;
+/// Sets factors of a matrix. Result: their rank.
+template <class Factors>
+int computed(Factors& factors, const SparseRows& rows, int columns, int rank_limit) {
+  if (rows.empty() || columns == 0) return 0;
+  factors.setThreshold(kRankTolerance<double>);
+  factors.compute(dense_matrix(rows, columns));
+  return std::min(rank_limit, static_cast<int>(factors.rank()));
 }
 
-Eigen::VectorXd PivotedLu::solve(int rank, const Eigen::VectorXd& b) const {
-  const auto lu = factors_.matrixLU().topLeftCorner(rank, rank);
-  Eigen::VectorXd x = (factors_.permutationP() * b).head(rank);
+}  // namespace
+
+void PivotedLu::compute(const SparseRows& rows, int columns, int rank_limit) {
+  rank_ = computed(factors_, rows, columns, rank_limit);
+}
+
+Eigen::MatrixXd PivotedLu::dependence() const { return upper_dependence(factors_.matrixLU(), rank_); }
+
+Eigen::VectorXd PivotedLu::solve(const Eigen::VectorXd& b) const {
+  const auto lu = factors_.matrixLU().topLeftCorner(rank_, rank_);
+  Eigen::VectorXd x = (factors_.permutationP() * b).head(rank_);
   lu.triangularView<Eigen::UnitLower>().solveInPlace(x);
   lu.triangularView<Eigen::Upper>().solveInPlace(x);
   return x;
 }
 
-Eigen::VectorXd PivotedLu::solve_transposed(int rank, const Eigen::VectorXd& f) const {
-  const auto lu = factors_.matrixLU().topLeftCorner(rank, rank);
+Eigen::VectorXd PivotedLu::solve_transposed(const Eigen::VectorXd& f) const {
+  const auto lu = factors_.matrixLU().topLeftCorner(rank_, rank_);
   Eigen::VectorXd y = Eigen::VectorXd::Zero(factors_.rows());
-  y.head(rank) = f;
-  auto pivots = y.head(rank);
+  y.head(rank_) = f;
+  auto pivots = y.head(rank_);
   lu.triangularView<Eigen::Upper>().transpose().solveInPlace(pivots);
   lu.triangularView<Eigen::UnitLower>().transpose().solveInPlace(pivots);
   return factors_.permutationP().inverse() * y;
 }
 
-void PivotedQr::compute(const Eigen::MatrixXd& a) {
-  factors_.setThreshold(kRankTolerance<double>);
-  factors_.compute(a);
+void PivotedQr::compute(const SparseRows& rows, int columns, int rank_limit) {
+  rank_ = computed(factors_, rows, columns, rank_limit);
 }
 
-Eigen::MatrixXd PivotedQr::dependence(int rank) const {
-  Eigen::MatrixXd result = factors_.matrixQR().topRows(rank).rightCols(factors_.cols() - rank);
-  if (result.size() > 0)
-    factors_.matrixQR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solveInPlace(result);
-  return result;
-}
+Eigen::MatrixXd PivotedQr::dependence() const { return upper_dependence(factors_.matrixQR(), rank_); }
 
-Eigen::VectorXd PivotedQr::solve(int rank, const Eigen::VectorXd& b) const {
+Eigen::VectorXd PivotedQr::solve(const Eigen::VectorXd& b) const {
   Eigen::VectorXd x = b;
-  x.applyOnTheLeft(factors_.householderQ().setLength(rank).adjoint());
-  x.conservativeResize(rank);
-  factors_.matrixQR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solveInPlace(x);
+  x.applyOnTheLeft(factors_.householderQ().setLength(rank_).adjoint());
+  x.conservativeResize(rank_);
+  factors_.matrixQR().topLeftCorner(rank_, rank_).triangularView<Eigen::Upper>().solveInPlace(x);
   return x;
 }
 
-Eigen::VectorXd PivotedQr::solve_transposed(int rank, const Eigen::VectorXd& f) const {
+Eigen::VectorXd PivotedQr::solve_transposed(const Eigen::VectorXd& f) const {
   Eigen::VectorXd y = Eigen::VectorXd::Zero(factors_.rows());
-  y.head(rank) = f;
-  auto pivots = y.head(rank);
-  factors_.matrixQR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().transpose().solveInPlace(pivots);
-  y.applyOnTheLeft(factors_.householderQ().setLength(rank));
+  y.head(rank_) = f;
+  auto pivots = y.head(rank_);
+  factors_.matrixQR().topLeftCorner(rank_, rank_).triangularView<Eigen::Upper>().transpose().solveInPlace(pivots);
+  y.applyOnTheLeft(factors_.householderQ().setLength(rank_));
   return y;
 }
 
 template <class Pivoted>
 BlockFactorsOf<Pivoted>::BlockFactorsOf(int columns, const std::vector<int>& driven, int rank_limit)
-    : rank_limit_(rank_limit) {
-  for (int c = 0; c < columns; ++c)
-    if (std::find(driven.begin(), driven.end(), c) == driven.end()) movable_.push_back(c);
-}
-
-template <class Pivoted>
-BlockFactorsOf<Pivoted>::BlockFactorsOf(const std::vector<std::vector<double>>& jacobian,
-                                        const std::vector<int>& driven, int rank_limit)
-    : BlockFactorsOf(jacobian.empty() ? 0 : static_cast<int>(jacobian[0].size()), driven, rank_limit) {
-  factorise(jacobian);
-}
-
-template <class Pivoted>
-void BlockFactorsOf<Pivoted>::factorise(const std::vector<std::vector<double>>& jacobian) {
-  const auto equations = static_cast<Eigen::Index>(jacobian.size());
-  const auto columns = static_cast<Eigen::Index>(jacobian.empty() ? 0 : jacobian[0].size());
-  const auto movable = static_cast<Eigen::Index>(movable_.size());
-  jacobian_.resize(equations, columns);
-  for (Eigen::Index e = 0; e < equations; ++e)
-    for (Eigen::Index c = 0; c < columns; ++c) jacobian_(e, c) = jacobian[e][c];
-  candidates_.resize(equations, movable);
-  for (Eigen::Index c = 0; c < movable; ++c) candidates_.col(c) = jacobian_.col(movable_[c]);
-  rank_ = 0;
-  if (candidates_.size() > 0) {
-    pivoted_.compute(candidates_);
-    rank_ = std::min(rank_limit_, pivoted_.rank());
+    : columns_(columns), rank_limit_(rank_limit), place_(static_cast<std::size_t>(columns), 0) {
+  for (const int c : driven) place_[c] = -1;
+  for (int c = 0; c < columns; ++c) {
+    if (place_[c] < 0) continue;
+    place_[c] = static_cast<int>(column_.size());
+    column_.push_back(c);
   }
+}
+
+template <class Pivoted>
+void BlockFactorsOf<Pivoted>::factorise(const SparseRows& jacobian) {
+  jacobian_ = jacobian;
+  const int movable = static_cast<int>(column_.size());
+  if (movable < columns_) {
+    candidates_.assign(jacobian.size(), {});
+    for (std::size_t r = 0; r < jacobian.size(); ++r)
+      for (std::size_t e = 0; e < jacobian[r].columns.size(); ++e)
+        if (const int place = place_[jacobian[r].columns[e]]; place >= 0)
+          candidates_[r].push_back(place, jacobian[r].values[e]);
+  }
+  pivoted_.compute(movable < columns_ ? candidates_ : jacobian_, movable, rank_limit_);
   dependent_.clear();
   free_.clear();
   for (int k = 0; k < movable; ++k)
-    (k < rank_ ? dependent_ : free_).push_back(movable_[candidates_.size() > 0 ? pivoted_.column(k) : k]);
+    (k < rank() ? dependent_ : free_).push_back(column_[rank() > 0 ? pivoted_.column(k) : k]);
 }
 
 template <class Pivoted>
 std::vector<std::vector<double>> BlockFactorsOf<Pivoted>::rz() const {
-  std::vector<std::vector<double>> result(jacobian_.cols(), std::vector<double>(free_.size(), 0.0));
+  std::vector<std::vector<double>> result(columns_, std::vector<double>(free_.size(), 0.0));
   for (std::size_t q = 0; q < free_.size(); ++q) result[free_[q]][q] = 1;
-  const Eigen::MatrixXd follow = dependence();
-  for (int d = 0; d < rank_; ++d)
-    for (std::size_t q = 0; q < free_.size(); ++q) result[dependent_[d]][q] = -follow(d, static_cast<Eigen::Index>(q));
+  if (rank() > 0) each_dependence([&](int d, int q, double value) { result[dependent_[d]][q] = value; });
   return result;
 }
 
 template <class Pivoted>
 void BlockFactorsOf<Pivoted>::solve(const std::vector<double>& right_hand_side, std::vector<double>& x) const {
-  if (rank_ == 0) return;
+  if (rank() == 0) return;
   for (int c : dependent_) x[c] = 0;
-  Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(right_hand_side.data(), jacobian_.rows());
-  b.noalias() -= jacobian_ * Eigen::Map<const Eigen::VectorXd>(x.data(), jacobian_.cols());
-  const Eigen::VectorXd dependent = pivoted_.solve(rank_, b);
-  for (int d = 0; d < rank_; ++d) x[dependent_[d]] = dependent[d];
+  Eigen::VectorXd b(static_cast<Eigen::Index>(jacobian_.size()));
+  for (std::size_t r = 0; r < jacobian_.size(); ++r) {
+    double known = 0;
+    for (std::size_t e = 0; e < jacobian_[r].columns.size(); ++e)
+      known += jacobian_[r].values[e] * x[jacobian_[r].columns[e]];
+    b[static_cast<Eigen::Index>(r)] = right_hand_side[r] - known;
+  }
+  const Eigen::VectorXd dependent = pivoted_.solve(b);
+  for (int d = 0; d < rank(); ++d) x[dependent_[d]] = dependent[d];
 }
 
 template <class Pivoted>
 std::vector<double> BlockFactorsOf<Pivoted>::multipliers(const std::vector<double>& right_hand_side) const {
-  std::vector<double> lambda(jacobian_.rows(), 0.0);
-  if (rank_ == 0) return lambda;
-  Eigen::VectorXd f(rank_);
-  for (int d = 0; d < rank_; ++d) f[d] = right_hand_side[dependent_[d]];
-  const Eigen::VectorXd y = pivoted_.solve_transposed(rank_, f);
+  if (rank() == 0) return std::vector<double>(jacobian_.size(), 0.0);
+  Eigen::VectorXd f(rank());
+  for (int d = 0; d < rank(); ++d) f[d] = right_hand_side[dependent_[d]];
+  const Eigen::VectorXd y = pivoted_.solve_transposed(f);
   return {y.data(), y.data() + y.size()};
 }
 
-PivotedBlock::PivotedBlock(const BlockAnalysis& analysis, const std::vector<std::vector<double>>& jacobian,
-                           int rank_limit)
-    : rows_(jacobian.size()), columns_(jacobian.empty() ? 0 : jacobian[0].size()) {
-  for (const std::vector<double>& row : jacobian) matrix_.insert(matrix_.end(), row.begin(), row.end());
+PivotedBlock::PivotedBlock(const BlockAnalysis& analysis, const SparseRows& jacobian, int columns, int rank_limit)
+    : matrix_(written_out(jacobian, columns)), rows_(jacobian.size()), columns_(static_cast<std::size_t>(columns)) {
   std::vector<unsigned char> driven(columns_.size(), 0), late(rows_.size(), 0);
   for (const int c : analysis.driven) driven[c] = 1;
   for (const int e : analysis.late.equations) late[e] = 1;
@@ -150,15 +163,24 @@ PivotedBlock::PivotedBlock(const BlockAnalysis& analysis, const std::vector<std:
   mbgen::factorise(factors_, rank_limit, driven.data(), kRankTolerance<double>, order);
 }
 
-void drop_repeating_rows(const BlockAnalysis& analysis, std::vector<std::vector<double>>& jacobian) {
+void drop_repeating_rows(const BlockAnalysis& analysis, SparseRows& jacobian, int columns) {
   if (analysis.late.equations.empty()) return;
-  const PivotedBlock block(analysis, jacobian, analysis.rank);
+  const PivotedBlock block(analysis, jacobian, columns, analysis.rank);
   std::vector<bool> is_kept(jacobian.size(), false);
   for (int k = 0; k < block.factors().rank; ++k) is_kept[block.factors().rows[k]] = true;
   for (const int e : analysis.late.equations)
-    if (!is_kept[e]) std::fill(jacobian[e].begin(), jacobian[e].end(), 0.0);
+    if (!is_kept[e]) jacobian[e] = {};
 }
 
+std::vector<double> written_out(const SparseRows& rows, int columns) {
+  std::vector<double> matrix(rows.size() * static_cast<std::size_t>(columns), 0.0);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t e = 0; e < rows[r].columns.size(); ++e)
+      matrix[r * static_cast<std::size_t>(columns) + static_cast<std::size_t>(rows[r].columns[e])] = rows[r].values[e];
+  return matrix;
+}
+
+template class BlockFactorsOf<SparseLu>;
 template class BlockFactorsOf<PivotedLu>;
 template class BlockFactorsOf<PivotedQr>;
 

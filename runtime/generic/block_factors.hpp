@@ -1,47 +1,53 @@
 #pragma once
-// Dense factorisation of one block Jacobian that chooses the dependent columns as it goes (60), by LU or by QR.
+// Factorisation of one block Jacobian that chooses the dependent columns as it goes (60), by LU or by QR.
 
 #include <Eigen/Dense>
+#include <type_traits>
 #include <vector>
 
 #include "compiler/analysis/findings.hpp"
 #include "mbgen/blocks.hpp"
+#include "runtime/generic/sparse_lu.hpp"
 
 namespace mbgen {
 
-/// Gauss elimination with full pivoting, P A Q = L U. All members but compute use its first `rank` pivots.
+using SparseRows = std::vector<SparseRow<double>>;
+
+/// A matrix by its rows, zeros left out.
+SparseRows sparse_rows(const std::vector<std::vector<double>>& matrix);
+
+/// The same matrix dense, row by row.
+std::vector<double> written_out(const SparseRows& rows, int columns);
+
+/// The members of SparseLu, by Eigen on a dense matrix.
 class PivotedLu {
  public:
-  void compute(const Eigen::MatrixXd& a);
-  int rank() const { return static_cast<int>(factors_.rank()); }
-  /// Column of A that pivot k took.
+  void compute(const SparseRows& rows, int columns, int rank_limit);
+  int rank() const { return rank_; }
   int column(int k) const { return static_cast<int>(factors_.permutationQ().indices()[k]); }
-  /// Rows of A in the order of their pivots.
-  std::vector<int> rows() const;
-  /// U11^-1 U12: the pivot columns of A times this are its other columns, in the order of `column`.
-  Eigen::MatrixXd dependence(int rank) const;
-  /// x with A_pivots x = b, for b compatible with A.
-  Eigen::VectorXd solve(int rank, const Eigen::VectorXd& b) const;
-  /// y with A_pivots' y = f, zero at the rows without a pivot.
-  Eigen::VectorXd solve_transposed(int rank, const Eigen::VectorXd& f) const;
+  Eigen::MatrixXd dependence() const;
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  Eigen::VectorXd solve_transposed(const Eigen::VectorXd& f) const;
 
  private:
   Eigen::FullPivLU<Eigen::MatrixXd> factors_;
+  int rank_ = 0;
 };
 
-/// Householder QR with column pivoting, A P = Q R. The members mean what those of PivotedLu mean, but that solve gives
+/// Householder QR with column pivoting, A P = Q R. The members mean what those of SparseLu mean, but that solve gives
 /// the least residual where b is not compatible, and solve_transposed the smallest y.
 class PivotedQr {
  public:
-  void compute(const Eigen::MatrixXd& a);
-  int rank() const { return static_cast<int>(factors_.rank()); }
+  void compute(const SparseRows& rows, int columns, int rank_limit);
+  int rank() const { return rank_; }
   int column(int k) const { return static_cast<int>(factors_.colsPermutation().indices()[k]); }
-  Eigen::MatrixXd dependence(int rank) const;
-  Eigen::VectorXd solve(int rank, const Eigen::VectorXd& b) const;
-  Eigen::VectorXd solve_transposed(int rank, const Eigen::VectorXd& f) const;
+  Eigen::MatrixXd dependence() const;
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  Eigen::VectorXd solve_transposed(const Eigen::VectorXd& f) const;
 
  private:
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors_;
+  int rank_ = 0;
 };
 
 /// One block: pivot columns are dependent, the rest independent or driven.
@@ -51,19 +57,31 @@ class BlockFactorsOf {
   /// columns: of the block; driven: those of them that never are dependent; rank_limit: generic rank.
   BlockFactorsOf(int columns, const std::vector<int>& driven, int rank_limit);
   /// The same, with a Jacobian at hand.
-  BlockFactorsOf(const std::vector<std::vector<double>>& jacobian, const std::vector<int>& driven, int rank_limit);
+  BlockFactorsOf(const SparseRows& jacobian, int columns, const std::vector<int>& driven, int rank_limit)
+      : BlockFactorsOf(columns, driven, rank_limit) {
+    factorise(jacobian);
+  }
 
-  /// jacobian: [equation][column].
-  void factorise(const std::vector<std::vector<double>>& jacobian);
-  int rank() const { return rank_; }
+  /// jacobian: per equation.
+  void factorise(const SparseRows& jacobian);
+  int rank() const { return pivoted_.rank(); }
   const std::vector<int>& dependent() const { return dependent_; }
   /// Columns that are neither dependent nor driven.
   const std::vector<int>& free() const { return free_; }
   const Pivoted& pivoted() const { return pivoted_; }
 
-  /// How dependent velocities follow from the free ones: minus the upper part of Rz (61), dependent() x free().
-  Eigen::MatrixXd dependence() const {
-    return rank_ > 0 ? pivoted_.dependence(rank_) : Eigen::MatrixXd(0, static_cast<Eigen::Index>(free_.size()));
+  /// Calls use(d, q, value): how the d-th dependent velocity follows from the q-th free one, Rz (61) less its ones.
+  template <class Use>
+  void each_dependence(const Use& use) const {
+    const auto follow = pivoted_.dependence();
+    if constexpr (std::is_same_v<decltype(follow), const SparseRows>) {
+      for (std::size_t d = 0; d < follow.size(); ++d)
+        for (std::size_t e = 0; e < follow[d].columns.size(); ++e)
+          use(static_cast<int>(d), follow[d].columns[e], -follow[d].values[e]);
+    } else {
+      for (int d = 0; d < rank(); ++d)
+        for (int q = 0; q < static_cast<int>(free_.size()); ++q) use(d, q, -follow(d, q));
+    }
   }
   /// Rz: [column][free direction], directions in the order of free().
   std::vector<std::vector<double>> rz() const;
@@ -73,21 +91,20 @@ class BlockFactorsOf {
   std::vector<double> multipliers(const std::vector<double>& right_hand_side) const;
 
  private:
-  std::vector<int> movable_;
-  int rank_limit_ = 0;
-  Eigen::MatrixXd jacobian_, candidates_;
+  int columns_ = 0, rank_limit_ = 0;
+  std::vector<int> place_, column_;  ///< per column its place among the movable ones, -1 for driven ones; the way back
+  SparseRows jacobian_, candidates_;
   Pivoted pivoted_;
-  int rank_ = 0;
   std::vector<int> dependent_, free_;
 };
 
-using BlockFactors = BlockFactorsOf<PivotedLu>;
+using BlockFactors = BlockFactorsOf<SparseLu>;
 
-/// A block Jacobian, [equation][column], with full pivoting in the order of its rows: as generated solvers have it.
+/// A block Jacobian, dense, with full pivoting in the order of its rows: as generated solvers have it.
 class PivotedBlock {
  public:
   /// At most `rank_limit` pivots.
-  PivotedBlock(const BlockAnalysis& analysis, const std::vector<std::vector<double>>& jacobian, int rank_limit);
+  PivotedBlock(const BlockAnalysis& analysis, const SparseRows& jacobian, int columns, int rank_limit);
   PivotedBlock(const PivotedBlock&) = delete;
   PivotedBlock& operator=(const PivotedBlock&) = delete;
   const LoopFactors& factors() const { return factors_; }
@@ -98,7 +115,7 @@ class PivotedBlock {
   LoopFactors factors_;
 };
 
-/// Zeros in place of rows of velocities alone that repeat others at this position, where a block has such rows.
-void drop_repeating_rows(const BlockAnalysis& analysis, std::vector<std::vector<double>>& jacobian);
+/// Nothing in place of rows of velocities alone that repeat others at this position, where a block has such rows.
+void drop_repeating_rows(const BlockAnalysis& analysis, SparseRows& jacobian, int columns);
 
 }  // namespace mbgen

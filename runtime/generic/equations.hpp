@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "compiler/analysis/analysis.hpp"
+#include "compiler/analysis/many_directions.hpp"
 #include "compiler/formulation/formulation.hpp"
+#include "compiler/formulation/recursion/recursion_units.hpp"
 #include "runtime/generic/block_factors.hpp"
 #include "runtime/generic/loop_algebra.hpp"
 #include "runtime/generic/maggi.hpp"
@@ -18,7 +22,7 @@ namespace mbgen {
 struct Prepared {
   Kinematics<double> kinematics;
   Velocities<double> velocities;
-  std::vector<BlockClosure<double>> closures;
+  Closures closures;
 };
 
 /// A state with its true accelerations, and the forces that its constraints carry.
@@ -31,6 +35,13 @@ struct Solved {
   std::vector<double> unbalanced;  ///< tree forces less M zdd less Phi_z' lambda: driving forces, with opposite sign
 };
 
+/// A row of a block's Jacobian times values of all coordinates.
+inline double product(const SparseRow<double>& row, const std::vector<int>& joints, const std::vector<double>& values) {
+  double sum = 0;
+  for (std::size_t i = 0; i < row.columns.size(); ++i) sum += row.values[i] * values[joints[row.columns[i]]];
+  return sum;
+}
+
 struct GenericEquations {
   Model model;
   Topology topology;
@@ -40,11 +51,15 @@ struct GenericEquations {
   System<double> at;  ///< the state in hand; inputs and parameters stay from state to state
   const RelativeMotion<double> rest;
   RelativeMotion<double> relative;  ///< bodies of all blocks, each to the base of its block
+  const ModelClosures places;
+  Closures at_hand;  ///< those that were factorised last
   LoopAlgebra algebra;
-  TreeMass mass;
+  TreeMass mass;  ///< empty until it is asked for
   ReducedEquations reduced;
-  Eigen::VectorXd free;            ///< accelerations of the free directions
-  std::vector<double> magnitudes;  ///< of the auxiliary states in a search for rest: magnitude_of of the user's own
+  Eigen::VectorXd free;                ///< accelerations of the free directions
+  bool recursive = false;              ///< accelerations are those of the recursive form
+  std::optional<Recursion> recursion;  ///< its plan, once it was asked for
+  std::vector<double> magnitudes;      ///< of the auxiliary states in a search for rest: magnitude_of of the user's own
 
   GenericEquations(const Model& m, const Topology& t, const Analysis& a, const GenericAlgebra& choice)
       : model(m),
@@ -54,8 +69,11 @@ struct GenericEquations {
         at{model, topology, layout, {}, {}, {}, scribe},
         rest(at_rest<double>(topology)),
         relative(rest),
-        algebra(make_loop_algebra(choice, topology, analysis)),
-        mass(tree_mass_pattern(topology)) {
+        places(topology),
+        algebra(make_loop_algebra(choice, model, topology, analysis)),
+        recursive(algebra.rz_of && has_many_directions(free_coordinates(topology, analysis).size(),
+                                                       least_operations(topology, analysis).recursive,
+                                                       least_operations(topology, analysis).matrix)) {
     // Deflections of tyres and rubber count there as coordinates do, in m and rad.
     for (const AuxiliaryState& state : auxiliary_states(model)) magnitudes.push_back(magnitude_of(state));
     std::fill_n(magnitudes.begin(), first_user_state(model), 1.0);
@@ -105,28 +123,35 @@ struct GenericEquations {
     return at;
   }
 
+  int columns(std::size_t b) const { return static_cast<int>(topology.blocks[b].joints.size()); }
+
   /// Residuals and Jacobians of all blocks.
-  std::vector<BlockClosure<double>> closures(System<double>& system, const Kinematics<double>& k) const {
-    std::vector<BlockClosure<double>> result;
-    for (const LoopBlock& block : topology.blocks) result.push_back(closure(system, k, block, rest));
+  Closures closures(System<double>& system, const Kinematics<double>& k) const {
+    Closures result;
+    places.evaluate(system, k, rest, result);
     return result;
   }
 
   /// The same for factorisations: rows of velocities alone are zero where they repeat others here, so that none of them
-  /// takes the pivot of a row of positions.
-  std::vector<BlockClosure<double>> closures_to_factorise(System<double>& system, const Kinematics<double>& k) const {
-    std::vector<BlockClosure<double>> result = closures(system, k);
-    for (std::size_t b = 0; b < result.size(); ++b) drop_repeating_rows(analysis.blocks[b], result[b].jacobian);
-    return result;
+  /// takes the pivot of a row of positions. Result: the closures at hand, until the next call.
+  const Closures& closures_to_factorise(System<double>& system, const Kinematics<double>& k,
+                                        const RelativeMotion<double>& motion) {
+    places.evaluate(system, k, motion, at_hand);
+    for (std::size_t b = 0; b < at_hand.size(); ++b)
+      drop_repeating_rows(analysis.blocks[b], at_hand[b].jacobian, columns(b));
+    return at_hand;
   }
 
-  /// c of Phi_z zdd = c.
-  PerBlock closure_accelerations(System<double>& system, const Kinematics<double>& k) {
+  /// Motion of the bodies of all blocks, each to the base of its block.
+  const RelativeMotion<double>& motion_of_blocks(System<double>& system, const Kinematics<double>& k) {
+    for (const LoopBlock& block : topology.blocks) set_relative_motion(system, k, block, relative);
+    return relative;
+  }
+
+  /// c of Phi_z zdd = c of closures that were evaluated with motion_of_blocks.
+  static PerBlock closure_accelerations(const Closures& closures) {
     PerBlock result;
-    for (const LoopBlock& block : topology.blocks) {
-      set_relative_motion(system, k, block, relative);
-      result.push_back(closure_acceleration(system, k, block, relative));
-    }
+    for (const SparseClosure<double>& closed : closures) result.push_back(closed.acceleration);
     return result;
   }
 
@@ -156,16 +181,16 @@ struct GenericEquations {
   }
 
   /// Factors of a block by full pivoting, driven columns never dependent.
-  BlockFactors factors(std::size_t b, const BlockClosure<double>& closed) const {
-    return BlockFactors(closed.jacobian, analysis.blocks[b].driven, analysis.blocks[b].rank);
+  BlockFactors factors(std::size_t b, const SparseClosure<double>& closed) const {
+    return BlockFactors(closed.jacobian, columns(b), analysis.blocks[b].driven, analysis.blocks[b].rank);
   }
 
   /// Factors for the multipliers of a block: of redundant equations the same ones are left out at every state, unless
   /// the others lose rank there.
-  BlockFactors multiplier_factors(std::size_t b, const BlockClosure<double>& closed) const {
-    std::vector<std::vector<double>> kept = closed.jacobian;
-    for (int e : analysis.blocks[b].redundant_equations) std::fill(kept[e].begin(), kept[e].end(), 0.0);
-    BlockFactors factors_of_kept(kept, analysis.blocks[b].driven, analysis.blocks[b].rank);
+  BlockFactors multiplier_factors(std::size_t b, const SparseClosure<double>& closed) const {
+    SparseRows kept = closed.jacobian;
+    for (int e : analysis.blocks[b].redundant_equations) kept[e] = {};
+    BlockFactors factors_of_kept(kept, columns(b), analysis.blocks[b].driven, analysis.blocks[b].rank);
     return factors_of_kept.rank() < analysis.blocks[b].rank ? factors(b, closed) : factors_of_kept;
   }
 
@@ -177,9 +202,11 @@ struct GenericEquations {
       std::vector<double> right_hand_side;
       for (int j : joints) right_hand_side.push_back(residual[j]);
       lambda.push_back(multiplier_factors(b, p.closures[b]).multipliers(right_hand_side));
-      for (std::size_t e = 0; e < lambda[b].size(); ++e)
-        for (std::size_t c = 0; c < joints.size(); ++c)
-          residual[joints[c]] -= p.closures[b].jacobian[e][c] * lambda[b][e];
+      for (std::size_t e = 0; e < lambda[b].size(); ++e) {
+        const SparseRow<double>& row = p.closures[b].jacobian[e];
+        for (std::size_t i = 0; i < row.columns.size(); ++i)
+          residual[joints[row.columns[i]]] -= row.values[i] * lambda[b][e];
+      }
     }
     return lambda;
   }

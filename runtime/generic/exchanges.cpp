@@ -49,16 +49,29 @@ AppliedForces<double> forces_at_rest(System<double>& system, const Kinematics<do
   return forces;
 }
 
+/// Gravity in the axes of each frame that carries bodies, from frame to frame.
+std::vector<Vector<double>> gravity_in_frames(const System<double>& system, const Kinematics<double>& k) {
+  std::vector<Vector<double>> down(system.topology.bodies.size());
+  for (int i = 0; i < system.topology.size(); ++i) {
+    if (system.layout.frame_of(i) != i) continue;
+    const int base = system.layout.bodies[i].base;
+    down[i] = transposed_times(k.orientation[i], base == kGround ? system.constants.gravity : down[base]);
+  }
+  return down;
+}
+
 /// Kinetic energies of the bodies and power of gravity on each.
 void add_bodies(const System<double>& system, const Kinematics<double>& k, const Velocities<double>& v,
                 GenericExchanges& e) {
   const Constants<double>& c = system.constants;
+  const std::vector<Vector<double>> gravity = gravity_in_frames(system, k);
   for (int i = 0; i < system.topology.size(); ++i) {
     const Spatial<double> velocity = velocity_of(system, v, i);
     const Vector<double> at_com = velocity_at(velocity, inertia_arm(system, k, i, c.com[i], v.about));
     const Vector<double> w = transposed_times(inertia_axes(system, k, i), velocity.angular),
                          momentum = c.inertia[i] * w;
-    const Vector<double> down = direction_up(system, k, kGround, system.constants.gravity, system.layout.frame_of(i));
+    const int frame = system.layout.frame_of(i);
+    const Vector<double> down = frame == kGround ? c.gravity : gravity[frame];
     e.powers.push_back(c.mass[i] * dot(down, at_com));
     e.kinetic.push_back(0.5 * c.mass[i] * dot(at_com, at_com));
     for (const double part : {w.x * momentum.x, w.y * momentum.y, w.z * momentum.z}) e.kinetic.push_back(0.5 * part);

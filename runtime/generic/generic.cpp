@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "mbgen/solver/closure.hpp"
+#include "runtime/generic/by_recursion.hpp"
 #include "runtime/generic/equations.hpp"
 
 namespace mbgen {
@@ -38,11 +39,14 @@ Status GenericSolver::accelerations(const GenericState& state, const std::vector
   System<double>& system = equations.system(state);
   for (const Drive<double>& d : drives(system))
     if (!std::isfinite(d.acceleration)) return {Code::not_a_number, d.coordinate};
+  if (equations.recursive && !clock) return accelerations_by_recursion(equations, state, tau, derivative);
   const Kinematics<double> k = kinematics(system);
   const Inertias<double> m = inertias(system, k);
   end_of(Step::inertias);
-  if (const Status status = equations.algebra.factorise(equations.closures_to_factorise(system, k)); !status.ok())
-    return status;
+  // A clock sees the closures of positions apart from those of accelerations, which are cheaper together.
+  const Closures& closed =
+      equations.closures_to_factorise(system, k, clock ? equations.rest : equations.motion_of_blocks(system, k));
+  if (const Status status = equations.algebra.factorise(closed); !status.ok()) return status;
   end_of(Step::jacobian);
   equations.algebra.form_rz();
   end_of(Step::projection);
@@ -50,7 +54,8 @@ Status GenericSolver::accelerations(const GenericState& state, const std::vector
   end_of(Step::velocities);
   const AppliedForces<double> forces = applied_forces(system, k, v);
   end_of(Step::forces);
-  std::vector<double> zdd = equations.starred_accelerations(system, equations.closure_accelerations(system, k));
+  if (clock) equations.places.evaluate(system, k, equations.motion_of_blocks(system, k), equations.at_hand);
+  std::vector<double> zdd = equations.starred_accelerations(system, GenericEquations::closure_accelerations(closed));
   end_of(Step::closure_bias);
   const Accelerations<double> a = mbgen::accelerations(system, k, v, zdd);
   const std::vector<double> q = tree_forces(system, k, m, v, a, forces, tau);
@@ -77,10 +82,10 @@ Status GenericSolver::project(GenericState& state) const {
   for (int step = 0;; ++step) {
     System<double>& system = equations_->system(trial);
     if (const Status status = GenericEquations::follow_motions(system, trial); !status.ok()) return status;
-    const std::vector<BlockClosure<double>> closures = equations_->closures_to_factorise(system, kinematics(system));
+    const Closures& closures = equations_->closures_to_factorise(system, kinematics(system), equations_->rest);
     if (const Status status = equations_->algebra.factorise(closures); !status.ok()) return status;
     PerBlock right_hand_side;
-    for (const BlockClosure<double>& closed : closures) right_hand_side.emplace_back(closed.residual.size(), 0.0);
+    for (const SparseClosure<double>& closed : closures) right_hand_side.emplace_back(closed.residual.size(), 0.0);
     equations_->algebra.solve(right_hand_side, trial.zd);
     int open = -1;
     double size = 0;
@@ -152,21 +157,19 @@ std::vector<Pose> GenericSolver::poses(const GenericState& state) const {
 std::vector<double> GenericSolver::position_residuals(const GenericState& state) const {
   System<double>& system = equations_->system(state);
   std::vector<std::vector<double>> by_block;
-  for (const BlockClosure<double>& closed : equations_->prepare(system).closures) by_block.push_back(closed.residual);
+  for (const SparseClosure<double>& closed : equations_->closures(system, kinematics(system)))
+    by_block.push_back(closed.residual);
   return in_loop_order(equations_->topology, by_block);
 }
 
 std::vector<double> GenericSolver::velocity_residuals(const GenericState& state) const {
   System<double>& system = equations_->system(state);
   std::vector<std::vector<double>> by_block;
-  const Prepared p = equations_->prepare(system);
-  for (std::size_t b = 0; b < p.closures.size(); ++b) {
+  const Closures closures = equations_->closures(system, kinematics(system));
+  for (std::size_t b = 0; b < closures.size(); ++b) {
     by_block.emplace_back();
-    for (const std::vector<double>& row : p.closures[b].jacobian) {
-      double sum = 0;
-      for (std::size_t c = 0; c < row.size(); ++c) sum += row[c] * state.zd[equations_->topology.blocks[b].joints[c]];
-      by_block.back().push_back(sum);
-    }
+    for (const SparseRow<double>& row : closures[b].jacobian)
+      by_block.back().push_back(product(row, equations_->topology.blocks[b].joints, state.zd));
   }
   return in_loop_order(equations_->topology, by_block);
 }

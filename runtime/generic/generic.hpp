@@ -45,7 +45,7 @@ struct GenericTangents {
 /// process: Debian's serial OpenBLAS shares buffers without a lock.
 class GenericSolver {
  public:
-  /// algebra: of the closures and the reduced equations. QR is there with Eigen only: std::invalid_argument else.
+  /// algebra: of the closures and the reduced equations; see make_loop_algebra.
   GenericSolver(const Model& model, const Topology& topology, const Analysis& analysis,
                 const GenericAlgebra& algebra = {});
   ~GenericSolver();
@@ -121,10 +121,12 @@ class GenericSolver {
  private:
   /// How near a singular position the blocks are. Fails: loop_singular.
   Status notice(const GenericState& state) const;
+  /// The same from the factors at hand, where they tell it. Requires: they are those of the state.
+  Status notice_of_factors(const GenericState& state) const;
   /// The reactions that sampled values take, see reaction_loads. Fails: as accelerations.
   Status take_loads(const GenericState& state, std::vector<double>& loads) const;
-  /// Takes over a projected state unless it is a jump. Gives notices.
-  Status without_jump(const GenericState& closed, GenericState& state) const;
+  /// Takes over a projected state unless it is a jump. is_factorised: the factors at hand are its. Gives notices.
+  Status without_jump(const GenericState& closed, GenericState& state, bool is_factorised) const;
 
   std::unique_ptr<GenericEquations> equations_;
 };

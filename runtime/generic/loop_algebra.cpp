@@ -33,18 +33,22 @@ LoopShape loop_shape(const Topology& topology, const Analysis& analysis) {
   return shape;
 }
 
-LoopAlgebra make_loop_algebra(const GenericAlgebra& choice, const Topology& topology, const Analysis& analysis) {
+LoopAlgebra make_loop_algebra(const GenericAlgebra& choice, const Model& model, const Topology& topology,
+                              const Analysis& analysis) {
   const bool is_qr = choice.factorisation == Factorisation::qr;
-  if (is_qr && choice.library != LinearAlgebra::eigen) throw std::invalid_argument("QR is there with Eigen only");
   switch (choice.library) {
+    case LinearAlgebra::entries:
+      return is_qr ? eigen_qr_algebra(topology, analysis) : entries_algebra(model, topology, analysis);
     case LinearAlgebra::eigen:
       return is_qr ? eigen_qr_algebra(topology, analysis) : eigen_lu_algebra(topology, analysis);
     case LinearAlgebra::blas:
-      return blas_algebra(topology, analysis);
+      if (!is_qr) return blas_algebra(topology, analysis);
+      break;
     case LinearAlgebra::sparse:
-      return sparse_algebra(topology, analysis);
+      if (!is_qr) return sparse_algebra(model, topology, analysis);
+      break;
   }
-  throw std::invalid_argument("no such linear algebra");
+  throw std::invalid_argument("QR is there with Eigen only");
 }
 
 }  // namespace mbgen

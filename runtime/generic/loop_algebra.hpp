@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "compiler/analysis/analysis.hpp"
-#include "compiler/formulation/closure.hpp"
 #include "mbgen/status.hpp"
 #include "runtime/generic/algebra_choice.hpp"
+#include "runtime/generic/model_closures.hpp"
 #include "runtime/generic/tree_mass.hpp"
 
 namespace mbgen {
@@ -53,7 +53,7 @@ struct ReducedEquations {
 struct LoopAlgebra {
   /// Chooses dependent columns and factorises Phi_d of every block (60). Driven columns are never dependent.
   /// Fails: loop_singular, where a block has less than its generic rank.
-  std::function<Status(const std::vector<BlockClosure<double>>& closures)> factorise;
+  std::function<Status(const Closures& closures)> factorise;
   /// Rz of all coordinates (61). Requires: factorise.
   std::function<void()> form_rz;
   /// Sets the dependent entries of x, per coordinate, so that Phi_z x = right_hand_side (62). Requires: factorise.
@@ -62,21 +62,33 @@ struct LoopAlgebra {
   std::function<void(const TreeMass& mass, const std::vector<double>& q, ReducedEquations& reduced)> reduce;
   /// x += Rz free, x per coordinate. Requires: form_rz.
   std::function<void(const Eigen::VectorXd& free, std::vector<double>& x)> add_rz_times;
+  /// The smallest pivot of a block by full pivoting. Empty where pivots are chosen otherwise. Requires: factorise.
+  std::function<double(std::size_t block)> smallest_pivot;
+  /// Rz of one block, [column][free direction]. Empty where all blocks are taken as one. Requires: factorise.
+  std::function<std::vector<std::vector<double>>(std::size_t block)> rz_of;
 };
 
 /// The functions of a type that has members of these names.
 template <class Loops>
-LoopAlgebra algebra_of(const Topology& topology, const Analysis& analysis) {
-  const auto held = std::make_shared<Loops>(topology, analysis);
-  return {[held](const std::vector<BlockClosure<double>>& closures) { return held->factorise(closures); },
+LoopAlgebra algebra_of(const std::shared_ptr<Loops>& held) {
+  return {[held](const Closures& closures) { return held->factorise(closures); },
           [held] { held->form_rz(); },
           [held](const PerBlock& right_hand_side, std::vector<double>& x) { held->solve(right_hand_side, x); },
           [held](const TreeMass& mass, const std::vector<double>& q, ReducedEquations& reduced) {
             held->reduce(mass, q, reduced);
           },
-          [held](const Eigen::VectorXd& free, std::vector<double>& x) { held->add_rz_times(free, x); }};
+          [held](const Eigen::VectorXd& free, std::vector<double>& x) { held->add_rz_times(free, x); },
+          {},
+          {}};
+}
+template <class Loops, class... Data>
+LoopAlgebra algebra_of(const Data&... data) {
+  return algebra_of(std::make_shared<Loops>(data...));
 }
 
+/// Each block for itself: LU with full pivoting by the entries of its rows, sparse products. It refers to the model and
+/// the topology.
+LoopAlgebra entries_algebra(const Model& model, const Topology& topology, const Analysis& analysis);
 /// Dense, each block for itself: LU with full pivoting, products by Eigen.
 LoopAlgebra eigen_lu_algebra(const Topology& topology, const Analysis& analysis);
 /// The same with Householder QR and column pivoting.
@@ -84,9 +96,11 @@ LoopAlgebra eigen_qr_algebra(const Topology& topology, const Analysis& analysis)
 /// Dense, all loops in one matrix as in the paper: its LU by columns with row swapping, products by dgemm.
 LoopAlgebra blas_algebra(const Topology& topology, const Analysis& analysis);
 /// All loops in one sparse matrix, factorised by KLU with a partition that is kept while it is good, sparse products.
-LoopAlgebra sparse_algebra(const Topology& topology, const Analysis& analysis);
+LoopAlgebra sparse_algebra(const Model& model, const Topology& topology, const Analysis& analysis);
 
-/// The one that is asked for. Fails: std::invalid_argument for QR without Eigen.
-LoopAlgebra make_loop_algebra(const GenericAlgebra& choice, const Topology& topology, const Analysis& analysis);
+/// The one that is asked for. QR is Eigen's, also where no library is asked for.
+/// Fails: std::invalid_argument for QR with another library.
+LoopAlgebra make_loop_algebra(const GenericAlgebra& choice, const Model& model, const Topology& topology,
+                              const Analysis& analysis);
 
 }  // namespace mbgen

@@ -12,8 +12,8 @@ namespace mbgen {
 namespace {
 
 /// Status of a block by its smallest pivot. Fails: loop_singular.
-Status notice_of_block(int b, const BlockAnalysis& analysis, const std::vector<std::vector<double>>& jacobian) {
-  const PivotedBlock block(analysis, jacobian, analysis.rank);
+Status notice_of_block(int b, const BlockAnalysis& analysis, const SparseRows& jacobian, int columns) {
+  const PivotedBlock block(analysis, jacobian, columns, analysis.rank);
   if (block.factors().rank < analysis.rank) return {Code::loop_singular, b};
   return solver_detail::notice_of(b, analysis.typical_pivot, smallest_pivot(block.factors()), kPivotThreshold<double>);
 }
@@ -37,49 +37,48 @@ std::vector<double> negative(std::vector<double> values) {
 }
 
 /// -Phi_z v of a block.
-std::vector<double> negative_product(const std::vector<std::vector<double>>& jacobian, const std::vector<int>& joints,
+std::vector<double> negative_product(const SparseRows& jacobian, const std::vector<int>& joints,
                                      const std::vector<double>& v) {
-  std::vector<double> result(jacobian.size(), 0.0);
-  for (std::size_t e = 0; e < jacobian.size(); ++e)
-    for (std::size_t c = 0; c < joints.size(); ++c) result[e] -= jacobian[e][c] * v[joints[c]];
+  std::vector<double> result;
+  for (const SparseRow<double>& row : jacobian) result.push_back(-product(row, joints, v));
   return result;
 }
 
 /// Change of a block by its pivots that are not small: Phi_z x = right_hand_side.
-std::vector<double> by_large_pivots(const BlockAnalysis& analysis, const std::vector<std::vector<double>>& jacobian,
+std::vector<double> by_large_pivots(const BlockAnalysis& analysis, const SparseRows& jacobian,
                                     const std::vector<double>& right_hand_side, std::vector<double> x) {
   const double least = kSingular<double> * analysis.typical_pivot;
-  const PivotedBlock whole(analysis, jacobian, analysis.rank);
+  const int columns = static_cast<int>(x.size());
+  const PivotedBlock whole(analysis, jacobian, columns, analysis.rank);
   int count = 0;
   const auto pivot = [&](int k) { return std::abs(loop_detail::row_of(whole.factors(), k)[k]); };
   while (count < whole.factors().rank && pivot(count) >= least) ++count;
-  const PivotedBlock limited(analysis, jacobian, count);
+  const PivotedBlock limited(analysis, jacobian, columns, count);
   std::vector<double> work(jacobian.size());
   solve_dependent(limited.factors(), right_hand_side.data(), x.data(), work.data());
   return x;
 }
 
 /// Smallest pivot of a block over its typical value, zero where it has less than its rank.
-double clearance_of(const BlockAnalysis& analysis, const std::vector<std::vector<double>>& jacobian) {
-  const PivotedBlock block(analysis, jacobian, analysis.rank);
+double clearance_of(const BlockAnalysis& analysis, const SparseRows& jacobian, int columns) {
+  const PivotedBlock block(analysis, jacobian, columns, analysis.rank);
   return block.factors().rank < analysis.rank ? 0 : smallest_pivot(block.factors()) / analysis.typical_pivot;
 }
 
 /// Whether a block is on the other side of a singular position, see changes_side.
-bool sides_differ(const BlockAnalysis& analysis, const std::vector<std::vector<double>>& from,
-                  const std::vector<std::vector<double>>& to) {
-  const PivotedBlock block(analysis, from, analysis.rank);
+bool sides_differ(const BlockAnalysis& analysis, const SparseRows& from, const SparseRows& to, int columns) {
+  const PivotedBlock block(analysis, from, columns, analysis.rank);
   const LoopFactors& loop = block.factors();
-  std::vector<double> start, end, product(static_cast<std::size_t>(loop.rank) * loop.rank);
-  std::vector<int> rows(loop.rank), columns(loop.rank);
-  for (const std::vector<double>& row : from) start.insert(start.end(), row.begin(), row.end());
-  for (const std::vector<double>& row : to) end.insert(end.end(), row.begin(), row.end());
-  std::vector<unsigned char> driven(from.empty() ? 0 : from[0].size(), 0);
+  const std::vector<double> start = written_out(from, columns), end = written_out(to, columns);
+  std::vector<double> product(static_cast<std::size_t>(loop.rank) * loop.rank);
+  std::vector<int> row_places(loop.rank), column_places(loop.rank);
+  std::vector<unsigned char> driven(static_cast<std::size_t>(columns), 0);
   for (const int c : analysis.driven) driven[static_cast<std::size_t>(c)] = 1;
-  return changes_side(loop, start.data(), end.data(), driven.data(), {product.data(), rows.data(), columns.data()});
+  return changes_side(loop, start.data(), end.data(), driven.data(),
+                      {product.data(), row_places.data(), column_places.data()});
 }
 
-std::vector<BlockClosure<double>> closures_at(const GenericState& state, GenericEquations& equations) {
+Closures closures_at(const GenericState& state, GenericEquations& equations) {
   System<double>& system = equations.system(state);
   return equations.closures(system, kinematics(system));
 }
@@ -94,37 +93,52 @@ std::vector<double> of_joints(const std::vector<int>& joints, const std::vector<
 }  // namespace
 
 Status GenericSolver::notice(const GenericState& state) const {
-  const std::vector<BlockClosure<double>> closures = closures_at(state, *equations_);
+  const Closures closures = closures_at(state, *equations_);
   Status result;
   for (std::size_t b = 0; b < closures.size(); ++b) {
-    const Status of_block = notice_of_block(static_cast<int>(b), equations_->analysis.blocks[b], closures[b].jacobian);
+    const Status of_block = notice_of_block(static_cast<int>(b), equations_->analysis.blocks[b], closures[b].jacobian,
+                                            equations_->columns(b));
     if (!of_block.ok()) return of_block;
     result = more_telling(result, of_block);
   }
   return result;
 }
 
-Status GenericSolver::without_jump(const GenericState& closed, GenericState& state) const {
+Status GenericSolver::notice_of_factors(const GenericState& state) const {
+  const GenericEquations& equations = *equations_;
+  const bool is_known = equations.algebra.smallest_pivot &&
+                        std::all_of(equations.analysis.blocks.begin(), equations.analysis.blocks.end(),
+                                    [](const BlockAnalysis& block) { return block.late.equations.empty(); });
+  if (!is_known) return notice(state);
+  Status result;
+  for (std::size_t b = 0; b < equations.analysis.blocks.size(); ++b)
+    result =
+        more_telling(result, solver_detail::notice_of(static_cast<int>(b), equations.analysis.blocks[b].typical_pivot,
+                                                      equations.algebra.smallest_pivot(b), kPivotThreshold<double>));
+  return result;
+}
+
+Status GenericSolver::without_jump(const GenericState& closed, GenericState& state, bool is_factorised) const {
   for (std::size_t b = 0; b < equations_->topology.blocks.size(); ++b) {
     for (const int j : equations_->topology.blocks[b].joints) {
       const bool jumps = !(std::abs(closed.z[j] - state.z[j]) <= kLargestCorrection<double>);
       if (jumps && !equations_->analysis.driven[j]) return {Code::loop_not_closed, static_cast<int>(b)};
     }
   }
-  const Status status = notice(closed);
+  const Status status = is_factorised ? notice_of_factors(closed) : notice(closed);
   if (status.ok()) state = closed;
   return status;
 }
 
 Status GenericSolver::solve_motion(const GenericState& state, GenericDerivative& derivative) const {
   const Status status = accelerations(state, std::vector<double>(state.z.size(), 0.0), derivative);
-  return status.ok() ? notice(state) : status;
+  return status.ok() ? notice_of_factors(state) : status;
 }
 
 Status GenericSolver::project_motion(GenericState& state) const {
   GenericState closed = state;
   const Status status = project(closed);
-  return status.ok() ? without_jump(closed, state) : status;
+  return status.ok() ? without_jump(closed, state, true) : status;
 }
 
 Status GenericSolver::project_nearest(GenericState& state) const {
@@ -134,9 +148,9 @@ Status GenericSolver::project_nearest(GenericState& state) const {
   for (bool gains = true; gains;) {
     System<double>& system = equations_->system(closed);
     if (const Status status = GenericEquations::follow_motions(system, closed); !status.ok()) return status;
-    const std::vector<BlockClosure<double>> closures = equations_->closures_to_factorise(system, kinematics(system));
+    const Closures& closures = equations_->closures_to_factorise(system, kinematics(system), equations_->rest);
     double size = 0;
-    for (const BlockClosure<double>& block : closures) size = std::max(size, largest_absolute(block.residual));
+    for (const SparseClosure<double>& block : closures) size = std::max(size, largest_absolute(block.residual));
     gains = size > 0 && size < 0.5 * previous;
     previous = size;
     for (std::size_t b = 0; b < closures.size(); ++b) {
@@ -154,7 +168,7 @@ Status GenericSolver::project_nearest(GenericState& state) const {
     }
   }
   const Status status = equations_->check_arguments(closed, {});
-  return status.ok() ? without_jump(closed, state) : status;
+  return status.ok() ? without_jump(closed, state, false) : status;
 }
 
 Status GenericSolver::project_crossing(GenericState& state, double& clearance) const {
@@ -166,7 +180,7 @@ Status GenericSolver::project_crossing(GenericState& state, double& clearance) c
   for (bool is_open = true, is_first = true; is_open; is_first = false) {
     System<double>& system = equations_->system(closed);
     if (const Status status = GenericEquations::follow_motions(system, closed); !status.ok()) return status;
-    const std::vector<BlockClosure<double>> closures = equations_->closures(system, kinematics(system));
+    const Closures closures = equations_->closures(system, kinematics(system));
     double size = 0;
     int open = -1;
     for (std::size_t b = 0; b < closures.size(); ++b) {
@@ -175,7 +189,8 @@ Status GenericSolver::project_crossing(GenericState& state, double& clearance) c
     }
     is_open = !(size <= tolerance);
     for (std::size_t b = 0; is_first && b < closures.size(); ++b)
-      clearance = std::min(clearance, clearance_of(equations_->analysis.blocks[b], closures[b].jacobian));
+      clearance = std::min(clearance,
+                           clearance_of(equations_->analysis.blocks[b], closures[b].jacobian, equations_->columns(b)));
     if (is_open && !(size < 0.5 * previous)) return {Code::loop_singular, open};
     previous = size;
     for (std::size_t b = 0; b < closures.size(); ++b) {
@@ -199,10 +214,10 @@ Status GenericSolver::project_crossing(GenericState& state, double& clearance) c
 }
 
 int GenericSolver::changed_side(const GenericState& from, const GenericState& to) const {
-  const std::vector<BlockClosure<double>> start = closures_at(from, *equations_), end = closures_at(to, *equations_);
+  const Closures start = closures_at(from, *equations_), end = closures_at(to, *equations_);
   for (std::size_t b = 0; b < start.size(); ++b) {
     const BlockAnalysis& analysis = equations_->analysis.blocks[b];
-    if (sides_differ(analysis, start[b].jacobian, end[b].jacobian)) return static_cast<int>(b);
+    if (sides_differ(analysis, start[b].jacobian, end[b].jacobian, equations_->columns(b))) return static_cast<int>(b);
   }
   return -1;
 }
@@ -219,16 +234,18 @@ Status GenericSolver::watch_way(const GenericState& from, const GenericState& to
     }
   }
   if (limits.least > 0 && moved <= limits.least * limits.least) return {};
-  const std::vector<BlockClosure<double>> start = closures_at(from, *equations_), end = closures_at(to, *equations_);
+  const Closures start = closures_at(from, *equations_), end = closures_at(to, *equations_);
   for (std::size_t b = 0; b < ways.size(); ++b) {
     const BlockAnalysis& analysis = equations_->analysis.blocks[b];
+    const int columns = equations_->columns(b);
     const double clearance =
-        std::min(clearance_of(analysis, start[b].jacobian), clearance_of(analysis, end[b].jacobian));
+        std::min(clearance_of(analysis, start[b].jacobian, columns), clearance_of(analysis, end[b].jacobian, columns));
     if (h * ways[b].fastest <= limits.most * clearance) continue;
     const std::size_t held = static_cast<std::size_t>(analysis.rank) + analysis.driven.size();
     const bool is_free = equations_->topology.blocks[b].joints.size() > held || limits.aside == 0;
     if (is_free && ways[b].turns(limits)) return {Code::loop_singular, static_cast<int>(b)};
-    if (sides_differ(analysis, start[b].jacobian, end[b].jacobian)) return {Code::singular_met, static_cast<int>(b)};
+    if (sides_differ(analysis, start[b].jacobian, end[b].jacobian, columns))
+      return {Code::singular_met, static_cast<int>(b)};
   }
   return {};
 }

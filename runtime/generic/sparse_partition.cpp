@@ -58,8 +58,8 @@ void PartitionedJacobian::add_column(const LoopShape& shape, const std::vector<s
                          0});
 }
 
-double PartitionedJacobian::factorise(const std::vector<BlockClosure<double>>& closures) {
-  const auto value = [&](const Entry& e) { return closures[e.block].jacobian[e.equation][e.column]; };
+double PartitionedJacobian::factorise(const Closures& closures) {
+  const auto value = [&](const Entry& e) { return closures[e.block].jacobian[e.equation].at(e.column); };
   for (OtherEntry& other : others_) other.value = value(other.source);
   if (!factors_) return 1;
   std::transform(entries_.begin(), entries_.end(), factors_->values().begin(), value);

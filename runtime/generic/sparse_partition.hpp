@@ -21,7 +21,7 @@ class PartitionedJacobian {
   PartitionedJacobian(const Topology& topology, const LoopShape& shape, std::vector<BlockPartition> partition);
 
   /// Takes the values of a state. Result: smallest over largest pivot of Phi_d.
-  double factorise(const std::vector<BlockClosure<double>>& closures);
+  double factorise(const Closures& closures);
   /// Sets the dependent entries of x, per coordinate, so that Phi_z x = right_hand_side.
   void solve(const PerBlock& right_hand_side, std::vector<double>& x);
   /// Phi_d^-1 Phi_i: row k belongs to dependent_coordinates()[k], column q to the q-th direction of its block.

@@ -21,8 +21,8 @@ TEST_F(CommandLine, EveryLinearAlgebraGivesTheSameAccelerations) {
   write("closed.json", closed.dump());
   const Json expected = json_of("evaluate four_bar.json --states closed.json --engine generic");
   for (const char* choice :
-       {"--linear-algebra eigen", "--linear-algebra blas", "--linear-algebra sparse", "--factorisation lu",
-        "--factorisation qr", "--linear-algebra sparse --factorisation lu"}) {
+       {"--linear-algebra entries", "--linear-algebra eigen", "--linear-algebra blas", "--linear-algebra sparse",
+        "--factorisation lu", "--factorisation qr", "--linear-algebra sparse --factorisation lu"}) {
     const Json result = json_of(fmt::format("evaluate four_bar.json --states closed.json --engine generic {}", choice));
     for (std::size_t s = 0; s < 2; ++s) {
       ASSERT_EQ(result["states"][s]["status"], "ok") << choice;
@@ -39,7 +39,8 @@ TEST_F(CommandLine, SimulatesWithEveryLinearAlgebra) {
   // Each projects along its own dependent coordinates: the motions differ by the integrator's error, h^4.
   const std::string common = "simulate four_bar.json --duration 0.5 --step 2.5e-4 --engine generic --out table.csv ";
   std::vector<double> angles;
-  for (const char* choice : {"", "--linear-algebra blas", "--linear-algebra sparse", "--factorisation qr"}) {
+  for (const char* choice :
+       {"", "--linear-algebra eigen", "--linear-algebra blas", "--linear-algebra sparse", "--factorisation qr"}) {
     ASSERT_EQ(mbgen(common + choice).exit_code, 0) << choice;
     angles.push_back(table("table.csv").last("z.crank_pin [rad]"));
     EXPECT_NEAR(angles.back(), angles.front(), 1e-10) << choice;
@@ -56,7 +57,7 @@ TEST_F(CommandLine, RefusesAlgebraThatThereIsNot) {
     return run.err;
   };
   EXPECT_EQ(refusal("--engine generic --linear-algebra mkl"),
-            "--linear-algebra: no linear algebra \"mkl\"; there are: eigen, blas, sparse\n");
+            "--linear-algebra: no linear algebra \"mkl\"; there are: eigen, blas, sparse, entries\n");
   EXPECT_EQ(refusal("--engine generic --factorisation svd"),
             "--factorisation: no factorisation \"svd\"; there are: lu, qr\n");
   EXPECT_EQ(refusal("--engine generic --linear-algebra blas --factorisation qr"),
@@ -70,7 +71,7 @@ TEST_F(CommandLine, RefusesAlgebraThatThereIsNot) {
 TEST_F(CommandLine, HelpNamesTheLinearAlgebras) {
   for (const char* command : {"evaluate", "simulate"}) {
     const std::string help = mbgen(fmt::format("{} --help", command)).out;
-    for (const char* word : {"--linear-algebra", "eigen", "blas", "sparse", "--factorisation", "lu", "qr"})
+    for (const char* word : {"--linear-algebra", "entries", "eigen", "blas", "sparse", "--factorisation", "lu", "qr"})
       EXPECT_NE(help.find(word), std::string::npos) << command << " " << word;
   }
 }

@@ -18,7 +18,7 @@ namespace {
 using namespace mbgen::testing;
 
 /// A loop of bars with springs of every kind at rest, where no force changes its direction. All laws are stiff.
-constexpr const char* kSprung = R"json({ "mbgen": 1, "name": "sprung", "gravity": [0, 0, 0],
+constexpr const char* kSprungBody = R"json({ "mbgen": 1, "name": "sprung", "gravity": [0, 0, 0],
   "bodies": {
     "ground": { "points": { "a": [0, 0, 0], "d": [0.9, 0, 0], "anchor": [0.3, 0, 0.9] } },
     "crank": { "mass": 1, "com": [0, 0, 0.2], "inertia": [0.02, 0.02, 0.001],
@@ -52,7 +52,7 @@ constexpr const char* kSprung = R"json({ "mbgen": 1, "name": "sprung", "gravity"
 })json";
 
 TEST(Implicit, MatrixIsThatOfTheMechanismWhereNoForceTurns) {
-  const Free sprung{mechanism_of(kSprung)};
+  const Free sprung{mechanism_of(kSprungBody)};
   const GenericState state = reference_state(sprung.m);
   ASSERT_LT(sprung.rates(state).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_LT(largest_difference(sprung.matrix(state), sprung.differences(state)), 1e-7);

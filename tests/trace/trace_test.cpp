@@ -98,7 +98,8 @@ std::vector<GroupProjection<double>> pivoted_projections(const Mechanism& m, con
     std::vector<std::vector<double>> jacobian;
     for (std::size_t e = 0; e < rows; ++e)
       jacobian.emplace_back(flat.begin() + e * columns, flat.begin() + (e + 1) * columns);
-    const BlockFactors factors(jacobian, m.analysis.blocks[b].driven, m.analysis.blocks[b].rank);
+    const BlockFactors factors(sparse_rows(jacobian), static_cast<int>(columns), m.analysis.blocks[b].driven,
+                               m.analysis.blocks[b].rank);
     std::vector<double> zdd_star(columns, 0.0);
     for (int c : m.analysis.blocks[b].driven)
       zdd_star[c] = terms.at(Array::driven_acceleration)[m.topology.blocks[b].joints[c]];

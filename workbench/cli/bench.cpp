@@ -43,7 +43,8 @@ std::vector<EngineChoice> choices(const EngineChoice& common, int lanes) {
       list.push_back(choice);
       continue;
     }
-    for (const LinearAlgebra library : {LinearAlgebra::eigen, LinearAlgebra::blas, LinearAlgebra::sparse}) {
+    for (const LinearAlgebra library :
+         {LinearAlgebra::entries, LinearAlgebra::eigen, LinearAlgebra::blas, LinearAlgebra::sparse}) {
       choice.algebra = {library, Factorisation::lu};
       list.push_back(choice);
     }

@@ -58,8 +58,8 @@ void add_engine_options(NamedCommand command, EngineArguments& arguments) {
                                  arguments.choice.name));
   command.add_option(
       "--linear-algebra", arguments.linear_algebra,
-      "of the generic engine: eigen (dense, block by block), blas (the paper's LU on all loops at once)\n"
-      "or sparse (KLU) (default eigen)");
+      "of the generic engine: entries (block by block, zeros never touched), eigen (dense, block by block),\n"
+      "blas (the paper's LU on all loops at once) or sparse (KLU) (default entries)");
   command.add_option("--factorisation", arguments.factorisation,
                      "of the generic engine's loops: lu, or qr with eigen only (default lu)");
   command.add_option(

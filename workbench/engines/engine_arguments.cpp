@@ -20,10 +20,12 @@ struct WordOption {
   std::array<std::pair<const char*, Value>, count> words;
 };
 
-constexpr WordOption<LinearAlgebra, 3> kLinearAlgebra{
-    "--linear-algebra",
-    "linear algebra",
-    {{{"eigen", LinearAlgebra::eigen}, {"blas", LinearAlgebra::blas}, {"sparse", LinearAlgebra::sparse}}}};
+constexpr WordOption<LinearAlgebra, 4> kLinearAlgebra{"--linear-algebra",
+                                                      "linear algebra",
+                                                      {{{"eigen", LinearAlgebra::eigen},
+                                                        {"blas", LinearAlgebra::blas},
+                                                        {"sparse", LinearAlgebra::sparse},
+                                                        {"entries", LinearAlgebra::entries}}}};
 constexpr WordOption<Factorisation, 2> kFactorisation{
     "--factorisation", "factorisation", {{{"lu", Factorisation::lu}, {"qr", Factorisation::qr}}}};
 constexpr WordOption<Form, 2> kForm{"--form", "form", {{{"recursive", Form::recursive}, {"matrix", Form::matrix}}}};
@@ -71,7 +73,8 @@ EngineChoice chosen_engine(const EngineArguments& arguments) {
   choose(kLinearAlgebra, arguments.linear_algebra, generic, choice.algebra.library);
   choose(kFactorisation, arguments.factorisation, generic, choice.algebra.factorisation);
   choose(kStabilisation, arguments.stabilisation, cartesian, choice.stabilisation);
-  if (choice.algebra.factorisation == Factorisation::qr && choice.algebra.library != LinearAlgebra::eigen) {
+  if (choice.algebra.factorisation == Factorisation::qr && choice.algebra.library != LinearAlgebra::eigen &&
+      !arguments.linear_algebra.empty()) {
     throw UserError(
         fmt::format("--factorisation: qr goes with --linear-algebra eigen only, found {}\n", arguments.linear_algebra));
   }

@@ -106,7 +106,17 @@ long long time_accelerations(const GenericSolver& solver, const std::vector<Load
 
 std::string name_of(const GenericAlgebra& algebra) {
   if (algebra.factorisation == Factorisation::qr) return "eigen qr";
-  return algebra.library == LinearAlgebra::eigen ? "eigen" : algebra.library == LinearAlgebra::blas ? "blas" : "sparse";
+  switch (algebra.library) {
+    case LinearAlgebra::entries:
+      return "entries";
+    case LinearAlgebra::eigen:
+      return "eigen";
+    case LinearAlgebra::blas:
+      return "blas";
+    case LinearAlgebra::sparse:
+      return "sparse";
+  }
+  return {};
 }
 
 std::array<double, kSteps> step_shares(const GenericSolver& solver, const std::vector<LoadedState>& at,

@@ -22,13 +22,6 @@ constexpr double kKept = 1e-9;
 /// Largest deviation of a motion from a value that the model gives with a few digits.
 constexpr double kRounding = 1e-3;
 
-/// Sparse if a block's matrix is too large to be pivoted as a whole.
-GenericAlgebra algebra_for(const Topology& topology) {
-  const bool is_dense = std::all_of(topology.blocks.begin(), topology.blocks.end(),
-                                    [](const LoopBlock& block) { return chooses_again(block); });
-  return {is_dense ? LinearAlgebra::eigen : LinearAlgebra::sparse, Factorisation::lu};
-}
-
 /// Largest ratio of velocities to the largest requested one: no gear or lever multiplies by so much.
 constexpr double kMostMultiplied = 1e6;
 
@@ -176,8 +169,7 @@ void add_moved(const std::vector<Wish>& wishes, const std::vector<double>& value
 
 Start initial_start(const Compilation& compilation, const std::vector<double>& inputs) {
   const Initial& initial = compilation.model.initial;
-  GenericSolver solver(compilation.model, compilation.topology, compilation.analysis,
-                       algebra_for(compilation.topology));
+  GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
   solver.set_inputs(inputs);
   const std::vector<Wish> positions = wishes_of(compilation, initial.positions);
   std::vector<Wish> velocities = wishes_of(compilation, initial.velocities);

@@ -37,7 +37,7 @@ template <class T>
 bool is_alone_on_base(const RecursionState<T>& s, const RecursionUnit& unit, const JointStep& step) {
   const int i = step.body();
   if (!step.revolute || step.quasi() || s.work.own(i) || s.work.parent(step) != unit.base) return false;
-  return std::none_of(s.units().begin(), s.units().end(), [i](const RecursionUnit& u) { return u.base == i; });
+  return s.work.recursion.on_body[i].empty();
 }
 
 /// Whether a body of a block is an arm of another body of it than the base: one revolute joint, nothing on it. On an
@@ -184,9 +184,9 @@ bool is_arm_run(const RecursionState<T>& s, const RecursionUnit& unit) {
   if (unit.joints.size() != 1 || !s.system().revolute(e) || s.driven(e) != nullptr || s.system().ball(e) >= 0)
     return false;
   if (unit.base == kGround || !s.work.own(unit.base)) return false;
-  return std::none_of(s.units().begin(), s.units().end(), [&](const RecursionUnit& u) {
-    return u.base == e && (!u.rotor || s.driven(u.end()) != nullptr);
-  });
+  const std::vector<int>& above = s.work.recursion.on_body[e];
+  return std::none_of(above.begin(), above.end(),
+                      [&](int u) { return !s.units()[u].rotor || s.driven(s.units()[u].end()) != nullptr; });
 }
 
 /// A run that is an arm: it joins the inertia of its base, less its own joint.

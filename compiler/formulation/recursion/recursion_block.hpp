@@ -85,8 +85,8 @@ void add_to_equations(BlockGathering<T>& g, int i, const Vector<T>& arm, const V
 /// Whether a unit with a door of its own moves on a body.
 template <class T>
 bool bears_units(const RecursionState<T>& s, int body) {
-  return std::any_of(s.units().begin(), s.units().end(),
-                     [body](const RecursionUnit& u) { return u.base == body && !u.rotor; });
+  const std::vector<int>& on_body = s.work.recursion.on_body[body];
+  return std::any_of(on_body.begin(), on_body.end(), [&](int u) { return !s.units()[u].rotor; });
 }
 
 /// Acceleration of the point `arm` from the origin of a body of a block at zero base and free accelerations.

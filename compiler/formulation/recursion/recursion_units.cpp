@@ -105,7 +105,7 @@ std::vector<JointStep> steps_of(const StepRules& rules, const std::vector<int>& 
 
 Recursion plan_recursion(const Model& model, const Topology& topology, const std::vector<bool>& driven,
                          RecursionChoices choices) {
-  Recursion recursion{choices, choose_layout(model, topology, choices.rotors ? Frames::own : Frames::all), {}};
+  Recursion recursion{choices, choose_layout(model, topology, choices.rotors ? Frames::own : Frames::all), {}, {}};
   const StepRules rules{model, topology, joints_alone(model, topology, driven), mere_links(model, topology)};
   for (const JointGroup& group : topology.groups) {
     RecursionUnit unit;
@@ -127,6 +127,10 @@ Recursion plan_recursion(const Model& model, const Topology& topology, const std
     unit.steps = steps_of(rules, unit.joints, group.block >= 0);
     recursion.units.push_back(std::move(unit));
   }
+  recursion.on_body.resize(topology.bodies.size());
+  for (std::size_t u = 0; u < recursion.units.size(); ++u)
+    if (const int base = recursion.units[u].base; base != kGround)
+      recursion.on_body[base].push_back(static_cast<int>(u));
   return recursion;
 }
 

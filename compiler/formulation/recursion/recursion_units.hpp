@@ -70,8 +70,9 @@ struct RecursionChoices {
 /// Frames and order of the recursive form.
 struct Recursion {
   RecursionChoices choices;
-  Layout layout;                     ///< own frames for all bodies outside blocks but rotors
-  std::vector<RecursionUnit> units;  ///< parents first
+  Layout layout;                          ///< own frames for all bodies outside blocks but rotors
+  std::vector<RecursionUnit> units;       ///< parents first
+  std::vector<std::vector<int>> on_body;  ///< per tree body: indices of the units that move on it
 };
 
 /// Plans the recursive form. driven: per tree coordinate; a driven one is never a quasi-velocity.

@@ -1,0 +1,54 @@
+#include "compiler/analysis/many_directions.hpp"
+
+#include <cmath>
+
+#include "compiler/formulation/recursion/recursion.hpp"
+
+namespace mbgen {
+namespace {
+
+/// Inertia per coordinate by the recursive form, with the coordinates of `held` at rest; NaN of those, and of those
+/// that move one that has none.
+std::vector<double> inertias_while(const System<double>& given, const std::vector<bool>& held) {
+  const Recursion recursion = plan_recursion(given.model, given.topology, held);
+  System<double> system{given.model, given.topology,  recursion.layout, given.environment,
+                        given.x,     given.constants, given.scribe};
+  const std::size_t n = given.topology.bodies.size();
+  AppliedForces<double> none;
+  none.wrench.resize(n);
+  none.joint.assign(n, 0.0);
+  none.about = MotionPoint::body_origin;
+  std::vector<Drive<double>> still;
+  for (std::size_t i = 0; i < n; ++i)
+    if (held[i]) still.push_back({static_cast<int>(i), 0.0, 0.0, 0.0});
+  std::vector<double> result(n, std::nan(""));
+  for (const DirectionInertia<double>& direction :
+       recursive_accelerations(system, recursion, kinematics(system), none, still, std::vector<double>(n, 0.0), {})
+           .inertia)
+    result[direction.place] = direction.value;
+  return result;
+}
+
+}  // namespace
+
+std::vector<double> inertias_by_recursion(const System<double>& system, const std::vector<bool>& driven,
+                                          const std::vector<int>& asked) {
+  std::vector<bool> held = driven;
+  std::vector<double> inertia(held.size(), 0.0);
+  // A direction without inertia leaves none to be told of those that move it: it is held, and the others are asked
+  // again.
+  for (bool again = true; again;) {
+    again = false;
+    const std::vector<double> found = inertias_while(system, held);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (held[i]) continue;
+      inertia[i] = found[i];
+      if (found[i] <= 0) held[i] = again = true;
+    }
+  }
+  std::vector<double> result;
+  for (const int i : asked) result.push_back(inertia[i]);
+  return result;
+}
+
+}  // namespace mbgen
