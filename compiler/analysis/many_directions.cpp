@@ -35,8 +35,8 @@ std::vector<double> inertias_by_recursion(const System<double>& system, const st
                                           const std::vector<int>& asked) {
   std::vector<bool> held = driven;
   std::vector<double> inertia(held.size(), 0.0);
-  // A direction without inertia leaves none to be told of those that move it: it is held, and the others are asked
-  // again.
+  // A direction without inertia leaves none to be told of the coordinates that move it: it is held, and the others are
+  // asked again.
   for (bool again = true; again;) {
     again = false;
     const std::vector<double> found = inertias_while(system, held);

@@ -9,7 +9,7 @@ namespace mbgen {
 namespace {
 
 constexpr double kMirrorShare = 1e-9;     // of the extent, and of the largest of an inertia: what typed decimals leave
-constexpr std::size_t kMostPlanes = 3;    // those that most pairs ask for
+constexpr std::size_t kMostPlanes = 3;    // asked for by most pairs
 constexpr std::size_t kMostBodies = 500;  // pairs of them: 125 000 planes
 
 Vector<double> reflected(const Mirror& m, const Vector<double>& direction) {

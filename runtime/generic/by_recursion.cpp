@@ -26,8 +26,8 @@ Status chosen_projections(GenericEquations& equations, System<double>& system,
   return {};
 }
 
-/// The outermost direction without inertia, as the coordinate that moves most in it; -1: all have some. Those that move
-/// it have no number.
+/// The outermost direction without inertia, as the coordinate that moves most in it; -1: all have some. Coordinates
+/// that move it have no number.
 int coordinate_without_inertia(const Topology& topology, const std::vector<BlockProjection<double>>& projections,
                                const std::vector<DirectionInertia<double>>& directions) {
   for (auto it = directions.rbegin(); it != directions.rend(); ++it) {

@@ -52,7 +52,7 @@ struct GenericEquations {
   const RelativeMotion<double> rest;
   RelativeMotion<double> relative;  ///< bodies of all blocks, each to the base of its block
   const ModelClosures places;
-  Closures at_hand;  ///< those that were factorised last
+  Closures at_hand;  ///< as factorised last
   LoopAlgebra algebra;
   TreeMass mass;  ///< empty until it is asked for
   ReducedEquations reduced;

@@ -18,7 +18,7 @@ class SparseLu {
   /// Cost: the entries of the rows in which each pivot column stands, and a logarithm of the rows for each.
   void compute(const std::vector<SparseRow<double>>& rows, int columns, int rank_limit);
   int rank() const { return static_cast<int>(pivots_.size()); }
-  /// Column of A in place k: that of pivot k, then those without a pivot in ascending order.
+  /// Column of A in place k: the column of pivot k, then columns without a pivot in ascending order.
   int column(int k) const { return columns_[static_cast<std::size_t>(k)]; }
   /// Rows of A with pivots, in their order.
   std::vector<int> rows() const;
