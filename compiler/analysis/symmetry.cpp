@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "compiler/analysis/configuration.hpp"
 
@@ -36,6 +37,7 @@ std::vector<Mirror> planes(const Topology& topology, const Constants<double>& c,
     int pairs = 1;
   };
   std::vector<Counted> found;
+  std::multimap<double, std::size_t> by_distance;  // index into found
   std::vector<int> with_mass;
   for (int i = 0; i < topology.size(); ++i)
     if (c.mass[i] > 0 && with_mass.size() < kMostBodies) with_mass.push_back(i);
@@ -59,11 +61,19 @@ std::vector<Mirror> planes(const Topology& topology, const Constants<double>& c,
         return std::abs(std::abs(along) - 1) < kMirrorShare &&
                std::abs(other.plane.offset - (along < 0 ? -1 : 1) * plane.offset) < tolerance;
       };
-      const auto known = std::find_if(found.begin(), found.end(), is_same);
-      if (known != found.end())
-        ++known->pairs;
-      else
+      // Planes in the order in which they were found, by their distance from the origin: most pairs have one of their
+      // own.
+      const double distance = std::abs(plane.offset);
+      std::size_t known = found.size();
+      for (auto near = by_distance.lower_bound(distance - tolerance);
+           near != by_distance.end() && near->first <= distance + tolerance; ++near)
+        if (near->second < known && is_same(found[near->second])) known = near->second;
+      if (known < found.size()) {
+        ++found[known].pairs;
+      } else {
+        by_distance.emplace(distance, found.size());
         found.push_back({std::move(plane)});
+      }
     }
   std::stable_sort(found.begin(), found.end(), [](const Counted& a, const Counted& b) { return a.pairs > b.pairs; });
   std::vector<Mirror> result;
