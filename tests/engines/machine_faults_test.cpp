@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kRun = "simulate pendulum.json --duration 0.1 --step 1e-2 --out o.csv";
+constexpr const char* kShortRun = "simulate pendulum.json --duration 0.1 --step 1e-2 --out o.csv";
 
 class MachineFaults : public CommandLine {
  protected:
@@ -30,26 +30,26 @@ class MachineFaults : public CommandLine {
 };
 
 TEST_F(MachineFaults, DamagedSolversAreCompiledAgain) {
-  ASSERT_EQ(mbgen(kRun).exit_code, 0);
+  ASSERT_EQ(mbgen(kShortRun).exit_code, 0);
   const fs::path solver = kept();
   const auto size = fs::file_size(solver);
   for (const std::uintmax_t left : {std::uintmax_t{0}, std::uintmax_t{100}, size / 2, size - 1}) {
     fs::resize_file(solver, left);
-    const Outcome run = mbgen(kRun);
+    const Outcome run = mbgen(kShortRun);
     EXPECT_EQ(run.exit_code, 0) << left << run.err;
     EXPECT_EQ(fs::file_size(solver), size) << left;
   }
   std::fstream(solver, std::ios::in | std::ios::out | std::ios::binary).seekp(5000) << "damage";
-  EXPECT_EQ(mbgen(kRun).exit_code, 0);
+  EXPECT_EQ(mbgen(kShortRun).exit_code, 0);
   EXPECT_EQ(fs::file_size(solver), size);
 }
 
 TEST_F(MachineFaults, ADirectoryInThePlaceOfASolverIsToldAndTheMotionRuns) {
-  ASSERT_EQ(mbgen(kRun).exit_code, 0);
+  ASSERT_EQ(mbgen(kShortRun).exit_code, 0);
   const fs::path solver = kept();
   fs::remove(solver);
   fs::create_directories(solver / "inside");
-  const Outcome run = mbgen(kRun);
+  const Outcome run = mbgen(kShortRun);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.err.find(solver.string() + ": note: the solver is not kept under this name: Is a directory\n"
                                            "  hint: remove what stands there, or name another directory in "
@@ -60,7 +60,7 @@ TEST_F(MachineFaults, ADirectoryInThePlaceOfASolverIsToldAndTheMotionRuns) {
 
 TEST_F(MachineFaults, ACompilerThatWritesNothingIsNone) {
   set("CXX", "/bin/true");
-  const Outcome run = mbgen(kRun);
+  const Outcome run = mbgen(kShortRun);
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.err, "no C++ compiler: `/bin/true` ended well and wrote no code; name another one in CXX\n");
 }
@@ -71,7 +71,7 @@ TEST_F(MachineFaults, AFullDiskUnderTheCompilerIsTheMachines) {
         "echo 'fatal error: error writing to x.s: No space left on device'; exit 1\n");
   fs::permissions(path("compiler"), fs::perms::owner_all);
   set("CXX", path("compiler").string());
-  const Outcome run = mbgen(kRun);
+  const Outcome run = mbgen(kShortRun);
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.err.find("defect of mbgen"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("the compiler was stopped by this machine (exit code 1)"), std::string::npos) << run.err;
@@ -86,7 +86,7 @@ TEST_F(MachineFaults, DirectoriesOfKilledRunsAreCollected) {
   const fs::path held = path("cache/mbgen/mbgen-build-inwork");
   fs::create_directories(held);
   fs::last_write_time(held, old);
-  const Outcome run = shell(fmt::format("flock -n '{}' '{}' {}", held.string(), MBGEN_BINARY, kRun));
+  const Outcome run = shell(fmt::format("flock -n '{}' '{}' {}", held.string(), MBGEN_BINARY, kShortRun));
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_FALSE(fs::exists(path("cache/mbgen/mbgen-build-abcdef")));
   EXPECT_TRUE(fs::exists(path("cache/mbgen/mbgen-build-newone")));
