@@ -4,8 +4,8 @@
 #   bench/generic_steps.sh [MBGEN] [DIRECTORY]
 #
 # MBGEN: the binary, default build/release/mbgen, else build/mbgen. DIRECTORY: for the models and results, default
-# build/generic_steps. MODELS chooses the models, as kind:size. Processor time of 60 steps of 1 ms with their table less
-# that of 10, over 50. Needs Python 3.
+# build/generic_steps. MODELS chooses the models, as kind:size. Processor time of 110 steps of 1 ms with their table less
+# that of 10, over 100. Needs Python 3.
 set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -31,6 +31,6 @@ echo "|---|---|---|"
 for model in $models; do
   kind=${model%:*} size=${model#*:}
   "$root/bench/growth_model.sh" "$kind" "$size" > "$out/$kind-$size.json"
-  few=$(seconds 0.01 "$out/$kind-$size.json") many=$(seconds 0.06 "$out/$kind-$size.json")
-  awk -v k="$kind" -v n="$size" -v a="$few" -v b="$many" 'BEGIN { printf "| %s | %d | %.3g |\n", k, n, (b - a) / 50 * 1000 }'
+  few=$(seconds 0.01 "$out/$kind-$size.json") many=$(seconds 0.11 "$out/$kind-$size.json")
+  awk -v k="$kind" -v n="$size" -v a="$few" -v b="$many" 'BEGIN { printf "| %s | %d | %.3g |\n", k, n, (b - a) / 100 * 1000 }'
 done
