@@ -65,7 +65,8 @@ TEST(EmittedFiles, areFiveAndTheHeadersTheyInclude) {
                                                  "mbgen/solver/singular_step.hpp",
                                                  "mbgen/solver/states.hpp",
                                                  "mbgen/solver/step_clock.hpp",
-                                                 "mbgen/status.hpp"}));
+                                                 "mbgen/status.hpp",
+                                                 "mbgen/turns.hpp"}));
 }
 
 TEST(EmittedFiles, beginWithTheirBanner) {
