@@ -834,7 +834,7 @@ struct Ways {
     const mbgen::WayLimits limits = mbgen::integrator_detail::way_limits<double>(most, false);
     return mbgen::look_at_ways<System>(good, as_rows<System::State>(state), result, limits.least, [&](int lane) {
       const pulled_wheel::State from = lane_of(state, lane);
-      pulled_wheel::State to = from;
+      pulled_wheel::State to = lane_of(state, lane);
       for (int i = 0; i < kCoordinates; ++i) to.z[i] = result.z[i][lane];
       for (int i = 0; i < kCoordinates; ++i) to.zd[i] = result.zd[i][lane];
       to.t = result.t[lane];

@@ -221,7 +221,7 @@ TEST_F(CommandLine, SavingsOfPassesLeadToTheOperations) {
     last = saving;
   }
   ASSERT_FALSE(last.is_null());
-  EXPECT_EQ(last["with"], report["operations"]["accelerations"]["total"]);
+  EXPECT_EQ(last["with"], report["operations"]["accelerations"]["total"]["total"]);
 }
 
 TEST_F(CommandLine, GenerateWritesTheSolverAndListsItsFiles) {
