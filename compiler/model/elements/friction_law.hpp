@@ -36,6 +36,19 @@ struct FrictionLaw {
   bool has_bristle() const { return kind != Kind::smooth; }
 };
 
+/// Calls use(name, value) for the fields of the law.
+template <class Use>
+void use_friction_fields(const FrictionLaw& law, const Use& use) {
+  use("coulomb", law.coulomb);
+  use("stiction", law.stiction);
+  use("viscous", law.viscous);
+  use("velocity", law.velocity);
+  use("stribeck_velocity", law.stribeck_velocity);
+  use("stiffness", law.stiffness);
+  use("damping", law.damping);
+  use("elastic", law.elastic);
+}
+
 /// Bounds of the law's fields.
 inline constexpr std::array kFrictionBounds = {
     FieldBound{"coulomb", QuantityBound::not_negative},       FieldBound{"stiction", QuantityBound::not_negative},

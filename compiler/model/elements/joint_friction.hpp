@@ -25,14 +25,7 @@ struct KindOf<JointFriction> : KindDefaults {
   static constexpr auto& bounds = kFrictionBounds;
   template <class Use>
   static void fields(const JointFriction& element, const Use& use) {
-    use("coulomb", element.coulomb);
-    use("stiction", element.stiction);
-    use("viscous", element.viscous);
-    use("velocity", element.velocity);
-    use("stribeck_velocity", element.stribeck_velocity);
-    use("stiffness", element.stiffness);
-    use("damping", element.damping);
-    use("elastic", element.elastic);
+    use_friction_fields(element, use);
   }
 };
 

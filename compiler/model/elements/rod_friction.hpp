@@ -26,14 +26,7 @@ struct KindOf<RodFriction> : KindDefaults {
   static constexpr auto& bounds = kFrictionBounds;
   template <class Use>
   static void fields(const RodFriction& element, const Use& use) {
-    use("coulomb", element.coulomb);
-    use("stiction", element.stiction);
-    use("viscous", element.viscous);
-    use("velocity", element.velocity);
-    use("stribeck_velocity", element.stribeck_velocity);
-    use("stiffness", element.stiffness);
-    use("damping", element.damping);
-    use("elastic", element.elastic);
+    use_friction_fields(element, use);
   }
 };
 
