@@ -39,13 +39,7 @@ class EntryBlocks {
   }
 
   void solve(const PerBlock& right_hand_side, std::vector<double>& x) {
-    for (std::size_t b = 0; b < factors_.size(); ++b) {
-      const std::vector<int>& joints = shape_.blocks[b].joints;
-      local_.resize(joints.size());
-      for (std::size_t c = 0; c < joints.size(); ++c) local_[c] = x[joints[c]];
-      factors_[b].solve(right_hand_side[b], local_);
-      for (std::size_t c = 0; c < joints.size(); ++c) x[joints[c]] = local_[c];
-    }
+    solve_blocks(shape_.blocks, factors_, right_hand_side, local_, x);
   }
 
   void reduce(const TreeMass& mass, const std::vector<double>& q, ReducedEquations& reduced) {

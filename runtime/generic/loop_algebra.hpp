@@ -68,6 +68,19 @@ struct LoopAlgebra {
   std::function<std::vector<std::vector<double>>(std::size_t block)> rz_of;
 };
 
+/// Solves block by block: factors[b].solve(right_hand_side, x of the block's joints). local: memory of the caller.
+template <class Factors>
+void solve_blocks(const std::vector<BlockShape>& blocks, const std::vector<Factors>& factors,
+                  const PerBlock& right_hand_side, std::vector<double>& local, std::vector<double>& x) {
+  for (std::size_t b = 0; b < factors.size(); ++b) {
+    const std::vector<int>& joints = blocks[b].joints;
+    local.resize(joints.size());
+    for (std::size_t c = 0; c < joints.size(); ++c) local[c] = x[joints[c]];
+    factors[b].solve(right_hand_side[b], local);
+    for (std::size_t c = 0; c < joints.size(); ++c) x[joints[c]] = local[c];
+  }
+}
+
 /// The functions of a type that has members of these names.
 template <class Loops>
 LoopAlgebra algebra_of(const std::shared_ptr<Loops>& held) {
