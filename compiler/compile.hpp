@@ -26,6 +26,8 @@ struct Compilation {
   WrittenPrograms emitted = {};  ///< contracted
 
   Form form() const { return whole.programs.form; }
+  /// Whether add_programs has run to its end.
+  bool has_programs() const { return !emitted.programs.accelerations.outputs.empty(); }
 };
 
 /// A stage that has just ended.

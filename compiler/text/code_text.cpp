@@ -1,4 +1,4 @@
-#include "workbench/engines/code_without_comments.hpp"
+#include "compiler/text/code_text.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -16,22 +16,6 @@ std::size_t behind(std::string_view text, std::string_view end, std::size_t from
 
 bool is_raw(std::string_view text, std::size_t quote) { return quote > 0 && text[quote - 1] == 'R'; }
 
-/// Position behind the literal that begins with the quotation mark at `at`.
-std::size_t end_of_literal(std::string_view text, std::size_t at) {
-  if (text[at] == '"' && is_raw(text, at)) {
-    const std::size_t open = std::min(text.find('(', at), text.size() - 1);
-    return behind(text, ")" + std::string(text.substr(at + 1, open - at - 1)) + "\"", open);
-  }
-  std::size_t end = at + 1;
-  while (end < text.size() && text[end] != text[at] && text[end] != '\n') end += text[end] == '\\' ? 2 : 1;
-  return std::min(end + 1, text.size());
-}
-
-/// Whether a literal begins at `at`: an apostrophe within a number or a word separates digits.
-bool begins_literal(std::string_view text, std::size_t at) {
-  return text[at] == '"' || (text[at] == '\'' && (at == 0 || !is_of_word(text[at - 1])));
-}
-
 /// Ends the last line of `code` without blanks; a line of blanks alone is none.
 void end_line(std::string& code) {
   const std::size_t last = code.find_last_not_of(" \t\r");
@@ -41,19 +25,34 @@ void end_line(std::string& code) {
 
 }  // namespace
 
+std::size_t end_of_comment(std::string_view text, std::size_t at) {
+  if (text.substr(at, 2) == "//") return std::min(text.find('\n', at), text.size());
+  return text.substr(at, 2) == "/*" ? behind(text, "*/", at + 2) : at;
+}
+
+std::size_t end_of_literal(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  // An apostrophe within a number separates digits.
+  if (quote != '"' && (quote != '\'' || (at > 0 && is_of_word(text[at - 1])))) return at;
+  if (quote == '"' && is_raw(text, at)) {
+    const std::size_t open = std::min(text.find('(', at), text.size() - 1);
+    return behind(text, ")" + std::string(text.substr(at + 1, open - at - 1)) + "\"", open);
+  }
+  std::size_t end = at + 1;
+  while (end < text.size() && text[end] != quote && text[end] != '\n') end += text[end] == '\\' ? 2 : 1;
+  return std::min(end + 1, text.size());
+}
+
 std::string code_without_comments(std::string_view text) {
   std::string code;
   code.reserve(text.size());
   for (std::size_t at = 0; at < text.size();) {
-    if (text.substr(at, 2) == "//") {
-      at = std::min(text.find('\n', at), text.size());
-    } else if (text.substr(at, 2) == "/*") {
-      at = behind(text, "*/", at + 2);
-      code += ' ';
-    } else if (begins_literal(text, at)) {
-      const std::size_t end = end_of_literal(text, at);
-      code += text.substr(at, end - at);
-      at = end;
+    if (const std::size_t behind_comment = end_of_comment(text, at); behind_comment != at) {
+      if (text[at + 1] == '*') code += ' ';
+      at = behind_comment;
+    } else if (const std::size_t behind_literal = end_of_literal(text, at); behind_literal != at) {
+      code += text.substr(at, behind_literal - at);
+      at = behind_literal;
     } else if (text[at] == '\n') {
       end_line(code);
       ++at;

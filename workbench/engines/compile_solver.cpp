@@ -7,9 +7,9 @@
 #include <optional>
 #include <stdexcept>
 
+#include "compiler/text/code_text.hpp"
 #include "compiler/text/hash.hpp"
 #include "compiler/text/user_error.hpp"
-#include "workbench/engines/code_without_comments.hpp"
 #include "workbench/engines/host_compiler.hpp"
 #include "workbench/engines/kept_object.hpp"
 #include "workbench/engines/kept_objects.hpp"
@@ -90,9 +90,11 @@ HostCompiler compiler_for(const fs::path& scratch, const EngineChoice& choice) {
 }
 
 std::vector<EmittedFile> files_of(const Compilation& decided, const EngineChoice& choice) {
+  const bool is_clocked = choice.use == SolverUse::timing_steps;
+  if (decided.has_programs()) return emit_for_loading(decided, is_clocked, choice.lanes);
   Compilation compilation = decided;
   add_programs(compilation, {choice.form});
-  return emit_for_loading(compilation, choice.use == SolverUse::timing_steps, choice.lanes);
+  return emit_for_loading(compilation, is_clocked, choice.lanes);
 }
 
 }  // namespace

@@ -13,8 +13,9 @@
 
 namespace mbgen {
 
-/// Writes the solver of a decided model and its driver, compiles them with $CXX (or c++) for this processor and loads
-/// the result. choice: its use, form and lanes, and use_cache: look for the object under
+/// Writes the solver of a decided model (by its programs, where it has them) and its driver, compiles them with $CXX
+/// (or c++) for this processor and loads the result. choice: its use, form and lanes, and use_cache: look for the
+/// object under
 /// ${XDG_CACHE_HOME:-~/.cache}/mbgen first, and keep it there. Its name is a hash of the code without comments and
 /// default values, the compiler's version, the flags and the processor: models of equal equations share one solver. A
 /// request that was met before finds its object without translating. Any number of mbgen may run at the same time.

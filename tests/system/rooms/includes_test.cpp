@@ -3,10 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <sstream>
-#include <string_view>
 
+#include "compiler/text/code_text.hpp"
 #include "tests/system/rooms/house.hpp"
 
 namespace mbgen::house {
@@ -75,30 +76,11 @@ std::map<std::string, std::set<std::string>> headers_of_names() {
 
 bool is_letter(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-/// Where a comment or a literal that begins at `at` ends; `at` where none begins there.
-std::size_t end_of_words(const std::string& text, std::size_t at) {
-  const auto behind = [&](std::string_view end, std::size_t from) {
-    const std::size_t found = text.find(end, from);
-    return found == std::string::npos ? text.size() : found + end.size();
-  };
-  if (text.compare(at, 2, "//") == 0) return std::min(text.find('\n', at), text.size());
-  if (text.compare(at, 2, "/*") == 0) return behind("*/", at + 2);
-  if (text.compare(at, 2, "R\"") == 0) {
-    const std::size_t open = text.find('(', at);
-    return behind(")" + text.substr(at + 2, open - at - 2) + "\"", open);
-  }
-  const char quote = text[at];
-  if (quote != '"' && (quote != '\'' || (at > 0 && is_letter(text[at - 1])))) return at;
-  std::size_t end = at + 1;
-  while (end < text.size() && text[end] != quote && text[end] != '\n') end += text[end] == '\\' ? 2 : 1;
-  return std::min(end + 1, text.size());
-}
-
 /// A text without comments and literals, with its lines.
 std::string code_of(const std::string& text) {
   std::string code;
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = end_of_words(text, at);
+    const std::size_t end = std::max(end_of_comment(text, at), end_of_literal(text, at));
     if (end == at) {
       code += text[at++];
     } else {
