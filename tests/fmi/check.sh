@@ -1,12 +1,13 @@
 #!/bin/sh
 # FMUs of several models: valid, reproducible, alone but for the C library, and run by our own importer:
 # tests/fmi/check.sh MBGEN [MODEL:VERSION..]
+# MBGEN_FMI_EMULATED: the library for aarch64 is run, too, where there is something that runs it.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 mbgen=$(realpath "$1")
 shift
-[ $# -gt 0 ] || set -- described:3 described:2 triple_rocker:3 slider_crank:2 driven_cart:3 tyre_rig:3 sampled_slide:3
+[ $# -gt 0 ] || set -- described:3 described:2 triple_rocker:3 driven_cart:3 tyre_rig:3 sampled_slide:3
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() { echo "fmi: $*"; exit 1; }
@@ -144,7 +145,7 @@ cmake -E chdir "$scratch" cmake -E tar xf tyre_rig.fmu modelDescription.xml
 grep -q 'name="spin".* causality="parameter" variability="fixed" initial="exact" unit="rad/s" start="66.0"' \
   "$scratch/modelDescription.xml" || fail "tyre_rig has no parameter of the start"
 
-# Other platforms in one FMU, run where there is something that runs them.
+# Other platforms in one FMU.
 has() { command -v "$1" >/dev/null 2>&1; }
 platforms=x86_64-linux
 if has aarch64-linux-gnu-g++; then platforms=$platforms,aarch64-linux; else echo "fmi: no compiler for aarch64-linux, skipped"; fi
@@ -157,7 +158,7 @@ set -- "$scratch/many/modelDescription.xml" "$scratch/${1%:*}.csv"
 library=$(find "$scratch/many/binaries/aarch64-linux" -name '*.so' 2>/dev/null || true)
 if [ -n "$library" ]; then
   check_symbols 3 "$library"
-  if has qemu-aarch64; then
+  if [ -n "${MBGEN_FMI_EMULATED:-}" ] && has qemu-aarch64; then
     aarch64-linux-gnu-g++ -std=c++17 -I "$root/templates" "$here/importer.cpp" -o "$scratch/importer_arm" -ldl
     echo "aarch64-linux, FMI 3"
     qemu-aarch64 -L /usr/aarch64-linux-gnu "$scratch/importer_arm" 3 "$library" "$1" "$2"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # A made-up kind of element, a damper that only pulls, as a patch on a copy of the sources.
-#   tests/system/element_kind/check.sh              it applies, touches nine files, these compile, and it brakes a sled
+#   ROOMS=BUILD tests/system/element_kind/check.sh  it applies, touches nine files, these compile, and it brakes a sled
 #   tests/system/element_kind/check.sh --build [JOBS]   mbgen is built with it: a sled that it brakes follows the closed form
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -24,12 +24,14 @@ if [ "${1:-}" != --build ]; then
     compile -fsyntax-only "$source"
     echo "element_kind: $source compiles"
   done
-  # The rooms below the formulation, each in one piece, and a sled braked by the new element.
+  # The rooms from the model to the formulation, each in one piece, on those before them, and a sled braked by the new
+  # element.
   cp "$here/sled.cpp.in" sled.cpp
-  for room in text expressions model topology formulation; do
+  for room in model topology formulation; do
     find "compiler/$room" -name '*.cpp' | LC_ALL=C sort | sed 's/.*/#include "&"/' >"$room.cpp"
   done
-  compile -O0 text.cpp expressions.cpp model.cpp topology.cpp formulation.cpp sled.cpp -lfmt -o sled
+  compile -O0 model.cpp topology.cpp formulation.cpp sled.cpp "$ROOMS/libmbgen_expressions.a" "$ROOMS/libmbgen_text.a" \
+    -lfmt -o sled
   ./sled
   exit
 fi
