@@ -19,7 +19,7 @@
 #include "compiler/analysis/quasi_partition.hpp"
 #include "compiler/analysis/redundant_residuals.hpp"
 #include "compiler/analysis/sampling.hpp"
-#include "compiler/model/box.hpp"
+#include "compiler/model/vectors.hpp"
 
 namespace mbgen {
 namespace {

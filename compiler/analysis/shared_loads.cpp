@@ -10,7 +10,7 @@
 #include "compiler/analysis/configuration.hpp"
 #include "compiler/analysis/violation.hpp"
 #include "compiler/formulation/reaction_loads.hpp"
-#include "compiler/model/each_friction.hpp"
+#include "compiler/model/element_access.hpp"
 
 namespace mbgen {
 namespace {

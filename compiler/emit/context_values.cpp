@@ -6,8 +6,8 @@
 #include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/model/host_ground.hpp"
 #include "compiler/model/inputs.hpp"
+#include "compiler/model/tyres.hpp"
 
 namespace mbgen {
 namespace {

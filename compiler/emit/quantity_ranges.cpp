@@ -9,7 +9,7 @@
 #include "compiler/emit/expression_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/expressions/evaluate.hpp"
-#include "compiler/model/bounded_quantities.hpp"
+#include "compiler/model/inputs.hpp"
 
 namespace mbgen {
 namespace {

@@ -12,7 +12,7 @@
 #include "compiler/emit/texts.hpp"
 #include "compiler/fmu/texts.hpp"
 #include "compiler/model/inputs.hpp"
-#include "compiler/model/largest_turn.hpp"
+#include "compiler/model/model.hpp"
 
 namespace mbgen {
 namespace {

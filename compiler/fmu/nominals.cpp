@@ -7,7 +7,7 @@
 
 #include "compiler/fmu/variables.hpp"
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/model/box.hpp"
+#include "compiler/model/vectors.hpp"
 
 namespace mbgen {
 namespace {

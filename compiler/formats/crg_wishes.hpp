@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/model/roads.hpp"
+#include "compiler/model/model.hpp"
 
 namespace mbgen {
 

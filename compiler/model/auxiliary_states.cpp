@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "compiler/model/each_friction.hpp"
+#include "compiler/model/element_access.hpp"
 
 namespace mbgen {
 namespace {

@@ -1,5 +1,3 @@
-#include "compiler/model/bounded_quantities.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,7 +8,8 @@
 
 #include "compiler/expressions/evaluate.hpp"
 #include "compiler/model/element_kinds.hpp"
-#include "compiler/model/tyre_sets.hpp"
+#include "compiler/model/inputs.hpp"
+#include "compiler/model/tyres.hpp"
 #include "mbgen/bounds.hpp"
 
 namespace mbgen {

@@ -1,4 +1,4 @@
-#include "compiler/model/joint_coordinates.hpp"
+#include "compiler/model/bodies.hpp"
 
 namespace mbgen {
 namespace {

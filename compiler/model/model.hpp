@@ -13,6 +13,7 @@
 #include "compiler/model/roads.hpp"
 #include "compiler/model/states.hpp"
 #include "compiler/model/vehicle.hpp"
+#include "mbgen/turns.hpp"
 
 namespace mbgen {
 
@@ -66,6 +67,12 @@ struct SolverSettings {
   /// Whether a step solves linear equations with the tangents of its force elements.
   bool is_implicit() const { return integrator == Integrator::rosenbrock; }
 };
+
+/// Largest rotation within a step, rad, accepted by an integrator: see mbgen/turns.hpp.
+constexpr double largest_turn(SolverSettings::Integrator integrator) {
+  using Integrator = SolverSettings::Integrator;
+  return integrator == Integrator::rk4 ? kRk4Turn : integrator == Integrator::abm4 ? kAbm4Turn : kRosenbrockTurn;
+}
 
 /// A multibody system as described by the user, names resolved and every number checked.
 struct Model {

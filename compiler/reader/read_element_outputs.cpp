@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "compiler/model/element_outputs.hpp"
+#include "compiler/model/element_access.hpp"
 #include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/output_sources.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "compiler/model/mentions.hpp"
+#include "compiler/model/element_access.hpp"
 #include "compiler/reader/carried_body.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "compiler/model/tyre_sets.hpp"
+#include "compiler/model/tyres.hpp"
 #include "compiler/reader/csv_table.hpp"
 #include "compiler/reader/tyre_notes.hpp"
 #include "compiler/text/characters.hpp"

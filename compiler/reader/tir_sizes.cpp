@@ -1,7 +1,7 @@
 // Numbers of a .tir file that give impossible sizes in its units.
 #include <fmt/format.h>
 
-#include "compiler/model/tyre_sets.hpp"
+#include "compiler/model/tyres.hpp"
 #include "compiler/reader/tir_file.hpp"
 #include "compiler/reader/tyre_notes.hpp"
 

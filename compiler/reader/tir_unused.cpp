@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "compiler/model/tyre_sets.hpp"
+#include "compiler/model/tyres.hpp"
 #include "compiler/reader/tir_file.hpp"
 
 namespace mbgen::reading {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "compiler/model/tyre_sets.hpp"
+#include "compiler/model/tyres.hpp"
 #include "mbgen/tyres/tyre.hpp"
 
 namespace mbgen::reading {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/model/host_ground.hpp"
+#include "compiler/model/tyres.hpp"
 
 namespace mbgen {
 

@@ -3,7 +3,7 @@
 
 #include "compiler/formulation/reaction_loads.hpp"
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/model/host_ground.hpp"
+#include "compiler/model/tyres.hpp"
 #include "compiler/trace/each_program.hpp"
 #include "compiler/trace/tracing.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "compiler/model/host_ground.hpp"
+#include "compiler/model/tyres.hpp"
 #include "compiler/trace/each_program.hpp"
 
 namespace mbgen {

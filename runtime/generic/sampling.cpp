@@ -2,7 +2,7 @@
 
 #include "compiler/formulation/reaction_loads.hpp"
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/model/each_friction.hpp"
+#include "compiler/model/element_access.hpp"
 #include "runtime/generic/equations.hpp"
 #include "runtime/generic/generic.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "compiler/model/element_outputs.hpp"
+#include "compiler/model/element_access.hpp"
 #include "runtime/judges/elements/every_kind.hpp"
 #include "runtime/judges/mechanism.hpp"
 #include "runtime/judges/system.hpp"

@@ -1,7 +1,7 @@
 #include "runtime/judges/system.hpp"
 
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/model/each_friction.hpp"
+#include "compiler/model/element_access.hpp"
 #include "runtime/judges/mechanism.hpp"
 
 namespace mbgen {

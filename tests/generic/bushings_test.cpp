@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "compiler/model/element_outputs.hpp"
+#include "compiler/model/element_access.hpp"
 #include "tests/support/dynamics.hpp"
 #include "tests/support/model_support.hpp"
 #include "tests/support/reaction_support.hpp"

@@ -1,8 +1,8 @@
 // Newton's and Euler's laws for every body of every model in motion: what its joints, rods, springs, forces and tyres
 // give it against the second differences of its positions.
 
-#include "compiler/model/element_outputs.hpp"
-#include "compiler/model/tyre_sets.hpp"
+#include "compiler/model/element_access.hpp"
+#include "compiler/model/tyres.hpp"
 #include "tests/support/reaction_support.hpp"
 
 namespace mbgen {

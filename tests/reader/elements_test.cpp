@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "compiler/expressions/evaluate.hpp"
-#include "compiler/model/element_outputs.hpp"
+#include "compiler/model/element_access.hpp"
 #include "mbgen/tyres/tyre.hpp"
 #include "tests/support/model_support.hpp"
 

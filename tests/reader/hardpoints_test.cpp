@@ -8,7 +8,7 @@
 
 #include "compiler/expressions/evaluate.hpp"
 #include "compiler/expressions/named_functions.hpp"
-#include "compiler/model/joint_coordinates.hpp"
+#include "compiler/model/model.hpp"
 #include "compiler/reader/read_model.hpp"
 #include "tests/support/model_support.hpp"
 

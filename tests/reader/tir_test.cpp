@@ -8,7 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "compiler/model/tyre_sets.hpp"
+#include "compiler/model/tyres.hpp"
 #include "compiler/reader/read_model.hpp"
 #include "tests/support/model_support.hpp"
 

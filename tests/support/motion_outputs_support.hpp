@@ -7,7 +7,7 @@
 #include <optional>
 #include <random>
 
-#include "compiler/model/element_outputs.hpp"
+#include "compiler/model/element_access.hpp"
 #include "compiler/reader/read_model.hpp"
 #include "tests/support/reaction_support.hpp"
 

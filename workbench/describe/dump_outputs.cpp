@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "compiler/model/element_outputs.hpp"
+#include "compiler/model/element_access.hpp"
 #include "compiler/topology/names.hpp"
 
 namespace mbgen {

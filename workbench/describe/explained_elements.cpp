@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "compiler/model/each_friction.hpp"
+#include "compiler/model/element_access.hpp"
 #include "compiler/topology/names.hpp"
 #include "workbench/describe/paragraphs.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compiler/expressions/named_functions.hpp"
-#include "compiler/model/joint_coordinates.hpp"
+#include "compiler/model/model.hpp"
 
 namespace mbgen {
 namespace {

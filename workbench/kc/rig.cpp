@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/model/element_outputs.hpp"
+#include "compiler/model/element_access.hpp"
 #include "compiler/model/vectors.hpp"
 #include "compiler/text/user_error.hpp"
 

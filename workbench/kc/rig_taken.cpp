@@ -1,6 +1,6 @@
 // The parts of the user's model that a rig removes.
 
-#include "compiler/model/each_friction.hpp"
+#include "compiler/model/element_access.hpp"
 #include "workbench/kc/rig.hpp"
 
 namespace mbgen::kc {

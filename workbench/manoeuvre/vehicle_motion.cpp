@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "compiler/model/element_outputs.hpp"
+#include "compiler/model/element_access.hpp"
 #include "compiler/text/user_error.hpp"
 
 namespace mbgen {

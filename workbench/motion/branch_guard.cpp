@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "compiler/model/inputs.hpp"
-#include "compiler/model/largest_turn.hpp"
+#include "compiler/model/model.hpp"
 #include "mbgen/integrators.hpp"
 
 namespace mbgen {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "compiler/model/bounded_quantities.hpp"
+#include "compiler/model/inputs.hpp"
 
 namespace mbgen {
 namespace {

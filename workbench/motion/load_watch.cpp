@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/model/each_friction.hpp"
+#include "compiler/model/element_access.hpp"
 
 namespace mbgen {
 

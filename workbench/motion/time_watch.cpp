@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/model/largest_turn.hpp"
+#include "compiler/model/model.hpp"
 #include "workbench/describe/names.hpp"
 
 namespace mbgen {

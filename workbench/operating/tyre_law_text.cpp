@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "compiler/formulation/elements/tyre_road.hpp"
-#include "compiler/model/tyre_sets.hpp"
+#include "compiler/model/tyres.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/assignments.hpp"
 #include "workbench/operating/operating_point.hpp"

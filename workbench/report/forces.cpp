@@ -6,9 +6,7 @@
 #include <variant>
 
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/model/element_fields.hpp"
-#include "compiler/model/element_outputs.hpp"
-#include "compiler/model/mentions.hpp"
+#include "compiler/model/element_access.hpp"
 #include "runtime/generic/generic.hpp"
 #include "workbench/report/table_states.hpp"
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "compiler/model/mentions.hpp"
+#include "compiler/model/element_access.hpp"
 #include "workbench/report/places.hpp"
 #include "workbench/report/poses.hpp"
 #include "workbench/report/strip.hpp"

@@ -7,7 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "compiler/model/element_outputs.hpp"
+#include "compiler/model/element_access.hpp"
 #include "workbench/report/forces.hpp"
 #include "workbench/report/poses.hpp"
 #include "workbench/report/table_states.hpp"

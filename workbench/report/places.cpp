@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "compiler/model/box.hpp"
+#include "compiler/model/vectors.hpp"
 
 namespace mbgen {
 

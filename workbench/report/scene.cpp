@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "compiler/model/box.hpp"
+#include "compiler/model/vectors.hpp"
 #include "workbench/report/places.hpp"
 
 namespace mbgen {

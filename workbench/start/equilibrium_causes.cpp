@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "compiler/expressions/evaluate.hpp"
-#include "compiler/model/tyre_sets.hpp"
+#include "compiler/model/tyres.hpp"
 #include "compiler/model/vectors.hpp"
 #include "runtime/generic/generic.hpp"
 #include "workbench/engines/engine.hpp"

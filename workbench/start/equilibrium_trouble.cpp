@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/model/element_outputs.hpp"
+#include "compiler/model/element_access.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/engines/engine.hpp"
 #include "workbench/start/equilibrium_causes.hpp"

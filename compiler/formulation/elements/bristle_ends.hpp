@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/formulation/elements/applied_forces.hpp"
-#include "compiler/model/each_friction.hpp"
+#include "compiler/model/element_access.hpp"
 
 namespace mbgen {
 

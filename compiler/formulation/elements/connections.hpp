@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "compiler/formulation/elements/element_tangents.hpp"
-#include "compiler/model/element_fields.hpp"
+#include "compiler/model/element_access.hpp"
 
 namespace mbgen {
 namespace detail {

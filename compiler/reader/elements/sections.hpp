@@ -1,8 +1,7 @@
 #pragma once
 // Sections of elements in the model format: one source per section, with the table of its fields and their reading.
 
-#include "compiler/model/element_fields.hpp"
-#include "compiler/model/mentions.hpp"
+#include "compiler/model/element_access.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
 

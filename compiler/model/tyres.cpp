@@ -1,4 +1,4 @@
-#include "compiler/model/host_ground.hpp"
+#include "compiler/model/tyres.hpp"
 
 namespace mbgen {
 

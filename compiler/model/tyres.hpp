@@ -1,11 +1,12 @@
 #pragma once
-// Coefficients of tyre sets by their names in .tir files.
+// Tyres of a model: coefficients of their sets by their names in .tir files, and the ones on ground of a host.
 
 #include <algorithm>
 #include <span>
 #include <string_view>
+#include <vector>
 
-#include "compiler/model/elements/tyre.hpp"
+#include "compiler/model/model.hpp"
 #include "mbgen/tyres/mf61_set.hpp"
 #include "mbgen/tyres/pac2002.hpp"
 
@@ -34,5 +35,8 @@ inline bool is_of_turn_slip(std::string_view name) {
   const std::size_t place = tyre_field_index(kMf61Fields, name);
   return place >= tyre_field_index(kMf61Fields, "LMP") && place < kMf61Count;
 }
+
+/// Indices of the tyres on roads given by a host, one per road.
+std::vector<int> tyres_on_host(const Model& model);
 
 }  // namespace mbgen

@@ -1,4 +1,4 @@
-#include "compiler/model/element_outputs.hpp"
+#include "compiler/model/element_access.hpp"
 
 namespace mbgen {
 
