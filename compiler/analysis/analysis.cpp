@@ -25,7 +25,6 @@ namespace mbgen {
 namespace {
 
 constexpr int kWantedConfigurations = 24;
-constexpr double kLeastOfABody = 64;  // operations; N-four-bars, which are planar, take 63
 
 /// One walk there and back again is enough for large blocks.
 int wanted_configurations(const Topology& topology) {
@@ -282,8 +281,8 @@ std::vector<double> moved_inertia(NumericSystem& numbers, const Analysis& analys
   const Topology& topology = system.topology;
   const std::vector<int> free = free_coordinates(topology, analysis);
   const LeastOperations least = least_operations(topology, analysis);
-  if (topology.blocks.empty() && has_many_directions(free.size(), least.recursive, least.matrix))
-    return inertias_by_recursion(system, analysis.driven, free);
+  if (has_many_directions(free.size(), least.recursive, least.matrix))
+    return inertias_by_recursion(system, analysis, free);
   const Kinematics<double> k = kinematics(system);
   const ReducedSystem<double> reduced =
       reduced_system(system, k, inertias(system, k), frozen_directions(system, k, analysis.blocks, analysis.driven),
@@ -323,34 +322,6 @@ void mark_drives(const Model& model, const Topology& topology, Analysis& analysi
 }
 
 }  // namespace
-
-std::vector<int> free_coordinates(const Topology& topology, const Analysis& analysis) {
-  std::vector<int> result;
-  for (const JointGroup& group : topology.groups) {
-    if (group.block < 0) {
-      if (!analysis.driven[group.joints[0]]) result.push_back(group.joints[0]);
-      continue;
-    }
-    for (int c : analysis.blocks[group.block].independent) result.push_back(group.joints[c]);
-  }
-  return result;
-}
-
-LeastOperations least_operations(const Topology& topology, const Analysis& analysis) {
-  const double bodies = kLeastOfABody * topology.size();
-  LeastOperations least{bodies, bodies};
-  std::vector<double> below;  // per group: free directions of the groups that it moves on
-  for (const JointGroup& group : topology.groups) {
-    const double free = group.block >= 0 ? static_cast<double>(analysis.blocks[group.block].independent.size())
-                                         : (analysis.driven[group.joints[0]] ? 0.0 : 1.0);
-    const double before = group.parent < 0 ? 0.0 : below[group.parent];
-    // each direction is taken out of the triangle of those before it
-    for (double d = before; d < before + free; ++d) least.matrix += d * (d + 1);
-    if (group.block >= 0) least.recursive += 3 * static_cast<double>(group.joints.size()) * free * (free - 1);
-    below.push_back(before + free);
-  }
-  return least;
-}
 
 Result<Analysis> analyse(const Model& model, const Topology& topology) {
   Analysis analysis;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "compiler/analysis/findings.hpp"
 #include "compiler/formulation/formulation.hpp"
 
 namespace mbgen {
@@ -17,10 +18,10 @@ constexpr bool has_many_directions(std::size_t free, double least_of_recursion, 
   return free >= kManyDirections && least_of_recursion < least_of_matrix;
 }
 
-/// Inertia that each of the coordinates that are asked for moves, while those further out are free, in a position of a
-/// tree without loops, by the recursive form: kg or kg m^2, of driven coordinates 0. driven: per coordinate.
-/// Cost: linear in bodies.
-std::vector<double> inertias_by_recursion(const System<double>& system, const std::vector<bool>& driven,
+/// Inertia that each of the coordinates that are asked for moves, while those further out are free, in a position, by
+/// the recursive form: kg or kg m^2, of driven coordinates 0. asked: free_coordinates, which name the free directions
+/// of the blocks. Cost: linear in bodies, cubic in the free directions of a block that is not opened.
+std::vector<double> inertias_by_recursion(const System<double>& system, const Analysis& analysis,
                                           const std::vector<int>& asked);
 
 }  // namespace mbgen

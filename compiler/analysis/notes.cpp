@@ -117,6 +117,21 @@ void add_other_modes(const Model& model, const Topology& topology, std::size_t b
                    {}});
 }
 
+/// A block that is too large for another partition at run time; then no block of the model gets one.
+void add_kept_partition(const Model& model, const Topology& topology, Diagnostics& notes) {
+  const auto kept = std::find_if(topology.blocks.begin(), topology.blocks.end(),
+                                 [](const LoopBlock& block) { return !chooses_again(block); });
+  if (kept == topology.blocks.end()) return;
+  notes.push_back({where_of(model, topology.loops[kept->loops[0]]),
+                   fmt::format("a generated solver keeps the independent coordinates that were chosen near the "
+                               "reference: a loop block of {} coordinates and {} equations is too large to choose "
+                               "others at run time",
+                               kept->joints.size(), kept->equations),
+                   "where they do not serve, its motion ends with a singular loop; --engine generic chooses them at "
+                   "every state",
+                   {}});
+}
+
 }  // namespace
 
 Diagnostics analysis_notes(const Model& model, const Topology& topology, const Analysis& analysis) {
@@ -125,6 +140,7 @@ Diagnostics analysis_notes(const Model& model, const Topology& topology, const A
     add_locked(model, topology, b, analysis.blocks[b].certificate, notes);
     add_other_modes(model, topology, b, analysis.blocks[b], notes);
   }
+  add_kept_partition(model, topology, notes);
   add_shared_loads(model, topology, analysis, notes);
   return notes;
 }

@@ -178,6 +178,17 @@ bool add_hinges(const Model& model, const Topology& topology, std::size_t b, con
   return has_some;
 }
 
+/// Whether the model asks for something that a self-stress can change.
+bool asks_for_loads(const Model& model) {
+  const bool is_sampled = std::any_of(model.sampled.begin(), model.sampled.end(),
+                                      [](const auto& sampled) { return sampled.load.has_value(); });
+  return is_sampled || std::any_of(model.outputs.begin(), model.outputs.end(), [](const Output& output) {
+           return std::holds_alternative<ReactionOutput>(output.source) ||
+                  std::holds_alternative<MultiplierOutput>(output.source) ||
+                  std::holds_alternative<DriveOutput>(output.source);
+         });
+}
+
 std::string asked_text(const Undetermined& found) {
   std::vector<std::string> parts;
   const auto add = [&](const char* kind, const std::vector<std::string>& names) {
@@ -193,11 +204,13 @@ std::string asked_text(const Undetermined& found) {
 
 void add_shared_loads(const Model& model, const Topology& topology, const Analysis& analysis, Diagnostics& notes) {
   std::optional<StressScene> scene;
+  const bool is_asked = asks_for_loads(model);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const BlockAnalysis& block = analysis.blocks[b];
     if (block.redundant_equations.empty()) continue;
     // A block of two hinges alone has been told of.
     if (add_hinges(model, topology, b, block.certificate, notes) && topology.blocks[b].loops.size() == 1) continue;
+    if (!is_asked) continue;
     if (!scene) scene.emplace(model, topology, analysis);
     const MatrixXd stresses = scene->self_stresses(b);
     Undetermined found;

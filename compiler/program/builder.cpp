@@ -30,6 +30,7 @@ ProgramBuilder ProgramBuilder::like(const Program& program) {
   for (const NamedConstant& constant : program.constants) builder.name_constant(constant.value, constant.name);
   builder.program_.nodes.reserve(program.nodes.size());
   builder.shared_.reserve(program.nodes.size());
+  builder.moments_.reserve(program.nodes.size());
   builder.input_value_.assign(program.inputs.size(), kNoValue);
   for (std::size_t i = 0; i < program.inputs.size(); ++i) builder.input_index_.emplace(program.inputs[i], i);
   return builder;
@@ -135,17 +136,17 @@ bool ProgramBuilder::computes_same(const Node& a, const Node& b) const {
 
 ValueId ProgramBuilder::share_or_push(const Node& node) {
   const std::uint64_t hash = hash_of(node);
-  const auto [begin, end] = shared_.equal_range(hash);
-  for (auto candidate = begin; candidate != end; ++candidate) {
-    if (!computes_same(program_.nodes[candidate->second], node)) continue;
-    const bool in_this_statement = moments_[candidate->second] == moment_;
-    if (in_this_statement && !std::ranges::equal(program_.nodes[candidate->second].operands, node.operands))
-      repeats_.push_back({candidate->second, node});
-    return candidate->second;
+  const ValueId known =
+      shared_.find(hash, [&](ValueId candidate) { return computes_same(program_.nodes[candidate], node); });
+  if (known == NumberTable::kNone) {
+    const ValueId value = push(node);
+    shared_.insert(hash, value);
+    return value;
   }
-  const ValueId value = push(node);
-  shared_.emplace(hash, value);
-  return value;
+  const bool in_this_statement = moments_[known] == moment_;
+  if (in_this_statement && !std::ranges::equal(program_.nodes[known].operands, node.operands))
+    repeats_.push_back({known, node});
+  return known;
 }
 
 /// Of constants that are the same number the named one that comes first in the alphabet becomes the operand.

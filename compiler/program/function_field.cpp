@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "compiler/program/arithmetic.hpp"
+#include "compiler/program/mixed_words.hpp"
 
 namespace mbgen {
 namespace {
@@ -13,23 +14,33 @@ namespace {
 /// above 2^60 with 2^26 / 2^60 at most, at four with 2^-136, and 2^17 values make 2^34 differences.
 constexpr double kMostDegree = 1 << 22;
 
-constexpr std::size_t kPlacesOfAPart = 64;  ///< for each function: one number in 64 is taken for one that came up
+constexpr std::size_t kPlacesOfAPart =
+    16;  ///< for each function, a power of 2: one number in 16 is taken for one that came up
 
 bool is_negative(const Residue& residue) {
   const Residue opposite = -residue;
   return opposite < residue;
 }
 
+std::uint64_t hash_of_part(std::uint64_t part) { return mixed_word(0, part); }
+
 }  // namespace
 
 FunctionField::FunctionField() : seen_parts_(kPlacesOfAPart) { element_of({.degree = 0}); }
+
+void FunctionField::reserve(std::size_t count) {
+  residues_.reserve(count);
+  numerators_.reserve(count);
+  parts_.reserve(count);
+  numbers_.reserve(count);
+}
 
 Element FunctionField::constant(double value) { return element_of({.key = residue_of(value), .degree = 0}); }
 
 Element FunctionField::variable() { return element_of({.key = random_residue(variables_++)}); }
 
 Element FunctionField::sum(Element a, Element b) {
-  const Function &first = at(a), &second = at(b);
+  const Numerator &first = at(a), &second = at(b);
   Function result{.key = residue(a) + residue(b), .exponents = common(first.exponents, second.exponents)};
   result.degree = std::max(raised(first, result.exponents), raised(second, result.exponents));
   return element_of(std::move(result));
@@ -37,7 +48,7 @@ Element FunctionField::sum(Element a, Element b) {
 
 Element FunctionField::product(Element a, Element b) {
   if (a.number == 0 || b.number == 0) return {};
-  const Function &first = at(a), &second = at(b);
+  const Numerator &first = at(a), &second = at(b);
   return element_of({.key = residue(a) * residue(b),
                      .degree = first.degree + second.degree,
                      .exponents = added(first.exponents, second.exponents, 1)});
@@ -46,15 +57,15 @@ Element FunctionField::product(Element a, Element b) {
 // A variable where the divisor is zero, which no program means.
 Element FunctionField::quotient(Element a, Element b) {
   if (a.number == 0 && b.number != 0) return {};
-  if (!invertible(at(b).residue)) return variable();
-  const Function &dividend = at(a), &divisor = at(b);
+  if (!invertible(residues_[static_cast<std::size_t>(b.number)])) return variable();
+  const Numerator &dividend = at(a), &divisor = at(b);
   Function result{.key = residue(a) * inverse(residue(b)),
                   .degree = dividend.degree,
                   .exponents = added(dividend.exponents, divisor.exponents, -1)};
   if (divisor.degree > 0) {
     const auto [found, is_new] = divisors_.try_emplace(b.number, static_cast<int>(degrees_.size()));
     if (is_new) degrees_.push_back(divisor.degree);
-    result.exponents = added(result.exponents, {{found->second, 1}}, -1);
+    result.exponents = added(result.exponents, alone(found->second), -1);
   }
   return element_of(std::move(result));
 }
@@ -99,17 +110,30 @@ Element FunctionField::value(Op op, std::span<const Element> operands) {
   }
 }
 
+void FunctionField::mark_seen(std::uint64_t part) {
+  if (kPlacesOfAPart * (size() + 1) > seen_parts_.size()) {
+    seen_parts_.assign(2 * seen_parts_.size(), false);
+    for (const std::uint64_t seen : parts_) seen_parts_[seen & (seen_parts_.size() - 1)] = true;
+  }
+  seen_parts_[part & (seen_parts_.size() - 1)] = true;
+}
+
 int FunctionField::number_of(std::uint64_t part) const {
-  if (!seen_parts_[part % seen_parts_.size()]) return -1;
-  const auto found = numbers_.find(part);
-  return found == numbers_.end() ? -1 : found->second;
+  if (!seen_parts_[part & (seen_parts_.size() - 1)]) return -1;
+  const std::uint32_t found =
+      numbers_.find(hash_of_part(part), [&](std::uint32_t number) { return parts_[number] == part; });
+  return found == NumberTable::kNone ? -1 : static_cast<int>(found);
 }
 
 std::optional<Element> FunctionField::up_to_sign(int number, const Residue& key) const {
-  const Residue& known = functions_[static_cast<std::size_t>(number)].key;
-  if (known == key) return Element{number, false};
-  if (-known == key) return Element{number, true};
-  return {};
+  const auto among = [&](const Residue& known) -> std::optional<Element> {
+    if (known == key) return Element{number, false};
+    if (-known == key) return Element{number, true};
+    return {};
+  };
+  if (const auto element = among(residues_[static_cast<std::size_t>(number)])) return element;
+  const auto replaced = replaced_.find(number);
+  return replaced == replaced_.end() ? std::nullopt : among(replaced->second);
 }
 
 std::optional<Element> FunctionField::known_difference(Element a, Element b) const {
@@ -120,10 +144,11 @@ std::optional<Element> FunctionField::known_difference(Element a, Element b) con
 }
 
 std::optional<Element> FunctionField::known_quotient(Element a, Element b) {
-  if (!invertible(at(b).residue)) return {};
-  if (inverse_parts_.size() < functions_.size()) invert_first_parts();
-  const int number =
-      number_of(first_part_of_quotient(at(a).residue, inverse_parts_[static_cast<std::size_t>(b.number)]));
+  const Residue &dividend = residues_[static_cast<std::size_t>(a.number)],
+                &divisor = residues_[static_cast<std::size_t>(b.number)];
+  if (!invertible(divisor)) return {};
+  if (inverse_parts_.size() < size()) invert_first_parts();
+  const int number = number_of(first_part_of_quotient(dividend, inverse_parts_[static_cast<std::size_t>(b.number)]));
   if (number < 0) return {};
   const Residue product = residue({number, false}) * residue(b);
   if (product == residue(a)) return Element{number, false};
@@ -131,52 +156,77 @@ std::optional<Element> FunctionField::known_quotient(Element a, Element b) {
   return {};
 }
 
-void FunctionField::invert_first_parts() {
-  std::vector<Residue> residues;
-  for (const Function& function : functions_) residues.push_back(function.residue);
-  inverse_parts_ = first_parts_of_inverses(residues);
+void FunctionField::invert_first_parts() { inverse_parts_ = first_parts_of_inverses(residues_); }
+
+bool FunctionField::are_same(Exponents a, Exponents b) const {
+  return (a.first == b.first && a.count == b.count) || std::ranges::equal(powers(a), powers(b));
+}
+
+// Exponents of one divisor alone.
+FunctionField::Exponents FunctionField::alone(int divisor) {
+  powers_.push_back({divisor, 1});
+  return {static_cast<std::uint32_t>(powers_.size() - 1), 1};
 }
 
 /// Combines exponents one by one; missing ones are 0.
 template <class Combine>
-FunctionField::Exponents FunctionField::combined(const Exponents& a, const Exponents& b, const Combine& combine) {
-  Exponents result;
-  result.reserve(a.size() + b.size());
-  auto x = a.begin(), y = b.begin();
-  while (x != a.end() || y != b.end()) {
-    const bool from_a = y == b.end() || (x != a.end() && x->divisor <= y->divisor);
-    const bool from_b = x == a.end() || (y != b.end() && y->divisor <= x->divisor);
+FunctionField::Exponents FunctionField::combined(Exponents a, Exponents b, const Combine& combine) {
+  Exponents result{static_cast<std::uint32_t>(powers_.size()), 0};
+  const std::size_t most = powers_.size() + a.count + b.count;  // the operands stand in the same array
+  if (most > powers_.capacity()) powers_.reserve(2 * most);
+  const std::span<const Power> of_a = powers(a), of_b = powers(b);
+  auto x = of_a.begin(), y = of_b.begin();
+  while (x != of_a.end() || y != of_b.end()) {
+    const bool from_a = y == of_b.end() || (x != of_a.end() && x->divisor <= y->divisor);
+    const bool from_b = x == of_a.end() || (y != of_b.end() && y->divisor <= x->divisor);
     const int divisor = from_a ? x->divisor : y->divisor;
     const int exponent = combine(from_a ? x->exponent : 0, from_b ? y->exponent : 0);
-    if (exponent != 0) result.push_back({divisor, exponent});
+    if (exponent != 0) powers_.push_back({divisor, exponent});
     if (from_a) ++x;
     if (from_b) ++y;
+  }
+  result.count = static_cast<std::uint32_t>(powers_.size()) - result.first;
+  for (const Exponents& given : {a, b}) {
+    if (!are_same(result, given)) continue;
+    powers_.resize(result.first);
+    return given;
   }
   return result;
 }
 
 // a + scale b
-FunctionField::Exponents FunctionField::added(const Exponents& a, const Exponents& b, int scale) {
+FunctionField::Exponents FunctionField::added(Exponents a, Exponents b, int scale) {
+  if (b.count == 0) return a;
+  if (a.count == 0 && scale == 1) return b;
   return combined(a, b, [&](int x, int y) { return x + scale * y; });
 }
 
 // The lesser powers: those of the sum of two values.
-FunctionField::Exponents FunctionField::common(const Exponents& a, const Exponents& b) {
+FunctionField::Exponents FunctionField::common(Exponents a, Exponents b) {
+  if (a.first == b.first && a.count == b.count) return a;
   return combined(a, b, [](int x, int y) { return std::min(x, y); });
 }
 
 // Degree of the numerator of `value` with powers that are not higher.
-double FunctionField::raised(const Function& value, const Exponents& lesser) const {
+double FunctionField::raised(const Numerator& value, Exponents lesser) const {
   double degree = value.degree;
-  for (const auto& [divisor, exponent] : added(value.exponents, lesser, -1))
-    degree += exponent * degrees_[static_cast<std::size_t>(divisor)];
+  auto less = powers(lesser).begin();
+  const auto end = powers(lesser).end();
+  const auto add = [&](int divisor, int exponent) { degree += exponent * degrees_[static_cast<std::size_t>(divisor)]; };
+  for (const auto& [divisor, exponent] : powers(value.exponents)) {
+    for (; less != end && less->divisor < divisor; ++less) add(less->divisor, -less->exponent);
+    const bool both = less != end && less->divisor == divisor;
+    add(divisor, exponent - (both ? less->exponent : 0));
+    if (both) ++less;
+  }
+  for (; less != end; ++less) add(less->divisor, -less->exponent);
   return degree;
 }
 
 // The larger degree of numerator and denominator, all powers written out.
 double FunctionField::degree_of(const Function& value) const {
   double above = value.degree, below = 0;
-  for (const auto& [divisor, exponent] : value.exponents)
+  for (const auto& [divisor, exponent] : powers(value.exponents))
     (exponent > 0 ? above : below) += std::abs(exponent) * degrees_[static_cast<std::size_t>(divisor)];
   return std::max(above, below);
 }
@@ -184,24 +234,30 @@ double FunctionField::degree_of(const Function& value) const {
 // Functions that share a first part by chance are told apart, and the later one is not found again.
 Element FunctionField::element_of(Function value) {
   const std::uint64_t part = first_part(value.key);
-  const auto [found, is_new] = numbers_.try_emplace(part, static_cast<int>(functions_.size()));
-  if (!is_new)
-    if (const auto element = up_to_sign(found->second, value.key)) return *element;
+  const int known = number_of(part);
+  if (known >= 0)
+    if (const auto element = up_to_sign(known, value.key)) {
+      powers_.resize(kept_powers_);
+      return *element;
+    }
+  const int number = static_cast<int>(size());
   const bool negative = is_negative(value.key);
   if (negative) value.key = -value.key;
-  value.residue = value.key;
+  if (known < 0) numbers_.insert(hash_of_part(part), static_cast<std::uint32_t>(number));
+  Residue residue = value.key;
   if (degree_of(value) > kMostDegree) {
-    value.residue = random_residue(variables_++);
+    replaced_.emplace(number, value.key);
+    residue = random_residue(variables_++);
     value.degree = 1;
     value.exponents = {};
+    powers_.resize(kept_powers_);
   }
-  functions_.push_back(std::move(value));
-  if (kPlacesOfAPart * functions_.size() > seen_parts_.size()) {
-    seen_parts_.assign(2 * seen_parts_.size(), false);
-    for (const auto& [seen, number] : numbers_) seen_parts_[seen % seen_parts_.size()] = true;
-  }
-  seen_parts_[part % seen_parts_.size()] = true;
-  return {static_cast<int>(functions_.size() - 1), negative};
+  kept_powers_ = powers_.size();
+  mark_seen(part);
+  residues_.push_back(residue);
+  numerators_.push_back({value.degree, value.exponents});
+  parts_.push_back(part);
+  return {number, negative};
 }
 
 std::vector<Element> input_variables(const Program& program, FunctionField& field) {
@@ -214,6 +270,7 @@ std::vector<std::array<Element, 2>> elements_of(const Program& program, Function
                                                 std::span<const Element> inputs) {
   using Lanes = std::array<Element, 2>;
   std::vector<Lanes> all(program.nodes.size());
+  field.reserve(field.size() + program.nodes.size());
   for (std::size_t v = 0; v < all.size(); ++v) {
     const Node& node = program.nodes[v];
     Lanes operands[3];

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/program/number_table.hpp"
 #include "compiler/program/program.hpp"
 #include "compiler/program/residue.hpp"
 
@@ -40,35 +41,53 @@ class FunctionField {
   std::optional<Element> known_difference(Element a, Element b) const;
   std::optional<Element> known_quotient(Element a, Element b);
 
-  std::size_t size() const { return functions_.size(); }
+  std::size_t size() const { return residues_.size(); }
+  /// Makes room for so many functions.
+  void reserve(std::size_t count);
 
  private:
   struct Power {
     int divisor = 0, exponent = 0;  ///< not 0
+    friend bool operator==(const Power&, const Power&) = default;
   };
-  /// A value is numerator times the numerators of divisors to these powers, in the order of their numbers.
-  using Exponents = std::vector<Power>;
-  /// Up to its sign, which makes the residue the smaller one.
+  /// A value is numerator times the numerators of divisors to these powers, in the order of their numbers: a run of
+  /// powers_, which values share where they have the same.
+  struct Exponents {
+    std::uint32_t first = 0, count = 0;
+  };
+  /// A function in the making, up to its sign, which makes the residue the smaller one.
   struct Function {
-    Residue key = {};      ///< as it came up
-    Residue residue = {};  ///< the same, or that of a variable in its place
-    double degree = 1;     ///< of the numerator, at most
+    Residue key = {};   ///< as it came up
+    double degree = 1;  ///< of the numerator, at most
+    Exponents exponents = {};
+  };
+  struct Numerator {
+    double degree = 1;
     Exponents exponents = {};
   };
 
-  const Function& at(Element element) const { return functions_[static_cast<std::size_t>(element.number)]; }
-  Residue residue(Element element) const { return element.negative ? -at(element).residue : at(element).residue; }
+  const Numerator& at(Element element) const { return numerators_[static_cast<std::size_t>(element.number)]; }
+  Residue residue(Element element) const {
+    const Residue& of_number = residues_[static_cast<std::size_t>(element.number)];
+    return element.negative ? -of_number : of_number;
+  }
+  std::span<const Power> powers(Exponents exponents) const {
+    return std::span(powers_).subspan(exponents.first, exponents.count);
+  }
+  bool are_same(Exponents a, Exponents b) const;
+  Exponents alone(int divisor);
   template <class Combine>
-  static Exponents combined(const Exponents& a, const Exponents& b, const Combine& combine);
-  static Exponents added(const Exponents& a, const Exponents& b, int scale);
-  static Exponents common(const Exponents& a, const Exponents& b);
-  double raised(const Function& value, const Exponents& lesser) const;
+  Exponents combined(Exponents a, Exponents b, const Combine& combine);
+  Exponents added(Exponents a, Exponents b, int scale);
+  Exponents common(Exponents a, Exponents b);
+  double raised(const Numerator& value, Exponents lesser) const;
   double degree_of(const Function& value) const;
   Element element_of(Function value);
   int number_of(std::uint64_t first_part) const;  ///< -1: none
   std::optional<Element> up_to_sign(int number, const Residue& key) const;
 
   void invert_first_parts();
+  void mark_seen(std::uint64_t part);
 
   Element sum(Element a, Element b);
   Element product(Element a, Element b);
@@ -76,13 +95,20 @@ class FunctionField {
   Element circle(Op op, Element angle);
   Element other(Op op, std::array<Element, 3> arguments);
 
-  std::vector<Function> functions_;
-  std::vector<double> degrees_;                     ///< of the numerators of divisors
-  std::unordered_map<std::uint64_t, int> numbers_;  ///< by the first parts of keys
-  std::unordered_map<int, int> divisors_;           ///< number of a divisor by its function
-  std::vector<std::uint64_t> inverse_parts_;        ///< first_parts_of_inverses of the functions so far
-  std::vector<bool> seen_parts_;                    ///< first parts that came up, by their last bits
-  std::map<int, std::pair<Element, Element>> circles_;
+  // Per function, in the order in which they came up: neighbours in a program are neighbours here.
+  std::vector<Residue> residues_;      ///< its key, or a variable's
+  std::vector<Numerator> numerators_;  ///< of the same
+  std::vector<std::uint64_t> parts_;   ///< first parts of keys
+  std::vector<Power> powers_;
+  std::size_t kept_powers_ = 0;                ///< of them those of functions; the others are of one in the making
+  std::unordered_map<int, Residue> replaced_;  ///< keys of functions that count as variables
+  NumberTable numbers_;                        ///< by the first parts of keys
+  /// First parts that came up, by their last bits: unlike numbers_ it fits a cache.
+  std::vector<bool> seen_parts_;
+  std::vector<double> degrees_;               ///< of the numerators of divisors
+  std::unordered_map<int, int> divisors_;     ///< number of a divisor by its function
+  std::vector<std::uint64_t> inverse_parts_;  ///< first_parts_of_inverses of the functions so far
+  std::unordered_map<int, std::pair<Element, Element>> circles_;
   std::map<std::pair<Op, std::array<Element, 3>>, Element> others_;
   std::uint64_t variables_ = 0;
 };

@@ -33,7 +33,7 @@ std::vector<Identity> identities(const Program& program) {
   const std::vector<Lanes> all = elements_of(program, field, input_variables(program, field));
   const std::vector<int> widths = widths_of(program);
   std::unordered_map<LanesOfWidth, ValueId, HashOfLanes> first;
-  first.reserve(all.size());
+  std::vector<ValueId> first_number(field.size(), kNoValue);  // the same for numbers, by their functions
   std::vector<Identity> result(all.size());
   for (ValueId v = 0; v < result.size(); ++v) {
     if (all[v] == Lanes{}) {
@@ -42,7 +42,10 @@ std::vector<Identity> identities(const Program& program) {
     }
     const bool negative = all[v][0].number != 0 ? all[v][0].negative : all[v][1].negative;
     const LanesOfWidth key{std::max(widths[v], 1), {with_sign(all[v][0], negative), with_sign(all[v][1], negative)}};
-    const ValueId earlier = first.try_emplace(key, v).first->second;
+    const bool is_number = key.width == 1 && key.lanes[0] == key.lanes[1];
+    ValueId& earlier = is_number ? first_number[static_cast<std::size_t>(key.lanes[0].number)]
+                                 : first.try_emplace(key, v).first->second;
+    if (earlier == kNoValue) earlier = v;
     const bool opposite = all[earlier] != all[v];
     result[v] = {earlier, opposite ? -1 : 1};
   }

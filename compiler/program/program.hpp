@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "compiler/origin/origin.hpp"
+#include "compiler/program/number_table.hpp"
 #include "compiler/program/slot.hpp"
 
 namespace mbgen {
@@ -168,8 +169,8 @@ class ProgramBuilder {
   std::vector<std::uint32_t> moments_;  ///< per node, the statements before it: sections, owners, labels, outputs
   std::uint32_t moment_ = 0;
   std::map<Slot, std::size_t> input_index_;
-  std::vector<ValueId> input_value_;                        ///< per input, kNoValue before its first use
-  std::unordered_multimap<std::uint64_t, ValueId> shared_;  ///< values by hash
+  std::vector<ValueId> input_value_;  ///< per input, kNoValue before its first use
+  NumberTable shared_;                ///< values by hash
   /// Operations that their statement has made already, with constants of other names: compilers evaluate the operands
   /// of an expression in orders of their own, so which of two is the first tells nothing.
   std::vector<std::pair<ValueId, Node>> repeats_;

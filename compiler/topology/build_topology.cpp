@@ -7,6 +7,7 @@
 #include <queue>
 #include <set>
 
+#include "compiler/topology/opened_blocks.hpp"
 #include "compiler/topology/spanning_tree.hpp"
 #include "compiler/topology/topology.hpp"
 
@@ -317,6 +318,7 @@ Result<Topology> build_topology(const Model& model) {
   mark_massless(topology, model);
   find_blocks(topology, joint_leaders(topology));
   find_groups(topology);
+  mark_opened(model, topology);
   topology.balls = find_balls(model, topology);
   return topology;
 }

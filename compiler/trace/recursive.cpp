@@ -8,11 +8,11 @@
 namespace mbgen {
 namespace {
 
-/// Projections of the blocks: over their frozen partitions, or inputs of the program.
+/// Projections of the blocks: over their frozen partitions, or inputs of the program. An opened block needs none.
 std::vector<BlockProjection<Expr>> block_projections(Tracing& tracing) {
   std::vector<BlockProjection<Expr>> projections;
   for (std::size_t b = 0; b < tracing.analysis.blocks.size(); ++b) {
-    if (tracing.role == Role::accelerations)
+    if (tracing.role == Role::accelerations || tracing.system.topology.blocks[b].opened)
       projections.emplace_back(tracing.analysis.blocks[b].quasi);
     else
       projections.emplace_back(tracing.chosen_projection(b));

@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 #include "compiler/algebra/dense.hpp"
+#include "compiler/analysis/configuration.hpp"
 #include "mbgen/solver/newton.hpp"
 #include "runtime/generic/equations.hpp"
 #include "runtime/generic/generic.hpp"
+#include "runtime/generic/nearest.hpp"
 
 namespace mbgen {
 namespace {
@@ -39,7 +44,7 @@ struct MovableBlock {
 /// Residual and Jacobian of a block: of positions without the rows that hold velocities alone.
 struct Closure {
   VectorXd residual;
-  MatrixXd jacobian;
+  SparseRows jacobian;
 };
 
 /// x nearest to zero with a x = b in the sense of least squares.
@@ -118,25 +123,81 @@ std::vector<int> position_rows(const MovableBlock& m) {
   return rows;
 }
 
+/// The given rows of a block that is evaluated, over the given columns.
+MatrixXd dense(const SparseRows& rows, std::size_t columns, const std::vector<int>& taken) {
+  MatrixXd all = MatrixXd::Zero(static_cast<Index>(rows.size()), static_cast<Index>(columns));
+  for (std::size_t e = 0; e < rows.size(); ++e)
+    for (std::size_t i = 0; i < rows[e].columns.size(); ++i)
+      all(static_cast<Index>(e), rows[e].columns[i]) = rows[e].values[i];
+  return all(Eigen::all, taken);
+}
+
+/// rows x, x zero but at the given columns.
+VectorXd product(const SparseRows& rows, const std::vector<int>& columns, const VectorXd& x) {
+  VectorXd of_columns = VectorXd::Zero(x.size()), result = VectorXd::Zero(static_cast<Index>(rows.size()));
+  of_columns(columns) = x(columns);
+  for (std::size_t e = 0; e < rows.size(); ++e)
+    for (std::size_t i = 0; i < rows[e].columns.size(); ++i)
+      result[static_cast<Index>(e)] += rows[e].values[i] * of_columns[rows[e].columns[i]];
+  return result;
+}
+
 /// All rows of the closure at block coordinates z, which the state takes over.
 Closure all_rows_at(const MovableBlock& m, const VectorXd& z) {
   set_block(m.block, z, m.state.z);
   System<double>& system = m.equations.system(m.state);
-  const SparseClosure<double> closed = sparse_closure(system, kinematics(system), m.block, m.equations.rest);
-  Closure result{Eigen::Map<const VectorXd>(closed.residual.data(), static_cast<Index>(closed.residual.size())),
-                 MatrixXd::Zero(static_cast<Index>(closed.residual.size()), z.size())};
-  for (std::size_t e = 0; e < closed.jacobian.size(); ++e)
-    for (std::size_t i = 0; i < closed.jacobian[e].columns.size(); ++i)
-      result.jacobian(static_cast<Index>(e), closed.jacobian[e].columns[i]) = closed.jacobian[e].values[i];
-  return result;
+  SparseClosure<double> closed = sparse_closure(system, kinematics(system), m.block, m.equations.rest);
+  return {Eigen::Map<const VectorXd>(closed.residual.data(), static_cast<Index>(closed.residual.size())),
+          std::move(closed.jacobian)};
 }
 
 /// Its rows that hold positions.
 Closure closure_at(const MovableBlock& m, const VectorXd& z) {
-  const Closure all = all_rows_at(m, z);
+  Closure all = all_rows_at(m, z);
   const std::vector<int> rows = position_rows(m);
-  return {all.residual(rows), all.jacobian(rows, Eigen::all)};
+  Closure result{all.residual(rows), {}};
+  for (const int row : rows) result.jacobian.push_back(std::move(all.jacobian[static_cast<std::size_t>(row)]));
+  return result;
 }
+
+/// Movable columns of its Jacobian, dense or sparse: a large block is too large for dense decompositions.
+MatrixXd dense_movable(const MovableBlock& m, const SparseRows& jacobian) {
+  return dense(jacobian, m.block.joints.size(), m.demand.movable);
+}
+SparseEquations sparse_movable(const MovableBlock& m, const SparseRows& jacobian) {
+  return {jacobian, static_cast<int>(m.block.joints.size()), m.demand.movable};
+}
+
+/// Change of the movable coordinates that closes a block, damped.
+VectorXd closing_change(const MovableBlock& m, const Closure& here, double damping) {
+  return is_large(m.block) ? sparse_movable(m, here.jacobian).damped(-here.residual, damping)
+                           : least(dense_movable(m, here.jacobian), -here.residual, damping);
+}
+
+/// Motions of the movable coordinates that keep a block closed, at a position.
+class Tangent {
+ public:
+  Tangent(const MovableBlock& m, const VectorXd& z) : demand_(m.demand) {
+    const Closure here = closure_at(m, z);
+    if (is_large(m.block))
+      equations_ = sparse_movable(m, here.jacobian);
+    else
+      directions_ = indifferent_directions(dense_movable(m, here.jacobian));
+  }
+  bool is_empty() const { return equations_ ? equations_->is_rigid() : directions_.cols() == 0; }
+  /// The change that meets the weighted wishes best, damped. lacking: per movable column.
+  VectorXd change(const VectorXd& lacking, double damping) const {
+    if (!equations_) return directions_ * least(demand_.weight.asDiagonal() * directions_, lacking, damping);
+    constexpr double kLeastDamping = 1e-8;  // of coordinates without a wish, that the equations stay regular
+    const VectorXd held = demand_.weight.cwiseAbs2().array() + std::max(damping, kLeastDamping);
+    return equations_->least(held, demand_.weight.cwiseProduct(lacking), VectorXd::Zero(equations_->given()));
+  }
+
+ private:
+  const Demand& demand_;
+  MatrixXd directions_;
+  std::optional<SparseEquations> equations_;  ///< of a large block, in place of the directions
+};
 
 /// Closes a block by its movable coordinates, or opens it as little as can be. Damping by the squared residual keeps
 /// Newton's order: N. Yamashita, M. Fukushima, "On the rate of convergence of the Levenberg-Marquardt method",
@@ -145,8 +206,7 @@ double close(const MovableBlock& m, VectorXd& z) {
   Closure here = closure_at(m, z);
   double damping = 1;
   for (int step = 0; step < kNearestIterations && here.residual.norm() > kSmallestResidual; ++step) {
-    const VectorXd change = capped(
-        least(here.jacobian(Eigen::all, m.demand.movable), -here.residual, damping * here.residual.squaredNorm()));
+    const VectorXd change = capped(closing_change(m, here, damping * here.residual.squaredNorm()));
     VectorXd trial = z;
     trial(m.demand.movable) += change;
     Closure there = closure_at(m, trial);
@@ -174,13 +234,10 @@ double approach(const MovableBlock& m, const VectorXd& start, double share, int 
   const VectorXd target = start + share * (demand.value - start);
   z(demand.fixed) = target(demand.fixed);
   double open = close(m, z), damping = 1e-6;
-  const auto directions_here = [&] {
-    return indifferent_directions(closure_at(m, z).jacobian(Eigen::all, demand.movable));
-  };
-  MatrixXd directions = directions_here();
-  for (int step = 0; step < most_steps && directions.cols() > 0; ++step) {
+  std::optional<Tangent> tangent(std::in_place, m, z);
+  for (int step = 0; step < most_steps && !tangent->is_empty(); ++step) {
     const VectorXd lacking = missing(demand, target, z);
-    const VectorXd change = capped(directions * least(demand.weight.asDiagonal() * directions, lacking, damping));
+    const VectorXd change = capped(tangent->change(lacking, damping));
     if (!(largest(change) > kRoundingStep)) break;
     VectorXd trial = z;
     trial(demand.movable) += change;
@@ -190,7 +247,7 @@ double approach(const MovableBlock& m, const VectorXd& start, double share, int 
     if (gains) {
       z = std::move(trial);
       open = open_there;
-      directions = directions_here();
+      tangent.emplace(m, z);
     }
   }
   set_block(m.block, z, m.state.z);
@@ -241,18 +298,27 @@ double assemble_block(const MovableBlock& m) {
   return best.open;
 }
 
+/// Velocities of the movable coordinates nearest to the wishes, with rows x = b.
+VectorXd nearest_velocities(const MovableBlock& m, const SparseRows& jacobian, const VectorXd& b) {
+  const Demand& demand = m.demand;
+  if (is_large(m.block)) return sparse_movable(m, jacobian).nearest(demand.weight, demand.value(demand.movable), b);
+  const MatrixXd movable = dense_movable(m, jacobian);
+  const VectorXd needed = least(movable, b);
+  const MatrixXd directions = indifferent_directions(movable);
+  const VectorXd lacking = demand.weight.cwiseProduct(demand.value(demand.movable) - needed);
+  return needed + directions * least(demand.weight.asDiagonal() * directions, lacking);
+}
+
 /// The block's velocities nearest to the wishes, with Phi_z zd = 0. Result: |Phi_z zd|.
 double set_velocities(const MovableBlock& m) {
   const Demand& demand = m.demand;
-  const MatrixXd jacobian = all_rows_at(m, of_block(m.block, m.state.z)).jacobian;
-  const MatrixXd movable = jacobian(Eigen::all, demand.movable);
+  const SparseRows jacobian = all_rows_at(m, of_block(m.block, m.state.z)).jacobian;
   VectorXd zd = demand.value;
-  const VectorXd needed = least(movable, -jacobian(Eigen::all, demand.fixed) * demand.value(demand.fixed));
-  const MatrixXd directions = indifferent_directions(movable);
-  zd(demand.movable) = needed;
-  zd(demand.movable) += directions * least(demand.weight.asDiagonal() * directions, missing(demand, demand.value, zd));
+  zd(demand.movable) = nearest_velocities(m, jacobian, -product(jacobian, demand.fixed, demand.value));
   set_block(m.block, zd, m.state.zd);
-  return (jacobian * zd).norm();
+  std::vector<int> all(m.block.joints.size());
+  std::iota(all.begin(), all.end(), 0);
+  return product(jacobian, all, zd).norm();
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace mbgen {
 namespace {
 
-/// The projection of each block at a state. Fails: loop_singular.
+/// The projection of each block at a state; an opened one keeps its partition. Fails: loop_singular.
 Status chosen_projections(GenericEquations& equations, System<double>& system,
                           std::vector<BlockProjection<double>>& projections) {
   if (equations.topology.blocks.empty()) return {};
@@ -19,6 +19,10 @@ Status chosen_projections(GenericEquations& equations, System<double>& system,
   const std::vector<double> zdd_star =
       equations.starred_accelerations(system, GenericEquations::closure_accelerations(closed));
   for (std::size_t b = 0; b < equations.topology.blocks.size(); ++b) {
+    if (equations.topology.blocks[b].opened) {
+      projections.emplace_back(equations.analysis.blocks[b].quasi);
+      continue;
+    }
     GroupProjection<double> projection{equations.algebra.rz_of(b), {}};
     for (const int j : equations.topology.blocks[b].joints) projection.zdd_star.push_back(zdd_star[j]);
     projections.emplace_back(std::move(projection));
@@ -34,6 +38,8 @@ int coordinate_without_inertia(const Topology& topology, const std::vector<Block
     const DirectionInertia<double>& d = *it;
     if (d.value > 0) continue;
     if (d.block < 0) return d.place;
+    if (const LoopPartition* opened = std::get_if<LoopPartition>(&projections[d.block]))
+      return topology.blocks[d.block].joints[opened->independent[d.place]];
     const auto& rz = std::get<GroupProjection<double>>(projections[d.block]).rz;
     const auto most = std::max_element(rz.begin(), rz.end(), [&](const auto& a, const auto& b) {
       return std::abs(a[d.place]) < std::abs(b[d.place]);

@@ -1,6 +1,7 @@
 // Loop blocks too large for singular values: the same decisions by sparse elimination.
 
 #include "compiler/analysis/large_block.hpp"
+#include "compiler/analysis/notes.hpp"
 #include "compiler/analysis/partition.hpp"
 #include "tests/support/mechanism_support.hpp"
 
@@ -62,7 +63,8 @@ TEST(LargeBlock, ARingOfManyJointsKeepsItsFreedoms) {
     }
 }
 
-// The matrix form eliminates a chain's directions with the cube of their number, and a block's have no shorter way.
+// The matrix form eliminates a chain's directions with the cube of their number, and those of a block have no shorter
+// way unless it is opened: here a link without mass keeps it closed.
 TEST(LeastOperations, GrowWithTheCubeOfAChainInTheMatrixFormAlone) {
   const Mechanism small = analysed(grown("chain", 60)), large = analysed(grown("chain", 120));
   const LeastOperations of_small = least_operations(small.topology, small.analysis);
@@ -71,9 +73,35 @@ TEST(LeastOperations, GrowWithTheCubeOfAChainInTheMatrixFormAlone) {
   EXPECT_EQ(of_large.recursive, 2 * of_small.recursive);
   EXPECT_TRUE(is_worth_writing(of_small.matrix, of_small.recursive));
   EXPECT_FALSE(is_worth_writing(of_large.matrix, of_large.recursive));
-  const Mechanism ring = analysed(grown("spatial-ring", 200));
+  const Mechanism ring = analysed(grown("spatial-ring", 200, R"(sed '/"link9"/s/"mass": 1, .*/"mass": 0,/')"));
   EXPECT_GT(least_operations(ring.topology, ring.analysis).recursive,
             least_operations(ring.topology, ring.analysis).matrix);
+  const Mechanism opened = analysed(grown("spatial-ring", 200)), twice = analysed(grown("spatial-ring", 399));
+  EXPECT_EQ(least_operations(twice.topology, twice.analysis).recursive,
+            2 * least_operations(opened.topology, opened.analysis).recursive);
+}
+
+// Whether another partition is chosen at run time: not where its matrices or its mass matrix become too large.
+TEST(LargeBlock, KeepsItsPartitionWhereAnotherIsTooExpensive) {
+  const auto again = [](const char* kind, int size, const std::string& edit = "cat") {
+    return chooses_again(*build_topology(*grown(kind, size, edit)));
+  };
+  const std::string closed = R"(sed '/"link9"/s/"mass": 1, .*/"mass": 0,/')";
+  EXPECT_TRUE(again("ring", 60, closed));
+  EXPECT_FALSE(again("ring", 64, closed));
+  EXPECT_TRUE(again("ring", 300));
+  EXPECT_FALSE(again("ring", 400));  // 399 coordinates along 397 directions
+  EXPECT_TRUE(again("four-bar", 100));
+  EXPECT_FALSE(again("four-bar", 120));
+  const Mechanism m = analysed(grown("ring", 64, closed));
+  const Diagnostics notes = analysis_notes(m.model, m.topology, m.analysis);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].message,
+            "a generated solver keeps the independent coordinates that were chosen near the reference: a loop block of "
+            "63 coordinates and 5 equations is too large to choose others at run time");
+  EXPECT_EQ(notes[0].hint,
+            "where they do not serve, its motion ends with a singular loop; --engine generic chooses them at every "
+            "state");
 }
 
 TEST(LargeBlock, EliminationAgreesWithSingularValues) {

@@ -4,20 +4,21 @@
 // accelerations at the doors. Source: docs/method/recursive.md; R. Featherstone, Rigid Body Dynamics Algorithms, 2008,
 // chapter 7 (articulated bodies), extended by the loop blocks' Rz (61).
 
-#include "compiler/formulation/recursion/recursion_gathering.hpp"
+#include "compiler/formulation/recursion/recursion_opened.hpp"
 
 namespace mbgen {
 namespace detail {
 
-/// A loop block: (63) of its free directions, solved for the acceleration of its base.
+/// A loop block: (63) of its free directions, or of the joints of its opened tree, solved for the acceleration of its
+/// base.
 template <class T>
 void eliminate_block(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
   UnitEquations<T>& equations = s.equations[u];
-  CompositeBody<T> base = gather_block(s, u);
-  eliminate(equations, inertia_left_by_rounding(s.system().constants));
+  CompositeBody<T> base = unit.opened ? eliminate_opened_joints(s, u) : gather_block(s, u);
+  if (!unit.opened) eliminate(equations, inertia_left_by_rounding(s.system().constants));
   if (unit.base == kGround) return;
-  reduce(equations, base.reduced, base.needed);
+  if (!unit.opened) reduce(equations, base.reduced, base.needed);
   CompositeBody<T>& below = s.composite[unit.base];
   below.rigid = below.rigid + base.rigid;
   below.above = below.above + base.above;
@@ -97,7 +98,8 @@ void watch_unit(const RecursionState<T>& s, std::size_t u, RecursiveSolution<T>&
   using std::min;
   const RecursionUnit& unit = s.units()[u];
   std::vector<DirectionInertia<T>> found;
-  for (std::size_t q = 0; q < s.equations[u].size(); ++q) {
+  if (unit.opened) found = opened_inertias(s, u);
+  for (std::size_t q = 0; !unit.opened && q < s.equations[u].size(); ++q) {
     const int column = unit.rotor ? unit.end() : unit.block < 0 ? s.runs[u].columns[q] : static_cast<int>(q);
     found.push_back({unit.block, column, s.equations[u].inertia[q]});
   }
@@ -115,6 +117,19 @@ void watch_unit(const RecursionState<T>& s, std::size_t u, RecursiveSolution<T>&
   solution.inertia.insert(solution.inertia.end(), found.begin(), found.end());
 }
 
+/// Accelerations of a block's columns by those of its free directions (62).
+template <class T>
+std::vector<T> projected_accelerations(const RecursionState<T>& s, std::size_t u, const Spatial<T>& base) {
+  const BlockParts<T>& parts = s.blocks[u];
+  const std::vector<T> free = free_accelerations(s.equations[u], base);
+  std::vector<T> local = parts.zdd_star;
+  const std::vector<std::vector<T>>& rz = parts.chosen ? parts.chosen->rz : parts.rz;
+  if (parts.chosen) local = parts.chosen->zdd_star;
+  for (std::size_t c = 0; c < local.size(); ++c)
+    for (std::size_t q = 0; q < free.size(); ++q) local[c] = local[c] + rz[c][q] * free[q];
+  return local;
+}
+
 /// A loop block on the way back: joint accelerations (62), and those of its bodies (37).
 template <class T>
 void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
@@ -123,12 +138,7 @@ void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   const BlockParts<T>& parts = s.blocks[u];
   const bool grounded = unit.base == kGround;
   const Spatial<T> base = grounded ? Spatial<T>{} : base_acceleration(s, unit.base);
-  const std::vector<T> free = free_accelerations(s.equations[u], base);
-  std::vector<T> local = parts.zdd_star;
-  const std::vector<std::vector<T>>& rz = parts.chosen ? parts.chosen->rz : parts.rz;
-  if (parts.chosen) local = parts.chosen->zdd_star;
-  for (std::size_t c = 0; c < local.size(); ++c)
-    for (std::size_t q = 0; q < free.size(); ++q) local[c] = local[c] + rz[c][q] * free[q];
+  std::vector<T> local = unit.opened ? opened_accelerations(s, u, base) : projected_accelerations(s, u, base);
   for (std::size_t c = 0; c < local.size(); ++c) zdd[unit.joints[c]] = local[c];
   if (parts.chosen) local = quasi_accelerations(s.work, unit, parts.velocity, local);
   const PerBody<Spatial<T>> moved = block_motion(s.work, unit, per_joint(unit, local));
@@ -266,20 +276,24 @@ void project_block(RecursionState<T>& s, std::size_t u, const GroupProjection<T>
   parts.zdd_star = quasi_accelerations(s.work, unit, parts.velocity, chosen.zdd_star);
 }
 
-/// Steps 2, 3, 6, 7 and 8 of a loop block.
+/// Steps 2, 3, 6, 7 and 8 of a loop block. An opened one takes the equations of its frozen partition.
 template <class T>
 void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>& forces,
                      const BlockProjection<T>& projection, T& quality) {
   const RecursionUnit& unit = s.units()[u];
   Scribe<T>& scribe = s.system().scribe;
-  std::visit([&](const auto& of_block) { project_block(s, u, of_block, quality); }, projection);
+  if (unit.opened)
+    start_opened(s, u, std::get<LoopPartition>(projection), quality);
+  else
+    std::visit([&](const auto& of_block) { project_block(s, u, of_block, quality); }, projection);
   {
     const auto step = scribe.step(Step::accelerations, unit.block);
     add_own_parts(s, unit, forces);
   }
   const auto step = scribe.step(Step::reduced_system, unit.block);
   eliminate_block(s, u);
-  if (const LoopPartition* frozen = std::get_if<LoopPartition>(&projection))
+  const LoopPartition* const frozen = std::get_if<LoopPartition>(&projection);
+  if (frozen != nullptr && !unit.opened)
     for (std::size_t q = 0; q < frozen->independent.size(); ++q)
       name_pivot(s, u, q, unit.joints[frozen->independent[q]]);
 }
@@ -329,9 +343,9 @@ void solve_units(RecursionState<T>& s, RecursiveSolution<T>& solution) {
 
 }  // namespace detail
 
-/// All joint accelerations by the recursive form. projections: per block. forces: applied, about the
-/// bodies' origins, without tau.
-/// Cost: linear in bodies, quadratic in the free directions of one unit.
+/// All joint accelerations by the recursive form. projections: per block, of an opened one its partition. forces:
+/// applied, about the bodies' origins, without tau. Cost: linear in bodies, quadratic in the free directions of one
+/// unit.
 template <class T>
 RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion& recursion, const Kinematics<T>& k,
                                              const AppliedForces<T>& forces, const std::vector<Drive<T>>& drives,

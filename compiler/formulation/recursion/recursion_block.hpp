@@ -43,6 +43,22 @@ struct BlockGathering {
   PerBody<OuterArms<T>> arms;
 };
 
+/// Nothing gathered yet.
+template <class T>
+BlockGathering<T> block_gathering(RecursionState<T>& s, std::size_t u) {
+  const RecursionUnit& unit = s.units()[u];
+  const Vector<T> turning = s.omega_of(unit.base);
+  return {unit,
+          s.blocks[u],
+          s.equations[u],
+          turning,
+          turning + turning,
+          acceleration_gradient(turning, Vector<T>{}),
+          {},
+          PerBody<SubtreeInertia<T>>(unit),
+          PerBody<OuterArms<T>>(unit)};
+}
+
 /// The free directions: motion of the bodies, forces on the joints.
 template <class T>
 void start_equations(RecursionState<T>& s, BlockGathering<T>& g) {

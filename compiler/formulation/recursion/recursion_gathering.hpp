@@ -96,16 +96,7 @@ template <class T>
 CompositeBody<T> gather_block(RecursionState<T>& s, std::size_t u) {
   const System<T>& system = s.system();
   const RecursionUnit& unit = s.units()[u];
-  const Vector<T> turning = s.omega_of(unit.base);
-  BlockGathering<T> g{unit,
-                      s.blocks[u],
-                      s.equations[u],
-                      turning,
-                      turning + turning,
-                      acceleration_gradient(turning, Vector<T>{}),
-                      {},
-                      PerBody<SubtreeInertia<T>>(unit),
-                      PerBody<OuterArms<T>>(unit)};
+  BlockGathering<T> g = block_gathering(s, u);
   start_equations(s, g);
   for (auto step = unit.steps.rbegin(); step != unit.steps.rend(); ++step) {
     const auto heading = within_body(system.scribe, step->body());

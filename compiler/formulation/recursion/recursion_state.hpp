@@ -44,6 +44,14 @@ struct CompositeBody {
   Spatial<T> needed;              ///< force that must be given at zero acceleration, applied forces taken off
 };
 
+/// A joint of an opened block: zdd = (force - momentum . a - closure . lambda) / mass, with a the acceleration of its
+/// body by the joints before it and lambda the multipliers of the block's loops.
+template <class T>
+struct OpenedJoint {
+  UnitEquations<T> motion;  ///< of its one direction, about the body's origin; none where it is driven
+  std::vector<T> closure;   ///< per multiplier
+};
+
 /// Values of a block that its solution needs on the way back.
 template <class T>
 struct BlockParts {
@@ -55,6 +63,10 @@ struct BlockParts {
   PerBody<BodyAcceleration<T>> bias;         ///< at zero accelerations
   std::vector<PerBody<Spatial<T>>> partial;  ///< per free direction: motion of the bodies
   PerBody<Spatial<T>> zdd_star_motion;       ///< motion for `zdd_star`
+  // of an opened block alone, whose equations are those of its multipliers:
+  const LoopPartition* partition = nullptr;
+  PerBody<OpenedJoint<T>> opened;
+  std::vector<T> compliance;  ///< per multiplier: of its row alone
 };
 
 /// Values of a run that its solution needs on the way back.

@@ -111,6 +111,7 @@ Recursion plan_recursion(const Model& model, const Topology& topology, const std
     RecursionUnit unit;
     const int last = group.joints.back();
     unit.block = group.block;
+    unit.opened = group.block >= 0 && topology.blocks[group.block].opened;
     unit.base = group.base;
     unit.joints = group.joints;
     unit.rotor = group.block < 0 && recursion.layout.bodies[last].rotor;

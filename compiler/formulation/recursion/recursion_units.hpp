@@ -25,6 +25,7 @@ struct JointStep {
 /// A loop block, a run of joints outside all blocks that ends at a body with an own frame, or a rotor.
 struct RecursionUnit {
   int block = -1;                ///< index into Topology::blocks, -1 for a run or a rotor
+  bool opened = false;           ///< a loop block that is solved on its opened tree, see recursion_opened.hpp
   bool rotor = false;            ///< a body that is symmetric about its joint's axis: its inertia is held by its base
   int base = kGround;            ///< body that it moves on
   std::vector<int> joints;       ///< ascending tree indices
