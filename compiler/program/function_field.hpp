@@ -51,7 +51,7 @@ class FunctionField {
   /// Up to its sign, which makes the residue the smaller one.
   struct Function {
     Residue key = {};      ///< as it came up
-    Residue residue = {};  ///< the same, or that of a variable in its place
+    Residue residue = {};  ///< the same, or the residue of a variable in its place
     double degree = 1;     ///< of the numerator, at most
     Exponents exponents = {};
   };
