@@ -7,8 +7,8 @@
 namespace mbgen {
 namespace {
 
-/// Inertia per coordinate by the recursive form, with the coordinates of `held` at rest; NaN of those, and of those
-/// that move one that has none.
+/// Inertia per coordinate by the recursive form, with the coordinates of `held` at rest; NaN of these, and of
+/// coordinates that move one that has none.
 std::vector<double> inertias_while(const System<double>& given, const std::vector<bool>& held) {
   const Recursion recursion = plan_recursion(given.model, given.topology, held);
   System<double> system{given.model, given.topology,  recursion.layout, given.environment,
