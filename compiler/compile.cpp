@@ -101,6 +101,12 @@ void add_programs(Compilation& c, const CompileOptions& options) {
   Stages stages(options.watch);
   const Form form = written_form(c, options.form);
   if (form == Form::recursive) choose_by_counting(c.model, c.topology, c.analysis);
+  c.spelling = options.spelling;
+  if (options.spelling == Spelling::reading) {
+    c.emitted = written_for_reading(programs_for_reading(c.model, c.topology, c.analysis, form));
+    stages.ended("program", c);
+    return;
+  }
   c.whole = traced_programs(c.model, c.topology, c.analysis, form);
   if (!stages.ended("program", c)) return;
 
@@ -136,7 +142,9 @@ Result<Compilation> compile(const std::string& path, const CompileOptions& optio
 }
 
 std::vector<EmittedFile> emit(const Compilation& c, const EmitOptions& options) {
-  return emit(c.emitted, c.model, c.topology, c.analysis, options);
+  EmitOptions chosen = options;
+  chosen.spelling = c.spelling;
+  return emit(c.emitted, c.model, c.topology, c.analysis, chosen);
 }
 
 namespace {
@@ -154,7 +162,8 @@ Model without_defaults(Model model) {
 
 std::vector<EmittedFile> emit_for_loading(const Compilation& c, bool clocked, int lanes) {
   const Model model = without_defaults(c.model);
-  std::vector<EmittedFile> files = emit(c.emitted, model, c.topology, c.analysis, {.lanes = lanes});
+  std::vector<EmittedFile> files =
+      emit(c.emitted, model, c.topology, c.analysis, {.lanes = lanes, .spelling = c.spelling});
   files.push_back(clocked ? emit_clocked_driver(c.emitted, model, c.topology, c.analysis, lanes)
                           : emit_driver(model, lanes));
   return files;

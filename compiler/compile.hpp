@@ -23,7 +23,8 @@ struct Compilation {
   Topology topology = {};
   Analysis analysis = {};
   WholePrograms whole = {};      ///< after the passes: derivatives are taken of them
-  WrittenPrograms emitted = {};  ///< contracted
+  WrittenPrograms emitted = {};  ///< contracted, unless for reading
+  Spelling spelling = Spelling::fast;
 
   Form form() const { return whole.programs.form; }
   /// Whether add_programs has run to its end.
@@ -44,8 +45,9 @@ using StageWatch = std::function<bool(const Stage&)>;
 std::vector<std::string> stage_names();
 
 struct CompileOptions {
-  std::optional<Form> form = {};  ///< of the accelerations, none for form_of
-  StageWatch watch = {};          ///< called after each stage
+  std::optional<Form> form = {};       ///< of the accelerations, none for form_of
+  StageWatch watch = {};               ///< called after each stage
+  Spelling spelling = Spelling::fast;  ///< for reading: no whole programs, and stages end with "program"
 };
 
 /// Analyses a model: no programs. All that is needed to check it, and by engines other than the generated one.

@@ -13,7 +13,7 @@ namespace mbgen {
 /// of its loops, with more rank than it has at the reference, the block walks from the reference along its own
 /// freedoms; when no place of the walks has that rank either, its random configurations are taken back (marked as not
 /// closed) and places of the walks, closed for this block alone, are added. equations: per block. Result: per block,
-/// ranks of the whole block above that of its branch, highest first.
+/// ranks of the whole block above the rank of its branch, highest first.
 std::vector<std::vector<RankCount>> stay_on_branch(NumericSystem& numbers,
                                                    const std::vector<std::vector<ClosureEquation>>& equations,
                                                    std::vector<Configuration>& configurations);

@@ -19,8 +19,8 @@ int coordinate_of(const Topology& topology, const Analysis& analysis, const Dire
   return topology.blocks[direction.block].joints[analysis.blocks[direction.block].independent[direction.place]];
 }
 
-/// Inertia per coordinate by the recursive form, with the coordinates of `held` at rest; NaN of those, and of those
-/// that move one that has none.
+/// Inertia per coordinate by the recursive form, with the coordinates of `held` at rest; NaN of these, and of
+/// coordinates that move one that has none.
 std::vector<double> inertias_while(const System<double>& given, const Analysis& analysis,
                                    const std::vector<bool>& held) {
   const Recursion recursion = plan_recursion(given.model, given.topology, held);

@@ -59,4 +59,10 @@ WholePrograms traced_programs(const Model& model, const Topology& topology, cons
   return trace(model, topology, analysis, std::move(recursion));
 }
 
+Programs programs_for_reading(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
+  std::optional<RecursionChoices> choices;
+  if (form == Form::recursive) choices = cheapest_recursion(model, topology, analysis).choices;
+  return trace_for_reading(model, topology, analysis, choices);
+}
+
 }  // namespace mbgen

@@ -18,4 +18,7 @@ Program trace_accelerations(const Model& model, const Topology& topology, const 
 WholePrograms traced_programs(const Model& model, const Topology& topology, const Analysis& analysis,
                               std::optional<Form> form = {});
 
+/// The same equations for people, see trace_for_reading.
+Programs programs_for_reading(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
+
 }  // namespace mbgen

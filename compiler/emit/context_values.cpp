@@ -93,9 +93,9 @@ std::string fill_template(const EmitContext& context, const std::string& name, c
   return fill_template(name, values, context_values(context));
 }
 
-std::string banner_text(const Model& model, const std::string& mark) {
+std::string banner_text(const Model& model, const std::string& mark, const std::string& options) {
   return mark + " " + comment_text(model.name) + ", content hash " + model.hash + "\n" + mark +
-         " Made by `mbgen generate " + comment_text(base_name(model.file)) + "`, mbgen " + kMbgenVersion +
+         " Made by `mbgen generate " + comment_text(base_name(model.file)) + options + "`, mbgen " + kMbgenVersion +
          ". Change the model, not this file.";
 }
 

@@ -14,7 +14,8 @@ namespace mbgen {
 std::string fill_template(const EmitContext& context, const std::string& name, const FrameValues& values = {});
 
 /// First lines of every emitted file, each after `mark` ("//" or "#"): model, content hash, command, mbgen version.
-std::string banner_text(const Model& model, const std::string& mark);
+/// options: of the command.
+std::string banner_text(const Model& model, const std::string& mark, const std::string& options = "");
 
 /// banner_text as one comment of C.
 std::string c_banner_text(const Model& model);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {

@@ -48,6 +48,7 @@ struct EmitOptions {
   std::optional<InitialState> initial = {};  ///< add initial_state() to the interfaces
   bool c_interface = false;                  ///< add <model>_c.h, <model>_c.cpp and <model>.py; needs `initial`
   bool calibration = false;                  ///< and <model>.a2l with <model>_a2l.h, which stand on them
+  Spelling spelling = Spelling::fast;        ///< of the programs; for reading: each is one function
 };
 
 }  // namespace mbgen

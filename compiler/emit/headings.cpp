@@ -9,6 +9,15 @@ namespace {
 /// run of an owner in an order by section.
 constexpr std::size_t kShortestRun = 12, kShortestSortedRun = 3;
 
+/// The same of an owner in a text for people.
+constexpr std::size_t kShortestReadRun = 1;
+
+std::size_t shortest_run(ValueOrder order) {
+  return order == ValueOrder::fewest_alive ? kShortestRun
+         : order == ValueOrder::reading    ? kShortestReadRun
+                                           : kShortestSortedRun;
+}
+
 /// "12 add, 20 multiply, 1 divide": the kinds of operation that occur, "none" when none does.
 std::string operations_text(const OperationCount& count) {
   const std::pair<long, const char*> kinds[] = {
@@ -57,8 +66,7 @@ void Headings::write_before(std::size_t i, bool has_owner, PartText& part) {
   const Node& node = node_at(i);
   const bool is_known = section_ && entered_.contains(node.section);
   if (section_ != node.section && (!is_known || goes_on(i, kShortestRun, false))) write_section(node, part);
-  const bool is_sorted = schedule_.ordered == ValueOrder::by_section;
-  const bool is_worth_it = node.label >= 0 || goes_on(i, is_sorted ? kShortestSortedRun : kShortestRun, true);
+  const bool is_worth_it = node.label >= 0 || goes_on(i, shortest_run(schedule_.ordered), true);
   const Owners owners{node.owner, node.mirrored};
   if (owner_ == owners || !has_owner || !is_worth_it) return;
   std::string title = titles_.owner(node.owner);
@@ -75,7 +83,7 @@ void Headings::write_before_loop(const ScheduledUnit& loop, PartText& part) {
 }
 
 void Headings::write_after(std::size_t first, std::size_t last, PartText& part) const {
-  const bool is_sorted = schedule_.ordered == ValueOrder::by_section;
+  const bool is_sorted = schedule_.ordered != ValueOrder::fewest_alive;
   if (!is_sorted && last < schedule_.order.size()) return;
   for (std::size_t s = 0; s < counts_.size(); ++s) {
     const Section& section = program_.sections[s];

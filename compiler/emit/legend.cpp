@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 
 #include "compiler/emit/frame.hpp"
+#include "compiler/emit/quantity_names.hpp"
 #include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
@@ -63,11 +65,29 @@ bool has_name(const EmitContext& context, std::string_view prefix) {
   });
 }
 
+/// The kinds of quantities that the programs have, of a text for people.
+std::string quantities_text(const EmitContext& context) {
+  if (context.options.spelling != Spelling::reading) return "";
+  std::set<std::string_view> met;
+  for (const Program* program : all_programs(context.written)) {
+    for (const std::string& label : program->labels) met.insert(quantity_of(label).prefix);
+    for (const NamedConstant& constant : program->constants) met.insert(quantity_of(constant.name).prefix);
+  }
+  std::string text;
+  for (const QuantityName& kind : quantity_names()) {
+    if (!met.contains(kind.prefix)) continue;
+    text += line(fmt::format("{}: {}{}{}", kind.prefix, kind.words, kind.unit.empty() ? "" : ", ", kind.unit), "  ");
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string legend_text(const EmitContext& context) {
   return fill_template("legend.in",
                        {{"tree", tree_text(context)},
+                        {"reading", context.options.spelling == Spelling::reading},
+                        {"quantities", quantities_text(context)},
                         {"loops", loops_text(context)},
                         {"moments", has_name(context, "K_") ? "h first moments, K second moments" : "h first moments"},
                         {"pairs", context.in_pairs}});

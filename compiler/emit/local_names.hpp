@@ -3,9 +3,11 @@
 
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "compiler/emit/expression_text.hpp"
 #include "compiler/emit/names.hpp"
 #include "compiler/emit/scalar.hpp"
 #include "compiler/solver/programs.hpp"
@@ -34,19 +36,33 @@ class ConstantNames {
   std::vector<std::string> identifiers(const Program& program);
   /// The constant as an expression: its identifier, or the negative of it.
   std::string text(const Program& program, const Node& node);
-  /// `constexpr double m_crank = 0.8;` for each constant that a text has used; empty without any. scalar: doubles or
-  /// floats.
-  std::string declarations(Scalar scalar) const;
+  /// `constexpr double m_crank = 0.8;` for each constant that a text has used; empty without any. In programs for
+  /// reading a folded one by its operation, after its operands: `constexpr double m_axle = m_beam + m_hub;  // 310.0`.
+  /// scalar: doubles or floats.
+  std::string declarations(Scalar scalar);
 
  private:
   struct Entry {
-    std::string identifier;
-    NamedConstant constant;
+    std::string identifier;  ///< empty: an anonymous fold that no text has used
+    NamedConstant constant;  ///< `labels` are indices into entries_
     bool is_used = false;
+    bool is_declared = false;
   };
-  Entry& entry_of(const NamedConstant& constant);
+  /// Number of the entry of a program's constant; its operands have entries too.
+  std::int32_t entry_of(const Program& program, std::int32_t label);
+  /// Writes the declaration of an entry after those of its operands.
+  void declare(Entry& entry, Scalar scalar, std::string& text);
+  /// The operation of a fold, anonymous operands within it.
+  Phrase operation_of(const Entry& entry, Scalar scalar) const;
+  bool is_written_out(const Entry& entry) const { return entry.identifier.empty(); }
+  /// Whether a constant expression of C++ can compute the fold.
+  bool is_arithmetic(const Entry& entry) const;
+
+  using FoldKey = std::tuple<Op, double, double, std::int32_t, std::int32_t>;
   std::vector<Entry> entries_;
-  std::map<std::pair<std::string, double>, std::size_t> index_;
+  int numbers_ = 0;  ///< anonymous folds with a number for a name
+  std::map<std::pair<std::string, double>, std::int32_t> index_;
+  std::map<FoldKey, std::int32_t> fold_index_;
   UniqueNames names_;
 };
 

@@ -62,6 +62,11 @@ class ProgramWriter {
     pending_[v] = false;
   }
 
+  /// A result with a name of its own is found by it in a text for people.
+  bool is_read_by_name(ValueId v) const {
+    return shape_.order == ValueOrder::reading && program_.nodes[v].label >= 0;
+  }
+
   /// Stores a value where other slices, loops and the result need it.
   void deliver(ValueId v, const std::string& text, PartText& part) {
     if (schedule_.has_loops() && texts_.facts(v).crosses)
@@ -119,7 +124,7 @@ class ProgramWriter {
   /// Composes a value; operands become statements if the line is too long.
   void compose_in_line(const ScheduledUnit& unit, ValueId v, PartText& part) {
     texts_.phrase(v) = texts_.compose(unit, v, part);
-    while (texts_.phrase(v).text.size() + kNamingRoom > kLineWidth) {
+    while (texts_.phrase(v).text.size() + kNamingRoom > shape_.longest_statement) {
       const ValueId operand = longest_pending_operand(v);
       if (operand == kNoValue) break;
       name_value(operand, part);
@@ -146,7 +151,7 @@ class ProgramWriter {
       const std::string place = texts_.crossing_place(v, texts_.name_of(v), part);
       add_line(part, place + " = " + texts_.phrase(v).text + ";");
       texts_.phrase(v) = {place, Binding::primary};
-    } else if (!value.crosses && value.users == 0 && texts_.output_count(v) == 1) {
+    } else if (!value.crosses && value.users == 0 && texts_.output_count(v) == 1 && !is_read_by_name(v)) {
       add_line(part, texts_.output_texts(v, part).front() + " = " + texts_.phrase(v).text + ";");
       return;
     } else if (value.is_inlined) {

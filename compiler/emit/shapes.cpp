@@ -19,7 +19,7 @@ constexpr std::pair<Array, const char*> kMembers[] = {
     {Array::dz, "Newton correction; driven coordinates go to their motions"},
     {Array::driven_acceleration, "of driven coordinates, by their motions; no others"},
     {Array::xd, "rates of the auxiliary states"},
-    {Array::held, "the last auxiliary states, those that hold"},
+    {Array::held, "the last auxiliary states: sampled values"},
     {Array::place, "x and y below each wheel on ground of the host"},
     {Array::lambda, "multipliers, loop after loop"},
     {Array::drive, "generalised driving forces"},
@@ -31,7 +31,7 @@ constexpr std::pair<Array, const char*> kMembers[] = {
     {Array::Phi, "residuals"},
     {Array::c, "right-hand side of the accelerations"},
     {Array::rate, "Jacobian times velocities"},
-    {Array::missing, "what multipliers and drives must provide, block after block"},
+    {Array::missing, "force that multipliers and drives must provide, block after block"},
     {Array::Jz, "Jacobian of each block, row by row"},
     {Array::Rz, "free directions of each block, row by row"}};
 
@@ -112,7 +112,8 @@ constexpr ShapeRow kShapes[] = {
     {Role::accelerations_chosen, "chosen_accelerations", "ChosenAccelerations",
      "All accelerations with a partition chosen at run time."},
     {Role::outputs, "outputs", "Outputs", "Outputs, energies and power, at given accelerations."},
-    {Role::sampled, "sampled_values", "SampledValues", "Values that hold between instants, after those that are due."},
+    {Role::sampled, "sampled_values", "SampledValues",
+     "Values that hold between instants, after the values that are due."},
     {Role::ground_places, "ground_places", "GroundPlaces", "Places below the wheels on ground of the host."}};
 
 /// Whether a solver has the program: programs of closures are left out if there is nothing to close.
@@ -200,7 +201,9 @@ void take_floats(ProgramShape& shape) {
 /// Order of the values: for speed in programs whose time matters, unless they are so short that registers and cache
 /// hold most values. All others, and the matrix form, keep the order of the method's steps, for people who read from
 /// top to bottom.
-ValueOrder order_of(Form form, const ShapedProgram& shaped) {
+ValueOrder order_of(const EmitContext& context, const ShapedProgram& shaped) {
+  const Form form = context.programs.form;
+  if (context.options.spelling == Spelling::reading) return ValueOrder::reading;
   const bool runs_in_every_step = shaped.role == Role::accelerations || shaped.role == Role::closure ||
                                   shaped.role == Role::tangents || shaped.role == Role::changes;
   const bool is_long = shaped.program->nodes.size() > kLargestPart;
@@ -299,7 +302,8 @@ std::vector<ShapedProgram> shaped_programs(const EmitContext& context) {
     ShapedProgram shaped{&program_of(context.programs, row.role), row.role, shape_of(row, context)};
     if (context.options.scalar == Scalar::floats) take_floats(shaped.shape);
     if (row.role == Role::accelerations && context.in_pairs) shaped.program = &context.written.in_pairs->program;
-    shaped.shape.order = order_of(context.programs.form, shaped);
+    shaped.shape.order = order_of(context, shaped);
+    if (shaped.shape.order == ValueOrder::reading) shaped.shape.longest_statement = 2 * kLineWidth;
     shaped.schedule = schedule(*shaped.program, schedule_options(shaped.shape, context.options.roll_above));
     all.push_back(std::move(shaped));
   }

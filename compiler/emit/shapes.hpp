@@ -8,6 +8,7 @@
 
 #include "compiler/emit/context.hpp"
 #include "compiler/emit/local_names.hpp"
+#include "compiler/emit/text.hpp"
 #include "compiler/schedule/schedule.hpp"
 
 namespace mbgen {
@@ -98,6 +99,8 @@ struct ProgramShape {
   std::size_t read_back_after = 0;
   /// Order of its values.
   ValueOrder order = ValueOrder::by_section;
+  /// Characters from which a statement is taken apart.
+  std::size_t longest_statement = kLineWidth;
   /// Part of the file that defines the function, see file_parts.hpp.
   int file_part = 0;
 };

@@ -83,7 +83,8 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
   const std::string& solver = context.names.solver;
   FrameRows hot, rare, members;
   ConstantNames constants(context.written);
-  const int rare_parts = divide_file(programs, context.options.file_part_values);
+  const bool is_for_reading = context.options.spelling == Spelling::reading;
+  const int rare_parts = is_for_reading ? 0 : divide_file(programs, context.options.file_part_values);
   for (ShapedProgram& shaped : programs) {
     shaped.shape.constants = &constants;
     FrameRows& part = shaped.shape.file_part > 0 ? rare : hot;
@@ -97,7 +98,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
   const bool has_projection = !context.layout.blocks.empty() && context.layout.chooses_again;
   const bool advances = inputs_have_derivatives(context.model.inputs);
   FrameValues values = {
-      {"banner", banner_text(context.model, "//") + legend_text(context)},
+      {"banner", banner_text(context.model, "//", is_for_reading ? " --reading" : "") + legend_text(context)},
       {"constants", constants.declarations(context.options.scalar)},
       {"rare_parts", rare_parts > 1   ? fmt::format("1 to {}", rare_parts)
                      : rare_parts > 0 ? "1"

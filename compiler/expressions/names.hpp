@@ -86,7 +86,7 @@ struct Names {
   std::vector<bool> points_unreadable;                    ///< per body: no complaint about points that are not there
   std::vector<std::string>
       unreadable_joints;  ///< their coordinates are unknown: no complaint about names that start so
-  /// coordinates of mirrored instances that kept their direction: what is written inside means the other one
+  /// coordinates of mirrored instances that kept their direction: names inside the instance mean the opposite one
   std::vector<CoordinateReference> reversed;
 };
 

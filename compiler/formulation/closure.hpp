@@ -225,6 +225,18 @@ auto joint_rows(ClosureKind kind, const End<T>& from, const End<T>& to, const Ma
   return rows;
 }
 
+/// Names a closure's row in programs for reading: J, bias and residual. joints: of the columns.
+template <class T>
+void detail_row(const System<T>& system, const Loop& loop, const std::vector<int>& joints, int number,
+                const SparseRow<T>& row, const T& acceleration, const T& residual) {
+  if (!system.scribe.has_details()) return;
+  const std::string name = loop.equations > 1 ? loop.name + "_" + std::to_string(number) : loop.name;
+  for (std::size_t i = 0; i < row.columns.size(); ++i)
+    system.scribe.detail(row.values[i], "J_", name, "_", system.topology.bodies[joints[row.columns[i]]].coordinate);
+  system.scribe.detail(acceleration, "bias_", name);
+  system.scribe.detail(residual, "Phi_", name);
+}
+
 /// A constant triad on a body, in the axes of the block's base frame.
 template <class T>
 Matrix<T> triad_on(const System<T>& system, const Kinematics<T>& k, int body, int frame, const Triad& t) {

@@ -278,6 +278,7 @@ void name_constants(Scribe<T>& scribe, const Model& model, const Topology& topol
     name_constant(scribe, rod.from.at, "p_", model.rods[r].name, "_from");
     name_constant(scribe, rod.to.at, "p_", model.rods[r].name, "_to");
     scribe.constant(rod.length, "l_", model.rods[r].name);
+    scribe.bound(rod.coupling, "A sixth of the mass of the rod", "m6_", model.rods[r].name);
   }
 }
 

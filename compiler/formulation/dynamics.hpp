@@ -232,7 +232,7 @@ template <class T>
 ReducedSolution<T> solve_reduced(const System<T>& system, ReducedSystem<T> s) {
   std::vector<T>& right = s.right_hand_side;
   EliminatedPivots<T> pivots =
-      eliminate(s.mass, inertia_left_by_rounding(system.constants),
+      eliminate(s.mass, T(inertia_left_by_rounding(system.constants)),
                 [&](std::size_t a, const T& factor, std::size_t q) { right[a] = right[a] - factor * right[q]; });
   return {substitute(s.mass, pivots.reciprocal, [&](std::size_t q) { return right[q]; }), std::move(pivots.inertia)};
 }

@@ -51,7 +51,13 @@ Spatial<T> part_force(const System<T>& system, const Kinematics<T>& k, int i, co
   const Matrix<T> axes = inertia_axes(system, k, i);
   const Vector<T> com = inertia_arm(system, k, i, part.com, about);
   const Vector<T> w = transposed_times(axes, angular_velocity), alpha = transposed_times(axes, a.angular);
-  const Vector<T> force = part.mass * a.at(com);
+  const Vector<T> at_com = a.at(com), force = part.mass * at_com;
+  if (i >= 0) {
+    detail_name(system.scribe, com, "arm_", system.body_name(i), "_com");
+    detail_name(system.scribe, at_com, "a_", system.body_name(i), "_com");
+    detail_name(system.scribe, w, "w_", system.body_name(i), "_in_own_axes");
+    detail_name(system.scribe, alpha, "alpha_", system.body_name(i), "_in_own_axes");
+  }
   return {force, cross(com, force) + axes * (part.inertia * alpha + cross(w, part.inertia * w))};
 }
 

@@ -171,11 +171,13 @@ Kinematics<T> kinematics(System<T>& system) {
   for (int i = 0; i < static_cast<int>(n); ++i) {
     const auto heading = within_body(system.scribe, i);
     turns[i] = detail::turn_of(system, k, turns, i);
+    system.scribe.detail(turns[i].angle, "angle_", system.body_name(i));
     detail::advance_pose(system, k, turns[i], i);
     if (system.layout.bodies[i].chain_start >= 0) detail::own_chain(system, k, i);
     name(system.scribe, k.orientation[i], "R_", system.body_name(i));
     name(system.scribe, k.position[i], "r_", system.body_name(i));
     name(system.scribe, k.axis[i], "u_", system.topology.bodies[i].coordinate);
+    detail_name(system.scribe, k.pin[i], "pin_", system.topology.bodies[i].coordinate);
   }
   for (int i = 0; i < static_cast<int>(n); ++i)
     name(system.scribe, k.column[i].linear, "b_", system.topology.bodies[i].coordinate);

@@ -92,11 +92,19 @@ std::vector<T> at_coordinates(const LoopPartition& partition, const std::vector<
 
 }  // namespace detail
 
+/// The reciprocal references of a block's pivots without names.
+struct UnnamedScales {
+  template <class T>
+  T operator()(std::size_t /*pivot*/, const T& scale) const {
+    return scale;
+  }
+};
+
 /// Factorises Phi_d by the frozen pivots; independent columns are carried along (60). coordinates: of the block.
-/// Cost: as the entries met.
-template <class T>
+/// named(k, scale): the reciprocal reference of pivot k, with its name. Cost: as the entries met.
+template <class T, class Scales = UnnamedScales>
 FrozenFactors<T> factorise_frozen(const std::vector<SparseRow<T>>& jacobian, const LoopPartition& partition,
-                                  std::size_t coordinates) {
+                                  std::size_t coordinates, const Scales& named = {}) {
   using std::abs;
   using std::min;
   FrozenFactors<T> f;
@@ -122,7 +130,7 @@ FrozenFactors<T> factorise_frozen(const std::vector<SparseRow<T>>& jacobian, con
     for (const auto& [column, value] : row.entries) kept.push_back(column, value);
     f.pivot.push_back(pivot);
     f.reciprocal.push_back(T(1.0) / pivot);
-    const T ratio = abs(pivot) * T(1.0 / partition.pivots[k].reference);
+    const T ratio = abs(pivot) * named(k, T(1.0 / partition.pivots[k].reference));
     f.quality = k == 0 ? ratio : min(f.quality, ratio);
     f.rows.push_back(std::move(kept));
     f.upper.push_back(std::move(upper));
@@ -131,10 +139,38 @@ FrozenFactors<T> factorise_frozen(const std::vector<SparseRow<T>>& jacobian, con
   return f;
 }
 
+/// Names the reciprocal references of pivots in programs for reading. joints: of the block.
+template <class T>
+auto scale_names(const System<T>& system, const std::vector<int>& joints, const LoopPartition& partition) {
+  return [&](std::size_t k, T scale) {
+    system.scribe.bound(scale, "1 over the median size of this pivot in the sampled positions", "per_reference_",
+                        system.topology.bodies[joints[partition.pivots[k].coordinate]].coordinate);
+    return scale;
+  };
+}
+
+/// Names the factors of a block in programs for reading: after the coordinates of their pivots and of their columns.
+template <class T>
+void detail_factors(const System<T>& system, const LoopBlock& block, const LoopPartition& partition,
+                    const FrozenFactors<T>& factors) {
+  if (!system.scribe.has_details()) return;
+  const auto column = [&](int c) -> const std::string& { return system.topology.bodies[block.joints[c]].coordinate; };
+  const auto pivot = [&](std::size_t k) -> const std::string& { return column(partition.pivots[k].coordinate); };
+  for (std::size_t k = 0; k < factors.pivot.size(); ++k) {
+    const SparseRow<T>&row = factors.rows[k], &lower = factors.lower[k];
+    for (std::size_t i = 0; i < row.columns.size(); ++i)
+      system.scribe.detail(row.values[i], "U_", pivot(k), "_", column(row.columns[i]));
+    for (std::size_t i = 0; i < lower.columns.size(); ++i)
+      system.scribe.detail(lower.values[i], "L_", pivot(k), "_", pivot(static_cast<std::size_t>(lower.columns[i])));
+    system.scribe.detail(factors.reciprocal[k], "per_pivot_", pivot(k));
+  }
+}
+
 /// Names the pivots of a block after their coordinates.
 template <class T>
 void name_pivots(const System<T>& system, const LoopBlock& block, const LoopPartition& partition,
                  const FrozenFactors<T>& factors) {
+  detail_factors(system, block, partition, factors);
   for (std::size_t k = 0; k < factors.pivot.size(); ++k)
     system.scribe.name(factors.pivot[k], "pivot_",
                        system.topology.bodies[block.joints[partition.pivots[k].coordinate]].coordinate);

@@ -179,6 +179,7 @@ Accelerations<T> accelerations(System<T>& system, const Kinematics<T>& k, const 
       a.own[i] = seen_from(k.orientation[i], joint.origin, a.base[i], v.own[i].angular);
     }
     const Acceleration<T>& named = layout.own_frame ? a.own[i] : a.base[i];
+    detail_name(system.scribe, named.gradient, "G_", system.body_name(i));
     name(system.scribe, named.linear, "a_", system.body_name(i));
     name(system.scribe, named.angular, "alpha_", system.body_name(i));
   }

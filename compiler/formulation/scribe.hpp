@@ -31,6 +31,19 @@ struct Scribe {
   /// Names a number of the model. parts: as of `name`.
   template <class... Parts>
   void constant(T&, const Parts&...) {}
+  /// Names a value or a number of programs for reading, where everything has a name; no other program changes by it.
+  template <class... Parts>
+  void detail(const T&, const Parts&...) {}
+  /// The same of a number that has a shorter form of equal value: its definition.
+  template <class... Parts>
+  void detail_by(const T& /*number*/, const T& /*form*/, const Parts&...) {}
+  /// Whether `detail` names anything: else whoever computes for names alone computes nothing.
+  static constexpr bool has_details() { return false; }
+  /// The same as `detail` of a number that bounds something. note: says what it bounds.
+  template <class... Parts>
+  void bound(T&, const char* /*note*/, const Parts&...) {}
+  /// The same as `within`, in programs for reading.
+  [[nodiscard]] Scope detail_within(OwnerKind, std::size_t /*index*/) { return {}; }
 };
 
 /// Values made while the result lives belong to a body of the tree with its coordinate, a loop, or a loop block; index:
@@ -72,6 +85,35 @@ void name(Scribe<T>& scribe, const Matrix<T>& m, const Parts&... parts) {
   name(scribe, Vector<T>{m.x.y, m.y.y, m.z.y}, parts..., "_y");
   name(scribe, Vector<T>{m.x.z, m.y.z, m.z.z}, parts..., "_z");
 }
+/// Names of programs for reading, see Scribe::detail.
+template <class T, class... Parts>
+void detail_name(Scribe<T>& scribe, const Vector<T>& v, const Parts&... parts) {
+  scribe.detail(v.x, parts..., "_x");
+  scribe.detail(v.y, parts..., "_y");
+  scribe.detail(v.z, parts..., "_z");
+}
+template <class T, class... Parts>
+void detail_name(Scribe<T>& scribe, const Symmetric<T>& s, const Parts&... parts) {
+  scribe.detail(s.xx, parts..., "_xx");
+  scribe.detail(s.yy, parts..., "_yy");
+  scribe.detail(s.zz, parts..., "_zz");
+  scribe.detail(s.xy, parts..., "_xy");
+  scribe.detail(s.xz, parts..., "_xz");
+  scribe.detail(s.yz, parts..., "_yz");
+}
+template <class T, class... Parts>
+void detail_name(Scribe<T>& scribe, const Matrix<T>& m, const Parts&... parts) {
+  detail_name(scribe, Vector<T>{m.x.x, m.y.x, m.z.x}, parts..., "_x");
+  detail_name(scribe, Vector<T>{m.x.y, m.y.y, m.z.y}, parts..., "_y");
+  detail_name(scribe, Vector<T>{m.x.z, m.y.z, m.z.z}, parts..., "_z");
+}
+template <class T, class... Parts>
+void detail_name(Scribe<T>& scribe, const Spatial<T>& s, const char* linear, const char* angular,
+                 const Parts&... parts) {
+  detail_name(scribe, s.linear, linear, "_", parts...);
+  detail_name(scribe, s.angular, angular, "_", parts...);
+}
+
 template <class T, class... Parts>
 void name_constant(Scribe<T>& scribe, Vector<T>& v, const Parts&... parts) {
   scribe.constant(v.x, parts..., "_x");

@@ -122,7 +122,7 @@ void release_bristles(const Model& model, const Topology& topology, const Operat
   }
 }
 
-std::vector<BristleEnd> settle_bristles(const Model& model, const Topology& topology, OperatingPoint& point) {
+std::vector<BristleEnd> set_steady_bristles(const Model& model, const Topology& topology, OperatingPoint& point) {
   std::vector<BristleEnd> ends = bristles_at(model, topology, point);
   auto x = point.x.begin() + first_bristle(model);
   for (const BristleEnd& bristle : ends) {

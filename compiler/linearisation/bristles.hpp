@@ -19,6 +19,6 @@ void release_bristles(const Model& model, const Topology& topology, const Operat
 
 /// Sets the bristles of sliding parts to their steady deflection, and bristles without a limit to zero. Sticking
 /// bristles keep their deflection. Result: bristles_at the point.
-std::vector<BristleEnd> settle_bristles(const Model& model, const Topology& topology, OperatingPoint& point);
+std::vector<BristleEnd> set_steady_bristles(const Model& model, const Topology& topology, OperatingPoint& point);
 
 }  // namespace mbgen

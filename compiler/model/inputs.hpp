@@ -36,7 +36,7 @@ struct BoundedQuantity {
 };
 
 /// Whether an expression is a product or quotient of positive numbers and at most one parameter or input: its bound is
-/// then that of the parameter or input.
+/// then the parameter's or the input's.
 bool is_single_product(const Expression& expression);
 
 /// All of them that are no single product, in the order of the model. Masses among them; inertias are no numbers.

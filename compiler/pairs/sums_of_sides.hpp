@@ -8,7 +8,7 @@
 
 namespace mbgen {
 
-/// A value and its image in one sum: `sign` times the value `first` of the pair, and `parity` times that at the image.
+/// A value and its image in one sum: `sign` times the value `first` of the pair, and `parity` times its image.
 struct TermPair {
   ValueId first = kNoValue;
   int sign = 1;

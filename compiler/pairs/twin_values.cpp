@@ -14,7 +14,7 @@ namespace {
 constexpr int kDepth = 4;              // operands of operands that are compared
 constexpr double kAlike = 0.6;         // least likeness of twins
 constexpr double kPerOperation = 0.9;  // likeness that an operation between two values and what they share leaves
-constexpr double kPerSign = 0.95;      // what is left where one is added and the other subtracted
+constexpr double kPerSign = 0.95;      // likeness that is left where one is added and the other subtracted
 constexpr int kRounds = 8;             // pairs found late may make others known
 
 /// Whether two are one operation but for signs of their operands.
@@ -39,7 +39,7 @@ class TwinFinder {
         value_of.emplace(program.inputs[static_cast<std::size_t>(program.nodes[v].input)], v);
     for (const auto& [slot, twin] : inputs) {
       const auto a = value_of.find(slot), b = value_of.find(twin);
-      if (a != value_of.end() && b != value_of.end()) settle(a->second, b->second);
+      if (a != value_of.end() && b != value_of.end()) make_twins(a->second, b->second);
     }
     find();
   }
@@ -73,7 +73,7 @@ class TwinFinder {
     }
   }
 
-  void settle(ValueId a, ValueId b) {
+  void make_twins(ValueId a, ValueId b) {
     twin_[a] = b;
     twin_[b] = a;
   }
@@ -141,7 +141,7 @@ class TwinFinder {
     const bool are_free = a != b && twin_[a] == kNoValue && twin_[b] == kNoValue;
     if (!are_free || !are_one_operation(program_.nodes[a], program_.nodes[b]) || !is_operation(program_.nodes[a]))
       return;
-    settle(a, b);
+    make_twins(a, b);
     const std::array<ValueId, 3> others = beside(a, b);
     for (int k = 0; k < arity(program_.nodes[a].op); ++k)
       pair_up(program_.nodes[a].operands[k], others[static_cast<std::size_t>(k)]);

@@ -17,8 +17,8 @@ namespace mbgen {
 ///   %0 = input z[0]; %1 = sin %0; %2 = cos %0; out zdd[0] = %1   =>   %0 = input z[0]; %1 = sin %0; out zdd[0] = %1
 Program remove_dead_values(const Program& program);
 
-/// Values that are equal by algebra, up to sign, become one, the first of them; those that are zero leave. See
-/// identities.hpp for what is equal. Ensures: values equal up to rounding. Factor of error: 2.
+/// Values that are equal by algebra, up to sign, become one, the first of them; zeros leave. See identities.hpp for
+/// equality by algebra. Ensures: values equal up to rounding. Factor of error: 2.
 ///   %2 = mul %0 %1; %3 = mul %2 %0; %4 = mul %0 %0; %5 = mul %4 %1   =>   %5 is %3
 Program merge_equal_values(const Program& program);
 
@@ -64,6 +64,15 @@ Program take_out_derived(std::span<Program* const> programs, SlotGroup group, co
 /// in each of them. Factor of error: 1 of bounds, 2 of an error that happened to be small.
 ///   %3 = mul %0 %1; %4 = sub %2 %3   =>   %3 = submul %2 %0 %1
 Program contract(const Program& program);
+
+/// The same values in the order of the paper's steps, each step once, and in a step from one part of the mechanism to
+/// the next as far as operands allow. Dead values and inputs leave. Ensures: the same outputs bit for bit. Factor of
+/// error: 1.
+Program in_reading_order(const Program& program);
+
+/// The programs of a text for people: neither merged nor contracted, with no derived constants. Requires: traced for
+/// reading.
+WrittenPrograms written_for_reading(Programs programs);
 
 /// One pass over all programs of a solver. run: pure.
 struct WholePass {

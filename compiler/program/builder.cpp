@@ -13,9 +13,8 @@
 #include "compiler/program/rules.hpp"
 
 namespace mbgen {
-namespace {}  // namespace
 
-ProgramBuilder::ProgramBuilder(std::string name) {
+ProgramBuilder::ProgramBuilder(std::string name, Spelling spelling) : spelling_(spelling) {
   program_.name = std::move(name);
   program_.sections = {Section{}};
   known_sections_ = {Section{}};
@@ -50,6 +49,45 @@ std::int32_t ProgramBuilder::name_constant(double value, const std::string& name
     return found->second;
   program_.constants.push_back({name, value});
   return named_[name] = static_cast<std::int32_t>(program_.constants.size() - 1);
+}
+
+void ProgramBuilder::name_fold(std::int32_t label, const std::string& name) {
+  NamedConstant& fold = program_.constants[static_cast<std::size_t>(label)];
+  if (!fold.is_anonymous) return;
+  fold.name = name;
+  fold.is_anonymous = false;
+}
+
+void ProgramBuilder::equate_folds(std::int32_t label, std::int32_t other) {
+  const NamedConstant& fold = program_.constants[static_cast<std::size_t>(label)];
+  if (fold.is_anonymous && label != other) named_[fold.name] = other;
+}
+
+void ProgramBuilder::explain_constant(std::int32_t label, const std::string& note) {
+  program_.constants[static_cast<std::size_t>(label)].note = note;
+}
+
+std::int32_t ProgramBuilder::label_fold(double value, NamedConstant operation) {
+  if (!is_for_reading() || std::ranges::all_of(operation.labels, [](std::int32_t label) { return label < 0; }))
+    return -1;
+  const auto operand = [&](int k) {
+    const std::int32_t label = operation.labels[k];
+    if (label < 0) return fmt::format("{}", operation.operands[k]);
+    const NamedConstant& named = program_.constants[static_cast<std::size_t>(label)];
+    const char* sign = named.value == operation.operands[k] ? "" : "-";
+    return named.is_anonymous ? fmt::format("{}({})", sign, named.name) : sign + named.name;
+  };
+  operation.name = arity(operation.op) == 1 ? fmt::format("{} {}", op_name(operation.op), operand(0))
+                                            : fmt::format("{} {} {}", operand(0), op_name(operation.op), operand(1));
+  if (value == 0 || std::abs(value) == 1 || !std::isfinite(value)) return -1;
+  const auto found = named_.find(operation.name);
+  if (found != named_.end() && program_.constants[static_cast<std::size_t>(found->second)].value == value)
+    return found->second;
+  operation.value = value;
+  operation.is_anonymous = true;
+  named_[operation.name] = static_cast<std::int32_t>(program_.constants.size());
+  program_.constants.push_back(std::move(operation));
+  return static_cast<std::int32_t>(program_.constants.size() - 1);
 }
 
 ValueId ProgramBuilder::constant_like(const Node& node, std::span<const NamedConstant> constants) {
@@ -95,6 +133,11 @@ ValueId ProgramBuilder::append(Op op, ValueId first, ValueId second, ValueId thi
   }
   if (all_constant) {
     const double value = fold(op, values[0], values[1], values[2]);
+    if (std::isfinite(value) && is_for_reading() && count < 3)
+      return constant(value, label_fold(value, {.name = "",
+                                                .op = op,
+                                                .operands = {values[0], values[1]},
+                                                .labels = {node(first).label, count > 1 ? node(second).label : -1}}));
     if (std::isfinite(value)) return constant(value);
   }
   order_operands(program_.nodes, op, operands);
@@ -126,7 +169,7 @@ std::uint64_t ProgramBuilder::hash_of(const Node& node) const {
 /// The same computation; place and label do not count, but the name of a constant itself.
 bool ProgramBuilder::computes_same(const Node& a, const Node& b) const {
   const auto same_operand = [&](ValueId x, ValueId y) {
-    if (x == y) return true;
+    if (x == y || is_for_reading()) return x == y;
     return x != kNoValue && y != kNoValue && is_constant(x) && is_constant(y, node(x).constant);
   };
   return a.op == b.op && (a.op != Op::constant || a.label == b.label) &&
@@ -206,7 +249,7 @@ void ProgramBuilder::label(ValueId value, const std::string& name, const std::st
   ++moment_;
   Node& named = program_.nodes[value];
   if (named.op == Op::constant || named.op == Op::input || named.label >= 0) return;
-  named.owner = owner_;  // what is named after a body belongs to it, whoever computed it
+  named.owner = owner_;  // a value that is named after a body belongs to it, whoever computed it
   named.mirrored = mirrored_;
   named.label = static_cast<std::int32_t>(program_.labels.size());
   program_.labels.push_back(name);

@@ -119,16 +119,24 @@ std::vector<ValueId> depth_first(const Program& program, std::span<const ValueId
 void order_constants(Program& program) {
   std::vector<NamedConstant> constants;
   std::vector<std::int32_t> place(program.constants.size(), -1);
+  const auto meet_label = [&](auto& meet_operand, std::int32_t label) -> void {
+    if (label < 0 || place[static_cast<std::size_t>(label)] >= 0) return;
+    const NamedConstant& constant = program.constants[static_cast<std::size_t>(label)];
+    for (const std::int32_t operand : constant.labels) meet_operand(meet_operand, operand);
+    place[static_cast<std::size_t>(label)] = static_cast<std::int32_t>(constants.size());
+    constants.push_back(constant);
+  };
   const auto meet = [&](const Node& node) {
-    if (node.op != Op::constant || node.label < 0 || place[static_cast<std::size_t>(node.label)] >= 0) return;
-    place[static_cast<std::size_t>(node.label)] = static_cast<std::int32_t>(constants.size());
-    constants.push_back(program.constants[static_cast<std::size_t>(node.label)]);
+    if (node.op == Op::constant) meet_label(meet_label, node.label);
   };
   for (const Node& node : program.nodes)
     for (int k = 0; k < arity(node.op); ++k) meet(program.nodes[node.operands[k]]);
   for (const Node& node : program.nodes) meet(node);
   for (Node& node : program.nodes)
     if (node.op == Op::constant && node.label >= 0) node.label = place[static_cast<std::size_t>(node.label)];
+  for (NamedConstant& constant : constants)
+    for (std::int32_t& operand : constant.labels)
+      if (operand >= 0) operand = place[static_cast<std::size_t>(operand)];
   program.constants = std::move(constants);
 }
 

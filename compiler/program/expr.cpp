@@ -9,17 +9,27 @@ namespace {
 
 bool is(const Expr& a, double constant) { return a.is_constant() && a.constant() == constant; }
 
+/// A folded number, with the name of its operation in programs for reading.
+Expr folded(Op op, const Expr& a, const Expr& b = {}) {
+  const Expr value = fold(op, a.constant(), b.constant(), 0);
+  ProgramBuilder* builder = a.builder_of_name() ? a.builder_of_name() : b.builder_of_name();
+  if (builder == nullptr) return value;
+  const auto label = [&](const Expr& e) { return e.builder_of_name() == builder ? e.name() : -1; };
+  const std::int32_t name = builder->label_fold(
+      value.constant(),
+      {.name = "", .op = op, .operands = {a.constant(), b.constant()}, .labels = {label(a), label(b)}});
+  return value.named(name, builder);
+}
+
 Expr record(Op op, const Expr& a) {
-  if (a.is_constant()) {
-    const Expr value = fold(op, a.constant(), 0, 0);
-    return op == Op::negate ? value.named(a.name()) : value;
-  }
+  if (a.is_constant())
+    return op == Op::negate ? Expr(-a.constant()).named(a.name(), a.builder_of_name()) : folded(op, a);
   ProgramBuilder& builder = *a.builder();
   return Expr(builder, builder.append(op, a.value(builder)));
 }
 
 Expr record(Op op, const Expr& a, const Expr& b) {
-  if (a.is_constant() && b.is_constant()) return fold(op, a.constant(), b.constant(), 0);
+  if (a.is_constant() && b.is_constant()) return folded(op, a, b);
   ProgramBuilder& builder = a.is_constant() ? *b.builder() : *a.builder();
   return Expr(builder, builder.append(op, a.value(builder), b.value(builder)));
 }
@@ -39,17 +49,21 @@ Expr::Expr(ProgramBuilder& builder, ValueId value) : builder_(&builder), value_(
   builder_ = nullptr;
   constant_ = builder.node(value).constant;
   name_ = builder.node(value).label;
+  if (name_ >= 0 && builder.is_for_reading()) builder_of_name_ = &builder;
 }
 
-Expr Expr::named(std::int32_t name) const {
+Expr Expr::named(std::int32_t name, ProgramBuilder* builder) const {
   Expr result = *this;
   result.name_ = name;
+  result.builder_of_name_ = name >= 0 && builder != nullptr && builder->is_for_reading() ? builder : nullptr;
   return result;
 }
 
 ValueId Expr::value(ProgramBuilder& builder) const {
+  const bool is_of_other = builder_of_name_ != nullptr && builder_of_name_ != &builder;
   if (is_constant())
-    return std::isfinite(constant_) ? builder.constant(constant_, name_) : not_finite(builder, constant_);
+    return std::isfinite(constant_) ? builder.constant(constant_, is_of_other ? -1 : name_)
+                                    : not_finite(builder, constant_);
   if (builder_ != &builder) throw std::logic_error("an expression mixes values of two programs");
   return value_;
 }

@@ -73,10 +73,25 @@ struct Node {
   std::int32_t mirrored_label = -1;  ///< of a pair: likewise, index into Program::labels
 };
 
-/// A number of the model as the formulation takes it: a mass, a coordinate of a point.
+/// For whom a program is written.
+enum class Spelling : std::uint8_t {
+  fast,    ///< for machines: few names, and folded numbers forget what they follow from
+  reading  ///< for people: names for all that has one, and folded numbers keep their operations
+};
+
+/// A number of the model as the formulation takes it: a mass, a coordinate of a point. In programs for reading also a
+/// number that was folded from such numbers.
 struct NamedConstant {
-  std::string name;
+  std::string name;  ///< of a fold without a name of its own: its operation as text, "m_a + m_b"
   double value = 0;
+  /// The operation of a fold, Op::constant for numbers that follow from nothing.
+  Op op = Op::constant;
+  double operands[2] = {0, 0};
+  std::int32_t labels[2] = {-1, -1};  ///< indices into Program::constants, of which operands may be negatives
+  bool is_anonymous = false;          ///< a fold that nobody has named
+  std::string note = {};              ///< words for its definition
+
+  bool is_fold() const { return op != Op::constant; }
 };
 
 struct OutputValue {
@@ -112,7 +127,7 @@ const char* op_name(Op op);
 /// x, pow(x, 2) -> x*x. A node that would fold to NaN or infinity stays. The constant -0 is stored as 0.
 class ProgramBuilder {
  public:
-  explicit ProgramBuilder(std::string name);
+  explicit ProgramBuilder(std::string name, Spelling spelling = Spelling::fast);
   /// A builder with the name, inputs, sections and named constants of `program`, but none of its values: the
   /// start of a rewritten program.
   static ProgramBuilder like(const Program& program);
@@ -122,6 +137,14 @@ class ProgramBuilder {
   ValueId constant(double value, std::int32_t name = -1);
   /// A name for a number of the model: index into Program::constants. 0, 1 and -1 are structure and get none: -1.
   std::int32_t name_constant(double value, const std::string& name);
+  /// The label of a number that was folded from named ones, in programs for reading; -1 in others and for structure.
+  std::int32_t label_fold(double value, NamedConstant operation);
+  /// Names the fold of a label, unless it has a name. note: see NamedConstant.
+  void name_fold(std::int32_t label, const std::string& name);
+  /// From now on a fold that nobody has named is another one of equal value.
+  void equate_folds(std::int32_t label, std::int32_t other);
+  void explain_constant(std::int32_t label, const std::string& note);
+  bool is_for_reading() const { return spelling_ == Spelling::reading; }
   const std::vector<NamedConstant>& constants() const { return program_.constants; }
   void set_samples(Samples samples) { program_.samples = std::move(samples); }
   /// A constant of another program under the same name. constants: of that program.
@@ -166,6 +189,7 @@ class ProgramBuilder {
   ValueId input(std::size_t index);
   ValueId push(const Node& node);
   Program program_;
+  Spelling spelling_ = Spelling::fast;
   std::vector<std::uint32_t> moments_;  ///< per node, the statements before it: sections, owners, labels, outputs
   std::uint32_t moment_ = 0;
   std::map<Slot, std::size_t> input_index_;
@@ -262,14 +286,17 @@ class Expr {
   bool is_constant() const { return builder_ == nullptr; }  ///< known at trace time
   double constant() const { return constant_; }             ///< Requires: is_constant()
   std::int32_t name() const { return name_; }               ///< of a constant, see ProgramBuilder::name_constant
-  Expr named(std::int32_t name) const;                      ///< Requires: is_constant()
+  /// Requires: is_constant(). builder: of the name, where folds of the number have names too.
+  Expr named(std::int32_t name, ProgramBuilder* builder = nullptr) const;
+  ProgramBuilder* builder_of_name() const { return builder_of_name_; }
   ValueId value(ProgramBuilder& builder) const;
   ProgramBuilder* builder() const { return builder_; }
 
  private:
   ProgramBuilder* builder_ = nullptr;
-  ValueId value_ = kNoValue;
+  ProgramBuilder* builder_of_name_ = nullptr;  ///< of a constant, in programs for reading alone
   double constant_ = 0;
+  ValueId value_ = kNoValue;
   std::int32_t name_ = -1;
 };
 

@@ -23,7 +23,7 @@ enum class Array : std::uint8_t {
   in,                   ///< inputs of the model
   inertia,              ///< pivots of the final equations, one a free direction
   lambda,               ///< multipliers
-  law_argument,         ///< of a law that elements share, see SharedLaw; its index stands for that of a block
+  law_argument,         ///< of a law that elements share, see SharedLaw; its index takes the place of a block's
   law_result,           ///< likewise
   missing,              ///< forces of a block that its multipliers and drives provide
   par,                  ///< tunable parameters

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "compiler/formats/crg_road.hpp"
-#include "compiler/formats/crg_wishes.hpp"
+#include "compiler/formats/crg_unsupported.hpp"
 #include "compiler/reader/csv_table.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
@@ -167,8 +167,9 @@ void read_crg_road(Reader& reader, const Value& value, Road& road) {
     return;
   }
   read = closed_as_asked(relocated(std::move(read)));
-  if (const std::vector<std::string> wishes = not_followed(read); !wishes.empty())
-    note(reader, file.place, fmt::format("{} asks for what is not followed: {}", fields.file, fmt::join(wishes, "; ")));
+  if (const std::vector<std::string> options = unsupported_options(read); !options.empty())
+    note(reader, file.place,
+         fmt::format("{} has options that mbgen does not follow: {}", fields.file, fmt::join(options, "; ")));
   RoadGrid& grid = road.grids.emplace_back();
   grid.is_straight = std::ranges::all_of(read.heading, [&](double heading) { return heading == read.heading[0]; }) &&
                      read.end_heading == read.heading[0];

@@ -218,7 +218,7 @@ void check_place(Reader& reader, const Value& value, const JointFields& joint, c
 
 /// Checks that the rim of a disc, or a ball, touches the plane at the reference; sets a missing radius from this. gap:
 /// from the point of `from` to the centre, m.
-void settle_radius(Reader& reader, const Value& value, JointFields& joint, const Vector3& gap) {
+void set_radius(Reader& reader, const Value& value, JointFields& joint, const Vector3& gap) {
   const bool is_disc = joint.type == JointType::rolling_disc;
   if (!joint.written_axis || (is_disc && !joint.axis2)) return;
   const Vector3 normal = placed_axis(reader, joint.from.body, *joint.written_axis, FreedomKind::prismatic);
@@ -264,7 +264,7 @@ void check_closure(Reader& reader, const Value& value, JointFields& joint) {
     if (joint.written_axis) check_place(reader, value, joint, gap);
     return;
   }
-  if (has_radius(joint.type)) return settle_radius(reader, value, joint, gap);
+  if (has_radius(joint.type)) return set_radius(reader, value, joint, gap);
   const double distance = std::hypot(gap[0], gap[1], gap[2]);
   if (distance > kClosureTolerance) {
     report(reader, *find(value, "to"),

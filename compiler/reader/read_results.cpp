@@ -246,7 +246,7 @@ void read_motions(Reader& reader, const Entries& entries) {
     read_list(reader, {entry}, one, resolve_motion);
     const int index = static_cast<int>(reader.model.motions.size());
     if (!reader.names.motions.emplace(entry.name, index).second)
-      report(reader, entry.place, fmt::format("name {} is that of the motion of a rod's length", in_quotes(entry.name)),
+      report(reader, entry.place, fmt::format("name {} belongs to the motion of a rod's length", in_quotes(entry.name)),
              "rename the motion");
     const int joint = one.front().joint.joint;
     reader.model.motions.push_back(one.front());

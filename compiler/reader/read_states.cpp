@@ -29,7 +29,7 @@ void check_name(Reader& reader, const Entry& entry) {
   }
 }
 
-void tell_names(Reader& reader, const Entries& entries) {
+void name_entries(Reader& reader, const Entries& entries) {
   for (const Entry& entry : entries) {
     const InScope in_scope(reader, entry.scope);
     check_name(reader, entry);
@@ -71,8 +71,8 @@ void read_expressions(Reader& reader, const Entries& entries, const std::vector<
 }  // namespace
 
 void read_states(Reader& reader, const Entries& states, const Entries& sampled) {
-  tell_names(reader, states);
-  tell_names(reader, sampled);
+  name_entries(reader, states);
+  name_entries(reader, sampled);
   std::vector<UserStateFields> state_fields;
   read_list(reader, states, state_fields, [](Reader& r, const Value& value, UserStateFields& state) {
     check_presentation(r, value, state.unit, state, state.initial);

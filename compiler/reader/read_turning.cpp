@@ -37,18 +37,18 @@ double turn_stiffness(const MagicFormula61<double>& set, double length, const st
 /// Whether turn slip is active, with problems and notes.
 bool takes_turn_slip(Reader& reader, const Value& value, const TurningOfFile& of_file, const TyreFields& tyre) {
   const Member* member = find_member(value, "turn_slip");
-  const bool wished = tyre.written_turn_slip.value_or(of_file.turn_slip);
+  const bool is_wanted = tyre.written_turn_slip.value_or(of_file.turn_slip);
   if (tyre.model != TyreModel::mf61) {
-    if (member && wished) report(reader, member->place, "only a tyre with mf61 data has turn slip");
+    if (member && is_wanted) report(reader, member->place, "only a tyre with mf61 data has turn slip");
     return false;
   }
-  if (wished && has_turn_slip(tyre.coefficients)) return true;
-  if (wished && member) report(reader, member->place, std::string(kTurnSlipNeedsText));
+  if (is_wanted && has_turn_slip(tyre.coefficients)) return true;
+  if (is_wanted && member) report(reader, member->place, std::string(kTurnSlipNeedsText));
   std::vector<std::string_view> idle;
   for (std::size_t i = 0; i < tyre.coefficients.size(); ++i)
     if (is_of_turn_slip(kMf61Fields[i].name) && tyre.coefficients[i].value != kMf61Fields[i].default_value)
       idle.push_back(kMf61Fields[i].name);
-  if (!wished && !idle.empty())
+  if (!is_wanted && !idle.empty())
     note(reader, value.place, fmt::format("the tyre does not use turn slip ({})", fmt::join(idle, ", ")),
          "give it \"turn_slip\": true");
   return false;

@@ -25,7 +25,7 @@ void read_vehicle(Reader& reader, const std::vector<Part>& parts) {
       (fields.towed.body == reader.model.ground || fields.towed.body == fields.reference.body))
     report(reader, *find(value, "towed"),
            fields.towed.body == reader.model.ground ? "the towed unit is no point of ground, which does not move"
-                                                    : "the towed unit is another body than that of \"reference\"");
+                                                    : "the towed unit is another body than the one of \"reference\"");
   reader.model.vehicle = fields;
 }
 

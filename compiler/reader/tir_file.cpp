@@ -214,7 +214,7 @@ void read_coefficients(Reader& reader, const Value& value, TirEntries& entries, 
 
 /// Whether turn slip is active: from the model, else from the last digit of USE_MODE, 5 in MF-Tyre: combined forces and
 /// turn slip. A file without its coefficients gets a note.
-TurningOfFile turning_of(Reader& reader, TirEntries& entries, const TirUnits& units, const WishesOfTyre& wishes) {
+TurningOfFile turning_of(Reader& reader, TirEntries& entries, const TirUnits& units, const RequestsOfTyre& requests) {
   constexpr double kCombinedAndTurnSlip = 5;
   TurningOfFile turning;
   const std::optional<double> mode = number_of_key(reader, entries, "USE_MODE");
@@ -224,10 +224,10 @@ TurningOfFile turning_of(Reader& reader, TirEntries& entries, const TirUnits& un
     return entry != entries.keys.end() && number_of(entry->second).value_or(0) != 0;
   };
   const bool complete = std::ranges::all_of(kTurnSlipNeeds, is_there);
-  if (asks && !wishes.turn_slip && !complete)
+  if (asks && !requests.turn_slip && !complete)
     note(reader, entries.keys.find("USE_MODE")->second.place, "turn slip, for which USE_MODE asks, is not in the file",
          std::string(kTurnSlipNeedsText));
-  turning.turn_slip = wishes.turn_slip.value_or(asks && complete);
+  turning.turn_slip = requests.turn_slip.value_or(asks && complete);
   if (turning.turn_slip) turning.yaw_stiffness = number_of_key(reader, entries, "YAW_STIFFNESS");
   if (turning.yaw_stiffness) *turning.yaw_stiffness *= units.force * units.length;
   return turning;
@@ -287,7 +287,7 @@ std::optional<double> number_of(const TirEntry& entry) {
   return whole && std::isfinite(number) && std::abs(number) <= kLargestNumber ? std::optional(number) : std::nullopt;
 }
 
-std::optional<TirTyre> read_tir(Reader& reader, const Value& value, const WishesOfTyre& wishes) {
+std::optional<TirTyre> read_tir(Reader& reader, const Value& value, const RequestsOfTyre& requests) {
   const std::size_t problems = reader.problems.size();
   std::uint32_t file = 0;
   const Document* document = open_beside(reader, value, "tyre file", file);
@@ -297,7 +297,7 @@ std::optional<TirTyre> read_tir(Reader& reader, const Value& value, const Wishes
   if (!model || reader.problems.size() > problems) return std::nullopt;
   const TirUnits units = units_of(reader, entries);
   TirTyre tyre{.model = *model};
-  if (*model == TyreModel::mf61) tyre.turning = turning_of(reader, entries, units, wishes);
+  if (*model == TyreModel::mf61) tyre.turning = turning_of(reader, entries, units, requests);
   read_coefficients(reader, value, entries, units, tyre);
   const auto number = [&](std::string_view key, double absent) {
     return number_of_key(reader, entries, key).value_or(absent);
@@ -312,7 +312,7 @@ std::optional<TirTyre> read_tir(Reader& reader, const Value& value, const Wishes
   }
   tyre.damping = number_of_key(reader, entries, "VERTICAL_DAMPING");
   if (tyre.damping) *tyre.damping *= units.force * units.time / units.length;
-  if (wishes.cams) tyre.cams = cams_of(reader, entries, tyre);
+  if (requests.cams) tyre.cams = cams_of(reader, entries, tyre);
   if (reader.problems.size() > problems) return std::nullopt;
   if (const TirEntry* nominal = use_entry(entries, "FNOMIN")) tyre.nominal = nominal->key;
   note_unused(reader, *model, entries);

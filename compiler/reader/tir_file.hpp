@@ -44,7 +44,7 @@ struct TirEntries {
 };
 
 /// Requests of a tyre to its file.
-struct WishesOfTyre {
+struct RequestsOfTyre {
   bool cams = false;                   ///< the tyre uses the cams of the file
   std::optional<bool> turn_slip = {};  ///< from the model; else from the file's USE_MODE
 };
@@ -55,7 +55,7 @@ struct WishesOfTyre {
 /// note. Fails: nothing, with complaints at lines of the file: another tyre model, units that are unknown, a
 /// coefficient that is no number or stands twice, no radius, nominal load or pressure. Coefficients of turn slip are
 /// read where it acts.
-std::optional<TirTyre> read_tir(Reader& reader, const Value& value, const WishesOfTyre& wishes);
+std::optional<TirTyre> read_tir(Reader& reader, const Value& value, const RequestsOfTyre& requests);
 
 /// Capital letters, for comparison of keys and sections.
 std::string upper(std::string_view text);

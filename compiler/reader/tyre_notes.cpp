@@ -68,7 +68,7 @@ NominalSet nominal_set(const Tyre& tyre) {
   return set;
 }
 
-/// " (PKX1 and PDX1 are 0)" for those that are 0; empty for none.
+/// " (PKX1 and PDX1 are 0)" for the names whose coefficients are 0; empty for none.
 std::string zeros_among(const NominalSet& set, const TyreModel& model, const Names& names) {
   Names zeros;
   for (const std::string_view name : names)

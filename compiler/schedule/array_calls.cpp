@@ -162,7 +162,7 @@ bool wait_for_later(const Program& program, Range range, const Groups& groups, L
 }
 
 /// Groups of sufficient size. Values of smaller groups are computed individually, which may let later groups join.
-Groups settle(const Program& program, Range range, Levels& levels) {
+Groups find_groups(const Program& program, Range range, Levels& levels) {
   const bool of_vectors = levels.gathering == Gathering::of_vectors;
   const auto fewest_of = [&](ValueId v) -> std::size_t {
     if (levels.is_alone[v]) return 1;
@@ -271,7 +271,7 @@ void gather(const Program& program, std::span<ValueId> range, Levels& levels, Ar
     levels.is_here[v] = true;
     levels.is_called[v] = is_free && is_candidate(v);
   }
-  const Groups groups = settle(program, range, levels);
+  const Groups groups = find_groups(program, range, levels);
   if (!groups.empty()) {
     NewOrder new_order(program, levels.widths, range, result);
     for (const auto& [key, group] : groups) {

@@ -114,11 +114,12 @@ bool can_be_inlined(const Program& program, const Schedule& schedule, const std:
   if (schedule.has_loops() && (place.unit != value.unit || place.slice != value.slice)) return false;
   if (schedule.ordered == ValueOrder::fewest_alive) return true;
   const Node& user = program.nodes[value.user];
-  return user.section == node.section && user.owner == node.owner;
+  const bool is_of_a_sum = schedule.ordered == ValueOrder::reading && is_sum(user) && is_sum(node);
+  return user.section == node.section && (user.owner == node.owner || is_of_a_sum);
 }
 
 /// Merges facts over all slices: a value is inlined or unused only if it is so in every slice.
-void settle_slices(const Program& program, Schedule& schedule) {
+void merge_slices(const Program& program, Schedule& schedule) {
   std::vector<bool> is_output(program.nodes.size(), false);
   for (const OutputValue& output : program.outputs) is_output[output.value] = true;
   for (const ScheduledUnit& unit : schedule.units)
@@ -144,7 +145,8 @@ bool is_rolled(const Program& program, const ScheduleOptions& options) {
 }
 
 Schedule schedule(const Program& program, const ScheduleOptions& options) {
-  const bool can_roll = options.division == Division::cheapest && !has_shared_laws(program) && !has_pairs(program);
+  const bool can_roll = options.order != ValueOrder::reading && options.division == Division::cheapest &&
+                        !has_shared_laws(program) && !has_pairs(program);
   const Rolling rolling = can_roll ? worthwhile_loops(program, options) : Rolling{};
   Schedule result;
   if (rolling.loops.empty()) {
@@ -156,7 +158,7 @@ Schedule schedule(const Program& program, const ScheduleOptions& options) {
   find_uses(program, result);
   if (!result.has_loops()) place_crossing(program, result, options.shares_places);
   find_partners(program, result);
-  settle_slices(program, result);
+  merge_slices(program, result);
   return result;
 }
 

@@ -54,8 +54,10 @@ struct ScheduledValue {
 
 /// In which order straight code stands.
 enum class ValueOrder {
-  by_section,   ///< that of the program, section after section where operands allow it
-  fewest_alive  ///< see fewest_alive.hpp
+  by_section,    ///< as the program has them, section after section where operands allow it
+  fewest_alive,  ///< see fewest_alive.hpp
+  reading        ///< as the program has them, for people: one function without calls for many arguments, and sums are
+                 ///< written out over all parts of the mechanism
 };
 
 struct Schedule {
@@ -68,8 +70,8 @@ struct Schedule {
   std::vector<ScheduledValue> value;  ///< per value of the program
   ArrayCalls calls;                   ///< elementary functions in lanes
   int stored = 0;                     ///< size of the array of values that cross, of programs with loops
-  int places = 0;                     ///< for the others that cross, in each struct those that are read
-                                      ///< most first: the sixteen first are the cheapest to address
+  int places = 0;                     ///< for the others that cross, in each struct the most frequently
+                                      ///< read first: the sixteen first are the cheapest to address
 
   bool has_loops() const { return loops() > 0; }
   std::size_t loops() const;

@@ -190,12 +190,17 @@ Schedule straight_schedule(const Program& program, Division division, ValueOrder
   Schedule result;
   result.ordered = wanted;
   result.order = pair_angles(order, partner);
-  result.calls = gather_calls(program, result.order, gathering);
+  if (wanted == ValueOrder::reading)
+    result.calls.place.resize(program.nodes.size());
+  else
+    result.calls = gather_calls(program, result.order, gathering);
   std::vector<std::vector<ValueId>> bundles = bundles_of(result, partner);
   const std::size_t before_laws = put_law_arguments_first(program, bundles);
   result.order = wanted == ValueOrder::fewest_alive ? few_alive(program, bundles, before_laws) : joined(bundles);
   const std::vector<long> cost = cut_costs(program, result.order, partner, result.calls.place);
-  const std::size_t largest = wanted == ValueOrder::fewest_alive ? kLargestHotPart : kLargestPart;
+  const std::size_t largest = wanted == ValueOrder::reading        ? std::max<std::size_t>(result.order.size(), 1)
+                              : wanted == ValueOrder::fewest_alive ? kLargestHotPart
+                                                                   : kLargestPart;
   std::vector<PlaceRange> ranges;
   if (division == Division::by_section) ranges = section_ranges(program, result.order);
   if (ranges.empty()) ranges = {{0, result.order.size()}};

@@ -82,8 +82,9 @@ std::vector<Expr> consistent_velocities(Tracing& tracing, const SparseClosure<Ex
 
 }  // namespace
 
-Program trace_closure(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
-  Tracing tracing(Role::closure, model, topology, analysis, form);
+Program trace_closure(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                      Spelling spelling) {
+  Tracing tracing(Role::closure, model, topology, analysis, form, {}, spelling);
   System<Expr>& system = tracing.system;
   std::vector<Expr> dz(topology.size(), Expr(0.0)), zd = system.environment.zd, residual;
   tracing.in(Step::inertias, [&] {
@@ -130,8 +131,9 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
   return tracing.builder.finish_in_canonical_order();
 }
 
-Program trace_closure_terms(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
-  Tracing tracing(Role::closure_terms, model, topology, analysis, form);
+Program trace_closure_terms(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                            Spelling spelling) {
+  Tracing tracing(Role::closure_terms, model, topology, analysis, form, {}, spelling);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = tracing.poses();
   Closures closures(tracing, k);

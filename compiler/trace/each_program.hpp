@@ -15,12 +15,13 @@ namespace mbgen {
 
 /// The nine steps of the paper. role: accelerations, or accelerations_chosen with the projections of the loop blocks as
 /// inputs.
-Program trace_matrix_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Role role);
+Program trace_matrix_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Role role,
+                                   Spelling spelling = Spelling::fast);
 
 /// The same by recursion. laws: that are left to programs of their own.
 Program trace_recursive_accelerations(const Model& model, const Topology& topology, const Analysis& analysis,
                                       Role role = Role::accelerations, RecursionChoices choices = {},
-                                      const std::vector<SharedLaw>& laws = {});
+                                      const std::vector<SharedLaw>& laws = {}, Spelling spelling = Spelling::fast);
 
 /// Mirror images of the inputs of the accelerations, results of these laws among them; empty where the mechanism has no
 /// mirror.
@@ -36,29 +37,36 @@ std::optional<AroundLaws> trace_around_laws(const Model& model, const Topology& 
                                             RecursionChoices choices);
 
 /// Newton correction of positions and consistent velocities by the frozen factors (60), (61).
-Program trace_closure(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
+Program trace_closure(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                      Spelling spelling = Spelling::fast);
 
 /// Residuals, Jacobian and acceleration right-hand side of every block.
-Program trace_closure_terms(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
+Program trace_closure_terms(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                            Spelling spelling = Spelling::fast);
 
 /// Multipliers and driving forces in the frozen order (theory.md section 4).
-Program trace_multipliers(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
+Program trace_multipliers(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                          Spelling spelling = Spelling::fast);
 
 /// Outputs of the model and its energies. Multipliers come from outside, so that they are right where the frozen
 /// partition is not; without loops there are none, and the driving forces come from outside.
-Program trace_outputs(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
+Program trace_outputs(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                      Spelling spelling = Spelling::fast);
 
 /// Auxiliary states that hold, after the sampled values that are due are set; empty without such values.
-Program trace_sampled(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
+Program trace_sampled(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                      Spelling spelling = Spelling::fast);
 
 /// x and y below the wheels on ground of a host, one after another.
-Program trace_ground_places(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
+Program trace_ground_places(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                            Spelling spelling = Spelling::fast);
 
 /// The equations of an implicit step, and the changes that solve them. Entries that are constants stay in the programs.
 struct ImplicitPrograms {
   Program tangents, changes;
 };
-ImplicitPrograms trace_implicit(const Model& model, const Topology& topology, const Analysis& analysis);
+ImplicitPrograms trace_implicit(const Model& model, const Topology& topology, const Analysis& analysis,
+                                Spelling spelling = Spelling::fast);
 
 /// The order of a traced program.
 enum class TraceOrder {

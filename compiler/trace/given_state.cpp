@@ -75,6 +75,16 @@ std::vector<BlockMultipliers<Expr>> all_multipliers(Tracing& tracing, const Give
   return result;
 }
 
+/// Names the multipliers of a block after their loops in programs for reading.
+void name_multipliers(Tracing& tracing, const LoopBlock& block, const std::vector<Expr>& lambda) {
+  for (std::size_t first = 0; const int l : block.loops) {
+    const Loop& loop = tracing.system.topology.loops[static_cast<std::size_t>(l)];
+    const auto heading = tracing.scribe.detail_within(OwnerKind::loop, static_cast<std::size_t>(l));
+    for (int e = 0; e < loop.equations; ++e)
+      tracing.scribe.detail(lambda[first++], "lambda_", loop.name, loop.equations > 1 ? "_" + std::to_string(e) : "");
+  }
+}
+
 /// Driving force of every motion, from what the multipliers leave of the missing forces.
 std::vector<Expr> driving_forces(const Tracing& tracing, const std::vector<Expr>& left) {
   std::vector<Expr> drive;
@@ -101,8 +111,9 @@ std::vector<Expr> reaction_loads_at(Tracing& tracing) {
 
 }  // namespace
 
-Program trace_multipliers(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
-  Tracing tracing(Role::multipliers, model, topology, analysis, form);
+Program trace_multipliers(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                          Spelling spelling) {
+  Tracing tracing(Role::multipliers, model, topology, analysis, form, {}, spelling);
   const GivenState s = given_state(tracing, tracing.inputs(Array::tau, tracing.size()));
   const auto step = tracing.scribe.step(Step::multipliers);
   std::vector<std::vector<Expr>> lambda;
@@ -111,6 +122,7 @@ Program trace_multipliers(const Model& model, const Topology& topology, const An
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const LoopBlock& block = topology.blocks[b];
     lambda.push_back(blocks[b].lambda);
+    name_multipliers(tracing, block, blocks[b].lambda);
     for (std::size_t c = 0; c < block.joints.size(); ++c) {
       left[block.joints[c]] = blocks[b].left[c];
       tracing.output(of_block(Array::missing, b), static_cast<int>(c), s.missing.joint[block.joints[c]]);
@@ -122,8 +134,9 @@ Program trace_multipliers(const Model& model, const Topology& topology, const An
   return tracing.builder.finish_in_canonical_order();
 }
 
-Program trace_outputs(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
-  Tracing tracing(Role::outputs, model, topology, analysis, form);
+Program trace_outputs(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                      Spelling spelling) {
+  Tracing tracing(Role::outputs, model, topology, analysis, form, {}, spelling);
   System<Expr>& system = tracing.system;
   const GivenState s = given_state(tracing, tracing.inputs(Array::tau, tracing.size()));
   const auto step = tracing.scribe.step(Step::outputs);
@@ -145,8 +158,9 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
   return tracing.builder.finish_in_canonical_order();
 }
 
-Program trace_sampled(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
-  Tracing tracing(Role::sampled, model, topology, analysis, form);
+Program trace_sampled(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                      Spelling spelling) {
+  Tracing tracing(Role::sampled, model, topology, analysis, form, {}, spelling);
   System<Expr>& system = tracing.system;
   std::vector<Expr> loads;
   if (takes_reactions(model)) {
@@ -163,8 +177,9 @@ Program trace_sampled(const Model& model, const Topology& topology, const Analys
   return tracing.builder.finish_in_canonical_order();
 }
 
-Program trace_ground_places(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
-  Tracing tracing(Role::ground_places, model, topology, analysis, form);
+Program trace_ground_places(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                            Spelling spelling) {
+  Tracing tracing(Role::ground_places, model, topology, analysis, form, {}, spelling);
   const Kinematics<Expr> k = tracing.poses();
   const auto step = tracing.scribe.step(Step::outputs);
   std::vector<Expr> places;

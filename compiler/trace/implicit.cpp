@@ -34,9 +34,10 @@ class EntryNumbers {
 
 }  // namespace
 
-ImplicitPrograms trace_implicit(const Model& model, const Topology& topology, const Analysis& analysis) {
+ImplicitPrograms trace_implicit(const Model& model, const Topology& topology, const Analysis& analysis,
+                                Spelling spelling) {
   ImplicitPrograms programs;
-  Tracing tracing(Role::tangents, model, topology, analysis, Form::matrix);
+  Tracing tracing(Role::tangents, model, topology, analysis, Form::matrix, {}, spelling);
   WatchedEquations<Expr> watched = tracing.in(Step::tangents, [&] {
     return implicit_equations(tracing.system, analysis.blocks, analysis.driven, tracing.input(Array::step, 0));
   });
@@ -45,7 +46,7 @@ ImplicitPrograms trace_implicit(const Model& model, const Topology& topology, co
   tracing.outputs(Array::inertia, watched.pivot);
   tracing.outputs(Array::state_pivot, watched.state_pivot);
 
-  Tracing changing(Role::changes, model, topology, analysis, Form::matrix);
+  Tracing changing(Role::changes, model, topology, analysis, Form::matrix, {}, spelling);
   numbers.take_as_inputs(tracing, changing, watched.equations);
   programs.tangents = tracing.builder.finish_in_canonical_order();
   const auto step = changing.scribe.step(Step::tangents);

@@ -91,9 +91,10 @@ std::vector<GroupProjection<Expr>> group_projections(Tracing& tracing, const Fro
 
 }  // namespace
 
-Program trace_matrix_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Role role) {
+Program trace_matrix_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Role role,
+                                   Spelling spelling) {
   const bool is_frozen = role == Role::accelerations;
-  Tracing tracing(role, model, topology, analysis, Form::matrix);
+  Tracing tracing(role, model, topology, analysis, Form::matrix, {}, spelling);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = tracing.poses();
   const Inertias<Expr> m = tracing.in(Step::inertias, [&] { return inertias(system, k); });

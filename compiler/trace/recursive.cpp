@@ -37,8 +37,8 @@ void output_inertia(Tracing& tracing, const std::vector<DirectionInertia<Expr>>&
 }  // namespace
 
 Program trace_recursive_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Role role,
-                                      RecursionChoices choices, const std::vector<SharedLaw>& laws) {
-  Tracing tracing(role, model, topology, analysis, Form::recursive, choices);
+                                      RecursionChoices choices, const std::vector<SharedLaw>& laws, Spelling spelling) {
+  Tracing tracing(role, model, topology, analysis, Form::recursive, choices, spelling);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = tracing.poses();
   const Velocities<Expr> v =

@@ -43,21 +43,58 @@ struct Scribe<Expr> {
   }
   template <class... Parts>
   void name(const Expr& value, const Parts&... parts) {
-    if (value.is_constant()) return;
+    if (value.is_constant() && value.builder_of_name() == nullptr) return;
     std::string text;
     (text.append(parts), ...);
-    builder.label(value.value(builder), text);
+    if (value.is_constant())
+      builder.name_fold(value.name(), text);
+    else
+      label(value.value(builder), text);
   }
   /// A number that follows from tunable parameters is a value like others.
   template <class... Parts>
   void constant(Expr& value, const Parts&... parts) {
     std::string text;
     (text.append(parts), ...);
-    if (value.is_constant()) {
-      value = value.named(builder.name_constant(value.constant(), text));
-    } else {
+    if (!value.is_constant()) {
       builder.label(value.value(builder), text);
+    } else if (value.builder_of_name() != nullptr) {
+      builder.name_fold(value.name(), text);
+    } else {
+      value = value.named(builder.name_constant(value.constant(), text), &builder);
     }
+  }
+  template <class... Parts>
+  void detail(const Expr& value, const Parts&... parts) {
+    if (builder.is_for_reading()) name(value, parts...);
+  }
+  bool has_details() const { return builder.is_for_reading(); }
+  template <class... Parts>
+  void detail_by(const Expr& number, const Expr& form, const Parts&... parts) {
+    if (!builder.is_for_reading()) return;
+    const bool are_folds = number.builder_of_name() == &builder && form.builder_of_name() == &builder;
+    if (are_folds && number.constant() == form.constant()) {
+      name(form, parts...);
+      builder.equate_folds(number.name(), form.name());
+    } else {
+      name(number, parts...);
+    }
+  }
+  template <class... Parts>
+  void bound(Expr& value, const char* note, const Parts&... parts) {
+    if (!builder.is_for_reading()) return;
+    constant(value, parts...);
+    if (value.is_constant() && value.name() >= 0) builder.explain_constant(value.name(), note);
+  }
+  /// Users of a negative take the value itself: for reading it is named as its negative.
+  void label(ValueId value, const std::string& text) {
+    builder.label(value, text);
+    const Node& node = builder.node(value);
+    if (builder.is_for_reading() && node.op == Op::negate) builder.label(node.operands[0], "minus_" + text);
+  }
+  [[nodiscard]] Scope detail_within(OwnerKind kind, std::size_t index) {
+    if (builder.is_for_reading()) return within(kind, index);
+    return {builder, builder.section(), builder.owner()};
   }
 };
 

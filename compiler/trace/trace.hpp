@@ -30,6 +30,11 @@ struct TracedRecursion {
 WholePrograms trace(const Model& model, const Topology& topology, const Analysis& analysis,
                     std::optional<TracedRecursion> recursion);
 
+/// The same for people: names for all that has one, no laws apart. choices: of the recursive form, none for the matrix
+/// form.
+Programs trace_for_reading(const Model& model, const Topology& topology, const Analysis& analysis,
+                           std::optional<RecursionChoices> choices);
+
 /// Inputs of the accelerations that belong to alike parts, results of their shared laws among them; none of the matrix
 /// form, which is not written in pairs.
 AlikeInputs alike_inputs(const Model& model, const Topology& topology, const WholePrograms& whole);

@@ -18,9 +18,9 @@ class Tracing {
  public:
   /// choices: of the recursive form.
   Tracing(Role role, const Model& model, const Topology& topology, const Analysis& analysis, Form form,
-          RecursionChoices choices = {})
+          RecursionChoices choices = {}, Spelling spelling = Spelling::fast)
       : role(role),
-        builder(name_of(role)),
+        builder(name_of(role), spelling),
         scribe{builder},
         form(form),
         recursion(form == Form::recursive ? plan_recursion(model, topology, analysis.driven, choices) : Recursion{}),

@@ -288,7 +288,7 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
 struct ConstraintForces {
   double lambda[5];  ///< multipliers, loop after loop
   double drive[1];  ///< generalised driving forces
-  double missing[3];  ///< what multipliers and drives must provide, block after block
+  double missing[3];  ///< force that multipliers and drives must provide, block after block
   double pivot[1];  ///< smallest pivot of each block over its reference
 };
 

@@ -351,7 +351,7 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
 struct ConstraintForces {
   double lambda[1];  ///< multipliers, loop after loop
   double drive[1];  ///< generalised driving forces
-  double missing[2];  ///< what multipliers and drives must provide, block after block
+  double missing[2];  ///< force that multipliers and drives must provide, block after block
   double pivot[1];  ///< smallest pivot of each block over its reference
 };
 

@@ -396,7 +396,7 @@ template <class Lanes>
 struct ConstraintForcesOf {
   Lanes lambda[1];  ///< multipliers, loop after loop
   Lanes drive[1];  ///< generalised driving forces
-  Lanes missing[2];  ///< what multipliers and drives must provide, block after block
+  Lanes missing[2];  ///< force that multipliers and drives must provide, block after block
   Lanes pivot[1];  ///< smallest pivot of each block over its reference
 };
 using ConstraintForces = ConstraintForcesOf<Lanes>;

@@ -1,4 +1,4 @@
-// Positions and velocities nearest to the wishes, with the loops closed: weighted least squares with locks,
+// Positions and velocities nearest to the targets, with the loops closed: weighted least squares with locks,
 // loop block by loop block, since no closure sees the coordinates of two blocks.
 
 #include <algorithm>
@@ -21,12 +21,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kLargestMove = 0.05;         // rad or m: of a wish between two positions closed one after the other
-constexpr double kMostMoves = 20000;          // larger ones then, for wishes that are farther away
+constexpr double kLargestMove = 0.05;         // rad or m: of a target between two positions closed one after the other
+constexpr double kMostMoves = 20000;          // larger ones then, for targets that are farther away
 constexpr int kStepsOnTheWay = 4;             // of the searches before: the next one starts where they end
 constexpr double kEasier = 0.2, kHarder = 5;  // factors of the damping after success and failure of a step
 
-/// Wishes for a block. Columns as in LoopBlock::joints.
+/// Targets for a block. Columns as in LoopBlock::joints.
 struct Demand {
   std::vector<int> fixed, movable;  ///< columns
   VectorXd value;                   ///< per column, zero where nothing is asked
@@ -72,30 +72,30 @@ double largest(const VectorXd& values) { return values.size() > 0 ? values.lpNor
 /// Shortened where it moves a coordinate farther than kLargestSearchStep.
 VectorXd capped(const VectorXd& step) { return step * shortening(largest(step), kLargestSearchStep); }
 
-/// Driven coordinates as locked wishes, in place of other wishes for them.
-std::vector<CoordinateWish> with_drives(std::vector<CoordinateWish> wishes, const std::vector<Drive<double>>& drives,
-                                        double Drive<double>::*value) {
+/// Driven coordinates as locked targets, in place of other targets for them.
+std::vector<CoordinateTarget> with_drives(std::vector<CoordinateTarget> targets,
+                                          const std::vector<Drive<double>>& drives, double Drive<double>::*value) {
   for (const Drive<double>& drive : drives) {
-    std::erase_if(wishes, [&](const CoordinateWish& wish) { return wish.coordinate == drive.coordinate; });
-    wishes.push_back({drive.coordinate, drive.*value, 1, true});
+    std::erase_if(targets, [&](const CoordinateTarget& target) { return target.coordinate == drive.coordinate; });
+    targets.push_back({drive.coordinate, drive.*value, 1, true});
   }
-  return wishes;
+  return targets;
 }
 
-Demand demand_of(const LoopBlock& block, const std::vector<CoordinateWish>& wishes) {
+Demand demand_of(const LoopBlock& block, const std::vector<CoordinateTarget>& targets) {
   Demand demand;
   demand.value = VectorXd::Zero(static_cast<Index>(block.joints.size()));
   std::vector<double> weights;
   for (std::size_t c = 0; c < block.joints.size(); ++c) {
-    const auto wish =
-        std::find_if(wishes.begin(), wishes.end(), [&](const auto& w) { return w.coordinate == block.joints[c]; });
-    const bool asked = wish != wishes.end();
-    if (asked) demand.value[static_cast<Index>(c)] = wish->value;
-    if (asked && wish->locked) {
+    const auto target =
+        std::find_if(targets.begin(), targets.end(), [&](const auto& w) { return w.coordinate == block.joints[c]; });
+    const bool asked = target != targets.end();
+    if (asked) demand.value[static_cast<Index>(c)] = target->value;
+    if (asked && target->locked) {
       demand.fixed.push_back(static_cast<int>(c));
     } else {
       demand.movable.push_back(static_cast<int>(c));
-      weights.push_back(asked ? wish->weight : 0.0);
+      weights.push_back(asked ? target->weight : 0.0);
     }
   }
   demand.weight = Eigen::Map<const VectorXd>(weights.data(), static_cast<Index>(weights.size()));
@@ -185,7 +185,7 @@ class Tangent {
       directions_ = indifferent_directions(dense_movable(m, here.jacobian));
   }
   bool is_empty() const { return equations_ ? equations_->is_rigid() : directions_.cols() == 0; }
-  /// The change that meets the weighted wishes best, damped. lacking: per movable column.
+  /// The change that meets the weighted targets best, damped. lacking: per movable column.
   VectorXd change(const VectorXd& lacking, double damping) const {
     if (!equations_) return directions_ * least(demand_.weight.asDiagonal() * directions_, lacking, damping);
     constexpr double kLeastDamping = 1e-8;  // of coordinates without a wish, that the equations stay regular
@@ -227,8 +227,8 @@ VectorXd missing(const Demand& demand, const VectorXd& target, const VectorXd& z
   return demand.weight.cwiseProduct(target(demand.movable) - z(demand.movable));
 }
 
-/// Takes the fixed coordinates to their place on the way from `start` to the wishes (share: 0 to 1), closes the
-/// block, and goes along the closures to where the other wishes, taken as far, are met best. Result: |Phi|.
+/// Takes the fixed coordinates to their place on the way from `start` to the targets (share: 0 to 1), closes the
+/// block, and goes along the closures to where the other targets, taken as far, are met best. Result: |Phi|.
 double approach(const MovableBlock& m, const VectorXd& start, double share, int most_steps, VectorXd& z) {
   const Demand& demand = m.demand;
   const VectorXd target = start + share * (demand.value - start);
@@ -254,13 +254,13 @@ double approach(const MovableBlock& m, const VectorXd& start, double share, int 
   return open;
 }
 
-/// A position of a block that was found: how far it is open, and its distance from the wishes.
+/// A position of a block that was found: how far it is open, and its distance from the targets.
 struct Found {
   VectorXd z;
   double open = 0, missing = 0;
 };
 
-/// Follows the closures from the block's position to the wishes, in moves so small that it stays on its branch.
+/// Follows the closures from the block's position to the targets, in moves so small that it stays on its branch.
 Found followed(const MovableBlock& m, const VectorXd& start) {
   const VectorXd way = m.demand.value - start;
   const double farthest =
@@ -273,7 +273,7 @@ Found followed(const MovableBlock& m, const VectorXd& start) {
   return found;
 }
 
-/// Closes the block from the very values of the wishes, which may lie on another branch.
+/// Closes the block from the very values of the targets, which may lie on another branch.
 Found leapt(const MovableBlock& m, const VectorXd& start) {
   Found found{m.demand.value};
   for (std::size_t c = 0; c < m.demand.movable.size(); ++c) {
@@ -285,7 +285,7 @@ Found leapt(const MovableBlock& m, const VectorXd& start) {
   return found;
 }
 
-/// Takes a block to its wishes. Result: |Phi|.
+/// Takes a block to its targets. Result: |Phi|.
 double assemble_block(const MovableBlock& m) {
   const VectorXd start = of_block(m.block, m.state.z);
   Found best = followed(m, start);
@@ -298,7 +298,7 @@ double assemble_block(const MovableBlock& m) {
   return best.open;
 }
 
-/// Velocities of the movable coordinates nearest to the wishes, with rows x = b.
+/// Velocities of the movable coordinates nearest to the targets, with rows x = b.
 VectorXd nearest_velocities(const MovableBlock& m, const SparseRows& jacobian, const VectorXd& b) {
   const Demand& demand = m.demand;
   if (is_large(m.block)) return sparse_movable(m, jacobian).nearest(demand.weight, demand.value(demand.movable), b);
@@ -309,7 +309,7 @@ VectorXd nearest_velocities(const MovableBlock& m, const SparseRows& jacobian, c
   return needed + directions * least(demand.weight.asDiagonal() * directions, lacking);
 }
 
-/// The block's velocities nearest to the wishes, with Phi_z zd = 0. Result: |Phi_z zd|.
+/// The block's velocities nearest to the targets, with Phi_z zd = 0. Result: |Phi_z zd|.
 double set_velocities(const MovableBlock& m) {
   const Demand& demand = m.demand;
   const SparseRows jacobian = all_rows_at(m, of_block(m.block, m.state.z)).jacobian;
@@ -323,18 +323,18 @@ double set_velocities(const MovableBlock& m) {
 
 }  // namespace
 
-Status GenericSolver::assemble(GenericState& state, const std::vector<CoordinateWish>& positions) const {
+Status GenericSolver::assemble(GenericState& state, const std::vector<CoordinateTarget>& positions) const {
   if (const Status status = equations_->check_arguments(state, {}); !status.ok()) return status;
   const std::vector<double> start = state.z;
   System<double>& system = equations_->system(state);
   if (const Status status = GenericEquations::follow_motions(system, state); !status.ok()) return status;
-  const std::vector<CoordinateWish> wishes = with_drives(positions, drives(system), &Drive<double>::position);
-  for (const CoordinateWish& wish : wishes) state.z[wish.coordinate] = wish.value;
+  const std::vector<CoordinateTarget> targets = with_drives(positions, drives(system), &Drive<double>::position);
+  for (const CoordinateTarget& target : targets) state.z[target.coordinate] = target.value;
   for (const LoopBlock& block : equations_->topology.blocks) set_block(block, of_block(block, start), state.z);
   Status result;
   for (std::size_t b = 0; b < equations_->topology.blocks.size(); ++b) {
     const LoopBlock& block = equations_->topology.blocks[b];
-    const Demand demand = demand_of(block, wishes);
+    const Demand demand = demand_of(block, targets);
     if (demand.fixed.empty() && largest(demand.weight) == 0) continue;
     const double open = assemble_block({*equations_, block, demand, state});
     if (!(open <= kClosed) && result.ok()) result = {Code::loop_not_closed, static_cast<int>(b)};
@@ -342,16 +342,16 @@ Status GenericSolver::assemble(GenericState& state, const std::vector<Coordinate
   return result;
 }
 
-Status GenericSolver::assemble_velocities(GenericState& state, const std::vector<CoordinateWish>& velocities) const {
+Status GenericSolver::assemble_velocities(GenericState& state, const std::vector<CoordinateTarget>& velocities) const {
   if (const Status status = equations_->check_arguments(state, {}); !status.ok()) return status;
   System<double>& system = equations_->system(state);
   if (const Status status = GenericEquations::follow_motions(system, state); !status.ok()) return status;
-  const std::vector<CoordinateWish> wishes = with_drives(velocities, drives(system), &Drive<double>::velocity);
-  for (const CoordinateWish& wish : wishes) state.zd[wish.coordinate] = wish.value;
+  const std::vector<CoordinateTarget> targets = with_drives(velocities, drives(system), &Drive<double>::velocity);
+  for (const CoordinateTarget& target : targets) state.zd[target.coordinate] = target.value;
   Status result;
   for (std::size_t b = 0; b < equations_->topology.blocks.size(); ++b) {
     const LoopBlock& block = equations_->topology.blocks[b];
-    const Demand demand = demand_of(block, wishes);
+    const Demand demand = demand_of(block, targets);
     const double open = set_velocities({*equations_, block, demand, state});
     const double scale = std::max(1.0, largest(of_block(block, state.zd)));
     if (!(open <= kClosed * scale) && result.ok()) result = {Code::loop_not_closed, static_cast<int>(b)};

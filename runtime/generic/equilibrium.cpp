@@ -147,7 +147,7 @@ Status hold_pressed(const GenericSolver& solver, GenericEquations& equations, Ge
   const auto first = static_cast<std::size_t>(first_sampled_value(equations.model));
   for (int turn = 0; turn < kMostTurns; ++turn) {
     const std::vector<double> before = trial.x;
-    if (const Status status = solver.press(trial); !status.ok()) return status;
+    if (const Status status = solver.set_friction_loads(trial); !status.ok()) return status;
     bool has_settled = turn > 0;
     for (std::size_t i = first; i < trial.x.size(); ++i)
       has_settled = has_settled && std::abs(trial.x[i] - before[i]) <= kPressed * std::max(1.0, std::abs(before[i]));

@@ -18,10 +18,10 @@ namespace mbgen {
 struct WayLimits;  // mbgen/solver/singular_step.hpp
 
 /// A value that is asked of a coordinate or its velocity.
-struct CoordinateWish {
+struct CoordinateTarget {
   int coordinate = -1;
   double value = 0;     ///< rad or m, or per second
-  double weight = 1;    ///< of its squared error, against the weights of the other wishes
+  double weight = 1;    ///< of its squared error, against the weights of the other targets
   bool locked = false;  ///< to be met exactly; of driven coordinates the motion says where they are
 };
 
@@ -100,19 +100,19 @@ class GenericSolver {
   /// position, then by the rest (spring and damper of one element do not cancel), then of gravity on each body; kinetic
   /// energy of each body by translation and about each axis. Not finite where the state is not. Cost: linear.
   GenericExchanges exchanges(const GenericState& state) const;
-  /// Moves a closed state at rest to the closed positions whose wished coordinates are nearest to their values: the
+  /// Moves a closed state at rest to the closed positions whose targeted coordinates are nearest to their values: the
   /// least weighted sum of squares, locked and driven ones exact, the others as near to where they were as steps along
   /// the closures lead. Fails: not_a_number; loop_not_closed, `state` is then at the least open positions that were
   /// found, locked and driven coordinates in place.
-  Status assemble(GenericState& state, const std::vector<CoordinateWish>& positions) const;
-  /// The same for velocities, at the positions of `state`: the least that meet the wishes.
-  Status assemble_velocities(GenericState& state, const std::vector<CoordinateWish>& velocities) const;
+  Status assemble(GenericState& state, const std::vector<CoordinateTarget>& positions) const;
+  /// The same for velocities, at the positions of `state`: the least that meet the targets.
+  Status assemble_velocities(GenericState& state, const std::vector<CoordinateTarget>& velocities) const;
   /// Sets the sampled values whose instant is at the start of a step of h seconds; any: whether there are such values.
   /// Fails: not_a_number, sample_inside_step; the state is then unchanged.
   Status sample(GenericState& state, double h, bool& any) const;
   /// Sets the loads of frictions to the reactions at the state, as they are under the loads before.
   /// Fails: as accelerations, auxiliary_not_a_number; the state is then unchanged.
-  Status press(GenericState& state) const;
+  Status set_friction_loads(GenericState& state) const;
   /// Static equilibrium, driven coordinates at their motions: at rest, closed, generalised forces of the free
   /// directions zero (least change of position where they are indifferent). First that to which the bodies sink, else
   /// one nearby from which they would fall. Where there is none `state` is the last that was tried.

@@ -99,7 +99,7 @@ Status GenericSolver::notice(const GenericState& state) const {
     const Status of_block = notice_of_block(static_cast<int>(b), equations_->analysis.blocks[b], closures[b].jacobian,
                                             equations_->columns(b));
     if (!of_block.ok()) return of_block;
-    result = more_telling(result, of_block);
+    result = graver(result, of_block);
   }
   return result;
 }
@@ -113,7 +113,7 @@ Status GenericSolver::notice_of_factors(const GenericState& state) const {
   Status result;
   for (std::size_t b = 0; b < equations.analysis.blocks.size(); ++b)
     result =
-        more_telling(result, solver_detail::notice_of(static_cast<int>(b), equations.analysis.blocks[b].typical_pivot,
+        graver(result, solver_detail::notice_of(static_cast<int>(b), equations.analysis.blocks[b].typical_pivot,
                                                       equations.algebra.smallest_pivot(b), kPivotThreshold<double>));
   return result;
 }

@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
-constexpr double kProximity = 1e-4;  ///< weight of the last iterate beside the wishes, whose largest is 1
+constexpr double kProximity = 1e-4;  ///< weight of the last iterate beside the targets, whose largest is 1
 constexpr int kMostIterates = 300;
 constexpr double kStands = 1e-15;  ///< change of an iterate over its size that ends them
 

@@ -19,7 +19,7 @@ Status GenericSolver::take_loads(const GenericState& state, std::vector<double>&
   return {};
 }
 
-Status GenericSolver::press(GenericState& state) const {
+Status GenericSolver::set_friction_loads(GenericState& state) const {
   const Model& model = equations_->model;
   if (!takes_reactions(model)) return {};
   std::vector<double> loads;

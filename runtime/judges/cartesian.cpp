@@ -227,13 +227,13 @@ Status CartesianSolver::sample(GenericState& state, double h, bool& any) const {
   return status;
 }
 
-Status CartesianSolver::press(GenericState& state) const {
+Status CartesianSolver::set_friction_loads(GenericState& state) const {
   if (!content_->system.takes_reactions()) return {};
   const PlacedState at = content_->configuration(state);
   Solved solved;
   const Status status = content_->solve_at(at, std::vector<double>(state.z.size(), 0.0), solved);
   if (!status.ok()) return status;
-  content_->system.press(at.bodies, solved.solution.lambda, state);
+  content_->system.set_friction_loads(at.bodies, solved.solution.lambda, state);
   return {};
 }
 

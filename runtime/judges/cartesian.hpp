@@ -56,7 +56,7 @@ class CartesianSolver {
 
   /// Sets the normal forces of frictions from reactions to those of the judge's own accelerations and multipliers at
   /// the state, which is unchanged on failure. Fails: as accelerations.
-  Status press(GenericState& state) const;
+  Status set_friction_loads(GenericState& state) const;
   /// Largest residual of all constraints of the bodies' own state: position (m or 1) and velocity.
   Status residuals(const GenericState& state, double& position, double& velocity) const;
 

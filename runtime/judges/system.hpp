@@ -67,7 +67,7 @@ class CartesianSystem {
   /// unchanged.
   Status sample(CartesianState& state, const GenericState& z, const Eigen::VectorXd& lambda, double h, bool& any) const;
   /// Sets the values that are loads of reactions in z, which has the coordinates at this state. lambda: as of sample.
-  void press(const CartesianState& state, const Eigen::VectorXd& lambda, GenericState& z) const;
+  void set_friction_loads(const CartesianState& state, const Eigen::VectorXd& lambda, GenericState& z) const;
   /// Moves the bodies by a small displacement (m, rad), n values; velocities are unchanged.
   void displace(CartesianState& state, const Eigen::VectorXd& dq) const;
   /// Velocities of all bodies as n values, and back.

@@ -170,7 +170,7 @@ TEST_F(CommandLine, JudgesIntegrateByRungeKuttaOnly) {
   EXPECT_EQ(asked.exit_code, 1);
   EXPECT_EQ(asked.err, "--integrator: engine \"maggi\" works in Cartesian coordinates and integrates by rk4 only\n");
   const Json report = json_of("simulate four_bar.json --duration 0.01 --out o.csv --engine maggi --json");
-  EXPECT_EQ(report["integrator"], "rk4") << "the model's wish is for engines that have it";
+  EXPECT_EQ(report["integrator"], "rk4") << "the model's choice is for engines that have it";
 }
 
 TEST_F(CommandLine, StabilisationIsOfJudgesOnly) {

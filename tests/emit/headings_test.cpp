@@ -1,20 +1,30 @@
-// Headings of the committed solvers: a value named after a body or a coordinate stands under that one's heading.
+// Headings of emitted solvers: a value named after a body or a coordinate stands under that one's heading.
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <map>
 #include <regex>
+#include <sstream>
 #include <string>
+
+#include "compiler/compile.hpp"
 
 namespace mbgen {
 namespace {
 
+/// The fast solver of a model.
+std::string solver_text(const std::string& name) {
+  const Result<Compilation> compilation = compile(MBGEN_SOURCE_DIR "/models/" + name + ".json");
+  for (const EmittedFile& file : emit(*compilation, {.runtime_headers = false}))
+    if (file.path == name + ".cpp") return file.text;
+  return "";
+}
+
 /// The coordinate of every body, by the legend of the file.
-std::map<std::string, std::string> coordinates_of_bodies(const std::string& path) {
+std::map<std::string, std::string> coordinates_of_bodies(const std::string& text) {
   static const std::regex kLine(R"(//   (\S+): (\S+), (?:revolute|prismatic), on .*)");
   std::map<std::string, std::string> coordinates;
-  std::ifstream file(path);
+  std::istringstream file(text);
   std::smatch match;
   for (std::string line; std::getline(file, line);)
     if (std::regex_match(line, match, kLine)) coordinates[match[1]] = match[2];
@@ -53,16 +63,15 @@ bool stands_under_both(const std::string& name, const std::string& heading,
   return false;
 }
 
-class CommittedHeadings : public testing::TestWithParam<const char*> {};
+class EmittedHeadings : public testing::TestWithParam<const char*> {};
 
 // A copy of a result that a call for many angles left in an array is a reading of it, and stands where it is read.
-TEST_P(CommittedHeadings, namedValuesStandUnderTheirBody) {
+TEST_P(EmittedHeadings, namedValuesStandUnderTheirBody) {
   static const std::regex kValue(R"(  (?:const (?:double|Pair) |w\d+\.)(\w+) = (.*))");
   static const std::regex kReading(R"((?:mbgen::pair_at\()?(?:w\d+\.)?(?:sines|cosines)\w*(?:\[\d+\]| \+ \d+\));)");
-  const std::string name = GetParam(),
-                    path = std::string(MBGEN_SOURCE_DIR) + "/generated/" + name + "/" + name + ".cpp";
-  const auto coordinates = coordinates_of_bodies(path);
-  std::ifstream file(path);
+  const std::string name = GetParam(), text = solver_text(name);
+  const auto coordinates = coordinates_of_bodies(text);
+  std::istringstream file(text);
   std::string heading;
   bool is_hot = false, goes_on = false;
   int named = 0, pairs = 0, number = 0;
@@ -94,7 +103,7 @@ TEST_P(CommittedHeadings, namedValuesStandUnderTheirBody) {
   EXPECT_GT(named, 4) << "values named after bodies: the test has read too little";
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, CommittedHeadings, testing::Values("four_bar", "pulled_wheel", "coach_mechanism"),
+INSTANTIATE_TEST_SUITE_P(Models, EmittedHeadings, testing::Values("four_bar", "pulled_wheel", "coach_mechanism"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

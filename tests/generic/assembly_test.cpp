@@ -82,10 +82,10 @@ class FourBar : public ::testing::Test {
 };
 
 TEST_F(FourBar, MovesNoMoreThanItMust) {
-  const double wishes[][4] = {{0.3, 1, 0.4, 1},   {0.3, 1, 0.4, 50},   {0.3, 50, 0.4, 1},  {-0.5, 1, 0.6, 1},
+  const double targets[][4] = {{0.3, 1, 0.4, 1},   {0.3, 1, 0.4, 50},   {0.3, 50, 0.4, 1},  {-0.5, 1, 0.6, 1},
                               {1.0, 2, -0.3, 1},  {0.8, 1, 0.9, 10},   {-1.2, 1, -0.2, 3}, {0.2, 1, -2.4, 20},
                               {-0.4, 1e-3, 3, 1}, {0.05, 1, 0.02, 1e3}};
-  for (const auto& [crank, weight_crank, rocker, weight_rocker] : wishes) {
+  for (const auto& [crank, weight_crank, rocker, weight_rocker] : targets) {
     GenericState state = reference_state(m);
     ASSERT_TRUE(solver
                     .assemble(state, {{coordinate("crank"), crank, weight_crank, false},
@@ -167,23 +167,23 @@ TEST_P(EveryClosedModel, IsNearestToWhatIsAsked) {
   ASSERT_TRUE(solver.project(state).ok());
   std::mt19937 random(7);
   std::uniform_real_distribution<double> off(-0.02, 0.02), weight(0.2, 5);
-  std::vector<CoordinateWish> wishes;
+  std::vector<CoordinateTarget> targets;
   for (int i = 0; i < m.topology.size(); ++i)
-    if (!m.analysis.driven[i]) wishes.push_back({i, state.z[i] + off(random), weight(random), false});
-  ASSERT_TRUE(solver.assemble(state, wishes).ok());
+    if (!m.analysis.driven[i]) targets.push_back({i, state.z[i] + off(random), weight(random), false});
+  ASSERT_TRUE(solver.assemble(state, targets).ok());
   EXPECT_LT(largest_absolute(solver.position_residuals(state)), 1e-9);
 
   const Eigen::MatrixXd all = jacobian_by_differences(solver, state);
-  Eigen::MatrixXd movable(all.rows(), static_cast<Eigen::Index>(wishes.size()));
-  Eigen::VectorXd gradient(static_cast<Eigen::Index>(wishes.size()));
-  for (std::size_t w = 0; w < wishes.size(); ++w) {
+  Eigen::MatrixXd movable(all.rows(), static_cast<Eigen::Index>(targets.size()));
+  Eigen::VectorXd gradient(static_cast<Eigen::Index>(targets.size()));
+  for (std::size_t w = 0; w < targets.size(); ++w) {
     const auto column = static_cast<Eigen::Index>(w);
-    movable.col(column) = all.col(wishes[w].coordinate);
-    gradient[column] = wishes[w].weight * (state.z[wishes[w].coordinate] - wishes[w].value);
+    movable.col(column) = all.col(targets[w].coordinate);
+    gradient[column] = targets[w].weight * (state.z[targets[w].coordinate] - targets[w].value);
   }
   const Eigen::VectorXd multipliers = least_squares(movable.transpose(), gradient, 1e-12);
   const double along_the_closures = (gradient - movable.transpose() * multipliers).lpNorm<Eigen::Infinity>();
-  // Where only velocities are held every wish is met.
+  // Where only velocities are held every target is met.
   if (m.analysis.position_freedoms < m.topology.size()) {
     EXPECT_GT(gradient.norm(), 1e-4);
   }

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "compiler/formats/crg_road.hpp"
-#include "compiler/formats/crg_wishes.hpp"
+#include "compiler/formats/crg_unsupported.hpp"
 
 namespace mbgen {
 namespace {
@@ -193,10 +193,10 @@ TEST(CrgModifiers, TurnAndShift) {
   EXPECT_NEAR(course_of(put, {7.3, 0.4}).heading, 1, 1e-12);
 }
 
-TEST(CrgWishes, ThatAreNotFollowedAreNamed) {
+TEST(CrgOptions, UnsupportedOnesAreNamed) {
   const auto left = [](const std::string& block, const std::string& rows = kRows) {
     const std::string columns = kTwoSections;
-    return not_followed(closed_as_asked(road_of(with_block(file_of(kStep, columns, rows), block))));
+    return unsupported_options(closed_as_asked(road_of(with_block(file_of(kStep, columns, rows), block))));
   };
   using List = std::vector<std::string>;
   EXPECT_EQ(left("$ROAD_CRG_OPTS\nBORDER_MODE_U = 3\nBORDER_SMOOTH_UBEG = 1\nWARN_MSGS = 0\nCHECK_EPS = 1e-6\n"),

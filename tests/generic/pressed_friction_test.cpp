@@ -296,8 +296,8 @@ TEST(PressedFriction, CartesianJudgesPressByThemselves) {
       const CartesianSolver judge(m.model, m.topology, method, Stabilisation::projection);
       for (const GenericState& start : random_states(m, 3)) {
         GenericState generic = start, cartesian = start;
-        ASSERT_TRUE(solver.press(generic).ok());
-        ASSERT_TRUE(judge.press(cartesian).ok());
+        ASSERT_TRUE(solver.set_friction_loads(generic).ok());
+        ASSERT_TRUE(judge.set_friction_loads(cartesian).ok());
         EXPECT_LT(relative_error(cartesian.x, generic.x), 1e-9);
         EXPECT_NE(cartesian.x, start.x);
         EXPECT_NE(cartesian.x, generic.x);  // to the last bit they are of other equations

@@ -105,11 +105,11 @@ TEST(RollingDisc, KeepsItsEnergyAndStaysOnThePlane) {
 // Every position that rolling leaves free is met at the start, and the height follows; of velocities there are fewer.
 TEST(RollingDisc, StartsWhereverItIsPut) {
   Rolling disc(load("models/rolling_disc.json"));
-  std::vector<CoordinateWish> wishes;
+  std::vector<CoordinateTarget> targets;
   const std::pair<const char*, double> wanted[] = {
       {"disc_tx", 3.2}, {"disc_ty", -1.7}, {"disc_rz", 2.4}, {"disc_rx", -0.6}, {"disc_ry", 5}};
-  for (const auto& [name, value] : wanted) wishes.push_back({disc.coordinate(name), value});
-  ASSERT_TRUE(disc.solver().assemble(disc.state(), wishes).ok());
+  for (const auto& [name, value] : wanted) targets.push_back({disc.coordinate(name), value});
+  ASSERT_TRUE(disc.solver().assemble(disc.state(), targets).ok());
   for (const auto& [name, value] : wanted) EXPECT_NEAR(disc.z(name), value, 1e-12) << name;
   EXPECT_NEAR(disc.z("disc_tz"), 0.3 * (std::cos(0.6) - 1), 1e-12);
   ASSERT_TRUE(disc.solver().assemble_velocities(disc.state(), {{disc.coordinate("disc_ry"), 4.0}}).ok());

@@ -2,7 +2,8 @@
 # Golden files: generates the chosen models again and compares with generated/, byte for byte.
 #   tests/golden/golden.sh [--update] [MBGEN]
 # MBGEN: the binary, default build/release/mbgen, else build/mbgen.
-# --update: takes what is generated as the new golden files.
+# --update: takes the generated files as the new golden files.
+# Of a model with --reading the copy for people is kept in full, and of its fast solver hashes, counts and bits: fast.txt.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -25,12 +26,24 @@ if [ ! -x "$binary" ]; then
   exit 1
 fi
 
+# Fast solver of a model: hashes and lines of its files, operations, accelerations at the reference states.
+fast_solver() {
+  "$binary" generate "$root/models/$1.json" --out "$scratch/fast" --no-runtime >/dev/null
+  (cd "$scratch/fast" && sha256sum -- * && wc -l -- * && grep -E '^  (Operations of|total)' ./*_cost.txt)
+  "$binary" evaluate "$root/models/$1.json" --states "$root/tests/data/reference/${1%_mechanism}_states.json" >"$scratch/bits"
+  sha256sum <"$scratch/bits"
+  head -n 60 "$scratch/bits"
+}
+
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 failures=0
 while read -r model options; do
   # shellcheck disable=SC2086  # options are words
   "$binary" generate "$root/models/$model.json" --out "$scratch/$model" --no-runtime $options >/dev/null
+  case $options in
+    *--reading*) fast_solver "$model" >"$scratch/fast.txt" && mv "$scratch/fast.txt" "$scratch/$model" ;;
+  esac
   if [ "$update" = yes ]; then
     rm -rf "${root:?}/generated/$model"
     mkdir -p "$root/generated"

@@ -190,8 +190,8 @@ TEST(Axle, OfOneWheelIsThatOfTwo) {
                           R"(", "suffix": "_r", "mirror": "xz" } },
     "axles": { "front": { "left": { "centre": "wheel_l.hub", "radius": 0.31 }, "right": { "centre": "wheel_r.hub", "radius": 0.31 },
       "without": ["road_l", "road_r"] } } })";
-  const KcWish wish{.travel = 0.03, .force = 1500, .moment = 40, .points = 5};
-  const KcReport single = report_of_text(one, wish), both = report_of_text(two, wish);
+  const KcSettings options{.travel = 0.03, .force = 1500, .moment = 40, .points = 5};
+  const KcReport single = report_of_text(one, options), both = report_of_text(two, options);
   for (const KcTable& of : single.tables) {
     const KcTable& other = table(both, of.name);
     for (const Column& column : of.columns) {

@@ -18,20 +18,20 @@ namespace mbgen::kc_test {
 inline std::string source_path(const std::string& name) { return std::string(MBGEN_SOURCE_DIR) + "/" + name; }
 
 /// The report of an axle at the initial state of its model.
-inline KcReport report_of(Model model, const KcWish& wish, const std::string& axle = "") {
+inline KcReport report_of(Model model, const KcSettings& options, const std::string& axle = "") {
   const Compilation compilation = expect(decide(std::move(model)));
   StateArguments at;
   at.at = "initial";
   return kinematics_and_compliance(compilation, find_axle(compilation.model, axle),
-                                   operating_point(compilation, at).point, wish);
+                                   operating_point(compilation, at).point, options);
 }
 
-inline KcReport report_of_text(const std::string& text, const KcWish& wish) {
-  return report_of(expect(read_model(text, "axle.json")), wish);
+inline KcReport report_of_text(const std::string& text, const KcSettings& options) {
+  return report_of(expect(read_model(text, "axle.json")), options);
 }
 
-inline KcReport report_of_file(const std::string& name, const KcWish& wish, const std::string& axle = "") {
-  return report_of(expect(read_model_file(source_path(name))), wish, axle);
+inline KcReport report_of_file(const std::string& name, const KcSettings& options, const std::string& axle = "") {
+  return report_of(expect(read_model_file(source_path(name))), options, axle);
 }
 
 /// A value at the start; which: 0 of the axle or the left wheel, 1 of the right one.

@@ -120,7 +120,7 @@ TEST(Lanes, AreThoseOfTheStandards) {
   EXPECT_NEAR(change[1].left - change[1].right, 1.2 * 1.8 + 0.25, 1e-12);
 }
 
-// Curvature of the wish of a driver who is beside a straight course, parallel to it.
+// Curvature that a driver aims at who is beside a straight course, parallel to it.
 TEST(Driver, TurnsBackToTheCourseAndAlongIt) {
   const DriverSettings driver{.preview = 1, .anticipation = 0, .gain = 0.5, .understeer = 0.002};
   const Path straight = path_of_curvature([](double) { return 0.0; }, 0, 1);
@@ -129,10 +129,10 @@ TEST(Driver, TurnsBackToTheCourseAndAlongIt) {
   EXPECT_NEAR(place.way, 20, 1e-9);
   EXPECT_NEAR(place.offset, 0.5, 1e-9);
   const double curvature = -0.5 * 2 * 0.5 / (20 * 20);
-  EXPECT_NEAR(steering_wish(straight, place, motion, driver, 3), curvature * (3 + 0.002 * 400), 1e-12);
+  EXPECT_NEAR(steering_target(straight, place, motion, driver, 3), curvature * (3 + 0.002 * 400), 1e-12);
   const Path circle = path_of_curvature([](double) { return 0.01; }, 0, 100);
   motion = {.forward = 20};
-  EXPECT_NEAR(steering_wish(circle, {0, 0}, motion, driver, 3), 0.01 * (3 + 0.002 * 400), 1e-12);
+  EXPECT_NEAR(steering_target(circle, {0, 0}, motion, driver, 3), 0.01 * (3 + 0.002 * 400), 1e-12);
 }
 
 TEST(Driver, HandsReachTheWishWithinTheirLimits) {

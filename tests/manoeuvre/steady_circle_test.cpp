@@ -129,7 +129,7 @@ TEST(SteadyCircle, SaysWhatItCannotGive) {
   EXPECT_TRUE(has(metrics, "roll_gradient"));
 
   VehicleSeries wide = circle_series(car, Kind::constant_speed);
-  EXPECT_TRUE(notes(steady_circle_metrics(wide, circle), "leaves that of a radius of 100 m"));
+  EXPECT_TRUE(notes(steady_circle_metrics(wide, circle), "departs from a radius of 100 m"));
 
   SteadyCircle unknown = circle;
   unknown.wheelbase = 0;

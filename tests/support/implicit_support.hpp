@@ -19,11 +19,11 @@ struct Free {
 
   Eigen::Index half() const { return static_cast<Eigen::Index>(coordinates.size()); }
 
-  /// Velocities of the free coordinates as wishes that are met.
-  std::vector<CoordinateWish> locked(const Eigen::VectorXd& velocities) const {
-    std::vector<CoordinateWish> wishes;
-    for (Eigen::Index i = 0; i < half(); ++i) wishes.push_back({coordinates[i], velocities[i], 1, true});
-    return wishes;
+  /// Velocities of the free coordinates as targets that are met.
+  std::vector<CoordinateTarget> locked(const Eigen::VectorXd& velocities) const {
+    std::vector<CoordinateTarget> targets;
+    for (Eigen::Index i = 0; i < half(); ++i) targets.push_back({coordinates[i], velocities[i], 1, true});
+    return targets;
   }
   /// The state with its free positions, velocities and auxiliary states moved, closed.
   GenericState moved(GenericState state, const Eigen::VectorXd& by) const {

@@ -28,7 +28,7 @@ struct GenerateOptions {
   std::string model, form, directory, name, depfile, dump;
   std::vector<std::string> set;
   EmitOptions emit;
-  bool c_interface = false, measure = false, json = false;
+  bool c_interface = false, reading = false, measure = false, json = false;
   std::optional<double> budget;  ///< microseconds of a step
 };
 
@@ -86,6 +86,13 @@ void require_precision(const GenerateOptions& options) {
   }
 }
 
+/// Fails: UserError for options that a reading copy does not have.
+void require_fast_copy(const GenerateOptions& options) {
+  if (!options.reading) return;
+  if (options.emit.lanes > 0) throw UserError("generate: --reading writes no lanes: leave out --batch or --reading\n");
+  if (options.measure) throw UserError("generate: --measure times the fast solver: leave out --measure or --reading\n");
+}
+
 /// Fails: UserError for a number of the model outside the range of single precision.
 void require_range(const Compilation& compilation, Scalar scalar) {
   if (scalar == Scalar::doubles) return;
@@ -107,8 +114,11 @@ int run(const GenerateOptions& options) {
         "  hint: --dump code prints the solver, a directory of this name is ./-\n");
   }
   require_precision(options);
+  require_fast_copy(options);
   check_budget(options);
-  const Compilation compilation = expect(compile(read_named(options), {chosen_form(options.form)}));
+  const Compilation compilation =
+      expect(compile(read_named(options), {.form = chosen_form(options.form),
+                                           .spelling = options.reading ? Spelling::reading : Spelling::fast}));
   require_range(compilation, options.emit.scalar);
   EmitOptions emitted = options.emit;
   emitted.c_interface = options.c_interface || options.emit.calibration;
@@ -150,6 +160,9 @@ void add_generate(NamedCommand application, int& exit_code) {
   command.add_flag("--a2l", options->emit.calibration,
                    "add a calibration file, ASAP2 (<model>.a2l), the header of its symbols (<model>_a2l.h), and the "
                    "files of --c-api");
+  command.add_flag("--reading", options->reading,
+                   "write the solver for people: the same equations step by step, every program one function, every "
+                   "quantity and every constant named");
   command.add_option("--name", options->name, "name of the files and the namespace (default: the model's)");
   add_set_option(command, options->set);
   add_depfile_option(command, options->depfile);

@@ -47,7 +47,9 @@ Counts add_counted_programs(Compilation& compilation, std::optional<Form> form, 
                              }});
   const long with = count_operations(counted_programs(compilation).accelerations).total();
   count("derived-constants", with);
-  const auto& [model, topology, analysis, whole, emitted] = compilation;
+  const Model& model = compilation.model;
+  const Topology& topology = compilation.topology;
+  const Analysis& analysis = compilation.analysis;
   for (const Form f : {Form::matrix, Form::recursive})
     counts.operations_of_form[static_cast<int>(f)] =
         f == compilation.form() ? with : count_operations_of(model, topology, analysis, f);

@@ -24,7 +24,7 @@ namespace {
 struct KcOptions {
   std::string model, axle, directory;
   StateArguments at;
-  KcWish wish;
+  KcSettings kc;
   std::vector<std::string> set;
   bool json = false;
 };
@@ -37,7 +37,7 @@ int run(const KcOptions& options) {
   HeldSignals signals;
   Progress progress;
   bool is_stopped = false;
-  const KcReport report = kinematics_and_compliance(compilation, axle, at, options.wish, [&](long done, long of) {
+  const KcReport report = kinematics_and_compliance(compilation, axle, at, options.kc, [&](long done, long of) {
     progress.show(done, of);
     is_stopped = done < of && signals.taken() != 0;
     return !is_stopped;
@@ -65,12 +65,11 @@ void add_kc(NamedCommand application, int& exit_code) {
   add_model_argument(command, options->model);
   command.add_option("AXLE", options->axle, "axle of the model (default: its only one)");
   command.add_option("-o,--out", options->directory, "directory for tables (CSV), pictures (SVG) and the page (HTML)");
-  command.add_option("--travel", options->wish.travel, "m, of the wheel centres (default 0.05)");
-  command.add_option("--steer", options->wish.steer,
-                     "rad or m, of the steering coordinate (default 0.3 rad or 0.03 m)");
-  command.add_option("--force", options->wish.force, "N at each wheel (default: half its load, at least 1000)");
-  command.add_option("--moment", options->wish.moment, "N m about z at each wheel (default: 0.05 m times the force)");
-  command.add_option("--points", options->wish.points, "of a curve").with_shown_default().between(3, 1001);
+  command.add_option("--travel", options->kc.travel, "m, of the wheel centres (default 0.05)");
+  command.add_option("--steer", options->kc.steer, "rad or m, of the steering coordinate (default 0.3 rad or 0.03 m)");
+  command.add_option("--force", options->kc.force, "N at each wheel (default: half its load, at least 1000)");
+  command.add_option("--moment", options->kc.moment, "N m about z at each wheel (default: 0.05 m times the force)");
+  command.add_option("--points", options->kc.points, "of a curve").with_shown_default().between(3, 1001);
   options->at.at = "initial";
   command.add_option("--at", options->at.at, "initial: the state that the model starts from (default), or equilibrium")
       .one_of({"initial", "equilibrium"});

@@ -78,7 +78,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
 }
 
 /// Warnings, and why there is no good result, on standard error.
-int tell(const Compilation& compilation, const JudgedMotion& motion, const std::string& file) {
+int print_outcome(const Compilation& compilation, const JudgedMotion& motion, const std::string& file) {
   const StepVerdict& verdict = motion.verdict;
   for (const std::string& warning : verdict.warnings) print_message("simulate: warning: {}\n", warning);
   if (motion.summary.status.ok() && verdict.failure.empty()) return kDone;
@@ -149,7 +149,7 @@ int run(SimulateOptions options) {
                                 manoeuvre ? manoeuvre->words() : ManoeuvreWords()};
   table.commit(run_json(record));
   print_beside(options.file, options.json ? summary_json(record) : summary_text(record));
-  const int exit_code = tell(compilation, motion, options.file);
+  const int exit_code = print_outcome(compilation, motion, options.file);
   if (run.signal == 0) return exit_code;
   print_message(
       "simulate: interrupted at t = {:.10g} s; {} holds the motion up to there, run the same command again for "
@@ -173,8 +173,8 @@ void add_simulate(NamedCommand application, int& exit_code) {
       "  t [s],steer [rad],torque [N m]\n"
       "An input with a derivative among the inputs continues with it; where the table has no column for the\n"
       "derivative, it is the derivative of the curve through the rows.\n"
-      "--integrator cvode (stiff models) or cvode-adams steps with error control (SUNDIALS); the table's step is then\n"
-      "that of its rows alone.\n"
+      "--integrator cvode (stiff models) or cvode-adams steps with error control (SUNDIALS); --step is then the\n"
+      "interval of the table's rows alone.\n"
       "--engine auto takes the generic engine where its motion is over before a solver would be compiled.\n"
       "Where the step is too long for the model (its fastest mode, or an energy balance off by 0.1 %), standard error\n"
       "says so and names one that would do; values that blow up and an energy balance off by 10 % are an error.");

@@ -21,7 +21,7 @@ struct Measurement {
 /// Turns that an engine takes, unless it is slow.
 constexpr int kTurns = 20;
 constexpr int kTurnsOfSlowEngines = 5;
-/// An engine that would need longer than this for all evaluations makes fewer, in fewer turns.
+/// An engine that would take longer than this for all evaluations gets fewer, in fewer turns.
 constexpr double kLongestMeasurement = 8;  // s
 
 /// Times every engine. evaluations: at least so many of each engine that is not slow. Result: in the engines' order.

@@ -1,5 +1,5 @@
 #pragma once
-// The states that engines are measured at, and how right they are there.
+// States for timing the engines, and the errors of the engines at them.
 
 #include <vector>
 
@@ -17,7 +17,7 @@ std::vector<FileState> random_states(const Compilation& compilation, const Engin
 void complete(std::vector<FileState>& states, const Engine& reference, const Compilation& compilation);
 
 /// States at which engines are timed: the given ones, repeated from the first on until they fill batches of `lanes`;
-/// half empty batches would count as slow ones. lanes: 0 for none.
+/// partly filled batches would be timed as slow ones. lanes: 0 for none.
 std::vector<LoadedState> timed_states(const std::vector<FileState>& states, int lanes);
 
 /// Largest error of any acceleration over the largest acceleration of its state.

@@ -14,7 +14,7 @@ struct BenchRecord {
   std::vector<Measurement> measurements;
 };
 
-/// The name that the processor of this machine gives itself.
+/// Name of this machine's processor, as it reports it.
 std::string processor_name();
 
 /// The tables of the paper with our columns, seconds for `evaluations`; then every engine on a line.

@@ -30,7 +30,7 @@ struct CallPath {
   std::vector<std::string> titles;
 };
 
-/// The path from a function on that needs most. Fails: std::runtime_error when something recurses.
+/// The call path from a function that needs most stack. Fails: std::runtime_error if a function calls itself.
 CallPath deepest_path(const CallGraph& graph, const std::string& title);
 
 }  // namespace mbgen

@@ -30,7 +30,7 @@ struct Footprint {
   long unwind_tables = 0;  ///< tables with which debuggers and exceptions of others walk the stack
   StackCount stack_count = StackCount::deepest_path;
   std::vector<StackUse> stack;       ///< the deepest first
-  std::vector<std::string> outside;  ///< functions of elsewhere that the solver calls: their frames come on top
+  std::vector<std::string> outside;  ///< functions outside the solver that it calls: their frames come on top
 };
 
 /// Compiles the solver's sources in `scratch` as the emitted CMake file does, and counts.

@@ -26,7 +26,7 @@ struct StepTime {
 };
 
 /// Compiles the solver and times it. The same motion is computed several times, and of each step the shortest time
-/// counts: that leaves out the time of interrupts and other programs, but not the step's own extra time.
+/// counts: this excludes the time of interrupts and other programs, but not the step's own extra time.
 /// Fails: UserError without a compiler, when the initial state does not close, or when the first step fails.
 StepTime measure_step(const Compilation& compilation);
 

@@ -295,8 +295,8 @@ std::string twins_explanation(const Compilation& c) {
       pairs.push_back(
           fmt::format("{} and {}", body_name(c.topology, i), body_name(c.topology, twin[static_cast<std::size_t>(i)])));
   return heading("Twins") +
-         paragraph(fmt::format("These are built alike, on one body: {}. Their numbers may differ. What is the same "
-                               "operation for both is computed in pairs, see Operations.",
+         paragraph(fmt::format("These are built alike, on one body: {}. Their numbers may differ. Operations that both "
+                               "share are computed in pairs, see Operations.",
                                fmt::join(pairs, "; ")));
 }
 

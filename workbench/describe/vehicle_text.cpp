@@ -48,9 +48,9 @@ std::string vehicle_explanation(const Model& model) {
   input("steers", vehicle.steer);
   input("drives", vehicle.drive);
   input("brakes", vehicle.brake);
-  std::string words = fmt::format("Its motion is that of {}", point_name(model, vehicle.reference));
+  std::string words = fmt::format("Its motion is taken at {}", point_name(model, vehicle.reference));
   if (vehicle.towed.body >= 0)
-    words += fmt::format(", that of the last towed unit is that of {}", point_name(model, vehicle.towed));
+    words += fmt::format(", the motion of the last towed unit at {}", point_name(model, vehicle.towed));
   words += inputs.empty() ? "; no input moves it." : fmt::format("; the inputs: {}.", listed(inputs));
   if (vehicle.speed >= 0)
     words += fmt::format(" A manoeuvre sets its speed at the start by the parameter {}.",

@@ -30,7 +30,7 @@ Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice&
   };
   engine.project = [judge](GenericState& state) { return judge->project(state); };
   engine.step = [judge](GenericState& state, double h) { return judge->step(state, h); };
-  engine.press = [judge](GenericState& state) { return judge->press(state); };
+  engine.set_friction_loads = [judge](GenericState& state) { return judge->set_friction_loads(state); };
   if (!compilation.model.sampled.empty()) {
     engine.sample = [judge](GenericState& state, double h, bool& any) { return judge->sample(state, h, any); };
   }

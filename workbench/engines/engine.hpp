@@ -56,7 +56,7 @@ struct Engine {
   std::function<Status(GenericState&, double h, bool& any)> sample;
   /// Sets the reactions that press frictions at the start, of engines that find reactions by equations of their own; of
   /// others an empty function.
-  std::function<Status(GenericState&)> press;
+  std::function<Status(GenericState&)> set_friction_loads;
   /// Multipliers in the order of Topology::loops and their equations.
   std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<double>& lambda)> multipliers;
   /// Generalised driving force of each motion, N or N m: its product with the rate of the coordinate is the power that

@@ -25,7 +25,7 @@ void require_mark(const std::string& bytes, std::size_t at, std::uint32_t mark) 
 }
 
 /// Extra fields of one entry.
-void settle(std::string& bytes, std::size_t at, std::size_t size) {
+void normalise_extra(std::string& bytes, std::size_t at, std::size_t size) {
   for (const std::size_t end = at + size; at + 4 <= end;) {
     const std::uint32_t kind = number_at(bytes, at, 2);
     const std::size_t length = number_at(bytes, at + 2, 2), first = at + 4;
@@ -51,9 +51,9 @@ std::string without_circumstances(std::string archive) {
     require_mark(archive, at, kCentral);
     const std::size_t name = number_at(archive, at + 28, 2), extra = number_at(archive, at + 30, 2);
     const std::size_t comment = number_at(archive, at + 32, 2), local = number_at(archive, at + 42, 4);
-    settle(archive, at + kCentralSize + name, extra);
+    normalise_extra(archive, at + kCentralSize + name, extra);
     require_mark(archive, local, kLocal);
-    settle(archive, local + kLocalSize + number_at(archive, local + 26, 2), number_at(archive, local + 28, 2));
+    normalise_extra(archive, local + kLocalSize + number_at(archive, local + 26, 2), number_at(archive, local + 28, 2));
     at += kCentralSize + name + extra + comment;
   }
   return archive;

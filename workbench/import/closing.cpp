@@ -130,7 +130,7 @@ std::string moves_text(const std::vector<ChainJoint>& before, const std::vector<
 double without_rounding(double gap) { return gap < kOpen * 1e-3 ? 0 : gap; }
 
 /// Records the gaps that remain open, by loop.
-void tell_open(const Closing& closing, Closed& closed) {
+void report_open(const Closing& closing, Closed& closed) {
   const std::vector<Gap> gaps = closing.gaps();
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     if (gaps[i].is_below(kOpen, kOpen)) continue;
@@ -161,7 +161,7 @@ Closed close_chain(Chain& chain) {
   if (closing.movable.empty() && are_led(closing)) return closed;
   for (const Gap& gap : written) closed.widest = std::max(closed.widest, gap.apart.norm());
   if (!search(closing)) {
-    tell_open(closing, closed);
+    report_open(closing, closed);
     return closed;
   }
   for (const Gap& gap : closing.gaps()) closed.remaining = std::max(closed.remaining, gap.apart.norm());

@@ -77,7 +77,7 @@ struct Walk {
   std::map<std::string, std::vector<std::string>> quiet = {};  ///< attributes by element
   Spot first_quiet = {};
 
-  void tell(Spot spot, std::string before, std::string after, const std::string& hint = {}) {
+  void add_told(Spot spot, std::string before, std::string after, const std::string& hint = {}) {
     Told& entry = told[before + after];
     if (entry.count++ == 0) entry = {spot, 1, std::move(before), std::move(after), hint};
   }
@@ -93,10 +93,10 @@ struct Walk {
     if (has_word(row.quiet, attribute.name)) return add_quiet(attribute.spot, element.name, attribute.name);
     for (const LostAttribute& lost : format.lost) {
       if (lost.path != row.path || lost.name != attribute.name) continue;
-      return tell(attribute.spot, fmt::format("{} of <{}>", attribute.name, element.name),
+      return add_told(attribute.spot, fmt::format("{} of <{}>", attribute.name, element.name),
                   fmt::format(" is not carried over: {}", lost.reason));
     }
-    tell(attribute.spot,
+    add_told(attribute.spot,
          fmt::format("<{}> has no attribute {} in {}", element.name, quoted_text(attribute.name), format.name),
          ": it is not carried over", did_you_mean(attribute.name, attributes_of(format, row)));
   }
@@ -105,14 +105,14 @@ struct Walk {
     const KnownElement* row = row_of(format, context, element.name);
     if (!row) {
       const bool foreign = is_foreign(element.name);
-      return tell(element.spot, fmt::format("<{}>", element.name),
+      return add_told(element.spot, fmt::format("<{}>", element.name),
                   foreign ? " not carried over: it is of another program"
                           : fmt::format(" not carried over: it is unknown in <{}>", context),
                   foreign ? "" : did_you_mean(element.name, names_in(format, context)));
     }
     if (row->left_out == "-") return;
     if (!row->left_out.empty())
-      return tell(element.spot, fmt::format("<{}>", element.name), fmt::format(" not carried over: {}", row->left_out));
+      return add_told(element.spot, fmt::format("<{}>", element.name), fmt::format(" not carried over: {}", row->left_out));
     if (row->is_quiet) return add_quiet(element.spot, element.name, "");
     for (const Attribute& attribute : element.attributes) this->attribute(element, *row, attribute);
     const std::string_view inside = row->path.substr(row->path.find('/') + 1);

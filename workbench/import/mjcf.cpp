@@ -55,7 +55,7 @@ void import_mjcf(Reading& reading, const Element& written, Assembly& assembly) {
   if (!reading.problems.empty()) return;
   add_spring_dampers(mjcf);
   close_loops_of(mjcf, root);
-  tell_references(mjcf);
+  report_references(mjcf);
   for (const char* name : {"tendon", "equality", "actuator"}) {
     for (const Element& section : root.children) {
       if (section.name != name) continue;

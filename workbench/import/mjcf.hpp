@@ -129,7 +129,7 @@ void expand_replicates(Mjcf& mjcf, Element& root);
 /// The tree of <worldbody>.
 void read_bodies(Mjcf& mjcf, const Element& world);
 /// Comments on joints with another zero in MuJoCo's coordinates.
-void tell_references(Mjcf& mjcf);
+void report_references(Mjcf& mjcf);
 /// Joints between a body and its parent; without any it is fixed.
 void read_joints(Mjcf& mjcf, const Element& element, const std::string& childclass, int parent, int body);
 

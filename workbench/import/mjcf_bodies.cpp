@@ -241,7 +241,7 @@ void read_joints(Mjcf& mjcf, const Element& element, const std::string& childcla
   }
 }
 
-void tell_references(Mjcf& mjcf) {
+void report_references(Mjcf& mjcf) {
   std::map<std::string, double, std::less<>> references;
   for (const MjcfJoint& joint : mjcf.scalar_joints) references[joint.coordinate] = joint.reference;
   for (JointDraft& draft : mjcf.assembly.joints) {

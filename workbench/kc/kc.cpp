@@ -66,16 +66,16 @@ double mean_load(const Rig& rig, const PointOfCurve& start) {
   return sum / count;
 }
 
-std::vector<Sweep> sweeps_of(const Rig& rig, const PointOfCurve& start, const KcWish& wish, bool with_loads) {
+std::vector<Sweep> sweeps_of(const Rig& rig, const PointOfCurve& start, const KcSettings& options, bool with_loads) {
   constexpr double kTravel = 0.05, kSteerAngle = 0.3, kSteerWay = 0.03, kLeastForce = 1000, kLever = 0.05;
-  const double travel = wish.travel.value_or(kTravel);
+  const double travel = options.travel.value_or(kTravel);
   std::vector<Sweep> sweeps = {{Kind::parallel_travel, travel}, {Kind::opposite_travel, travel}};
   if (rig.inputs[kSteer] >= 0)
-    sweeps.push_back({Kind::steering, wish.steer.value_or(rig.steer_unit == "rad" ? kSteerAngle : kSteerWay)});
+    sweeps.push_back({Kind::steering, options.steer.value_or(rig.steer_unit == "rad" ? kSteerAngle : kSteerWay)});
   if (!with_loads) return sweeps;
-  const double force = wish.force.value_or(std::max(kLeastForce, 0.5 * mean_load(rig, start)));
+  const double force = options.force.value_or(std::max(kLeastForce, 0.5 * mean_load(rig, start)));
   for (const Kind kind : {Kind::brake_force, Kind::drive_force, Kind::lateral_force}) sweeps.push_back({kind, force});
-  sweeps.push_back({Kind::aligning_moment, wish.moment.value_or(kLever * force)});
+  sweeps.push_back({Kind::aligning_moment, options.moment.value_or(kLever * force)});
   return sweeps;
 }
 
@@ -180,19 +180,19 @@ const Axle& find_axle(const Model& model, const std::string& name) {
 }
 
 KcReport kinematics_and_compliance(const Compilation& compilation, const Axle& axle, const OperatingPoint& at,
-                                   const KcWish& wish, const KcWatch& watch) {
+                                   const KcSettings& options, const KcWatch& watch) {
   const Axle whole = with_wheelbase(compilation.model, axle);
   KcReport report{compilation.model.name, axle.name, {}, {}, {}};
   const auto [rig, start] = standing_rig(compilation, whole, at, report.notes);
   const bool with_loads = is_compliant(rig, start);
   report.figures = figures(rig, start, with_loads);
   if (!with_loads) report.notes.emplace_back("nothing gives way between the wheels and the body: no curves of loads");
-  const std::vector<Sweep> sweeps = sweeps_of(rig, start, wish, with_loads);
-  const long all = static_cast<long>(sweeps.size()) * 2 * (wish.points / 2);
+  const std::vector<Sweep> sweeps = sweeps_of(rig, start, options, with_loads);
+  const long all = static_cast<long>(sweeps.size()) * 2 * (options.points / 2);
   long done = 0;
   const auto goes_on = [&] { return !watch || watch(++done, all); };
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
-    const CurvePoints curve = curve_points(rig, start, sweeps[i], wish.points, goes_on);
+    const CurvePoints curve = curve_points(rig, start, sweeps[i], options.points, goes_on);
     if (!curve.note.empty()) report.notes.push_back(curve.note);
     report.tables.push_back(curve_table(rig, start, sweeps[i], curve.points));
     if (!curve.is_stopped) continue;

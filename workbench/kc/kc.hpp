@@ -12,7 +12,7 @@
 namespace mbgen {
 
 /// Requests to a rig. Values are amplitudes: the rig goes from minus to plus.
-struct KcWish {
+struct KcSettings {
   std::optional<double> travel = {};  ///< m, of the wheels' centres; none: 0.05
   std::optional<double> steer = {};   ///< rad or m, of the steering coordinate; none: 0.3 rad or 0.03 m
   std::optional<double> force = {};   ///< N, at each wheel; none: half the wheels' load at the start, at least 1000
@@ -29,6 +29,6 @@ using KcWatch = std::function<bool(long done, long of)>;
 /// Runs the rig of an axle from a state of the model. Definitions: docs/use/kc.md. A curve that a watcher stops has its
 /// points so far, with a note. Fails: UserError if the rig cannot be made or has no equilibrium at the start.
 KcReport kinematics_and_compliance(const Compilation& compilation, const Axle& axle, const OperatingPoint& at,
-                                   const KcWish& wish, const KcWatch& watch = {});
+                                   const KcSettings& options, const KcWatch& watch = {});
 
 }  // namespace mbgen

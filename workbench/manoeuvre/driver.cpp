@@ -18,7 +18,7 @@ CoursePlace find_place(const Path& path, const PlaneMotion& motion, double last_
   return {way, (motion.y - point.y) * std::cos(point.heading) - (motion.x - point.x) * std::sin(point.heading)};
 }
 
-double steering_wish(const Path& path, const CoursePlace& place, const PlaneMotion& motion,
+double steering_target(const Path& path, const CoursePlace& place, const PlaneMotion& motion,
                      const DriverSettings& driver, double wheelbase) {
   constexpr double kShortest = 3;  // m
   const double speed = std::max(0.0, motion.forward), ahead = std::max(kShortest, speed * driver.preview);
@@ -28,10 +28,10 @@ double steering_wish(const Path& path, const CoursePlace& place, const PlaneMoti
   return wheelbase * curvature + driver.understeer * speed * speed * curvature;
 }
 
-double hand_acceleration(const Rates& now, double wish, double lag, double period, const HandLimits& limits) {
+double hand_acceleration(const Rates& now, double wanted, double lag, double period, const HandLimits& limits) {
   // The period is a part of the lag: a constant acceleration over it follows without ringing.
   const double frequency = std::min(2 / lag, 0.5 / period);
-  const double target = std::clamp(wish, -limits.angle, limits.angle);
+  const double target = std::clamp(wanted, -limits.angle, limits.angle);
   const double free = frequency * frequency * (target - now.value) - 2 * frequency * now.rate;
   return (std::clamp(now.rate + free * period, -limits.rate, limits.rate) - now.rate) / period;
 }

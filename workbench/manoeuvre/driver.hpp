@@ -32,7 +32,7 @@ CoursePlace find_place(const Path& path, const PlaneMotion& motion, double last_
 /// of the course at the preview distance L from the straight line along the velocity, minus the bend of the course
 /// itself (single-point preview: M. Kondo, A. Ajimine, SAE 680104; C. C. MacAdam, Vehicle System Dynamics 40 (2003)).
 /// The angle is wheelbase times curvature, plus `understeer` times the lateral acceleration.
-double steering_wish(const Path& path, const CoursePlace& place, const PlaneMotion& motion,
+double steering_target(const Path& path, const CoursePlace& place, const PlaneMotion& motion,
                      const DriverSettings& driver, double wheelbase);
 
 /// Second derivative of the angle over the next `period` seconds, constant: critically damped tracking of the wanted
@@ -40,7 +40,7 @@ double steering_wish(const Path& path, const CoursePlace& place, const PlaneMoti
 struct HandLimits {
   double angle = 0, rate = 0;
 };
-double hand_acceleration(const Rates& now, double wish, double lag, double period, const HandLimits& limits);
+double hand_acceleration(const Rates& now, double wanted, double lag, double period, const HandLimits& limits);
 
 /// PI controller with limits; the integral is frozen at a limit (anti-windup).
 class SpeedController {

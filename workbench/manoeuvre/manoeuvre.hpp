@@ -68,7 +68,7 @@ struct SteerAmplitude {
 
 /// ISO 4138.
 struct CircleManoeuvre : ManoeuvreBase {
-  enum class Method { radius, speed, steer };  ///< what is constant
+  enum class Method { radius, speed, steer };  ///< the quantity that is constant
   Method method = Method::radius;
   std::optional<double> radius, steer, last_speed;  ///< m, rad at the input, m/s
   double acceleration = 0;                          ///< m/s^2, of the speed

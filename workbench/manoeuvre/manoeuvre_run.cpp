@@ -159,10 +159,10 @@ void ManoeuvreRun::steer(double t, double end, InputsOverTime& inputs) {
     return follow(inputs_, vehicle_.steer,
                   between(inputs_, vehicle_.steer, t, end, plan_.steer.at(t), plan_.steer.at(end)), inputs);
   const DriverSettings& driver = base_of(manoeuvre_).driver;
-  const double wish = vehicle_.steer_ratio * steering_wish(path_, place_, reading_.plane, driver, facts_.wheelbase);
+  const double wanted = vehicle_.steer_ratio * steering_target(path_, place_, reading_.plane, driver, facts_.wheelbase);
   const HandLimits limits{vehicle_.steer_limit.value_or(kUnlimited),
                           std::abs(vehicle_.steer_ratio) * driver.largest_rate};
-  const double acceleration = hand_acceleration(hand_, wish, driver.lag, end - t, limits);
+  const double acceleration = hand_acceleration(hand_, wanted, driver.lag, end - t, limits);
   const Rates next = advanced(hand_, acceleration, end - t);
   follow(inputs_, vehicle_.steer,
          between(inputs_, vehicle_.steer, t, end, {hand_.value, hand_.rate, acceleration}, next), inputs);

@@ -124,10 +124,10 @@ void compare_path(VehicleMetrics& metrics, const Linear& linear, const SteadyCir
     worst = std::max(worst, std::abs(std::abs(linear.curvature[i]) * circle.radius - 1));
   }
   if (worst > kMostDetour) {
-    metrics.notes.push_back(
-        fmt::format("the path's curvature leaves that of a radius of {:.6g} m by {:.3g} %: understeer is of the path "
-                    "that was driven, sideslip and steer angles are not of one radius",
-                    circle.radius, 100 * worst));
+    metrics.notes.push_back(fmt::format(
+        "the curvature of the path departs from a radius of {:.6g} m by {:.3g} %: understeer is of the path "
+        "that was driven, sideslip and steer angles are not of one radius",
+        circle.radius, 100 * worst));
   }
 }
 

@@ -132,20 +132,20 @@ void add_gains(VehicleMetrics& metrics, const std::string& name, const std::stri
   add(metrics, name + "_gain", response.sign * *steady, unit, words + " over steer angle at slow steering (ISO 7401)");
   const double limit = *steady / std::numbers::sqrt2;
   if (const std::optional<double> bandwidth = fall_below(response, limit)) {
-    add(metrics, name + "_bandwidth", *bandwidth, "Hz", "where the gain is 3 dB below that of slow steering");
+    add(metrics, name + "_bandwidth", *bandwidth, "Hz", "where the gain is 3 dB below the gain of slow steering");
   } else {
     metrics.notes.push_back(
-        fmt::format("{}_bandwidth: the gain is not 3 dB below that of slow steering up to {:.3g} Hz", name,
+        fmt::format("{}_bandwidth: the gain is not 3 dB below the gain of slow steering up to {:.3g} Hz", name,
                     response.frequency.back()));
   }
   const Peak peak = peak_of(response.frequency, response.gain, 0);
   const bool is_inside = peak.time < response.frequency.back();
   if (peak.value > kLeastPeak * *steady && is_inside) {
-    add(metrics, name + "_peak_ratio", peak.value / *steady, "1", "largest gain over that of slow steering");
+    add(metrics, name + "_peak_ratio", peak.value / *steady, "1", "largest gain, divided by the gain of slow steering");
     add(metrics, name + "_peak_frequency", peak.time, "Hz", "of the largest gain");
   } else {
     metrics.notes.push_back(fmt::format("{}_peak_ratio: {}", name,
-                                        is_inside ? "no gain is 1 % above that of slow steering"
+                                        is_inside ? "no gain is 1 % above the gain of slow steering"
                                                   : fmt::format("the gain still grows at {:.3g} Hz", peak.time)));
   }
 }

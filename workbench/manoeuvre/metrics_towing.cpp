@@ -126,9 +126,9 @@ VehicleMetrics towing_metrics(const VehicleSeries& s, const Towing& towing) {
     if (largest(first) > kLeastMotion) add(metrics, name, largest(last) / largest(first), "1", meaning);
   };
   amplification("rearward_amplification", s.lateral_acceleration, s.towed.lateral_acceleration,
-                "largest lateral acceleration of the last unit over that of the first (ISO 14791)");
+                "largest lateral acceleration of the last unit, divided by the first unit's (ISO 14791)");
   amplification("rearward_amplification_yaw_rate", s.yaw_rate, s.towed.yaw_rate,
-                "largest yaw rate of the last unit over that of the first (ISO 14791)");
+                "largest yaw rate of the last unit, divided by the first unit's (ISO 14791)");
   double most = 0;
   for (const double value : aside) most = std::max(most, std::isnan(value) ? 0 : std::abs(value));
   add(metrics, "largest_offtracking", most, "m", "of the rearmost axle from the foremost one's path (ISO 14791)");

@@ -131,8 +131,8 @@ VehicleMetrics weave_metrics(const VehicleSeries& s, const Weave& weave) {
       "growth of yaw rate with steer angle at zero steer angle (ISO 13674-1)");
   add(metrics, "yaw_rate_hysteresis", yaw_over_steer.width, "rad/s",
       "width of the loop along the yaw rate at zero steer angle (ISO 13674-1)");
-  add(metrics, "lateral_acceleration_lag", lag(lateral, steer), "s", "of its sine behind that of the steer angle");
-  add(metrics, "yaw_rate_lag", lag(yaw, steer), "s", "of its sine behind that of the steer angle");
+  add(metrics, "lateral_acceleration_lag", lag(lateral, steer), "s", "of its sine behind the sine of the steer angle");
+  add(metrics, "yaw_rate_lag", lag(yaw, steer), "s", "of its sine behind the sine of the steer angle");
   const auto part = [&](const Values& values) {
     return Values(values.begin() + static_cast<std::ptrdiff_t>(span.begin), values.end());
   };

@@ -58,10 +58,10 @@ struct Planner {
   }
 
   /// Amplitude at the steering input, rad.
-  double amplitude(const ManoeuvreBase& base, const SteerAmplitude& wish) const {
-    if (wish.steer) return within_limit(*wish.steer);
+  double amplitude(const ManoeuvreBase& base, const SteerAmplitude& wanted) const {
+    if (wanted.steer) return within_limit(*wanted.steer);
     const double speed = *base.speed, wheels = facts.wheelbase / (speed * speed) + base.driver.understeer;
-    return within_limit(vehicle().steer_ratio * wheels * *wish.lateral_acceleration);
+    return within_limit(vehicle().steer_ratio * wheels * *wanted.lateral_acceleration);
   }
 
   /// Sign of an angle at the input, or of y, for a side.

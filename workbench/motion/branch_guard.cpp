@@ -91,7 +91,7 @@ Engine with_branch_guard(const Compilation& compilation, const Engine& engine) {
     const Status seen = looks ? guard->look(state, trial, h) : stepped;
     if (!seen.ok()) return seen;
     state = std::move(trial);
-    return more_telling(stepped, seen);
+    return graver(stepped, seen);
   };
   return guarded;
 }
@@ -101,7 +101,7 @@ bool LeapWatch::look(const GenericState& last, const GenericState& closed) {
   constexpr double kLonger = 2;     // after each step that did not: the way over the place takes few of them
   const Status seen = guard_.look(last, closed, closed.t - last.t);
   if (seen.ok()) {
-    notice_ = more_telling(notice_, seen);
+    notice_ = graver(notice_, seen);
     longest_ *= kLonger;
     if (closed.t > leapt_to_) tries_ = 0;
     return false;

@@ -368,7 +368,7 @@ Status CvodeStepper::step(GenericState& state, double h) {
   const Status status = at(std::min(target, t_), state);
   if (!status.ok()) return status;
   given_ = state.t = target;
-  return more_telling(status, leaps_.take_notice());
+  return graver(status, leaps_.take_notice());
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ class TableCourses {
     for (const InputColumn& column : table_.columns) {
       if (!joins_rates || !is_rate(column.input)) add_column(column, joins_rates);
     }
-    for (const InputColumn& column : table_.columns) tell_overshoot(column);
+    for (const InputColumn& column : table_.columns) warn_of_overshoot(column);
   }
 
  private:
@@ -125,7 +125,7 @@ class TableCourses {
                        table_.lines[farthest.piece + 1]);
   }
 
-  void tell_overshoot(const InputColumn& column) {
+  void warn_of_overshoot(const InputColumn& column) {
     const auto [smallest, largest] = std::minmax_element(column.values.begin(), column.values.end());
     const CourseRange range = range_of(result_.courses[column.input]);
     const double beyond = std::max(*smallest - range.smallest, range.largest - *largest);

@@ -112,7 +112,7 @@ OperatingPoint point_of_result(const Compilation& compilation, const StateArgume
   }
   OperatingPoint point{state.z, state.zd, state.x, state.t, inputs};
   if (!take_auxiliary(compilation, results, row, point.x)) {
-    settle_auxiliary(compilation, point);
+    set_steady_states(compilation, point);
     print_message("{}: note: has not all auxiliary states, columns x.*: they are taken as settled\n", arguments.result);
   }
   if (!inputs.empty() && arguments.inputs.empty()) {
@@ -152,7 +152,7 @@ ChosenPoint operating_point(const Compilation& compilation, const StateArguments
                        : arguments.at == "equilibrium" ? equilibrium_state(compilation, inputs)
                                                        : users_initial_state(compilation, inputs);
   OperatingPoint point{std::move(state.z), std::move(state.zd), std::move(state.x), state.t, std::move(inputs)};
-  if (arguments.states.empty()) settle_bristles(compilation.model, compilation.topology, point);
+  if (arguments.states.empty()) set_steady_bristles(compilation.model, compilation.topology, point);
   if (!is_steady) return {std::move(point), {}};
   SteadyMotion steady = steady_motion(compilation, point, arguments.steady);
   print_message("{}", free_directions_note(compilation, steady));

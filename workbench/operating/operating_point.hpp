@@ -16,7 +16,7 @@ struct StateArguments {
   std::string at, states, result;
   int index = 0, row = 0;
   std::optional<double> time;
-  SteadyWish steady;
+  SteadyRequest steady;
   std::vector<std::string> inputs;  ///< name=value
 };
 

@@ -31,12 +31,12 @@ constexpr double kComesToRest = 0.05;   // of the initial speed: below it the se
 /// Search for a steady motion by Newton's method.
 class Search {
  public:
-  Search(const Compilation& compilation, OperatingPoint start, const SteadyWish& wish)
+  Search(const Compilation& compilation, OperatingPoint start, const SteadyRequest& request)
       : c_(compilation), solver_(compilation.model, compilation.topology, compilation.analysis) {
     motion_.point = std::move(start);
     independent_ = free_coordinates(c_.topology, c_.analysis);
-    take_rates(wish);
-    take_inputs(wish);
+    take_rates(request);
+    take_inputs(request);
     find_turning();
     for (const int i : independent_) {
       if (!travels(i)) motion_.point.zd[i] = 0;
@@ -45,7 +45,7 @@ class Search {
   }
 
   SteadyMotion find() {
-    settle_auxiliary(c_, motion_.point);
+    set_steady_states(c_, motion_.point);
     SteadyMotion best = motion_;
     best.largest = std::numeric_limits<double>::infinity();
     int since_best = 0;
@@ -79,8 +79,8 @@ class Search {
   bool is_held(int i) const { return std::find(held_.begin(), held_.end(), i) != held_.end(); }
 
   /// Finds the moving coordinates and their prescribed rates.
-  void take_rates(const SteadyWish& wish) {
-    for (const std::string& assignment : wish.hold) {
+  void take_rates(const SteadyRequest& request) {
+    for (const std::string& assignment : request.hold) {
       const std::size_t sign = assignment.find('=');
       const std::string name = assignment.substr(0, sign);
       const int i = find_coordinate(c_.topology, name);
@@ -105,11 +105,11 @@ class Search {
     const auto first = std::find_if(travelling_.begin(), travelling_.end(), slides);
     leader_ = first != travelling_.end() ? *first : travelling_.front();
     rate_at_start_ = motion_.point.zd[leader_];
-    if (held_.empty() && !wish.solve.empty()) held_.push_back(leader_);
+    if (held_.empty() && !request.solve.empty()) held_.push_back(leader_);
   }
 
-  void take_inputs(const SteadyWish& wish) {
-    for (const std::string& name : wish.solve) {
+  void take_inputs(const SteadyRequest& request) {
+    for (const std::string& name : request.solve) {
       const auto found = std::find_if(c_.model.inputs.begin(), c_.model.inputs.end(),
                                       [&](const Input& input) { return input.name == name; });
       if (found == c_.model.inputs.end()) {
@@ -320,7 +320,7 @@ class Search {
     if (!status.ok()) return status;
     point.z = std::move(state.z);
     point.zd = std::move(state.zd);
-    bristles_ = settle_bristles(c_.model, c_.topology, point);
+    bristles_ = set_steady_bristles(c_.model, c_.topology, point);
     if (yaw_ >= 0) motion_.turning = point.zd[yaw_];
     return {};
   }
@@ -375,8 +375,8 @@ class Search {
 
 }  // namespace
 
-SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyWish& wish) {
-  return Search(compilation, start, wish).find();
+SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyRequest& request) {
+  return Search(compilation, start, request).find();
 }
 
 }  // namespace mbgen

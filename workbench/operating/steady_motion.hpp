@@ -9,7 +9,7 @@
 namespace mbgen {
 
 /// Request for a steady motion.
-struct SteadyWish {
+struct SteadyRequest {
   /// coordinate=rate; none: the first translation that moves at the start, if inputs are solved for; without such
   /// inputs no rate is held, and the rates follow from the balance of drive and drag
   std::vector<std::string> hold;
@@ -36,17 +36,17 @@ void mark_places(const SteadyMotion& motion, std::vector<Mode>& list);
 /// stay within their limits.
 /// Fails: UserError for unknown names, and if there is no steady motion near by; it names the coordinate that still
 /// accelerates, or the friction beyond its limit.
-SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyWish& wish);
+SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyRequest& request);
 
 /// A note if the held values leave several motions possible; none else.
 std::string free_directions_note(const Compilation& compilation, const SteadyMotion& steady);
 
 /// Rates of a steady motion, and the inputs found, as text.
-std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyWish& wish);
+std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyRequest& request);
 
 /// Sets the auxiliary states to their stationary values at the point's positions, velocities and inputs. Fails:
 /// UserError as linearise.
-void settle_auxiliary(const Compilation& compilation, OperatingPoint& point);
+void set_steady_states(const Compilation& compilation, OperatingPoint& point);
 
 /// The system in the rotating frame: deviations of the translations across, and of their rates, are along rotating
 /// axes, so that A is constant.

@@ -28,7 +28,7 @@ std::string free_directions_note(const Compilation& compilation, const SteadyMot
       compilation.model.file, fmt::join(steady.free_directions, "\n  "));
 }
 
-std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyWish& wish) {
+std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyRequest& request) {
   constexpr double kStill = 1e-9;  // rad/s or m/s: rounding
   std::string text = fmt::format("steady motion, accelerations at most {:.1e}:\n", steady.largest);
   for (const int i : free_coordinates(compilation.topology, compilation.analysis)) {
@@ -38,14 +38,14 @@ std::string steady_text(const Compilation& compilation, const SteadyMotion& stea
   }
   for (std::size_t i = 0; i < compilation.model.inputs.size(); ++i) {
     const Input& input = compilation.model.inputs[i];
-    if (std::find(wish.solve.begin(), wish.solve.end(), input.name) == wish.solve.end()) continue;
+    if (std::find(request.solve.begin(), request.solve.end(), input.name) == request.solve.end()) continue;
     text += fmt::format("  {:<32}{:>16.9g} {}\n", input.name, steady.point.inputs[i], input.unit);
   }
   return text + "\n";
 }
 
-void settle_auxiliary(const Compilation& compilation, OperatingPoint& point) {
-  settle_bristles(compilation.model, compilation.topology, point);
+void set_steady_states(const Compilation& compilation, OperatingPoint& point) {
+  set_steady_bristles(compilation.model, compilation.topology, point);
   const std::vector<AuxiliaryState> states = auxiliary_states(compilation.model);
   const auto count = static_cast<Eigen::Index>(point.x.size()) - held_state_count(compilation.model);
   Eigen::VectorXd size(count);

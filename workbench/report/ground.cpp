@@ -99,14 +99,14 @@ struct GroundWork {
   /// The strip of a group of tyres, as the road is at the first frame.
   Json strip(const Group& group, std::size_t most) {
     const Road& road = road_of(group[0]);
-    StripWish wish{{}, 0, road.heading, most};
-    for (const std::size_t tyre : group) wish.radius = std::max(wish.radius, model.tyres[tyre].radius.value);
+    StripRequest request{{}, 0, road.heading, most};
+    for (const std::size_t tyre : group) request.radius = std::max(request.radius, model.tyres[tyre].radius.value);
     for (const std::vector<GroundPlace>& all : wheels) {
-      std::vector<GroundPlace>& own = wish.wheels.emplace_back();
+      std::vector<GroundPlace>& own = request.wheels.emplace_back();
       for (const std::size_t tyre : group) own.push_back(all[tyre]);
     }
     bool is_whole = true;
-    const Strip strip = strip_along(wish, [&](const std::vector<GroundPlace>& places) {
+    const Strip strip = strip_along(request, [&](const std::vector<GroundPlace>& places) {
       std::vector<RoadBelow> road_below = solver.road_below(frames.front(), group[0], places);
       for (RoadBelow& below : road_below) {
         if (std::isfinite(below.height) && std::isfinite(below.friction)) continue;
@@ -118,7 +118,7 @@ struct GroundWork {
     if (!is_whole)
       note(fmt::format("Road {} has places without a height or friction near the wheels: they are drawn at 0.",
                        road.name));
-    return strip_json(road, strip, wish.radius);
+    return strip_json(road, strip, request.radius);
   }
 
   Json strip_json(const Road& road, const Strip& strip, double radius) {

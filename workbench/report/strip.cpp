@@ -31,31 +31,31 @@ GroundPlace middle(const std::vector<GroundPlace>& wheels) {
 }
 
 /// Directions from neighbour to neighbour; for a single place the requested direction.
-void head(const StripWish& wish, std::vector<Station>& places) {
+void head(const StripRequest& request, std::vector<Station>& places) {
   const std::vector<Station> old = places;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Station &before = old[i > 0 ? i - 1 : 0], &behind = old[std::min(i + 1, old.size() - 1)];
     const double dx = behind.x - before.x, dy = behind.y - before.y, length = std::hypot(dx, dy);
-    places[i].cosine = length > 0 ? dx / length : std::cos(wish.heading);
-    places[i].sine = length > 0 ? dy / length : std::sin(wish.heading);
+    places[i].cosine = length > 0 ? dx / length : std::cos(request.heading);
+    places[i].sine = length > 0 ? dy / length : std::sin(request.heading);
   }
 }
 
-Way way_of(const StripWish& wish) {
+Way way_of(const StripRequest& request) {
   Way way;
   std::vector<std::size_t> nearest;  // place of each frame
-  for (const std::vector<GroundPlace>& wheels : wish.wheels) {
+  for (const std::vector<GroundPlace>& wheels : request.wheels) {
     const auto [x, y] = middle(wheels);
     const double moved = way.places.empty() ? 0 : std::hypot(x - way.places.back().x, y - way.places.back().y);
-    if (way.places.empty() || moved >= kApart * wish.radius) {
+    if (way.places.empty() || moved >= kApart * request.radius) {
       way.at.push_back(way.places.empty() ? 0 : way.at.back() + moved);
       way.places.push_back({x, y});
     }
     nearest.push_back(way.places.size() - 1);
   }
-  head(wish, way.places);
-  for (std::size_t frame = 0; frame < wish.wheels.size(); ++frame)
-    for (const auto& [x, y] : wish.wheels[frame]) {
+  head(request, way.places);
+  for (std::size_t frame = 0; frame < request.wheels.size(); ++frame)
+    for (const auto& [x, y] : request.wheels[frame]) {
       const Station& place = way.places[nearest[frame]];
       const double dx = x - place.x, dy = y - place.y;
       way.along = std::max(way.along, std::abs(place.cosine * dx + place.sine * dy));
@@ -152,7 +152,7 @@ std::vector<std::size_t> thinned(const std::vector<std::size_t>& all) {
 
 }  // namespace
 
-Strip strip_along(const StripWish& wish,
+Strip strip_along(const StripRequest& request,
                   const std::function<std::vector<RoadBelow>(const std::vector<GroundPlace>&)>& look) {
   const auto look_at = [&](Strip& strip) {
     std::vector<GroundPlace> places;
@@ -160,14 +160,14 @@ Strip strip_along(const StripWish& wish,
       for (const double offset : strip.offsets) places.push_back(Strip::place(station, offset));
     strip.road = look(places);
   };
-  const double friction = kFrictionHeight * wish.radius;
-  const Way way = way_of(wish);
-  const double along = way.along + kMargin * wish.radius, across = way.across + kMargin * wish.radius;
-  const std::size_t sides = count_of(2 * across, kCoarse * wish.radius, 100);
+  const double friction = kFrictionHeight * request.radius;
+  const Way way = way_of(request);
+  const double along = way.along + kMargin * request.radius, across = way.across + kMargin * request.radius;
+  const std::size_t sides = count_of(2 * across, kCoarse * request.radius, 100);
   const double length = way.length() + 2 * along;
   Strip fine;
   for (const double s :
-       spaced(-along, way.length() + along, count_of(length, kFinest * wish.radius, kMostLooks / sides)))
+       spaced(-along, way.length() + along, count_of(length, kFinest * request.radius, kMostLooks / sides)))
     fine.stations.push_back(station_at(way, s));
   fine.offsets = spaced(-across, across, sides);
   look_at(fine);
@@ -178,9 +178,9 @@ Strip strip_along(const StripWish& wish,
                           {fine.road[i * sides + k].height, friction * fine.road[i * sides + k].friction});
     rows.numbers.insert(rows.numbers.end(), {kWayHeight * fine.stations[i].x, kWayHeight * fine.stations[i].y});
   }
-  double tolerance = kTolerance * wish.radius;
+  double tolerance = kTolerance * request.radius;
   Strip wide{chosen(fine.stations, thinned(needed(rows, tolerance))),
-             spaced(-across, across, count_of(2 * across, kFinest * wish.radius, 2000)),
+             spaced(-across, across, count_of(2 * across, kFinest * request.radius, 2000)),
              {}};
   look_at(wide);
   const std::size_t across_count = wide.offsets.size();
@@ -194,7 +194,7 @@ Strip strip_along(const StripWish& wish,
     strip.stations = chosen(fine.stations, needed(rows, tolerance));
     strip.offsets = chosen(wide.offsets, needed(columns, tolerance));
     tolerance *= 1.5;
-  } while (strip.stations.size() * strip.offsets.size() > wish.most);
+  } while (strip.stations.size() * strip.offsets.size() > request.most);
   look_at(strip);
   return strip;
 }

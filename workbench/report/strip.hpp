@@ -31,7 +31,7 @@ struct Strip {
 };
 
 /// Request for a strip: path of the wheels, and resolution.
-struct StripWish {
+struct StripRequest {
   std::vector<std::vector<GroundPlace>> wheels;  ///< the same wheels in every frame, at least one wheel and frame
   double radius = 1;                             ///< m, of the largest wheel: unit of lengths
   double heading = 0;                            ///< rad, of the strip for wheels at rest
@@ -41,7 +41,7 @@ struct StripWish {
 /// The strip under the wheels and some radii around them, extended as far at both ends. Rows and offsets belong to a
 /// grid of a 25th of a radius, or of 200 000 points; grid lines are omitted if linear interpolation between the kept
 /// ones is within a tolerance: a 500th of a radius, more for a strip with too many points. look: the road below points.
-Strip strip_along(const StripWish& wish,
+Strip strip_along(const StripRequest& request,
                   const std::function<std::vector<RoadBelow>(const std::vector<GroundPlace>&)>& look);
 
 }  // namespace mbgen

@@ -26,7 +26,7 @@ constexpr double kRounding = 1e-3;
 constexpr double kMostMultiplied = 1e6;
 
 /// A requested value of a coordinate.
-struct Wish {
+struct Target {
   int coordinate = -1;
   double value = 0;
   Where where;
@@ -34,25 +34,25 @@ struct Wish {
   bool locked = false;
 };
 
-std::vector<Wish> wishes_of(const Compilation& compilation, const std::vector<InitialValue>& values) {
-  std::vector<Wish> wishes;
+std::vector<Target> targets_of(const Compilation& compilation, const std::vector<InitialValue>& values) {
+  std::vector<Target> targets;
   for (const InitialValue& value : values) {
     const int coordinate = tree_coordinate(compilation.topology, value.coordinate);
     if (coordinate < 0) {
       throw UserError(
           Diagnostics{{value.where, "initial value of a joint that was cut", "mark it \"cut\": false", ""}});
     }
-    wishes.push_back({coordinate, value.value, value.where, value.weight, value.locked});
+    targets.push_back({coordinate, value.value, value.where, value.weight, value.locked});
   }
-  return wishes;
+  return targets;
 }
 
-bool keeps(const Wish& wish, const std::vector<double>& values, double tolerance) {
-  return std::abs(values[wish.coordinate] - wish.value) <= tolerance * std::max(1.0, std::abs(wish.value));
+bool keeps(const Target& target, const std::vector<double>& values, double tolerance) {
+  return std::abs(values[target.coordinate] - target.value) <= tolerance * std::max(1.0, std::abs(target.value));
 }
 
-bool keeps_all(const std::vector<Wish>& wishes, const std::vector<double>& values) {
-  return std::all_of(wishes.begin(), wishes.end(), [&](const Wish& wish) { return keeps(wish, values, kKept); });
+bool keeps_all(const std::vector<Target>& targets, const std::vector<double>& values) {
+  return std::all_of(targets.begin(), targets.end(), [&](const Target& target) { return keeps(target, values, kKept); });
 }
 
 void require(Status status, const Compilation& compilation, const char* action) {
@@ -65,53 +65,53 @@ void require(Status status, const Compilation& compilation, const char* action) 
 }
 
 /// A driven coordinate is at its motion. Fails: UserError if a request contradicts this.
-void require_motions(const Compilation& compilation, const std::vector<Wish>& wishes, const std::vector<double>& values,
+void require_motions(const Compilation& compilation, const std::vector<Target>& targets, const std::vector<double>& values,
                      const char* what) {
-  for (const Wish& wish : wishes) {
-    if (!compilation.analysis.driven[wish.coordinate] || keeps(wish, values, kRounding)) continue;
+  for (const Target& target : targets) {
+    if (!compilation.analysis.driven[target.coordinate] || keeps(target, values, kRounding)) continue;
     throw UserError(Diagnostics{
-        {wish.where,
+        {target.where,
          fmt::format("initial {} of {} contradicts its motion, {} asked, the motion gives {}", what,
-                     compilation.topology.bodies[wish.coordinate].coordinate, wish.value, values[wish.coordinate]),
+                     compilation.topology.bodies[target.coordinate].coordinate, target.value, values[target.coordinate]),
          "remove it: a driven coordinate starts where its motion is", ""}});
   }
 }
 
 /// The requests in the solver's form.
-std::vector<CoordinateWish> of_solver(const std::vector<Wish>& wishes) {
-  std::vector<CoordinateWish> result;
-  for (const Wish& wish : wishes) result.push_back({wish.coordinate, wish.value, wish.weight, wish.locked});
+std::vector<CoordinateTarget> of_solver(const std::vector<Target>& targets) {
+  std::vector<CoordinateTarget> result;
+  for (const Target& target : targets) result.push_back({target.coordinate, target.value, target.weight, target.locked});
   return result;
 }
 
 /// Closed positions nearest to the requests.
-GenericState assemble(const Compilation& compilation, const GenericSolver& solver, const std::vector<Wish>& wishes,
+GenericState assemble(const Compilation& compilation, const GenericSolver& solver, const std::vector<Target>& targets,
                       bool only_a_guess) {
   GenericState simple = reference_state(compilation);
-  for (const Wish& wish : wishes) simple.z[wish.coordinate] = wish.value;
-  if (solver.project(simple).ok() && (only_a_guess || keeps_all(wishes, simple.z))) return simple;
+  for (const Target& target : targets) simple.z[target.coordinate] = target.value;
+  if (solver.project(simple).ok() && (only_a_guess || keeps_all(targets, simple.z))) return simple;
 
   GenericState state = reference_state(compilation);
-  const Status status = solver.assemble(state, of_solver(wishes));
+  const Status status = solver.assemble(state, of_solver(targets));
   if (status.code == Code::loop_not_closed) refuse_open_positions(compilation, solver, state);
   require(status, compilation, "move the joints to the asked positions");
   require(solver.project(state), compilation, "close the loops");
-  require_motions(compilation, wishes, state.z, "position");
+  require_motions(compilation, targets, state.z, "position");
   return state;
 }
 
 /// Consistent velocities nearest to the requests, at the positions of `state`.
-void set_velocities(const Compilation& compilation, const GenericSolver& solver, const std::vector<Wish>& wishes,
+void set_velocities(const Compilation& compilation, const GenericSolver& solver, const std::vector<Target>& targets,
                     GenericState& state) {
   GenericState simple = state;
-  for (const Wish& wish : wishes) simple.zd[wish.coordinate] = wish.value;
+  for (const Target& target : targets) simple.zd[target.coordinate] = target.value;
   require(solver.project(simple), compilation, "close the loops");
-  if (!keeps_all(wishes, simple.zd)) {
-    const Status status = solver.assemble_velocities(simple, of_solver(wishes));
+  if (!keeps_all(targets, simple.zd)) {
+    const Status status = solver.assemble_velocities(simple, of_solver(targets));
     if (status.code == Code::loop_not_closed) refuse_open_velocities(compilation);
     require(status, compilation, "give the joints the asked velocities");
     require(solver.project(simple), compilation, "close the loops");
-    require_motions(compilation, wishes, simple.zd, "velocity");
+    require_motions(compilation, targets, simple.zd, "velocity");
   }
   state = simple;
 }
@@ -126,14 +126,14 @@ int fastest(const std::vector<double>& zd) {
 }
 
 /// Next to a singular position a loop turns a requested velocity into any other one. Fails: UserError.
-void require_reason(const Compilation& compilation, const std::vector<Wish>& wishes, const GenericState& state) {
+void require_reason(const Compilation& compilation, const std::vector<Target>& targets, const GenericState& state) {
   const int runs = fastest(state.zd);
   if (runs < 0) return;
   double largest = 1;
-  const Wish* asked = nullptr;
-  for (const Wish& wish : wishes) {
-    if (asked == nullptr || std::abs(wish.value) > std::abs(asked->value)) asked = &wish;
-    largest = std::max(largest, std::abs(wish.value));
+  const Target* asked = nullptr;
+  for (const Target& target : targets) {
+    if (asked == nullptr || std::abs(target.value) > std::abs(asked->value)) asked = &target;
+    largest = std::max(largest, std::abs(target.value));
   }
   for (std::size_t i = 0; i < state.zd.size(); ++i)
     if (compilation.analysis.driven[i]) largest = std::max(largest, std::abs(state.zd[i]));
@@ -157,11 +157,11 @@ void require_reason(const Compilation& compilation, const std::vector<Wish>& wis
 }
 
 /// Adds the values that were not kept.
-void add_moved(const std::vector<Wish>& wishes, const std::vector<double>& values, bool velocity,
+void add_moved(const std::vector<Target>& targets, const std::vector<double>& values, bool velocity,
                std::vector<MovedValue>& moved) {
-  for (const Wish& wish : wishes) {
-    if (!keeps(wish, values, kKept))
-      moved.push_back({wish.where, wish.coordinate, velocity, wish.value, values[wish.coordinate]});
+  for (const Target& target : targets) {
+    if (!keeps(target, values, kKept))
+      moved.push_back({target.where, target.coordinate, velocity, target.value, values[target.coordinate]});
   }
 }
 
@@ -171,8 +171,8 @@ Start initial_start(const Compilation& compilation, const std::vector<double>& i
   const Initial& initial = compilation.model.initial;
   GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
   solver.set_inputs(inputs);
-  const std::vector<Wish> positions = wishes_of(compilation, initial.positions);
-  std::vector<Wish> velocities = wishes_of(compilation, initial.velocities);
+  const std::vector<Target> positions = targets_of(compilation, initial.positions);
+  std::vector<Target> velocities = targets_of(compilation, initial.velocities);
   Start start;
   start.state = assemble(compilation, solver, positions, initial.equilibrium);
   if (initial.equilibrium) {
@@ -187,8 +187,8 @@ Start initial_start(const Compilation& compilation, const std::vector<double>& i
   set_velocities(compilation, solver, velocities, start.state);
   require_reason(compilation, velocities, start.state);
   add_moved(velocities, start.state.zd, true, start.moved);
-  start.unpressed = start.state.x;
-  solver.press(start.state);  // where it fails, as at a singular position, loads start from zero
+  start.unloaded = start.state.x;
+  solver.set_friction_loads(start.state);  // where it fails, as at a singular position, loads start from zero
   return start;
 }
 
@@ -198,9 +198,9 @@ GenericState initial_state(const Compilation& compilation, const std::vector<dou
 
 GenericState initial_state(const Start& start, const Engine& engine) {
   GenericState state = start.state;
-  if (!engine.press) return state;
-  state.x = start.unpressed;
-  engine.press(state);
+  if (!engine.set_friction_loads) return state;
+  state.x = start.unloaded;
+  engine.set_friction_loads(state);
   return state;
 }
 
@@ -225,14 +225,14 @@ struct MovedParameter {
 std::vector<double> change_of_start(const Compilation& compilation, const GenericSolver& solver,
                                     const GenericState& start, int parameter, double by) {
   const std::vector<InitialValue>& values = compilation.model.initial.velocities;
-  std::vector<Wish> wishes = wishes_of(compilation, values);
+  std::vector<Target> targets = targets_of(compilation, values);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i].expression < 0) continue;
     const Expression& expression = compilation.model.expressions[static_cast<std::size_t>(values[i].expression)];
-    wishes[i].value = evaluate<double>(expression, MovedParameter{compilation.model, parameter, by});
+    targets[i].value = evaluate<double>(expression, MovedParameter{compilation.model, parameter, by});
   }
   GenericState state = start;
-  set_velocities(compilation, solver, wishes, state);
+  set_velocities(compilation, solver, targets, state);
   for (std::size_t i = 0; i < state.zd.size(); ++i) state.zd[i] -= start.zd[i];
   return state.zd;
 }

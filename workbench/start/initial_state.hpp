@@ -26,7 +26,7 @@ struct MovedValue {
 struct Start {
   GenericState state;
   std::vector<double>
-      unpressed;  ///< auxiliary states before reactions pressed frictions, which then have those of `state`
+      unloaded;  ///< auxiliary states before reactions pressed frictions, which then have those of `state`
   std::vector<MovedValue> moved;  ///< none of a static equilibrium's positions, which are guesses
 };
 

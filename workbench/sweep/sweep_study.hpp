@@ -42,8 +42,8 @@ struct Study {
 
 /// Result of one case.
 struct CaseResult {
-  /// "ok", "warning: " and the doubt about the values, each with the singular positions that were passed behind it, or
-  /// the reason why there are none; one line
+  /// One line: "ok" or "warning: " and the reason for doubt, then the singular positions that were passed; or the
+  /// reason why there are no values
   std::string status;
   std::vector<double> metrics;  ///< of all metrics; NaN where there are none
   double energy_error = 0;      ///< of the motion, relative
@@ -53,12 +53,12 @@ struct CaseResult {
 
 using CaseResults = std::map<long, CaseResult>;
 
-/// Reads the model and everything that is asked of it. Varied parameters become tunable; where one stands for a number
-/// that has to be constant, and no engine was asked for, the generic one is taken. Fails: UserError.
+/// Reads the model and the settings of the study. Varied parameters become tunable; if one stands for a number that
+/// must be constant, and no engine was named, the generic engine is used. Fails: UserError.
 Study read_study(const StudyArguments& arguments);
 
-/// Everything that the result of a study depends on, as one line of JSON: two studies of the same line have the same
-/// results. Fails: UserError for an input table that cannot be read.
+/// All inputs of a study's result, as one line of JSON: two studies with the same line have the same results. Fails:
+/// UserError for an input table that cannot be read.
 std::string description(const Study& study);
 
 /// Data that all cases and threads share: analysis, compiled solver.
@@ -70,9 +70,9 @@ struct StudySolver {
 /// Analyses, generates and compiles. Fails: UserError.
 StudySolver prepare(const Study& study);
 
-/// Simulates one case and takes its metrics. A fault of a case is its status. is_stopped: asked after every step; a
-/// case that it ends has no result. Fails: std::exception where mbgen is at fault, UserError when the model was changed
-/// meanwhile.
+/// Simulates one case and computes its metrics. An error of a case is its status. is_stopped: called after every step;
+/// a case that it stops has no result. Fails: std::exception where mbgen is at fault, UserError when the model was
+/// changed meanwhile.
 std::optional<CaseResult> run_case(const Study& study, const StudySolver& solver, long index,
                                    const std::function<bool()>& is_stopped = {});
 

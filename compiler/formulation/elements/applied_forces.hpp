@@ -23,6 +23,11 @@ AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const
     apply(work, element);
   });
   detail::user_states(work);
+  for (std::size_t i = 0; i < forces.wrench.size() && system.scribe.has_details(); ++i) {
+    const auto heading = within_body(system.scribe, i);
+    detail_name(system.scribe, forces.wrench[i], "fa", "na", system.topology.bodies[i].name);
+    system.scribe.detail(forces.joint[i], "Qa_", system.topology.bodies[i].coordinate);
+  }
   return forces;
 }
 

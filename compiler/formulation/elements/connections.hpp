@@ -125,7 +125,10 @@ template <class T, class Kind>
 requires HasScalarLaw<T, Kind>
 void apply(ForceWork<T>& work, const Kind& element) {
   connect(work, element, [&](const auto& at) {
+    work.system.scribe.detail(at.position, "length_", element.name);
+    work.system.scribe.detail(at.rate, "rate_", element.name);
     const auto acting = law_of(work, element, at)(at.position, at.rate);
+    work.system.scribe.detail(resistance_in(acting), "force_", element.name);
     at.resist(work, resistance_in(acting));
     if constexpr (requires { seen_as(element, at, acting); })
       states_of<Kind>(work.forces).push_back(seen_as(element, at, acting));

@@ -16,18 +16,22 @@ struct EliminatedPivots {
   std::vector<T> inertia;     ///< not positive where motion has no inertia: pivot less what rounding leaves of one
 };
 
+/// Share of a diagonal that elimination may lose to rounding.
+constexpr double kLostByElimination = 1e-12;
+
 /// Eliminates in place; afterwards `mass` holds the rows for substitution. mass: lower triangle, [row][column <= row].
-/// rounding: of diagonals, see inertia_left_by_rounding; elimination leaves another 1e-12 of a diagonal. subtract(a,
+/// rounding: of diagonals, see inertia_left_by_rounding; `lost` of a diagonal is left by elimination. subtract(a,
 /// factor, q): subtracts `factor` times the right-hand side of row q from row a.
 template <class T, class Subtract>
-EliminatedPivots<T> eliminate(std::vector<std::vector<T>>& mass, double rounding, const Subtract& subtract) {
+EliminatedPivots<T> eliminate(std::vector<std::vector<T>>& mass, const T& rounding, const Subtract& subtract,
+                              const T& lost = T(kLostByElimination)) {
   const std::size_t n = mass.size();
   EliminatedPivots<T> pivots{std::vector<T>(n, T(0.0)), std::vector<T>(n, T(0.0))};
   std::vector<T> diagonal;
   for (std::size_t q = 0; q < n; ++q) diagonal.push_back(mass[q][q]);
   for (std::size_t q = n; q-- > 0;) {
-    const T rest = q + 1 == n ? mass[q][q] : mass[q][q] - T(1e-12) * diagonal[q];
-    pivots.inertia[q] = rest - T(rounding);
+    const T rest = q + 1 == n ? mass[q][q] : mass[q][q] - lost * diagonal[q];
+    pivots.inertia[q] = rest - rounding;
     pivots.reciprocal[q] = T(1.0) / mass[q][q];
     for (std::size_t a = 0; a < q; ++a) {
       if (is_zero(mass[q][a])) continue;

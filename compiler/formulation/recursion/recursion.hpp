@@ -15,10 +15,18 @@ template <class T>
 void eliminate_block(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
   UnitEquations<T>& equations = s.equations[u];
+  Scribe<T>& scribe = s.system().scribe;
   CompositeBody<T> base = unit.opened ? eliminate_opened_joints(s, u) : gather_block(s, u);
-  if (!unit.opened) eliminate(equations, inertia_left_by_rounding(s.system().constants));
+  if (!unit.opened) {
+    T rounding(inertia_left_by_rounding(s.system().constants)), lost(kLostByElimination);
+    name_bounds(scribe, rounding, lost);
+    eliminate(equations, rounding, lost);
+    detail_eliminated(s, s.blocks[u].directions, equations);
+  }
   if (unit.base == kGround) return;
   if (!unit.opened) reduce(equations, base.reduced, base.needed);
+  detail_articulated(scribe, base.reduced, s.system().body_name(unit.base), "_less_",
+                     s.system().topology.bodies[unit.end()].coordinate);
   CompositeBody<T>& below = s.composite[unit.base];
   below.rigid = below.rigid + base.rigid;
   below.above = below.above + base.above;
@@ -40,11 +48,13 @@ void eliminate_run(RecursionState<T>& s, std::size_t u) {
   if (is_free(unit)) {
     gather_free(s, u, equations, needed);
     eliminate(equations);
+    if (s.system().scribe.has_details()) detail_eliminated(s, directions_of(s, s.runs[u]), equations);
     hand_down(s, u, {}, needed);
     return;
   }
   gather_run(s, u, equations, inertia, needed);
   eliminate(equations);
+  if (s.system().scribe.has_details()) detail_eliminated(s, directions_of(s, s.runs[u]), equations);
   reduce(equations, inertia, needed);
   clear_directions(s.runs[u].directions, inertia);
   hand_down(s, u, inertia, needed);
@@ -63,7 +73,10 @@ void eliminate_rotor(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
   base.needed = base.needed - shifted(offset_from_parent(s.system(), s.k(), w), forces.wrench[w]);
   const Vector<T> omega = s.omega[unit.base];
   const T spin = dot(axis, omega) + s.system().zd(w);
-  base.needed.angular = base.needed.angular + (s.polar[w] * spin) * cross(omega, axis);
+  const Vector<T> across = cross(omega, axis);
+  const T momentum = s.polar[w] * spin;
+  detail_rotor(s, w, spin, momentum, across);
+  base.needed.angular = base.needed.angular + momentum * across;
   if (driven) {  // its spin acceleration: of the base, plus the prescribed one
     const Vector<T> along = s.polar[w] * axis;
     base.reduced.angular = base.reduced.angular + square(s.polar[w], axis);
@@ -111,7 +124,11 @@ void watch_unit(const RecursionState<T>& s, std::size_t u, RecursiveSolution<T>&
       quality = min(quality, abs(volume));
     } else {
       for (DirectionInertia<T>& d : found)
-        if (d.place == step.joints[1]) d.value = min(d.value, volume * volume - T(1e-12));
+        if (d.place == step.joints[1]) {
+          T least(1e-12);
+          s.system().scribe.bound(least, "Square of the least volume of a ball's three axes", "least_volume_squared");
+          d.value = min(d.value, volume * volume - least);
+        }
     }
   }
   solution.inertia.insert(solution.inertia.end(), found.begin(), found.end());
@@ -122,6 +139,9 @@ template <class T>
 std::vector<T> projected_accelerations(const RecursionState<T>& s, std::size_t u, const Spatial<T>& base) {
   const BlockParts<T>& parts = s.blocks[u];
   const std::vector<T> free = free_accelerations(s.equations[u], base);
+  Scribe<T>& scribe = s.system().scribe;
+  for (std::size_t q = 0; q < free.size() && scribe.has_details(); ++q)
+    scribe.detail(free[q], "qdd_", parts.directions[q]);
   std::vector<T> local = parts.zdd_star;
   const std::vector<std::vector<T>>& rz = parts.chosen ? parts.chosen->rz : parts.rz;
   if (parts.chosen) local = parts.chosen->zdd_star;
@@ -197,7 +217,10 @@ void solve_run(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   name(s.system().scribe, a.angular, "alpha_", s.system().body_name(e));
   for (int j : unit.joints)
     if (const T* driven = s.driven(j)) zdd[j] = *driven;
-  for (std::size_t q = 0; q < free.size(); ++q) zdd[run.columns[q]] = free[q];
+  for (std::size_t q = 0; q < free.size(); ++q) {
+    zdd[run.columns[q]] = free[q];
+    s.system().scribe.detail(free[q], "qdd_", s.system().topology.bodies[run.columns[q]].coordinate);
+  }
   Vector<T> turning = run.before;
   for (const JointStep& step : unit.steps) {
     if (step.quasi()) set_joint_accelerations(s.work, step, turning, quasi_of(step, zdd), zdd);
@@ -244,11 +267,13 @@ void project_block(RecursionState<T>& s, std::size_t u, const LoopPartition& par
   const RecursionUnit& unit = s.units()[u];
   Scribe<T>& scribe = s.system().scribe;
   BlockParts<T>& parts = s.blocks[u];
+  name_directions(s, unit, partition.independent, parts.directions);
   {
     const auto step = scribe.step(Step::jacobian, unit.block);
     const SparseClosure<T> closed =
         quasi_closure(s.work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit));
-    parts.factors = factorise_frozen(closed.jacobian, partition, unit.joints.size());
+    parts.factors = factorise_frozen(closed.jacobian, partition, unit.joints.size(),
+                                     scale_names(s.system(), unit.joints, partition));
     name_pivots(s.system(), s.system().topology.blocks[unit.block], partition, parts.factors);
     quality = parts.factors.quality;
   }
@@ -267,6 +292,7 @@ void project_block(RecursionState<T>& s, std::size_t u, const GroupProjection<T>
   const RecursionUnit& unit = s.units()[u];
   BlockParts<T>& parts = s.blocks[u];
   parts.chosen = &chosen;
+  name_directions(s, chosen.rz.front().size(), parts.directions);
   {
     const auto step = s.system().scribe.step(Step::projection, unit.block);
     parts.rz = quasi_projection(s.work, unit, chosen.rz);
@@ -374,6 +400,8 @@ RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion&
     s.force = tau;
     for (std::size_t i = 0; i < n; ++i) s.force[i] = s.force[i] + forces.joint[i];
     s.force = quasi_forces(work, s.force);
+    for (std::size_t i = 0; i < n; ++i)
+      system.scribe.detail(s.force[i], "Q_", system.topology.bodies[i].coordinate, "_applied");
   }
   detail::eliminate_units(s, forces, projections, solution);
   detail::solve_units(s, solution);

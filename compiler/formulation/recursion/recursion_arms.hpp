@@ -28,7 +28,14 @@ template <class T>
 TurnedArm<T> turned_arm(const RecursionState<T>& s, int i, const Matrix<T>& turn) {
   const Vector3& own = s.system().topology.bodies[i].axis;
   const Vector<T> axis = constant<T>(own);
-  const PseudoInertia<T> rigid = turned(turn, own, axis, s.constant[i]);
+  const std::string& name = s.system().body_name(i);
+  const PseudoInertia<T> rigid =
+      turned(turn, own, axis, s.constant[i], [&](const T& across, const T& along, const T& reciprocal) {
+        s.system().scribe.detail(across, "Kacross_", name);
+        s.system().scribe.detail(along, "Kalong_", name);
+        s.system().scribe.detail(reciprocal, "per_m_", name);
+      });
+  detail_inertia(s.system().scribe, rigid, "hb_", "Kb_", "Ib_", name);
   return {axis, rigid, rigid * Spatial<T>{{}, axis}};
 }
 
@@ -71,12 +78,17 @@ void gather_arm(RecursionState<T>& s, BlockGathering<T>& g, int i) {
   const CompositeBody<T>& arm = s.composite[i];
   const Vector<T>& w = g.parts.velocity[i].angular;
   const Vector<T> alpha = g.parts.zdd_star_motion[i].angular;
-  const Spatial<T> needed = arm.needed + field_force(arm.rigid, Vector<T>{}, own_field(g.twice, w, alpha));
+  const Matrix<T> field = own_field(g.twice, w, alpha);
+  detail_name(s.system().scribe, field, "Gown_", s.system().body_name(i));
+  const Spatial<T> needed = arm.needed + field_force(arm.rigid, Vector<T>{}, field);
   const Vector<T>& place = s.k().position[i];
-  g.base.rigid = g.base.rigid + shifted(place, arm.rigid);
+  detail_name(s.system().scribe, needed, "f", "n", s.system().body_name(i));
+  const PseudoInertia<T> share = shifted(place, arm.rigid);
+  detail_inertia(s.system().scribe, share, "hp_", "Kp_", "Ip_", s.system().body_name(i));
+  g.base.rigid = g.base.rigid + share;
   g.base.needed = g.base.needed + shifted(place, needed);
   const Spatial<T> as_part_of_base = field_force(arm.rigid, g.turning_field * place, g.turning_field);
-  add_to_equations(g, i, Vector<T>{}, place, arm.rigid, {}, needed + as_part_of_base);
+  add_to_equations(s, g, i, Vector<T>{}, place, arm.rigid, {}, needed + as_part_of_base);
 }
 
 /// Whether a body of a block turns against the base about one coordinate axis alone. Such a body is a part of the base
@@ -101,6 +113,8 @@ NeededInPlane<T> needed_in_plane(const RecursionState<T>& s, const BlockGatherin
   const BodyAcceleration<T>& bias = g.parts.bias[i];
   const Vector<T> a = bias.linear + bias.gradient * arm + extra.linear + cross(g.twice, v.linear);
   const Matrix<T> field = own_field(g.twice, v.angular, bias.angular + extra.angular);
+  detail_name(s.system().scribe, a, "aown_", s.system().body_name(i));
+  detail_name(s.system().scribe, field, "Gown_", s.system().body_name(i));
   const Spatial<T> motion = acceleration_of(s, g, i, arm);
   return {body.needed + field_force(body.rigid, a, field) + body.above * motion + body.reduced * motion,
           field_force(body.rigid, g.turning_field * (s.k().position[i] + arm), g.turning_field)};
@@ -134,14 +148,17 @@ CompositeBody<T> with_arms(const RecursionState<T>& s, const BlockGathering<T>& 
 /// The motion of a joint on another body of the block, projected. seen_below: its momentum for a unit motion, about the
 /// origin of the body below in the base's axes. half: half its power on that motion. torque: needed at the joint.
 template <class T>
-void project_joint(BlockGathering<T>& g, int i, int below, const Spatial<T>& seen_below, const T& half,
-                   const T& torque) {
+void project_joint(const RecursionState<T>& s, BlockGathering<T>& g, int i, int below, const Spatial<T>& seen_below,
+                   const T& half, const T& torque) {
   SubtreeInertia<T>& subtree = g.subtree[below];
   subtree.momentum.resize(g.equations.size());
   const std::vector<T>& rate = g.parts.rz[g.unit.column(i)];
   std::vector<T> coupled;
   for (std::size_t q = 0; q < g.equations.size(); ++q) {
     coupled.push_back(dot(seen_below, g.parts.partial[q][below]) + half * rate[q]);
+    if (s.system().scribe.has_details())
+      s.system().scribe.detail(coupled.back(), "H_", s.system().topology.bodies[i].coordinate, "_",
+                               g.parts.directions[q]);
     for (std::size_t d = 0; d <= q; ++d)
       g.equations.mass[q][d] = g.equations.mass[q][d] + (rate[q] * coupled[d] + rate[d] * coupled[q]);
     subtree.momentum[q] = subtree.momentum[q] + rate[q] * seen_below;
@@ -159,21 +176,30 @@ void gather_outer_arm(RecursionState<T>& s, BlockGathering<T>& g, const JointSte
   const Vector<T> place = joint_offset(system, i);
   const Vector<T> turning = transposed_times(axes, g.turning + g.parts.velocity[below].angular);
   const Vector<T> w = s.velocity[i] * arm.axis, alpha = g.parts.zdd_star[g.unit.column(i)] * arm.axis;
-  const Spatial<T> needed = field_force(arm.rigid, Vector<T>{}, own_field(turning + turning, w, alpha));
+  const Matrix<T> field = own_field(turning + turning, w, alpha);
+  detail_name(system.scribe, field, "Gown_", system.body_name(i));
+  const Spatial<T> needed = field_force(arm.rigid, Vector<T>{}, field);
+  detail_name(system.scribe, needed, "f", "n", system.body_name(i));
+  const PseudoInertia<T> share = shifted(place, arm.rigid);
+  detail_inertia(system.scribe, share, "hp_", "Kp_", "Ip_", system.body_name(i));
   OuterArms<T>& arms = g.arms[below];
   arms.is_empty = false;
-  arms.rigid = arms.rigid + shifted(place, arm.rigid);
+  arms.rigid = arms.rigid + share;
   arms.needed = arms.needed + shifted(place, needed);
 
   const Spatial<T> carried = acceleration_of(s, g, below, Vector<T>{});
   const Matrix<T> gradient = acceleration_gradient(turning, transposed_times(axes, carried.angular));
+  detail_name(system.scribe, turning, "w_", system.body_name(below), "_in_own_axes");
+  detail_name(system.scribe, gradient, "G_", system.body_name(below), "_in_own_axes");
   const Spatial<T> as_part =
       field_force(arm.rigid, transposed_times(axes, carried.linear) + gradient * place, gradient);
   const Spatial<T>& applied = s.composite[i].needed;  // in the base's axes
   const T torque = dot(arm.axis, needed.angular + as_part.angular) + dot(s.k().axis[i], applied.angular);
   g.subtree[below].needed = g.subtree[below].needed + shifted(s.work.offset[i], applied);
-  project_joint(g, i, below, rotated(axes, shifted(place, arm.momentum)), T(0.5) * dot(arm.axis, arm.momentum.angular),
-                torque);
+  const Spatial<T> momentum = rotated(axes, shifted(place, arm.momentum));
+  detail_name(system.scribe, momentum, "F", "N", system.topology.bodies[i].coordinate);
+  system.scribe.detail(torque, "n_", system.topology.bodies[i].coordinate);
+  project_joint(s, g, i, below, momentum, T(0.5) * dot(arm.axis, arm.momentum.angular), torque);
 }
 
 /// Whether a run is an arm of its base: a body by one revolute joint that carries no unit but rotors.
@@ -205,10 +231,14 @@ void eliminate_arm_run(RecursionState<T>& s, std::size_t u) {
   const Spatial<T> as_part = field_force(arm.rigid, turning_field * place, turning_field);
   equations.mass = {{dot(arm.axis, arm.momentum.angular)}};
   equations.momentum = {shifted(place, arm.momentum)};
+  detail_name(s.system().scribe, needed, "f", "n", s.system().body_name(e));
+  detail_name(s.system().scribe, equations.momentum[0], "F", "N", s.system().topology.bodies[e].coordinate);
+  const PseudoInertia<T> share = shifted(place, arm.rigid);
+  detail_inertia(s.system().scribe, share, "hp_", "Kp_", "Ip_", s.system().body_name(e));
   equations.force = {s.force[e] - dot(arm.axis, needed.angular + as_part.angular)};
   eliminate(equations);
   CompositeBody<T>& below = s.composite[unit.base];
-  below.rigid = below.rigid + shifted(place, arm.rigid);
+  below.rigid = below.rigid + share;
   below.needed = below.needed + shifted(place, needed);
   reduce(equations, below.reduced, below.needed);
 }

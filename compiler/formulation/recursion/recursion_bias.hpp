@@ -2,7 +2,7 @@
 // Recursive form, on the way out: constants, velocities (step 4), accelerations at zero free ones, motion per free
 // direction (steps 3 and 6).
 
-#include "compiler/formulation/recursion/recursion_state.hpp"
+#include "compiler/formulation/recursion/recursion_names.hpp"
 
 namespace mbgen::detail {
 
@@ -52,6 +52,7 @@ void set_constants(RecursionState<T>& s) {
     name_constant(system.scribe, s.constant[i].second, "K_", body);
     system.scribe.constant(s.constant[i].trace, "K_", body, "_trace");
     system.scribe.constant(s.polar[i], "I_", body, "_polar");
+    detail_inertia_about_origin(s, i);
   }
 }
 
@@ -71,6 +72,7 @@ void set_velocities(RecursionState<T>& s) {
       for (const JointStep& step : unit.steps) {
         const int i = step.body();
         const auto of_body = within_body(system.scribe, i);
+        detail_name(system.scribe, s.blocks[u].velocity[i], "vb", "wb", system.body_name(i));
         s.omega[i] = base + s.blocks[u].velocity[i].angular;
         if (s.work.own(i)) s.omega[i] = transposed_times(s.k().orientation[i], s.omega[i]);
         name(system.scribe, s.omega[i], "w_", system.body_name(i));
@@ -91,6 +93,8 @@ void set_run_bias(RecursionState<T>& s, std::size_t u) {
   RunParts<T>& run = s.runs[u];
   const Matrix<T> base_gradient = acceleration_gradient(s.omega_of(unit.base), Vector<T>{});
   run.carried = base_gradient * s.from_base(unit, unit.end());
+  detail_name(s.system().scribe, base_gradient, "G_", s.system().body_name(unit.end()), "_base");
+  detail_name(s.system().scribe, run.carried, "a_", s.system().body_name(unit.end()), "_carried");
   Vector<T> turning = run.before;
   for (const JointStep& step : unit.steps) {
     const Vector<T>& pin = s.k().pin[step.joints[0]];
@@ -114,6 +118,8 @@ void set_run_bias(RecursionState<T>& s, std::size_t u) {
     for (std::size_t c = 0; c < step.joints.size(); ++c) {
       const Vector<T> axis = step.quasi() ? axes[c] : s.k().axis[step.joints[0]];
       run.directions.push_back(joint_column(step.revolute, axis, pin));
+      detail_name(s.system().scribe, run.directions.back(), "v", "w", s.system().body_name(unit.end()), "_per_",
+                  s.system().topology.bodies[step.joints[c]].coordinate);
       run.columns.push_back(step.joints[c]);
     }
   }

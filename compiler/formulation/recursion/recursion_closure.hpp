@@ -108,6 +108,33 @@ NearEnd<T> near_end(const RecursionWork<T>& work, const RecursionUnit& unit, con
   return {place.body, arm, work.origin(place.body) + arm, velocity[place.body], bias[place.body]};
 }
 
+/// Names the two ends of a loop in programs for reading.
+template <class T>
+void detail_ends(const System<T>& system, const Loop& loop, const NearEnd<T>& from, const NearEnd<T>& to) {
+  Scribe<T>& scribe = system.scribe;
+  if (!scribe.has_details()) return;
+  for (const auto& [end, which] : {std::pair(&from, "_from"), std::pair(&to, "_to")}) {
+    detail_name(scribe, end->arm, "arm_", loop.name, which);
+    detail_name(scribe, end->place, "place_", loop.name, which);
+    detail_name(scribe, cross(end->velocity.angular, end->arm), "varm_", loop.name, which);
+    detail_name(scribe, end->point_velocity(), "v_", loop.name, which);
+    detail_name(scribe, end->point_acceleration(), "a0_", loop.name, which);
+  }
+  detail_name(scribe, from.place - to.place, "gap_", loop.name);
+  detail_name(scribe, from.point_velocity() - to.point_velocity(), "vgap_", loop.name);
+  detail_name(scribe, from.point_acceleration() - to.point_acceleration(), "a0gap_", loop.name);
+}
+
+/// Names the wrench of a closure's row in programs for reading.
+template <class T>
+void detail_wrench(const System<T>& system, const Loop& loop, int number, const NearRow<T>& row) {
+  if (!system.scribe.has_details()) return;
+  const std::string name = loop.equations > 1 ? loop.name + "_" + std::to_string(number) : loop.name;
+  detail_name(system.scribe, row.force, "along_", name);
+  detail_name(system.scribe, row.moment_from, "lever_", name, "_from");
+  detail_name(system.scribe, row.moment_to, "lever_", name, "_to");
+}
+
 template <class T>
 std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionUnit& unit,
                                   const PerBody<Spatial<T>>& velocity, const PerBody<BodyAcceleration<T>>& bias,
@@ -117,7 +144,9 @@ std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionU
   if (loop.kind == ClosureKind::rod) {
     const RodConstants<T>& rod = system.constants.rods[loop.rod];
     const T length = length_of(system, loop);
-    NearRow<T> row = distance(end(rod.from), end(rod.to), length, by);
+    const NearEnd<T> from = end(rod.from), to = end(rod.to);
+    detail_ends(system, loop, from, to);
+    NearRow<T> row = distance(from, to, length, by);
     if (loop.length >= 0) {
       const T square = system.zd(loop.length) * system.zd(loop.length);
       row.acceleration = row.acceleration - (by == Columns::rates ? square / length : square);
@@ -127,6 +156,7 @@ std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionU
   const Joint& joint = system.model.joints[loop.joint];
   const auto at = [&](const Attachment& a) { return end(place_of(system, a)); };
   const NearEnd<T> from = at(joint.from), to = at(joint.to);
+  detail_ends(system, loop, from, to);
   const auto triad_at = [&](int body, const Triad& t) {
     const Matrix<T> axes = body == unit.base ? identity<T>() : work.k.orientation[body];
     return Matrix<T>{axes * constant<T>(t.first), axes * constant<T>(t.second), axes * constant<T>(t.axis)};
@@ -175,6 +205,7 @@ SparseClosure<T> near_closure(const RecursionWork<T>& work, const RecursionUnit&
       continue;
     }
     const auto heading = within_loop(work.system.scribe, l);
+    int number = 0;
     for (const detail::NearRow<T>& row : detail::near_rows(work, unit, velocity, bias, loop, by)) {
       std::map<int, T> columns;
       detail::add_columns(work, unit, loop, loop.body_from, row.force, row.moment_from, 1.0, by, columns);
@@ -184,6 +215,8 @@ SparseClosure<T> near_closure(const RecursionWork<T>& work, const RecursionUnit&
             by == Columns::rates ? T(-1.0) : -detail::length_of(work.system, loop);
       SparseRow<T> entries;
       for (const auto& [column, value] : columns) entries.push_back(column, value);
+      detail::detail_row(work.system, loop, unit.joints, number, entries, row.acceleration, row.residual);
+      detail::detail_wrench(work.system, loop, number++, row);
       result.jacobian.push_back(std::move(entries));
       result.acceleration.push_back(-row.acceleration);
       result.residual.push_back(row.residual);

@@ -21,11 +21,14 @@ struct UnitEquations {
 
 /// Eliminates in place (theory.md section 4). rounding: of the diagonals; none in a tree, where nothing cancels.
 template <class T>
-void eliminate(UnitEquations<T>& u, double rounding = 0) {
-  EliminatedPivots<T> pivots = eliminate(u.mass, rounding, [&](std::size_t a, const T& factor, std::size_t q) {
-    u.momentum[a] = u.momentum[a] - factor * u.momentum[q];
-    u.force[a] = u.force[a] - factor * u.force[q];
-  });
+void eliminate(UnitEquations<T>& u, const T& rounding = T(0.0), const T& lost = T(kLostByElimination)) {
+  EliminatedPivots<T> pivots = eliminate(
+      u.mass, rounding,
+      [&](std::size_t a, const T& factor, std::size_t q) {
+        u.momentum[a] = u.momentum[a] - factor * u.momentum[q];
+        u.force[a] = u.force[a] - factor * u.force[q];
+      },
+      lost);
   u.reciprocal = std::move(pivots.reciprocal);
   u.inertia = std::move(pivots.inertia);
 }

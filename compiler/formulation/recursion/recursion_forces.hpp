@@ -65,6 +65,7 @@ GatheredForces<T> gathered_forces(System<T>& system, const Kinematics<T>& k, con
       for (int j : detail::chain_of(topology, system.layout, i)) take(j, k.pin[j]);
       start = layout.chain_start;
     }
+    detail_name(system.scribe, whole, "fc", "nc", system.body_name(i));
     if (layout.own_frame) whole = rotated(k.orientation[i], whole);
     if (layout.chain_start < 0) take(i, {});
     const int p = topology.bodies[start].parent;

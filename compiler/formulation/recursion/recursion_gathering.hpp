@@ -22,7 +22,10 @@ void gather_in_subtree(RecursionState<T>& s, BlockGathering<T>& g, const JointSt
   subtree.is_empty = false;
   subtree.inertia = subtree.inertia + shifted(offset, whole);
   subtree.needed = subtree.needed + shifted(offset, needed);
-  project_joint(g, i, below, shifted(offset, momentum), T(0.5) * dot(b, momentum), dot(b, needed));
+  detail_inertia(s.system().scribe, whole, "hc_", "Kc_", "Ic_", s.system().body_name(i));
+  detail_name(s.system().scribe, needed, "fc", "nc", s.system().body_name(i));
+  detail_name(s.system().scribe, momentum, "F", "N", s.system().topology.bodies[i].coordinate);
+  project_joint(s, g, i, below, shifted(offset, momentum), T(0.5) * dot(b, momentum), dot(b, needed));
   for (std::size_t q = 0; q < g.subtree[i].momentum.size(); ++q)
     subtree.momentum[q] = subtree.momentum[q] + shifted(offset, g.subtree[i].momentum[q]);
 }
@@ -43,29 +46,33 @@ void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
     body.needed = shifted(-arm, body.needed);
   }
   const Vector<T> place = s.k().position[i] + arm;
+  detail_name(s.system().scribe, arm, "arm_", s.system().body_name(i), "_com");
+  detail_name(s.system().scribe, place, "r_", s.system().body_name(i), "_com");
   const PseudoInertia<T> whole = body.rigid + body.above + subtree.inertia;
   g.base.reduced = g.base.reduced + shifted(place, body.reduced);
   for (std::size_t q = 0; q < subtree.momentum.size(); ++q)
     g.equations.momentum[q] = g.equations.momentum[q] + shifted(place, subtree.momentum[q]);
   if (turns_in_plane(s, g, i)) {
     const NeededInPlane<T> parts = needed_in_plane(s, g, i, body, arm);
-    const Spatial<T> needed = parts.own + subtree.needed;
+    const Spatial<T> needed = parts.own + subtree.needed, with_part = needed + parts.as_part;
     g.base.rigid = g.base.rigid + shifted(place, body.rigid);
     g.base.above = g.base.above + shifted(place, body.above);
     g.base.needed = g.base.needed + shifted(place, needed);
-    add_to_equations(g, i, arm, place, whole, body.reduced, needed + parts.as_part);
+    detail_name(s.system().scribe, with_part, "fc", "nc", s.system().body_name(i));
+    add_to_equations(s, g, i, arm, place, whole, body.reduced, with_part);
     return;
   }
   const Spatial<T> needed = needed_of(s, g, i, body, arm) + subtree.needed;
   g.base.above = g.base.above + shifted(place, whole);
   g.base.needed = g.base.needed + shifted(place, needed);
-  add_to_equations(g, i, arm, place, whole, body.reduced, needed);
+  detail_name(s.system().scribe, needed, "fc", "nc", s.system().body_name(i));
+  add_to_equations(s, g, i, arm, place, whole, body.reduced, needed);
 }
 
 /// Share of a rod's mass beyond two point masses m/2: -m/6 times the kinetic energy of the difference of its ends. It
 /// has no momentum in a translation, and the pseudo-inertia -m/6 d d'.
 template <class T>
-void gather_rod(RecursionState<T>& s, BlockGathering<T>& g, const RodConstants<T>& rod) {
+void gather_rod(RecursionState<T>& s, BlockGathering<T>& g, const std::string& name, const RodConstants<T>& rod) {
   const auto end = [&](const Place<T>& at) { return near_end(s.work, g.unit, g.parts.velocity, g.parts.bias, at); };
   const NearEnd<T> from = end(rod.from), to = end(rod.to);
   const auto moved = [&](const PerBody<Spatial<T>>& motion) {
@@ -83,6 +90,13 @@ void gather_rod(RecursionState<T>& s, BlockGathering<T>& g, const RodConstants<T
   g.base.needed.angular = g.base.needed.angular + cross(gap, force);
   std::vector<Vector<T>> partial;
   for (const PerBody<Spatial<T>>& motion : g.parts.partial) partial.push_back(moved(motion));
+  Scribe<T>& scribe = s.system().scribe;
+  detail_name(scribe, scaled_gap, "mgap_", name);
+  detail_name(scribe, rate, "vgap_", name);
+  detail_name(scribe, own, "a0gap_", name, "_whole");
+  detail_name(scribe, force, "f_", name);
+  for (std::size_t q = 0; scribe.has_details() && q < partial.size(); ++q)
+    detail_name(scribe, partial[q], "v_", name, "_per_", g.parts.directions[q]);
   for (std::size_t q = 0; q < partial.size(); ++q) {
     for (std::size_t d = 0; d <= q; ++d)
       g.equations.mass[q][d] = g.equations.mass[q][d] + mass * dot(partial[q], partial[d]);
@@ -97,6 +111,10 @@ CompositeBody<T> gather_block(RecursionState<T>& s, std::size_t u) {
   const System<T>& system = s.system();
   const RecursionUnit& unit = s.units()[u];
   BlockGathering<T> g = block_gathering(s, u);
+  if (unit.base != kGround) {
+    detail_name(system.scribe, g.twice, "twice_w_", system.body_name(unit.base));
+    detail_name(system.scribe, g.turning_field, "G_", system.body_name(unit.base));
+  }
   start_equations(s, g);
   for (auto step = unit.steps.rbegin(); step != unit.steps.rend(); ++step) {
     const auto heading = within_body(system.scribe, step->body());
@@ -110,7 +128,9 @@ CompositeBody<T> gather_block(RecursionState<T>& s, std::size_t u) {
       gather_body(s, g, step->body());
   }
   each_coupling_rod(system, system.topology.blocks[unit.block],
-                    [&](const Rod&, const RodConstants<T>& rod) { gather_rod(s, g, rod); });
+                    [&](const Rod& of_model, const RodConstants<T>& rod) { gather_rod(s, g, of_model.name, rod); });
+  detail_equations(s, g.parts.directions, g.equations);
+  detail_share(s, unit, g.base);
   return g.base;
 }
 
@@ -127,14 +147,22 @@ void gather_run(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equations
   const RecursionUnit& unit = s.units()[u];
   const RunParts<T>& run = s.runs[u];
   const CompositeBody<T>& body = s.composite[unit.end()];
-  inertia = articulated(body.rigid + body.above) + body.reduced;
+  const PseudoInertia<T> whole = body.rigid + body.above;
+  inertia = articulated(whole) + body.reduced;
   needed = body.needed + turning_force(s, unit.end()) + inertia * run.bias;
+  Scribe<T>& scribe = s.system().scribe;
+  const std::string& name_of_end = s.system().body_name(unit.end());
+  detail_inertia(scribe, whole, "hc_", "Kc_", "Ic_", name_of_end);
+  detail_articulated(scribe, inertia, name_of_end);
+  detail_name(scribe, needed, "fc", "nc", name_of_end);
+  detail_run_bias(s, u);
   for (std::size_t q = 0; q < run.directions.size(); ++q) {
     equations.momentum.push_back(inertia * run.directions[q]);
     equations.mass.emplace_back();
     for (std::size_t d = 0; d <= q; ++d) equations.mass[q].push_back(dot(run.directions[d], equations.momentum[q]));
     equations.force.push_back(s.force[run.columns[q]] - dot(run.directions[q], needed));
   }
+  if (scribe.has_details()) detail_equations(s, directions_of(s, run), equations);
 }
 
 /// Unit motions of a free run's end about its origin, in the order of its steps.
@@ -154,7 +182,8 @@ void gather_free(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equation
   const RecursionUnit& unit = s.units()[u];
   const CompositeBody<T>& body = s.composite[unit.end()];
   const RunParts<T>& run = s.runs[u];
-  const ArticulatedInertia<T> inertia = articulated(body.rigid + body.above) + body.reduced;
+  const PseudoInertia<T> whole = body.rigid + body.above;
+  const ArticulatedInertia<T> inertia = articulated(whole) + body.reduced;
   // directions: pin x e for turns, so forces at the origin follow from those on the quasi-velocities
   Vector<T> push, turn;
   for (std::size_t q = 0; q < 6; ++q) {
@@ -166,6 +195,10 @@ void gather_free(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equation
   const Vector<T>& pin = s.k().pin[(unit.steps[0].revolute ? unit.steps[0] : unit.steps[1]).joints[0]];
   transmitted = {push, turn + cross(pin, push)};
   const Spatial<T> available = transmitted - (body.needed + turning_force(s, unit.end()));
+  const std::string& name_of_end = s.system().body_name(unit.end());
+  detail_inertia(s.system().scribe, whole, "hc_", "Kc_", "Ic_", name_of_end);
+  detail_articulated(s.system().scribe, inertia, name_of_end);
+  detail_name(s.system().scribe, available, "fc", "nc", name_of_end);
   const std::vector<Spatial<T>> units = unit_motions<T>(unit);
   for (std::size_t q = 0; q < units.size(); ++q) {
     const Spatial<T> momentum = inertia * units[q];
@@ -186,6 +219,11 @@ void hand_down(RecursionState<T>& s, std::size_t u, const ArticulatedInertia<T>&
   const Vector<T> place = s.from_base(unit, unit.end());
   const ArticulatedInertia<T> left = rotated(axes, inertia);
   const Spatial<T> force = rotated(axes, needed) + left * Spatial<T>{s.runs[u].carried, {}};
+  Scribe<T>& scribe = s.system().scribe;
+  const std::string& name_of_end = s.system().body_name(unit.end());
+  detail_articulated(scribe, inertia, name_of_end, "_left");
+  detail_articulated(scribe, left, name_of_end, "_down");
+  detail_name(scribe, force, "f", "n", name_of_end, "_down");
   CompositeBody<T>& below = s.composite[unit.base];
   below.reduced = below.reduced + shifted(place, left);
   below.needed = below.needed + shifted(place, force);

@@ -113,6 +113,24 @@ PseudoInertia<T> centred(const PseudoInertia<T>& m) {
   return pseudo_inertia(m.mass, Vector<T>{}, entries_without_noise(m.second + square(-m.mass, com), m.trace));
 }
 
+/// J about the origin: tr(K) I - K by a trace that is a constant, else by sums of two entries.
+template <class T>
+Symmetric<T> inertia_matrix(const PseudoInertia<T>& m) {
+  const Symmetric<T>& k = m.second;
+  if (known_size(m.trace) > 0) return {m.trace - k.xx, m.trace - k.yy, m.trace - k.zz, -k.xy, -k.xz, -k.yz};
+  return {k.yy + k.zz, k.xx + k.zz, k.xx + k.yy, -k.xy, -k.xz, -k.yz};
+}
+
+/// Names the entries of a rigid inertia in programs for reading: first moments, second moments, and J.
+template <class T, class... Parts>
+void detail_inertia(Scribe<T>& scribe, const PseudoInertia<T>& m, const char* h, const char* k, const char* j,
+                    const Parts&... parts) {
+  if (!scribe.has_details()) return;
+  detail_name(scribe, m.moment, h, parts...);
+  detail_name(scribe, m.second, k, parts...);
+  detail_name(scribe, inertia_matrix(m), j, parts...);
+}
+
 /// lambda 1 + delta u u', the second moments about the centre of mass of a body that is symmetric about u.
 template <class T>
 struct AxialMoments {
@@ -141,11 +159,18 @@ bool turns_in_a_plane(const Matrix<T>& r) {
   return is_coordinate_axis(rows.x) || is_coordinate_axis(rows.y) || is_coordinate_axis(rows.z);
 }
 
+/// No names for the moments of a symmetric body.
+struct UnnamedMoments {
+  template <class... Anything>
+  void operator()(const Anything&...) const {}
+};
+
 /// A constant inertia rotated by r. For a body with an axis of symmetry through its centre of mass only this axis and
 /// the centre are rotated: K = lambda 1 + delta u u' + m c c'. axis: of the body's joint, in the body and at present; a
 /// rotation in a plane takes fewer operations on K if the axis of symmetry is another one.
-template <class T>
-PseudoInertia<T> turned(const Matrix<T>& r, const Vector3& axis, const Vector<T>& axis_now, const PseudoInertia<T>& m) {
+template <class T, class Names = UnnamedMoments>
+PseudoInertia<T> turned(const Matrix<T>& r, const Vector3& axis, const Vector<T>& axis_now, const PseudoInertia<T>& m,
+                        const Names& name_moments = {}) {
   if (is_zero(m.mass) || !(known_size(m.trace) > 0)) return rotated(r, m);
   const PseudoInertia<T> central = centred(m);
   const Matrix<T> e = identity<T>();
@@ -154,7 +179,9 @@ PseudoInertia<T> turned(const Matrix<T>& r, const Vector3& axis, const Vector<T>
   for (const auto& [own, u] : candidates) {
     const std::optional<AxialMoments<T>> form = axial_moments(central, own);
     if (!form) continue;
-    const Vector<T> moment = r * m.moment, com = (T(1.0) / m.mass) * moment, scaled = form->delta * u;
+    const T reciprocal = T(1.0) / m.mass;
+    name_moments(form->lambda, form->delta, reciprocal);
+    const Vector<T> moment = r * m.moment, com = reciprocal * moment, scaled = form->delta * u;
     const T xx = form->lambda + scaled.x * u.x + moment.x * com.x;
     const T xy = scaled.x * u.y + moment.x * com.y, xz = scaled.x * u.z + moment.x * com.z,
             yz = scaled.y * u.z + moment.y * com.z;
@@ -166,14 +193,6 @@ PseudoInertia<T> turned(const Matrix<T>& r, const Vector3& axis, const Vector<T>
     return {m.mass, moment, {xx, (m.trace - zz) - xx, zz, xy, xz, yz}, m.trace};
   }
   return rotated(r, m);
-}
-
-/// J about the origin: tr(K) I - K by a trace that is a constant, else by sums of two entries.
-template <class T>
-Symmetric<T> inertia_matrix(const PseudoInertia<T>& m) {
-  const Symmetric<T>& k = m.second;
-  if (known_size(m.trace) > 0) return {m.trace - k.xx, m.trace - k.yy, m.trace - k.zz, -k.xy, -k.xz, -k.yz};
-  return {k.yy + k.zz, k.xx + k.zz, k.xx + k.yy, -k.xy, -k.xz, -k.yz};
 }
 
 /// Momentum about the origin of a motion about the origin.

@@ -47,6 +47,19 @@ QuasiAxes<T> quasi_axes(const System<T>& system, const Kinematics<T>& k, const J
   return q;
 }
 
+/// Names the exchange of joint rates and quasi-velocities in programs for reading.
+template <class T>
+void detail_quasi_axes(const System<T>& system, const JointStep& step, const QuasiAxes<T>& q) {
+  if (!system.scribe.has_details()) return;
+  system.scribe.detail(q.volume, "volume_", system.body_name(step.body()));
+  system.scribe.detail(T(1.0) / q.volume, "per_volume_", system.body_name(step.body()));
+  for (int c = 0; c < 3; ++c) {
+    const std::string& coordinate = system.topology.bodies[step.joints[c]].coordinate;
+    detail_name(system.scribe, q.axis[c], "axis_", coordinate);
+    detail_name(system.scribe, q.dual[c], "dual_", coordinate);
+  }
+}
+
 template <class T>
 RecursionWork<T> recursion_work(System<T>& system, const Recursion& recursion, const Kinematics<T>& k) {
   const auto poses = system.scribe.step(Step::inertias);
@@ -61,10 +74,12 @@ RecursionWork<T> recursion_work(System<T>& system, const Recursion& recursion, c
       work.step[body] = &step;
       const auto heading = within_body(system.scribe, body);
       if (step.quasi()) work.quasi[body] = quasi_axes(system, k, step);
+      if (step.quasi()) detail_quasi_axes(system, step, work.quasi[body]);
       if (unit.block < 0) continue;
       const Matrix<T> axes = p == unit.base ? identity<T>() : k.orientation[p];
       work.offset[body] = axes * joint_offset(system, first);
       if (!step.revolute) work.offset[body] = work.offset[body] + system.z(first) * k.axis[first];
+      detail_name(system.scribe, work.offset[body], "offset_", system.body_name(body));
     }
   return work;
 }
@@ -223,6 +238,9 @@ PerBody<BodyAcceleration<T>> block_bias(const RecursionWork<T>& work, const Recu
         b.linear = b.linear + coriolis + coriolis;
     }
     if (step.revolute) b.gradient = acceleration_gradient(velocity[body].angular, b.angular);
+    detail_name(work.system.scribe, b.linear, "abias_", work.system.body_name(body));
+    detail_name(work.system.scribe, b.angular, "alphabias_", work.system.body_name(body));
+    detail_name(work.system.scribe, b.gradient, "Gbias_", work.system.body_name(body));
     bias[body] = b;
   }
   return bias;

@@ -1,6 +1,7 @@
 #pragma once
 // Data that the passes of the recursive form share, and their results.
 
+#include <string>
 #include <variant>
 
 #include "compiler/formulation/driven.hpp"
@@ -55,6 +56,7 @@ struct OpenedJoint {
 /// Values of a block that its solution needs on the way back.
 template <class T>
 struct BlockParts {
+  std::vector<std::string> directions;         ///< names of the free directions, in programs for reading
   const GroupProjection<T>* chosen = nullptr;  ///< the projection over joint rates, where it was chosen at run time
   FrozenFactors<T> factors;
   std::vector<std::vector<T>> rz;
@@ -110,7 +112,15 @@ struct RecursionState {
   }
   /// An inertia given in the axes of a body, in the axes of its base frame.
   PseudoInertia<T> in_base_axes(int body, const PseudoInertia<T>& m) const {
-    return turned(k().orientation[body], system().topology.bodies[body].axis, k().axis[body], m);
+    const std::string& name = system().body_name(body);
+    const PseudoInertia<T> now = turned(k().orientation[body], system().topology.bodies[body].axis, k().axis[body], m,
+                                        [&](const T& across, const T& along, const T& reciprocal) {
+                                          system().scribe.detail(across, "Kacross_", name);
+                                          system().scribe.detail(along, "Kalong_", name);
+                                          system().scribe.detail(reciprocal, "per_m_", name);
+                                        });
+    detail_inertia(system().scribe, now, "hb_", "Kb_", "Ib_", name);
+    return now;
   }
   const Vector<T> omega_of(int body) const { return body == kGround ? Vector<T>{} : omega[body]; }
 };

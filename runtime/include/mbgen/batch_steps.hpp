@@ -117,7 +117,7 @@ LaneStatuses<W> with_turns_of_lanes(LaneStatuses<W> statuses, const typename Sys
 inline bool is_step(double h) noexcept { return integrator_detail::check_step(h).ok(); }
 
 /// One step by the classical Runge-Kutta method, as step_rk4. result: a copy of the state. look: (good lanes, result)
-/// -> those that stay, see look_at_ways. Result: the good lanes. Requires: is_step(h).
+/// -> the lanes that stay, see look_at_ways. Result: the good lanes. Requires: is_step(h).
 template <class System, class Look>
 typename System::Mask step_lanes_rk4(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
                                      const typename System::State& state, double h, typename System::State& result,

@@ -252,7 +252,7 @@ Status notice_at(const typename System::Parameters& parameters, const typename S
       const BlockLayout& block = System::kBlockLayout[b];
       const LoopFactorsOf<RealOf<System>> loop = factors.factors_of(b, terms);
       if (loop.rank < block.rank) return {Code::loop_singular, b};
-      notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), pivot[b]));
+      notice = graver(notice, notice_of(b, block.pivot, smallest_pivot(loop), pivot[b]));
     }
   } else {
     notice = frozen_status<System>(pivot);

@@ -30,7 +30,7 @@ struct SolverTable {
   int drives;             ///< one per motion
   int closure_equations;  ///< position residuals
   int loop_blocks;
-  long history_bytes;  ///< size of the buffer that start_abm4 and step_abm4 work on, alignment that of double
+  long history_bytes;  ///< size of the buffer that start_abm4 and step_abm4 work on, aligned as a double
 
   const double* default_parameters;
   const double* default_inputs;

@@ -357,7 +357,7 @@ bool rates_differ(const typename Model::Derivative& a, const typename Model::Der
 /// Accepts the values set in an event; on failure the run is unchanged. has_changed: the states now belong to other
 /// coordinates, or are other angles, or their rates have jumped with sampled values: integrators restart.
 template <class Model>
-Answer settle(Core<Model>& core, bool& has_changed) noexcept {
+Answer end_event(Core<Model>& core, bool& has_changed) noexcept {
   has_changed = false;
   if (const Answer answer = check_event(core); answer != Answer::ok) return answer;
   if (!solve(core)) return Answer::discard;

@@ -108,16 +108,16 @@ Status runge_kutta(const System& system, const typename System::State& start, co
   if (!Care::goes_on(status)) return status;
   advance<System>(start, {0.5 * h}, {&second}, result);
   status = Care::rates(system, result, h, third);
-  met = more_telling(met, status);
+  met = graver(met, status);
   if (!Care::goes_on(status)) return status;
   result.t = start.t + h;
   advance<System>(start, {h}, {&third}, result);
   status = Care::rates(system, result, h, fourth);
-  met = more_telling(met, status);
+  met = graver(met, status);
   if (!Care::goes_on(status)) return status;
   advance<System>(start, {h / 6, h / 3, h / 3, h / 6}, {&first, &second, &third, &fourth}, result);
   status = finish<Care>(system, h, result);
-  return status.ok() ? more_telling(met, status) : status;
+  return status.ok() ? graver(met, status) : status;
 }
 
 /// The last four rates, the newest first.
@@ -136,7 +136,7 @@ Status predict_correct(const System& system, const typename System::State& start
   if (!Care::goes_on(met)) return met;
   advance<System>(start, {9 * c, 19 * c, -5 * c, c}, {&predicted, r[0], r[1], r[2]}, result);
   const Status status = finish<Care>(system, h, result);
-  return status.ok() ? more_telling(met, status) : status;
+  return status.ok() ? graver(met, status) : status;
 }
 
 /// One step with four evaluations to `result`, a copy of the state.
@@ -147,7 +147,7 @@ Status try_rk4(const System& system, const typename System::State& state, double
   const Status met = Care::rates(system, state, h, first);
   if (!Care::goes_on(met)) return met;
   const Status status = runge_kutta<Care>(system, state, first, h, result);
-  return status.ok() ? more_telling(met, status) : status;
+  return status.ok() ? graver(met, status) : status;
 }
 
 /// One step from four known past rates, else by Runge-Kutta, to `result`, a copy of the state. known: number of past
@@ -163,10 +163,10 @@ Status try_abm4(const System& system, const typename System::State& state, const
   }
   Status status = known == 4 ? predict_correct<Care>(system, state, past, h, result)
                              : runge_kutta<Care>(system, state, *past[0], h, result);
-  met = more_telling(met, status);
+  met = graver(met, status);
   if (!Care::goes_on(status)) return status;
   status = Care::rates(system, result, h, next);
-  return status.ok() ? more_telling(met, status) : status;
+  return status.ok() ? graver(met, status) : status;
 }
 
 /// Takes a step of h seconds to `result` by attempt(care, result), which gets a copy of the state: first plainly, then
@@ -185,7 +185,7 @@ Status plainly_or_carefully(const System& system, const typename System::State& 
   if (!status.ok() || status.code == Code::singular_met) return status;
   using Real = WeightOf<decltype(System::State::z)>;
   const Status way = check_way(system, state, result, h, way_limits<Real>(most, careful));
-  return way.ok() ? more_telling(status, way) : way;
+  return way.ok() ? graver(status, way) : way;
 }
 
 /// Takes a step by `step` from the state with its charts settled; the state keeps its charts if the step fails.

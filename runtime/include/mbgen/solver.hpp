@@ -61,7 +61,7 @@ Status pivoted_accelerations(const typename System::Parameters& parameters, cons
     const BlockLayout& block = System::kBlockLayout[b];
     const LoopFactorsOf<RealOf<System>> loop = factors.factors_of(b, terms);
     if (loop.rank < block.rank) return {Code::loop_singular, b};
-    notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), frozen_pivot[b]));
+    notice = graver(notice, notice_of(b, block.pivot, smallest_pivot(loop), frozen_pivot[b]));
     RealOf<System>* zdd_star = projection.zdd_star + block.first_coordinate;
     for (int c = 0; c < block.coordinates; ++c) {
       const int place = block.first_coordinate + c;

@@ -80,7 +80,7 @@ struct Evaluations {
   }
 
   /// The widest turn of a coordinate from one instant of a step that is completed at `end` to the next, in the mean;
-  /// coordinate -1 where none is too wide. The turn is that of the slower end.
+  /// coordinate -1 where none is too wide. The turn is taken at the rate of the slower end.
   template <class IsRotation>
   Gap widest_in_mean(double end, const IsRotation& is_rotation) const noexcept {
     Gap result{start, end, instants == 2 ? kTurnOfTwo : kTurnOfOthers, -1};

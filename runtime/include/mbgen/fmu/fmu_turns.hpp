@@ -26,7 +26,7 @@ bool turn_matters(const Run<Model>& run, int coordinate) noexcept {
 /// Reports a coordinate that turns too far, once, and only if forces turn with it. A turn that does not matter now is
 /// tested again after twice as many turns. Result: whether it was reported.
 template <class Model>
-bool tell_of_turn(Core<Model>& core, int coordinate, const char* reason, double limit, double turn) noexcept {
+bool log_turn(Core<Model>& core, int coordinate, const char* reason, double limit, double turn) noexcept {
   const unsigned seen = ++core.turned;
   if ((seen & (seen - 1)) != 0 || !turn_matters(core.run, coordinate)) return false;
   constexpr unsigned kFirstPosition = kFirstInput<Model> + static_cast<unsigned>(Model::kInputs + Model::kOutputs);
@@ -42,7 +42,7 @@ Answer compare_turns(Core<Model>& core, double size) noexcept {
   for (int i = 0; i < Model::kCoordinates && !core.has_warned_of_turns; ++i) {
     const double turn = std::abs(core.run.state.zd[i]) * size;
     if (!(turn > Model::kLargestTurn) || !Model::is_rotation(i)) continue;
-    if (tell_of_turn(core, i,
+    if (log_turn(core, i,
                      "turns too far within a step inside, and forces turn with it; give the model a shorter step: the "
                      "method bears, in rad,",
                      Model::kLargestTurn, turn))
@@ -59,7 +59,7 @@ void compare_gaps(Core<Model>& core) noexcept {
   if (core.has_warned_of_turns) return;
   const Gap gap = core.evaluations.widest(core.run.state.t);
   if (gap.coordinate >= 0) {
-    tell_of_turn(core, gap.coordinate,
+    log_turn(core, gap.coordinate,
                  "turns too far between two evaluations of a completed step, and forces turn with it; take shorter "
                  "steps: methods of integration bear less than, in rad,",
                  kFarTurn, gap.turn);
@@ -68,7 +68,7 @@ void compare_gaps(Core<Model>& core) noexcept {
   const bool two = core.evaluations.instants == 2;
   const Gap mean = core.evaluations.widest_in_mean(core.run.state.t, [](int i) { return Model::is_rotation(i); });
   if (mean.coordinate < 0) return;
-  tell_of_turn(core, mean.coordinate,
+  log_turn(core, mean.coordinate,
                "turns far from one evaluation of a completed step to the next, in the mean, and forces turn with it; "
                "take shorter steps: methods with so few bear, in rad,",
                two ? kTurnOfTwo : kTurnOfOthers, mean.turn);

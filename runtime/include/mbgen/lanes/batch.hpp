@@ -3,8 +3,8 @@
 // function says which lanes are good: there the scalar solver would have gone the same way, with the same bits.
 // Numbers in the other lanes mean nothing; the caller solves them one by one.
 //
-// `System` is that of blocks.hpp with rows (rows.hpp) in place of doubles: Row, Mask, kLanes, kGroups, tables and types
-// as there. Its programs take structs of vectors, one a group, see run_groups; Parameters and Inputs are those of one
+// `System` is defined as in blocks.hpp, with rows (rows.hpp) in place of doubles: Row, Mask, kLanes, kGroups, tables
+// and types. Its programs take structs of vectors, one a group, see run_groups; Parameters and Inputs belong to one
 // group. Beyond it inputs_at(inputs, dt), the inputs of a group dt seconds later.
 
 #include <limits>

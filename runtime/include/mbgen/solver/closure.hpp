@@ -78,7 +78,7 @@ Status correct_closure(const typename System::Parameters& parameters, const type
     const BlockLayout& block = System::kBlockLayout[b];
     const LoopFactorsOf<RealOf<System>> loop = work.factors.factors_of(b, terms);
     if (loop.rank < block.rank) return {Code::loop_singular, b};
-    notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), closure.pivot[b]));
+    notice = graver(notice, notice_of(b, block.pivot, smallest_pivot(loop), closure.pivot[b]));
     if (replaced) correct_block<System, correction>(b, loop, terms, state, work, closure);
   }
   return notice;
@@ -100,7 +100,7 @@ Status correct_other_chart(const typename System::Parameters& parameters, const 
       const BlockLayout& block = System::kBlockLayout[b];
       const LoopFactorsOf<RealOf<System>> loop = work.factors.factors_of(b, terms);
       if (loop.rank < block.rank) return {Code::loop_singular, b};
-      notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), RealOf<System>(1)));
+      notice = graver(notice, notice_of(b, block.pivot, smallest_pivot(loop), RealOf<System>(1)));
       correct_block<System, correction>(b, loop, terms, state, work, closure);
     }
     return notice;
@@ -166,7 +166,7 @@ void apply_step(const typename System::Closure& closure, typename System::State&
 
 /// Puts driven coordinates where their motions are: a state that is closed within the tolerance is off by as much.
 template <class System>
-void settle_driven(const typename System::Closure& closure, typename System::State& state) noexcept {
+void move_driven(const typename System::Closure& closure, typename System::State& state) noexcept {
   for (int g = 0; g < System::kDrives; ++g) {
     state.z[System::kDriveCoordinate[g]] += closure.dz[System::kDriveCoordinate[g]];
   }
@@ -179,7 +179,7 @@ Status accept(const typename System::Closure& closure, typename System::State& t
   if (!(contradiction.size <= kRedundantTolerance<RealOf<System>>)) {
     return {Code::loop_not_closed, block_of<System>(contradiction.equation)};
   }
-  settle_driven<System>(closure, trial);
+  move_driven<System>(closure, trial);
   copy(closure.zd, trial.zd, System::kCoordinates);
   // A motion can have a velocity where it has no position: the square root of a constant input.
   if (std::isfinite(sum(trial.zd, System::kCoordinates) + sum(trial.z, System::kCoordinates))) return {};

@@ -92,25 +92,25 @@ Status try_rosenbrock(const System& system, const typename System::State& start,
   if (!Care::goes_on(met)) return met;
   StateRates<System> first, second, third, fourth;
   Status status = Care::rates(system, start, h, first);
-  met = more_telling(met, status);
+  met = graver(met, status);
   if (!Care::goes_on(status)) return status;
   solve_stage(system, tangents, kRosenbrockFactor * h, first);
   status = implicit_stage<Care, System>(system, tangents, start, kStage2, kCoupling2, {&first}, h, result, second);
-  met = more_telling(met, status);
+  met = graver(met, status);
   if (!Care::goes_on(status)) return status;
   status =
       implicit_stage<Care, System>(system, tangents, start, kStage3, kCoupling3, {&first, &second}, h, result, third);
-  met = more_telling(met, status);
+  met = graver(met, status);
   if (!Care::goes_on(status)) return status;
   status = implicit_stage<Care, System>(system, tangents, start, kStage4, kCoupling4, {&first, &second, &third}, h,
                                         result, fourth);
-  met = more_telling(met, status);
+  met = graver(met, status);
   if (!Care::goes_on(status)) return status;
   typename System::State last;
   copy_state(result, last);
   advance<System>(last, {1.0}, {&fourth}, result);
   status = finish<Care>(system, h, result);
-  return status.ok() ? more_telling(met, status) : status;
+  return status.ok() ? graver(met, status) : status;
 }
 
 }  // namespace integrator_detail

@@ -326,7 +326,7 @@ struct Careful {
     const Status status = close(system, closed, h, rates);
     if (!status.ok() || status.code == Code::singular_met) return status;
     const Status evaluated = evaluate(system, closed, rates);
-    return evaluated.ok() ? as_near(more_telling(status, evaluated)) : evaluated;
+    return evaluated.ok() ? as_near(graver(status, evaluated)) : evaluated;
   }
 };
 

@@ -242,7 +242,7 @@ struct TurningPatch {
 ///
 /// At rest the moment grows by limit / angle = turn_stiffness (Fz / turn_load)^(3/2) and reaches limit = turn_radius
 /// mu Fz sqrt(Fz / turn_load); in steady rolling turn / (1 - |turn| / angle) / length = -(d psi/dt) / V_c exactly. The
-/// length is about half that of the patch under turn_load. Below low_speed a term in d psi/dt that fades out with the
+/// length is about half the patch's under turn_load. Below low_speed a term in d psi/dt that fades out with the
 /// speed, and where the patch slides, damps it. load: N, of one tyre; rolling: 1, see Slip.
 /// Source: Pacejka (2012), equation (4.95) for the limit over the load (a patch whose length grows with the root of its
 /// load has the same exponent), (4.76) for the spin; Dahl as of `slip`.

@@ -1,4 +1,4 @@
-#include "compiler/formats/crg_wishes.hpp"
+#include "compiler/formats/crg_unsupported.hpp"
 
 #include <fmt/format.h>
 
@@ -103,7 +103,7 @@ void follow_options(RoadGrid& grid) {
   grid.smooth_end = std::max(0.0, value(options, "BORDER_SMOOTH_UEND"));
 }
 
-std::vector<std::string> not_followed(const CrgRoad& road) {
+std::vector<std::string> unsupported_options(const CrgRoad& road) {
   std::vector<std::string> list;
   const auto add = [&](const std::string& name, double number, std::string_view why) {
     list.push_back(fmt::format("{} = {:g}{}", name, number, why));

@@ -17,6 +17,6 @@ void follow_options(RoadGrid& grid);
 
 /// Modifiers and options that are not applied to a road, closed on request, one text each: "NAME = value", possibly
 /// with a reason.
-std::vector<std::string> not_followed(const CrgRoad& road);
+std::vector<std::string> unsupported_options(const CrgRoad& road);
 
 }  // namespace mbgen

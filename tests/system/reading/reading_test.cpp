@@ -1,0 +1,208 @@
+// The copy of a solver for reading: it computes the fast solver's accelerations, its headings stand in the order of the
+// paper's steps, and its values and numbers have names.
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "compiler/compile.hpp"
+#include "tests/support/compiled_solver.hpp"
+#include "tests/support/reference_support.hpp"
+
+namespace mbgen {
+namespace {
+
+using namespace test;
+using testing::reference_states;
+using testing::ReferenceState;
+
+/// Both copies are the same equations; sums in other orders cost some units in the last place, more by the condition of
+/// the closures.
+constexpr double kRounding = 1e-11;
+
+std::string path_of(const std::string& model) { return std::string(MBGEN_SOURCE_DIR) + "/models/" + model + ".json"; }
+
+Compilation compiled(const std::string& model, Spelling spelling, std::optional<Form> form = {}) {
+  Result<Compilation> compilation = compile(path_of(model), {.form = form, .spelling = spelling});
+  if (!compilation) throw std::runtime_error(to_text(compilation.problems()));
+  return std::move(*compilation);
+}
+
+std::string solver_text(const Compilation& compilation) {
+  for (const EmittedFile& file : emit(compilation, {.runtime_headers = false}))
+    if (file.path == solver_name(compilation.model) + ".cpp") return file.text;
+  return "";
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Values of a text, and how many of them have no name but a step and a number.
+struct Named {
+  int values = 0, unnamed = 0;
+};
+
+Named named_values(const std::string& text) {
+  static const std::regex kValue(R"(  const double (\w+) = .*)"), kUnnamed(R"(s\d+_\d+)");
+  Named named;
+  std::smatch match;
+  for (const std::string& line : lines_of(text)) {
+    if (!std::regex_match(line, match, kValue)) continue;
+    ++named.values;
+    named.unnamed += std::regex_match(match[1].str(), kUnnamed);
+  }
+  return named;
+}
+
+struct Case {
+  const char *model, *states;  ///< "" states: those of any_state
+  double most_unnamed;
+};
+
+void PrintTo(const Case& of, std::ostream* out) { *out << of.model; }
+
+class ReadingCopy : public ::testing::TestWithParam<Case> {};
+
+/// Accelerations of a solver at states of its coordinates.
+std::vector<std::vector<double>> accelerations_of(const SolverTable& table, const std::vector<ReferenceState>& states) {
+  std::vector<std::vector<double>> all;
+  for (const ReferenceState& at : states) {
+    std::vector<double> state(static_cast<std::size_t>(table.state_size)),
+        derivative(static_cast<std::size_t>(table.derivative_size));
+    std::ranges::copy(at.state.z, state.begin());
+    std::ranges::copy(at.state.zd, state.begin() + table.coordinates);
+    const Status status = table.accelerations(table.default_parameters, table.default_inputs, state.data(),
+                                              at.tau.data(), derivative.data());
+    EXPECT_TRUE(status.ok()) << text(status.code);
+    all.emplace_back(derivative.begin(), derivative.begin() + table.coordinates);
+  }
+  return all;
+}
+
+/// Closed states of a four-bar: turning couplers in four positions, driven by a torque.
+std::vector<ReferenceState> turned_states(const SolverTable& table) {
+  std::vector<ReferenceState> states;
+  for (const double angle : {0.0, 0.1, 0.2, -0.1}) {
+    std::vector<double> state(static_cast<std::size_t>(table.state_size));
+    state[1] = angle;
+    state[static_cast<std::size_t>(table.coordinates) + 1] = 2 + angle;
+    if (!table.project(table.default_parameters, table.default_inputs, state.data()).ok()) continue;
+    const auto n = static_cast<std::ptrdiff_t>(table.coordinates);
+    states.push_back({{{state.begin(), state.begin() + n}, {state.begin() + n, state.begin() + 2 * n}, {}, 0},
+                      std::vector<double>(static_cast<std::size_t>(n), 1.5),
+                      {},
+                      {}});
+  }
+  return states;
+}
+
+TEST_P(ReadingCopy, ComputesTheAccelerationsOfTheFastSolver) {
+  const auto loaded = [&](Spelling spelling) {
+    const Compilation compilation = compiled(GetParam().model, spelling);
+    std::vector<EmittedFile> files = emit(compilation, {.runtime_headers = false});
+    files.push_back(emit_driver(compilation.model));
+    return std::make_unique<Loaded>(files, solver_name(compilation.model), Compiler{"g++", CompilerFamily::gnu},
+                                    " -O0");
+  };
+  const auto fast = loaded(Spelling::fast), reading = loaded(Spelling::reading);
+  ASSERT_NE(fast->table(), nullptr) << fast->compilation().text;
+  ASSERT_NE(reading->table(), nullptr) << reading->compilation().text;
+  const Compilation fast_compilation = compiled(GetParam().model, Spelling::fast);
+  const std::vector<ReferenceState> states = *GetParam().states != '\0'
+                                                 ? reference_states(fast_compilation.topology, GetParam().states)
+                                                 : turned_states(*fast->table());
+  ASSERT_GE(states.size(), 3u);
+  const auto expected = accelerations_of(*fast->table(), states), found = accelerations_of(*reading->table(), states);
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    double largest = 0;
+    for (const double value : expected[s]) largest = std::max(largest, std::abs(value));
+    ASSERT_GT(largest, 0);
+    for (std::size_t i = 0; i < expected[s].size(); ++i)
+      EXPECT_NEAR(found[s][i], expected[s][i], kRounding * largest) << "state " << s << ", coordinate " << i;
+  }
+}
+
+TEST_P(ReadingCopy, NamesItsValues) {
+  const std::string text = solver_text(compiled(GetParam().model, Spelling::reading));
+  const std::size_t start = text.find("void compute_accelerations("), end = text.find("\n}\n", start);
+  ASSERT_NE(end, std::string::npos);
+  const Named hot = named_values(text.substr(start, end - start)), all = named_values(text);
+  EXPECT_GT(hot.values, 30) << "the test has read too little";
+  EXPECT_LT(hot.unnamed, GetParam().most_unnamed * hot.values) << hot.unnamed << " of " << hot.values;
+  EXPECT_LT(all.unnamed, GetParam().most_unnamed * all.values) << all.unnamed << " of " << all.values;
+}
+
+/// The headings of steps in each function.
+std::map<std::string, std::vector<std::string>> headings_of(const std::string& text) {
+  std::map<std::string, std::vector<std::string>> headings;
+  std::string function;
+  for (const std::string& line : lines_of(text)) {
+    if (line.starts_with("void compute_")) function = line.substr(0, line.find('('));
+    if (line.starts_with("  // --- ")) headings[function].push_back(line);
+  }
+  return headings;
+}
+
+TEST_P(ReadingCopy, HasEachStepOnceInOrder) {
+  static const std::regex kStep(R"(  // --- step (\d+): .*)");
+  const auto headings = headings_of(solver_text(compiled(GetParam().model, Spelling::reading)));
+  EXPECT_GE(headings.size(), 5u);
+  for (const auto& [function, all] : headings) {
+    int last = 0;
+    for (const std::string& heading : all) {
+      std::smatch match;
+      ASSERT_TRUE(std::regex_match(heading, match, kStep)) << heading;
+      EXPECT_GT(std::stoi(match[1]), last) << function << ": " << heading;
+      last = std::stoi(match[1]);
+    }
+  }
+  EXPECT_GE(headings.at("void compute_accelerations").size(), 7u);
+}
+
+// Halves and doubles are of the equations, and 1e-12 is the share that elimination loses; every other number of the
+// accelerations is of the model, and has a name.
+TEST_P(ReadingCopy, NamesItsNumbers) {
+  static const std::regex kNumber(R"([^\w.](\d+\.\d*(?:e[-+]?\d+)?|\d+e[-+]?\d+))");
+  const std::set<std::string> of_equations = {"0.0", "0.5", "1.0", "2.0", "1e-12"};
+  bool is_in_function = false;
+  int statements = 0;
+  for (const std::string& line : lines_of(solver_text(compiled(GetParam().model, Spelling::reading)))) {
+    if (line.starts_with("void compute_accelerations(")) is_in_function = true;
+    if (line == "}") is_in_function = false;
+    if (!is_in_function || line.find("//") != std::string::npos) continue;
+    ++statements;
+    for (auto at = std::sregex_iterator(line.begin(), line.end(), kNumber); at != std::sregex_iterator(); ++at)
+      EXPECT_TRUE(of_equations.contains((*at)[1])) << line;
+  }
+  EXPECT_GT(statements, 80);
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, ReadingCopy,
+                         ::testing::Values(Case{"four_bar", "", 0.30},
+                                           Case{"coach_mechanism", "tests/data/reference/coach_states.json", 0.40}),
+                         [](const auto& info) { return std::string(info.param.model); });
+
+TEST(ReadingConstants, AreWrittenByTheirOperation) {
+  const std::string text = solver_text(compiled("four_bar", Spelling::reading));
+  EXPECT_NE(text.find("constexpr double Io_rocker_yy = I_rocker_yy + m_rocker*(c_rocker_x*c_rocker_x +\n"
+                      "    c_rocker_z*c_rocker_z);  // 0.02195\n"),
+            std::string::npos)
+      << text.substr(0, 6000);
+}
+
+TEST(ReadingCopyOfMatrixForm, HasEachStepOnceInOrder) {
+  const auto headings = headings_of(solver_text(compiled("four_bar", Spelling::reading, Form::matrix)));
+  EXPECT_EQ(headings.at("void compute_accelerations").size(), 9u);
+}
+
+}  // namespace
+}  // namespace mbgen
