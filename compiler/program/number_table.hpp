@@ -9,7 +9,7 @@
 namespace mbgen {
 
 /// Numbers by the upper halves of hashes, side by side in one array that is half full at most: a look-up takes one line
-/// of the cache, and the array grows in one pass, as its order is that of the hashes.
+/// of the cache, and the array, in the order of the hashes, grows in one pass.
 class NumberTable {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffu;
