@@ -16,7 +16,7 @@ void eliminate_block(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
   UnitEquations<T>& equations = s.equations[u];
   CompositeBody<T> base = unit.opened ? eliminate_opened_joints(s, u) : gather_block(s, u);
-  if (!unit.opened) eliminate(equations, inertia_left_by_rounding(s.system().constants));
+  if (!unit.opened) eliminate(equations, s.rounding);
   if (unit.base == kGround) return;
   if (!unit.opened) reduce(equations, base.reduced, base.needed);
   CompositeBody<T>& below = s.composite[unit.base];
@@ -359,6 +359,7 @@ RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion&
   s.equations.resize(units);
   s.acceleration.resize(n);
   s.composite.resize(n);
+  if (!system.topology.blocks.empty()) s.rounding = inertia_left_by_rounding(system.constants);
   RecursiveSolution<T> solution;
   solution.quality.assign(system.topology.blocks.size(), T(1.0));
   {
