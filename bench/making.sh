@@ -12,9 +12,11 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 mbgen=${1:-$root/build/release/mbgen}
 [ -x "$mbgen" ] || mbgen=$root/build/mbgen
 out=${2:-$root/build/making}
-checked=${CHECKED-chain:100 chain:300 chain:1000 star:1000 separate:1000 separate:2000 ring:50 ring:200 ring:1000 \
+checked=${CHECKED-chain:100 chain:300 chain:1000 chain:5000 star:1000 separate:1000 separate:2000 \
+  ring:50 ring:100 ring:200 ring:1000 \
   spatial-ring:50 spatial-ring:200 spatial-ring:1000 four-bar:100 four-bar:1000 grid:4 grid:6 grid:10}
-generated=${GENERATED-chain:100 chain:300 chain:1000 star:1000 separate:1000 four-bar:1000}
+generated=${GENERATED-chain:100 chain:300 chain:1000 chain:5000 star:1000 separate:1000 ring:50 ring:100 ring:200 ring:1000 \
+  spatial-ring:50 spatial-ring:200 four-bar:100 four-bar:1000}
 mkdir -p "$out"
 
 # measured COMMAND...: "seconds | megabytes" of a run, or "refused".

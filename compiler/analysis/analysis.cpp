@@ -280,8 +280,7 @@ std::vector<double> moved_inertia(NumericSystem& numbers, const Analysis& analys
   System<double>& system = numbers.at(z);
   const Topology& topology = system.topology;
   const std::vector<int> free = free_coordinates(topology, analysis);
-  const LeastOperations least = least_operations(topology, analysis);
-  if (has_many_directions(free.size(), least.recursive, least.matrix))
+  if (has_many_directions(free.size(), least_operations(topology, analysis).recursive))
     return inertias_by_recursion(system, analysis, free);
   const Kinematics<double> k = kinematics(system);
   const ReducedSystem<double> reduced =

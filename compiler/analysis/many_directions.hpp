@@ -9,13 +9,14 @@
 
 namespace mbgen {
 
-/// Free directions from which on numbers are computed by the recursive form, where it takes fewer operations. The dense
-/// equations grow with the square of the directions in memory and with the cube in time; below they are as fast.
-constexpr std::size_t kManyDirections = 256;
+/// Operations of dense equations of the free directions, which grow with the cube, over the least operations of the
+/// recursive form (see least_operations), from which on numbers of a model are computed by the latter: from 139 joints
+/// of a chain, 149 of a ring and 240 separate four-bars on. Both took the same time at about 70, 200 and 220.
+constexpr double kDenseOverRecursive = 100;
 
-/// Whether numbers of a model are computed by the recursive form. least: operations of the forms, see least_operations.
-constexpr bool has_many_directions(std::size_t free, double least_of_recursion, double least_of_matrix) {
-  return free >= kManyDirections && least_of_recursion < least_of_matrix;
+constexpr bool has_many_directions(std::size_t free, double least_of_recursion) {
+  const auto f = static_cast<double>(free);
+  return f * f * f / 3 >= kDenseOverRecursive * least_of_recursion;
 }
 
 /// Inertia that each of the coordinates that are asked for moves, while those further out are free, in a position, by

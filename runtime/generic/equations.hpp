@@ -72,8 +72,7 @@ struct GenericEquations {
         places(topology),
         algebra(make_loop_algebra(choice, model, topology, analysis)),
         recursive(algebra.rz_of && has_many_directions(free_coordinates(topology, analysis).size(),
-                                                       least_operations(topology, analysis).recursive,
-                                                       least_operations(topology, analysis).matrix)) {
+                                                       least_operations(topology, analysis).recursive)) {
     // Deflections of tyres and rubber count there as coordinates do, in m and rad.
     for (const AuxiliaryState& state : auxiliary_states(model)) magnitudes.push_back(magnitude_of(state));
     std::fill_n(magnitudes.begin(), first_user_state(model), 1.0);

@@ -141,5 +141,18 @@ TEST(Rolled, fourBarsMoveLikeOnePendulum) {
   EXPECT_LT(largest_difference(compilation, *loaded.table()), 1e-11);
 }
 
+// A ring is an opened block: its equations need no partition, so that the program for one chosen at run time gives the
+// same.
+TEST(Opened, aRingMovesAsTheInterpreterSays) {
+  if (!is_installed(kCompiler)) GTEST_SKIP() << "g++ is not installed";
+  const Compilation compilation = grown("ring", 44);
+  ASSERT_TRUE(compilation.topology.blocks[0].opened);
+  std::vector<EmittedFile> files = emit(compilation, {.runtime_headers = false});
+  files.push_back(emit_driver(compilation.model));
+  const Loaded loaded(files, solver_name(compilation.model), kCompiler);
+  ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
+  EXPECT_LT(largest_difference(compilation, *loaded.table()), 1e-11);
+}
+
 }  // namespace
 }  // namespace mbgen::test

@@ -1,8 +1,6 @@
 // Models of many free directions: by the recursive form, without a matrix of the directions. A planar chain is judged
 // by the same chain in other coordinates, the absolute angles of its links, with more digits than the engine has.
 
-#include "compiler/analysis/many_directions.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -18,6 +16,7 @@ using namespace mbgen::testing;
 using Real = long double;
 using Complex = std::complex<Real>;
 
+constexpr int kManyLinks = 256;
 constexpr double kLink = 0.25, kMass = 2, kInertia = 0.03;  // m, kg, kg m^2
 const Complex kCom{0.15L, 0.1L};                            // from the joint, along the link and across
 
@@ -100,7 +99,7 @@ double largest_error(const std::vector<double>& values, const std::vector<Real>&
 }
 
 TEST(ManyDirections, AChainIsSolvedWithoutAMatrixAndAsByAbsoluteAngles) {
-  const Mechanism m = mechanism_of(chain_text(static_cast<int>(kManyDirections)));
+  const Mechanism m = mechanism_of(chain_text(static_cast<int>(kManyLinks)));
   GenericEquations equations(m.model, m.topology, m.analysis, {});
   ASSERT_TRUE(equations.recursive);
   const GenericState state = bent_state(m);
@@ -132,12 +131,27 @@ TEST(ManyDirections, AShortChainIsSolvedByItsMatrix) {
 }
 
 TEST(ManyDirections, NamesTheCoordinateThatMovesNoInertia) {
-  const Result<Model> model = read_model(chain_text(static_cast<int>(kManyDirections), R"("mass": 0)"), "chain.json");
+  const Result<Model> model = read_model(chain_text(static_cast<int>(kManyLinks), R"("mass": 0)"), "chain.json");
   ASSERT_TRUE(static_cast<bool>(model));
   const Diagnostics problems = analysis_problems(*model);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].message,
-            fmt::format("coordinate \"j{}\" moves no inertia: its acceleration is not determined", kManyDirections));
+            fmt::format("coordinate \"j{}\" moves no inertia: its acceleration is not determined", kManyLinks));
+}
+
+// Where dense equations of the free directions would take longer.
+TEST(ManyDirections, AreSolvedByTheRecursiveForm) {
+  const auto is_recursive = [](const char* kind, int size) {
+    const Mechanism m = analysed(grown(kind, size));
+    return GenericEquations(m.model, m.topology, m.analysis, {}).recursive;
+  };
+  EXPECT_FALSE(is_recursive("chain", 138));
+  EXPECT_TRUE(is_recursive("chain", 139));
+  EXPECT_FALSE(is_recursive("ring", 148));
+  EXPECT_TRUE(is_recursive("ring", 149));
+  EXPECT_FALSE(is_recursive("separate", 235));
+  EXPECT_TRUE(is_recursive("separate", 245));
+  EXPECT_FALSE(is_recursive("four-bar", 200));
 }
 
 class Recursive : public ::testing::TestWithParam<std::string> {};

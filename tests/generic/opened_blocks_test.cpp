@@ -1,6 +1,8 @@
 // Loop blocks with few loops and many freedoms, which the recursive form solves on their opened tree with multipliers:
 // against the dense equations of their free directions, and against a Cartesian judge.
 
+#include <cmath>
+
 #include "runtime/generic/by_recursion.hpp"
 #include "runtime/judges/cartesian.hpp"
 #include "tests/support/mechanism_support.hpp"
@@ -33,6 +35,29 @@ TEST(OpenedBlocks, APlanarRingOnGround) { expect_as_others_have_it(analysed(grow
 TEST(OpenedBlocks, ASpatialRingOnGround) { expect_as_others_have_it(analysed(grown("spatial-ring", 50))); }
 TEST(OpenedBlocks, APlanarRingOnABodyThatTurns) { expect_as_others_have_it(mechanism_of(carried_ring(44, false))); }
 TEST(OpenedBlocks, ASpatialRingOnABodyThatTurns) { expect_as_others_have_it(mechanism_of(carried_ring(44, true))); }
+
+/// The direction of a link with two points, rad.
+double direction_of(const Body& link) {
+  const auto &a = link.points[0].position, &b = link.points[1].position;
+  return std::atan2(b[1].value - a[1].value, b[0].value - a[0].value);
+}
+
+// With all links along one line the ring does not hold its ends along it.
+TEST(OpenedBlocks, AStretchedRingIsSingular) {
+  const Mechanism m = analysed(grown("ring", 50));
+  GenericState state = reference_state(m);
+  std::vector<double> turned(state.z.size());
+  for (int i = 0; i < m.topology.size(); ++i) {
+    const TreeBody& body = m.topology.bodies[i];
+    turned[i] = -direction_of(m.model.bodies[body.model_body]);
+    state.z[i] = (turned[i] - (body.parent == kGround ? 0.0 : turned[body.parent])) * body.axis[2];
+  }
+  GenericEquations equations(m.model, m.topology, m.analysis, {});
+  GenericDerivative found;
+  const Status status = accelerations_by_recursion(equations, state, std::vector<double>(state.z.size(), 0.0), found);
+  EXPECT_EQ(status.code, Code::loop_singular);
+  EXPECT_EQ(status.index, 0);
+}
 
 // Only large blocks are opened, with more freedoms than twice their equations, whose bodies have inertia of their own.
 TEST(OpenedBlocks, AreThoseThatGainByIt) {

@@ -18,7 +18,7 @@ void eliminate_block(RecursionState<T>& s, std::size_t u) {
   Scribe<T>& scribe = s.system().scribe;
   CompositeBody<T> base = unit.opened ? eliminate_opened_joints(s, u) : gather_block(s, u);
   if (!unit.opened) {
-    T rounding(inertia_left_by_rounding(s.system().constants)), lost(kLostByElimination);
+    T rounding(s.rounding), lost(kLostByElimination);
     name_bounds(scribe, rounding, lost);
     eliminate(equations, rounding, lost);
     detail_eliminated(s, s.blocks[u].directions, equations);
@@ -266,6 +266,7 @@ RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion&
   s.equations.resize(units);
   s.acceleration.resize(n);
   s.composite.resize(n);
+  if (!system.topology.blocks.empty()) s.rounding = inertia_left_by_rounding(system.constants);
   RecursiveSolution<T> solution;
   solution.quality.assign(system.topology.blocks.size(), T(1.0));
   {

@@ -96,6 +96,7 @@ struct RecursionState {
   std::vector<UnitEquations<T>> equations;  ///< per unit
   std::vector<Spatial<T>> acceleration;     ///< per tree body about its origin in its carrying frame
   std::vector<T> force;                     ///< per joint: of the (quasi-)velocities
+  double rounding = 0;                      ///< of the inertias of a block, see inertia_left_by_rounding
 
   const System<T>& system() const { return work.system; }
   const Kinematics<T>& k() const { return work.k; }
