@@ -7,7 +7,8 @@ namespace mbgen {
 /// Most evaluations of the closures in a step of a generated solver: in its projection, and, where it is taken again
 /// with care, in the projections of all stages and for nodes around a singular position. From here on it fails.
 constexpr int kStepClosures = 36;
-/// Of them at most for one look at a passage, so that a step near a singular position that it does not pass keeps enough.
+/// Of them at most for one look at a passage, so that a step near a singular position that it does not pass keeps
+/// enough.
 constexpr int kLookClosures = 20;
 /// Coefficients of a position: even and odd parts of a polynomial of degree five.
 constexpr int kPassageTerms = 6;
