@@ -15,6 +15,7 @@
 #include "compiler/analysis/large_block.hpp"
 #include "compiler/analysis/many_directions.hpp"
 #include "compiler/analysis/partition.hpp"
+#include "compiler/analysis/pivots_along.hpp"
 #include "compiler/analysis/position_rank.hpp"
 #include "compiler/analysis/quasi_partition.hpp"
 #include "compiler/analysis/redundant_residuals.hpp"
@@ -191,6 +192,7 @@ BlockAnalysis analyse_large_block(NumericSystem& numbers, std::size_t b,
     found.problems.insert(found.problems.end(), problems.begin(), problems.end());
     return {};
   }
+  if (chooses_again(block)) order_along_motion(numbers, b, configurations[0], result);
   for (int e : result.redundant_equations) result.redundant_names.push_back(equations[e].name);
   result.certificate = certificate;
   return result;

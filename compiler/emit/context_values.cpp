@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
@@ -63,6 +65,7 @@ FrameValues context_values(const EmitContext& context) {
           {"derived", derived > 0 ? std::to_string(derived) : ""},
           {"has_closure", layout.has_closure},
           {"meets_crossings", layout.chooses_again && !layout.blocks.empty()},
+          {"passage_entries", std::max(1, layout.projection_entries)},
           {"balls", layout.balls > 0 ? std::to_string(layout.balls) : ""},
           {"samples", layout.sampled > 0 ? std::to_string(layout.sampled) : ""},
           {"grounds", layout.grounds > 0 ? std::to_string(layout.grounds) : ""},

@@ -19,15 +19,26 @@ constexpr const char* kKinds[] = {"add", "multiply", "divide", "sqrt", "trigonom
 constexpr const char* kKindTitles[] = {"+ -", "*", "/", "sqrt", "trig", "other", "+ - * /"};
 constexpr const char* kCalls[] = {"accelerations", "closures", "factorisations", "operations"};
 
-/// Calls and operations under one function. has_care: the pivoting path may be taken everywhere.
+/// How hard the calls of a function are.
+enum class Hardness {
+  regular,  ///< frozen partitions serve
+  pivoted,  ///< they do not, in a single call
+  step      ///< a step that takes every fallback, as often as it may
+};
+
+/// Operations of a program, 0 if there is none.
+long operations_of(const CostJson& programs, const char* program) {
+  return programs.contains(program) ? programs[program]["operations"]["total"].get<long>() : 0L;
+}
+
+/// Calls and operations under one function.
 CostJson call_json(const EmitContext& context, const CostJson& programs, const char* function, const char* title,
-                   CallCount calls, bool has_care) {
-  const auto operations = [&](const char* program) {
-    return programs.contains(program) ? programs[program]["operations"]["total"].get<long>() : 0L;
-  };
-  const bool chooses = has_care && context.layout.chooses_again && !context.layout.blocks.empty();
+                   CallCount calls, Hardness hardness) {
+  const auto operations = [&](const char* program) { return operations_of(programs, program); };
+  const bool chooses = hardness != Hardness::regular && context.layout.chooses_again && !context.layout.blocks.empty();
+  const bool shares = chooses && hardness == Hardness::step;
   const int projections = context.layout.has_closure ? calls.projections : 0;
-  const long closures = static_cast<long>(projections) * kMostClosures;
+  const long closures = shares ? kStepClosures : static_cast<long>(projections) * kMostClosures;
   const long terms = chooses ? operations("closure_terms") : 0;
   const long of_acceleration =
       operations("accelerations") + terms + (chooses ? operations("accelerations_chosen") : 0L);
@@ -42,27 +53,39 @@ CostJson call_json(const EmitContext& context, const CostJson& programs, const c
           {"accelerations", accelerations},
           {"projections", projections},
           {"closures", closures},
-          {"factorisations", chooses ? accelerations + closures : 0L},
+          {"factorisations", chooses ? accelerations + closures + (shares ? kSideFactorisations : 0) : 0L},
           {"operations", accelerations * of_acceleration + closures * (operations("closure") + terms) +
-                             calls.matrices * of_implicit + of_samples}};
+                             (shares ? kSideTerms * terms : 0) + calls.matrices * of_implicit + of_samples}};
+}
+
+/// Most calls in a step. most: of a System without passages; evaluations: of the accelerations of one with them.
+CallCount worst_step(const EmitContext& context, CallCount most, CallCount regular, int evaluations) {
+  if (context.layout.blocks.empty()) return regular + CallCount{evaluations / 2, 1 + evaluations / 2};
+  if (!context.layout.chooses_again) return most;
+  return {evaluations, regular.projections * 2 + evaluations / 2, most.matrices};
 }
 
 CostJson calls_json(const EmitContext& context, const CostJson& programs) {
   constexpr CallCount kEvaluation = {1, 0}, kProjection = {0, 1};
   CostJson calls = CostJson::array();
-  const auto add = [&](const char* function, const char* title, CallCount count, bool has_care) {
-    calls.push_back(call_json(context, programs, function, title, count, has_care));
+  const auto add = [&](const char* function, const char* title, CallCount count, Hardness hardness) {
+    calls.push_back(call_json(context, programs, function, title, count, hardness));
   };
-  const auto add_both = [&](const char* function, CallCount regular, CallCount worst) {
-    add(function, "regular", regular, false);
-    if (context.layout.has_closure) add(function, "worst", worst, true);
+  const auto add_call = [&](const char* function, CallCount count) {
+    add(function, "regular", count, Hardness::regular);
+    if (context.layout.has_closure) add(function, "worst", count, Hardness::pivoted);
   };
-  add_both("accelerations", kEvaluation, kEvaluation);
-  if (context.layout.has_closure) add_both("assemble", kProjection, kProjection);
-  add_both("step_rk4", kRk4Calls.regular, kRk4Calls.worst);
-  add("step_abm4", "starting", kAbm4Calls.starting, false);
-  add_both("step_abm4", kAbm4Calls.regular, kAbm4Calls.worst);
-  if (context.model.solver.is_implicit()) add_both("step_rosenbrock", kRosenbrockCalls.regular, kRosenbrockCalls.worst);
+  const auto add_step = [&](const char* function, const StepCalls& step, int evaluations) {
+    add(function, "regular", step.regular, Hardness::regular);
+    if (context.layout.has_closure)
+      add(function, "worst", worst_step(context, step.worst, step.starting, evaluations), Hardness::step);
+  };
+  add_call("accelerations", kEvaluation);
+  if (context.layout.has_closure) add_call("assemble", kProjection);
+  add_step("step_rk4", kRk4Calls, kRk4Evaluations);
+  add("step_abm4", "starting", kAbm4Calls.starting, Hardness::regular);
+  add_step("step_abm4", kAbm4Calls, kAbm4Evaluations);
+  if (context.model.solver.is_implicit()) add_step("step_rosenbrock", kRosenbrockCalls, kRosenbrockEvaluations);
   return calls;
 }
 
@@ -89,10 +112,12 @@ std::string bounds_text(const CostJson& worst) {
   text += fmt::format(
       "\n"
       "  A step projects: Newton, at most {} times, with one evaluation of the closures before each iteration and one\n"
-      "  after the last. Worst is a step that meets a singular position in every stage: at most {} spacings are "
-      "tried,\n"
-      "  then {} states around it evaluated.\n",
-      worst["newton_iterations"].get<int>(), worst["spacings"].get<int>(), worst["nodes"].get<int>());
+      "  after the last. Worst is a step that is taken twice, plainly and with care. Singular positions: at most {}\n"
+      "  spacings are tried, with {} states around them. {}\n",
+      worst["newton_iterations"].get<int>(), worst["spacings"].get<int>(), worst["nodes"].get<int>(),
+      worst.contains("step_closures")
+          ? fmt::format("All of it shares {} evaluations of the closures.", worst["step_closures"].get<int>())
+          : "Each stage may meet one.");
   if (!worst["factorisation"].empty()) text += "  A factorisation is one of every loop block:\n";
   for (const CostJson& loop : worst["factorisation"]) {
     text += fmt::format("    {}: {} equations in {} coordinates, {} pivots\n", loop["loop_block"].get<std::string>(),
@@ -107,8 +132,10 @@ CostJson worst_case_json(const EmitContext& context, const CostJson& programs) {
   CostJson worst = CostJson::object();
   if (context.layout.has_closure) {
     worst["newton_iterations"] = kNewtonIterations;
-    worst["spacings"] = kSpacings;
-    worst["nodes"] = 2 * kNodes;
+    const bool shares = context.layout.chooses_again && !context.layout.blocks.empty();
+    worst["spacings"] = shares ? kPassageTries : kSpacings;
+    worst["nodes"] = shares ? kPassageNodes : 2 * kNodes;
+    if (shares) worst["step_closures"] = kStepClosures;
     worst["factorisation"] = CostJson::array();
     for (std::size_t b = 0; context.layout.chooses_again && b < context.layout.blocks.size(); ++b) {
       const BlockPlaces& block = context.layout.blocks[b];

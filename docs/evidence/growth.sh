@@ -3,6 +3,7 @@
 #   docs/evidence/growth.sh [TABLE]     TABLE: what bench/growth.sh printed, to draw without measuring
 #   docs/evidence/growth.sh making      the table of bench/making.sh alone
 #   docs/evidence/growth.sh generic     that of bench/generic_steps.sh alone
+#   docs/evidence/growth.sh slowest     that of bench/slowest_steps.py alone
 # MBGEN: the binary, default as those scripts have it.
 # Needs gnuplot (Debian: gnuplot-nox). Some minutes; the machine should have nothing else to do.
 set -eu
@@ -27,9 +28,11 @@ put() {
 case "${1-}" in
   making) "$bench/making.sh" ${MBGEN:+"$MBGEN"} | put making && exit ;;
   generic) "$bench/generic_steps.sh" ${MBGEN:+"$MBGEN"} | put generic && exit ;;
+  slowest) "$bench/slowest_steps.py" ${MBGEN:+"$MBGEN"} | put slowest && exit ;;
   "") "$bench/growth.sh" ${MBGEN:+"$MBGEN"} > "$scratch/table"
     "$bench/making.sh" ${MBGEN:+"$MBGEN"} | put making
-    "$bench/generic_steps.sh" ${MBGEN:+"$MBGEN"} | put generic ;;
+    "$bench/generic_steps.sh" ${MBGEN:+"$MBGEN"} | put generic
+    "$bench/slowest_steps.py" ${MBGEN:+"$MBGEN"} | put slowest ;;
   *) grep '^|' "$1" > "$scratch/table" ;;
 esac
 put growth < "$scratch/table"

@@ -161,10 +161,17 @@ struct Dynamics {
   mbgen::Status derivative(const State& state, Derivative& derivative) const noexcept;
   mbgen::Status project(State& state) const noexcept;
   mbgen::Status project_nearest(State& state) const noexcept;
-  mbgen::Status project_crossing(State& state, double& clearance) const noexcept;
+  mbgen::Status project(State& state, int& closures) const noexcept;
+  mbgen::Status project_nearest(State& state, int& closures) const noexcept;
+  mbgen::Status project_crossing(State& state, double& clearance, int& closures) const noexcept;
   int changed_side(const State& from, const State& to) const noexcept;
   mbgen::Status watch_way(const State& from, const State& to, double h,
                           const mbgen::WayLimits& limits) const noexcept;
+  using Passage = mbgen::Passage<double, kCoordinates, kLoopBlocks, 3>;
+  mbgen::Status rates_near(const State& state, Derivative& derivative) const noexcept;
+  mbgen::Status look_across(const State& state, double h, Passage& passage) const noexcept;
+  bool close_across(Passage& passage, State& state) const noexcept;
+  mbgen::Status rates_across(const Passage& passage, const State& state, Derivative& derivative) const noexcept;
 };
 
 /// Accelerations of a state that steps of h seconds led to, without joint forces from outside: at a

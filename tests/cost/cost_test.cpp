@@ -32,12 +32,23 @@ TEST_F(CommandLine, ManifestBoundsLoopsAndCalls) {
   EXPECT_EQ(projection["factorisations"], closures);
   EXPECT_EQ(projection["operations"], closures * (total("closure") + total("closure_terms")));
   const Json worst = call_of(manifest, "step_rk4", "worst");
-  EXPECT_EQ(worst["closures"], worst["projections"].get<long>() * closures);
+  EXPECT_EQ(worst["closures"], manifest["worst_case"]["step_closures"]);
+  EXPECT_EQ(worst["accelerations"], 2 * step["accelerations"].get<long>());
   EXPECT_GT(worst["operations"], step["operations"]);
   EXPECT_EQ(manifest["worst_case"]["factorisation"][0]["pivots"], 2);
   // The text has the same numbers.
   const std::string text = read("made/four_bar_cost.txt");
   EXPECT_NE(text.find(fmt::format("{:>15}\n", worst["operations"].get<long>())), std::string::npos) << text;
+}
+
+/// Every fallback of a step together costs at most four regular steps more.
+TEST_F(CommandLine, TheWorstStepCostsAtMostFiveRegularOnes) {
+  for (const char* model : {"coach", "truck", "four_bar", "slider_crank", "delta", "andrews_squeezer"}) {
+    ASSERT_EQ(mbgen(fmt::format("generate {}/models/{}.json --out made --no-runtime", kSource, model)).exit_code, 0);
+    const Json manifest = Json::parse(read(fmt::format("made/{}.json", model)));
+    const double regular = call_of(manifest, "step_rk4", "regular")["operations"].get<double>();
+    EXPECT_LE(call_of(manifest, "step_rk4", "worst")["operations"].get<double>(), 5 * regular) << model;
+  }
 }
 
 TEST_F(CommandLine, WithoutClosuresNothingIsTakenAgain) {

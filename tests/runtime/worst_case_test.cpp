@@ -132,6 +132,78 @@ TEST(WorstCase, callsOfAdamsBashforthMoulton) {
   expect_calls(steps(Alarm::fifth_evaluation).first, kAbm4Calls.worst);
 }
 
+/// Evaluations in a step of a solver with passages.
+struct Evaluations {
+  int accelerations = 0, closures = 0, terms = 0;
+};
+
+/// A loop that takes as many closures as it may: the first projection all of one, the careful ones all that are left,
+/// and the end is said to be on another side of a singular position.
+struct Glutton {
+  using State = Adversary::State;
+  using Derivative = Adversary::Derivative;
+  using Passage = mbgen::Passage<double, 1, 1, 1>;
+  Evaluations& count;
+  bool never_passes = true;
+
+  Status take(int most, int& closures) const noexcept {
+    if (closures <= 0) return {Code::loop_singular, 0};
+    const int taken = closures < most ? closures : most;
+    closures -= taken;
+    count.closures += taken;
+    return {};
+  }
+  Status derivative(const State&, Derivative& rates) const noexcept { return rates_near({}, rates); }
+  Status rates_near(const State&, Derivative& rates) const noexcept {
+    rates = {};
+    ++count.accelerations;
+    return {};
+  }
+  Status project(State&) const noexcept { return {}; }
+  Status project(State&, int& closures) const noexcept {
+    const Status status = take(kMostClosures, closures);
+    return status.ok() ? Status{Code::singular_met, 0} : status;
+  }
+  Status project_nearest(State&) const noexcept { return {}; }
+  Status project_nearest(State&, int& closures) const noexcept {
+    const Status status = take(count.accelerations < kRk4Evaluations ? 1 : kMostClosures, closures);
+    return status.ok() ? Status{Code::near_singular, 0} : status;
+  }
+  Status project_crossing(State&, double& clearance, int& closures) const noexcept {
+    clearance = 0;
+    return take(kMostClosures, closures);
+  }
+  int changed_side(const State&, const State&) const noexcept {
+    count.terms += 2;
+    return 0;
+  }
+  Status watch_way(const State&, const State&, double, const WayLimits&) const noexcept {
+    count.terms += 2;
+    return {Code::singular_met, 0};
+  }
+  Status look_across(const State&, double, Passage& passage) const noexcept {
+    passage.spacing = 0;
+    const Status status = take(count.accelerations < kRk4Evaluations ? 1 : kLookClosures, passage.closures);
+    return status.ok() && !never_passes ? status : Status{Code::loop_singular, 0};
+  }
+  bool close_across(Passage&, State&) const noexcept { return false; }
+  Status rates_across(const Passage&, const State& state, Derivative& rates) const noexcept {
+    return rates_near(state, rates);
+  }
+};
+
+TEST(WorstCase, aStepSharesItsClosures) {
+  Evaluations count;
+  Glutton::State state = {{0}, {1}, {0}, 0};
+  const Status status = step_rk4(Glutton{count}, state, 0.01);
+  EXPECT_EQ(status.code, Code::loop_singular);  // it is not known to pass: it ends, and says where
+  EXPECT_EQ(status.index, 0);
+  EXPECT_EQ(state.t, 0);
+  EXPECT_EQ(count.accelerations, kRk4Evaluations);
+  EXPECT_EQ(count.closures, kStepClosures);
+  EXPECT_EQ(count.terms, kSideTerms);
+}
+
 /// A driven coordinate that runs away from its motion.
 struct Runaway {
   static constexpr int kCoordinates = 1, kAuxiliaryStates = 0, kBlocks = 0, kEquations = 0, kDrives = 1;

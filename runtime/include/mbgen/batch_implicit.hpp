@@ -65,7 +65,8 @@ typename System::Mask step_lanes_rosenbrock(const ParametersOf<System>& paramete
                                             typename System::State& result, const Look& look) noexcept {
   typename System::Mask good = batch_detail::keeps_charts<System>(state);
   const batch_detail::ImplicitLaneDynamics<System> dynamics{{parameters, inputs, state.t, good}};
-  integrator_detail::try_rosenbrock<batch_detail::LaneStages>(dynamics, state, h, result);
+  batch_detail::LaneStages stages;
+  integrator_detail::try_rosenbrock(stages, dynamics, state, h, result);
   return look(good, result);
 }
 

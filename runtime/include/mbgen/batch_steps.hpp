@@ -124,7 +124,8 @@ typename System::Mask step_lanes_rk4(const ParametersOf<System>& parameters, con
                                      const Look& look) noexcept {
   typename System::Mask good = batch_detail::keeps_charts<System>(state);
   const batch_detail::LaneDynamics<System> dynamics{parameters, inputs, state.t, good};
-  integrator_detail::try_rk4<batch_detail::LaneStages>(dynamics, state, h, result);
+  batch_detail::LaneStages stages;
+  integrator_detail::try_rk4(stages, dynamics, state, h, result);
   return look(good, result);
 }
 
@@ -174,7 +175,8 @@ typename System::Mask step_rows_abm4(const ParametersOf<System>& parameters, con
   const Dynamics dynamics{parameters, inputs, state.t, good};
   const integrator_detail::PastRates<Dynamics> past = {most > 0 ? &known_rates[0] : &start, &known_rates[1],
                                                        &known_rates[2], &known_rates[3]};
-  integrator_detail::try_abm4<LaneStages>(dynamics, state, past, most, h, result, start, next);
+  LaneStages stages;
+  integrator_detail::try_abm4(stages, dynamics, state, past, most, h, result, start, next);
   good = look(good, result);
 
   const StateRates<Dynamics>* const rates[] = {&next, past[0], past[1], past[2]};

@@ -216,6 +216,8 @@ struct BlockFactors {
   int rows[System::kEquations > 0 ? System::kEquations : 1];
   int columns[System::kBlockCoordinates > 0 ? System::kBlockCoordinates : 1];
   Real work[System::kEquations > 0 ? System::kEquations : 1];
+  Real largest[System::kEquations > 0 ? System::kEquations : 1];
+  int largest_at[System::kEquations > 0 ? System::kEquations : 1];
 
   /// Factorises block b of `terms` in place.
   LoopFactorsOf<Real> factors_of(int b, typename System::ClosureTerms& terms) noexcept {
@@ -223,6 +225,11 @@ struct BlockFactors {
   }
   /// The same with at most `rank_limit` pivots.
   LoopFactorsOf<Real> factors_of(int b, typename System::ClosureTerms& terms, int rank_limit) noexcept {
+    return factors_of(b, terms, rank_limit, System::kBlockDriven + System::kBlockLayout[b].first_coordinate);
+  }
+  /// The same without pivots in the columns of the block that are `fixed`.
+  LoopFactorsOf<Real> factors_of(int b, typename System::ClosureTerms& terms, int rank_limit,
+                                 const unsigned char* fixed) noexcept {
     const BlockLayout& block = System::kBlockLayout[b];
     LoopFactorsOf<Real> loop;
     loop.equations = block.equations;
@@ -230,8 +237,9 @@ struct BlockFactors {
     loop.matrix = terms.Jz + block.first_jacobian;
     loop.rows = rows + block.first_equation;
     loop.columns = columns + block.first_coordinate;
-    factorise(loop, rank_limit, System::kBlockDriven + block.first_coordinate, kRankTolerance<Real>,
-              PivotOrder<System>::of(b));
+    loop.largest = largest + block.first_equation;
+    loop.largest_at = largest_at + block.first_equation;
+    factorise(loop, rank_limit, fixed, kRankTolerance<Real>, PivotOrder<System>::of(b));
     return loop;
   }
 };

@@ -28,14 +28,7 @@ LoopFactorsOf<RealOf<System>> held_factors(int b, const unsigned char* held, typ
     const int place = block.first_coordinate + c;
     fixed[c] = System::kBlockDriven[place] != 0 || held[System::kBlockCoordinate[place]] != 0 ? 1 : 0;
   }
-  LoopFactorsOf<RealOf<System>> loop;
-  loop.equations = block.equations;
-  loop.coordinates = block.coordinates;
-  loop.matrix = terms.Jz + block.first_jacobian;
-  loop.rows = factors.rows + block.first_equation;
-  loop.columns = factors.columns + block.first_coordinate;
-  factorise(loop, block.rank, fixed, kRankTolerance<RealOf<System>>, PivotOrder<System>::of(b));
-  return loop;
+  return factors.factors_of(b, terms, block.rank, fixed);
 }
 
 /// Corrections that leave the held coordinates where they are. Fails: loop_singular.

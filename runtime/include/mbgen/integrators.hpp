@@ -36,7 +36,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "mbgen/solver/singular_step.hpp"
+#include "mbgen/solver/care.hpp"
 #include "mbgen/solver/states.hpp"
 #include "mbgen/turns.hpp"
 
@@ -91,32 +91,32 @@ inline Status check_step(double h) noexcept {
 }
 
 template <class Care, class System>
-Status finish(const System& system, double h, typename System::State& state) noexcept {
+Status finish(Care& care, const System& system, double h, typename System::State& state) noexcept {
   const Status status = Care::check(state);
-  return status.ok() ? Care::close(system, state, h) : status;
+  return status.ok() ? care.close(system, state, h) : status;
 }
 
 /// One Runge-Kutta step from `start`, whose rates are known, to `result`, a copy of it. The status may be a notice.
 template <class Care, class System>
-Status runge_kutta(const System& system, const typename System::State& start, const StateRates<System>& first, double h,
-                   typename System::State& result) noexcept {
+Status runge_kutta(Care& care, const System& system, const typename System::State& start,
+                   const StateRates<System>& first, double h, typename System::State& result) noexcept {
   StateRates<System> second, third, fourth;
   result.t = start.t + 0.5 * h;
   advance<System>(start, {0.5 * h}, {&first}, result);
-  Status status = Care::rates(system, result, h, second);
+  Status status = care.rates(system, result, h, second);
   Status met = status;
   if (!Care::goes_on(status)) return status;
   advance<System>(start, {0.5 * h}, {&second}, result);
-  status = Care::rates(system, result, h, third);
+  status = care.rates(system, result, h, third);
   met = graver(met, status);
   if (!Care::goes_on(status)) return status;
   result.t = start.t + h;
   advance<System>(start, {h}, {&third}, result);
-  status = Care::rates(system, result, h, fourth);
+  status = care.rates(system, result, h, fourth);
   met = graver(met, status);
   if (!Care::goes_on(status)) return status;
   advance<System>(start, {h / 6, h / 3, h / 3, h / 6}, {&first, &second, &third, &fourth}, result);
-  status = finish<Care>(system, h, result);
+  status = finish(care, system, h, result);
   return status.ok() ? graver(met, status) : status;
 }
 
@@ -126,65 +126,72 @@ using PastRates = const StateRates<System>* [4];
 
 /// Adams-Bashforth from the past rates, one evaluation, Adams-Moulton. The status may be a notice.
 template <class Care, class System>
-Status predict_correct(const System& system, const typename System::State& start, const PastRates<System>& r, double h,
-                       typename System::State& result) noexcept {
+Status predict_correct(Care& care, const System& system, const typename System::State& start,
+                       const PastRates<System>& r, double h, typename System::State& result) noexcept {
   const double c = h / 24;
   StateRates<System> predicted;
   result.t = start.t + h;
   advance<System>(start, {55 * c, -59 * c, 37 * c, -9 * c}, {r[0], r[1], r[2], r[3]}, result);
-  const Status met = Care::rates(system, result, h, predicted);
+  const Status met = care.rates(system, result, h, predicted);
   if (!Care::goes_on(met)) return met;
   advance<System>(start, {9 * c, 19 * c, -5 * c, c}, {&predicted, r[0], r[1], r[2]}, result);
-  const Status status = finish<Care>(system, h, result);
+  const Status status = finish(care, system, h, result);
   return status.ok() ? graver(met, status) : status;
 }
 
 /// One step with four evaluations to `result`, a copy of the state.
 template <class Care, class System>
-Status try_rk4(const System& system, const typename System::State& state, double h,
+Status try_rk4(Care& care, const System& system, const typename System::State& state, double h,
                typename System::State& result) noexcept {
   StateRates<System> first;
-  const Status met = Care::rates(system, state, h, first);
+  const Status met = care.rates(system, state, h, first);
   if (!Care::goes_on(met)) return met;
-  const Status status = runge_kutta<Care>(system, state, first, h, result);
+  const Status status = runge_kutta(care, system, state, first, h, result);
   return status.ok() ? graver(met, status) : status;
 }
 
 /// One step from four known past rates, else by Runge-Kutta, to `result`, a copy of the state. known: number of past
 /// rates; if 0, the rates at the state are written to `current`, which is past[0]. next: rates at the result.
 template <class Care, class System>
-Status try_abm4(const System& system, const typename System::State& state, const PastRates<System>& past, int known,
-                double h, typename System::State& result, StateRates<System>& current,
+Status try_abm4(Care& care, const System& system, const typename System::State& state, const PastRates<System>& past,
+                int known, double h, typename System::State& result, StateRates<System>& current,
                 StateRates<System>& next) noexcept {
   Status met;
   if (known == 0) {
-    met = Care::rates(system, state, h, current);
+    met = care.rates(system, state, h, current);
     if (!Care::goes_on(met)) return met;
   }
-  Status status = known == 4 ? predict_correct<Care>(system, state, past, h, result)
-                             : runge_kutta<Care>(system, state, *past[0], h, result);
+  Status status = known == 4 ? predict_correct(care, system, state, past, h, result)
+                             : runge_kutta(care, system, state, *past[0], h, result);
   met = graver(met, status);
   if (!Care::goes_on(status)) return status;
-  status = Care::rates(system, result, h, next);
+  status = care.rates(system, result, h, next);
   return status.ok() ? graver(met, status) : status;
 }
 
 /// Takes a step of h seconds to `result` by attempt(care, result), which gets a copy of the state: first plainly, then
-/// carefully if required. A step that passed no singular position is checked for a jump across one. most: of the way,
-/// see WayLimits.
+/// carefully if required. A step that passed no singular position is checked for a jump across one. most: see
+/// WayLimits.
 template <class System, class Attempt>
 Status plainly_or_carefully(const System& system, const typename System::State& state, double h, double most,
                             typename System::State& result, const Attempt& attempt) noexcept {
   copy_state(state, result);
-  Status status = attempt(Plain{}, result);
-  const bool careful = asks_for_care(status);
-  if (careful) {
+  Plain<System> plain(state.t);
+  Status status = attempt(plain, result);
+  int left = plain.closures;
+  if (asks_for_care(status)) {
     copy_state(state, result);
-    status = attempt(Careful{}, result);
+    Careful<System> care(plain, status);
+    const Status careful = attempt(care, result);
+    const bool was_near = kLooksAcross<System> && careful.ok() && status.ok();
+    status = was_near ? graver(as_near(status), careful) : careful;
+    left = care.left();
+    if (status.ok() && care.passes()) return passed(system, state, h, most, result, status);
   }
   if (!status.ok() || status.code == Code::singular_met) return status;
   using Real = WeightOf<decltype(System::State::z)>;
-  const Status way = check_way(system, state, result, h, way_limits<Real>(most, careful));
+  status = graver(status, plain.end);
+  const Status way = check_way(system, state, result, h, way_limits<Real>(most, asks_for_care(status)), left);
   return way.ok() ? graver(status, way) : way;
 }
 
@@ -241,7 +248,7 @@ Status one_step(const System& system, typename System::State& state, double h, d
   const auto from_settled = [&](State& start) {
     State result;
     const Status stepped = plainly_or_carefully(system, start, h, most, result,
-                                                [&](auto care, State& to) { return attempt(care, start, to); });
+                                                [&](auto& care, State& to) { return attempt(care, start, to); });
     if (stepped.ok()) copy_state(result, start);
     return stepped;
   };
@@ -260,8 +267,8 @@ Status one_step(const System& system, typename System::State& state, double h, d
 template <class System>
 Status step_rk4(const System& system, typename System::State& state, double h) noexcept {
   using State = typename System::State;
-  return integrator_detail::one_step(system, state, h, kRk4Turn, [&](auto care, const State& start, State& result) {
-    return integrator_detail::try_rk4<decltype(care)>(system, start, h, result);
+  return integrator_detail::one_step(system, state, h, kRk4Turn, [&](auto& care, const State& start, State& result) {
+    return integrator_detail::try_rk4(care, system, start, h, result);
   });
 }
 
@@ -280,8 +287,8 @@ Status settled_abm4(const System& system, typename System::State& state, AbmHist
   if (known == 0) past[0] = &start;
   const int next = (history.newest + history.kRing - 1) % history.kRing;
   const Status status =
-      plainly_or_carefully(system, state, h, kAbm4Turn, result, [&](auto care, typename System::State& to) {
-        return try_abm4<decltype(care)>(system, state, past, known, h, to, start, history.rates[next]);
+      plainly_or_carefully(system, state, h, kAbm4Turn, result, [&](auto& care, typename System::State& to) {
+        return try_abm4(care, system, state, past, known, h, to, start, history.rates[next]);
       });
   if (!status.ok()) return status;
 
@@ -370,9 +377,10 @@ Status rates_in_motion(const System& system, const typename System::State& state
                        typename System::Derivative& derivative) noexcept {
   using namespace integrator_detail;
   StateRates<System> rates;
-  Status status = Plain::rates(system, state, h, rates);
+  Plain<System> plain(state.t);
+  Status status = plain.rates(system, state, h, rates);
   if (status.code == Code::singular_met || status.code == Code::loop_singular) {
-    status = Careful::rates(system, state, h, rates);
+    status = Careful<System>(plain, status).rates(system, state, h, rates);
   }
   if (!status.ok()) return status;
   copy(rates.derivative.zdd, derivative.zdd);

@@ -33,14 +33,14 @@ int moved_far(const typename System::State& from, const typename System::State& 
 
 template <class System, Correction correction>
 Status project(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-               typename System::State& state) noexcept {
+               typename System::State& state, int& closures) noexcept {
   const Status arguments = check_arguments<System>(parameters, inputs, state, nullptr);
   if (!arguments.ok()) return arguments;
   Status status;
   if constexpr (System::kHasClosure) {
     typename System::State trial;
     copy_state<System>(state, trial);
-    status = close_loops<System, correction>(parameters, inputs, trial);
+    status = close_loops<System, correction>(parameters, inputs, trial, closures);
     if (!status.ok()) return status;
     if constexpr (System::kBlocks > 0) {
       const int block = moved_far<System>(state, trial);
@@ -48,6 +48,25 @@ Status project(const typename System::Parameters& parameters, const typename Sys
     }
     copy_state<System>(trial, state);
   }
+  return status;
+}
+
+template <class System, Correction correction>
+Status project(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+               typename System::State& state) noexcept {
+  int closures = kNewtonIterations + 1;
+  return project<System, correction>(parameters, inputs, state, closures);
+}
+
+/// The same with the evaluations that are left to a step. Fails: as that, and loop_singular without any.
+template <class System, Correction correction>
+Status project_in_step(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                       typename System::State& state, int& left) noexcept {
+  if (left <= 0) return {Code::loop_singular, 0};
+  const int most = left < kNewtonIterations + 1 ? left : kNewtonIterations + 1;
+  int closures = most;
+  const Status status = project<System, correction>(parameters, inputs, state, closures);
+  left -= most - (closures > 0 ? closures : 0);
   return status;
 }
 
@@ -66,6 +85,15 @@ Status solve_motion(const typename System::Parameters& parameters, const typenam
   return status;
 }
 
+/// The same without a look at singular positions: for a state that is known to be near one.
+template <class System>
+Status solve_near(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                  const typename System::State& state, typename System::Derivative& derivative) noexcept {
+  static constexpr RealOf<System> kNoForces[System::kCoordinates] = {};
+  typename System::Accelerations values;
+  return solver_detail::evaluate<System>(parameters, inputs, state, kNoForces, values, derivative);
+}
+
 /// project_state from a good guess, by the shortest corrections if corrections of dependents alone would move the
 /// mechanism along its free directions. Gives notices. Fails: as project_state; loop_not_closed also if a coordinate
 /// would move by more than kLargestCorrection.
@@ -74,6 +102,13 @@ Status project_motion(const typename System::Parameters& parameters, const typen
                       typename System::State& state) noexcept {
   using namespace solver_detail;
   return solver_detail::project<System, Correction::in_steps>(parameters, inputs, state);
+}
+/// closures: evaluations of the closures that are left to a step. Fails then: loop_singular without any.
+template <class System>
+Status project_motion(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                      typename System::State& state, int& closures) noexcept {
+  return solver_detail::project_in_step<System, solver_detail::Correction::in_steps>(parameters, inputs, state,
+                                                                                     closures);
 }
 
 namespace solver_detail {
@@ -116,10 +151,10 @@ double correct_by_large_pivots(const typename System::Parameters& parameters, co
 /// Closes a state in the middle of a singular position, where two branches cross: by the pivots that are not small
 /// there. Fails: loop_singular where more than the closure tolerance stays open, as it does where branches come close
 /// and do not cross; not_a_number. The state is then unchanged. clearance: the smallest pivot at the given state, over
-/// its typical value.
+/// its typical value. closures: evaluations that are left.
 template <class System>
 Status project_crossing(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                        typename System::State& state, double& clearance) noexcept {
+                        typename System::State& state, double& clearance, int& closures) noexcept {
   using namespace solver_detail;
   using Real = RealOf<System>;
   const Status arguments = check_arguments<System>(parameters, inputs, state, nullptr);
@@ -128,11 +163,12 @@ Status project_crossing(const typename System::Parameters& parameters, const typ
   copy_state<System>(state, trial);
   typename System::Closure closure;
   Real previous = std::numeric_limits<Real>::infinity();
-  // Half as many as of a projection: each factorises twice.
-  for (int iteration = 0; iteration < kNewtonIterations / 2; ++iteration) {
+  bool is_first = true;
+  while (closures-- > 0) {
     System::closure(parameters, inputs, trial, closure);
     const double here = correct_by_large_pivots<System>(parameters, inputs, trial, closure);
-    if (iteration == 0) clearance = here;
+    if (is_first) clearance = here;
+    is_first = false;
     const Misfit<Real> misfit = largest_residual<System>(closure, 0);
     if (misfit.size <= kSlightCorrection<Real> * closure_tolerance<System>()) {
       const Status status = accept<System>(closure, trial);
@@ -144,6 +180,12 @@ Status project_crossing(const typename System::Parameters& parameters, const typ
     apply_step<System>(closure, trial);
   }
   return {Code::loop_singular, 0};
+}
+template <class System>
+Status project_crossing(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                        typename System::State& state, double& clearance) noexcept {
+  int closures = kCrossingClosures;
+  return project_crossing<System>(parameters, inputs, state, clearance, closures);
 }
 
 namespace solver_detail {
@@ -157,10 +199,6 @@ constexpr int most_pivots() noexcept {
   }
   return most;
 }
-
-}  // namespace solver_detail
-
-namespace solver_detail {
 
 /// Closures of two states, and whether blocks are on other sides of singular positions in them.
 template <class System>
@@ -231,8 +269,8 @@ int changed_side(const typename System::Parameters& parameters, const typename S
   return -1;
 }
 
-/// Whether loops move far enough from one position to another for their way to be looked at. By the way, not by the
-/// rates at its end: a step that leaps can end at rest.
+/// Whether all loops together move far enough from one position to another for the ways of their coordinates to be
+/// looked at. By the way, not by the rates at its end: a step that leaps can end at rest.
 template <class System, class Real, std::size_t N>
 [[gnu::always_inline]] inline bool moves_far(const Real (&from)[N], const Real (&to)[N], double least) noexcept {
   static constexpr solver_detail::InLoops<System, Real> kInLoops{};
@@ -257,11 +295,21 @@ template <class System, class Real, std::size_t N>
 
 namespace solver_detail {
 
+/// Whether one coordinate of a loop moves by more than `least`: many short ways make no long one.
+template <class System>
+bool one_moves_far(const typename System::State& from, const typename System::State& to, double least) noexcept {
+  for (const int i : System::kBlockCoordinate) {
+    if (!(std::abs(static_cast<double>(to.z[i] - from.z[i])) <= least)) return true;
+  }
+  return false;
+}
+
 /// watch_way of loops that move far: apart, for its frame.
 template <class System>
 [[gnu::noinline]] Status look_at_way(const typename System::Parameters& parameters,
                                      const typename System::Inputs& inputs, const typename System::State& from,
                                      const typename System::State& to, double h, const WayLimits& limits) noexcept {
+  if (limits.least > 0 && !one_moves_far<System>(from, to, limits.least)) return {};
   TwoSides<System> sides(parameters, inputs, from, to);
   for (int b = 0; b < System::kBlocks; ++b) {
     const LoopWay way = way_of<System>(b, from, to);
@@ -295,6 +343,13 @@ Status project_nearest(const typename System::Parameters& parameters, const type
                        typename System::State& state) noexcept {
   using namespace solver_detail;
   return solver_detail::project<System, Correction::shortest>(parameters, inputs, state);
+}
+/// closures: as project_motion has it.
+template <class System>
+Status project_nearest(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                       typename System::State& state, int& closures) noexcept {
+  return solver_detail::project_in_step<System, solver_detail::Correction::shortest>(parameters, inputs, state,
+                                                                                     closures);
 }
 
 }  // namespace mbgen

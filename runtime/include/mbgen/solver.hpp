@@ -46,6 +46,21 @@ Status deliver(const Values& values, typename System::Derivative& derivative) no
   return {};
 }
 
+/// zdd_star and Rz of block b by its factors (61), (62).
+template <class System>
+void project_by(int b, const LoopFactorsOf<RealOf<System>>& loop, const typename System::ClosureTerms& terms,
+                RealOf<System>* work, typename System::Projection& projection) noexcept {
+  const BlockLayout& block = System::kBlockLayout[b];
+  RealOf<System>* zdd_star = projection.zdd_star + block.first_coordinate;
+  for (int c = 0; c < block.coordinates; ++c) {
+    const int place = block.first_coordinate + c;
+    const bool driven = System::kBlockDriven[place] != 0;
+    zdd_star[c] = driven ? terms.driven_acceleration[System::kBlockCoordinate[place]] : RealOf<System>(0);
+  }
+  solve_dependent(loop, terms.c + block.first_equation, zdd_star, work);
+  free_directions(loop, System::kBlockDriven + block.first_coordinate, projection.Rz + block.first_projection, work);
+}
+
 /// Accelerations with a partition chosen here and now by full pivoting; the status may be a notice. frozen_pivot: per
 /// block. Source: (60)-(63).
 template <class System>
@@ -62,15 +77,7 @@ Status pivoted_accelerations(const typename System::Parameters& parameters, cons
     const LoopFactorsOf<RealOf<System>> loop = factors.factors_of(b, terms);
     if (loop.rank < block.rank) return {Code::loop_singular, b};
     notice = graver(notice, notice_of(b, block.pivot, smallest_pivot(loop), frozen_pivot[b]));
-    RealOf<System>* zdd_star = projection.zdd_star + block.first_coordinate;
-    for (int c = 0; c < block.coordinates; ++c) {
-      const int place = block.first_coordinate + c;
-      const bool driven = System::kBlockDriven[place] != 0;
-      zdd_star[c] = driven ? terms.driven_acceleration[System::kBlockCoordinate[place]] : RealOf<System>(0);
-    }
-    solve_dependent(loop, terms.c + block.first_equation, zdd_star, factors.work);
-    free_directions(loop, System::kBlockDriven + block.first_coordinate, projection.Rz + block.first_projection,
-                    factors.work);
+    project_by<System>(b, loop, terms, factors.work, projection);
   }
   typename System::ChosenAccelerations values;
   System::chosen_accelerations(parameters, inputs, state, tau, projection, values);

@@ -43,19 +43,28 @@ bool is_unfair(int b, const typename System::State& state, const typename System
 template <class System, Correction correction>
 bool is_replaced(int b, const typename System::State& state, const typename System::Closure& closure) noexcept {
   using Real = RealOf<System>;
-  if (correction == Correction::shortest || !(closure.pivot[b] >= kPivotThreshold<Real>)) return true;
+  if (!(closure.pivot[b] >= kPivotThreshold<Real>)) return true;
   return closure.pivot[b] < kNearSingular<Real> && is_unfair<System, correction>(b, state, closure);
 }
 
-/// Whether block b may be near a singular position, or must be checked in any case.
+/// Whether block b may be near a singular position. The shortest corrections are asked for near one anyway: there it is
+/// looked at where the frozen partition is bad.
 template <class System, Correction correction>
 bool is_watched(int b, const typename System::Closure& closure) noexcept {
-  return correction == Correction::shortest || !(closure.pivot[b] >= kNearSingular<RealOf<System>>);
+  using Real = RealOf<System>;
+  constexpr Real least = correction == Correction::shortest ? kPivotThreshold<Real> : kNearSingular<Real>;
+  return !(closure.pivot[b] >= least);
+}
+
+/// Whether the free directions of the frozen partition are to shorten the corrections of block b.
+template <class System, Correction correction>
+bool is_shortened(int b, const typename System::State& state, const typename System::Closure& closure) noexcept {
+  if (correction == Correction::shortest) return System::kBlockLayout[b].free > 0;
+  return is_unfair<System, correction>(b, state, closure);
 }
 
 /// Shortens dz and zd of the blocks whose frozen partition is only fair at this position. Replaces them by the
-/// corrections of a pivoted partition for ill-conditioned blocks, or for all blocks with the shortest correction. The
-/// status may be a notice. Fails: loop_singular.
+/// corrections of a pivoted partition for ill-conditioned blocks. The status may be a notice. Fails: loop_singular.
 template <class System, Correction correction>
 Status correct_closure(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                        const typename System::State& state, typename System::Closure& closure) noexcept {
@@ -63,7 +72,7 @@ Status correct_closure(const typename System::Parameters& parameters, const type
   for (int b = 0; b < System::kBlocks; ++b) {
     if (is_watched<System, correction>(b, closure)) {
       serves = false;
-    } else if (is_unfair<System, correction>(b, state, closure)) {
+    } else if (is_shortened<System, correction>(b, state, closure)) {
       shorten_block<System>(b, state, closure, [](const auto& value, auto& to) { to = value; });
     }
   }
@@ -190,23 +199,25 @@ Status accept(const typename System::Closure& closure, typename System::State& t
 
 /// Newton's iteration on z of `trial`; at the end its velocities are consistent. The status may be a notice. correct:
 /// replaces corrections of the frozen partition if another one is needed. ends_at_tolerance: false to iterate while it
-/// improves: near a singular position a small residual does not determine the coordinates.
+/// improves: near a singular position a small residual does not determine the coordinates. closures: evaluations that
+/// are left, at least one.
 template <class System, class Correct>
 Status close_loops(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                   typename System::State& trial, bool ends_at_tolerance, const Correct& correct) noexcept {
+                   typename System::State& trial, bool ends_at_tolerance, const Correct& correct,
+                   int& closures) noexcept {
   using Real = RealOf<System>;
   constexpr Real tolerance = closure_tolerance<System>();
   typename System::Closure closure;
   Misfit<Real> misfit;
   Real previous = std::numeric_limits<Real>::infinity();
-  for (int iteration = 0; iteration <= kNewtonIterations; ++iteration) {
+  while (closures-- > 0) {
     System::closure(parameters, inputs, trial, closure);
     const Status notice = correct(closure);
     if (!notice.ok()) return notice;
     misfit = largest_residual<System>(closure, 0);
     const Real driven = largest_driven_step<System>(closure);
     const Real size = driven > misfit.size ? driven : misfit.size;
-    const bool gains = size > 0 && size < Real(0.5) * previous && iteration < kNewtonIterations;
+    const bool gains = size > 0 && size < Real(0.5) * previous && closures > 0;
     const bool is_enough = size <= tolerance && ends_at_tolerance;
     if (is_enough || (!gains && size <= kRoundingFloor<Real>)) {
       const Status accepted = accept<System>(closure, trial);
@@ -219,10 +230,18 @@ Status close_loops(const typename System::Parameters& parameters, const typename
   return {Code::loop_not_closed, block_of<System>(misfit.equation)};
 }
 
+/// The same with as many evaluations as one projection takes.
+template <class System, class Correct>
+Status close_loops(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                   typename System::State& trial, bool ends_at_tolerance, const Correct& correct) noexcept {
+  int closures = kNewtonIterations + 1;
+  return close_loops<System>(parameters, inputs, trial, ends_at_tolerance, correct, closures);
+}
+
 /// The same by the frozen partition, or by a pivoted one where that is bad.
 template <class System, Correction correction>
 Status close_loops(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                   typename System::State& trial) noexcept {
+                   typename System::State& trial, int& closures) noexcept {
   const auto correct = [&](typename System::Closure& closure) {
     if constexpr (kChartsOf < typename System::State >> 0) {
       if (in_other_chart(trial)) {
@@ -235,7 +254,14 @@ Status close_loops(const typename System::Parameters& parameters, const typename
       return frozen_status<System>(closure.pivot);
     }
   };
-  return close_loops<System>(parameters, inputs, trial, correction != Correction::shortest, correct);
+  return close_loops<System>(parameters, inputs, trial, correction != Correction::shortest, correct, closures);
+}
+
+template <class System, Correction correction>
+Status close_loops(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                   typename System::State& trial) noexcept {
+  int closures = kNewtonIterations + 1;
+  return close_loops<System, correction>(parameters, inputs, trial, closures);
 }
 
 /// Adds Phi_z zd to the values per equation.

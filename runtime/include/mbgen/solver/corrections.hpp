@@ -87,6 +87,7 @@ void shorten_block(int b, const typename System::State& state, typename System::
   }
   const Real* rz = closure.Rz + block.first_projection;
   Real gram[most_free<System>() * most_free<System>()], along[most_free<System>()];
+  gram[0] = Real{};  // of blocks without free directions g++ does not see that nothing is read
   factorise_gram(block.coordinates, block.free, rz, gram);
   shorten(block.coordinates, block.free, rz, gram, along, dz);
   shorten(block.coordinates, block.free, rz, gram, along, dzd);

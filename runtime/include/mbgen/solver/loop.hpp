@@ -19,6 +19,9 @@ struct LoopFactorsOf {
   int* rows = nullptr;      ///< rows[k]: equation in place k
   int* columns = nullptr;   ///< columns[k]: coordinate in place k; the first `rank` are dependent
   Real smallest_ratio = 0;  ///< smallest accepted |pivot| over the largest pivot; 0 without pivots
+  Real* largest =
+      nullptr;  ///< per row, memory for its largest entry and the place of that: then a pivot is searched only
+  int* largest_at = nullptr;  ///< in rows that elimination changed. Null: in all of them; the pivots are the same
 };
 
 using LoopFactors = LoopFactorsOf<double>;
@@ -67,6 +70,20 @@ inline bool is_passed_over(const LatePivots& order, int equation, int k) noexcep
   return order.late != nullptr && (order.late[equation] != 0) != (k >= order.early_rank);
 }
 
+/// Keeps the first of the largest entries of a row from column `first` on, driven columns left out.
+template <class Real>
+inline void search_row(const LoopFactorsOf<Real>& loop, int i, int first, const unsigned char* driven) noexcept {
+  const Real* row = row_of(loop, i);
+  Real largest = 0;
+  int at = -1;
+  for (int j = first; j < loop.coordinates; ++j) {
+    const Real size = std::abs(row[j]);
+    if (size > largest && !is_driven(driven, loop.columns[j])) largest = size, at = j;
+  }
+  loop.largest[i] = largest;
+  loop.largest_at[i] = at;
+}
+
 /// Largest entry among the rows and columns from place `first` on, driven columns left out.
 template <class Real>
 inline Pivot<Real> find_pivot(const LoopFactorsOf<Real>& loop, int first, const unsigned char* driven,
@@ -74,6 +91,10 @@ inline Pivot<Real> find_pivot(const LoopFactorsOf<Real>& loop, int first, const 
   Pivot<Real> pivot;
   for (int i = first; i < loop.equations; ++i) {
     if (is_passed_over(order, loop.rows[i], first)) continue;
+    if (loop.largest != nullptr) {
+      if (loop.largest[i] > pivot.size) pivot = {i, loop.largest_at[i], loop.largest[i]};
+      continue;
+    }
     const Real* row = row_of(loop, i);
     for (int j = first; j < loop.coordinates; ++j) {
       const Real size = std::abs(row[j]);
@@ -89,6 +110,10 @@ inline void move_pivot(LoopFactorsOf<Real>& loop, int k, const Pivot<Real>& pivo
   if (pivot.row != k) {
     for (int j = 0; j < loop.coordinates; ++j) swap(row_of(loop, k)[j], row_of(loop, pivot.row)[j]);
     swap(loop.rows[k], loop.rows[pivot.row]);
+    if (loop.largest != nullptr) {
+      swap(loop.largest[k], loop.largest[pivot.row]);
+      swap(loop.largest_at[k], loop.largest_at[pivot.row]);
+    }
   }
   if (pivot.column != k) {
     for (int i = 0; i < loop.equations; ++i) swap(row_of(loop, i)[k], row_of(loop, i)[pivot.column]);
@@ -96,16 +121,21 @@ inline void move_pivot(LoopFactorsOf<Real>& loop, int k, const Pivot<Real>& pivo
   }
 }
 
-/// Eliminates column k below the diagonal and keeps the factors in its place.
+/// Eliminates column k below the diagonal and keeps the factors in its place. moved: the place that its pivot came
+/// from.
 template <class Real>
-inline void eliminate(LoopFactorsOf<Real>& loop, int k) noexcept {
+inline void eliminate(LoopFactorsOf<Real>& loop, int k, int moved, const unsigned char* driven) noexcept {
   const Real* pivot_row = row_of(loop, k);
   for (int i = k + 1; i < loop.equations; ++i) {
     Real* row = row_of(loop, i);
-    const Real factor = row[k] / pivot_row[k];
+    const Real factor = row[k] == 0 ? Real(0) : row[k] / pivot_row[k];
     row[k] = factor;
-    if (factor == 0) continue;
-    for (int j = k + 1; j < loop.coordinates; ++j) row[j] -= factor * pivot_row[j];
+    // Of equal entries the first one counts: columns that changed places may have changed that.
+    const bool is_changed = loop.largest != nullptr && (loop.largest_at[i] == k || loop.largest_at[i] == moved);
+    if (factor != 0) {
+      for (int j = k + 1; j < loop.coordinates; ++j) row[j] -= factor * pivot_row[j];
+    }
+    if (is_changed || (loop.largest != nullptr && factor != 0)) search_row(loop, i, k + 1, driven);
   }
 }
 
@@ -123,6 +153,7 @@ inline void factorise(LoopFactorsOf<Real>& loop, int rank_limit, const unsigned 
   loop.rank = 0;
   loop.smallest_ratio = 0;
   if (!loop_detail::all_finite(loop)) return;
+  for (int i = 0; loop.largest != nullptr && i < loop.equations; ++i) loop_detail::search_row(loop, i, 0, driven);
   Real first = 0, smallest = 0, largest = 0;
   while (loop.rank < rank_limit) {
     const int k = loop.rank;
@@ -132,7 +163,7 @@ inline void factorise(LoopFactorsOf<Real>& loop, int rank_limit, const unsigned 
     smallest = pivot.size < smallest ? pivot.size : smallest;
     largest = pivot.size > largest ? pivot.size : largest;
     loop_detail::move_pivot(loop, k, pivot);
-    loop_detail::eliminate(loop, k);
+    loop_detail::eliminate(loop, k, pivot.column, driven);
     ++loop.rank;
   }
   if (loop.rank > 0) loop.smallest_ratio = smallest / largest;

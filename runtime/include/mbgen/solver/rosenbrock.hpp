@@ -70,13 +70,13 @@ void solve_stage(const System& system, const typename System::Tangents& tangents
 
 /// One stage: its state from the changes before, in `stage`, and its own change. The status may be a notice.
 template <class Care, class System, std::size_t K>
-Status implicit_stage(const System& system, const typename System::Tangents& tangents,
+Status implicit_stage(Care& care, const System& system, const typename System::Tangents& tangents,
                       const typename System::State& start, const double (&weights)[K], const double (&coupling)[K],
                       const StateRates<System>* const (&before)[K], double h, typename System::State& stage,
                       StateRates<System>& change) noexcept {
   stage.t = start.t + kStageTime[K] * h;
   advance<System>(start, weights, before, stage);
-  const Status status = Care::rates(system, stage, h, change);
+  const Status status = care.rates(system, stage, h, change);
   if (!Care::goes_on(status)) return status;
   add_changes<System>(coupling, h, before, change);
   solve_stage(system, tangents, kRosenbrockFactor * h, change);
@@ -85,31 +85,30 @@ Status implicit_stage(const System& system, const typename System::Tangents& tan
 
 /// One step to `result`, a copy of the state. The status may be a notice.
 template <class Care, class System>
-Status try_rosenbrock(const System& system, const typename System::State& start, double h,
+Status try_rosenbrock(Care& care, const System& system, const typename System::State& start, double h,
                       typename System::State& result) noexcept {
   typename System::Tangents tangents;
   Status met = system.tangents(start, kRosenbrockFactor * h, tangents);
   if (!Care::goes_on(met)) return met;
   StateRates<System> first, second, third, fourth;
-  Status status = Care::rates(system, start, h, first);
+  Status status = care.rates(system, start, h, first);
   met = graver(met, status);
   if (!Care::goes_on(status)) return status;
   solve_stage(system, tangents, kRosenbrockFactor * h, first);
-  status = implicit_stage<Care, System>(system, tangents, start, kStage2, kCoupling2, {&first}, h, result, second);
+  status = implicit_stage(care, system, tangents, start, kStage2, kCoupling2, {&first}, h, result, second);
+  met = graver(met, status);
+  if (!Care::goes_on(status)) return status;
+  status = implicit_stage(care, system, tangents, start, kStage3, kCoupling3, {&first, &second}, h, result, third);
   met = graver(met, status);
   if (!Care::goes_on(status)) return status;
   status =
-      implicit_stage<Care, System>(system, tangents, start, kStage3, kCoupling3, {&first, &second}, h, result, third);
-  met = graver(met, status);
-  if (!Care::goes_on(status)) return status;
-  status = implicit_stage<Care, System>(system, tangents, start, kStage4, kCoupling4, {&first, &second, &third}, h,
-                                        result, fourth);
+      implicit_stage(care, system, tangents, start, kStage4, kCoupling4, {&first, &second, &third}, h, result, fourth);
   met = graver(met, status);
   if (!Care::goes_on(status)) return status;
   typename System::State last;
   copy_state(result, last);
   advance<System>(last, {1.0}, {&fourth}, result);
-  status = finish<Care>(system, h, result);
+  status = finish(care, system, h, result);
   return status.ok() ? graver(met, status) : status;
 }
 
@@ -121,10 +120,10 @@ Status try_rosenbrock(const System& system, const typename System::State& start,
 template <class System>
 Status step_rosenbrock(const System& system, typename System::State& state, double h) noexcept {
   using State = typename System::State;
-  return integrator_detail::one_step(
-      system, state, h, kRosenbrockTurn, [&](auto care, const State& start, State& result) {
-        return integrator_detail::try_rosenbrock<decltype(care)>(system, start, h, result);
-      });
+  return integrator_detail::one_step(system, state, h, kRosenbrockTurn,
+                                     [&](auto& care, const State& start, State& result) {
+                                       return integrator_detail::try_rosenbrock(care, system, start, h, result);
+                                     });
 }
 
 }  // namespace mbgen

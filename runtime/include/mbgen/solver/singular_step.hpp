@@ -9,6 +9,7 @@
 // closures by the square of the step sees other Jacobians than those of the branch.
 
 #include "mbgen/math/precision.hpp"
+#include "mbgen/solver/passage.hpp"
 #include "mbgen/solver/states.hpp"
 
 namespace mbgen {
@@ -19,7 +20,7 @@ constexpr int kNodes = 4;
 constexpr double kFirstSpacing = 0.125;
 constexpr int kSpacings = 20;
 /// Halvings of a step that find the place where its loops change their side.
-constexpr int kHalvings = 10;
+constexpr int kHalvings = 8;
 
 /// Change of the velocities of a loop in a step, as part of them and of what the method bears, from which it turns
 /// aside. Measured with `most` as its factor, see docs/use/numerical_trouble.md and tests/system/near_singular.
@@ -216,6 +217,12 @@ void on_the_way(const State& from, const State& to, double h, double part, State
   for (std::size_t i = 0; i < size_of(at.x); ++i) at.x[i] += share * (to.x[i] - from.x[i]);
 }
 
+/// Whether a System knows the motion of its loop blocks through a singular position.
+template <class System, class = void>
+inline constexpr bool kLooksAcross = false;
+template <class System>
+inline constexpr bool kLooksAcross<System, std::void_t<decltype(&System::look_across)>> = true;
+
 /// Limits of a method for steps that were taken with care or plainly, whose stages are all at distances of at least
 /// kNearSingular.
 template <class Real>
@@ -228,11 +235,11 @@ constexpr double kLookedAt = 0.05;
 
 /// Checks a step of h seconds whose stages were all clear of singular positions, and which may still have jumped across
 /// one, or past one by more than its method bears. If its loops reach another side of it, branches must cross there:
-/// singular_met. Fails: loop_singular if they come close and do not cross.
+/// singular_met. Fails: loop_singular if they come close and do not cross. closures: evaluations that are left.
 template <class System>
 Status check_way([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& from,
                  [[maybe_unused]] const typename System::State& to, [[maybe_unused]] double h,
-                 [[maybe_unused]] const WayLimits& limits) noexcept {
+                 [[maybe_unused]] const WayLimits& limits, [[maybe_unused]] int closures = kStepClosures) noexcept {
   if constexpr (kTellsSides<System>) {
     const Status way = system.watch_way(from, to, h, limits);
     if (way.code != Code::singular_met) return way;
@@ -246,12 +253,22 @@ Status check_way([[maybe_unused]] const System& system, [[maybe_unused]] const t
     }
     on_the_way(from, to, h, high, at);
     copy_state(at, through);
-    static_cast<void>(system.project_crossing(through, clearance));
+    if constexpr (kLooksAcross<System>) {
+      static_cast<void>(system.project_crossing(through, clearance, closures));
+    } else {
+      static_cast<void>(system.project_crossing(through, clearance));
+    }
     // Far from singular positions the mechanism has turned by more than a right angle, in its coordinates.
     if (clearance >= static_cast<double>(kNearSingular<WeightOf<decltype(System::State::z)>>)) return {};
     StateRates<System> rates;
     const double look = h * fastest_rate(at) > kLookedAt ? kLookedAt / fastest_rate(at) : h;
-    if (pass_through(system, at, look, through, rates)) return {Code::singular_met, block};
+    if constexpr (kLooksAcross<System>) {
+      typename System::Passage passage;
+      passage.closures = closures;
+      if (system.look_across(at, look, passage).ok() && passage.spacing > 0) return {Code::singular_met, block};
+    } else {
+      if (pass_through(system, at, look, through, rates)) return {Code::singular_met, block};
+    }
     return {Code::loop_singular, block};
   } else {
     return {};
@@ -263,72 +280,6 @@ constexpr bool asks_for_care(Status status) noexcept {
   return status.code == Code::loop_singular || status.code == Code::loop_not_closed ||
          status.code == Code::near_singular || status.code == Code::singular_met;
 }
-
-/// Plain stages; any need for care ends the step.
-struct Plain {
-  static constexpr bool goes_on(Status status) noexcept { return status.ok() && !asks_for_care(status); }
-
-  template <class State>
-  static Status check(const State& result) noexcept {
-    return check_finite(result);
-  }
-
-  template <class System>
-  static Status rates(const System& system, const typename System::State& stage, double /*h*/,
-                      StateRates<System>& rates) noexcept {
-    return evaluate(system, stage, rates);
-  }
-  template <class System>
-  static Status close(const System& system, typename System::State& state, double /*h*/) noexcept {
-    return system.project(state);
-  }
-};
-
-/// Where a singular position is not passed, it was only near.
-constexpr Status as_near(Status status) noexcept {
-  return status.code == Code::singular_met ? Status{Code::near_singular, status.index} : status;
-}
-
-/// Stages closed before they are evaluated, and singular positions passed.
-struct Careful {
-  static constexpr bool goes_on(Status status) noexcept { return status.ok(); }
-
-  template <class State>
-  static Status check(const State& result) noexcept {
-    return check_finite(result);
-  }
-
-  /// Closes a state; at a singular position it also has the rates.
-  template <class System>
-  static Status close(const System& system, typename System::State& state, double h,
-                      StateRates<System>& rates) noexcept {
-    typename System::State closed;
-    copy_state(state, closed);
-    const Status status = system.project_nearest(closed);
-    if (is_singular(status) && pass_through(system, state, h, state, rates)) return {Code::singular_met, status.index};
-    if (!status.ok()) return status;
-    if (is_singular(status) && leaps_over(system, closed, h)) return {Code::loop_singular, status.index};
-    copy_state(closed, state);
-    return as_near(status);
-  }
-
-  template <class System>
-  static Status close(const System& system, typename System::State& state, double h) noexcept {
-    StateRates<System> rates;
-    return close(system, state, h, rates);
-  }
-
-  template <class System>
-  static Status rates(const System& system, const typename System::State& stage, double h,
-                      StateRates<System>& rates) noexcept {
-    typename System::State closed;
-    copy_state(stage, closed);
-    const Status status = close(system, closed, h, rates);
-    if (!status.ok() || status.code == Code::singular_met) return status;
-    const Status evaluated = evaluate(system, closed, rates);
-    return evaluated.ok() ? as_near(graver(status, evaluated)) : evaluated;
-  }
-};
 
 }  // namespace integrator_detail
 

@@ -1,0 +1,287 @@
+#pragma once
+// Nodes of a passage (passing.hpp): closed states of loop blocks on both sides of a singular position. `System` is
+// described in blocks.hpp.
+
+#include "mbgen/motion.hpp"
+#include "mbgen/solver/passage.hpp"
+
+namespace mbgen {
+
+/// Way of the fastest coordinate from the middle of a singular position to the first nodes that are tried (rad or m):
+/// twice as far as it reaches.
+constexpr double kPassageReach = 0.02;
+/// Pivot of the frozen partition below which a block may go by a passage: a little before it is no longer trusted.
+template <class Real>
+inline constexpr Real kPassagePivot = 2 * kPivotThreshold<Real>;
+
+/// Way of the fastest coordinate to the nodes (rad or m), beside a singular position that is `distance` away. way: in
+/// the step. It doubles while they are not clear.
+constexpr double passage_reach(double distance, double way) noexcept {
+  const double clear = 0.8 * kPassageReach, before = distance - clear;
+  const double reach = before < kPassageReach ? before : kPassageReach;
+  return reach >= clear && reach >= way ? reach : distance + kPassageReach > way ? distance + kPassageReach : way;
+}
+/// Closures of one node: Newton from a guess that is off by the square of the spacing, the check, and z*.
+constexpr int kNodeClosures = 8;
+/// Largest share of the way to the first node that the term of degree four has in a motion that is followed: a
+/// thousandth of a thousandth where it is smooth, and the error of the middle over the way.
+template <class Real>
+inline constexpr Real kPassageBend = Real(0.01);
+
+template <class System>
+constexpr int projection_entries() noexcept {
+  int entries = 1;  // an array has one at least
+  for (int b = 0; b < System::kBlocks; ++b)
+    entries = System::kBlockLayout[b].first_projection +
+              System::kBlockLayout[b].coordinates * System::kBlockLayout[b].free + 1;
+  return entries;
+}
+
+namespace solver_detail {
+
+/// Memory for the nodes around a singular position.
+template <class System>
+struct PassageWork {
+  using Real = RealOf<System>;
+  typename System::State state;
+  typename System::ClosureTerms terms;
+  typename System::Closure closure;
+  typename System::Projection projection;
+  BlockFactors<System> factors;
+  unsigned char fixed[System::kBlockCoordinates];  ///< driven or free: not dependent at any node
+  bool is_chosen = false;                          ///< `fixed` is known
+  Real solution[System::kBlockCoordinates];
+  Real right_hand_side[System::kEquations];
+  Real z[kPassageNodes][System::kCoordinates], zd[kPassageNodes][System::kCoordinates];
+  Real zdd_star[kPassageNodes][System::kCoordinates];
+  Real rz[kPassageNodes][projection_entries<System>()];
+};
+
+/// Whether a block of the passage has an entry for coordinate c of it.
+template <class System>
+bool has_motion(int b) noexcept {
+  const BlockLayout& block = System::kBlockLayout[b];
+  bool has = false;
+  for (int c = 0; c < block.coordinates; ++c) has = has || System::kBlockDriven[block.first_coordinate + c] != 0;
+  return has;
+}
+
+/// Factors of a block of `terms` in place; its free coordinates are chosen by full pivoting at the first call. Result:
+/// false where it is not clear of the singular position.
+template <class System>
+bool factorise_node(int b, PassageWork<System>& work, LoopFactorsOf<RealOf<System>>& loop) noexcept {
+  using Real = RealOf<System>;
+  const BlockLayout& block = System::kBlockLayout[b];
+  unsigned char* const fixed = work.fixed + block.first_coordinate;
+  if (!work.is_chosen) {
+    for (int c = 0; c < block.coordinates; ++c) fixed[c] = System::kBlockDriven[block.first_coordinate + c];
+  }
+  loop = work.factors.factors_of(b, work.terms, block.rank, fixed);
+  if (!work.is_chosen) {
+    for (int c = 0; c < block.coordinates; ++c) fixed[c] = 1;
+    for (int k = 0; k < loop.rank; ++k) fixed[loop.columns[k]] = 0;
+  }
+  return loop.rank == block.rank && smallest_pivot(loop) >= kSingular<Real> * static_cast<Real>(block.pivot);
+}
+
+/// Solves for the dependent coordinates of block b; the others are given in `solution`, per coordinate of all blocks.
+template <class System>
+void solve_node(int b, const LoopFactorsOf<RealOf<System>>& loop, PassageWork<System>& work) noexcept {
+  const BlockLayout& block = System::kBlockLayout[b];
+  solve_dependent(loop, work.right_hand_side, work.solution + block.first_coordinate, work.factors.work);
+}
+
+/// One Newton step of a block at a node, and its consistent velocities. Result: its largest residual, negative where
+/// the node is not clear.
+template <class System>
+RealOf<System> close_node(int b, PassageWork<System>& work) noexcept {
+  using Real = RealOf<System>;
+  const BlockLayout& block = System::kBlockLayout[b];
+  const int* coordinate = System::kBlockCoordinate + block.first_coordinate;
+  LoopFactorsOf<Real> loop;
+  if (!factorise_node<System>(b, work, loop)) return -1;
+  Real size = 0;
+  for (int e = 0; e < block.equations; ++e) {
+    const Real open = work.terms.Phi[block.first_equation + e];
+    work.right_hand_side[e] = -open;
+    if (System::kRedundant[block.first_equation + e] == 0 && !(std::abs(open) <= size)) size = std::abs(open);
+  }
+  Real* const solution = work.solution + block.first_coordinate;
+  for (int c = 0; c < block.coordinates; ++c) {
+    const int i = coordinate[c];
+    solution[c] = System::kDriven[i] != 0 ? work.closure.dz[i] : Real(0);
+    size = std::abs(solution[c]) > size ? std::abs(solution[c]) : size;
+  }
+  solve_node<System>(b, loop, work);
+  for (int c = 0; c < block.coordinates; ++c) work.state.z[coordinate[c]] += solution[c];
+  for (int e = 0; e < block.equations; ++e) work.right_hand_side[e] = 0;
+  for (int c = 0; c < block.coordinates; ++c) {
+    const int i = coordinate[c];
+    solution[c] = System::kDriven[i] != 0 ? work.closure.zd[i] : work.state.zd[i];
+  }
+  solve_node<System>(b, loop, work);
+  for (int c = 0; c < block.coordinates; ++c) work.state.zd[coordinate[c]] = solution[c];
+  return size;
+}
+
+/// z* and Rz of a block at a closed node.
+template <class System>
+bool keep_node(int b, int node, PassageWork<System>& work) noexcept {
+  using Real = RealOf<System>;
+  const BlockLayout& block = System::kBlockLayout[b];
+  LoopFactorsOf<Real> loop;
+  if (!factorise_node<System>(b, work, loop)) return false;
+  Real* const solution = work.solution + block.first_coordinate;
+  for (int c = 0; c < block.coordinates; ++c) {
+    const int i = System::kBlockCoordinate[block.first_coordinate + c];
+    solution[c] = System::kDriven[i] != 0 ? work.terms.driven_acceleration[i] : Real(0);
+  }
+  for (int e = 0; e < block.equations; ++e) work.right_hand_side[e] = work.terms.c[block.first_equation + e];
+  solve_node<System>(b, loop, work);
+  for (int c = 0; c < block.coordinates; ++c) {
+    const int i = System::kBlockCoordinate[block.first_coordinate + c];
+    work.z[node][i] = work.state.z[i];
+    work.zd[node][i] = work.state.zd[i];
+    work.zdd_star[node][i] = solution[c];
+  }
+  free_directions(loop, System::kBlockDriven + block.first_coordinate, work.rz[node] + block.first_projection,
+                  work.factors.work);
+  return true;
+}
+
+/// Whether nodes could be had.
+enum class Reached { all, not_clear, nowhere };
+
+/// Closes the guess in work.state for the blocks that cross, their free coordinates held, and keeps it as a node.
+template <class System, class InputsAt>
+Reached reach_node(const typename System::Parameters& parameters, const InputsAt& inputs_at,
+                   const unsigned char* crosses, int node, PassageWork<System>& work, int& closures) noexcept {
+  using Real = RealOf<System>;
+  const auto& inputs = inputs_at(work.state.t);
+  Real previous = std::numeric_limits<Real>::infinity();
+  bool is_closed = false;
+  for (int k = 0; k < kNodeClosures && closures-- > 0; ++k) {
+    if constexpr (System::kDrives > 0) System::closure(parameters, inputs, work.state, work.closure);
+    System::closure_terms(parameters, inputs, work.state, work.terms);
+    if (is_closed) {
+      for (int b = 0; b < System::kBlocks; ++b) {
+        if (crosses[b] != 0 && !keep_node<System>(b, node, work)) return Reached::not_clear;
+      }
+      return Reached::all;
+    }
+    Real size = 0;
+    for (int b = 0; b < System::kBlocks; ++b) {
+      if (crosses[b] == 0) continue;
+      const Real of_block = close_node<System>(b, work);
+      if (!(of_block >= 0)) return Reached::not_clear;
+      size = of_block > size ? of_block : size;
+    }
+    work.is_chosen = true;
+    is_closed = !(size > 0 && size < Real(0.5) * previous);
+    if (is_closed && !(size <= kRoundingFloor<Real>)) return Reached::nowhere;
+    previous = size;
+  }
+  return Reached::nowhere;
+}
+
+/// Guess of a node at `time` from the middle: straight, or beyond the first node by all that is known.
+template <class System>
+void guess_node(const typename System::State& middle, double time, PassageWork<System>& work) noexcept {
+  copy_state<System>(middle, work.state);
+  work.state.t = middle.t + time;
+  for (int c = 0; c < System::kBlockCoordinates; ++c) {
+    const int i = System::kBlockCoordinate[c];
+    work.state.z[i] += static_cast<RealOf<System>>(time) * middle.zd[i];
+  }
+}
+
+/// Guess of the node opposite of the first one: by the polynomial of degree four through that and the middle. Result:
+/// false where it bends so much that nothing follows from it.
+template <class System>
+bool guess_opposite(const typename System::State& middle, double time, PassageWork<System>& work) noexcept {
+  using Real = RealOf<System>;
+  guess_node<System>(middle, -time, work);
+  const auto h = static_cast<Real>(time);
+  Real rough = 0, longest = 0;
+  for (int c = 0; c < System::kBlockCoordinates; ++c) {
+    const int i = System::kBlockCoordinate[c];
+    if (work.fixed[c] != 0) continue;
+    const Real start = h * middle.zd[i];
+    const Real way = work.z[0][i] - middle.z[i] - start, rate = h * work.zd[0][i] - start;
+    const Real bend = h * h * work.zdd_star[0][i];
+    const Real second = 6 * way - 3 * rate + Real(0.5) * bend;  // of the powers of time / h
+    const Real third = -8 * way + 5 * rate - bend, fourth = 3 * way - 2 * rate + Real(0.5) * bend;
+    work.state.z[i] += second - third + fourth;
+    rough = std::abs(fourth) > rough ? std::abs(fourth) : rough;
+    longest = std::abs(h * work.zd[0][i]) > longest ? std::abs(h * work.zd[0][i]) : longest;
+  }
+  return rough <= kPassageBend<Real> * longest;
+}
+
+/// Blocks at or near a singular position at a state, whose frozen partition is bad there. Result: the first of them, or
+/// -1. distance: of the nearest one, the smallest pivot over a typical one.
+template <class System>
+int blocks_that_cross(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                      const typename System::State& state, PassageWork<System>& work, unsigned char* crosses,
+                      double& distance) noexcept {
+  using Real = RealOf<System>;
+  System::closure(parameters, inputs, state, work.closure);
+  System::closure_terms(parameters, inputs, state, work.terms);
+  int first = -1;
+  distance = 1;
+  for (int b = 0; b < System::kBlocks; ++b) {
+    crosses[b] = 0;
+    if (work.closure.pivot[b] >= kPassagePivot<Real> && !in_other_chart(state)) continue;
+    const LoopFactorsOf<Real> loop = work.factors.factors_of(b, work.terms);
+    const auto typical = static_cast<Real>(System::kBlockLayout[b].pivot);
+    const Real pivot = loop.rank == System::kBlockLayout[b].rank ? smallest_pivot(loop) : Real(0);
+    crosses[b] = pivot < kNearSingular<Real> * typical ? 1 : 0;
+    const double here = static_cast<double>(pivot / typical);
+    distance = here < distance ? here : distance;
+    first = crosses[b] != 0 && first < 0 ? b : first;
+  }
+  return first;
+}
+
+/// Whether a straight motion is clear of the singular position at `time` from the middle.
+template <class System, class InputsAt>
+bool is_clear_at(const typename System::Parameters& parameters, const InputsAt& inputs_at,
+                 const typename System::State& middle, double time, const unsigned char* crosses,
+                 PassageWork<System>& work) noexcept {
+  guess_node<System>(middle, time, work);
+  System::closure_terms(parameters, inputs_at(work.state.t), work.state, work.terms);
+  LoopFactorsOf<RealOf<System>> loop;
+  bool clear = true;
+  for (int b = 0; b < System::kBlocks; ++b) clear = clear && (crosses[b] == 0 || factorise_node<System>(b, work, loop));
+  return clear;
+}
+
+/// The nodes at a spacing, s.
+template <class System, class InputsAt, class OfPassage>
+Reached reach_nodes(const typename System::Parameters& parameters, const InputsAt& inputs_at,
+                    const typename System::State& middle, double spacing, const OfPassage& passage,
+                    PassageWork<System>& work, int& closures) noexcept {
+  bool are_four = false;
+  for (int b = 0; b < System::kBlocks; ++b) {
+    const int free = System::kBlockLayout[b].free;
+    are_four = are_four || (passage.crosses[b] != 0 && free > 0 && (free > 1 || has_motion<System>(b)));
+  }
+  for (int c = 0; c < System::kBlockCoordinates; ++c) work.fixed[c] = 1;
+  work.is_chosen = false;
+  if (closures-- <= 0) return Reached::nowhere;
+  // Before the node ahead is closed, which takes several evaluations.
+  if (!is_clear_at<System>(parameters, inputs_at, middle, -spacing, passage.crosses, work)) return Reached::not_clear;
+  constexpr double kPlaces[kPassageNodes] = {1, -1, 2, -2};
+  for (int node = 0; node < (are_four ? kPassageNodes : 2); ++node) {
+    const bool goes_on = node != 1 || guess_opposite<System>(middle, spacing, work);
+    if (!goes_on) return Reached::nowhere;
+    if (node != 1) guess_node<System>(middle, kPlaces[node] * spacing, work);
+    const Reached reached = reach_node<System>(parameters, inputs_at, passage.crosses, node, work, closures);
+    if (reached != Reached::all) return reached;
+  }
+  return Reached::all;
+}
+
+}  // namespace solver_detail
+
+}  // namespace mbgen
