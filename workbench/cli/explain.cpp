@@ -4,6 +4,7 @@
 
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
+#include "workbench/cli/compiled.hpp"
 #include "workbench/cli/options.hpp"
 #include "workbench/describe/explanation.hpp"
 #include "workbench/engines/engine_arguments.hpp"
@@ -21,7 +22,7 @@ struct ExplainOptions {
 
 int run(const ExplainOptions& options) {
   const Model model = read_set_model(options.model, options.set);
-  print(options.tyre.empty() ? explanation_text(expect(compile(model, {chosen_form(options.form)})))
+  print(options.tyre.empty() ? explanation_text(compiled(model, chosen_form(options.form)))
                              : tyre_law_text(expect(decide(model)), options.tyre));
   return kDone;
 }

@@ -12,6 +12,7 @@
 #include "compiler/text/json_text.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
+#include "workbench/cli/compiled.hpp"
 #include "workbench/cli/options.hpp"
 #include "workbench/cost/measured_cost.hpp"
 #include "workbench/describe/dump.hpp"
@@ -108,7 +109,7 @@ int run(const GenerateOptions& options) {
   }
   require_precision(options);
   check_budget(options);
-  const Compilation compilation = expect(compile(read_named(options), {chosen_form(options.form)}));
+  const Compilation compilation = compiled(read_named(options), chosen_form(options.form));
   require_range(compilation, options.emit.scalar);
   EmitOptions emitted = options.emit;
   emitted.c_interface = options.c_interface || options.emit.calibration;
