@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include "compiler/passes/passes.hpp"
+#include "compiler/program/in_threads.hpp"
 #include "compiler/trace/each_program.hpp"
 
 namespace mbgen {
@@ -52,20 +54,21 @@ int choose(const Model& model, const Topology& topology, const Analysis& analysi
   const auto traced = [&](int c, TraceOrder order) {
     return trace_block(model, topology, analysis, b, candidates[c], order);
   };
-  std::vector<int> counted, with_mirror;
+  std::vector<int> counted(std::min(static_cast<std::size_t>(most), candidates.size())), with_mirror;
+  std::iota(counted.begin(), counted.end(), 0);
+  in_threads(counted.size(), [&](std::size_t c) {
+    candidates[c].traced = count_operations(traced(static_cast<int>(c), TraceOrder::as_recorded)).total();
+  });
   long least = std::numeric_limits<long>::max();
-  for (int c = 0; c < std::min(most, static_cast<int>(candidates.size())); ++c) {
-    candidates[c].traced = count_operations(traced(c, TraceOrder::as_recorded)).total();
-    least = std::min(least, candidates[c].traced);
-    counted.push_back(c);
-  }
+  for (const int c : counted) least = std::min(least, candidates[c].traced);
   for (const int c : counted)
     if (candidates[c].symmetric && static_cast<double>(candidates[c].traced) <= (1 + kSymmetryBonus) * least)
       with_mirror.push_back(c);
   const std::vector<int> near = nearest(candidates, with_mirror.empty() ? counted : with_mirror);
   if (near.size() == 1) return near[0];
-  for (const int c : near)
-    candidates[c].operations = count_operations(optimise(traced(c, TraceOrder::canonical))).total();
+  in_threads(near.size(), [&](std::size_t i) {
+    candidates[near[i]].operations = count_operations(optimise(traced(near[i], TraceOrder::canonical))).total();
+  });
   return *std::min_element(near.begin(), near.end(),
                            [&](int a, int b) { return candidates[a].operations < candidates[b].operations; });
 }

@@ -32,18 +32,21 @@ void add_included_headers(std::string_view text, std::vector<EmittedFile>& files
   }
 }
 
-std::string cmake_flags(CompilerFamily family) {
-  return wrapped_words(joined(solver_compile_flags(family), " "), "      ");
-}
+std::string cmake_words(const std::vector<std::string>& flags) { return wrapped_words(joined(flags, " "), "      "); }
 
-/// `CMakeLists.txt`.
-std::string build_text(const EmitContext& context) {
+/// `CMakeLists.txt`. rare_parts: of the solver's file.
+std::string build_text(const EmitContext& context, int rare_parts) {
+  constexpr auto gnu = CompilerFamily::gnu, clang = CompilerFamily::clang;
   return fill_template(context, "CMakeLists.txt.in",
                        {{"banner", banner_text(context.model, "#")},
                         {"c_interface", context.options.c_interface},
-                        {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
+                        {"whole", rare_parts == 0},
+                        {"parts", rare_parts == 0 ? "" : std::to_string(rare_parts)},
+                        {"gnu_flags", cmake_words(solver_compile_flags(gnu))},
+                        {"gnu_rare_flags", cmake_words(rare_compile_flags(gnu))},
                         {"x86_flags", joined(lane_flags_of_gnu_on_x86(), " ")},
-                        {"clang_flags", cmake_flags(CompilerFamily::clang)}});
+                        {"clang_flags", cmake_words(solver_compile_flags(clang))},
+                        {"clang_rare_flags", cmake_words(rare_compile_flags(clang))}});
 }
 
 /// `<model>_samples.hpp`: tables of numbers for programs.
@@ -68,8 +71,8 @@ std::vector<EmittedFile> emit(const WrittenPrograms& programs, const Model& mode
   const nlohmann::ordered_json manifest = manifest_json(context, solver);
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
                                     solver_file(context, solver, false),
-                                    {name + "_cost.txt", cost_text(manifest, banner_text(model, "#"))},
-                                    {"CMakeLists.txt", build_text(context)}};
+                                    {name + "_cost.txt", cost_text(manifest, banner_text(model, "#"))}};
+  files.push_back({"CMakeLists.txt", build_text(context, files[1].rare_parts)});
   add_samples(context, files);
   add_quantities(context, files);
   if (options.lanes > 0) {

@@ -1,9 +1,11 @@
-#include <array>
+#include <algorithm>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "compiler/pairs/pairs.hpp"
 #include "compiler/passes/passes.hpp"
+#include "compiler/program/in_threads.hpp"
 
 namespace mbgen {
 namespace {
@@ -14,9 +16,13 @@ using OnProgram = Program (*)(const Program&);
 /// fewer bytes than without; at 0.90 and less coach.json and others took 19 % fewer.
 constexpr double kWorthPairs = 0.93;
 
-/// A pass on programs by themselves. Dead values go each time: what a pass replaces stays behind, and would count.
+/// A pass on programs by themselves, the largest first. Dead values go each time: what a pass replaces stays behind,
+/// and would count.
 void run_on(std::span<Program* const> programs, OnProgram run) {
-  for (Program* program : programs) *program = remove_dead_values(run(*program));
+  std::vector<Program*> order(programs.begin(), programs.end());
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Program* a, const Program* b) { return a->nodes.size() > b->nodes.size(); });
+  in_threads(order.size(), [&](std::size_t i) { *order[i] = remove_dead_values(run(*order[i])); });
 }
 
 template <OnProgram run>
@@ -28,8 +34,9 @@ WholePrograms on_each(WholePrograms whole, const AlikeInputs&) {
 /// The same of the accelerations alone, where a pass takes longer than it gains in programs that run less often.
 template <OnProgram run>
 WholePrograms on_accelerations(WholePrograms whole, const AlikeInputs&) {
-  run_on(std::array{&whole.programs.accelerations}, run);
-  if (whole.around_laws) run_on(std::array{&whole.around_laws->program}, run);
+  std::vector<Program*> programs = {&whole.programs.accelerations};
+  if (whole.around_laws) programs.push_back(&whole.around_laws->program);
+  run_on(programs, run);
   return whole;
 }
 
@@ -42,10 +49,18 @@ std::optional<PairedAccelerations> folded(const Program& program, bool holds_twi
 /// Left and right as pairs, or twins and then left and right of what they leave: what takes less code.
 WholePrograms with_pairs_folded(WholePrograms whole, const AlikeInputs& alike) {
   const Program& program = whole.accelerations_of_text();
-  whole.in_pairs = folded(fold_pairs(program, alike.mirror), false, true);
-  auto twins = folded(fold_twins(program, alike.twins), true, false);
+  std::optional<PairedAccelerations> sides, twins;
+  in_threads(2, [&](std::size_t task) {
+    if (task == 0) {
+      sides = folded(fold_pairs(program, alike.mirror), false, true);
+      return;
+    }
+    twins = folded(fold_twins(program, alike.twins), true, false);
+    if (!twins) return;
+    if (auto both = folded(fold_pairs(twins->program, alike.mirror), true, true)) twins = std::move(both);
+  });
+  whole.in_pairs = std::move(sides);
   if (!twins) return whole;
-  if (auto both = folded(fold_pairs(twins->program, alike.mirror), true, true)) twins = std::move(both);
   if (!whole.in_pairs || size_of_code(twins->program) < size_of_code(whole.in_pairs->program))
     whole.in_pairs = std::move(twins);
   return whole;

@@ -1,8 +1,11 @@
 #include "compiler/trace/trace.hpp"
 
+#include <functional>
 #include <utility>
+#include <vector>
 
 #include "compiler/model/tyres.hpp"
+#include "compiler/program/in_threads.hpp"
 #include "compiler/trace/each_program.hpp"
 
 namespace mbgen {
@@ -24,22 +27,25 @@ bool chooses(const Topology& topology) {
   return (!topology.loops.empty() || !topology.balls.empty()) && chooses_again(topology);
 }
 
-/// Adds every program but the accelerations.
-void trace_others(const Model& model, const Topology& topology, const Analysis& analysis, Spelling spelling,
-                  Programs& programs) {
-  const Form form = programs.form;
-  programs.closure = trace_closure(model, topology, analysis, form, spelling);
-  if (!topology.loops.empty()) programs.closure_terms = trace_closure_terms(model, topology, analysis, form, spelling);
-  programs.multipliers = trace_multipliers(model, topology, analysis, form, spelling);
-  programs.outputs = trace_outputs(model, topology, analysis, form, spelling);
-  if (!model.sampled.empty()) programs.sampled = trace_sampled(model, topology, analysis, form, spelling);
-  if (!tyres_on_host(model).empty())
-    programs.ground_places = trace_ground_places(model, topology, analysis, form, spelling);
-  if (model.solver.is_implicit()) {
-    auto [tangents, changes] = trace_implicit(model, topology, analysis, spelling);
-    programs.tangents = std::move(tangents);
-    programs.changes = std::move(changes);
-  }
+/// Traces of the programs beside the accelerations, to be run in any order.
+void add_other_traces(const Model& model, const Topology& topology, const Analysis& analysis, Spelling spelling,
+                      Programs& programs, std::vector<std::function<void()>>& traces) {
+  const auto add = [&](auto trace_one, Program& program) {
+    traces.emplace_back(
+        [&, trace_one, spelling] { program = trace_one(model, topology, analysis, programs.form, spelling); });
+  };
+  if (model.solver.is_implicit())
+    traces.emplace_back([&, spelling] {
+      auto [tangents, changes] = trace_implicit(model, topology, analysis, spelling);
+      programs.tangents = std::move(tangents);
+      programs.changes = std::move(changes);
+    });
+  add(trace_closure, programs.closure);
+  if (!topology.loops.empty()) add(trace_closure_terms, programs.closure_terms);
+  add(trace_multipliers, programs.multipliers);
+  add(trace_outputs, programs.outputs);
+  if (!model.sampled.empty()) add(trace_sampled, programs.sampled);
+  if (!tyres_on_host(model).empty()) add(trace_ground_places, programs.ground_places);
 }
 
 }  // namespace
@@ -49,19 +55,24 @@ WholePrograms trace(const Model& model, const Topology& topology, const Analysis
   WholePrograms whole;
   Programs& programs = whole.programs;
   programs.form = recursion ? Form::recursive : Form::matrix;
+  std::vector<std::function<void()>> traces;
   // The frozen and the chosen partition are in one form, so that both are the same equations.
   if (recursion) {
     programs.accelerations = std::move(recursion->program);
     if (chooses(topology))
-      programs.accelerations_chosen =
-          trace_recursive_accelerations(model, topology, analysis, Role::accelerations_chosen, recursion->choices);
-    whole.around_laws = trace_around_laws(model, topology, analysis, recursion->choices);
+      traces.emplace_back([&] {
+        programs.accelerations_chosen =
+            trace_recursive_accelerations(model, topology, analysis, Role::accelerations_chosen, recursion->choices);
+      });
+    traces.emplace_back([&] { whole.around_laws = trace_around_laws(model, topology, analysis, recursion->choices); });
   } else {
-    programs.accelerations = trace_matrix_accelerations(model, topology, analysis, Role::accelerations);
+    const auto traced = [&](Role role) { return trace_matrix_accelerations(model, topology, analysis, role); };
+    traces.emplace_back([&, traced] { programs.accelerations = traced(Role::accelerations); });
     if (chooses(topology))
-      programs.accelerations_chosen = trace_matrix_accelerations(model, topology, analysis, Role::accelerations_chosen);
+      traces.emplace_back([&, traced] { programs.accelerations_chosen = traced(Role::accelerations_chosen); });
   }
-  trace_others(model, topology, analysis, Spelling::fast, programs);
+  add_other_traces(model, topology, analysis, Spelling::fast, programs, traces);
+  in_threads(traces.size(), [&](std::size_t i) { traces[i](); });
   return whole;
 }
 
@@ -73,9 +84,11 @@ Programs trace_for_reading(const Model& model, const Topology& topology, const A
     return choices ? trace_recursive_accelerations(model, topology, analysis, role, *choices, {}, Spelling::reading)
                    : trace_matrix_accelerations(model, topology, analysis, role, Spelling::reading);
   };
-  programs.accelerations = accelerations(Role::accelerations);
-  if (chooses(topology)) programs.accelerations_chosen = accelerations(Role::accelerations_chosen);
-  trace_others(model, topology, analysis, Spelling::reading, programs);
+  std::vector<std::function<void()>> traces = {[&] { programs.accelerations = accelerations(Role::accelerations); }};
+  if (chooses(topology))
+    traces.emplace_back([&] { programs.accelerations_chosen = accelerations(Role::accelerations_chosen); });
+  add_other_traces(model, topology, analysis, Spelling::reading, programs, traces);
+  in_threads(traces.size(), [&](std::size_t i) { traces[i](); });
   return programs;
 }
 

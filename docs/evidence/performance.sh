@@ -1,6 +1,8 @@
 #!/bin/sh
-# Measures anew what docs/evidence/performance.md holds and puts it between the markers there: docs/evidence/performance.sh [OPTION...]
-# Options are those of mbgen_compare. Some minutes; the machine should have nothing else to do.
+# Measures anew what docs/evidence/performance.md and the figures of docs/use/batch.md hold and puts it between the markers there:
+#   docs/evidence/performance.sh [OPTION...]         options of mbgen_compare
+#   docs/evidence/performance.sh steps [OPTION...]   whole steps alone, and with them the figures of batches; options of bench/steps.sh
+# Some minutes; the machine should have nothing else to do.
 # OTHER_MBGEN: another mbgen, for example of an earlier commit, whose solvers bench/beside.sh then sets beside these.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -23,6 +25,51 @@ fill() {
   cat "$scratch/page" > "$page"
 }
 
+# put NAME PAGE: the table of standard input between the markers of this name, as it is.
+put() {
+  cat > "$scratch/table_$1"
+  awk -v table="$scratch/table_$1" -v name="$1" '
+    $0 == "<!-- " name ": end -->" { inside = 0 }
+    !inside { print }
+    $0 == "<!-- " name ": begin -->" {
+      inside = 1
+      while ((getline line < table) > 0) print line
+    }' "$2" > "$scratch/page"
+  cat "$scratch/page" > "$2"
+}
+
+# steps_table: the lines of bench/steps.sh as a table.
+steps_table() {
+  echo '| model | method | us a step | times real time | instructions | in eight lanes, us per instance | times real time |'
+  echo '|---|---|---|---|---|---|---|'
+  awk '{ method = $2 == "rk4" ? "Runge-Kutta" : "Adams-Bashforth-Moulton"
+         print "| " $1 " | " method " | " $3 " | " $5 " | " $6 " | " $7 " | " $8 " |" }' "$scratch/steps"
+}
+
+# batch_table: evaluations as performance.md has them, and these steps.
+batch_table() {
+  echo '| | alone | eight in lanes | times |'
+  echo '|---|---|---|---|'
+  awk '/^[^ ].* degrees of freedom/ { sub(/:.*/, ""); model = $0 }
+       /^  mbgen, generated, recursive / { alone = $4 }
+       /^  mbgen, generated, eight in lanes / && model ~ /^(coach|truck)_mechanism/ {
+         printf "| %s, accelerations | %.2f | %.3f | %.1f |\n", model, alone, $6, alone / $6
+       }' "$page"
+  awk '$2 == "abm4" { printf "| %s, Adams-Bashforth-Moulton step | %s | %s | %.1f |\n", $1, $3, $7, $3 / $7 }' "$scratch/steps"
+}
+
+# measure_steps [OPTION...]: whole steps, and what follows from them.
+measure_steps() {
+  "$root/bench/steps.sh" "$@" | tail -n +2 > "$scratch/steps"
+  steps_table | put steps "$page"
+  batch_table | put batch "$root/docs/use/batch.md"
+}
+
+if [ "${1-}" = steps ]; then
+  shift
+  measure_steps "$@"
+  exit
+fi
 "$root/bench/compare.sh" "$@" > "$scratch/table"
 fill compare
 if [ -n "${OTHER_MBGEN:-}" ]; then
@@ -31,3 +78,4 @@ if [ -n "${OTHER_MBGEN:-}" ]; then
   MBGEN=$build/mbgen "$root/bench/beside.sh" "$OTHER_MBGEN" > "$scratch/table"
   fill beside
 fi
+measure_steps

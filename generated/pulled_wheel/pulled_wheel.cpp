@@ -867,9 +867,9 @@ Tuned::Tuned(const Parameters& parameters) noexcept : Parameters(parameters) {
 
 State initial_state() noexcept {
   static constexpr State start = {
-      {0.0, -0.00440901003487976, 0.005061758663078991, 0.0},
+      {0.0, -0.00440901003487986, 0.0050617586630790305, 0.0},
       {15.0, 0.0, 0.0, 48.0},
-      {1.6067577856477985e-19, 0.0},
+      {2.1682291759457585e-18, 0.0},
       0.0};
   State state;
   mbgen::integrator_detail::copy_state(start, state);

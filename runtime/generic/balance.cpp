@@ -3,42 +3,41 @@
 #include <algorithm>
 
 #include "compiler/model/auxiliary_states.hpp"
+#include "runtime/generic/rest_forces.hpp"
 
 namespace mbgen {
 namespace {
 
 constexpr double kDifference = 1e-6;  // rad or m, for the stiffness by central differences
 
-/// A balance without inertias.
-Balance forces_at(GenericEquations& equations, const GenericState& state) {
-  System<double>& system = equations.system(state);
-  const Kinematics<double> k = kinematics(system);
-  const Velocities<double> v = velocities(system, k);
-  const Inertias<double> m = inertias(system, k);
-  const AppliedForces<double> forces = applied_forces(system, k, v);
-  const std::vector<double> still(state.z.size(), 0.0);
-  const std::vector<double> q = tree_forces(system, k, m, v, mbgen::accelerations(system, k, v, still), forces, still);
+/// Forces without inertias.
+Balance balance_of(const GenericEquations& equations, const RestForces<double>& rest) {
+  const std::vector<double>& q = rest.tree;
   Balance b;
-  b.rz =
-      dense_rz(equations.topology, frozen_directions(system, k, equations.analysis.blocks, equations.analysis.driven));
+  b.rz = dense_rz(equations.topology, rest.directions);
   const std::vector<double>& magnitudes = equations.magnitudes;
-  const auto first = static_cast<Eigen::Index>(slip_state_count(equations.model));
-  const Eigen::Index states = auxiliary_state_count(equations.model) - held_state_count(equations.model) - first;
+  const auto first = static_cast<std::size_t>(slip_state_count(equations.model));
+  const Eigen::Index states =
+      auxiliary_state_count(equations.model) - held_state_count(equations.model) - static_cast<Eigen::Index>(first);
   b.force.resize(b.rz.cols() + states);
   b.force.head(b.rz.cols()) =
       b.rz.transpose() * Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
-  for (Eigen::Index i = 0; i < states; ++i)
-    b.force[b.rz.cols() + i] = forces.xd[first + i] / magnitudes[static_cast<std::size_t>(first + i)];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(states); ++i)
+    b.force[b.rz.cols() + static_cast<Eigen::Index>(i)] = rest.applied.xd[first + i] / magnitudes[first + i];
   return b;
+}
+
+Eigen::VectorXd forces_at(GenericEquations& equations, const GenericState& state) {
+  return balance_of(equations, rest_forces(equations.system(state), equations.analysis)).force;
 }
 
 }  // namespace
 
 Balance balance(GenericEquations& equations, const GenericState& state) {
-  Balance b = forces_at(equations, state);
   System<double>& system = equations.system(state);
-  const Kinematics<double> k = kinematics(system);
-  tree_mass_matrix(system, k, inertias(system, k), equations.mass);
+  const RestForces<double> rest = rest_forces(system, equations.analysis);
+  Balance b = balance_of(equations, rest);
+  tree_mass_matrix(system, rest.kinematics, rest.inertias, equations.mass);
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(b.rz.rows(), b.rz.rows());
   spread(equations.mass, mass);
   b.inertia = (b.rz.transpose() * mass * b.rz).diagonal();
@@ -68,8 +67,8 @@ Status moved(const GenericSolver& solver, const GenericEquations& equations, con
   return settled(solver, result);
 }
 
-Status stiffness_at(const GenericSolver& solver, GenericEquations& equations, const GenericState& state,
-                    const Balance& b, const Pinned& pinned, Eigen::MatrixXd& stiffness) {
+Status stiffness_by_differences(const GenericSolver& solver, GenericEquations& equations, const GenericState& state,
+                                const Balance& b, const Pinned& pinned, Eigen::MatrixXd& stiffness) {
   const Eigen::Index unknowns = unknowns_of(equations, b);
   stiffness.resize(b.force.size(), unknowns);
   for (Eigen::Index u = 0; u < unknowns; ++u) {
@@ -81,9 +80,16 @@ Status stiffness_at(const GenericSolver& solver, GenericEquations& equations, co
     GenericState ahead, behind;
     if (const Status status = moved(solver, equations, state, b, change, ahead); !status.ok()) return status;
     if (const Status status = moved(solver, equations, state, b, -change, behind); !status.ok()) return status;
-    stiffness.col(u) = (forces_at(equations, ahead).force - forces_at(equations, behind).force) / (2 * kDifference);
+    stiffness.col(u) = (forces_at(equations, ahead) - forces_at(equations, behind)) / (2 * kDifference);
   }
   return {};
+}
+
+Status stiffness_at(const GenericSolver& solver, GenericEquations& equations, const GenericState& state,
+                    const Balance& b, const Pinned& pinned, Eigen::MatrixXd& stiffness) {
+  stiffness = stiffness_by_slopes(equations, state, b, pinned);
+  if (stiffness.allFinite()) return {};
+  return stiffness_by_differences(solver, equations, state, b, pinned, stiffness);
 }
 
 double unbalanced_acceleration(const Balance& b) {

@@ -32,7 +32,16 @@ Status moved(const GenericSolver& solver, const GenericEquations& equations, con
 /// Auxiliary states that stay where they are, in model order: turns, and bristles that do not hold.
 using Pinned = std::vector<bool>;
 
-/// d force / d unknowns by central differences along the closures; columns of pinned states are zero.
+/// d force / d unknowns along the closures by differentiation of the equations; columns of pinned states are zero.
+/// Entries are not finite where a law has no slope.
+Eigen::MatrixXd stiffness_by_slopes(GenericEquations& equations, const GenericState& state, const Balance& b,
+                                    const Pinned& pinned);
+
+/// The same by central differences. Fails: as moved.
+Status stiffness_by_differences(const GenericSolver& solver, GenericEquations& equations, const GenericState& state,
+                                const Balance& b, const Pinned& pinned, Eigen::MatrixXd& stiffness);
+
+/// The same by slopes, by differences where a law has none. Fails: as moved.
 Status stiffness_at(const GenericSolver& solver, GenericEquations& equations, const GenericState& state,
                     const Balance& b, const Pinned& pinned, Eigen::MatrixXd& stiffness);
 

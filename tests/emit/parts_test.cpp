@@ -52,6 +52,18 @@ INSTANTIATE_TEST_SUITE_P(Compilers, InParts,
                                          Compiler{"clang++", CompilerFamily::clang}),
                          [](const auto& info) { return info.param.family == CompilerFamily::gnu ? "gnu" : "clang"; });
 
+TEST(FileParts, areCompiledSideBySideByTheCMakeFile) {
+  const auto build_file = [](std::size_t values) {
+    for (const EmittedFile& file : emit(bead_with_pull(), {.file_part_values = values}))
+      if (file.path == "CMakeLists.txt") return file.text;
+    return std::string();
+  };
+  const std::string divided = build_file(1), whole = build_file(100000);
+  EXPECT_NE(divided.find("foreach(part RANGE 4)\n"), std::string::npos) << divided;
+  EXPECT_NE(divided.find("PRIVATE MBGEN_PART=${part})\n"), std::string::npos) << divided;
+  EXPECT_EQ(whole.find("MBGEN_PART"), std::string::npos) << whole;
+}
+
 TEST(FileParts, haveAtLeastTheValuesThatAreAskedFor) {
   const EmittedFile whole = emit(bead_on_circle())[1];
   EXPECT_EQ(whole.rare_parts, 0);

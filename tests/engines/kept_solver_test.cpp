@@ -108,12 +108,25 @@ TEST_F(KeptSolver, IsFoundWithoutTranslatingAgain) {
   }
 }
 
+TEST_F(KeptSolver, IsTakenByAutoWithOneQuestionToTheCompiler) {
+  write("plain.json", pendulum("", "3", "0.5", "0", ""));
+  write("cxx", "#!/bin/sh\necho \"$*\" >>'" + path("questions").string() + "'\nexec c++ \"$@\"\n");
+  fs::permissions(path("cxx"), fs::perms::owner_all);
+  set("CXX", path("cxx").string());
+  expect_own_motion("plain.json");
+  fs::remove(path("questions"));
+  const Outcome run = mbgen("simulate plain.json --engine auto --duration 0.02 --step 1e-2 --out auto.csv");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.err.find("simulate: engine generated: its solver is kept\n"), std::string::npos) << run.err;
+  EXPECT_EQ(read("questions"), "--version\n");
+}
+
 TEST_F(KeptSolver, IsListedRemovedAndLimited) {
   write("plain.json", pendulum("", "3", "0.5", "0", ""));
   expect_own_motion("plain.json");
   Outcome listed = mbgen("cache");
   EXPECT_EQ(listed.exit_code, 0);
-  EXPECT_NE(listed.out.find(": 1 solvers, "), std::string::npos) << listed.out;
+  EXPECT_NE(listed.out.find(": 1 solver, "), std::string::npos) << listed.out;
   EXPECT_NE(listed.out.find(" MB of at most 1024 MB\n"), std::string::npos) << listed.out;
   EXPECT_NE(listed.out.find("pendulum-"), std::string::npos) << listed.out;
   const auto json = nlohmann::json::parse(mbgen("cache --json").out);

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 
+#include <chrono>
 #include <thread>
 
 #include "tests/support/cli_support.hpp"

@@ -123,6 +123,7 @@ class CommandLine : public ::testing::Test {
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
     directory_ = name;
     // Solvers that one test compiled serve the next: the key of the cache is the code itself.
+    set("MBGEN_PROGRESS", "0");  // no lines that depend on the time
     set("XDG_CACHE_HOME", (std::filesystem::path(MBGEN_BINARY).parent_path() / "cli_test_cache").string());
   }
   ~CommandLine() override { std::filesystem::remove_all(directory_); }

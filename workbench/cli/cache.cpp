@@ -62,8 +62,9 @@ Json held_json(const Held& held) {
 
 std::string held_text(const Held& held) {
   std::string text =
-      fmt::format("{}: {} solvers, {:.1f} MB of at most {:.0f} MB\n", held.directory.string(), held.objects.size(),
-                  static_cast<double>(held.bytes) / kMegabyte, static_cast<double>(held.room) / kMegabyte);
+      fmt::format("{}: {} solver{}, {:.1f} MB of at most {:.0f} MB\n", held.directory.string(), held.objects.size(),
+                  held.objects.size() == 1 ? "" : "s", static_cast<double>(held.bytes) / kMegabyte,
+                  static_cast<double>(held.room) / kMegabyte);
   for (const KeptObject& object : held.objects)
     text += fmt::format("  {}  {:8.2f} MB  {}\n", minute_of(object.used), static_cast<double>(object.bytes) / kMegabyte,
                         object.file.filename().string());

@@ -8,6 +8,7 @@
 #include "compiler/compile.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
+#include "workbench/cli/compiled.hpp"
 #include "workbench/cli/options.hpp"
 #include "workbench/describe/equation.hpp"
 #include "workbench/describe/explanation.hpp"
@@ -27,7 +28,7 @@ struct ExplainOptions {
 /// The lines of a quantity in the reading copy.
 std::string equation_of(const ExplainOptions& options, Model model) {
   const Compilation compilation =
-      expect(compile(std::move(model), {.form = chosen_form(options.form), .spelling = Spelling::reading}));
+      compiled(std::move(model), {.form = chosen_form(options.form), .spelling = Spelling::reading});
   const std::string file = solver_name(compilation.model) + ".cpp";
   for (const EmittedFile& emitted : emit(compilation, {.runtime_headers = false}))
     if (emitted.path == file) return equation_text(file, emitted.text, options.equation);
@@ -42,7 +43,7 @@ int run(const ExplainOptions& options) {
     print(equation_of(options, model));
     return kDone;
   }
-  print(options.tyre.empty() ? explanation_text(expect(compile(model, {chosen_form(options.form)})))
+  print(options.tyre.empty() ? explanation_text(compiled(model, {.form = chosen_form(options.form)}))
                              : tyre_law_text(expect(decide(model)), options.tyre));
   return kDone;
 }

@@ -13,6 +13,7 @@
 #include "compiler/text/json_text.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
+#include "workbench/cli/compiled.hpp"
 #include "workbench/cli/options.hpp"
 #include "workbench/describe/notes.hpp"
 #include "workbench/drawing/drawing.hpp"
@@ -103,7 +104,7 @@ int run(const ExportOptions& options) {
   if (is_standard_output(options.file))
     throw UserError("--out: an FMU is no text for standard output, name a file\n  hint: a file of this name is ./-\n");
   const Compilation compilation =
-      expect(compile(read_set_model(options.model, options.set), {chosen_form(options.form)}));
+      compiled(read_set_model(options.model, options.set), {.form = chosen_form(options.form)});
   print_notes(compilation.model.notes);
   print_notes(renamed_notes(compilation.model));
   note_rolling(compilation);

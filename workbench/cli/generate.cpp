@@ -12,6 +12,7 @@
 #include "compiler/text/json_text.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
+#include "workbench/cli/compiled.hpp"
 #include "workbench/cli/options.hpp"
 #include "workbench/cost/measured_cost.hpp"
 #include "workbench/describe/dump.hpp"
@@ -117,8 +118,8 @@ int run(const GenerateOptions& options) {
   require_fast_copy(options);
   check_budget(options);
   const Compilation compilation =
-      expect(compile(read_named(options), {.form = chosen_form(options.form),
-                                           .spelling = options.reading ? Spelling::reading : Spelling::fast}));
+      compiled(read_named(options),
+               {.form = chosen_form(options.form), .spelling = options.reading ? Spelling::reading : Spelling::fast});
   require_range(compilation, options.emit.scalar);
   EmitOptions emitted = options.emit;
   emitted.c_interface = options.c_interface || options.emit.calibration;

@@ -35,7 +35,7 @@ int run(const KcOptions& options) {
   const Axle& axle = find_axle(compilation.model, options.axle);
   const OperatingPoint at = operating_point(compilation, options.at).point;
   HeldSignals signals;
-  Progress progress;
+  Progress progress("kc");
   bool is_stopped = false;
   const KcReport report = kinematics_and_compliance(compilation, axle, at, options.kc, [&](long done, long of) {
     progress.show(done, of);

@@ -12,6 +12,7 @@
 #include "compiler/text/json_text.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
+#include "workbench/cli/compiled.hpp"
 #include "workbench/cli/html_report.hpp"
 #include "workbench/cli/options.hpp"
 #include "workbench/describe/notes.hpp"
@@ -187,7 +188,7 @@ void write_page(const LinearizeOptions& options, const Compilation& compilation,
 
 int run(const LinearizeOptions& options) {
   if (!options.page.empty()) require_report_page("--report");
-  const Compilation compilation = expect(compile(read_set_model(options.model, options.set)));
+  const Compilation compilation = compiled(read_set_model(options.model, options.set));
   count_notes(compilation);
   const ChosenPoint chosen = operating_point(compilation, options.state);
   const OperatingPoint& point = chosen.point;

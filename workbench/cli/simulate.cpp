@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
@@ -10,6 +11,7 @@
 #include "workbench/describe/names.hpp"
 #include "workbench/describe/notes.hpp"
 #include "workbench/engines/auto_engine.hpp"
+#include "workbench/engines/compile_solver.hpp"
 #include "workbench/engines/engine_arguments.hpp"
 #include "workbench/host/assignments.hpp"
 #include "workbench/host/files.hpp"
@@ -46,15 +48,14 @@ struct Run {
   int signal = 0;                 ///< that stopped it
 };
 
-Run compute(const Compilation& compilation, const EngineChoice& choice, const InputsOverTime& inputs,
-            SimulationSettings settings, const std::optional<ErrorControl>& control, MotionTable& table,
-            ManoeuvreRun* manoeuvre) {
-  const Engine engine = make_engine(compilation, choice);
+Run compute(const Compilation& compilation, const EngineChoice& choice, const Engine& engine,
+            const InputsOverTime& inputs, SimulationSettings settings, const std::optional<ErrorControl>& control,
+            MotionTable& table, ManoeuvreRun* manoeuvre) {
   Start start = initial_start(compilation, inputs.at(0));
   start.state = initial_state(start, engine);
   print_notes(start_notes(compilation, start));
   if (manoeuvre) manoeuvre->look_at_steering(compilation, start.state, inputs.at(0));
-  Progress progress;
+  Progress progress("simulate");
   HeldSignals signals;
   settings.is_stopped = [&] { return signals.taken() != 0; };
   const MotionTask task{.compilation = compilation,
@@ -118,10 +119,12 @@ int run(SimulateOptions options) {
           : integrator_of(control ? "" : options.simulation.integrator, model.solver.integrator, choice.name);
   const Compilation compilation =
       expect(choice.name == "generated" ? decide_to_write(std::move(model), choice.form) : decide(std::move(model)));
+  std::shared_ptr<const SolverTable> kept;
   if (choice.name == kAutoEngine) {
-    const AutoEngine chosen = auto_engine(compilation, choice, settings.steps);
+    AutoEngine chosen = auto_engine(compilation, choice, settings.steps);
     print_message("simulate: engine {}: {}\n", chosen.name, chosen.reason);
     choice.name = chosen.name;
+    kept = std::move(chosen.kept);
   }
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
   count_notes(compilation);
@@ -132,7 +135,8 @@ int run(SimulateOptions options) {
   read.insert(read.end(), {options.simulation.input_table, options.manoeuvre});
   MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step, options.every,
                     std::move(read));
-  const Run run = compute(compilation, choice, inputs, settings, control, table, manoeuvre.get());
+  const Engine engine = kept ? make_generated_engine(kept, compilation, choice) : make_engine(compilation, choice);
+  const Run run = compute(compilation, choice, engine, inputs, settings, control, table, manoeuvre.get());
   const JudgedMotion& motion = run.motion;
   const SimulationRecord record{compilation,
                                 choice,

@@ -65,7 +65,7 @@ void compute(const Study& study, const std::vector<long>& cases, int jobs, bool 
   std::exception_ptr failure;
   std::mutex guard;
   HeldSignals signals;
-  Progress progress;
+  Progress progress("sweep");
   long done = 0;
   const auto is_interrupted = [&] { return signals.taken() != 0; };
   const auto compute_one = [&](long index) {

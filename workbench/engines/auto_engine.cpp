@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/text/user_error.hpp"
@@ -21,7 +22,7 @@ constexpr double kSecondsOfAStep = 1e-5, kSecondsOfAStepPerOperation = 2.2e-7;  
 AutoEngine auto_engine(const Compilation& decided, const EngineChoice& choice, long steps) {
   if (!too_large(decided, choice.form).empty()) return {"generic", "the solver is too large to be written"};
   try {
-    if (is_kept(decided, choice)) return {"generated", "its solver is kept"};
+    if (auto kept = kept_solver(decided, choice)) return {"generated", "its solver is kept", std::move(kept)};
   } catch (const UserError&) {
     return {"generic", "there is no C++ compiler"};
   }

@@ -1,9 +1,11 @@
 #pragma once
 // `--engine auto`: the engine that has the motion first.
 
+#include <memory>
 #include <string>
 
 #include "compiler/compile.hpp"
+#include "mbgen/driver.hpp"
 #include "workbench/engines/engine.hpp"
 
 namespace mbgen {
@@ -14,6 +16,7 @@ constexpr const char* kAutoEngine = "auto";
 struct AutoEngine {
   std::string name;
   std::string reason;
+  std::shared_ptr<const SolverTable> kept = {};  ///< the solver of a generated engine that needs no compilation
 };
 
 /// generated where its solver is kept already, or where compiling it takes less time than so many steps of the generic

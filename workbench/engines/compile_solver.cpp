@@ -24,6 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSymbol = "mbgen_solver_table";
+constexpr const char* kAdvice = ", simulate --engine auto does not wait for it";
 
 bool is_code(const EmittedFile& file) { return file.path.ends_with(".cpp") || file.path.ends_with(".hpp"); }
 
@@ -54,7 +55,7 @@ fs::path build(const fs::path& scratch, const std::string& solver, const std::ve
   const fs::path result = scratch / "solver.so";
   Command link{compiler.words, scratch / "link.log", result};
   link.arguments.insert(link.arguments.end(), {"-shared", "-o", result.string()});
-  for (std::string& object : compile_sources(compiler, {scratch}, sources, scratch, product)) {
+  for (std::string& object : compile_sources(compiler, {scratch}, sources, scratch, product, kAdvice)) {
     link.arguments.push_back(std::move(object));
   }
   link.arguments.push_back("-lm");
@@ -99,12 +100,12 @@ std::vector<EmittedFile> files_of(const Compilation& decided, const EngineChoice
 
 }  // namespace
 
-bool is_kept(const Compilation& decided, const EngineChoice& choice) {
+std::shared_ptr<const SolverTable> kept_solver(const Compilation& decided, const EngineChoice& choice) {
   const fs::path cache = choice.use_cache ? own_cache() : fs::path();
   const TemporaryDirectory scratch(temporary_parent());
   const HostCompiler compiler = compiler_for(scratch.path(), choice);
   const auto object = cache.empty() ? std::nullopt : object_of_request(cache, request_of(decided, choice, compiler));
-  return object && is_own_file(*object) && is_sealed(*object);
+  return object ? open_kept(*object, decided.model.name) : nullptr;
 }
 
 std::shared_ptr<const SolverTable> load_solver(const Compilation& decided, const EngineChoice& choice) {

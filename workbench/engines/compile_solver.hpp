@@ -23,8 +23,9 @@ namespace mbgen {
 /// std::runtime_error with the end of the compiler's messages when it rejects the code.
 std::shared_ptr<const SolverTable> load_solver(const Compilation& decided, const EngineChoice& choice);
 
-/// Whether the cache holds the solver of this request. Fails: UserError when there is no compiler.
-bool is_kept(const Compilation& decided, const EngineChoice& choice);
+/// The solver of this request as the cache holds it, null where that has none. Fails: UserError when there is no
+/// compiler.
+std::shared_ptr<const SolverTable> kept_solver(const Compilation& decided, const EngineChoice& choice);
 
 /// An engine of its own behind a solver that others may use at the same time. compilation: of the solver, or one
 /// whose model has other values of the tunable parameters; engines run at those.

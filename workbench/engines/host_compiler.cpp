@@ -118,14 +118,15 @@ std::vector<std::string> compilation_of(const HostCompiler& compiler,
   return words;
 }
 
-void run_all(const std::vector<Command>& commands, const std::string& product) {
+void run_all(const std::vector<Command>& commands, const std::string& product, const std::string& advice) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   StatusLine line;
   const std::vector<int> codes = run_side_by_side(commands, [&](std::size_t ended) {
     if (!line.is_due()) return;
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - start).count();
-    line.show(fmt::format("compiling {}: {} of {} parts, {} s", product, ended, commands.size(), seconds));
+    const std::chrono::duration<double> since = Clock::now() - start;
+    line.show(fmt::format("compiling {}: {} of {} parts, {}{}", product, ended, commands.size(),
+                          time_text(since.count()), advice));
   });
   line.clear();
   for (std::size_t i = 0; i < codes.size(); ++i) {
@@ -137,7 +138,7 @@ void run_all(const std::vector<Command>& commands, const std::string& product) {
 std::vector<std::string> compile_sources(const HostCompiler& compiler,
                                          const std::vector<std::filesystem::path>& directories,
                                          const std::vector<Source>& sources, const std::filesystem::path& objects,
-                                         const std::string& product) {
+                                         const std::string& product, const std::string& advice) {
   std::vector<Command> compilations, rare;
   std::vector<std::string> names;
   for (const Source& source : sources) {
@@ -155,7 +156,7 @@ std::vector<std::string> compile_sources(const HostCompiler& compiler,
   }
   // The first part of a large file takes longest, so that it starts first.
   compilations.insert(compilations.end(), rare.begin(), rare.end());
-  run_all(compilations, product);
+  run_all(compilations, product, advice);
   return names;
 }
 

@@ -41,9 +41,10 @@ HostCompiler find_compiler(const std::filesystem::path& scratch, const std::stri
 std::vector<std::string> compilation_of(const HostCompiler& compiler,
                                         const std::vector<std::filesystem::path>& directories);
 
-/// Runs compilations side by side and shows on a terminal how many of them have ended. product: name of their result,
-/// in words. Fails: std::runtime_error with the end of the messages of the first that fails; Interrupted.
-void run_all(const std::vector<Command>& commands, const std::string& product);
+/// Runs compilations side by side and shows how many of them have ended. product: name of their result, in words;
+/// advice: a way without waiting, from its comma on. Fails: std::runtime_error with the end of the messages of the
+/// first that fails; Interrupted.
+void run_all(const std::vector<Command>& commands, const std::string& product, const std::string& advice = "");
 
 /// A source file to compile.
 struct Source {
@@ -53,11 +54,11 @@ struct Source {
 };
 
 /// Compiles sources, large ones part by part; code that runs rarely with rare_flags, other code with hot_flags.
-/// directories: of headers; objects: the directory for the objects; product: as for run_all. Result: the objects.
-/// Fails: as run_all.
+/// directories: of headers; objects: the directory for the objects; product, advice: as for run_all.
+/// Result: the objects. Fails: as run_all.
 std::vector<std::string> compile_sources(const HostCompiler& compiler,
                                          const std::vector<std::filesystem::path>& directories,
                                          const std::vector<Source>& sources, const std::filesystem::path& objects,
-                                         const std::string& product);
+                                         const std::string& product, const std::string& advice = "");
 
 }  // namespace mbgen

@@ -1,8 +1,7 @@
 #pragma once
 // Numbers with their derivatives along the inputs of a rig.
 
-#include <cmath>
-
+#include "compiler/formulation/gradient.hpp"
 #include "compiler/model/vectors.hpp"
 #include "workbench/kc/rig.hpp"
 
@@ -10,37 +9,7 @@ namespace mbgen::kc {
 
 using mbgen::cross, mbgen::dot;  // of plain vectors, beside those below
 
-struct Dual {
-  double value = 0;
-  RigInputs slope{};
-  Dual() = default;
-  Dual(double constant) : value(constant) {}
-};
-
-/// f(a, b) with its derivatives along a and b.
-inline Dual chained(double value, const Dual& a, double along_a, const Dual& b = {}, double along_b = 0) {
-  Dual result(value);
-  for (std::size_t i = 0; i < result.slope.size(); ++i) result.slope[i] = along_a * a.slope[i] + along_b * b.slope[i];
-  return result;
-}
-
-inline Dual operator+(const Dual& a, const Dual& b) { return chained(a.value + b.value, a, 1, b, 1); }
-inline Dual operator-(const Dual& a, const Dual& b) { return chained(a.value - b.value, a, 1, b, -1); }
-inline Dual operator-(const Dual& a) { return chained(-a.value, a, -1); }
-inline Dual operator*(const Dual& a, const Dual& b) { return chained(a.value * b.value, a, b.value, b, a.value); }
-inline Dual operator/(const Dual& a, const Dual& b) {
-  const double ratio = a.value / b.value;
-  return chained(ratio, a, 1 / b.value, b, -ratio / b.value);
-}
-inline Dual sqrt(const Dual& a) {
-  const double root = std::sqrt(a.value);
-  return chained(root, a, 0.5 / root);
-}
-inline Dual atan2(const Dual& y, const Dual& x) {
-  const double square = x.value * x.value + y.value * y.value;
-  return chained(std::atan2(y.value, x.value), y, x.value / square, x, -y.value / square);
-}
-
+using Dual = Gradient<kRigInputs>;
 using DualVector = std::array<Dual, 3>;
 
 inline DualVector operator+(const DualVector& a, const DualVector& b) {

@@ -7,12 +7,16 @@
 // The header of the intrinsics takes a compiler longer to read than all others of a solver together: builtins stand in
 // for it where the compiler knows them.
 #if defined(__AVX__) && defined(__FMA__)
-#if !defined(__AVX512F__) && defined(__has_builtin)
-#if __has_builtin(__builtin_ia32_vfmaddpd256)
-#define MBGEN_FMA_BUILTINS
+#if defined(__AVX512F__) && !defined(__clang__) && defined(__has_builtin)
+#if __has_builtin(__builtin_ia32_vfmsubpd512_mask) && __has_builtin(__builtin_ia32_ptestmq512)
+#define MBGEN_VECTOR_BUILTINS
+#endif
+#elif !defined(__AVX512F__) && defined(__has_builtin)
+#if __has_builtin(__builtin_ia32_vfmaddpd256) && __has_builtin(__builtin_ia32_sqrtpd256)
+#define MBGEN_VECTOR_BUILTINS
 #endif
 #endif
-#if !defined(MBGEN_FMA_BUILTINS)
+#if !defined(MBGEN_VECTOR_BUILTINS)
 #include <immintrin.h>
 #endif
 #endif
@@ -115,7 +119,7 @@ typedef double Two __attribute__((vector_size(16), may_alias));
 typedef double Two __attribute__((vector_size(16), may_alias));
 typedef double Four __attribute__((vector_size(32), may_alias));
 [[gnu::always_inline]] inline Two fused(const Two& a, const Two& b, const Two& c) noexcept {
-#if defined(MBGEN_FMA_BUILTINS)
+#if defined(MBGEN_VECTOR_BUILTINS)
   return __builtin_ia32_vfmaddpd(a, b, c);
 #else
   return _mm_fmadd_pd(a, b, c);
@@ -123,57 +127,72 @@ typedef double Four __attribute__((vector_size(32), may_alias));
 }
 // clang makes one instruction of it with the sign, and has no builtins for these.
 [[gnu::always_inline]] inline Two fused_less(const Two& a, const Two& b, const Two& c) noexcept {
-#if defined(MBGEN_FMA_BUILTINS) && !defined(__clang__)
+#if defined(MBGEN_VECTOR_BUILTINS) && !defined(__clang__)
   return __builtin_ia32_vfmsubpd(a, b, c);
-#elif defined(MBGEN_FMA_BUILTINS)
+#elif defined(MBGEN_VECTOR_BUILTINS)
   return fused(a, b, -c);
 #else
   return _mm_fmsub_pd(a, b, c);
 #endif
 }
 [[gnu::always_inline]] inline Two fused_from(const Two& a, const Two& b, const Two& c) noexcept {
-#if defined(MBGEN_FMA_BUILTINS) && !defined(__clang__)
+#if defined(MBGEN_VECTOR_BUILTINS) && !defined(__clang__)
   return __builtin_ia32_vfnmaddpd(a, b, c);
-#elif defined(MBGEN_FMA_BUILTINS)
+#elif defined(MBGEN_VECTOR_BUILTINS)
   return fused(-a, b, c);
 #else
   return _mm_fnmadd_pd(a, b, c);
 #endif
 }
 [[gnu::always_inline]] inline Four fused(const Four& a, const Four& b, const Four& c) noexcept {
-#if defined(MBGEN_FMA_BUILTINS)
+#if defined(MBGEN_VECTOR_BUILTINS)
   return __builtin_ia32_vfmaddpd256(a, b, c);
 #else
   return _mm256_fmadd_pd(a, b, c);
 #endif
 }
 [[gnu::always_inline]] inline Four fused_less(const Four& a, const Four& b, const Four& c) noexcept {
-#if defined(MBGEN_FMA_BUILTINS) && !defined(__clang__)
+#if defined(MBGEN_VECTOR_BUILTINS) && !defined(__clang__)
   return __builtin_ia32_vfmsubpd256(a, b, c);
-#elif defined(MBGEN_FMA_BUILTINS)
+#elif defined(MBGEN_VECTOR_BUILTINS)
   return fused(a, b, -c);
 #else
   return _mm256_fmsub_pd(a, b, c);
 #endif
 }
 [[gnu::always_inline]] inline Four fused_from(const Four& a, const Four& b, const Four& c) noexcept {
-#if defined(MBGEN_FMA_BUILTINS) && !defined(__clang__)
+#if defined(MBGEN_VECTOR_BUILTINS) && !defined(__clang__)
   return __builtin_ia32_vfnmaddpd256(a, b, c);
-#elif defined(MBGEN_FMA_BUILTINS)
+#elif defined(MBGEN_VECTOR_BUILTINS)
   return fused(-a, b, c);
 #else
   return _mm256_fnmadd_pd(a, b, c);
 #endif
 }
 #if defined(__AVX512F__)
-[[gnu::always_inline]] inline __m512d fused(const __m512d& a, const __m512d& b, const __m512d& c) noexcept {
+typedef double Eight __attribute__((vector_size(64), may_alias));
+constexpr unsigned char kAllEight = 0xff;  // a bit for each lane
+constexpr int kRoundAsIs = 4;              // in the direction that the processor is set to
+[[gnu::always_inline]] inline Eight fused(const Eight& a, const Eight& b, const Eight& c) noexcept {
+#if defined(MBGEN_VECTOR_BUILTINS)
+  return __builtin_ia32_vfmaddpd512_mask(a, b, c, kAllEight, kRoundAsIs);
+#else
   return _mm512_fmadd_pd(a, b, c);
+#endif
 }
-[[gnu::always_inline]] inline __m512d fused_less(const __m512d& a, const __m512d& b, const __m512d& c) noexcept {
+[[gnu::always_inline]] inline Eight fused_less(const Eight& a, const Eight& b, const Eight& c) noexcept {
+#if defined(MBGEN_VECTOR_BUILTINS)
+  return __builtin_ia32_vfmsubpd512_mask(a, b, c, kAllEight, kRoundAsIs);
+#else
   return _mm512_fmsub_pd(a, b, c);
+#endif
 }
-[[gnu::always_inline]] inline __m512d fused_from(const __m512d& a, const __m512d& b, const __m512d& c) noexcept {
+[[gnu::always_inline]] inline Eight fused_from(const Eight& a, const Eight& b, const Eight& c) noexcept {
+#if defined(MBGEN_VECTOR_BUILTINS)
+  return __builtin_ia32_vfnmaddpd512_mask(a, b, c, kAllEight, kRoundAsIs);
+#else
   return _mm512_fnmadd_pd(a, b, c);
+#endif
 }
 #else
 typedef double Eight __attribute__((vector_size(64)));

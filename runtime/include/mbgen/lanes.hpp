@@ -6,10 +6,6 @@
 #include <cmath>
 #include <type_traits>
 
-#if defined(__AVX__) && defined(__FMA__)
-#include <immintrin.h>
-#endif
-
 #include "mbgen/elementary.hpp"
 #include "mbgen/fma.hpp"
 #include "mbgen/math/vector_instructions.hpp"
@@ -46,13 +42,18 @@ template <class Mask>
 [[gnu::always_inline]] inline unsigned bits_of(const Mask& mask) noexcept {
 #if defined(__AVX512F__)
   if constexpr (sizeof(Mask) == 64 && kLanesOf<Mask> == 8) {
-    const auto lanes = __builtin_bit_cast(__m512i, mask);
+    typedef long long Eight __attribute__((vector_size(64)));
+    const auto lanes = __builtin_bit_cast(Eight, mask);
+#if defined(MBGEN_VECTOR_BUILTINS)
+    return __builtin_ia32_ptestmq512(lanes, lanes, lanes_detail::kAllEight);
+#else
     return _mm512_test_epi64_mask(lanes, lanes);
+#endif
   }
 #endif
 #if defined(__AVX__) && defined(__FMA__)
   if constexpr (sizeof(Mask) == 32 && kLanesOf<Mask> == 4)
-    return static_cast<unsigned>(_mm256_movemask_pd(__builtin_bit_cast(__m256d, mask)));
+    return static_cast<unsigned>(__builtin_ia32_movmskpd256(__builtin_bit_cast(lanes_detail::Four, mask)));
 #endif
   unsigned bits = 0;
   for (int lane = 0; lane < kLanesOf<Mask>; ++lane) bits |= mask[lane] != 0 ? 1u << lane : 0u;
@@ -110,11 +111,20 @@ template <class Lanes>
 template <class Lanes>
 [[gnu::always_inline]] inline Lanes sqrt(const Lanes& x) noexcept {
 #if defined(__AVX512F__)
+#if defined(MBGEN_VECTOR_BUILTINS)
+  if constexpr (kLanesOf<Lanes> == 8)
+    return __builtin_ia32_sqrtpd512_mask(x, x, lanes_detail::kAllEight, lanes_detail::kRoundAsIs);
+#else
   if constexpr (kLanesOf<Lanes> == 8)
     return _mm512_mask_sqrt_pd(x, 0xff, x);  // the plain one makes g++ 12 warn of itself
 #endif
+#endif
 #if defined(__AVX__) && defined(__FMA__)
+#if defined(MBGEN_VECTOR_BUILTINS)
+  if constexpr (kLanesOf<Lanes> == 4) return __builtin_ia32_sqrtpd256(x);
+#else
   if constexpr (kLanesOf<Lanes> == 4) return _mm256_sqrt_pd(x);
+#endif
 #endif
   return lanes_detail::each(x, [](double value) { return std::sqrt(value); });
 }

@@ -12,7 +12,12 @@ namespace mbgen {
 template <class T>
 [[gnu::always_inline]] inline T smaller_of(const T& first, const T& second) noexcept {
 #if defined(__AVX512F__) && defined(__FMA__)
+#if defined(MBGEN_VECTOR_BUILTINS)
+  if constexpr (sizeof(T) == 64)
+    return __builtin_ia32_minpd512_mask(second, first, first, lanes_detail::kAllEight, lanes_detail::kRoundAsIs);
+#else
   if constexpr (sizeof(T) == 64) return _mm512_mask_min_pd(first, 0xff, second, first);
+#endif
 #endif
 #if defined(__AVX__)
   if constexpr (sizeof(T) == 32) return __builtin_ia32_minpd256(second, first);
@@ -27,7 +32,12 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline T larger_of(const T& first, const T& second) noexcept {
 #if defined(__AVX512F__) && defined(__FMA__)
+#if defined(MBGEN_VECTOR_BUILTINS)
+  if constexpr (sizeof(T) == 64)
+    return __builtin_ia32_maxpd512_mask(second, first, first, lanes_detail::kAllEight, lanes_detail::kRoundAsIs);
+#else
   if constexpr (sizeof(T) == 64) return _mm512_mask_max_pd(first, 0xff, second, first);
+#endif
 #endif
 #if defined(__AVX__)
   if constexpr (sizeof(T) == 32) return __builtin_ia32_maxpd256(second, first);
@@ -44,8 +54,13 @@ template <class Words>
 [[gnu::always_inline]] inline bool any(const Words& words) noexcept {
 #if defined(__AVX512F__) && defined(__FMA__)
   if constexpr (sizeof(Words) == 64) {
-    const auto bits = __builtin_bit_cast(__m512i, words);
+    typedef long long Eight __attribute__((vector_size(64)));
+    const auto bits = __builtin_bit_cast(Eight, words);
+#if defined(MBGEN_VECTOR_BUILTINS)
+    return __builtin_ia32_ptestmq512(bits, bits, lanes_detail::kAllEight) != 0;
+#else
     return _mm512_test_epi64_mask(bits, bits) != 0;
+#endif
   }
 #endif
 #if defined(__AVX__)
