@@ -11,7 +11,7 @@
 namespace mbgen {
 namespace {
 
-constexpr long kLooks = 100;
+constexpr long kLooksPerMotion = 100;
 /// Points in a step, in parts of it: three that a method uses, two between them. Derivatives of a table jump at its
 /// rows, often at the start of a step: this is no change within a step.
 constexpr double kInside = 1e-6, kSeen[] = {kInside, 0.5, 1 - kInside}, kBetween[] = {0.25, 0.75};
@@ -37,7 +37,7 @@ TimeWatch::TimeWatch(const Compilation& compilation, SolverSettings::Integrator 
       integrator_(integrator),
       settings_(settings),
       inputs_(inputs),
-      every_(std::max(1L, settings.steps / kLooks)),
+      every_(std::max(1L, settings.steps / kLooksPerMotion)),
       solver_(compilation.model, compilation.topology, compilation.analysis),
       smallest_(compilation.topology.bodies.size(), INFINITY),
       largest_(compilation.topology.bodies.size(), -INFINITY) {
