@@ -149,7 +149,7 @@
 
 #include "mbgen/elementary.hpp"
 #include "mbgen/fma.hpp"
-#include "mbgen/motion.hpp"
+#include "mbgen/solver/passing.hpp"
 #include "mbgen/scalar.hpp"
 #include "mbgen/turns.hpp"
 #include "mbgen/solver.hpp"
@@ -16036,8 +16036,16 @@ mbgen::Status Dynamics::project_nearest(State& state) const noexcept {
   return mbgen::project_nearest<System>(parameters, inputs, state);
 }
 
-mbgen::Status Dynamics::project_crossing(State& state, double& clearance) const noexcept {
-  return mbgen::project_crossing<System>(parameters, inputs, state, clearance);
+mbgen::Status Dynamics::project(State& state, int& closures) const noexcept {
+  return mbgen::project_motion<System>(parameters, inputs, state, closures);
+}
+
+mbgen::Status Dynamics::project_nearest(State& state, int& closures) const noexcept {
+  return mbgen::project_nearest<System>(parameters, inputs, state, closures);
+}
+
+mbgen::Status Dynamics::project_crossing(State& state, double& clearance, int& closures) const noexcept {
+  return mbgen::project_crossing<System>(parameters, inputs, state, clearance, closures);
 }
 
 int Dynamics::changed_side(const State& from, const State& to) const noexcept {
@@ -16047,6 +16055,24 @@ int Dynamics::changed_side(const State& from, const State& to) const noexcept {
 mbgen::Status Dynamics::watch_way(const State& from, const State& to, double h,
                                   const mbgen::WayLimits& limits) const noexcept {
   return mbgen::watch_way<System>(parameters, inputs, from, to, h, limits);
+}
+
+mbgen::Status Dynamics::rates_near(const State& state, Derivative& derivative) const noexcept {
+  return mbgen::solve_near<System>(parameters, inputs, state, derivative);
+}
+
+mbgen::Status Dynamics::look_across(const State& state, double h, Passage& passage) const noexcept {
+  const auto inputs_at = [&](double) -> const Inputs& { return inputs; };
+  return mbgen::look_across<System>(parameters, inputs_at, state, h, passage);
+}
+
+bool Dynamics::close_across(Passage& passage, State& state) const noexcept {
+  return mbgen::close_across<System>(parameters, inputs, passage, state);
+}
+
+mbgen::Status Dynamics::rates_across(const Passage& passage, const State& state,
+                                     Derivative& derivative) const noexcept {
+  return mbgen::rates_across<System>(parameters, inputs, passage, state, derivative);
 }
 
 namespace {
