@@ -26,7 +26,7 @@ TEST_F(ProgressLines, AreLeftOutOnDemand) { EXPECT_EQ(told("0", "--engine generi
 
 TEST_F(ProgressLines, OfACompilationNameTheWayAroundIt) {
   const std::string lines = told("1e-9", "--no-cache");
-  EXPECT_TRUE(std::regex_search(lines, std::regex("(^|\n)compiling the solver of four_bar: \\d of \\d parts, \\d+ s, "
+  EXPECT_TRUE(std::regex_search(lines, std::regex("(^|\n)compiling the solver of four_bar: \\d of \\d parts, \\d+ s; "
                                                   "simulate --engine auto does not wait for it\n")))
       << lines;
 }

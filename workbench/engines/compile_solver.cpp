@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSymbol = "mbgen_solver_table";
-constexpr const char* kAdvice = ", simulate --engine auto does not wait for it";
+constexpr const char* kAdvice = "; simulate --engine auto does not wait for it";
 
 bool is_code(const EmittedFile& file) { return file.path.ends_with(".cpp") || file.path.ends_with(".hpp"); }
 

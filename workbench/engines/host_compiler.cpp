@@ -20,6 +20,9 @@
 namespace mbgen {
 namespace {
 
+/// From here on a compilation on a terminal is worth advice; lines of a log come later.
+constexpr std::chrono::duration<double> kLongCompilation{3};
+
 constexpr std::size_t kMessageTail = 2000;  // characters of the compiler's messages that a person still reads
 
 /// Words of compilers and of the kernel for a machine that has too little of something.
@@ -125,8 +128,9 @@ void run_all(const std::vector<Command>& commands, const std::string& product, c
   const std::vector<int> codes = run_side_by_side(commands, [&](std::size_t ended) {
     if (!line.is_due()) return;
     const std::chrono::duration<double> since = Clock::now() - start;
+    const bool is_long = !line.is_terminal() || since > kLongCompilation;
     line.show(fmt::format("compiling {}: {} of {} parts, {}{}", product, ended, commands.size(),
-                          time_text(since.count()), advice));
+                          time_text(since.count()), is_long ? advice : ""));
   });
   line.clear();
   for (std::size_t i = 0; i < codes.size(); ++i) {

@@ -50,6 +50,7 @@ struct PassageWork {
   BlockFactors<System> factors;
   unsigned char fixed[System::kBlockCoordinates];  ///< driven or free: not dependent at any node
   bool is_chosen = false;                          ///< `fixed` is known
+  bool keeps_frozen = true;                        ///< the coordinates of the frozen partition stay free
   Real solution[System::kBlockCoordinates];
   Real right_hand_side[System::kEquations];
   Real z[kPassageNodes][System::kCoordinates], zd[kPassageNodes][System::kCoordinates];
@@ -66,16 +67,30 @@ bool has_motion(int b) noexcept {
   return has;
 }
 
-/// Factors of a block of `terms` in place; its free coordinates are chosen by full pivoting at the first call. Result:
-/// false where it is not clear of the singular position.
+/// Columns of block b that get no pivots when its free coordinates are chosen: the driven ones, and the free ones of
+/// the frozen partition where they stay. These move as they were integrated: others get the rounding of closures at the
+/// singular position with their velocities.
+template <class System>
+void hold_columns(int b, bool keeps_frozen, unsigned char* fixed) noexcept {
+  const BlockLayout& block = System::kBlockLayout[b];
+  for (int c = 0; c < block.coordinates; ++c) {
+    fixed[c] = System::kBlockDriven[block.first_coordinate + c];
+    for (const FreeDirection& direction : System::kFreeDirection) {
+      const bool names_it =
+          direction.block == b && direction.coordinate == System::kBlockCoordinate[block.first_coordinate + c];
+      if (keeps_frozen && names_it) fixed[c] = 1;
+    }
+  }
+}
+
+/// Factors of a block of `terms` in place; its free coordinates are chosen at the first call. Result: false where it is
+/// not clear of the singular position.
 template <class System>
 bool factorise_node(int b, PassageWork<System>& work, LoopFactorsOf<RealOf<System>>& loop) noexcept {
   using Real = RealOf<System>;
   const BlockLayout& block = System::kBlockLayout[b];
   unsigned char* const fixed = work.fixed + block.first_coordinate;
-  if (!work.is_chosen) {
-    for (int c = 0; c < block.coordinates; ++c) fixed[c] = System::kBlockDriven[block.first_coordinate + c];
-  }
+  if (!work.is_chosen) hold_columns<System>(b, work.keeps_frozen, fixed);
   loop = work.factors.factors_of(b, work.terms, block.rank, fixed);
   if (!work.is_chosen) {
     for (int c = 0; c < block.coordinates; ++c) fixed[c] = 1;
@@ -268,9 +283,13 @@ Reached reach_nodes(const typename System::Parameters& parameters, const InputsA
   }
   for (int c = 0; c < System::kBlockCoordinates; ++c) work.fixed[c] = 1;
   work.is_chosen = false;
-  if (closures-- <= 0) return Reached::nowhere;
   // Before the node ahead is closed, which takes several evaluations.
-  if (!is_clear_at<System>(parameters, inputs_at, middle, -spacing, passage.crosses, work)) return Reached::not_clear;
+  for (const bool keeps_frozen : {true, false}) {
+    if (closures-- <= 0) return Reached::nowhere;
+    work.keeps_frozen = keeps_frozen;
+    if (is_clear_at<System>(parameters, inputs_at, middle, -spacing, passage.crosses, work)) break;
+    if (!keeps_frozen) return Reached::not_clear;
+  }
   constexpr double kPlaces[kPassageNodes] = {1, -1, 2, -2};
   for (int node = 0; node < (are_four ? kPassageNodes : 2); ++node) {
     const bool goes_on = node != 1 || guess_opposite<System>(middle, spacing, work);

@@ -18,6 +18,12 @@ template <class Real>
 inline constexpr Real kPassageSmoothness = Real(1e-4);
 template <>
 inline constexpr float kPassageSmoothness<float> = 1e-2f;
+/// Largest share of the way of the term of degree five: between branches that miss each other by g (m) it is g over the
+/// square of the spacing, in a smooth motion the fourth power of the spacing over 120.
+template <class Real>
+inline constexpr Real kPassageBreak = Real(3e-6);
+template <>
+inline constexpr float kPassageBreak<float> = 1e-2f;
 
 namespace solver_detail {
 
@@ -26,7 +32,7 @@ template <class System, class OfPassage>
 bool interpolate_positions(const PassageWork<System>& work, OfPassage& passage) noexcept {
   using Real = RealOf<System>;
   const auto h = static_cast<Real>(passage.spacing);
-  Real rough = 0, way = 0;
+  Real rough = 0, broken = 0, way = 0;
   for (int b = 0; b < System::kBlocks; ++b) {
     const BlockLayout& block = System::kBlockLayout[b];
     for (int c = 0; passage.crosses[b] != 0 && c < block.coordinates; ++c) {
@@ -42,10 +48,11 @@ bool interpolate_positions(const PassageWork<System>& work, OfPassage& passage) 
       const Real terms[kPassageTerms] = {even - second - fourth, odd - third - fifth, second, third, fourth, fifth};
       for (int k = 0; k < kPassageTerms; ++k) passage.position[k][i] = terms[k];
       rough = std::abs(fourth) > rough ? std::abs(fourth) : rough;
+      broken = std::abs(fifth) > broken ? std::abs(fifth) : broken;
       way = std::abs(odd) > way ? std::abs(odd) : way;
     }
   }
-  return rough <= kPassageSmoothness<Real> * way;
+  return rough <= kPassageSmoothness<Real> * way && broken <= kPassageBreak<Real> * way;
 }
 
 /// Coefficients of Rz by the cubics through four nodes at 1, -1, 2, -2.
@@ -248,9 +255,7 @@ template <class System, class InputsAt, class OfPassage>
 /// The motion through a singular position at or near a state: `passage` is known then, for the blocks whose frozen
 /// partition is bad there. singular_met or near_singular with the first of them; ok if there is none, then without a
 /// passage. Fails: loop_singular if the motion does not lead through, not smoothly, or if branches only come close
-/// there. inputs_at: of a time. h: s, of the step.
-/// Cost: at most
-/// kLookClosures evaluations of the closures.
+/// there. inputs_at: of a time. h: s, of the step. Cost: at most kLookClosures evaluations of the closures.
 template <class System, class InputsAt, class OfPassage>
 Status look_across(const typename System::Parameters& parameters, const InputsAt& inputs_at,
                    const typename System::State& state, double h, OfPassage& passage) noexcept {
