@@ -2,6 +2,10 @@
 // Nodes of a passage (passing.hpp): closed states of loop blocks on both sides of a singular position. `System` is
 // described in blocks.hpp.
 
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
 #include "mbgen/motion.hpp"
 #include "mbgen/solver/passage.hpp"
 
@@ -56,6 +60,7 @@ struct PassageWork {
   Real z[kPassageNodes][System::kCoordinates], zd[kPassageNodes][System::kCoordinates];
   Real zdd_star[kPassageNodes][System::kCoordinates];
   Real rz[kPassageNodes][projection_entries<System>()];
+  double clear[kPassageNodes];  ///< smallest pivot of the blocks that cross over a typical one
 };
 
 /// Whether a block of the passage has an entry for coordinate c of it.
@@ -69,7 +74,7 @@ bool has_motion(int b) noexcept {
 
 /// Columns of block b that get no pivots when its free coordinates are chosen: the driven ones, and the free ones of
 /// the frozen partition where they stay. These move as they were integrated: others get the rounding of closures at the
-/// singular position with their velocities.
+/// singular position with their velocities, which single precision feels.
 template <class System>
 void hold_columns(int b, bool keeps_frozen, unsigned char* fixed) noexcept {
   const BlockLayout& block = System::kBlockLayout[b];
@@ -146,6 +151,8 @@ bool keep_node(int b, int node, PassageWork<System>& work) noexcept {
   const BlockLayout& block = System::kBlockLayout[b];
   LoopFactorsOf<Real> loop;
   if (!factorise_node<System>(b, work, loop)) return false;
+  const double clear = static_cast<double>(smallest_pivot(loop)) / block.pivot;
+  work.clear[node] = clear < work.clear[node] ? clear : work.clear[node];
   Real* const solution = work.solution + block.first_coordinate;
   for (int c = 0; c < block.coordinates; ++c) {
     const int i = System::kBlockCoordinate[block.first_coordinate + c];
@@ -175,6 +182,7 @@ Reached reach_node(const typename System::Parameters& parameters, const InputsAt
   const auto& inputs = inputs_at(work.state.t);
   Real previous = std::numeric_limits<Real>::infinity();
   bool is_closed = false;
+  work.clear[node] = HUGE_VAL;
   for (int k = 0; k < kNodeClosures && closures-- > 0; ++k) {
     if constexpr (System::kDrives > 0) System::closure(parameters, inputs, work.state, work.closure);
     System::closure_terms(parameters, inputs, work.state, work.terms);
@@ -284,7 +292,8 @@ Reached reach_nodes(const typename System::Parameters& parameters, const InputsA
   for (int c = 0; c < System::kBlockCoordinates; ++c) work.fixed[c] = 1;
   work.is_chosen = false;
   // Before the node ahead is closed, which takes several evaluations.
-  for (const bool keeps_frozen : {true, false}) {
+  constexpr bool is_single = std::is_same_v<RealOf<System>, float>;
+  for (const bool keeps_frozen : {is_single, false}) {
     if (closures-- <= 0) return Reached::nowhere;
     work.keeps_frozen = keeps_frozen;
     if (is_clear_at<System>(parameters, inputs_at, middle, -spacing, passage.crosses, work)) break;
