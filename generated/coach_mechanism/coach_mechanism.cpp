@@ -81,9 +81,9 @@
 //   volume: of their three axes: zero where the joint rates are singular
 //   r: origin of a body from the origin of its base, m
 //   b: motion of a body for a unit rate of its coordinate
-//   arm: end of a loop from the origin of the body that holds it, m
-//   place: end of a loop from the origin of the base, m
-//   gap: difference of the two ends of a loop, m
+//   arm: end of a loop, or point of an element, from the origin of the body that holds it, m
+//   place: end of a loop, or point of an element, from the origin of the base, m
+//   gap: difference of the two ends of a loop or of an element, m
 //   J: J_LOOP_ROW_COORDINATE: entry of the closure Jacobian
 //   along: force of a closure equation for a unit multiplier
 //   lever: moment of a closure equation for a unit multiplier, about the origin of the body of this
@@ -93,7 +93,7 @@
 //   U: U_a_b: entry at coordinate b of the row with the pivot of a, after elimination
 //   pivot: of a coordinate: pivot of its column of the closure Jacobian (60), or of its free
 //   direction (63)
-//   per: per_pivot, per_m, per_reference, per_volume: 1 over that
+//   per: per_pivot, per_m, per_reference, per_volume, per_length, per_cosgamma: 1 over that
 //   Rz: Rz_a_q: rate of coordinate a for a unit rate of the free direction q (61)
 //   v: velocity of the origin of a body; v_BODY_per_COORDINATE: for a unit rate of that, m/s
 //   w: angular velocity of a body; w_BODY_per_COORDINATE: for a unit rate of that, rad/s
@@ -138,7 +138,7 @@
 //   ..._left: after elimination (63), N or N m
 //   qdd: acceleration of a free direction, rad/s^2 or m/s^2
 //   a: acceleration of the origin of a body, less gravity, m/s^2
-//   alpha: angular acceleration of a body, rad/s^2
+//   alpha: angular acceleration of a body, rad/s^2; slip angle of a tyre, rad/s^2 or rad
 //   lambda: multiplier of a closure equation, N or N m
 //   inertia: inertia that rounding leaves of none, kg m^2 or kg
 //   share: share that rounding leaves of a number

@@ -40,7 +40,10 @@ auto law_of(const ForceWork<T>& work, const AirSpring& spring, const AlongLine<T
   return [&, natural = natural_length(work, spring.length, at.reference(work), spring.name)]<class A>(const A& length,
                                                                                                       const A&) {
     A push = air_spring_push(work, spring, length, natural);
-    if constexpr (std::is_same_v<T, A>) work.system.scribe.name(push, "push_", spring.name);
+    if constexpr (std::is_same_v<T, A>) {
+      work.system.scribe.detail(push, "minus_force_", spring.name);
+      work.system.scribe.name(push, "push_", spring.name);
+    }
     return -push;
   };
 }

@@ -20,6 +20,7 @@ AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const
   detail::ForceWork<T> work{system, k, v, forces, shared_law};
   each_element(system.model, [&](const auto& element) {
     const auto heading = within(system, element);
+    if (system.scribe.has_details()) work.in_hand = element.name;
     apply(work, element);
   });
   detail::user_states(work);

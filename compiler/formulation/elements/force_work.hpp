@@ -101,6 +101,7 @@ struct ForceWork {
   SharedTyreLaw<T> shared_law = {};  ///< where tyres share one
   /// Variable of differentiation in expressions of laws over Slopes; null for none.
   const ExpressionNode* moved = nullptr;
+  std::string in_hand = {};  ///< name of the element whose forces are computed, in programs for reading
   T value(const Quantity& q) const { return value_of(system.model, q, system.environment); }
   /// The value of an element's field, named <meaning>_<element>.
   T value(const Quantity& q, const char* meaning, const std::string& element) const {
@@ -149,12 +150,22 @@ A number(const ForceWork<T>& work, const Quantity& q, const char* meaning, const
   return A(work.value(q, meaning, element));
 }
 
+/// Names the distances of an argument from the points of a table in programs for reading.
+template <class T>
+void detail_table(const ForceWork<T>& work, const Table& table, const T& argument, const char* meaning,
+                  const std::string& element) {
+  if (!work.system.scribe.has_details() || table.data || table.periodic) return;
+  for (std::size_t i = 0; i < table.x.size(); ++i)
+    work.system.scribe.detail(argument - T(table.x[i]), "beyond_", meaning, "_", element, "_", std::to_string(i + 1));
+}
+
 /// Value of a characteristic: factor times argument, or a table. The factor is named <meaning>_<element>. A: T, or
 /// Slope<T> for differentiation, also in the functions that follow.
 template <class T, class A>
 A law(const ForceWork<T>& work, const Law& law, const A& argument, const char* meaning, const std::string& element) {
   if (const Quantity* factor = std::get_if<Quantity>(&law))
     return number<A>(work, *factor, meaning, element) * argument;
+  if constexpr (std::is_same_v<T, A>) detail_table(work, std::get<Table>(law), argument, meaning, element);
   return value_along(std::get<Table>(law), argument);
 }
 
@@ -188,6 +199,22 @@ int element_in_hand(const ForceWork<T>& work) {
   }
 }
 
+/// Names an action of the element in hand, and the sum that it adds to, in programs for reading.
+template <class T>
+void detail_action(const ForceWork<T>& work, const Action<T>& action, const Spatial<T>& sum) {
+  Scribe<T>& scribe = work.system.scribe;
+  if (!scribe.has_details() || work.in_hand.empty()) return;
+  const std::string& body = work.system.model.bodies[action.body].name;
+  const auto names = [&](const Vector<T>& v, const char* kind) {
+    detail_name(scribe, v, kind, work.in_hand, "_on_", body);
+  };
+  names(action.force, "force_");
+  names(action.point, "arm_");
+  names(cross(action.point, action.force), "moment_");
+  names(action.moment, "torque_");
+  detail_name(scribe, sum, "fa", "na", body, "_before_", work.in_hand);
+}
+
 /// Adds a force and a moment on a body of the model.
 template <class T>
 void act(ForceWork<T>& work, const Action<T>& action) {
@@ -196,6 +223,7 @@ void act(ForceWork<T>& work, const Action<T>& action) {
   const int body = work.system.topology.tree_body[action.body];
   if (body == kGround) return;
   Spatial<T>& wrench = work.forces.wrench[body];
+  detail_action(work, action, wrench);
   wrench = wrench + force_at(action.force, action.point);
   wrench.angular = wrench.angular + action.moment;
 }
@@ -205,6 +233,11 @@ template <class T>
 void add_joint_force(ForceWork<T>& work, const CoordinateReference& reference, const T& force) {
   const int i = tree_coordinate(work.system.topology, reference);
   if (i < 0) return;
+  if (work.system.scribe.has_details() && !work.in_hand.empty()) {
+    const std::string& coordinate = work.system.topology.bodies[i].coordinate;
+    work.system.scribe.detail(force, "force_", work.in_hand, "_on_", coordinate);
+    work.system.scribe.detail(work.forces.joint[i], "Qa_", coordinate, "_before_", work.in_hand);
+  }
   work.forces.joint[i] = work.forces.joint[i] + force;
   work.forces.joint_actions.push_back({i, force, element_in_hand(work)});
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Tyres on roads, around the tyre law of the runtime's header tyre.hpp.
 
+#include "compiler/formulation/elements/tyre_names.hpp"
 #include "compiler/formulation/roads/road_envelope.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 
@@ -161,6 +162,18 @@ TyreProperties<A> properties_on(const ForceWork<T>& work, const Tyre& tyre, cons
   return properties;
 }
 
+/// Names the quantities of a tyre in programs for reading.
+template <class T>
+void detail_tyre(const ForceWork<T>& work, const Tyre& tyre, const TyreProperties<T>& properties,
+                 const TyreContact<T>& contact, const TyreResult<T>& result) {
+  if (!work.system.scribe.has_details()) return;
+  const TyreNames<T> name{work.system.scribe, tyre.name};
+  detail_result(name, result);
+  std::vector<T> coefficients;
+  for (const Quantity& q : tyre.coefficients) coefficients.push_back(work.value(q));
+  with_tyre_set(tyre.model, coefficients, [&](const auto& set) { detail_law(name, set, properties, contact); });
+}
+
 template <class T>
 TyreResult<T> tyre_result(const ForceWork<T>& work, const Tyre& tyre, const TyreProperties<T>& properties,
                           const TyreContact<T>& contact) {
@@ -195,6 +208,8 @@ void apply(ForceWork<T>& work, const Tyre& tyre) {
   const auto [contact, point] = placed_contact(work, tyre, wheel);
   const TyreResult<T> result = tyre_result(work, tyre, properties, contact.motion);
   const Spatial<T> wrench = tyre_wrench(contact, result);
+  detail_contact(work, wheel, contact, tyre.name);
+  detail_tyre(work, tyre, properties, contact.motion, result);
   work.system.scribe.name(result.load, "load_", tyre.name);
   work.system.scribe.name(result.fx, "fx_", tyre.name);
   work.system.scribe.name(result.fy, "fy_", tyre.name);

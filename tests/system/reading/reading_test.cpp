@@ -11,8 +11,10 @@
 #include <vector>
 
 #include "compiler/compile.hpp"
+#include "compiler/emit/quantity_names.hpp"
 #include "tests/support/compiled_solver.hpp"
 #include "tests/support/reference_support.hpp"
+#include "workbench/describe/equation.hpp"
 
 namespace mbgen {
 namespace {
@@ -80,6 +82,7 @@ std::vector<std::vector<double>> accelerations_of(const SolverTable& table, cons
         derivative(static_cast<std::size_t>(table.derivative_size));
     std::ranges::copy(at.state.z, state.begin());
     std::ranges::copy(at.state.zd, state.begin() + table.coordinates);
+    std::ranges::copy(at.state.x, state.begin() + 2 * static_cast<std::ptrdiff_t>(table.coordinates));
     const Status status = table.accelerations(table.default_parameters, table.default_inputs, state.data(),
                                               at.tau.data(), derivative.data());
     EXPECT_TRUE(status.ok()) << text(status.code);
@@ -105,9 +108,11 @@ std::vector<ReferenceState> turned_states(const SolverTable& table) {
   return states;
 }
 
-TEST_P(ReadingCopy, ComputesTheAccelerationsOfTheFastSolver) {
+/// Compares the accelerations of both copies. states_of: of a compilation and its solver, some states.
+template <class StatesOf>
+void expect_equal_accelerations(const std::string& model, const StatesOf& states_of) {
   const auto loaded = [&](Spelling spelling) {
-    const Compilation compilation = compiled(GetParam().model, spelling);
+    const Compilation compilation = compiled(model, spelling);
     std::vector<EmittedFile> files = emit(compilation, {.runtime_headers = false});
     files.push_back(emit_driver(compilation.model));
     return std::make_unique<Loaded>(files, solver_name(compilation.model), Compiler{"g++", CompilerFamily::gnu},
@@ -116,10 +121,7 @@ TEST_P(ReadingCopy, ComputesTheAccelerationsOfTheFastSolver) {
   const auto fast = loaded(Spelling::fast), reading = loaded(Spelling::reading);
   ASSERT_NE(fast->table(), nullptr) << fast->compilation().text;
   ASSERT_NE(reading->table(), nullptr) << reading->compilation().text;
-  const Compilation fast_compilation = compiled(GetParam().model, Spelling::fast);
-  const std::vector<ReferenceState> states = *GetParam().states != '\0'
-                                                 ? reference_states(fast_compilation.topology, GetParam().states)
-                                                 : turned_states(*fast->table());
+  const std::vector<ReferenceState> states = states_of(compiled(model, Spelling::fast), *fast->table());
   ASSERT_GE(states.size(), 3u);
   const auto expected = accelerations_of(*fast->table(), states), found = accelerations_of(*reading->table(), states);
   for (std::size_t s = 0; s < states.size(); ++s) {
@@ -129,6 +131,13 @@ TEST_P(ReadingCopy, ComputesTheAccelerationsOfTheFastSolver) {
     for (std::size_t i = 0; i < expected[s].size(); ++i)
       EXPECT_NEAR(found[s][i], expected[s][i], kRounding * largest) << "state " << s << ", coordinate " << i;
   }
+}
+
+TEST_P(ReadingCopy, ComputesTheAccelerationsOfTheFastSolver) {
+  expect_equal_accelerations(GetParam().model, [](const Compilation& compilation, const SolverTable& table) {
+    return *GetParam().states != '\0' ? reference_states(compilation.topology, GetParam().states)
+                                      : turned_states(table);
+  });
 }
 
 TEST_P(ReadingCopy, NamesItsValues) {
@@ -202,6 +211,110 @@ TEST(ReadingConstants, AreWrittenByTheirOperation) {
 TEST(ReadingCopyOfMatrixForm, HasEachStepOnceInOrder) {
   const auto headings = headings_of(solver_text(compiled("four_bar", Spelling::reading, Form::matrix)));
   EXPECT_EQ(headings.at("void compute_accelerations").size(), 9u);
+}
+
+/// The reading copy of a model with the elements in question, compiled once.
+const std::string& text_of(const std::string& model) {
+  static std::map<std::string, std::string> texts;
+  if (!texts.contains(model)) texts[model] = solver_text(compiled(model, Spelling::reading));
+  return texts[model];
+}
+
+struct ElementCase {
+  const char* model;
+  double most_unnamed;  ///< of the accelerations
+};
+
+class ReadingCopyOfElements : public ::testing::TestWithParam<ElementCase> {};
+
+TEST_P(ReadingCopyOfElements, NamesItsValues) {
+  const std::string& text = text_of(GetParam().model);
+  const std::size_t start = text.find("void compute_accelerations("), end = text.find("\n}\n", start);
+  const Named hot = named_values(text.substr(start, end - start));
+  EXPECT_GT(hot.values, 1000) << "the test has read too little";
+  EXPECT_LT(hot.unnamed, GetParam().most_unnamed * hot.values) << hot.unnamed << " of " << hot.values;
+}
+
+/// Names of the applied forces in the accelerations, of negatives that of the value.
+std::set<std::string> names_of_forces(const std::string& text) {
+  std::set<std::string> names;
+  for (const EquationLine& line : equations_in(text))
+    if (line.program == "compute_accelerations" && line.step.starts_with("step 5"))
+      names.insert(line.name.starts_with("minus_") ? line.name.substr(6) : line.name);
+  return names;
+}
+
+TEST_P(ReadingCopyOfElements, NamesTheirForces) {
+  const Model model = compiled(GetParam().model, Spelling::reading).model;
+  const std::set<std::string> names = names_of_forces(text_of(GetParam().model));
+  const auto expect_names = [&](const auto& elements, const std::vector<std::string>& kinds, const char* axis = "") {
+    for (const auto& element : elements)
+      for (const std::string& kind : kinds)
+        EXPECT_TRUE(names.contains(kind + "_" + element.name + axis)) << kind << " of " << element.name;
+  };
+  expect_names(model.springs, {"force"});
+  expect_names(model.air_springs, {"force"});
+  expect_names(model.joint_springs, {"force"});
+  expect_names(model.bump_stops, {"force"});
+  expect_names(model.tyres, {"Fz", "Fx", "Fy", "kappa", "alpha"});
+  expect_names(model.bushings, {"deflection", "force"}, "_z");
+  EXPECT_GE(model.springs.size() + model.air_springs.size() + model.tyres.size(), 10u);
+}
+
+TEST_P(ReadingCopyOfElements, ExplainsEachKindOfName) {
+  static const std::regex kUnnamed(R"(s\d+_\d+)");
+  for (const std::string& name : names_of_forces(text_of(GetParam().model)))
+    if (!std::regex_match(name, kUnnamed)) EXPECT_FALSE(quantity_of(name).prefix.empty()) << name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, ReadingCopyOfElements,
+                         ::testing::Values(ElementCase{"coach", 0.40}, ElementCase{"truck", 0.40},
+                                           ElementCase{"rubber_coach", 0.50}),
+                         [](const auto& info) { return std::string(info.param.model); });
+
+TEST(ReadingCopyOfTheCoach, ExplainsForces) {
+  const std::string text = equation_text("coach.cpp", text_of("coach"), "Fz_front_left");
+  EXPECT_TRUE(text.starts_with("Fz_front_left: load of a tyre, N\n  coach.cpp:")) << text;
+  EXPECT_NE(equation_text("coach.cpp", text_of("coach"), "force_damper_front_1_left").find(", N or N m\n"),
+            std::string::npos);
+  EXPECT_NE(text.find(", compute_accelerations, step 5: "), std::string::npos) << text;
+}
+
+/// States of a coach that rolls on its tyres: the chassis heaves and rolls, an arm and the springs with it move.
+std::vector<ReferenceState> rolling_states(const Topology& topology, const SolverTable& table) {
+  const auto n = static_cast<std::size_t>(table.coordinates);
+  const auto coordinate = [&](const char* name) {
+    return static_cast<std::size_t>(std::ranges::find(topology.bodies, name, &TreeBody::coordinate) -
+                                    topology.bodies.begin());
+  };
+  std::vector<ReferenceState> states;
+  for (const double share : {0.5, 1.0, -1.0}) {
+    std::vector<double> state(static_cast<std::size_t>(table.state_size));
+    for (std::size_t i = 2 * n; i < state.size(); ++i) state[i] = 0.002 * share;
+    state[coordinate("chassis_tz")] = -0.02 * share;
+    state[coordinate("chassis_rx")] = 0.02 * share;
+    state[n + coordinate("chassis_tx")] = 15;
+    state[n + coordinate("chassis_tz")] = 0.2 * share;
+    state[n + coordinate("lower_arm_left")] = 0.3 * share;
+    for (const char* wheel : {"wheel_front_left", "wheel_front_right", "wheel_rear_left", "wheel_rear_right"})
+      state[n + coordinate(wheel)] = 15 / 0.52;
+    if (!table.project(table.default_parameters, table.default_inputs, state.data()).ok()) continue;
+    const auto size = static_cast<std::ptrdiff_t>(n);
+    states.push_back({{{state.begin(), state.begin() + size},
+                       {state.begin() + size, state.begin() + 2 * size},
+                       {state.begin() + 2 * size, state.end()},
+                       0},
+                      std::vector<double>(n),
+                      {},
+                      {}});
+  }
+  return states;
+}
+
+TEST(ReadingCopyOfTheCoach, ComputesTheAccelerationsOfTheFastSolver) {
+  expect_equal_accelerations("coach", [](const Compilation& compilation, const SolverTable& table) {
+    return rolling_states(compilation.topology, table);
+  });
 }
 
 }  // namespace
