@@ -99,6 +99,7 @@
 //   w: angular velocity of a body; w_BODY_per_COORDINATE: for a unit rate of that, rad/s
 //   vb: velocity of the origin of a body against its base, m/s
 //   wb: angular velocity of a body against its base, rad/s
+//   spin: angular velocity of the body that holds a bushing; of a rotor: its spin, rad/s
 //   abias: acceleration of the origin of a body against its base at zero accelerations of the
 //   joints, m/s^2
 //   alphabias: angular acceleration of a body, likewise, rad/s^2

@@ -257,14 +257,14 @@ TEST_P(ReadingCopyOfElements, NamesTheirForces) {
   expect_names(model.joint_springs, {"force"});
   expect_names(model.bump_stops, {"force"});
   expect_names(model.tyres, {"Fz", "Fx", "Fy", "kappa", "alpha"});
-  expect_names(model.bushings, {"deflection", "force"}, "_z");
+  expect_names(model.bushings, {"deflection"}, "_z");
   EXPECT_GE(model.springs.size() + model.air_springs.size() + model.tyres.size(), 10u);
 }
 
 TEST_P(ReadingCopyOfElements, ExplainsEachKindOfName) {
   static const std::regex kUnnamed(R"(s\d+_\d+)");
   for (const std::string& name : names_of_forces(text_of(GetParam().model)))
-    if (!std::regex_match(name, kUnnamed)) EXPECT_FALSE(quantity_of(name).prefix.empty()) << name;
+    EXPECT_TRUE(std::regex_match(name, kUnnamed) || !quantity_of(name).prefix.empty()) << name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, ReadingCopyOfElements,
