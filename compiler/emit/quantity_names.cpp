@@ -198,7 +198,8 @@ constexpr QuantityName kQuantityNames[] = {
     {"Kp", "share in the second moments, likewise", "kg m^2"},
     {"Ip", "share in the inertia, likewise", "kg m^2"},
     {"Al",
-     "articulated inertia, force for an acceleration; ..._less_COORDINATE: less the free directions up to there; ..._down: in the axes of the "
+     "articulated inertia, force for an acceleration; ..._less_COORDINATE: less the free directions up to there; "
+     "..._down: in the axes of the "
      "base",
      "kg"},
     {"Ac", "articulated inertia, force for an angular acceleration", "kg m"},

@@ -118,8 +118,8 @@
 //   hp: share of a body in the first moments of the body that it moves on, about its origin, kg m
 //   Kp: share in the second moments, likewise, kg m^2
 //   Ip: share in the inertia, likewise, kg m^2
-//   Al: articulated inertia, force for an acceleration; ..._left: less the free directions;
-//   ..._down: in the axes of the base, kg
+//   Al: articulated inertia, force for an acceleration; ..._less_COORDINATE: less the free
+//   directions up to there; ..._down: in the axes of the base, kg
 //   Ac: articulated inertia, force for an angular acceleration, kg m
 //   Aa: articulated inertia, moment for an angular acceleration, kg m^2
 //   astar: acceleration of the origin of a body for zdd_star, m/s^2
