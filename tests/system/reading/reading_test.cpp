@@ -224,6 +224,7 @@ struct ElementCase {
   const char* model;
   double most_unnamed;  ///< of the accelerations
 };
+void PrintTo(const ElementCase& of, std::ostream* out) { *out << of.model; }
 
 class ReadingCopyOfElements : public ::testing::TestWithParam<ElementCase> {};
 
