@@ -63,9 +63,7 @@ class ProgramWriter {
   }
 
   /// A result with a name of its own is found by it in a text for people.
-  bool is_read_by_name(ValueId v) const {
-    return shape_.order == ValueOrder::reading && program_.nodes[v].label >= 0;
-  }
+  bool is_read_by_name(ValueId v) const { return shape_.order == ValueOrder::reading && program_.nodes[v].label >= 0; }
 
   /// Stores a value where other slices, loops and the result need it.
   void deliver(ValueId v, const std::string& text, PartText& part) {

@@ -58,13 +58,14 @@ constexpr bool is_rolling(ClosureKind kind) { return kind >= ClosureKind::rollin
 struct Loop {
   std::string name;
   ClosureKind kind = ClosureKind::spherical;
-  int joint = -1;           ///< index into Model::joints, or -1
-  int rod = -1;             ///< index into Model::rods, or -1
-  int coupling = -1;        ///< index into Model::couplings, or -1
-  int length = -1;          ///< of a rod with prescribed length: tree index of this coordinate
-  int body_from = kGround;  ///< tree indices of the two closed bodies, kGround for ground; of a coupling the bodies that its
-  int body_to = kGround;    ///< first and last coordinates move
-  int ancestor = kGround;   ///< lowest common ancestor (tree index), of a coupling: of the bodies they move on
+  int joint = -1;     ///< index into Model::joints, or -1
+  int rod = -1;       ///< index into Model::rods, or -1
+  int coupling = -1;  ///< index into Model::couplings, or -1
+  int length = -1;    ///< of a rod with prescribed length: tree index of this coordinate
+  int body_from =
+      kGround;  ///< tree indices of the two closed bodies, kGround for ground; of a coupling the bodies that its
+  int body_to = kGround;   ///< first and last coordinates move
+  int ancestor = kGround;  ///< lowest common ancestor (tree index), of a coupling: of the bodies they move on
   /// ascending tree joints above the ancestor: symmetric difference of two rows of T, of a coupling the union of its
   std::vector<int> joints;
   int equations = 0;              ///< number of closure_rows of the joint's type, 1 for a rod or coupling

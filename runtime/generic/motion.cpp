@@ -112,9 +112,8 @@ Status GenericSolver::notice_of_factors(const GenericState& state) const {
   if (!is_known) return notice(state);
   Status result;
   for (std::size_t b = 0; b < equations.analysis.blocks.size(); ++b)
-    result =
-        graver(result, solver_detail::notice_of(static_cast<int>(b), equations.analysis.blocks[b].typical_pivot,
-                                                      equations.algebra.smallest_pivot(b), kPivotThreshold<double>));
+    result = graver(result, solver_detail::notice_of(static_cast<int>(b), equations.analysis.blocks[b].typical_pivot,
+                                                     equations.algebra.smallest_pivot(b), kPivotThreshold<double>));
   return result;
 }
 

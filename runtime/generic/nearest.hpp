@@ -1,5 +1,6 @@
 #pragma once
-// Vectors nearest to targets under sparse linear equations, for loop blocks that are too large for dense decompositions.
+// Vectors nearest to targets under sparse linear equations, for loop blocks that are too large for dense
+// decompositions.
 
 #include <Eigen/Dense>
 #include <vector>

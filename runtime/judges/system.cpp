@@ -105,7 +105,8 @@ Status CartesianSystem::sample(CartesianState& state, const GenericState& z, con
   return mechanism_->sample(mechanism_->bodies(state), mechanism_->values(z, state.t), loads, h, any, state.x);
 }
 
-void CartesianSystem::set_friction_loads(const CartesianState& state, const Eigen::VectorXd& lambda, GenericState& z) const {
+void CartesianSystem::set_friction_loads(const CartesianState& state, const Eigen::VectorXd& lambda,
+                                         GenericState& z) const {
   const std::vector<double> loads = reaction_loads(state, z, lambda);
   const auto first = static_cast<std::size_t>(first_sampled_value(mechanism_->model));
   each_friction(mechanism_->model, [&](const FrictionLaw& friction) {

@@ -83,8 +83,8 @@ class FourBar : public ::testing::Test {
 
 TEST_F(FourBar, MovesNoMoreThanItMust) {
   const double targets[][4] = {{0.3, 1, 0.4, 1},   {0.3, 1, 0.4, 50},   {0.3, 50, 0.4, 1},  {-0.5, 1, 0.6, 1},
-                              {1.0, 2, -0.3, 1},  {0.8, 1, 0.9, 10},   {-1.2, 1, -0.2, 3}, {0.2, 1, -2.4, 20},
-                              {-0.4, 1e-3, 3, 1}, {0.05, 1, 0.02, 1e3}};
+                               {1.0, 2, -0.3, 1},  {0.8, 1, 0.9, 10},   {-1.2, 1, -0.2, 3}, {0.2, 1, -2.4, 20},
+                               {-0.4, 1e-3, 3, 1}, {0.05, 1, 0.02, 1e3}};
   for (const auto& [crank, weight_crank, rocker, weight_rocker] : targets) {
     GenericState state = reference_state(m);
     ASSERT_TRUE(solver

@@ -295,7 +295,8 @@ TEST(CrgGrid, GoesOnBeyondItsBordersAsAsked) {
       EXPECT_NEAR(height(narrow, u + 2, v).z, height(kept, 2, v).z, 1e-12);
     }
   ASSERT_EQ(short_road("SPARKLE = 1\n").notes.size(), 1u);
-  EXPECT_NE(short_road("SPARKLE = 1\n").notes[0].message.find("options that mbgen does not follow: SPARKLE = 1"), std::string::npos);
+  EXPECT_NE(short_road("SPARKLE = 1\n").notes[0].message.find("options that mbgen does not follow: SPARKLE = 1"),
+            std::string::npos);
   // The model's choice takes precedence over the file's; both smooth the road at every repetition.
   const Model chosen = short_road("BORDER_MODE_U = 4\nBORDER_SMOOTH_UBEG = 1\n", R"(, "beyond_ends": "repeat")");
   EXPECT_NEAR(height(chosen, 2.25, 0).z, 0.25 * height(kept, 0.25, 0).z, 1e-12);

@@ -94,11 +94,11 @@ struct Walk {
     for (const LostAttribute& lost : format.lost) {
       if (lost.path != row.path || lost.name != attribute.name) continue;
       return add_told(attribute.spot, fmt::format("{} of <{}>", attribute.name, element.name),
-                  fmt::format(" is not carried over: {}", lost.reason));
+                      fmt::format(" is not carried over: {}", lost.reason));
     }
     add_told(attribute.spot,
-         fmt::format("<{}> has no attribute {} in {}", element.name, quoted_text(attribute.name), format.name),
-         ": it is not carried over", did_you_mean(attribute.name, attributes_of(format, row)));
+             fmt::format("<{}> has no attribute {} in {}", element.name, quoted_text(attribute.name), format.name),
+             ": it is not carried over", did_you_mean(attribute.name, attributes_of(format, row)));
   }
 
   void element(const Element& element, std::string_view context) {
@@ -106,13 +106,14 @@ struct Walk {
     if (!row) {
       const bool foreign = is_foreign(element.name);
       return add_told(element.spot, fmt::format("<{}>", element.name),
-                  foreign ? " not carried over: it is of another program"
-                          : fmt::format(" not carried over: it is unknown in <{}>", context),
-                  foreign ? "" : did_you_mean(element.name, names_in(format, context)));
+                      foreign ? " not carried over: it is of another program"
+                              : fmt::format(" not carried over: it is unknown in <{}>", context),
+                      foreign ? "" : did_you_mean(element.name, names_in(format, context)));
     }
     if (row->left_out == "-") return;
     if (!row->left_out.empty())
-      return add_told(element.spot, fmt::format("<{}>", element.name), fmt::format(" not carried over: {}", row->left_out));
+      return add_told(element.spot, fmt::format("<{}>", element.name),
+                      fmt::format(" not carried over: {}", row->left_out));
     if (row->is_quiet) return add_quiet(element.spot, element.name, "");
     for (const Attribute& attribute : element.attributes) this->attribute(element, *row, attribute);
     const std::string_view inside = row->path.substr(row->path.find('/') + 1);

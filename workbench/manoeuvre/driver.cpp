@@ -19,7 +19,7 @@ CoursePlace find_place(const Path& path, const PlaneMotion& motion, double last_
 }
 
 double steering_target(const Path& path, const CoursePlace& place, const PlaneMotion& motion,
-                     const DriverSettings& driver, double wheelbase) {
+                       const DriverSettings& driver, double wheelbase) {
   constexpr double kShortest = 3;  // m
   const double speed = std::max(0.0, motion.forward), ahead = std::max(kShortest, speed * driver.preview);
   const PathPoint here = path.at(place.way), soon = path.at(place.way + speed * driver.anticipation);

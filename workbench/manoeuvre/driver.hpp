@@ -33,7 +33,7 @@ CoursePlace find_place(const Path& path, const PlaneMotion& motion, double last_
 /// itself (single-point preview: M. Kondo, A. Ajimine, SAE 680104; C. C. MacAdam, Vehicle System Dynamics 40 (2003)).
 /// The angle is wheelbase times curvature, plus `understeer` times the lateral acceleration.
 double steering_target(const Path& path, const CoursePlace& place, const PlaneMotion& motion,
-                     const DriverSettings& driver, double wheelbase);
+                       const DriverSettings& driver, double wheelbase);
 
 /// Second derivative of the angle over the next `period` seconds, constant: critically damped tracking of the wanted
 /// angle, with limits in the units of the angle.

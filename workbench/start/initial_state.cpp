@@ -52,7 +52,8 @@ bool keeps(const Target& target, const std::vector<double>& values, double toler
 }
 
 bool keeps_all(const std::vector<Target>& targets, const std::vector<double>& values) {
-  return std::all_of(targets.begin(), targets.end(), [&](const Target& target) { return keeps(target, values, kKept); });
+  return std::all_of(targets.begin(), targets.end(),
+                     [&](const Target& target) { return keeps(target, values, kKept); });
 }
 
 void require(Status status, const Compilation& compilation, const char* action) {
@@ -65,22 +66,23 @@ void require(Status status, const Compilation& compilation, const char* action) 
 }
 
 /// A driven coordinate is at its motion. Fails: UserError if a request contradicts this.
-void require_motions(const Compilation& compilation, const std::vector<Target>& targets, const std::vector<double>& values,
-                     const char* what) {
+void require_motions(const Compilation& compilation, const std::vector<Target>& targets,
+                     const std::vector<double>& values, const char* what) {
   for (const Target& target : targets) {
     if (!compilation.analysis.driven[target.coordinate] || keeps(target, values, kRounding)) continue;
-    throw UserError(Diagnostics{
-        {target.where,
-         fmt::format("initial {} of {} contradicts its motion, {} asked, the motion gives {}", what,
-                     compilation.topology.bodies[target.coordinate].coordinate, target.value, values[target.coordinate]),
-         "remove it: a driven coordinate starts where its motion is", ""}});
+    throw UserError(Diagnostics{{target.where,
+                                 fmt::format("initial {} of {} contradicts its motion, {} asked, the motion gives {}",
+                                             what, compilation.topology.bodies[target.coordinate].coordinate,
+                                             target.value, values[target.coordinate]),
+                                 "remove it: a driven coordinate starts where its motion is", ""}});
   }
 }
 
 /// The requests in the solver's form.
 std::vector<CoordinateTarget> of_solver(const std::vector<Target>& targets) {
   std::vector<CoordinateTarget> result;
-  for (const Target& target : targets) result.push_back({target.coordinate, target.value, target.weight, target.locked});
+  for (const Target& target : targets)
+    result.push_back({target.coordinate, target.value, target.weight, target.locked});
   return result;
 }
 

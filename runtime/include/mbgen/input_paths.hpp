@@ -49,11 +49,10 @@ Real later(const Real* values, int size, int first, Real dt) noexcept {
 ///   - stays within the values that were given, and rests `degree` steps after they do;
 ///   - lags (degree + 1) / 2 steps behind them: one step with a rate, one and a half with rate and acceleration;
 ///   - has all rates continuous but the last, which is constant during a step.
-/// A row with any rate other than zero is left as it is given, bit for bit, and so are inputs that are in no row; a last
-/// rate that the model does not name is then the slope of the rate before it over the last step, until it is given.
-/// The first step stands at the values that it is given, at rest.
-/// While steps change their size the path stays smooth, but may leave the values a little.
-/// Plain data: a copy is the way back from a step that failed.
+/// A row with any rate other than zero is left as it is given, bit for bit, and so are inputs that are in no row; a
+/// last rate that the model does not name is then the slope of the rate before it over the last step, until it is
+/// given. The first step stands at the values that it is given, at rest. While steps change their size the path stays
+/// smooth, but may leave the values a little. Plain data: a copy is the way back from a step that failed.
 template <class Inputs, const auto& kRows>
 class InputPaths {
   static constexpr int kCount = sizeof(kRows) / sizeof(kRows[0]);

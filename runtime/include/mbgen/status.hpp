@@ -121,8 +121,6 @@ constexpr const char* name_of(Status status, Names coordinates, Names loop_block
 constexpr Status without_notice(Status status) noexcept { return status.ok() ? Status{} : status; }
 
 /// Of two calls that went well, the more telling status; the first of equals.
-constexpr Status graver(Status first, Status second) noexcept {
-  return second.code > first.code ? second : first;
-}
+constexpr Status graver(Status first, Status second) noexcept { return second.code > first.code ? second : first; }
 
 }  // namespace mbgen

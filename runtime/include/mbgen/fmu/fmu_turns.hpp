@@ -43,9 +43,9 @@ Answer compare_turns(Core<Model>& core, double size) noexcept {
     const double turn = std::abs(core.run.state.zd[i]) * size;
     if (!(turn > Model::kLargestTurn) || !Model::is_rotation(i)) continue;
     if (log_turn(core, i,
-                     "turns too far within a step inside, and forces turn with it; give the model a shorter step: the "
-                     "method bears, in rad,",
-                     Model::kLargestTurn, turn))
+                 "turns too far within a step inside, and forces turn with it; give the model a shorter step: the "
+                 "method bears, in rad,",
+                 Model::kLargestTurn, turn))
       return Answer::warning;
   }
   return Answer::ok;
@@ -60,18 +60,18 @@ void compare_gaps(Core<Model>& core) noexcept {
   const Gap gap = core.evaluations.widest(core.run.state.t);
   if (gap.coordinate >= 0) {
     log_turn(core, gap.coordinate,
-                 "turns too far between two evaluations of a completed step, and forces turn with it; take shorter "
-                 "steps: methods of integration bear less than, in rad,",
-                 kFarTurn, gap.turn);
+             "turns too far between two evaluations of a completed step, and forces turn with it; take shorter "
+             "steps: methods of integration bear less than, in rad,",
+             kFarTurn, gap.turn);
     return;
   }
   const bool two = core.evaluations.instants == 2;
   const Gap mean = core.evaluations.widest_in_mean(core.run.state.t, [](int i) { return Model::is_rotation(i); });
   if (mean.coordinate < 0) return;
   log_turn(core, mean.coordinate,
-               "turns far from one evaluation of a completed step to the next, in the mean, and forces turn with it; "
-               "take shorter steps: methods with so few bear, in rad,",
-               two ? kTurnOfTwo : kTurnOfOthers, mean.turn);
+           "turns far from one evaluation of a completed step to the next, in the mean, and forces turn with it; "
+           "take shorter steps: methods with so few bear, in rad,",
+           two ? kTurnOfTwo : kTurnOfOthers, mean.turn);
 }
 
 }  // namespace mbgen::fmu
