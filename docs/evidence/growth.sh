@@ -12,30 +12,20 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 bench=$here/../../bench
 
-# put NAME: the table of standard input between the markers of that name.
-put() {
-  cat > "$scratch/table_$1"
-  awk -v table="$scratch/table_$1" -v name="$1" '
-    $0 == "<!-- " name ": end -->" { inside = 0 }
-    !inside { print }
-    $0 == "<!-- " name ": begin -->" {
-      inside = 1
-      while ((getline line < table) > 0) print line
-    }' "$here/growth.md" > "$scratch/page"
-  cat "$scratch/page" > "$here/growth.md"
-}
+page=$here/growth.md
+. "$here/put_table.sh"
 
 case "${1-}" in
-  making) "$bench/making.sh" ${MBGEN:+"$MBGEN"} | put making && exit ;;
-  generic) "$bench/generic_steps.sh" ${MBGEN:+"$MBGEN"} | put generic && exit ;;
-  slowest) "$bench/slowest_steps.py" ${MBGEN:+"$MBGEN"} | put slowest && exit ;;
+  making) "$bench/making.sh" ${MBGEN:+"$MBGEN"} | put making "$page" && exit ;;
+  generic) "$bench/generic_steps.sh" ${MBGEN:+"$MBGEN"} | put generic "$page" && exit ;;
+  slowest) "$bench/slowest_steps.py" ${MBGEN:+"$MBGEN"} | put slowest "$page" && exit ;;
   "") "$bench/growth.sh" ${MBGEN:+"$MBGEN"} > "$scratch/table"
-    "$bench/making.sh" ${MBGEN:+"$MBGEN"} | put making
-    "$bench/generic_steps.sh" ${MBGEN:+"$MBGEN"} | put generic
-    "$bench/slowest_steps.py" ${MBGEN:+"$MBGEN"} | put slowest ;;
+    "$bench/making.sh" ${MBGEN:+"$MBGEN"} | put making "$page"
+    "$bench/generic_steps.sh" ${MBGEN:+"$MBGEN"} | put generic "$page"
+    "$bench/slowest_steps.py" ${MBGEN:+"$MBGEN"} | put slowest "$page" ;;
   *) grep '^|' "$1" > "$scratch/table" ;;
 esac
-put growth < "$scratch/table"
+put growth "$page" < "$scratch/table"
 
 for kind in chain four-bar; do
   awk -F'|' -v kind="$kind" '$2 ~ kind { print $3, $6, $8, $9 + $10 }' "$scratch/table" > "$scratch/$kind"

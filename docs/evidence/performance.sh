@@ -11,31 +11,11 @@ page=$here/performance.md
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# fill NAME: what `$scratch/table` holds, between the markers of this name
-fill() {
-  awk -v table="$scratch/table" -v name="$1" '
-    $0 == "<!-- " name ": end -->" { inside = 0 }
-    !inside { print }
-    $0 == "<!-- " name ": begin -->" {
-      inside = 1
-      print "```"
-      while ((getline line < table) > 0) print line
-      print "```"
-    }' "$page" > "$scratch/page"
-  cat "$scratch/page" > "$page"
-}
+. "$here/put_table.sh"
 
-# put NAME PAGE: the table of standard input between the markers of this name, as it is.
-put() {
-  cat > "$scratch/table_$1"
-  awk -v table="$scratch/table_$1" -v name="$1" '
-    $0 == "<!-- " name ": end -->" { inside = 0 }
-    !inside { print }
-    $0 == "<!-- " name ": begin -->" {
-      inside = 1
-      while ((getline line < table) > 0) print line
-    }' "$2" > "$scratch/page"
-  cat "$scratch/page" > "$2"
+# fill NAME: what `$scratch/table` holds, as text between the markers of this name
+fill() {
+  { echo '```'; cat "$scratch/table"; echo '```'; } | put "$1" "$page"
 }
 
 # steps_table: the lines of bench/steps.sh as a table.
