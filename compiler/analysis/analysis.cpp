@@ -107,8 +107,8 @@ std::vector<int> dependent_columns(const LoopBlock& block, const PartView& whole
 }
 
 /// Motions of coordinates that a loop holds, which no freedom moves.
-Diagnostics motions_of_held(const Model& model, const Topology& topology, const LoopBlock& block,
-                            const std::vector<int>& immobile, const Analysis& analysis) {
+Diagnostics motions_of_locked(const Model& model, const Topology& topology, const LoopBlock& block,
+                              const std::vector<int>& immobile, const Analysis& analysis) {
   const auto is_held = [&](int c) { return std::find(immobile.begin(), immobile.end(), c) != immobile.end(); };
   std::vector<std::string> moving;
   for (const int c : free_columns(block, analysis.driven))
@@ -129,8 +129,8 @@ Diagnostics motions_of_held(const Model& model, const Topology& topology, const 
 /// Motions that leave a loop block less than its rank. immobile: columns that no freedom moves.
 Diagnostics too_many_motions(const Model& model, const Topology& topology, const LoopBlock& block,
                              const PartView& whole, const std::vector<int>& immobile, const Analysis& analysis) {
-  Diagnostics held = motions_of_held(model, topology, block, immobile, analysis);
-  if (!held.empty()) return held;
+  Diagnostics locked = motions_of_locked(model, topology, block, immobile, analysis);
+  if (!locked.empty()) return locked;
   // Subsets of a large block are not tried: its driven coordinates are named together.
   const std::vector<int> all = driven_columns(block, analysis.driven);
   const std::vector<int> driven = is_large(block) ? all : dependent_columns(block, whole, all);
@@ -332,7 +332,7 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
   Findings found;
   for (const LoopBlock& block : topology.blocks) found.equations.push_back(closure_equations(model, topology, block));
   found.other_modes = stay_on_branch(numbers, found.equations, configurations);
-  int held = 0;
+  int position_rank_sum = 0;
   const std::vector<int> firsts = first_of_structure(numbers);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     std::span<const PartitionCandidate> like;
@@ -341,7 +341,7 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
     analysis.blocks.back().first_alike = firsts[b];
     analysis.independent_equations += analysis.blocks.back().rank;
     if (found.problems.empty())
-      held += position_rank(numbers, b, found.views.back(), analysis.blocks.back().rank, configurations);
+      position_rank_sum += position_rank(numbers, b, found.views.back(), analysis.blocks.back().rank, configurations);
   }
   if (!found.problems.empty()) return found.problems;
   set_quasi_partitions(numbers, configurations, analysis);
@@ -353,7 +353,7 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
       }));
   analysis.ranks = ranks_together(found.views, configurations);
   analysis.degrees_of_freedom = topology.size() - analysis.independent_equations;
-  analysis.position_freedoms = topology.size() - held;
+  analysis.position_freedoms = topology.size() - position_rank_sum;
   Diagnostics problems;
   for (int i : without_inertia(numbers, model, topology, analysis, configurations)) {
     const Joint& joint = model.joints[topology.bodies[i].joint];

@@ -33,8 +33,8 @@ double largest(const Eigen::VectorXd& v) {
 }  // namespace
 
 NumericSystem::NumericSystem(const Model& model, const Topology& topology)
-    : layout_(choose_layout(model, topology)), system_{model, topology, layout_, default_environment(model, topology),
-                                                       {},    {},       scribe_} {
+    : layout_(choose_layout(model, topology)), system_{model, topology, layout_,   default_environment(model, topology),
+                                                       {},    {},       annotator_} {
   system_.x.assign(static_cast<std::size_t>(auxiliary_state_count(model)), 0.0);
   system_.constants = make_constants(model, topology, system_.environment, Origins::of_joints);
   for (const LoopBlock& block : topology.blocks) velocity_rows_.push_back(mbgen::velocity_rows(model, topology, block));

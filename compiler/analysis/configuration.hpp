@@ -49,7 +49,7 @@ class NumericSystem {
 
  private:
   Layout layout_;
-  Scribe<double> scribe_;
+  Annotator<double> annotator_;
   System<double> system_;
   std::vector<std::vector<int>> velocity_rows_;  // per block
 };

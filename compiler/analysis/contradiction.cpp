@@ -170,12 +170,12 @@ Diagnostics contradictions(NumericSystem& numbers, std::size_t b, const PartView
   std::vector<std::vector<int>> sets;
   for (int l : block.loops) sets.push_back({l});
   const std::size_t alone = sets.size();
-  std::vector<int> held;
+  std::vector<int> locked;
   for (int l : block.loops) {
     const std::vector<int>& columns = block_part(topology, block, {l}).columns;
-    if (std::all_of(columns.begin(), columns.end(), [&](int c) { return contains(immobile, c); })) held.push_back(l);
+    if (std::all_of(columns.begin(), columns.end(), [&](int c) { return contains(immobile, c); })) locked.push_back(l);
   }
-  for (std::vector<int>& group : connected(topology, held))
+  for (std::vector<int>& group : connected(topology, locked))
     if (group.size() > 1) sets.push_back(std::move(group));
   if (block.loops.size() > 1 && !is_large(block)) sets.push_back(block.loops);
   Diagnostics problems;

@@ -19,13 +19,13 @@ int coordinate_of(const Topology& topology, const Analysis& analysis, const Dire
   return topology.blocks[direction.block].joints[analysis.blocks[direction.block].independent[direction.place]];
 }
 
-/// Inertia per coordinate by the recursive form, with the coordinates of `held` at rest; NaN of these, and of
+/// Inertia per coordinate by the recursive form, with the coordinates of `locked` at rest; NaN of these, and of
 /// coordinates that move one that has none.
 std::vector<double> inertias_while(const System<double>& given, const Analysis& analysis,
-                                   const std::vector<bool>& held) {
-  const Recursion recursion = plan_recursion(given.model, given.topology, held);
+                                   const std::vector<bool>& locked) {
+  const Recursion recursion = plan_recursion(given.model, given.topology, locked);
   System<double> system{given.model, given.topology,  recursion.layout, given.environment,
-                        given.x,     given.constants, given.scribe};
+                        given.x,     given.constants, given.annotator};
   const std::size_t n = given.topology.bodies.size();
   AppliedForces<double> none;
   none.wrench.resize(n);
@@ -33,7 +33,7 @@ std::vector<double> inertias_while(const System<double>& given, const Analysis& 
   none.about = MotionPoint::body_origin;
   std::vector<Drive<double>> still;
   for (std::size_t i = 0; i < n; ++i)
-    if (held[i]) still.push_back({static_cast<int>(i), 0.0, 0.0, 0.0});
+    if (locked[i]) still.push_back({static_cast<int>(i), 0.0, 0.0, 0.0});
   std::vector<double> result(n, std::nan(""));
   const std::vector<BlockProjection<double>> frozen = of_partitions(analysis);
   for (const DirectionInertia<double>& direction :
@@ -47,18 +47,18 @@ std::vector<double> inertias_while(const System<double>& given, const Analysis& 
 
 std::vector<double> inertias_by_recursion(const System<double>& system, const Analysis& analysis,
                                           const std::vector<int>& asked) {
-  std::vector<bool> held = analysis.driven;
-  std::vector<double> inertia(held.size(), 0.0);
-  // A direction without inertia leaves none to be told of the coordinates that move it: it is held, and the others are
-  // asked again. One of a block stays: the block's partition is over it.
+  std::vector<bool> locked = analysis.driven;
+  std::vector<double> inertia(locked.size(), 0.0);
+  // A direction without inertia leaves none to be told of the coordinates that move it: it is locked, and the others
+  // are asked again. One of a block stays: the block's partition is over it.
   const std::vector<int>& group_of = system.topology.group_of;
   for (bool again = true; again;) {
     again = false;
-    const std::vector<double> found = inertias_while(system, analysis, held);
+    const std::vector<double> found = inertias_while(system, analysis, locked);
     for (std::size_t i = 0; i < found.size(); ++i) {
-      if (held[i]) continue;
+      if (locked[i]) continue;
       inertia[i] = found[i];
-      if (found[i] <= 0 && system.topology.groups[group_of[i]].block < 0) held[i] = again = true;
+      if (found[i] <= 0 && system.topology.groups[group_of[i]].block < 0) locked[i] = again = true;
     }
   }
   std::vector<double> result;

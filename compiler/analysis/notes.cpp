@@ -76,13 +76,13 @@ bool held_by_contact(const Model& model, const Topology& topology, const LoopBlo
 void add_locked(const Model& model, const Topology& topology, std::size_t b, const Certificate& certificate,
                 Diagnostics& notes) {
   const LoopBlock& block = topology.blocks[b];
-  std::vector<int> held, left = certificate.immobile;
+  std::vector<int> locked, left = certificate.immobile;
   for (int l : block.loops) {
     const std::vector<int> columns = block_part(topology, block, {l}).columns;
     const auto still = [&](int c) { return contains(certificate.immobile, c); };
-    if (!columns.empty() && std::all_of(columns.begin(), columns.end(), still)) held.push_back(l);
+    if (!columns.empty() && std::all_of(columns.begin(), columns.end(), still)) locked.push_back(l);
   }
-  for (const std::vector<int>& loops : connected(topology, held)) {
+  for (const std::vector<int>& loops : connected(topology, locked)) {
     const std::vector<int> columns = block_part(topology, block, loops).columns;
     std::erase_if(left, [&](int c) { return contains(columns, c); });
     notes.push_back({where_of(model, topology.loops[loops[0]]),

@@ -45,7 +45,7 @@ std::vector<std::vector<Eigen::MatrixXd>> quasi_jacobians(NumericSystem& numbers
   std::vector<std::vector<Eigen::MatrixXd>> jacobians(units.size());
   for (const Configuration& configuration : configurations) {
     const System<double>& at = numbers.at(configuration.z);
-    System<double> system{at.model, at.topology, recursion.layout, at.environment, at.x, at.constants, at.scribe};
+    System<double> system{at.model, at.topology, recursion.layout, at.environment, at.x, at.constants, at.annotator};
     const Kinematics<double> k = kinematics(system);
     const RecursionWork<double> work = recursion_work(system, recursion, k);
     for (std::size_t u = 0; u < units.size(); ++u)

@@ -61,7 +61,7 @@ RelativeMotion<T> at_rest(const Topology& topology) {
 template <class T>
 void set_relative_motion(System<T>& system, const Kinematics<T>& k, const LoopBlock& block, RelativeMotion<T>& m) {
   for (int i : block.joints) {
-    const auto heading = within_body(system.scribe, i);
+    const auto heading = within_body(system.annotator, i);
     const int p = system.topology.bodies[i].parent;
     const Spatial<T> below = p == block.base ? Spatial<T>{} : m.velocity[p];
     const Acceleration<T> below_acceleration = p == block.base ? Acceleration<T>{} : m.acceleration[p];
@@ -229,12 +229,12 @@ auto joint_rows(ClosureKind kind, const End<T>& from, const End<T>& to, const Ma
 template <class T>
 void detail_row(const System<T>& system, const Loop& loop, const std::vector<int>& joints, int number,
                 const SparseRow<T>& row, const T& acceleration, const T& residual) {
-  if (!system.scribe.has_details()) return;
+  if (!system.annotator.has_details()) return;
   const std::string name = loop.equations > 1 ? loop.name + "_" + std::to_string(number) : loop.name;
   for (std::size_t i = 0; i < row.columns.size(); ++i)
-    system.scribe.detail(row.values[i], "J_", name, "_", system.topology.bodies[joints[row.columns[i]]].coordinate);
-  system.scribe.detail(acceleration, "bias_", name);
-  system.scribe.detail(residual, "Phi_", name);
+    system.annotator.detail(row.values[i], "J_", name, "_", system.topology.bodies[joints[row.columns[i]]].coordinate);
+  system.annotator.detail(acceleration, "bias_", name);
+  system.annotator.detail(residual, "Phi_", name);
 }
 
 /// A constant triad on a body, in the axes of the block's base frame.
@@ -258,7 +258,7 @@ LoopEnd<T> loop_end(const System<T>& system, const Kinematics<T>& k, const Relat
 template <class T>
 std::vector<Row<T>> loop_rows(System<T>& system, const Kinematics<T>& k, const RelativeMotion<T>& motion,
                               const Loop& loop, int frame) {
-  const auto heading = within_loop(system.scribe, index_in(system.topology.loops, loop));
+  const auto heading = within_loop(system.annotator, index_in(system.topology.loops, loop));
   if (loop.kind == ClosureKind::rod) {
     const RodConstants<T>& rod = system.constants.rods[loop.rod];
     const T length = length_of(system, loop);
@@ -302,7 +302,7 @@ SparseClosure<T> sparse_closure(System<T>& system, const Kinematics<T>& k, const
         entries.push_back(static_cast<int>(column_of(j)), j == loop.length ? T(-1.0)
                                                           : moves_from     ? dot(k.column[j], row.wrench_from)
                                                                            : -dot(k.column[j], row.wrench_to));
-        system.scribe.name(entries.values.back(), "J_", loop.name, "_", system.topology.bodies[j].coordinate);
+        system.annotator.name(entries.values.back(), "J_", loop.name, "_", system.topology.bodies[j].coordinate);
       }
       result.residual.push_back(row.residual);
       result.jacobian.push_back(std::move(entries));

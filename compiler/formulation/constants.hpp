@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "compiler/expressions/evaluate.hpp"
+#include "compiler/formulation/annotator.hpp"
 #include "compiler/formulation/origins.hpp"
-#include "compiler/formulation/scribe.hpp"
 #include "compiler/topology/topology.hpp"
 
 namespace mbgen {
@@ -110,11 +110,12 @@ Vector<T> tuned_displacement(const Model& model, const Attachment& at, const Env
 template <class T>
 std::vector<Vector<T>> shifts(const Model& model, const Topology& topology, const Environment<T>& environment) {
   std::vector<Vector<T>> shift(model.bodies.size());
-  for (const TreeJoint& held : topology.tree_joints) {
-    const Joint& joint = model.joints[held.joint];
-    const Attachment &parent = held.reversed ? joint.to : joint.from, &child = held.reversed ? joint.from : joint.to;
-    shift[held.child] = shift[held.parent] + tuned_displacement(model, parent, environment) -
-                        tuned_displacement(model, child, environment);
+  for (const TreeJoint& tree_joint : topology.tree_joints) {
+    const Joint& joint = model.joints[tree_joint.joint];
+    const Attachment &parent = tree_joint.reversed ? joint.to : joint.from,
+                     &child = tree_joint.reversed ? joint.from : joint.to;
+    shift[tree_joint.child] = shift[tree_joint.parent] + tuned_displacement(model, parent, environment) -
+                              tuned_displacement(model, child, environment);
   }
   return shift;
 }
@@ -265,20 +266,20 @@ double inertia_left_by_rounding(const Constants<T>& constants) {
 /// Names the numbers of the bodies and rods: m_ mass, c_ centre of mass, I_ inertia about it, p_ ends of rods from the
 /// origins of their bodies, l_ lengths, g_ gravity.
 template <class T>
-void name_constants(Scribe<T>& scribe, const Model& model, const Topology& topology, Constants<T>& constants) {
-  name_constant(scribe, constants.gravity, "g");
+void name_constants(Annotator<T>& annotator, const Model& model, const Topology& topology, Constants<T>& constants) {
+  name_constant(annotator, constants.gravity, "g");
   for (std::size_t i = 0; i < topology.bodies.size(); ++i) {
     const std::string& body = topology.bodies[i].name;
-    scribe.constant(constants.mass[i], "m_", body);
-    name_constant(scribe, constants.com[i], "c_", body);
-    name_constant(scribe, constants.inertia[i], "I_", body);
+    annotator.constant(constants.mass[i], "m_", body);
+    name_constant(annotator, constants.com[i], "c_", body);
+    name_constant(annotator, constants.inertia[i], "I_", body);
   }
   for (std::size_t r = 0; r < model.rods.size(); ++r) {
     RodConstants<T>& rod = constants.rods[r];
-    name_constant(scribe, rod.from.at, "p_", model.rods[r].name, "_from");
-    name_constant(scribe, rod.to.at, "p_", model.rods[r].name, "_to");
-    scribe.constant(rod.length, "l_", model.rods[r].name);
-    scribe.bound(rod.coupling, "A sixth of the mass of the rod", "m6_", model.rods[r].name);
+    name_constant(annotator, rod.from.at, "p_", model.rods[r].name, "_from");
+    name_constant(annotator, rod.to.at, "p_", model.rods[r].name, "_to");
+    annotator.constant(rod.length, "l_", model.rods[r].name);
+    annotator.bound(rod.coupling, "A sixth of the mass of the rod", "m6_", model.rods[r].name);
   }
 }
 

@@ -21,7 +21,7 @@ struct CouplingEquation {
 /// each of its coordinates and once more.
 template <class T>
 CouplingEquation<T> coupling_equation(const System<T>& system, const Loop& loop) {
-  const auto heading = within_loop(system.scribe, index_in(system.topology.loops, loop));
+  const auto heading = within_loop(system.annotator, index_in(system.topology.loops, loop));
   const Coupling& coupling = system.model.couplings[loop.coupling];
   std::vector<int> joints;
   std::vector<T> positions;
@@ -36,7 +36,7 @@ CouplingEquation<T> coupling_equation(const System<T>& system, const Loop& loop)
   const Jet<T> moved = evaluate_relation(system.model, coupling, moving, system.environment);
   CouplingEquation<T> equation{moved.value, {}, moved.second};
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    system.scribe.name(slopes[i], "J_", loop.name, "_", system.topology.bodies[joints[i]].coordinate);
+    system.annotator.name(slopes[i], "J_", loop.name, "_", system.topology.bodies[joints[i]].coordinate);
     equation.slopes[joints[i]] = slopes[i];
   }
   return equation;

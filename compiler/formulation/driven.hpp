@@ -19,7 +19,7 @@ template <class T>
 std::vector<Drive<T>> drives(const System<T>& system) {
   std::vector<Drive<T>> result;
   for (const Motion& motion : system.model.motions) {
-    const auto heading = system.scribe.within(OwnerKind::motion, index_in(system.model.motions, motion));
+    const auto heading = system.annotator.within(OwnerKind::motion, index_in(system.model.motions, motion));
     const Jet<T> z = evaluate_motion<T>(system.model, motion, system.environment);
     result.push_back({tree_coordinate(system.topology, motion.joint), z.value, z.first, z.second});
   }

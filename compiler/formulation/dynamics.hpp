@@ -46,19 +46,19 @@ std::vector<T> tree_forces(System<T>& system, const Kinematics<T>& k, const Iner
   detail::rod_forces(system, k, a, forces);
   std::vector<Spatial<T>> own(n), base(n);
   for (int i = 0; i < n; ++i) {
-    const auto heading = within_body(system.scribe, i);
+    const auto heading = within_body(system.annotator, i);
     const Spatial<T> inertial =
         inertial_force(m.body[i], velocity_of(system, v, i).angular, acceleration_of(system, a, i));
     (system.layout.bodies[i].own_frame ? own[i] : base[i]) = forces.wrench[i] - inertial;
   }
   std::vector<T> result(n);
   for (int i = n - 1; i >= 0; --i) {
-    const auto heading = within_body(system.scribe, i);
+    const auto heading = within_body(system.annotator, i);
     const BodyLayout& layout = system.layout.bodies[i];
     if (layout.own_frame) base[i] = base[i] + detail::lowered(k, i, own[i]);
     const Spatial<T>& above = layout.joint_frame == layout.base ? base[i] : own[layout.joint_frame];
     result[i] = tau[i] + forces.joint[i] + dot(k.column[i], above);
-    system.scribe.name(result[i], "Q_", system.topology.bodies[i].coordinate);
+    system.annotator.name(result[i], "Q_", system.topology.bodies[i].coordinate);
     const int p = system.topology.bodies[i].parent;
     if (p == kGround) continue;
     Spatial<T>& below = p == layout.base ? own[p] : base[p];
@@ -114,9 +114,9 @@ GroupMass<T> group_mass(System<T>& system, const Kinematics<T>& k, const Inertia
   const std::size_t count = group.joints.size();
   GroupMass<T> result;
   for (int i : group.joints) {
-    const auto heading = within_body(system.scribe, i);
+    const auto heading = within_body(system.annotator, i);
     result.momentum.push_back(m.of_joint(system.layout, i) * k.column[i]);
-    name(system.scribe, result.momentum.back(), "F", "N", system.topology.bodies[i].coordinate);
+    name(system.annotator, result.momentum.back(), "F", "N", system.topology.bodies[i].coordinate);
   }
   result.mass.assign(count, std::vector<T>(count, T(0.0)));
   for (std::size_t c = 0; c < count; ++c)

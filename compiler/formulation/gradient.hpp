@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compiler/expressions/sample.hpp"
-#include "compiler/formulation/scribe.hpp"
+#include "compiler/formulation/annotator.hpp"
 #include "mbgen/scalar.hpp"
 
 namespace mbgen {

@@ -53,10 +53,10 @@ Spatial<T> part_force(const System<T>& system, const Kinematics<T>& k, int i, co
   const Vector<T> w = transposed_times(axes, angular_velocity), alpha = transposed_times(axes, a.angular);
   const Vector<T> at_com = a.at(com), force = part.mass * at_com;
   if (i >= 0) {
-    detail_name(system.scribe, com, "arm_", system.body_name(i), "_com");
-    detail_name(system.scribe, at_com, "a_", system.body_name(i), "_com");
-    detail_name(system.scribe, w, "w_", system.body_name(i), "_in_own_axes");
-    detail_name(system.scribe, alpha, "alpha_", system.body_name(i), "_in_own_axes");
+    detail_name(system.annotator, com, "arm_", system.body_name(i), "_com");
+    detail_name(system.annotator, at_com, "a_", system.body_name(i), "_com");
+    detail_name(system.annotator, w, "w_", system.body_name(i), "_in_own_axes");
+    detail_name(system.annotator, alpha, "alpha_", system.body_name(i), "_in_own_axes");
   }
   return {force, cross(com, force) + axes * (part.inertia * alpha + cross(w, part.inertia * w))};
 }
@@ -103,7 +103,7 @@ Inertias<T> inertias(System<T>& system, const Kinematics<T>& k) {
   m.own.resize(n);
   m.base.resize(n);
   for (int i = 0; i < n; ++i) {
-    const auto heading = within_body(system.scribe, i);
+    const auto heading = within_body(system.annotator, i);
     m.body[i] = body_inertia(system, k, i);
     (system.layout.bodies[i].own_frame ? m.own[i] : m.base[i]) = about_origin(m.body[i]);
   }
@@ -115,7 +115,7 @@ Inertias<T> inertias(System<T>& system, const Kinematics<T>& k) {
     });
   }
   for (int i = n - 1; i >= 0; --i) {
-    const auto heading = within_body(system.scribe, i);
+    const auto heading = within_body(system.annotator, i);
     if (system.layout.bodies[i].own_frame) m.base[i] = m.base[i] + moved(k.orientation[i], k.position[i], m.own[i]);
     const int p = system.topology.bodies[i].parent;
     if (p == kGround) continue;

@@ -18,7 +18,7 @@ struct System {
   Environment<T> environment;  ///< parameters, inputs, t, z, zd
   std::vector<T> x;            ///< auxiliary states: auxiliary_states.hpp
   Constants<T> constants;
-  Scribe<T>& scribe;
+  Annotator<T>& annotator;
 
   const std::string& body_name(int i) const { return topology.bodies[i].name; }
   bool revolute(int i) const { return topology.bodies[i].kind == FreedomKind::revolute; }
@@ -45,7 +45,7 @@ template <class T>
 Place<T> place_of(const System<T>& system, const Attachment& at) {
   Place<T> place = place_of(system.model, system.topology, system.constants, at, system.environment);
   const Body& body = system.model.bodies[at.body];
-  name_constant(system.scribe, place.at, "p_", body.name, "_", body.points[at.point].name);
+  name_constant(system.annotator, place.at, "p_", body.name, "_", body.points[at.point].name);
   return place;
 }
 
@@ -55,7 +55,7 @@ Vector<T> joint_offset(const System<T>& system, int body) {
   const int parent = system.topology.bodies[body].parent;
   Vector<T> offset = system.constants.origin[body];
   if (parent != kGround) offset = offset - system.constants.origin[parent];
-  name_constant(system.scribe, offset, "p_", system.topology.bodies[body].coordinate);
+  name_constant(system.annotator, offset, "p_", system.topology.bodies[body].coordinate);
   return offset;
 }
 
@@ -169,18 +169,18 @@ Kinematics<T> kinematics(System<T>& system) {
   k.base_column.resize(n);
   std::vector<detail::Turn<T>> turns(n);
   for (int i = 0; i < static_cast<int>(n); ++i) {
-    const auto heading = within_body(system.scribe, i);
+    const auto heading = within_body(system.annotator, i);
     turns[i] = detail::turn_of(system, k, turns, i);
-    system.scribe.detail(turns[i].angle, "angle_", system.body_name(i));
+    system.annotator.detail(turns[i].angle, "angle_", system.body_name(i));
     detail::advance_pose(system, k, turns[i], i);
     if (system.layout.bodies[i].chain_start >= 0) detail::own_chain(system, k, i);
-    name(system.scribe, k.orientation[i], "R_", system.body_name(i));
-    name(system.scribe, k.position[i], "r_", system.body_name(i));
-    name(system.scribe, k.axis[i], "u_", system.topology.bodies[i].coordinate);
-    detail_name(system.scribe, k.pin[i], "pin_", system.topology.bodies[i].coordinate);
+    name(system.annotator, k.orientation[i], "R_", system.body_name(i));
+    name(system.annotator, k.position[i], "r_", system.body_name(i));
+    name(system.annotator, k.axis[i], "u_", system.topology.bodies[i].coordinate);
+    detail_name(system.annotator, k.pin[i], "pin_", system.topology.bodies[i].coordinate);
   }
   for (int i = 0; i < static_cast<int>(n); ++i)
-    name(system.scribe, k.column[i].linear, "b_", system.topology.bodies[i].coordinate);
+    name(system.annotator, k.column[i].linear, "b_", system.topology.bodies[i].coordinate);
   return k;
 }
 

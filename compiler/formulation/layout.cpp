@@ -103,8 +103,8 @@ Layout choose_layout(const Model& model, const Topology& topology, Frames frames
     if (frames == Frames::few && carries[i] && (first || !leaf)) own[i] = true;
     if (frames == Frames::all) own[i] = carries[i] || leaf;
     if (frames == Frames::own && (carries[i] || leaf)) {
-      const bool held = p != kGround && (in_block(topology, p) || carries[p]);
-      own[i] = !(held && is_rotor(model, topology, i, parts[i]));
+      const bool is_carried = p != kGround && (in_block(topology, p) || carries[p]);
+      own[i] = !(is_carried && is_rotor(model, topology, i, parts[i]));
     }
   }
   Layout layout;

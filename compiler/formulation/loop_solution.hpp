@@ -143,8 +143,8 @@ FrozenFactors<T> factorise_frozen(const std::vector<SparseRow<T>>& jacobian, con
 template <class T>
 auto scale_names(const System<T>& system, const std::vector<int>& joints, const LoopPartition& partition) {
   return [&](std::size_t k, T scale) {
-    system.scribe.bound(scale, "1 over the median size of this pivot in the sampled positions", "per_reference_",
-                        system.topology.bodies[joints[partition.pivots[k].coordinate]].coordinate);
+    system.annotator.bound(scale, "1 over the median size of this pivot in the sampled positions", "per_reference_",
+                           system.topology.bodies[joints[partition.pivots[k].coordinate]].coordinate);
     return scale;
   };
 }
@@ -153,16 +153,16 @@ auto scale_names(const System<T>& system, const std::vector<int>& joints, const 
 template <class T>
 void detail_factors(const System<T>& system, const LoopBlock& block, const LoopPartition& partition,
                     const FrozenFactors<T>& factors) {
-  if (!system.scribe.has_details()) return;
+  if (!system.annotator.has_details()) return;
   const auto column = [&](int c) -> const std::string& { return system.topology.bodies[block.joints[c]].coordinate; };
   const auto pivot = [&](std::size_t k) -> const std::string& { return column(partition.pivots[k].coordinate); };
   for (std::size_t k = 0; k < factors.pivot.size(); ++k) {
     const SparseRow<T>&row = factors.rows[k], &lower = factors.lower[k];
     for (std::size_t i = 0; i < row.columns.size(); ++i)
-      system.scribe.detail(row.values[i], "U_", pivot(k), "_", column(row.columns[i]));
+      system.annotator.detail(row.values[i], "U_", pivot(k), "_", column(row.columns[i]));
     for (std::size_t i = 0; i < lower.columns.size(); ++i)
-      system.scribe.detail(lower.values[i], "L_", pivot(k), "_", pivot(static_cast<std::size_t>(lower.columns[i])));
-    system.scribe.detail(factors.reciprocal[k], "per_pivot_", pivot(k));
+      system.annotator.detail(lower.values[i], "L_", pivot(k), "_", pivot(static_cast<std::size_t>(lower.columns[i])));
+    system.annotator.detail(factors.reciprocal[k], "per_pivot_", pivot(k));
   }
 }
 
@@ -172,8 +172,8 @@ void name_pivots(const System<T>& system, const LoopBlock& block, const LoopPart
                  const FrozenFactors<T>& factors) {
   detail_factors(system, block, partition, factors);
   for (std::size_t k = 0; k < factors.pivot.size(); ++k)
-    system.scribe.name(factors.pivot[k], "pivot_",
-                       system.topology.bodies[block.joints[partition.pivots[k].coordinate]].coordinate);
+    system.annotator.name(factors.pivot[k], "pivot_",
+                          system.topology.bodies[block.joints[partition.pivots[k].coordinate]].coordinate);
 }
 
 /// Names Rz of a block (61) after its coordinates and the free directions. joints: of the rows.
@@ -181,14 +181,14 @@ template <class T>
 void name_rz(const System<T>& system, const std::vector<int>& joints, const std::vector<std::vector<T>>& rz) {
   for (std::size_t c = 0; c < rz.size(); ++c)
     for (std::size_t q = 0; q < rz[c].size(); ++q)
-      system.scribe.name(rz[c][q], "Rz_", system.topology.bodies[joints[c]].coordinate, "_", std::to_string(q));
+      system.annotator.name(rz[c][q], "Rz_", system.topology.bodies[joints[c]].coordinate, "_", std::to_string(q));
 }
 
 /// Names z* of a block (62) after its coordinates.
 template <class T>
 void name_zdd_star(const System<T>& system, const std::vector<int>& joints, const std::vector<T>& zdd_star) {
   for (std::size_t c = 0; c < zdd_star.size(); ++c)
-    system.scribe.name(zdd_star[c], "zdd_star_", system.topology.bodies[joints[c]].coordinate);
+    system.annotator.name(zdd_star[c], "zdd_star_", system.topology.bodies[joints[c]].coordinate);
 }
 
 /// Solves Phi_d x_d = right_hand_side (60) for the dependent coordinates; right_hand_side per equation of the block.

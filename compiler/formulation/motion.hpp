@@ -130,7 +130,7 @@ Velocities<T> velocities(System<T>& system, const Kinematics<T>& k, MotionPoint 
   Velocities<T> v{std::vector<Spatial<T>>(n), std::vector<Spatial<T>>(n), about};
   for (int i = 0; i < n; ++i) {
     const BodyLayout& layout = system.layout.bodies[i];
-    const auto heading = within_body(system.scribe, i);
+    const auto heading = within_body(system.annotator, i);
     const detail::JointSeen<T> joint = detail::joint_seen(system, k, i, about);
     const Spatial<T> parent = detail::parent_velocity(system, v, i);
     v.base[i] = advanced(Spatial<T>{velocity_at(parent, joint.offset), parent.angular}, joint.column, system.zd(i));
@@ -142,8 +142,8 @@ Velocities<T> velocities(System<T>& system, const Kinematics<T>& k, MotionPoint 
     } else if (layout.own_frame) {
       v.own[i] = seen_from(k.orientation[i], joint.origin, v.base[i]);
     }
-    name(system.scribe, v.base[i], "v", "w", system.body_name(i));
-    name(system.scribe, v.own[i], "v", "w", system.body_name(i));
+    name(system.annotator, v.base[i], "v", "w", system.body_name(i));
+    name(system.annotator, v.own[i], "v", "w", system.body_name(i));
   }
   return v;
 }
@@ -157,7 +157,7 @@ Accelerations<T> accelerations(System<T>& system, const Kinematics<T>& k, const 
   a.ground.linear = -system.constants.gravity;
   for (int i = 0; i < n; ++i) {
     const BodyLayout& layout = system.layout.bodies[i];
-    const auto heading = within_body(system.scribe, i);
+    const auto heading = within_body(system.annotator, i);
     const detail::JointSeen<T> joint = detail::joint_seen(system, k, i, v.about);
     Acceleration<T> parent = detail::parent_acceleration(system, a, i);
     parent.linear = parent.at(joint.offset);
@@ -179,9 +179,9 @@ Accelerations<T> accelerations(System<T>& system, const Kinematics<T>& k, const 
       a.own[i] = seen_from(k.orientation[i], joint.origin, a.base[i], v.own[i].angular);
     }
     const Acceleration<T>& named = layout.own_frame ? a.own[i] : a.base[i];
-    detail_name(system.scribe, named.gradient, "G_", system.body_name(i));
-    name(system.scribe, named.linear, "a_", system.body_name(i));
-    name(system.scribe, named.angular, "alpha_", system.body_name(i));
+    detail_name(system.annotator, named.gradient, "G_", system.body_name(i));
+    name(system.annotator, named.linear, "a_", system.body_name(i));
+    name(system.annotator, named.angular, "alpha_", system.body_name(i));
   }
   return a;
 }

@@ -138,7 +138,7 @@ std::vector<T> output_values(System<T>& system, const SolvedState<T>& s) {
   const detail::OutputReader<T> read{system, s, all_reactions, users};
   std::vector<T> values;
   for (const Output& output : system.model.outputs) {
-    const auto heading = system.scribe.within(OwnerKind::output, index_in(system.model.outputs, output));
+    const auto heading = system.annotator.within(OwnerKind::output, index_in(system.model.outputs, output));
     values.push_back(std::visit(read, output.source));
   }
   return values;

@@ -28,7 +28,7 @@ std::vector<T> reaction_loads(System<T>& system, const SolvedState<T>& s) {
   std::vector<T> loads(system.model.sampled.size(), T(0.0));
   const Reactions<T> all = reactions(system, s);
   for (std::size_t i = 0; i < loads.size(); ++i) {
-    const auto heading = system.scribe.within(OwnerKind::sampled, i);
+    const auto heading = system.annotator.within(OwnerKind::sampled, i);
     const std::optional<ReactionLoad>& load = system.model.sampled[i].load;
     if (load) loads[i] = detail::size_of(system, s.kinematics, all, *load);
   }

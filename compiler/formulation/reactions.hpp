@@ -93,7 +93,7 @@ BodyWrenches<T> needed_wrenches(System<T>& system, const SolvedState<T>& s) {
   const Topology& topology = system.topology;
   for (int b = 0; b < static_cast<int>(system.model.bodies.size()); ++b) {
     if (b == system.model.ground) continue;
-    const auto heading = system.scribe.within(OwnerKind::body, b);
+    const auto heading = system.annotator.within(OwnerKind::body, b);
     const int tree = topology.tree_body[b];
     const Vector<T> origin = carrier_origin(topology, system.constants, b);
     const Part<T> part = without_noise(part_of(system.model, b, origin, system.environment));
@@ -188,7 +188,7 @@ Reactions<T> reactions(System<T>& system, const SolvedState<T>& s) {
   detail::closure_reactions(system, s, needed, result);
   for (auto placed = topology.tree_joints.rbegin(); placed != topology.tree_joints.rend(); ++placed) {
     const Joint& joint = system.model.joints[placed->joint];
-    const auto heading = system.scribe.within(OwnerKind::joint, placed->joint);
+    const auto heading = system.annotator.within(OwnerKind::joint, placed->joint);
     const auto [frame, wrench] = detail::on_the_parents_side(needed, *placed);
     needed.add(placed->parent, frame, wrench);
     const Place<T> to = place_of(system, joint.to);

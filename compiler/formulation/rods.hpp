@@ -12,7 +12,7 @@ void each_coupling_rod(const System<T>& system, const LoopBlock& block, const Us
   for (int l : block.loops) {
     const Loop& loop = system.topology.loops[l];
     if (loop.kind != ClosureKind::rod || is_zero(system.constants.rods[loop.rod].coupling)) continue;
-    const auto heading = within_loop(system.scribe, l);
+    const auto heading = within_loop(system.annotator, l);
     use(system.model.rods[loop.rod], system.constants.rods[loop.rod]);
   }
 }

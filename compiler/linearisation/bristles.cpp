@@ -92,8 +92,8 @@ void release(const BristleEnd& bristle, Eigen::Index b, const Opening* opening, 
 std::vector<BristleEnd> bristles_at(const Model& model, const Topology& topology, const OperatingPoint& point) {
   if (first_bristle(model) == slip_state_count(model)) return {};
   const Layout layout = choose_layout(model, topology);
-  Scribe<double> scribe;
-  System<double> system{model, topology, layout, {}, {}, {}, scribe};
+  Annotator<double> annotator;
+  System<double> system{model, topology, layout, {}, {}, {}, annotator};
   Environment<double>& environment = system.environment;
   environment.topology = &topology;
   environment.inputs = point.inputs;

@@ -34,7 +34,7 @@ class Signs {
     if (a.first == kKnown) std::swap(a, b);
     before_[a.first] = {b.first, a.second * b.second};
   }
-  int settled(ValueId v) const { return of(v).second; }
+  int sign_of(ValueId v) const { return of(v).second; }
 
  private:
   std::vector<Sign> before_;
@@ -54,7 +54,7 @@ class TwinSigns {
     for (ValueId v = 0; v < twin_.size(); ++v) {
       const ValueId other = twin_[v];
       if (other == kNoValue || other < v) continue;
-      const int sign = signs_.settled(v);
+      const int sign = signs_.sign_of(v);
       values.images[v] = {MirrorImage::Kind::paired, 1, false, v};
       values.images[other] = {MirrorImage::Kind::paired, sign, true, v};
       for (int k = 0; k < arity(program_.nodes[v].op); ++k)
@@ -124,7 +124,7 @@ class TwinSigns {
   /// Factor of operand k of the other value in the pair that holds both.
   int sign_beside(ValueId v, int k) const {
     const Op op = program_.nodes[v].op;
-    const int sign = signs_.settled(v);
+    const int sign = signs_.sign_of(v);
     if (is_sum(program_.nodes[v])) return sign * subtracted(v, k);
     if ((op == Op::multiply || op == Op::divide) && are_constants(v, k)) return sign * of_operand(v, 1 - k).second;
     if (op == Op::sqrt) return 1;

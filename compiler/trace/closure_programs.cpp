@@ -104,8 +104,8 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
       name_pivots(system, block, partition, pivots);
       return std::pair(std::move(rows), std::move(pivots));
     });
-    const auto step = tracing.scribe.step(Step::velocities);
-    const auto heading = within_block(tracing.scribe, b);
+    const auto step = tracing.annotator.step(Step::velocities);
+    const auto heading = within_block(tracing.annotator, b);
     std::vector<Expr> open, known_z, known_zd;
     for (const Expr& value : closed.residual) open.push_back(-value);
     for (int j : block.joints) {
@@ -140,7 +140,7 @@ Program trace_closure_terms(const Model& model, const Topology& topology, const 
   const bool again = chooses_again(topology);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const LoopBlock& block = topology.blocks[b];
-    const auto step = tracing.scribe.step(Step::jacobian);
+    const auto step = tracing.annotator.step(Step::jacobian);
     const SparseClosure<Expr> closed = closures.moving(b);
     tracing.outputs(of_block(Array::Phi, b), closed.residual);
     tracing.outputs(of_block(Array::c, b), closed.acceleration);

@@ -33,7 +33,7 @@ GivenState given_state(Tracing& tracing, std::vector<Expr> tau) {
   const MotionPoint point = is_matrix ? MotionPoint::frame_origin : MotionPoint::body_origin;
   s.velocities = tracing.in(Step::velocities, [&] { return velocities(system, s.kinematics, point); });
   s.forces = tracing.in(Step::forces, [&] { return applied_forces(system, s.kinematics, s.velocities); });
-  const auto step = tracing.scribe.step(Step::accelerations);
+  const auto step = tracing.annotator.step(Step::accelerations);
   s.accelerations = accelerations(system, s.kinematics, s.velocities, s.zdd);
   if (is_matrix)
     s.missing.joint = tree_forces(system, s.kinematics, m, s.velocities, s.accelerations, s.forces, s.tau);
@@ -48,7 +48,7 @@ BlockMultipliers<Expr> rate_multipliers(Tracing& tracing, const GivenState& s, s
   const LoopPartition& partition = tracing.analysis.blocks[b];
   const SparseClosure<Expr> closed =
       sparse_closure(tracing.system, s.kinematics, block, at_rest<Expr>(tracing.system.topology));
-  const auto heading = within_block(tracing.scribe, b);
+  const auto heading = within_block(tracing.annotator, b);
   BlockMultipliers<Expr> result;
   for (int j : block.joints) result.left.push_back(s.missing.joint[j]);
   const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, partition, block.joints.size());
@@ -79,9 +79,10 @@ std::vector<BlockMultipliers<Expr>> all_multipliers(Tracing& tracing, const Give
 void name_multipliers(Tracing& tracing, const LoopBlock& block, const std::vector<Expr>& lambda) {
   for (std::size_t first = 0; const int l : block.loops) {
     const Loop& loop = tracing.system.topology.loops[static_cast<std::size_t>(l)];
-    const auto heading = tracing.scribe.detail_within(OwnerKind::loop, static_cast<std::size_t>(l));
+    const auto heading = tracing.annotator.detail_within(OwnerKind::loop, static_cast<std::size_t>(l));
     for (int e = 0; e < loop.equations; ++e)
-      tracing.scribe.detail(lambda[first++], "lambda_", loop.name, loop.equations > 1 ? "_" + std::to_string(e) : "");
+      tracing.annotator.detail(lambda[first++], "lambda_", loop.name,
+                               loop.equations > 1 ? "_" + std::to_string(e) : "");
   }
 }
 
@@ -103,7 +104,7 @@ bool looks_at_multipliers(const Model& model) {
 std::vector<Expr> reaction_loads_at(Tracing& tracing) {
   const Topology& topology = tracing.system.topology;
   const GivenState s = given_state(tracing, std::vector<Expr>(topology.bodies.size(), Expr(0.0)));
-  const auto step = tracing.scribe.step(Step::outputs);
+  const auto step = tracing.annotator.step(Step::outputs);
   std::vector<std::vector<Expr>> lambda;
   if (!topology.loops.empty()) lambda = by_block(topology, tracing.inputs(Array::lambda, equation_count(topology)));
   return reaction_loads(tracing.system, {s.kinematics, s.velocities, s.accelerations, s.forces, s.zdd, lambda, {}});
@@ -115,7 +116,7 @@ Program trace_multipliers(const Model& model, const Topology& topology, const An
                           Spelling spelling) {
   Tracing tracing(Role::multipliers, model, topology, analysis, form, {}, spelling);
   const GivenState s = given_state(tracing, tracing.inputs(Array::tau, tracing.size()));
-  const auto step = tracing.scribe.step(Step::multipliers);
+  const auto step = tracing.annotator.step(Step::multipliers);
   std::vector<std::vector<Expr>> lambda;
   std::vector<Expr> left = s.missing.joint;
   const std::vector<BlockMultipliers<Expr>> blocks = all_multipliers(tracing, s);
@@ -139,7 +140,7 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
   Tracing tracing(Role::outputs, model, topology, analysis, form, {}, spelling);
   System<Expr>& system = tracing.system;
   const GivenState s = given_state(tracing, tracing.inputs(Array::tau, tracing.size()));
-  const auto step = tracing.scribe.step(Step::outputs);
+  const auto step = tracing.annotator.step(Step::outputs);
   std::vector<std::vector<Expr>> lambda;
   std::vector<Expr> drive;
   if (topology.loops.empty()) {
@@ -171,7 +172,7 @@ Program trace_sampled(const Model& model, const Topology& topology, const Analys
     const Velocities<Expr> v = tracing.in(Step::velocities, [&] { return velocities(system, k, point); });
     see_states_and_lengths(system, k, v);
   }
-  const auto step = tracing.scribe.step(Step::outputs);
+  const auto step = tracing.annotator.step(Step::outputs);
   const std::vector<Expr> due = tracing.inputs(Array::due, static_cast<int>(model.sampled.size()));
   tracing.outputs(Array::held, sampled_states(system, due, loads));
   return tracing.builder.finish_in_canonical_order();
@@ -181,7 +182,7 @@ Program trace_ground_places(const Model& model, const Topology& topology, const 
                             Spelling spelling) {
   Tracing tracing(Role::ground_places, model, topology, analysis, form, {}, spelling);
   const Kinematics<Expr> k = tracing.poses();
-  const auto step = tracing.scribe.step(Step::outputs);
+  const auto step = tracing.annotator.step(Step::outputs);
   std::vector<Expr> places;
   for (const int tyre : tyres_on_host(model)) {
     const Place<Expr> centre = place_of(tracing.system, model.tyres[tyre].centre);

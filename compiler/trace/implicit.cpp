@@ -49,7 +49,7 @@ ImplicitPrograms trace_implicit(const Model& model, const Topology& topology, co
   Tracing changing(Role::changes, model, topology, analysis, Form::matrix, {}, spelling);
   numbers.take_as_inputs(tracing, changing, watched.equations);
   programs.tangents = tracing.builder.finish_in_canonical_order();
-  const auto step = changing.scribe.step(Step::tangents);
+  const auto step = changing.annotator.step(Step::tangents);
   const int n = topology.size(), states = auxiliary_state_count(model);
   const ImplicitRates<Expr> rates{changing.inputs(Array::zd, n), changing.inputs(Array::zdd, n),
                                   changing.inputs(Array::xd, states)};

@@ -14,11 +14,11 @@ struct FrozenBlocks {
 /// Step 2: Phi_z and the factors of Phi_d (60).
 void frozen_jacobians(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& blocks) {
   System<Expr>& system = tracing.system;
-  const auto step = tracing.scribe.step(Step::jacobian);
+  const auto step = tracing.annotator.step(Step::jacobian);
   const RelativeMotion<Expr> rest = at_rest<Expr>(system.topology);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
     const SparseClosure<Expr> closed = sparse_closure(system, k, system.topology.blocks[b], rest);
-    const auto heading = within_block(tracing.scribe, b);
+    const auto heading = within_block(tracing.annotator, b);
     const std::size_t coordinates = system.topology.blocks[b].joints.size();
     blocks.factors.push_back(factorise_frozen(closed.jacobian, tracing.analysis.blocks[b], coordinates));
   }
@@ -27,9 +27,9 @@ void frozen_jacobians(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks&
 /// Step 3: Rz (61).
 void frozen_projections(Tracing& tracing, FrozenBlocks& blocks) {
   System<Expr>& system = tracing.system;
-  const auto step = tracing.scribe.step(Step::projection);
+  const auto step = tracing.annotator.step(Step::projection);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
-    const auto heading = within_block(tracing.scribe, b);
+    const auto heading = within_block(tracing.annotator, b);
     blocks.rz.push_back(
         frozen_rz(blocks.factors[b], tracing.analysis.blocks[b], system.topology.blocks[b].joints.size()));
     name_rz(system, system.topology.blocks[b].joints, blocks.rz[b]);
@@ -39,13 +39,13 @@ void frozen_projections(Tracing& tracing, FrozenBlocks& blocks) {
 /// Step 6: z* (62).
 void frozen_bias(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& blocks) {
   System<Expr>& system = tracing.system;
-  const auto step = tracing.scribe.step(Step::closure_bias);
+  const auto step = tracing.annotator.step(Step::closure_bias);
   RelativeMotion<Expr> relative = at_rest<Expr>(system.topology);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
     const LoopBlock& block = system.topology.blocks[b];
     set_relative_motion(system, k, block, relative);
     const SparseClosure<Expr> closed = sparse_closure(system, k, block, relative);
-    const auto heading = within_block(tracing.scribe, b);
+    const auto heading = within_block(tracing.annotator, b);
     blocks.zdd_star.push_back(frozen_zdd_star(blocks.factors[b], tracing.analysis.blocks[b], closed,
                                               tracing.driven_values(block, &Drive<Expr>::acceleration)));
     name_zdd_star(system, block.joints, blocks.zdd_star[b]);
@@ -62,7 +62,7 @@ void trace_solution(Tracing& tracing, const Kinematics<Expr>& k, const Inertias<
   });
   const ReducedSystem<Expr> reduced =
       tracing.in(Step::reduced_system, [&] { return reduced_system(system, k, m, projections, q); });
-  const auto step = tracing.scribe.step(Step::solution);
+  const auto step = tracing.annotator.step(Step::solution);
   const ReducedSolution<Expr> solution = solve_reduced(system, reduced);
   tracing.outputs(Array::inertia, solution.inertia);
   tracing.outputs(Array::zdd, joint_accelerations(system.topology, projections, reduced, solution.acceleration));

@@ -124,8 +124,8 @@ void gather_constants(SharedLaw& law, SlotGroup group, Program& around) {
 
 Program traced_law(const Model& model, const SharedLaw& law) {
   ProgramBuilder builder("tyres");
-  Scribe<Expr> scribe{builder};
-  const auto step = scribe.step(Step::forces);
+  Annotator<Expr> annotator{builder};
+  const auto step = annotator.step(Step::forces);
   Wheel wheel;
   Properties properties;
   const Tyre& first = model.tyres[law.tyres.front()];
@@ -146,7 +146,7 @@ Program traced_law(const Model& model, const SharedLaw& law) {
   forces.wrench.angular = forces.wrench.angular + cross(contact.down, forces.wrench.linear);
   int result = 0;
   each_result(first, forces, [&](const std::string& name, Expr& number) {
-    scribe.name(number, name);
+    annotator.name(number, name);
     builder.output(Array::law_result, result++, number.value(builder));
   });
   return builder.finish_in_canonical_order();

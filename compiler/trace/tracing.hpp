@@ -9,7 +9,7 @@
 #include "compiler/formulation/recursion/recursion_units.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/solver/programs.hpp"
-#include "compiler/trace/scribe.hpp"
+#include "compiler/trace/annotator.hpp"
 
 namespace mbgen {
 
@@ -21,24 +21,24 @@ class Tracing {
           RecursionChoices choices = {}, Spelling spelling = Spelling::fast)
       : role(role),
         builder(name_of(role), spelling),
-        scribe{builder},
+        annotator{builder},
         form(form),
         recursion(form == Form::recursive ? plan_recursion(model, topology, analysis.driven, choices) : Recursion{}),
         layout(form == Form::recursive ? recursion.layout : choose_layout(model, topology)),
         analysis(analysis),
-        system{model, topology, layout, environment(role, model, topology), {}, {}, scribe} {
+        system{model, topology, layout, environment(role, model, topology), {}, {}, annotator} {
     builder.set_samples(model.samples);
-    const auto step = scribe.step(Step::inertias);
+    const auto step = annotator.step(Step::inertias);
     system.x = inputs(Array::x, auxiliary_state_count(model));
     system.constants = make_constants(model, topology, system.environment);
-    name_constants(scribe, model, topology, system.constants);
+    name_constants(annotator, model, topology, system.constants);
     drive = drives(system);
   }
 
   /// Result of `work`, with its values in this step.
   template <class Work>
   auto in(Step step, Work work) {
-    const auto scope = scribe.step(step);
+    const auto scope = annotator.step(step);
     return work();
   }
   /// Step 1.
@@ -82,7 +82,7 @@ class Tracing {
 
   const Role role;
   ProgramBuilder builder;
-  Scribe<Expr> scribe;
+  Annotator<Expr> annotator;
   Form form;
   Recursion recursion;  ///< the units of the recursive form, none of the matrix form
   Layout layout;

@@ -61,10 +61,10 @@ class EntryBlocks {
 }  // namespace
 
 LoopAlgebra entries_algebra(const Model& model, const Topology& topology, const Analysis& analysis) {
-  const auto held = std::make_shared<EntryBlocks>(model, topology, analysis);
-  LoopAlgebra algebra = algebra_of(held);
-  algebra.smallest_pivot = [held](std::size_t block) { return held->smallest_pivot(block); };
-  algebra.rz_of = [held](std::size_t block) { return held->rz_of(block); };
+  const auto blocks = std::make_shared<EntryBlocks>(model, topology, analysis);
+  LoopAlgebra algebra = algebra_of(blocks);
+  algebra.smallest_pivot = [blocks](std::size_t block) { return blocks->smallest_pivot(block); };
+  algebra.rz_of = [blocks](std::size_t block) { return blocks->rz_of(block); };
   return algebra;
 }
 

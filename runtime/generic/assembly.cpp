@@ -189,8 +189,8 @@ class Tangent {
   VectorXd change(const VectorXd& lacking, double damping) const {
     if (!equations_) return directions_ * least(demand_.weight.asDiagonal() * directions_, lacking, damping);
     constexpr double kLeastDamping = 1e-8;  // of coordinates without a target, that the equations stay regular
-    const VectorXd held = demand_.weight.cwiseAbs2().array() + std::max(damping, kLeastDamping);
-    return equations_->least(held, demand_.weight.cwiseProduct(lacking), VectorXd::Zero(equations_->given()));
+    const VectorXd weight = demand_.weight.cwiseAbs2().array() + std::max(damping, kLeastDamping);
+    return equations_->least(weight, demand_.weight.cwiseProduct(lacking), VectorXd::Zero(equations_->given()));
   }
 
  private:

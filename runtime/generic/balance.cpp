@@ -44,7 +44,7 @@ Balance balance(GenericEquations& equations, const GenericState& state) {
   return b;
 }
 
-Status settled(const GenericSolver& solver, GenericState& state) {
+Status brought_to_rest(const GenericSolver& solver, GenericState& state) {
   const Status status = solver.project(state);
   std::fill(state.zd.begin(), state.zd.end(), 0.0);
   return status;
@@ -64,7 +64,7 @@ Status moved(const GenericSolver& solver, const GenericEquations& equations, con
     const auto x = static_cast<std::size_t>(i);
     result.x[x] += change[b.rz.cols() + i] * equations.magnitudes[x];
   }
-  return settled(solver, result);
+  return brought_to_rest(solver, result);
 }
 
 Status stiffness_by_differences(const GenericSolver& solver, GenericEquations& equations, const GenericState& state,

@@ -20,12 +20,12 @@ struct Balance {
 Balance balance(GenericEquations& equations, const GenericState& state);
 
 /// Closed, with driven coordinates at their motions, and at rest although those may have velocities.
-Status settled(const GenericSolver& solver, GenericState& state);
+Status brought_to_rest(const GenericSolver& solver, GenericState& state);
 
 /// Unknowns of a search: the free directions, then the auxiliary states that move, in parts of their magnitudes.
 Eigen::Index unknowns_of(const GenericEquations& equations, const Balance& b);
 
-/// The state moved along the unknowns and settled again.
+/// The state moved along the unknowns and brought to rest again.
 Status moved(const GenericSolver& solver, const GenericEquations& equations, const GenericState& state,
              const Balance& b, const Eigen::VectorXd& change, GenericState& result);
 

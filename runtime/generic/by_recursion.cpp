@@ -62,7 +62,7 @@ Status accelerations_by_recursion(GenericEquations& equations, const GenericStat
   if (!equations.recursion)
     equations.recursion = plan_recursion(equations.model, equations.topology, equations.analysis.driven);
   System<double> system{given.model,     given.topology, equations.recursion->layout, given.environment, given.x,
-                        given.constants, given.scribe};
+                        given.constants, given.annotator};
   const Kinematics<double> k = kinematics(system);
   const AppliedForces<double> forces = applied_forces(system, k, velocities(system, k, MotionPoint::body_origin));
   RecursiveSolution<double> solution =

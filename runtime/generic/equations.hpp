@@ -47,7 +47,7 @@ struct GenericEquations {
   Topology topology;
   Analysis analysis;
   Layout layout;
-  Scribe<double> scribe;
+  Annotator<double> annotator;
   System<double> at;  ///< the state in hand; inputs and parameters stay from state to state
   const RelativeMotion<double> rest;
   RelativeMotion<double> relative;  ///< bodies of all blocks, each to the base of its block
@@ -66,7 +66,7 @@ struct GenericEquations {
         topology(t),
         analysis(a),
         layout(choose_layout(m, t)),
-        at{model, topology, layout, {}, {}, {}, scribe},
+        at{model, topology, layout, {}, {}, {}, annotator},
         rest(at_rest<double>(topology)),
         relative(rest),
         places(topology),

@@ -75,7 +75,7 @@ double longest_of_states(const Balance& b, const Eigen::VectorXd& change) {
   return states == 0 ? 0 : change.tail(states).cwiseAbs().maxCoeff();
 }
 
-/// Walks from a settled state to a balance; `trial` is the last state that was tried.
+/// Walks from a state at rest to a balance; `trial` is the last state that was tried.
 Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations, const Pinned& pinned, Search search,
                        int most_steps, GenericState& trial) {
   for (int step = 0;; ++step) {
@@ -218,7 +218,7 @@ void keep_indifferent(const GenericSolver& solver, GenericEquations& equations, 
         const auto z = static_cast<std::size_t>(coordinates[static_cast<std::size_t>(u)]);
         trial.z[z] = start.z[z];  // to the last digit
       }
-      if (settled(solver, trial).ok()) found = std::move(trial);
+      if (brought_to_rest(solver, trial).ok()) found = std::move(trial);
       return;
     }
     change *= shortening(longest, kLongestReturn);
@@ -235,7 +235,7 @@ Status GenericSolver::equilibrium(GenericState& state) const {
   std::fill(start.zd.begin(), start.zd.end(), 0.0);
   const auto x = start.x.begin();  // turns and bristles straight, Maxwell branches relaxed
   std::fill(x + first_turn(equations_->model), x + first_user_state(equations_->model), 0.0);
-  if (const Status status = settled(*this, start); !status.ok()) return status;
+  if (const Status status = brought_to_rest(*this, start); !status.ok()) return status;
   GenericState found = start;
   const Pinned straight = straight_states(equations_->model);
   Status status = walk_to_balance(*this, *equations_, straight, Search::downhill, kBalanceIterations, found);

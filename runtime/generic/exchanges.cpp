@@ -30,7 +30,7 @@ std::vector<double> element_powers(const System<double>& system, const AppliedFo
 /// Applied forces by velocities v, elements counted from one.
 AppliedForces<double> counted_forces(System<double>& system, const Kinematics<double>& k, const Velocities<double>& v,
                                      const mbgen::detail::SharedTyreLaw<double>& law = {}) {
-  system.scribe.parts = 0;
+  system.annotator.parts = 0;
   return applied_forces(system, k, v, law);
 }
 

@@ -83,14 +83,14 @@ void solve_blocks(const std::vector<BlockShape>& blocks, const std::vector<Facto
 
 /// The functions of a type that has members of these names.
 template <class Loops>
-LoopAlgebra algebra_of(const std::shared_ptr<Loops>& held) {
-  return {[held](const Closures& closures) { return held->factorise(closures); },
-          [held] { held->form_rz(); },
-          [held](const PerBlock& right_hand_side, std::vector<double>& x) { held->solve(right_hand_side, x); },
-          [held](const TreeMass& mass, const std::vector<double>& q, ReducedEquations& reduced) {
-            held->reduce(mass, q, reduced);
+LoopAlgebra algebra_of(const std::shared_ptr<Loops>& loops) {
+  return {[loops](const Closures& closures) { return loops->factorise(closures); },
+          [loops] { loops->form_rz(); },
+          [loops](const PerBlock& right_hand_side, std::vector<double>& x) { loops->solve(right_hand_side, x); },
+          [loops](const TreeMass& mass, const std::vector<double>& q, ReducedEquations& reduced) {
+            loops->reduce(mass, q, reduced);
           },
-          [held](const Eigen::VectorXd& free, std::vector<double>& x) { held->add_rz_times(free, x); },
+          [loops](const Eigen::VectorXd& free, std::vector<double>& x) { loops->add_rz_times(free, x); },
           {},
           {}};
 }

@@ -240,8 +240,8 @@ Status GenericSolver::watch_way(const GenericState& from, const GenericState& to
     const double clearance =
         std::min(clearance_of(analysis, start[b].jacobian, columns), clearance_of(analysis, end[b].jacobian, columns));
     if (h * ways[b].fastest <= limits.most * clearance) continue;
-    const std::size_t held = static_cast<std::size_t>(analysis.rank) + analysis.driven.size();
-    const bool is_free = equations_->topology.blocks[b].joints.size() > held || limits.aside == 0;
+    const std::size_t fixed = static_cast<std::size_t>(analysis.rank) + analysis.driven.size();
+    const bool is_free = equations_->topology.blocks[b].joints.size() > fixed || limits.aside == 0;
     if (is_free && ways[b].turns(limits)) return {Code::loop_singular, static_cast<int>(b)};
     if (sides_differ(analysis, start[b].jacobian, end[b].jacobian, columns))
       return {Code::singular_met, static_cast<int>(b)};

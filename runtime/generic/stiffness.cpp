@@ -24,9 +24,9 @@ std::vector<Eigen::Index> loose_unknowns(const Balance& b, const Pinned& pinned,
 std::vector<Slopes> constants_of(const std::vector<double>& values) { return {values.begin(), values.end()}; }
 
 /// The state in hand, to be differentiated along unknowns.
-System<Slopes> system_along(const GenericEquations& equations, Scribe<Slopes>& scribe) {
+System<Slopes> system_along(const GenericEquations& equations, Annotator<Slopes>& annotator) {
   const System<double>& at = equations.at;
-  System<Slopes> system{equations.model, equations.topology, equations.layout, {}, {}, {}, scribe};
+  System<Slopes> system{equations.model, equations.topology, equations.layout, {}, {}, {}, annotator};
   system.environment.topology = &equations.topology;
   system.environment.parameters = constants_of(at.environment.parameters);
   system.environment.inputs = constants_of(at.environment.inputs);
@@ -68,8 +68,8 @@ void differentiate(System<Slopes>& system, const GenericEquations& equations, Ei
 Eigen::MatrixXd stiffness_by_slopes(GenericEquations& equations, const GenericState& state, const Balance& b,
                                     const Pinned& pinned) {
   equations.system(state);
-  Scribe<Slopes> scribe;
-  System<Slopes> system = system_along(equations, scribe);
+  Annotator<Slopes> annotator;
+  System<Slopes> system = system_along(equations, annotator);
   const Eigen::Index unknowns = unknowns_of(equations, b);
   const std::vector<Eigen::Index> loose = loose_unknowns(b, pinned, unknowns);
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(b.force.size(), unknowns);

@@ -82,15 +82,15 @@ CartesianState CartesianSystem::place(const GenericState& state) const {
   std::vector<std::vector<int>> coordinates(c.model.joints.size());
   for (int i = 0; i < c.topology.size(); ++i) coordinates[c.topology.bodies[i].joint].push_back(i);
   std::vector<Displaced> tree(c.model.bodies.size());
-  for (const TreeJoint& held : c.topology.tree_joints) {
-    const PartJoint& joint = c.parts.joints[held.joint];
-    const Vector3d on_parent = pin_of(held.reversed ? joint.to : joint.from);
-    const Vector3d on_child = pin_of(held.reversed ? joint.from : joint.to);
-    Displaced displaced = tree[held.parent];
+  for (const TreeJoint& tree_joint : c.topology.tree_joints) {
+    const PartJoint& joint = c.parts.joints[tree_joint.joint];
+    const Vector3d on_parent = pin_of(tree_joint.reversed ? joint.to : joint.from);
+    const Vector3d on_child = pin_of(tree_joint.reversed ? joint.from : joint.to);
+    Displaced displaced = tree[tree_joint.parent];
     displaced.shift += displaced.turn * (on_parent - on_child);  // the two points meet
-    for (const int i : coordinates[held.joint])
+    for (const int i : coordinates[tree_joint.joint])
       displaced = beyond(displaced, c.topology.bodies[i], on_child, state.z[i], state.zd[i]);
-    tree[held.child] = displaced;
+    tree[tree_joint.child] = displaced;
   }
   CartesianState result;
   result.x = state.x;

@@ -150,7 +150,7 @@ TEST(Inertia, FieldForceIsThatOfItsPoints) {
 struct Numbers {
   const Mechanism& m;
   Layout layout = choose_layout(m.model, m.topology);
-  Scribe<double> scribe{};
+  Annotator<double> annotator{};
   System<double> at(const std::vector<double>& z, const std::vector<double>& zd) {
     Environment<double> e;
     e.topology = &m.topology;
@@ -158,7 +158,7 @@ struct Numbers {
     for (const Input& i : m.model.inputs) e.inputs.push_back(i.default_value);
     e.z = z;
     e.zd = zd;
-    System<double> system{m.model, m.topology, layout, e, initial_auxiliary_states(m.model), {}, scribe};
+    System<double> system{m.model, m.topology, layout, e, initial_auxiliary_states(m.model), {}, annotator};
     system.constants = make_constants(m.model, m.topology, system.environment);
     return system;
   }

@@ -28,9 +28,9 @@ inline RecursiveRates recursion_at_double(const Model& model, const Topology& to
   environment.t = state.t;
   environment.z = state.z;
   environment.zd = state.zd;
-  Scribe<double> scribe;
+  Annotator<double> annotator;
   const Constants<double> constants = make_constants(model, topology, environment);
-  System<double> system{model, topology, recursion.layout, environment, state.x, constants, scribe};
+  System<double> system{model, topology, recursion.layout, environment, state.x, constants, annotator};
   const Kinematics<double> k = kinematics(system);
   const AppliedForces<double> forces = applied_forces(system, k, velocities(system, k, MotionPoint::body_origin));
   std::vector<BlockProjection<double>> projections;

@@ -39,7 +39,7 @@ void rename_joints(Model& model, const OfJoint& joint, const OfCoordinate& coord
 inline Mechanism spelled_by_single_joints(const Mechanism& m) {
   Model model = m.model;
   std::vector<bool> in_tree(model.joints.size(), false);
-  for (const TreeJoint& held : m.topology.tree_joints) in_tree[held.joint] = true;
+  for (const TreeJoint& tree_joint : m.topology.tree_joints) in_tree[tree_joint.joint] = true;
   model.joints.clear();
   std::vector<int> first_of;
   const auto is_split = [&](int j) { return in_tree[j] && m.model.joints[j].freedoms.size() > 1; };

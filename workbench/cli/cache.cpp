@@ -34,16 +34,16 @@ struct CacheOptions {
   bool json = false;
 };
 
-struct Held {
+struct CacheContents {
   std::filesystem::path directory;
   std::vector<KeptObject> objects;
   std::uintmax_t bytes = 0, room = 0;
 };
 
-Held held_in(const std::filesystem::path& cache) {
-  Held held{cache, kept_objects(cache), 0, room_of(cache)};
-  for (const KeptObject& object : held.objects) held.bytes += object.bytes;
-  return held;
+CacheContents contents_of(const std::filesystem::path& cache) {
+  CacheContents contents{cache, kept_objects(cache), 0, room_of(cache)};
+  for (const KeptObject& object : contents.objects) contents.bytes += object.bytes;
+  return contents;
 }
 
 /// Local time to the minute.
@@ -52,20 +52,23 @@ std::string minute_of(std::chrono::file_clock::time_point time) {
   return fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(std::chrono::system_clock::to_time_t(at)));
 }
 
-Json held_json(const Held& held) {
+Json contents_json(const CacheContents& contents) {
   Json solvers = Json::array();
-  for (const KeptObject& object : held.objects)
+  for (const KeptObject& object : contents.objects)
     solvers.push_back(
         {{"file", object.file.filename().string()}, {"bytes", object.bytes}, {"used", minute_of(object.used)}});
-  return {{"directory", held.directory.string()}, {"limit", held.room}, {"bytes", held.bytes}, {"solvers", solvers}};
+  return {{"directory", contents.directory.string()},
+          {"limit", contents.room},
+          {"bytes", contents.bytes},
+          {"solvers", solvers}};
 }
 
-std::string held_text(const Held& held) {
+std::string contents_text(const CacheContents& contents) {
   std::string text =
-      fmt::format("{}: {} solver{}, {:.1f} MB of at most {:.0f} MB\n", held.directory.string(), held.objects.size(),
-                  held.objects.size() == 1 ? "" : "s", static_cast<double>(held.bytes) / kMegabyte,
-                  static_cast<double>(held.room) / kMegabyte);
-  for (const KeptObject& object : held.objects)
+      fmt::format("{}: {} solver{}, {:.1f} MB of at most {:.0f} MB\n", contents.directory.string(),
+                  contents.objects.size(), contents.objects.size() == 1 ? "" : "s",
+                  static_cast<double>(contents.bytes) / kMegabyte, static_cast<double>(contents.room) / kMegabyte);
+  for (const KeptObject& object : contents.objects)
     text += fmt::format("  {}  {:8.2f} MB  {}\n", minute_of(object.used), static_cast<double>(object.bytes) / kMegabyte,
                         object.file.filename().string());
   return text;
@@ -78,8 +81,8 @@ int run(const CacheOptions& options) {
   if (cache.empty()) throw UserError("mbgen cache: no directory is kept; name one in XDG_CACHE_HOME or HOME\n");
   if (options.limit) set_room(cache, static_cast<std::uintmax_t>(*options.limit * kMegabyte));
   make_room(cache, options.clean ? 0 : room_of(cache));
-  const Held held = held_in(cache);
-  print(options.json ? json_text(held_json(held)) : held_text(held));
+  const CacheContents contents = contents_of(cache);
+  print(options.json ? json_text(contents_json(contents)) : contents_text(contents));
   return kDone;
 }
 

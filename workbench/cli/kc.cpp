@@ -12,7 +12,7 @@
 #include "workbench/cli/options.hpp"
 #include "workbench/describe/notes.hpp"
 #include "workbench/host/assignments.hpp"
-#include "workbench/host/held_signals.hpp"
+#include "workbench/host/blocked_signals.hpp"
 #include "workbench/host/message.hpp"
 #include "workbench/host/process.hpp"
 #include "workbench/host/progress.hpp"
@@ -34,7 +34,7 @@ int run(const KcOptions& options) {
   count_notes(compilation);
   const Axle& axle = find_axle(compilation.model, options.axle);
   const OperatingPoint at = operating_point(compilation, options.at).point;
-  HeldSignals signals;
+  BlockedSignals signals;
   Progress progress("kc");
   bool is_stopped = false;
   const KcReport report = kinematics_and_compliance(compilation, axle, at, options.kc, [&](long done, long of) {

@@ -14,8 +14,8 @@
 #include "workbench/engines/compile_solver.hpp"
 #include "workbench/engines/engine_arguments.hpp"
 #include "workbench/host/assignments.hpp"
+#include "workbench/host/blocked_signals.hpp"
 #include "workbench/host/files.hpp"
-#include "workbench/host/held_signals.hpp"
 #include "workbench/host/message.hpp"
 #include "workbench/host/process.hpp"
 #include "workbench/host/progress.hpp"
@@ -56,7 +56,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const En
   print_notes(start_notes(compilation, start));
   if (manoeuvre) manoeuvre->look_at_steering(compilation, start.state, inputs.at(0));
   Progress progress("simulate");
-  HeldSignals signals;
+  BlockedSignals signals;
   settings.is_stopped = [&] { return signals.taken() != 0; };
   const MotionTask task{.compilation = compilation,
                         .engine = engine,

@@ -18,8 +18,8 @@
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/options.hpp"
 #include "workbench/describe/notes.hpp"
+#include "workbench/host/blocked_signals.hpp"
 #include "workbench/host/files.hpp"
-#include "workbench/host/held_signals.hpp"
 #include "workbench/host/message.hpp"
 #include "workbench/host/process.hpp"
 #include "workbench/host/progress.hpp"
@@ -64,7 +64,7 @@ void compute(const Study& study, const std::vector<long>& cases, int jobs, bool 
   std::atomic<bool> is_stopped{false};
   std::exception_ptr failure;
   std::mutex guard;
-  HeldSignals signals;
+  BlockedSignals signals;
   Progress progress("sweep");
   long done = 0;
   const auto is_interrupted = [&] { return signals.taken() != 0; };
@@ -99,7 +99,7 @@ void compute(const Study& study, const std::vector<long>& cases, int jobs, bool 
 /// Waits until the other ranks have written all cases. Fails: UserError after the timeout without another rank at work.
 void gather(const SweepOptions& options, const std::string& words, const SweepPart& part, long size,
             CaseResults& results) {
-  HeldSignals signals;
+  BlockedSignals signals;
   auto look = kFirstLook;
   auto last_seen = steady_clock::now();
   bool is_told = false;

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <thread>
 
-#include "workbench/host/held_signals.hpp"
+#include "workbench/host/blocked_signals.hpp"
 
 namespace mbgen {
 namespace {
@@ -68,7 +68,7 @@ void end_all(const Running& running) {
 
 std::vector<int> run_side_by_side(const std::vector<Command>& commands,
                                   const std::function<void(std::size_t ended)>& watch) {
-  const HeldSignals signals(SIGCHLD);
+  const BlockedSignals signals(SIGCHLD);
   const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
   std::vector<int> codes(commands.size(), kNotStarted);
   Running running;

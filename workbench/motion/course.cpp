@@ -145,7 +145,7 @@ Course pchip(const std::vector<double>& t, const std::vector<double>& y) {
   return hermite(t, {y, pchip_slopes(h, slope)});
 }
 
-Course held(const std::vector<double>& t, const std::vector<double>& y) {
+Course zero_order_hold(const std::vector<double>& t, const std::vector<double>& y) {
   Course course = straight_lines(t, y);
   for (std::vector<double>& piece : course.pieces) piece.resize(1);
   course.end = t.back();

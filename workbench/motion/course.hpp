@@ -36,7 +36,7 @@ Course cubic_spline(const std::vector<double>& t, const std::vector<double>& y);
 Course pchip(const std::vector<double>& t, const std::vector<double>& y);
 
 /// The value of the last point passed; before the first point, its value.
-Course held(const std::vector<double>& t, const std::vector<double>& y);
+Course zero_order_hold(const std::vector<double>& t, const std::vector<double>& y);
 
 /// The polynomials between the points with the given derivatives at both ends: derivatives[k][i] of order k at t[i],
 /// order 0 is the value; m derivatives give the degree 2 m - 1. Constant outside.

@@ -84,7 +84,7 @@ class TableCourses {
       case Interpolation::spline:
         return cubic_spline(table_.t, values);
       case Interpolation::hold:
-        return held(table_.t, values);
+        return zero_order_hold(table_.t, values);
     }
     return {};
   }

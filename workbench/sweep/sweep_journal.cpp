@@ -172,9 +172,9 @@ void Journal::add(long index, const CaseResult& result) { append(line_of(index, 
 bool is_held(const fs::path& journal) {
   const int file = ::open(journal.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
-  const bool held = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  const bool is_locked = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   ::close(file);
-  return held;
+  return is_locked;
 }
 
 }  // namespace mbgen

@@ -41,8 +41,8 @@ auto law_of(const ForceWork<T>& work, const AirSpring& spring, const AlongLine<T
                                                                                                       const A&) {
     A push = air_spring_push(work, spring, length, natural);
     if constexpr (std::is_same_v<T, A>) {
-      work.system.scribe.detail(push, "minus_force_", spring.name);
-      work.system.scribe.name(push, "push_", spring.name);
+      work.system.annotator.detail(push, "minus_force_", spring.name);
+      work.system.annotator.name(push, "push_", spring.name);
     }
     return -push;
   };

@@ -20,14 +20,14 @@ AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const
   detail::ForceWork<T> work{system, k, v, forces, shared_law};
   each_element(system.model, [&](const auto& element) {
     const auto heading = within(system, element);
-    if (system.scribe.has_details()) work.in_hand = element.name;
+    if (system.annotator.has_details()) work.in_hand = element.name;
     apply(work, element);
   });
   detail::user_states(work);
-  for (std::size_t i = 0; i < forces.wrench.size() && system.scribe.has_details(); ++i) {
-    const auto heading = within_body(system.scribe, i);
-    detail_name(system.scribe, forces.wrench[i], "fa", "na", system.topology.bodies[i].name);
-    system.scribe.detail(forces.joint[i], "Qa_", system.topology.bodies[i].coordinate);
+  for (std::size_t i = 0; i < forces.wrench.size() && system.annotator.has_details(); ++i) {
+    const auto heading = within_body(system.annotator, i);
+    detail_name(system.annotator, forces.wrench[i], "fa", "na", system.topology.bodies[i].name);
+    system.annotator.detail(forces.joint[i], "Qa_", system.topology.bodies[i].coordinate);
   }
   return forces;
 }

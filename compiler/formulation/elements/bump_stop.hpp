@@ -45,14 +45,14 @@ BumpStopState<A> bump_stop_law(const ForceWork<T>& work, const BumpStop& stop, c
   const A force = elastic * (A(1.0) + A(work.value(stop.damping, "d", stop.name)) * rate);
   state.force = select(-state.penetration, zero, max(force, zero));
   if constexpr (std::is_same_v<T, A>) {
-    Scribe<T>& scribe = work.system.scribe;
-    scribe.detail(travel, "travel_", stop.name);
-    scribe.detail(state.penetration, "penetration_", stop.name);
-    scribe.detail(depth, "depth_", stop.name);
-    scribe.detail(elastic, "elastic_", stop.name);
-    scribe.detail(force, "unlimited_", stop.name);
-    scribe.detail(state.force, "force_", stop.name);
-    scribe.name(state.force, "push_", stop.name);
+    Annotator<T>& annotator = work.system.annotator;
+    annotator.detail(travel, "travel_", stop.name);
+    annotator.detail(state.penetration, "penetration_", stop.name);
+    annotator.detail(depth, "depth_", stop.name);
+    annotator.detail(elastic, "elastic_", stop.name);
+    annotator.detail(force, "unlimited_", stop.name);
+    annotator.detail(state.force, "force_", stop.name);
+    annotator.name(state.force, "push_", stop.name);
   }
   return state;
 }

@@ -89,19 +89,19 @@ SixFreedoms<T> freedoms_of(const ForceWork<T>& work, const Bushing& bushing) {
 template <class T>
 void detail_bushing(const ForceWork<T>& work, const SixFreedoms<T>& at, const BushingState<T>& state,
                     const std::string& bushing) {
-  Scribe<T>& scribe = work.system.scribe;
-  if (!scribe.has_details()) return;
-  detail_name(scribe, state.deflection, "deflection_", bushing);
-  detail_name(scribe, state.rotation, "rotation_", bushing);
-  detail_name(scribe, Vector<T>{at.rate[0], at.rate[1], at.rate[2]}, "rate_", bushing);
-  detail_name(scribe, Vector<T>{at.rate[3], at.rate[4], at.rate[5]}, "rate_", bushing, "_turn");
-  detail_name(scribe, state.force, "force_", bushing);
-  detail_name(scribe, state.moment, "moment_", bushing);
-  detail_name(scribe, at.seen.gap, "gap_", bushing);
-  detail_name(scribe, at.seen.drift, "vgap_", bushing);
-  detail_name(scribe, at.seen.spin, "spin_", bushing);
-  detail_name(scribe, at.turned.sines, "sines_", bushing);
-  scribe.detail(at.turned.curvature, "curvature_", bushing);
+  Annotator<T>& annotator = work.system.annotator;
+  if (!annotator.has_details()) return;
+  detail_name(annotator, state.deflection, "deflection_", bushing);
+  detail_name(annotator, state.rotation, "rotation_", bushing);
+  detail_name(annotator, Vector<T>{at.rate[0], at.rate[1], at.rate[2]}, "rate_", bushing);
+  detail_name(annotator, Vector<T>{at.rate[3], at.rate[4], at.rate[5]}, "rate_", bushing, "_turn");
+  detail_name(annotator, state.force, "force_", bushing);
+  detail_name(annotator, state.moment, "moment_", bushing);
+  detail_name(annotator, at.seen.gap, "gap_", bushing);
+  detail_name(annotator, at.seen.drift, "vgap_", bushing);
+  detail_name(annotator, at.seen.spin, "spin_", bushing);
+  detail_name(annotator, at.turned.sines, "sines_", bushing);
+  annotator.detail(at.turned.curvature, "curvature_", bushing);
 }
 
 template <class T>
@@ -117,8 +117,8 @@ void apply(ForceWork<T>& work, const Bushing& bushing) {
   const auto& q = at.position;
   BushingState<T> state{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}, at.counted(-force, 0), at.counted(-moment, 3)};
   detail_bushing(work, at, state, bushing.name);
-  name(work.system.scribe, state.deflection, "q_", bushing.name);
-  name(work.system.scribe, state.force, "f_", bushing.name);
+  name(work.system.annotator, state.deflection, "q_", bushing.name);
+  name(work.system.annotator, state.force, "f_", bushing.name);
   states_of<Bushing>(work.forces).push_back(std::move(state));
 }
 

@@ -124,30 +124,30 @@ concept HasScalarLaw = requires(ForceWork<T>& work, const Kind& element) {
 template <class T>
 void detail_connection(const ForceWork<T>& work, const AlongLine<T>& at, const std::string& element) {
   const System<T>& system = work.system;
-  Scribe<T>& scribe = work.system.scribe;
-  if (!scribe.has_details()) return;
+  Annotator<T>& annotator = work.system.annotator;
+  if (!annotator.has_details()) return;
   const Line<T>& line = at.line;
   const auto end = [&](const Place<T>& place, const char* which) {
     const Vector<T> own =
         velocity_at(velocity_of(system, work.v, place.body), arm_of(system, work.k, place, work.v.about));
     if (place.body != kGround)
-      detail_name(scribe, direction_in(system, work.k, place.body, place.at, line.frame), "arm_", element, which);
-    detail_name(scribe, position_in(system, work.k, place, line.frame), "place_", element, which);
-    detail_name(scribe, velocity_in(system, work.k, work.v, place, line.frame), "velocity_", element, which);
-    detail_name(scribe, own, "velocity_", element, which, "_own");
+      detail_name(annotator, direction_in(system, work.k, place.body, place.at, line.frame), "arm_", element, which);
+    detail_name(annotator, position_in(system, work.k, place, line.frame), "place_", element, which);
+    detail_name(annotator, velocity_in(system, work.k, work.v, place, line.frame), "velocity_", element, which);
+    detail_name(annotator, own, "velocity_", element, which, "_own");
     return velocity_in(system, work.k, work.v, place, line.frame);
   };
   const Vector<T> from = end(line.from, "_from"), to = end(line.to, "_to");
-  detail_name(scribe, line.gap, "gap_", element);
-  detail_name(scribe, to - from, "vgap_", element);
-  scribe.detail(line.reciprocal, "per_length_", element);
+  detail_name(annotator, line.gap, "gap_", element);
+  detail_name(annotator, to - from, "vgap_", element);
+  annotator.detail(line.reciprocal, "per_length_", element);
 }
 
 /// Names the displacement of an element along its axis in programs for reading.
 template <class T>
 void detail_connection(const ForceWork<T>& work, const AlongAxis<T>& at, const std::string& element) {
-  detail_name(work.system.scribe, at.seen.gap, "gap_", element);
-  detail_name(work.system.scribe, at.seen.drift, "vgap_", element);
+  detail_name(work.system.annotator, at.seen.gap, "gap_", element);
+  detail_name(work.system.annotator, at.seen.drift, "vgap_", element);
 }
 
 /// A coordinate has its names already.
@@ -157,9 +157,10 @@ void detail_connection(const ForceWork<T>&, const AlongCoordinate<T>&, const std
 /// Names the force of an element with a scalar law in programs for reading. force: against its position.
 template <class T, class At>
 void detail_force(const ForceWork<T>& work, const At& at, const T& force, const std::string& element) {
-  work.system.scribe.detail(force, "force_", element);
+  work.system.annotator.detail(force, "force_", element);
   if constexpr (requires { at.line; })
-    if (work.system.scribe.has_details()) work.system.scribe.detail(force * at.line.reciprocal, "density_", element);
+    if (work.system.annotator.has_details())
+      work.system.annotator.detail(force * at.line.reciprocal, "density_", element);
 }
 
 /// Forces of an element with a scalar law.
@@ -168,8 +169,8 @@ requires HasScalarLaw<T, Kind>
 void apply(ForceWork<T>& work, const Kind& element) {
   connect(work, element, [&](const auto& at) {
     detail_connection(work, at, element.name);
-    work.system.scribe.detail(at.position, "length_", element.name);
-    work.system.scribe.detail(at.rate, "rate_", element.name);
+    work.system.annotator.detail(at.position, "length_", element.name);
+    work.system.annotator.detail(at.rate, "rate_", element.name);
     const auto acting = law_of(work, element, at)(at.position, at.rate);
     detail_force(work, at, resistance_in(acting), element.name);
     at.resist(work, resistance_in(acting));

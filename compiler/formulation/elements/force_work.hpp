@@ -81,7 +81,7 @@ T shown(const ElementState<T>& state, int quantity, int /*axis*/) {
 /// During its lifetime, new values belong to an element of the model.
 template <class T, class Kind>
 [[nodiscard]] auto within(const System<T>& system, const Kind& element) {
-  return system.scribe.within(owner_of_kind(kKindIndex<Kind>), index_in(KindOf<Kind>::list(system.model), element));
+  return system.annotator.within(owner_of_kind(kKindIndex<Kind>), index_in(KindOf<Kind>::list(system.model), element));
 }
 
 namespace detail {
@@ -106,7 +106,7 @@ struct ForceWork {
   /// The value of an element's field, named <meaning>_<element>.
   T value(const Quantity& q, const char* meaning, const std::string& element) const {
     T result = value(q);
-    system.scribe.constant(result, meaning, "_", element);
+    system.annotator.constant(result, meaning, "_", element);
     return result;
   }
   Place<T> place(const Attachment& at) const { return place_of(system, at); }
@@ -154,9 +154,10 @@ A number(const ForceWork<T>& work, const Quantity& q, const char* meaning, const
 template <class T>
 void detail_table(const ForceWork<T>& work, const Table& table, const T& argument, const char* meaning,
                   const std::string& element) {
-  if (!work.system.scribe.has_details() || table.data || table.periodic) return;
+  if (!work.system.annotator.has_details() || table.data || table.periodic) return;
   for (std::size_t i = 0; i < table.x.size(); ++i)
-    work.system.scribe.detail(argument - T(table.x[i]), "beyond_", meaning, "_", element, "_", std::to_string(i + 1));
+    work.system.annotator.detail(argument - T(table.x[i]), "beyond_", meaning, "_", element, "_",
+                                 std::to_string(i + 1));
 }
 
 /// Value of a characteristic: factor times argument, or a table. The factor is named <meaning>_<element>. A: T, or
@@ -192,8 +193,8 @@ A with_locals(const ForceWork<T>& work, int expression, const A& first, const A&
 /// separated.
 template <class T>
 int element_in_hand(const ForceWork<T>& work) {
-  if constexpr (requires { work.system.scribe.parts; }) {
-    return static_cast<int>(work.system.scribe.parts);
+  if constexpr (requires { work.system.annotator.parts; }) {
+    return static_cast<int>(work.system.annotator.parts);
   } else {
     return 0;
   }
@@ -202,17 +203,17 @@ int element_in_hand(const ForceWork<T>& work) {
 /// Names an action of the element in hand, and the sum that it adds to, in programs for reading.
 template <class T>
 void detail_action(const ForceWork<T>& work, const Action<T>& action, const Spatial<T>& sum) {
-  Scribe<T>& scribe = work.system.scribe;
-  if (!scribe.has_details() || work.in_hand.empty()) return;
+  Annotator<T>& annotator = work.system.annotator;
+  if (!annotator.has_details() || work.in_hand.empty()) return;
   const std::string& body = work.system.model.bodies[action.body].name;
   const auto names = [&](const Vector<T>& v, const char* kind) {
-    detail_name(scribe, v, kind, work.in_hand, "_on_", body);
+    detail_name(annotator, v, kind, work.in_hand, "_on_", body);
   };
   names(action.force, "force_");
   names(action.point, "arm_");
   names(cross(action.point, action.force), "moment_");
   names(action.moment, "torque_");
-  detail_name(scribe, sum, "fa", "na", body, "_before_", work.in_hand);
+  detail_name(annotator, sum, "fa", "na", body, "_before_", work.in_hand);
 }
 
 /// Adds a force and a moment on a body of the model.
@@ -233,10 +234,10 @@ template <class T>
 void add_joint_force(ForceWork<T>& work, const CoordinateReference& reference, const T& force) {
   const int i = tree_coordinate(work.system.topology, reference);
   if (i < 0) return;
-  if (work.system.scribe.has_details() && !work.in_hand.empty()) {
+  if (work.system.annotator.has_details() && !work.in_hand.empty()) {
     const std::string& coordinate = work.system.topology.bodies[i].coordinate;
-    work.system.scribe.detail(force, "force_", work.in_hand, "_on_", coordinate);
-    work.system.scribe.detail(work.forces.joint[i], "Qa_", coordinate, "_before_", work.in_hand);
+    work.system.annotator.detail(force, "force_", work.in_hand, "_on_", coordinate);
+    work.system.annotator.detail(work.forces.joint[i], "Qa_", coordinate, "_before_", work.in_hand);
   }
   work.forces.joint[i] = work.forces.joint[i] + force;
   work.forces.joint_actions.push_back({i, force, element_in_hand(work)});
@@ -279,7 +280,7 @@ template <class T>
 T natural_length(const ForceWork<T>& work, const std::optional<Quantity>& own, const T& reference,
                  const std::string& element) {
   T length = own ? work.value(*own) : reference;
-  work.system.scribe.constant(length, "l0_", element);
+  work.system.annotator.constant(length, "l0_", element);
   return length;
 }
 

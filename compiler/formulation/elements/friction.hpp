@@ -122,7 +122,7 @@ template <class T>
 void apply(ForceWork<T>& work, const JointFriction& friction) {
   const T rate = work.system.environment.velocity(friction.joint);
   const T force = friction_force_at(work, friction, friction.name, rate, bristle_state(work.system.model, friction));
-  work.system.scribe.name(force, "force_", friction.name);
+  work.system.annotator.name(force, "force_", friction.name);
   add_joint_force(work, friction.joint, force);
 }
 
@@ -132,7 +132,7 @@ void apply(ForceWork<T>& work, const SpringFriction& friction) {
   const PointSpring& spring = model.springs[friction.spring];
   const AlongLine<T> at(work, spring.from, spring.to, friction.spring);
   T tension = -friction_force_at(work, friction, friction.name, at.rate, bristle_state(model, friction));
-  work.system.scribe.name(tension, "force_", friction.name);
+  work.system.annotator.name(tension, "force_", friction.name);
   at.resist(work, tension);
   SpringState<T>& total = states_of<PointSpring>(work.forces)[friction.spring];
   total.force = total.force + tension;

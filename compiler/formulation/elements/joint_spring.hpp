@@ -27,7 +27,7 @@ template <class T>
 auto law_of(const ForceWork<T>& work, const JointSpring& spring, const AlongCoordinate<T>&) {
   return [&]<class A>(const A& position, const A& rate) {
     A force = joint_spring_force(work, spring, position, rate);
-    if constexpr (std::is_same_v<T, A>) work.system.scribe.name(force, "force_", spring.name);
+    if constexpr (std::is_same_v<T, A>) work.system.annotator.name(force, "force_", spring.name);
     return force;
   };
 }

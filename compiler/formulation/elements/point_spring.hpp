@@ -43,9 +43,10 @@ auto law_of(const ForceWork<T>& work, const PointSpring& spring, const AlongLine
              const A& length, const A& rate) {
     A tension = spring_tension(work, spring, length, rate, natural);
     if constexpr (std::is_same_v<T, A>) {
-      if (work.system.scribe.has_details()) work.system.scribe.detail(length - natural, "deflection_", spring.name);
-      work.system.scribe.detail(tension, "force_", spring.name);
-      work.system.scribe.name(tension, "tension_", spring.name);
+      if (work.system.annotator.has_details())
+        work.system.annotator.detail(length - natural, "deflection_", spring.name);
+      work.system.annotator.detail(tension, "force_", spring.name);
+      work.system.annotator.name(tension, "tension_", spring.name);
     }
     return tension;
   };

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <concepts>
 
-#include "compiler/formulation/scribe.hpp"
+#include "compiler/formulation/annotator.hpp"
 #include "mbgen/scalar.hpp"
 
 namespace mbgen {

@@ -9,18 +9,18 @@ namespace mbgen::detail {
 /// Gives the quantities of one tyre their names: the symbol, then the tyre.
 template <class T>
 struct TyreNames {
-  Scribe<T>& scribe;
+  Annotator<T>& annotator;
   const std::string& tyre;
-  void operator()(const T& value, const char* symbol) const { scribe.detail(value, symbol, "_", tyre); }
-  void operator()(const Vector<T>& v, const char* symbol) const { detail_name(scribe, v, symbol, "_", tyre); }
+  void operator()(const T& value, const char* symbol) const { annotator.detail(value, symbol, "_", tyre); }
+  void operator()(const Vector<T>& v, const char* symbol) const { detail_name(annotator, v, symbol, "_", tyre); }
 };
 
 /// Names the motion of a wheel, the axes and the point of its contact.
 template <class T>
 void detail_contact(const ForceWork<T>& work, const WheelMotion<T>& wheel, const RoadContact<T>& contact,
                     const std::string& tyre) {
-  if (!work.system.scribe.has_details()) return;
-  const TyreNames<T> name{work.system.scribe, tyre};
+  if (!work.system.annotator.has_details()) return;
+  const TyreNames<T> name{work.system.annotator, tyre};
   const Vector<T> across = cross(wheel.axis, wheel.up);
   const T cosine = norm(across), sine = dot(wheel.axis, wheel.up), loaded = wheel.height / cosine;
   name(wheel.up, "ez");

@@ -166,8 +166,8 @@ TyreProperties<A> properties_on(const ForceWork<T>& work, const Tyre& tyre, cons
 template <class T>
 void detail_tyre(const ForceWork<T>& work, const Tyre& tyre, const TyreProperties<T>& properties,
                  const TyreContact<T>& contact, const TyreResult<T>& result) {
-  if (!work.system.scribe.has_details()) return;
-  const TyreNames<T> name{work.system.scribe, tyre.name};
+  if (!work.system.annotator.has_details()) return;
+  const TyreNames<T> name{work.system.annotator, tyre.name};
   detail_result(name, result);
   std::vector<T> coefficients;
   for (const Quantity& q : tyre.coefficients) coefficients.push_back(work.value(q));
@@ -210,9 +210,9 @@ void apply(ForceWork<T>& work, const Tyre& tyre) {
   const Spatial<T> wrench = tyre_wrench(contact, result);
   detail_contact(work, wheel, contact, tyre.name);
   detail_tyre(work, tyre, properties, contact.motion, result);
-  work.system.scribe.name(result.load, "load_", tyre.name);
-  work.system.scribe.name(result.fx, "fx_", tyre.name);
-  work.system.scribe.name(result.fy, "fy_", tyre.name);
+  work.system.annotator.name(result.load, "load_", tyre.name);
+  work.system.annotator.name(result.fx, "fx_", tyre.name);
+  work.system.annotator.name(result.fy, "fy_", tyre.name);
   act(work, {tyre.centre.body, wrench.linear, wrench.angular, point});
   work.forces.xd[2 * i] = result.du;
   work.forces.xd[2 * i + 1] = result.dv;

@@ -12,7 +12,7 @@ void state_tangents(ForceWork<T>& work, std::vector<ElementTangents<T>>& element
   using S = Slope<T>;
   const Model& model = work.system.model;
   for (std::size_t i = 0; i < model.states.size(); ++i) {
-    const auto heading = work.system.scribe.within(OwnerKind::state, i);
+    const auto heading = work.system.annotator.within(OwnerKind::state, i);
     const UserState& state = model.states[i];
     elements.push_back(differentiated<T>(
         work, {{}, {first_user_state(model) + static_cast<int>(i)}, {}, {state.derivative.expression}},

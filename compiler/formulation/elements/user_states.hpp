@@ -51,9 +51,9 @@ void user_states(ForceWork<T>& work) {
   const Model& model = work.system.model;
   std::size_t place = static_cast<std::size_t>(first_user_state(model));
   for (const UserState& state : model.states) {
-    const auto heading = work.system.scribe.within(OwnerKind::state, index_in(model.states, state));
+    const auto heading = work.system.annotator.within(OwnerKind::state, index_in(model.states, state));
     T rate = work.value(state.derivative);
-    work.system.scribe.name(rate, "rate_", state.name);
+    work.system.annotator.name(rate, "rate_", state.name);
     work.forces.xd[place++] = rate;
   }
 }
@@ -71,7 +71,7 @@ std::vector<T> sampled_states(System<T>& system, const std::vector<T>& due, cons
   std::size_t waiting = first_value + model.sampled.size();
   for (std::size_t i = 0; i < model.sampled.size(); ++i) {
     const SampledValue& sampled = model.sampled[i];
-    const auto heading = system.scribe.within(OwnerKind::sampled, i);
+    const auto heading = system.annotator.within(OwnerKind::sampled, i);
     const T is_due = due[i] - T(0.5);
     // The last pending value takes effect next, and each moves up by one.
     T next = sampled.load ? loads[i] : value_of(model, sampled.value, system.environment);

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "compiler/formulation/scribe.hpp"
+#include "compiler/formulation/annotator.hpp"
 
 namespace mbgen {
 

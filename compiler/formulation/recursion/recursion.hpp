@@ -15,17 +15,17 @@ template <class T>
 void eliminate_block(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
   UnitEquations<T>& equations = s.equations[u];
-  Scribe<T>& scribe = s.system().scribe;
+  Annotator<T>& annotator = s.system().annotator;
   CompositeBody<T> base = unit.opened ? eliminate_opened_joints(s, u) : gather_block(s, u);
   if (!unit.opened) {
     T rounding(s.rounding), lost(kLostByElimination);
-    name_bounds(scribe, rounding, lost);
+    name_bounds(annotator, rounding, lost);
     eliminate(equations, rounding, lost);
     detail_eliminated(s, s.blocks[u].directions, equations);
   }
   if (unit.base == kGround) return;
   if (!unit.opened) reduce(equations, base.reduced, base.needed);
-  detail_articulated(scribe, base.reduced, s.system().body_name(unit.base), "_less_",
+  detail_articulated(annotator, base.reduced, s.system().body_name(unit.base), "_less_",
                      s.system().topology.bodies[unit.end()].coordinate);
   CompositeBody<T>& below = s.composite[unit.base];
   below.rigid = below.rigid + base.rigid;
@@ -48,13 +48,13 @@ void eliminate_run(RecursionState<T>& s, std::size_t u) {
   if (is_free(unit)) {
     gather_free(s, u, equations, needed);
     eliminate(equations);
-    if (s.system().scribe.has_details()) detail_eliminated(s, directions_of(s, s.runs[u]), equations);
+    if (s.system().annotator.has_details()) detail_eliminated(s, directions_of(s, s.runs[u]), equations);
     hand_down(s, u, {}, needed);
     return;
   }
   gather_run(s, u, equations, inertia, needed);
   eliminate(equations);
-  if (s.system().scribe.has_details()) detail_eliminated(s, directions_of(s, s.runs[u]), equations);
+  if (s.system().annotator.has_details()) detail_eliminated(s, directions_of(s, s.runs[u]), equations);
   reduce(equations, inertia, needed);
   clear_directions(s.runs[u].directions, inertia);
   hand_down(s, u, inertia, needed);
@@ -114,7 +114,8 @@ void watch_unit(const RecursionState<T>& s, std::size_t u, RecursiveSolution<T>&
       for (DirectionInertia<T>& d : found)
         if (d.place == step.joints[1]) {
           T least(1e-12);
-          s.system().scribe.bound(least, "Square of the least volume of a ball's three axes", "least_volume_squared");
+          s.system().annotator.bound(least, "Square of the least volume of a ball's three axes",
+                                     "least_volume_squared");
           d.value = min(d.value, volume * volume - least);
         }
     }
@@ -125,8 +126,8 @@ void watch_unit(const RecursionState<T>& s, std::size_t u, RecursiveSolution<T>&
 /// Names the pivot of a unit's free direction after the direction's joint.
 template <class T>
 void name_pivot(const RecursionState<T>& s, std::size_t u, std::size_t direction, int joint) {
-  s.system().scribe.name(s.equations[u].mass[direction][direction], "pivot_",
-                         s.system().topology.bodies[joint].coordinate);
+  s.system().annotator.name(s.equations[u].mass[direction][direction], "pivot_",
+                            s.system().topology.bodies[joint].coordinate);
 }
 
 /// Adds a unit's own inertia and applied forces to the shares that the units above have left on its bodies.
@@ -135,7 +136,7 @@ void add_own_parts(RecursionState<T>& s, const RecursionUnit& unit, const Applie
   for (const JointStep& step : unit.steps) {
     const int i = step.body();
     if (unit.block < 0 && i != unit.end()) continue;
-    const auto heading = within_body(s.system().scribe, i);
+    const auto heading = within_body(s.system().annotator, i);
     CompositeBody<T>& c = s.composite[i];
     c.rigid = c.rigid + (s.work.own(i) ? s.constant[i] : s.in_base_axes(i, s.constant[i]));
     c.needed = c.needed - forces.wrench[i];
@@ -146,11 +147,11 @@ void add_own_parts(RecursionState<T>& s, const RecursionUnit& unit, const Applie
 template <class T>
 void project_block(RecursionState<T>& s, std::size_t u, const LoopPartition& partition, T& quality) {
   const RecursionUnit& unit = s.units()[u];
-  Scribe<T>& scribe = s.system().scribe;
+  Annotator<T>& annotator = s.system().annotator;
   BlockParts<T>& parts = s.blocks[u];
   name_directions(s, unit, partition.independent, parts.directions);
   {
-    const auto step = scribe.step(Step::jacobian, unit.block);
+    const auto step = annotator.step(Step::jacobian, unit.block);
     const SparseClosure<T> closed =
         quasi_closure(s.work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit));
     parts.factors = factorise_frozen(closed.jacobian, partition, unit.joints.size(),
@@ -159,11 +160,11 @@ void project_block(RecursionState<T>& s, std::size_t u, const LoopPartition& par
     quality = parts.factors.quality;
   }
   {
-    const auto step = scribe.step(Step::projection, unit.block);
+    const auto step = annotator.step(Step::projection, unit.block);
     parts.rz = frozen_rz(parts.factors, partition, unit.joints.size());
     name_rz(s.system(), unit.joints, parts.rz);
   }
-  const auto step = scribe.step(Step::closure_bias, unit.block);
+  const auto step = annotator.step(Step::closure_bias, unit.block);
   set_block_bias(s, u, partition);
 }
 
@@ -175,10 +176,10 @@ void project_block(RecursionState<T>& s, std::size_t u, const GroupProjection<T>
   parts.chosen = &chosen;
   name_directions(s, chosen.rz.front().size(), parts.directions);
   {
-    const auto step = s.system().scribe.step(Step::projection, unit.block);
+    const auto step = s.system().annotator.step(Step::projection, unit.block);
     parts.rz = quasi_projection(s.work, unit, chosen.rz);
   }
-  const auto step = s.system().scribe.step(Step::closure_bias, unit.block);
+  const auto step = s.system().annotator.step(Step::closure_bias, unit.block);
   parts.bias = block_bias(s.work, unit, parts.velocity);
   parts.zdd_star = quasi_accelerations(s.work, unit, parts.velocity, chosen.zdd_star);
 }
@@ -188,16 +189,16 @@ template <class T>
 void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>& forces,
                      const BlockProjection<T>& projection, T& quality) {
   const RecursionUnit& unit = s.units()[u];
-  Scribe<T>& scribe = s.system().scribe;
+  Annotator<T>& annotator = s.system().annotator;
   if (unit.opened)
     start_opened(s, u, std::get<LoopPartition>(projection), quality);
   else
     std::visit([&](const auto& of_block) { project_block(s, u, of_block, quality); }, projection);
   {
-    const auto step = scribe.step(Step::accelerations, unit.block);
+    const auto step = annotator.step(Step::accelerations, unit.block);
     add_own_parts(s, unit, forces);
   }
-  const auto step = scribe.step(Step::reduced_system, unit.block);
+  const auto step = annotator.step(Step::reduced_system, unit.block);
   eliminate_block(s, u);
   const LoopPartition* const frozen = std::get_if<LoopPartition>(&projection);
   if (frozen != nullptr && !unit.opened)
@@ -209,15 +210,15 @@ void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
 template <class T>
 void eliminate_units(RecursionState<T>& s, const AppliedForces<T>& forces,
                      const std::vector<BlockProjection<T>>& projections, RecursiveSolution<T>& solution) {
-  Scribe<T>& scribe = s.system().scribe;
+  Annotator<T>& annotator = s.system().annotator;
   for (std::size_t u = s.units().size(); u-- > 0;) {
     const RecursionUnit& unit = s.units()[u];
     if (unit.block >= 0) {
       eliminate_block(s, u, forces, projections[unit.block], solution.quality[unit.block]);
       continue;
     }
-    const auto step = scribe.step(Step::reduced_system);
-    const auto heading = within_body(scribe, unit.end());
+    const auto step = annotator.step(Step::reduced_system);
+    const auto heading = within_body(annotator, unit.end());
     if (unit.rotor) {
       eliminate_rotor(s, u, forces);
       continue;
@@ -233,11 +234,11 @@ void eliminate_units(RecursionState<T>& s, const AppliedForces<T>& forces,
 template <class T>
 void solve_units(RecursionState<T>& s, RecursiveSolution<T>& solution) {
   const System<T>& system = s.system();
-  const auto step = system.scribe.step(Step::solution);
+  const auto step = system.annotator.step(Step::solution);
   solution.zdd.assign(system.topology.bodies.size(), T(0.0));
   for (std::size_t u = 0; u < s.units().size(); ++u) {
     const RecursionUnit& unit = s.units()[u];
-    const auto heading = within_body(system.scribe, unit.end());
+    const auto heading = within_body(system.annotator, unit.end());
     if (unit.rotor)
       solve_rotor(s, u, solution.zdd);
     else if (unit.block >= 0)
@@ -270,20 +271,20 @@ RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion&
   RecursiveSolution<T> solution;
   solution.quality.assign(system.topology.blocks.size(), T(1.0));
   {
-    const auto step = system.scribe.step(Step::inertias);
+    const auto step = system.annotator.step(Step::inertias);
     detail::set_constants(s);
   }
   {
-    const auto step = system.scribe.step(Step::velocities);
+    const auto step = system.annotator.step(Step::velocities);
     detail::set_velocities(s);
   }
   {
-    const auto step = system.scribe.step(Step::accelerations);
+    const auto step = system.annotator.step(Step::accelerations);
     s.force = tau;
     for (std::size_t i = 0; i < n; ++i) s.force[i] = s.force[i] + forces.joint[i];
     s.force = quasi_forces(work, s.force);
     for (std::size_t i = 0; i < n; ++i)
-      system.scribe.detail(s.force[i], "Q_", system.topology.bodies[i].coordinate, "_applied");
+      system.annotator.detail(s.force[i], "Q_", system.topology.bodies[i].coordinate, "_applied");
   }
   detail::eliminate_units(s, forces, projections, solution);
   detail::solve_units(s, solution);

@@ -31,11 +31,11 @@ TurnedArm<T> turned_arm(const RecursionState<T>& s, int i, const Matrix<T>& turn
   const std::string& name = s.system().body_name(i);
   const PseudoInertia<T> rigid =
       turned(turn, own, axis, s.constant[i], [&](const T& across, const T& along, const T& reciprocal) {
-        s.system().scribe.detail(across, "Kacross_", name);
-        s.system().scribe.detail(along, "Kalong_", name);
-        s.system().scribe.detail(reciprocal, "per_m_", name);
+        s.system().annotator.detail(across, "Kacross_", name);
+        s.system().annotator.detail(along, "Kalong_", name);
+        s.system().annotator.detail(reciprocal, "per_m_", name);
       });
-  detail_inertia(s.system().scribe, rigid, "hb_", "Kb_", "Ib_", name);
+  detail_inertia(s.system().annotator, rigid, "hb_", "Kb_", "Ib_", name);
   return {axis, rigid, rigid * Spatial<T>{{}, axis}};
 }
 
@@ -79,12 +79,12 @@ void gather_arm(RecursionState<T>& s, BlockGathering<T>& g, int i) {
   const Vector<T>& w = g.parts.velocity[i].angular;
   const Vector<T> alpha = g.parts.zdd_star_motion[i].angular;
   const Matrix<T> field = own_field(g.twice, w, alpha);
-  detail_name(s.system().scribe, field, "Gown_", s.system().body_name(i));
+  detail_name(s.system().annotator, field, "Gown_", s.system().body_name(i));
   const Spatial<T> needed = arm.needed + field_force(arm.rigid, Vector<T>{}, field);
   const Vector<T>& place = s.k().position[i];
-  detail_name(s.system().scribe, needed, "f", "n", s.system().body_name(i));
+  detail_name(s.system().annotator, needed, "f", "n", s.system().body_name(i));
   const PseudoInertia<T> share = shifted(place, arm.rigid);
-  detail_inertia(s.system().scribe, share, "hp_", "Kp_", "Ip_", s.system().body_name(i));
+  detail_inertia(s.system().annotator, share, "hp_", "Kp_", "Ip_", s.system().body_name(i));
   g.base.rigid = g.base.rigid + share;
   g.base.needed = g.base.needed + shifted(place, needed);
   const Spatial<T> as_part_of_base = field_force(arm.rigid, g.turning_field * place, g.turning_field);
@@ -113,8 +113,8 @@ NeededInPlane<T> needed_in_plane(const RecursionState<T>& s, const BlockGatherin
   const BodyAcceleration<T>& bias = g.parts.bias[i];
   const Vector<T> a = bias.linear + bias.gradient * arm + extra.linear + cross(g.twice, v.linear);
   const Matrix<T> field = own_field(g.twice, v.angular, bias.angular + extra.angular);
-  detail_name(s.system().scribe, a, "aown_", s.system().body_name(i));
-  detail_name(s.system().scribe, field, "Gown_", s.system().body_name(i));
+  detail_name(s.system().annotator, a, "aown_", s.system().body_name(i));
+  detail_name(s.system().annotator, field, "Gown_", s.system().body_name(i));
   const Spatial<T> motion = acceleration_of(s, g, i, arm);
   return {body.needed + field_force(body.rigid, a, field) + body.above * motion + body.reduced * motion,
           field_force(body.rigid, g.turning_field * (s.k().position[i] + arm), g.turning_field)};
@@ -156,9 +156,9 @@ void project_joint(const RecursionState<T>& s, BlockGathering<T>& g, int i, int 
   std::vector<T> coupled;
   for (std::size_t q = 0; q < g.equations.size(); ++q) {
     coupled.push_back(dot(seen_below, g.parts.partial[q][below]) + half * rate[q]);
-    if (s.system().scribe.has_details())
-      s.system().scribe.detail(coupled.back(), "H_", s.system().topology.bodies[i].coordinate, "_",
-                               g.parts.directions[q]);
+    if (s.system().annotator.has_details())
+      s.system().annotator.detail(coupled.back(), "H_", s.system().topology.bodies[i].coordinate, "_",
+                                  g.parts.directions[q]);
     for (std::size_t d = 0; d <= q; ++d)
       g.equations.mass[q][d] = g.equations.mass[q][d] + (rate[q] * coupled[d] + rate[d] * coupled[q]);
     subtree.momentum[q] = subtree.momentum[q] + rate[q] * seen_below;
@@ -177,11 +177,11 @@ void gather_outer_arm(RecursionState<T>& s, BlockGathering<T>& g, const JointSte
   const Vector<T> turning = transposed_times(axes, g.turning + g.parts.velocity[below].angular);
   const Vector<T> w = s.velocity[i] * arm.axis, alpha = g.parts.zdd_star[g.unit.column(i)] * arm.axis;
   const Matrix<T> field = own_field(turning + turning, w, alpha);
-  detail_name(system.scribe, field, "Gown_", system.body_name(i));
+  detail_name(system.annotator, field, "Gown_", system.body_name(i));
   const Spatial<T> needed = field_force(arm.rigid, Vector<T>{}, field);
-  detail_name(system.scribe, needed, "f", "n", system.body_name(i));
+  detail_name(system.annotator, needed, "f", "n", system.body_name(i));
   const PseudoInertia<T> share = shifted(place, arm.rigid);
-  detail_inertia(system.scribe, share, "hp_", "Kp_", "Ip_", system.body_name(i));
+  detail_inertia(system.annotator, share, "hp_", "Kp_", "Ip_", system.body_name(i));
   OuterArms<T>& arms = g.arms[below];
   arms.is_empty = false;
   arms.rigid = arms.rigid + share;
@@ -189,16 +189,16 @@ void gather_outer_arm(RecursionState<T>& s, BlockGathering<T>& g, const JointSte
 
   const Spatial<T> carried = acceleration_of(s, g, below, Vector<T>{});
   const Matrix<T> gradient = acceleration_gradient(turning, transposed_times(axes, carried.angular));
-  detail_name(system.scribe, turning, "w_", system.body_name(below), "_in_own_axes");
-  detail_name(system.scribe, gradient, "G_", system.body_name(below), "_in_own_axes");
+  detail_name(system.annotator, turning, "w_", system.body_name(below), "_in_own_axes");
+  detail_name(system.annotator, gradient, "G_", system.body_name(below), "_in_own_axes");
   const Spatial<T> as_part =
       field_force(arm.rigid, transposed_times(axes, carried.linear) + gradient * place, gradient);
   const Spatial<T>& applied = s.composite[i].needed;  // in the base's axes
   const T torque = dot(arm.axis, needed.angular + as_part.angular) + dot(s.k().axis[i], applied.angular);
   g.subtree[below].needed = g.subtree[below].needed + shifted(s.work.offset[i], applied);
   const Spatial<T> momentum = rotated(axes, shifted(place, arm.momentum));
-  detail_name(system.scribe, momentum, "F", "N", system.topology.bodies[i].coordinate);
-  system.scribe.detail(torque, "n_", system.topology.bodies[i].coordinate);
+  detail_name(system.annotator, momentum, "F", "N", system.topology.bodies[i].coordinate);
+  system.annotator.detail(torque, "n_", system.topology.bodies[i].coordinate);
   project_joint(s, g, i, below, momentum, T(0.5) * dot(arm.axis, arm.momentum.angular), torque);
 }
 
@@ -231,10 +231,10 @@ void eliminate_arm_run(RecursionState<T>& s, std::size_t u) {
   const Spatial<T> as_part = field_force(arm.rigid, turning_field * place, turning_field);
   equations.mass = {{dot(arm.axis, arm.momentum.angular)}};
   equations.momentum = {shifted(place, arm.momentum)};
-  detail_name(s.system().scribe, needed, "f", "n", s.system().body_name(e));
-  detail_name(s.system().scribe, equations.momentum[0], "F", "N", s.system().topology.bodies[e].coordinate);
+  detail_name(s.system().annotator, needed, "f", "n", s.system().body_name(e));
+  detail_name(s.system().annotator, equations.momentum[0], "F", "N", s.system().topology.bodies[e].coordinate);
   const PseudoInertia<T> share = shifted(place, arm.rigid);
-  detail_inertia(s.system().scribe, share, "hp_", "Kp_", "Ip_", s.system().body_name(e));
+  detail_inertia(s.system().annotator, share, "hp_", "Kp_", "Ip_", s.system().body_name(e));
   equations.force = {s.force[e] - dot(arm.axis, needed.angular + as_part.angular)};
   eliminate(equations);
   CompositeBody<T>& below = s.composite[unit.base];

@@ -47,11 +47,11 @@ void set_constants(RecursionState<T>& s) {
   for (std::size_t i = 0; i < n; ++i) s.constant[i] = without_noise(s.constant[i], slid[i]);
   for (std::size_t i = 0; i < n; ++i) {
     const std::string& body = system.topology.bodies[i].name;
-    system.scribe.constant(s.constant[i].mass, "m_", body);
-    name_constant(system.scribe, s.constant[i].moment, "h_", body);
-    name_constant(system.scribe, s.constant[i].second, "K_", body);
-    system.scribe.constant(s.constant[i].trace, "K_", body, "_trace");
-    system.scribe.constant(s.polar[i], "I_", body, "_polar");
+    system.annotator.constant(s.constant[i].mass, "m_", body);
+    name_constant(system.annotator, s.constant[i].moment, "h_", body);
+    name_constant(system.annotator, s.constant[i].second, "K_", body);
+    system.annotator.constant(s.constant[i].trace, "K_", body, "_trace");
+    system.annotator.constant(s.polar[i], "I_", body, "_polar");
     detail_inertia_about_origin(s, i);
   }
 }
@@ -64,25 +64,25 @@ void set_velocities(RecursionState<T>& s) {
   s.omega.resize(system.topology.bodies.size());
   for (std::size_t u = 0; u < s.units().size(); ++u) {
     const RecursionUnit& unit = s.units()[u];
-    const auto heading = within_body(system.scribe, unit.end());
+    const auto heading = within_body(system.annotator, unit.end());
     const Vector<T> base = s.omega_of(unit.base);
     if (unit.rotor) continue;
     if (unit.block >= 0) {
       s.blocks[u].velocity = block_motion(s.work, unit, s.velocity);
       for (const JointStep& step : unit.steps) {
         const int i = step.body();
-        const auto of_body = within_body(system.scribe, i);
-        detail_name(system.scribe, s.blocks[u].velocity[i], "vb", "wb", system.body_name(i));
+        const auto of_body = within_body(system.annotator, i);
+        detail_name(system.annotator, s.blocks[u].velocity[i], "vb", "wb", system.body_name(i));
         s.omega[i] = base + s.blocks[u].velocity[i].angular;
         if (s.work.own(i)) s.omega[i] = transposed_times(s.k().orientation[i], s.omega[i]);
-        name(system.scribe, s.omega[i], "w_", system.body_name(i));
+        name(system.annotator, s.omega[i], "w_", system.body_name(i));
       }
       continue;
     }
     Vector<T>& omega = s.omega[unit.end()];
     omega = s.runs[u].before = transposed_times(s.k().orientation[unit.end()], base);
     for (const JointStep& step : unit.steps) omega = omega + step_motion(s.work, step, s.velocity).angular;
-    name(system.scribe, omega, "w_", system.body_name(unit.end()));
+    name(system.annotator, omega, "w_", system.body_name(unit.end()));
   }
 }
 
@@ -93,8 +93,8 @@ void set_run_bias(RecursionState<T>& s, std::size_t u) {
   RunParts<T>& run = s.runs[u];
   const Matrix<T> base_gradient = acceleration_gradient(s.omega_of(unit.base), Vector<T>{});
   run.carried = base_gradient * s.from_base(unit, unit.end());
-  detail_name(s.system().scribe, base_gradient, "G_", s.system().body_name(unit.end()), "_base");
-  detail_name(s.system().scribe, run.carried, "a_", s.system().body_name(unit.end()), "_carried");
+  detail_name(s.system().annotator, base_gradient, "G_", s.system().body_name(unit.end()), "_base");
+  detail_name(s.system().annotator, run.carried, "a_", s.system().body_name(unit.end()), "_carried");
   Vector<T> turning = run.before;
   for (const JointStep& step : unit.steps) {
     const Vector<T>& pin = s.k().pin[step.joints[0]];
@@ -118,7 +118,7 @@ void set_run_bias(RecursionState<T>& s, std::size_t u) {
     for (std::size_t c = 0; c < step.joints.size(); ++c) {
       const Vector<T> axis = step.quasi() ? axes[c] : s.k().axis[step.joints[0]];
       run.directions.push_back(joint_column(step.revolute, axis, pin));
-      detail_name(s.system().scribe, run.directions.back(), "v", "w", s.system().body_name(unit.end()), "_per_",
+      detail_name(s.system().annotator, run.directions.back(), "v", "w", s.system().body_name(unit.end()), "_per_",
                   s.system().topology.bodies[step.joints[c]].coordinate);
       run.columns.push_back(step.joints[c]);
     }

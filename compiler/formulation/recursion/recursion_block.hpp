@@ -69,10 +69,10 @@ void start_equations(RecursionState<T>& s, BlockGathering<T>& g) {
     for (std::size_t c = 0; c < column.size(); ++c) column[c] = g.parts.rz[c][q];
     g.parts.partial.push_back(block_motion(s.work, unit, per_joint(unit, column)));
     for (const JointStep& moving : unit.steps) {
-      if (!s.system().scribe.has_details()) break;
-      const auto heading = within_body(s.system().scribe, moving.body());
-      detail_name(s.system().scribe, g.parts.partial[q][moving.body()], "v", "w", s.system().body_name(moving.body()),
-                  "_per_", g.parts.directions[q]);
+      if (!s.system().annotator.has_details()) break;
+      const auto heading = within_body(s.system().annotator, moving.body());
+      detail_name(s.system().annotator, g.parts.partial[q][moving.body()], "v", "w",
+                  s.system().body_name(moving.body()), "_per_", g.parts.directions[q]);
     }
     g.equations.mass.emplace_back(q + 1, T(0.0));
     g.equations.momentum.emplace_back();
@@ -82,9 +82,9 @@ void start_equations(RecursionState<T>& s, BlockGathering<T>& g) {
   }
   g.parts.zdd_star_motion = block_motion(s.work, unit, per_joint(unit, g.parts.zdd_star));
   for (const JointStep& moving : unit.steps) {
-    if (!s.system().scribe.has_details()) break;
-    const auto heading = within_body(s.system().scribe, moving.body());
-    detail_name(s.system().scribe, g.parts.zdd_star_motion[moving.body()], "astar", "alphastar",
+    if (!s.system().annotator.has_details()) break;
+    const auto heading = within_body(s.system().annotator, moving.body());
+    detail_name(s.system().annotator, g.parts.zdd_star_motion[moving.body()], "astar", "alphastar",
                 s.system().body_name(moving.body()));
   }
 }
@@ -102,14 +102,14 @@ void add_to_equations(RecursionState<T>& s, BlockGathering<T>& g, int i, const V
                       const PseudoInertia<T>& whole, const ArticulatedInertia<T>& reduced, const Spatial<T>& needed) {
   std::vector<Spatial<T>> partial;
   for (const PerBody<Spatial<T>>& motion : g.parts.partial) partial.push_back(about_point(motion[i], arm));
-  const bool has_details = s.system().scribe.has_details();
+  const bool has_details = s.system().annotator.has_details();
   const std::string& body = s.system().body_name(i);
-  if (has_details) detail_inertia(s.system().scribe, whole, "hc_", "Kc_", "Ic_", body);
+  if (has_details) detail_inertia(s.system().annotator, whole, "hc_", "Kc_", "Ic_", body);
   for (std::size_t q = 0; q < partial.size(); ++q) {
     const Spatial<T> momentum = whole * partial[q] + reduced * partial[q];
     if (has_details) {
-      detail_name(s.system().scribe, partial[q], "vc", "wc", body, "_per_", g.parts.directions[q]);
-      detail_name(s.system().scribe, momentum, "F", "N", body, "_per_", g.parts.directions[q]);
+      detail_name(s.system().annotator, partial[q], "vc", "wc", body, "_per_", g.parts.directions[q]);
+      detail_name(s.system().annotator, momentum, "F", "N", body, "_per_", g.parts.directions[q]);
     }
     for (std::size_t d = 0; d <= q; ++d) g.equations.mass[q][d] = g.equations.mass[q][d] + dot(partial[d], momentum);
     g.equations.momentum[q] = g.equations.momentum[q] + shifted(place, momentum);
@@ -133,8 +133,8 @@ Spatial<T> acceleration_of(const RecursionState<T>& s, const BlockGathering<T>& 
   Vector<T> a = bias.linear + bias.gradient * arm + extra.linear + g.turning_field * place + cross(g.twice, v.linear);
   if (g.unit.base == kGround) a = a - s.system().constants.gravity;
   const Vector<T> alpha = bias.angular + extra.angular + cross(g.turning, v.angular);
-  detail_name(s.system().scribe, a, "a0_", s.system().body_name(i));
-  detail_name(s.system().scribe, alpha, "alpha0_", s.system().body_name(i));
+  detail_name(s.system().annotator, a, "a0_", s.system().body_name(i));
+  detail_name(s.system().annotator, alpha, "alpha0_", s.system().body_name(i));
   return {a, alpha};
 }
 
@@ -144,9 +144,9 @@ Spatial<T> needed_of(RecursionState<T>& s, BlockGathering<T>& g, int i, const Co
                      const Vector<T>& arm) {
   const Spatial<T> a = acceleration_of(s, g, i, arm);
   const Matrix<T> gradient = acceleration_gradient(g.turning + g.parts.velocity[i].angular, a.angular);
-  detail_name(s.system().scribe, gradient, "G_", s.system().body_name(i));
+  detail_name(s.system().annotator, gradient, "G_", s.system().body_name(i));
   const Spatial<T> needed = needed_in(body, a.linear, a.angular, gradient);
-  name(s.system().scribe, needed, "f", "n", s.system().body_name(i));
+  name(s.system().annotator, needed, "f", "n", s.system().body_name(i));
   return needed;
 }
 

@@ -111,28 +111,28 @@ NearEnd<T> near_end(const RecursionWork<T>& work, const RecursionUnit& unit, con
 /// Names the two ends of a loop in programs for reading.
 template <class T>
 void detail_ends(const System<T>& system, const Loop& loop, const NearEnd<T>& from, const NearEnd<T>& to) {
-  Scribe<T>& scribe = system.scribe;
-  if (!scribe.has_details()) return;
+  Annotator<T>& annotator = system.annotator;
+  if (!annotator.has_details()) return;
   for (const auto& [end, which] : {std::pair(&from, "_from"), std::pair(&to, "_to")}) {
-    detail_name(scribe, end->arm, "arm_", loop.name, which);
-    detail_name(scribe, end->place, "place_", loop.name, which);
-    detail_name(scribe, cross(end->velocity.angular, end->arm), "varm_", loop.name, which);
-    detail_name(scribe, end->point_velocity(), "v_", loop.name, which);
-    detail_name(scribe, end->point_acceleration(), "a0_", loop.name, which);
+    detail_name(annotator, end->arm, "arm_", loop.name, which);
+    detail_name(annotator, end->place, "place_", loop.name, which);
+    detail_name(annotator, cross(end->velocity.angular, end->arm), "varm_", loop.name, which);
+    detail_name(annotator, end->point_velocity(), "v_", loop.name, which);
+    detail_name(annotator, end->point_acceleration(), "a0_", loop.name, which);
   }
-  detail_name(scribe, from.place - to.place, "gap_", loop.name);
-  detail_name(scribe, from.point_velocity() - to.point_velocity(), "vgap_", loop.name);
-  detail_name(scribe, from.point_acceleration() - to.point_acceleration(), "a0gap_", loop.name);
+  detail_name(annotator, from.place - to.place, "gap_", loop.name);
+  detail_name(annotator, from.point_velocity() - to.point_velocity(), "vgap_", loop.name);
+  detail_name(annotator, from.point_acceleration() - to.point_acceleration(), "a0gap_", loop.name);
 }
 
 /// Names the wrench of a closure's row in programs for reading.
 template <class T>
 void detail_wrench(const System<T>& system, const Loop& loop, int number, const NearRow<T>& row) {
-  if (!system.scribe.has_details()) return;
+  if (!system.annotator.has_details()) return;
   const std::string name = loop.equations > 1 ? loop.name + "_" + std::to_string(number) : loop.name;
-  detail_name(system.scribe, row.force, "along_", name);
-  detail_name(system.scribe, row.moment_from, "lever_", name, "_from");
-  detail_name(system.scribe, row.moment_to, "lever_", name, "_to");
+  detail_name(system.annotator, row.force, "along_", name);
+  detail_name(system.annotator, row.moment_from, "lever_", name, "_from");
+  detail_name(system.annotator, row.moment_to, "lever_", name, "_to");
 }
 
 template <class T>
@@ -204,7 +204,7 @@ SparseClosure<T> near_closure(const RecursionWork<T>& work, const RecursionUnit&
           work.system, loop, [&](int joint) { return unit.column(joint); }, result);
       continue;
     }
-    const auto heading = within_loop(work.system.scribe, l);
+    const auto heading = within_loop(work.system.annotator, l);
     int number = 0;
     for (const detail::NearRow<T>& row : detail::near_rows(work, unit, velocity, bias, loop, by)) {
       std::map<int, T> columns;

@@ -25,7 +25,7 @@ Spatial<T> needed_force(const System<T>& system, const Kinematics<T>& k, const V
       part_force(system, k, i, Part<T>{c.mass[i], c.com[i], c.inertia[i]}, velocity_of(system, v, i).angular,
                  acceleration_of(system, a, i), MotionPoint::body_origin);
   const Spatial<T> needed = inertial - forces.wrench[i];
-  name(system.scribe, needed, "f", "n", system.body_name(i));
+  name(system.annotator, needed, "f", "n", system.body_name(i));
   return needed;
 }
 
@@ -37,7 +37,7 @@ void take_joint(const System<T>& system, const Kinematics<T>& k, int j, const Sp
   Vector<T>& acting = gathered.needed[j];
   acting = system.revolute(j) ? carried.angular - cross(pin, carried.linear) : carried.linear;
   gathered.joint[j] = applied - dot(k.axis[j], acting);
-  system.scribe.name(gathered.joint[j], "Q_", system.topology.bodies[j].coordinate);
+  system.annotator.name(gathered.joint[j], "Q_", system.topology.bodies[j].coordinate);
 }
 
 }  // namespace detail
@@ -55,7 +55,7 @@ GatheredForces<T> gathered_forces(System<T>& system, const Kinematics<T>& k, con
   for (int i = n - 1; i >= 0; --i) {
     const BodyLayout& layout = system.layout.bodies[i];
     if (layout.joint_frame != layout.base && layout.joint_frame != i) continue;  // inside a run: taken with its end
-    const auto heading = within_body(system.scribe, i);
+    const auto heading = within_body(system.annotator, i);
     Spatial<T> whole = carried[i] + detail::needed_force(system, k, v, a, forces, i);
     const auto take = [&](int j, const Vector<T>& pin) {
       detail::take_joint(system, k, j, whole, pin, tau[j] + forces.joint[j], gathered);
@@ -65,7 +65,7 @@ GatheredForces<T> gathered_forces(System<T>& system, const Kinematics<T>& k, con
       for (int j : detail::chain_of(topology, system.layout, i)) take(j, k.pin[j]);
       start = layout.chain_start;
     }
-    detail_name(system.scribe, whole, "fc", "nc", system.body_name(i));
+    detail_name(system.annotator, whole, "fc", "nc", system.body_name(i));
     if (layout.own_frame) whole = rotated(k.orientation[i], whole);
     if (layout.chain_start < 0) take(i, {});
     const int p = topology.bodies[start].parent;
@@ -107,7 +107,7 @@ std::vector<T> forces_of_columns(const RecursionWork<T>& work, const RecursionUn
       values[unit.column(step.body())] = gathered.joint[step.body()];
       continue;
     }
-    const auto heading = within_body(work.system.scribe, step.body());
+    const auto heading = within_body(work.system.annotator, step.body());
     const QuasiAxes<T>& q = work.quasi[step.body()];
     Vector<T> sum = -gathered.needed[step.body()];
     for (int c = 0; c < 3; ++c) sum = sum + applied[step.joints[c]] * q.dual[c];

@@ -22,9 +22,9 @@ void gather_in_subtree(RecursionState<T>& s, BlockGathering<T>& g, const JointSt
   subtree.is_empty = false;
   subtree.inertia = subtree.inertia + shifted(offset, whole);
   subtree.needed = subtree.needed + shifted(offset, needed);
-  detail_inertia(s.system().scribe, whole, "hc_", "Kc_", "Ic_", s.system().body_name(i));
-  detail_name(s.system().scribe, needed, "fc", "nc", s.system().body_name(i));
-  detail_name(s.system().scribe, momentum, "F", "N", s.system().topology.bodies[i].coordinate);
+  detail_inertia(s.system().annotator, whole, "hc_", "Kc_", "Ic_", s.system().body_name(i));
+  detail_name(s.system().annotator, needed, "fc", "nc", s.system().body_name(i));
+  detail_name(s.system().annotator, momentum, "F", "N", s.system().topology.bodies[i].coordinate);
   project_joint(s, g, i, below, shifted(offset, momentum), T(0.5) * dot(b, momentum), dot(b, needed));
   for (std::size_t q = 0; q < g.subtree[i].momentum.size(); ++q)
     subtree.momentum[q] = subtree.momentum[q] + shifted(offset, g.subtree[i].momentum[q]);
@@ -46,8 +46,8 @@ void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
     body.needed = shifted(-arm, body.needed);
   }
   const Vector<T> place = s.k().position[i] + arm;
-  detail_name(s.system().scribe, arm, "arm_", s.system().body_name(i), "_com");
-  detail_name(s.system().scribe, place, "r_", s.system().body_name(i), "_com");
+  detail_name(s.system().annotator, arm, "arm_", s.system().body_name(i), "_com");
+  detail_name(s.system().annotator, place, "r_", s.system().body_name(i), "_com");
   const PseudoInertia<T> whole = body.rigid + body.above + subtree.inertia;
   g.base.reduced = g.base.reduced + shifted(place, body.reduced);
   for (std::size_t q = 0; q < subtree.momentum.size(); ++q)
@@ -58,14 +58,14 @@ void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
     g.base.rigid = g.base.rigid + shifted(place, body.rigid);
     g.base.above = g.base.above + shifted(place, body.above);
     g.base.needed = g.base.needed + shifted(place, needed);
-    detail_name(s.system().scribe, with_part, "fc", "nc", s.system().body_name(i));
+    detail_name(s.system().annotator, with_part, "fc", "nc", s.system().body_name(i));
     add_to_equations(s, g, i, arm, place, whole, body.reduced, with_part);
     return;
   }
   const Spatial<T> needed = needed_of(s, g, i, body, arm) + subtree.needed;
   g.base.above = g.base.above + shifted(place, whole);
   g.base.needed = g.base.needed + shifted(place, needed);
-  detail_name(s.system().scribe, needed, "fc", "nc", s.system().body_name(i));
+  detail_name(s.system().annotator, needed, "fc", "nc", s.system().body_name(i));
   add_to_equations(s, g, i, arm, place, whole, body.reduced, needed);
 }
 
@@ -90,13 +90,13 @@ void gather_rod(RecursionState<T>& s, BlockGathering<T>& g, const std::string& n
   g.base.needed.angular = g.base.needed.angular + cross(gap, force);
   std::vector<Vector<T>> partial;
   for (const PerBody<Spatial<T>>& motion : g.parts.partial) partial.push_back(moved(motion));
-  Scribe<T>& scribe = s.system().scribe;
-  detail_name(scribe, scaled_gap, "mgap_", name);
-  detail_name(scribe, rate, "vgap_", name);
-  detail_name(scribe, own, "a0gap_", name, "_whole");
-  detail_name(scribe, force, "f_", name);
-  for (std::size_t q = 0; scribe.has_details() && q < partial.size(); ++q)
-    detail_name(scribe, partial[q], "v_", name, "_per_", g.parts.directions[q]);
+  Annotator<T>& annotator = s.system().annotator;
+  detail_name(annotator, scaled_gap, "mgap_", name);
+  detail_name(annotator, rate, "vgap_", name);
+  detail_name(annotator, own, "a0gap_", name, "_whole");
+  detail_name(annotator, force, "f_", name);
+  for (std::size_t q = 0; annotator.has_details() && q < partial.size(); ++q)
+    detail_name(annotator, partial[q], "v_", name, "_per_", g.parts.directions[q]);
   for (std::size_t q = 0; q < partial.size(); ++q) {
     for (std::size_t d = 0; d <= q; ++d)
       g.equations.mass[q][d] = g.equations.mass[q][d] + mass * dot(partial[q], partial[d]);
@@ -112,12 +112,12 @@ CompositeBody<T> gather_block(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
   BlockGathering<T> g = block_gathering(s, u);
   if (unit.base != kGround) {
-    detail_name(system.scribe, g.twice, "twice_w_", system.body_name(unit.base));
-    detail_name(system.scribe, g.turning_field, "G_", system.body_name(unit.base));
+    detail_name(system.annotator, g.twice, "twice_w_", system.body_name(unit.base));
+    detail_name(system.annotator, g.turning_field, "G_", system.body_name(unit.base));
   }
   start_equations(s, g);
   for (auto step = unit.steps.rbegin(); step != unit.steps.rend(); ++step) {
-    const auto heading = within_body(system.scribe, step->body());
+    const auto heading = within_body(system.annotator, step->body());
     if (is_arm(s, unit, *step))
       gather_arm(s, g, step->body());
     else if (is_outer_arm(s, unit, *step))
@@ -150,11 +150,11 @@ void gather_run(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equations
   const PseudoInertia<T> whole = body.rigid + body.above;
   inertia = articulated(whole) + body.reduced;
   needed = body.needed + turning_force(s, unit.end()) + inertia * run.bias;
-  Scribe<T>& scribe = s.system().scribe;
+  Annotator<T>& annotator = s.system().annotator;
   const std::string& name_of_end = s.system().body_name(unit.end());
-  detail_inertia(scribe, whole, "hc_", "Kc_", "Ic_", name_of_end);
-  detail_articulated(scribe, inertia, name_of_end);
-  detail_name(scribe, needed, "fc", "nc", name_of_end);
+  detail_inertia(annotator, whole, "hc_", "Kc_", "Ic_", name_of_end);
+  detail_articulated(annotator, inertia, name_of_end);
+  detail_name(annotator, needed, "fc", "nc", name_of_end);
   detail_run_bias(s, u);
   for (std::size_t q = 0; q < run.directions.size(); ++q) {
     equations.momentum.push_back(inertia * run.directions[q]);
@@ -162,7 +162,7 @@ void gather_run(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equations
     for (std::size_t d = 0; d <= q; ++d) equations.mass[q].push_back(dot(run.directions[d], equations.momentum[q]));
     equations.force.push_back(s.force[run.columns[q]] - dot(run.directions[q], needed));
   }
-  if (scribe.has_details()) detail_equations(s, directions_of(s, run), equations);
+  if (annotator.has_details()) detail_equations(s, directions_of(s, run), equations);
 }
 
 /// Unit motions of a free run's end about its origin, in the order of its steps.
@@ -196,9 +196,9 @@ void gather_free(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equation
   transmitted = {push, turn + cross(pin, push)};
   const Spatial<T> available = transmitted - (body.needed + turning_force(s, unit.end()));
   const std::string& name_of_end = s.system().body_name(unit.end());
-  detail_inertia(s.system().scribe, whole, "hc_", "Kc_", "Ic_", name_of_end);
-  detail_articulated(s.system().scribe, inertia, name_of_end);
-  detail_name(s.system().scribe, available, "fc", "nc", name_of_end);
+  detail_inertia(s.system().annotator, whole, "hc_", "Kc_", "Ic_", name_of_end);
+  detail_articulated(s.system().annotator, inertia, name_of_end);
+  detail_name(s.system().annotator, available, "fc", "nc", name_of_end);
   const std::vector<Spatial<T>> units = unit_motions<T>(unit);
   for (std::size_t q = 0; q < units.size(); ++q) {
     const Spatial<T> momentum = inertia * units[q];
@@ -219,11 +219,11 @@ void hand_down(RecursionState<T>& s, std::size_t u, const ArticulatedInertia<T>&
   const Vector<T> place = s.from_base(unit, unit.end());
   const ArticulatedInertia<T> left = rotated(axes, inertia);
   const Spatial<T> force = rotated(axes, needed) + left * Spatial<T>{s.runs[u].carried, {}};
-  Scribe<T>& scribe = s.system().scribe;
+  Annotator<T>& annotator = s.system().annotator;
   const std::string& name_of_end = s.system().body_name(unit.end());
-  detail_articulated(scribe, inertia, name_of_end, "_left");
-  detail_articulated(scribe, left, name_of_end, "_down");
-  detail_name(scribe, force, "f", "n", name_of_end, "_down");
+  detail_articulated(annotator, inertia, name_of_end, "_left");
+  detail_articulated(annotator, left, name_of_end, "_down");
+  detail_name(annotator, force, "f", "n", name_of_end, "_down");
   CompositeBody<T>& below = s.composite[unit.base];
   below.reduced = below.reduced + shifted(place, left);
   below.needed = below.needed + shifted(place, force);

@@ -123,12 +123,12 @@ Symmetric<T> inertia_matrix(const PseudoInertia<T>& m) {
 
 /// Names the entries of a rigid inertia in programs for reading: first moments, second moments, and J.
 template <class T, class... Parts>
-void detail_inertia(Scribe<T>& scribe, const PseudoInertia<T>& m, const char* h, const char* k, const char* j,
+void detail_inertia(Annotator<T>& annotator, const PseudoInertia<T>& m, const char* h, const char* k, const char* j,
                     const Parts&... parts) {
-  if (!scribe.has_details()) return;
-  detail_name(scribe, m.moment, h, parts...);
-  detail_name(scribe, m.second, k, parts...);
-  detail_name(scribe, inertia_matrix(m), j, parts...);
+  if (!annotator.has_details()) return;
+  detail_name(annotator, m.moment, h, parts...);
+  detail_name(annotator, m.second, k, parts...);
+  detail_name(annotator, inertia_matrix(m), j, parts...);
 }
 
 /// lambda 1 + delta u u', the second moments about the centre of mass of a body that is symmetric about u.

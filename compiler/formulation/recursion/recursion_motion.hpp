@@ -50,19 +50,19 @@ QuasiAxes<T> quasi_axes(const System<T>& system, const Kinematics<T>& k, const J
 /// Names the exchange of joint rates and quasi-velocities in programs for reading.
 template <class T>
 void detail_quasi_axes(const System<T>& system, const JointStep& step, const QuasiAxes<T>& q) {
-  if (!system.scribe.has_details()) return;
-  system.scribe.detail(q.volume, "volume_", system.body_name(step.body()));
-  system.scribe.detail(T(1.0) / q.volume, "per_volume_", system.body_name(step.body()));
+  if (!system.annotator.has_details()) return;
+  system.annotator.detail(q.volume, "volume_", system.body_name(step.body()));
+  system.annotator.detail(T(1.0) / q.volume, "per_volume_", system.body_name(step.body()));
   for (int c = 0; c < 3; ++c) {
     const std::string& coordinate = system.topology.bodies[step.joints[c]].coordinate;
-    detail_name(system.scribe, q.axis[c], "axis_", coordinate);
-    detail_name(system.scribe, q.dual[c], "dual_", coordinate);
+    detail_name(system.annotator, q.axis[c], "axis_", coordinate);
+    detail_name(system.annotator, q.dual[c], "dual_", coordinate);
   }
 }
 
 template <class T>
 RecursionWork<T> recursion_work(System<T>& system, const Recursion& recursion, const Kinematics<T>& k) {
-  const auto poses = system.scribe.step(Step::inertias);
+  const auto poses = system.annotator.step(Step::inertias);
   const std::size_t n = system.topology.bodies.size();
   RecursionWork<T> work{system, recursion, k, {}, {}, {}};
   work.offset.resize(n);
@@ -72,14 +72,14 @@ RecursionWork<T> recursion_work(System<T>& system, const Recursion& recursion, c
     for (const JointStep& step : unit.steps) {
       const int body = step.body(), first = step.joints[0], p = work.parent(step);
       work.step[body] = &step;
-      const auto heading = within_body(system.scribe, body);
+      const auto heading = within_body(system.annotator, body);
       if (step.quasi()) work.quasi[body] = quasi_axes(system, k, step);
       if (step.quasi()) detail_quasi_axes(system, step, work.quasi[body]);
       if (unit.block < 0) continue;
       const Matrix<T> axes = p == unit.base ? identity<T>() : k.orientation[p];
       work.offset[body] = axes * joint_offset(system, first);
       if (!step.revolute) work.offset[body] = work.offset[body] + system.z(first) * k.axis[first];
-      detail_name(system.scribe, work.offset[body], "offset_", system.body_name(body));
+      detail_name(system.annotator, work.offset[body], "offset_", system.body_name(body));
     }
   return work;
 }
@@ -102,7 +102,7 @@ PerBody<Spatial<T>> block_motion(const RecursionWork<T>& work, const RecursionUn
   PerBody<Spatial<T>> motion(unit);
   for (const JointStep& step : unit.steps) {
     const int p = work.parent(step);
-    const auto heading = within_body(work.system.scribe, step.body());
+    const auto heading = within_body(work.system.annotator, step.body());
     const Spatial<T> below = p == unit.base ? Spatial<T>{} : motion[p];
     motion[step.body()] =
         Spatial<T>{velocity_at(below, work.offset[step.body()]), below.angular} + step_motion(work, step, values);
@@ -132,7 +132,7 @@ std::vector<T> quasi_velocities(const RecursionWork<T>& work) {
   std::vector<T> values = work.system.environment.zd;
   for (const JointStep* step : work.step) {
     if (step == nullptr || !step->quasi()) continue;
-    const auto heading = within_body(work.system.scribe, step->body());
+    const auto heading = within_body(work.system.annotator, step->body());
     set_components(*step, rate_sum(work, *step), [&](int j) -> T& { return values[j]; });
   }
   return values;
@@ -143,7 +143,7 @@ template <class T>
 std::vector<T> quasi_forces(const RecursionWork<T>& work, std::vector<T> tau) {
   for (const JointStep* step : work.step) {
     if (step == nullptr || !step->quasi()) continue;
-    const auto heading = within_body(work.system.scribe, step->body());
+    const auto heading = within_body(work.system.annotator, step->body());
     const QuasiAxes<T>& q = work.quasi[step->body()];
     const auto part = [&](int c) { return tau[step->joints[c]] * q.dual[c]; };
     set_components(*step, part(0) + part(1) + part(2), [&](int j) -> T& { return tau[j]; });
@@ -223,7 +223,7 @@ PerBody<BodyAcceleration<T>> block_bias(const RecursionWork<T>& work, const Recu
   PerBody<BodyAcceleration<T>> bias(unit);
   for (const JointStep& step : unit.steps) {
     const int body = step.body(), p = work.parent(step);
-    const auto heading = within_body(work.system.scribe, body);
+    const auto heading = within_body(work.system.annotator, body);
     const BodyAcceleration<T> below = p == unit.base ? BodyAcceleration<T>{} : bias[p];
     const Vector<T> turning = p == unit.base ? Vector<T>{} : velocity[p].angular;
     BodyAcceleration<T> b{below.linear + below.gradient * work.offset[body], below.angular, below.gradient};
@@ -238,9 +238,9 @@ PerBody<BodyAcceleration<T>> block_bias(const RecursionWork<T>& work, const Recu
         b.linear = b.linear + coriolis + coriolis;
     }
     if (step.revolute) b.gradient = acceleration_gradient(velocity[body].angular, b.angular);
-    detail_name(work.system.scribe, b.linear, "abias_", work.system.body_name(body));
-    detail_name(work.system.scribe, b.angular, "alphabias_", work.system.body_name(body));
-    detail_name(work.system.scribe, b.gradient, "Gbias_", work.system.body_name(body));
+    detail_name(work.system.annotator, b.linear, "abias_", work.system.body_name(body));
+    detail_name(work.system.annotator, b.angular, "alphabias_", work.system.body_name(body));
+    detail_name(work.system.annotator, b.gradient, "Gbias_", work.system.body_name(body));
     bias[body] = b;
   }
   return bias;

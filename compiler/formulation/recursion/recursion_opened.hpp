@@ -32,7 +32,7 @@ std::vector<SparseRow<T>> dependent_columns(const std::vector<SparseRow<T>>& jac
 template <class T>
 void start_opened(RecursionState<T>& s, std::size_t u, const LoopPartition& partition, T& quality) {
   const RecursionUnit& unit = s.units()[u];
-  Scribe<T>& scribe = s.system().scribe;
+  Annotator<T>& annotator = s.system().annotator;
   BlockParts<T>& parts = s.blocks[u];
   UnitEquations<T>& multipliers = s.equations[u];
   const std::size_t columns = unit.joints.size(), rank = partition.pivots.size();
@@ -42,7 +42,7 @@ void start_opened(RecursionState<T>& s, std::size_t u, const LoopPartition& part
   for (std::size_t c = 0; c < columns; ++c)
     if (const T* driven = s.driven(unit.joints[c])) parts.zdd_star[c] = *driven;
   {
-    const auto step = scribe.step(Step::jacobian, unit.block);
+    const auto step = annotator.step(Step::jacobian, unit.block);
     const SparseClosure<T> closed =
         quasi_closure(s.work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit));
     const FrozenFactors<T> factors =
@@ -53,7 +53,7 @@ void start_opened(RecursionState<T>& s, std::size_t u, const LoopPartition& part
       for (const Pivot& pivot : partition.pivots)
         parts.opened[unit.joints[c]].closure.push_back(closed.jacobian[pivot.equation].at(static_cast<int>(c)));
   }
-  const auto step = scribe.step(Step::closure_bias, unit.block);
+  const auto step = annotator.step(Step::closure_bias, unit.block);
   parts.bias = block_bias(s.work, unit, parts.velocity);
   const SparseClosure<T> closed = quasi_closure(s.work, unit, parts.velocity, parts.bias);
   const std::vector<T> open = moved_over(closed.jacobian, closed.acceleration, partition.driven, parts.zdd_star);
@@ -81,7 +81,7 @@ void eliminate_opened_joint(RecursionState<T>& s, UnitEquations<T>& multipliers,
   motion.mass = {{dot(b, motion.momentum[0])}};
   motion.force = {s.force[step.body()] - dot(b, load.needed)};
   eliminate(motion);
-  s.system().scribe.name(motion.mass[0][0], "pivot_", s.system().topology.bodies[step.body()].coordinate);
+  s.system().annotator.name(motion.mass[0][0], "pivot_", s.system().topology.bodies[step.body()].coordinate);
   reduce(motion, load.inertia, load.needed);
   clear_directions({b}, load.inertia);
   std::vector<T> scaled;
@@ -117,7 +117,7 @@ CompositeBody<T> eliminate_opened_joints(RecursionState<T>& s, std::size_t u) {
   for (const JointStep& step : unit.steps) loads[step.body()].closure = none;
   for (auto step = unit.steps.rbegin(); step != unit.steps.rend(); ++step) {
     const int i = step->body(), below = s.work.parent(*step);
-    const auto heading = within_body(s.system().scribe, i);
+    const auto heading = within_body(s.system().annotator, i);
     const CompositeBody<T> body = with_arms(s, g, i);
     OpenedLoad<T>& load = loads[i];
     load.inertia = articulated(body.rigid + body.above) + body.reduced + load.inertia;
@@ -148,7 +148,7 @@ std::vector<T> opened_accelerations(const RecursionState<T>& s, std::size_t u, c
   PerBody<Spatial<T>> moved(unit);
   for (const JointStep& step : unit.steps) {
     const int i = step.body(), p = s.work.parent(step);
-    const auto heading = within_body(s.system().scribe, i);
+    const auto heading = within_body(s.system().annotator, i);
     const Spatial<T>& below = p == unit.base ? base : moved[p];
     moved[i] = {velocity_at(below, s.work.offset[i]), below.angular};
     if (s.driven(i)) continue;

@@ -22,9 +22,9 @@ template <class T>
 std::vector<T> projected_accelerations(const RecursionState<T>& s, std::size_t u, const Spatial<T>& base) {
   const BlockParts<T>& parts = s.blocks[u];
   const std::vector<T> free = free_accelerations(s.equations[u], base);
-  Scribe<T>& scribe = s.system().scribe;
-  for (std::size_t q = 0; q < free.size() && scribe.has_details(); ++q)
-    scribe.detail(free[q], "qdd_", parts.directions[q]);
+  Annotator<T>& annotator = s.system().annotator;
+  for (std::size_t q = 0; q < free.size() && annotator.has_details(); ++q)
+    annotator.detail(free[q], "qdd_", parts.directions[q]);
   std::vector<T> local = parts.zdd_star;
   const std::vector<std::vector<T>>& rz = parts.chosen ? parts.chosen->rz : parts.rz;
   if (parts.chosen) local = parts.chosen->zdd_star;
@@ -49,7 +49,7 @@ void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   const Matrix<T> base_gradient = acceleration_gradient(turning, base.angular);
   for (const JointStep& step : unit.steps) {
     const int i = step.body(), p = s.work.parent(step);
-    const auto heading = within_body(system.scribe, i);
+    const auto heading = within_body(system.annotator, i);
     if (step.quasi() && !parts.chosen) {
       set_joint_accelerations(s.work, step, p == unit.base ? Vector<T>{} : parts.velocity[p].angular,
                               quasi_of(step, zdd), zdd);
@@ -62,8 +62,8 @@ void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
     if (grounded) a.linear = a.linear - system.constants.gravity;
     if (s.work.own(i))
       a = {transposed_times(s.k().orientation[i], a.linear), transposed_times(s.k().orientation[i], a.angular)};
-    name(system.scribe, a.linear, "a_", system.body_name(i));
-    name(system.scribe, a.angular, "alpha_", system.body_name(i));
+    name(system.annotator, a.linear, "a_", system.body_name(i));
+    name(system.annotator, a.angular, "alpha_", system.body_name(i));
     s.acceleration[i] = a;
   }
 }
@@ -96,13 +96,13 @@ void solve_run(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
     a = base + run.bias;
     for (std::size_t q = 0; q < free.size(); ++q) a = a + free[q] * run.directions[q];
   }
-  name(s.system().scribe, a.linear, "a_", s.system().body_name(e));
-  name(s.system().scribe, a.angular, "alpha_", s.system().body_name(e));
+  name(s.system().annotator, a.linear, "a_", s.system().body_name(e));
+  name(s.system().annotator, a.angular, "alpha_", s.system().body_name(e));
   for (int j : unit.joints)
     if (const T* driven = s.driven(j)) zdd[j] = *driven;
   for (std::size_t q = 0; q < free.size(); ++q) {
     zdd[run.columns[q]] = free[q];
-    s.system().scribe.detail(free[q], "qdd_", s.system().topology.bodies[run.columns[q]].coordinate);
+    s.system().annotator.detail(free[q], "qdd_", s.system().topology.bodies[run.columns[q]].coordinate);
   }
   Vector<T> turning = run.before;
   for (const JointStep& step : unit.steps) {

@@ -116,11 +116,11 @@ struct RecursionState {
     const std::string& name = system().body_name(body);
     const PseudoInertia<T> now = turned(k().orientation[body], system().topology.bodies[body].axis, k().axis[body], m,
                                         [&](const T& across, const T& along, const T& reciprocal) {
-                                          system().scribe.detail(across, "Kacross_", name);
-                                          system().scribe.detail(along, "Kalong_", name);
-                                          system().scribe.detail(reciprocal, "per_m_", name);
+                                          system().annotator.detail(across, "Kacross_", name);
+                                          system().annotator.detail(along, "Kalong_", name);
+                                          system().annotator.detail(reciprocal, "per_m_", name);
                                         });
-    detail_inertia(system().scribe, now, "hb_", "Kb_", "Ib_", name);
+    detail_inertia(system().annotator, now, "hb_", "Kb_", "Ib_", name);
     return now;
   }
   const Vector<T> omega_of(int body) const { return body == kGround ? Vector<T>{} : omega[body]; }

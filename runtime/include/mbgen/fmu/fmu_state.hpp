@@ -10,7 +10,7 @@
 
 #include "mbgen/charts.hpp"
 #include "mbgen/fmu/fmu_gaps.hpp"
-#include "mbgen/solver/held_limits.hpp"
+#include "mbgen/solver/independent_limits.hpp"
 #include "mbgen/status.hpp"
 
 namespace mbgen::fmu {
@@ -55,7 +55,7 @@ inline constexpr int kBlocks = Model::kLoopBlocks > 0 ? Model::kLoopBlocks : 1;
 template <class Model>
 struct Choice {
   int coordinate[Model::kVelocityStates > 0 ? Model::kVelocityStates : 1] = {};
-  double reference[kBlocks<Model>] = {};  ///< see choose_held in mbgen/held.hpp
+  double reference[kBlocks<Model>] = {};  ///< see choose_independent in mbgen/independent.hpp
 };
 
 /// Whether balls of the model have charts. Importers see the angles of the model; of model exchange the states q and qd
@@ -105,7 +105,7 @@ struct Run {
   Closed<Model> closed;             ///< the last state whose loops were, where those of `state` are not
   typename Model::Inputs accepted;  ///< of the last point of model exchange that was accepted, or of communication
   double accepted_time = 0;         ///< s, of the last communication point, or point of model exchange
-  double dead_point[kBlocks<Model>] = {};  ///< s after it, where the motion there leads each block to, see held.hpp
+  double dead_point[kBlocks<Model>] = {};  ///< s after it, where the motion there leads each block to
   double next_event = HUGE_VAL;            ///< s, of model exchange: instant at which sampled values are set next
   int contradictions[Model::kInputs > 0 ? Model::kInputs : 1] = {};  ///< steps in a row, see compare_rates
   double start[Model::kStartParameters + 1] = {};  ///< parameters that act at the start; the last one is none
@@ -147,7 +147,7 @@ struct Core {
   typename Model::Derivative derivative{};
   typename Model::Outputs outputs{};
   bool has_service = false;                    ///< whether the next one belongs to `solved`
-  double service[kBlocks<Model>] = {};         ///< of the independent coordinates, see held_service in mbgen/held.hpp
+  double service[kBlocks<Model>] = {};         ///< see independent_condition in mbgen/independent.hpp
   double service_on_way[kBlocks<Model>] = {};  ///< the least on the way there from the last closed state
   Status status;                               ///< of the solver's last call
   Refusal refusal;          ///< of the last call of the importer's that was refused, or was told something
@@ -201,26 +201,26 @@ bool is_frozen_choice(const Choice<Model>& choice) noexcept {
   return true;
 }
 
-/// Marks the independent coordinates. held: Model::kCoordinates of them.
+/// Marks the independent coordinates. independent: Model::kCoordinates of them.
 template <class Model>
-void mark(const Choice<Model>& choice, unsigned char* held) noexcept {
-  for (int i = 0; i < Model::kCoordinates; ++i) held[i] = 0;
-  for (int i = 0; i < Model::kVelocityStates; ++i) held[choice.coordinate[i]] = 1;
+void mark(const Choice<Model>& choice, unsigned char* independent) noexcept {
+  for (int i = 0; i < Model::kCoordinates; ++i) independent[i] = 0;
+  for (int i = 0; i < Model::kVelocityStates; ++i) independent[choice.coordinate[i]] = 1;
 }
 
 /// Chooses other coordinates if those of a loop block are ill-conditioned at a closed state. Result: whether any
 /// changed.
 template <class Model>
 bool choose(const Closed<Model>& at, Choice<Model>& choice, double worn = kWornPivot) noexcept {
-  unsigned char held[Model::kCoordinates];
-  mark(choice, held);
-  if (!Model::choose(at.parameters, at.inputs, at.state, held, choice.reference, worn)) return false;
+  unsigned char independent[Model::kCoordinates];
+  mark(choice, independent);
+  if (!Model::choose(at.parameters, at.inputs, at.state, independent, choice.reference, worn)) return false;
   int next[kBlocks<Model>] = {};  // coordinate of each block to look at
   for (int i = 0; i < Model::kVelocityStates; ++i) {
     const int block = Model::kBlockOf[choice.coordinate[i]];
     if (block < 0) continue;
     int& place = next[block];
-    while (Model::kBlockOf[place] != block || held[place] == 0) ++place;
+    while (Model::kBlockOf[place] != block || independent[place] == 0) ++place;
     choice.coordinate[i] = place++;
   }
   return true;

@@ -58,11 +58,11 @@ double time_of_motion(const Run<Model>& run) noexcept {
 
 /// Parts of the way to begin with: one where no coordinate of a loop turns far.
 template <class Model>
-int parts_at_first(const Run<Model>& run, double time, const unsigned char* held) noexcept {
+int parts_at_first(const Run<Model>& run, double time, const unsigned char* independent) noexcept {
   double largest = 0;
   for (int i = 0; i < Model::kCoordinates; ++i) {
     if (Model::kBlockOf[i] < 0 || !Model::is_rotation(i)) continue;
-    const double turn = held[i] != 0 ? run.state.z[i] - run.closed.state.z[i] : time * run.closed.state.zd[i];
+    const double turn = independent[i] != 0 ? run.state.z[i] - run.closed.state.z[i] : time * run.closed.state.zd[i];
     largest = std::fmax(largest, std::abs(turn));
   }
   return static_cast<int>(std::fmin(std::ceil(std::fmax(largest / kTurnOfPart, 1)), kMostPartsAtFirst));
@@ -90,7 +90,7 @@ Closed<Model> given_at(const Run<Model>& run, int part, int parts) noexcept {
 /// their velocities. The state is spoilt when it fails. Fails: loop_not_closed also where a part leads over a dead
 /// point to another way of assembly. service: the least of each block between the ends.
 template <class Model>
-Status close_in_parts(const Run<Model>& run, int parts, double time, const unsigned char* held,
+Status close_in_parts(const Run<Model>& run, int parts, double time, const unsigned char* independent,
                       typename Model::State& state, double* service) noexcept {
   const Closed<Model>& from = run.closed;
   state = from.state;
@@ -101,19 +101,19 @@ Status close_in_parts(const Run<Model>& run, int parts, double time, const unsig
     const typename Model::State before = state;
     state.t = between(from.state.t, run.state.t, part, parts);
     for (int i = 0; i < Model::kCoordinates; ++i) {
-      if (held[i] == 0) {
+      if (independent[i] == 0) {
         state.z[i] += time / parts * state.zd[i];
       } else {
         way_of(run, i, time).at(part, parts, state.z[i], state.zd[i]);
       }
     }
-    const Status status = Model::assemble_holding(given.parameters, given.inputs, held, state);
+    const Status status = Model::assemble_from_independent(given.parameters, given.inputs, independent, state);
     if (!status.ok()) return status;
-    const int block = Model::block_with_other_side(given.parameters, given.inputs, before, state, held);
+    const int block = Model::block_with_other_side(given.parameters, given.inputs, before, state, independent);
     if (block >= 0) return {Code::loop_not_closed, block};
     if (part == parts) break;
     double here[kBlocks<Model>];
-    Model::held_service(given.parameters, given.inputs, state, held, run.choice.reference, here);
+    Model::independent_condition(given.parameters, given.inputs, state, independent, run.choice.reference, here);
     for (int b = 0; b < Model::kLoopBlocks; ++b) service[b] = std::fmin(service[b], here[b]);
   }
   return {};
@@ -122,13 +122,13 @@ Status close_in_parts(const Run<Model>& run, int parts, double time, const unsig
 /// The same in as many parts as it takes to stay on the way of assembly.
 template <class Model>
 Status close_from_last(const Run<Model>& run, typename Model::State& state, double* service) noexcept {
-  unsigned char held[Model::kCoordinates];
-  mark(run.choice, held);
+  unsigned char independent[Model::kCoordinates];
+  mark(run.choice, independent);
   const double time = time_of_motion(run);
-  const int first = parts_at_first(run, time, held), most = first > kMostParts ? 2 * first : kMostParts;
+  const int first = parts_at_first(run, time, independent), most = first > kMostParts ? 2 * first : kMostParts;
   Status status;
   for (int parts = first; parts <= most; parts *= 2) {
-    status = close_in_parts(run, parts, time, held, state, service);
+    status = close_in_parts(run, parts, time, independent, state, service);
     if (status.code != Code::loop_not_closed && status.code != Code::loop_singular) return status;
   }
   return status;
@@ -138,23 +138,24 @@ Status close_from_last(const Run<Model>& run, typename Model::State& state, doub
 template <class Model>
 const double* service_of(Core<Model>& core) noexcept {
   if (!core.has_service) {
-    unsigned char held[Model::kCoordinates];
-    mark(core.run.choice, held);
-    Model::held_service(core.run.parameters, current_inputs(core.run), core.solved, held, core.run.choice.reference,
-                        core.service);
+    unsigned char independent[Model::kCoordinates];
+    mark(core.run.choice, independent);
+    Model::independent_condition(core.run.parameters, current_inputs(core.run), core.solved, independent,
+                                 core.run.choice.reference, core.service);
     for (int b = 0; b < Model::kLoopBlocks; ++b) core.service[b] = std::fmin(core.service[b], core.service_on_way[b]);
     core.has_service = true;
   }
   return core.service;
 }
 
-/// When the motion leads to, or came from, a dead point of each block: dead_point_times of held.hpp. Requires: solved.
+/// When the motion leads to, or came from, a dead point of each block: dead_point_times of independent.hpp. Requires:
+/// solved.
 template <class Model>
 void find_dead_points(const Core<Model>& core, double direction, double* times) noexcept {
-  unsigned char held[Model::kCoordinates];
-  mark(core.run.choice, held);
-  Model::dead_point_times(core.run.parameters, current_inputs(core.run), core.solved, core.derivative, held, direction,
-                          times);
+  unsigned char independent[Model::kCoordinates];
+  mark(core.run.choice, independent);
+  Model::dead_point_times(core.run.parameters, current_inputs(core.run), core.solved, core.derivative, independent,
+                          direction, times);
 }
 
 /// Whether a ball should have its other angles. Co-simulation changes them inside of its steps.

@@ -3,42 +3,44 @@
 // its states, as an importer of an FMU does. `System` is described in blocks.hpp.
 
 #include "mbgen/motion.hpp"
-#include "mbgen/solver/held_limits.hpp"
+#include "mbgen/solver/independent_limits.hpp"
 
 namespace mbgen {
 
 namespace solver_detail {
 
-/// Whether block b has the independent coordinates of the frozen partition. held: per coordinate.
+/// Whether block b has the independent coordinates of the frozen partition. independent: per coordinate.
 template <class System>
-bool holds_frozen(int b, const unsigned char* held) noexcept {
+bool has_frozen_partition(int b, const unsigned char* independent) noexcept {
   for (int k = 0; k < System::kFreeDirections; ++k) {
-    if (System::kFreeDirection[k].block == b && held[System::kFreeDirection[k].coordinate] == 0) return false;
+    if (System::kFreeDirection[k].block == b && independent[System::kFreeDirection[k].coordinate] == 0) return false;
   }
   return true;
 }
 
-/// Factors of block b of `terms`, in place, with every coordinate dependent that is neither driven nor held.
+/// Factors of block b of `terms`, in place, with every coordinate dependent that is neither driven nor independent.
 template <class System>
-LoopFactorsOf<RealOf<System>> held_factors(int b, const unsigned char* held, typename System::ClosureTerms& terms,
-                                           BlockFactors<System>& factors) noexcept {
+LoopFactorsOf<RealOf<System>> chosen_factors(int b, const unsigned char* independent,
+                                             typename System::ClosureTerms& terms,
+                                             BlockFactors<System>& factors) noexcept {
   const BlockLayout& block = System::kBlockLayout[b];
   unsigned char fixed[System::kBlockCoordinates];
   for (int c = 0; c < block.coordinates; ++c) {
     const int place = block.first_coordinate + c;
-    fixed[c] = System::kBlockDriven[place] != 0 || held[System::kBlockCoordinate[place]] != 0 ? 1 : 0;
+    fixed[c] = System::kBlockDriven[place] != 0 || independent[System::kBlockCoordinate[place]] != 0 ? 1 : 0;
   }
   return factors.factors_of(b, terms, block.rank, fixed);
 }
 
-/// Corrections that leave the held coordinates where they are. Fails: loop_singular.
+/// Corrections that leave the independent coordinates where they are. Fails: loop_singular.
 template <class System>
-Status correct_held(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                    const typename System::State& state, const unsigned char* held,
-                    typename System::Closure& closure) noexcept {
+Status correct_dependents(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                          const typename System::State& state, const unsigned char* independent,
+                          typename System::Closure& closure) noexcept {
   const bool is_other = in_other_chart(state);  // which the frozen program does not know
   const auto is_frozen = [&](int b) {
-    return !is_other && closure.pivot[b] >= kPivotThreshold<RealOf<System>> && holds_frozen<System>(b, held);
+    return !is_other && closure.pivot[b] >= kPivotThreshold<RealOf<System>> &&
+           has_frozen_partition<System>(b, independent);
   };
   bool all_frozen = true;
   for (int b = 0; b < System::kBlocks; ++b) all_frozen = all_frozen && is_frozen(b);
@@ -49,7 +51,7 @@ Status correct_held(const typename System::Parameters& parameters, const typenam
   CorrectionWork<System> work;
   for (int b = 0; b < System::kBlocks; ++b) {
     if (is_frozen(b)) continue;
-    const LoopFactorsOf<RealOf<System>> loop = held_factors<System>(b, held, terms, work.factors);
+    const LoopFactorsOf<RealOf<System>> loop = chosen_factors<System>(b, independent, terms, work.factors);
     if (loop.rank < System::kBlockLayout[b].rank) return {Code::loop_singular, b};
     correct_block<System, Correction::of_dependents>(b, loop, terms, state, work, closure);
   }
@@ -58,24 +60,24 @@ Status correct_held(const typename System::Parameters& parameters, const typenam
 
 /// Takes for block b the independent coordinates that full pivoting leaves.
 template <class System>
-void hold_best(int b, const LoopFactorsOf<RealOf<System>>& best, unsigned char* held) noexcept {
+void choose_best(int b, const LoopFactorsOf<RealOf<System>>& best, unsigned char* independent) noexcept {
   const BlockLayout& block = System::kBlockLayout[b];
   const int* coordinate = System::kBlockCoordinate + block.first_coordinate;
   for (int c = 0; c < block.coordinates; ++c) {
-    held[coordinate[c]] = System::kBlockDriven[block.first_coordinate + c] != 0 ? 0 : 1;
+    independent[coordinate[c]] = System::kBlockDriven[block.first_coordinate + c] != 0 ? 0 : 1;
   }
-  for (int k = 0; k < best.rank; ++k) held[coordinate[best.columns[k]]] = 0;
+  for (int k = 0; k < best.rank; ++k) independent[coordinate[best.columns[k]]] = 0;
 }
 
 }  // namespace solver_detail
 
-/// Closes every loop from a near guess: held coordinates keep their positions and velocities.
-/// held: per coordinate, 1 for the independent ones.
+/// Closes every loop from a near guess: independent coordinates keep their positions and velocities.
+/// independent: per coordinate, 1 for the independent ones.
 /// Fails: as project_state; loop_not_closed also when a coordinate would move by more than kLargestCorrection; the
 /// state is then unchanged.
 template <class System>
-Status project_holding(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                       const unsigned char* held, typename System::State& state) noexcept {
+Status project_from_independent(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                                const unsigned char* independent, typename System::State& state) noexcept {
   using namespace solver_detail;
   if constexpr (kChoosesAgain<System>) {
     const Status arguments = check_arguments<System>(parameters, inputs, state, nullptr);
@@ -83,7 +85,7 @@ Status project_holding(const typename System::Parameters& parameters, const type
     typename System::State trial;
     copy_state<System>(state, trial);
     const auto correct = [&](typename System::Closure& closure) {
-      return correct_held<System>(parameters, inputs, trial, held, closure);
+      return correct_dependents<System>(parameters, inputs, trial, independent, closure);
     };
     const Status status = close_loops<System>(parameters, inputs, trial, true, correct);
     if (!status.ok()) return status;
@@ -92,7 +94,7 @@ Status project_holding(const typename System::Parameters& parameters, const type
     copy_state<System>(trial, state);
     return {};
   } else {
-    static_cast<void>(held);
+    static_cast<void>(independent);
     return without_notice(project_motion<System>(parameters, inputs, state));
   }
 }
@@ -101,18 +103,18 @@ namespace solver_detail {
 
 /// Factors of one block at one position, of which one set at a time is alive.
 template <class System>
-struct HeldBlocks {
+struct FactorisedBlocks {
   typename System::ClosureTerms terms, factored;
   BlockFactors<System> factors;
 
-  HeldBlocks(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-             const typename System::State& state) noexcept {
+  FactorisedBlocks(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                   const typename System::State& state) noexcept {
     System::closure_terms(parameters, inputs, state, terms);
   }
-  /// With the held coordinates independent.
-  LoopFactorsOf<RealOf<System>> held(int b, const unsigned char* held) noexcept {
+  /// With the independent coordinates that are chosen.
+  LoopFactorsOf<RealOf<System>> chosen(int b, const unsigned char* independent) noexcept {
     take(b);
-    return held_factors<System>(b, held, factored, factors);
+    return chosen_factors<System>(b, independent, factored, factors);
   }
   /// Factors with the pivots of full pivoting.
   LoopFactorsOf<RealOf<System>> best(int b) noexcept {
@@ -152,31 +154,31 @@ inline double share_of(double pivot, double reference, double largest) noexcept 
 
 }  // namespace solver_detail
 
-/// Condition of the held coordinates of each block at a closed state: the ratio of their smallest pivot to its largest
-/// value since their choice, or to the best pivot at this position if that is smaller. 0 at their dead points, about 1
-/// at their choice; 1 for a block without free coordinates. reference: per block, see choose_held.
+/// Condition of the independent coordinates of each block at a closed state: the ratio of their smallest pivot to its
+/// largest value since their choice, or to the best pivot at this position if that is smaller. 0 at their dead points,
+/// about 1 at their choice; 1 for a block without free coordinates. reference: per block, see choose_independent.
 template <class System>
-void held_service(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                  const typename System::State& state, const unsigned char* held, const double* reference,
-                  double* service) noexcept {
+void independent_condition(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                           const typename System::State& state, const unsigned char* independent,
+                           const double* reference, double* service) noexcept {
   for (int b = 0; b < System::kBlocks; ++b) service[b] = 1;
   if constexpr (kChoosesAgain<System>) {
     using namespace solver_detail;
-    HeldBlocks<System> blocks(parameters, inputs, state);
+    FactorisedBlocks<System> blocks(parameters, inputs, state);
     for (int b = 0; b < System::kBlocks; ++b) {
       if (System::kBlockLayout[b].free == 0) continue;
-      const double pivot = pivot_of<System>(b, blocks.held(b, held));
+      const double pivot = pivot_of<System>(b, blocks.chosen(b, independent));
       service[b] = share_of(pivot, reference[b], pivot_of<System>(b, blocks.best(b)));
     }
   }
 }
 
-/// Seconds until, or since, a dead point of the held coordinates of each block, by the motion at a closed state to
-/// second order; infinite where it leads to none. direction: 1 into the future, -1 into the past.
+/// Seconds until, or since, a dead point of the independent coordinates of each block, by the motion at a closed state
+/// to second order; infinite where it leads to none. direction: 1 into the future, -1 into the past.
 template <class System>
 void dead_point_times(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                       const typename System::State& state, const typename System::Derivative& derivative,
-                      const unsigned char* held, double direction, double* times) noexcept {
+                      const unsigned char* independent, double direction, double* times) noexcept {
   for (int b = 0; b < System::kBlocks; ++b) times[b] = HUGE_VAL;
   if constexpr (kChoosesAgain<System>) {
     using namespace solver_detail;
@@ -193,9 +195,10 @@ void dead_point_times(const typename System::Parameters& parameters, const typen
       for (int i = 0; i < System::kCoordinates; ++i)
         there.z[i] +=
             static_cast<RealOf<System>>(at) * (state.zd[i] + static_cast<RealOf<System>>(0.5 * at) * derivative.zdd[i]);
-      HeldBlocks<System> blocks(parameters, inputs, there);
+      FactorisedBlocks<System> blocks(parameters, inputs, there);
       for (int b = 0; b < System::kBlocks; ++b)
-        product[side][b] = System::kBlockLayout[b].free == 0 ? 1 : product_of_pivots<System>(b, blocks.held(b, held));
+        product[side][b] =
+            System::kBlockLayout[b].free == 0 ? 1 : product_of_pivots<System>(b, blocks.chosen(b, independent));
     }
     for (int b = 0; b < System::kBlocks; ++b) {
       // now + rate s + half s^2 = 0
@@ -217,11 +220,11 @@ struct DependentJacobians {
   int count = 0;
   double product[System::kBlockCoordinates * System::kBlockCoordinates];
 
-  DependentJacobians(int b, const unsigned char* held) noexcept {
+  DependentJacobians(int b, const unsigned char* independent) noexcept {
     const BlockLayout& block = System::kBlockLayout[b];
     for (int c = 0; c < block.coordinates; ++c) {
       const int place = block.first_coordinate + c;
-      if (System::kBlockDriven[place] == 0 && held[System::kBlockCoordinate[place]] == 0) columns[count++] = c;
+      if (System::kBlockDriven[place] == 0 && independent[System::kBlockCoordinate[place]] == 0) columns[count++] = c;
     }
   }
   void multiply(const BlockLayout& block, const RealOf<System>* a, const RealOf<System>* b) noexcept {
@@ -256,7 +259,7 @@ struct DependentJacobians {
 /// Whether block b has the first and the third angle of a ball among its dependents, and the second has passed a pole:
 /// the determinant changes its sign there as well.
 template <class System>
-bool passes_pole([[maybe_unused]] int b, [[maybe_unused]] const unsigned char* held,
+bool passes_pole([[maybe_unused]] int b, [[maybe_unused]] const unsigned char* independent,
                  [[maybe_unused]] const typename System::State& from,
                  [[maybe_unused]] const typename System::State& to) noexcept {
   bool passes = false;
@@ -266,7 +269,7 @@ bool passes_pole([[maybe_unused]] int b, [[maybe_unused]] const unsigned char* h
       int dependents = 0;
       for (int place = block.first_coordinate; place < block.first_coordinate + block.coordinates; ++place) {
         const int i = System::kBlockCoordinate[place];
-        if (i == ball.coordinate[0] || i == ball.coordinate[2]) dependents += held[i] == 0 ? 1 : 0;
+        if (i == ball.coordinate[0] || i == ball.coordinate[2]) dependents += independent[i] == 0 ? 1 : 0;
       }
       const int second = ball.coordinate[1];
       if (dependents == 2 && (std::cos(from.z[second]) < 0) != (std::cos(to.z[second]) < 0)) passes = !passes;
@@ -277,12 +280,12 @@ bool passes_pole([[maybe_unused]] int b, [[maybe_unused]] const unsigned char* h
 
 }  // namespace solver_detail
 
-/// The first block of which two near closed states lie on different sides of a dead point of the held coordinates: the
-/// second is closed another way. -1 where there is none.
+/// The first block of which two near closed states lie on different sides of a dead point of the independent
+/// coordinates: the second is closed another way. -1 where there is none.
 template <class System>
 int block_with_other_side(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                           const typename System::State& from, const typename System::State& to,
-                          const unsigned char* held) noexcept {
+                          const unsigned char* independent) noexcept {
   if constexpr (kChoosesAgain<System>) {
     using namespace solver_detail;
     typename System::ClosureTerms before, after;
@@ -291,35 +294,36 @@ int block_with_other_side(const typename System::Parameters& parameters, const t
     for (int b = 0; b < System::kBlocks; ++b) {
       const BlockLayout& block = System::kBlockLayout[b];
       if (block.free == 0) continue;
-      DependentJacobians<System> jacobians(b, held);
+      DependentJacobians<System> jacobians(b, independent);
       if (jacobians.count != block.rank) continue;
       jacobians.multiply(block, before.Jz + block.first_jacobian, after.Jz + block.first_jacobian);
-      if (jacobians.has_negative_determinant() != passes_pole<System>(b, held, from, to)) return b;
+      if (jacobians.has_negative_determinant() != passes_pole<System>(b, independent, from, to)) return b;
     }
   }
   return -1;
 }
 
-/// Chooses other independent coordinates for the blocks whose held ones are ill-conditioned at a closed state.
-/// reference: per block, the largest value of its smallest pivot since the choice; 0 at first. worn: condition below
-/// which others are chosen. Result: whether a choice has changed. Singular blocks keep theirs.
+/// Chooses other independent coordinates for the blocks where they are ill-conditioned at a closed state. reference:
+/// per block, the largest value of its smallest pivot since the choice; 0 at first. worn: condition below which others
+/// are chosen. Result: whether a choice has changed. Singular blocks keep theirs.
 template <class System>
-bool choose_held(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                 const typename System::State& state, unsigned char* held, double* reference, double worn) noexcept {
+bool choose_independent(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                        const typename System::State& state, unsigned char* independent, double* reference,
+                        double worn) noexcept {
   bool has_changed = false;
   if constexpr (kChoosesAgain<System>) {
     using namespace solver_detail;
-    HeldBlocks<System> blocks(parameters, inputs, state);
+    FactorisedBlocks<System> blocks(parameters, inputs, state);
     for (int b = 0; b < System::kBlocks; ++b) {
       const BlockLayout& block = System::kBlockLayout[b];
       if (block.free == 0) continue;
-      const double pivot = pivot_of<System>(b, blocks.held(b, held));
+      const double pivot = pivot_of<System>(b, blocks.chosen(b, independent));
       reference[b] = pivot > reference[b] ? pivot : reference[b];
       const LoopFactorsOf<RealOf<System>> best = blocks.best(b);
       if (best.rank < block.rank) continue;
       const double largest = static_cast<double>(smallest_pivot(best));
       if (share_of(pivot, reference[b], largest) >= worn && pivot >= kBadPivot * largest) continue;
-      hold_best<System>(b, best, held);
+      choose_best<System>(b, best, independent);
       reference[b] = largest;
       has_changed = true;
     }

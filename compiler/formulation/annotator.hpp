@@ -12,7 +12,7 @@ namespace mbgen {
 
 /// Receives step, owner and name of the values in the making. This one, for numbers, ignores them, and counts owners.
 template <class T>
-struct Scribe {
+struct Annotator {
   unsigned parts = 0;  ///< parts of the mechanism that were entered: tells the element in hand from the others
   struct Scope {
     ~Scope() {}  // NOLINT: a destructor that does something, so that no compiler calls a scope unused
@@ -48,17 +48,17 @@ struct Scribe {
 
 /// Values made while the result lives belong to a body of the tree with its coordinate, a loop, or a loop block; index:
 /// into the list of the topology.
-template <class Scribe, class Index>
-[[nodiscard]] auto within_body(Scribe& scribe, Index index) {
-  return scribe.within(OwnerKind::tree_body, static_cast<std::size_t>(index));
+template <class Annotator, class Index>
+[[nodiscard]] auto within_body(Annotator& annotator, Index index) {
+  return annotator.within(OwnerKind::tree_body, static_cast<std::size_t>(index));
 }
-template <class Scribe, class Index>
-[[nodiscard]] auto within_loop(Scribe& scribe, Index index) {
-  return scribe.within(OwnerKind::loop, static_cast<std::size_t>(index));
+template <class Annotator, class Index>
+[[nodiscard]] auto within_loop(Annotator& annotator, Index index) {
+  return annotator.within(OwnerKind::loop, static_cast<std::size_t>(index));
 }
-template <class Scribe, class Index>
-[[nodiscard]] auto within_block(Scribe& scribe, Index index) {
-  return scribe.within(OwnerKind::loop_block, static_cast<std::size_t>(index));
+template <class Annotator, class Index>
+[[nodiscard]] auto within_block(Annotator& annotator, Index index) {
+  return annotator.within(OwnerKind::loop_block, static_cast<std::size_t>(index));
 }
 
 /// Index of an item of a list.
@@ -74,65 +74,66 @@ inline bool is_zero(double value) { return value == 0.0; }
 inline double known_size(double value) { return std::abs(value); }
 
 template <class T, class... Parts>
-void name(Scribe<T>& scribe, const Vector<T>& v, const Parts&... parts) {
-  scribe.name(v.x, parts..., "_x");
-  scribe.name(v.y, parts..., "_y");
-  scribe.name(v.z, parts..., "_z");
+void name(Annotator<T>& annotator, const Vector<T>& v, const Parts&... parts) {
+  annotator.name(v.x, parts..., "_x");
+  annotator.name(v.y, parts..., "_y");
+  annotator.name(v.z, parts..., "_z");
 }
 template <class T, class... Parts>
-void name(Scribe<T>& scribe, const Matrix<T>& m, const Parts&... parts) {
-  name(scribe, Vector<T>{m.x.x, m.y.x, m.z.x}, parts..., "_x");
-  name(scribe, Vector<T>{m.x.y, m.y.y, m.z.y}, parts..., "_y");
-  name(scribe, Vector<T>{m.x.z, m.y.z, m.z.z}, parts..., "_z");
+void name(Annotator<T>& annotator, const Matrix<T>& m, const Parts&... parts) {
+  name(annotator, Vector<T>{m.x.x, m.y.x, m.z.x}, parts..., "_x");
+  name(annotator, Vector<T>{m.x.y, m.y.y, m.z.y}, parts..., "_y");
+  name(annotator, Vector<T>{m.x.z, m.y.z, m.z.z}, parts..., "_z");
 }
-/// Names of programs for reading, see Scribe::detail.
+/// Names of programs for reading, see Annotator::detail.
 template <class T, class... Parts>
-void detail_name(Scribe<T>& scribe, const Vector<T>& v, const Parts&... parts) {
-  scribe.detail(v.x, parts..., "_x");
-  scribe.detail(v.y, parts..., "_y");
-  scribe.detail(v.z, parts..., "_z");
-}
-template <class T, class... Parts>
-void detail_name(Scribe<T>& scribe, const Symmetric<T>& s, const Parts&... parts) {
-  scribe.detail(s.xx, parts..., "_xx");
-  scribe.detail(s.yy, parts..., "_yy");
-  scribe.detail(s.zz, parts..., "_zz");
-  scribe.detail(s.xy, parts..., "_xy");
-  scribe.detail(s.xz, parts..., "_xz");
-  scribe.detail(s.yz, parts..., "_yz");
+void detail_name(Annotator<T>& annotator, const Vector<T>& v, const Parts&... parts) {
+  annotator.detail(v.x, parts..., "_x");
+  annotator.detail(v.y, parts..., "_y");
+  annotator.detail(v.z, parts..., "_z");
 }
 template <class T, class... Parts>
-void detail_name(Scribe<T>& scribe, const Matrix<T>& m, const Parts&... parts) {
-  detail_name(scribe, Vector<T>{m.x.x, m.y.x, m.z.x}, parts..., "_x");
-  detail_name(scribe, Vector<T>{m.x.y, m.y.y, m.z.y}, parts..., "_y");
-  detail_name(scribe, Vector<T>{m.x.z, m.y.z, m.z.z}, parts..., "_z");
+void detail_name(Annotator<T>& annotator, const Symmetric<T>& s, const Parts&... parts) {
+  annotator.detail(s.xx, parts..., "_xx");
+  annotator.detail(s.yy, parts..., "_yy");
+  annotator.detail(s.zz, parts..., "_zz");
+  annotator.detail(s.xy, parts..., "_xy");
+  annotator.detail(s.xz, parts..., "_xz");
+  annotator.detail(s.yz, parts..., "_yz");
 }
 template <class T, class... Parts>
-void detail_name(Scribe<T>& scribe, const Spatial<T>& s, const char* linear, const char* angular,
+void detail_name(Annotator<T>& annotator, const Matrix<T>& m, const Parts&... parts) {
+  detail_name(annotator, Vector<T>{m.x.x, m.y.x, m.z.x}, parts..., "_x");
+  detail_name(annotator, Vector<T>{m.x.y, m.y.y, m.z.y}, parts..., "_y");
+  detail_name(annotator, Vector<T>{m.x.z, m.y.z, m.z.z}, parts..., "_z");
+}
+template <class T, class... Parts>
+void detail_name(Annotator<T>& annotator, const Spatial<T>& s, const char* linear, const char* angular,
                  const Parts&... parts) {
-  detail_name(scribe, s.linear, linear, "_", parts...);
-  detail_name(scribe, s.angular, angular, "_", parts...);
+  detail_name(annotator, s.linear, linear, "_", parts...);
+  detail_name(annotator, s.angular, angular, "_", parts...);
 }
 
 template <class T, class... Parts>
-void name_constant(Scribe<T>& scribe, Vector<T>& v, const Parts&... parts) {
-  scribe.constant(v.x, parts..., "_x");
-  scribe.constant(v.y, parts..., "_y");
-  scribe.constant(v.z, parts..., "_z");
+void name_constant(Annotator<T>& annotator, Vector<T>& v, const Parts&... parts) {
+  annotator.constant(v.x, parts..., "_x");
+  annotator.constant(v.y, parts..., "_y");
+  annotator.constant(v.z, parts..., "_z");
 }
 template <class T, class... Parts>
-void name_constant(Scribe<T>& scribe, Symmetric<T>& s, const Parts&... parts) {
-  scribe.constant(s.xx, parts..., "_xx");
-  scribe.constant(s.yy, parts..., "_yy");
-  scribe.constant(s.zz, parts..., "_zz");
-  scribe.constant(s.xy, parts..., "_xy");
-  scribe.constant(s.xz, parts..., "_xz");
-  scribe.constant(s.yz, parts..., "_yz");
+void name_constant(Annotator<T>& annotator, Symmetric<T>& s, const Parts&... parts) {
+  annotator.constant(s.xx, parts..., "_xx");
+  annotator.constant(s.yy, parts..., "_yy");
+  annotator.constant(s.zz, parts..., "_zz");
+  annotator.constant(s.xy, parts..., "_xy");
+  annotator.constant(s.xz, parts..., "_xz");
+  annotator.constant(s.yz, parts..., "_yz");
 }
 template <class T>
-void name(Scribe<T>& scribe, const Spatial<T>& s, const char* linear, const char* angular, const std::string& of) {
-  name(scribe, s.linear, linear, "_", of);
-  name(scribe, s.angular, angular, "_", of);
+void name(Annotator<T>& annotator, const Spatial<T>& s, const char* linear, const char* angular,
+          const std::string& of) {
+  name(annotator, s.linear, linear, "_", of);
+  name(annotator, s.angular, angular, "_", of);
 }
 
 }  // namespace mbgen

@@ -1,4 +1,4 @@
-#include "workbench/host/held_signals.hpp"
+#include "workbench/host/blocked_signals.hpp"
 
 namespace mbgen {
 namespace {
@@ -7,26 +7,26 @@ constexpr std::chrono::milliseconds kBetweenLooks{20};  // short for a person, l
 
 }  // namespace
 
-HeldSignals::HeldSignals(int beside) : beside_(beside) {
-  ::sigemptyset(&held_);
-  if (beside != 0) ::sigaddset(&held_, beside);
+BlockedSignals::BlockedSignals(int beside) : beside_(beside) {
+  ::sigemptyset(&blocked_);
+  if (beside != 0) ::sigaddset(&blocked_, beside);
   ::pthread_sigmask(SIG_SETMASK, nullptr, &before_);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action = {};
     ::sigaction(signal, nullptr, &action);
-    if (action.sa_handler == SIG_DFL && ::sigismember(&before_, signal) == 0) ::sigaddset(&held_, signal);
+    if (action.sa_handler == SIG_DFL && ::sigismember(&before_, signal) == 0) ::sigaddset(&blocked_, signal);
   }
-  ::pthread_sigmask(SIG_BLOCK, &held_, nullptr);
+  ::pthread_sigmask(SIG_BLOCK, &blocked_, nullptr);
 }
 
-int HeldSignals::wait(std::chrono::nanoseconds longest) const {
+int BlockedSignals::wait(std::chrono::nanoseconds longest) const {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(longest);
   const timespec pause{seconds.count(), (longest - seconds).count()};
-  const int signal = ::sigtimedwait(&held_, nullptr, &pause);
+  const int signal = ::sigtimedwait(&blocked_, nullptr, &pause);
   return signal > 0 && signal != beside_ ? signal : 0;
 }
 
-int HeldSignals::taken() {
+int BlockedSignals::taken() {
   const auto now = std::chrono::steady_clock::now();
   if (signal_ != 0 || now < next_look_.load()) return signal_;
   next_look_ = now + kBetweenLooks;

@@ -9,13 +9,13 @@ namespace mbgen {
 
 /// Blocks SIGINT, SIGTERM and SIGHUP in its thread and in threads started from it, for its lifetime, except signals
 /// that are already ignored, handled or blocked. A pending signal acts at the end.
-class HeldSignals {
+class BlockedSignals {
  public:
   /// beside: another signal to block, for `wait`.
-  explicit HeldSignals(int beside = 0);
-  HeldSignals(const HeldSignals&) = delete;
-  HeldSignals& operator=(const HeldSignals&) = delete;
-  ~HeldSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  explicit BlockedSignals(int beside = 0);
+  BlockedSignals(const BlockedSignals&) = delete;
+  BlockedSignals& operator=(const BlockedSignals&) = delete;
+  ~BlockedSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 
   /// Waits for a blocked signal. Result: the termination signal; 0 for `beside`, or after the longest time.
   int wait(std::chrono::nanoseconds longest) const;
@@ -26,7 +26,7 @@ class HeldSignals {
 
  private:
   int beside_;
-  sigset_t held_ = {}, before_ = {};
+  sigset_t blocked_ = {}, before_ = {};
   std::atomic<int> signal_{0};
   std::atomic<std::chrono::steady_clock::time_point> next_look_{};
 };

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "compiler/formulation/scribe.hpp"
+#include "compiler/formulation/annotator.hpp"
 #include "compiler/program/program.hpp"
 
 namespace mbgen {
@@ -15,7 +15,7 @@ inline bool is_zero(const Expr& value) { return value.is_constant() && value.con
 inline double known_size(const Expr& value) { return value.is_constant() ? std::abs(value.constant()) : 0.0; }
 
 template <>
-struct Scribe<Expr> {
+struct Annotator<Expr> {
   ProgramBuilder& builder;
   /// Goes back to the origin before.
   class Scope {
