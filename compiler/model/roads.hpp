@@ -78,7 +78,7 @@ struct RoadGrid {
   int line = 0;
   int heights = 0;  ///< m, section by section, right to left
   int columns = 0;  ///< v of each column, m
-  /// column to the right of the begin of each cell, from the first column's v on; no cell is wider than a column
+  /// column to the right of the start of each cell, from the first column's v on; no cell is wider than a column
   int column_cells = 0, column_cell_count = 0;
   double column_cell = 1;  ///< m
   /// section near the middle of each cell of the plane, row by row along x

@@ -49,7 +49,7 @@ void add_column_cells(const CrgRoad& road, std::vector<double>& samples, RoadGri
   std::size_t column = 0;
   for (int k = 0; k < grid.column_cell_count; ++k) {
     const double begin = road.v.front() + grid.column_cell * k;
-    // A border within rounding of the begin counts as after it: the comparison that follows is decisive.
+    // A border within rounding of the start counts as after it: the comparison that follows is decisive.
     while (column + 2 < road.v.size() && road.v[column + 1] <= begin - 1e-9 * width) ++column;
     cells.push_back(static_cast<double>(column));
   }

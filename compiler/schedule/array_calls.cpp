@@ -184,7 +184,7 @@ Groups find_groups(const Program& program, Range range, Levels& levels) {
   }
 }
 
-/// New order of a range; it keeps the begin that already contains calls.
+/// New order of a range; the first part, which already contains calls, stays.
 class NewOrder {
  public:
   NewOrder(const Program& program, const std::vector<int>& widths, Range range, ArrayCalls& result)

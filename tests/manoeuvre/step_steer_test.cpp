@@ -17,7 +17,7 @@ struct StepResponse {
   double at(double t) const {
     return t < 0 ? 0 : steady + std::exp(-sigma * t) * (s * std::sin(w * t) - steady * std::cos(w * t));
   }
-  /// Integral from the begin.
+  /// Integral from the start.
   double integral(double t) const {
     if (t < 0) return 0;
     const double square = sigma * sigma + w * w;

@@ -32,14 +32,14 @@ RigInputs scaled(double factor, RigInputs inputs) {
   return inputs;
 }
 
-/// Inputs of a point of a curve; for an axle with one wheel the other has none.
+/// Inputs of a point of a curve; a missing wheel has none.
 RigInputs imposed_at(const Rig& rig, Sweep::Kind kind, double value) {
   if (kind == Sweep::Kind::steering) return scaled(value, kSteering);
   if (kind == Sweep::Kind::parallel_travel || !is_real(rig, 0) || !is_real(rig, 1)) return scaled(value, kParallel);
   return scaled(value, kOpposite);
 }
 
-/// A point under load: forces and their arms turn with the wheels, so that direction and balance are found alternately.
+/// A point under load. Forces and their arms turn with the wheels: directions and balance are found in turns.
 Status find_loaded_point(const Rig& rig, Load load, double value, const RigPoint& near, RigPoint& point) {
   constexpr double kTurnsNoMore = 1e-12;
   constexpr int kMostTurns = 50;

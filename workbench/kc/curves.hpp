@@ -36,7 +36,7 @@ struct PointOfCurve {
 struct CurvePoints {
   std::vector<PointOfCurve> points;
   std::string note;
-  bool is_stopped = false;  ///< by who watched it: points are missing
+  bool is_stopped = false;  ///< by its watcher, before the last point
 };
 
 /// The point with zero inputs; the rig gets partitions that are well-conditioned there. Fails: with one problem if
@@ -67,7 +67,7 @@ std::vector<KcFigure> figures(const Rig& rig, const PointOfCurve& start, bool is
 /// Effect of a unit load at both wheels, or at the only one.
 RigInputs both_loads(const AxleState& axle, const Rig& rig, Load load);
 
-/// Whether a wheel is on the rig itself, and no mirror.
+/// Whether a wheel is on the rig; the other one of a lone wheel is a mirror image.
 inline bool is_real(const Rig& rig, int which) { return rig.wheels[static_cast<std::size_t>(which)].centre >= 0; }
 
 /// Shares of anti-dive, anti-lift and anti-squat at a point, named by the axle's end; none if the axle lacks the

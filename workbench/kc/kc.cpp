@@ -28,7 +28,7 @@ double place_of(const Model& model, const Axle& axle) {
   return sum / count;
 }
 
-/// The axle with the wheelbase of the model, if it has none and the model has one axle at the other end.
+/// The axle; one without a wheelbase gets the distance to the only axle at the other end of the model.
 Axle with_wheelbase(const Model& model, Axle axle) {
   const auto is_opposite = [&](const Axle& other) { return other.end != axle.end && other.body == axle.body; };
   if (axle.wheelbase || std::count_if(model.axles.begin(), model.axles.end(), is_opposite) != 1) return axle;

@@ -26,7 +26,7 @@ struct KcReport {
   std::string model, axle;
   std::vector<KcFigure> figures;
   std::vector<KcTable> tables;
-  std::vector<std::string> notes;  ///< curves that end early, and curves that are not there
+  std::vector<std::string> notes;  ///< early ends of curves, and missing curves
 };
 
 /// The figures for people: angles in degrees, small lengths in mm.

@@ -51,9 +51,9 @@ struct RigElement {
 struct Rig {
   Axle axle;
   Compilation compilation;
-  std::array<RigWheel, 2> wheels;  ///< left, right; without a centre where there is none
+  std::array<RigWheel, 2> wheels;  ///< left, right; a missing wheel has no centre
   std::vector<RigElement> elements;
-  std::array<int, kRigInputs> inputs{};  ///< index into the model's inputs, -1: not there
+  std::array<int, kRigInputs> inputs{};  ///< index into the model's inputs, -1: none
   std::string steer_unit;                ///< of the steering coordinate; "" without one
   GenericState start;
   std::vector<double> start_inputs;
@@ -65,7 +65,7 @@ Diagnostic problem_of(const Model& model, const Axle& axle, const std::string& m
 /// Wheels on pads, and the drives of the pads.
 struct Pads {
   std::set<int> hanging = {};  ///< tyres of other axles that hang free, the others stand on pads of their own
-  bool are_driven = true;      ///< pads of the axle are driven, or else go where its wheels go
+  bool are_driven = true;      ///< pads of the axle are driven, else they follow its wheels
 };
 
 /// The rig at a state of the user's model, at these values of its inputs; without programs. Fails: with one problem if

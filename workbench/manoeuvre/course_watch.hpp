@@ -27,7 +27,7 @@ struct CourseWatch {
 };
 
 /// Angle of the foremost wheels minus the angle of the rearmost, over the angle at the steering input, at a start;
-/// positive to the left. None if the input moves no wheels: it is then no angle, or the wheels are steered by a force.
+/// positive to the left. None if the input moves no wheels: it is not an angle, or a force steers the wheels.
 std::optional<double> steering_slope(const Compilation& compilation, const GenericState& start,
                                      const std::vector<double>& inputs);
 

@@ -6,7 +6,7 @@
 
 namespace mbgen {
 
-/// Metrics of a completed manoeuvre; none for events. start: position at the begin.
+/// Metrics of a completed manoeuvre; none for events. start: the first position.
 VehicleMetrics metrics_of(const Manoeuvre& manoeuvre, const Plan& plan, const VehicleFacts& facts,
                           const Vehicle& vehicle, const PlaneMotion& start, const VehicleSeries& series);
 

@@ -62,7 +62,7 @@ VehicleMetrics sine_sweep_metrics(const VehicleSeries& series, const SineSweep& 
 /// Slow sine steering about straight ahead, ISO 13674-1.
 struct Weave {
   double frequency = 0.2;  ///< Hz
-  double settled = 0;      ///< s, begin of the whole cycles; 0: after the first cycle
+  double settled = 0;      ///< s, start of the whole cycles; 0: after the first cycle
 };
 VehicleMetrics weave_metrics(const VehicleSeries& series, const Weave& weave);
 
@@ -97,7 +97,7 @@ VehicleMetrics braking_metrics(const VehicleSeries& series, const Braking& braki
 
 /// Ride over a road, ISO 2631-1.
 struct Ride {
-  double begin = 0;  ///< s: begin of the evaluated time
+  double begin = 0;  ///< s: start of the evaluated time
 };
 VehicleMetrics ride_metrics(const VehicleSeries& series, const Ride& ride);
 

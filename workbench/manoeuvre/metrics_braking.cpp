@@ -18,7 +18,7 @@ constexpr double kStandstill = 0.25;  ///< m/s: below it the remaining distance 
 
 /// Speed along the path and distance travelled, per point.
 struct Way {
-  Values t = {}, speed = {}, length = {};  ///< from the begin of braking on
+  Values t = {}, speed = {}, length = {};  ///< from the start of braking on
   std::size_t first = 0;
 };
 
@@ -73,9 +73,9 @@ void add_decelerations(VehicleMetrics& metrics, const Way& way) {
     return;
   }
   const double distance = end.length + slow * slow / (2 * developed);
-  add(metrics, "stopping_distance", distance, "m", "way from the begin of braking to standstill");
+  add(metrics, "stopping_distance", distance, "m", "distance from the start of braking to standstill");
   add(metrics, "stopping_time", end.time + slow / developed - way.t.front(), "s",
-      "from the begin of braking to standstill");
+      "from the start of braking to standstill");
   add(metrics, "mean_deceleration", begin * begin / (2 * distance), "m/s^2", "that gives the stopping distance");
 }
 
@@ -86,7 +86,7 @@ void add_deviations(VehicleMetrics& metrics, const VehicleSeries& s, std::size_t
     across.push_back(-k * (s.x[i] - s.x[first]) + c * (s.y[i] - s.y[first]));
     turn.push_back(s.heading[i] - s.heading[first]);
   }
-  add(metrics, "largest_lateral_deviation", largest(across), "m", "of the reference point from its line at the begin");
+  add(metrics, "largest_lateral_deviation", largest(across), "m", "of the reference point from its initial line");
   add(metrics, "lateral_deviation", across.back(), "m", "at the end, to the left");
   add(metrics, "heading_change", turn.back(), "rad", "at the end, to the left");
   add(metrics, "largest_yaw_rate", largest(s.yaw_rate, {first, s.t.size()}), "rad/s", "either side, while braking");

@@ -27,7 +27,7 @@ At ahead(double x, double y, double heading, double along) {
   return {x + along * std::cos(heading), y + along * std::sin(heading)};
 }
 
-/// Offset of the rearmost axle's middle to the left of the foremost axle's path, at each point; NaN before the begin of
+/// Offset of the rearmost axle's middle to the left of the foremost axle's path, at each point; NaN before the start of
 /// that path.
 Values offtracking(const VehicleSeries& s, const Towing& towing) {
   std::vector<At> path;

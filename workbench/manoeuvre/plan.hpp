@@ -15,8 +15,8 @@ namespace mbgen {
 /// Torques from an instant on.
 struct TorquePhase {
   double at = 0, over = 0;      ///< s: the torques change over some seconds
-  bool holds_speed = false;     ///< the controller says them
-  double drive = 0, brake = 0;  ///< N m, where it does not
+  bool holds_speed = false;     ///< by the speed controller
+  double drive = 0, brake = 0;  ///< N m, without the controller
 };
 
 /// Change of an input of the model to a value.
@@ -37,8 +37,8 @@ struct Plan {
   std::vector<LaneSection> sections;   ///< in the frame of the start
   double duration = 0;                 ///< s, at the longest
   const char* length_of = "duration";  ///< field of the file that sets this duration
-  double begin = 0;                    ///< s, begin of the evaluated time
-  std::optional<double> free_way;      ///< m of the path from which on the gear is free
+  double begin = 0;                    ///< s, start of the evaluated time
+  std::optional<double> free_way;      ///< m of the path, after which the gear is in neutral
   // Conditions of an earlier end.
   double last_way = std::numeric_limits<double>::infinity();                      ///< m of the path
   double last_speed = -1;                                                         ///< m/s, below which it is over

@@ -23,7 +23,7 @@ namespace {
 using StateKind = LinearState::Kind;
 
 constexpr double kMoves = 1e-9;         // rad/s or m/s: threshold of a moving coordinate
-constexpr int kMostVain = 8;            // steps that lower nothing
+constexpr int kMostVain = 8;            // steps without a smaller residual
 constexpr double kShortest = 1.0 / 64;  // of a step
 constexpr double kFlat = 1e-9;          // of the largest derivative: threshold of zero
 constexpr double kComesToRest = 0.05;   // of the initial speed: below it the search has reached standstill

@@ -11,13 +11,13 @@ namespace mbgen {
 /// Request for a steady motion.
 struct SteadyRequest {
   /// coordinate=rate; none: the first translation that moves at the start, if inputs are solved for; without such
-  /// inputs no rate is held, and the rates follow from the balance of drive and drag
+  /// inputs no rate is prescribed, and the rates follow from the balance of drive and drag
   std::vector<std::string> hold;
   std::vector<std::string> solve;  ///< unknown inputs: a drive, a steering angle
 };
 
 /// A motion without accelerations of the independent coordinates and with constant auxiliary states. Coordinates that
-/// move in `start`, or that are held, have constant rates; held rates are prescribed; all others are zero. If a
+/// move in `start` have constant rates, some of which are prescribed; the rates of all others are zero. If a
 /// coordinate rotates about an axis and is supported by translations only, as a vehicle's yaw angle, the translations
 /// across this axis rotate with it, and have the centripetal acceleration.
 struct SteadyMotion {
@@ -38,7 +38,7 @@ void mark_places(const SteadyMotion& motion, std::vector<Mode>& list);
 /// accelerates, or the friction beyond its limit.
 SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyRequest& request);
 
-/// A note if the held values leave several motions possible; none else.
+/// A note if several motions have the prescribed rates; none otherwise.
 std::string free_directions_note(const Compilation& compilation, const SteadyMotion& steady);
 
 /// Rates of a steady motion, and the inputs found, as text.

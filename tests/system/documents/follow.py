@@ -11,7 +11,7 @@ These blocks count:
     ```console exit=1         the same where the last command ends so
 
 Nothing under a command: what it prints is not compared. "..." on a line of its own stands for any lines, within a
-line for any text. The line <!-- in the tree of sources --> in a document gives it links to what --sources holds.
+line for any text. The line <!-- in the source tree --> in a document gives it links to what --sources holds.
 --update writes what was printed into the document in place of what differs, but not where there is "...".
 """
 
@@ -23,7 +23,7 @@ import subprocess
 import sys
 import tempfile
 
-IN_SOURCES = "<!-- in the tree of sources -->"
+IN_SOURCES = "<!-- in the source tree -->"
 ANY_LINES, ANY_TEXT = "...", re.escape("...")
 
 
