@@ -132,4 +132,33 @@ Phrase operation_phrase(Scalar scalar, Op wanted, const Phrase& first, const Phr
   return {text + ")", Binding::primary};
 }
 
+Phrase phrase_for_people(Scalar scalar, Op op, Phrase first, Phrase second, const Phrase& third) {
+  const auto has_sign = [](const Phrase& phrase) {
+    return phrase.text.front() == '-' && (phrase.binding == Binding::product || phrase.binding == Binding::sign);
+  };
+  const auto change_sign = [&](Phrase& phrase) {
+    if (has_sign(phrase)) {
+      phrase = {phrase.text.substr(1), phrase.binding == Binding::sign ? Binding::primary : Binding::product};
+    } else {
+      const bool is_product = phrase.binding == Binding::product;
+      phrase = {"-" + operand(phrase, Binding::product), is_product ? Binding::product : Binding::sign};
+    }
+  };
+  if (op == Op::multiply && has_sign(second)) {
+    change_sign(second);
+    change_sign(first);
+  }
+  const bool is_sum = op == Op::add || op == Op::subtract;
+  if (is_sum && has_sign(second)) {
+    change_sign(second);
+    op = op == Op::add ? Op::subtract : Op::add;
+  }
+  if (op == Op::add && has_sign(first)) {
+    change_sign(first);
+    std::swap(first, second);
+    op = Op::subtract;
+  }
+  return operation_phrase(scalar, op, first, second, third);
+}
+
 }  // namespace mbgen

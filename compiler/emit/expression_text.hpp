@@ -23,4 +23,7 @@ Phrase constant_phrase(const std::string& text);
 /// kept: a + (b + c) remains, since floating-point sums are not associative. Vectors use functions of mbgen/lanes.hpp.
 Phrase operation_phrase(Scalar scalar, Op op, const Phrase& first, const Phrase& second, const Phrase& third);
 
+/// The same for people, with one sign a term: a - (-b*c) as a + b*c, -a*b + c as c - a*b, a*(-b) as -a*b. Equal bits.
+Phrase phrase_for_people(Scalar scalar, Op op, Phrase first, Phrase second, const Phrase& third);
+
 }  // namespace mbgen

@@ -72,6 +72,8 @@ void Headings::write_before(std::size_t i, bool has_owner, PartText& part) {
   std::string title = titles_.owner(node.owner);
   if (node.mirrored != Owner{} && node.mirrored != node.owner)
     title += "; and likewise " + titles_.owner(node.mirrored);
+  // People would read on under the heading of the part before.
+  if (title.empty() && owner_ && schedule_.ordered == ValueOrder::reading) title = "of no single part";
   if (!title.empty()) add_comment(part, comment_text(title));
   owner_ = owners;
 }

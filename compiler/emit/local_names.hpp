@@ -18,12 +18,17 @@ namespace mbgen {
 class LocalNames : public UniqueNames {
  public:
   explicit LocalNames(const Program& program) : program_(program) {}
-  /// Name by the label of the value, or by the number of its step and a number in it: s3_12.
+  /// From now on a value without a label that one other value alone needs is named as a part of that: Fz_tyre_part_2.
+  /// results: per value the name of the result that it is, or "".
+  void name_parts(const std::vector<std::string>& results);
+  /// Name by the label of the value, else as a part, else by the number of its step and a number in it: s3_12.
   std::string of_value(ValueId value);
 
  private:
   const Program& program_;
-  std::map<int, int> leftovers_;  ///< numbers given so far, by step
+  std::vector<std::string> whole_;    ///< per value: the name of the value that it is a part of, or ""
+  std::map<std::string, int> parts_;  ///< numbers given so far, by name of the whole
+  std::map<int, int> leftovers_;      ///< likewise, by step
 };
 
 /// Identifiers of named constants, one table for all programs of a file.
@@ -50,6 +55,11 @@ class ConstantNames {
   };
   /// Number of the entry of a program's constant; its operands have entries too.
   std::int32_t entry_of(const Program& program, std::int32_t label);
+  /// Name of an anonymous fold by its operation: half_m_arm, mp_arm_x, sum_of_m_a_and_m_b; by its kind where that is
+  /// long.
+  std::string name_of_fold(const Entry& entry) const;
+  /// The operand of a fold by name, "" for a number without one.
+  std::string name_of_operand(const Entry& entry, int k) const;
   /// Writes the declaration of an entry after those of its operands.
   void declare(Entry& entry, Scalar scalar, std::string& text);
   /// The operation of a fold, anonymous operands within it.
@@ -60,7 +70,6 @@ class ConstantNames {
 
   using FoldKey = std::tuple<Op, double, double, std::int32_t, std::int32_t>;
   std::vector<Entry> entries_;
-  int numbers_ = 0;  ///< anonymous folds with a number for a name
   std::map<std::pair<std::string, double>, std::int32_t> index_;
   std::map<FoldKey, std::int32_t> fold_index_;
   UniqueNames names_;

@@ -136,4 +136,19 @@ std::string wrapped_words(const std::string& words, const std::string& margin) {
   return result + line;
 }
 
+std::string word_of_member(const std::string& member) {
+  std::string word;
+  for (std::size_t i = 0; i < member.size(); ++i) {
+    if (member[i] == ']') continue;
+    if (member[i] != '[') {
+      word += member[i] == '.' ? '_' : member[i];
+      continue;
+    }
+    const std::size_t end = member.find(']', i), scope = member.rfind("::", end);
+    if (scope != std::string::npos && scope > i) i = scope + 1;
+    word += '_';
+  }
+  return word;
+}
+
 }  // namespace mbgen

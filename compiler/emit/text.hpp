@@ -10,6 +10,9 @@
 
 namespace mbgen {
 
+/// A member as one word: "zdd_crank_pin" of "zdd[Coordinate::crank_pin]".
+std::string word_of_member(const std::string& member);
+
 /// Width of emitted lines.
 constexpr std::size_t kLineWidth = 100;
 

@@ -51,6 +51,7 @@ ValueTexts::ValueTexts(const Program& program, const Schedule& schedule, const P
       tables_(names_) {
   for (const OutputValue& output : program.outputs) outputs_[output.value].push_back(output.slot);
   reserve_names();
+  if (shape.order == ValueOrder::reading) names_.name_parts(result_names());
   declare_crossing();
   name_calls();
 }
@@ -68,6 +69,15 @@ void ValueTexts::reserve_names() {
   }
   for (const char* name : {"result", "fma", "fms", "fnma", mbgen::name_of(Scalar::pairs)}) names_.reserve(name);
   if (schedule_.has_loops()) names_.reserve("k");
+}
+
+std::vector<std::string> ValueTexts::result_names() const {
+  std::vector<std::string> names(program_.nodes.size());
+  for (const OutputValue& output : program_.outputs) {
+    const std::string& text = place_of(shape_.outputs, output.slot).texts[static_cast<std::size_t>(output.slot.index)];
+    names[output.value] = word_of_member(text.substr(text.find('.') + 1));
+  }
+  return names;
 }
 
 CrossingStruct& ValueTexts::add_crossing() {
@@ -208,6 +218,8 @@ Phrase ValueTexts::compose(const ScheduledUnit& unit, ValueId v, PartText& part)
   Phrase operands[3];
   for (int k = 0; k < arity(node.op); ++k)
     operands[k] = phrase_of(unit, schedule_.operands_of(unit, facts(v).offset, k), part);
+  if (shape_.order == ValueOrder::reading)
+    return phrase_for_people(scalar_of(v), node.op, operands[0], operands[1], operands[2]);
   return operation_phrase(scalar_of(v), node.op, operands[0], operands[1], operands[2]);
 }
 

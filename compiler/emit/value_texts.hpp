@@ -72,6 +72,8 @@ class ValueTexts {
 
  private:
   void reserve_names();
+  /// Per value the name of the result that it is, as a word; "" for none.
+  std::vector<std::string> result_names() const;
   /// Names the results of calls for many arguments: in a struct if another part needs one of them.
   void name_calls();
   /// Adds a struct of values that cross parts.

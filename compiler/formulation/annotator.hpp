@@ -60,6 +60,11 @@ template <class Annotator, class Index>
 [[nodiscard]] auto within_block(Annotator& annotator, Index index) {
   return annotator.within(OwnerKind::loop_block, static_cast<std::size_t>(index));
 }
+/// The same of a loop block, in programs for reading.
+template <class Annotator, class Index>
+[[nodiscard]] auto detail_within_block(Annotator& annotator, Index index) {
+  return annotator.detail_within(OwnerKind::loop_block, static_cast<std::size_t>(index));
+}
 
 /// Index of an item of a list.
 template <class Item>

@@ -3,6 +3,7 @@
 // right-hand side. A row is a residual in m or 1; its Jacobian is the wrench of a unit multiplier on the joint columns,
 // so a multiplier is N or N m.
 
+#include "compiler/formulation/column_names.hpp"
 #include "compiler/formulation/coupling.hpp"
 #include "compiler/formulation/motion.hpp"
 #include "compiler/formulation/rolling.hpp"
@@ -225,15 +226,16 @@ auto joint_rows(ClosureKind kind, const End<T>& from, const End<T>& to, const Ma
   return rows;
 }
 
-/// Names a closure's row in programs for reading: J, bias and residual. joints: of the columns.
+/// Names a closure's row in programs for reading: J, bias and residual. by_length: the row is multiplied by the length
+/// of its rod.
 template <class T>
-void detail_row(const System<T>& system, const Loop& loop, const std::vector<int>& joints, int number,
-                const SparseRow<T>& row, const T& acceleration, const T& residual) {
+void detail_row(const System<T>& system, const Loop& loop, const ColumnNames& column, int number,
+                const SparseRow<T>& row, const T& acceleration, const T& residual, bool by_length) {
   if (!system.annotator.has_details()) return;
   const std::string name = loop.equations > 1 ? loop.name + "_" + std::to_string(number) : loop.name;
   for (std::size_t i = 0; i < row.columns.size(); ++i)
-    system.annotator.detail(row.values[i], "J_", name, "_", system.topology.bodies[joints[row.columns[i]]].coordinate);
-  system.annotator.detail(acceleration, "bias_", name);
+    system.annotator.detail(row.values[i], by_length ? "Jl_" : "J_", name, "_", column(row.columns[i]));
+  system.annotator.detail(acceleration, by_length ? "biasl_" : "bias_", name);
   system.annotator.detail(residual, "Phi_", name);
 }
 

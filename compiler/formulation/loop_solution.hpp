@@ -6,6 +6,7 @@
 #include <string>
 
 #include "compiler/formulation/closure.hpp"
+#include "compiler/formulation/column_names.hpp"
 #include "compiler/formulation/loop_partition.hpp"
 
 namespace mbgen {
@@ -139,22 +140,21 @@ FrozenFactors<T> factorise_frozen(const std::vector<SparseRow<T>>& jacobian, con
   return f;
 }
 
-/// Names the reciprocal references of pivots in programs for reading. joints: of the block.
+/// Names the reciprocal references of pivots in programs for reading. column: of the block.
 template <class T>
-auto scale_names(const System<T>& system, const std::vector<int>& joints, const LoopPartition& partition) {
-  return [&](std::size_t k, T scale) {
+auto scale_names(const System<T>& system, const ColumnNames& column, const LoopPartition& partition) {
+  return [&, column](std::size_t k, T scale) {
     system.annotator.bound(scale, "1 over the median size of this pivot in the sampled positions", "per_reference_",
-                           system.topology.bodies[joints[partition.pivots[k].coordinate]].coordinate);
+                           column(partition.pivots[k].coordinate));
     return scale;
   };
 }
 
 /// Names the factors of a block in programs for reading: after the coordinates of their pivots and of their columns.
 template <class T>
-void detail_factors(const System<T>& system, const LoopBlock& block, const LoopPartition& partition,
+void detail_factors(const System<T>& system, const ColumnNames& column, const LoopPartition& partition,
                     const FrozenFactors<T>& factors) {
   if (!system.annotator.has_details()) return;
-  const auto column = [&](int c) -> const std::string& { return system.topology.bodies[block.joints[c]].coordinate; };
   const auto pivot = [&](std::size_t k) -> const std::string& { return column(partition.pivots[k].coordinate); };
   for (std::size_t k = 0; k < factors.pivot.size(); ++k) {
     const SparseRow<T>&row = factors.rows[k], &lower = factors.lower[k];
@@ -166,29 +166,27 @@ void detail_factors(const System<T>& system, const LoopBlock& block, const LoopP
   }
 }
 
-/// Names the pivots of a block after their coordinates.
+/// Names the pivots of a block after their columns.
 template <class T>
-void name_pivots(const System<T>& system, const LoopBlock& block, const LoopPartition& partition,
+void name_pivots(const System<T>& system, const ColumnNames& column, const LoopPartition& partition,
                  const FrozenFactors<T>& factors) {
-  detail_factors(system, block, partition, factors);
+  detail_factors(system, column, partition, factors);
   for (std::size_t k = 0; k < factors.pivot.size(); ++k)
-    system.annotator.name(factors.pivot[k], "pivot_",
-                          system.topology.bodies[block.joints[partition.pivots[k].coordinate]].coordinate);
+    system.annotator.name(factors.pivot[k], "pivot_", column(partition.pivots[k].coordinate));
 }
 
-/// Names Rz of a block (61) after its coordinates and the free directions. joints: of the rows.
+/// Names Rz of a block (61) after its rows and the free directions.
 template <class T>
-void name_rz(const System<T>& system, const std::vector<int>& joints, const std::vector<std::vector<T>>& rz) {
+void name_rz(const System<T>& system, const ColumnNames& row, const std::vector<std::vector<T>>& rz) {
   for (std::size_t c = 0; c < rz.size(); ++c)
     for (std::size_t q = 0; q < rz[c].size(); ++q)
-      system.annotator.name(rz[c][q], "Rz_", system.topology.bodies[joints[c]].coordinate, "_", std::to_string(q));
+      system.annotator.name(rz[c][q], "Rz_", row(c), "_", std::to_string(q));
 }
 
-/// Names z* of a block (62) after its coordinates.
+/// Names z* of a block (62) after its columns.
 template <class T>
-void name_zdd_star(const System<T>& system, const std::vector<int>& joints, const std::vector<T>& zdd_star) {
-  for (std::size_t c = 0; c < zdd_star.size(); ++c)
-    system.annotator.name(zdd_star[c], "zdd_star_", system.topology.bodies[joints[c]].coordinate);
+void name_zdd_star(const System<T>& system, const ColumnNames& column, const std::vector<T>& zdd_star) {
+  for (std::size_t c = 0; c < zdd_star.size(); ++c) system.annotator.name(zdd_star[c], "zdd_star_", column(c));
 }
 
 /// Solves Phi_d x_d = right_hand_side (60) for the dependent coordinates; right_hand_side per equation of the block.

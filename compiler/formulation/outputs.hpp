@@ -177,6 +177,7 @@ Vector<T> first_moment(const System<T>& system, const Kinematics<T>& k) {
   for (int i = n - 1; i >= 0; --i) {
     if (!system.layout.bodies[i].own_frame) continue;
     const int base = place_in(system.layout.bodies[i].base);
+    system.annotator.detail(mass[i], "mc_", system.topology.bodies[i].name);
     mass[base] += mass[i];
     moment[base] = moment[base] + (mass[i] * k.position[i] + k.orientation[i] * moment[i]);
   }

@@ -68,7 +68,7 @@ std::vector<Expr> consistent_velocities(Tracing& tracing, const SparseClosure<Ex
     return solve_frozen(factors, partition, moved_over(closed.jacobian, still, given, zd), zd.size());
   }
   const auto rz = tracing.in(Step::projection, [&] { return frozen_rz(factors, partition, zd.size(), given); });
-  name_rz(tracing.system, tracing.system.topology.blocks[b].joints, rz);
+  name_rz(tracing.system, {tracing.system.topology, tracing.system.topology.blocks[b].joints}, rz);
   const std::size_t free = partition.independent.size();
   std::vector<Expr> velocity;
   for (std::size_t c = 0; c < zd.size(); ++c) {
@@ -101,7 +101,7 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
     const auto [closed, factors] = tracing.in(Step::jacobian, [&] {
       SparseClosure<Expr> rows = closures.at_rest(b);
       FrozenFactors<Expr> pivots = factorise_frozen(rows.jacobian, partition, block.joints.size());
-      name_pivots(system, block, partition, pivots);
+      name_pivots(system, {topology, block.joints}, partition, pivots);
       return std::pair(std::move(rows), std::move(pivots));
     });
     const auto step = tracing.annotator.step(Step::velocities);

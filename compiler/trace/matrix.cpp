@@ -32,7 +32,7 @@ void frozen_projections(Tracing& tracing, FrozenBlocks& blocks) {
     const auto heading = within_block(tracing.annotator, b);
     blocks.rz.push_back(
         frozen_rz(blocks.factors[b], tracing.analysis.blocks[b], system.topology.blocks[b].joints.size()));
-    name_rz(system, system.topology.blocks[b].joints, blocks.rz[b]);
+    name_rz(system, {system.topology, system.topology.blocks[b].joints}, blocks.rz[b]);
   }
 }
 
@@ -48,7 +48,7 @@ void frozen_bias(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& bloc
     const auto heading = within_block(tracing.annotator, b);
     blocks.zdd_star.push_back(frozen_zdd_star(blocks.factors[b], tracing.analysis.blocks[b], closed,
                                               tracing.driven_values(block, &Drive<Expr>::acceleration)));
-    name_zdd_star(system, block.joints, blocks.zdd_star[b]);
+    name_zdd_star(system, {system.topology, block.joints}, blocks.zdd_star[b]);
   }
 }
 

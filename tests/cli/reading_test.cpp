@@ -59,6 +59,17 @@ TEST_F(ReadingCommand, AnUnknownNameGetsTheNearest) {
             "--equation: the reading copy has no quantity \"pivot_copler\"\n  hint: did you mean \"pivot_coupler\"?\n");
 }
 
+TEST_F(ReadingCommand, WordsLeadToTheQuantitiesOfAPart) {
+  const Outcome found = mbgen("explain four_bar.json --equation 'composite inertia of the rocker'");
+  ASSERT_EQ(found.exit_code, 0) << found.err;
+  EXPECT_TRUE(found.out.starts_with("no quantity is named \"composite inertia of the rocker\"; ")) << found.out;
+  EXPECT_NE(found.out.find("_rocker"), std::string::npos) << found.out;
+  const Outcome unknown = mbgen("explain four_bar.json --equation 'price of gold'");
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_TRUE(unknown.err.starts_with("--equation: the reading copy has no quantity \"price of gold\"\n  hint: "))
+      << unknown.err;
+}
+
 TEST_F(ReadingCommand, TheFastSolverIsTheSameBesideIt) {
   ASSERT_EQ(mbgen("generate four_bar.json --no-runtime --out fast").exit_code, 0);
   ASSERT_EQ(mbgen("generate four_bar.json --reading --no-runtime --out reading").exit_code, 0);

@@ -121,6 +121,32 @@ TEST(EmittedExpressions, haveTheParenthesesTheyNeed) {
   EXPECT_EQ(on(Scalar::lanes, Op::sqrt), "mbgen::sqrt(a)");
 }
 
+// The reading copy has one sign a term; the values are the same to the bit.
+TEST(EmittedExpressions, haveOneSignATermForPeople) {
+  const auto text = [](Op op, const Phrase& x, const Phrase& y) {
+    return phrase_for_people(Scalar::doubles, op, x, y, {});
+  };
+  const Phrase p = constant_phrase("-p"), q = constant_phrase("-q"), a{"a"}, c{"c"};
+  const Phrase minus_pa = text(Op::multiply, p, a), minus_qc = text(Op::multiply, q, c);
+  EXPECT_EQ(minus_pa.text, "-p*a");
+  EXPECT_EQ(text(Op::multiply, a, p).text, "-a*p");
+  EXPECT_EQ(text(Op::multiply, p, q).text, "p*q");
+  EXPECT_EQ(text(Op::multiply, minus_pa, q).text, "p*a*q");
+  EXPECT_EQ(text(Op::multiply, text(Op::add, a, c), p).text, "-(a + c)*p");
+  EXPECT_EQ(text(Op::subtract, c, minus_pa).text, "c + p*a");
+  EXPECT_EQ(text(Op::add, c, minus_pa).text, "c - p*a");
+  EXPECT_EQ(text(Op::add, minus_pa, c).text, "c - p*a");
+  EXPECT_EQ(text(Op::subtract, minus_pa, minus_qc).text, "q*c - p*a");
+  EXPECT_EQ(text(Op::add, minus_pa, minus_qc).text, "-p*a - q*c");
+  EXPECT_EQ(text(Op::subtract, minus_pa, c).text, "-p*a - c");
+}
+
+TEST(EmittedNames, OfMembersAreWords) {
+  EXPECT_EQ(word_of_member("zdd[Coordinate::crank_pin]"), "zdd_crank_pin");
+  EXPECT_EQ(word_of_member("Jz[12]"), "Jz_12");
+  EXPECT_EQ(word_of_member("kinetic_energy"), "kinetic_energy");
+}
+
 TEST(EmittedExpressions, takeSignsOfOperandsIn) {
   const auto text = [](Op op, const Phrase& x, const Phrase& y, const Phrase& z = {}) {
     return operation_phrase(Scalar::doubles, op, x, y, z).text;

@@ -11,6 +11,7 @@
 #include "workbench/cli/compiled.hpp"
 #include "workbench/cli/options.hpp"
 #include "workbench/describe/equation.hpp"
+#include "workbench/describe/equation_words.hpp"
 #include "workbench/describe/explanation.hpp"
 #include "workbench/engines/engine_arguments.hpp"
 #include "workbench/host/assignments.hpp"
@@ -31,7 +32,8 @@ std::string equation_of(const ExplainOptions& options, Model model) {
       compiled(std::move(model), {.form = chosen_form(options.form), .spelling = Spelling::reading});
   const std::string file = solver_name(compilation.model) + ".cpp";
   for (const EmittedFile& emitted : emit(compilation, {.runtime_headers = false}))
-    if (emitted.path == file) return equation_text(file, emitted.text, options.equation);
+    if (emitted.path == file)
+      return equation_text(file, emitted.text, options.equation, part_words(compilation.model, compilation.topology));
   throw std::logic_error("a solver without " + file);
 }
 
@@ -59,9 +61,10 @@ void add_explain(NamedCommand application, int& exit_code) {
   add_set_option(command, options->set);
   add_form_option(command, options->form);
   command.add_option("--tyre", options->tyre, "print the law of this tyre instead: coefficients, stiffnesses, forces");
-  command.add_option("--equation", options->equation,
-                     "print instead where the reading copy (generate --reading) computes this quantity, or all "
-                     "quantities of this body, coordinate, loop or element");
+  command.add_option(
+      "--equation", options->equation,
+      "print instead where the reading copy (generate --reading) computes this quantity, or all "
+      "quantities of this body, coordinate, loop or element, or the quantities that fit words: \"roll bar moment\"");
   command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -3,92 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
 #include <set>
-#include <sstream>
 #include <string_view>
 
 #include "compiler/emit/quantity_names.hpp"
 #include "compiler/text/similar_words.hpp"
 #include "compiler/text/user_error.hpp"
+#include "workbench/describe/equation_lines.hpp"
+#include "workbench/describe/equation_words.hpp"
 
 namespace mbgen {
 namespace {
 
 /// Begins the name of a negative, which users take in place of the value.
 constexpr std::string_view kMinus = "minus_";
-
-/// A name of a member as one word: "zdd_crank_pin" of "zdd[Coordinate::crank_pin]".
-std::string as_word(std::string place) {
-  static const std::regex kIndex(R"(\[(?:\w+::)?(\w+)\])");
-  return std::regex_replace(place, kIndex, "_$1");
-}
-
-/// Reads the lines of a text one by one.
-class EquationReader {
- public:
-  void read(const std::string& line) {
-    ++number_;
-    if (line.starts_with("void compute_")) begin_program(line);
-    if (const std::size_t text = line.find_first_not_of(' '); text != std::string::npos && line[text] == '/')
-      read_comment(line.substr(text + 2));
-    else
-      read_code(line);
-  }
-
-  std::vector<EquationLine> lines;
-
- private:
-  void begin_program(const std::string& line) {
-    now_ = {};
-    now_.program = line.substr(5, line.find('(') - 5);
-  }
-
-  void read_comment(const std::string& words) {
-    if (now_.program.empty() || words.starts_with(" operations:")) return;
-    if (words.starts_with(" --- ")) {
-      now_.step = words.substr(5, words.rfind(" ---") - 5);
-      now_.part.clear();
-      return;
-    }
-    now_.part = is_in_comment_ ? now_.part + words : words.substr(1);
-    is_in_comment_ = true;
-  }
-
-  void read_code(const std::string& line) {
-    is_in_comment_ = false;
-    const std::size_t begin = line.find_first_not_of(' ');
-    if (begin == std::string::npos) return;
-    if (statement_.empty()) first_ = number_;
-    statement_ += (statement_.empty() ? "" : " ") + line.substr(begin);
-    if (line.find(';') == std::string::npos && !line.ends_with("{") && !line.ends_with("}")) return;
-    read_statement(statement_);
-    statement_.clear();
-  }
-
-  void read_statement(const std::string& statement) {
-    static const std::regex kValue(R"((?:const|constexpr) (?:double|float) (\w+) = .*)"),
-        kResult(R"(result\.(\S+) = .*)"), kAngle(R"(mbgen::sincos\(.*, (\w+), (\w+)\);)");
-    std::smatch match;
-    if (std::regex_match(statement, match, kValue)) add(match[1], statement);
-    if (std::regex_match(statement, match, kResult)) add(as_word(match[1]), statement);
-    if (std::regex_match(statement, match, kAngle))
-      for (const int k : {1, 2}) add(match[k], statement);
-  }
-
-  void add(const std::string& name, const std::string& statement) {
-    EquationLine line = now_;
-    line.name = name;
-    line.line = first_;
-    line.statement = statement;
-    lines.push_back(std::move(line));
-  }
-
-  EquationLine now_;
-  std::string statement_;
-  int number_ = 0, first_ = 0;
-  bool is_in_comment_ = false;
-};
 
 /// The place of a line: file and line, program, step, part.
 std::string place_text(const std::string& file, const EquationLine& line) {
@@ -133,6 +61,36 @@ std::string part_text(const std::string& file, const std::string& part, const st
 /// The rest of a name behind its kind: "carrier_left_zz" of "Ic_carrier_left_zz".
 std::string_view tail_of(std::string_view name) { return name.substr(std::min(name.find('_'), name.size())); }
 
+/// Changes from a query to the nearest name.
+int distance_to_nearest(const std::string& wanted, const std::vector<EquationLine>& all) {
+  int least = static_cast<int>(wanted.size());
+  for (const EquationLine& line : all) least = std::min(least, edit_distance(line.name, wanted));
+  return least;
+}
+
+/// The quantities that fit the words of a query, "" for a name that is typed wrong or a query without a known word.
+std::string fitting_text(const std::string& file, const std::string& wanted, const std::vector<EquationLine>& all,
+                         const PartWords& parts) {
+  constexpr std::size_t kMost = 16;
+  constexpr int kTyped = 2;  // changes that are taken for a slip of the keyboard
+  int words = 0;
+  const std::vector<FittingLine> fitting = fitting_lines(all, wanted, parts, words);
+  if (fitting.empty()) return "";
+  const int matched = fitting.front().matched;
+  if (matched < words && (2 * matched < words || distance_to_nearest(wanted, all) <= kTyped)) return "";
+  std::string text = fmt::format("no quantity is named \"{}\"; {} of its words fit:\n", wanted,
+                                 matched == words ? "all" : fmt::format("{} of {}", matched, words));
+  for (std::size_t i = 0; i < std::min(fitting.size(), kMost); ++i) {
+    const EquationLine& line = *fitting[i].line;
+    const bool is_negative = line.name.starts_with(kMinus);
+    const QuantityName kind = quantity_of(is_negative ? line.name.substr(kMinus.size()) : line.name);
+    text += fmt::format("  {:<32} {}:{}  {}{}{}\n", line.name, file, line.line, kind.words,
+                        kind.unit.empty() ? "" : ", ", kind.unit);
+  }
+  if (fitting.size() > kMost) text += fmt::format("  ... and {} more\n", fitting.size() - kMost);
+  return text;
+}
+
 /// "a", "b" or "c": the names with the fewest changes to a word. Another kind of the same part is near.
 std::string nearest(const std::string& wanted, const std::vector<EquationLine>& all) {
   constexpr std::size_t kMost = 3;
@@ -153,20 +111,15 @@ std::string nearest(const std::string& wanted, const std::vector<EquationLine>& 
 
 }  // namespace
 
-std::vector<EquationLine> equations_in(const std::string& text) {
-  EquationReader reader;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) reader.read(line);
-  return reader.lines;
-}
-
-std::string equation_text(const std::string& file, const std::string& text, const std::string& wanted) {
+std::string equation_text(const std::string& file, const std::string& text, const std::string& wanted,
+                          const std::map<std::string, std::string>& parts) {
   const std::vector<EquationLine> all = equations_in(text);
   std::vector<const EquationLine*> found;
   for (const EquationLine& line : all)
     if (line.name == wanted || line.name == std::string(kMinus) + wanted) found.push_back(&line);
   if (!found.empty()) return lines_text(file, found);
   if (std::string of_part = part_text(file, wanted, all); !of_part.empty()) return of_part;
+  if (std::string fitting = fitting_text(file, wanted, all, parts); !fitting.empty()) return fitting;
   throw UserError(fmt::format("--equation: the reading copy has no quantity \"{}\"\n  hint: did you mean {}?\n", wanted,
                               nearest(wanted, all)));
 }

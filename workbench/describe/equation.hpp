@@ -1,27 +1,16 @@
 #pragma once
-// Quantities in the reading copy of a solver: the line of each, with its program, its step and its part of the model.
+// Quantities in the reading copy of a solver by name, by part of the model and by words.
 
+#include <map>
 #include <string>
 #include <vector>
 
 namespace mbgen {
 
-/// A statement that defines a quantity.
-struct EquationLine {
-  std::string name;       ///< "Ic_carrier_left_zz"; of a result "zdd_crank_pin"
-  std::string program;    ///< "compute_accelerations"; "" for a number of the file
-  std::string step;       ///< "step 8: elimination from the leaves to the root (63)"; "" before the first one
-  std::string part;       ///< "carrier_left: pin_left, revolute, axle"; "" for none
-  int line = 0;           ///< in the file, from 1 on
-  std::string statement;  ///< in one line
-};
-
-/// Every quantity that the text of a reading copy defines, in its order.
-std::vector<EquationLine> equations_in(const std::string& text);
-
 /// The lines of a quantity with the meaning of its name; for the name of a body, coordinate, loop or element: its
-/// quantities. file: name of the text. Fails: UserError with the nearest name for a quantity that the text does not
-/// have.
-std::string equation_text(const std::string& file, const std::string& text, const std::string& wanted);
+/// quantities; for other words: the quantities that fit them. file: name of the text; parts: see part_words. Fails:
+/// UserError with the nearest name for a quantity that the text does not have.
+std::string equation_text(const std::string& file, const std::string& text, const std::string& wanted,
+                          const std::map<std::string, std::string>& parts = {});
 
 }  // namespace mbgen

@@ -95,7 +95,6 @@ void detail_bushing(const ForceWork<T>& work, const SixFreedoms<T>& at, const Bu
   detail_name(annotator, state.rotation, "rotation_", bushing);
   detail_name(annotator, Vector<T>{at.rate[0], at.rate[1], at.rate[2]}, "rate_", bushing);
   detail_name(annotator, Vector<T>{at.rate[3], at.rate[4], at.rate[5]}, "rate_", bushing, "_turn");
-  detail_name(annotator, state.force, "force_", bushing);
   detail_name(annotator, state.moment, "moment_", bushing);
   detail_name(annotator, at.seen.gap, "gap_", bushing);
   detail_name(annotator, at.seen.drift, "vgap_", bushing);
@@ -113,6 +112,10 @@ void apply(ForceWork<T>& work, const Bushing& bushing) {
   const BushingForces<T> law = bushing_law(work, bushing, at.position, at.rate, x.data() + next);
   for (const T& rate : law.extension_rates) work.forces.xd[next++] = rate;
   const bool turns = bushing_acts(bushing, 3) || bushing_acts(bushing, 4) || bushing_acts(bushing, 5);
+  // Before the actions on bodies, whose names would be first along the axes of a body.
+  const auto on_from = [&](int i) { return T(-1.0) * law.force[i]; };
+  if (work.system.annotator.has_details())
+    detail_name(work.system.annotator, Vector<T>{on_from(0), on_from(1), on_from(2)}, "force_", bushing.name);
   const auto [force, moment] = at.resist(work, law.force, turns);
   const auto& q = at.position;
   BushingState<T> state{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}, at.counted(-force, 0), at.counted(-moment, 3)};

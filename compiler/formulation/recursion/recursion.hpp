@@ -126,8 +126,7 @@ void watch_unit(const RecursionState<T>& s, std::size_t u, RecursiveSolution<T>&
 /// Names the pivot of a unit's free direction after the direction's joint.
 template <class T>
 void name_pivot(const RecursionState<T>& s, std::size_t u, std::size_t direction, int joint) {
-  s.system().annotator.name(s.equations[u].mass[direction][direction], "pivot_",
-                            s.system().topology.bodies[joint].coordinate);
+  s.system().annotator.name(s.equations[u].mass[direction][direction], "pivot_", s.work.name_of(joint));
 }
 
 /// Adds a unit's own inertia and applied forces to the shares that the units above have left on its bodies.
@@ -152,19 +151,22 @@ void project_block(RecursionState<T>& s, std::size_t u, const LoopPartition& par
   name_directions(s, unit, partition.independent, parts.directions);
   {
     const auto step = annotator.step(Step::jacobian, unit.block);
+    const auto heading = detail_within_block(annotator, unit.block);
     const SparseClosure<T> closed =
         quasi_closure(s.work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit));
     parts.factors = factorise_frozen(closed.jacobian, partition, unit.joints.size(),
-                                     scale_names(s.system(), unit.joints, partition));
-    name_pivots(s.system(), s.system().topology.blocks[unit.block], partition, parts.factors);
+                                     scale_names(s.system(), s.work.columns_of(unit), partition));
+    name_pivots(s.system(), s.work.columns_of(unit), partition, parts.factors);
     quality = parts.factors.quality;
   }
   {
     const auto step = annotator.step(Step::projection, unit.block);
+    const auto heading = detail_within_block(annotator, unit.block);
     parts.rz = frozen_rz(parts.factors, partition, unit.joints.size());
-    name_rz(s.system(), unit.joints, parts.rz);
+    name_rz(s.system(), s.work.columns_of(unit), parts.rz);
   }
   const auto step = annotator.step(Step::closure_bias, unit.block);
+  const auto heading = detail_within_block(annotator, unit.block);
   set_block_bias(s, u, partition);
 }
 
@@ -177,9 +179,11 @@ void project_block(RecursionState<T>& s, std::size_t u, const GroupProjection<T>
   name_directions(s, chosen.rz.front().size(), parts.directions);
   {
     const auto step = s.system().annotator.step(Step::projection, unit.block);
+    const auto heading = detail_within_block(s.system().annotator, unit.block);
     parts.rz = quasi_projection(s.work, unit, chosen.rz);
   }
   const auto step = s.system().annotator.step(Step::closure_bias, unit.block);
+  const auto heading = detail_within_block(s.system().annotator, unit.block);
   parts.bias = block_bias(s.work, unit, parts.velocity);
   parts.zdd_star = quasi_accelerations(s.work, unit, parts.velocity, chosen.zdd_star);
 }
@@ -199,6 +203,7 @@ void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
     add_own_parts(s, unit, forces);
   }
   const auto step = annotator.step(Step::reduced_system, unit.block);
+  const auto heading = detail_within_block(annotator, unit.block);
   eliminate_block(s, u);
   const LoopPartition* const frozen = std::get_if<LoopPartition>(&projection);
   if (frozen != nullptr && !unit.opened)
@@ -284,7 +289,7 @@ RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion&
     for (std::size_t i = 0; i < n; ++i) s.force[i] = s.force[i] + forces.joint[i];
     s.force = quasi_forces(work, s.force);
     for (std::size_t i = 0; i < n; ++i)
-      system.annotator.detail(s.force[i], "Q_", system.topology.bodies[i].coordinate, "_applied");
+      system.annotator.detail(s.force[i], "Q_", work.name_of(static_cast<int>(i)), "_applied");
   }
   detail::eliminate_units(s, forces, projections, solution);
   detail::solve_units(s, solution);

@@ -47,7 +47,8 @@ void set_constants(RecursionState<T>& s) {
   for (std::size_t i = 0; i < n; ++i) s.constant[i] = without_noise(s.constant[i], slid[i]);
   for (std::size_t i = 0; i < n; ++i) {
     const std::string& body = system.topology.bodies[i].name;
-    system.annotator.constant(s.constant[i].mass, "m_", body);
+    const bool is_own = !system.annotator.has_details() || known_size(s.constant[i].mass) == known_size(c.mass[i]);
+    system.annotator.constant(s.constant[i].mass, is_own ? "m_" : "mr_", body);
     name_constant(system.annotator, s.constant[i].moment, "h_", body);
     name_constant(system.annotator, s.constant[i].second, "K_", body);
     system.annotator.constant(s.constant[i].trace, "K_", body, "_trace");
@@ -119,7 +120,7 @@ void set_run_bias(RecursionState<T>& s, std::size_t u) {
       const Vector<T> axis = step.quasi() ? axes[c] : s.k().axis[step.joints[0]];
       run.directions.push_back(joint_column(step.revolute, axis, pin));
       detail_name(s.system().annotator, run.directions.back(), "v", "w", s.system().body_name(unit.end()), "_per_",
-                  s.system().topology.bodies[step.joints[c]].coordinate);
+                  s.work.name_of(step.joints[c]));
       run.columns.push_back(step.joints[c]);
     }
   }
@@ -136,7 +137,7 @@ void set_block_bias(RecursionState<T>& s, std::size_t u, const Partition& partit
   parts.bias = block_bias(s.work, unit, parts.velocity);
   const SparseClosure<T> closed = quasi_closure(s.work, unit, parts.velocity, parts.bias);
   parts.zdd_star = frozen_zdd_star(parts.factors, partition, closed, driven);
-  name_zdd_star(s.system(), unit.joints, parts.zdd_star);
+  name_zdd_star(s.system(), s.work.columns_of(unit), parts.zdd_star);
 }
 
 /// A vector over a block's columns as values by tree joint.

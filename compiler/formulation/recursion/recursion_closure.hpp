@@ -197,6 +197,8 @@ SparseClosure<T> near_closure(const RecursionWork<T>& work, const RecursionUnit&
                               const PerBody<Spatial<T>>& velocity, const PerBody<BodyAcceleration<T>>& bias,
                               Columns by) {
   SparseClosure<T> result;
+  const bool is_quasi = by == Columns::quasi;
+  const ColumnNames column_names = is_quasi ? work.columns_of(unit) : ColumnNames{work.system.topology, unit.joints};
   for (int l : work.system.topology.blocks[unit.block].loops) {
     const Loop& loop = work.system.topology.loops[l];
     if (loop.kind == ClosureKind::coupling) {
@@ -215,7 +217,8 @@ SparseClosure<T> near_closure(const RecursionWork<T>& work, const RecursionUnit&
             by == Columns::rates ? T(-1.0) : -detail::length_of(work.system, loop);
       SparseRow<T> entries;
       for (const auto& [column, value] : columns) entries.push_back(column, value);
-      detail::detail_row(work.system, loop, unit.joints, number, entries, row.acceleration, row.residual);
+      detail::detail_row(work.system, loop, column_names, number, entries, row.acceleration, row.residual,
+                         is_quasi && loop.kind == ClosureKind::rod);
       detail::detail_wrench(work.system, loop, number++, row);
       result.jacobian.push_back(std::move(entries));
       result.acceleration.push_back(-row.acceleration);

@@ -141,7 +141,7 @@ BlockMultipliers<T> block_multipliers(const RecursionWork<T>& work, const Recurs
   const std::vector<SparseRow<T>> jacobian =
       quasi_closure(work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit)).jacobian;
   const FrozenFactors<T> factors = factorise_frozen(jacobian, partition, unit.joints.size());
-  name_pivots(work.system, block, partition, factors);
+  name_pivots(work.system, work.columns_of(unit), partition, factors);
   result.quality = factors.quality;
   result.left = detail::forces_of_columns(work, unit, gathered, applied, result.quality);
   result.lambda = solve_frozen_transposed(factors, partition, result.left, jacobian.size());

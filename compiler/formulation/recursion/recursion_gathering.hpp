@@ -152,6 +152,7 @@ void gather_run(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equations
   needed = body.needed + turning_force(s, unit.end()) + inertia * run.bias;
   Annotator<T>& annotator = s.system().annotator;
   const std::string& name_of_end = s.system().body_name(unit.end());
+  annotator.detail(whole.mass, "mc_", name_of_end);
   detail_inertia(annotator, whole, "hc_", "Kc_", "Ic_", name_of_end);
   detail_articulated(annotator, inertia, name_of_end);
   detail_name(annotator, needed, "fc", "nc", name_of_end);
@@ -196,6 +197,7 @@ void gather_free(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equation
   transmitted = {push, turn + cross(pin, push)};
   const Spatial<T> available = transmitted - (body.needed + turning_force(s, unit.end()));
   const std::string& name_of_end = s.system().body_name(unit.end());
+  s.system().annotator.detail(whole.mass, "mc_", name_of_end);
   detail_inertia(s.system().annotator, whole, "hc_", "Kc_", "Ic_", name_of_end);
   detail_articulated(s.system().annotator, inertia, name_of_end);
   detail_name(s.system().annotator, available, "fc", "nc", name_of_end);
@@ -221,7 +223,7 @@ void hand_down(RecursionState<T>& s, std::size_t u, const ArticulatedInertia<T>&
   const Spatial<T> force = rotated(axes, needed) + left * Spatial<T>{s.runs[u].carried, {}};
   Annotator<T>& annotator = s.system().annotator;
   const std::string& name_of_end = s.system().body_name(unit.end());
-  detail_articulated(annotator, inertia, name_of_end, "_left");
+  detail_articulated(annotator, inertia, name_of_end, "_reduced");
   detail_articulated(annotator, left, name_of_end, "_down");
   detail_name(annotator, force, "f", "n", name_of_end, "_down");
   CompositeBody<T>& below = s.composite[unit.base];

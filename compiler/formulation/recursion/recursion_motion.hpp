@@ -1,6 +1,7 @@
 #pragma once
 // Motions of the recursive form: every body about its own origin; in loop blocks against the base, in its axes.
 
+#include "compiler/formulation/column_names.hpp"
 #include "compiler/formulation/motion.hpp"
 #include "compiler/formulation/recursion/recursion_units.hpp"
 
@@ -20,14 +21,19 @@ struct RecursionWork {
   System<T>& system;
   const Recursion& recursion;
   const Kinematics<T>& k;
-  std::vector<Vector<T>> offset;       ///< bodies of blocks: origin from the previous body's origin, base frame, m
-  std::vector<QuasiAxes<T>> quasi;     ///< per tree body that ends a quasi step
-  std::vector<const JointStep*> step;  ///< per tree body: the step that ends there, null inside a step
+  std::vector<Vector<T>> offset;        ///< bodies of blocks: origin from the previous body's origin, base frame, m
+  std::vector<QuasiAxes<T>> quasi;      ///< per tree body that ends a quasi step
+  std::vector<const JointStep*> step;   ///< per tree body: the step that ends there, null inside a step
+  std::vector<std::string> names = {};  ///< per tree joint, in programs for reading: of its (quasi-)velocity
 
   int parent(const JointStep& s) const { return system.topology.bodies[s.joints[0]].parent; }
   bool own(int body) const { return recursion.layout.bodies[body].own_frame; }
   /// Origin of a body in the frame that its input joint is seen from.
   const Vector<T>& origin(int body) const { return k.position[body]; }
+  const std::string& name_of(int joint) const {
+    return names.empty() ? system.topology.bodies[joint].coordinate : names[static_cast<std::size_t>(joint)];
+  }
+  ColumnNames columns_of(const RecursionUnit& unit) const { return {system.topology, unit.joints, &names}; }
 };
 
 template <class T>
@@ -60,6 +66,27 @@ void detail_quasi_axes(const System<T>& system, const JointStep& step, const Qua
   }
 }
 
+/// Names of the (quasi-)velocities per tree joint: coordinates, and for three joints that turn or move together the
+/// axes of the components, as carrier_left_about_x of carrier_left_rz, _rx and _ry.
+inline std::vector<std::string> velocity_names(const Topology& topology, const Recursion& recursion) {
+  std::vector<std::string> names;
+  for (const TreeBody& body : topology.bodies) names.push_back(body.coordinate);
+  const auto stem = [&](int joint) {
+    const std::string& name = topology.bodies[joint].coordinate;
+    return name.substr(0, name.size() < 3 ? 0 : name.size() - 3);
+  };
+  for (const RecursionUnit& unit : recursion.units)
+    for (const JointStep& step : unit.steps) {
+      if (!step.quasi()) continue;
+      const std::string first = stem(step.joints[0]);
+      const bool is_one_joint = first == stem(step.joints[1]) && first == stem(step.joints[2]);
+      const std::string& of = is_one_joint ? first : topology.bodies[step.body()].name;
+      for (std::size_t c = 0; c < 3; ++c)
+        names[static_cast<std::size_t>(step.joints[c])] = of + (step.revolute ? "_about_" : "_along_") + "xyz"[c];
+    }
+  return names;
+}
+
 template <class T>
 RecursionWork<T> recursion_work(System<T>& system, const Recursion& recursion, const Kinematics<T>& k) {
   const auto poses = system.annotator.step(Step::inertias);
@@ -68,6 +95,7 @@ RecursionWork<T> recursion_work(System<T>& system, const Recursion& recursion, c
   work.offset.resize(n);
   work.quasi.resize(n);
   work.step.resize(n, nullptr);
+  if (system.annotator.has_details()) work.names = velocity_names(system.topology, recursion);
   for (const RecursionUnit& unit : recursion.units)
     for (const JointStep& step : unit.steps) {
       const int body = step.body(), first = step.joints[0], p = work.parent(step);

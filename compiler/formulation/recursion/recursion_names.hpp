@@ -63,7 +63,7 @@ template <class T>
 void name_directions(const RecursionState<T>& s, const RecursionUnit& unit, const std::vector<int>& columns,
                      std::vector<std::string>& directions) {
   if (!s.system().annotator.has_details()) return;
-  for (const int column : columns) directions.push_back(s.system().topology.bodies[unit.joints[column]].coordinate);
+  for (const int column : columns) directions.push_back(s.work.name_of(unit.joints[column]));
 }
 template <class T>
 void name_directions(const RecursionState<T>& s, std::size_t count, std::vector<std::string>& directions) {
@@ -97,7 +97,7 @@ void detail_equations(const RecursionState<T>& s, const std::vector<std::string>
 template <class T>
 std::vector<std::string> directions_of(const RecursionState<T>& s, const RunParts<T>& run) {
   std::vector<std::string> names;
-  for (const int column : run.columns) names.push_back(s.system().topology.bodies[column].coordinate);
+  for (const int column : run.columns) names.push_back(s.work.name_of(column));
   return names;
 }
 
@@ -109,8 +109,8 @@ void detail_eliminated(const RecursionState<T>& s, const std::vector<std::string
   if (!annotator.has_details()) return;
   for (std::size_t q = 0; q < equations.size(); ++q) {
     annotator.detail(equations.reciprocal[q], "per_pivot_", directions[q]);
-    annotator.detail(equations.force[q], "Q_", directions[q], "_left");
-    detail_name(annotator, equations.momentum[q], "F", "N", directions[q], "_left");
+    annotator.detail(equations.force[q], "Q_", directions[q], "_reduced");
+    detail_name(annotator, equations.momentum[q], "F", "N", directions[q], "_reduced");
     detail_name(annotator, equations.reciprocal[q] * equations.momentum[q], "F", "N", directions[q], "_per_pivot");
   }
 }

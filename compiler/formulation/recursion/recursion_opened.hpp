@@ -47,7 +47,7 @@ void start_opened(RecursionState<T>& s, std::size_t u, const LoopPartition& part
         quasi_closure(s.work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit));
     const FrozenFactors<T> factors =
         factorise_frozen(dependent_columns(closed.jacobian, partition), partition, columns);
-    name_pivots(s.system(), s.system().topology.blocks[unit.block], partition, factors);
+    name_pivots(s.system(), s.work.columns_of(unit), partition, factors);
     quality = factors.quality;
     for (std::size_t c = 0; c < columns; ++c)
       for (const Pivot& pivot : partition.pivots)

@@ -102,7 +102,7 @@ void solve_run(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
     if (const T* driven = s.driven(j)) zdd[j] = *driven;
   for (std::size_t q = 0; q < free.size(); ++q) {
     zdd[run.columns[q]] = free[q];
-    s.system().annotator.detail(free[q], "qdd_", s.system().topology.bodies[run.columns[q]].coordinate);
+    s.system().annotator.detail(free[q], "qdd_", s.work.name_of(run.columns[q]));
   }
   Vector<T> turning = run.before;
   for (const JointStep& step : unit.steps) {

@@ -1,0 +1,141 @@
+#include "workbench/describe/equation_words.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+#include <set>
+#include <string_view>
+#include <tuple>
+
+#include "compiler/emit/quantity_names.hpp"
+#include "compiler/model/element_kinds.hpp"
+
+namespace mbgen {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// "front roll bar" of "Front_roll-bar": small letters; a plural loses its s.
+Words words_of(std::string_view text) {
+  constexpr std::size_t kShortestPlural = 4;
+  Words words;
+  std::string word;
+  const auto end_word = [&] {
+    if (word.size() >= kShortestPlural && word.back() == 's' && word[word.size() - 2] != 's') word.pop_back();
+    if (!word.empty()) words.push_back(word);
+    word.clear();
+  };
+  for (const char c : text) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else
+      end_word();
+  }
+  end_word();
+  return words;
+}
+
+/// Phrases with one meaning, by the word that stands for them.
+std::string with_one_word(std::string query) {
+  static const std::pair<std::regex, const char*> kPhrases[] = {
+      {std::regex(R"((anti[-_ ]?)?roll[-_ ]?bars?|sway[-_ ]?bars?|stabili[sz]ers?([-_ ]?bars?)?|arb\b)",
+                  std::regex::icase),
+       "bar"},
+      {std::regex(R"(\btires?\b)", std::regex::icase), "tyre"},
+      {std::regex(R"(\btorques?\b)", std::regex::icase), "moment"},
+      {std::regex(R"(\b(heave|bounce)\b)", std::regex::icase), "heave"},
+      {std::regex(R"(\b(speed|rate)\b)", std::regex::icase), "velocity"},
+      {std::regex(R"(\bload\b)", std::regex::icase), "vertical force"}};
+  for (const auto& [phrase, word] : kPhrases) query = std::regex_replace(query, phrase, word);
+  return query;
+}
+
+/// Words of a query that tell something.
+Words words_of_query(const std::string& query) {
+  static const std::set<std::string> kEmpty = {"a", "an", "the", "of", "at", "in", "on", "for", "to", "and"};
+  Words words;
+  for (const std::string& word : words_of(with_one_word(query)))
+    if (!kEmpty.contains(word)) words.push_back(word);
+  return words;
+}
+
+/// Words for names by the field's habits.
+std::string words_by_habit(const std::string& name) {
+  static const std::pair<std::regex, const char*> kHabits[] = {
+      {std::regex("(^|_)(arb|bar|antiroll|anti_roll|stabilis|stabiliz|sway)"), "bar"},
+      {std::regex("(_rx|_about_x)$"), "roll"},
+      {std::regex("(_ry|_about_y)$"), "pitch"},
+      {std::regex("(_rz|_about_z)$"), "yaw"},
+      {std::regex("(_tz|_along_z)$"), "heave vertical"}};
+  std::string words;
+  for (const auto& [habit, meaning] : kHabits)
+    if (std::regex_search(name, habit)) words += std::string(" ") + meaning;
+  return words;
+}
+
+bool contains(const Words& words, const std::string& word) { return std::ranges::find(words, word) != words.end(); }
+
+/// A name under its kind, with all words for it.
+struct Described {
+  Words own;    ///< of the name without its kind
+  Words parts;  ///< further ones, of the parts of the model in it
+  Words kind;   ///< of the kind of quantity
+};
+
+Described described(const std::string& name, const PartWords& parts) {
+  constexpr std::string_view kMinus = "minus_";
+  const std::string plain = name.starts_with(kMinus) ? name.substr(kMinus.size()) : name;
+  const QuantityName kind = quantity_of(plain);
+  const std::string rest = plain.substr(std::min(kind.prefix.size(), plain.size()));
+  Described words{words_of(rest), words_of(words_by_habit(rest)), words_of(with_one_word(std::string(kind.words)))};
+  words.kind.push_back(words_of(kind.prefix).empty() ? "" : words_of(kind.prefix).front());
+  const std::string within = rest + "_";
+  for (const auto& [part, of_part] : parts)
+    if (within.find("_" + part + "_") != std::string::npos)
+      for (std::string& word : words_of(of_part)) words.parts.push_back(std::move(word));
+  return words;
+}
+
+}  // namespace
+
+PartWords part_words(const Model& model, const Topology& topology) {
+  PartWords words;
+  each_kind([&](auto kind) {
+    for (const auto& element : kind.list(model)) words[element.name] += std::string(" ") + kind.words;
+  });
+  for (const JointSpring& spring : model.joint_springs) words[spring.name] += " moment";
+  for (const Rod& rod : model.rods) words[rod.name] += " rod";
+  for (const Loop& loop : topology.loops) words[loop.name] += " loop";
+  for (const TreeBody& body : topology.bodies) words[body.name] += " body";
+  for (const TreeBody& body : topology.bodies) words[body.coordinate] += " coordinate";
+  return words;
+}
+
+std::vector<FittingLine> fitting_lines(const std::vector<EquationLine>& all, const std::string& query,
+                                       const PartWords& parts, int& words) {
+  const Words wanted = words_of_query(query);
+  words = static_cast<int>(wanted.size());
+  // Words of the query that fit, then the length of the name by words, then the order of the text.
+  std::vector<std::tuple<int, int, std::size_t>> found;
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (quantity_of(all[i].name).prefix.empty() || all[i].name.find("_part_") != std::string::npos) continue;
+    if (!seen.insert(all[i].name).second) continue;
+    const Described name = described(all[i].name, parts);
+    int matched = 0, of_part = 0, left = static_cast<int>(name.own.size());
+    for (const std::string& word : wanted) {
+      const bool is_own = contains(name.own, word), is_of_part = is_own || contains(name.parts, word);
+      if (is_own) --left;
+      if (is_of_part) ++of_part;
+      if (is_of_part || contains(name.kind, word)) ++matched;
+    }
+    if (matched > 0 && (of_part > 0 || matched == words)) found.emplace_back(-matched, left, i);
+  }
+  std::ranges::sort(found);
+  std::vector<FittingLine> lines;
+  for (const auto& [matched, left, i] : found)
+    if (matched == std::get<0>(found.front())) lines.push_back({&all[i], -matched});
+  return lines;
+}
+
+}  // namespace mbgen
