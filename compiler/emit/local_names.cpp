@@ -49,17 +49,17 @@ std::string multiple(double number, const std::string& name) {
 std::string word_of(Op op) {
   switch (op) {
     case Op::multiply:
-      return "product_1";
+      return "product";
     case Op::divide:
-      return "ratio_1";
+      return "ratio";
     case Op::add:
-      return "sum_1";
+      return "sum";
     case Op::subtract:
-      return "difference_1";
+      return "difference";
     case Op::sqrt:
-      return "root_1";
+      return "root";
     default:
-      return "number_1";
+      return "number";
   }
 }
 

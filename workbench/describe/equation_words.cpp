@@ -43,7 +43,8 @@ std::string with_one_word(std::string query) {
        "bar"},
       {std::regex(R"(\btires?\b)", std::regex::icase), "tyre"},
       {std::regex(R"(\btorques?\b)", std::regex::icase), "moment"},
-      {std::regex(R"(\b(heave|bounce)\b)", std::regex::icase), "heave"},
+      {std::regex(R"(\bbounce\b)", std::regex::icase), "heave"},
+      {std::regex(R"(\b(first|second) moments\b)"), "integral"},
       {std::regex(R"(\b(speed|rate)\b)", std::regex::icase), "velocity"},
       {std::regex(R"(\bload\b)", std::regex::icase), "vertical force"}};
   for (const auto& [phrase, word] : kPhrases) query = std::regex_replace(query, phrase, word);
@@ -61,19 +62,29 @@ Words words_of_query(const std::string& query) {
 
 /// Words for names by the field's habits.
 std::string words_by_habit(const std::string& name) {
-  static const std::pair<std::regex, const char*> kHabits[] = {
-      {std::regex("(^|_)(arb|bar|antiroll|anti_roll|stabilis|stabiliz|sway)"), "bar"},
-      {std::regex("(_rx|_about_x)$"), "roll"},
-      {std::regex("(_ry|_about_y)$"), "pitch"},
-      {std::regex("(_rz|_about_z)$"), "yaw"},
-      {std::regex("(_tz|_along_z)$"), "heave vertical"}};
+  static constexpr std::string_view kBars[] = {"_arb", "_bar", "_anti", "_stabilis", "_stabiliz", "_sway"};
+  static constexpr std::pair<std::string_view, const char*> kEnds[] = {
+      {"_rx", " roll"}, {"_about_x", " roll"}, {"_ry", " pitch"}, {"_about_y", " pitch"},
+      {"_rz", " yaw"},  {"_about_z", " yaw"},  {"_tz", " heave"}, {"_along_z", " heave"}};
   std::string words;
-  for (const auto& [habit, meaning] : kHabits)
-    if (std::regex_search(name, habit)) words += std::string(" ") + meaning;
+  const auto is_in = [&](std::string_view part) { return name.find(part) != std::string::npos; };
+  if (std::ranges::any_of(kBars, is_in)) words += " bar";
+  for (const auto& [end, meaning] : kEnds)
+    if (name.ends_with(end)) words += meaning;
   return words;
 }
 
 bool contains(const Words& words, const std::string& word) { return std::ranges::find(words, word) != words.end(); }
+
+/// Words of the kinds of quantities, by prefix.
+using KindWords = std::map<std::string_view, Words>;
+
+KindWords kind_words() {
+  KindWords kinds{{"", {}}};
+  for (const QuantityName& kind : quantity_names())
+    kinds[kind.prefix] = words_of(with_one_word(std::string(kind.words)));
+  return kinds;
+}
 
 /// A name under its kind, with all words for it.
 struct Described {
@@ -82,12 +93,12 @@ struct Described {
   Words kind;   ///< of the kind of quantity
 };
 
-Described described(const std::string& name, const PartWords& parts) {
+Described described(const std::string& name, const PartWords& parts, const KindWords& kinds) {
   constexpr std::string_view kMinus = "minus_";
   const std::string plain = name.starts_with(kMinus) ? name.substr(kMinus.size()) : name;
   const QuantityName kind = quantity_of(plain);
   const std::string rest = plain.substr(std::min(kind.prefix.size(), plain.size()));
-  Described words{words_of(rest), words_of(words_by_habit(rest)), words_of(with_one_word(std::string(kind.words)))};
+  Described words{words_of(rest), words_of(words_by_habit(rest)), kinds.at(kind.prefix)};
   words.kind.push_back(words_of(kind.prefix).empty() ? "" : words_of(kind.prefix).front());
   const std::string within = rest + "_";
   for (const auto& [part, of_part] : parts)
@@ -103,7 +114,6 @@ PartWords part_words(const Model& model, const Topology& topology) {
   each_kind([&](auto kind) {
     for (const auto& element : kind.list(model)) words[element.name] += std::string(" ") + kind.words;
   });
-  for (const JointSpring& spring : model.joint_springs) words[spring.name] += " moment";
   for (const Rod& rod : model.rods) words[rod.name] += " rod";
   for (const Loop& loop : topology.loops) words[loop.name] += " loop";
   for (const TreeBody& body : topology.bodies) words[body.name] += " body";
@@ -115,13 +125,14 @@ std::vector<FittingLine> fitting_lines(const std::vector<EquationLine>& all, con
                                        const PartWords& parts, int& words) {
   const Words wanted = words_of_query(query);
   words = static_cast<int>(wanted.size());
+  const KindWords kinds = kind_words();
   // Words of the query that fit, then the length of the name by words, then the order of the text.
   std::vector<std::tuple<int, int, std::size_t>> found;
   std::set<std::string> seen;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (quantity_of(all[i].name).prefix.empty() || all[i].name.find("_part_") != std::string::npos) continue;
     if (!seen.insert(all[i].name).second) continue;
-    const Described name = described(all[i].name, parts);
+    const Described name = described(all[i].name, parts, kinds);
     int matched = 0, of_part = 0, left = static_cast<int>(name.own.size());
     for (const std::string& word : wanted) {
       const bool is_own = contains(name.own, word), is_of_part = is_own || contains(name.parts, word);
