@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -134,12 +133,9 @@ MatrixXd dense(const SparseRows& rows, std::size_t columns, const std::vector<in
 
 /// rows x, x zero but at the given columns.
 VectorXd product(const SparseRows& rows, const std::vector<int>& columns, const VectorXd& x) {
-  VectorXd of_columns = VectorXd::Zero(x.size()), result = VectorXd::Zero(static_cast<Index>(rows.size()));
+  VectorXd of_columns = VectorXd::Zero(x.size());
   of_columns(columns) = x(columns);
-  for (std::size_t e = 0; e < rows.size(); ++e)
-    for (std::size_t i = 0; i < rows[e].columns.size(); ++i)
-      result[static_cast<Index>(e)] += rows[e].values[i] * of_columns[rows[e].columns[i]];
-  return result;
+  return product(rows, of_columns);
 }
 
 /// All rows of the closure at block coordinates z, which the state takes over.
@@ -316,9 +312,7 @@ double set_velocities(const MovableBlock& m) {
   VectorXd zd = demand.value;
   zd(demand.movable) = nearest_velocities(m, jacobian, -product(jacobian, demand.fixed, demand.value));
   set_block(m.block, zd, m.state.zd);
-  std::vector<int> all(m.block.joints.size());
-  std::iota(all.begin(), all.end(), 0);
-  return product(jacobian, all, zd).norm();
+  return product(jacobian, zd).norm();
 }
 
 }  // namespace

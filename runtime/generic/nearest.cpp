@@ -61,11 +61,11 @@ SparseEquations::SparseEquations(const std::vector<SparseRow<double>>& rows, int
   for (const int row : kept_) rows_.push_back(over_movable[static_cast<std::size_t>(row)]);
 }
 
-VectorXd SparseEquations::product(const VectorXd& x) const {
-  VectorXd result = VectorXd::Zero(static_cast<Index>(rows_.size()));
-  for (std::size_t r = 0; r < rows_.size(); ++r)
-    for (std::size_t i = 0; i < rows_[r].columns.size(); ++i)
-      result[static_cast<Index>(r)] += rows_[r].values[i] * x[rows_[r].columns[i]];
+VectorXd product(const std::vector<SparseRow<double>>& rows, const VectorXd& x) {
+  VectorXd result = VectorXd::Zero(static_cast<Index>(rows.size()));
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t i = 0; i < rows[r].columns.size(); ++i)
+      result[static_cast<Index>(r)] += rows[r].values[i] * x[rows[r].columns[i]];
   return result;
 }
 
@@ -80,7 +80,7 @@ VectorXd SparseEquations::of_kept(const VectorXd& b) const { return b(kept_); }
 VectorXd SparseEquations::least(const VectorXd& weight, const VectorXd& pull, const VectorXd& b) const {
   const VectorXd scale = weight.cwiseInverse();
   VectorXd force = pull;
-  add_transposed(Square(rows_, scale, 0).solve(of_kept(b) - product(scale.cwiseProduct(pull))), force);
+  add_transposed(Square(rows_, scale, 0).solve(of_kept(b) - product(rows_, scale.cwiseProduct(pull))), force);
   return scale.cwiseProduct(force);
 }
 
@@ -99,15 +99,15 @@ VectorXd SparseEquations::nearest(const VectorXd& weight, const VectorXd& target
   const Square factors(rows_, scale, 0);
   for (int k = 0; k < kMostIterates; ++k) {
     VectorXd force = square.cwiseProduct(target - x);
-    const VectorXd open = of_kept(b) - product(x);
-    add_transposed(factors.solve(open - product(scale.cwiseProduct(force))), force);
+    const VectorXd open = of_kept(b) - product(rows_, x);
+    add_transposed(factors.solve(open - product(rows_, scale.cwiseProduct(force))), force);
     const VectorXd change = scale.cwiseProduct(force);
     x += change;
     if (!(change.norm() > kStands * x.norm())) break;
   }
   // Feasible to rounding, whatever the weights' range left open.
   VectorXd open = b;
-  open(kept_) -= product(x);
+  open(kept_) -= product(rows_, x);
   return x + damped(open, 0);
 }
 

@@ -9,6 +9,9 @@
 
 namespace mbgen {
 
+/// rows x.
+Eigen::VectorXd product(const std::vector<SparseRow<double>>& rows, const Eigen::VectorXd& x);
+
 /// Sparse equations rows x = b of full row rank, and least solutions of them. Cost: as the entries of rows rows' after
 /// elimination.
 class SparseEquations {
@@ -29,7 +32,6 @@ class SparseEquations {
   bool is_rigid() const { return static_cast<int>(kept_.size()) == columns_; }
 
  private:
-  Eigen::VectorXd product(const Eigen::VectorXd& x) const;
   void add_transposed(const Eigen::VectorXd& y, Eigen::VectorXd& x) const;
   Eigen::VectorXd of_kept(const Eigen::VectorXd& b) const;
 

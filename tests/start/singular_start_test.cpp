@@ -113,6 +113,16 @@ TEST_F(Singular, EmittedSolversDoNotTakeThemForACrossingEither) {
   }
 }
 
+// Crossings of an exact loop, by steps of up to 0.15 rad.
+TEST_F(Singular, EmittedSolversPassCrossingsAtEveryStepAndStayClosed) {
+  write("four_bar.json", crossed_four_bar(1));
+  for (const char* step : {"0.001", "0.005", "0.01", "0.02"}) {
+    const Json report = json_of(fmt::format("simulate four_bar.json --duration 2 --step {} --out m.csv --json", step));
+    EXPECT_EQ(report["blocks"][0]["singular_positions"], 3) << step << " " << report["status"];
+    EXPECT_LT(report["position_residual"].get<double>(), 8e-12) << step;
+  }
+}
+
 TEST_F(Singular, CasesOfASweepTellWhatTheyPassed) {
   std::string text = crossed_four_bar(1);
   text.replace(text.find("\"initial\""), 0, R"("parameters": { "heavy": { "value": 1, "tunable": true } }, )");

@@ -133,9 +133,10 @@ void detail_connection(const ForceWork<T>& work, const AlongLine<T>& at, const s
     if (place.body != kGround)
       detail_name(scribe, direction_in(system, work.k, place.body, place.at, line.frame), "arm_", element, which);
     detail_name(scribe, position_in(system, work.k, place, line.frame), "place_", element, which);
-    detail_name(scribe, velocity_in(system, work.k, work.v, place, line.frame), "velocity_", element, which);
+    const Vector<T> velocity = velocity_in(system, work.k, work.v, place, line.frame);
+    detail_name(scribe, velocity, "velocity_", element, which);
     detail_name(scribe, own, "velocity_", element, which, "_own");
-    return velocity_in(system, work.k, work.v, place, line.frame);
+    return velocity;
   };
   const Vector<T> from = end(line.from, "_from"), to = end(line.to, "_to");
   detail_name(scribe, line.gap, "gap_", element);

@@ -53,11 +53,10 @@ struct PassageWork {
   typename System::State state;
   typename System::ClosureTerms terms;
   typename System::Closure closure;
-  typename System::Projection projection;
   BlockFactors<System> factors;
   unsigned char fixed[System::kBlockCoordinates];  ///< driven or free: not dependent at any node
   bool is_chosen = false;                          ///< `fixed` is known
-  bool keeps_frozen = true;                        ///< the coordinates of the frozen partition stay free
+  bool keeps_frozen = false;                       ///< the free coordinates of the frozen partition stay free
   Real solution[System::kBlockCoordinates];
   Real right_hand_side[System::kEquations];
   Real z[kPassageNodes][System::kCoordinates], zd[kPassageNodes][System::kCoordinates];
@@ -66,7 +65,7 @@ struct PassageWork {
   double clear[kPassageNodes];  ///< smallest pivot of the blocks that cross over a typical one
 };
 
-/// Whether a block of the passage has an entry for coordinate c of it.
+/// Whether block b has driven coordinates.
 template <class System>
 bool has_motion(int b) noexcept {
   const BlockLayout& block = System::kBlockLayout[b];
@@ -81,12 +80,11 @@ bool has_motion(int b) noexcept {
 template <class System>
 void hold_columns(int b, bool keeps_frozen, unsigned char* fixed) noexcept {
   const BlockLayout& block = System::kBlockLayout[b];
-  for (int c = 0; c < block.coordinates; ++c) {
-    fixed[c] = System::kBlockDriven[block.first_coordinate + c];
-    for (const FreeDirection& direction : System::kFreeDirection) {
-      const bool names_it =
-          direction.block == b && direction.coordinate == System::kBlockCoordinate[block.first_coordinate + c];
-      if (keeps_frozen && names_it) fixed[c] = 1;
+  for (int c = 0; c < block.coordinates; ++c) fixed[c] = System::kBlockDriven[block.first_coordinate + c];
+  if (!keeps_frozen) return;
+  for (const FreeDirection& direction : System::kFreeDirection) {
+    for (int c = 0; direction.block == b && c < block.coordinates; ++c) {
+      if (System::kBlockCoordinate[block.first_coordinate + c] == direction.coordinate) fixed[c] = 1;
     }
   }
 }
@@ -296,12 +294,16 @@ Reached reach_nodes(const typename System::Parameters& parameters, const InputsA
   for (int c = 0; c < System::kBlockCoordinates; ++c) work.fixed[c] = 1;
   work.is_chosen = false;
   // Before the node ahead is closed, which takes several evaluations.
-  constexpr bool is_single = std::is_same_v<RealOf<System>, float>;
-  for (const bool keeps_frozen : {is_single, false}) {
-    if (closures-- <= 0) return Reached::nowhere;
+  const auto is_clear = [&](bool keeps_frozen) {
     work.keeps_frozen = keeps_frozen;
-    if (is_clear_at<System>(parameters, inputs_at, middle, -spacing, passage.crosses, work)) break;
-    if (!keeps_frozen) return Reached::not_clear;
+    return is_clear_at<System>(parameters, inputs_at, middle, -spacing, passage.crosses, work);
+  };
+  if (closures-- <= 0) return Reached::nowhere;
+  constexpr bool is_single = std::is_same_v<RealOf<System>, float>;
+  if (!is_clear(is_single)) {
+    if (!is_single) return Reached::not_clear;
+    if (closures-- <= 0) return Reached::nowhere;
+    if (!is_clear(false)) return Reached::not_clear;
   }
   constexpr double kPlaces[kPassageNodes] = {1, -1, 2, -2};
   for (int node = 0; node < (are_four ? kPassageNodes : 2); ++node) {

@@ -254,7 +254,8 @@ Status check_way([[maybe_unused]] const System& system, [[maybe_unused]] const t
     on_the_way(from, to, h, high, at);
     copy_state(at, through);
     if constexpr (kLooksAcross<System>) {
-      static_cast<void>(system.project_crossing(through, clearance, closures));
+      int once = closures-- > 0 ? 1 : 0;  // the clearance alone is asked for
+      static_cast<void>(system.project_crossing(through, clearance, once));
     } else {
       static_cast<void>(system.project_crossing(through, clearance));
     }

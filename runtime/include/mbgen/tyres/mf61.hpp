@@ -206,9 +206,9 @@ struct Mf61Forces {
 /// fz: N, vertical load; no load or less gives exactly zero. slips: kappa positive when driving; alpha below pi/2, its
 /// tangent is the lateral slip velocity over |forward velocity|; gamma: camber. pressure: Pa. friction, shifts and the
 /// result as of magic_formula_pac2002, ellipse too; the aligning moment holds for rolling forward, the moment of
-/// spin for either direction. Requires: unloaded_radius, fnomin, nompres > 0; pcx1, pcy1, pky2 not zero; lmux, lmuy >
-/// 0; where turn slip acts phyp1, phyp2, qdrp1 not zero. Source: Pacejka (2012), equations (4.E1) to (4.E78), with the
-/// readings at the head of this file.
+/// spin for either direction. Requires: unloaded_radius, fnomin, nompres > 0; pcx1, pcy1, pky2 not zero; lmux, lmuy
+/// positive; where turn slip acts phyp1, phyp2, qdrp1 not zero. Source: Pacejka (2012), equations (4.E1) to (4.E78),
+/// with the readings at the head of this file.
 template <class T>
 Mf61Forces<T> mf61_forces(const MagicFormula61<T>& set, const T& fz, const magic::Mf61Slips<T>& slips,
                           const T& pressure, const T& friction, const T& shifts, const magic::Mf61Turn<T>& turn,
