@@ -227,7 +227,9 @@ struct BlockFactors {
   }
   /// The same with at most `rank_limit` pivots.
   LoopFactorsOf<Real> factors_of(int b, typename System::ClosureTerms& terms, int rank_limit) noexcept {
-    return factors_of(b, terms, rank_limit, System::kBlockDriven + System::kBlockLayout[b].first_coordinate);
+    constexpr bool has_driven = System::kDrives > 0;
+    const unsigned char* const driven = System::kBlockDriven + System::kBlockLayout[b].first_coordinate;
+    return factors_of(b, terms, rank_limit, has_driven ? driven : nullptr);
   }
   /// The same without pivots in the columns of the block that are `fixed`.
   LoopFactorsOf<Real> factors_of(int b, typename System::ClosureTerms& terms, int rank_limit,

@@ -59,27 +59,23 @@ struct Pivot {
   Real size = 0;
 };
 
+/// Moves rows of zeros behind the others, which keep their order. Result: false for a matrix that is not finite.
 template <class Real>
-inline bool all_finite(const LoopFactorsOf<Real>& loop) noexcept {
-  bool finite = true;
-  for (int i = 0; i < loop.equations * loop.coordinates; ++i) finite = finite && std::isfinite(loop.matrix[i]);
-  return finite;
-}
-
-/// Moves rows of zeros behind the others, which keep their order.
-template <class Real>
-inline void move_empty_rows(LoopFactorsOf<Real>& loop) noexcept {
+inline bool move_empty_rows(LoopFactorsOf<Real>& loop) noexcept {
   loop.filled = 0;
+  Real zero = 0;  // not a number once an entry is not finite
   for (int i = 0; i < loop.equations; ++i) {
     Real* const row = row_of(loop, i);
     int first = 0;
     while (first < loop.coordinates && row[first] == 0) ++first;
     if (first == loop.coordinates) continue;
+    for (int j = first; j < loop.coordinates; ++j) zero += row[j] * 0;
     Real* const to = row_of(loop, loop.filled);
     for (int j = 0; to != row && j < loop.coordinates; ++j) to[j] = row[j], row[j] = 0;
     swap(loop.rows[i], loop.rows[loop.filled]);
     ++loop.filled;
   }
+  return zero == 0;
 }
 
 /// Whether an equation waits for its pivot while place k is filled, or has none left by then.
@@ -169,9 +165,7 @@ inline void factorise(LoopFactorsOf<Real>& loop, int rank_limit, const unsigned 
   for (int j = 0; j < loop.coordinates; ++j) loop.columns[j] = j;
   loop.rank = 0;
   loop.smallest_ratio = 0;
-  loop.filled = loop.equations;
-  if (!loop_detail::all_finite(loop)) return;
-  loop_detail::move_empty_rows(loop);
+  if (!loop_detail::move_empty_rows(loop)) return;
   for (int i = 0; loop.largest != nullptr && i < loop.filled; ++i) loop_detail::search_row(loop, i, 0, driven);
   Real first = 0, smallest = 0, largest = 0;
   while (loop.rank < rank_limit) {
