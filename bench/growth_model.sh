@@ -9,10 +9,11 @@
 #   bench/growth_model.sh separate N > separate_N.json     N four-bars that share nothing but ground
 #   bench/growth_model.sh grid N > grid_N.json             N rows of N four-bars, each on top of the one before
 #   bench/growth_model.sh crank N > crank_N.json           N four-bars on one crank that turns
+#   bench/growth_model.sh walker N > walker_N.json         N legs of Theo Jansen's proportions on one crank that turns
 set -eu
 
 usage() {
-  sed -n '2,12s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,13s/^# \{0,1\}//p' "$0" >&2
   exit 1
 }
 
@@ -200,7 +201,57 @@ crank() {
   }'
 }
 
+# Legs to both sides in turns, pins around the crank, each leg in a plane of its own. Lengths a to m are Jansen's, dm.
+walker() {
+  awk -v n="$1" '
+  # Where circles of radius r about (px, pz) and s about (qx, qz) meet, on one side of the line between them.
+  function meet(px, pz, r, qx, qz, s, side,   dx, dz, d, along, across) {
+    dx = qx - px; dz = qz - pz; d = sqrt(dx * dx + dz * dz)
+    along = (r * r - s * s + d * d) / (2 * d); across = sqrt(r * r - along * along) * side
+    mx = px + (along * dx - across * dz) / d; mz = pz + (along * dz + across * dx) / d
+  }
+  function place(point) { x[point] = mx; z[point] = mz }
+  function at(point) { return sprintf("[%.12f, %.2f, %.12f]", x[point], y, z[point]) }
+  function body(name, points,   p, m, k, cx, cz, r, far, mass) {
+    m = split(points, p, " "); cx = cz = r = 0
+    for (k = 1; k <= m; ++k) { cx += x[p[k]] / m; cz += z[p[k]] / m }
+    for (k = 1; k <= m; ++k) { far = sqrt((x[p[k]] - cx) ^ 2 + (z[p[k]] - cz) ^ 2); r = far > r ? far : r }
+    mass = 1.2 * r
+    bodies = bodies sprintf(",\n    \"%s%d\": { \"mass\": %.6f, \"com\": [%.9f, %.2f, %.9f], \"inertia\": [%.9f, %.9f, %.9f],\n      \"points\": {", name, q, mass, cx, y, cz, mass * r * r / 3, mass * r * r / 3, mass * r * r / 3)
+    for (k = 1; k <= m; ++k) bodies = bodies sprintf("%s\"%s\": %s", (k > 1 ? ", " : " "), p[k], at(p[k]))
+    bodies = bodies " } }"
+  }
+  function pin(name, from, to) {
+    joints = joints sprintf(",\n    \"%s%d\": { \"type\": \"revolute\", \"from\": \"%s\", \"to\": \"%s\", \"axis\": \"y\" }", name, q, from, to)
+  }
+  BEGIN {
+    turn = 8 * atan2(1, 1); pairs = n < 2 ? 1 : int(n / 2)
+    for (q = 0; q < n; ++q) {
+      side = q % 2 == 0 ? 1 : -1; y = 0.06 * (q + 1); angle = turn * int(q / 2) / pairs + 0.4
+      x["M"] = 0.15 * cos(angle); z["M"] = 0.15 * sin(angle); x["B"] = -0.38 * side; z["B"] = -0.078
+      meet(x["M"], z["M"], 0.5, x["B"], z["B"], 0.415, -side); place("P1")
+      meet(x["B"], z["B"], 0.401, x["P1"], z["P1"], 0.558, side); place("P2")
+      meet(x["M"], z["M"], 0.619, x["B"], z["B"], 0.393, side); place("P3")
+      meet(x["P2"], z["P2"], 0.394, x["P3"], z["P3"], 0.367, side); place("P4")
+      meet(x["P4"], z["P4"], 0.657, x["P3"], z["P3"], 0.49, side); place("P5")
+      on_ground = on_ground sprintf(", \"B%d\": %s", q, at("B")); on_crank = on_crank sprintf(", \"M%d\": %s", q, at("M"))
+      body("j", "M P1"); body("k", "M P3"); body("bde", "B P1 P2"); body("c", "B P3"); body("f", "P2 P4"); body("ghi", "P3 P4 P5")
+      pin("m_j", "crank.M" q, "j" q ".M"); pin("m_k", "crank.M" q, "k" q ".M")
+      pin("b_bde", "ground.B" q, "bde" q ".B"); pin("b_c", "ground.B" q, "c" q ".B")
+      pin("bde_f", "bde" q ".P2", "f" q ".P2"); pin("c_ghi", "c" q ".P3", "ghi" q ".P3")
+      pin("j_bde", "j" q ".P1", "bde" q ".P1"); pin("k_c", "k" q ".P3", "c" q ".P3"); pin("f_ghi", "f" q ".P4", "ghi" q ".P4")
+    }
+    printf "// A walking machine of %d legs on one crank. Made by bench/growth_model.sh.\n{\n", n
+    printf "  \"mbgen\": 1, \"name\": \"walker_%d\", \"gravity\": [0, 0, -9.81],\n  \"bodies\": {\n    \"ground\": { \"points\": { \"O\": [0, 0, 0]%s } },\n", n, on_ground
+    printf "    \"crank\": { \"mass\": 1.5, \"com\": [0, 0, 0], \"inertia\": [0.03, 0.03, 0.03],\n      \"points\": { \"O\": [0, 0, 0]%s } }%s\n  },\n", on_crank, bodies
+    printf "  \"joints\": {\n    \"crank\": { \"type\": \"revolute\", \"from\": \"ground.O\", \"to\": \"crank.O\", \"axis\": \"y\" }%s\n  },\n", joints
+    printf "  \"outputs\": { \"angle\": { \"unit\": \"rad\", \"expression\": \"z.crank\" } },\n"
+    printf "  \"initial\": { \"velocities\": { \"crank\": 6 } },\n  \"solver\": { \"step\": 1e-3, \"duration\": 1 }\n}\n"
+  }'
+}
+
 case "$1" in
+  walker) walker "$2" ;;
   crank) crank "$2" ;;
   four-bar) four_bar "$2" ;;
   chain) chain "$2" ;;

@@ -6,7 +6,7 @@
 MBGEN: the binary, default build/release/mbgen, else build/mbgen. DIRECTORY: for all that is made, default
 build/slowest_steps. MODELS chooses the rows, by the beginnings of their names. CXX: the compiler, default g++.
 Operations are those of the programs that a step evaluates, as the manifest counts them; the elimination of loop blocks
-(products, sums and comparisons) is counted by lines that are put into a copy of mbgen/solver/loop.hpp. Of times the least
+(products, sums and comparisons) is counted by lines that are put into copies of mbgen/solver/loop.hpp and fine.hpp. Of times the least
 of five motions counts, step by step. Steps are Runge-Kutta's, from the model's start, with default inputs.
 """
 import json
@@ -112,10 +112,8 @@ def models(out):
 
     grown = ROOT / "bench" / "growth_model.sh"
     for legs in (2, 4, 8, 12, 24):
-        walker = ROOT / ".." / "shared" / "reference" / "walker.py"
-        if walker.exists():
-            text = subprocess.run([sys.executable, walker, str(legs)], check=True, capture_output=True, text=True).stdout
-            yield f"walking machine, {legs} legs", written(f"walker_{legs}", text), 1e-3, 3000
+        text = subprocess.run([grown, "walker", str(legs)], check=True, capture_output=True, text=True).stdout
+        yield f"walking machine, {legs} legs", written(f"walker_{legs}", text), 1e-3, 3000
     yield "double crank", written("double_crank", four_bar("double_crank", 0.6, 1, 1.2, 1.1, 0.7, 6)), 1e-3, 3000
     yield "slider-crank", ROOT / "models" / "slider_crank.json", 1e-3, 3000
     yield "parallelogram through its flat positions", written(
@@ -131,19 +129,31 @@ def models(out):
     yield "truck, hump", ROOT / "models" / "rides" / "truck_hump.json", 1e-3, 4000
 
 
+LOOP_LINES = (("if (factor != 0) {\n", "2 * (loop.coordinates - k)"), ("int at = -1;\n", "loop.coordinates - first"))
+FINE_LINES = (("const Real entry = entries[column];\n", "2 * stride"),
+              ("if (r == i || factor == 0) continue;\n", "2 * e.width"),
+              ("const Real* const row = e.row(r);\n", "size + others"),
+              ("const Real share = e.shares()[i];\n", "2 * solution.stride()"))
+
+
+def count_in(header, lines, counter):
+    """Adds to a header that the operations of some of its lines are counted."""
+    text = header.read_text()
+    for line, count in lines:
+        assert line in text, line
+        text = text.replace(line, f"{line}  counting::elimination += {count};\n")
+    header.write_text(text.replace("namespace mbgen {", counter + "namespace mbgen {", 1))
+
+
 def counted(mbgen, model, step, steps, out):
     """Per step: code, operations of programs, of the elimination, seconds."""
     subprocess.run([mbgen, "generate", str(model), "--out", str(out)], check=True, stdout=subprocess.DEVNULL)
     [manifest] = [p for p in out.glob("*.json")]
     made, name = json.loads(manifest.read_text())["programs"], manifest.stem
-    loop = out / "mbgen" / "solver" / "loop.hpp"
-    if loop.exists():
-        text = loop.read_text()
-        for line, count in (("if (factor != 0) {\n", "  counting::elimination += 2 * (loop.coordinates - k);\n"),
-                            ("int at = -1;\n", "  counting::elimination += loop.coordinates - first;\n")):
-            assert line in text, line
-            text = text.replace(line, line + count)
-        loop.write_text(text.replace("namespace mbgen {", "namespace counting {\ninline long elimination;\n}\nnamespace mbgen {", 1))
+    solvers = out / "mbgen" / "solver"
+    if (solvers / "loop.hpp").exists():
+        count_in(solvers / "loop.hpp", LOOP_LINES, "namespace counting {\ninline long elimination;\n}\n")
+        count_in(solvers / "fine.hpp", FINE_LINES, "")
     solver = (out / f"{name}.cpp").read_text()
     for place, program in enumerate(PROGRAMS):
         solver = re.sub(rf"auto {program} = &(\w+);", rf"auto {program} = &counting::Counted<{place}, &\1>::call;", solver)

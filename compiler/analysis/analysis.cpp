@@ -192,7 +192,15 @@ BlockAnalysis analyse_large_block(NumericSystem& numbers, std::size_t b,
     found.problems.insert(found.problems.end(), problems.begin(), problems.end());
     return {};
   }
-  if (chooses_again(block)) order_along_motion(numbers, b, configurations[0], result);
+  if (chooses_again(block)) {
+    const MotionAlong along = motion_along(numbers, b, configurations[0], result);
+    const int free = free_coordinate_along(along, result);
+    if (!along.ways.empty() && free != result.independent[0]) {
+      BlockAnalysis other = choose_large_partition(block, b, whole, driven, configurations, {free});
+      if (other.rank == result.rank) result = std::move(other);
+    }
+    order_along_motion(along, block.joints.size(), result);
+  }
   for (int e : result.redundant_equations) result.redundant_names.push_back(equations[e].name);
   result.certificate = certificate;
   return result;
@@ -225,6 +233,8 @@ BlockAnalysis analyse_block(NumericSystem& numbers, std::size_t b, const std::ve
   const std::vector<int> driven = driven_columns(block, analysis.driven);
   const LateRows late = late_rows(jacobians, whole.rank, driven, velocity_rows(model, topology, block));
   BlockAnalysis result = choose_partition(jacobians, whole.rank, driven, like, late);
+  if (chooses_again(block))
+    prefer_along_motion(motion_along(numbers, b, configurations[0], result), block.joints.size(), result);
   for (int e : result.redundant_equations) result.redundant_names.push_back(equations[e].name);
   result.certificate = certificate;
   return result;

@@ -21,9 +21,9 @@ std::vector<int> all_below(std::size_t count) {
 }
 
 SparseElimination elimination_of(const std::vector<const SparseRows*>& samples, std::size_t coordinates,
-                                 const std::vector<int>& driven, const std::vector<int>& late) {
+                                 const std::vector<int>& barred_columns, const std::vector<int>& late) {
   std::vector<bool> barred(coordinates, false);
-  for (int c : driven) barred[c] = true;
+  for (int c : barred_columns) barred[c] = true;
   return eliminate(samples, all_below(samples[0]->size()), barred, late);
 }
 
@@ -134,10 +134,13 @@ Certificate certify_large(const Topology& topology, std::size_t b, const PartVie
 }
 
 BlockAnalysis choose_large_partition(const LoopBlock& block, std::size_t b, const PartView& whole,
-                                     const std::vector<int>& driven, const std::vector<Configuration>& configurations) {
+                                     const std::vector<int>& driven, const std::vector<Configuration>& configurations,
+                                     const std::vector<int>& free) {
   const std::size_t coordinates = block.joints.size();
   const std::vector<const SparseRows*> samples = regular_samples(b, whole, configurations);
-  const SparseElimination elimination = elimination_of(samples, coordinates, driven, whole.late);
+  std::vector<int> barred = driven;
+  barred.insert(barred.end(), free.begin(), free.end());
+  const SparseElimination elimination = elimination_of(samples, coordinates, barred, whole.late);
   BlockAnalysis result;
   static_cast<LoopPartition&>(result) = partition_of(elimination, coordinates, driven);
   result.rank = static_cast<int>(elimination.pivots.size());

@@ -18,9 +18,10 @@ Certificate certify_large(const Topology& topology, std::size_t b, const PartVie
                           const std::vector<ClosureEquation>& equations,
                           const std::vector<Configuration>& configurations);
 
-/// Partition of a large block. driven: local columns that must stay independent.
+/// Partition of a large block. driven: local columns that must stay independent; free: others that are to.
 BlockAnalysis choose_large_partition(const LoopBlock& block, std::size_t b, const PartView& whole,
-                                     const std::vector<int>& driven, const std::vector<Configuration>& configurations);
+                                     const std::vector<int>& driven, const std::vector<Configuration>& configurations,
+                                     const std::vector<int>& free = {});
 
 /// One diagnostic when an equation without pivot at the reference does not follow from the others elsewhere.
 Diagnostics large_contradictions(const Model& model, const Topology& topology, std::size_t b,

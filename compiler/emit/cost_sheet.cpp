@@ -6,6 +6,7 @@
 
 #include "compiler/emit/mapped.hpp"
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/solver/fine_blocks.hpp"
 #include "mbgen/worst_case.hpp"
 
 namespace mbgen {
@@ -120,8 +121,12 @@ std::string bounds_text(const CostJson& worst) {
           : "Each stage may meet one.");
   if (!worst["factorisation"].empty()) text += "  A factorisation is one of every loop block:\n";
   for (const CostJson& loop : worst["factorisation"]) {
-    text += fmt::format("    {}: {} equations in {} coordinates, {} pivots\n", loop["loop_block"].get<std::string>(),
-                        loop["equations"].get<int>(), loop["coordinates"].get<int>(), loop["pivots"].get<int>());
+    text += fmt::format("    {}: {} equations in {} coordinates, {} pivots{}\n", loop["loop_block"].get<std::string>(),
+                        loop["equations"].get<int>(), loop["coordinates"].get<int>(), loop["pivots"].get<int>(),
+                        loop.contains("fine_blocks")
+                            ? fmt::format(", clear of singular positions in {} fine blocks of at most {}",
+                                          loop["fine_blocks"].get<int>(), loop["largest_fine_block"].get<int>())
+                            : "");
   }
   return text;
 }
@@ -143,6 +148,10 @@ CostJson worst_case_json(const EmitContext& context, const CostJson& programs) {
                                         {"equations", block.equations},
                                         {"coordinates", block.coordinates},
                                         {"pivots", block.rank}});
+      const FineBlocks fine = fine_blocks(context.analysis.blocks[b], b, block, context.programs.closure_terms);
+      if (fine.parts.empty()) continue;
+      worst["factorisation"].back()["fine_blocks"] = fine.parts.size();
+      worst["factorisation"].back()["largest_fine_block"] = fine.largest();
     }
   }
   worst["calls"] = calls_json(context, programs);

@@ -5,6 +5,7 @@
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/solver/fine_blocks.hpp"
 
 namespace mbgen {
 namespace {
@@ -72,6 +73,30 @@ std::string argument_sum(const SolverNames& names, Scalar scalar) {
   for (const std::string& name : names.inputs) terms.push_back("inputs." + name);
   if (terms.empty()) terms.push_back(is_number(scalar) ? number_text(0, scalar) : std::string(name_of(scalar)) + "{}");
   return wrapped_statement("    return " + joined(terms, " + ") + ";");
+}
+
+/// The tables of fine blocks, none where no block has any: "fine_tables".
+std::string fine_tables(const EmitContext& context) {
+  Items layouts, parts, rows, columns, earlier, others;
+  const auto add = [](const std::vector<int>& numbers, Items& items) {
+    for (const int number : numbers) items.push_back(std::to_string(number));
+  };
+  for (std::size_t b = 0; b < context.layout.blocks.size(); ++b) {
+    const FineBlocks fine =
+        fine_blocks(context.analysis.blocks[b], b, context.layout.blocks[b], context.programs.closure_terms);
+    layouts.push_back(fmt::format("{{{}, {}, {}, {}, {}, {}}}", parts.size(), fine.parts.size(), rows.size(),
+                                  earlier.size(), others.size(), fine.largest()));
+    for (const FineBlocks::Part& part : fine.parts)
+      parts.push_back(fmt::format("{{{}, {}, {}, {}}}", part.size, part.first, part.first_earlier, part.earlier));
+    add(fine.rows, rows);
+    add(fine.columns, columns);
+    add(fine.earlier, earlier);
+    add(fine.others, others);
+  }
+  if (parts.empty()) return "";
+  return table("mbgen::FineLayout", "kFineLayout", layouts) + "\n" + table("mbgen::FineBlock", "kFineBlock", parts) +
+         "\n" + table("int", "kFineRow", rows) + "\n" + table("int", "kFineColumn", columns) + "\n" +
+         table("int", "kFineEarlier", earlier) + "\n" + table("int", "kFineOther", others);
 }
 
 /// Taylor polynomial of an input by Horner's rule: `inputs.a + dt * (inputs.b + dt / 2.0 * inputs.c)`.
@@ -148,6 +173,7 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
           {"early_rank", has_late ? table("int", "kEarlyRank", items_of(early_rank)) : ""},
           {"drive_coordinate", table("int", "kDriveCoordinate", items_of(drive_coordinates(context)))},
           {"block_layout", table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0, 0.0}")},
+          {"fine_tables", is_number(scalar) && layout.chooses_again ? fine_tables(context) : ""},
           {"block_coordinate", table("int", "kBlockCoordinate", items_of(coordinates))},
           {"block_driven", table("unsigned char", "kBlockDriven", items_of(block_driven))},
           {"multiplier_place", table("int", "kMultiplierPlace", items_of(multiplier_places(context.topology)))},

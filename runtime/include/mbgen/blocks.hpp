@@ -13,6 +13,8 @@
 //   tables     kBall[ball] kBlockLayout[block] kBlockCoordinate[] kBlockDriven[] kDriven[coordinate]
 //   kRedundant[equation]
 //              kLateEquation[equation] kEarlyRank[block] only where rows of velocities alone repeat others
+//              kFineLayout[block] kFineBlock[] kFineRow[] kFineColumn[] kFineEarlier[] kFineOther[] only where a block
+//              falls into fine blocks (solver/block_solution.hpp)
 //              kFreeDirection[direction] kMultiplierPlace[equation] kDriveCoordinate[motion]; kParameterMember
 //              kInputMember, null in place of none
 //   programs   accelerations, argument_sum; with a closure: closure, multipliers; with loops: closure_terms,
@@ -225,7 +227,9 @@ struct BlockFactors {
   }
   /// The same with at most `rank_limit` pivots.
   LoopFactorsOf<Real> factors_of(int b, typename System::ClosureTerms& terms, int rank_limit) noexcept {
-    return factors_of(b, terms, rank_limit, System::kBlockDriven + System::kBlockLayout[b].first_coordinate);
+    constexpr bool has_driven = System::kDrives > 0;
+    const unsigned char* const driven = System::kBlockDriven + System::kBlockLayout[b].first_coordinate;
+    return factors_of(b, terms, rank_limit, has_driven ? driven : nullptr);
   }
   /// The same without pivots in the columns of the block that are `fixed`.
   LoopFactorsOf<Real> factors_of(int b, typename System::ClosureTerms& terms, int rank_limit,
@@ -243,30 +247,6 @@ struct BlockFactors {
     return loop;
   }
 };
-
-/// The most important notice about the blocks at a position. pivot: of the frozen partition, per block. Fails:
-/// loop_singular. No cost unless the frozen pivots are small.
-template <class System>
-Status notice_at(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                 const typename System::State& state, const RealOf<System>* pivot) noexcept {
-  Status notice;
-  if constexpr (kChoosesAgain<System>) {
-    if (is_far<System>(pivot)) return {};
-    typename System::ClosureTerms terms;
-    System::closure_terms(parameters, inputs, state, terms);
-    BlockFactors<System> factors;
-    for (int b = 0; b < System::kBlocks; ++b) {
-      if (pivot[b] >= kNearSingular<RealOf<System>>) continue;
-      const BlockLayout& block = System::kBlockLayout[b];
-      const LoopFactorsOf<RealOf<System>> loop = factors.factors_of(b, terms);
-      if (loop.rank < block.rank) return {Code::loop_singular, b};
-      notice = graver(notice, notice_of(b, block.pivot, smallest_pivot(loop), pivot[b]));
-    }
-  } else {
-    notice = frozen_status<System>(pivot);
-  }
-  return notice;
-}
 
 }  // namespace solver_detail
 

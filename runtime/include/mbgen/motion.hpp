@@ -128,19 +128,17 @@ int large_pivots(int b, const LoopFactorsOf<RealOf<System>>& loop) noexcept {
 template <class System>
 double correct_by_large_pivots(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                                const typename System::State& state, typename System::Closure& closure) noexcept {
-  typename System::ClosureTerms terms, factored;
+  typename System::ClosureTerms terms;
   System::closure_terms(parameters, inputs, state, terms);
   copy(terms.Phi, closure.residual, System::kEquations);
   CorrectionWork<System> work;
   double smallest = std::numeric_limits<double>::infinity();
   for (int b = 0; b < System::kBlocks; ++b) {
     const BlockLayout& block = System::kBlockLayout[b];
-    copy(terms.Jz + block.first_jacobian, factored.Jz + block.first_jacobian, block.equations * block.coordinates);
-    const LoopFactorsOf<RealOf<System>> whole = work.factors.factors_of(b, factored);
-    const int count = large_pivots<System>(b, whole);
-    const double share = static_cast<double>(smallest_pivot(whole)) / block.pivot;
-    smallest = whole.rank < block.rank ? 0 : share < smallest ? share : smallest;
-    const LoopFactorsOf<RealOf<System>> loop = work.factors.factors_of(b, terms, count);
+    LoopFactorsOf<RealOf<System>> loop = work.factors.factors_of(b, terms);
+    const double share = static_cast<double>(smallest_pivot(loop)) / block.pivot;
+    smallest = loop.rank < block.rank ? 0 : share < smallest ? share : smallest;
+    loop.rank = large_pivots<System>(b, loop);  // the first pivots are the same without the others
     correct_block<System, Correction::of_dependents>(b, loop, terms, state, work, closure);
   }
   return smallest;
@@ -207,6 +205,7 @@ struct TwoSides {
   static constexpr int kMost = most_pivots<System>();
   typename System::ClosureTerms start, end, factored;
   BlockFactors<System> factors;
+  ByFineBlocks<System> fine;
   Real product[kMost * kMost];
   int rows[kMost], columns[kMost];
 
@@ -222,6 +221,10 @@ struct TwoSides {
   }
   /// The smallest pivot over a typical one, zero of a singular block.
   double clearance(int b, const typename System::ClosureTerms& terms) noexcept {
+    if constexpr (kHasFineBlocks<System>) {
+      if (fine.solves(b, terms))
+        return static_cast<double>(fine.solution.smallest_pivot) / System::kBlockLayout[b].pivot;
+    }
     const LoopFactorsOf<Real> loop = factors_of(b, terms);
     const BlockLayout& block = System::kBlockLayout[b];
     return loop.rank < block.rank ? 0 : static_cast<double>(smallest_pivot(loop)) / block.pivot;

@@ -46,10 +46,10 @@ Status deliver(const Values& values, typename System::Derivative& derivative) no
   return {};
 }
 
-/// zdd_star and Rz of block b by its factors (61), (62).
-template <class System>
-void project_by(int b, const LoopFactorsOf<RealOf<System>>& loop, const typename System::ClosureTerms& terms,
-                RealOf<System>* work, typename System::Projection& projection) noexcept {
+/// zdd_star and Rz of block b by its solution (block_solution.hpp). Source: (61), (62).
+template <class System, class Solution>
+void project_by(int b, const Solution& solution, const typename System::ClosureTerms& terms,
+                typename System::Projection& projection) noexcept {
   const BlockLayout& block = System::kBlockLayout[b];
   RealOf<System>* zdd_star = projection.zdd_star + block.first_coordinate;
   for (int c = 0; c < block.coordinates; ++c) {
@@ -57,8 +57,8 @@ void project_by(int b, const LoopFactorsOf<RealOf<System>>& loop, const typename
     const bool driven = System::kBlockDriven[place] != 0;
     zdd_star[c] = driven ? terms.driven_acceleration[System::kBlockCoordinate[place]] : RealOf<System>(0);
   }
-  solve_dependent(loop, terms.c + block.first_equation, zdd_star, work);
-  free_directions(loop, System::kBlockDriven + block.first_coordinate, projection.Rz + block.first_projection, work);
+  solution.accelerating(zdd_star);
+  solution.directions(projection.Rz + block.first_projection);
 }
 
 /// Accelerations with a partition chosen here and now by full pivoting; the status may be a notice. frozen_pivot: per
@@ -71,13 +71,22 @@ Status pivoted_accelerations(const typename System::Parameters& parameters, cons
   System::closure_terms(parameters, inputs, state, terms);
   typename System::Projection projection;
   BlockFactors<System> factors;
+  [[maybe_unused]] ByFineBlocks<System> fine;
   Status notice;
   for (int b = 0; b < System::kBlocks; ++b) {
     const BlockLayout& block = System::kBlockLayout[b];
+    if constexpr (kHasFineBlocks<System>) {
+      if (fine.solves(b, terms)) {
+        notice = graver(notice, notice_of_fine(b, frozen_pivot[b]));
+        project_by<System>(b, fine, terms, projection);
+        fine.order(factors.columns + block.first_coordinate);
+        continue;
+      }
+    }
     const LoopFactorsOf<RealOf<System>> loop = factors.factors_of(b, terms);
     if (loop.rank < block.rank) return {Code::loop_singular, b};
     notice = graver(notice, notice_of(b, block.pivot, smallest_pivot(loop), frozen_pivot[b]));
-    project_by<System>(b, loop, terms, factors.work, projection);
+    project_by<System>(b, ByFactors<System>{b, loop, terms, factors.work, nullptr}, terms, projection);
   }
   typename System::ChosenAccelerations values;
   System::chosen_accelerations(parameters, inputs, state, tau, projection, values);

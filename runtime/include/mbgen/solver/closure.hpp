@@ -84,6 +84,13 @@ Status correct_closure(const typename System::Parameters& parameters, const type
   for (int b = 0; b < System::kBlocks; ++b) {
     if (!is_watched<System, correction>(b, closure)) continue;
     const bool replaced = is_replaced<System, correction>(b, state, closure);
+    if constexpr (kHasFineBlocks<System>) {
+      if (work.fine.solves(b, terms)) {
+        notice = graver(notice, notice_of_fine(b, closure.pivot[b]));
+        if (replaced) correct_block<System, correction>(b, work.fine, state, work, closure);
+        continue;
+      }
+    }
     const BlockLayout& block = System::kBlockLayout[b];
     const LoopFactorsOf<RealOf<System>> loop = work.factors.factors_of(b, terms);
     if (loop.rank < block.rank) return {Code::loop_singular, b};
@@ -106,6 +113,12 @@ Status correct_other_chart(const typename System::Parameters& parameters, const 
     CorrectionWork<System> work;
     Status notice;
     for (int b = 0; b < System::kBlocks; ++b) {
+      if constexpr (kHasFineBlocks<System>) {
+        if (work.fine.solves(b, terms)) {
+          correct_block<System, correction>(b, work.fine, state, work, closure);
+          continue;
+        }
+      }
       const BlockLayout& block = System::kBlockLayout[b];
       const LoopFactorsOf<RealOf<System>> loop = work.factors.factors_of(b, terms);
       if (loop.rank < block.rank) return {Code::loop_singular, b};

@@ -3,6 +3,7 @@
 // described in blocks.hpp. Source: theory.md section 4.
 
 #include "mbgen/blocks.hpp"
+#include "mbgen/solver/block_solution.hpp"
 
 namespace mbgen {
 
@@ -30,6 +31,7 @@ template <class System>
 struct CorrectionWork {
   using Real = RealOf<System>;
   BlockFactors<System> factors;
+  ByFineBlocks<System> fine;
   typename System::Projection projection;
   Real gram[most_free<System>() * most_free<System>()];
   Real along[most_free<System>()];
@@ -37,39 +39,45 @@ struct CorrectionWork {
   Real solution[System::kBlockCoordinates];
 };
 
-/// dz and zd of block b by its factors: of dependents, or else the shortest. Driven coordinates take the position and
-/// velocity of their motions.
-template <class System, Correction correction>
-void correct_block(int b, const LoopFactorsOf<RealOf<System>>& loop, const typename System::ClosureTerms& terms,
-                   const typename System::State& state, CorrectionWork<System>& work,
+/// dz and zd of block b by its solution (block_solution.hpp): of dependents, or else the shortest. Driven coordinates
+/// take the position and velocity of their motions.
+template <class System, Correction correction, class Solution>
+void correct_block(int b, const Solution& solution, const typename System::State& state, CorrectionWork<System>& work,
                    typename System::Closure& closure) noexcept {
   const BlockLayout& block = System::kBlockLayout[b];
   const int* coordinate = System::kBlockCoordinate + block.first_coordinate;
   constexpr bool is_shortest = correction != Correction::of_dependents;
   [[maybe_unused]] RealOf<System>* const rz = work.projection.Rz + block.first_projection;
   if constexpr (is_shortest) {
-    free_directions(loop, System::kBlockDriven + block.first_coordinate, rz, work.factors.work);
-    factorise_gram(loop.coordinates, block.free, rz, work.gram);
+    solution.directions(rz);
+    factorise_gram(block.coordinates, block.free, rz, work.gram);
   }
   const auto shortened = [&] {
-    if constexpr (is_shortest) shorten(loop.coordinates, block.free, rz, work.gram, work.along, work.solution);
+    if constexpr (is_shortest) shorten(block.coordinates, block.free, rz, work.gram, work.along, work.solution);
   };
-  for (int e = 0; e < block.equations; ++e) work.right_hand_side[e] = -terms.Phi[block.first_equation + e];
   for (int c = 0; c < block.coordinates; ++c) {
     work.solution[c] = System::kDriven[coordinate[c]] != 0 ? closure.dz[coordinate[c]] : RealOf<System>(0);
   }
-  solve_dependent(loop, work.right_hand_side, work.solution, work.factors.work);
+  solution.closing(work.solution);
   shortened();
   for (int c = 0; c < block.coordinates; ++c) closure.dz[coordinate[c]] = work.solution[c];
 
   for (int c = 0; c < block.coordinates; ++c) {
     work.solution[c] = System::kDriven[coordinate[c]] != 0 ? closure.zd[coordinate[c]] : state.zd[coordinate[c]];
   }
-  for (int e = 0; e < block.equations; ++e) work.right_hand_side[e] = 0;
-  solve_dependent(loop, work.right_hand_side, work.solution, work.factors.work);
+  solution.moving(work.solution);
   for (int c = 0; c < block.coordinates; ++c) work.solution[c] -= state.zd[coordinate[c]];
   shortened();
   for (int c = 0; c < block.coordinates; ++c) closure.zd[coordinate[c]] = state.zd[coordinate[c]] + work.solution[c];
+}
+
+/// The same by the factors of the whole block.
+template <class System, Correction correction>
+void correct_block(int b, const LoopFactorsOf<RealOf<System>>& loop, const typename System::ClosureTerms& terms,
+                   const typename System::State& state, CorrectionWork<System>& work,
+                   typename System::Closure& closure) noexcept {
+  const ByFactors<System> solution = {b, loop, terms, work.factors.work, work.right_hand_side};
+  correct_block<System, correction>(b, solution, state, work, closure);
 }
 
 /// Shortens dz and zd of a block by the free directions of its frozen partition. put(value, to) stores a new value, for

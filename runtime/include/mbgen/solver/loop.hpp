@@ -14,6 +14,7 @@ struct LoopFactorsOf {
   int equations = 0;
   int coordinates = 0;
   int rank = 0;             ///< number of pivots taken
+  int filled = 0;           ///< rows with an entry that is not zero: the others come last, as those out of a plane do
   Real* matrix = nullptr;   ///< equations x coordinates; after factorisation, in permuted order: L (unit diagonal)
                             ///< below, U on and above the diagonal of the pivots, what elimination left beyond
   int* rows = nullptr;      ///< rows[k]: equation in place k
@@ -58,11 +59,23 @@ struct Pivot {
   Real size = 0;
 };
 
+/// Moves rows of zeros behind the others, which keep their order. Result: false for a matrix that is not finite.
 template <class Real>
-inline bool all_finite(const LoopFactorsOf<Real>& loop) noexcept {
-  bool finite = true;
-  for (int i = 0; i < loop.equations * loop.coordinates; ++i) finite = finite && std::isfinite(loop.matrix[i]);
-  return finite;
+inline bool move_empty_rows(LoopFactorsOf<Real>& loop) noexcept {
+  loop.filled = 0;
+  Real zero = 0;  // not a number once an entry is not finite
+  for (int i = 0; i < loop.equations; ++i) {
+    Real* const row = row_of(loop, i);
+    int first = 0;
+    while (first < loop.coordinates && row[first] == 0) ++first;
+    if (first == loop.coordinates) continue;
+    for (int j = first; j < loop.coordinates; ++j) zero += row[j] * 0;
+    Real* const to = row_of(loop, loop.filled);
+    for (int j = 0; to != row && j < loop.coordinates; ++j) to[j] = row[j], row[j] = 0;
+    swap(loop.rows[i], loop.rows[loop.filled]);
+    ++loop.filled;
+  }
+  return zero == 0;
 }
 
 /// Whether an equation waits for its pivot while place k is filled, or has none left by then.
@@ -89,7 +102,7 @@ template <class Real>
 inline Pivot<Real> find_pivot(const LoopFactorsOf<Real>& loop, int first, const unsigned char* driven,
                               const LatePivots& order) noexcept {
   Pivot<Real> pivot;
-  for (int i = first; i < loop.equations; ++i) {
+  for (int i = first; i < loop.filled; ++i) {
     if (is_passed_over(order, loop.rows[i], first)) continue;
     if (loop.largest != nullptr) {
       if (loop.largest[i] > pivot.size) pivot = {i, loop.largest_at[i], loop.largest[i]};
@@ -116,7 +129,7 @@ inline void move_pivot(LoopFactorsOf<Real>& loop, int k, const Pivot<Real>& pivo
     }
   }
   if (pivot.column != k) {
-    for (int i = 0; i < loop.equations; ++i) swap(row_of(loop, i)[k], row_of(loop, i)[pivot.column]);
+    for (int i = 0; i < loop.filled; ++i) swap(row_of(loop, i)[k], row_of(loop, i)[pivot.column]);
     swap(loop.columns[k], loop.columns[pivot.column]);
   }
 }
@@ -126,7 +139,7 @@ inline void move_pivot(LoopFactorsOf<Real>& loop, int k, const Pivot<Real>& pivo
 template <class Real>
 inline void eliminate(LoopFactorsOf<Real>& loop, int k, int moved, const unsigned char* driven) noexcept {
   const Real* pivot_row = row_of(loop, k);
-  for (int i = k + 1; i < loop.equations; ++i) {
+  for (int i = k + 1; i < loop.filled; ++i) {
     Real* row = row_of(loop, i);
     const Real factor = row[k] == 0 ? Real(0) : row[k] / pivot_row[k];
     row[k] = factor;
@@ -152,8 +165,8 @@ inline void factorise(LoopFactorsOf<Real>& loop, int rank_limit, const unsigned 
   for (int j = 0; j < loop.coordinates; ++j) loop.columns[j] = j;
   loop.rank = 0;
   loop.smallest_ratio = 0;
-  if (!loop_detail::all_finite(loop)) return;
-  for (int i = 0; loop.largest != nullptr && i < loop.equations; ++i) loop_detail::search_row(loop, i, 0, driven);
+  if (!loop_detail::move_empty_rows(loop)) return;
+  for (int i = 0; loop.largest != nullptr && i < loop.filled; ++i) loop_detail::search_row(loop, i, 0, driven);
   Real first = 0, smallest = 0, largest = 0;
   while (loop.rank < rank_limit) {
     const int k = loop.rank;
@@ -190,7 +203,7 @@ inline Real solve_dependent(const LoopFactorsOf<Real>& loop, const Real* right_h
   for (int i = 0; i < loop.equations; ++i) {
     const Real* row = loop_detail::row_of(loop, i);
     work[i] = right_hand_side[loop.rows[i]];
-    for (int j = 0; j < i && j < loop.rank; ++j) work[i] -= row[j] * work[j];
+    for (int j = 0; i < loop.filled && j < i && j < loop.rank; ++j) work[i] -= row[j] * work[j];
   }
   for (int k = loop.rank - 1; k >= 0; --k) {
     const Real* row = loop_detail::row_of(loop, k);

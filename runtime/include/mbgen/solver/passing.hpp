@@ -311,6 +311,7 @@ Status rates_across(const typename System::Parameters& parameters, const typenam
   if (!arguments.ok()) return arguments;
   typename System::ClosureTerms terms;
   BlockFactors<System> factors;
+  [[maybe_unused]] ByFineBlocks<System> fine;
   typename System::Projection projection;
   if constexpr (System::kBlocks > 1 || System::kDrives > 0) System::closure_terms(parameters, inputs, state, terms);
   for (int b = 0; b < System::kBlocks; ++b) {
@@ -323,9 +324,15 @@ Status rates_across(const typename System::Parameters& parameters, const typenam
       }
       continue;
     }
+    if constexpr (kHasFineBlocks<System>) {
+      if (fine.solves(b, terms)) {
+        project_by<System>(b, fine, terms, projection);
+        continue;
+      }
+    }
     const LoopFactorsOf<RealOf<System>> loop = factors.factors_of(b, terms);
     if (loop.rank < System::kBlockLayout[b].rank) return {Code::loop_singular, b};
-    project_by<System>(b, loop, terms, factors.work, projection);
+    project_by<System>(b, ByFactors<System>{b, loop, terms, factors.work, nullptr}, terms, projection);
   }
   typename System::ChosenAccelerations values;
   System::chosen_accelerations(parameters, inputs, state, kNoForces, projection, values);

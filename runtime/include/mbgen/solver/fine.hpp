@@ -1,0 +1,230 @@
+#pragma once
+// Loop closures at run time, fine block by fine block: once the free coordinates of a loop block are known, its
+// equations fall into small systems that are solved one after another, as the legs of a walking machine under its
+// crank. Source: (60)-(62); Dulmage and Mendelsohn.
+
+#include <cmath>
+#include <limits>
+
+namespace mbgen {
+
+/// A small system of equations for as many coordinates, given the coordinates of earlier ones.
+struct FineBlock {
+  int size;
+  int first;          ///< into the rows and the columns of the loop block
+  int first_earlier;  ///< into its earlier columns
+  int earlier;        ///< columns of earlier fine blocks, and others, where these equations have entries
+};
+
+/// Fine structure of one loop block: rows and columns are local to it, fine block after fine block.
+struct FineStructure {
+  const FineBlock* blocks;
+  int count;           ///< 0: none is known
+  const int* rows;     ///< equations with a pivot
+  const int* columns;  ///< coordinates that depend on the others
+  const int* earlier;  ///< see FineBlock
+  const int* others;   ///< columns that no fine block determines: free ones, and driven ones
+  int other_count;     ///< coordinates of the loop block less its rank
+  int coordinates;     ///< of the loop block
+  int largest;         ///< size of the largest fine block
+};
+
+/// A coordinate of the loop block per row: its motion by one of each other column, the change that closes open
+/// positions, and its acceleration at rest of the others. In the caller's memory.
+template <class Real>
+struct FineSolution {
+  Real* rows = nullptr;   ///< coordinates x (others + 2)
+  int* others = nullptr;  ///< columns that depend on none: of the structure, or exchanged for one of a fine block
+  int other_count = 0;
+  Real smallest_pivot = 0;
+
+  int stride() const noexcept { return other_count + 2; }
+  Real* row(int column) const noexcept { return rows + column * stride(); }
+};
+
+/// Numbers of memory for the equations of one fine block, and what is exchanged of a row.
+constexpr int fine_work(int largest, int others) noexcept { return largest * (largest + others + 3); }
+
+/// Factor of an entry in an other column, when a pivot is searched: a coordinate of the fine block is preferred, since
+/// an exchange changes all earlier rows.
+template <class Real>
+inline constexpr Real kExchangeFactor = Real(0.25);
+
+namespace fine_detail {
+
+/// One fine block under elimination: rows of `size` columns of its own, of one per other, and of two right-hand sides.
+template <class Real>
+struct Elimination {
+  const FineStructure& loop;
+  const FineBlock& block;
+  Real* work;
+  int width;
+  int* taken;  ///< per row: place of its pivot
+  int* place;  ///< per column of its own: the slot of the other column that it takes over, or -1
+
+  Real* row(int i) const noexcept { return work + i * width; }
+  Real* shares() const noexcept { return work + block.size * width; }
+};
+
+/// The equations with the earlier coordinates put in.
+template <class Real>
+void gather(const Elimination<Real>& e, const Real* jacobian, const Real* open, const Real* bias,
+            const FineSolution<Real>& solution) noexcept {
+  const int size = e.block.size, stride = solution.stride();
+  for (int i = 0; i < size; ++i) {
+    const int equation = e.loop.rows[e.block.first + i];
+    const Real* const entries = jacobian + equation * e.loop.coordinates;
+    Real* const row = e.row(i);
+    for (int j = 0; j < size; ++j) row[j] = entries[e.loop.columns[e.block.first + j]];
+    Real* const rest = row + size;
+    for (int t = 0; t < solution.other_count; ++t) rest[t] = 0;
+    rest[solution.other_count] = open[equation];
+    rest[solution.other_count + 1] = -bias[equation];
+    for (int k = 0; k < e.block.earlier; ++k) {
+      const int column = e.loop.earlier[e.block.first_earlier + k];
+      const Real entry = entries[column];
+      const Real* const known = solution.row(column);
+      for (int q = 0; q < stride; ++q) rest[q] += entry * known[q];
+    }
+  }
+}
+
+/// Solves the equations for one coordinate each. Result: the smallest pivot, 0 without one.
+template <class Real>
+Real reduce(const Elimination<Real>& e, int others, const unsigned char* is_movable) noexcept {
+  const int size = e.block.size;
+  Real smallest = std::numeric_limits<Real>::infinity();
+  for (int i = 0; i < size; ++i) {
+    Real largest = 0;
+    int at_row = i, at = -1;
+    for (int r = i; r < size; ++r) {
+      const Real* const row = e.row(r);
+      for (int j = 0; j < size + others; ++j) {
+        if (j >= size && is_movable[j - size] == 0) continue;
+        const Real entry = std::abs(row[j]) * (j < size ? Real(1) : kExchangeFactor<Real>);
+        if (entry > largest) largest = entry, at_row = r, at = j;
+      }
+    }
+    if (at < 0) return 0;
+    Real* const pivot_row = e.row(i);
+    Real* const chosen = e.row(at_row);
+    for (int j = 0; at_row != i && j < e.width; ++j) {
+      const Real kept = pivot_row[j];
+      pivot_row[j] = chosen[j];
+      chosen[j] = kept;
+    }
+    const Real pivot = std::abs(pivot_row[at]), reciprocal = 1 / pivot_row[at];
+    smallest = pivot < smallest ? pivot : smallest;
+    for (int j = 0; j < e.width; ++j) pivot_row[j] *= reciprocal;
+    pivot_row[at] = 1;
+    for (int r = 0; r < size; ++r) {
+      Real* const row = e.row(r);
+      const Real factor = row[at];
+      if (r == i || factor == 0) continue;
+      for (int j = 0; j < e.width; ++j) row[j] -= factor * pivot_row[j];
+      row[at] = 0;
+    }
+    e.taken[i] = at;
+  }
+  return smallest;
+}
+
+/// Gives the columns of its own without a pivot to slots whose other columns got one. Result: how many.
+template <class Real>
+int exchange(const Elimination<Real>& e) noexcept {
+  const int size = e.block.size;
+  for (int j = 0; j < size; ++j) e.place[j] = -2;
+  for (int i = 0; i < size; ++i) {
+    if (e.taken[i] < size) e.place[e.taken[i]] = -1;
+  }
+  int count = 0, next = 0;
+  for (int i = 0; i < size; ++i) {
+    if (e.taken[i] < size) continue;
+    while (e.place[next] != -2) ++next;
+    const int slot = e.taken[i] - size;
+    e.place[next] = slot;
+    for (int r = 0; r < size; ++r) e.row(r)[size + slot] = e.row(r)[next];
+    ++count;
+  }
+  return count;
+}
+
+/// Puts rows that were solved for other columns into a row known before.
+template <class Real>
+void put_exchanged(const Elimination<Real>& e, const FineSolution<Real>& solution, int column) noexcept {
+  const int size = e.block.size;
+  Real* const known = solution.row(column);
+  for (int i = 0; i < size; ++i) {
+    if (e.taken[i] >= size) e.shares()[i] = known[e.taken[i] - size];
+  }
+  for (int i = 0; i < size; ++i) {
+    if (e.taken[i] >= size) known[e.taken[i] - size] = 0;
+  }
+  for (int i = 0; i < size; ++i) {
+    if (e.taken[i] < size) continue;
+    const Real share = e.shares()[i];
+    const Real* const row = e.row(i) + size;
+    for (int q = 0; q < solution.stride(); ++q) known[q] -= share * row[q];
+  }
+}
+
+/// Row of an other column: it moves by itself alone.
+template <class Real>
+void put_unit(const FineSolution<Real>& solution, int slot) noexcept {
+  Real* const row = solution.row(solution.others[slot]);
+  for (int q = 0; q < solution.stride(); ++q) row[q] = 0;
+  row[slot] = 1;
+}
+
+template <class Real>
+void keep(const Elimination<Real>& e, const FineSolution<Real>& solution) noexcept {
+  const int size = e.block.size;
+  if (exchange(e) > 0) {
+    for (int k = 0; k < e.block.first; ++k) put_exchanged(e, solution, e.loop.columns[k]);
+    for (int k = 0; k < e.loop.other_count; ++k) put_exchanged(e, solution, e.loop.others[k]);
+  }
+  for (int i = 0; i < size; ++i) {
+    if (e.taken[i] >= size) continue;
+    Real* const known = solution.row(e.loop.columns[e.block.first + e.taken[i]]);
+    const Real* const row = e.row(i) + size;
+    for (int q = 0; q < solution.stride(); ++q) known[q] = -row[q];
+  }
+  for (int j = 0; j < size; ++j) {
+    if (e.place[j] < 0) continue;
+    solution.others[e.place[j]] = e.loop.columns[e.block.first + j];
+    put_unit(solution, e.place[j]);
+  }
+}
+
+}  // namespace fine_detail
+
+/// Solves the equations of one loop block, fine block by fine block, each with full pivoting among its own columns and
+/// the other ones that are not driven. jacobian: of the loop block, row by row; open, bias: per equation, right-hand
+/// sides -open for changes of positions and bias for accelerations; is_driven: per column. work: fine_work numbers;
+/// places: 2 * largest; movable: other_count. Result: false as soon as a pivot is below `least`, or there is none.
+/// Cost: as the sizes of the fine blocks; an exchange: as the rows before.
+template <class Real>
+bool solve_finely(const FineStructure& loop, const Real* jacobian, const Real* open, const Real* bias,
+                  const unsigned char* is_driven, Real least, FineSolution<Real>& solution, Real* work, int* places,
+                  unsigned char* movable) noexcept {
+  solution.other_count = loop.other_count;
+  solution.smallest_pivot = std::numeric_limits<Real>::infinity();
+  for (int t = 0; t < loop.other_count; ++t) {
+    solution.others[t] = loop.others[t];
+    movable[t] = is_driven[loop.others[t]] != 0 ? 0 : 1;
+    fine_detail::put_unit(solution, t);
+  }
+  for (int p = 0; p < loop.count; ++p) {
+    const FineBlock& block = loop.blocks[p];
+    const fine_detail::Elimination<Real> e{
+        loop, block, work, block.size + solution.stride(), places, places + loop.largest};
+    fine_detail::gather(e, jacobian, open, bias, solution);
+    const Real pivot = fine_detail::reduce(e, loop.other_count, movable);
+    if (!(pivot >= least)) return false;
+    solution.smallest_pivot = pivot < solution.smallest_pivot ? pivot : solution.smallest_pivot;
+    fine_detail::keep(e, solution);
+  }
+  return true;
+}
+
+}  // namespace mbgen
