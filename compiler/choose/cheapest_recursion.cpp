@@ -44,10 +44,14 @@ TracedRecursion cheapest_recursion(const Model& model, const Topology& topology,
     for (const auto& [subtrees, centres] : {std::pair(true, false), {false, true}, {false, false}})
       firsts.push_back({.subtrees = subtrees, .centres = centres});
   std::vector<Candidate> candidates(firsts.size());
+  in_threads(firsts.size(), [&](std::size_t i) { candidates[i].recursion = traced(firsts[i]); });
+  std::vector<std::size_t> first_alike(firsts.size());
+  for (std::size_t i = 0; i < firsts.size(); ++i)
+    while (!are_same(candidates[first_alike[i]].recursion.program, candidates[i].recursion.program)) ++first_alike[i];
   in_threads(firsts.size(), [&](std::size_t i) {
-    candidates[i].recursion = traced(firsts[i]);
-    candidates[i].operations = operations_of(candidates[i].recursion.program);
+    if (first_alike[i] == i) candidates[i].operations = operations_of(candidates[i].recursion.program);
   });
+  for (std::size_t i = 0; i < firsts.size(); ++i) candidates[i].operations = candidates[first_alike[i]].operations;
   // Of equally short ones the first.
   Candidate cheapest =
       std::move(*std::min_element(candidates.begin(), candidates.end(),

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 
@@ -23,8 +24,19 @@ constexpr int kMostShift = 18;    ///< 15 + 18 digits fit into Wide
 constexpr int kFreedDigits = 11;  ///< one number in a thousand that nobody typed lies that near to so short a decimal
 constexpr double kRounding = 4e-15;  ///< of the size of a number: what some twenty roundings leave
 
+constexpr double kPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                              1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr int kMostPower = std::size(kPowers) - 1;  ///< of ten that a double holds
+constexpr Wide kMostWhole = Wide{1} << 53;          ///< up to here doubles hold every whole number
+
 /// The nearest double.
 double nearest(Decimal decimal) {
+  // One operation on numbers that are doubles rounds once (W. D. Clinger 1990).
+  if (-kMostWhole <= decimal.digits && decimal.digits <= kMostWhole && std::abs(decimal.exponent) <= kMostPower) {
+    const auto digits = static_cast<double>(static_cast<std::int64_t>(decimal.digits));
+    const double power = kPowers[std::abs(decimal.exponent)];
+    return decimal.exponent < 0 ? digits / power : digits * power;
+  }
   const bool is_negative = decimal.digits < 0;
   std::string digits;
   for (Wide rest = is_negative ? -decimal.digits : decimal.digits; rest != 0; rest /= 10)
@@ -43,7 +55,28 @@ Decimal with_exponent(Decimal decimal, int exponent) {
 
 }  // namespace
 
+namespace {
+
+/// A number with at most kFewPlaces digits after the point: a decimal of at most 15 digits that reads back as it is the
+/// only one.
+std::optional<TypedDecimal> with_few_places(double value) {
+  constexpr int kFewPlaces = 6;
+  constexpr double kMost = 1e9;  // 15 digits with six places
+  if (!(std::abs(value) < kMost)) return {};
+  for (int places = 0; places <= kFewPlaces; ++places) {
+    auto digits = static_cast<std::int64_t>(value * kPowers[places] + (value < 0 ? -0.5 : 0.5));
+    if (static_cast<double>(digits) / kPowers[places] != value) continue;
+    int exponent = -places;
+    for (; digits != 0 && digits % 10 == 0; digits /= 10) ++exponent;
+    return TypedDecimal{digits, digits == 0 ? 0 : exponent};
+  }
+  return {};
+}
+
+}  // namespace
+
 std::optional<TypedDecimal> typed_decimal(double value) {
+  if (const std::optional<TypedDecimal> typed = with_few_places(value)) return typed;
   char text[32];
   const auto written = std::to_chars(text, text + sizeof text, std::abs(value), std::chars_format::scientific);
   std::int64_t digits = 0;

@@ -35,6 +35,7 @@ std::string operations_text(const OperationCount& count) {
 Headings::Headings(const Program& program, const Schedule& schedule, const Titles& titles)
     : program_(program), schedule_(schedule), titles_(titles), counts_(count_operations_by_section(program)) {
   for (std::size_t i = 0; i < schedule.order.size(); ++i) end_[section_of(i)] = i;
+  for (const auto& [section, end] : end_) ends_.insert(end);
 }
 
 void Headings::start_part() {
@@ -87,6 +88,8 @@ void Headings::write_before_loop(const ScheduledUnit& loop, PartText& part) {
 void Headings::write_after(std::size_t first, std::size_t last, PartText& part) const {
   const bool is_sorted = schedule_.ordered != ValueOrder::fewest_alive;
   if (!is_sorted && last < schedule_.order.size()) return;
+  const auto end_from_first = ends_.lower_bound(first);
+  if (is_sorted && (end_from_first == ends_.end() || *end_from_first >= last)) return;
   for (std::size_t s = 0; s < counts_.size(); ++s) {
     const Section& section = program_.sections[s];
     if (section.step == Step::none || !end_.contains(section)) continue;

@@ -44,6 +44,7 @@ class Headings {
   const Titles& titles_;
   std::vector<OperationCount> counts_;  ///< per section
   std::map<Section, std::size_t> end_;  ///< place of the last value of each section
+  std::set<std::size_t> ends_;          ///< these places
   std::set<Section> entered_;           ///< sections with a heading so far
   std::optional<Section> section_;
   using Owners = std::pair<Owner, Owner>;  ///< of a value and of its second lane

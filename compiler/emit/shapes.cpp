@@ -6,6 +6,7 @@
 
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/program/in_threads.hpp"
 
 namespace mbgen {
 namespace {
@@ -304,9 +305,11 @@ std::vector<ShapedProgram> shaped_programs(const EmitContext& context) {
     if (row.role == Role::accelerations && context.in_pairs) shaped.program = &context.written.in_pairs->program;
     shaped.shape.order = order_of(context, shaped);
     if (shaped.shape.order == ValueOrder::reading) shaped.shape.longest_statement = 2 * kLineWidth;
-    shaped.schedule = schedule(*shaped.program, schedule_options(shaped.shape, context.options.roll_above));
     all.push_back(std::move(shaped));
   }
+  in_threads(all.size(), [&](std::size_t i) {
+    all[i].schedule = schedule(*all[i].program, schedule_options(all[i].shape, context.options.roll_above));
+  });
   return all;
 }
 

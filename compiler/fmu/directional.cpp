@@ -82,7 +82,7 @@ std::string directional_source_text(const EmitContext& context, const Programs& 
     // Outputs without a place in the shape are dropped: pivots of the multipliers, and all that these alone need.
     std::erase_if(derived.outputs,
                   [&](const OutputValue& output) { return !shape.outputs.contains(output.slot.group); });
-    const Program lean = remove_dead_values(derived);
+    const Program lean = remove_dead_values(std::move(derived));
     text += program_text(lean, schedule(lean, schedule_options(shape, context.options.roll_above)), shape) + "\n";
   }
   return fill_template(context, "directional.cpp.in", {{"programs", text}});

@@ -25,7 +25,7 @@ constexpr double kOtherKind = 0.01;
 constexpr double kInPhase = 15;  // degrees
 /// Neutral states with a smaller difference in positions are the same position with different speeds.
 constexpr double kSameShape = 1e-3;
-/// Singular value relative to the largest that counts as zero.
+/// Pivot relative to the largest that counts as zero.
 constexpr double kNothing = 1e-11;
 
 Mode mode_of(const LinearSystem& system, std::complex<double> eigenvalue, const Eigen::VectorXcd& vector) {
@@ -94,10 +94,7 @@ Eigen::MatrixXd neutral_states(const LinearSystem& system) {
   for (Eigen::Index size = -1; size < basis.cols() && basis.cols() < a.rows();) {
     size = basis.cols();
     const Eigen::MatrixXd beside = a - basis * (basis.transpose() * a);
-    const auto [sizes, vectors] = right_singular_vectors(beside);
-    const auto zero =
-        std::count_if(sizes.begin(), sizes.end(), [none = kNothing * sizes[0]](double s) { return s <= none; });
-    basis = vectors.rightCols(zero);
+    basis = indifferent_directions(beside, kNothing);
   }
   if (basis.cols() == 0 || units.isOnes()) return basis;
   const Eigen::MatrixXd in_own_units = units.asDiagonal() * basis;

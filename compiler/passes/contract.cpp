@@ -19,13 +19,15 @@ std::vector<std::vector<ValueId>> sums_of_products(const Program& program) {
     const Node& node = program.nodes[i];
     for (int k = 0; k < arity(node.op); ++k) {
       const ValueId operand = node.operands[k];
-      if (!is_sum(node) || node.operands[0] == node.operands[1]) is_kept[operand] = true;
-      sums[operand].push_back(static_cast<ValueId>(i));
+      const Node& given = program.nodes[operand];
+      if (!is_sum(node) || node.operands[0] == node.operands[1] || given.op != Op::multiply || given.label >= 0)
+        is_kept[operand] = true;
     }
   }
-  for (std::size_t i = 0; i < sums.size(); ++i) {
+  for (std::size_t i = 0; i < program.nodes.size(); ++i) {
     const Node& node = program.nodes[i];
-    if (is_kept[i] || node.op != Op::multiply || node.label >= 0) sums[i].clear();
+    for (int k = 0; k < arity(node.op); ++k)
+      if (!is_kept[node.operands[k]]) sums[node.operands[k]].push_back(static_cast<ValueId>(i));
   }
   return sums;
 }

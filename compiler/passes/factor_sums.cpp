@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "compiler/passes/passes.hpp"
@@ -173,16 +173,24 @@ class SumWriter {
 
   /// Removes each term with the first later one that is its opposite.
   void cancel(std::vector<Term>& terms) {
-    std::map<std::pair<ValueId, ValueId>, std::deque<std::size_t>> waiting;  // all of one sign, by what they are
-    std::vector<bool> cancelled(terms.size(), false);
+    struct Place {
+      ValueId first, second;  // the term up to its sign
+      std::size_t term;
+      bool operator==(const Place& other) const { return first == other.first && second == other.second; }
+    };
+    std::vector<Place> order;
     for (std::size_t i = 0; i < terms.size(); ++i) {
-      std::deque<std::size_t>& equal = waiting[{number_of(terms[i].first), number_of(terms[i].second)}];
-      if (equal.empty() || terms[equal.front()].negative == terms[i].negative) {
-        equal.push_back(i);
-      } else {
-        cancelled[i] = cancelled[equal.front()] = true;
-        equal.pop_front();
-      }
+      const ValueId first = number_of(terms[i].first), second = number_of(terms[i].second);
+      order.push_back({first, second, i});
+    }
+    std::ranges::sort(order, {}, [](const Place& place) { return std::tuple(place.first, place.second, place.term); });
+    std::vector<bool> cancelled(terms.size(), false);
+    auto waiting = order.begin();  // the first of equal terms, which have one sign while they wait
+    for (auto place = order.begin(); place != order.end(); ++place) {
+      if (*waiting != *place) waiting = place;
+      while (waiting != place && cancelled[waiting->term]) ++waiting;
+      if (waiting == place || terms[waiting->term].negative == terms[place->term].negative) continue;
+      cancelled[place->term] = cancelled[waiting->term] = true;
     }
     std::size_t i = 0;
     std::erase_if(terms, [&](const Term&) { return cancelled[i++]; });
@@ -203,16 +211,20 @@ class SumWriter {
 
   /// The value that most products have as a factor, kNoValue when none is in two.
   ValueId common_factor(const std::vector<Term>& terms) {
-    std::map<ValueId, int> count;
+    std::vector<ValueId> factors;
     for (const Term& t : terms) {
       if (!t.is_product()) continue;
-      ++count[number_of(t.first)];
-      if (number_of(t.second) != number_of(t.first)) ++count[number_of(t.second)];
+      factors.push_back(number_of(t.first));
+      if (number_of(t.second) != number_of(t.first)) factors.push_back(number_of(t.second));
     }
+    std::ranges::sort(factors);
     ValueId best = kNoValue;
-    int most = 1;
-    for (const auto& [value, number] : count)
-      if (number > most) best = value, most = number;
+    std::ptrdiff_t most = 1;
+    for (auto run = factors.begin(); run != factors.end();) {
+      const auto end = std::upper_bound(run, factors.end(), *run);
+      if (end - run > most) best = *run, most = end - run;
+      run = end;
+    }
     return best;
   }
 

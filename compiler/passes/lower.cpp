@@ -10,29 +10,28 @@
 namespace mbgen {
 namespace {
 
-using OnProgram = Program (*)(const Program&);
-
 /// Share of the code, by size_of_code, up to which pairs are worth it: with left and right alone the truck took 1 %
 /// fewer bytes than without; at 0.90 and less coach.json and others took 19 % fewer.
 constexpr double kWorthPairs = 0.93;
 
 /// A pass on programs by themselves, the largest first. Dead values go each time: what a pass replaces stays behind,
 /// and would count.
-void run_on(std::span<Program* const> programs, OnProgram run) {
+template <class Run>
+void run_on(std::span<Program* const> programs, const Run& run) {
   std::vector<Program*> order(programs.begin(), programs.end());
   std::stable_sort(order.begin(), order.end(),
                    [](const Program* a, const Program* b) { return a->nodes.size() > b->nodes.size(); });
-  in_threads(order.size(), [&](std::size_t i) { *order[i] = remove_dead_values(run(*order[i])); });
+  in_threads(order.size(), [&](std::size_t i) { *order[i] = remove_dead_values(run(std::move(*order[i]))); });
 }
 
-template <OnProgram run>
+template <auto run>
 WholePrograms on_each(WholePrograms whole, const AlikeInputs&) {
   run_on(solver_programs(whole), run);
   return whole;
 }
 
 /// The same of the accelerations alone, where a pass takes longer than it gains in programs that run less often.
-template <OnProgram run>
+template <auto run>
 WholePrograms on_accelerations(WholePrograms whole, const AlikeInputs&) {
   std::vector<Program*> programs = {&whole.programs.accelerations};
   if (whole.around_laws) programs.push_back(&whole.around_laws->program);
@@ -41,9 +40,9 @@ WholePrograms on_accelerations(WholePrograms whole, const AlikeInputs&) {
 }
 
 /// None where no pair is worth it.
-std::optional<PairedAccelerations> folded(const Program& program, bool holds_twins, bool holds_sides) {
+std::optional<PairedAccelerations> folded(Program program, bool holds_twins, bool holds_sides) {
   if (program.outputs.empty()) return {};
-  return PairedAccelerations{remove_dead_values(program), holds_twins, holds_sides};
+  return PairedAccelerations{remove_dead_values(std::move(program)), holds_twins, holds_sides};
 }
 
 /// Left and right as pairs, or twins and then left and right of what they leave: what takes less code.

@@ -15,7 +15,7 @@ namespace mbgen {
 /// Removes values and inputs that no output needs. Ensures: the same outputs bit for bit, the same order of what
 /// remains. Factor of error: 1.
 ///   %0 = input z[0]; %1 = sin %0; %2 = cos %0; out zdd[0] = %1   =>   %0 = input z[0]; %1 = sin %0; out zdd[0] = %1
-Program remove_dead_values(const Program& program);
+Program remove_dead_values(Program program);
 
 /// Values that are equal by algebra, up to sign, become one, the first of them; zeros leave. See identities.hpp for
 /// equality by algebra. Ensures: values equal up to rounding. Factor of error: 2.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -28,6 +29,18 @@ struct Form {
   bool negative = false;  ///< its negative
 };
 
+/// The values that a value is made of at once.
+class Operands {
+ public:
+  void add(ValueId value) { values_[count_++] = value; }
+  const ValueId* begin() const { return values_.data(); }
+  const ValueId* end() const { return begin() + count_; }
+
+ private:
+  std::array<ValueId, 3> values_ = {};
+  std::size_t count_ = 0;
+};
+
 int cost_of(Op op) {
   constexpr int kFunction = 10;  // a function takes more than ten operations
   if (op == Op::negate || op == Op::constant || op == Op::input) return 0;
@@ -40,7 +53,8 @@ class ShorterForms {
       : program_(program),
         uses_(program.nodes.size(), 0),
         operands_(program.nodes.size()),
-        forms_(program.nodes.size()) {
+        forms_(program.nodes.size()),
+        leaf_of_(program.nodes.size(), kNoValue) {
     for (const auto& lanes : elements_of(program, field_, input_variables(program, field_)))
       elements_.push_back(lanes[0]);
     value_of_.assign(field_.size(), kNoValue);
@@ -48,7 +62,7 @@ class ShorterForms {
       const Node& node = program.nodes[v];
       ValueId& value = value_of_[static_cast<std::size_t>(elements_[v].number)];
       if (value == kNoValue && node.op != Op::negate) value = v;
-      for (int k = 0; k < arity(node.op); ++k) operands_[v].push_back(node.operands[k]);
+      for (int k = 0; k < arity(node.op); ++k) operands_[v].add(node.operands[k]);
     }
     std::vector<ValueId> taken;
     for (const OutputValue& output : program.outputs) take(output.value, taken);
@@ -77,7 +91,7 @@ class ShorterForms {
       const ValueId v = changed[next];
       if (uses_[v]++ > 0) continue;
       cost += cost_of(program_.nodes[v].op);
-      changed.insert(changed.end(), operands_[v].begin(), operands_[v].end());
+      for (const ValueId operand : operands_[v]) changed.push_back(operand);
     }
     return cost;
   }
@@ -86,24 +100,28 @@ class ShorterForms {
   /// into `changed`.
   int leave_operands(ValueId v, std::size_t most, std::vector<ValueId>& changed) {
     int cost = 0;
-    std::vector<ValueId> gone{v};
-    for (std::size_t i = 0; i < gone.size() && i < most; ++i) {
-      cost += cost_of(program_.nodes[gone[i]].op);
-      for (const ValueId operand : operands_[gone[i]]) {
+    gone_.assign(1, v);
+    for (std::size_t i = 0; i < gone_.size() && i < most; ++i) {
+      cost += cost_of(program_.nodes[gone_[i]].op);
+      for (const ValueId operand : operands_[gone_[i]]) {
         changed.push_back(operand);
-        if (--uses_[operand] == 0) gone.push_back(operand);
+        if (--uses_[operand] == 0) gone_.push_back(operand);
       }
     }
     return cost;
   }
 
-  /// Values that `v` is made of, the nearest first.
-  std::vector<ValueId> leaves_of(ValueId v) const {
-    std::vector<ValueId> leaves = operands_[v];
-    for (std::size_t i = 0; i < leaves.size() && leaves.size() < kMostLeaves; ++i)
-      for (const ValueId operand : operands_[leaves[i]])
-        if (std::ranges::find(leaves, operand) == leaves.end()) leaves.push_back(operand);
-    return leaves;
+  /// Finds values that `v` is made of, the nearest first.
+  void find_leaves(ValueId v) {
+    leaves_.clear();
+    const auto add = [&](ValueId leaf) {
+      leaf_of_[leaf] = v;
+      leaves_.push_back(leaf);
+    };
+    for (const ValueId operand : operands_[v]) add(operand);
+    for (std::size_t i = 0; i < leaves_.size() && leaves_.size() < kMostLeaves; ++i)
+      for (const ValueId operand : operands_[leaves_[i]])
+        if (leaf_of_[operand] != v) add(operand);
   }
 
   /// The value of a function that is known before v, in a program that is left without v.
@@ -124,13 +142,13 @@ class ShorterForms {
     });
   }
 
-  /// Forms of v with `leaf` as one operand.
-  std::vector<Form> forms_with(ValueId leaf, ValueId v) {
-    std::vector<Form> forms;
+  /// Calls use(form) for forms of v with `leaf` as one operand.
+  template <class Use>
+  void with_forms(ValueId leaf, ValueId v, const Use& use) {
     const Element whole = elements_[v], part = elements_[leaf];
-    if (part.number == 0) return forms;
+    if (part.number == 0) return;
     const auto add = [&](Op op, ValueId first, ValueId second, bool negative) {
-      forms.push_back({op, first, second, negative});
+      use(Form{op, first, second, negative});
     };
     const auto negative = [&](ValueId value, const Element& element) {
       return elements_[value].negative != element.negative;
@@ -143,35 +161,39 @@ class ShorterForms {
       if (const ValueId b = earlier(rest, v); b != kNoValue && !negative(b, *rest)) add(Op::subtract, b, leaf, false);
     if (const auto factor = field_.known_quotient(whole, part))
       if (const ValueId b = earlier(factor, v); b != kNoValue) add(Op::multiply, leaf, b, negative(b, *factor));
-    return forms;
   }
 
   /// Additional cost of the operands of a form.
   int cost_of_operands(const Form& form) {
-    std::vector<ValueId> taken;
-    const int cost = take(form.first, taken) + take(form.second, taken);
-    for (const ValueId value : taken) --uses_[value];
+    taken_.clear();
+    const int cost = take(form.first, taken_) + take(form.second, taken_);
+    for (const ValueId value : taken_) --uses_[value];
     return cost;
   }
 
   /// Gives v the form that saves most.
   void shorten(ValueId v) {
-    std::vector<ValueId> left;
-    const int freed = leave_operands(v, kMostFreed, left);
+    left_.clear();
+    const int freed = leave_operands(v, kMostFreed, left_);
     int most = 0;
     Form best;
-    for (const ValueId leaf : freed > 1 ? leaves_of(v) : std::vector<ValueId>{})
-      for (const Form& form : forms_with(leaf, v)) {
+    leaves_.clear();
+    if (freed > 1) find_leaves(v);
+    for (const ValueId leaf : leaves_)
+      with_forms(leaf, v, [&](const Form& form) {
         const int saved = freed - cost_of(form.op) - cost_of_operands(form);
-        if (saved <= most || !is_accurate(form, v)) continue;
+        if (saved <= most || !is_accurate(form, v)) return;
         most = saved;
         best = form;
-      }
-    for (const ValueId value : left) ++uses_[value];
+      });
+    for (const ValueId value : left_) ++uses_[value];
     if (most == 0) return;
-    leave_operands(v, program_.nodes.size(), left);
-    operands_[v] = {best.first, best.second};
-    for (const ValueId operand : operands_[v]) take(operand, left);
+    leave_operands(v, program_.nodes.size(), left_);
+    operands_[v] = {};
+    for (const ValueId operand : {best.first, best.second}) {
+      operands_[v].add(operand);
+      take(operand, left_);
+    }
     forms_[v] = best;
   }
 
@@ -180,9 +202,11 @@ class ShorterForms {
   std::vector<Element> elements_;
   std::vector<ValueId> value_of_;  ///< the first of each function
   std::vector<int> uses_;          ///< by values that are needed and by outputs
-  std::vector<std::vector<ValueId>> operands_;
+  std::vector<Operands> operands_;
   std::vector<Form> forms_;
   std::vector<std::vector<Rounded>> rounded_;
+  std::vector<ValueId> leaf_of_;                       ///< the value whose leaves were found last among those with it
+  std::vector<ValueId> leaves_, left_, taken_, gone_;  ///< of the value in hand
 };
 
 }  // namespace

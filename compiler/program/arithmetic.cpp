@@ -46,31 +46,6 @@ double of_one(Op op, double x) {
 
 }  // namespace
 
-int arity(Op op) {
-  switch (op) {
-    case Op::constant:
-    case Op::input:
-      return 0;
-    case Op::add:
-    case Op::subtract:
-    case Op::multiply:
-    case Op::divide:
-    case Op::atan2:
-    case Op::pow:
-    case Op::min:
-    case Op::max:
-    case Op::pack:
-      return 2;
-    case Op::select:
-    case Op::multiply_add:
-    case Op::multiply_subtract:
-    case Op::subtract_product:
-      return 3;
-    default:
-      return 1;
-  }
-}
-
 const char* op_name(Op op) {
   static constexpr std::pair<Op, const char*> kNames[] = {{Op::constant, "constant"},
                                                           {Op::input, "input"},
@@ -151,8 +126,6 @@ double sample_of(const std::vector<double>& samples, double index) {
   const double last = static_cast<double>(samples.size() - 1);
   return samples[index >= 0 ? static_cast<std::size_t>(std::min(index, last)) : 0];
 }
-
-bool is_commutative(Op op) { return op == Op::add || op == Op::multiply || op == Op::min || op == Op::max; }
 
 bool is_odd(Op op) { return op == Op::sin || op == Op::tan || op == Op::asin || op == Op::atan || op == Op::tanh; }
 

@@ -18,7 +18,7 @@ double fold(Op op, double first, double second, double third);
 double sample_of(const std::vector<double>& samples, double index);
 
 /// Operands may change places: add, multiply, min, max.
-bool is_commutative(Op op);
+constexpr bool is_commutative(Op op) { return op == Op::add || op == Op::multiply || op == Op::min || op == Op::max; }
 
 /// f(-x) = -f(x): sin, tan, asin, atan, tanh.
 bool is_odd(Op op);

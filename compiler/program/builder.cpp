@@ -157,11 +157,14 @@ ValueId ProgramBuilder::append(Op op, ValueId first, ValueId second, ValueId thi
 // Operations are the same when their constants have the same value, whatever their names. A constant itself is told
 // apart by its name: in a long chain thousands have one value.
 std::uint64_t ProgramBuilder::hash_of(const Node& node) const {
-  std::uint64_t hash = mixed_word(static_cast<std::uint64_t>(node.op), std::bit_cast<std::uint64_t>(node.constant));
-  if (node.op == Op::constant) hash = mixed_word(hash, static_cast<std::uint64_t>(node.label));
-  for (const ValueId operand : node.operands) {
-    const bool is_number = operand != kNoValue && is_constant(operand);
-    hash = mixed_word(hash, is_number ? std::bit_cast<std::uint64_t>(this->node(operand).constant) : operand);
+  std::uint64_t hash = static_cast<std::uint64_t>(node.op);
+  if (node.op == Op::constant)
+    return mixed_word(mixed_word(hash, std::bit_cast<std::uint64_t>(node.constant)),
+                      static_cast<std::uint64_t>(node.label));
+  for (int k = 0; k < arity(node.op); ++k) {
+    const Node& operand = this->node(node.operands[k]);
+    const bool is_number = operand.op == Op::constant;
+    hash = mixed_word(hash, is_number ? std::bit_cast<std::uint64_t>(operand.constant) : node.operands[k]);
   }
   return hash;
 }
@@ -230,7 +233,9 @@ void ProgramBuilder::output(SlotGroup group, int index, ValueId value) {
 
 void ProgramBuilder::set_section(const Section& section) {
   ++moment_;
+  if (knows_section_ && section == section_) return;
   section_ = section;
+  knows_section_ = true;
   if (known_sections_.insert(section).second) program_.sections.push_back(section);
 }
 
@@ -278,7 +283,7 @@ Program ProgramBuilder::finish_in_canonical_order() {
   const std::vector<std::pair<ValueId, Node>> repeats = std::move(repeats_);
   Program program = finish();
   for (const auto& [value, again] : repeats) take_first_names(again, program.nodes[value], program);
-  return verified(in_canonical_order(program, moments));
+  return verified(in_canonical_order(std::move(program), moments));
 }
 
 }  // namespace mbgen

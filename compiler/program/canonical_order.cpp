@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
-#include <string>
+#include <cstdint>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -36,27 +36,41 @@ std::array<Rank, 3> operand_ranks(const Node& node, std::span<const Rank> ranks)
   return result;
 }
 
+/// A node of a wave, that is of one moment and depth, as it is sorted.
+struct Placed {
+  std::uint64_t wave = 0;
+  ValueId value = kNoValue;
+  Op op = Op::constant;
+  std::array<Rank, 3> operands = {0, 0, 0};  ///< known when the wave is
+};
+
+/// By operation, then constants by value and name, inputs by slot, operations by the ranks of their operands.
+bool comes_first(const Program& program, const Placed& a, const Placed& b) {
+  if (a.op != b.op) return a.op < b.op;
+  const Node &one = program.nodes[a.value], &other = program.nodes[b.value];
+  if (a.op == Op::input)
+    return program.inputs[static_cast<std::size_t>(one.input)] < program.inputs[static_cast<std::size_t>(other.input)];
+  if (a.op != Op::constant) return a.operands < b.operands;
+  if (one.constant != other.constant) return one.constant < other.constant;
+  const auto name = [&](const Node& node) {
+    return node.label < 0 ? std::string_view() : program.constants[static_cast<std::size_t>(node.label)].name;
+  };
+  return name(one) < name(other);
+}
+
 /// Places of the nodes in an order by computation: by moment, depth, operation and the ranks of the operands.
 std::vector<Rank> ranks_of_nodes(const Program& program, std::span<const std::uint32_t> moments) {
   const std::vector<std::uint32_t> depths = depths_within_moments(program, moments);
-  const auto wave = [&](ValueId value) { return std::pair(moments[value], depths[value]); };
-  std::vector<ValueId> order(program.nodes.size());
-  std::iota(order.begin(), order.end(), ValueId{0});
-  std::ranges::sort(order, {}, wave);
+  std::vector<Placed> order(program.nodes.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order[i] = {std::uint64_t{moments[i]} << 32 | depths[i], static_cast<ValueId>(i), program.nodes[i].op};
+  std::ranges::sort(order, {}, &Placed::wave);
   std::vector<Rank> ranks(program.nodes.size());
-  const auto key = [&](ValueId value) {
-    const Node& node = program.nodes[value];
-    const Slot slot = node.op == Op::input ? program.inputs[static_cast<std::size_t>(node.input)] : Slot{};
-    static const std::string kUnnamed;
-    const bool is_named = node.op == Op::constant && node.label >= 0;
-    const std::string& name = is_named ? program.constants[static_cast<std::size_t>(node.label)].name : kUnnamed;
-    return std::tuple<Op, double, const std::string&, Slot, std::array<Rank, 3>>(node.op, node.constant, name, slot,
-                                                                                 operand_ranks(node, ranks));
-  };
   for (auto begin = order.begin(); begin != order.end();) {
-    const auto end = std::find_if(begin, order.end(), [&](ValueId value) { return wave(value) != wave(*begin); });
-    std::sort(begin, end, [&](ValueId a, ValueId b) { return key(a) < key(b); });
-    for (; begin != end; ++begin) ranks[*begin] = static_cast<Rank>(begin - order.begin());
+    const auto end = std::find_if(begin, order.end(), [&](const Placed& node) { return node.wave != begin->wave; });
+    for (auto node = begin; node != end; ++node) node->operands = operand_ranks(program.nodes[node->value], ranks);
+    std::sort(begin, end, [&](const Placed& a, const Placed& b) { return comes_first(program, a, b); });
+    for (; begin != end; ++begin) ranks[begin->value] = static_cast<Rank>(begin - order.begin());
   }
   return ranks;
 }
@@ -121,10 +135,10 @@ void order_constants(Program& program) {
   std::vector<std::int32_t> place(program.constants.size(), -1);
   const auto meet_label = [&](auto& meet_operand, std::int32_t label) -> void {
     if (label < 0 || place[static_cast<std::size_t>(label)] >= 0) return;
-    const NamedConstant& constant = program.constants[static_cast<std::size_t>(label)];
+    NamedConstant& constant = program.constants[static_cast<std::size_t>(label)];
     for (const std::int32_t operand : constant.labels) meet_operand(meet_operand, operand);
     place[static_cast<std::size_t>(label)] = static_cast<std::int32_t>(constants.size());
-    constants.push_back(constant);
+    constants.push_back(std::move(constant));
   };
   const auto meet = [&](const Node& node) {
     if (node.op == Op::constant) meet_label(meet_label, node.label);
@@ -142,20 +156,20 @@ void order_constants(Program& program) {
 
 }  // namespace
 
-Program in_canonical_order(const Program& program, std::span<const std::uint32_t> moments) {
+Program in_canonical_order(Program program, std::span<const std::uint32_t> moments) {
   const std::vector<Rank> ranks = ranks_of_nodes(program, moments);
   const std::vector<ValueId> order = depth_first(program, starts_of_moments(program, moments, ranks), ranks);
   std::vector<ValueId> renumbered(program.nodes.size(), kNoValue);
   for (std::size_t i = 0; i < order.size(); ++i) renumbered[order[i]] = static_cast<ValueId>(i);
-  Program result = program;
+  const std::vector<Node> as_recorded = program.nodes;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    Node& node = result.nodes[i] = program.nodes[order[i]];
+    Node& node = program.nodes[i] = as_recorded[order[i]];
     for (int k = 0; k < arity(node.op); ++k) node.operands[k] = renumbered[node.operands[k]];
-    order_operands(result.nodes, node.op, node.operands);
+    order_operands(program.nodes, node.op, node.operands);
   }
-  for (OutputValue& output : result.outputs) output.value = renumbered[output.value];
-  order_constants(result);
-  return result;
+  for (OutputValue& output : program.outputs) output.value = renumbered[output.value];
+  order_constants(program);
+  return program;
 }
 
 }  // namespace mbgen

@@ -11,6 +11,6 @@ namespace mbgen {
 /// The same values in an order that depends on their expressions only. moments: per node, never descending, how many
 /// statements of the trace (a section, block, name or output) came before it; the order of the moments stays. Within
 /// one it is depth first from the named values, and commuted operands are ordered anew.
-Program in_canonical_order(const Program& program, std::span<const std::uint32_t> moments);
+Program in_canonical_order(Program program, std::span<const std::uint32_t> moments);
 
 }  // namespace mbgen

@@ -119,7 +119,7 @@ void FunctionField::mark_seen(std::uint64_t part) {
 }
 
 int FunctionField::number_of(std::uint64_t part) const {
-  if (!seen_parts_[part & (seen_parts_.size() - 1)]) return -1;
+  if (!may_be_known(part)) return -1;
   const std::uint32_t found =
       numbers_.find(hash_of_part(part), [&](std::uint32_t number) { return parts_[number] == part; });
   return found == NumberTable::kNone ? -1 : static_cast<int>(found);
@@ -136,11 +136,10 @@ std::optional<Element> FunctionField::up_to_sign(int number, const Residue& key)
   return replaced == replaced_.end() ? std::nullopt : among(replaced->second);
 }
 
-std::optional<Element> FunctionField::known_difference(Element a, Element b) const {
-  const Residue first = residue(a), second = residue(b);
-  const int number = number_of(first_part_of_difference(first, second));
+std::optional<Element> FunctionField::known_difference(Element a, Element b, std::uint64_t first_part) const {
+  const int number = number_of(first_part);
   if (number < 0) return {};
-  return up_to_sign(number, first - second);
+  return up_to_sign(number, residue(a) - residue(b));
 }
 
 std::optional<Element> FunctionField::known_quotient(Element a, Element b) {

@@ -38,7 +38,10 @@ class FunctionField {
   Element value(Op op, std::span<const Element> operands);
 
   /// a - b and a / b where they came up already.
-  std::optional<Element> known_difference(Element a, Element b) const;
+  std::optional<Element> known_difference(Element a, Element b) const {
+    const std::uint64_t part = first_part_of_sum(part_of(a), part_of(with_sign(b, true)));
+    return may_be_known(part) ? known_difference(a, b, part) : std::nullopt;
+  }
   std::optional<Element> known_quotient(Element a, Element b);
 
   std::size_t size() const { return residues_.size(); }
@@ -74,6 +77,12 @@ class FunctionField {
   std::span<const Power> powers(Exponents exponents) const {
     return std::span(powers_).subspan(exponents.first, exponents.count);
   }
+  /// Part of the first prime.
+  std::uint64_t part_of(Element element) const {
+    const std::uint64_t part = residues_[static_cast<std::size_t>(element.number)].parts[0];
+    return element.negative && part != 0 ? kFirstPrime - part : part;
+  }
+  bool may_be_known(std::uint64_t first_part) const { return seen_parts_[first_part & (seen_parts_.size() - 1)]; }
   bool are_same(Exponents a, Exponents b) const;
   Exponents alone(int divisor);
   template <class Combine>
@@ -84,6 +93,7 @@ class FunctionField {
   double degree_of(const Function& value) const;
   Element element_of(Function value);
   int number_of(std::uint64_t first_part) const;  ///< -1: none
+  std::optional<Element> known_difference(Element a, Element b, std::uint64_t first_part) const;
   std::optional<Element> up_to_sign(int number, const Residue& key) const;
 
   void invert_first_parts();

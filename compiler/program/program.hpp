@@ -115,7 +115,31 @@ struct Program {
   Samples samples = {};                  ///< of Op::sample
 };
 
-int arity(Op op);
+/// Number of operands.
+constexpr int arity(Op op) {
+  switch (op) {
+    case Op::constant:
+    case Op::input:
+      return 0;
+    case Op::add:
+    case Op::subtract:
+    case Op::multiply:
+    case Op::divide:
+    case Op::atan2:
+    case Op::pow:
+    case Op::min:
+    case Op::max:
+    case Op::pack:
+      return 2;
+    case Op::select:
+    case Op::multiply_add:
+    case Op::multiply_subtract:
+    case Op::subtract_product:
+      return 3;
+    default:
+      return 1;
+  }
+}
 const char* op_name(Op op);
 
 /// Appends with the rules fold, look up, push. One builder per program under construction.
@@ -200,6 +224,7 @@ class ProgramBuilder {
   std::vector<std::pair<ValueId, Node>> repeats_;
   std::set<Section> known_sections_;
   Section section_;
+  bool knows_section_ = false;  ///< section_ is among known_sections_
   Owner owner_, mirrored_;
   std::unordered_map<std::string, std::int32_t> named_;  ///< index into Program::constants by name, last of each
 };

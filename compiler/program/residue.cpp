@@ -20,7 +20,7 @@ struct Prime {
 constexpr Prime prime(std::uint64_t value) { return {value, static_cast<std::uint64_t>((Wide{1} << 122) / value)}; }
 
 /// The first primes from four random numbers of 61 bits on, of SHA-256 of "mbgen prime 0" to 3.
-constexpr Prime kPrimes[4] = {prime(2040407225263923611u), prime(1237463980827930211u), prime(1801596723558883943u),
+constexpr Prime kPrimes[4] = {prime(kFirstPrime), prime(1237463980827930211u), prime(1801596723558883943u),
                               prime(1514242856581469813u)};
 
 /// Barrett's reduction: the quotient by the reciprocal is at most three too small.
@@ -94,15 +94,6 @@ bool invertible(const Residue& a) {
 
 Residue inverse(const Residue& a) {
   return for_each_prime([&](std::size_t k, const Prime& p) { return inverse_part(a.parts[k], p); });
-}
-
-static std::uint64_t smaller_of_signs(std::uint64_t part) { return std::min(part, kPrimes[0].value - part); }
-
-std::uint64_t first_part(const Residue& a) { return smaller_of_signs(a.parts[0]); }
-
-std::uint64_t first_part_of_difference(const Residue& a, const Residue& b) {
-  const std::uint64_t x = a.parts[0], y = b.parts[0];
-  return smaller_of_signs(x >= y ? x - y : x + kPrimes[0].value - y);
 }
 
 // One inverse for all: of their product, which is taken apart from its end (P. L. Montgomery 1987).

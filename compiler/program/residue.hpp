@@ -2,6 +2,7 @@
 // Numbers modulo four primes: exact arithmetic of rational numbers that are told apart, not written down. Inside the
 // program room.
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstdint>
@@ -24,9 +25,15 @@ inline Residue operator-(const Residue& a, const Residue& b) { return a + -b; }
 Residue inverse(const Residue& a);
 bool invertible(const Residue& a);
 
+constexpr std::uint64_t kFirstPrime = 2040407225263923611u;
+
 /// The part of the first prime alone, up to sign the smaller one: enough to see that two residues differ.
-std::uint64_t first_part(const Residue& a);
-std::uint64_t first_part_of_difference(const Residue& a, const Residue& b);
+constexpr std::uint64_t smaller_of_signs(std::uint64_t part) { return std::min(part, kFirstPrime - part); }
+constexpr std::uint64_t first_part(const Residue& a) { return smaller_of_signs(a.parts[0]); }
+/// Of the sum of two parts of the first prime.
+constexpr std::uint64_t first_part_of_sum(std::uint64_t x, std::uint64_t y) {
+  return smaller_of_signs(x + y >= kFirstPrime ? x + y - kFirstPrime : x + y);
+}
 /// inverse_part: of b, by first_parts_of_inverses.
 std::uint64_t first_part_of_quotient(const Residue& a, std::uint64_t inverse_part);
 /// Zero for zero.

@@ -32,14 +32,14 @@ double smooth(Op op, double a, double b, double c) {
   }
 }
 
-/// The value of an operation on rounded operands.
-Rounded rounded(const Node& node, const std::array<Rounded, 3>& given) {
-  if (node.op == Op::constant) return {node.constant, kUnit * std::abs(node.constant)};
+/// The value of a function of the first `count` of rounded operands.
+template <class Function>
+Rounded rounded_by(const Function& function, int count, const std::array<Rounded, 3>& given) {
   double operands[3] = {given[0].value, given[1].value, given[2].value};
-  const auto result = [&] { return smooth(node.op, operands[0], operands[1], operands[2]); };
+  const auto result = [&] { return function(operands[0], operands[1], operands[2]); };
   const double value = result();
   double error = kUnit * std::abs(value);
-  for (int k = 0; k < arity(node.op); ++k) {
+  for (int k = 0; k < count; ++k) {
     const auto [exact, off] = given[static_cast<std::size_t>(k)];
     double moved = 0;
     for (const double there : {exact - off, exact + off}) {
@@ -52,6 +52,22 @@ Rounded rounded(const Node& node, const std::array<Rounded, 3>& given) {
   return {value, error};
 }
 
+/// The value of an operation on rounded operands. Most operations are of the first three kinds.
+Rounded rounded(const Node& node, const std::array<Rounded, 3>& given) {
+  switch (node.op) {
+    case Op::constant:
+      return {node.constant, kUnit * std::abs(node.constant)};
+    case Op::add:
+      return rounded_by([](double a, double b, double) { return a + b; }, 2, given);
+    case Op::subtract:
+      return rounded_by([](double a, double b, double) { return a - b; }, 2, given);
+    case Op::multiply:
+      return rounded_by([](double a, double b, double) { return a * b; }, 2, given);
+    default:
+      return rounded_by([&](double a, double b, double c) { return smooth(node.op, a, b, c); }, arity(node.op), given);
+  }
+}
+
 }  // namespace
 
 RoundedLanes RoundedValues::lanes_of(const Node& node) const {
@@ -61,15 +77,15 @@ RoundedLanes RoundedValues::lanes_of(const Node& node) const {
   if (node.op == Op::pack) return {given(0).first, given(1).first, true};
   if (node.op == Op::first_lane) return number(given(0).first);
   if (node.op == Op::second_lane) return number(given(0).second);
-  std::array<Rounded, 3> first, second;
   RoundedLanes lanes;
-  for (int k = 0; k < arity(node.op); ++k) {
-    first[static_cast<std::size_t>(k)] = given(k).first;
-    second[static_cast<std::size_t>(k)] = given(k).second;
-    lanes.is_pair = lanes.is_pair || given(k).is_pair;
-  }
-  lanes.first = rounded(node, first);
-  lanes.second = lanes.is_pair ? rounded(node, second) : lanes.first;
+  for (int k = 0; k < arity(node.op); ++k) lanes.is_pair = lanes.is_pair || given(k).is_pair;
+  const auto in_lane = [&](Rounded RoundedLanes::*lane) {
+    std::array<Rounded, 3> operands;
+    for (int k = 0; k < arity(node.op); ++k) operands[static_cast<std::size_t>(k)] = given(k).*lane;
+    return rounded(node, operands);
+  };
+  lanes.first = in_lane(&RoundedLanes::first);
+  lanes.second = lanes.is_pair ? in_lane(&RoundedLanes::second) : lanes.first;
   return lanes;
 }
 

@@ -12,8 +12,16 @@
 namespace mbgen {
 namespace {
 
-std::string verify_operands(const Program& program, std::size_t value) {
-  const Node& node = program.nodes[value];
+/// Whether a value has its operands, all of them earlier, and no other ones.
+bool has_its_operands(const Node& node, std::size_t value) {
+  const int count = arity(node.op);
+  for (int i = 0; i < 3; ++i)
+    if (i < count ? node.operands[i] >= value : node.operands[i] != kNoValue) return false;
+  return true;
+}
+
+/// Requires: a value that has not its operands.
+std::string fault_of_operands(const Node& node, std::size_t value) {
   for (int i = 0; i < 3; ++i) {
     const ValueId operand = node.operands[i];
     if (i >= arity(node.op)) {
@@ -24,7 +32,7 @@ std::string verify_operands(const Program& program, std::size_t value) {
       return fmt::format("%{}: operand %{} is not earlier", value, operand);
     }
   }
-  return "";
+  return {};
 }
 
 /// sections: those of the program. value_seen: per input, whether an earlier node is its value; updated.
@@ -34,7 +42,7 @@ std::string verify_node(const Program& program, std::size_t value, const std::se
   if (node.op > Op::second_lane) return fmt::format("%{}: unknown operation {}", value, static_cast<int>(node.op));
   if (node.op == Op::sample && (!program.samples || program.samples->empty()))
     return fmt::format("%{}: no samples", value);
-  if (std::string problem = verify_operands(program, value); !problem.empty()) return problem;
+  if (!has_its_operands(node, value)) return fault_of_operands(node, value);
   if (node.op == Op::constant && !std::isfinite(node.constant)) {
     return fmt::format("%{}: constant {} is not finite", value, node.constant);
   }
@@ -63,7 +71,7 @@ std::string verify_node(const Program& program, std::size_t value, const std::se
     return fmt::format("%{}: {} is not {}", value, node.constant,
                        program.constants[static_cast<std::size_t>(node.label)].name);
   }
-  return "";
+  return {};
 }
 
 std::string verify_slot(const char* kind, const Slot& slot, std::set<Slot>& taken) {
@@ -86,6 +94,7 @@ std::string verify_slots(const Program& program) {
 
 /// Pairs are packed and taken apart where they meet numbers.
 std::string verify_widths(const Program& program) {
+  if (std::ranges::none_of(program.nodes, [](const Node& node) { return node.op >= Op::pack; })) return {};
   const std::vector<int> widths = widths_of(program);
   for (std::size_t value = 0; value < program.nodes.size(); ++value) {
     const Node& node = program.nodes[value];

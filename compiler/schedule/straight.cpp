@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <map>
 #include <span>
@@ -85,24 +86,26 @@ std::vector<long> cut_costs(const Program& program, const std::vector<ValueId>& 
   return cost;
 }
 
-/// Cheapest division of a range by dynamic programming over the cuts.
+/// Cheapest division of a range by dynamic programming over the cuts; of equally cheap last parts the longest.
 std::vector<PlaceRange> divide(PlaceRange range, const std::vector<long>& cost, std::size_t largest) {
-  const std::size_t size = range.last - range.first, smallest = largest / 2;
+  const std::size_t size = range.last - range.first, smallest = std::max<std::size_t>(largest / 2, 1);
   if (size <= largest) return {range};
   constexpr long kUnreachable = std::numeric_limits<long>::max();
   std::vector<long> best(size + 1, kUnreachable);
   std::vector<std::size_t> from(size + 1, 0);
   best[0] = 0;
+  const auto total = [&](std::size_t start) { return best[start] + cost[range.first + start]; };
+  std::deque<std::size_t> starts;  // that may be the cheapest of an end, in ascending order of place and total
   for (std::size_t end = smallest; end <= size; ++end) {
-    const std::size_t earliest = end > largest ? end - largest : 0;
-    for (std::size_t start = earliest; start + smallest <= end; ++start) {
-      if (best[start] == kUnreachable) continue;
-      const long total = best[start] + cost[range.first + start];
-      if (total < best[end]) {
-        best[end] = total;
-        from[end] = start;
-      }
+    const std::size_t start = end - smallest;
+    if (best[start] != kUnreachable) {
+      while (!starts.empty() && total(starts.back()) > total(start)) starts.pop_back();
+      starts.push_back(start);
     }
+    while (!starts.empty() && starts.front() + largest < end) starts.pop_front();
+    if (starts.empty()) continue;
+    best[end] = total(starts.front());
+    from[end] = starts.front();
   }
   std::vector<PlaceRange> parts;
   for (std::size_t end = size; end > 0; end = from[end]) parts.push_back({range.first + from[end], range.first + end});

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <random>
 #include <string>
 
 #include "compiler/decimal/decimal.hpp"
@@ -20,6 +24,43 @@ TEST(Decimal, SumsAndProductsOfTypedNumbersAreTypedNumbers) {
   EXPECT_EQ(decimal_product(0.8, 0.05), 0.04);
   EXPECT_EQ(decimal_product(-1.1, 1.1), -1.21);
   EXPECT_EQ(decimal_product(7e-4, 1e3), 0.7);
+}
+
+__extension__ typedef __int128 Wide;
+
+/// The double that the C library reads.
+double read(Wide digits, int exponent) {
+  std::string text;
+  for (Wide rest = digits < 0 ? -digits : digits; rest != 0; rest /= 10)
+    text.insert(text.begin(), static_cast<char>('0' + static_cast<int>(rest % 10)));
+  return std::strtod(((digits < 0 ? "-" : "") + text + "e" + std::to_string(exponent)).c_str(), nullptr);
+}
+
+TEST(Decimal, NumbersOfEveryLengthAreReadAsTheyWereTyped) {
+  std::mt19937_64 random(7);
+  const auto below = [&](std::int64_t count) {
+    return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(count));
+  };
+  double previous = 0.1;
+  TypedDecimal typed_previous{1, -1};
+  for (int i = 0; i < 20000; ++i) {
+    std::int64_t most = 10;
+    for (std::int64_t digit = below(15); digit > 0; --digit) most *= 10;
+    std::int64_t digits = 10 * below(most / 10) + 1 + below(9);  // none at the end that is zero
+    if (below(2) == 0) digits = -digits;
+    const int exponent = static_cast<int>(below(30)) - 20;
+    const double value = read(digits, exponent);
+    const std::optional<TypedDecimal> typed = typed_decimal(value);
+    ASSERT_TRUE(typed) << value;
+    EXPECT_EQ(typed->digits, digits) << value;
+    EXPECT_EQ(typed->exponent, exponent) << value;
+    const Wide product = static_cast<Wide>(digits) * typed_previous.digits;
+    EXPECT_EQ(decimal_product(value, previous), read(product, exponent + typed_previous.exponent)) << value;
+    previous = value;
+    typed_previous = *typed;
+  }
+  EXPECT_FALSE(typed_decimal(1.0 / 3));
+  EXPECT_EQ(typed_decimal(0.0)->digits, 0);
 }
 
 TEST(Decimal, WhatNobodyTypedIsAddedAsDoubles) {

@@ -38,7 +38,7 @@ Program rates_alone(Program program) {
   std::erase_if(program.outputs, [](const OutputValue& output) {
     return output.slot.group != SlotGroup(Array::zdd) && output.slot.group != SlotGroup(Array::xd);
   });
-  return remove_dead_values(program);
+  return remove_dead_values(std::move(program));
 }
 
 std::map<Choice, int> corners_of(const Program& program) {
