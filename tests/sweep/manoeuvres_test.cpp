@@ -149,12 +149,12 @@ TEST_F(ManoeuvreStudy, SaysWhatIsWrong) {
       {"--manoeuvre m.json --vary manoeuvre.driver.understear=0",
        "--vary \"manoeuvre.driver.understear=0\": driver has no number \"understear\"; did you mean \"understeer\"?\n"},
       {"--manoeuvre m.json --vary manoeuvre.side=1",
-       "--vary \"manoeuvre.side=1\": step_steer has no number \"side\"; it has driver, speed, steer, "
+       "--vary \"manoeuvre.side=1\": step_steer has no number \"side\"; known: speed, steer, "
        "lateral_acceleration, at, rate, duration, step, period, speed_control\n"},
       {"--manoeuvre m.json --vary manoeuvre.step=1e-3",
        "--vary \"manoeuvre.step=1e-3\": all cases have the same step; give it with --step\n"},
       {"--manoeuvre turn.json --vary manoeuvre.events.2.steer=0",
-       "--vary \"manoeuvre.events.2.steer=0\": events has 1 items, counted from 0: no \"2\"\n"},
+       "--vary \"manoeuvre.events.2.steer=0\": events has no item \"2\" of 1, counted from 0\n"},
       {"--vary manoeuvre.speed=1 --metric 't'",
        "--vary \"manoeuvre.speed=1\": there is no manoeuvre; give its file with --manoeuvre\n"},
       {"--manoeuvre m.json --vary speed=10",

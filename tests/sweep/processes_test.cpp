@@ -141,6 +141,10 @@ TEST_F(SweepProcesses, RanksOfOtherLaunchersAreSeen) {
   const std::string expected = table_of(kStudy);
   EXPECT_EQ(shell("PMI_RANK=1 PMI_SIZE=2 " + study + " & PMI_RANK=0 PMI_SIZE=2 " + study + " && wait"), 0);
   EXPECT_EQ(read("sweep.csv"), expected);
+  // Names of tables may look like names of journals.
+  const std::string named = fmt::format("'{}' sweep spring.json {} --out 1-of-2.csv", MBGEN_BINARY, kStudy);
+  EXPECT_EQ(shell("PMI_RANK=0 PMI_SIZE=2 " + named + " && PMI_RANK=0 PMI_SIZE=2 " + named), 0) << read(".err");
+  EXPECT_EQ(read("1-of-2.csv"), expected);
   // The script of a batch job has a rank, but is no step.
   const std::string alone = fmt::format("'{}' sweep spring.json {} --out alone.csv", MBGEN_BINARY, kStudy);
   EXPECT_EQ(shell("SLURM_PROCID=0 SLURM_NTASKS=4 " + alone), 0);

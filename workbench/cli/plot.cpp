@@ -188,7 +188,7 @@ void weigh(Column& column, const PlotSource& source, const PlotOptions& options)
                            column.heading.name, source.path, options.weight, comfort.rms, unit, comfort.crest,
                            comfort.transient, unit, comfort.dose, unit == "m/s^2" ? "m/s^1.75" : "rad/s^1.75"));
   column.values = weighted(without_mean(column.values), step, weighting);
-  column.heading.name += fmt::format(", W_{}", options.weight);
+  column.heading.name = fmt::format("W_{}({})", options.weight, column.heading.name);
 }
 
 /// The curve of a power spectral density.
@@ -296,7 +296,8 @@ std::string curves_csv(const Abscissa& abscissa, const std::vector<Panel>& panel
   for (std::size_t row = 0; row < x.size(); ++row) {
     text += fmt::format("\n{}", x[row]);
     for (const Panel& panel : panels)
-      for (const Curve& curve : panel.curves) text += fmt::format(",{}", curve.y[row]);
+      for (const Curve& curve : panel.curves)
+        text += std::isfinite(curve.y[row]) ? fmt::format(",{}", curve.y[row]) : ",";
   }
   return text + "\n";
 }

@@ -96,8 +96,8 @@ ManoeuvreNumber number_of(const Value& root, const std::string& name) {
     if (value && value->kind == Value::Kind::array) {
       const std::optional<std::size_t> item = item_of(*value, steps[i]);
       if (!item)
-        return {"",
-                fmt::format("{} has {} items, counted from 0: no \"{}\"", steps[i - 1], value->items.size(), steps[i])};
+        return {"", fmt::format("{} has no item \"{}\" of {}, counted from 0", steps[i - 1], steps[i],
+                                value->items.size())};
       value = &value->items[*item];
       continue;
     }

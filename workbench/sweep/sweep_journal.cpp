@@ -131,7 +131,7 @@ std::vector<fs::path> journals_of(const std::string& table) {
   std::error_code problem;
   for (const auto& entry : fs::directory_iterator(directory, problem)) {
     const std::string name = entry.path().filename().string(), first = whole.filename().string();
-    if (name == first || (name.starts_with(first + ".") && name.find("-of-") != std::string::npos)) {
+    if (name == first || (name.starts_with(first + ".") && name.find("-of-", first.size()) != std::string::npos)) {
       paths.push_back(whole.parent_path() / name);
     }
   }
