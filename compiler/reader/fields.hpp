@@ -46,7 +46,8 @@ enum class Shape {
   rotations,        ///< one object of kind FieldInfo::of, or an array of them
   coefficients,     ///< name -> quantity, or "a", "b", "c" -> arrays
   parameters,       ///< name -> a constant, or an object of kind FieldInfo::of
-  paths             ///< array of texts
+  paths,            ///< array of texts, and of objects of kind FieldInfo::of
+  contents          ///< JSON Pointer -> any value
 };
 
 enum class Need { optional, required };

@@ -6,8 +6,9 @@
 #include <map>
 #include <optional>
 #include <system_error>
+#include <utility>
 
-#include "compiler/reader/reader.hpp"
+#include "compiler/reader/included.hpp"
 #include "compiler/text/read_text.hpp"
 
 namespace mbgen::reading {
@@ -27,6 +28,7 @@ std::string canonical(const std::string& path) {
 /// State of the reading of all files.
 struct Loading {
   std::vector<std::string> open;  ///< canonical paths from the first file to the one being read
+  std::vector<Changes*> changes;  ///< of the includes on the way to the file, the outermost first
   std::size_t bytes = 0;          ///< of text, counted again for each instance
   bool complete = true;           ///< false if names defined in a file could not be read
   /// The first scope of each prefix and suffix: scopes with equal ones have common names.
@@ -70,14 +72,37 @@ std::optional<std::size_t> open_file(Reader& reader, Loading& loading, const Val
   return document.parsed ? std::optional(index) : std::nullopt;
 }
 
-void load_include(Reader& reader, Loading& loading, const std::string& file, const Value& item) {
-  if (item.kind != Value::Kind::text) return report(reader, item, "must be the path of a file, got " + describe(item));
-  const NamedFile named = beside(file, item.text);
+/// Includes a file. item: its path, relative to the file in which that stands. changes: of its content, and of the
+/// files that it includes.
+void load_file(Reader& reader, Loading& loading, const Value& item, Changes& changes) {
+  const NamedFile named = beside(reader.documents[item.place.file].file, item.text);
   const bool open = std::find(loading.open.begin(), loading.open.end(), named.identity) != loading.open.end();
   for (const FileFields& known : current_scope(reader).files) {
-    if (!open && reader.documents[known.document].identity == named.identity) return;
+    if (open || reader.documents[known.document].identity != named.identity) continue;
+    if (!changes.empty())
+      report(reader, item, fmt::format("file {} is included before, without these changes", in_quotes(item.text)),
+             "make them where it is included first");
+    return;
   }
-  if (const auto document = open_file(reader, loading, item, named, "include")) load(reader, loading, *document);
+  const auto document = open_file(reader, loading, item, named, "include");
+  if (!document) return;
+  loading.changes.push_back(&changes);
+  load(reader, loading, *document);
+  loading.changes.pop_back();
+  if (loading.complete) report_unmade(reader, item.text, changes);
+}
+
+void load_include(Reader& reader, Loading& loading, const Value& item) {
+  Changes changes;
+  if (item.kind == Value::Kind::text) return load_file(reader, loading, item, changes);
+  if (item.kind != Value::Kind::object)
+    return report(reader, item, "must be the path of a file, got " + describe(item));
+  IncludeFields include;
+  const std::size_t problems = reader.problems.size();
+  read_fields(reader, item, include);
+  changes = read_changes(reader, include);
+  if (reader.problems.size() > problems) loading.complete = false;
+  if (include.file) load_file(reader, loading, *find(item, "file"), changes);
 }
 
 /// Reports a section that is no object.
@@ -134,7 +159,7 @@ Scope scope_of_instance(const Reader& reader, Loading& loading, const std::strin
   return scope;
 }
 
-void load_instance(Reader& reader, Loading& loading, const std::string& file, const Member& member) {
+void load_instance(Reader& reader, Loading& loading, const Member& member) {
   InstanceFields instance;
   const bool named = is_valid_name(member.key);
   if (!named) report(reader, member.place, "invalid name " + in_quotes(member.key), kNameRule);
@@ -155,11 +180,14 @@ void load_instance(Reader& reader, Loading& loading, const std::string& file, co
   scope.file = path.text;
   read_connections(reader, scope);
   if (!check_affixes(reader, member.value, scope)) loading.complete = false;
-  const auto document = open_file(reader, loading, path, beside(file, path.text), "instance");
+  const auto document =
+      open_file(reader, loading, path, beside(reader.documents[path.place.file].file, path.text), "instance");
   if (!document) return;
   reader.scopes.push_back(std::move(scope));
   const InScope in_scope(reader, reader.scopes.size() - 1);
+  const std::vector<Changes*> of_includes = std::exchange(loading.changes, {});
   load(reader, loading, *document);
+  loading.changes = of_includes;
 }
 
 void load_parts(Reader& reader, Loading& loading, const Document& document, const FileFields& fields) {
@@ -167,11 +195,11 @@ void load_parts(Reader& reader, Loading& loading, const Document& document, cons
   if (fields.include && fields.include->kind != Value::Kind::array) {
     report(reader, *fields.include, "must be an array of paths, got " + describe(*fields.include));
   } else if (fields.include) {
-    for (const Value& item : fields.include->items) load_include(reader, loading, document.file, item);
+    for (const Value& item : fields.include->items) load_include(reader, loading, item);
   }
   reader.scopes[reader.scope].files.push_back(fields);
   if (fields.instances && is_map(reader, *fields.instances)) {
-    for (const Member& member : fields.instances->members) load_instance(reader, loading, document.file, member);
+    for (const Member& member : fields.instances->members) load_instance(reader, loading, member);
   }
   loading.open.pop_back();
 }
@@ -217,13 +245,16 @@ void load(Reader& reader, Loading& loading, std::size_t index) {
     loading.complete = false;
     return;
   }
+  const Value* root = &document.root;
+  for (auto change = loading.changes.rbegin(); change != loading.changes.rend(); ++change)
+    root = &with_changes(reader, *root, **change);
   FileFields fields;
   fields.document = index;
-  if (is_other_file(reader, document) || !read_fields(reader, document.root, fields)) {
+  if (is_other_file(reader, document) || !read_fields(reader, *root, fields)) {
     loading.complete = false;
     return;
   }
-  if (has_misspelt_section(document.root)) loading.complete = false;
+  if (has_misspelt_section(*root)) loading.complete = false;
   if (fields.format) {
     const bool known = fields.format->kind == Value::Kind::number && fields.format->number == 1;
     if (!known) report(reader, *fields.format, "version of the format must be 1, got " + describe(*fields.format));

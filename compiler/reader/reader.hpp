@@ -3,6 +3,7 @@
 // An unreadable value is NaN or index -1, so that later checks do not report it again.
 
 #include <array>
+#include <deque>
 #include <initializer_list>
 #include <limits>
 #include <map>
@@ -41,6 +42,7 @@ using Entries = std::vector<Entry>;
 
 struct Reader {
   Documents documents;
+  std::deque<Value> changed_files = {};  ///< copies of included files with the changes of their includers
   Problems problems;
   Problems notes;  ///< nothing is wrong
   Model model;

@@ -95,7 +95,10 @@ Json shape_of_several(const FieldInfo& info) {
               {"additionalProperties",
                either(reference("quantity"), {{"type", "array"}, {"items", reference("quantity")}})}};
     case Shape::paths:
-      return {{"type", "array"}, {"items", {{"type", "string"}}}};
+      return {{"type", "array"},
+              {"items", info.of.empty() ? Json{{"type", "string"}} : either({{"type", "string"}}, reference(info.of))}};
+    case Shape::contents:
+      return {{"type", "object"}};
     default:
       return {};
   }

@@ -1,7 +1,9 @@
-// Table of fields: the file with its sections.
+// Table of fields: the file with its sections, and the files that it includes.
+#include <array>
 #include <vector>
 
 #include "compiler/reader/elements/sections.hpp"
+#include "compiler/reader/included.hpp"
 #include "compiler/reader/presentation.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
@@ -38,7 +40,8 @@ std::vector<Field<FileFields>> first_sections() {
                              .depends = Depends::parameters}),
       field<F, &F::include>({.name = "include",
                              .shape = Shape::paths,
-                             .doc = "files of the same format whose content is merged in, relative to this file"}),
+                             .doc = "files of the same format whose content is merged in, relative to this file",
+                             .of = "include"}),
       field<F, &F::parameters>({.name = "parameters",
                                 .shape = Shape::parameters,
                                 .doc = "named constants; tunable ones can be changed in the generated solver",
@@ -91,6 +94,27 @@ std::span<const Field<FileFields>> fields<FileFields>() {
     rows.insert(rows.end(), last.begin(), last.end());
     return rows;
   }();
+  return table;
+}
+
+template <>
+std::span<const Field<IncludeFields>> fields<IncludeFields>() {
+  using F = IncludeFields;
+  static const std::array table = {
+      field<F, &F::file>({.name = "file",
+                          .shape = Shape::text,
+                          .doc = "its path, relative to this file",
+                          .need = Need::required,
+                          .longest = 4096}),
+      field<F, &F::remove>({.name = "remove",
+                            .shape = Shape::paths,
+                            .doc =
+                                "JSON Pointers of items and sections that are left out, as \"/springs/front\"; in the "
+                                "file and in all that it includes"}),
+      field<F, &F::replace>({.name = "replace",
+                             .shape = Shape::contents,
+                             .doc = "JSON Pointers with the values that stand there instead of the file's"}),
+  };
   return table;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "compiler/reader/elements/sections.hpp"
+#include "compiler/reader/included.hpp"
 #include "compiler/reader/output_sources.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
@@ -182,6 +183,7 @@ std::vector<ObjectKind> other_kinds() {
 std::vector<ObjectKind> object_kinds() {
   std::vector<ObjectKind> kinds = {
       kind_of<FileFields>("model", "a multibody system; SI units, angles in rad"),
+      kind_of<IncludeFields>("include", "an included file with changes"),
       kind_of<InstanceFields>("instance", "a subsystem: a file placed in this one"),
       kind_of<ParameterFields>("parameter", "a named constant"),
       kind_of<InputFields>("input", "a value given to the solver"),

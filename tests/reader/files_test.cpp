@@ -125,6 +125,70 @@ TEST_F(Files, AFileIncludedTwiceCountsOnce) {
             1u);
 }
 
+/// A body with two springs to the ground, and a file that includes it.
+const char* const kSprung = R"({ "mbgen": 1, "gravity": [0, 0, 0],
+  "bodies": { "ground": { "points": { "a": [0, 0, 0], "b": [1, 0, 0] } },
+              "block": { "mass": 2, "inertia": [1, 1, 1], "points": { "p": [0, 0, 1], "q": [1, 0, 1] } } },
+  "joints": { "slide": { "type": "prismatic", "from": "ground.a", "to": "block.p", "axis": "z" } },
+  "springs": { "front": { "from": "ground.a", "to": "block.p", "stiffness": 50,
+                          "damping": { "table": [[-2, -1], [-1, -1], [0, 0], [1, 3], [2, 3]] } },
+               "back": { "from": "ground.b", "to": "block.q", "stiffness": 100, "damping": 7 } },
+  "outputs": { "z": { "unit": "m", "expression": "z.slide" } } })";
+
+TEST_F(Files, AnIncludeRemovesItemsAndSections) {
+  write("base.json", kSprung);
+  const Model model = read_file(write("top.json", R"({ "mbgen": 1, "include": [
+    { "file": "base.json", "remove": ["/springs/front", "/outputs", "/springs/back/damping"] }] })"));
+  ASSERT_EQ(model.springs.size(), 1u);
+  EXPECT_EQ(model.springs[0].name, "back");
+  EXPECT_TRUE(model.outputs.empty());
+  EXPECT_EQ(model.files.size(), 2u);
+  // Items of one array are counted as the file has them.
+  const Model thinned = read_file(write("thinned.json", R"({ "mbgen": 1, "include": [{ "file": "base.json",
+    "remove": ["/springs/front/damping/table/1", "/springs/front/damping/table/3"] }] })"));
+  const Table& table = std::get<Table>(*thinned.springs[0].damping);
+  EXPECT_EQ(table.x, (std::vector<double>{-2, 0, 2}));
+  EXPECT_EQ(table.y, (std::vector<double>{-1, 0, 3}));
+}
+
+TEST_F(Files, AnIncludeReplacesItemsAndSections) {
+  write("base.json", kSprung);
+  const std::string path = write("top.json", R"({ "mbgen": 1, "include": [{ "file": "base.json", "replace": {
+    "/springs/back": { "from": "ground.b", "to": "block.q", "stiffness": 300 },
+    "/bodies/block/mass": 5, "/outputs": { "v": { "unit": "m/s", "expression": "zd.slide" } } } }] })");
+  const Model model = read_file(path);
+  ASSERT_EQ(model.springs.size(), 2u);
+  EXPECT_EQ(model.springs[1].name, "back");
+  EXPECT_EQ(model.bodies[1].mass.value, 5);
+  ASSERT_EQ(model.outputs.size(), 1u);
+  EXPECT_EQ(model.outputs[0].name, "v");
+  EXPECT_EQ(model.outputs[0].where.file, path);
+  EXPECT_EQ(model.bodies[1].where.file, (directory_ / "base.json").string());
+}
+
+TEST_F(Files, ChangesReachTheFilesThatAFileIncludes) {
+  write("base.json", kSprung);
+  write("middle.json",
+        R"({ "mbgen": 1, "include": [{ "file": "base.json", "replace": { "/bodies/block/mass": 5 } }] })");
+  const Model model = read_file(write("top.json", R"({ "mbgen": 1, "include": [
+    { "file": "middle.json", "remove": ["/springs/front"], "replace": { "/bodies/block/mass": 9 } }] })"));
+  EXPECT_EQ(model.springs.size(), 1u);
+  EXPECT_EQ(model.bodies[1].mass.value, 9);  // the outer file wins
+  // "/include" names the list of files itself.
+  const Result<Model> alone = read_model_file(
+      write("alone.json", R"({ "mbgen": 1, "include": [{ "file": "middle.json", "remove": ["/include"] }] })"));
+  EXPECT_EQ(alone.problems()[0].message, "model has no bodies");
+}
+
+TEST_F(Files, ChangesAreThoseOfOneInclude) {
+  write("base.json", kSprung);
+  const Model model = read_file(write("top.json", R"({ "mbgen": 1,
+    "include": [{ "file": "base.json", "remove": ["/springs/front", "/outputs"] }],
+    "instances": { "other": { "file": "base.json" } } })"));
+  ASSERT_EQ(model.springs.size(), 3u);  // one here, two in the instance
+  EXPECT_EQ(model.outputs.size(), 1u);
+}
+
 TEST_F(Files, ALongChainOfIncludesIsADiagnostic) {
   for (int i = 0; i < 100; ++i) {
     write(fmt::format("f{}.json", i), fmt::format(R"({{ "mbgen": 1, "include": ["f{}.json"] }})", i + 1));

@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <optional>
 #include <random>
 #include <thread>
 
@@ -140,6 +141,10 @@ TEST_F(SweepProcesses, RanksOfOtherLaunchersAreSeen) {
   const std::string expected = table_of(kStudy);
   EXPECT_EQ(shell("PMI_RANK=1 PMI_SIZE=2 " + study + " & PMI_RANK=0 PMI_SIZE=2 " + study + " && wait"), 0);
   EXPECT_EQ(read("sweep.csv"), expected);
+  // Names of tables may look like names of journals.
+  const std::string named = fmt::format("'{}' sweep spring.json {} --out 1-of-2.csv", MBGEN_BINARY, kStudy);
+  EXPECT_EQ(shell("PMI_RANK=0 PMI_SIZE=2 " + named + " && PMI_RANK=0 PMI_SIZE=2 " + named), 0) << read(".err");
+  EXPECT_EQ(read("1-of-2.csv"), expected);
   // The script of a batch job has a rank, but is no step.
   const std::string alone = fmt::format("'{}' sweep spring.json {} --out alone.csv", MBGEN_BINARY, kStudy);
   EXPECT_EQ(shell("SLURM_PROCID=0 SLURM_NTASKS=4 " + alone), 0);
@@ -156,13 +161,86 @@ TEST_F(SweepProcesses, ASlurmScriptRunsThePartsAndGathers) {
   const std::string script = path("job.sh").string();
   EXPECT_EQ(read("submitted"),
             fmt::format("--parsable --array=1-4 {0} part\n--dependency=afterany:77 {0} gather\n", script));
-  for (const int task : {3, 1, 4}) {
-    ASSERT_EQ(shell(fmt::format("cd / && SLURM_ARRAY_TASK_ID={} sh {} part", task, script)), 0) << read(".err");
-    EXPECT_EQ(read(".out"), fmt::format("part {}/4: {} cases\n", task, task == 4 ? 3 : 4));
+  // Tasks at the same time share the cases; one that comes later finds none left.
+  const auto task = [&](int k) {
+    return fmt::format("(cd / && SLURM_ARRAY_TASK_ID={0} sh {1} part) >{2}", k, script,
+                       path(fmt::format("{}.out", k)).string());
+  };
+  ASSERT_EQ(shell(task(3) + " & " + task(1) + " & wait && " + task(4)), 0) << read(".err");
+  long sum = 0;
+  for (const int k : {1, 3, 4}) {
+    const std::string printed = read(fmt::format("{}.out", k)), begin = fmt::format("part {}/4: ", k);
+    ASSERT_TRUE(printed.starts_with(begin)) << printed;
+    sum += std::stol(printed.substr(begin.size()));
   }
+  EXPECT_EQ(sum, kCases);
+  EXPECT_EQ(read("4.out"), "part 4/4: 0 cases\n");
+  EXPECT_EQ(journalled("sweep.csv"), all_cases());
   EXPECT_FALSE(std::filesystem::exists(path("sweep.csv")));
-  ASSERT_EQ(shell(fmt::format("sh {} gather", script)), 0) << read(".err");  // also what part 2 left undone
-  EXPECT_EQ(read(".err"), "sweep: 11 of 15 cases were done before\n");
+  // A part that is gone is computed by the job that gathers.
+  std::filesystem::remove(path("sweep.csv.journal.3-of-4"));
+  ASSERT_EQ(shell(fmt::format("sh {} gather", script)), 0) << read(".err");
+  EXPECT_EQ(read("sweep.csv"), expected);
+  EXPECT_EQ(journalled("sweep.csv"), all_cases());
+}
+
+TEST_F(SweepProcesses, PartsDivideTheCasesWhereTheyShareNoFiles) {
+  const std::string expected = table_of(kStudy);
+  for (const int part : {3, 1, 4}) {
+    const Outcome run = mbgen(fmt::format("sweep spring.json {} --part {}/4 --out sweep.csv", kStudy, part));
+    EXPECT_EQ(run.out, fmt::format("part {}/4: {} cases\n", part, part == 4 ? 3 : 4));
+  }
+  const Outcome gathered = mbgen("sweep spring.json " + kStudy + " --out sweep.csv");  // also what part 2 left undone
+  EXPECT_EQ(gathered.err, "sweep: 11 of 15 cases were done before\n");
+  EXPECT_EQ(read("sweep.csv"), expected);
+  EXPECT_EQ(journalled("sweep.csv"), all_cases());
+}
+
+/// The lock of a case, as a process has it that computes the case.
+class HeldCase {
+ public:
+  HeldCase(const std::filesystem::path& claims, long index) : file_(::open(claims.c_str(), O_RDWR | O_CREAT, 0666)) {
+    struct flock wanted {};
+    wanted.l_type = F_WRLCK;
+    wanted.l_whence = SEEK_SET;
+    wanted.l_start = index;
+    wanted.l_len = 1;
+    EXPECT_EQ(::fcntl(file_, F_OFD_SETLK, &wanted), 0);
+  }
+  ~HeldCase() { ::close(file_); }
+
+ private:
+  int file_;
+};
+
+TEST_F(SweepProcesses, ARankTakesTheNextCaseThatNobodyHas) {
+  const std::string expected = table_of(kStudy);
+  const std::string study = fmt::format("'{}' sweep spring.json {} --out sweep.csv", MBGEN_BINARY, kStudy);
+  {
+    const HeldCase slow(path("sweep.csv.journal.claims"), 3);  // another rank takes its time with this one
+    ASSERT_EQ(shell("PMI_RANK=2 PMI_SIZE=3 " + study), 0) << read(".err");
+    std::vector<long> others = all_cases();
+    others.erase(others.begin() + 3);
+    EXPECT_EQ(journalled("sweep.csv"), others);
+  }
+  // The other one died: the first rank of a rerun takes up its case, and no other.
+  ASSERT_EQ(shell("PMI_RANK=0 PMI_SIZE=2 " + study), 0) << read(".err");
+  EXPECT_EQ(read(".err"), "sweep: 14 of 15 cases were done before\n");
+  EXPECT_EQ(read("sweep.csv"), expected);
+  EXPECT_EQ(journalled("sweep.csv"), all_cases());
+  const std::string of_rerun = read("sweep.csv.journal.1-of-2");
+  EXPECT_EQ(std::count(of_rerun.begin(), of_rerun.end(), '\n'), 2);
+}
+
+TEST_F(SweepProcesses, TheFirstRankTakesUpTheCaseOfOneThatDies) {
+  const std::string expected = table_of(kStudy);
+  const std::string study = fmt::format("'{}' sweep spring.json {} --out sweep.csv", MBGEN_BINARY, kStudy);
+  std::optional<HeldCase> dying(std::in_place, path("sweep.csv.journal.claims"), 14);
+  std::thread first([&] { EXPECT_EQ(shell("PMI_RANK=0 PMI_SIZE=2 " + study), 0) << read(".err"); });
+  while (journalled("sweep.csv").size() < kCases - 1) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_FALSE(std::filesystem::exists(path("sweep.csv")));  // it waits for the case that the other one has
+  dying.reset();
+  first.join();
   EXPECT_EQ(read("sweep.csv"), expected);
   EXPECT_EQ(journalled("sweep.csv"), all_cases());
 }

@@ -1,16 +1,23 @@
-// mbgen plot: curves of results or of a study, over time or another column.
+// mbgen plot: curves of results or of a study, over time, another column or frequency.
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 
+#include "compiler/text/number.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/drawing/drawing.hpp"
 #include "workbench/host/files.hpp"
 #include "workbench/motion/motion_table.hpp"
 #include "workbench/motion/result_file.hpp"
+#include "workbench/results/results.hpp"
+#include "workbench/signals/power_spectrum.hpp"
+#include "workbench/signals/weighting.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -19,11 +26,18 @@ constexpr double kDegree = 3.14159265358979323846 / 180;  // rad
 
 struct PlotOptions {
   std::vector<std::string> results;
-  std::string file = "-", over, by;
-  std::vector<std::string> columns;
+  std::string file = "-", over, by, weight;
+  std::vector<std::string> columns, where;
+  std::optional<double> segment;  ///< s
   PlotSize size;
-  bool degrees = false;
+  bool degrees = false, is_spectrum = false;
 };
+
+/// Parts of the series that a segment of a spectrum has where the command line does not say: seven segments that
+/// overlap by half.
+constexpr std::size_t kParts = 4;
+/// Tolerance for equal steps of time, of a step.
+constexpr double kSameStep = 1e-6;
 
 /// A column for drawing: angles in degrees on request.
 Column drawn(Column column, bool degrees) {
@@ -40,6 +54,8 @@ struct PlotSource {
   Results results;
   Column over;
   bool is_sweep = false;
+  std::vector<bool> is_shown = {};  ///< per row
+  std::string label = {};           ///< among several files
 };
 
 /// The only column of this name.
@@ -53,11 +69,54 @@ const Column& single_column(const PlotSource& source, const std::string& name, c
       fmt::format("{}: \"{}\" must be one column of {}, found {}\n", option, name, source.path, found.size()));
 }
 
+/// A condition on rows: "bar >= 7000".
+struct Condition {
+  std::string column, sign;
+  double value = 0;
+};
+
+Condition condition_of(const std::string& text) {
+  for (const std::string sign : {"<=", ">=", "!=", "=", "<", ">"}) {
+    const std::size_t place = text.find(sign);
+    if (place == std::string::npos || place == 0) continue;
+    const auto bare = [](std::string word) {
+      word.erase(0, word.find_first_not_of(' '));
+      word.erase(word.find_last_not_of(' ') + 1);
+      return word;
+    };
+    return {bare(text.substr(0, place)), sign, parse_number(bare(text.substr(place + sign.size())), "--where")};
+  }
+  throw UserError(fmt::format("--where \"{}\": must be COLUMN SIGN NUMBER, with one of = != < <= > >=\n", text));
+}
+
+bool holds(const Condition& condition, double x) {
+  const double y = condition.value;
+  if (condition.sign == "<=") return x <= y;
+  if (condition.sign == ">=") return x >= y;
+  if (condition.sign == "!=") return x != y && !std::isnan(x);
+  if (condition.sign == "<") return x < y;
+  return condition.sign == ">" ? x > y : x == y;
+}
+
+/// Marks the rows where all conditions hold. Fails: UserError if there are none.
+void choose_rows(PlotSource& source, const std::vector<std::string>& conditions) {
+  source.is_shown.assign(source.results.rows(), true);
+  for (const std::string& text : conditions) {
+    const Condition condition = condition_of(text);
+    const Column& column = single_column(source, condition.column, "--where");
+    for (std::size_t row = 0; row < column.values.size(); ++row)
+      source.is_shown[row] = source.is_shown[row] && holds(condition, column.values[row]);
+  }
+  if (std::find(source.is_shown.begin(), source.is_shown.end(), true) != source.is_shown.end()) return;
+  throw UserError(fmt::format("--where: {} has no such row\n", source.path));
+}
+
 PlotSource read_source(const std::string& path, const PlotOptions& options) {
-  PlotSource source{path, read_result_or_sweep(path), {}, false};
+  PlotSource source{.path = path, .results = read_result_or_sweep(path), .over = {}};
   source.is_sweep = source.results.columns.front().heading.name == "case";
   source.over = options.over.empty() ? source.results.columns.front() : single_column(source, options.over, "--over");
   source.over = drawn(source.over, options.degrees);
+  choose_rows(source, options.where);
   return source;
 }
 
@@ -72,6 +131,7 @@ std::vector<Rows> rows_of(const PlotSource& source, const PlotOptions& options) 
   std::vector<Rows> all;
   const Column* by = options.by.empty() ? nullptr : &single_column(source, options.by, "--by");
   for (std::size_t row = 0; row < source.results.rows(); ++row) {
+    if (!source.is_shown[row]) continue;
     const std::string label = by == nullptr ? "" : fmt::format("{} = {:.6g}", by->heading.name, by->values[row]);
     const auto same = std::find_if(all.begin(), all.end(), [&](const Rows& rows) { return rows.label == label; });
     if (same != all.end()) {
@@ -88,28 +148,158 @@ std::vector<Rows> rows_of(const PlotSource& source, const PlotOptions& options) 
   return all;
 }
 
+/// The step of a series at equal steps; a last one that is shorter is left out of the values. Fails: UserError.
+double step_of(const Column& time, std::vector<double>& values, const std::string& path, const std::string& option) {
+  if (time.heading.name != "t" || values.size() < 3)
+    throw UserError(fmt::format("{}: {} is no series over time\n", option, path));
+  const double step = time.values[1] - time.values[0];
+  const auto is_same = [&](std::size_t i) {
+    return std::abs(time.values[i] - time.values[i - 1] - step) <= kSameStep * step;
+  };
+  for (std::size_t i = 2; i < values.size(); ++i) {
+    if (is_same(i)) continue;
+    if (i + 1 == values.size()) {
+      values.pop_back();
+      break;
+    }
+    throw UserError(fmt::format("{}: the rows of {} are not at equal steps of time: {:.10g} s follows {:.10g} s\n",
+                                option, path, time.values[i], time.values[i - 1]));
+  }
+  return step;
+}
+
+/// An acceleration under the weighting, with its numbers on standard error or output.
+void weigh(Column& column, const PlotSource& source, const PlotOptions& options) {
+  const Weighting weighting = *weighting_of(options.weight);
+  const std::string& unit = column.heading.unit;
+  if (unit != "m/s^2" && unit != "rad/s^2") {
+    throw UserError(fmt::format("--weight: {} of {} is no acceleration, its unit is {}\n", column.heading.name,
+                                source.path, unit.empty() ? "1" : unit));
+  }
+  const double step = step_of(source.over, column.values, source.path, "--weight");
+  if (1 / step < least_rate(weighting) * (1 - kSameStep)) {
+    throw UserError(fmt::format("--weight {}: {} has {:.4g} rows in a second, the weighting needs {:g}\n",
+                                options.weight, source.path, 1 / step, least_rate(weighting)));
+  }
+  const Comfort comfort = comfort_of(column.values, step, weighting);
+  print_beside(options.file,
+               fmt::format("{} of {}, W_{} of ISO 2631-1: {:.5g} {} rms, crest factor {:.4g}, largest running rms "
+                           "{:.5g} {}, dose {:.5g} {}\n",
+                           column.heading.name, source.path, options.weight, comfort.rms, unit, comfort.crest,
+                           comfort.transient, unit, comfort.dose, unit == "m/s^2" ? "m/s^1.75" : "rad/s^1.75"));
+  column.values = weighted(without_mean(column.values), step, weighting);
+  column.heading.name = fmt::format("W_{}({})", options.weight, column.heading.name);
+}
+
+/// The curve of a power spectral density.
+Curve spectrum_of(Column column, const PlotSource& source, const PlotOptions& options) {
+  const double step = step_of(source.over, column.values, source.path, "--psd");
+  const std::size_t size = column.values.size();
+  std::size_t points = std::max<std::size_t>(size / kParts, 2);
+  if (options.segment) {
+    points = static_cast<std::size_t>(std::max(0.0, std::round(*options.segment / step)));
+    if (points < 2 || points > size) {
+      throw UserError(
+          fmt::format("--segment: must be from {:g} to {:g} s, the steps and the length of {}, found {:g}\n", 2 * step,
+                      step * static_cast<double>(size), source.path, *options.segment));
+    }
+  }
+  const PowerSpectrum spectrum = power_spectrum(column.values, step, points);
+  Curve curve{column.heading.name, {}, spectrum.density};
+  for (std::size_t k = 0; k < curve.y.size(); ++k) curve.x.push_back(spectrum.step * static_cast<double>(k));
+  return curve;
+}
+
+/// The unit of a density over frequency.
+std::string density_unit(const std::string& unit) {
+  if (unit.empty()) return "1/Hz";
+  return (unit.find_first_of("/ ") == std::string::npos ? unit : "(" + unit + ")") + "^2/Hz";
+}
+
+/// The panel of a unit, from the first new one on.
+Panel& panel_of(const std::string& unit, std::size_t first, std::vector<Panel>& panels) {
+  const auto is_it = [&](const Panel& panel) { return panel.unit == unit; };
+  const auto found = std::find_if(panels.begin() + static_cast<std::ptrdiff_t>(first), panels.end(), is_it);
+  return found == panels.end() ? panels.emplace_back(Panel{unit, {}}) : *found;
+}
+
 /// Columns of one --columns in one file: a panel for each of their units, in the order of the names. first: index of
 /// the first new panel.
 void add_panels(const PlotSource& source, const std::string& names, const PlotOptions& options, std::size_t first,
                 std::vector<Panel>& panels) {
   const std::vector<Rows> all = rows_of(source, options);
   for (const int c : find_columns(source.results, names, source.path)) {
-    const Column column = drawn(source.results.columns[static_cast<std::size_t>(c)], options.degrees);
+    Column column = source.results.columns[static_cast<std::size_t>(c)];
+    if (!options.weight.empty()) weigh(column, source, options);
+    column = drawn(std::move(column), options.degrees);
     const std::string unit = column.heading.unit == "1" ? "" : column.heading.unit;
-    std::size_t panel = first;
-    while (panel < panels.size() && panels[panel].unit != unit) ++panel;
-    if (panel == panels.size()) panels.push_back({unit, {}});
+    const std::string of_file = options.results.size() > 1 ? fmt::format(" ({})", source.label) : "";
+    if (options.is_spectrum) {
+      Curve curve = spectrum_of(column, source, options);
+      curve.label += of_file;
+      panel_of(density_unit(unit), first, panels).curves.push_back(std::move(curve));
+      continue;
+    }
     for (const Rows& rows : all) {
       Curve curve{column.heading.name, {}, {}};
       if (!rows.label.empty()) curve.label += ", " + rows.label;
-      if (options.results.size() > 1) curve.label += fmt::format(" ({})", source.path);
+      curve.label += of_file;
       for (const std::size_t row : rows.indices) {
+        if (row >= column.values.size()) continue;
         curve.x.push_back(source.over.values[row]);
         curve.y.push_back(column.values[row]);
       }
-      panels[panel].curves.push_back(std::move(curve));
+      panel_of(unit, first, panels).curves.push_back(std::move(curve));
     }
   }
+}
+
+/// The varied values of a kept case of a study; null for other results.
+nlohmann::ordered_json case_of(const PlotSource& source) {
+  const auto run = nlohmann::ordered_json::parse(source.results.run, nullptr, false);
+  return run.is_object() && run.contains("case") && run["case"].is_object() ? run["case"] : nlohmann::ordered_json();
+}
+
+/// Labels of several files: the varied values in which cases of a study differ, else their names.
+void set_labels(std::vector<PlotSource>& sources) {
+  for (PlotSource& source : sources) source.label = source.path;
+  std::vector<nlohmann::ordered_json> cases;
+  for (const PlotSource& source : sources) cases.push_back(case_of(source));
+  std::vector<std::string> labels(sources.size());
+  for (const auto& item : cases.front().items()) {
+    const std::string name = item.key();
+    const auto is_equal = [&](const nlohmann::ordered_json& one) {
+      return one.contains(name) && one[name] == cases.front()[name];
+    };
+    if (std::all_of(cases.begin(), cases.end(), is_equal)) continue;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (!cases[i].contains(name) || !cases[i][name].is_number()) return;
+      labels[i] += fmt::format("{}{} = {:.6g}", labels[i].empty() ? "" : ", ", name, cases[i][name].get<double>());
+    }
+  }
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    if (!labels[i].empty()) sources[i].label = labels[i];
+}
+
+/// The curves as a table over their common abscissa. Fails: UserError if they have none.
+std::string curves_csv(const Abscissa& abscissa, const std::vector<Panel>& panels) {
+  const std::vector<double>& x = panels.front().curves.front().x;
+  std::string text = csv_field(heading_text({abscissa.title == "time" ? "t" : abscissa.title, abscissa.unit}));
+  for (const Panel& panel : panels) {
+    for (const Curve& curve : panel.curves) {
+      if (curve.x != x)
+        throw UserError(fmt::format("--out: {} stands over other values than {}: one table cannot hold both\n",
+                                    curve.label, panels.front().curves.front().label));
+      text += "," + csv_field(heading_text({curve.label, panel.unit}));
+    }
+  }
+  for (std::size_t row = 0; row < x.size(); ++row) {
+    text += fmt::format("\n{}", x[row]);
+    for (const Panel& panel : panels)
+      for (const Curve& curve : panel.curves)
+        text += std::isfinite(curve.y[row]) ? fmt::format(",{}", curve.y[row]) : ",";
+  }
+  return text + "\n";
 }
 
 /// Fails: UserError if the abscissas of files differ.
@@ -123,20 +313,37 @@ void require_same_axis(const std::vector<PlotSource>& sources) {
   }
 }
 
+/// Fails: UserError for options that do not go together.
+void check(const PlotOptions& options) {
+  if (!options.weight.empty() && !weighting_of(options.weight))
+    throw UserError(
+        fmt::format("--weight: there is no weighting \"{}\"; there are: k, d, c, e, j, f\n", options.weight));
+  const char* series = options.is_spectrum ? "--psd" : options.weight.empty() ? nullptr : "--weight";
+  if (options.segment && !options.is_spectrum) throw UserError("--segment: goes with --psd\n");
+  if (!series) return;
+  if (!options.where.empty()) throw UserError(fmt::format("--where: {} needs all rows\n", series));
+  if (options.is_spectrum && !options.by.empty()) throw UserError("--by: --psd needs all rows\n");
+  if (!options.over.empty()) throw UserError(fmt::format("--over: {} is of a series over time\n", series));
+}
+
 int run(const PlotOptions& options) {
+  check(options);
   std::vector<PlotSource> sources;
   for (const std::string& path : options.results) sources.push_back(read_source(path, options));
   require_same_axis(sources);
+  set_labels(sources);
   std::vector<Panel> panels;
   for (const std::string& names : options.columns) {
     const std::size_t first = panels.size();
     for (const PlotSource& source : sources) add_panels(source, names, options, first, panels);
   }
   const Heading& over = sources.front().over.heading;
-  const Abscissa abscissa{over.name == "t" ? "time" : over.name, over.unit == "1" ? "" : over.unit};
+  Abscissa abscissa{over.name == "t" ? "time" : over.name, over.unit == "1" ? "" : over.unit};
+  if (options.is_spectrum) abscissa = {"frequency", "Hz", true};
   std::vector<std::string> read = options.results;
   for (const std::string& result : options.results) read.push_back(run_file(result));
-  write_file(options.file, plot_svg(abscissa, panels, options.size), read);
+  const bool is_table = options.file.ends_with(".csv");
+  write_file(options.file, is_table ? curves_csv(abscissa, panels) : plot_svg(abscissa, panels, options.size), read);
   return kDone;
 }
 
@@ -150,6 +357,9 @@ void add_plot(NamedCommand application, int& exit_code) {
       "Example: mbgen plot coach.csv --columns roll,yaw_rate --columns 'load_*' --degrees -o coach.svg\n"
       "         mbgen plot coach.csv truck.csv --columns roll --over lateral_acceleration -o both.svg\n"
       "         mbgen plot sweep.csv --columns roll_max --over speed --by bar_front -o study.svg\n"
+      "         mbgen plot sweep.csv --columns roll_max --over speed --where 'bar_front >= 7000' -o study.svg\n"
+      "         mbgen plot ride.csv --columns seat_az --psd --segment 4 -o density.svg\n"
+      "         mbgen plot ride.csv --columns seat_az --weight k -o felt.svg\n"
       "Each --columns begins panels of its own, one for each unit among its columns; * stands for any letters.\n"
       "Cases of a study that failed are left out.");
   command.add_option("RESULT", options->results, "table of mbgen simulate (CSV or MAT) or of mbgen sweep; one or more")
@@ -159,7 +369,15 @@ void add_plot(NamedCommand application, int& exit_code) {
       .one_value_at_a_time();
   command.add_option("--over", options->over, "column to draw over (default: t, of a study the case)");
   command.add_option("--by", options->by, "a curve for each value of this column");
-  command.add_option("-o,--out", options->file, "the picture (default: standard output)");
+  command.add_option("--where", options->where, "only rows with COLUMN = != < <= > >= NUMBER; may be repeated")
+      .one_value_at_a_time();
+  command.add_flag("--psd", options->is_spectrum,
+                   "power spectral density over frequency, one-sided (Welch, Hann windows that overlap by half)");
+  command.add_option("--segment", options->segment, "s, length of a window of --psd (default: a quarter of the rows)");
+  command.add_option("--weight", options->weight,
+                     "frequency weighting of accelerations, ISO 2631-1: k, d, c, e, j or f; prints the weighted rms");
+  command.add_option("-o,--out", options->file,
+                     "the picture, or FILE.csv for its curves as a table (default: standard output)");
   command.add_flag("--degrees", options->degrees, "angles in degrees");
   command.add_option("--width", options->size.width, "px").with_shown_default().between(200, 10000);
   command.add_option("--height", options->size.panel_height, "px, of a panel").with_shown_default().between(50, 10000);

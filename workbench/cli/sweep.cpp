@@ -3,50 +3,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <exception>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <system_error>
-#include <thread>
-#include <utility>
 
 #include "compiler/text/json_text.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/options.hpp"
 #include "workbench/describe/notes.hpp"
-#include "workbench/host/blocked_signals.hpp"
 #include "workbench/host/files.hpp"
 #include "workbench/host/message.hpp"
 #include "workbench/host/process.hpp"
-#include "workbench/host/progress.hpp"
-#include "workbench/sweep/sweep_journal.hpp"
 #include "workbench/sweep/sweep_parts.hpp"
 #include "workbench/sweep/sweep_table.hpp"
+#include "workbench/sweep/sweep_work.hpp"
 
 namespace mbgen::cli {
 namespace {
 
-using std::chrono::steady_clock;
-
 constexpr int kMostJobs = 1024;
 constexpr long kSlurmParts = 8;
-/// Polling interval of a rank that waits for the others, at first and at last.
-constexpr std::chrono::milliseconds kFirstLook{10}, kLastLook{1000};
-/// Timeout without another rank at work.
-constexpr std::chrono::minutes kPatience{5};
-/// Silent part of this timeout.
-constexpr std::chrono::seconds kSilence{5};
-
 struct SweepOptions {
   StudyArguments study;
   std::string file, part, slurm;
   int jobs = 0;  ///< 0: one per processor
   long parts = kSlurmParts;
-  bool restart = false, json = false;
+  bool restart = false, claims = false, json = false;
 };
 
 /// Adds the cases of the journals beside the table. Fails: as read_journal.
@@ -54,88 +37,12 @@ void add_journals(const std::string& table, const std::string& words, CaseResult
   for (const std::filesystem::path& path : journals_of(table)) results.merge(read_journal(path, words));
 }
 
-/// Computes cases in `jobs` threads; a result is written to the journal before it counts. Fails: as run_case and
-/// Journal::add, with the first failure after all threads have ended.
-void compute(const Study& study, const std::vector<long>& cases, int jobs, bool tells_notes, Journal& journal,
-             CaseResults& results) {
-  const StudySolver solver = prepare(study);
-  if (study.is_tuned && tells_notes) count_notes(solver.compilation);
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> is_stopped{false};
-  std::exception_ptr failure;
-  std::mutex guard;
-  BlockedSignals signals;
-  Progress progress("sweep");
-  long done = 0;
-  const auto is_interrupted = [&] { return signals.taken() != 0; };
-  const auto compute_one = [&](long index) {
-    std::optional<CaseResult> result = run_case(study, solver, index, is_interrupted);
-    if (!result) return;
-    const std::lock_guard<std::mutex> lock(guard);
-    journal.add(index, *result);
-    results[index] = std::move(*result);
-    progress.show(++done, static_cast<long>(cases.size()));
-  };
-  const auto work = [&] {
-    for (std::size_t i = next++; i < cases.size() && !is_stopped && !is_interrupted(); i = next++) {
-      try {
-        compute_one(cases[i]);
-      } catch (...) {
-        const std::lock_guard<std::mutex> lock(guard);
-        if (!failure) failure = std::current_exception();
-        is_stopped = true;
-      }
-    }
-  };
-  std::vector<std::thread> threads;
-  for (int j = 1; j < std::min<long>(jobs, static_cast<long>(cases.size())); ++j) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
-  progress.clear();
-  if (failure) std::rethrow_exception(failure);
-  if (is_interrupted() && done < static_cast<long>(cases.size())) throw Interrupted{signals.taken()};
-}
-
-/// Waits until the other ranks have written all cases. Fails: UserError after the timeout without another rank at work.
-void gather(const SweepOptions& options, const std::string& words, const SweepPart& part, long size,
-            CaseResults& results) {
-  BlockedSignals signals;
-  auto look = kFirstLook;
-  auto last_seen = steady_clock::now();
-  bool is_told = false;
-  while (static_cast<long>(results.size()) < size) {
-    if (const int signal = signals.wait(look); signal != 0) throw Interrupted{signal};
-    look = std::min(2 * look, kLastLook);
-    const std::size_t before = results.size();
-    bool is_at_work = false;
-    for (long k = 0; k < part.count; ++k) {
-      const std::filesystem::path path = journal_path(options.file, {k, part.count});
-      is_at_work = is_at_work || (k != part.index && is_held(path));
-      try {
-        results.merge(read_journal(path, words));
-      } catch (const UserError&) {
-        // With --restart: the old journal of a rank that has not started yet.
-      }
-    }
-    if (results.size() > before || is_at_work) last_seen = steady_clock::now();
-    const auto alone = steady_clock::now() - last_seen;
-    if (alone > kSilence && !std::exchange(is_told, true)) {
-      print_message("sweep: {} of {} cases are missing and no other rank is at work; waits {} min for one\n",
-                    size - static_cast<long>(results.size()), size, kPatience.count());
-    }
-    if (alone > kPatience) {
-      throw UserError(
-          fmt::format("sweep: {} of {} cases are missing and no other rank is at work; run again to go on\n",
-                      size - static_cast<long>(results.size()), size));
-    }
-  }
-}
-
-/// With --restart: removes journals of other partitions, which no process would restart.
-void remove_other_journals(const SweepOptions& options, const SweepPart& part) {
+/// With --restart: removes journals that no process would restart. kept: number of journals of one partition that its
+/// processes restart themselves.
+void remove_journals(const std::string& table, long kept) {
   std::vector<std::filesystem::path> own;
-  for (long k = 0; k < part.count; ++k) own.push_back(journal_path(options.file, {k, part.count}));
-  for (const std::filesystem::path& path : journals_of(options.file)) {
+  for (long k = 0; k < kept; ++k) own.push_back(journal_path(table, {k, kept}));
+  for (const std::filesystem::path& path : journals_of(table)) {
     std::error_code ignored;
     if (std::find(own.begin(), own.end(), path) == own.end() && !is_held(path)) std::filesystem::remove(path, ignored);
   }
@@ -150,6 +57,9 @@ std::vector<std::string> words_of(const SweepOptions& options) {
   };
   for (const std::string& text : study.vary) add("--vary", text);
   for (const std::string& text : study.metrics) add("--metric", text);
+  add("--manoeuvre", study.manoeuvre);
+  add("--keep", study.keep);
+  if (study.every != 1) add("--every", fmt::format("{}", study.every));
   for (const std::string& text : study.set) add("--set", text);
   for (const std::string& text : study.engine.inputs) add("--input", text);
   if (study.simulation.duration) add("--duration", fmt::format("{}", *study.simulation.duration));
@@ -169,7 +79,7 @@ std::vector<std::string> words_of(const SweepOptions& options) {
 
 std::vector<std::string> files_read(const SweepOptions& options, const Study& study) {
   std::vector<std::string> files = study.model.files;
-  files.push_back(options.study.simulation.input_table);
+  files.insert(files.end(), {options.study.simulation.input_table, options.study.manoeuvre});
   return files;
 }
 
@@ -187,6 +97,11 @@ void check(const SweepOptions& options) {
   if (options.jobs < 0 || options.jobs > kMostJobs) {
     throw UserError(fmt::format("--jobs: must be from 1 to {}, found {}\n", kMostJobs, options.jobs));
   }
+  if (options.study.metrics.empty() && options.study.manoeuvre.empty()) {
+    throw UserError("--metric: give a number of each motion, or a manoeuvre, which has those of its standard\n");
+  }
+  if (options.study.every < 1)
+    throw UserError(fmt::format("--every: must be positive, found {}\n", options.study.every));
   std::error_code problem;
   const std::filesystem::file_status status = std::filesystem::status(options.file, problem);
   if (is_standard_output(options.file) ||
@@ -201,49 +116,80 @@ void finish(const SweepOptions& options, const Study& study, const CaseResults& 
   print(options.json ? results_json(study, results, options.file) : results_text(study, results, options.file));
 }
 
+/// The place of this process among those of the study.
+struct Crew {
+  std::optional<SweepPart> rank;
+  SweepPart part;
+  bool claims = false;    ///< it takes the next case that nobody has
+  bool is_first = false;  ///< it gathers and speaks
+};
+
+Crew crew_of(const SweepOptions& options) {
+  Crew crew;
+  if (options.part.empty()) crew.rank = part_of_rank();
+  crew.part = crew.rank ? *crew.rank : options.part.empty() ? SweepPart{} : part_from(options.part);
+  crew.claims = crew.rank.has_value() || options.claims;
+  crew.is_first = crew.part.index == 0 && options.part.empty();
+  return crew;
+}
+
+void tell_first(const Study& study) {
+  for (const std::string& warning : study.warnings) print_message("{}", warning);
+  print_notes(study.notes);
+  if (!study.is_tuned) print_message("sweep: each case is analysed anew: {}\n", study.why_not_tuned);
+}
+
 int run(const SweepOptions& options) {
   check(options);
   const Study study = read_study(options.study);
   require_other_file(options.file, files_read(options, study));
   if (!options.slurm.empty()) return write_slurm_script(options, study);
   const std::string words = description(study);
-  const std::optional<SweepPart> rank = options.part.empty() ? part_of_rank() : std::nullopt;
-  const SweepPart part = rank ? *rank : options.part.empty() ? SweepPart{} : part_from(options.part);
-  const bool is_first = part.index == 0 && options.part.empty();
-  for (const std::string& warning : study.warnings) {
-    if (is_first) print_message("{}", warning);
+  const Crew crew = crew_of(options);
+  std::optional<Claims> claims;
+  if (crew.claims) {
+    claims.emplace(options.file, crew.rank ? job_of_rank() : "", [&] {
+      if (options.restart) remove_journals(options.file, 0);
+    });
+    if (!claims->has_locks()) claims.reset();
   }
+  const bool restarts = options.restart && !claims;
   CaseResults results;
-  if (!options.restart) {
+  if (!restarts) {
     add_journals(options.file, words, results);
-  } else if (is_first) {
-    remove_other_journals(options, part);
+  } else if (crew.is_first) {
+    remove_journals(options.file, crew.part.count);
   }
-  std::vector<long> cases;
-  long of_part = 0;
-  for (long index = 0; index < study.grid.size(); ++index) {
-    if (!part.has(index)) continue;
-    ++of_part;
-    if (!results.contains(index)) cases.push_back(index);
-  }
-  Journal journal(journal_path(options.file, part), words, options.restart);
-  const long before = of_part - static_cast<long>(cases.size());
-  if (is_first && !study.is_tuned) print_message("sweep: each case is analysed anew: {}\n", study.why_not_tuned);
-  if (is_first && before > 0) print_message("sweep: {} of {} cases were done before\n", before, of_part);
-  const int jobs = options.jobs > 0 ? options.jobs : rank ? 1 : processors();
+  if (!options.study.keep.empty()) std::filesystem::create_directories(options.study.keep);
+  SweepWork work{.study = study,
+                 .table = options.file,
+                 .description = words,
+                 .part = crew.part,
+                 .claims = claims ? &*claims : nullptr,
+                 .jobs = options.jobs > 0 ? options.jobs
+                         : crew.rank      ? 1
+                                          : processors(),
+                 .gathers = crew.is_first,
+                 .tells_notes = crew.is_first};
+  const auto is_own = [&](const auto& one) { return claims || crew.part.has(one.first); };
+  const long own = claims || crew.part.count == 1 ? study.grid.size() : cases_of(crew.part, study.grid.size());
+  const auto known = [&] { return static_cast<long>(std::count_if(results.begin(), results.end(), is_own)); };
+  Journal journal(journal_path(options.file, crew.part), words, restarts);
+  if (crew.is_first) tell_first(study);
+  if (crew.is_first && known() > 0) print_message("sweep: {} of {} cases were done before\n", known(), own);
+  long done = 0;
   try {
-    if (!cases.empty()) compute(study, cases, jobs, is_first, journal, results);
-    if (is_first) gather(options, words, part, study.grid.size(), results);
+    done = work_on(work, journal, results);
   } catch (const Interrupted&) {
     print_message("sweep: interrupted: {} of {} cases are done, {} keeps them; run the same command again to go on\n",
-                  std::erase_if(results, [&](const auto& one) { return part.has(one.first); }), of_part,
-                  journal_path(options.file, part).string());
+                  known(), own, journal_path(options.file, crew.part).string());
     throw;
   }
   if (!options.part.empty()) {
-    print(options.json ? json_text({{"part", options.part}, {"cases", of_part}})
-                       : fmt::format("part {}: {} cases\n", options.part, of_part));
-  } else if (is_first) {
+    const long cases = claims ? done : own;
+    print(options.json ? json_text({{"part", options.part}, {"cases", cases}})
+                       : fmt::format("part {}: {} cases\n", options.part, cases));
+  } else if (crew.is_first) {
     finish(options, study, results);
   }
   return kDone;
@@ -263,21 +209,34 @@ void add_sweep(NamedCommand application, int& exit_code) {
       "A name may stand in front: --metric \"lean=max(abs(roll))\".\n"
       "FILE.journal lists the finished cases: a study that was killed goes on from there when it is run again with\n"
       "the same words.\n"
-      "Under mpirun or srun the ranks share the cases. See docs/use/sweep.md.");
+      "With --manoeuvre each case is driven as simulate drives it; --vary takes numbers of its file too:\n"
+      "  mbgen sweep models/coach_driver.json --manoeuvre models/manoeuvres/step_steer.json \\\n"
+      "      --vary manoeuvre.speed=15,20,25 --vary bar_front=6e3,8e3 --out study.csv\n"
+      "Under mpirun or srun each rank takes the next case that none has. See docs/use/sweep.md.");
   StudyArguments& study = options->study;
   add_model_argument(command, study.model);
-  command.add_option("--vary", study.vary, "name=first:step:last or name=value,value of a parameter or input; repeat")
+  command
+      .add_option("--vary", study.vary,
+                  "name=first:step:last or name=value,value of a parameter or input, or of a number of the manoeuvre "
+                  "(manoeuvre.speed); repeat")
       .required()
       .one_value_at_a_time();
   command.add_option("--metric", study.metrics, "a number of each motion, or name=number; may be repeated")
-      .required()
       .one_value_at_a_time();
+  command.add_option("--manoeuvre", study.manoeuvre,
+                     "file of a manoeuvre that each case drives; its metrics are columns of the table");
   command.add_option("-o,--out", options->file, "table of the results (CSV)").required();
+  const Option keep = command.add_option("--keep", study.keep, "directory for the motions of all cases (case_1.csv)");
+  command.add_option("--every", study.every, "write every n-th step of a kept motion, and the last (default 1)")
+      .needs(keep);
   add_set_option(command, study.set);
   add_simulation_options(command, study.simulation);
   command.add_option("--jobs", options->jobs, "cases at a time (default: one a processor; one a rank under mpirun)");
   const Option restart = command.add_flag("--restart", options->restart, "forget the finished cases and begin anew");
   const Option part = command.add_option("--part", options->part, "K/N: only the K-th of N parts, without the table");
+  command
+      .add_flag("--claim", options->claims, "with --part: take the next case that no other process has, not every N-th")
+      .needs(part);
   command.add_option("--slurm", options->slurm, "write a script for Slurm to this file instead: an array job of parts")
       .excludes(restart)
       .excludes(part);

@@ -24,6 +24,7 @@ struct Curve {
 /// The abscissa of a plot.
 struct Abscissa {
   std::string title = "time", unit = "s";
+  bool is_logarithmic = false;  ///< this axis and those of all panels; points that are not positive are left out
 };
 
 /// One frame of a plot.

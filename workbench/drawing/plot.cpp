@@ -24,6 +24,7 @@ constexpr std::array<const char*, 8> kCurveColours = {"#0b63a5", "#c8501e", "#00
 struct Ticks {
   double step = 1, first = 0;
   int count = 1;
+  bool is_logarithmic = false;  ///< values are decimal logarithms
   double low() const { return first * step; }
   double high() const { return (first + count) * step; }
 };
@@ -45,6 +46,25 @@ Ticks ticks_around(double low, double high, int wanted) {
   ticks.first = std::floor(low / ticks.step + kSlack);
   ticks.count = std::max(1, static_cast<int>(std::ceil(high / ticks.step - kSlack) - ticks.first));
   return ticks;
+}
+
+/// Powers of ten around logarithms, at most so many decades below the highest.
+Ticks decades_around(double low, double high, int most) {
+  Ticks ticks{1, std::floor(low + 1e-9), 1, true};
+  const double end = std::max(std::ceil(high - 1e-9), ticks.first + 1);
+  ticks.first = std::max(ticks.first, end - most);
+  ticks.count = static_cast<int>(end - ticks.first);
+  return ticks;
+}
+
+/// Logarithms of a curve.
+Curve logarithmic(const Curve& curve) {
+  Curve result{curve.label, {}, {}};
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    result.x.push_back(std::log10(curve.x[i]));
+    result.y.push_back(std::log10(curve.y[i]));
+  }
+  return result;
 }
 
 /// A prefix for large values of units that engineers write with one.
@@ -171,6 +191,7 @@ std::vector<Spot> simplified(const std::vector<Spot>& spots) {
 /// A number of a tick, with as many decimals as the step needs.
 std::string tick_text(const Ticks& ticks, int i) {
   const double value = (ticks.first + i) * ticks.step;
+  if (ticks.is_logarithmic) return fmt::format("{:g}", std::pow(10, value));
   const double largest = std::max(std::abs(ticks.low()), std::abs(ticks.high()));
   constexpr double kLargest = 1e6, kSmallest = 1e-4;
   if (largest >= kLargest || ticks.step < kSmallest) return fmt::format("{:g}", value);
@@ -227,15 +248,19 @@ std::string legend(const Frame& frame, const Panel& panel, const std::string& un
 
 std::string panel_text(const Panel& panel, const Frame& frame, const Axis& axis, bool is_last) {
   const auto [low, high] = extent(panel);
-  const Scale scale = scale_of(panel.unit, std::max(std::abs(low), std::abs(high)));
-  constexpr int kVerticalTicks = 4;
-  const Ticks vertical = ticks_around(low * scale.factor, high * scale.factor, kVerticalTicks);
+  const bool is_logarithmic = axis.ticks.is_logarithmic;
+  const Scale scale =
+      is_logarithmic ? Scale{1, panel.unit} : scale_of(panel.unit, std::max(std::abs(low), std::abs(high)));
+  constexpr int kVerticalTicks = 4, kMostDecades = 8;
+  const Ticks vertical = is_logarithmic ? decades_around(low, high, kMostDecades)
+                                        : ticks_around(low * scale.factor, high * scale.factor, kVerticalTicks);
   std::string text = grid(frame, vertical, axis, is_last) + legend(frame, panel, scale.unit);
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
     const Curve& curve = panel.curves[c];
     std::vector<Spot> spots;
     for (const std::size_t i : shown(curve.x, curve.y, static_cast<int>(frame.width))) {
-      const double y = (curve.y[i] * scale.factor - vertical.low()) / (vertical.high() - vertical.low());
+      const double part = (curve.y[i] * scale.factor - vertical.low()) / (vertical.high() - vertical.low());
+      const double y = is_logarithmic ? std::max(part, 0.0) : part;
       spots.push_back({frame.left + axis.part(curve.x[i]) * frame.width, frame.top + (1 - y) * frame.height});
     }
     std::string path;
@@ -255,7 +280,7 @@ std::string panel_text(const Panel& panel, const Frame& frame, const Axis& axis,
 std::string plot_svg(const Abscissa& abscissa, const std::vector<Panel>& asked, const PlotSize& size) {
   std::vector<Panel> panels = asked;
   for (Panel& panel : panels) {
-    for (Curve& curve : panel.curves) curve = finite(curve);
+    for (Curve& curve : panel.curves) curve = finite(abscissa.is_logarithmic ? logarithmic(curve) : curve);
   }
   const double height = kTop + static_cast<double>(panels.size()) * (size.panel_height + kGap);
   std::string text = fmt::format(
@@ -266,7 +291,9 @@ std::string plot_svg(const Abscissa& abscissa, const std::vector<Panel>& asked, 
       kPlotFont, size.width, svg::number(height), size.width, svg::number(height));
   constexpr int kTicks = 8;
   const auto [low, high] = extent(panels);
-  const Axis axis{ticks_around(low, high, kTicks), high};
+  constexpr int kMostDecades = 12;
+  const Axis axis{abscissa.is_logarithmic ? decades_around(low, high, kMostDecades) : ticks_around(low, high, kTicks),
+                  high};
   Frame frame{kLeft, kTop, size.width - kLeft - kRight, static_cast<double>(size.panel_height)};
   for (std::size_t p = 0; p < panels.size(); ++p, frame.top += size.panel_height + kGap) {
     text += panel_text(panels[p], frame, axis, p + 1 == panels.size());

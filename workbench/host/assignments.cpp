@@ -84,15 +84,21 @@ std::vector<VariedParameter> set_parameters(const Model& model, const std::vecto
   return set;
 }
 
+std::string hash_of_set(const std::string& hash, const std::vector<VariedParameter>& set) {
+  if (set.empty()) return hash;
+  Hash of_all;
+  of_all.add(hash);
+  for (const VariedParameter& parameter : set) of_all.add(fmt::format("{}={};", parameter.name, *parameter.value));
+  return of_all.text();
+}
+
 Model read_set_model(const std::string& path, const std::vector<std::string>& assignments) {
   Model model = expect(read_model_file(path));
   if (assignments.empty()) return model;
   const std::vector<VariedParameter> set = set_parameters(model, assignments);
-  Hash hash;
-  hash.add(model.hash);
-  for (const VariedParameter& parameter : set) hash.add(fmt::format("{}={};", parameter.name, *parameter.value));
+  std::string hash = hash_of_set(model.hash, set);
   model = expect(read_varied_model(path, set));
-  model.hash = hash.text();
+  model.hash = std::move(hash);
   return model;
 }
 

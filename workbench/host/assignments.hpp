@@ -19,6 +19,9 @@ std::vector<double> input_values(const Model& model, const std::vector<std::stri
 /// Parameters given on the command line, sorted by name; each keeps its tunability. Fails: UserError as read_set_model.
 std::vector<VariedParameter> set_parameters(const Model& model, const std::vector<std::string>& assignments);
 
+/// The hash of a model with these values, from the hash of its files; that itself for no values. set: sorted by name.
+std::string hash_of_set(const std::string& hash, const std::vector<VariedParameter>& set);
+
 /// The model of a file with changed parameters: name=value replaces the file's values before constant folding, and
 /// dependent values follow. Its hash covers file and values. Fails: UserError for a name that is no parameter (the
 /// nearest is named), a value that is not a finite number, a repeated name, and as read_model_file.

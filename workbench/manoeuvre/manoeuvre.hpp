@@ -124,12 +124,29 @@ std::string type_of(const Manoeuvre& manoeuvre);
 
 const ManoeuvreBase& base_of(const Manoeuvre& manoeuvre);
 
-/// Reads and checks a manoeuvre. text: JSON with comments; file_name: for messages.
+/// A number in a manoeuvre other than written. name: path of its field, "speed", "driver.understeer", "events.0.steer"
+/// (items count from 0, as in messages); the field, and the object around it, may be absent.
+struct ManoeuvreValue {
+  std::string name;
+  double value = 0;  ///< SI, radians
+};
+
+/// Reads and checks a manoeuvre. text: JSON with comments; file_name: for messages; values: instead of those written.
 /// Fails: with every problem found, in order of position.
-Result<Manoeuvre> read_manoeuvre(std::string_view text, const std::string& file_name);
+Result<Manoeuvre> read_manoeuvre(std::string_view text, const std::string& file_name,
+                                 const std::vector<ManoeuvreValue>& values = {});
 
 /// The same from a file. Fails also when it cannot be read.
 Result<Manoeuvre> read_manoeuvre_file(const std::string& path);
+
+/// A number that a manoeuvre of a file may have.
+struct ManoeuvreNumber {
+  std::string unit;     ///< "" for none
+  std::string problem;  ///< why there is none of this name, with the nearest; "" where there is
+};
+
+/// Looks for the number of this name, see ManoeuvreValue. text: of a manoeuvre that can be read.
+ManoeuvreNumber find_number(std::string_view text, const std::string& name);
 
 /// JSON Schema (draft 2020-12) of the format, and the format as a document.
 std::string manoeuvre_schema();

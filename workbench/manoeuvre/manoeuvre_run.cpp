@@ -212,20 +212,21 @@ void ManoeuvreRun::move_others(double t, double end, InputsOverTime& inputs) con
     follow(inputs_, change.input, straight_lines({t, end}, {value(change.input, t), value(change.input, end)}), inputs);
 }
 
-std::shared_ptr<ManoeuvreRun> prepare_manoeuvre(const std::string& file, const std::string& model_file,
-                                                std::vector<std::string>& assignments, Model& model,
-                                                SimulationArguments& arguments) {
-  if (file.empty()) return nullptr;
-  const Manoeuvre manoeuvre = expect(read_manoeuvre_file(file));
-  print_notes(base_of(manoeuvre).notes);
+std::optional<VariedParameter> start_speed(const Manoeuvre& manoeuvre, const Model& model) {
   vehicle_facts(model);
   const std::optional<double>& speed = base_of(manoeuvre).speed;
-  if (speed && model.vehicle->speed >= 0) {
-    const std::string name = model.parameters[static_cast<std::size_t>(model.vehicle->speed)].name;
-    assignments.push_back(fmt::format("{}={}", name, *speed));
-    model = read_set_model(model_file, assignments);
-  }
+  if (!speed || model.vehicle->speed < 0) return {};
+  const Parameter& parameter = model.parameters[static_cast<std::size_t>(model.vehicle->speed)];
+  return VariedParameter{parameter.name, *speed, parameter.tunable};
+}
+
+void add_manoeuvre_outputs(Model& model) {
+  vehicle_facts(model);
   add_vehicle_outputs(model);
+}
+
+std::shared_ptr<ManoeuvreRun> run_of(const Manoeuvre& manoeuvre, const std::string& file, const Model& model,
+                                     SimulationArguments& arguments) {
   const auto run = std::make_shared<ManoeuvreRun>(model, manoeuvre, file);
   const bool is_planned = !arguments.duration;
   run->complete(arguments, model.solver.step);
@@ -233,6 +234,20 @@ std::shared_ptr<ManoeuvreRun> prepare_manoeuvre(const std::string& file, const s
   // The plan is a whole number of steps long, so that times of rows are multiples of the step.
   if (is_planned && step > 0) arguments.duration = std::ceil(*arguments.duration / step - kSameStep) * step;
   return run;
+}
+
+std::shared_ptr<ManoeuvreRun> prepare_manoeuvre(const std::string& file, const std::string& model_file,
+                                                std::vector<std::string>& assignments, Model& model,
+                                                SimulationArguments& arguments) {
+  if (file.empty()) return nullptr;
+  const Manoeuvre manoeuvre = expect(read_manoeuvre_file(file));
+  print_notes(base_of(manoeuvre).notes);
+  if (const std::optional<VariedParameter> speed = start_speed(manoeuvre, model)) {
+    assignments.push_back(fmt::format("{}={}", speed->name, *speed->value));
+    model = read_set_model(model_file, assignments);
+  }
+  add_vehicle_outputs(model);
+  return run_of(manoeuvre, file, model, arguments);
 }
 
 }  // namespace mbgen

@@ -33,6 +33,8 @@ class ManoeuvreRun {
   void judge(StepVerdict& verdict) const;
   /// Result of the manoeuvre, after the motion.
   ManoeuvreWords words() const;
+  /// Its numbers, SI: largest deviations from course and speed, then the metrics of the standard.
+  std::vector<VehicleMetric> numbers() const;
 
  private:
   /// Adds a point of the motion. Result: false at the end of the manoeuvre.
@@ -40,6 +42,7 @@ class ManoeuvreRun {
   void start(const InputsOverTime& inputs);
   void observe(double t);
   std::string reason_to_end() const;
+  VehicleMetrics metrics() const;
   /// Lateral offset from the course, m, at which the vehicle has left it.
   double widest_offset() const;
   void steer(double t, double end, InputsOverTime& inputs);
@@ -72,6 +75,18 @@ class ManoeuvreRun {
   std::string steering_fault_;  ///< fault of steer_ratio
   std::string ended_;           ///< why before its time
 };
+
+/// The parameter that sets the vehicle's speed at the start, with its value; nothing where the manoeuvre has no speed
+/// or the model no parameter for it. Fails: UserError for a model without a vehicle.
+std::optional<VariedParameter> start_speed(const Manoeuvre& manoeuvre, const Model& model);
+
+/// Adds the outputs of the vehicle to a model. Fails: UserError without a vehicle, or for an output of the same name.
+void add_manoeuvre_outputs(Model& model);
+
+/// A run of a manoeuvre with a model, which has the outputs of the vehicle. Completes the arguments: the duration is a
+/// whole number of steps. Fails: UserError.
+std::shared_ptr<ManoeuvreRun> run_of(const Manoeuvre& manoeuvre, const std::string& file, const Model& model,
+                                     SimulationArguments& arguments);
 
 /// A run of the manoeuvre of a file with a model. Sets the speed at the start (also in `assignments`, --set) and adds
 /// the outputs of the vehicle. Null without a file. Fails: UserError.

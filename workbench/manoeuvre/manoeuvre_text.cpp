@@ -42,8 +42,21 @@ void ManoeuvreRun::judge(StepVerdict& verdict) const {
         fmt::format("the speed differs from the wanted one by up to {:.3g} m/s", largest_speed_error_));
 }
 
+VehicleMetrics ManoeuvreRun::metrics() const {
+  return metrics_of(manoeuvre_, plan_, facts_, vehicle_, start_, series_);
+}
+
+std::vector<VehicleMetric> ManoeuvreRun::numbers() const {
+  std::vector<VehicleMetric> list;
+  if (plan_.has_driver) list.push_back({"largest_offset", largest_offset_, "m", "from the course"});
+  if (plan_.torques.front().holds_speed) list.push_back({"largest_speed_error", largest_speed_error_, "m/s", ""});
+  const VehicleMetrics of_standard = metrics();
+  list.insert(list.end(), of_standard.values.begin(), of_standard.values.end());
+  return list;
+}
+
 ManoeuvreWords ManoeuvreRun::words() const {
-  const VehicleMetrics metrics = metrics_of(manoeuvre_, plan_, facts_, vehicle_, start_, series_);
+  const VehicleMetrics metrics = this->metrics();
   ManoeuvreWords words;
   words.lines = fmt::format("  manoeuvre                 {} ({}){}\n", type_of(manoeuvre_), file_,
                             ended_.empty() ? "" : ", ended when " + ended_);

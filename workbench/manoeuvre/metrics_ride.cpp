@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "workbench/manoeuvre/metrics_spectra.hpp"
+#include "workbench/manoeuvre/metrics.hpp"
+#include "workbench/manoeuvre/metrics_fits.hpp"
+#include "workbench/signals/weighting.hpp"
 
 namespace mbgen {
 namespace {
@@ -15,54 +16,18 @@ using namespace manoeuvre;
 
 constexpr double kShortestRide = 5;  ///< s: two periods of the weighting's lowest frequency
 constexpr double kMostCrest = 9;  ///< ISO 2631-1, clause 6.2: above it the weighted mean square alone is not sufficient
-constexpr double kLeastRate =
-    50;  ///< Hz, sampling rate: two points per period of the frequencies with the largest weight
-
-/// W_k of ISO 2631-1, annex A: band limits, transition from acceleration to velocity, upward step.
-Complex weighting(double frequency) {
-  const auto low = [](Complex p, double f, double q) {  // (f / f)^2 over the second order of corner f
-    const double w = 2 * std::numbers::pi * f;
-    return p * p / (w * w) + p / (w * q) + 1.0;
-  };
-  const Complex p(0, 2 * std::numbers::pi * frequency);
-  constexpr double kHighPass = 0.4, kLowPass = 100, kTransition = 12.5, kStepFrom = 2.37, kStepTo = 3.35;
-  constexpr double kTransitionQ = 0.63, kStepQ = 0.91, kButterworthQ = std::numbers::sqrt2 / 2;
-  const double high = 2 * std::numbers::pi * kHighPass;
-  const Complex band = p * p / (high * high) / low(p, kHighPass, kButterworthQ) / low(p, kLowPass, kButterworthQ);
-  const Complex transition = (1.0 + p / (2 * std::numbers::pi * kTransition)) / low(p, kTransition, kTransitionQ);
-  const double ratio = kStepFrom / kStepTo;
-  return band * transition * low(p, kStepFrom, kStepQ) / low(p, kStepTo, kStepQ) * ratio * ratio;
-}
-
-/// Frequency-weighted acceleration. Zeros appended to the series separate its end from its begin.
-Values weighted(const Values& acceleration, double time_step) {
-  std::vector<Complex> x(power_of_two(2 * acceleration.size()));
-  std::copy(acceleration.begin(), acceleration.end(), x.begin());
-  x = transformed(x);
-  const std::size_t half = x.size() / 2;
-  const double line = 1 / (time_step * static_cast<double>(x.size()));
-  for (std::size_t k = 0; k <= half; ++k) {
-    x[k] *= weighting(line * static_cast<double>(k));
-    if (k > 0 && k < half) x[x.size() - k] = std::conj(x[k]);
-  }
-  x[half] = x[half].real();
-  x = transformed_back(x);
-  Values result;
-  for (std::size_t i = 0; i < acceleration.size(); ++i) result.push_back(x[i].real());
-  return result;
-}
 
 void add_vibration(VehicleMetrics& metrics, const VehicleSeries& s, Span span) {
   const Values part(s.vertical_acceleration.begin() + static_cast<std::ptrdiff_t>(span.begin),
                     s.vertical_acceleration.end());
   const Span all{0, part.size()};
   add(metrics, "vertical_acceleration_rms", spread(part, all, 0), "m/s^2", "root of the mean square at the place");
-  if (1 / step_of(s) < kLeastRate * (1 - 1e-9)) {
+  if (1 / step_of(s) < least_rate(Weighting::k) * (1 - 1e-9)) {
     metrics.notes.push_back(fmt::format("weighted_acceleration_rms: {:.4g} points in a second, the weighting needs {}",
-                                        1 / step_of(s), kLeastRate));
+                                        1 / step_of(s), least_rate(Weighting::k)));
     return;
   }
-  const Values felt = weighted(part, step_of(s));
+  const Values felt = weighted(part, step_of(s), Weighting::k);
   const double rms = spread(felt, all, 0);
   add(metrics, "weighted_acceleration_rms", rms, "m/s^2", "vertical, weighted by W_k (ISO 2631-1)");
   if (!(rms > 0)) return;
@@ -90,7 +55,7 @@ void add_loads(VehicleMetrics& metrics, const VehicleSeries& s, Span span) {
 
 }  // namespace
 
-double vertical_weighting(double frequency) { return std::abs(weighting(frequency)); }
+double vertical_weighting(double frequency) { return std::abs(weighting_factor(Weighting::k, frequency)); }
 
 VehicleMetrics ride_metrics(const VehicleSeries& s, const Ride& ride) {
   std::string fault = fault_of(s, {{"vertical acceleration", &s.vertical_acceleration}, {"speed", &s.speed}});

@@ -4,29 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <unsupported/Eigen/FFT>
 
 #include "compiler/algebra/dense.hpp"
 
 namespace mbgen::manoeuvre {
-
-std::size_t power_of_two(std::size_t n) {
-  std::size_t power = 1;
-  while (power < n) power *= 2;
-  return power;
-}
-
-std::vector<Complex> transformed(const std::vector<Complex>& x) {
-  std::vector<Complex> result;
-  Eigen::FFT<double>().fwd(result, x);
-  return result;
-}
-
-std::vector<Complex> transformed_back(const std::vector<Complex>& x) {
-  std::vector<Complex> result;
-  Eigen::FFT<double>().inv(result, x);
-  return result;
-}
 
 double Spectra::coherence(std::size_t line) const {
   const double both = input[line] * output[line];

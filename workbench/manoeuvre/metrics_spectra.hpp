@@ -1,23 +1,12 @@
 #pragma once
-// Fourier transforms, and frequency responses estimated from series.
+// Frequency responses estimated from series.
 
-#include <complex>
 #include <vector>
 
 #include "workbench/manoeuvre/metrics_fits.hpp"
+#include "workbench/signals/fourier.hpp"
 
 namespace mbgen::manoeuvre {
-
-using Complex = std::complex<double>;
-
-/// The least power of two that is not below n.
-std::size_t power_of_two(std::size_t n);
-
-/// Fourier transform, sum x[i] exp(-2 pi j i k / n).
-std::vector<Complex> transformed(const std::vector<Complex>& x);
-
-/// The inverse, with its factor 1 / n.
-std::vector<Complex> transformed_back(const std::vector<Complex>& x);
 
 /// Auto- and cross-spectra of two series by Welch's method: Hann windows that overlap by three quarters, without their
 /// means. P. D. Welch, IEEE Transactions on Audio and Electroacoustics 15(2), 1967.

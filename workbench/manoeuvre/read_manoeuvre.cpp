@@ -162,14 +162,17 @@ Manoeuvre read(Reader& reader, const Value& value) {
 }  // namespace
 }  // namespace reading
 
-Result<Manoeuvre> read_manoeuvre(std::string_view text, const std::string& file_name) {
+Result<Manoeuvre> read_manoeuvre(std::string_view text, const std::string& file_name,
+                                 const std::vector<ManoeuvreValue>& values) {
   using namespace reading;
   Reader reader;
   const std::size_t index = add_document(reader, file_name, std::string(text));
   Document& document = reader.documents[index];
   std::optional<Manoeuvre> manoeuvre;
-  if (parse_document(document, static_cast<std::uint32_t>(index), reader.problems))
+  if (parse_document(document, static_cast<std::uint32_t>(index), reader.problems)) {
+    put_values(document.root, values);
     manoeuvre = read(reader, document.root);
+  }
   if (!reader.problems.empty()) return to_diagnostics(reader.documents, std::move(reader.problems));
   const Diagnostics notes = to_diagnostics(reader.documents, std::move(reader.notes));
   std::visit([&](auto& one) { one.notes = notes; }, *manoeuvre);

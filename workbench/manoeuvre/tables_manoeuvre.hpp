@@ -44,6 +44,10 @@ std::span<const Field<Written<RideManoeuvre>>> fields<Written<RideManoeuvre>>();
 /// Names of the types in files, in the order of the alternatives of Manoeuvre; BrakingManoeuvre has two.
 std::span<const std::string_view> manoeuvre_types();
 
+/// Puts numbers into the tree of a manoeuvre file, in place of its own or as new members of its objects. A name without
+/// a place is left out.
+void put_values(Value& root, const std::vector<ManoeuvreValue>& values);
+
 /// All kinds of objects of a manoeuvre file, the types first, in their order.
 std::vector<ObjectKind> manoeuvre_kinds();
 

@@ -8,6 +8,7 @@
 #include "compiler/expressions/evaluate.hpp"
 #include "compiler/expressions/parse_expression.hpp"
 #include "compiler/text/document.hpp"
+#include "workbench/signals/weighting.hpp"
 
 namespace mbgen {
 namespace {
@@ -15,8 +16,9 @@ namespace {
 using Kind = ExpressionNode::Kind;
 
 /// In the order of ReductionKind.
-constexpr reading::ReductionName kReductions[] = {{"max", 1},     {"min", 1},   {"mean", 1},  {"rms", 1},
-                                                  {"initial", 1}, {"final", 1}, {"range", 1}, {"at", 2}};
+constexpr reading::ReductionName kReductions[] = {{"max", 1},   {"min", 1},   {"mean", 1}, {"rms", 1}, {"initial", 1},
+                                                  {"final", 1}, {"range", 1}, {"at", 2},   {"wk", 1},  {"wd", 1},
+                                                  {"wc", 1},    {"we", 1},    {"wj", 1},   {"wf", 1}};
 
 /// Names in metrics and their meaning.
 struct MetricScope {
@@ -222,8 +224,11 @@ double reduce(const Reduction& reduction, std::vector<double> x, double step) {
       return x.back();
     case ReductionKind::at:
       return value_at(x, reduction.instant, step);
+    default:
+      break;
   }
-  return 0;
+  const int letter = static_cast<int>(reduction.kind) - static_cast<int>(ReductionKind::wk);
+  return x.size() < 2 ? 0 : comfort_of(x, step, static_cast<Weighting>(letter)).rms;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // The grammar is compiler/expressions/expression.hpp. Names are the outputs, z.NAME, zd.NAME, t, inputs and parameters
 // of the model. Functions reduce the values x over the motion to one number:
 //   max(x) min(x) mean(x) rms(x) initial(x) final(x) range(x) = max(x) - min(x), at(1.5, x) = x at t = 1.5 s
+//   wk(x) wd(x) wc(x) we(x) wj(x) wf(x) = rms of x without its mean under a frequency weighting of ISO 2631-1
 // mean and rms integrate over time by the trapezoidal rule, at interpolates linearly between two points. Outside these
 // functions an expression is one number: "max(abs(roll)) * 57.3", "rms(a - mean(a))".
 
@@ -23,7 +24,8 @@ struct MetricColumn {
   bool operator==(const MetricColumn&) const = default;
 };
 
-enum class ReductionKind { max, min, mean, rms, initial, final, range, at };
+/// The weightings are in the order of Weighting.
+enum class ReductionKind { max, min, mean, rms, initial, final, range, at, wk, wd, wc, we, wj, wf };
 
 /// A function over the whole motion.
 struct Reduction {

@@ -8,6 +8,7 @@
 #include "compiler/expressions/names.hpp"
 #include "compiler/text/number.hpp"
 #include "compiler/text/user_error.hpp"
+#include "workbench/manoeuvre/manoeuvre.hpp"
 
 namespace mbgen {
 namespace {
@@ -88,20 +89,36 @@ int index_of(const std::vector<Item>& list, const std::string& name) {
               fmt::format("the model has no parameter or input \"{}\"{}{}", name, hint.empty() ? "" : "; ", hint));
 }
 
-SweepAxis read_axis(const std::string& text, const Model& model) {
+/// Unit of a number of the manoeuvre.
+std::string unit_in_manoeuvre(const std::string& text, const std::string& name, const std::string& manoeuvre) {
+  if (manoeuvre.empty()) refuse_vary(text, "there is no manoeuvre; give its file with --manoeuvre");
+  if (name == "step") refuse_vary(text, "all cases have the same step; give it with --step");
+  ManoeuvreNumber number = find_number(manoeuvre, name);
+  if (!number.problem.empty()) refuse_vary(text, number.problem);
+  return number.unit;
+}
+
+SweepAxis read_axis(const std::string& text, const Model& model, const std::string& manoeuvre) {
   const std::size_t sign = text.find('=');
   if (sign == std::string::npos) refuse_vary(text, "must be name=first:step:last or name=value,value");
   SweepAxis axis;
   axis.name = pieces(text.substr(0, sign), '=').front();
+  const std::string values = text.substr(sign + 1);
+  if (axis.name.starts_with(kOfManoeuvre)) {
+    axis.of = SweepAxis::Of::manoeuvre;
+    axis.unit = unit_in_manoeuvre(text, axis.name.substr(kOfManoeuvre.size()), manoeuvre);
+    axis.values = read_values(text, values);
+    return axis;
+  }
   axis.index = index_of(model.parameters, axis.name);
   if (axis.index < 0) {
-    axis.is_input = true;
+    axis.of = SweepAxis::Of::input;
     axis.index = index_of(model.inputs, axis.name);
   }
   if (axis.index < 0) unknown_name(text, axis.name, model);
   const auto index = static_cast<std::size_t>(axis.index);
-  axis.unit = axis.is_input ? model.inputs[index].unit : model.parameters[index].unit;
-  axis.values = read_values(text, text.substr(sign + 1));
+  axis.unit = axis.of == SweepAxis::Of::input ? model.inputs[index].unit : model.parameters[index].unit;
+  axis.values = read_values(text, values);
   return axis;
 }
 
@@ -123,11 +140,11 @@ std::vector<double> SweepGrid::values_of(long index) const {
   return values;
 }
 
-SweepGrid read_grid(const std::vector<std::string>& texts, const Model& model) {
+SweepGrid read_grid(const std::vector<std::string>& texts, const Model& model, const std::string& manoeuvre) {
   SweepGrid grid;
   double size = 1;
   for (const std::string& text : texts) {
-    SweepAxis axis = read_axis(text, model);
+    SweepAxis axis = read_axis(text, model, manoeuvre);
     if (index_of(grid.axes, axis.name) >= 0) refuse_vary(text, fmt::format("\"{}\" is varied twice", axis.name));
     size *= static_cast<double>(axis.values.size());
     if (!(size <= kMostCases)) refuse_vary(text, "the grid has more than 10 million cases");

@@ -24,8 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Format of a journal: this line with a description appended, then one line per case: hash of the rest of the line,
-// number of the case, values of the metrics, relative error of the energy, status.
-constexpr std::string_view kFirstLine = "mbgen sweep journal 2 ";
+// number of the case, values of the metrics, relative error of the energy, numbers of the manoeuvre as an array of
+// [name, unit, value], status.
+constexpr std::string_view kFirstLine = "mbgen sweep journal 3 ", kAnyJournal = "mbgen sweep journal ";
 
 [[noreturn]] void fail_to(const char* action, const fs::path& path) {
   throw UserError(fmt::format("{}: cannot {}: {}\n", path.string(), action, std::strerror(errno)));
@@ -40,7 +41,10 @@ std::string hash_of_line(const std::string& content) {
 std::string line_of(long index, const CaseResult& result) {
   std::string content = fmt::format("{} {}", index, result.metrics.size());
   for (const double value : result.metrics) content += fmt::format(" {}", value);
-  content += fmt::format(" {} {}", result.energy_error, result.status);
+  nlohmann::json numbers = nlohmann::json::array();
+  for (const ManoeuvreResult& number : result.of_manoeuvre)
+    numbers.push_back(nlohmann::json::array({number.name, number.unit, number.value}));
+  content += fmt::format(" {} {} {}", result.energy_error, numbers.dump(), result.status);
   return hash_of_line(content) + " " + content + "\n";
 }
 
@@ -62,6 +66,9 @@ void read_line(const std::string& line, CaseResults& results) {
   };
   while (result.metrics.size() < count && words) result.metrics.push_back(number());
   result.energy_error = number();
+  nlohmann::json numbers;
+  words >> numbers;
+  for (const nlohmann::json& one : numbers) result.of_manoeuvre.push_back({one[0], one[1], one[2]});
   words.get();
   std::getline(words, result.status);
   results[index] = std::move(result);
@@ -81,15 +88,17 @@ std::vector<std::string> differences(const std::string& one, const std::string& 
 
 /// Checks that a journal's first line describes this study.
 void check_first_line(const fs::path& path, const std::string& line, const std::string& description) {
-  if (!line.starts_with(kFirstLine)) {
+  if (!line.starts_with(kAnyJournal)) {
     throw UserError(fmt::format("{}: is not a journal of mbgen sweep; choose another --out\n", path.string()));
   }
-  const std::string found = line.substr(kFirstLine.size());
-  if (found == description) return;
+  const bool is_of_this_format = line.starts_with(kFirstLine);
+  const std::string found = is_of_this_format ? line.substr(kFirstLine.size()) : "";
+  if (is_of_this_format && found == description) return;
   throw UserError(fmt::format(
       "{}: holds cases of another study, they differ in: {}\n  hint: run with the words of before to go on with it, "
       "with --restart to begin anew, or with another --out\n",
-      path.string(), fmt::join(differences(found, description), ", ")));
+      path.string(),
+      is_of_this_format ? fmt::format("{}", fmt::join(differences(found, description), ", ")) : "mbgen"));
 }
 
 /// The text up to the last line end: a killed process leaves an incomplete line.
@@ -122,7 +131,7 @@ std::vector<fs::path> journals_of(const std::string& table) {
   std::error_code problem;
   for (const auto& entry : fs::directory_iterator(directory, problem)) {
     const std::string name = entry.path().filename().string(), first = whole.filename().string();
-    if (name == first || (name.starts_with(first + ".") && name.find("-of-") != std::string::npos)) {
+    if (name == first || (name.starts_with(first + ".") && name.find("-of-", first.size()) != std::string::npos)) {
       paths.push_back(whole.parent_path() / name);
     }
   }

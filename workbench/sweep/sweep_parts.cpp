@@ -63,6 +63,21 @@ std::optional<SweepPart> part_of_rank() {
   return std::nullopt;
 }
 
+std::string job_of_rank() {
+  for (const auto& variables :
+       {std::vector<const char*>{"PMIX_NAMESPACE"}, {"OMPI_MCA_ess_base_jobid"}, {"SLURM_JOB_ID", "SLURM_STEP_ID"}}) {
+    std::string job;
+    for (const char* variable : variables) {
+      const char* text = std::getenv(variable);
+      job = text == nullptr ? "" : fmt::format("{}{}={};", job, variable, text);
+    }
+    if (!job.empty()) return job;
+  }
+  return {};
+}
+
+long cases_of(const SweepPart& part, long cases) { return (cases - part.index + part.count - 1) / part.count; }
+
 int processors() {
   cpu_set_t set;
   CPU_ZERO(&set);
@@ -79,7 +94,8 @@ std::string slurm_script(const std::string& model, const std::vector<std::string
       "#!/bin/sh\n"
       "# Parameter study of {model} in {parts} parts. `sh` with this file submits an array job for the parts and a "
       "job\n"
-      "# behind it that gathers them; should parts fail, it computes their missing cases.\n"
+      "# behind it that gathers them; should parts fail, it computes their missing cases. A part takes the next case\n"
+      "# that no other part has.\n"
       "# Further words for sbatch: as #SBATCH lines here, or in the environment (SBATCH_PARTITION, SBATCH_TIMELIMIT).\n"
       "#SBATCH --job-name=sweep-{model}\n"
       "#SBATCH --ntasks=1\n"
@@ -96,7 +112,7 @@ std::string slurm_script(const std::string& model, const std::vector<std::string
       "}}\n"
       "\n"
       "case ${{1:-submit}} in\n"
-      "  part) sweep --part \"$SLURM_ARRAY_TASK_ID/{parts}\" ;;\n"
+      "  part) sweep --part \"$SLURM_ARRAY_TASK_ID/{parts}\" --claim ;;\n"
       "  gather) sweep ;;\n"
       "  submit)\n"
       "    array=$(sbatch --parsable --array=1-{parts} \"$script\" part)\n"

@@ -17,6 +17,13 @@ SweepPart part_from(const std::string& text);
 /// SLURM_STEP_NUM_TASKS); nothing outside such a job.
 std::optional<SweepPart> part_of_rank();
 
+/// Name of the parallel job of this rank, the same for all of its ranks and no other job; "" where the launcher says
+/// none.
+std::string job_of_rank();
+
+/// Number of cases of a part.
+long cases_of(const SweepPart& part, long cases);
+
 /// Number of processors available to this process.
 int processors();
 

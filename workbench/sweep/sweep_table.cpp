@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "compiler/text/json_text.hpp"
 #include "workbench/motion/simulation_text.hpp"
@@ -19,22 +20,57 @@ constexpr std::size_t kShownRows = 40;
 
 using Row = std::vector<std::string>;
 
-Row header(const Study& study) {
+/// A column of a manoeuvre's numbers.
+struct ManoeuvreColumn {
+  std::string name, unit;
+  bool is_of(const ManoeuvreResult& result) const { return result.name == name && result.unit == unit; }
+};
+
+/// All numbers that a case has, in the order of the cases' own: one that others lack comes after its neighbour.
+std::vector<ManoeuvreColumn> columns_of(const CaseResults& results) {
+  std::vector<ManoeuvreColumn> columns;
+  for (const auto& [index, result] : results) {
+    auto place = columns.begin();
+    for (const ManoeuvreResult& number : result.of_manoeuvre) {
+      const auto is_it = [&](const ManoeuvreColumn& column) { return column.is_of(number); };
+      auto found = std::find_if(columns.begin(), columns.end(), is_it);
+      if (found == columns.end()) found = columns.insert(place, {number.name, number.unit});
+      place = found + 1;
+    }
+  }
+  return columns;
+}
+
+/// The value of a column in a case; nothing where the case lacks it.
+std::optional<double> value_of(const ManoeuvreColumn& column, const CaseResult& result) {
+  if (!result.has_values()) return {};
+  for (const ManoeuvreResult& number : result.of_manoeuvre)
+    if (column.is_of(number)) return number.value;
+  return {};
+}
+
+Row header(const Study& study, const std::vector<ManoeuvreColumn>& columns) {
   Row row{"case"};
   for (const SweepAxis& axis : study.grid.axes) {
     row.push_back(fmt::format("{} [{}]", axis.name, axis.unit.empty() ? "1" : axis.unit));
   }
   for (const Metric& metric : study.metrics.list) row.push_back(metric.name);
+  for (const ManoeuvreColumn& column : columns) row.push_back(fmt::format("{} [{}]", column.name, column.unit));
   row.emplace_back("status");
   return row;
 }
 
 /// format_string: for numbers.
-Row row_of(const Study& study, long index, const CaseResult& result, const char* format_string) {
+Row row_of(const Study& study, const std::vector<ManoeuvreColumn>& columns, long index, const CaseResult& result,
+           const char* format_string) {
   Row row{fmt::format("{}", index + 1)};
   for (const double value : study.grid.values_of(index)) row.push_back(fmt::format("{}", value));
   for (const double value : result.metrics) {
     row.push_back(result.has_values() ? fmt::format(fmt::runtime(format_string), value) : "");
+  }
+  for (const ManoeuvreColumn& column : columns) {
+    const std::optional<double> value = value_of(column, result);
+    row.push_back(value ? fmt::format(fmt::runtime(format_string), *value) : "");
   }
   row.push_back(result.status);
   return row;
@@ -86,20 +122,22 @@ long failures_of(const CaseResults& results) {
 }
 
 std::string results_csv(const Study& study, const CaseResults& results) {
-  std::string text = csv_line(header(study));
-  for (const auto& [index, result] : results) text += csv_line(row_of(study, index, result, "{}"));
+  const std::vector<ManoeuvreColumn> columns = columns_of(results);
+  std::string text = csv_line(header(study, columns));
+  for (const auto& [index, result] : results) text += csv_line(row_of(study, columns, index, result, "{}"));
   return text;
 }
 
 std::string results_text(const Study& study, const CaseResults& results, const std::string& file) {
-  std::vector<Row> rows{header(study)};
+  const std::vector<ManoeuvreColumn> columns = columns_of(results);
+  std::vector<Row> rows{header(study, columns)};
   std::size_t place = 0;
   const bool is_long = results.size() > kShownRows;
   for (const auto& [index, result] : results) {
     const bool is_head = !is_long || place < kShownRows / 2, is_tail = place + kShownRows / 2 >= results.size();
     ++place;
     if (!is_head && !is_tail) continue;
-    rows.push_back(row_of(study, index, result, "{:.6g}"));
+    rows.push_back(row_of(study, columns, index, result, "{:.6g}"));
   }
   if (is_long) rows.insert(rows.begin() + 1 + kShownRows / 2, Row(rows.front().size(), "..."));
   const long warnings = warnings_of(results);
@@ -111,26 +149,35 @@ std::string results_text(const Study& study, const CaseResults& results, const s
 
 std::string results_json(const Study& study, const CaseResults& results, const std::string& file) {
   using Json = nlohmann::ordered_json;
-  Json varied = Json::array(), metrics = Json::array(), cases = Json::array();
+  const std::vector<ManoeuvreColumn> columns = columns_of(results);
+  Json varied = Json::array(), metrics = Json::array(), cases = Json::array(), numbers = Json::array();
   for (const SweepAxis& axis : study.grid.axes) varied.push_back({{"name", axis.name}, {"unit", axis.unit}});
   for (const Metric& metric : study.metrics.list) metrics.push_back(metric.name);
+  for (const ManoeuvreColumn& column : columns) numbers.push_back({{"name", column.name}, {"unit", column.unit}});
   for (const auto& [index, result] : results) {
     Json values = Json::array();
     for (const double value : result.metrics) values.push_back(result.has_values() ? Json(value) : Json());
-    cases.push_back({{"case", index + 1},
-                     {"values", study.grid.values_of(index)},
-                     {"metrics", std::move(values)},
-                     {"status", result.status},
-                     {"energy_error", result.has_values() ? Json(result.energy_error) : Json()}});
+    Json one = {{"case", index + 1},
+                {"values", study.grid.values_of(index)},
+                {"metrics", std::move(values)},
+                {"status", result.status},
+                {"energy_error", result.has_values() ? Json(result.energy_error) : Json()}};
+    for (const ManoeuvreColumn& column : columns) {
+      const std::optional<double> value = value_of(column, result);
+      one["manoeuvre"].push_back(value ? Json(*value) : Json());
+    }
+    cases.push_back(std::move(one));
   }
-  return json_text({{"model", study.model.name},
-                    {"engine", study.choice.name},
-                    {"varied", varied},
-                    {"metrics", metrics},
-                    {"cases", cases},
-                    {"failed", failures_of(results)},
-                    {"warned", warnings_of(results)},
-                    {"file", file}});
+  Json all = {{"model", study.model.name},
+              {"engine", study.choice.name},
+              {"varied", varied},
+              {"metrics", metrics},
+              {"cases", cases},
+              {"failed", failures_of(results)},
+              {"warned", warnings_of(results)},
+              {"file", file}};
+  if (!study.manoeuvre.empty()) all["manoeuvre"] = {{"file", study.arguments.manoeuvre}, {"numbers", numbers}};
+  return json_text(all);
 }
 
 }  // namespace mbgen
