@@ -78,6 +78,12 @@ SymmetricEigenVectors symmetric_eigenvectors(const MatrixXd& a) {
   return {factors.eigenvalues(), factors.eigenvectors()};
 }
 
+Hessenberg hessenberg(const MatrixXd& a) {
+  if (a.rows() < 2) return {a, MatrixXd::Identity(a.rows(), a.rows())};
+  const Eigen::HessenbergDecomposition<MatrixXd> factors(a);
+  return {factors.matrixH(), factors.matrixQ()};
+}
+
 EigenVectors eigenvectors(const MatrixXd& a) {
   const Eigen::EigenSolver<MatrixXd> factors(a);
   return {factors.eigenvalues(), factors.eigenvectors()};

@@ -58,6 +58,12 @@ struct EigenVectors {
 };
 EigenVectors eigenvectors(const Eigen::MatrixXd& a);
 
+/// a = vectors h vectors', h zero below its first subdiagonal, vectors orthonormal.
+struct Hessenberg {
+  Eigen::MatrixXd h, vectors;
+};
+Hessenberg hessenberg(const Eigen::MatrixXd& a);
+
 /// The largest absolute value of an eigenvalue of a complex matrix.
 double spectral_radius(const Eigen::MatrixXcd& a);
 

@@ -182,11 +182,12 @@ bool add_hinges(const Model& model, const Topology& topology, std::size_t b, con
 bool asks_for_loads(const Model& model) {
   const bool is_sampled = std::any_of(model.sampled.begin(), model.sampled.end(),
                                       [](const auto& sampled) { return sampled.load.has_value(); });
-  return is_sampled || std::any_of(model.outputs.begin(), model.outputs.end(), [](const Output& output) {
-           return std::holds_alternative<ReactionOutput>(output.source) ||
-                  std::holds_alternative<MultiplierOutput>(output.source) ||
-                  std::holds_alternative<DriveOutput>(output.source);
-         });
+  const auto is_load = [](const Output& output) {
+    return std::holds_alternative<ReactionOutput>(output.source) ||
+           std::holds_alternative<MultiplierOutput>(output.source) ||
+           std::holds_alternative<DriveOutput>(output.source);
+  };
+  return is_sampled || std::any_of(model.outputs.begin(), model.outputs.end(), is_load);
 }
 
 std::string asked_text(const Undetermined& found) {

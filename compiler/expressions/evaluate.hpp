@@ -37,7 +37,7 @@ template <class T>
 T apply(Function function, const T& a, const T& b, const T& c) {
   using mbgen::abs, mbgen::min, mbgen::max, mbgen::select;
   using std::exp, std::log, std::pow, std::tanh;
-  using std::sqrt, std::sin, std::cos, std::tan, std::asin, std::acos, std::atan, std::atan2;
+  using std::floor, std::sqrt, std::sin, std::cos, std::tan, std::asin, std::acos, std::atan, std::atan2;
   switch (function) {
     case Function::add:
       return a + b;
@@ -85,16 +85,19 @@ T apply(Function function, const T& a, const T& b, const T& c) {
       return select(a, T(1.0), T(0.0));
     case Function::select:
       return select(a, b, c);
+    case Function::floor:
+      return floor(a);
   }
   return a;
 }
 
-/// Value of a state, or of a length of the mechanism or its rate, where the environment has these; read_model refuses
-/// them elsewhere.
+/// Value of a state, of a length of the mechanism or its rate, or of an output, where the environment has these;
+/// read_model refuses them elsewhere.
 template <class T, class Environment>
 T evaluate_mechanism([[maybe_unused]] const Environment& environment, [[maybe_unused]] const ExpressionNode& node) {
   if constexpr (requires { environment.state(0); }) {
     if (node.kind == ExpressionNode::Kind::state) return environment.state(node.index);
+    if (node.kind == ExpressionNode::Kind::observed) return environment.output(node.index);
     return node.kind == ExpressionNode::Kind::length ? environment.length(node.index) : environment.rate(node.index);
   } else {
     return T(0.0);
@@ -103,10 +106,10 @@ T evaluate_mechanism([[maybe_unused]] const Environment& environment, [[maybe_un
 
 /// Value of an expression.
 /// environment: parameter(i), input(i), time(), position(CoordinateReference), velocity(CoordinateReference), local(i),
-/// and where it has them state(i), length(i), rate(i), each giving T. T: + - * / and unary minus, T(double), and by
-/// argument-dependent lookup sqrt sin cos tan asin acos atan atan2 exp log pow tanh abs min max select(x, a, b).
-/// Comparisons are not used: sign and step go by select. Requires: nodes as read_model gives them (operands earlier, at
-/// least one node).
+/// and where it has them state(i), length(i), rate(i), output(i), each giving T. T: + - * / and unary minus, T(double),
+/// and by argument-dependent lookup sqrt sin cos tan asin acos atan atan2 exp log pow tanh floor abs min max select(x,
+/// a, b). Comparisons are not used: sign and step go by select. Requires: nodes as read_model gives them (operands
+/// earlier, at least one node).
 template <class T, class Environment>
 T evaluate(const Expression& expression, const Environment& environment) {
   std::vector<T> values;
@@ -151,6 +154,7 @@ T evaluate(const Expression& expression, const Environment& environment) {
       case ExpressionNode::Kind::state:
       case ExpressionNode::Kind::length:
       case ExpressionNode::Kind::rate:
+      case ExpressionNode::Kind::observed:
         values.push_back(evaluate_mechanism<T>(environment, node));
         break;
     }

@@ -4,7 +4,8 @@
 //   sum     = product { ("+" | "-") product }          unary  = { "-" | "+" } power
 //   product = unary { ("*" | "/") unary }              power  = atom [ "^" unary ]       so -x^2 = -(x^2), 2^-1 = 0.5
 //   atom    = number | "pi" | "t" | parameter | input | local | "z." name | "zd." name
-//           | state | "length." spring | "rate." spring | function "(" sum { "," sum } ")" | "(" sum ")"
+//           | state | "length." spring | "rate." spring | "out." output | function "(" sum { "," sum } ")" | "(" sum
+//           ")"
 // The functions stand in the table of named_functions.cpp.
 
 #include <cstdint>
@@ -43,7 +44,8 @@ enum class Function : std::uint8_t {
   max,
   sign,
   step,
-  select
+  select,
+  floor
 };
 
 /// One postfix node. `first`, `second`, `third` are indices of earlier nodes.
@@ -59,12 +61,14 @@ struct ExpressionNode {
     call,
     state,
     length,
-    rate
+    rate,
+    observed
   };
   Kind kind = Kind::number;
   Function function = Function::add;  ///< for Kind::call
   double number = 0;                  ///< for Kind::number
-  /// parameter, input or local; of Model::states, then Model::sampled; of elements with a length, then rods
+  /// parameter, input or local; of Model::states, then Model::sampled; of elements with a length, then rods; of
+  /// Model::observed
   int index = -1;
   CoordinateReference coordinate;  ///< for Kind::position and Kind::velocity
   int first = -1, second = -1, third = -1;

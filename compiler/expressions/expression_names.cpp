@@ -75,6 +75,8 @@ std::string hint_of_unknown_name(const ExpressionScope& scope, std::string_view 
   };
   if (std::any_of(scope.names.lengths.begin(), scope.names.lengths.end(), has_it))
     return fmt::format("lengths of springs and their rates are written length.{} and rate.{}", name, name);
+  if (find_visible(scope.names.outputs, name, scope.visible) != scope.names.outputs.end())
+    return fmt::format("values of outputs are written out.{}", name);
   if (name == "z" || name == "zd") return fmt::format("coordinates are written {}.NAME", name);
   if (!scope.suggest) return {};
   std::vector<std::string_view> known(scope.locals.begin(), scope.locals.end());
@@ -82,6 +84,7 @@ std::string hint_of_unknown_name(const ExpressionScope& scope, std::string_view 
     known.push_back(name_from_inside(parameter, scope.visible));
   for (const auto& [input, index] : scope.names.inputs) known.push_back(name_from_inside(input, scope.visible));
   for (const auto& [value, index] : scope.names.values) known.push_back(name_from_inside(value, scope.visible));
+  for (const auto& [value, index] : scope.names.named_values) known.push_back(name_from_inside(value, scope.visible));
   known.insert(known.end(), {"pi", "t"});
   return did_you_mean(name, known);
 }

@@ -143,6 +143,12 @@ template <class T>
 Jet<T> abs(const Jet<T>& x) {
   return select(x, x, -x);
 }
+/// The largest whole number not above x; its jumps contribute no derivative.
+template <class T>
+Jet<T> floor(const Jet<T>& x) {
+  using std::floor;
+  return {floor(x.value), T(0.0), T(0.0)};
+}
 template <class T>
 Jet<T> min(const Jet<T>& a, const Jet<T>& b) {
   return select(b - a, a, b);

@@ -29,6 +29,7 @@ constexpr NamedFunction kFunctions[] = {
     {"sign", Function::sign, 1, "x", "-1 below 0, 0 at 0, 1 above"},
     {"step", Function::step, 1, "x", "0 below 0, 1 from 0 on"},
     {"select", Function::select, 3, "x, a, b", "a where x is at least 0, else b"},
+    {"floor", Function::floor, 1, "x", "largest whole number not above x"},
 };
 
 }  // namespace
@@ -57,7 +58,8 @@ std::string hint_of_functions(std::string_view word, std::vector<std::string_vie
 }
 
 bool is_reserved_name(std::string_view name) {
-  return name == "pi" || name == "t" || name == "z" || name == "zd" || find_function(name) != nullptr;
+  const bool is_newer = name == "floor";  // than models in which it may be the name of a parameter
+  return name == "pi" || name == "t" || name == "z" || name == "zd" || (!is_newer && find_function(name) != nullptr);
 }
 
 }  // namespace mbgen::reading

@@ -78,6 +78,8 @@ struct LengthNames {
 struct Names {
   NameMap<int> later_parameters;  ///< defined, but below the parameter that is being read
   NameMap<int> values;            ///< states, then sampled values
+  NameMap<int> outputs;
+  NameMap<int> named_values;  ///< expressions under a name: index into Model::expressions
   NameMap<int> parameters, inputs, bodies, joints, rods, couplings, tyre_data, motions, roads;
   std::vector<LengthNames> lengths;                       ///< kind by kind; rods follow them
   std::vector<NameMap<CoordinateReference>> coordinates;  ///< per Level::scope, as they are called there

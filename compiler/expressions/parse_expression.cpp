@@ -10,14 +10,15 @@
 
 #include "compiler/expressions/evaluate.hpp"
 #include "compiler/expressions/expression_names.hpp"
+#include "compiler/expressions/expression_nodes.hpp"
 #include "compiler/expressions/named_functions.hpp"
 #include "compiler/text/document.hpp"
 
 namespace mbgen::reading {
 namespace {
 
-/// Recursive descent. Invariant: every operand of nodes_ stands before its user, and the last node is the latest value.
-class ExpressionParser {
+/// Recursive descent.
+class ExpressionParser : ExpressionNodes {
  public:
   ExpressionParser(std::string_view text, const ExpressionScope& scope) : text_(text), scope_(scope) {}
 
@@ -29,18 +30,11 @@ class ExpressionParser {
       skip_space();
       if (at_ < text_.size()) fail_after_value();
     }
-    return {{std::string(text_), std::move(nodes_)}, std::move(problems_), std::move(reductions_)};
+    return {{std::string(text_), std::move(nodes_)}, std::move(problems_), std::move(reductions_), std::move(outputs_)};
   }
 
  private:
-  static constexpr int kMaximumDepth = 200;          ///< of sums and powers; each costs five calls on the stack
-  static constexpr std::size_t kMostNodes = 10'000;  ///< far beyond what people write; some passes are quadratic
-  using Kind = ExpressionNode::Kind;
-
-  int fail(std::size_t offset, std::string message, std::string hint = {}) {
-    problems_.push_back({offset, std::move(message), std::move(hint)});
-    return -1;
-  }
+  static constexpr int kMaximumDepth = 200;  ///< of sums and powers; each costs five calls on the stack
 
   int fail_unexpected() {
     skip_space();
@@ -70,60 +64,6 @@ class ExpressionParser {
     if (at_ == text_.size() || text_[at_] != wanted) return false;
     ++at_;
     return true;
-  }
-
-  int push(ExpressionNode node) {
-    if (nodes_.size() >= kMostNodes) {
-      return fail(at_, fmt::format("expression has more than {} numbers, names and operations", kMostNodes));
-    }
-    nodes_.push_back(node);
-    return static_cast<int>(nodes_.size()) - 1;
-  }
-
-  int push_number(double number) {
-    ExpressionNode node;
-    node.number = number;
-    return push(node);
-  }
-
-  int push_indexed(Kind kind, int index) {
-    ExpressionNode node;
-    node.kind = kind;
-    node.index = index;
-    return push(node);
-  }
-
-  /// The value of another expression, node by node.
-  int push_copy(const std::vector<ExpressionNode>& nodes) {
-    const int first = static_cast<int>(nodes_.size());
-    int last = -1;
-    for (ExpressionNode node : nodes) {
-      for (int* operand : {&node.first, &node.second, &node.third}) *operand += *operand < 0 ? 0 : first;
-      if ((last = push(node)) < 0) return last;
-    }
-    return last;
-  }
-
-  bool is_number(int index) const { return index < 0 || nodes_[static_cast<std::size_t>(index)].kind == Kind::number; }
-  double number_at(int index) const { return index < 0 ? 0 : nodes_[static_cast<std::size_t>(index)].number; }
-
-  /// A call node, or its value when all operands are numbers. Constant operands are the last nodes of the array.
-  int push_call(Function function, std::size_t offset, int first, int second = -1, int third = -1) {
-    ExpressionNode node;
-    node.kind = Kind::call;
-    node.function = function;
-    node.first = first;
-    node.second = second;
-    node.third = third;
-    if (!is_number(first) || !is_number(second) || !is_number(third)) return push(node);
-    const double a = number_at(first), b = number_at(second), c = number_at(third);
-    const double value = function == Function::power ? power_by_constant(a, b) : apply(function, a, b, c);
-    const bool spoiled = std::isnan(a) || std::isnan(b) || std::isnan(c);  // by a parameter that could not be read
-    if (!std::isfinite(value) && !spoiled && problems_.empty()) {
-      fail(offset, std::isnan(value) ? "value is not a number here" : "value is infinite here");
-    }
-    nodes_.resize(nodes_.size() - static_cast<std::size_t>(1 + (second >= 0) + (third >= 0)));
-    return push_number(value);
   }
 
   int sum() {
@@ -200,6 +140,7 @@ class ExpressionParser {
       if (name == "z" || name == "zd") return coordinate(name, start);
       if (name == "length" || name == "rate") return length(name == "rate" ? Kind::rate : Kind::length, start);
       if (name == "zdd") return fail_acceleration(start);
+      if (name == "out") return output(start);
     }
     return value_of_name(name, start);
   }
@@ -334,6 +275,40 @@ class ExpressionParser {
     return found.index < 0 ? stand_in() : push_indexed(kind, found.index);
   }
 
+  /// The value of an output.
+  int output(std::size_t start) {
+    ++at_;
+    const std::string_view name = word();
+    if (scope_.depends != Depends::all) return forbidden(start, "output " + in_quotes(name));
+    const NameMap<int>& outputs = scope_.names.outputs;
+    const auto found = find_visible(outputs, name, scope_.visible);
+    if (found == outputs.end()) {
+      fail(start, "unknown output " + in_quotes(name),
+           scope_.suggest ? did_you_mean(name, outputs, scope_.visible) : "");
+      return stand_in();
+    }
+    outputs_.push_back({start, found->second});
+    return push_indexed(Kind::observed, found->second);
+  }
+
+  /// A copy of the expression under a name.
+  int named_value(int expression, std::string_view name, std::size_t start) {
+    const std::vector<ExpressionNode>& nodes = scope_.expressions[static_cast<std::size_t>(expression)].nodes;
+    if (std::any_of(nodes.begin(), nodes.end(), [this](const ExpressionNode& node) { return !allows(node.kind); }))
+      return forbidden(start, "value " + in_quotes(name));
+    for (const ExpressionNode& node : nodes)
+      if (node.kind == Kind::observed) outputs_.push_back({start, node.index});
+    return push_copy(nodes);
+  }
+
+  /// Whether nodes of this kind may stand in the expression.
+  bool allows(Kind kind) const {
+    if (kind == Kind::number || kind == Kind::call) return true;
+    if (kind == Kind::parameter) return scope_.depends >= Depends::parameters;
+    if (kind == Kind::time || kind == Kind::input) return scope_.depends >= Depends::motion;
+    return scope_.depends == Depends::all || (kind == Kind::position && scope_.depends == Depends::positions);
+  }
+
   int value_of_name(std::string_view name, std::size_t start) {
     const Names& names = scope_.names;
     const auto parameter = find_visible(names.parameters, name, scope_.visible);
@@ -376,17 +351,17 @@ class ExpressionParser {
       if (scope_.depends != Depends::all) return forbidden(start, "state " + in_quotes(name));
       return push_indexed(Kind::state, value->second);
     }
+    const auto named = find_visible(names.named_values, name, scope_.visible);
+    if (named != names.named_values.end()) return named_value(named->second, name, start);
     fail(start, "unknown name " + in_quotes(name) + " in expression", hint_of_unknown_name(scope_, name));
     return stand_in();
   }
 
   std::string_view text_;
   const ExpressionScope& scope_;
-  std::size_t at_ = 0;
   int depth_ = 0;
-  std::vector<ExpressionNode> nodes_;
-  std::vector<ExpressionProblem> problems_;
   std::vector<ReductionCall> reductions_;
+  std::vector<OutputUse> outputs_;
 };
 
 }  // namespace

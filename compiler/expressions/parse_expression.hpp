@@ -16,6 +16,12 @@ struct ReductionCall {
   Expression operand;
 };
 
+/// A use of the value of an output.
+struct OutputUse {
+  std::size_t offset = 0;  ///< byte of the text
+  int output = -1;         ///< as in Names::outputs
+};
+
 struct ExpressionProblem {
   std::size_t offset = 0;  ///< byte of the text
   std::string message;
@@ -28,6 +34,7 @@ struct ParsedExpression {
   std::vector<ExpressionProblem> problems;
   /// Inner ones first; the value of the k-th is the local variable ExpressionScope::locals.size() + k.
   std::vector<ReductionCall> reductions = {};
+  std::vector<OutputUse> outputs = {};
 };
 
 /// Parses an expression. Untunable parameters become numbers, parameters that follow from tunable ones their

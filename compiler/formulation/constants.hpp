@@ -25,6 +25,7 @@ struct Environment {
   std::vector<T> locals;
   std::vector<T> states;          ///< of the user's own, then sampled values and what they will be
   std::vector<T> lengths, rates;  ///< of springs, air springs, rods: m, m/s; only of elements in expressions
+  std::vector<T> observed;        ///< of Model::observed, as far as they are known
 
   T parameter(int i) const { return parameters[i]; }
   T input(int i) const { return inputs[i]; }
@@ -35,6 +36,7 @@ struct Environment {
   T state(int i) const { return states[i]; }
   T length(int i) const { return lengths[i]; }
   T rate(int i) const { return rates[i]; }
+  T output(int i) const { return observed[i]; }
 
  private:
   T at(const std::vector<T>& values, const CoordinateReference& c) const {

@@ -1,11 +1,8 @@
 #pragma once
 // Model outputs and the terms of the energy balance.
 
-#include "compiler/formulation/elements/stored_energy.hpp"
-#include "compiler/formulation/momentum.hpp"
+#include "compiler/formulation/motion_outputs.hpp"
 #include "compiler/formulation/reactions.hpp"
-#include "compiler/formulation/relative_motion.hpp"
-#include "compiler/formulation/users_angles.hpp"
 
 namespace mbgen {
 
@@ -16,59 +13,6 @@ struct Energies {
 };
 
 namespace detail {
-
-/// A direction of a frame in the axes of a body of the model at or above it.
-template <class T>
-Vector<T> in_axes_of(const System<T>& system, const Kinematics<T>& k, int frame, const Vector<T>& direction, int body) {
-  const Vector<T> tree_axes = direction_up(system, k, frame, direction, system.topology.tree_body[body]);
-  return transposed_times(pose_rotation<T>(system.model.bodies[body].pose), tree_axes);
-}
-
-template <class T>
-T point_output(const System<T>& system, const SolvedState<T>& s, const PointOutput& output) {
-  if (output.relative_to.body >= 0) return relative_point_output(system, s, output);
-  const Place<T> place = place_of(system, output.point);
-  const int carrier = system.layout.frame_of(place.body);
-  Vector<T> global;
-  if (output.what == PointOutput::What::position) {
-    global = position_in(system, s.kinematics, place, kGround);
-  } else {
-    const Vector<T> in_carrier =
-        output.what == PointOutput::What::velocity
-            ? velocity_in(system, s.kinematics, s.velocities, place, carrier)
-            : place_acceleration(system, s.kinematics, s.accelerations, place) +
-                  direction_up(system, s.kinematics, kGround, system.constants.gravity, carrier);
-    if (output.in_body_axes)
-      return component(in_axes_of(system, s.kinematics, carrier, in_carrier, output.point.body), output.axis);
-    global = direction_in(system, s.kinematics, carrier, in_carrier, kGround);
-  }
-  if (output.axes != kNoBody && !output.in_body_axes)
-    return component(in_axes_of_any(system, s.kinematics, kGround, global, output.axes), output.axis);
-  if (!output.in_body_axes) return component(global, output.axis);
-  return component(in_axes_of(system, s.kinematics, kGround, global, output.point.body), output.axis);
-}
-
-template <class T>
-T coordinate_output(const Topology& topology, const Coordinates<T>& users, const CoordinateOutput& output) {
-  const int i = tree_coordinate(topology, output.coordinate);
-  if (i < 0) return T(0.0);
-  if (output.what == CoordinateOutput::What::position) return users.z[i];
-  return output.what == CoordinateOutput::What::velocity ? users.zd[i] : users.zdd[i];
-}
-
-template <class T>
-T element_output(const System<T>& system, const AppliedForces<T>& forces, const ElementOutput& output) {
-  T value(0.0);
-  with_kind(output.kind, [&](auto kind) {
-    const auto& element = kind.list(system.model)[output.element];
-    const EnergyWork<T> work{system, forces};
-    if constexpr (requires { stored_energy(work, element); })
-      if (output.quantity == quantity_index(kind, kPotentialEnergy)) return void(value = stored_energy(work, element));
-    if constexpr (requires { shown(state_of(system, forces, element), 0, 0); })
-      value = shown(state_of(system, forces, element), output.quantity, output.axis);
-  });
-  return value;
-}
 
 template <class T>
 T reaction_output(const System<T>& system, const Kinematics<T>& k, const Reactions<T>& reactions,
@@ -99,43 +43,37 @@ T multiplier_output(const Topology& topology, const SolvedState<T>& s, const Mul
 
 /// Whether an output shows a force or moment that joints transmit.
 inline bool asks_for_reactions(const Model& model) {
-  return std::any_of(model.outputs.begin(), model.outputs.end(),
-                     [](const Output& output) { return std::holds_alternative<ReactionOutput>(output.source); });
+  const auto shows = [](const Output& output) { return std::holds_alternative<ReactionOutput>(output.source); };
+  return std::any_of(model.outputs.begin(), model.outputs.end(), shows) ||
+         std::any_of(model.observed.begin(), model.observed.end(),
+                     [&](const ObservedOutput& observed) { return shows(observed.output); });
 }
 
-/// Value of an output by its source.
+/// Value of any output by its source.
 template <class T>
-struct OutputReader {
-  System<T>& system;
-  const SolvedState<T>& s;
+struct OutputReader : MotionReader<T> {
   const Reactions<T>& reactions;
-  const Coordinates<T>& users;  ///< as the model counts them
 
-  T operator()(const ExpressionOutput& output) const {
-    return value_of(system.model, output.value, system.environment);
+  using MotionReader<T>::operator();
+  T operator()(const DriveOutput& output) const { return this->s.drive_forces[output.motion]; }
+  T operator()(const ReactionOutput& output) const {
+    return reaction_output(this->system, this->s.kinematics, reactions, output);
   }
-  T operator()(const PointOutput& output) const { return point_output(system, s, output); }
-  T operator()(const CoordinateOutput& output) const { return coordinate_output(system.topology, users, output); }
-  T operator()(const ElementOutput& output) const { return element_output(system, s.forces, output); }
-  T operator()(const StoredEnergyOutput&) const { return stored_energy_of_all(system, s.forces); }
-  T operator()(const DriveOutput& output) const { return s.drive_forces[output.motion]; }
-  T operator()(const ReactionOutput& output) const { return reaction_output(system, s.kinematics, reactions, output); }
-  T operator()(const MultiplierOutput& output) const { return multiplier_output(system.topology, s, output); }
-  T operator()(const RotationOutput& output) const { return rotation_output(system, s, output); }
-  T operator()(const MomentumOutput& output) const { return momentum_output(system, s, output); }
-  T operator()(const PointsOutput& output) const { return points_output(system, s, output); }
-  T operator()(const WheelOutput& output) const { return wheel_output(system, s, output); }
+  T operator()(const MultiplierOutput& output) const {
+    return multiplier_output(this->system.topology, this->s, output);
+  }
 };
 
 }  // namespace detail
 
-/// Values of Model::outputs.
+/// Values of Model::outputs. Ensures: all of Model::observed are set for expressions.
 template <class T>
 std::vector<T> output_values(System<T>& system, const SolvedState<T>& s) {
   Reactions<T> all_reactions;
   if (detail::asks_for_reactions(system.model)) all_reactions = reactions(system, s);
   const Coordinates<T> users = users_coordinates(system.environment, s.zdd);
-  const detail::OutputReader<T> read{system, s, all_reactions, users};
+  const detail::OutputReader<T> read{{system, s, users}, all_reactions};
+  detail::observe(system, kAfterForces, read);
   std::vector<T> values;
   for (const Output& output : system.model.outputs) {
     const auto heading = system.annotator.within(OwnerKind::output, index_in(system.model.outputs, output));

@@ -1,8 +1,7 @@
 #pragma once
 // Reactions as loads that press parts together.
 
-#include "compiler/formulation/elements/user_states.hpp"
-#include "compiler/formulation/reactions.hpp"
+#include "compiler/formulation/outputs.hpp"
 
 namespace mbgen {
 namespace detail {
@@ -21,12 +20,15 @@ T size_of(const System<T>& system, const Kinematics<T>& k, const Reactions<T>& r
 
 }  // namespace detail
 
-/// Per sampled value the reaction that it is set to, N or N m; zero where it is another one. Cost: linear.
+/// Per sampled value the reaction that it is set to, N or N m; zero where it is another one. Ensures: all of
+/// Model::observed are set for expressions. Cost: linear.
 template <class T>
 std::vector<T> reaction_loads(System<T>& system, const SolvedState<T>& s) {
   using mbgen::abs;
   std::vector<T> loads(system.model.sampled.size(), T(0.0));
   const Reactions<T> all = reactions(system, s);
+  const Coordinates<T> users = users_coordinates(system.environment, s.zdd);
+  detail::observe(system, kAfterForces, detail::OutputReader<T>{{system, s, users}, all});
   for (std::size_t i = 0; i < loads.size(); ++i) {
     const auto heading = system.annotator.within(OwnerKind::sampled, i);
     const std::optional<ReactionLoad>& load = system.model.sampled[i].load;

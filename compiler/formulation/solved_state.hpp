@@ -1,7 +1,7 @@
 #pragma once
 // A state with its accelerations and constraint forces: the source of outputs and reactions.
 
-#include "compiler/formulation/elements/applied_forces.hpp"
+#include "compiler/formulation/elements/force_work.hpp"
 
 namespace mbgen {
 

@@ -129,7 +129,12 @@ int held_state_count(const Model& model) {
 }
 
 bool takes_reactions(const Model& model) {
-  return std::ranges::any_of(model.sampled, [](const SampledValue& value) { return value.load.has_value(); });
+  return std::ranges::any_of(model.sampled, [&](const SampledValue& sampled) {
+    const int expression = sampled.value.expression;
+    return sampled.load ||
+           (expression >= 0 &&
+            round_after(model, model.expressions[static_cast<std::size_t>(expression)]) == kAfterForces);
+  });
 }
 
 double magnitude_of(const AuxiliaryState& state) {

@@ -48,7 +48,8 @@ int first_sampled_value(const Model& model);
 /// Number of trailing auxiliary states that are constant between the instants at which they are set: sampled values.
 int held_state_count(const Model& model);
 
-/// Whether a sampled value is the load of a reaction; setting it then needs accelerations and multipliers.
+/// Whether a sampled value is the load of a reaction or looks at an output over accelerations; setting it then needs
+/// accelerations and multipliers.
 bool takes_reactions(const Model& model);
 
 /// Magnitude of a state equivalent to 1 rad or 1 m of a coordinate in searches, differences and tolerances: its nominal

@@ -2,6 +2,16 @@
 
 namespace mbgen {
 
+int round_after(const Model& model, const Expression& expression) {
+  int round = 0;
+  for (const ExpressionNode& node : expression.nodes) {
+    if (node.kind != ExpressionNode::Kind::observed) continue;
+    const int known = model.observed[static_cast<std::size_t>(node.index)].round;
+    round = std::max(round, known == kAfterForces ? known : known + 1);
+  }
+  return round;
+}
+
 ElementQuantity quantity_of(const ElementOutput& output) {
   ElementQuantity quantity{"", ""};
   with_kind(output.kind, [&](auto kind) {

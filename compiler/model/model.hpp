@@ -113,6 +113,7 @@ struct Model {
   std::vector<UserState> states;
   std::vector<SampledValue> sampled;
   std::vector<Output> outputs;
+  std::vector<ObservedOutput> observed;  ///< each after the ones in its expression or law
   std::vector<DisplayShape> shapes;
   Initial initial;
   SolverSettings solver;

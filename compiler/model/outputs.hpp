@@ -116,4 +116,15 @@ struct Output {
   Presentation shown = {};
 };
 
+/// Rounds of force elements at an instant: an element whose law looks at outputs is in the round after the latest of
+/// them.
+constexpr int kBeforeForces = -1;      ///< of outputs over positions, velocities and states
+constexpr int kAfterForces = 1 << 30;  ///< of outputs over accelerations, reactions and multipliers
+
+/// An output that expressions look at.
+struct ObservedOutput {
+  Output output;
+  int round = kBeforeForces;  ///< of elements after which it is known
+};
+
 }  // namespace mbgen

@@ -67,6 +67,7 @@ struct FieldInfo {
   bool angle = false;                             ///< {"deg": number} may be written
   bool by_points = false;                         ///< an axis may be given by two points; its reader transforms it
   bool at_start = false;                          ///< start parameters are allowed
+  bool sees_accelerations = false;                ///< outputs over accelerations and reactions are allowed
   std::size_t longest = 256;                      ///< bytes of a text
   std::size_t most = 2;                           ///< points of Shape::attachments
   std::span<const std::string_view> words = {};   ///< in the order of their enumeration

@@ -32,6 +32,7 @@ struct FileFields : About, SectionsOf<ElementKinds> {
   const Value *axles = nullptr, *vehicle = nullptr;
   const Value *roads = nullptr;
   const Value *couplings = nullptr, *states = nullptr, *sampled = nullptr;
+  const Value *values = nullptr, *sensors = nullptr, *delays = nullptr;
   const Value *outputs = nullptr, *shapes = nullptr, *initial = nullptr, *solver = nullptr, *instances = nullptr;
 };
 
@@ -105,6 +106,28 @@ struct ReactionFields {
 struct SampledValueFields : SampledValue, Presentation, ReactionFields {
   const Value *written = nullptr;
   double written_delay = 0;
+};
+
+/// A measured value: see read_sensors.
+struct SensorFields : Presentation {
+  std::string name;
+  Where where;
+  const Value *written = nullptr;
+  double period = 0, delay = 0;  ///< s
+  Quantity gain = 1.0, bias, noise, quantisation;
+  std::optional<Quantity> filter, least, most;
+  double seed = 1, initial = 0;
+  std::string unit;
+};
+
+/// A value as it was some time ago: see read_delays.
+struct DelayFields : Presentation {
+  std::string name;
+  Where where;
+  const Value *written = nullptr;
+  double period = 0, delay = 0;  ///< s
+  double initial = 0;
+  std::string unit;
 };
 
 struct TyreDataFields {
@@ -289,6 +312,10 @@ template <>
 std::span<const Field<UserStateFields>> fields<UserStateFields>();
 template <>
 std::span<const Field<SampledValueFields>> fields<SampledValueFields>();
+template <>
+std::span<const Field<SensorFields>> fields<SensorFields>();
+template <>
+std::span<const Field<DelayFields>> fields<DelayFields>();
 template <>
 std::span<const Field<TyreDataFields>> fields<TyreDataFields>();
 template <>

@@ -10,6 +10,7 @@
 #include "compiler/model/model.hpp"
 #include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/positions.hpp"
+#include "compiler/reader/read_states.hpp"
 #include "compiler/reader/reader.hpp"
 #include "compiler/text/read_text.hpp"
 
@@ -167,17 +168,21 @@ void read_sections(Reader& reader) {
   std::array<Entries, ElementKinds::count> elements;
   each_section([&]<class Kind>(KindOf<Kind>) { elements[kKindIndex<Kind>] = entries(&SectionOf<Kind>::section); });
   name_lines(reader, elements);
-  const Entries states = entries(&FileFields::states), sampled = entries(&FileFields::sampled);
-  read_states(reader, states, sampled);
+  const Entries outputs = entries(&FileFields::outputs);
+  name_outputs(reader, outputs);
+  const StateEntries states{entries(&FileFields::states), entries(&FileFields::values), entries(&FileFields::sensors),
+                            entries(&FileFields::delays), entries(&FileFields::sampled)};
+  read_states(reader, states);
   read_roads(reader, entries(&FileFields::roads));
   reader.tyre_data = entries(&FileFields::tyre_data);
   each_section([&]<class Kind>(KindOf<Kind>) { section_of<Kind>().read(reader, elements[kKindIndex<Kind>]); });
-  check_state_names(reader, states, sampled);
+  check_state_names(reader, states);
   read_motions(reader, entries(&FileFields::motions));
   make_second_rates(reader);
   read_axles(reader, entries(&FileFields::axles));
   read_vehicle(reader, parts_of(reader, 0, &FileFields::vehicle));
-  read_outputs(reader, entries(&FileFields::outputs));
+  read_outputs(reader, outputs);
+  observe_outputs(reader);
   read_shapes(reader, entries(&FileFields::shapes));
   read_initial(reader, initial_parts(reader));
   read_solver(reader, parts_of(reader, 0, &FileFields::solver));

@@ -40,6 +40,14 @@ struct Entry {
 };
 using Entries = std::vector<Entry>;
 
+/// An output in an expression.
+struct WrittenOutputUse {
+  Place place;
+  std::size_t scope = 0;
+  int output = -1;                  ///< index into Model::outputs
+  bool sees_accelerations = false;  ///< see FieldInfo
+};
+
 struct Reader {
   Documents documents;
   std::deque<Value> changed_files = {};  ///< copies of included files with the changes of their includers
@@ -60,7 +68,8 @@ struct Reader {
   /// Samples of roads and large tables, see Model::samples: finished tables point to it while others are still added.
   std::shared_ptr<std::vector<double>> samples = std::make_shared<std::vector<double>>();
   std::vector<TableData> large_tables = {};
-  Entries tyre_data = {};      ///< coefficients of tyres
+  Entries tyre_data = {};  ///< coefficients of tyres
+  std::vector<WrittenOutputUse> output_uses = {};
   bool folds_tunable = false;  ///< for the present value tunable parameters are replaced by their values
 };
 
@@ -327,7 +336,6 @@ bool has_any(const Value& value, std::initializer_list<std::string_view> keys);
 /// Reports two ends on one body. Result: the distance of the ends at the reference, NaN if there is none.
 double check_ends(Reader& reader, const Value& value, const Attachment& from, const Attachment& to);
 /// States and sampled values; their expressions may name springs and air springs.
-void read_states(Reader& reader, const Entries& states, const Entries& sampled);
 /// "an air spring".
 inline std::string with_article(std::string_view words) {
   return (std::string_view("aeiou").find(words.front()) < 5 ? "an " : "a ") + std::string(words);
@@ -335,8 +343,6 @@ inline std::string with_article(std::string_view words) {
 
 /// Adds the names of elements with a length for expressions, before the elements are read. entries: of every kind.
 void name_lines(Reader& reader, const std::array<Entries, ElementKinds::count>& entries);
-/// Reports states with the name of another auxiliary state. Requires: tyres are read.
-void check_state_names(Reader& reader, const Entries& states, const Entries& sampled);
 /// Sets default lags. Requires: the solver's settings are read.
 void finish_frictions(Reader& reader);
 void read_roads(Reader& reader, const Entries& entries);
@@ -352,7 +358,11 @@ void read_axles(Reader& reader, const Entries& entries);
 void read_motions(Reader& reader, const Entries& entries);
 /// Adds second rates to inputs of motions with a first rate only, see is_made_rate. Requires: all motions are read.
 void make_second_rates(Reader& reader);
+/// Makes the names of outputs known to expressions that are read before them.
+void name_outputs(Reader& reader, const Entries& entries);
 void read_outputs(Reader& reader, const Entries& entries);
+/// Puts the outputs that expressions look at into Model::observed. Requires: read_outputs.
+void observe_outputs(Reader& reader);
 void read_shapes(Reader& reader, const Entries& entries);
 /// A section that is one object, of one file.
 struct Part {

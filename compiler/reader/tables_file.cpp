@@ -58,6 +58,11 @@ std::vector<Field<FileFields>> first_sections() {
       field<F, &F::rods>(section("rods", "rod", "bars with a spherical joint at each end")),
       field<F, &F::states>(section("states", "state", "states of your own: their derivatives are expressions")),
       field<F, &F::sampled>(section("sampled", "sampled_value", "values set at instants: sampled controllers")),
+      field<F, &F::values>({.name = "values",
+                            .shape = Shape::overrides,
+                            .doc = "expressions under a name, for use in several places; above their use"}),
+      field<F, &F::sensors>(section("sensors", "sensor", "measured values: sampled, with the errors of a sensor")),
+      field<F, &F::delays>(section("delays", "delay", "values as they were some time ago")),
       field<F, &F::couplings>(section("couplings", "coupling", "relations between coordinates: gears, racks, screws")),
   };
 }

@@ -50,7 +50,9 @@ std::vector<Field<OutputFields>> source_fields() {
   static const std::string energy_doc = fmt::format("potential energy of all {} together", kinds_with_energy());
   std::vector<Field<F>> rows = {
       field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit; default: unit of the quantity"}),
-      field<F, &F::expression>({.name = "expression", .doc = "value over t, parameters, inputs and coordinates"}),
+      field<F, &F::expression>({.name = "expression",
+                                .doc = "value over t, parameters, inputs, coordinates, states and outputs",
+                                .sees_accelerations = true}),
       field<F, &F::point>({.name = "point", .shape = Shape::attachment, .doc = "motion of a point"}),
       field<F, &F::points>({.name = "points",
                             .shape = Shape::attachments,

@@ -201,6 +201,8 @@ std::vector<ObjectKind> object_kinds() {
           "sampled_value",
           "a value that is set at t = 0, period, 2 period and so on; exactly one of value and reaction",
           {"value", "reaction"}),
+      kind_of<SensorFields>("sensor", "a measured value, set at t = 0, period, 2 period and so on"),
+      kind_of<DelayFields>("delay", "a value as it was some time ago"),
   };
   each_section([&](auto kind) {
     for (ObjectKind& of : section_of<typename decltype(kind)::Element>().kinds()) kinds.push_back(std::move(of));

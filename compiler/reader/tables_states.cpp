@@ -55,4 +55,85 @@ std::span<const Field<SampledValueFields>> fields<SampledValueFields>() {
   return table;
 }
 
+template <>
+std::span<const Field<SensorFields>> fields<SensorFields>() {
+  using F = SensorFields;
+  const auto number = [](std::string_view name, std::string_view doc, std::optional<double> fallback, Bound bound) {
+    return FieldInfo{.name = name,
+                     .doc = doc,
+                     .unit = "unit of the value",
+                     .fallback = fallback,
+                     .bound = bound,
+                     .depends = Depends::parameters};
+  };
+  static const std::array table = joined(
+      std::array{
+          field<F, &F::written>({.name = "value", .doc = "measured value, an expression", .need = Need::required}),
+          field<F, &F::period>({.name = "period",
+                                .shape = Shape::number,
+                                .doc = "time between measurements, a multiple of the solver's step",
+                                .unit = "s",
+                                .need = Need::required,
+                                .bound = Bound::positive}),
+          field<F, &F::filter>({.name = "filter",
+                                .doc = "cut-off frequency of a low-pass filter of first order before the sampling",
+                                .unit = "Hz",
+                                .bound = Bound::positive,
+                                .depends = Depends::parameters}),
+          field<F, &F::gain>({.name = "gain",
+                              .doc = "factor of the value",
+                              .unit = "1",
+                              .fallback = 1,
+                              .depends = Depends::parameters}),
+          field<F, &F::bias>(number("bias", "is added", 0, Bound::none)),
+          field<F, &F::noise>(
+              number("noise", "standard deviation of a normally distributed error", 0, Bound::not_negative)),
+          field<F, &F::seed>({.name = "seed",
+                              .shape = Shape::number,
+                              .doc = "of the noise, a whole number; sensors of one seed have different noise",
+                              .unit = "1",
+                              .fallback = 1,
+                              .bound = Bound::not_negative}),
+          field<F, &F::least>(number("least", "least value that is shown", std::nullopt, Bound::none)),
+          field<F, &F::most>(number("most", "largest value that is shown", std::nullopt, Bound::none)),
+          field<F, &F::quantisation>(
+              number("quantisation", "step between values that are shown, 0 for none", 0, Bound::not_negative)),
+          field<F, &F::delay>({.name = "delay",
+                               .shape = Shape::number,
+                               .doc = "time between measurement and effect, a multiple of the period",
+                               .unit = "s",
+                               .fallback = 0,
+                               .bound = Bound::not_negative}),
+          field<F, &F::initial>(kInitial),
+          field<F, &F::unit>(kUnit),
+      },
+      presentation_fields<F>());
+  return table;
+}
+
+template <>
+std::span<const Field<DelayFields>> fields<DelayFields>() {
+  using F = DelayFields;
+  static const std::array table = joined(
+      std::array{
+          field<F, &F::written>({.name = "value", .doc = "delayed value, an expression", .need = Need::required}),
+          field<F, &F::delay>({.name = "delay",
+                               .shape = Shape::number,
+                               .doc = "a multiple of the period, at least two",
+                               .unit = "s",
+                               .need = Need::required,
+                               .bound = Bound::positive}),
+          field<F, &F::period>({.name = "period",
+                                .shape = Shape::number,
+                                .doc = "time between the values that are stored, a multiple of the solver's step",
+                                .unit = "s",
+                                .need = Need::required,
+                                .bound = Bound::positive}),
+          field<F, &F::initial>(kInitial),
+          field<F, &F::unit>(kUnit),
+      },
+      presentation_fields<F>());
+  return table;
+}
+
 }  // namespace mbgen::reading

@@ -24,7 +24,7 @@ struct NominalSet {
   std::function<double(std::string_view name)> number;
 };
 
-std::vector<double> numbers_of(const std::vector<Quantity>& coefficients) {
+std::vector<double> coefficients_of(const std::vector<Quantity>& coefficients) {
   std::vector<double> values;
   for (const Quantity& q : coefficients) values.push_back(q.value);
   return values;
@@ -32,7 +32,7 @@ std::vector<double> numbers_of(const std::vector<Quantity>& coefficients) {
 
 NominalSet nominal_set(const Tyre& tyre) {
   constexpr double kLoadOfPac89 = 4000;  // N; its coefficients have no nominal load
-  const std::vector<double> values = numbers_of(tyre.coefficients);
+  const std::vector<double> values = coefficients_of(tyre.coefficients);
   const std::span<const TyreField> fields = tyre_fields(tyre.model);
   NominalSet set;
   set.number = [values, fields](std::string_view name) {

@@ -30,6 +30,7 @@ struct ReferenceEnvironment {
   }
   double length(int) const { return 0; }
   double rate(int) const { return 0; }
+  double output(int) const { return 0; }
 };
 
 void wrong_type(Reader& reader, const Value& value, std::string_view wanted, std::string hint = {}) {
@@ -63,6 +64,9 @@ std::optional<Expression> parse(Reader& reader, const Value& value, const FieldI
            std::move(problem.hint));
   }
   if (!parsed.problems.empty()) return std::nullopt;
+  for (const OutputUse& use : parsed.outputs)
+    reader.output_uses.push_back(
+        {place_in_text(reader.documents, value, use.offset), reader.scope, use.output, info.sees_accelerations});
   return std::move(parsed.expression);
 }
 

@@ -100,6 +100,26 @@ bool looks_at_multipliers(const Model& model) {
   });
 }
 
+/// Driving forces, where expressions look at one: what multipliers leave of the missing forces.
+std::vector<Expr> observed_drives(Tracing& tracing, const GivenState& s, const std::vector<std::vector<Expr>>& lambda) {
+  const System<Expr>& system = tracing.system;
+  const bool are_seen = std::any_of(system.model.observed.begin(), system.model.observed.end(), [](const auto& one) {
+    return std::holds_alternative<DriveOutput>(one.output.source);
+  });
+  if (!are_seen) return {};
+  std::vector<Expr> left = s.missing.joint;
+  for (std::size_t b = 0; b < lambda.size(); ++b) {
+    const LoopBlock& block = system.topology.blocks[b];
+    const SparseClosure<Expr> closed =
+        sparse_closure(tracing.system, s.kinematics, block, at_rest<Expr>(system.topology));
+    std::vector<Expr> of_block;
+    for (const int j : block.joints) of_block.push_back(left[j]);
+    take_off(closed.jacobian, lambda[b], of_block);
+    for (std::size_t c = 0; c < block.joints.size(); ++c) left[block.joints[c]] = of_block[c];
+  }
+  return driving_forces(tracing, left);
+}
+
 /// The reactions that sampled values take, at given accelerations, without forces of a user on the joints.
 std::vector<Expr> reaction_loads_at(Tracing& tracing) {
   const Topology& topology = tracing.system.topology;
@@ -107,7 +127,8 @@ std::vector<Expr> reaction_loads_at(Tracing& tracing) {
   const auto step = tracing.annotator.step(Step::outputs);
   std::vector<std::vector<Expr>> lambda;
   if (!topology.loops.empty()) lambda = by_block(topology, tracing.inputs(Array::lambda, equation_count(topology)));
-  return reaction_loads(tracing.system, {s.kinematics, s.velocities, s.accelerations, s.forces, s.zdd, lambda, {}});
+  const std::vector<Expr> drive = observed_drives(tracing, s, lambda);
+  return reaction_loads(tracing.system, {s.kinematics, s.velocities, s.accelerations, s.forces, s.zdd, lambda, drive});
 }
 
 }  // namespace
@@ -170,7 +191,7 @@ Program trace_sampled(const Model& model, const Topology& topology, const Analys
     const Kinematics<Expr> k = tracing.poses();
     const MotionPoint point = form == Form::matrix ? MotionPoint::frame_origin : MotionPoint::body_origin;
     const Velocities<Expr> v = tracing.in(Step::velocities, [&] { return velocities(system, k, point); });
-    see_states_and_lengths(system, k, v);
+    see_values(system, k, v);
   }
   const auto step = tracing.annotator.step(Step::outputs);
   const std::vector<Expr> due = tracing.inputs(Array::due, static_cast<int>(model.sampled.size()));

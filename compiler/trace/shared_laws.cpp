@@ -77,9 +77,18 @@ bool share_a_law(const Tyre& a, const Tyre& b) {
          std::ranges::equal(a.coefficients, b.coefficients, same);
 }
 
+/// Whether expressions look at a tyre's forces or slips, which a shared law does not give.
+bool looks_at_tyres(const Model& model) {
+  return std::ranges::any_of(model.observed, [](const ObservedOutput& observed) {
+    const auto* element = std::get_if<ElementOutput>(&observed.output.source);
+    return element && element->kind == kKindIndex<Tyre>;
+  });
+}
+
 /// Groups of tyres that share a law, in the order of their first tyres.
 std::vector<std::vector<int>> tyres_of_laws(const Model& model) {
   std::vector<std::vector<int>> groups;
+  if (looks_at_tyres(model)) return groups;
   for (std::size_t i = 0; i < model.tyres.size(); ++i) {
     const auto group = std::ranges::find_if(
         groups, [&](const auto& tyres) { return share_a_law(model.tyres[tyres.front()], model.tyres[i]); });

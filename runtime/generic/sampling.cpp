@@ -14,8 +14,9 @@ Status GenericSolver::take_loads(const GenericState& state, std::vector<double>&
   if (const Status status = accelerations(state, no_tau, rates); !status.ok()) return status;
   System<double>& system = equations_->system(state);
   const Solved s = equations_->solved(system, no_tau, rates.zdd);
-  loads = reaction_loads(
-      system, {s.prepared.kinematics, s.prepared.velocities, s.accelerations, s.forces, rates.zdd, s.multipliers, {}});
+  const std::vector<double> drive = equations_->driving_forces(system, s);
+  loads = reaction_loads(system, {s.prepared.kinematics, s.prepared.velocities, s.accelerations, s.forces, rates.zdd,
+                                  s.multipliers, drive});
   return {};
 }
 
@@ -47,11 +48,14 @@ Status GenericSolver::sample(GenericState& state, double h, bool& any) const {
   for (const SampledValue& value : model.sampled) periods.push_back(value.period);
   status = find_due(periods.data(), count, first, state.t, h, due.data(), any);
   if (!status.ok() || !any) return status;
-  if (takes_reactions(model)) status = take_loads(state, loads);
-  if (!status.ok()) return status;
   System<double>& system = equations_->system(state);
-  const Kinematics<double> k = kinematics(system);
-  see_states_and_lengths(system, k, velocities(system, k));
+  if (takes_reactions(model)) {
+    status = take_loads(state, loads);
+  } else {
+    const Kinematics<double> k = kinematics(system);
+    see_values(system, k, velocities(system, k));
+  }
+  if (!status.ok()) return status;
   return take_held(sampled_states(system, due, loads).data(), held_count, first, state.x.data());
 }
 

@@ -95,7 +95,7 @@ struct CartesianSolver::Content {
     Solved before;
     Status status;
     if (system.takes_reactions()) status = solve_at(at, std::vector<double>(at.z.z.size(), 0.0), before);
-    if (status.ok()) status = system.sample(at.bodies, at.z, before.solution.lambda, h, any);
+    if (status.ok()) status = system.sample(at.bodies, at.z, before.solution.qdd, before.solution.lambda, h, any);
     if (status.ok()) at.z.x = at.bodies.x;
     return status;
   }

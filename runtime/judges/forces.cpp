@@ -1,8 +1,10 @@
 // Force elements of the model as wrenches on bodies and generalised forces on coordinates. The laws are the runtime's.
 
 #include <algorithm>
+#include <utility>
 
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/model/element_access.hpp"
 #include "mbgen/sampling.hpp"
 #include "runtime/judges/elements/every_kind.hpp"
 
@@ -13,6 +15,7 @@ using namespace cartesian;
 Values CartesianMechanism::complete(Values values, const std::vector<Moving>& bodies,
                                     const std::vector<double>& x) const {
   values.states.assign(x.begin() + first_user_state(model), x.end());
+  values.observed.assign(model.observed.size(), 0.0);
   const auto add = [&](const Place& from, const Place& to) {
     const Line at = line_between(from, to, bodies);
     values.lengths.push_back(at.length);
@@ -28,21 +31,34 @@ Values CartesianMechanism::complete(Values values, const std::vector<Moving>& bo
 
 Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::vector<double>& x,
                                   const Values& given) const {
-  const Values values = complete(given, bodies, x);
+  Values values = complete(given, bodies, x);
   Forces forces;
+  forces.springs.resize(model.springs.size());
+  forces.tyres.resize(model.tyres.size());
   forces.joints.resize(topology.bodies.size());
   forces.xd.resize(x.size());  // sampled values hold
   const AtWork at{*this, bodies, x, values};
-  each_element(model, [&](const auto& element) { apply(at, element, forces); });
+  int last = 0;
+  each_element(model, [&](const auto& element) { last = std::max(last, round_of(model, element)); });
+  observe(bodies, x, forces, kBeforeForces, values);
+  for (int round = 0; round <= last; ++round) {
+    each_element(model, [&](const auto& element) {
+      if (round_of(model, element) == round) apply(at, element, forces);
+    });
+    observe(bodies, x, forces, round, values);
+  }
   auto place = static_cast<std::size_t>(first_user_state(model));
   for (const UserState& state : model.states) forces.xd[place++] = values(state.derivative);
+  forces.observed = std::move(values.observed);
   return forces;
 }
 
 Status CartesianMechanism::sample(const std::vector<Moving>& bodies, const Values& given,
-                                  const std::vector<double>& loads, double h, bool& any, std::vector<double>& x) const {
+                                  const std::vector<double>& loads, std::vector<double> observed, double h, bool& any,
+                                  std::vector<double>& x) const {
   any = false;
   Values values = complete(given, bodies, x);
+  values.observed = std::move(observed);
   const int first = first_user_state(model) + static_cast<int>(model.states.size());
   std::size_t place = model.states.size(), queue = place + model.sampled.size();
   for (const SampledValue& sampled : model.sampled) {

@@ -45,6 +45,7 @@ struct Forces {
   std::vector<double> xd;      ///< rates of the auxiliary states
   std::vector<LineAtWork> springs;
   std::vector<TyreResult<double>> tyres;
+  std::vector<double> observed;  ///< of Model::observed, without those over accelerations
 };
 
 }  // namespace cartesian
@@ -79,13 +80,18 @@ struct CartesianMechanism {
   std::vector<cartesian::CoupledCoordinate> coupled_coordinates(const Coupling& coupling,
                                                                 const std::vector<cartesian::Moving>& bodies,
                                                                 const cartesian::Values& values) const;
-  /// Values with everything used in expressions: states and lengths too.
+  /// Values with states and lengths.
   cartesian::Values complete(cartesian::Values values, const std::vector<cartesian::Moving>& bodies,
                              const std::vector<double>& x) const;
+  /// Sets the observed outputs of a round in values. Requires: forces of the elements of this round and before.
+  void observe(const std::vector<cartesian::Moving>& bodies, const std::vector<double>& x,
+               const cartesian::Forces& forces, int round, cartesian::Values& values) const;
   /// Sets the sampled values whose instant is at the start of a step of h seconds, in x; any: whether there are such
-  /// values. loads: per value, for reactions. Fails: sample_inside_step, auxiliary_not_a_number; x is then unchanged.
+  /// values. loads: per value, for reactions; observed: of Model::observed. Fails: sample_inside_step,
+  /// auxiliary_not_a_number; x is then unchanged.
   Status sample(const std::vector<cartesian::Moving>& bodies, const cartesian::Values& values,
-                const std::vector<double>& loads, double h, bool& any, std::vector<double>& x) const;
+                const std::vector<double>& loads, std::vector<double> observed, double h, bool& any,
+                std::vector<double>& x) const;
   cartesian::Forces forces(const std::vector<cartesian::Moving>& bodies, const std::vector<double>& x,
                            const cartesian::Values& values) const;
 };

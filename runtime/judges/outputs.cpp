@@ -57,28 +57,22 @@ struct Solution {
 /// A mechanism at one instant, with the accelerations of its bodies.
 class Instant {
  public:
-  Instant(const CartesianMechanism& c, const CartesianState& state, const GenericState& z, const Solution& solution)
-      : c_(c),
-        state_(state),
-        z_(z),
-        bodies_(c.bodies(state)),
-        values_(c.complete(c.values(z, state.t), bodies_, state.x)),
-        forces_(c.forces(bodies_, state.x, c.values(z, state.t))),
-        solution_(solution),
-        qdd_(solution.qdd) {}
+  Instant(const CartesianMechanism& c, const std::vector<Moving>& bodies, const std::vector<double>& x,
+          const Values& values, const Forces& forces, const Solution& solution)
+      : c_(c), x_(x), bodies_(bodies), values_(values), forces_(forces), solution_(solution), qdd_(solution.qdd) {}
 
   double value(const ExpressionOutput& output) const { return values_(output.value); }
 
   double value(const CoordinateOutput& output) const {
     const int i = c_.table[output.coordinate.joint][output.coordinate.component];
     if (i < 0) return 0;
-    const std::vector<double>* derivatives[] = {&z_.z, &z_.zd, &solution_.zdd};
+    const std::vector<double>* derivatives[] = {values_.z, values_.zd, &solution_.zdd};
     return (*derivatives[static_cast<int>(output.what)])[i];
   }
 
   double value(const ElementOutput& output) const {
     double result = 0;
-    const AtWork at{c_, bodies_, state_.x, values_};
+    const AtWork at{c_, bodies_, x_, values_};
     with_kind(output.kind, [&](auto kind) {
       const auto& element = kind.list(c_.model)[static_cast<std::size_t>(output.element)];
       if constexpr (requires { energy_of(at, element); })
@@ -92,7 +86,7 @@ class Instant {
   /// Work of all elastic forces, J.
   double value(const StoredEnergyOutput&) const {
     double sum = 0;
-    const AtWork at{c_, bodies_, state_.x, values_};
+    const AtWork at{c_, bodies_, x_, values_};
     each_element(c_.model, [&](const auto& element) {
       if constexpr (requires { energy_of(at, element); }) sum += energy_of(at, element);
     });
@@ -132,7 +126,7 @@ class Instant {
     double power = 0;
     for (const Load& load : forces_.loads) power += power_of(load.body, load.wrench);
     for (std::size_t j = 0; j < c_.parts.joints.size(); ++j)
-      for (const JointCoordinate& coordinate : c_.coordinates_of(static_cast<int>(j), bodies_, z_.z))
+      for (const JointCoordinate& coordinate : c_.coordinates_of(static_cast<int>(j), bodies_, *values_.z))
         power += (tau[coordinate.index] + forces_.joints[coordinate.index]) * coordinate.zd;
     const std::vector<Row> rows = c_.equations_at(bodies_, values_);
     for (std::size_t k = 0; k < solution_.drives.size(); ++k) {
@@ -246,29 +240,82 @@ class Instant {
   }
 
   const CartesianMechanism& c_;
-  const CartesianState& state_;
-  const GenericState& z_;
-  std::vector<Moving> bodies_;
-  Values values_;
-  Forces forces_;
+  const std::vector<double>& x_;
+  const std::vector<Moving>& bodies_;
+  const Values& values_;
+  const Forces& forces_;
   const Solution& solution_;
   const Eigen::VectorXd& qdd_;
 };
 
+/// Sets the observed outputs of a round in the values that an instant looks at.
+void observe_round(const Instant& instant, const Model& model, int round, Values& values) {
+  for (std::size_t i = 0; i < model.observed.size(); ++i) {
+    const ObservedOutput& observed = model.observed[i];
+    if (observed.round != round) continue;
+    values.observed[i] = std::visit([&](const auto& source) { return instant.value(source); }, observed.output.source);
+  }
+}
+
+/// An instant with all that it refers to; every observed output is set in its values.
+struct SeenInstant {
+  SeenInstant(const CartesianMechanism& c, const CartesianState& state, const GenericState& z, const Solution& solution)
+      : bodies(c.bodies(state)),
+        forces(c.forces(bodies, state.x, c.values(z, state.t))),
+        values(c.complete(c.values(z, state.t), bodies, state.x)),
+        instant(c, bodies, state.x, values, forces, solution) {
+    values.observed = forces.observed;
+    observe_round(instant, c.model, kAfterForces, values);
+  }
+  SeenInstant(const SeenInstant&) = delete;
+  SeenInstant& operator=(const SeenInstant&) = delete;
+
+  std::vector<Moving> bodies;
+  Forces forces;
+  Values values;
+  Instant instant;
+};
+
+struct SolvedEquations {
+  const Eigen::VectorXd &qdd, &lambda;
+};
+
+Solution solution_of(const CartesianSystem& system, const CartesianState& state, const GenericState& z,
+                     const std::vector<double>& tau, const SolvedEquations& solved) {
+  using End = ReactionOutput::End;
+  return {solved.qdd,
+          system.joint_accelerations(state, z, solved.qdd),
+          system.driving_forces(solved.lambda),
+          system.loop_multipliers(state, solved.lambda),
+          system.joint_reactions(state, z, tau, solved.lambda),
+          system.rod_forces(state, solved.lambda, End::to),
+          system.rod_forces(state, solved.lambda, End::from)};
+}
+
 }  // namespace
+
+void CartesianMechanism::observe(const std::vector<Moving>& bodies, const std::vector<double>& x, const Forces& forces,
+                                 int round, Values& values) const {
+  if (model.observed.empty()) return;
+  const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(parts.bodies.size()));
+  const Solution unknown{at_rest, std::vector<double>(topology.bodies.size()), {}, {}, {}, {}, {}};
+  const Instant instant(*this, bodies, x, values, forces, unknown);
+  observe_round(instant, model, round, values);
+}
+
+std::vector<double> CartesianSystem::observed(const CartesianState& state, const GenericState& z,
+                                              const Eigen::VectorXd& qdd, const Eigen::VectorXd& lambda) const {
+  const CartesianMechanism& c = *mechanism_;
+  const Solution solution = solution_of(*this, state, z, std::vector<double>(z.z.size(), 0.0), {qdd, lambda});
+  return SeenInstant(c, state, z, solution).values.observed;
+}
 
 GenericOutputs CartesianSystem::outputs(const CartesianState& state, const GenericState& z,
                                         const std::vector<double>& tau, const Eigen::VectorXd& qdd,
                                         const Eigen::VectorXd& lambda) const {
-  using End = ReactionOutput::End;
-  const Solution solution{qdd,
-                          joint_accelerations(state, z, qdd),
-                          driving_forces(lambda),
-                          loop_multipliers(state, lambda),
-                          joint_reactions(state, z, tau, lambda),
-                          rod_forces(state, lambda, End::to),
-                          rod_forces(state, lambda, End::from)};
-  const Instant instant(*mechanism_, state, z, solution);
+  const Solution solution = solution_of(*this, state, z, tau, {qdd, lambda});
+  const SeenInstant seen(*mechanism_, state, z, solution);
+  const Instant& instant = seen.instant;
   const auto value = [&](const auto& output) { return instant.value(output); };
   GenericOutputs values;
   for (const Output& output : mechanism_->model.outputs) values.y.push_back(std::visit(value, output.source));

@@ -99,10 +99,17 @@ CartesianTerms CartesianSystem::terms(const CartesianState& state, const Generic
 
 bool CartesianSystem::takes_reactions() const { return mbgen::takes_reactions(mechanism_->model); }
 
-Status CartesianSystem::sample(CartesianState& state, const GenericState& z, const Eigen::VectorXd& lambda, double h,
-                               bool& any) const {
-  const std::vector<double> loads = takes_reactions() ? reaction_loads(state, z, lambda) : std::vector<double>();
-  return mechanism_->sample(mechanism_->bodies(state), mechanism_->values(z, state.t), loads, h, any, state.x);
+Status CartesianSystem::sample(CartesianState& state, const GenericState& z, const Eigen::VectorXd& qdd,
+                               const Eigen::VectorXd& lambda, double h, bool& any) const {
+  const std::vector<Moving> bodies = mechanism_->bodies(state);
+  const Values values = mechanism_->values(z, state.t);
+  if (takes_reactions())
+    return mechanism_->sample(bodies, values, reaction_loads(state, z, lambda), observed(state, z, qdd, lambda), h, any,
+                              state.x);
+  const bool looks = !mechanism_->model.observed.empty();
+  return mechanism_->sample(bodies, values, {},
+                            looks ? mechanism_->forces(bodies, state.x, values).observed : std::vector<double>(), h,
+                            any, state.x);
 }
 
 void CartesianSystem::set_friction_loads(const CartesianState& state, const Eigen::VectorXd& lambda,

@@ -59,13 +59,14 @@ class CartesianSystem {
                                           const Eigen::VectorXd& qdd) const;
   /// All terms of (5). tau: per tree coordinate, added to the model's joint forces.
   CartesianTerms terms(const CartesianState& state, const GenericState& z, const std::vector<double>& tau) const;
-  /// Whether sampled values are loads of reactions.
+  /// Whether sampled values are loads of reactions or look at outputs over accelerations.
   bool takes_reactions() const;
   /// Sets the sampled values whose instant is at the start of a step of h seconds, or with h = 0 at the time of the
-  /// state; any: whether there are such values. z: the coordinates at this state. lambda: the multipliers there, for
-  /// values that are loads of reactions. Fails: sample_inside_step, auxiliary_not_a_number; the state is then
+  /// state; any: whether there are such values. z: the coordinates at this state. qdd, lambda: the accelerations and
+  /// multipliers there where takes_reactions. Fails: sample_inside_step, auxiliary_not_a_number; the state is then
   /// unchanged.
-  Status sample(CartesianState& state, const GenericState& z, const Eigen::VectorXd& lambda, double h, bool& any) const;
+  Status sample(CartesianState& state, const GenericState& z, const Eigen::VectorXd& qdd, const Eigen::VectorXd& lambda,
+                double h, bool& any) const;
   /// Sets the values that are loads of reactions in z, which has the coordinates at this state. lambda: as of sample.
   void set_friction_loads(const CartesianState& state, const Eigen::VectorXd& lambda, GenericState& z) const;
   /// Moves the bodies by a small displacement (m, rad), n values; velocities are unchanged.
@@ -92,6 +93,9 @@ class CartesianSystem {
                          const Eigen::VectorXd& qdd, const Eigen::VectorXd& lambda) const;
 
  private:
+  /// Values of Model::observed. Arguments as of `outputs`.
+  std::vector<double> observed(const CartesianState& state, const GenericState& z, const Eigen::VectorXd& qdd,
+                               const Eigen::VectorXd& lambda) const;
   /// Per sampled value the magnitude of its reaction, N or N m; zero for a value that is none.
   std::vector<double> reaction_loads(const CartesianState& state, const GenericState& z,
                                      const Eigen::VectorXd& lambda) const;

@@ -21,6 +21,7 @@ struct Values {
   std::array<double, 2> locals{};
   std::vector<double> states{};            ///< the user's, then sampled values
   std::vector<double> lengths{}, rates{};  ///< of springs, air springs, rods: m, m/s
+  std::vector<double> observed{};          ///< of Model::observed, as far as they are known
 
   double parameter(int i) const { return parameters[i]; }
   double input(int i) const { return inputs[i]; }
@@ -31,6 +32,7 @@ struct Values {
   double state(int i) const { return states[i]; }
   double length(int i) const { return lengths[i]; }
   double rate(int i) const { return rates[i]; }
+  double output(int i) const { return observed[i]; }
 
   double operator()(const Quantity& quantity) const { return evaluate<double>(quantity, model.expressions, *this); }
 

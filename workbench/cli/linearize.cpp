@@ -13,6 +13,7 @@
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/compiled.hpp"
+#include "workbench/cli/frequency_responses.hpp"
 #include "workbench/cli/html_report.hpp"
 #include "workbench/cli/options.hpp"
 #include "workbench/describe/notes.hpp"
@@ -30,6 +31,7 @@ struct LinearizeOptions {
   std::string model, file, page;
   std::vector<std::string> set;
   StateArguments state;
+  BodeArguments bode;
   bool json = false;
 };
 
@@ -186,8 +188,20 @@ void write_page(const LinearizeOptions& options, const Compilation& compilation,
              files_read(compilation.model, options.state));
 }
 
+void write_responses(const LinearizeOptions& options, const Model& model, const FrequencyResponses& responses) {
+  for (const std::string& file : options.bode.files) {
+    if (file.ends_with(".csv")) {
+      write_file(file, responses_csv(responses), files_read(model, options.state));
+    } else {
+      throw UserError(fmt::format("--bode-out: \"{}\" is no .csv file\n", file));
+    }
+  }
+}
+
 int run(const LinearizeOptions& options) {
   if (!options.page.empty()) require_report_page("--report");
+  if (!options.bode.files.empty() && options.bode.pairs.empty())
+    throw UserError("--bode-out: nothing to write\n  hint: --bode INPUT:OUTPUT names a response\n");
   const Compilation compilation = compiled(read_set_model(options.model, options.set));
   count_notes(compilation);
   const ChosenPoint chosen = operating_point(compilation, options.state);
@@ -199,13 +213,18 @@ int run(const LinearizeOptions& options) {
   if (chosen.steady) system = turning_with(*chosen.steady, std::move(system));
   std::vector<Mode> list = modes(system);
   if (chosen.steady) mark_places(*chosen.steady, list);
-  const std::string json = json_text(linear_json(compilation, point, system, list, places));
+  const FrequencyResponses responses = frequency_responses(options.bode, compilation.model, system);
+  Json linear = linear_json(compilation, point, system, list, places);
+  if (!responses.all.empty()) linear["responses"] = responses_json(responses);
+  const std::string json = json_text(linear);
+  write_responses(options, compilation.model, responses);
   if (!options.file.empty()) write_file(options.file, json, files_read(compilation.model, options.state));
   if (!options.page.empty()) write_page(options, compilation, point, system, list);
   const std::string& result = is_standard_output(options.page) ? options.page : options.file;
-  print_beside(
-      result,
-      options.json ? json : heading_text(options, compilation, chosen, system) + modes_text(compilation, list, places));
+  print_beside(result, options.json ? json
+                                    : heading_text(options, compilation, chosen, system) +
+                                          modes_text(compilation, list, places) +
+                                          (responses.all.empty() ? "" : responses_text(responses)));
   return kDone;
 }
 
@@ -224,6 +243,10 @@ void add_linearize(NamedCommand application, int& exit_code) {
   add_state_options(command, options->state);
   command.add_option("-o,--out", options->file, "write matrices and modes to this file, as --json prints them");
   command.add_option("--report", options->page, "write the modes as a page: list, animation, eigenvalues (HTML)");
+  command.add_option("--bode", options->bode.pairs, "INPUT:OUTPUT, a frequency response; may be repeated");
+  command.add_option("--frequencies", options->bode.frequencies,
+                     "FIRST:LAST:COUNT in Hz, evenly on a logarithmic axis");
+  command.add_option("--bode-out", options->bode.files, "write the responses to this file, .csv; may be repeated");
   add_json_option(command, options->json);
   command.callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -16,11 +16,27 @@ void take_frictions_away(Model& model) {
   model.sampled.resize(model.sampled.size() - loads);
 }
 
+/// Quantities of tyres and frictions, which expressions may look at, are zero without them.
+void forget_observed(Model& model) {
+  const auto is_gone = [&](const ObservedOutput& observed) {
+    if (std::holds_alternative<WheelOutput>(observed.output.source)) return true;
+    const auto* element = std::get_if<ElementOutput>(&observed.output.source);
+    bool gone = false;
+    if (element)
+      with_kind(element->kind,
+                [&](auto kind) { gone = static_cast<std::size_t>(element->element) >= kind.list(model).size(); });
+    return gone;
+  };
+  for (ObservedOutput& observed : model.observed)
+    if (is_gone(observed)) observed.output.source = ExpressionOutput{0.0};
+}
+
 }  // namespace
 
 void take_away(const Axle& axle, Model& model) {
   model.tyres.clear();
   take_frictions_away(model);
+  forget_observed(model);
   model.outputs.clear();
   model.notes.clear();
   model.initial = {};

@@ -104,6 +104,14 @@ struct WeaveManoeuvre : ManoeuvreBase, SteerAmplitude {
   double cycles = 0;
 };
 
+/// ISO 19365: a sine of steering that rests at its second peak.
+struct DwellManoeuvre : ManoeuvreBase, SteerAmplitude {
+  double at = 0, frequency = 0, dwell = 0;  ///< s, Hz, s
+  Side side = Side::left;
+
+  double end() const { return at + 1 / frequency + dwell; }  ///< s, of the steering
+};
+
 /// Straight-line braking.
 struct BrakingManoeuvre : ManoeuvreBase {
   std::optional<double> brake, deceleration;  ///< N m, sum of all wheels; m/s^2
@@ -117,7 +125,7 @@ struct BrakingManoeuvre : ManoeuvreBase {
 struct RideManoeuvre : ManoeuvreBase {};
 
 using Manoeuvre = std::variant<EventManoeuvre, CircleManoeuvre, StepManoeuvre, SweepManoeuvre, LaneManoeuvre,
-                               WeaveManoeuvre, BrakingManoeuvre, RideManoeuvre>;
+                               WeaveManoeuvre, BrakingManoeuvre, RideManoeuvre, DwellManoeuvre>;
 
 /// Name of the type in files.
 std::string type_of(const Manoeuvre& manoeuvre);

@@ -58,6 +58,9 @@ struct Measures {
   VehicleMetrics operator()(const WeaveManoeuvre& weave) const {
     return weave_metrics(from(series, plan.begin), {.frequency = weave.frequency});
   }
+  VehicleMetrics operator()(const DwellManoeuvre& dwell) const {
+    return dwell_metrics(series, {.begin = dwell.at, .frequency = dwell.frequency, .dwell = dwell.dwell});
+  }
   VehicleMetrics operator()(const BrakingManoeuvre& braking) const { return braking_metrics(series, {braking.at}); }
   VehicleMetrics operator()(const RideManoeuvre&) const { return ride_metrics(series, {plan.begin}); }
 };

@@ -66,6 +66,14 @@ struct Weave {
 };
 VehicleMetrics weave_metrics(const VehicleSeries& series, const Weave& weave);
 
+/// A sine of steering that rests at its second peak, ISO 19365 and UN Regulation 140.
+struct SineWithDwell {
+  double begin = 0;        ///< s, of the steering
+  double frequency = 0.7;  ///< Hz
+  double dwell = 0.5;      ///< s
+};
+VehicleMetrics dwell_metrics(const VehicleSeries& series, const SineWithDwell& sine);
+
 /// A section of the track of a lane change, in the frame of the track.
 struct LaneSection {
   double from = 0, to = 0;     ///< m, along x

@@ -109,6 +109,18 @@ struct Planner {
     return plan;
   }
 
+  Plan operator()(const DwellManoeuvre& dwell) const {
+    constexpr double kReleased = 0.1, kAfter = 4;  // s
+    Plan plan = at_speed(dwell, true);
+    const double turned = dwell.lateral_acceleration ? 1 : std::copysign(1.0, vehicle().steer_ratio);
+    plan.steer.add_sine_with_dwell(sign(dwell.side) * turned * amplitude(dwell, dwell), dwell.at, dwell.frequency,
+                                   dwell.dwell);
+    plan.torques.push_back({.at = dwell.at, .over = kReleased});
+    plan.length_of = "at";
+    plan.duration = dwell.end() + kAfter;
+    return plan;
+  }
+
   Plan operator()(const RideManoeuvre& ride) const {
     Plan plan = at_speed(ride, false);
     if (vehicle().steer >= 0) drive_along(plan, straight_path());

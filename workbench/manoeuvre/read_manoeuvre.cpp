@@ -111,6 +111,10 @@ void check(Reader& reader, const Value& value, Written<WeaveManoeuvre>& written)
   check_amplitude(reader, value, written);
 }
 
+void check(Reader& reader, const Value& value, Written<DwellManoeuvre>& written) {
+  check_amplitude(reader, value, written);
+}
+
 void check(Reader& reader, const Value& value, Written<BrakingManoeuvre>& written) {
   require_one(reader, value, {"brake", "deceleration"});
   check_acceleration(reader, value, "deceleration", written.deceleration);
@@ -136,10 +140,10 @@ Manoeuvre read_as(Reader& reader, const Value& value) {
 }
 
 /// Readers in the order of manoeuvre_types().
-constexpr std::array<Manoeuvre (*)(Reader&, const Value&), 9> kReaders = {
-    read_as<EventManoeuvre>,   read_as<CircleManoeuvre>,  read_as<StepManoeuvre>,
-    read_as<SweepManoeuvre>,   read_as<LaneManoeuvre>,    read_as<WeaveManoeuvre>,
-    read_as<BrakingManoeuvre>, read_as<BrakingManoeuvre>, read_as<RideManoeuvre>};
+constexpr std::array<Manoeuvre (*)(Reader&, const Value&), 10> kReaders = {
+    read_as<EventManoeuvre>, read_as<CircleManoeuvre>, read_as<StepManoeuvre>,    read_as<SweepManoeuvre>,
+    read_as<LaneManoeuvre>,  read_as<WeaveManoeuvre>,  read_as<BrakingManoeuvre>, read_as<BrakingManoeuvre>,
+    read_as<RideManoeuvre>,  read_as<DwellManoeuvre>};
 
 Manoeuvre read(Reader& reader, const Value& value) {
   const Value* type = find(value, "type");
@@ -188,7 +192,8 @@ Result<Manoeuvre> read_manoeuvre_file(const std::string& path) {
 std::string type_of(const Manoeuvre& manoeuvre) {
   const std::size_t index = manoeuvre.index();
   const BrakingManoeuvre* braking = std::get_if<BrakingManoeuvre>(&manoeuvre);
-  const bool is_later = (braking && braking->is_split) || std::holds_alternative<RideManoeuvre>(manoeuvre);
+  const bool is_later = (braking && braking->is_split) || std::holds_alternative<RideManoeuvre>(manoeuvre) ||
+                        std::holds_alternative<DwellManoeuvre>(manoeuvre);
   return std::string(reading::manoeuvre_types()[is_later ? index + 1 : index]);
 }
 

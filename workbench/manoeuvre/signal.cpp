@@ -83,6 +83,17 @@ void Signal::add_sine(double amplitude, double at, double frequency, double cycl
   });
 }
 
+void Signal::add_sine_with_dwell(double amplitude, double at, double frequency, double dwell) {
+  const double turning = 2 * std::numbers::pi * frequency, peak = 0.75 / frequency, end = 1 / frequency;
+  parts.emplace_back([=](double t) {
+    const double s = t - at < peak ? t - at : std::max(peak, t - at - dwell);
+    if (s <= 0 || s >= end) return Rates{};
+    const Rates sine = sine_of({turning * s, turning, 0});
+    if (s == peak) return Rates{amplitude * sine.value, 0, 0};
+    return Rates{amplitude * sine.value, amplitude * sine.rate, amplitude * sine.acceleration};
+  });
+}
+
 void Signal::add_sweep(double amplitude, double at, double first_frequency, double last_frequency, double duration) {
   const double growth = std::log(last_frequency / first_frequency) / duration;  // 1/s
   const double turning = 2 * std::numbers::pi * first_frequency;

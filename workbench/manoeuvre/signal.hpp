@@ -28,6 +28,8 @@ struct Signal {
   void add_ramp(double change, double at, double rate);
   /// Adds cycles of a sine; the number need not be whole.
   void add_sine(double amplitude, double at, double frequency, double cycles);
+  /// Adds one cycle of a sine that rests for `dwell` seconds at its second peak.
+  void add_sine_with_dwell(double amplitude, double at, double frequency, double dwell);
   /// Adds a sine with exponentially growing frequency over `duration`; its amplitude grows during the first cycle.
   void add_sweep(double amplitude, double at, double first_frequency, double last_frequency, double duration);
   /// Adds PCHIP interpolation of points, times since `at`.

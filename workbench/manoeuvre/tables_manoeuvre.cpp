@@ -6,9 +6,9 @@
 namespace mbgen::reading {
 namespace {
 
-constexpr std::array<std::string_view, 9> kTypes = {"events",           "steady_circle",    "step_steer",
-                                                    "sine_sweep",       "lane_change",      "weave",
-                                                    "straight_braking", "mu_split_braking", "ride"};
+constexpr std::array<std::string_view, 10> kTypes = {
+    "events", "steady_circle",    "step_steer",       "sine_sweep", "lane_change",
+    "weave",  "straight_braking", "mu_split_braking", "ride",       "sine_with_dwell"};
 /// In the order of Side.
 constexpr std::array<std::string_view, 2> kSides = {"left", "right"};
 /// In the order of CircleManoeuvre::Method.
@@ -253,6 +253,20 @@ std::span<const Field<Written<RideManoeuvre>>> fields<Written<RideManoeuvre>>() 
   return table;
 }
 
+template <>
+std::span<const Field<Written<DwellManoeuvre>>> fields<Written<DwellManoeuvre>>() {
+  using F = Written<DwellManoeuvre>;
+  static const std::vector table = with_common<F>(
+      speed_info(),
+      {field<F, &F::steer>(amplitude_info("amplitude at the input")),
+       field<F, &F::lateral_acceleration>(lateral_info()),
+       field<F, &F::at>(number("at", "when it begins; the throttle is released", "s", 1, Bound::not_negative)),
+       field<F, &F::frequency>(number("frequency", "of the sine", "Hz", 0.7)),
+       field<F, &F::dwell>(number("dwell", "rest at the second peak", "s", 0.5, Bound::not_negative)),
+       field<F, &F::side>(side_info())});
+  return table;
+}
+
 std::span<const std::string_view> manoeuvre_types() { return kTypes; }
 
 std::vector<ObjectKind> manoeuvre_kinds() {
@@ -273,6 +287,9 @@ std::vector<ObjectKind> manoeuvre_kinds() {
           "braking on split friction, different on the left and right of the road; one of brake and deceleration",
           torque),
       kind_of<Written<RideManoeuvre>>(kTypes[8], "straight over the model's road at a speed"),
+      kind_of<Written<DwellManoeuvre>>(
+          kTypes[9], "sine of steering that rests at its second peak, ISO 19365; one of steer and lateral_acceleration",
+          amplitude),
       kind_of<Event>("event",
                      "change at an instant; exactly one of steer, steer_table, drive, brake, speed, free and input"),
       kind_of<DriverSettings>("driver", "a driver model with preview"),

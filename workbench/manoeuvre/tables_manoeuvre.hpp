@@ -37,6 +37,8 @@ std::span<const Field<Written<LaneManoeuvre>>> fields<Written<LaneManoeuvre>>();
 template <>
 std::span<const Field<Written<WeaveManoeuvre>>> fields<Written<WeaveManoeuvre>>();
 template <>
+std::span<const Field<Written<DwellManoeuvre>>> fields<Written<DwellManoeuvre>>();
+template <>
 std::span<const Field<Written<BrakingManoeuvre>>> fields<Written<BrakingManoeuvre>>();
 template <>
 std::span<const Field<Written<RideManoeuvre>>> fields<Written<RideManoeuvre>>();

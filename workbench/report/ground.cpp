@@ -166,7 +166,9 @@ Json ground_json(const Model& model, const GenericSolver& solver, const std::vec
     if (!is_known(t))
       work.note(fmt::format("{} depends on inputs, which a result does not hold: {}.", what,
                             tyre.road < 0 ? "it is drawn with their defaults" : "it is not drawn"));
-    else if (looks_at(model, tyre, {Kind::time, Kind::position, Kind::velocity, Kind::state, Kind::length, Kind::rate}))
+    else if (looks_at(
+                 model, tyre,
+                 {Kind::time, Kind::position, Kind::velocity, Kind::state, Kind::length, Kind::rate, Kind::observed}))
       work.note(fmt::format("{} moves: it is drawn as it is at {:g} s.", what, frames.front().t));
   }
   Json json = {{"strips", Json::array()}, {"tracks", Json::array()}, {"floor", nullptr}, {"notes", Json::array()}};

@@ -24,10 +24,10 @@ struct BristleEnd {
 };
 
 /// All bristles of a model, in the order of their states. Requires: `system` has the state's auxiliary states. Ensures:
-/// the state's lengths are set for expressions.
+/// states, lengths and outputs are set for expressions.
 inline std::vector<BristleEnd> bristle_ends(System<double>& system, const Kinematics<double>& k,
                                             const Velocities<double>& v) {
-  see_states_and_lengths(system, k, v);
+  see_values(system, k, v);
   std::vector<BristleEnd> ends;
   const auto add = [&](const FrictionLaw& friction, const std::string& name, double rate) {
     const auto value = [&](const Quantity& q) { return value_of(system.model, q, system.environment); };

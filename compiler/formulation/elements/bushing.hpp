@@ -122,7 +122,7 @@ void apply(ForceWork<T>& work, const Bushing& bushing) {
   detail_bushing(work, at, state, bushing.name);
   name(work.system.annotator, state.deflection, "q_", bushing.name);
   name(work.system.annotator, state.force, "f_", bushing.name);
-  states_of<Bushing>(work.forces).push_back(std::move(state));
+  state_for(work.system, work.forces, bushing) = std::move(state);
 }
 
 /// Freedoms of a bushing with a force.

@@ -176,7 +176,7 @@ void apply(ForceWork<T>& work, const Kind& element) {
     detail_force(work, at, resistance_in(acting), element.name);
     at.resist(work, resistance_in(acting));
     if constexpr (requires { seen_as(element, at, acting); })
-      states_of<Kind>(work.forces).push_back(seen_as(element, at, acting));
+      state_for(work.system, work.forces, element) = seen_as(element, at, acting);
   });
 }
 

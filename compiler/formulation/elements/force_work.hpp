@@ -71,6 +71,14 @@ const auto& state_of(const System<T>& system, const AppliedForces<T>& forces, co
   return states_of<Kind>(forces)[index_in(KindOf<Kind>::list(system.model), element)];
 }
 
+/// Place for the quantities of an element.
+template <class T, class Kind>
+auto& state_for(const System<T>& system, AppliedForces<T>& forces, const Kind& element) {
+  const auto& list = KindOf<Kind>::list(system.model);
+  states_of<Kind>(forces).resize(list.size());
+  return states_of<Kind>(forces)[index_in(list, element)];
+}
+
 /// Value of a spring's quantity by its index.
 template <class T>
 T shown(const ElementState<T>& state, int quantity, int /*axis*/) {
@@ -134,6 +142,7 @@ struct MovedEnvironment {
     return seen(environment.length(i), moves(ExpressionNode::Kind::length) && moved->index == i);
   }
   A rate(int i) const { return seen(environment.rate(i), moves(ExpressionNode::Kind::rate) && moved->index == i); }
+  A output(int i) const { return A(environment.output(i)); }
 
  private:
   bool moves(ExpressionNode::Kind kind) const { return moved != nullptr && moved->kind == kind; }

@@ -104,6 +104,10 @@ struct Slope {
     const bool stands = is_zero(a.slope) && is_zero(b.slope);
     return {select(condition.value, a.value, b.value), stands ? T(0.0) : T(select(condition.value, a.slope, b.slope))};
   }
+  friend Slope floor(const Slope& x) {
+    using std::floor;
+    return {floor(x.value), T(0.0)};
+  }
   friend Slope abs(const Slope& x) { return select(x, x, -x); }
   friend Slope min(const Slope& a, const Slope& b) { return select(b - a, a, b); }
   friend Slope max(const Slope& a, const Slope& b) { return select(a - b, a, b); }

@@ -200,7 +200,7 @@ bool act_by_shared_law(ForceWork<T>& work, const Tyre& tyre, std::size_t i, cons
 template <class T>
 void apply(ForceWork<T>& work, const Tyre& tyre) {
   const std::size_t i = index_in(work.system.model.tyres, tyre);
-  TyreResult<T>& seen = states_of<Tyre>(work.forces).emplace_back();  // zero where a law is shared
+  TyreResult<T>& seen = state_for(work.system, work.forces, tyre);  // zero where a law is shared
   const RoadPlane<T> road = road_plane(work, tyre);
   const WheelMotion<T> wheel = wheel_motion(work, tyre, i, road);
   const TyreProperties<T> properties = properties_on<T>(work, tyre, road);

@@ -30,6 +30,7 @@ void see_states_and_lengths(System<T>& system, const Kinematics<T>& k, const Vel
   environment.states.assign(system.x.begin() + first_user_state(model), system.x.end());
   const std::set<int> looked_at = detail::lengths_looked_at(model);
   const T unseen(0.0);
+  environment.observed.assign(model.observed.size(), T(0.0));
   environment.lengths.clear();
   environment.rates.clear();
   each_line(model, [&](const auto& element) {
@@ -61,7 +62,8 @@ void user_states(ForceWork<T>& work) {
 }  // namespace detail
 
 /// Auxiliary states that are constant between instants, after the values of `due` are set. due: per sampled value, 1 if
-/// its instant is now, else 0; loads: see reaction_loads, none if no value is a load. Requires: see_states_and_lengths.
+/// its instant is now, else 0; loads: see reaction_loads, none if no value is a load. Requires: see_values, or
+/// reaction_loads.
 template <class T>
 std::vector<T> sampled_states(System<T>& system, const std::vector<T>& due, const std::vector<T>& loads) {
   using mbgen::select;

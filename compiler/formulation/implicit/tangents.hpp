@@ -1,10 +1,9 @@
 #pragma once
 // Tangents of all force elements.
 
-#include "compiler/formulation/elements/every_kind.hpp"
+#include "compiler/formulation/elements/applied_forces.hpp"
 #include "compiler/formulation/elements/tyre_tangents.hpp"
 #include "compiler/formulation/elements/user_state_tangents.hpp"
-#include "compiler/formulation/elements/user_states.hpp"
 
 namespace mbgen {
 
@@ -13,7 +12,7 @@ namespace mbgen {
 /// number of elements.
 template <class T>
 std::vector<ElementTangents<T>> force_tangents(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v) {
-  see_states_and_lengths(system, k, v);  // that laws look at
+  see_values(system, k, v);  // that laws look at
   AppliedForces<T> none;
   none.about = v.about;
   detail::ForceWork<T> work{system, k, v, none};

@@ -86,8 +86,8 @@ bool look_at_motion(const Model& model, const Fields&... fields) {
   using Kind = ExpressionNode::Kind;
   bool looks = false;
   const auto look = [&](int expression) {
-    looks =
-        looks || mentions(model, expression, {Kind::position, Kind::velocity, Kind::state, Kind::length, Kind::rate});
+    looks = looks || mentions(model, expression,
+                              {Kind::position, Kind::velocity, Kind::state, Kind::length, Kind::rate, Kind::observed});
   };
   (each_expression_in(fields, look), ...);
   return looks;

@@ -182,7 +182,8 @@ void note_steps_below(Reader& reader, const Value& value, const TyreFields& tyre
   if (!road.height) return;
   const auto may_jump = [](const ExpressionNode& node) {
     return node.kind == ExpressionNode::Kind::call &&
-           (node.function == Function::step || node.function == Function::sign || node.function == Function::select);
+           (node.function == Function::step || node.function == Function::sign || node.function == Function::select ||
+            node.function == Function::floor);
   };
   if (std::ranges::any_of(reader.model.expressions[static_cast<std::size_t>(*road.height)].nodes, may_jump))
     note(

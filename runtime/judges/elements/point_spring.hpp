@@ -16,7 +16,7 @@ inline void apply(const AtWork& at, const PointSpring& spring, Forces& forces) {
   const Line line = line_between(part.from, part.to, at.bodies);
   const double pull = tension(spring, at.value, line.length, line.rate, part.reference);
   add_tension(line, pull, forces);
-  forces.springs.push_back({line.length, line.rate, pull, pull});
+  forces.springs[index_of(at, spring)] = {line.length, line.rate, pull, pull};
 }
 
 inline double shown(const AtWork& at, const Forces& forces, const PointSpring& spring, int quantity, int) {

@@ -15,7 +15,7 @@ inline void apply(const AtWork& at, const Tyre& tyre, Forces& forces) {
   forces.xd[2 * w] = wheel.result.du;
   forces.xd[2 * w + 1] = wheel.result.dv;
   if (tyre.parking) forces.xd[static_cast<std::size_t>(turn_state(at.c.model, w))] = wheel.result.dturn;
-  forces.tyres.push_back(wheel.result);
+  forces.tyres[w] = wheel.result;
 }
 
 inline double shown(const AtWork& at, const Forces& forces, const Tyre& tyre, int quantity, int) {

@@ -1,0 +1,86 @@
+#pragma once
+// Nodes of an expression while it is parsed, constants folded, and the problems found. A part of parse_expression.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/expressions/evaluate.hpp"
+#include "compiler/expressions/parse_expression.hpp"
+
+namespace mbgen::reading {
+
+/// Invariant: every operand of nodes_ stands before its user, and the last node is the latest value.
+class ExpressionNodes {
+ protected:
+  static constexpr std::size_t kMostNodes = 10'000;  ///< far beyond what people write; some passes are quadratic
+  using Kind = ExpressionNode::Kind;
+
+  int fail(std::size_t offset, std::string message, std::string hint = {}) {
+    problems_.push_back({offset, std::move(message), std::move(hint)});
+    return -1;
+  }
+
+  int push(ExpressionNode node) {
+    if (nodes_.size() >= kMostNodes) {
+      return fail(at_, fmt::format("expression has more than {} numbers, names and operations", kMostNodes));
+    }
+    nodes_.push_back(node);
+    return static_cast<int>(nodes_.size()) - 1;
+  }
+
+  int push_number(double number) {
+    ExpressionNode node;
+    node.number = number;
+    return push(node);
+  }
+
+  int push_indexed(Kind kind, int index) {
+    ExpressionNode node;
+    node.kind = kind;
+    node.index = index;
+    return push(node);
+  }
+
+  /// The value of another expression, node by node.
+  int push_copy(const std::vector<ExpressionNode>& nodes) {
+    const int first = static_cast<int>(nodes_.size());
+    int last = -1;
+    for (ExpressionNode node : nodes) {
+      for (int* operand : {&node.first, &node.second, &node.third}) *operand += *operand < 0 ? 0 : first;
+      if ((last = push(node)) < 0) return last;
+    }
+    return last;
+  }
+
+  bool is_number(int index) const { return index < 0 || nodes_[static_cast<std::size_t>(index)].kind == Kind::number; }
+  double number_at(int index) const { return index < 0 ? 0 : nodes_[static_cast<std::size_t>(index)].number; }
+
+  /// A call node, or its value when all operands are numbers. Constant operands are the last nodes of the array.
+  int push_call(Function function, std::size_t offset, int first, int second = -1, int third = -1) {
+    ExpressionNode node;
+    node.kind = Kind::call;
+    node.function = function;
+    node.first = first;
+    node.second = second;
+    node.third = third;
+    if (!is_number(first) || !is_number(second) || !is_number(third)) return push(node);
+    const double a = number_at(first), b = number_at(second), c = number_at(third);
+    const double value = function == Function::power ? power_by_constant(a, b) : apply(function, a, b, c);
+    const bool spoiled = std::isnan(a) || std::isnan(b) || std::isnan(c);  // by a parameter that could not be read
+    if (!std::isfinite(value) && !spoiled && problems_.empty()) {
+      fail(offset, std::isnan(value) ? "value is not a number here" : "value is infinite here");
+    }
+    nodes_.resize(nodes_.size() - static_cast<std::size_t>(1 + (second >= 0) + (third >= 0)));
+    return push_number(value);
+  }
+
+  std::size_t at_ = 0;  ///< byte of the text
+  std::vector<ExpressionNode> nodes_;
+  std::vector<ExpressionProblem> problems_;
+};
+
+}  // namespace mbgen::reading

@@ -1,0 +1,164 @@
+// Outputs that expressions look at: the order in which they become known, and uses that come before this.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "compiler/model/element_access.hpp"
+#include "compiler/reader/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+/// Whether a source follows from accelerations or multipliers.
+bool needs_accelerations(const PointOutput& output) { return output.what == PointOutput::What::acceleration; }
+bool needs_accelerations(const CoordinateOutput& output) { return output.what == CoordinateOutput::What::acceleration; }
+bool needs_accelerations(const RotationOutput& output) {
+  return output.what == RotationOutput::What::angular_acceleration;
+}
+bool needs_accelerations(const ReactionOutput&) { return true; }
+bool needs_accelerations(const MultiplierOutput&) { return true; }
+bool needs_accelerations(const DriveOutput&) { return true; }
+template <class Source>
+bool needs_accelerations(const Source&) {
+  return false;
+}
+
+/// Puts the outputs that expressions look at into order, depth first.
+class ObservedOrder {
+ public:
+  explicit ObservedOrder(Reader& reader) : reader_(reader), model_(reader.model) {}
+
+  /// Index into Model::observed of an output, -1 in a circle.
+  int visit(int output) {
+    if (const auto done = place_.find(output); done != place_.end()) {
+      if (done->second < 0) tell_circle(output);
+      return done->second;
+    }
+    place_[output] = -1;
+    way_.push_back(output);
+    ObservedOutput observed{model_.outputs[static_cast<std::size_t>(output)]};
+    std::visit([&](const auto& source) { observed.round = round_of_source(source); }, observed.output.source);
+    way_.pop_back();
+    model_.observed.push_back(std::move(observed));
+    return place_[output] = static_cast<int>(model_.observed.size()) - 1;
+  }
+
+ private:
+  template <class Source>
+  int round_of_source(const Source& source) {
+    if (needs_accelerations(source)) return kAfterForces;
+    if constexpr (std::is_same_v<Source, ExpressionOutput>) return round_of_expression(source);
+    if constexpr (std::is_same_v<Source, ElementOutput>) return round_of_element(source);
+    if constexpr (std::is_same_v<Source, StoredEnergyOutput>) return round_of_stored_energy();
+    return kBeforeForces;
+  }
+
+  /// The latest round of the outputs in an expression; `least` without any.
+  int latest(int expression, int least) {
+    for (const ExpressionNode& node : model_.expressions[static_cast<std::size_t>(expression)].nodes) {
+      if (node.kind != ExpressionNode::Kind::observed) continue;
+      const int known = visit(node.index);
+      if (known >= 0) least = std::max(least, model_.observed[static_cast<std::size_t>(known)].round);
+    }
+    return least;
+  }
+
+  int round_of_expression(const ExpressionOutput& output) {
+    return output.value.expression < 0 ? kBeforeForces : latest(output.value.expression, kBeforeForces);
+  }
+
+  /// As round_of, while outputs are still put into order.
+  template <class Element>
+  int round_of_law(const Element& element) {
+    int latest_known = kBeforeForces;
+    each_expression(element, [&](int expression) { latest_known = latest(expression, latest_known); });
+    return latest_known == kAfterForces ? kAfterForces : latest_known + 1;
+  }
+
+  int round_of_element(const ElementOutput& output) {
+    int round = 0;
+    with_kind(output.kind, [&]<class Kind>(KindOf<Kind> kind) {
+      if (output.element < 0) return;
+      round = round_of_law(kind.list(model_)[static_cast<std::size_t>(output.element)]);
+      if constexpr (std::is_same_v<Kind, PointSpring>) {
+        for (const SpringFriction& friction : model_.spring_frictions)  // which adds to the spring's force
+          if (friction.spring == output.element) round = std::max({round, round_of_law(friction), pressed(friction)});
+      } else if constexpr (std::is_base_of_v<FrictionLaw, Kind>) {
+        round = std::max(round, pressed(kind.list(model_)[static_cast<std::size_t>(output.element)]));
+      }
+    });
+    return round;
+  }
+
+  /// Round of the spring that presses a friction.
+  int pressed(const FrictionLaw& friction) {
+    return friction.normal < 0 ? 0 : round_of_law(model_.springs[static_cast<std::size_t>(friction.normal)]);
+  }
+
+  int round_of_stored_energy() {
+    int round = 0;
+    each_element(model_, [&](const auto& element) {
+      if constexpr (KindOf<std::decay_t<decltype(element)>>::is_elastic) round = std::max(round, round_of_law(element));
+    });
+    return round;
+  }
+
+  void tell_circle(int output) {
+    std::vector<std::string> names;
+    for (auto at = std::find(way_.begin(), way_.end(), output); at != way_.end(); ++at)
+      names.push_back("out." + model_.outputs[static_cast<std::size_t>(*at)].name);
+    names.push_back(names.front());
+    const auto use = std::find_if(reader_.output_uses.begin(), reader_.output_uses.end(),
+                                  [&](const WrittenOutputUse& one) { return one.output == output; });
+    const InScope in_scope(reader_, use->scope);
+    report(reader_, use->place, fmt::format("output depends on itself: {}", fmt::join(names, " <- ")),
+           "break the circle with a state that follows the value, or with a sampled value");
+  }
+
+  Reader& reader_;
+  Model& model_;
+  std::map<int, int> place_;  ///< output -> place in Model::observed, -1 while on the way
+  std::vector<int> way_;
+};
+
+/// Reports outputs over accelerations where forces and states, from which these follow, look at them.
+void check_uses(Reader& reader, const std::map<int, int>& place) {
+  for (const WrittenOutputUse& use : reader.output_uses) {
+    const auto known = place.find(use.output);
+    if (use.sees_accelerations || known == place.end() || known->second < 0) continue;
+    const ObservedOutput& observed = reader.model.observed[static_cast<std::size_t>(known->second)];
+    if (observed.round != kAfterForces) continue;
+    const InScope in_scope(reader, use.scope);
+    report(reader, use.place,
+           fmt::format("output {} follows from accelerations, and these from forces and states",
+                       in_quotes(observed.output.name)),
+           fmt::format("sample it: \"sampled\": {{\"measured\": {{\"period\": ..., \"value\": \"out.{}\"}}}}, and "
+                       "write measured here",
+                       observed.output.name));
+  }
+}
+
+}  // namespace
+
+void name_outputs(Reader& reader, const Entries& entries) {
+  for (const Entry& entry : entries)
+    reader.names.outputs.emplace(entry.name, static_cast<int>(reader.names.outputs.size()));
+}
+
+void observe_outputs(Reader& reader) {
+  Model& model = reader.model;
+  ObservedOrder order(reader);
+  std::map<int, int> place;
+  for (const WrittenOutputUse& use : reader.output_uses)
+    if (!place.contains(use.output)) place[use.output] = order.visit(use.output);
+  check_uses(reader, place);
+  for (Expression& expression : model.expressions)
+    for (ExpressionNode& node : expression.nodes)
+      if (node.kind == ExpressionNode::Kind::observed) node.index = std::max(place[node.index], 0);
+}
+
+}  // namespace mbgen::reading
