@@ -9,6 +9,7 @@
 
 #include "compiler/text/number.hpp"
 #include "compiler/text/user_error.hpp"
+#include "workbench/drawing/drawing.hpp"
 #include "workbench/host/assignments.hpp"
 #include "workbench/results/results.hpp"
 
@@ -141,6 +142,21 @@ std::string responses_csv(const FrequencyResponses& responses) {
     text += "\n";
   }
   return text;
+}
+
+std::string responses_svg(const FrequencyResponses& responses) {
+  std::vector<Panel> panels;
+  Panel phase{"deg", {}, true};
+  for (const FrequencyResponse& response : responses.all) {
+    const std::string label = response.output + "/" + response.input;
+    const auto same = [&](const Panel& panel) { return panel.unit == response.unit; };
+    auto panel = std::find_if(panels.begin(), panels.end(), same);
+    if (panel == panels.end()) panel = panels.insert(panels.end(), {response.unit, {}});
+    panel->curves.push_back({label, responses.frequencies, magnitudes(response)});
+    phase.curves.push_back({label, responses.frequencies, phases(response)});
+  }
+  panels.push_back(std::move(phase));
+  return plot_svg({"frequency", "Hz", true}, panels);
 }
 
 }  // namespace mbgen::cli

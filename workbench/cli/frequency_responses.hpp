@@ -41,5 +41,7 @@ std::vector<double> phases(const FrequencyResponse& response);
 std::string responses_text(const FrequencyResponses& responses);
 nlohmann::ordered_json responses_json(const FrequencyResponses& responses);
 std::string responses_csv(const FrequencyResponses& responses);
+/// A panel for the magnitudes of each unit, and one for all phases.
+std::string responses_svg(const FrequencyResponses& responses);
 
 }  // namespace mbgen::cli

@@ -130,8 +130,8 @@ std::string neutral_text(const Compilation& compilation, const std::vector<Mode>
                      count == 1 ? "" : fmt::format(" ({} eigenvalues)", count), fmt::join(places, ", "));
 }
 
-std::string heading_text(const LinearizeOptions& options, const Compilation& compilation, const ChosenPoint& chosen,
-                         const LinearSystem& system) {
+std::string point_text(const LinearizeOptions& options, const Compilation& compilation, const ChosenPoint& chosen,
+                       const LinearSystem& system) {
   std::string text = fmt::format("{}: {} states, {} inputs, {} outputs\n", compilation.model.name, system.states.size(),
                                  compilation.model.inputs.size(), compilation.model.outputs.size());
   const auto is_load = [](const SampledValue& value) { return value.load.has_value(); };
@@ -190,11 +190,10 @@ void write_page(const LinearizeOptions& options, const Compilation& compilation,
 
 void write_responses(const LinearizeOptions& options, const Model& model, const FrequencyResponses& responses) {
   for (const std::string& file : options.bode.files) {
-    if (file.ends_with(".csv")) {
-      write_file(file, responses_csv(responses), files_read(model, options.state));
-    } else {
-      throw UserError(fmt::format("--bode-out: \"{}\" is no .csv file\n", file));
-    }
+    const bool is_table = file.ends_with(".csv");
+    if (!is_table && !file.ends_with(".svg"))
+      throw UserError(fmt::format("--bode-out: \"{}\" is no .csv and no .svg file\n", file));
+    write_file(file, is_table ? responses_csv(responses) : responses_svg(responses), files_read(model, options.state));
   }
 }
 
@@ -221,10 +220,10 @@ int run(const LinearizeOptions& options) {
   if (!options.file.empty()) write_file(options.file, json, files_read(compilation.model, options.state));
   if (!options.page.empty()) write_page(options, compilation, point, system, list);
   const std::string& result = is_standard_output(options.page) ? options.page : options.file;
-  print_beside(result, options.json ? json
-                                    : heading_text(options, compilation, chosen, system) +
-                                          modes_text(compilation, list, places) +
-                                          (responses.all.empty() ? "" : responses_text(responses)));
+  print_beside(result, options.json
+                           ? json
+                           : point_text(options, compilation, chosen, system) + modes_text(compilation, list, places) +
+                                 (responses.all.empty() ? "" : responses_text(responses)));
   return kDone;
 }
 
@@ -246,7 +245,8 @@ void add_linearize(NamedCommand application, int& exit_code) {
   command.add_option("--bode", options->bode.pairs, "INPUT:OUTPUT, a frequency response; may be repeated");
   command.add_option("--frequencies", options->bode.frequencies,
                      "FIRST:LAST:COUNT in Hz, evenly on a logarithmic axis");
-  command.add_option("--bode-out", options->bode.files, "write the responses to this file, .csv; may be repeated");
+  command.add_option("--bode-out", options->bode.files,
+                     "write the responses to this file, a table (.csv) or a plot (.svg); may be repeated");
   add_json_option(command, options->json);
   command.callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -32,6 +32,7 @@ struct Panel {
   std::string
       unit;  ///< of all its curves, "" for none: the label of the axis; N, N m, Pa, J and W take a prefix k or M
   std::vector<Curve> curves;
+  bool is_linear = false;  ///< its own axis, beside a logarithmic abscissa
 };
 
 /// Size of a plot, in pixels.

@@ -57,12 +57,12 @@ Ticks decades_around(double low, double high, int most) {
   return ticks;
 }
 
-/// Logarithms of a curve.
-Curve logarithmic(const Curve& curve) {
+/// Logarithms of a curve, of its abscissa alone for a linear one.
+Curve logarithmic(const Curve& curve, bool is_linear) {
   Curve result{curve.label, {}, {}};
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     result.x.push_back(std::log10(curve.x[i]));
-    result.y.push_back(std::log10(curve.y[i]));
+    result.y.push_back(is_linear ? curve.y[i] : std::log10(curve.y[i]));
   }
   return result;
 }
@@ -248,7 +248,7 @@ std::string legend(const Frame& frame, const Panel& panel, const std::string& un
 
 std::string panel_text(const Panel& panel, const Frame& frame, const Axis& axis, bool is_last) {
   const auto [low, high] = extent(panel);
-  const bool is_logarithmic = axis.ticks.is_logarithmic;
+  const bool is_logarithmic = axis.ticks.is_logarithmic && !panel.is_linear;
   const Scale scale =
       is_logarithmic ? Scale{1, panel.unit} : scale_of(panel.unit, std::max(std::abs(low), std::abs(high)));
   constexpr int kVerticalTicks = 4, kMostDecades = 8;
@@ -280,7 +280,8 @@ std::string panel_text(const Panel& panel, const Frame& frame, const Axis& axis,
 std::string plot_svg(const Abscissa& abscissa, const std::vector<Panel>& asked, const PlotSize& size) {
   std::vector<Panel> panels = asked;
   for (Panel& panel : panels) {
-    for (Curve& curve : panel.curves) curve = finite(abscissa.is_logarithmic ? logarithmic(curve) : curve);
+    for (Curve& curve : panel.curves)
+      curve = finite(abscissa.is_logarithmic ? logarithmic(curve, panel.is_linear) : curve);
   }
   const double height = kTop + static_cast<double>(panels.size()) * (size.panel_height + kGap);
   std::string text = fmt::format(
