@@ -48,7 +48,7 @@ bool is_of_part(const std::string& name, const std::string& part) {
 /// The quantities of a part, each once, at its first line.
 std::string part_text(const std::string& file, const std::string& part, const std::vector<EquationLine>& all) {
   std::string text;
-  std::set<std::string> seen;
+  std::set<std::string> seen = names_of_parts(all);
   for (const EquationLine& line : all) {
     const bool is_heading = line.part == part || line.part.starts_with(part + ": ");
     if (!is_of_part(line.name, part) && !(is_heading && !quantity_of(line.name).prefix.empty())) continue;

@@ -126,11 +126,12 @@ std::vector<FittingLine> fitting_lines(const std::vector<EquationLine>& all, con
   const Words wanted = words_of_query(query);
   words = static_cast<int>(wanted.size());
   const KindWords kinds = kind_words();
+  const std::set<std::string> of_sums = names_of_parts(all);
   // Words of the query that fit, then the length of the name by words, then the order of the text.
   std::vector<std::tuple<int, int, std::size_t>> found;
   std::set<std::string> seen;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (quantity_of(all[i].name).prefix.empty() || all[i].name.find("_part_") != std::string::npos) continue;
+    if (quantity_of(all[i].name).prefix.empty() || of_sums.contains(all[i].name)) continue;
     if (!seen.insert(all[i].name).second) continue;
     const Described name = described(all[i].name, parts, kinds);
     int matched = 0, of_part = 0, left = static_cast<int>(name.own.size());
