@@ -150,7 +150,7 @@
 //   qdd: acceleration of a free direction, rad/s^2 or m/s^2
 //   a: acceleration of the origin of a body, less gravity, m/s^2
 //   alpha: angular acceleration of a body, rad/s^2; slip angle of a tyre, rad/s^2 or rad
-//   lambda: multiplier of a closure equation, N or N m
+//   lambda: multiplier of a closure equation; of a rod its tension force, N or N m
 //   inertia: inertia that rounding leaves of none, kg m^2 or kg
 //   share: share that rounding leaves of a number
 //   least: least value that counts

@@ -118,8 +118,12 @@ std::string equation_text(const std::string& file, const std::string& text, cons
   for (const EquationLine& line : all)
     if (line.name == wanted || line.name == std::string(kMinus) + wanted) found.push_back(&line);
   if (!found.empty()) return lines_text(file, found);
-  if (std::string of_part = part_text(file, wanted, all); !of_part.empty()) return of_part;
+  // "force_front_left" begins the names of actions on bodies, but its words fit the forces of the tyre.
+  const bool is_part = parts.empty() || parts.contains(wanted);
+  const std::string of_part = part_text(file, wanted, all);
+  if (is_part && !of_part.empty()) return of_part;
   if (std::string fitting = fitting_text(file, wanted, all, parts); !fitting.empty()) return fitting;
+  if (!of_part.empty()) return of_part;
   throw UserError(fmt::format("--equation: the reading copy has no quantity \"{}\"\n  hint: did you mean {}?\n", wanted,
                               nearest(wanted, all)));
 }

@@ -101,9 +101,17 @@ Described described(const std::string& name, const PartWords& parts, const KindW
   Described words{words_of(rest), words_of(words_by_habit(rest)), kinds.at(kind.prefix)};
   words.kind.push_back(words_of(kind.prefix).empty() ? "" : words_of(kind.prefix).front());
   const std::string within = rest + "_";
-  for (const auto& [part, of_part] : parts)
-    if (within.find("_" + part + "_") != std::string::npos)
-      for (std::string& word : words_of(of_part)) words.parts.push_back(std::move(word));
+  std::vector<const PartWords::value_type*> met;
+  for (const auto& part : parts)
+    if (within.find("_" + part.first + "_") != std::string::npos) met.push_back(&part);
+  for (const auto* part : met) {
+    // "drag" in "drag_link" is no part of its own.
+    const auto is_in = [&](const auto* other) {
+      return other != part && ("_" + other->first + "_").find("_" + part->first + "_") != std::string::npos;
+    };
+    if (std::ranges::any_of(met, is_in)) continue;
+    for (std::string& word : words_of(part->second)) words.parts.push_back(std::move(word));
+  }
   return words;
 }
 
