@@ -250,7 +250,7 @@ constexpr QuantityName kQuantityNames[] = {
     {"zdd", "acceleration of a coordinate", "rad/s^2 or m/s^2"},
     {"a", "acceleration of the origin of a body, less gravity", "m/s^2"},
     {"alpha", "angular acceleration of a body, rad/s^2; slip angle of a tyre", "rad/s^2 or rad"},
-    {"lambda", "multiplier of a closure equation", "N or N m"},
+    {"lambda", "multiplier of a closure equation; of a rod its tension force", "N or N m"},
     // Bounds.
     {"inertia", "inertia that rounding leaves of none", "kg m^2 or kg"},
     {"share", "share that rounding leaves of a number", ""},

@@ -150,7 +150,7 @@
 //   qdd: acceleration of a free direction, rad/s^2 or m/s^2
 //   a: acceleration of the origin of a body, less gravity, m/s^2
 //   alpha: angular acceleration of a body, rad/s^2; slip angle of a tyre, rad/s^2 or rad
-//   lambda: multiplier of a closure equation, N or N m
+//   lambda: multiplier of a closure equation; of a rod its tension force, N or N m
 //   inertia: inertia that rounding leaves of none, kg m^2 or kg
 //   share: share that rounding leaves of a number
 //   least: least value that counts
@@ -1054,16 +1054,16 @@ constexpr double mc_chassis_2 = m_chassis + m_lower_arm_left + m_carrier_left + 
     m6_diag_rod_left + m6_arb_link_rear_left + m6_arb_link_rear_left + m6_long_rod_right +
     m6_long_rod_right + m6_diag_rod_right + m6_diag_rod_right + m6_arb_link_rear_right +
     m6_arb_link_rear_right;  // 15306.0
-constexpr double product_1 = m_arb_front_left*(p_arb_front_left_y + c_arb_front_left_y);  // 4.48
-constexpr double product_1_2 = m_arb_front_right*(p_arb_front_right_y + c_arb_front_right_y);  // -4.48
+constexpr double product = m_arb_front_left*(p_arb_front_left_y + c_arb_front_left_y);  // 4.48
+constexpr double product_2 = m_arb_front_right*(p_arb_front_right_y + c_arb_front_right_y);  // -4.48
 constexpr double mp_pitman_arm_y = m_pitman_arm*p_pitman_arm_y;  // 4.5
-constexpr double product_1_3 = m_arb_rear_left*(p_arb_rear_left_y + c_arb_rear_left_y);  // 4.4
-constexpr double product_1_4 = m_arb_rear_right*(p_arb_rear_right_y + c_arb_rear_right_y);  // -4.4
-constexpr double product_1_5 = m6_arb_link_front_left*place_arb_link_front_left_from_y;  // 0.24
-constexpr double product_1_6 = m6_arb_link_front_right*place_arb_link_front_right_from_y;  // -0.24
+constexpr double product_3 = m_arb_rear_left*(p_arb_rear_left_y + c_arb_rear_left_y);  // 4.4
+constexpr double product_4 = m_arb_rear_right*(p_arb_rear_right_y + c_arb_rear_right_y);  // -4.4
+constexpr double product_5 = m6_arb_link_front_left*place_arb_link_front_left_from_y;  // 0.24
+constexpr double product_6 = m6_arb_link_front_right*place_arb_link_front_right_from_y;  // -0.24
 constexpr double product_of_m6_drag_link_and_p_pitman_arm_y = m6_drag_link*p_pitman_arm_y;  // 0.75
-constexpr double product_1_7 = m6_arb_link_rear_left*place_arb_link_rear_left_from_y;  // 0.2
-constexpr double product_1_8 = m6_arb_link_rear_right*place_arb_link_rear_right_from_y;  // -0.2
+constexpr double product_7 = m6_arb_link_rear_left*place_arb_link_rear_left_from_y;  // 0.2
+constexpr double product_8 = m6_arb_link_rear_right*place_arb_link_rear_right_from_y;  // -0.2
 constexpr double sum_of_mc_chassis_x_and_hp_lower_arm_left_x = m_chassis*c_chassis_x +
     hp_lower_arm_left_x;  // 52.666666666666664
 constexpr double mp_bell_crank_z = m_bell_crank*p_bell_crank_z;  // -10.0
@@ -17063,35 +17063,34 @@ void compute_outputs(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
       (kinetic_energy_part_178 + kinetic_energy_part_179)));
   const double potential_energy_part_1 = m_carrier_left*(r_carrier_left_aux1_y +
       arm_carrier_left_com_y) + m_lower_arm_left*(p_lower_arm_left_y + arm_lower_arm_left_com_y);
-  const double potential_energy_part_2 = product_1 + (m_upper_arm_left*(p_upper_arm_left_y +
+  const double potential_energy_part_2 = product + (m_upper_arm_left*(p_upper_arm_left_y +
       arm_upper_arm_left_com_y) + (m_wheel_front_left*r_wheel_front_left_y +
       potential_energy_part_1));
   const double potential_energy_part_3 = m_carrier_right*(r_carrier_right_aux1_y +
       arm_carrier_right_com_y) + (m_lower_arm_right*(arm_lower_arm_right_com_y +
       p_lower_arm_right_y) + potential_energy_part_2);
-  const double potential_energy_part_4 = m_upper_arm_right*(arm_upper_arm_right_com_y +
-      p_upper_arm_right_y) + (m_wheel_front_right*r_wheel_front_right_y + potential_energy_part_3) +
-      product_1_2;
-  const double potential_energy_part_5 = m_rear_axle*(z_rear_axle_ty + arm_rear_axle_com_y) +
-      (m_bell_crank*arm_bell_crank_com_y + (mp_pitman_arm_y + potential_energy_part_4));
-  const double potential_energy_part_6 = product_1_5 + (m_wheel_rear_right*r_wheel_rear_right_y +
-      (product_1_3 + (m_wheel_rear_left*r_wheel_rear_left_y + potential_energy_part_5)) +
-      product_1_4);
-  const double potential_energy_part_7 = m6_arb_link_front_right*(r_carrier_right_aux1_y + s7_10) +
-      (m6_arb_link_front_left*(r_carrier_left_aux1_y + s7_5) + potential_energy_part_6 +
-      product_1_6);
+  const double potential_energy_part_4 = mp_pitman_arm_y +
+      (m_upper_arm_right*(arm_upper_arm_right_com_y + p_upper_arm_right_y) +
+      (m_wheel_front_right*r_wheel_front_right_y + potential_energy_part_3) + product_2);
+  const double potential_energy_part_5 = product_3 + (m_wheel_rear_left*r_wheel_rear_left_y +
+      (m_rear_axle*(z_rear_axle_ty + arm_rear_axle_com_y) + (m_bell_crank*arm_bell_crank_com_y +
+      potential_energy_part_4)));
+  const double potential_energy_part_6 = m6_arb_link_front_left*(r_carrier_left_aux1_y + s7_5) +
+      (product_5 + (m_wheel_rear_right*r_wheel_rear_right_y + potential_energy_part_5 + product_4))
+      + product_6;
+  const double potential_energy_part_7 = m6_drag_link*s7_14 +
+      (product_of_m6_drag_link_and_p_pitman_arm_y + (m6_arb_link_front_right*(r_carrier_right_aux1_y
+      + s7_10) + potential_energy_part_6));
   const double potential_energy_part_8 = m6_tie_rod_left*(r_carrier_left_aux1_y + s7_19) +
-      (m6_tie_rod_left*s7_16 + (m6_drag_link*s7_14 + (product_of_m6_drag_link_and_p_pitman_arm_y +
-      potential_energy_part_7)));
-  const double potential_energy_part_9 = m6p_long_rod_left_from_y +
-      (m6_tie_rod_right*(r_carrier_right_aux1_y + s7_24) + (potential_energy_part_8 -
-      m6_tie_rod_right*s7_20));
-  const double potential_energy_part_10 = product_1_7 + (m6_diag_rod_left*(z_rear_axle_ty + s7_30) +
-      (m6p_diag_rod_left_from_y + (m6_long_rod_left*(z_rear_axle_ty + s7_27) +
+      (m6_tie_rod_left*s7_16 + potential_energy_part_7) - m6_tie_rod_right*s7_20;
+  const double potential_energy_part_9 = m6_long_rod_left*(z_rear_axle_ty + s7_27) +
+      (m6p_long_rod_left_from_y + (m6_tie_rod_right*(r_carrier_right_aux1_y + s7_24) +
+      potential_energy_part_8));
+  const double potential_energy_part_10 = m6_arb_link_rear_left*(z_rear_axle_ty + s7_35) +
+      (product_7 + (m6_diag_rod_left*(z_rear_axle_ty + s7_30) + (m6p_diag_rod_left_from_y +
       potential_energy_part_9)));
   const double potential_energy_part_11 = m6_long_rod_right*(z_rear_axle_ty + s7_38) +
-      (m6_arb_link_rear_left*(z_rear_axle_ty + s7_35) + potential_energy_part_10 +
-      m6p_long_rod_right_from_y);
+      (potential_energy_part_10 + m6p_long_rod_right_from_y) + m6p_diag_rod_right_from_y;
   const double potential_energy_part_12 = m_wheel_front_left*r_wheel_front_left_x +
       (sum_of_mc_chassis_x_and_hp_lower_arm_left_x + m_carrier_left*(p_lower_arm_left_x +
       arm_carrier_left_com_x));
@@ -17175,14 +17174,13 @@ void compute_outputs(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   const double potential_energy_part_42 = m6_diag_rod_right*(r_rear_axle_aux3_z + s7_39) +
       (potential_energy_part_41 + m6p_diag_rod_right_from_z) - m6_arb_link_rear_right*(s7_42 -
       p_arb_rear_right_z);
-  const double potential_energy_part_43 = m6_arb_link_rear_right*(z_rear_axle_ty - s7_44) +
-      (m6_diag_rod_right*(z_rear_axle_ty + s7_41) + (potential_energy_part_11 +
-      m6p_diag_rod_right_from_y) + product_1_8);
-  const double potential_energy_part_44 = R_chassis_z_x*(m6_arb_link_rear_right*(r_rear_axle_aux1_x
+  const double potential_energy_part_43 = R_chassis_z_x*(m6_arb_link_rear_right*(r_rear_axle_aux1_x
       - s7_45) + potential_energy_part_26);
-  const double potential_energy_part_45 = R_chassis_z_y*potential_energy_part_43 +
-      (potential_energy_part_44 + R_chassis_z_z*(m6_arb_link_rear_right*(r_rear_axle_aux3_z - s7_46)
-      + potential_energy_part_42));
+  const double potential_energy_part_44 = R_chassis_z_y*(m6_arb_link_rear_right*(z_rear_axle_ty -
+      s7_44) + (m6_diag_rod_right*(z_rear_axle_ty + s7_41) + potential_energy_part_11 + product_8));
+  const double potential_energy_part_45 = potential_energy_part_44 + (potential_energy_part_43 +
+      R_chassis_z_z*(m6_arb_link_rear_right*(r_rear_axle_aux3_z - s7_46) +
+      potential_energy_part_42));
   result.potential_energy = -g_z*(mc_chassis_2*r_chassis_aux3_z + potential_energy_part_45);
   // operations: 554 add, 489 multiply
 }

@@ -48,7 +48,7 @@ bool is_of_part(const std::string& name, const std::string& part) {
 /// The quantities of a part, each once, at its first line.
 std::string part_text(const std::string& file, const std::string& part, const std::vector<EquationLine>& all) {
   std::string text;
-  std::set<std::string> seen;
+  std::set<std::string> seen = names_of_parts(all);
   for (const EquationLine& line : all) {
     const bool is_heading = line.part == part || line.part.starts_with(part + ": ");
     if (!is_of_part(line.name, part) && !(is_heading && !quantity_of(line.name).prefix.empty())) continue;
@@ -118,8 +118,12 @@ std::string equation_text(const std::string& file, const std::string& text, cons
   for (const EquationLine& line : all)
     if (line.name == wanted || line.name == std::string(kMinus) + wanted) found.push_back(&line);
   if (!found.empty()) return lines_text(file, found);
-  if (std::string of_part = part_text(file, wanted, all); !of_part.empty()) return of_part;
+  // "force_front_left" begins the names of actions on bodies, but its words fit the forces of the tyre.
+  const bool is_part = parts.empty() || parts.contains(wanted);
+  const std::string of_part = part_text(file, wanted, all);
+  if (is_part && !of_part.empty()) return of_part;
   if (std::string fitting = fitting_text(file, wanted, all, parts); !fitting.empty()) return fitting;
+  if (!of_part.empty()) return of_part;
   throw UserError(fmt::format("--equation: the reading copy has no quantity \"{}\"\n  hint: did you mean {}?\n", wanted,
                               nearest(wanted, all)));
 }

@@ -2,6 +2,7 @@
 
 #include <regex>
 #include <sstream>
+#include <string_view>
 
 namespace mbgen {
 namespace {
@@ -85,6 +86,19 @@ std::vector<EquationLine> equations_in(const std::string& text) {
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) reader.read(line);
   return reader.lines;
+}
+
+std::set<std::string> names_of_parts(const std::vector<EquationLine>& all) {
+  constexpr std::string_view kPart = "_part_";
+  std::set<std::string> names, parts;
+  for (const EquationLine& line : all) names.insert(line.name);
+  for (const std::string& name : names) {
+    const std::size_t at = name.rfind(kPart);
+    if (at == std::string::npos || name.find_first_not_of("0123456789", at + kPart.size()) != std::string::npos)
+      continue;
+    if (names.contains(name.substr(0, at))) parts.insert(name);
+  }
+  return parts;
 }
 
 }  // namespace mbgen

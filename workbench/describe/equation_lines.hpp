@@ -1,6 +1,7 @@
 #pragma once
 // Quantities in the reading copy of a solver: the line of each, with its program, its step and its part of the model.
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,8 @@ struct EquationLine {
 
 /// Every quantity that the text of a reading copy defines, in its order.
 std::vector<EquationLine> equations_in(const std::string& text);
+
+/// The names among them of parts of long sums: "Fz_tyre_part_2" beside "Fz_tyre".
+std::set<std::string> names_of_parts(const std::vector<EquationLine>& all);
 
 }  // namespace mbgen

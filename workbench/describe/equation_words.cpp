@@ -101,9 +101,17 @@ Described described(const std::string& name, const PartWords& parts, const KindW
   Described words{words_of(rest), words_of(words_by_habit(rest)), kinds.at(kind.prefix)};
   words.kind.push_back(words_of(kind.prefix).empty() ? "" : words_of(kind.prefix).front());
   const std::string within = rest + "_";
-  for (const auto& [part, of_part] : parts)
-    if (within.find("_" + part + "_") != std::string::npos)
-      for (std::string& word : words_of(of_part)) words.parts.push_back(std::move(word));
+  std::vector<const PartWords::value_type*> met;
+  for (const auto& part : parts)
+    if (within.find("_" + part.first + "_") != std::string::npos) met.push_back(&part);
+  for (const auto* part : met) {
+    // "drag" in "drag_link" is no part of its own.
+    const auto is_in = [&](const auto* other) {
+      return other != part && ("_" + other->first + "_").find("_" + part->first + "_") != std::string::npos;
+    };
+    if (std::ranges::any_of(met, is_in)) continue;
+    for (std::string& word : words_of(part->second)) words.parts.push_back(std::move(word));
+  }
   return words;
 }
 
@@ -126,11 +134,12 @@ std::vector<FittingLine> fitting_lines(const std::vector<EquationLine>& all, con
   const Words wanted = words_of_query(query);
   words = static_cast<int>(wanted.size());
   const KindWords kinds = kind_words();
+  const std::set<std::string> of_sums = names_of_parts(all);
   // Words of the query that fit, then the length of the name by words, then the order of the text.
   std::vector<std::tuple<int, int, std::size_t>> found;
   std::set<std::string> seen;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (quantity_of(all[i].name).prefix.empty() || all[i].name.find("_part_") != std::string::npos) continue;
+    if (quantity_of(all[i].name).prefix.empty() || of_sums.contains(all[i].name)) continue;
     if (!seen.insert(all[i].name).second) continue;
     const Described name = described(all[i].name, parts, kinds);
     int matched = 0, of_part = 0, left = static_cast<int>(name.own.size());
