@@ -123,10 +123,14 @@ def models(out):
         text = subprocess.run([grown, "four-bar", str(bars)], check=True, capture_output=True, text=True).stdout
         yield f"row of {bars} four-bars", written(f"row_{bars}", text), 1e-3, 4000
     yield "body on a rod, full circles", written("on_rod", body_on_rod(0.5)), 1e-3, 4000
-    yield "coach, slalom", ROOT / "models" / "coach.json", 1e-3, 4000
-    yield "coach, hump", ROOT / "models" / "rides" / "coach_hump.json", 1e-3, 4000
-    yield "truck, slalom", ROOT / "models" / "truck.json", 1e-3, 4000
-    yield "truck, hump", ROOT / "models" / "rides" / "truck_hump.json", 1e-3, 4000
+    for vehicle in ("coach", "truck"):
+        yield f"{vehicle}, slalom", ROOT / "models" / f"{vehicle}.json", 1e-3, 4000
+        kerb = {"mbgen": 1, "name": f"{vehicle}_kerb",
+                "include": [os.path.relpath(ROOT / "models" / f"{vehicle}.json", out)],
+                "roads": {"street": {"features": {
+                    "kerb": {"type": "plank", "from": 10, "length": 15, "height": 0.05, "ramp": 0.1}}}}}
+        yield f"{vehicle}, over a kerb", written(f"{vehicle}_kerb", kerb), 1e-3, 4000
+        yield f"{vehicle}, hump", ROOT / "models" / "rides" / f"{vehicle}_hump.json", 1e-3, 4000
 
 
 LOOP_LINES = (("if (factor != 0) {\n", "2 * (loop.coordinates - k)"), ("int at = -1;\n", "loop.coordinates - first"))

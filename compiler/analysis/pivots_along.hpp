@@ -16,7 +16,7 @@ constexpr int kFollowedFrom = 12;
 /// Samples of a motion; empty where there is none, or more than one.
 struct MotionAlong {
   std::vector<SparseRows> jacobians;
-  std::vector<std::vector<double>> ways;  ///< per coordinate of the block: its rate, that of the fastest one is 1
+  std::vector<std::vector<double>> ways;  ///< per coordinate of the block: its rate, 1 of the fastest one
 };
 
 /// The motion of block `b` from the reference until it is there again, or as far as it goes both ways. Of a block with
@@ -25,8 +25,8 @@ struct MotionAlong {
 MotionAlong motion_along(NumericSystem& numbers, std::size_t b, const Configuration& reference,
                          const LoopPartition& partition);
 
-/// The free coordinate of a partition, or a better one where that comes to rest somewhere, as a rocker does where it
-/// turns back: of those that never rest, the one on which most equations depend, as on a crank.
+/// The free coordinate of a partition, or a better one where it comes to rest somewhere, as a rocker does where it
+/// turns back: among the coordinates without a rest the one on which most equations depend, as on a crank.
 int free_coordinate_along(const MotionAlong& along, const LoopPartition& partition);
 
 /// Orders the pivots by the fine structure under the free coordinate, if the given order comes near zero somewhere

@@ -20,6 +20,33 @@ static double difference(const double* a, const double* b, int count) {
   return largest / size;
 }
 static int bad(const char* name, double by) { return std::printf("%s: %g\n", name, by), 1; }
+// Closing and consistent velocities from a state that is open.
+static int close(const System::Parameters& parameters, const Inputs& inputs, const State& state, int k) {
+  for (const bool is_shortest : {false, true}) {
+    State open = state;
+    for (int c = 0; c < System::kCoordinates; ++c) {
+      open.z[c] += 1e-5 * ((7 * c + k) % 5 - 2);
+      open.zd[c] += 1e-3 * ((3 * c + k) % 7 - 3);
+    }
+    for (int n = 0; n < 3; ++n) {
+      System::Closure closure;
+      System::closure(parameters, inputs, open, closure);
+      closure.pivot[0] = 0;
+      const mbgen::Status status =
+          is_shortest ? correct_closure<System, Correction::shortest>(parameters, inputs, open, closure)
+                      : correct_closure<System, Correction::of_dependents>(parameters, inputs, open, closure);
+      if (status.code != mbgen::Code::chosen_again) return 5;
+      for (int c = 0; c < System::kCoordinates; ++c) open.z[c] += closure.dz[c];
+      if (n < 2) continue;
+      for (int c = 0; c < System::kCoordinates; ++c) open.zd[c] = closure.zd[c];
+    }
+    ClosureResidual left;
+    if (!closure_residual({}, inputs, open, left).ok()) return 6;
+    if (!(left.largest_position <= 1e-13)) return bad("position", left.largest_position);
+    if (!(left.largest_velocity <= 1e-12)) return bad("velocity", left.largest_velocity);
+  }
+  return 0;
+}
 int main() {
   static const Inputs inputs{};
   static const double none[System::kCoordinates] = {};
@@ -55,30 +82,8 @@ int main() {
     for (int c = 0; c < System::kCoordinates; ++c) scaled[c] = by_fine.Rz[c] / by_fine.Rz[free];
     const double apart = difference(by_all.Rz, scaled, System::kCoordinates);
     if (!(apart <= 1e-9)) return bad("directions", apart);
-    // Closing and consistent velocities from a state that is open.
-    for (const bool is_shortest : {false, true}) {
-      State open = state;
-      for (int c = 0; c < System::kCoordinates; ++c) {
-        open.z[c] += 1e-5 * ((7 * c + k) % 5 - 2);
-        open.zd[c] += 1e-3 * ((3 * c + k) % 7 - 3);
-      }
-      for (int n = 0; n < 3; ++n) {
-        System::Closure closure;
-        System::closure(parameters, inputs, open, closure);
-        closure.pivot[0] = 0;
-        const mbgen::Status status =
-            is_shortest ? correct_closure<System, Correction::shortest>(parameters, inputs, open, closure)
-                        : correct_closure<System, Correction::of_dependents>(parameters, inputs, open, closure);
-        if (status.code != mbgen::Code::chosen_again) return 5;
-        for (int c = 0; c < System::kCoordinates; ++c) open.z[c] += closure.dz[c];
-        if (n < 2) continue;
-        for (int c = 0; c < System::kCoordinates; ++c) open.zd[c] = closure.zd[c];
-      }
-      ClosureResidual left;
-      if (!closure_residual({}, inputs, open, left).ok()) return 6;
-      if (!(left.largest_position <= 1e-13)) return bad("position", left.largest_position);
-      if (!(left.largest_velocity <= 1e-12)) return bad("velocity", left.largest_velocity);
-    }
+    const int closing = close(parameters, inputs, state, k);
+    if (closing != 0) return closing;
   }
   return 0;
 }

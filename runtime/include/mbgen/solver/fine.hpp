@@ -42,7 +42,7 @@ struct FineSolution {
   Real* row(int column) const noexcept { return rows + column * stride(); }
 };
 
-/// Numbers of memory for the equations of one fine block, and what is exchanged of a row.
+/// Numbers of memory for the equations of one fine block, and for the exchanged entries of a row.
 constexpr int fine_work(int largest, int others) noexcept { return largest * (largest + others + 3); }
 
 /// Factor of an entry in an other column, when a pivot is searched: a coordinate of the fine block is preferred, since

@@ -25,9 +25,6 @@ constexpr double passage_reach(double distance, double way) noexcept {
   const double reach = before < kPassageReach ? before : kPassageReach;
   return reach >= clear && reach >= way ? reach : distance + kPassageReach > way ? distance + kPassageReach : way;
 }
-/// Residual of a node (m or 1) of which the next Newton step leaves nothing but rounding: it squares the error, and
-/// multiplies it by the reciprocal of a pivot beside a singular position.
-constexpr double kLastNodeStep = 1e-10;
 /// Closures of one node: Newton from a guess that is off by the square of the spacing, the check, and z*.
 constexpr int kNodeClosures = 8;
 /// Largest share of the way to the first node that the term of degree four has in a motion that is followed: a
@@ -201,9 +198,8 @@ Reached reach_node(const typename System::Parameters& parameters, const InputsAt
       size = of_block > size ? of_block : size;
     }
     work.is_chosen = true;
-    const bool gains = size > 0 && size < Real(0.5) * previous;
-    if (!gains && !(size <= kRoundingFloor<Real>)) return Reached::nowhere;
-    is_closed = !gains || size <= Real(kLastNodeStep);
+    is_closed = !(size > 0 && size < Real(0.5) * previous);
+    if (is_closed && !(size <= kRoundingFloor<Real>)) return Reached::nowhere;
     previous = size;
   }
   return Reached::nowhere;
