@@ -199,7 +199,8 @@ TEST_F(SweepProcesses, PartsDivideTheCasesWhereTheyShareNoFiles) {
 /// The lock of a case, as a process has it that computes the case.
 class HeldCase {
  public:
-  HeldCase(const std::filesystem::path& claims, long index) : file_(::open(claims.c_str(), O_RDWR | O_CREAT, 0666)) {
+  HeldCase(const std::filesystem::path& claims, long index)
+      : file_(::open(claims.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
     struct flock wanted {};
     wanted.l_type = F_WRLCK;
     wanted.l_whence = SEEK_SET;
