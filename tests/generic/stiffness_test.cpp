@@ -65,7 +65,7 @@ TEST_P(Stiffness, BySlopesIsThatByDifferences) {
   Rest rest(load(GetParam()));
   for (const GenericState& start : random_states(rest.mechanism, 2, 0.03)) {
     rest.state = start;
-    ASSERT_TRUE(settled(rest.solver, rest.state).ok());
+    ASSERT_TRUE(brought_to_rest(rest.solver, rest.state).ok());
     const Eigen::MatrixXd slopes = rest.by_slopes(), differences = rest.by_differences();
     ASSERT_EQ(slopes.cols(), unknowns_of(rest.equations, balance(rest.equations, rest.state)));
     EXPECT_EQ(rest.taken(), slopes);
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Models, Stiffness, ::testing::ValuesIn(all_models()), t
 TEST(StiffnessOfLaws, OfATyreBendsWhereTheWheelStandsUpright) {
   Rest rest(load("models/rubber_coach.json"));
   rest.state = random_states(rest.mechanism, 1, 0.03).at(0);
-  ASSERT_TRUE(settled(rest.solver, rest.state).ok());
+  ASSERT_TRUE(brought_to_rest(rest.solver, rest.state).ok());
   const std::vector<int> free = free_coordinates(rest.mechanism.topology, rest.mechanism.analysis);
   const auto place = [&](const char* name) {
     return std::find(free.begin(), free.end(), find_coordinate(rest.mechanism.topology, name)) - free.begin();
