@@ -127,10 +127,10 @@ TEST_F(Files, AFileIncludedTwiceCountsOnce) {
 
 /// A body with two springs to the ground, and a file that includes it.
 const char* const kSprung = R"({ "mbgen": 1, "gravity": [0, 0, 0],
-  "bodies": { "ground": { "points": { "a": [0, 0, 0], "b": [1, 0, 0] } },
-              "block": { "mass": 2, "inertia": [1, 1, 1], "points": { "p": [0, 0, 1], "q": [1, 0, 1] } } },
+  "bodies": { "ground": { "points": { "a": [0, 0, 0], "b": [1, 0, 1], "c": [0, 0, 1] } },
+              "block": { "mass": 2, "inertia": [1, 1, 1], "points": { "p": [0, 0, 0], "q": [1, 0, 0] } } },
   "joints": { "slide": { "type": "prismatic", "from": "ground.a", "to": "block.p", "axis": "z" } },
-  "springs": { "front": { "from": "ground.a", "to": "block.p", "stiffness": 50,
+  "springs": { "front": { "from": "ground.c", "to": "block.p", "stiffness": 50,
                           "damping": { "table": [[-2, -1], [-1, -1], [0, 0], [1, 3], [2, 3]] } },
                "back": { "from": "ground.b", "to": "block.q", "stiffness": 100, "damping": 7 } },
   "outputs": { "z": { "unit": "m", "expression": "z.slide" } } })";
