@@ -1,5 +1,7 @@
 // mbgen linearize and equilibrium as a user meets them.
 
+#include <numbers>
+
 #include "tests/support/cli_support.hpp"
 
 namespace mbgen::cli_test {
@@ -41,6 +43,30 @@ TEST_F(CommandLine, LinearizeChoosesOtherStatesWhereTheUsualOnesAreSingular) {
   ASSERT_EQ(linear["states"].size(), 2u);
   EXPECT_NEAR(linear["A"][0][1], 1, 1e-12);
   EXPECT_NEAR(linear["A"][1][0], -expected, 1e-6 * expected);
+}
+
+// 1 / (50 + 4 s + 2 s^2) at half a hertz: at w = pi rad/s.
+TEST_F(CommandLine, LinearizeGivesFrequencyResponses) {
+  write("oscillator.json", kOscillator);
+  const std::string asked = "linearize oscillator.json --at equilibrium --bode force:height --frequencies ";
+  const Json response = json_of(asked + "0.5:2:3 --bode-out bode.csv --bode-out bode.svg --json")["responses"][0];
+  EXPECT_EQ(response["unit"], "m/N");
+  EXPECT_EQ(response["frequency"], Json({0.5, 1.0, 2.0}));
+  const double w = std::numbers::pi, real = 50 - 2 * w * w, imaginary = 4 * w;
+  const double square = real * real + imaginary * imaginary;
+  EXPECT_NEAR(response["response"][0][0], real / square, 1e-14);
+  EXPECT_NEAR(response["response"][0][1], -imaginary / square, 1e-14);
+  const std::string table = read("bode.csv");
+  EXPECT_TRUE(table.starts_with("frequency [Hz],height/force [m/N],height/force phase [deg]\n0.5,")) << table;
+  EXPECT_TRUE(read("bode.svg").starts_with("<svg"));
+  EXPECT_EQ(mbgen(asked + "2:1:3").err,
+            "--frequencies: \"2:1:3\" is no range of frequencies in Hz\n  hint: FIRST:LAST:COUNT, for example "
+            "0.1:20:200, up to 100000 of them\n");
+  EXPECT_EQ(mbgen("linearize oscillator.json --bode forse:height").err,
+            "--bode: oscillator has no input \"forse\"\n  hint: did you mean \"force\"?\n");
+  EXPECT_EQ(mbgen("linearize oscillator.json --bode force").err, "--bode: \"force\" is no INPUT:OUTPUT\n");
+  EXPECT_EQ(mbgen("linearize oscillator.json --bode force:height --bode-out bode.png").err,
+            "--bode-out: \"bode.png\" is no .csv and no .svg file\n");
 }
 
 TEST_F(CommandLine, LinearizeGivesMatricesByName) {
