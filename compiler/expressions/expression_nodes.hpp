@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compiler/expressions/evaluate.hpp"
-#include "compiler/expressions/parse_expression.hpp"
+#include "compiler/expressions/expression_problem.hpp"
 
 namespace mbgen::reading {
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/expressions/expression_problem.hpp"
 #include "compiler/expressions/expression_scope.hpp"
 
 namespace mbgen::reading {
@@ -20,12 +21,6 @@ struct ReductionCall {
 struct OutputUse {
   std::size_t offset = 0;  ///< byte of the text
   int output = -1;         ///< as in Names::outputs
-};
-
-struct ExpressionProblem {
-  std::size_t offset = 0;  ///< byte of the text
-  std::string message;
-  std::string hint;
 };
 
 /// Requires problems to be empty for the expression to be used.
