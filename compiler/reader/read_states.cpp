@@ -104,6 +104,7 @@ void read_states(Reader& reader, const StateEntries& entries) {
     values.push_back(one.written);
     reader.model.sampled.push_back(std::move(one));
   }
+  reader.own_sampled = reader.model.sampled.size();
   read_expressions(reader, states, derivatives, {.name = "derivative"}, &UserState::derivative, reader.model.states);
   read_expressions(reader, sampled, values, {.name = "value", .sees_accelerations = true}, &SampledValue::value,
                    reader.model.sampled, before);
@@ -113,7 +114,7 @@ void check_state_names(Reader& reader, const StateEntries& entries) {
   const std::vector<std::string> all = auxiliary_state_names(reader.model);
   const auto own = all.begin() + first_user_state(reader.model);
   std::set<std::string> others(all.begin(), own);
-  others.insert(own + static_cast<std::ptrdiff_t>(reader.names.values.size()), all.end());
+  others.insert(own + static_cast<std::ptrdiff_t>(entries.states.size() + reader.own_sampled), all.end());
   for (const Entries* of : {&entries.states, &entries.sensors, &entries.delays, &entries.sampled})
     for (const Entry& entry : *of) {
       const InScope in_scope(reader, entry.scope);

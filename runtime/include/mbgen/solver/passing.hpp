@@ -310,7 +310,7 @@ Status rates_across(const typename System::Parameters& parameters, const typenam
   const Status arguments = check_arguments<System>(parameters, inputs, state, nullptr);
   if (!arguments.ok()) return arguments;
   typename System::ClosureTerms terms;
-  BlockFactors<System> factors;
+  [[maybe_unused]] BlockFactors<System> factors;
   [[maybe_unused]] ByFineBlocks<System> fine;
   typename System::Projection projection;
   if constexpr (System::kBlocks > 1 || System::kDrives > 0) System::closure_terms(parameters, inputs, state, terms);
@@ -324,15 +324,17 @@ Status rates_across(const typename System::Parameters& parameters, const typenam
       }
       continue;
     }
-    if constexpr (kHasFineBlocks<System>) {
-      if (fine.solves(b, terms)) {
-        project_by<System>(b, fine, terms, projection);
-        continue;
+    if constexpr (System::kBlocks > 1) {  // else the only block crosses
+      if constexpr (kHasFineBlocks<System>) {
+        if (fine.solves(b, terms)) {
+          project_by<System>(b, fine, terms, projection);
+          continue;
+        }
       }
+      const LoopFactorsOf<RealOf<System>> loop = factors.factors_of(b, terms);
+      if (loop.rank < System::kBlockLayout[b].rank) return {Code::loop_singular, b};
+      project_by<System>(b, ByFactors<System>{b, loop, terms, factors.work, nullptr}, terms, projection);
     }
-    const LoopFactorsOf<RealOf<System>> loop = factors.factors_of(b, terms);
-    if (loop.rank < System::kBlockLayout[b].rank) return {Code::loop_singular, b};
-    project_by<System>(b, ByFactors<System>{b, loop, terms, factors.work, nullptr}, terms, projection);
   }
   typename System::ChosenAccelerations values;
   System::chosen_accelerations(parameters, inputs, state, kNoForces, projection, values);
