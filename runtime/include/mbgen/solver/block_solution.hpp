@@ -149,7 +149,7 @@ struct ByFineBlocks<System, std::enable_if_t<kHasFineBlocks<System>>> {
  private:
   /// x of all columns by those of the others, with a right-hand side unless it is -1.
   void put(int right_hand_side, Real* x) const noexcept {
-    Real given[kOthers];
+    Real given[kOthers] = {};
     for (int t = 0; t < solution.other_count; ++t) given[t] = x[others[t]];
     for (int c = 0; c < System::kBlockLayout[b].coordinates; ++c) {
       const Real* const row = solution.row(c);
