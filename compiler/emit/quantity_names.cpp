@@ -207,7 +207,8 @@ constexpr QuantityName kQuantityNames[] = {
     // Steps 7 and 8.
     {"hb", "first moments of a body in the axes of its base", "kg m"},
     {"Kb", "second moments, likewise", "kg m^2"},
-    {"Ib", "inertia about the origin of the body, in the axes of its base", "kg m^2"},
+    {"Ib", "inertia about the origin of the body, in the axes of its base; composite where no body moves on it",
+     "kg m^2"},
     {"mc", "composite: mass of a body with all that moves on it", "kg"},
     {"hc", "composite: first moments of a body with all that moves on it", "kg m"},
     {"Kc", "composite: second moments, likewise", "kg m^2"},
