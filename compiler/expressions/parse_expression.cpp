@@ -321,6 +321,8 @@ class ExpressionParser : ExpressionNodes {
              "rename the parameter or input");
       } else if (value != names.values.end()) {
         fail(start, in_quotes(name) + " is a variable of this expression and also a state", "rename the state");
+      } else if (find_visible(names.named_values, name, scope_.visible) != names.named_values.end()) {
+        fail(start, in_quotes(name) + " is a variable of this expression and also a named value", "rename the value");
       }
       return push_indexed(Kind::local, static_cast<int>(local - scope_.locals.begin()));
     }

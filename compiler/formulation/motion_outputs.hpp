@@ -105,10 +105,14 @@ template <class T>
 void observe(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v, const AppliedForces<T>& forces,
              int round) {
   if (system.model.observed.empty()) return;
-  const Accelerations<T> no_accelerations;
-  const std::vector<T> none(system.topology.bodies.size(), T(0.0));
+  const std::size_t size = system.topology.bodies.size();
+  Accelerations<T> unknown;  // outputs of velocities may ask for these too, without a use for them
+  unknown.base.resize(size);
+  unknown.own.resize(size);
+  unknown.about = v.about;
+  const std::vector<T> none(size, T(0.0));
   const std::vector<std::vector<T>> no_multipliers;
-  const SolvedState<T> s{k, v, no_accelerations, forces, none, no_multipliers, none};
+  const SolvedState<T> s{k, v, unknown, forces, none, no_multipliers, none};
   const Coordinates<T> users = users_coordinates(system.environment, none);
   observe(system, round, MotionReader<T>{system, s, users});
 }

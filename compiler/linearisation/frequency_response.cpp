@@ -1,5 +1,7 @@
 #include "compiler/linearisation/frequency_response.hpp"
 
+#include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -54,7 +56,8 @@ std::vector<Complex> frequency_response(const Model& model, const LinearSystem& 
       const Eigen::VectorXcd x = solve_shifted(form.h, s, b);
       value += ((system.C.row(output) * form.vectors).cast<Complex>() * x)(0);
     }
-    response.push_back(value);
+    const bool is_finite = std::isfinite(value.real()) && std::isfinite(value.imag());
+    response.push_back(is_finite ? value : Complex(std::numeric_limits<double>::infinity(), 0));
   }
   return response;
 }

@@ -10,8 +10,8 @@
 namespace mbgen {
 
 /// y over u of an output for a harmonic input, per frequency (Hz, above 0): C (i w - A)^-1 B + D. An input with a rate
-/// moves with it: B and D are those of the input plus i w times the columns of its rate, and so on. Values that are not
-/// finite: an undamped mode at this frequency. Cost: the cube of the states once, then their square per frequency.
+/// moves with it: B and D are those of the input plus i w times the columns of its rate, and so on. Infinite at an
+/// undamped mode. Cost: the cube of the states once, then their square per frequency.
 std::vector<std::complex<double>> frequency_response(const Model& model, const LinearSystem& system, int input,
                                                      int output, const std::vector<double>& frequencies);
 

@@ -69,6 +69,23 @@ inline Formula sqrt(const Formula& x) { return call(Function::sqrt, x); }
 inline Formula exp(const Formula& x) { return call(Function::exp, x); }
 inline Formula log(const Formula& x) { return call(Function::log, x); }
 inline Formula cos(const Formula& x) { return call(Function::cos, x); }
+/// a where x is at least 0, else b.
+inline Formula select(const Formula& x, const Formula& a, const Formula& b) {
+  Formula result = call(Function::add, x, &a);  // its nodes, without the sum
+  const int first = static_cast<int>(x.nodes.size()) - 1, second = static_cast<int>(result.nodes.size()) - 2;
+  result.nodes.pop_back();
+  const int shift = static_cast<int>(result.nodes.size());
+  for (ExpressionNode copy : b.nodes) {
+    for (int* operand : {&copy.first, &copy.second, &copy.third}) *operand += *operand < 0 ? 0 : shift;
+    result.nodes.push_back(copy);
+  }
+  ExpressionNode node;
+  node.kind = ExpressionNode::Kind::call;
+  node.function = Function::select;
+  node.first = first, node.second = second, node.third = static_cast<int>(result.nodes.size()) - 1;
+  result.nodes.push_back(node);
+  return result;
+}
 inline Formula min(const Formula& a, const Formula& b) { return call(Function::min, a, &b); }
 inline Formula max(const Formula& a, const Formula& b) { return call(Function::max, a, &b); }
 

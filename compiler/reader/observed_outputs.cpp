@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/model/element_access.hpp"
@@ -41,6 +43,7 @@ class ObservedOrder {
     place_[output] = -1;
     way_.push_back(output);
     ObservedOutput observed{model_.outputs[static_cast<std::size_t>(output)]};
+    if (const auto length = as_length(observed.output.source)) observed.output.source = *length;
     std::visit([&](const auto& source) { observed.round = round_of_source(source); }, observed.output.source);
     way_.pop_back();
     model_.observed.push_back(std::move(observed));
@@ -48,6 +51,32 @@ class ObservedOrder {
   }
 
  private:
+  /// The length of a spring or its rate as an expression, which is known before the spring's force.
+  template <class Source>
+  std::optional<ExpressionOutput> as_length(const Source& source) {
+    const auto* output = std::get_if<ElementOutput>(&source);
+    if (!output || output->element < 0) return {};
+    std::optional<ExpressionOutput> result;
+    int before = 0, place = 0;
+    each_kind([&](auto kind) {
+      if constexpr (kind.has_length) {
+        const std::string_view quantity = kind.quantities[static_cast<std::size_t>(output->quantity)].name;
+        const bool is_length = quantity == std::string_view("length");
+        if (place == output->kind && (is_length || quantity == std::string_view("rate"))) {
+          ExpressionNode node;
+          node.kind = is_length ? ExpressionNode::Kind::length : ExpressionNode::Kind::rate;
+          node.index = before + output->element;
+          result.emplace();
+          result->value.expression = static_cast<int>(model_.expressions.size());
+          model_.expressions.push_back({std::string(quantity), {node}});
+        }
+        before += static_cast<int>(kind.list(model_).size());
+      }
+      ++place;
+    });
+    return result;
+  }
+
   template <class Source>
   int round_of_source(const Source& source) {
     if (needs_accelerations(source)) return kAfterForces;
@@ -125,12 +154,24 @@ class ObservedOrder {
   std::vector<int> way_;
 };
 
+/// Reports a coordinate that counts the other way in the mirrored instance that looks at its output.
+void check_direction(Reader& reader, const WrittenOutputUse& use, const Output& output) {
+  const auto* source = std::get_if<CoordinateOutput>(&output.source);
+  const std::vector<CoordinateReference>& reversed = reader.names.reversed;
+  if (!source || !reader.scopes[use.scope].keeps_direction) return;
+  if (std::find(reversed.begin(), reversed.end(), source->coordinate) == reversed.end()) return;
+  const InScope in_scope(reader, use.scope);
+  report(reader, use.place, reversed_message(coordinate_name(reader.model, source->coordinate)), kReversedHint);
+}
+
 /// Reports outputs over accelerations where forces and states, from which these follow, look at them.
 void check_uses(Reader& reader, const std::map<int, int>& place) {
   for (const WrittenOutputUse& use : reader.output_uses) {
     const auto known = place.find(use.output);
-    if (use.sees_accelerations || known == place.end() || known->second < 0) continue;
+    if (known == place.end() || known->second < 0) continue;
     const ObservedOutput& observed = reader.model.observed[static_cast<std::size_t>(known->second)];
+    check_direction(reader, use, observed.output);
+    if (use.sees_accelerations) continue;
     if (observed.round != kAfterForces) continue;
     const InScope in_scope(reader, use.scope);
     report(reader, use.place,

@@ -154,7 +154,7 @@ void read_sensor(Reader& reader, const Entry& entry, const SensorFields& sensor)
   }
   shown = number(sensor.gain) * shown + number(sensor.bias);
   if (find(value, "noise")) {
-    if (sensor.seed != std::nearbyint(sensor.seed) || sensor.seed > kLargestSeed)
+    if (!std::isnan(sensor.seed) && (sensor.seed != std::nearbyint(sensor.seed) || sensor.seed > kLargestSeed))
       report(reader, member_or_object(value, "seed"),
              fmt::format("must be a whole number up to {:g}, got {}", kLargestSeed, sensor.seed));
     for (const Generator& generator : kGenerators) {
@@ -165,10 +165,14 @@ void read_sensor(Reader& reader, const Entry& entry, const SensorFields& sensor)
   }
   if (sensor.least) shown = max(shown, number(*sensor.least));
   if (sensor.most) shown = min(shown, number(*sensor.most));
+  if (sensor.least && sensor.most && sensor.least->expression < 0 && sensor.most->expression < 0 &&
+      sensor.least->value > sensor.most->value)
+    report(reader, *find(value, "least"),
+           fmt::format("must be at most \"most\", {:g}, got {:g}", sensor.most->value, sensor.least->value));
   const bool is_stepped = sensor.quantisation.expression >= 0 || sensor.quantisation.value > 0;
   if (is_stepped) {
     const Formula step = number(sensor.quantisation);
-    shown = step * floor(shown / step + Formula(0.5));
+    shown = select(-step, shown, step * floor(shown / step + Formula(0.5)));  // a tunable step may be zero
   }
   SampledValue& own =
       parts.add("", shown, "the measured value of " + entry.written + "_raw", sensor.initial, sensor.unit);
@@ -232,9 +236,11 @@ void each_entry(Reader& reader, const Entries& entries, const std::vector<Fields
 void name_sensors(Reader& reader, const Entries& sensors, const Entries& delays) {
   const auto add = [&](const Entry& entry, const std::string& suffix) {
     const std::string name = full_name(current_scope(reader).visible.front(), entry.written + suffix);
-    if (!reader.names.values.emplace(name, static_cast<int>(reader.names.values.size())).second)
-      report(reader, entry.place, in_quotes(name) + " is the name of another state or sampled value, too",
-             "rename one of them");
+    const Names& names = reader.names;
+    const bool is_taken = names.parameters.contains(name) || names.inputs.contains(name);
+    if (!reader.names.values.emplace(name, static_cast<int>(names.values.size())).second ||
+        (is_taken && !suffix.empty()))
+      report(reader, entry.place, in_quotes(name) + " is the name of another value, too", "rename one of them");
   };
   for (const Entry& entry : sensors) {
     const InScope in_scope(reader, entry.scope);
@@ -257,7 +263,11 @@ void read_sensors(Reader& reader, const Entries& values, const Entries& sensors,
   read_list(reader, delays, delayed, [](Reader& r, const Value& value, DelayFields& delay) {
     check_presentation(r, value, delay.unit, delay, delay.initial);
   });
-  each_entry(reader, delays, delayed, [&](const Entry& e, const DelayFields& f) { define_delay(reader, e, f); });
+  each_entry(reader, delays, delayed, [&](const Entry& e, const DelayFields& f) {
+    if (reader.names.values.contains(e.name))
+      report(reader, e.place, in_quotes(e.name) + " is the name of another value, too", "rename one of them");
+    define_delay(reader, e, f);
+  });
   for (const Entry& entry : values) {
     const InScope in_scope(reader, entry.scope);
     check_value_name(reader, entry);

@@ -71,7 +71,7 @@ struct Reader {
   Entries tyre_data = {};  ///< coefficients of tyres
   std::vector<WrittenOutputUse> output_uses = {};
   std::size_t own_sampled = 0;  ///< sampled values before the loads of frictions
-  bool folds_tunable = false;  ///< for the present value tunable parameters are replaced by their values
+  bool folds_tunable = false;   ///< for the present value tunable parameters are replaced by their values
 };
 
 inline const Scope& current_scope(const Reader& reader) { return reader.scopes[reader.scope]; }

@@ -48,6 +48,30 @@ TEST(Observed, VelocitiesOfPointsDriveForces) {
   EXPECT_NEAR(zdd[1], 2 * rim / 0.5, 1e-14);
 }
 
+// Angular velocities, and velocities relative to a point that an observer sees.
+TEST(Observed, RotationsAndObserversDriveForces) {
+  const std::vector<double> zdd = accelerations(
+      slide_and_wheel(R"("outputs": { "spin": { "body": "wheel", "quantity": "angular_velocity", "axis": "y" },
+                            "seen": { "point": "wheel.rim", "relative_to": "ground.O", "quantity": "velocity", "axis": "z",
+                                      "axes_of": "wheel" } },
+      "joint_forces": { "push": { "joint": "slide", "force": "-out.spin" },
+                        "turn": { "joint": "wheel", "force": "out.seen" } })"),
+      0.1, 0.7, 0.4, 2);
+  EXPECT_NEAR(zdd[0], -2.0 / 3, 1e-14);
+  // Rate of the third component of the position in the wheel's axes: that of 0.1 sin(turn) + 0.3.
+  EXPECT_NEAR(zdd[1], (0.7 * std::sin(0.4) + 0.1 * std::cos(0.4) * 2) / 0.5, 1e-13);
+}
+
+// The length of a spring is known before its force.
+TEST(Observed, AForceMayLookAtItsOwnLength) {
+  const std::vector<double> zdd = accelerations(
+      slide_and_wheel(
+          R"("springs": { "line": { "from": "ground.wall", "to": "slide.O", "force": "2*out.long + out.fast" } },
+      "outputs": { "long": { "spring": "line", "quantity": "length" }, "fast": { "spring": "line", "quantity": "rate" } })"),
+      0.2, 0.5, 0, 0);
+  EXPECT_NEAR(zdd[0], -(2 * 1.2 + 0.5) / 3, 1e-14);
+}
+
 // A spring whose stiffness grows with the force of another one that comes after it in the model, and a third one after
 // both: the springs are computed in this order, whatever their places.
 TEST(Observed, ForcesOfElementsAreComputedInTheOrderOfTheirUse) {

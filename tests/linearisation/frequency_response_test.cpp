@@ -55,6 +55,20 @@ TEST(FrequencyResponse, OfAnOscillator) {
   }
 }
 
+// Without damping the response is infinite at the resonance alone.
+TEST(FrequencyResponse, IsInfiniteAtAnUndampedMode) {
+  const Compilation c = compilation_of(R"({ "mbgen": 1, "gravity": [0, 0, 0], "inputs": { "push": {} },
+    "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
+      "slide": { "mass": 1, "inertia": [0, 0, 0], "points": { "O": [0, 0, 0] } } },
+    "joints": { "slide": { "type": "prismatic", "from": "ground.O", "to": "slide.O", "axis": "x" } },
+    "joint_forces": { "all": { "joint": "slide", "force": "push" } },
+    "outputs": { "x": { "joint": "slide" } } })");
+  const LinearSystem system = system_of(c);
+  for (const std::complex<double>& value : frequency_response(c.model, system, 0, 0, {1e-200, 1}))
+    EXPECT_FALSE(std::isnan(value.real()) || std::isnan(value.imag()));
+  EXPECT_TRUE(std::isinf(frequency_response(c.model, system, 0, 0, {1e-200})[0].real()));
+}
+
 // A driven carriage carries a mass on a spring: the input moves with its rate and its acceleration.
 TEST(FrequencyResponse, OfAMotionByAnInputWithRates) {
   const Compilation c = compilation_of(R"({ "mbgen": 1, "gravity": [0, 0, 0],

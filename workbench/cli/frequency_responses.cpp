@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
 #include "compiler/text/number.hpp"
 #include "compiler/text/user_error.hpp"
@@ -88,10 +89,16 @@ std::vector<double> magnitudes(const FrequencyResponse& response) {
 
 std::vector<double> phases(const FrequencyResponse& response) {
   constexpr double kTurn = 360;
+  std::optional<double> last;
   std::vector<double> result;
   for (const std::complex<double>& value : response.values) {
     const double phase = std::arg(value) * 180 / std::numbers::pi;
-    result.push_back(result.empty() ? phase : result.back() + std::remainder(phase - result.back(), kTurn));
+    if (!std::isfinite(std::abs(value))) {  // an undamped mode turns the phase by half a turn
+      result.push_back(std::nan(""));
+      continue;
+    }
+    result.push_back(last ? *last + std::remainder(phase - *last, kTurn) : phase);
+    last = result.back();
   }
   return result;
 }
