@@ -74,6 +74,16 @@ struct ExpressionNode {
   int first = -1, second = -1, third = -1;
 };
 
+/// Appends nodes with their operands. Result: the place of the last one.
+inline int append(std::vector<ExpressionNode>& to, const std::vector<ExpressionNode>& nodes) {
+  const int first = static_cast<int>(to.size());
+  for (ExpressionNode node : nodes) {
+    for (int* operand : {&node.first, &node.second, &node.third}) *operand += *operand < 0 ? 0 : first;
+    to.push_back(node);
+  }
+  return static_cast<int>(to.size()) - 1;
+}
+
 /// The last node is the value. `text` is the user's text.
 struct Expression {
   std::string text;

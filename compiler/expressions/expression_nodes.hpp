@@ -24,12 +24,19 @@ class ExpressionNodes {
     return -1;
   }
 
-  int push(ExpressionNode node) {
-    if (nodes_.size() >= kMostNodes) {
-      return fail(at_, fmt::format("expression has more than {} numbers, names and operations", kMostNodes));
-    }
+  int fail_too_long() {
+    return fail(at_, fmt::format("expression has more than {} numbers, names and operations", kMostNodes));
+  }
+
+  int push(const ExpressionNode& node) {
+    if (nodes_.size() >= kMostNodes) return fail_too_long();
     nodes_.push_back(node);
     return static_cast<int>(nodes_.size()) - 1;
+  }
+
+  /// The value of another expression.
+  int push_copy(const std::vector<ExpressionNode>& nodes) {
+    return nodes_.size() + nodes.size() > kMostNodes ? fail_too_long() : append(nodes_, nodes);
   }
 
   int push_number(double number) {
@@ -43,17 +50,6 @@ class ExpressionNodes {
     node.kind = kind;
     node.index = index;
     return push(node);
-  }
-
-  /// The value of another expression, node by node.
-  int push_copy(const std::vector<ExpressionNode>& nodes) {
-    const int first = static_cast<int>(nodes_.size());
-    int last = -1;
-    for (ExpressionNode node : nodes) {
-      for (int* operand : {&node.first, &node.second, &node.third}) *operand += *operand < 0 ? 0 : first;
-      if ((last = push(node)) < 0) return last;
-    }
-    return last;
   }
 
   bool is_number(int index) const { return index < 0 || nodes_[static_cast<std::size_t>(index)].kind == Kind::number; }

@@ -117,13 +117,5 @@ void observe(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v, 
   observe(system, round, MotionReader<T>{system, s, users});
 }
 
-/// The last round of elements.
-inline int last_round(const Model& model) {
-  int last = 0;
-  if (model.observed.empty()) return last;
-  each_element(model, [&](const auto& element) { last = std::max(last, round_of(model, element)); });
-  return last;
-}
-
 }  // namespace detail
 }  // namespace mbgen

@@ -12,6 +12,13 @@ int round_after(const Model& model, const Expression& expression) {
   return round;
 }
 
+int last_round(const Model& model) {
+  int last = 0;
+  if (model.observed.empty()) return last;
+  each_element(model, [&](const auto& element) { last = std::max(last, round_of(model, element)); });
+  return last;
+}
+
 ElementQuantity quantity_of(const ElementOutput& output) {
   ElementQuantity quantity{"", ""};
   with_kind(output.kind, [&](auto kind) {

@@ -62,22 +62,29 @@ inline bool mentions(const Model& model, int expression, std::initializer_list<E
 /// The round after the outputs that an expression looks at: 0 without any, at most kAfterForces.
 int round_after(const Model& model, const Expression& expression);
 
-/// The round of an element: after the outputs that its law, or the spring that presses or carries it, looks at.
-template <class Element>
-int round_of(const Model& model, const Element& element) {
+/// The round of an element: after the outputs that its law, or the spring that presses or carries it, looks at. after:
+/// round_after of an expression.
+template <class Element, class After>
+int round_of(const Model& model, const Element& element, const After& after) {
   int round = 0;
-  if (model.observed.empty()) return round;
-  each_expression(element, [&](int e) {
-    round = std::max(round, round_after(model, model.expressions[static_cast<std::size_t>(e)]));
-  });
-  if constexpr (std::is_base_of_v<FrictionLaw, Element>)
-    if (element.normal >= 0)
-      round = std::max(round, round_of(model, model.springs[static_cast<std::size_t>(element.normal)]));
+  each_expression(element,
+                  [&](int e) { round = std::max(round, after(model.expressions[static_cast<std::size_t>(e)])); });
+  const auto wait_for_spring = [&](int spring) {
+    if (spring >= 0) round = std::max(round, round_of(model, model.springs[static_cast<std::size_t>(spring)], after));
+  };
+  if constexpr (std::is_base_of_v<FrictionLaw, Element>) wait_for_spring(element.normal);
   const Connection connection = connection_of(element);
-  if (const auto* along = std::get_if<AlongSpring>(&connection))
-    round = std::max(round, round_of(model, model.springs[static_cast<std::size_t>(along->spring)]));
+  if (const auto* along = std::get_if<AlongSpring>(&connection)) wait_for_spring(along->spring);
   return round;
 }
+template <class Element>
+int round_of(const Model& model, const Element& element) {
+  if (model.observed.empty()) return 0;
+  return round_of(model, element, [&](const Expression& expression) { return round_after(model, expression); });
+}
+
+/// The last round of elements.
+int last_round(const Model& model);
 
 /// Calls use(friction) for frictions on coordinates, then along springs, then in rod ends.
 template <class Use>

@@ -1,7 +1,7 @@
 #pragma once
 // Expressions of the model that the reader puts together: written as equations, kept as nodes.
 
-#include <string>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -40,29 +40,24 @@ inline Formula formula_of(const Model& model, const Quantity& quantity) {
   return Formula(model.expressions[static_cast<std::size_t>(quantity.expression)].nodes);
 }
 
-/// Operands of a function, one or two.
-inline Formula call(Function function, const Formula& a, const Formula* b = nullptr) {
-  Formula result = a;
+/// A function of up to three operands.
+template <class... Operands>
+Formula call(Function function, const Operands&... operands) {
+  std::vector<ExpressionNode> nodes;
   ExpressionNode node;
   node.kind = ExpressionNode::Kind::call;
   node.function = function;
-  node.first = static_cast<int>(a.nodes.size()) - 1;
-  if (b) {
-    const int shift = static_cast<int>(a.nodes.size());
-    for (ExpressionNode copy : b->nodes) {
-      for (int* operand : {&copy.first, &copy.second, &copy.third}) *operand += *operand < 0 ? 0 : shift;
-      result.nodes.push_back(copy);
-    }
-    node.second = static_cast<int>(result.nodes.size()) - 1;
-  }
-  result.nodes.push_back(node);
-  return result;
+  int* place[] = {&node.first, &node.second, &node.third};
+  std::size_t next = 0;
+  ((*place[next++] = append(nodes, operands.nodes)), ...);
+  nodes.push_back(node);
+  return Formula(std::move(nodes));
 }
 
-inline Formula operator+(const Formula& a, const Formula& b) { return call(Function::add, a, &b); }
-inline Formula operator-(const Formula& a, const Formula& b) { return call(Function::subtract, a, &b); }
-inline Formula operator*(const Formula& a, const Formula& b) { return call(Function::multiply, a, &b); }
-inline Formula operator/(const Formula& a, const Formula& b) { return call(Function::divide, a, &b); }
+inline Formula operator+(const Formula& a, const Formula& b) { return call(Function::add, a, b); }
+inline Formula operator-(const Formula& a, const Formula& b) { return call(Function::subtract, a, b); }
+inline Formula operator*(const Formula& a, const Formula& b) { return call(Function::multiply, a, b); }
+inline Formula operator/(const Formula& a, const Formula& b) { return call(Function::divide, a, b); }
 inline Formula operator-(const Formula& a) { return call(Function::negate, a); }
 inline Formula floor(const Formula& x) { return call(Function::floor, x); }
 inline Formula sqrt(const Formula& x) { return call(Function::sqrt, x); }
@@ -70,23 +65,8 @@ inline Formula exp(const Formula& x) { return call(Function::exp, x); }
 inline Formula log(const Formula& x) { return call(Function::log, x); }
 inline Formula cos(const Formula& x) { return call(Function::cos, x); }
 /// a where x is at least 0, else b.
-inline Formula select(const Formula& x, const Formula& a, const Formula& b) {
-  Formula result = call(Function::add, x, &a);  // its nodes, without the sum
-  const int first = static_cast<int>(x.nodes.size()) - 1, second = static_cast<int>(result.nodes.size()) - 2;
-  result.nodes.pop_back();
-  const int shift = static_cast<int>(result.nodes.size());
-  for (ExpressionNode copy : b.nodes) {
-    for (int* operand : {&copy.first, &copy.second, &copy.third}) *operand += *operand < 0 ? 0 : shift;
-    result.nodes.push_back(copy);
-  }
-  ExpressionNode node;
-  node.kind = ExpressionNode::Kind::call;
-  node.function = Function::select;
-  node.first = first, node.second = second, node.third = static_cast<int>(result.nodes.size()) - 1;
-  result.nodes.push_back(node);
-  return result;
-}
-inline Formula min(const Formula& a, const Formula& b) { return call(Function::min, a, &b); }
-inline Formula max(const Formula& a, const Formula& b) { return call(Function::max, a, &b); }
+inline Formula select(const Formula& x, const Formula& a, const Formula& b) { return call(Function::select, x, a, b); }
+inline Formula min(const Formula& a, const Formula& b) { return call(Function::min, a, b); }
+inline Formula max(const Formula& a, const Formula& b) { return call(Function::max, a, b); }
 
 }  // namespace mbgen::reading

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace mbgen::reading {
 namespace {
@@ -36,10 +35,7 @@ std::optional<std::size_t> position_of(const Value& value, const std::string& st
     return static_cast<std::size_t>(found - value.members.begin());
   }
   if (value.kind != Value::Kind::array) return {};
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
-  if (error != std::errc() || end != step.data() + step.size() || index >= value.items.size()) return {};
-  return index;
+  return find_item(value, step);
 }
 
 template <class AnyValue>

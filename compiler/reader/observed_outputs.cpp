@@ -34,7 +34,10 @@ class ObservedOrder {
  public:
   explicit ObservedOrder(Reader& reader) : reader_(reader), model_(reader.model) {}
 
-  /// Index into Model::observed of an output, -1 in a circle.
+  /// Index into Model::observed of an output that was visited.
+  int place_of(int output) const { return place_.at(output); }
+
+  /// The same, after it has been put into order; -1 in a circle.
   int visit(int output) {
     if (const auto done = place_.find(output); done != place_.end()) {
       if (done->second < 0) tell_circle(output);
@@ -52,8 +55,7 @@ class ObservedOrder {
 
  private:
   /// The length of a spring or its rate as an expression, which is known before the spring's force.
-  template <class Source>
-  std::optional<ExpressionOutput> as_length(const Source& source) {
+  std::optional<ExpressionOutput> as_length(const decltype(Output::source)& source) {
     const auto* output = std::get_if<ElementOutput>(&source);
     if (!output || output->element < 0) return {};
     std::optional<ExpressionOutput> result;
@@ -86,26 +88,28 @@ class ObservedOrder {
     return kBeforeForces;
   }
 
-  /// The latest round of the outputs in an expression; `least` without any.
-  int latest(int expression, int least) {
-    for (const ExpressionNode& node : model_.expressions[static_cast<std::size_t>(expression)].nodes) {
+  /// Puts the outputs of an expression into order. Result: the latest of their rounds, kBeforeForces without any.
+  int latest(Expression expression) {  // a copy: a visit may add expressions
+    int round = kBeforeForces;
+    for (const ExpressionNode& node : expression.nodes) {
       if (node.kind != ExpressionNode::Kind::observed) continue;
       const int known = visit(node.index);
-      if (known >= 0) least = std::max(least, model_.observed[static_cast<std::size_t>(known)].round);
+      if (known >= 0) round = std::max(round, model_.observed[static_cast<std::size_t>(known)].round);
     }
-    return least;
+    return round;
   }
 
   int round_of_expression(const ExpressionOutput& output) {
-    return output.value.expression < 0 ? kBeforeForces : latest(output.value.expression, kBeforeForces);
+    if (output.value.expression < 0) return kBeforeForces;
+    return latest(model_.expressions[static_cast<std::size_t>(output.value.expression)]);
   }
 
-  /// As round_of, while outputs are still put into order.
   template <class Element>
   int round_of_law(const Element& element) {
-    int latest_known = kBeforeForces;
-    each_expression(element, [&](int expression) { latest_known = latest(expression, latest_known); });
-    return latest_known == kAfterForces ? kAfterForces : latest_known + 1;
+    return round_of(model_, element, [&](const Expression& expression) {
+      const int round = latest(expression);
+      return round == kAfterForces ? round : round + 1;
+    });
   }
 
   int round_of_element(const ElementOutput& output) {
@@ -113,19 +117,11 @@ class ObservedOrder {
     with_kind(output.kind, [&]<class Kind>(KindOf<Kind> kind) {
       if (output.element < 0) return;
       round = round_of_law(kind.list(model_)[static_cast<std::size_t>(output.element)]);
-      if constexpr (std::is_same_v<Kind, PointSpring>) {
+      if constexpr (std::is_same_v<Kind, PointSpring>)
         for (const SpringFriction& friction : model_.spring_frictions)  // which adds to the spring's force
-          if (friction.spring == output.element) round = std::max({round, round_of_law(friction), pressed(friction)});
-      } else if constexpr (std::is_base_of_v<FrictionLaw, Kind>) {
-        round = std::max(round, pressed(kind.list(model_)[static_cast<std::size_t>(output.element)]));
-      }
+          if (friction.spring == output.element) round = std::max(round, round_of_law(friction));
     });
     return round;
-  }
-
-  /// Round of the spring that presses a friction.
-  int pressed(const FrictionLaw& friction) {
-    return friction.normal < 0 ? 0 : round_of_law(model_.springs[static_cast<std::size_t>(friction.normal)]);
   }
 
   int round_of_stored_energy() {
@@ -165,14 +161,11 @@ void check_direction(Reader& reader, const WrittenOutputUse& use, const Output& 
 }
 
 /// Reports outputs over accelerations where forces and states, from which these follow, look at them.
-void check_uses(Reader& reader, const std::map<int, int>& place) {
+void check_uses(Reader& reader, const ObservedOrder& order) {
   for (const WrittenOutputUse& use : reader.output_uses) {
-    const auto known = place.find(use.output);
-    if (known == place.end() || known->second < 0) continue;
-    const ObservedOutput& observed = reader.model.observed[static_cast<std::size_t>(known->second)];
+    const ObservedOutput& observed = reader.model.observed[static_cast<std::size_t>(order.place_of(use.output))];
     check_direction(reader, use, observed.output);
-    if (use.sees_accelerations) continue;
-    if (observed.round != kAfterForces) continue;
+    if (use.sees_accelerations || observed.round != kAfterForces) continue;
     const InScope in_scope(reader, use.scope);
     report(reader, use.place,
            fmt::format("output {} follows from accelerations, and these from forces and states",
@@ -193,13 +186,11 @@ void name_outputs(Reader& reader, const Entries& entries) {
 void observe_outputs(Reader& reader) {
   Model& model = reader.model;
   ObservedOrder order(reader);
-  std::map<int, int> place;
-  for (const WrittenOutputUse& use : reader.output_uses)
-    if (!place.contains(use.output)) place[use.output] = order.visit(use.output);
-  check_uses(reader, place);
+  for (const WrittenOutputUse& use : reader.output_uses) order.visit(use.output);
+  check_uses(reader, order);
   for (Expression& expression : model.expressions)
     for (ExpressionNode& node : expression.nodes)
-      if (node.kind == ExpressionNode::Kind::observed) node.index = std::max(place[node.index], 0);
+      if (node.kind == ExpressionNode::Kind::observed) node.index = order.place_of(node.index);
 }
 
 }  // namespace mbgen::reading

@@ -69,12 +69,7 @@ int add_call(Expression& expression, Function function, int first, int second = 
 
 /// Appends factor * term. Result: its node.
 int add_multiple(Expression& sum, double factor, const Expression& term) {
-  const int first = static_cast<int>(sum.nodes.size());
-  for (ExpressionNode node : term.nodes) {
-    for (int* operand : {&node.first, &node.second, &node.third}) *operand += *operand < 0 ? 0 : first;
-    sum.nodes.push_back(node);
-  }
-  const int value = static_cast<int>(sum.nodes.size()) - 1;
+  const int value = append(sum.nodes, term.nodes);
   const std::string plus = sum.text.empty() ? "" : " + ";
   if (factor == 1) {
     sum.text += fmt::format("{}({})", plus, term.text);

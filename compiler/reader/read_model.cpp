@@ -12,6 +12,7 @@
 #include "compiler/reader/positions.hpp"
 #include "compiler/reader/read_states.hpp"
 #include "compiler/reader/reader.hpp"
+#include "compiler/text/hash.hpp"
 #include "compiler/text/read_text.hpp"
 
 namespace mbgen {
@@ -210,16 +211,11 @@ void read_name(Reader& reader, const FileFields& file) {
   }
 }
 
-/// FNV-1a, 64 bits, over the texts of all files in the order of reading.
+/// Hash of the texts of all files in the order of reading.
 std::string hash_of(const Documents& documents) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const Document& document : documents) {
-    for (const char byte : document.text) {
-      hash ^= static_cast<unsigned char>(byte);
-      hash *= 0x100000001b3u;
-    }
-  }
-  return fmt::format("{:016x}", hash);
+  Hash hash;
+  for (const Document& document : documents) hash.add_bytes(document.text);
+  return hash.text();
 }
 
 Result<Model> read(std::string_view text, const std::string& file_name, const std::vector<VariedParameter>& varied) {

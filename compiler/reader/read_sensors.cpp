@@ -13,6 +13,7 @@
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/read_states.hpp"
 #include "compiler/reader/reader.hpp"
+#include "compiler/text/hash.hpp"
 
 namespace mbgen::reading {
 namespace {
@@ -108,13 +109,12 @@ Formula next(const Generator& generator, const Formula& x) {
   return product - Formula(generator.modulus) * floor(product / Formula(generator.modulus));
 }
 
-/// Start of a generator, from 1 to its modulus - 1: FNV-1a over seed, name and generator.
+/// Start of a generator, from 1 to its modulus - 1, from seed, name and generator.
 double first_of(const Generator& generator, double seed, const std::string& name) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char byte : fmt::format("{} {} {}", seed, name, generator.suffix))
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-  hash ^= hash >> 32;
-  return 1 + static_cast<double>(hash % static_cast<std::uint64_t>(generator.modulus - 1));
+  Hash hash;
+  hash.add_bytes(fmt::format("{} {} {}", seed, name, generator.suffix));
+  const std::uint64_t mixed = hash.value() ^ (hash.value() >> 32);
+  return 1 + static_cast<double>(mixed % static_cast<std::uint64_t>(generator.modulus - 1));
 }
 
 /// A number between 0 and 1 from the three generators.

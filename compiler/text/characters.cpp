@@ -55,6 +55,16 @@ std::vector<Character> characters_of(std::string_view text) {
   return characters;
 }
 
+std::vector<std::string> split_at(std::string_view text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char letter : text)
+    if (letter == separator)
+      parts.emplace_back();
+    else
+      parts.back() += letter;
+  return parts;
+}
+
 std::string_view without_blanks(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r";
   const std::size_t first = text.find_first_not_of(kBlanks);

@@ -20,6 +20,9 @@ std::vector<Character> characters_of(std::string_view text);
 /// Text on one line: characters that are not plain become spaces. For comments, fields of tables, titles.
 std::string line_text(std::string_view text);
 
+/// The parts between separators, one more than there are of these.
+std::vector<std::string> split_at(std::string_view text, char separator);
+
 /// Text without blanks, tabs and returns at its ends.
 std::string_view without_blanks(std::string_view text);
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -75,6 +76,8 @@ void find_lines(Document& document);
 const Value* find(const Value& object, std::string_view key);
 /// The member, or nullptr.
 const Member* find_member(const Value& object, std::string_view key);
+/// Position of an item that a text counts from 0; nothing for other texts and beyond the end.
+std::optional<std::size_t> find_item(const Value& array, std::string_view text);
 
 /// File, line, column, pointer and line of text of a position.
 Where where_of(const Documents& documents, Place place);

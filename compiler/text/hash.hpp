@@ -13,9 +13,14 @@ namespace mbgen {
 class Hash {
  public:
   void add(std::string_view text) {
-    for (const char byte : text) mix(static_cast<unsigned char>(byte));
+    add_bytes(text);
     mix(0x100);
   }
+  /// A text without its boundary.
+  void add_bytes(std::string_view text) {
+    for (const char byte : text) mix(static_cast<unsigned char>(byte));
+  }
+  std::uint64_t value() const { return value_; }
   /// 16 hex digits.
   std::string text() const { return fmt::format("{:016x}", value_); }
 

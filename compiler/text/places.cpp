@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <set>
 #include <tuple>
 
@@ -54,6 +55,13 @@ const Member* find_member(const Value& object, std::string_view key) {
   const auto found = std::find_if(object.members.begin(), object.members.end(),
                                   [&](const Member& member) { return member.key == key; });
   return found == object.members.end() ? nullptr : &*found;
+}
+
+std::optional<std::size_t> find_item(const Value& array, std::string_view text) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  return is_number && index < array.items.size() ? std::optional(index) : std::nullopt;
 }
 
 const Value* find(const Value& object, std::string_view key) {

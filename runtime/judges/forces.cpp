@@ -38,8 +38,7 @@ Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::
   forces.joints.resize(topology.bodies.size());
   forces.xd.resize(x.size());  // sampled values hold
   const AtWork at{*this, bodies, x, values};
-  int last = 0;
-  each_element(model, [&](const auto& element) { last = std::max(last, round_of(model, element)); });
+  const int last = last_round(model);
   observe(bodies, x, forces, kBeforeForces, values);
   for (int round = 0; round <= last; ++round) {
     each_element(model, [&](const auto& element) {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "compiler/text/characters.hpp"
 #include "compiler/text/number.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/drawing/drawing.hpp"
@@ -30,14 +31,8 @@ int index_of(const std::vector<Item>& items, const std::string& name, const char
 }
 
 std::vector<double> frequencies_of(const std::string& typed) {
-  std::vector<std::string> parts = {""};
-  for (const char c : typed)
-    if (c == ':')
-      parts.emplace_back();
-    else
-      parts.back() += c;
   std::vector<double> numbers;
-  for (const std::string& part : parts) numbers.push_back(parse_number(part, "--frequencies"));
+  for (const std::string& part : split_at(typed, ':')) numbers.push_back(parse_number(part, "--frequencies"));
   if (numbers.size() == 2) numbers.push_back(200);
   const bool is_range = numbers.size() == 3 && numbers[0] > 0 && numbers[1] > numbers[0] && numbers[2] >= 2 &&
                         numbers[2] <= kMostFrequencies && numbers[2] == std::floor(numbers[2]);

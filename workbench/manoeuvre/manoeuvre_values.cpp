@@ -2,38 +2,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
+#include "compiler/text/characters.hpp"
 #include "workbench/manoeuvre/tables_manoeuvre.hpp"
 
 namespace mbgen {
 namespace reading {
 namespace {
 
-/// "events.0.steer" as "events", "0", "steer".
-std::vector<std::string> steps_of(const std::string& name) {
-  std::vector<std::string> steps(1);
-  for (const char letter : name)
-    if (letter == '.')
-      steps.emplace_back();
-    else
-      steps.back() += letter;
-  return steps;
-}
-
-/// Number of an item of an array; nothing for other words and numbers beyond its end.
-std::optional<std::size_t> item_of(const Value& array, const std::string& word) {
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
-  const bool is_number = error == std::errc() && end == word.data() + word.size();
-  return is_number && index < array.items.size() ? std::optional(index) : std::nullopt;
-}
-
 /// The value of a step, which an object gets where it has none; null where there is no place for it.
 Value* reached(Value& value, const std::string& step) {
   if (value.kind == Value::Kind::array) {
-    const std::optional<std::size_t> item = item_of(value, step);
+    const std::optional<std::size_t> item = find_item(value, step);
     return item ? &value.items[*item] : nullptr;
   }
   if (value.kind != Value::Kind::object) return nullptr;
@@ -50,7 +31,7 @@ Value* reached(Value& value, const std::string& step) {
 
 void put_value(Value& root, const ManoeuvreValue& put) {
   Value* value = &root;
-  for (const std::string& step : steps_of(put.name))
+  for (const std::string& step : split_at(put.name, '.'))
     if (value = reached(*value, step); !value) return;
   const Place place = value->place;
   *value = Value();
@@ -89,12 +70,12 @@ const FieldInfo* field_of(const ObjectKind& kind, const std::string& step) {
 
 ManoeuvreNumber number_of(const Value& root, const std::string& name) {
   const std::vector<ObjectKind> kinds = manoeuvre_kinds();
-  const std::vector<std::string> steps = steps_of(name);
+  const std::vector<std::string> steps = split_at(name, '.');
   const ObjectKind* kind = find_kind(kinds, find(root, "type")->text);
   const Value* value = &root;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (value && value->kind == Value::Kind::array) {
-      const std::optional<std::size_t> item = item_of(*value, steps[i]);
+      const std::optional<std::size_t> item = find_item(*value, steps[i]);
       if (!item)
         return {"", fmt::format("{} has no item \"{}\" of {}, counted from 0", steps[i - 1], steps[i],
                                 value->items.size())};

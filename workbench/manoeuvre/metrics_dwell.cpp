@@ -15,13 +15,6 @@ using namespace manoeuvre;
 constexpr double kEarly = 1, kLate = 1.75;  ///< s after the steering, at which the yaw rate is compared with its peak
 constexpr double kDisplaced = 1.07;         ///< s after the start of the steering
 
-/// Value at an instant, by linear interpolation. Requires: an instant within the series.
-double at_instant(const VehicleSeries& s, const Values& values, double t) {
-  const std::size_t next = std::clamp<std::size_t>(first_point(s, t), 1, s.t.size() - 1);
-  const double part = (t - s.t[next - 1]) / (s.t[next] - s.t[next - 1]);
-  return values[next - 1] + part * (values[next] - values[next - 1]);
-}
-
 }  // namespace
 
 VehicleMetrics dwell_metrics(const VehicleSeries& s, const SineWithDwell& sine) {
@@ -43,7 +36,7 @@ VehicleMetrics dwell_metrics(const VehicleSeries& s, const SineWithDwell& sine) 
   const Span before{0, first_point(s, sine.begin) + 1}, after{before.end - 1, s.t.size()};
   // The second half of the sine steers back: the peak to compare with is on this side.
   const Span second{first_point(s, sine.begin + 0.5 / sine.frequency), first_point(s, end) + 1};
-  const double yaw_side = sign_of(at_instant(s, s.yaw_rate, sine.begin + 0.45 / sine.frequency));
+  const double yaw_side = sign_of(interpolated(s.t, s.yaw_rate, sine.begin + 0.45 / sine.frequency));
   double peak = 0;
   for (std::size_t i = second.begin; i < std::min(second.end, s.t.size()); ++i)
     peak = std::max(peak, -yaw_side * s.yaw_rate[i]);
@@ -52,7 +45,7 @@ VehicleMetrics dwell_metrics(const VehicleSeries& s, const SineWithDwell& sine) 
   if (peak > 0) {
     add(metrics, "second_yaw_rate_peak", peak, "rad/s",
         "largest yaw rate after the steering has gone back (ISO 19365)");
-    const auto ratio = [&](double later) { return -yaw_side * at_instant(s, s.yaw_rate, end + later) / peak; };
+    const auto ratio = [&](double later) { return -yaw_side * interpolated(s.t, s.yaw_rate, end + later) / peak; };
     add(metrics, "yaw_rate_ratio_1_00", ratio(kEarly), "1",
         "yaw rate 1.00 s after the end of the steering over its peak; UN Regulation 140 allows 0.35");
     add(metrics, "yaw_rate_ratio_1_75", ratio(kLate), "1",
@@ -60,9 +53,9 @@ VehicleMetrics dwell_metrics(const VehicleSeries& s, const SineWithDwell& sine) 
   } else {
     metrics.notes.push_back("second_yaw_rate_peak: the vehicle does not turn back");
   }
-  const double heading = at_instant(s, s.heading, sine.begin), later = sine.begin + kDisplaced;
-  const double x = at_instant(s, s.x, later) - at_instant(s, s.x, sine.begin);
-  const double y = at_instant(s, s.y, later) - at_instant(s, s.y, sine.begin);
+  const double heading = interpolated(s.t, s.heading, sine.begin), later = sine.begin + kDisplaced;
+  const double x = interpolated(s.t, s.x, later) - interpolated(s.t, s.x, sine.begin);
+  const double y = interpolated(s.t, s.y, later) - interpolated(s.t, s.y, sine.begin);
   add(metrics, "lateral_displacement_1_07", std::abs(std::cos(heading) * y - std::sin(heading) * x), "m",
       "from the straight course 1.07 s after the start of the steering; UN Regulation 140 asks for 1.83 m, above 3.5 t "
       "for 1.52 m");

@@ -134,6 +134,12 @@ Line fitted_line(const Values& x, const Values& y) {
   return {c[0], c[1], spread(left, {0, left.size()}, 0)};
 }
 
+double interpolated(const Values& x, const Values& y, double at) {
+  const auto i = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
+  if (i == 0 || i == x.size()) return at == x.back() ? y.back() : std::nan("");
+  return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
+}
+
 double time_of_rise(const Values& t, const Values& values, double level, std::size_t from) {
   for (std::size_t i = from; i < values.size(); ++i) {
     if (values[i] < level) continue;

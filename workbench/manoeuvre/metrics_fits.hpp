@@ -74,6 +74,9 @@ struct Line {
 };
 Line fitted_line(const Values& x, const Values& y);
 
+/// Value at a place of a rising abscissa, by linear interpolation; NaN outside.
+double interpolated(const Values& x, const Values& y, double at);
+
 /// Time of the first upward crossing of a level from a point on, by linear interpolation; NaN without a crossing.
 double time_of_rise(const Values& t, const Values& values, double level, std::size_t from);
 

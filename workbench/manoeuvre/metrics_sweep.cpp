@@ -32,12 +32,6 @@ struct FrequencyResponse {
   double sign = 1;  ///< -1: slow steering to the left turns to the right; gain and phase have the opposite sign
 };
 
-double interpolated(const Values& x, const Values& y, double at) {
-  const auto i = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
-  if (i == 0 || i == x.size()) return at == x.back() ? y.back() : std::nan("");
-  return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
-}
-
 /// Spectra of two series. If both start from rest, rest is prepended, so that all windows cover their begin: a sweep is
 /// slow there.
 Spectra spectra_with_begin(const Values& input, const Values& output, double time_step, std::size_t width) {

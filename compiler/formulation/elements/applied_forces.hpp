@@ -21,7 +21,7 @@ AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const
   see_states_and_lengths(system, k, v);
   detail::ForceWork<T> work{system, k, v, forces, shared_law};
   detail::observe(system, k, v, forces, kBeforeForces);
-  const int last = detail::last_round(system.model);
+  const int last = last_round(system.model);
   for (int round = 0; round <= last; ++round) {
     each_element(system.model, [&](const auto& element) {
       if (last > 0 && round_of(system.model, element) != round) return;
