@@ -143,7 +143,8 @@ def update(document, text, replacements):
 def follow(document, options):
     """Number of problems."""
     text = document.read_text()
-    environment = dict(os.environ, LC_ALL="C.UTF-8", NO_COLOR="1")
+    # Lines of progress depend on the time.
+    environment = dict(os.environ, LC_ALL="C.UTF-8", NO_COLOR="1", MBGEN_PROGRESS="0")
     environment["PATH"] = os.pathsep.join([str(path.resolve()) for path in options.path] + [environment["PATH"]])
     problems, commands, replacements = 0, 0, []
     with tempfile.TemporaryDirectory(prefix="follow.") as empty:
