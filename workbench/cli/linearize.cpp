@@ -16,9 +16,11 @@
 #include "workbench/cli/frequency_responses.hpp"
 #include "workbench/cli/html_report.hpp"
 #include "workbench/cli/options.hpp"
+#include "workbench/cli/trims.hpp"
 #include "workbench/describe/notes.hpp"
 #include "workbench/host/assignments.hpp"
 #include "workbench/host/files.hpp"
+#include "workbench/host/message.hpp"
 #include "workbench/operating/operating_point.hpp"
 #include "workbench/report/report.hpp"
 
@@ -32,6 +34,7 @@ struct LinearizeOptions {
   std::vector<std::string> set;
   StateArguments state;
   BodeArguments bode;
+  TrimArguments trim;
   bool json = false;
 };
 
@@ -130,8 +133,16 @@ std::string neutral_text(const Compilation& compilation, const std::vector<Mode>
                      count == 1 ? "" : fmt::format(" ({} eigenvalues)", count), fmt::join(places, ", "));
 }
 
-std::string point_text(const LinearizeOptions& options, const Compilation& compilation, const ChosenPoint& chosen,
-                       const LinearSystem& system) {
+/// Compilation, point and linear system of the requested state.
+struct Linearised {
+  Compilation compilation;
+  ChosenPoint chosen;
+  LinearSystem system;
+  std::optional<TrimStudy> trim = {};
+};
+
+std::string point_text(const LinearizeOptions& options, const Linearised& found, const LinearSystem& system) {
+  const Compilation& compilation = found.compilation;
   std::string text = fmt::format("{}: {} states, {} inputs, {} outputs\n", compilation.model.name, system.states.size(),
                                  compilation.model.inputs.size(), compilation.model.outputs.size());
   const auto is_load = [](const SampledValue& value) { return value.load.has_value(); };
@@ -139,7 +150,8 @@ std::string point_text(const LinearizeOptions& options, const Compilation& compi
     text += "sampled values hold: the modes belong to the plant without its sampled controllers\n";
   if (std::ranges::any_of(compilation.model.sampled, is_load))
     text += "reactions that press frictions hold: the modes belong to the loads of the start\n";
-  if (chosen.steady) return text + steady_text(compilation, *chosen.steady, options.state.steady);
+  if (found.trim) return text + trims_text(*found.trim);
+  if (found.chosen.steady) return text + steady_text(compilation, *found.chosen.steady, options.state.steady);
   return text + fmt::format("rates of the states at this point: at most {:.3g}\n\n", largest_drift(system));
 }
 
@@ -197,33 +209,85 @@ void write_responses(const LinearizeOptions& options, const Model& model, const 
   }
 }
 
-int run(const LinearizeOptions& options) {
+void require_compatible(const LinearizeOptions& options) {
   if (!options.page.empty()) require_report_page("--report");
   if (!options.bode.files.empty() && options.bode.pairs.empty())
     throw UserError("--bode-out: nothing to write\n  hint: --bode INPUT:OUTPUT names a response\n");
-  const Compilation compilation = compiled(read_set_model(options.model, options.set));
-  count_notes(compilation);
-  const ChosenPoint chosen = operating_point(compilation, options.state);
-  const OperatingPoint& point = chosen.point;
+  const TrimArguments& trim = options.trim;
+  if (!trim.is_asked()) {
+    if (!trim.lateral_acceleration.empty() || trim.radius || trim.grade || !trim.files.empty())
+      throw UserError(
+          "--lateral-acceleration, --radius, --grade, --handling-out: these belong to a steady motion of a vehicle, "
+          "--speed\n");
+    return;
+  }
+  const StateArguments& state = options.state;
+  if (!state.steady.hold.empty() || !state.steady.solve.empty() || !state.states.empty() || !state.result.empty())
+    throw UserError(
+        "--speed: finds the steady motion of the vehicle itself; leave out --hold, --solve, --states and --result\n");
+}
+
+/// The table of a range of steady motions.
+int run_range(const LinearizeOptions& options, const TrimStudy& study) {
+  if (!options.page.empty() || !options.bode.pairs.empty())
+    throw UserError("--report, --bode: these belong to one steady motion, not to a range\n");
+  const std::vector<std::string> read = files_read(study.compilation.model, options.state);
+  write_trims(options.trim, study, read);
+  const std::string json = json_text({{"model", study.compilation.model.name}, {"trims", trims_json(study)}});
+  if (!options.file.empty()) write_file(options.file, json, read);
+  print_beside(options.file, options.json ? json : trims_text(study));
+  if (study.end.empty()) return kDone;
+  print_message("{}: {}\n", options.model, study.end);
+  return kUserFault;
+}
+
+Linearised linearised(const LinearizeOptions& options) {
+  Linearised result;
+  result.compilation = compiled(read_set_model(options.model, options.set));
+  count_notes(result.compilation);
+  result.chosen = operating_point(result.compilation, options.state);
   // A steady motion keeps the coordinates of its solution as names of states.
-  LinearSystem system =
-      expect(chosen.steady ? linearise(compilation, point) : linearise_by_any_choice(compilation, point));
+  result.system = expect(result.chosen.steady ? linearise(result.compilation, result.chosen.point)
+                                              : linearise_by_any_choice(result.compilation, result.chosen.point));
+  return result;
+}
+
+Linearised linearised(TrimStudy study) {
+  Linearised result;
+  const Trim& trim = study.trims.front();
+  result.chosen = {trim.steady.point, trim.steady};
+  result.system = trim.system;
+  result.compilation = study.compilation;
+  result.trim = std::move(study);
+  return result;
+}
+
+int run(const LinearizeOptions& options) {
+  require_compatible(options);
+  std::optional<TrimStudy> study;
+  if (options.trim.is_asked()) study = trim_study(options.model, options.set, options.state.inputs, options.trim);
+  if (study && study->is_range()) return run_range(options, *study);
+  Linearised found = study ? linearised(std::move(*study)) : linearised(options);
+  const Compilation& compilation = found.compilation;
+  const OperatingPoint& point = found.chosen.point;
+  LinearSystem& system = found.system;
   const std::vector<std::string> places = neutral_coordinates(compilation.topology, system);
-  if (chosen.steady) system = turning_with(*chosen.steady, std::move(system));
+  if (found.chosen.steady) system = turning_with(*found.chosen.steady, std::move(system));
   std::vector<Mode> list = modes(system);
-  if (chosen.steady) mark_places(*chosen.steady, list);
+  if (found.chosen.steady) mark_places(*found.chosen.steady, list);
   const FrequencyResponses responses = frequency_responses(options.bode, compilation.model, system);
   Json linear = linear_json(compilation, point, system, list, places);
   if (!responses.all.empty()) linear["responses"] = responses_json(responses);
+  if (found.trim) linear["trim"] = trims_json(*found.trim)[0];
   const std::string json = json_text(linear);
   write_responses(options, compilation.model, responses);
+  if (found.trim) write_trims(options.trim, *found.trim, files_read(compilation.model, options.state));
   if (!options.file.empty()) write_file(options.file, json, files_read(compilation.model, options.state));
   if (!options.page.empty()) write_page(options, compilation, point, system, list);
   const std::string& result = is_standard_output(options.page) ? options.page : options.file;
-  print_beside(result, options.json
-                           ? json
-                           : point_text(options, compilation, chosen, system) + modes_text(compilation, list, places) +
-                                 (responses.all.empty() ? "" : responses_text(responses)));
+  print_beside(result, options.json ? json
+                                    : point_text(options, found, system) + modes_text(compilation, list, places) +
+                                          (responses.all.empty() ? "" : responses_text(responses)));
   return kDone;
 }
 
@@ -240,6 +304,16 @@ void add_linearize(NamedCommand application, int& exit_code) {
   add_model_argument(command, options->model);
   add_set_option(command, options->set);
   add_state_options(command, options->state);
+  command.add_option("--speed", options->trim.speed,
+                     "m/s, or FIRST:LAST:COUNT: steady motion of the vehicle, steered and driven so that it keeps this "
+                     "speed straight on or in a bend; with the gains of steering");
+  command.add_option("--lateral-acceleration", options->trim.lateral_acceleration,
+                     "of --speed: m/s^2 to the left, or FIRST:LAST:COUNT");
+  command.add_option("--radius", options->trim.radius, "of --speed: m, positive to the left");
+  command.add_option("--grade", options->trim.grade, "of --speed: rise over run of the road");
+  command.add_option(
+      "--handling-out", options->trim.files,
+      "of --speed: write angles and gains to this file, a table (.csv) or a plot (.svg); may be repeated");
   command.add_option("-o,--out", options->file, "write matrices and modes to this file, as --json prints them");
   command.add_option("--report", options->page, "write the modes as a page: list, animation, eigenvalues (HTML)");
   command.add_option("--bode", options->bode.pairs, "INPUT:OUTPUT, a frequency response; may be repeated");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/compile.hpp"
+#include "compiler/linearisation/bristles.hpp"
 #include "runtime/generic/generic.hpp"
 
 namespace mbgen {
@@ -21,6 +22,9 @@ Eigen::VectorXd column_sizes(const Eigen::MatrixXd& matrix);
 /// rates of auxiliary states relative to their magnitudes.
 bool is_weighed_out(const Compilation& compilation, const GenericSolver& solver, const OperatingPoint& point,
                     const Eigen::VectorXd& left);
+
+/// Requires that frictions of parts at rest hold. Fails: UserError that names the one beyond its limit.
+void require_holding(const Model& model, const OperatingPoint& point, const std::vector<BristleEnd>& bristles);
 
 /// An unknown of a steady motion that the user may prescribe: a rate or an input.
 struct SteadyChoice {
