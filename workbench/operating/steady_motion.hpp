@@ -5,25 +5,9 @@
 #include <vector>
 
 #include "compiler/compile.hpp"
+#include "workbench/operating/steady_request.hpp"
 
 namespace mbgen {
-
-/// An output of the model that has a value in a steady motion.
-struct OutputGoal {
-  int output = -1;  ///< index into Model::outputs
-  double value = 0;
-};
-
-/// Request for a steady motion.
-struct SteadyRequest {
-  /// coordinate=rate; none: the first translation that moves at the start, if inputs are solved for; without such
-  /// inputs no rate is prescribed, and the rates follow from the balance of drive and drag
-  /// or out.NAME=value: an output that has this value
-  std::vector<std::string> hold;
-  std::vector<std::string> solve;      ///< unknown inputs: a drive, a steering angle
-  std::vector<OutputGoal> goals = {};  ///< beside those of `hold`
-  bool finds_heading = false;          ///< the yaw angle is unknown too: for goals that fix a direction
-};
 
 /// A motion without accelerations of the independent coordinates and with constant auxiliary states. Coordinates that
 /// move in `start` have constant rates, some of which are prescribed; the rates of all others are zero. If a
