@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "compiler/algebra/dense.hpp"
 #include "compiler/linearisation/linearisation.hpp"
@@ -177,6 +178,15 @@ std::vector<Mode> modes(const LinearSystem& system) {
   }
   std::stable_sort(result.begin(), result.end(), comes_before);
   return result;
+}
+
+void put_slowest_first(std::vector<Mode>& list) {
+  const auto key = [](const Mode& mode) {
+    const bool oscillates = mode.oscillates();
+    return std::tuple(mode.is_neutral, !oscillates,
+                      oscillates ? mode.eigenvalue.imag() : std::abs(mode.eigenvalue.real()));
+  };
+  std::ranges::stable_sort(list, {}, key);
 }
 
 std::string leading_coordinates(const Model& model, const Topology& topology, const Analysis& analysis,

@@ -9,7 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/text/characters.hpp"
 #include "compiler/text/json_text.hpp"
+#include "compiler/text/number.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/compiled.hpp"
@@ -21,6 +23,7 @@
 #include "workbench/host/assignments.hpp"
 #include "workbench/host/files.hpp"
 #include "workbench/host/message.hpp"
+#include "workbench/manoeuvre/mode_names.hpp"
 #include "workbench/operating/operating_point.hpp"
 #include "workbench/report/report.hpp"
 
@@ -35,7 +38,8 @@ struct LinearizeOptions {
   StateArguments state;
   BodeArguments bode;
   TrimArguments trim;
-  bool json = false;
+  std::string band;  ///< FIRST:LAST, Hz
+  bool slowest_first = false, json = false;
 };
 
 std::vector<std::string> state_names(const Compilation& compilation, const LinearSystem& system) {
@@ -65,9 +69,16 @@ Json matrix_json(const Eigen::MatrixXd& matrix) {
 
 Json complex_json(std::complex<double> value) { return Json::array({value.real(), value.imag()}); }
 
-Json modes_json(const Compilation& compilation, const std::vector<Mode>& list) {
+/// Modes with the parts that move in them.
+struct NamedModes {
+  std::vector<Mode> list;
+  std::vector<std::vector<Participation>> parts;  ///< per mode
+};
+
+Json modes_json(const Compilation& compilation, const NamedModes& modes) {
   Json result = Json::array();
-  for (const Mode& mode : list) {
+  for (std::size_t m = 0; m < modes.list.size(); ++m) {
+    const Mode& mode = modes.list[m];
     Json shape = Json::object();
     for (std::size_t i = 0; i < mode.coordinates.size(); ++i) {
       shape[compilation.topology.bodies[i].coordinate] = complex_json(mode.coordinates[i]);
@@ -78,12 +89,15 @@ Json modes_json(const Compilation& compilation, const std::vector<Mode>& list) {
                       {"damping_ratio", mode.damping_ratio()},
                       {"neutral", mode.is_neutral},
                       {"shape", std::move(shape)}});
+    if (modes.parts[m].empty()) continue;
+    Json& parts = result.back()["participation"] = Json::object();
+    for (const Participation& part : modes.parts[m]) parts[part.name] = part.share;
   }
   return result;
 }
 
 Json linear_json(const Compilation& compilation, const OperatingPoint& point, const LinearSystem& system,
-                 const std::vector<Mode>& list, const std::vector<std::string>& places) {
+                 const NamedModes& modes, const std::vector<std::string>& places) {
   Json inputs = Json::array(), outputs = Json::array(), z = Json::object();
   for (const Input& input : compilation.model.inputs) inputs.push_back(input.name);
   for (const Output& output : compilation.model.outputs) outputs.push_back(output.name);
@@ -108,7 +122,7 @@ Json linear_json(const Compilation& compilation, const OperatingPoint& point, co
           {"C", matrix_json(system.C)},
           {"D", matrix_json(system.D)},
           {"rigid_body", places},
-          {"modes", modes_json(compilation, list)}};
+          {"modes", modes_json(compilation, modes)}};
 }
 
 /// Four decimals, without the sign of a rounded zero.
@@ -155,8 +169,9 @@ std::string point_text(const LinearizeOptions& options, const Linearised& found,
   return text + fmt::format("rates of the states at this point: at most {:.3g}\n\n", largest_drift(system));
 }
 
-std::string modes_text(const Compilation& compilation, const std::vector<Mode>& list,
+std::string modes_text(const Compilation& compilation, const NamedModes& modes,
                        const std::vector<std::string>& places) {
+  const std::vector<Mode>& list = modes.list;
   std::string text;
   text += "        eigenvalue [1/s]           frequency [Hz]   damping   moves most\n";
   int number = 0;
@@ -168,8 +183,10 @@ std::string modes_text(const Compilation& compilation, const std::vector<Mode>& 
     const std::string damping = oscillates ? without_minus_zero(mode.damping_ratio()) : "-";
     const std::string imaginary = oscillates ? fmt::format("+-{:.4f} i", mode.eigenvalue.imag()) : "";
     const std::string real = without_minus_zero(mode.eigenvalue.real());
+    const std::string name = participation_text(modes.parts[static_cast<std::size_t>(number) - 1]);
     std::string line =
-        fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}", number, real, imaginary, frequency, damping,
+        fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}{}{}", number, real, imaginary, frequency, damping, name,
+                    name.empty() ? "" : ": ",
                     leading_coordinates(compilation.model, compilation.topology, compilation.analysis, mode));
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
@@ -262,6 +279,28 @@ Linearised linearised(TrimStudy study) {
   return result;
 }
 
+/// Oscillations with frequencies of the band only, if there is one.
+void leave_band(const std::string& band, std::vector<Mode>& list) {
+  if (band.empty()) return;
+  std::vector<double> ends;
+  for (const std::string& part : split_at(band, ':')) ends.push_back(parse_number(part, "--band"));
+  if (ends.size() != 2 || !(ends[0] >= 0) || !(ends[1] > ends[0]))
+    throw UserError(
+        fmt::format("--band: \"{}\" is no range of frequencies\n  hint: FIRST:LAST in Hz, for example 0.5:15\n", band));
+  std::erase_if(list, [&](const Mode& mode) {
+    return !mode.oscillates() || mode.frequency() < ends[0] || mode.frequency() > ends[1];
+  });
+}
+
+NamedModes named_modes(const LinearizeOptions& options, const Linearised& found, const LinearSystem& system) {
+  NamedModes named{modes(system), {}};
+  if (found.chosen.steady) mark_places(*found.chosen.steady, named.list);
+  leave_band(options.band, named.list);
+  if (options.slowest_first) put_slowest_first(named.list);
+  named.parts = participations(found.compilation, found.chosen.point, named.list);
+  return named;
+}
+
 int run(const LinearizeOptions& options) {
   require_compatible(options);
   std::optional<TrimStudy> study;
@@ -273,20 +312,19 @@ int run(const LinearizeOptions& options) {
   LinearSystem& system = found.system;
   const std::vector<std::string> places = neutral_coordinates(compilation.topology, system);
   if (found.chosen.steady) system = turning_with(*found.chosen.steady, std::move(system));
-  std::vector<Mode> list = modes(system);
-  if (found.chosen.steady) mark_places(*found.chosen.steady, list);
+  const NamedModes modes = named_modes(options, found, system);
   const FrequencyResponses responses = frequency_responses(options.bode, compilation.model, system);
-  Json linear = linear_json(compilation, point, system, list, places);
+  Json linear = linear_json(compilation, point, system, modes, places);
   if (!responses.all.empty()) linear["responses"] = responses_json(responses);
   if (found.trim) linear["trim"] = trims_json(*found.trim)[0];
   const std::string json = json_text(linear);
   write_responses(options, compilation.model, responses);
   if (found.trim) write_trims(options.trim, *found.trim, files_read(compilation.model, options.state));
   if (!options.file.empty()) write_file(options.file, json, files_read(compilation.model, options.state));
-  if (!options.page.empty()) write_page(options, compilation, point, system, list);
+  if (!options.page.empty()) write_page(options, compilation, point, system, modes.list);
   const std::string& result = is_standard_output(options.page) ? options.page : options.file;
   print_beside(result, options.json ? json
-                                    : point_text(options, found, system) + modes_text(compilation, list, places) +
+                                    : point_text(options, found, system) + modes_text(compilation, modes, places) +
                                           (responses.all.empty() ? "" : responses_text(responses)));
   return kDone;
 }
@@ -321,6 +359,9 @@ void add_linearize(NamedCommand application, int& exit_code) {
                      "FIRST:LAST:COUNT in Hz, evenly on a logarithmic axis");
   command.add_option("--bode-out", options->bode.files,
                      "write the responses to this file, a table (.csv) or a plot (.svg); may be repeated");
+  command.add_flag("--slowest-first", options->slowest_first,
+                   "list oscillations by increasing frequency, then the other modes by increasing rate");
+  command.add_option("--band", options->band, "FIRST:LAST in Hz: only modes that oscillate within");
   add_json_option(command, options->json);
   command.callback([options, &exit_code] { exit_code = run(*options); });
 }
