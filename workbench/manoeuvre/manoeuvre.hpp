@@ -20,6 +20,7 @@ struct DriverSettings {
   double understeer = 0;    ///< rad s^2/m: additional angle of the road wheels over lateral acceleration
   double largest_rate = 0;  ///< rad/s, of the road wheels
   double lag = 0;           ///< s, from the wanted angle to the angle
+  bool learns = false;      ///< `understeer` and the vehicle's steer_ratio come from the vehicle (learning.hpp)
 };
 
 /// Settings of the speed controller.
@@ -131,6 +132,7 @@ using Manoeuvre = std::variant<EventManoeuvre, CircleManoeuvre, StepManoeuvre, S
 std::string type_of(const Manoeuvre& manoeuvre);
 
 const ManoeuvreBase& base_of(const Manoeuvre& manoeuvre);
+ManoeuvreBase& base_of(Manoeuvre& manoeuvre);
 
 /// A number in a manoeuvre other than written. name: path of its field, "speed", "driver.understeer", "events.0.steer"
 /// (items count from 0, as in messages); the field, and the object around it, may be absent.

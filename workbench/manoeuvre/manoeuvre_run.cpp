@@ -8,6 +8,7 @@
 #include "compiler/text/user_error.hpp"
 #include "workbench/describe/notes.hpp"
 #include "workbench/host/assignments.hpp"
+#include "workbench/manoeuvre/learning.hpp"
 
 namespace mbgen {
 namespace {
@@ -227,7 +228,14 @@ void add_manoeuvre_outputs(Model& model) {
 
 std::shared_ptr<ManoeuvreRun> run_of(const Manoeuvre& manoeuvre, const std::string& file, const Model& model,
                                      SimulationArguments& arguments) {
-  const auto run = std::make_shared<ManoeuvreRun>(model, manoeuvre, file);
+  Manoeuvre known = manoeuvre;
+  Model seen = model;
+  if (DriverSettings& driver = base_of(known).driver; driver.learns) {
+    const LearnedVehicle learned = learn_vehicle(model, file);
+    driver.understeer = learned.understeer;
+    seen.vehicle->steer_ratio = learned.steer_ratio;
+  }
+  const auto run = std::make_shared<ManoeuvreRun>(seen, known, file);
   const bool is_planned = !arguments.duration;
   run->complete(arguments, model.solver.step);
   const double step = arguments.step.value_or(model.solver.step);

@@ -48,6 +48,10 @@ VehicleMetrics ManoeuvreRun::metrics() const {
 
 std::vector<VehicleMetric> ManoeuvreRun::numbers() const {
   std::vector<VehicleMetric> list;
+  if (base_of(manoeuvre_).driver.learns) {
+    list.push_back({"learned_understeer", base_of(manoeuvre_).driver.understeer, "rad s^2/m", "of the vehicle"});
+    list.push_back({"learned_steer_ratio", vehicle_.steer_ratio, "1", "of the vehicle"});
+  }
   if (plan_.has_driver) list.push_back({"largest_offset", largest_offset_, "m", "from the course"});
   if (plan_.torques.front().holds_speed) list.push_back({"largest_speed_error", largest_speed_error_, "m/s", ""});
   const VehicleMetrics of_standard = metrics();
@@ -61,6 +65,11 @@ ManoeuvreWords ManoeuvreRun::words() const {
   words.lines = fmt::format("  manoeuvre                 {} ({}){}\n", type_of(manoeuvre_), file_,
                             ended_.empty() ? "" : ", ended when " + ended_);
   Json manoeuvre = {{"file", file_}, {"type", type_of(manoeuvre_)}, {"ended", ended_.empty() ? Json() : Json(ended_)}};
+  if (const DriverSettings& driver = base_of(manoeuvre_).driver; driver.learns) {
+    words.lines += fmt::format("    driver learned          understeer {:.4g} rad s^2/m, steer_ratio {:g}\n",
+                               driver.understeer, vehicle_.steer_ratio);
+    manoeuvre["learned"] = {{"understeer", driver.understeer}, {"steer_ratio", vehicle_.steer_ratio}};
+  }
   if (plan_.has_driver) {
     words.lines += fmt::format("    course followed within  {:.4g} m\n", largest_offset_);
     manoeuvre["largest_offset"] = largest_offset_;

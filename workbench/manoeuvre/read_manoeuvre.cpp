@@ -61,6 +61,12 @@ void check_understeer(Reader& reader, const Value& driver, double understeer) {
        fmt::format("angles are in rad: {:g} deg s^2/m are {:.4g}", understeer, understeer * kDegree));
 }
 
+void check_driver(Reader& reader, const Value& value, const DriverSettings& driver) {
+  check_understeer(reader, value, driver.understeer);
+  if (driver.learns && find(value, "understeer"))
+    report(reader, *find(value, "understeer"), "a driver who learns finds the understeer: leave out one of the two");
+}
+
 void check_version(Reader& reader, const Value& value) {
   if (value.kind != Value::Kind::number || value.number != 1)
     report(reader, value, "this mbgen reads version 1, got " + describe(value));
@@ -132,7 +138,7 @@ Manoeuvre read_as(Reader& reader, const Value& value) {
   if (!read_fields(reader, value, written)) return Kind{};
   if (written.format) check_version(reader, *written.format);
   if (written.written_driver && read_fields(reader, *written.written_driver, written.driver))
-    check_understeer(reader, *written.written_driver, written.driver.understeer);
+    check_driver(reader, *written.written_driver, written.driver);
   if (written.written_speed_control) read_fields(reader, *written.written_speed_control, written.speed_control);
   check_speed(reader, value, "speed", written.speed);
   check(reader, value, written);
@@ -195,6 +201,10 @@ std::string type_of(const Manoeuvre& manoeuvre) {
   const bool is_later = (braking && braking->is_split) || std::holds_alternative<RideManoeuvre>(manoeuvre) ||
                         std::holds_alternative<DwellManoeuvre>(manoeuvre);
   return std::string(reading::manoeuvre_types()[is_later ? index + 1 : index]);
+}
+
+ManoeuvreBase& base_of(Manoeuvre& manoeuvre) {
+  return std::visit([](auto& one) -> ManoeuvreBase& { return one; }, manoeuvre);
 }
 
 const ManoeuvreBase& base_of(const Manoeuvre& manoeuvre) {

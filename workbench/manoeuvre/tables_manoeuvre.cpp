@@ -101,6 +101,9 @@ std::span<const Field<DriverSettings>> fields<DriverSettings>() {
           number("understeer",
                  "the driver's knowledge of the vehicle: additional angle of the road wheels over lateral acceleration",
                  "rad s^2/m", 0, Bound::none)),
+      field<F, &F::learns>(
+          switched("learns",
+                   "true: `understeer` and the vehicle's `steer_ratio` are those of the vehicle at the start's speed")),
       field<F, &F::largest_rate>(number("largest_rate", "of the road wheels", "rad/s", 0.6)),
       field<F, &F::lag>(number("lag", "of the hands, from the wanted angle", "s", 0.1)),
   };

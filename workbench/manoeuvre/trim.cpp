@@ -58,8 +58,7 @@ class Way {
  public:
   Way(Compilation& compilation, const OperatingPoint& start)
       : c_(compilation), heading_(heading_at(compilation, start)), facts_(vehicle_facts(compilation.model)) {
-    const std::vector<double> y = outputs_at(c_, start);
-    reached_.speed = std::hypot(y[index("vehicle_vx")], y[index("vehicle_vy")]);
+    reached_.speed = speed_at(c_, start);
     last_.point = start;
     if (reached_.speed < kMoves)
       throw UserError(
@@ -194,6 +193,14 @@ void incline(Model& model, double grade, double heading) {
 
 double heading_at(const Compilation& compilation, const OperatingPoint& point) {
   return outputs_at(compilation, point)[static_cast<std::size_t>(output_named(compilation.model, "vehicle_heading"))];
+}
+
+double speed_at(const Compilation& compilation, const OperatingPoint& point) {
+  const std::vector<double> y = outputs_at(compilation, point);
+  const auto value = [&](const char* name) {
+    return y[static_cast<std::size_t>(output_named(compilation.model, name))];
+  };
+  return std::hypot(value("vehicle_vx"), value("vehicle_vy"));
 }
 
 TrimSeries trim_series(Compilation& compilation, const OperatingPoint& start,

@@ -55,6 +55,9 @@ void incline(Model& model, double grade, double heading);
 /// Heading of the vehicle at a point, rad. Requires: prepare_trims.
 double heading_at(const Compilation& compilation, const OperatingPoint& point);
 
+/// Speed over the ground, m/s. Requires: prepare_trims.
+double speed_at(const Compilation& compilation, const OperatingPoint& point);
+
 /// Steady motions one after the other, each from the one before, the first from straight running at `start`: bends
 /// tighten by at most 1 m/s^2 at once, so that a motion beyond the limit of grip is not passed over. The drive balances
 /// drag. compilation: partitions that become poor are chosen again. start: moving; its rates are scaled to the speed.
