@@ -9,18 +9,18 @@
 namespace mbgen::cli_test {
 namespace {
 
-const std::string kCar = kSource + "/tests/data/models/four_wheeler.json";
+const std::string kTrimmedCar = kSource + "/tests/data/models/four_wheeler.json";
 
 class Trims : public CommandLine {
  protected:
   Json trim(const std::string& arguments) const { return linear(arguments)["trim"]; }
   Json linear(const std::string& arguments) const {
-    return json_of("linearize " + kCar + " --speed " + arguments + " --json");
+    return json_of("linearize " + kTrimmedCar + " --speed " + arguments + " --json");
   }
   Table drive(const std::string& manoeuvre, const std::string& more) const {
     write("m.json", manoeuvre);
     const Outcome run =
-        mbgen("simulate " + kCar + " --engine generic --step 2e-3 --manoeuvre m.json --out m.csv " + more);
+        mbgen("simulate " + kTrimmedCar + " --engine generic --step 2e-3 --manoeuvre m.json --out m.csv " + more);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return table("m.csv");
   }
@@ -106,8 +106,8 @@ TEST_F(Trims, AGradeAsksForTheForceOfGravity) {
 TEST_F(Trims, UndersteerIsThatOfTheSteadyCircle) {
   write("m.json", R"({ "mbgen_manoeuvre": 1, "type": "steady_circle", "method": "constant_speed", "speed": 20,
                        "steer": 0.02, "duration": 30 })");
-  const Json run =
-      json_of("simulate " + kCar + " --engine generic --step 2e-3 --manoeuvre m.json --every 100 --out m.csv --json");
+  const Json run = json_of("simulate " + kTrimmedCar +
+                           " --engine generic --step 2e-3 --manoeuvre m.json --every 100 --out m.csv --json");
   const auto metric = [&](const char* name) {
     for (const Json& one : run["metrics"])
       if (one["name"] == name) return one["value"].get<double>();
@@ -115,8 +115,8 @@ TEST_F(Trims, UndersteerIsThatOfTheSteadyCircle) {
   };
   // The slope of a fitted line is the mean of the slopes with weights a (a_most - a).
   const double most = metric("largest_lateral_acceleration"), driven = metric("understeer_gradient");
-  const Json rows = json_of(fmt::format("linearize {} --speed 20 --lateral-acceleration {}:{}:3 --json", kCar, most / 4,
-                                        3 * most / 4))["trims"];
+  const Json rows = json_of(fmt::format("linearize {} --speed 20 --lateral-acceleration {}:{}:3 --json", kTrimmedCar,
+                                        most / 4, 3 * most / 4))["trims"];
   const double weights[] = {0.3, 0.4, 0.3};
   double mean = 0;
   for (std::size_t i = 0; i < 3; ++i) mean += weights[i] * rows[i]["understeer_gradient"].get<double>();
@@ -145,13 +145,14 @@ TEST_F(Trims, AFrequencyResponseIsThatOfASineOfSteering) {
 }
 
 TEST_F(Trims, ARangeEndsWhereTyresGiveNoMore) {
-  const Outcome run = mbgen("linearize " + kCar + " --speed 20 --lateral-acceleration 0:14:8 --handling-out t.csv");
+  const Outcome run =
+      mbgen("linearize " + kTrimmedCar + " --speed 20 --lateral-acceleration 0:14:8 --handling-out t.csv");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("no steady motion at 20 m/s with a lateral acceleration of"), std::string::npos) << run.err;
   const Table found = table("t.csv");
   EXPECT_GE(found.rows.size(), 3u);
   EXPECT_LT(found.last("lateral_acceleration [m/s^2]"), 9.81) << "the tyres' friction is at most 1.1";
-  const Outcome single = mbgen("linearize " + kCar + " --speed 20 --lateral-acceleration 14");
+  const Outcome single = mbgen("linearize " + kTrimmedCar + " --speed 20 --lateral-acceleration 14");
   EXPECT_EQ(single.exit_code, 1);
   EXPECT_NE(
       single.err.find("four_wheeler.json: no steady motion at 20 m/s with a lateral acceleration of 14 m/s^2: the "
@@ -163,7 +164,7 @@ TEST_F(Trims, ARangeEndsWhereTyresGiveNoMore) {
 TEST_F(Trims, OutputsMayBeHeld) {
   write("car.json", fmt::format(R"({{ "mbgen": 1, "name": "car", "include": ["{}"],
       "outputs": {{ "turn": {{ "joint": "car_rz", "quantity": "velocity" }} }} }})",
-                                kCar));
+                                kTrimmedCar));
   const Json found =
       json_of("linearize car.json --at steady --hold car_tx=15 --hold out.turn=0.1 --solve steer --solve drive --json");
   EXPECT_NEAR(found["velocities"]["car_rz"].get<double>(), 0.1, 1e-7);
@@ -176,7 +177,9 @@ TEST_F(Trims, OutputsMayBeHeld) {
 }
 
 TEST_F(Trims, ArgumentsThatExcludeEachOtherAreNamed) {
-  const auto error = [&](const std::string& arguments) { return mbgen("linearize " + kCar + " " + arguments).err; };
+  const auto error = [&](const std::string& arguments) {
+    return mbgen("linearize " + kTrimmedCar + " " + arguments).err;
+  };
   EXPECT_EQ(error("--speed 20 --radius 100 --lateral-acceleration 2"),
             "--radius, --lateral-acceleration: a bend is asked by one of the two\n");
   EXPECT_EQ(error("--speed 0"), "--speed: 0 m/s; a steady motion needs a speed above 0\n");

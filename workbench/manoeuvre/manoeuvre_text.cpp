@@ -43,7 +43,14 @@ void ManoeuvreRun::judge(StepVerdict& verdict) const {
 }
 
 VehicleMetrics ManoeuvreRun::metrics() const {
-  return metrics_of(manoeuvre_, plan_, facts_, vehicle_, start_, series_);
+  VehicleMetrics metrics = metrics_of(manoeuvre_, plan_, facts_, vehicle_, start_, series_);
+  double before = 0;
+  for (std::size_t lap = 0; lap < laps_.size(); ++lap) {
+    metrics.values.push_back(
+        {fmt::format("lap_time_{}", lap + 1), laps_[lap] - before, "s", "from the start line to itself"});
+    before = laps_[lap];
+  }
+  return metrics;
 }
 
 std::vector<VehicleMetric> ManoeuvreRun::numbers() const {

@@ -48,15 +48,15 @@ Pace pace_of(const TrimRequest& request) {
 }
 
 /// Between two paces: the speed and the lateral acceleration change evenly.
-Pace between(const Pace& from, const Pace& to, double share) {
+Pace pace_between(const Pace& from, const Pace& to, double share) {
   const double speed = from.speed + share * (to.speed - from.speed);
   return {speed, std::lerp(from.lateral_acceleration(), to.lateral_acceleration(), share) / speed};
 }
 
 /// The way from one steady motion to the next.
-class Way {
+class PaceWay {
  public:
-  Way(Compilation& compilation, const OperatingPoint& start)
+  PaceWay(Compilation& compilation, const OperatingPoint& start)
       : c_(compilation), heading_(heading_at(compilation, start)), facts_(vehicle_facts(compilation.model)) {
     reached_.speed = speed_at(c_, start);
     last_.point = start;
@@ -82,7 +82,7 @@ class Way {
     const double least = share * kFinest;
     while (done < 1) {
       const double next = done + share > 1 - least ? 1 : done + share;
-      const Pace pace = between(from, to, next);
+      const Pace pace = pace_between(from, to, next);
       if (reach(pace) || (choose_again() && reach(pace))) {
         done = next;
         continue;
@@ -206,7 +206,7 @@ double speed_at(const Compilation& compilation, const OperatingPoint& point) {
 TrimSeries trim_series(Compilation& compilation, const OperatingPoint& start,
                        const std::vector<TrimRequest>& requests) {
   TrimSeries series;
-  Way way(compilation, start);
+  PaceWay way(compilation, start);
   way.begin(requests.front().speed);
   for (const TrimRequest& request : requests) {
     const Pace pace = pace_of(request);

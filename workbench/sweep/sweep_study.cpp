@@ -122,7 +122,8 @@ std::vector<VariedParameter> varied_parameters(const Study& study, const std::ve
 
 Result<Model> model_with(const Study& study, const std::vector<VariedParameter>& varied) {
   Result<Model> model = read_varied_model(study.arguments.model, varied);
-  if (model && !study.manoeuvre.empty()) add_manoeuvre_outputs(*model);
+  if (model && !study.manoeuvre.empty())
+    prepare_model(*model, expect(read_manoeuvre(study.manoeuvre, study.arguments.manoeuvre)));
   return model;
 }
 
