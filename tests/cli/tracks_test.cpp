@@ -79,6 +79,16 @@ TEST_F(Drives, ACourseOfAFileIsFollowed) {
   EXPECT_NE(missing.err.find("m.json:1:62: "), std::string::npos) << missing.err;
 }
 
+TEST_F(Drives, InputsOfTheManoeuvreAreItsOwn) {
+  write("m.json", R"({ "mbgen_manoeuvre": 1, "type": "ride", "speed": 8 })");
+  EXPECT_EQ(mbgen("simulate " + kDrivenCar + " --engine generic --manoeuvre m.json --out m.csv --input steer=0.1").err,
+            "--input steer: the manoeuvre moves this input itself\n  hint: change the manoeuvre's file, or leave out "
+            "--input\n");
+  EXPECT_EQ(mbgen("sweep " + kDrivenCar + " --engine generic --manoeuvre m.json --out m.csv --vary brake=1,2").err,
+            "--vary brake: the manoeuvre moves this input itself\n  hint: change the manoeuvre's file, or leave out "
+            "--vary\n");
+}
+
 TEST_F(Drives, WhoLearnsIsNotTold) {
   write("m.json",
         R"({ "mbgen_manoeuvre": 1, "type": "ride", "speed": 8, "driver": { "learns": true, "understeer": 0.1 } })");

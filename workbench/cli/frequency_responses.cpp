@@ -61,7 +61,7 @@ std::string unit_over(const std::string& output, const std::string& input) {
 
 FrequencyResponses frequency_responses(const BodeArguments& arguments, const Model& model, const LinearSystem& system) {
   FrequencyResponses result;
-  result.frequencies = frequencies_of(arguments.frequencies);
+  result.frequencies = frequencies_of(arguments.frequencies.empty() ? "0.1:20:200" : arguments.frequencies);
   for (const std::string& pair : arguments.pairs) {
     const std::size_t colon = pair.find(':');
     if (colon == std::string::npos) throw UserError(fmt::format("--bode: \"{}\" is no INPUT:OUTPUT\n", pair));

@@ -12,9 +12,9 @@ namespace mbgen::cli {
 
 /// As typed.
 struct BodeArguments {
-  std::vector<std::string> pairs;          ///< IN:OUT
-  std::string frequencies = "0.1:20:200";  ///< FIRST:LAST[:COUNT], Hz
-  std::vector<std::string> files;          ///< to write, .csv or .svg
+  std::vector<std::string> pairs;  ///< IN:OUT
+  std::string frequencies;         ///< FIRST:LAST[:COUNT], Hz; "" for 0.1:20:200
+  std::vector<std::string> files;  ///< to write, .csv or .svg
 };
 
 /// The response of one output to one input.

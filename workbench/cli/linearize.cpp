@@ -230,6 +230,8 @@ void require_compatible(const LinearizeOptions& options) {
   if (!options.page.empty()) require_report_page("--report");
   if (!options.bode.files.empty() && options.bode.pairs.empty())
     throw UserError("--bode-out: nothing to write\n  hint: --bode INPUT:OUTPUT names a response\n");
+  if (!options.bode.frequencies.empty() && options.bode.pairs.empty())
+    throw UserError("--frequencies: of no response\n  hint: --bode INPUT:OUTPUT names a response\n");
   const TrimArguments& trim = options.trim;
   if (!trim.is_asked()) {
     if (!trim.lateral_acceleration.empty() || trim.radius || trim.grade || !trim.files.empty())

@@ -229,6 +229,18 @@ std::optional<VariedParameter> start_speed(const Manoeuvre& manoeuvre, const Mod
   return VariedParameter{parameter.name, *speed, parameter.tunable};
 }
 
+void require_others_inputs(const Model& model, const std::string& option, const std::vector<std::string>& inputs) {
+  for (const std::string& assignment : inputs) {
+    const std::string name = assignment.substr(0, assignment.find('='));
+    for (const int own : {model.vehicle->steer, model.vehicle->drive, model.vehicle->brake}) {
+      if (own < 0 || model.inputs[static_cast<std::size_t>(own)].name != name) continue;
+      throw UserError(fmt::format(
+          "{} {}: the manoeuvre moves this input itself\n  hint: change the manoeuvre's file, or leave out {}\n",
+          option, name, option));
+    }
+  }
+}
+
 void prepare_model(Model& model, const Manoeuvre& manoeuvre) {
   vehicle_facts(model);
   add_vehicle_outputs(model);
