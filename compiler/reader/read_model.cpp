@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "compiler/model/model.hpp"
-#include "compiler/reader/anti_roll_bars.hpp"
+#include "compiler/reader/elements/anti_roll_bar.hpp"
 #include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/positions.hpp"
 #include "compiler/reader/read_states.hpp"

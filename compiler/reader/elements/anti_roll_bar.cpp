@@ -1,5 +1,5 @@
 // Anti-roll bars: half bars, torsion between them, droplinks.
-#include "compiler/reader/anti_roll_bars.hpp"
+#include "compiler/reader/elements/anti_roll_bar.hpp"
 
 #include <fmt/format.h>
 
