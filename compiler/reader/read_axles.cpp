@@ -40,6 +40,9 @@ AxleWheel read_wheel(Reader& reader, const Value& value) {
     Vector3 axis = fields.written_axis.value_or(Vector3{0, 1, 0});
     turn_axis_by_points(reader, find(value, "axis"), wheel.centre.body, axis);
     wheel.axis = wheel.centre.body < 0 ? axis : placed_axis(reader, wheel.centre.body, axis, FreedomKind::revolute);
+    // The default is y of the wheel's own frame, with static toe and camber, wherever the wheel was placed.
+    if (!fields.written_axis && wheel.centre.body >= 0)
+      wheel.axis = rotated(reader.model.bodies[static_cast<std::size_t>(wheel.centre.body)].pose.rotation, {0, 1, 0});
   }
   constexpr double kSmallestTilt = 1e-3;  // rad between the axis and the vertical
   if (std::hypot(wheel.axis[0], wheel.axis[1]) < kSmallestTilt)

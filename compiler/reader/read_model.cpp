@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "compiler/model/model.hpp"
+#include "compiler/reader/elements/anti_roll_bar.hpp"
 #include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/positions.hpp"
 #include "compiler/reader/read_states.hpp"
@@ -160,14 +161,17 @@ void read_sections(Reader& reader) {
   read_gravity(reader);
   read_hardpoints(reader, entries(&FileFields::hardpoints));
   place_instances(reader);
-  read_bodies(reader, entries(&FileFields::bodies));
+  const ComposedBars bars = compose_bars(reader, entries(&FileFields::anti_roll_bars));
+  read_bodies(reader, with_composed(reader, entries(&FileFields::bodies), bars.bodies));
   reader.has_bodies = true;
-  read_joints(reader, entries(&FileFields::joints));
+  read_joints(reader, with_composed(reader, entries(&FileFields::joints), bars.joints));
   check_inertias(reader);
-  read_rods(reader, entries(&FileFields::rods));
+  read_rods(reader, with_composed(reader, entries(&FileFields::rods), bars.rods));
   read_couplings(reader, entries(&FileFields::couplings));
   std::array<Entries, ElementKinds::count> elements;
   each_section([&]<class Kind>(KindOf<Kind>) { elements[kKindIndex<Kind>] = entries(&SectionOf<Kind>::section); });
+  Entries& springs = elements[kKindIndex<JointSpring>];
+  springs = with_composed(reader, std::move(springs), bars.joint_springs);
   name_lines(reader, elements);
   const Entries outputs = entries(&FileFields::outputs);
   name_outputs(reader, outputs);
