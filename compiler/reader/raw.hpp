@@ -204,7 +204,7 @@ struct AxleWheelFields {
 /// An axle with its wheels as written.
 struct AxleFields : Axle {
   std::string written_body;
-  const Value *written_left = nullptr, *written_right = nullptr, *written_without = nullptr;
+  const Value *written_left = nullptr, *written_right = nullptr, *written_without = nullptr, *written_steer = nullptr;
 };
 
 /// The vehicle with names of inputs and of a parameter as written.
