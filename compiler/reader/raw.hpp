@@ -29,7 +29,7 @@ struct FileFields : About, SectionsOf<ElementKinds> {
   const Value *format = nullptr, *name = nullptr, *gravity = nullptr, *include = nullptr;
   const Value *hardpoints = nullptr;
   const Value *parameters = nullptr, *inputs = nullptr, *bodies = nullptr, *joints = nullptr, *rods = nullptr;
-  const Value *anti_roll_bars = nullptr;
+  const Value *anti_roll_bars = nullptr, *beams = nullptr;
   const Value *tyre_data = nullptr, *motions = nullptr;
   const Value *axles = nullptr, *vehicle = nullptr;
   const Value *roads = nullptr;

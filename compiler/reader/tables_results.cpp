@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "compiler/reader/elements/beam.hpp"
 #include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/included.hpp"
 #include "compiler/reader/output_sources.hpp"
@@ -198,6 +199,10 @@ std::vector<ObjectKind> object_kinds() {
                                  "link_stiffness and section",
                                  {"stiffness", "link_stiffness", "section"}),
       kind_of<BarSectionFields>("bar_section", "round cross-section of an anti-roll bar"),
+      kind_of<BeamFields>("beam", "a beam through points, of segments that bend and twist"),
+      kind_of<BeamSectionFields>("beam_section", "cross-section of a beam"),
+      kind_of<BeamMaterial>("beam_material", "material of a beam"),
+      kind_of<BeamSupportFields>("beam_support", "joint of a beam's point with a body"),
       kind_of<Coupling>("coupling", "a relation between coordinates; exactly one of relation and curve",
                         {"relation", "curve"},
                         {{"curve", "joint"}, {"curve", "follows"}, {"joint", "curve"}, {"follows", "curve"}}),

@@ -33,52 +33,6 @@ Vector3 direction_of(const Vector3& vector) {
   return {vector[0] / length, vector[1] / length, vector[2] / length};
 }
 
-/// The object of an element, under construction.
-struct Composed {
-  Place place;
-  Value object;
-
-  explicit Composed(Place at) : place(at) {
-    object.kind = Value::Kind::object;
-    object.place = at;
-  }
-  void add(std::string_view key, Value value) { object.members.push_back({std::string(key), place, std::move(value)}); }
-  void add_text(std::string_view key, std::string text, Place at) {
-    Value value;
-    value.kind = Value::Kind::text;
-    value.place = at;
-    value.text = std::move(text);
-    add(key, std::move(value));
-  }
-  void add_number(std::string_view key, double number) { add(key, number_at(place, number)); }
-  template <std::size_t count>
-  void add_numbers(std::string_view key, const std::array<double, count>& numbers) {
-    Value list;
-    list.kind = Value::Kind::array;
-    list.place = place;
-    for (const double number : numbers) list.items.push_back(number_at(place, number));
-    add(key, std::move(list));
-  }
-  static Value number_at(Place place, double number) {
-    Value value;
-    value.kind = Value::Kind::number;
-    value.place = place;
-    value.number = number;
-    return value;
-  }
-};
-
-/// Adds an element of the bar to a section. suffix: of its name.
-void add_part(Reader& reader, Entries& section, const Entry& bar, std::string_view suffix, Composed part) {
-  Entry entry = bar;
-  entry.written += suffix;
-  entry.name = full_name(current_scope(reader).visible.front(), entry.written);
-  if (!is_valid_name(entry.name))
-    report(reader, bar.place, fmt::format("invalid name {} of a part of the bar", in_quotes(entry.name)), kNameRule);
-  entry.value = &reader.composed.emplace_back(std::move(part.object));
-  section.push_back(std::move(entry));
-}
-
 std::string point_of_bar(const Entry& bar, std::size_t point, std::size_t side) {
   return fmt::format("{}_{}_{}", bar.written, kBarPoints[point], kBarSides[side]);
 }
@@ -178,16 +132,9 @@ void add_inertia(Composed& body, double mass, const Vector3& middle, const Vecto
 
 /// Makes the bar's points known as hardpoints.
 void add_hardpoints_of_bar(Reader& reader, const Entry& bar, const std::array<BarPoints, 2>& points) {
-  Hardpoints& known = reader.hardpoints;
   for (std::size_t side = 0; side < 2; ++side) {
-    for (std::size_t point = 0; point < 3; ++point) {
-      const std::string name = full_name(current_scope(reader).visible.front(), point_of_bar(bar, point, side));
-      if (!known.names.emplace(name, static_cast<int>(known.list.size())).second)
-        report(reader, bar.place,
-               fmt::format("hardpoint {} is defined, and the bar makes one of this name", in_quotes(name)),
-               "rename one of them");
-      known.list.push_back({name, reader.scope, bar.place, points[side][point]});
-    }
+    for (std::size_t point = 0; point < 3; ++point)
+      add_composed_hardpoint(reader, bar, point_of_bar(bar, point, side), points[side][point]);
   }
 }
 
@@ -231,7 +178,7 @@ bool check_one_stiffness(Reader& reader, const Value& value) {
 }
 
 void add_sides(Reader& reader, const Entry& bar, const AntiRollBarFields& fields,
-               const std::array<BarPoints, 2>& points, ComposedBars& made) {
+               const std::array<BarPoints, 2>& points, ComposedParts& made) {
   const Value& value = *bar.value;
   const Vector3 left = reference_of(points[0][0]), right = reference_of(points[1][0]);
   const Vector3 middle = {(left[0] + right[0]) / 2, (left[1] + right[1]) / 2, (left[2] + right[2]) / 2};
@@ -252,13 +199,13 @@ void add_sides(Reader& reader, const Entry& bar, const AntiRollBarFields& fields
     rod.add_text("from", at(half, 1), bar.place);
     rod.add_text("to", at(side == 0 ? fields.left : fields.right, 2), find(value, kBarSides[side])->place);
     if (fields.link_mass > 0) rod.add_number("mass", fields.link_mass);
-    add_part(reader, made.bodies, bar, suffix, std::move(body));
-    add_part(reader, made.joints, bar, suffix, std::move(joint));
-    add_part(reader, made.rods, bar, "_link" + suffix, std::move(rod));
+    add_composed(reader, made.bodies, bar, suffix, std::move(body));
+    add_composed(reader, made.joints, bar, suffix, std::move(joint));
+    add_composed(reader, made.rods, bar, "_link" + suffix, std::move(rod));
   }
 }
 
-void compose_bar(Reader& reader, const Entry& bar, ComposedBars& made) {
+void compose_bar(Reader& reader, const Entry& bar, ComposedParts& made) {
   const std::size_t problems = reader.problems.size();
   const Value& value = *bar.value;
   AntiRollBarFields fields = with_defaults<AntiRollBarFields>();
@@ -280,34 +227,16 @@ void compose_bar(Reader& reader, const Entry& bar, ComposedBars& made) {
   spring.add_text("relative_to", bar.written + "_right", bar.place);
   spring.add("stiffness", fields.stiffness ? *fields.stiffness : Composed::number_at(bar.place, stiffness));
   if (fields.damping) spring.add("damping", *fields.damping);
-  add_part(reader, made.joint_springs, bar, "", std::move(spring));
+  add_composed(reader, made.joint_springs, bar, "", std::move(spring));
 }
 
 }  // namespace
 
-ComposedBars compose_bars(Reader& reader, const Entries& bars) {
-  ComposedBars made;
+void compose_bars(Reader& reader, const Entries& bars, ComposedParts& made) {
   for (const Entry& bar : bars) {
     const InScope in_scope(reader, bar.scope);
     compose_bar(reader, bar, made);
   }
-  return made;
-}
-
-Entries with_composed(Reader& reader, Entries entries, const Entries& made) {
-  const std::size_t own = entries.size();
-  for (const Entry& part : made) {
-    const auto end = entries.begin() + static_cast<std::ptrdiff_t>(own);
-    const auto same = std::find_if(entries.begin(), end, [&](const Entry& one) { return one.name == part.name; });
-    if (same != end)
-      report(reader, same->place,
-             fmt::format("name {} is defined twice, the anti-roll bar at {} has a part of this name",
-                         in_quotes(part.name), place_text(reader.documents, part.place, same->place)),
-             "rename one of them");
-    else
-      entries.push_back(part);
-  }
-  return entries;
 }
 
 }  // namespace mbgen::reading
