@@ -62,7 +62,8 @@ RoadPlane<T> road_plane(const ForceWork<T>& work, const Tyre& tyre) {
   const T cosine(std::cos(road.heading)), sine(std::sin(road.heading));
   RoadHeight<T> below;
   if (tyre.envelope) {
-    const Vector<T> axis = direction_in(system, work.k, carrier, spin_axis(system, work.k, tyre.axis, centre.body), kGround);
+    const Vector<T> axis =
+        direction_in(system, work.k, carrier, spin_axis(system, work.k, tyre.axis, centre.body), kGround);
     const T level = T(1.0) / sqrt(axis.x * axis.x + axis.y * axis.y);
     const T forward_x = level * axis.y, forward_y = -(level * axis.x);
     below = height_of_envelope<T>(work, tyre, road,
