@@ -16,7 +16,7 @@ struct BumpStop {
   enum class Side {
     compression,  ///< s: reduction of the distance, or motion of `to` against `axis`
     extension,    ///< s: increase of the distance, or motion of `to` along `axis`
-    above,        ///< s: the coordinate, less that of `relative_to`
+    above,        ///< s: the coordinate, less `relative_to`
     below         ///< s: minus this
   };
   std::string name;

@@ -8,7 +8,7 @@
 
 namespace mbgen {
 
-/// Friction on a coordinate, or between two (clutch): at the rate of `joint` less that of `relative_to`, its force on
+/// Friction on a coordinate, or between two (clutch): at the rate of `joint` less `relative_to`, its force on
 /// `joint`, and opposite on `relative_to`.
 struct JointFriction : FrictionLaw {
   std::string name;
