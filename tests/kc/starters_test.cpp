@@ -97,7 +97,7 @@ TEST(Starters, McPhersonHasTheScrewOfItsGeometry) {
   const KcReport report = report_of(model, {.points = 3});
   expect_figures(report, model, screw, 0.2985, {"anti_dive", 0.7 * 2.7 / 0.55});
   EXPECT_NEAR(figure(report, "ratio_spring"), ratio(screw, at("strut_top"), at("strut_low")), 1e-9);
-  // What a passenger car has: roll centre, camber gain and bump steer of a McPherson axle.
+  // Roll centre, camber gain and bump steer are those of passenger cars.
   EXPECT_GT(figure(report, "roll_centre_height"), 0.03);
   EXPECT_LT(figure(report, "roll_centre_height"), 0.1);
   EXPECT_LT(figure(report, "camber_gradient"), 0);
