@@ -31,7 +31,7 @@ TEST_F(New, EveryStarterIsAModelThatMoves) {
 TEST_F(New, OfSeveralFilesStandsInAFolderUnderAnyName) {
   const Json written = json_of("new car --out cars/mine.json --json");
   EXPECT_EQ(written["file"], "cars/mine.json");
-  ASSERT_EQ(written["files"].size(), 11u);
+  ASSERT_EQ(written["files"].size(), 16u);
   EXPECT_EQ(written["files"][0], "cars/mine.json");
   for (const Json& file : written["files"]) EXPECT_FALSE(read(file.get<std::string>()).empty()) << file;
   // The road of the car on ice includes the car by its name.
@@ -51,7 +51,7 @@ TEST_F(New, OfSeveralFilesStandsInAFolderUnderAnyName) {
   EXPECT_EQ(mbgen("new car --out both --force").exit_code, 0);
   EXPECT_NE(read("both/car_tyre.json"), "precious");
   EXPECT_EQ(mbgen("new car --out -").err,
-            "mbgen new: car is 11 files, standard output takes one\n  hint: name a folder: --out car/\n");
+            "mbgen new: car is 16 files, standard output takes one\n  hint: name a folder: --out car/\n");
   EXPECT_EQ(
       mbgen("new car --out car_tyre.json").err,
       "car_tyre.json: a file of car that stands beside the model has this name\n  hint: name another one with --out\n");
@@ -68,6 +68,16 @@ TEST_F(New, CarStandsAtItsDesignPosition) {
   for (const std::string side : {"left", "right"}) {
     EXPECT_NEAR(output("load_front_" + side), 3912, 15);
     EXPECT_NEAR(output("load_rear_" + side), 3200, 15);
+  }
+  for (const std::string variant : {"car_double_wishbone", "car_twist_beam"}) {
+    EXPECT_NE(mbgen("check " + variant + ".json").out.find(", notes 0\n"), std::string::npos) << variant;
+    const Json other = json_of("equilibrium " + variant + ".json --json");
+    EXPECT_NEAR(other["positions"]["chassis_tz"].get<double>(), 0, 1e-3) << variant;
+    EXPECT_NEAR(other["positions"]["chassis_ry"].get<double>(), 0, 1e-3) << variant;
+    for (const std::string side : {"left", "right"}) {
+      EXPECT_NEAR(other["outputs"]["load_front_" + side].get<double>(), 3912, 25) << variant;
+      EXPECT_NEAR(other["outputs"]["load_rear_" + side].get<double>(), 3200, 25) << variant;
+    }
   }
   constexpr double kDegree = 3.14159265358979 / 180;
   EXPECT_NEAR(output("toe_front_left"), 0.1 * kDegree, 1e-4);
