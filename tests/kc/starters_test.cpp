@@ -149,18 +149,46 @@ TEST(Starters, SolidAxleRollsAboutTheHeightOfItsLeaves) {
   EXPECT_NEAR(figure(report, "wheel_rate"), 600e3, 600);
 }
 
-// With stiff bushings the arms turn about the line through both of them as one: a wheel moves up by their distance, and
-// the twist of the beam adds its stiffness where both move against each other.
-TEST(Starters, TwistBeamIsStifferInRoll) {
-  const Model model = at_reference("twist_beam");
+// With hard bushings both arms turn about the line through them when the wheels move alike; against each other an arm
+// turns about the line from its bushing to the shear centre in the middle of the beam, and the beam twists by twice its
+// part about y.
+TEST(Starters, TwistBeamRollsAboutItsShearCentre) {
+  const auto side = [](const std::string& name, const std::string& mirror) {
+    return "\"/instances/" + name + R"(": { "file": ")" + source_path("models/starters/vehicles/twist_beam_side.json") +
+           R"(", "suffix": "_)" + name +
+           R"(", "connect": { "chassis": "ground" }, "parameters": { "radial": 1e11, "axial": 1e11 })" + mirror + " }";
+  };
+  const std::string text = R"({ "mbgen": 1, "name": "stand", "include": [{ "file": ")" +
+                           source_path("models/starters/vehicles/twist_beam.json") +
+                           R"(", "remove": ["/initial"], "replace": { )" + side("left", "") + ", " +
+                           side("right", R"(, "mirror": "xz", "coordinates": "parallel")") + " } }] }";
+  const Model model = expect(read_model(text, "stand.json"));
+  const Vector3d hub = hardpoint(model, "hub_left"), bush = hardpoint(model, "bush_left");
+  const Vector3d middle = (hardpoint(model, "shear_left") + hardpoint(model, "shear_right")) / 2;
+  const auto turning = [&](const Vector3d& axis) {
+    const Vector3d turn = axis / axis.cross(hub - bush).z();
+    return Screw{hub, turn.cross(hub - bush), turn};
+  };
+  const Screw alike = turning(Vector3d::UnitY()), against = turning(bush - middle);
   const KcReport report = report_of(model, {.points = 3});
-  const double twist = figure(report, "ratio_roll_twist"), spring = figure(report, "ratio_roll_spring_left");
-  // Twist over opposite travels of both wheels by one metre, springs in roll; bushings and preloads take a few per
-  // cent.
-  const double expected = 2200 * twist * twist / 2 + 27e3 * spring * spring;
-  EXPECT_NEAR(figure(report, "wheel_rate_roll") / expected, 1, 0.12);
-  EXPECT_GT(figure(report, "wheel_rate_roll"), 1.3 * figure(report, "wheel_rate"));
-  EXPECT_NEAR(figure(report, "toe"), 0.15 * 3.14159265358979 / 180, 1e-3);
+  const double toe = 0.15 * M_PI / 180, camber = -1.3 * M_PI / 180, radius = 0.3018;
+  const Vector3d a(std::sin(toe) * std::cos(camber), std::cos(toe) * std::cos(camber), -std::sin(camber));
+  const double level = std::hypot(a.x(), a.y());
+  const Vector3d rate = alike.turn.cross(a);
+  EXPECT_NEAR(figure(report, "toe"), toe, 1e-9);
+  EXPECT_NEAR(figure(report, "camber"), camber, 1e-9);
+  EXPECT_NEAR(figure(report, "toe_gradient"), (rate.x() * a.y() - a.x() * rate.y()) / (level * level), 1e-6);
+  EXPECT_NEAR(figure(report, "camber_gradient"),
+              a.z() * (a.x() * rate.x() + a.y() * rate.y()) / level - rate.z() * level, 1e-6);
+  // Opposite travel: twist of the beam, springs, and the contact centre's way.
+  EXPECT_NEAR(std::abs(figure(report, "ratio_roll_torsion")), std::abs(2 * against.turn.y()), 1e-5);
+  EXPECT_NEAR(figure(report, "ratio_roll_spring_left"),
+              ratio(against, hardpoint(model, "spring_top_left"), hardpoint(model, "spring_seat_left")), 1e-6);
+  const Vector3d turns = against.turn.cross(a), up(0, 0, 1), f = a.cross(up).normalized();
+  const Vector3d f_rate = turns.cross(up) / level - f * (f.dot(turns.cross(up)) / level);
+  const Vector3d moves = against.velocity - radius * (f_rate.cross(a) + f.cross(turns));
+  const double y = (hub - radius * f.cross(a)).y();
+  EXPECT_NEAR(figure(report, "roll_centre_height"), y * moves.y() / moves.z(), 1e-6);
 }
 
 }  // namespace
