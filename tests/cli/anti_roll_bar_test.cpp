@@ -80,5 +80,32 @@ TEST_F(AntiRollBar, HasTheForcesOfItsClosedForm) {
   }
 }
 
+// A bar in a subsystem: mirrored, rotated, with coordinates about parallel axes, its points over a tunable parameter.
+TEST_F(AntiRollBar, HasThemInMirroredInstancesToo) {
+  std::string part = kSlides;
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    ASSERT_NE(part.find(from), std::string::npos) << from;
+    part.replace(part.find(from), from.size(), to);
+  };
+  replace(R"("right_travel": -0.03)", R"("right_travel": -0.03, "arm_x": { "value": -0.25, "tunable": true })");
+  replace(R"("bar_arm": [-0.25,)", R"("bar_arm": ["arm_x",)");
+  replace("\"gravity\": [0, 0, 0],", "");
+  write("part.json", part);
+  const double left = angle_of(0.06), right = angle_of(-0.03), torque = kStiffness * (left - right);
+  for (const std::string place :
+       {R"("mirror": "xz")", R"("mirror": "xz", "coordinates": "parallel")", R"("mirror": "yz", "offset": [1, 2, 3])",
+        R"("mirror": "xz", "rotation": { "axis": "z", "angle": { "deg": 30 } })"}) {
+    write("whole.json", R"({ "mbgen": 1, "name": "whole", "gravity": [0, 0, 0], "bodies": { "ground": {} },
+      "instances": { "a": { "file": "part.json", "suffix": "_a", )" +
+                            place + R"( } },
+      "solver": { "step": 0.01, "duration": 1 } })");
+    const Outcome run = mbgen("simulate whole.json --engine generic --out whole.csv");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const Table result = table("whole.csv");
+    EXPECT_NEAR(result.last("left_force_a [N]"), torque / lever(left), 1e-6) << place;
+    EXPECT_NEAR(result.last("right_force_a [N]"), -torque / lever(right), 1e-6) << place;
+  }
+}
+
 }  // namespace
 }  // namespace mbgen::cli_test

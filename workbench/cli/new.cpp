@@ -11,6 +11,7 @@
 
 #include "compiler/emit/embedded.hpp"
 #include "compiler/text/json_text.hpp"
+#include "compiler/text/read_text.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/options.hpp"
@@ -33,7 +34,7 @@ struct StarterFile {
 struct Starter {
   std::string kind;                ///< its name without extension
   std::string purpose;             ///< its first line
-  std::vector<StarterFile> files;  ///< the model, then every part and manoeuvre that it or one of these mentions
+  std::vector<StarterFile> files;  ///< the model, then the files that it or one of these uses
 };
 
 std::vector<StarterFile> starter_files() {
@@ -60,13 +61,15 @@ bool is_beside(const StarterFile& file) {
   return file.text.starts_with("// Part: ") || file.text.starts_with("// Manoeuvre");
 }
 
-/// Adds the parts and manoeuvres that the last files mention, until none is new.
+/// Adds the parts and manoeuvres that the last files mention, and the models that they include, until none is new.
 void add_mentioned(const std::vector<StarterFile>& all, std::vector<StarterFile>& files) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     for (const StarterFile& other : all) {
-      if (!is_beside(other)) continue;
       const auto is_it = [&](const StarterFile& one) { return one.name == other.name; };
-      if (std::any_of(files.begin(), files.end(), is_it) || mentions_of(files[i].text, other.name).empty()) continue;
+      if (std::any_of(files.begin(), files.end(), is_it)) continue;
+      const bool is_used = is_beside(other) ? !mentions_of(files[i].text, other.name).empty()
+                                            : files[i].text.find('"' + other.name + '"') != std::string_view::npos;
+      if (!is_used) continue;
       files.push_back(other);
     }
   }
@@ -131,33 +134,44 @@ std::vector<std::string> paths_of(const std::string& model, const Starter& start
   return paths;
 }
 
-void refuse_existing(const std::vector<std::string>& paths) {
+/// The text of a file, in which the model has the name under which it is written: in the model itself wherever it
+/// stands, in the others where they include it.
+std::string text_beside(const StarterFile& file, const std::string& name_of_model, const std::string& written) {
+  std::string text(file.text);
+  std::vector<std::size_t> places = mentions_of(file.text, name_of_model);
+  for (auto place = places.rbegin(); place != places.rend(); ++place) {
+    const bool is_included = *place > 0 && text[*place - 1] == '"';
+    if (is_included || file.name == name_of_model) text.replace(*place, name_of_model.size(), written);
+  }
+  return text;
+}
+
+/// A file and the text that it gets.
+struct WrittenStarter {
+  std::string path, text;
+};
+
+/// Refuses files that exist. One that stands beside the model may: as another kind has left it, with the same text.
+void refuse_existing(const std::vector<WrittenStarter>& files) {
   std::string text;
-  for (const std::string& path : paths) {
+  for (const WrittenStarter& file : files) {
     std::error_code ignored;
-    if (!is_standard_output(path) && std::filesystem::exists(std::filesystem::symlink_status(path, ignored)))
-      text += fmt::format("{}: file exists\n", path);
+    if (!std::filesystem::exists(std::filesystem::symlink_status(file.path, ignored))) continue;
+    const bool is_left = &file != files.data() && reading::read_regular_file(file.path).text == file.text;
+    if (!is_left) text += fmt::format("{}: file exists\n", file.path);
   }
   if (!text.empty()) throw UserError(text + "  hint: name another one with --out, or overwrite it with --force\n");
 }
 
-/// The text of a file, in which the model has the name under which it is written.
-std::string text_beside(const StarterFile& file, const std::string& name_of_model, const std::string& written) {
-  std::string text(file.text);
-  std::vector<std::size_t> places = mentions_of(file.text, name_of_model);
-  for (auto place = places.rbegin(); place != places.rend(); ++place)
-    text.replace(*place, name_of_model.size(), written);
-  return text;
-}
-
 /// Writes all files or none; the model comes last.
-void write_starter(const Starter& starter, const std::filesystem::path& model) {
-  const std::string &name = starter.files.front().name, written = model.filename().string();
+void write_all(const std::vector<WrittenStarter>& files) {
+  if (files.size() == 1) return write_file(files.front().path, files.front().text, {});
   std::vector<NamedText> texts;
-  for (const StarterFile& file : starter.files)
-    texts.push_back({file.name == name ? written : file.name, text_beside(file, name, written)});
+  for (const WrittenStarter& file : files)
+    texts.push_back({std::filesystem::path(file.path).filename().string(), file.text});
   std::rotate(texts.begin(), texts.begin() + 1, texts.end());
-  write_files(model.has_parent_path() ? model.parent_path() : ".", texts, {});
+  const std::filesystem::path folder = std::filesystem::path(files.front().path).parent_path();
+  write_files(folder.empty() ? "." : folder, texts, {});
 }
 
 int run(const NewOptions& options) {
@@ -173,13 +187,17 @@ int run(const NewOptions& options) {
     throw UserError(
         fmt::format("mbgen new: {} is {} files, standard output takes one\n  hint: name a folder: --out {}/\n",
                     starter.kind, starter.files.size(), starter.kind));
-  const std::vector<std::string> paths = paths_of(model, starter);
-  if (!options.force) refuse_existing(paths);
   if (is_standard_output(model)) {
     print(starter.files.front().text);
     return kDone;
   }
-  write_starter(starter, model);
+  const std::vector<std::string> paths = paths_of(model, starter);
+  const std::string &name = starter.files.front().name, written = std::filesystem::path(model).filename().string();
+  std::vector<WrittenStarter> files;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    files.push_back({paths[i], text_beside(starter.files[i], name, written)});
+  if (!options.force) refuse_existing(files);
+  write_all(files);
   std::string text;
   for (const std::string& path : paths) text += path + "\n";
   print(options.json ? json_text({{"kind", starter.kind}, {"file", model}, {"files", paths}}) : text);
