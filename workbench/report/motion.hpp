@@ -24,6 +24,6 @@ nlohmann::ordered_json motion_json(const GenericSolver& solver, const std::vecto
 /// All columns: rows, per column name, unit, group (coordinate, velocity, output, residual), smallest, largest and last
 /// of all rows; data column by column. Behind them the forces of springs (group force), with extremes of the kept rows.
 /// Requires: the result has all coordinates.
-nlohmann::ordered_json table_json(const ReportSource& source);
+nlohmann::ordered_json table_json(const ReportSource& source, const std::vector<OtherResult>& others = {});
 
 }  // namespace mbgen
