@@ -52,7 +52,8 @@ std::vector<std::size_t> kept_rows(const std::vector<double>& time, std::size_t 
   return kept;
 }
 
-Result<std::vector<GenericState>> motion_frames(const ReportSource& source, const std::string& file) {
+Result<std::vector<GenericState>> motion_frames(const ReportSource& source, const std::string& file,
+                                                std::size_t results) {
   for (const TreeBody& body : source.topology.bodies) {
     if (find_column(source.results, "z." + body.coordinate) >= 0) continue;
     Diagnostic problem;
@@ -61,7 +62,7 @@ Result<std::vector<GenericState>> motion_frames(const ReportSource& source, cons
     problem.hint = "give --model, or simulate again";
     return problem;
   }
-  const std::size_t most = kMostPoseNumbers / (kPoseNumbers * source.model.bodies.size());
+  const std::size_t most = kMostPoseNumbers / (kPoseNumbers * source.model.bodies.size() * results);
   return table_states(source, kept_rows(source.results.columns.front().values, std::max(kFewestRows, most)));
 }
 

@@ -157,7 +157,7 @@ bool has_report_page() { return !report_page_files().empty(); }
 
 Result<std::string> report_html(const ReportSource& source, const std::string& file, const std::string& label,
                                 const std::vector<OtherResult>& others) {
-  const Result<std::vector<GenericState>> frames = motion_frames(source, file);
+  const Result<std::vector<GenericState>> frames = motion_frames(source, file, 1 + others.size());
   if (!frames) return frames.problems();
   const GenericSolver solver(source.model, source.topology, source.analysis);
   const Json run = Json::parse(source.results.run, nullptr, false);
@@ -169,7 +169,7 @@ Result<std::string> report_html(const ReportSource& source, const std::string& f
   data["table"] = table_json(source, others);
   if (!others.empty()) data["label"] = label;
   for (const OtherResult& other : others) {
-    const Result<std::vector<GenericState>> poses = motion_frames(other.source, other.file);
+    const Result<std::vector<GenericState>> poses = motion_frames(other.source, other.file, 1 + others.size());
     if (!poses) return poses.problems();
     const GenericSolver of_other(other.source.model, other.source.topology, other.source.analysis);
     const Json described = Json::parse(other.source.results.run, nullptr, false);
