@@ -86,6 +86,10 @@ try {
   await checkCourse(opened.page);
   await checkGhost(opened.page);
   await checkMetrics(opened.page);
+  await seek(opened.page, 1.4);
+  await opened.page.locator("#view").focus();
+  await opened.page.keyboard.press("2"); // the camera behind
+  await settle(opened.page);
   await opened.page.screenshot({ path: path.join(pictures, "report_overlay.png") });
   await checkNothingIsLoaded(opened);
   await opened.close();

@@ -91,8 +91,8 @@ function scaled(values, factor, isLogarithmic) {
   });
 }
 
-/** A figure of a diagram of the data: title, headings x and y, curves; logarithmic: "", "x" or "xy"; asIs: units as they
- * are. */
+/** A figure of a diagram of the data: title, headings x and y, curves, some with a dash; logarithmic: "", "x" or "xy";
+ * asIs: units as they are. */
 export function createDiagram({ title, x, y, curves, logarithmic: axesNamed = "", asIs = false }) {
   const logarithmic = { x: axesNamed.includes("x"), y: axesNamed.includes("y") };
   const [across, up] = [shown(x, asIs), shown(y, asIs)];
@@ -105,7 +105,9 @@ export function createDiagram({ title, x, y, curves, logarithmic: axesNamed = ""
   const toX = scale(rangeX, kMargin.left, kWidth - kMargin.left - kMargin.right);
   const toY = scale(rangeY, kHeight - kMargin.bottom, kMargin.top + kMargin.bottom - kHeight);
   const picture = piece("svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, role: "img", "aria-label": title });
-  const paths = lines.map((line) => piece("path", { d: pathOf(line, toX, toY), class: "curve" }));
+  const paths = lines.map((line, i) => piece("path", {
+    d: pathOf(line, toX, toY), class: "curve", "stroke-dasharray": curves[i].dash ?? "none",
+  }));
   picture.append(...axes(across, up, rangeX, rangeY, toX, toY, logarithmic), ...paths);
   const figure = document.createElement("figure");
   figure.className = "diagram";

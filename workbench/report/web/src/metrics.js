@@ -30,7 +30,7 @@ function withOthers(diagram, others) {
     name === curve.name && JSON.stringify([x, y]) === JSON.stringify([curve.x, curve.y])));
   const more = others.flatMap(({ label, run }) => (
     listed(run?.diagrams).filter(({ title }) => title === diagram.title).flatMap(({ curves }) => (
-      listed(curves).filter((curve) => !isKnown(curve)).map((curve) => ({ ...curve, name: `${curve.name} (${label})` }))))));
+      listed(curves).filter((curve) => !isKnown(curve)).map((curve) => ({ ...curve, name: `${curve.name} (${label})`, dash: "6 3" }))))));
   return { ...diagram, curves: [...own, ...more] };
 }
 
