@@ -238,7 +238,7 @@ TEST(MotionOutputs, AnglesOfAWheelByItsJoint) {
     expect_same(text);
     expect_same(
         with_words(text, R"("from": "knuckle.hub", "to": "wheel.hub")", R"("from": "wheel.hub", "to": "knuckle.hub")"));
-    const std::size_t axis = text.find("\"axis\": [", text.find("\"wheel\": { \"type\"")) + 9;
+    const std::size_t axis = text.find("\"axis\": [", text.find("\"wheel\": { \"type\"")) + 8;
     const std::string written = text.substr(axis, text.find(']', axis) + 1 - axis);
     const auto negated = nlohmann::json::parse(written).get<std::vector<double>>();
     const std::string turned = nlohmann::json({-negated[0], -negated[1], -negated[2]}).dump();

@@ -110,8 +110,8 @@ Results measured(const std::string& text) { return expect(read_table(text, "m.cs
 std::string fault_of(const KcReport& report, const std::string& curve, const std::string& text) {
   const Result<KcOverlay> overlay = measured_overlay(report, curve, measured(text), "m.csv");
   if (overlay) return "";
-  const std::string text = to_text(overlay.problems());
-  return text.substr(0, text.size() - 1);  // without the end of the line
+  const std::string fault = to_text(overlay.problems());
+  return fault.substr(0, fault.size() - 1);  // without the end of the line
 }
 
 TEST(Overlay, OfMeasuredPointsIsInTheUnitsOfTheTable) {
@@ -148,6 +148,8 @@ TEST(Overlay, OfMeasuredPointsNamesItsFaults) {
   EXPECT_EQ(fault_of(report, "stearing", "steer\n0\n"),
             "m.csv: axle front has no curve \"stearing\"; known: parallel_travel, opposite_travel, steering\n"
             "  hint: call the file like the table of the curve, or write --measured CURVE=FILE.csv");
+  EXPECT_EQ(fault_of(report, "steering", "steer,camber_left,steer\n0,0,0\n"),
+            "m.csv:1:1: column \"steer\" stands twice");
   EXPECT_EQ(fault_of(report, "", "steer\n0\n").find("m.csv: its name does not tell the curve; known: parallel_travel"),
             0u);
 }

@@ -209,11 +209,11 @@ std::string state_text(const StateArguments& state) {
 }
 
 void write_page(const LinearizeOptions& options, const Compilation& compilation, const OperatingPoint& point,
-                const LinearSystem& system, const std::vector<Mode>& list) {
+                const LinearSystem& system, const std::vector<Mode>& list, const FrequencyResponses& responses) {
   if (list.empty()) throw UserError(fmt::format("--report: {} has no modes, nothing is free\n", options.model));
   write_file(options.page,
              modes_html({compilation.model, compilation.topology, compilation.analysis, point, list,
-                         state_text(options.state), largest_drift(system)}),
+                         state_text(options.state), largest_drift(system), responses_diagrams(responses)}),
              files_read(compilation.model, options.state));
 }
 
@@ -323,7 +323,7 @@ int run(const LinearizeOptions& options) {
   write_responses(options, compilation.model, responses);
   if (found.trim) write_trims(options.trim, *found.trim, files_read(compilation.model, options.state));
   if (!options.file.empty()) write_file(options.file, json, files_read(compilation.model, options.state));
-  if (!options.page.empty()) write_page(options, compilation, point, system, modes.list);
+  if (!options.page.empty()) write_page(options, compilation, point, system, modes.list, responses);
   const std::string& result = is_standard_output(options.page) ? options.page : options.file;
   print_beside(result, options.json ? json
                                     : point_text(options, found, system) + modes_text(compilation, modes, places) +

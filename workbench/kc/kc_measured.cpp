@@ -61,12 +61,14 @@ Result<KcOverlay> measured_overlay(const KcReport& report, const std::string& cu
   }
   KcTable measured{computed->name, computed->title, {}};
   for (const Column& column : table.columns) {
-    const auto same = std::find_if(computed->columns.begin(), computed->columns.end(),
-                                   [&](const Column& other) { return other.heading.name == column.heading.name; });
+    const auto is_same = [&](const Column& other) { return other.heading.name == column.heading.name; };
+    const auto same = std::find_if(computed->columns.begin(), computed->columns.end(), is_same);
     if (same == computed->columns.end())
       return table_fault(file, 1,
                          fmt::format("{} of axle {} has no column \"{}\"; known: {}", curve, report.axle,
                                      column.heading.name, known_columns(*computed)));
+    if (std::any_of(measured.columns.begin(), measured.columns.end(), is_same))
+      return table_fault(file, 1, fmt::format("column \"{}\" stands twice", column.heading.name));
     Result<Column> read = in_si(column, same->heading, file);
     if (!read) return read.problems();
     const bool is_abscissa = same == computed->columns.begin();

@@ -11,10 +11,11 @@ namespace {
 
 /// The value of a series at x, on the line between its points; NaN outside. x of the series: increasing.
 double value_between(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  if (const auto same = std::find(x.begin(), x.end(), at); same != x.end())
+    return y[static_cast<std::size_t>(same - x.begin())];
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (at < x[i - 1] || at > x[i]) continue;
-    const double part = x[i] > x[i - 1] ? (at - x[i - 1]) / (x[i] - x[i - 1]) : 0;
-    return y[i - 1] + part * (y[i] - y[i - 1]);
+    return y[i - 1] + (at - x[i - 1]) / (x[i] - x[i - 1]) * (y[i] - y[i - 1]);
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
