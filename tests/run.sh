@@ -8,10 +8,14 @@ cd "$(dirname "$0")/.."
 
 .ci/install g++ clang binutils cmake make ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libpugixml-dev \
   libopenblas-serial-dev libsuitesparse-dev libgtest-dev libbenchmark-dev libsimbody-dev libmujoco-dev libsundials-dev \
-  libclang-rt-14-dev locales python3-numpy python3-scipy dpkg-dev pkg-config libxml2-utils file g++-aarch64-linux-gnu qemu-user \
-  openmpi-bin chromium nodejs npm
+  nodejs npm python3 patch
+# Programs that tests start are fetched and unpacked while the compiler has the processors.
+.ci/install libclang-rt-14-dev locales python3-numpy python3-scipy dpkg-dev pkg-config libxml2-utils file \
+  g++-aarch64-linux-gnu qemu-user openmpi-bin chromium &
+installation=$!
 cmake --preset release -DMBGEN_TESTS=ON -DMBGEN_BENCH=OFF
 cmake --build --preset release
+wait "$installation"
 status=0
 # shellcheck disable=SC2086  # two words, or none
 ctest --preset release --parallel "$(nproc)" $without || status=$?

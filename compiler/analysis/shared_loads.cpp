@@ -18,8 +18,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kRepeats = 1e-9;    // pivots of equations that repeat others, over the largest
-constexpr double kTakesPart = 1e-7;  // of a self-stress whose multipliers have the length 1
+constexpr double kRepeatedLoads = 1e-9;  // pivots of equations that repeat others, over the largest
+constexpr double kTakesPart = 1e-7;      // of a self-stress whose multipliers have the length 1
 constexpr std::size_t kMostOfAKind = 8;
 
 /// Joints that are named, and what the model asks of them.
@@ -71,7 +71,7 @@ class StressScene {
     MatrixXd free = at_.blocks[b].jacobian;
     for (std::size_t c = 0; c < block.joints.size(); ++c)
       if (analysis_.driven[static_cast<std::size_t>(block.joints[c])]) free.col(static_cast<Eigen::Index>(c)).setZero();
-    MatrixXd stresses = indifferent_directions(free.transpose(), kRepeats);
+    MatrixXd stresses = indifferent_directions(free.transpose(), kRepeatedLoads);
     return stresses.cols() == equations(b) - analysis_.blocks[b].rank ? stresses : MatrixXd();
   }
 

@@ -51,7 +51,7 @@ struct LargestErrors {
   std::string position, acceleration;  ///< where they are
 };
 
-class ImplicitInRubber : public CommandLine, public testing::WithParamInterface<InRubber> {
+class ImplicitInRubber : public CommandLine, public ::testing::WithParamInterface<InRubber> {
  protected:
   /// The model with outputs "pointN_x" to "pointN_z" for the acceleration of each point.
   void write_model() const {
@@ -134,8 +134,8 @@ std::vector<InRubber> in_rubber(double corner, double vehicle) {
           {"rubber_coach", vehicle, coach}};
 }
 
-INSTANTIATE_TEST_SUITE_P(Start, ImplicitInRubber, testing::ValuesIn(in_rubber(0.4, 0.8)));
-INSTANTIATE_TEST_SUITE_P(WholeSlalom, ImplicitInRubber, testing::ValuesIn(in_rubber(5, 5)));
+INSTANTIATE_TEST_SUITE_P(Start, ImplicitInRubber, ::testing::ValuesIn(in_rubber(0.4, 0.8)));
+INSTANTIATE_TEST_SUITE_P(WholeSlalom, ImplicitInRubber, ::testing::ValuesIn(in_rubber(5, 5)));
 
 // A lag of 1e-5 s behind what pushes: it asks for the implicit method, and is what messages name.
 TEST_F(CommandLine, StiffStatesAskForImplicitStepsByName) {

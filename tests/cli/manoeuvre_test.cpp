@@ -7,7 +7,7 @@
 namespace mbgen::cli_test {
 namespace {
 
-const std::string kCar = kSource + "/tests/data/models/four_wheeler.json";
+const std::string kFourWheeler = kSource + "/tests/data/models/four_wheeler.json";
 
 class Manoeuvre : public CommandLine {
  protected:
@@ -15,7 +15,7 @@ class Manoeuvre : public CommandLine {
   Json drive(const std::string& manoeuvre, const std::string& more = "") {
     write("m.json", manoeuvre);
     const Outcome run =
-        mbgen("simulate " + kCar + " --engine generic --manoeuvre m.json --every 10 --out m.csv " + more);
+        mbgen("simulate " + kFourWheeler + " --engine generic --manoeuvre m.json --every 10 --out m.csv " + more);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return Json::parse(read("m.csv.run.json"));
   }
@@ -95,7 +95,7 @@ TEST_F(Manoeuvre, EnginesDriveAlike) {
   write("m.json", R"({ "mbgen_manoeuvre": 1, "type": "lane_change", "speed": 20, "approach": 2, "duration": 2 })");
   for (const std::string engine : {"generated", "generic", "augmented"}) {
     const Outcome run =
-        mbgen("simulate " + kCar + " --engine " + engine + " --manoeuvre m.json --out " + engine + ".csv");
+        mbgen("simulate " + kFourWheeler + " --engine " + engine + " --manoeuvre m.json --out " + engine + ".csv");
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
   expect_same_motion(table("generated.csv"), table("generic.csv"), 1e-9);
@@ -106,20 +106,20 @@ TEST_F(Manoeuvre, EnginesDriveAlike) {
 TEST_F(Manoeuvre, WhatCannotBeDrivenIsRefused) {
   const std::string ride = R"({ "mbgen_manoeuvre": 1, "type": "ride", "speed": 15 })";
   EXPECT_NE(refusal(kSource + "/models/pendulum.json", ride).find("the model has no vehicle"), std::string::npos);
-  EXPECT_NE(refusal(kCar, ride, "--integrator cvode").find("take rk4 or rosenbrock"), std::string::npos);
+  EXPECT_NE(refusal(kFourWheeler, ride, "--integrator cvode").find("take rk4 or rosenbrock"), std::string::npos);
   write("t.csv", "t,steer\n0,0\n1,1\n");
-  EXPECT_NE(refusal(kCar, ride, "--input-table t.csv").find("leave out one of the two"), std::string::npos);
+  EXPECT_NE(refusal(kFourWheeler, ride, "--input-table t.csv").find("leave out one of the two"), std::string::npos);
   write("still.json",
         fmt::format(
             R"({{ "mbgen": 1, "include": ["{}"], "vehicle": {{ "reference": "car.origin", "drive": "drive" }} }})",
-            kCar));
+            kFourWheeler));
   EXPECT_NE(refusal("still.json", R"({ "mbgen_manoeuvre": 1, "type": "ride", "speed": 30 })")
                 .find("starts at 15 m/s instead of 30 m/s"),
             std::string::npos);
   EXPECT_NE(refusal("still.json", R"({ "mbgen_manoeuvre": 1, "type": "weave", "speed": 15, "steer": 0.1 })")
                 .find("needs \"steer\""),
             std::string::npos);
-  EXPECT_NE(refusal(kCar, R"({ "mbgen_manoeuvre": 1, "type": "rides", "speed": 15 })").find("m.json:1:"),
+  EXPECT_NE(refusal(kFourWheeler, R"({ "mbgen_manoeuvre": 1, "type": "rides", "speed": 15 })").find("m.json:1:"),
             std::string::npos);
 }
 

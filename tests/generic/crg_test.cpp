@@ -14,7 +14,7 @@
 namespace mbgen {
 namespace {
 
-std::string bytes_of(const std::string& file) {
+std::string bytes_of_road(const std::string& file) {
   std::ifstream stream(std::string(MBGEN_SOURCE_DIR) + "/tests/data/opencrg/" + file, std::ios::binary);
   std::stringstream text;
   text << stream.rdbuf();
@@ -33,13 +33,13 @@ std::string with_block(std::string text, const std::string& block) {
 // The API's own modifiers move the right border of the start into the origin where the file tells it, see README.md
 // beside the answers; here the file asks for it.
 TEST_P(CrgFile, AnswersAsTheApiOfAsam) {
-  const std::string text = bytes_of(GetParam() + ".crg");
+  const std::string text = bytes_of_road(GetParam() + ".crg");
   const bool is_moved = GetParam() != "handmade_curved_minimalist";
   CrgRoad road;
   ASSERT_FALSE(read_crg(
       is_moved ? with_block(text, "$ROAD_CRG_MODS\nREFPOINT_U_FRACTION = 0\nREFPOINT_V_FRACTION = 0\n") : text, road));
   road = relocated(road);
-  const nlohmann::json answers = nlohmann::json::parse(bytes_of(GetParam() + ".json"));
+  const nlohmann::json answers = nlohmann::json::parse(bytes_of_road(GetParam() + ".json"));
   int compared = 0;
   for (const nlohmann::json& point : answers.at("points")) {
     const auto near = [&](const char* what, double value) {
@@ -147,8 +147,8 @@ std::string mods(const std::string& lines) { return "$ROAD_CRG_MODS\n" + lines; 
 
 // Factors act on what they name alone: heights are linear in them.
 TEST(CrgModifiers, Scale) {
-  const std::string file = bytes_of("handmade_curved.crg"), sloped = bytes_of("handmade_sloped.crg"),
-                    banked = bytes_of("handmade_banked.crg");
+  const std::string file = bytes_of_road("handmade_curved.crg"), sloped = bytes_of_road("handmade_sloped.crg"),
+                    banked = bytes_of_road("handmade_banked.crg");
   const CrgPlace at{7.3, 0.4};
   const auto height = [&](const std::string& text, CrgPlace place) { return height_of(road_of(text), place); };
   EXPECT_NEAR(height(with_block(file, mods("SCALE_Z_GRID = 2\n")), at), 2 * height(file, at), 1e-9);
@@ -172,7 +172,7 @@ TEST(CrgModifiers, Scale) {
 
 // A road that is turned about a place and shifted has its heights where that takes their places.
 TEST(CrgModifiers, TurnAndShift) {
-  const std::string file = bytes_of("handmade_curved.crg");
+  const std::string file = bytes_of_road("handmade_curved.crg");
   const CrgRoad road = road_of(file),
                 moved = road_of(with_block(file, mods("REFLINE_ROTCENTER_X = 1\nREFLINE_ROTCENTER_Y = 2\n"
                                                       "REFLINE_OFFSET_PHI = 0.5\nREFLINE_OFFSET_X = 3\n"
@@ -222,7 +222,7 @@ TEST(CrgText, BrokenFilesGetAMessageOrARoad) {
   };
   int roads = 0, refused = 0;
   for (const char* name : {"handmade_arc.crg", "handmade_banked.crg", "belgian_block.crg"}) {
-    std::string whole = bytes_of(name);
+    std::string whole = bytes_of_road(name);
     if (whole.size() > 40000) whole.resize(40000);
     for (int k = 0; k < 300; ++k) {
       std::string text = whole;

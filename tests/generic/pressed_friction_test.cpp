@@ -26,9 +26,9 @@ struct Pressed : Dynamics {
 };
 
 /// A mechanism in motion.
-class Course {
+class PressedCourse {
  public:
-  explicit Course(const std::string& text)
+  explicit PressedCourse(const std::string& text)
       : mechanism(mechanism_of(text)),
         solver(mechanism.model, mechanism.topology, mechanism.analysis),
         state(reference_state(mechanism)) {}
@@ -73,7 +73,7 @@ std::string block(double slope, double step, const std::string& law) {
 // Below the angle of friction the block bends its bristles by tan a / stiffness, and stays for 1000 s.
 TEST(PressedFriction, BlockHoldsOnAnIncline) {
   constexpr double kSlope = 0.28, kStiffness = 5e3;  // tan 0.28 = 0.2875
-  Course course(
+  PressedCourse course(
       block(kSlope, 0.1, R"("law": "elasto_plastic", "coulomb": 0.8, "stiffness": 5e3, "damping": 20, "lag": 1e-3)"));
   course.step(1000, 1e-3);
   EXPECT_NEAR(course.state.z[0] * kStiffness / std::tan(kSlope), 1, 1e-9);
@@ -87,7 +87,8 @@ TEST(PressedFriction, BlockHoldsOnAnIncline) {
 // Just below it, where bristles slide a little before they hold.
 TEST(PressedFriction, BlockHoldsJustBelowTheAngleOfFriction) {
   constexpr double kSlope = 0.28, kStiffness = 5e3;
-  Course course(block(kSlope, 1e-3, R"("law": "elasto_plastic", "coulomb": 0.3, "stiffness": 5e3, "damping": 20)"));
+  PressedCourse course(
+      block(kSlope, 1e-3, R"("law": "elasto_plastic", "coulomb": 0.3, "stiffness": 5e3, "damping": 20)"));
   course.step(2000, 1e-3);
   EXPECT_NEAR(course.x("floor_bristle") * kStiffness / std::tan(kSlope), 1, 1e-9);
   const double rest = course.state.z[0];
@@ -101,7 +102,7 @@ TEST(PressedFriction, BlockSlidesOnASteeperIncline) {
   const double expected = kFreeFall * (std::sin(kSlope) - kCoefficient * std::cos(kSlope));
   for (const std::string law : {R"("coulomb": 0.3, "velocity": 1e-3)",
                                 R"("law": "elasto_plastic", "coulomb": 0.3, "stiffness": 5e3, "damping": 20)"}) {
-    Course course(block(kSlope, 1e-3, law));
+    PressedCourse course(block(kSlope, 1e-3, law));
     course.step(200, 1e-3);
     const double before = course.state.zd[0];
     course.step(500, 1e-3);
@@ -136,7 +137,7 @@ double half_swing(double amplitude, double ratio) {
 }
 
 /// The amplitude after `count` half swings, by steps of 5e-4 s.
-double swung(Course& course, int count) {
+double swung(PressedCourse& course, int count) {
   double before = 0;
   for (int turns = 0; turns < count;) {
     before = course.state.zd[0];
@@ -155,7 +156,7 @@ double swung(Course& course, int count) {
 TEST(PressedFriction, PinSlowsAPendulumAsTheClosedFormDoes) {
   double expected = 1;
   for (int i = 0; i < 6; ++i) expected = half_swing(expected, 0.02);
-  Course course(pendulum(1e-3));
+  PressedCourse course(pendulum(1e-3));
   course.state.z[0] = 1;
   const double amplitude = swung(course, 6);
   EXPECT_NEAR((1 - amplitude) / (1 - expected), 1, 1e-3);
@@ -166,7 +167,7 @@ TEST(PressedFriction, PinSlowsAPendulumAsTheClosedFormDoes) {
 TEST(PressedFriction, ErrorFallsWithThePeriod) {
   std::vector<double> at;
   for (const double period : {16e-3, 8e-3, 4e-3, 5e-4}) {
-    Course course(pendulum(period));
+    PressedCourse course(pendulum(period));
     course.state.z[0] = 1;
     course.step(960, 5e-4);
     at.push_back(course.state.z[0]);
@@ -199,7 +200,7 @@ std::string wedge(double slope, const std::string& law) {
 // The load of the face depends on the friction there: sliding as of the same instant, once the motion is steady.
 TEST(PressedFriction, WedgeSlidesWithTheFrictionOfItsOwnNormalForce) {
   constexpr double kSlope = 0.5, kCoefficient = 0.3;
-  Course course(wedge(kSlope, R"("coulomb": 0.3, "velocity": 1e-3)"));
+  PressedCourse course(wedge(kSlope, R"("coulomb": 0.3, "velocity": 1e-3)"));
   course.step(100, 1e-3);
   const double before = course.state.zd[0];
   course.step(100, 1e-3);
@@ -212,7 +213,7 @@ TEST(PressedFriction, WedgeSlidesWithTheFrictionOfItsOwnNormalForce) {
 // Below the angle of friction no press drives the wedge out.
 TEST(PressedFriction, WedgeLocksItself) {
   constexpr double kSlope = 0.25;  // tan 0.25 = 0.2553, of 0.3
-  Course course(wedge(kSlope, R"("law": "elasto_plastic", "coulomb": 0.3, "stiffness": 1e3, "damping": 4)"));
+  PressedCourse course(wedge(kSlope, R"("law": "elasto_plastic", "coulomb": 0.3, "stiffness": 1e3, "damping": 4)"));
   course.step(3000, 1e-3);
   EXPECT_NEAR(course.x("face_load"), 200 * std::cos(kSlope), 1e-6);
   EXPECT_NEAR(std::abs(course.x("face_bristle")) * 1e3, std::tan(kSlope), 1e-6);
@@ -241,7 +242,7 @@ std::string rotor(double slope) {
 // The ball of a rod brakes by mu r N about what turns across the rod; about the rod itself it turns freely.
 TEST(PressedFriction, BallOfARodBrakesARotor) {
   for (const double slope : {M_PI / 2, 1.0, 0.3}) {
-    Course course(rotor(slope));
+    PressedCourse course(rotor(slope));
     course.state.zd[0] = 30;
     course.step(1, 1e-3);
     EXPECT_NEAR(course.x("ball_load"), 500, 1e-9);

@@ -149,9 +149,10 @@ struct Sum {
 };
 
 /// Sums over the bodies of a model at one state.
-class Balance {
+class EnergyBalance {
  public:
-  Balance(const Probes& probes, const std::vector<double>& y) : p(probes), y_(y), sums(probes.model.bodies.size()) {
+  EnergyBalance(const Probes& probes, const std::vector<double>& y)
+      : p(probes), y_(y), sums(probes.model.bodies.size()) {
     for (const ReactionProbe& r : p.reactions) {
       act(r.to.body, at(r.force_to), at(r.point_to), at(r.moment_to));
       act(r.from.body, at(r.force_from), at(r.point_from), at(r.moment_from));
@@ -281,7 +282,7 @@ TEST_P(ReactionsOf, NewtonAndEulerHoldForEveryBody) {
     std::vector<std::vector<double>> y;
     for (int step = -2; step <= 2; ++step) y.push_back(outputs_after(solver, state, tau, derivative, step * h));
     const std::vector<double>& here = y[2];
-    const Balance balance(probes, here);
+    const EnergyBalance balance(probes, here);
     for (std::size_t b = 0; b < m.model.bodies.size(); ++b) {
       if (static_cast<int>(b) == m.model.ground) continue;
       std::array<Force, 4> position, acceleration, difference;

@@ -7,7 +7,7 @@
 namespace mbgen {
 namespace {
 
-Expr named(ProgramBuilder& builder, double value, const std::string& name) {
+Expr named_number(ProgramBuilder& builder, double value, const std::string& name) {
   return Expr(value).named(builder.name_constant(value, name), &builder);
 }
 
@@ -15,7 +15,8 @@ Expr named(ProgramBuilder& builder, double value, const std::string& name) {
 Program with_fold(Spelling spelling, const std::string& name = "") {
   ProgramBuilder builder("program", spelling);
   const Expr z(builder, builder.input(Array::z, 0));
-  const Expr mass = named(builder, 1.1, "m"), at = named(builder, 0.12, "c"), central = named(builder, 0.006, "I");
+  const Expr mass = named_number(builder, 1.1, "m"), at = named_number(builder, 0.12, "c"),
+             central = named_number(builder, 0.006, "I");
   const Expr whole = central + mass * (at * at);
   if (!name.empty() && whole.builder_of_name() != nullptr) builder.name_fold(whole.name(), name);
   builder.output(Array::y, 0, (whole * z).value(builder));
@@ -57,7 +58,8 @@ TEST(Folds, WithoutANameAreToldByTheirOperation) {
 
 TEST(Folds, ToZeroAndOneAreStructure) {
   ProgramBuilder builder("program", Spelling::reading);
-  const Expr a = named(builder, 0.4, "a"), b = named(builder, 0.4, "b"), z(builder, builder.input(Array::z, 0));
+  const Expr a = named_number(builder, 0.4, "a"), b = named_number(builder, 0.4, "b"),
+             z(builder, builder.input(Array::z, 0));
   EXPECT_EQ((a - b).name(), -1);
   EXPECT_EQ((a / b).name(), -1);
   builder.output(Array::y, 0, ((a - b) * z + (a / b) * z).value(builder));
@@ -67,7 +69,7 @@ TEST(Folds, ToZeroAndOneAreStructure) {
 
 TEST(Folds, OfEqualNumbersOfTwoPartsStayApart) {
   ProgramBuilder builder("program", Spelling::reading);
-  const Expr left = named(builder, 0.3, "m_left"), right = named(builder, 0.3, "m_right"),
+  const Expr left = named_number(builder, 0.3, "m_left"), right = named_number(builder, 0.3, "m_right"),
              z(builder, builder.input(Array::z, 0));
   builder.output(Array::y, 0, (left * z).value(builder));
   builder.output(Array::y, 1, (right * z).value(builder));

@@ -15,10 +15,10 @@
 namespace mbgen {
 namespace {
 
-using Make = std::function<Expr(const Expr& x, const Expr& y)>;
+using MakeOfTwo = std::function<Expr(const Expr& x, const Expr& y)>;
 
 /// The program of one output y[0] = f(x, y), dead values gone.
-Program program_of(const Make& make) {
+Program program_made(const MakeOfTwo& make) {
   ProgramBuilder builder("f");
   const Expr x(builder, builder.input(Array::in, 0)), y(builder, builder.input(Array::in, 1));
   builder.output(Array::y, 0, make(x, y).value(builder));
@@ -26,8 +26,8 @@ Program program_of(const Make& make) {
 }
 
 /// Its text without the first line.
-std::string text_of(const Make& make) {
-  const std::string text = dump(program_of(make));
+std::string text_made(const MakeOfTwo& make) {
+  const std::string text = dump(program_made(make));
   return text.substr(text.find('\n') + 1);
 }
 
@@ -39,9 +39,9 @@ double value_of(const Program& program, double x, double y) {
 
 /// Each rule: what is written on the left becomes the program of the right.
 TEST(Rules, OneDirectionEach) {
-  const Make same_x = [](const Expr& x, const Expr&) { return x; };
-  const Make minus_x = [](const Expr& x, const Expr&) { return -x; };
-  const std::vector<std::pair<Make, Make>> rules = {
+  const MakeOfTwo same_x = [](const Expr& x, const Expr&) { return x; };
+  const MakeOfTwo minus_x = [](const Expr& x, const Expr&) { return -x; };
+  const std::vector<std::pair<MakeOfTwo, MakeOfTwo>> rules = {
       {[](const Expr& x, const Expr&) { return x + 0.0; }, same_x},
       {[](const Expr& x, const Expr&) { return Expr(0.0) + x; }, same_x},
       {[](const Expr& x, const Expr&) { return x - 0.0; }, same_x},
@@ -71,12 +71,12 @@ TEST(Rules, OneDirectionEach) {
       {[](const Expr& x, const Expr& y) { return select(Expr(-1.0), y, x); }, same_x},
       {[](const Expr& x, const Expr& y) { return select(y, x, x); }, same_x}};
   for (std::size_t r = 0; r < rules.size(); ++r)
-    EXPECT_EQ(text_of(rules[r].first), text_of(rules[r].second)) << "rule " << r;
+    EXPECT_EQ(text_made(rules[r].first), text_made(rules[r].second)) << "rule " << r;
 }
 
 TEST(Rules, DivisionByThreeStays) {
-  EXPECT_NE(text_of([](const Expr& x, const Expr&) { return x / 3.0; }),
-            text_of([](const Expr& x, const Expr&) { return x * (1.0 / 3.0); }));
+  EXPECT_NE(text_made([](const Expr& x, const Expr&) { return x / 3.0; }),
+            text_made([](const Expr& x, const Expr&) { return x * (1.0 / 3.0); }));
 }
 
 TEST(Rules, WhatWouldNotBeFiniteIsNotFolded) {
@@ -113,7 +113,7 @@ TEST(Builder, SharesEqualValuesAndNamesTheFirst) {
 }
 
 TEST(Verify, NamesEachBrokenInvariant) {
-  const Program sound = program_of([](const Expr& x, const Expr& y) { return sin(x) * y; });
+  const Program sound = program_made([](const Expr& x, const Expr& y) { return sin(x) * y; });
   EXPECT_EQ(verify(sound), "");
   const auto broken = [&](const std::function<void(Program&)>& damage) {
     Program program = sound;
@@ -152,8 +152,8 @@ TEST(Count, LooksAtLiveValuesBySection) {
 }
 
 /// Smooth functions of two variables, each operation in turn.
-const std::vector<Make>& smooth_functions() {
-  static const std::vector<Make> functions = {
+const std::vector<MakeOfTwo>& smooth_functions() {
+  static const std::vector<MakeOfTwo> functions = {
       [](const Expr& x, const Expr& y) { return x * y + x / y - y; },
       [](const Expr& x, const Expr& y) { return sqrt(x * x + y * y); },
       [](const Expr& x, const Expr& y) { return sin(x * y) * cos(x - y); },
@@ -182,7 +182,7 @@ TEST(Program, HasAsManyOwnersAsAModelHasParts) {
 
 TEST(Derivative, EqualsCentralDifferences) {
   for (std::size_t f = 0; f < smooth_functions().size(); ++f) {
-    const Program program = program_of(smooth_functions()[f]);
+    const Program program = program_made(smooth_functions()[f]);
     const Program slopes = differentiate(program, std::vector<int>{0, 1});
     std::mt19937_64 random(f);
     std::uniform_real_distribution<double> at(0.4, 1.4);
@@ -205,7 +205,7 @@ TEST(Derivative, EqualsCentralDifferences) {
 }
 
 TEST(Derivative, FollowsASeedAndVanishesWhereThereIsNone) {
-  const Program program = program_of([](const Expr& x, const Expr& y) { return x * x + y; });
+  const Program program = program_made([](const Expr& x, const Expr& y) { return x * x + y; });
   const std::vector<int> only_x = {0, -1};
   const Program slopes = differentiate(program, only_x);
   std::vector<double> inputs;

@@ -195,6 +195,7 @@ async function checkMovedStart(browser) {
   const [name, quantity, asked, found] = await row.locator("th, td").allTextContents();
   assert.deepEqual([name, quantity, asked], ["rocker_pin", "position", "-0.9"]);
   assert.ok(Math.abs(found - -0.1625) < 1e-3, `rocker_pin is said to be moved to ${found}`);
+  assert.equal(await opened.page.locator("#metrics").count(), 0, "a run without metrics shows some");
   await checkNothingIsLoaded(opened);
   await opened.close();
 }

@@ -72,7 +72,7 @@ if ! cmp -s "$here/package-lock.json" "$modules/installed"; then
   cp "$here/package-lock.json" "$modules/installed"
 fi
 node "$here/browser.mjs" coach.html "$pictures" "$modules" moved.html rubber.html
-node "$here/metrics.mjs" check circle.html moved.html "$pictures" "$modules"
+node "$here/metrics.mjs" check circle.html "$pictures" "$modules"
 node "$here/overlay.mjs" overlay.html responses.html "$pictures" "$modules"
 # The coach stands 22 mm deep in its tyres, and so does its road; the hump is 80 mm high.
 [ "$(node "$here/road.mjs" hump.html 1.4 "" "$pictures/report_road.png" "$modules")" = "-0.0220 0.0580" ]

@@ -20,7 +20,7 @@ constexpr double kSecondOrder = 1e-13;  // m and m/s: the drift squared over the
 struct Parameters {
   double unused;
 };
-struct Inputs {
+struct NoInputs {
   double unused;
 };
 template <class T>
@@ -49,7 +49,7 @@ void close(const StateOf<T>& state, ClosureOf<T>& values) noexcept {
 /// Common part of the solvers of one body and of lanes.
 struct Rod {
   using Parameters = ::mbgen::Parameters;
-  using Inputs = mbgen::Inputs;
+  using Inputs = NoInputs;
   static constexpr int kCoordinates = 2, kAuxiliaryStates = 0, kBlocks = 1, kEquations = 1, kDrives = 0;
   static constexpr int kBlockCoordinates = 2;
   static constexpr bool kHasClosure = true;

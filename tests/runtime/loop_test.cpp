@@ -17,7 +17,7 @@ namespace {
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Rounding of the LU of well-conditioned matrices of up to 20 rows, with entries of the order of 1.
-constexpr double kRounding = 1e-10;
+constexpr double kLoopRounding = 1e-10;
 constexpr double kRankTolerance = 1e-9;
 
 struct Factorised {
@@ -75,7 +75,7 @@ TEST(LoopFactorise, RankAndProductAgreeWithEigenOnRandomMatrices) {
     for (int i = 0; i < rows; ++i) {
       const int row = f.rows[static_cast<std::size_t>(i)];
       for (int j = 0; j < columns; ++j) {
-        EXPECT_NEAR(product(i, j), jacobian(row, f.columns[static_cast<std::size_t>(j)]), kRounding);
+        EXPECT_NEAR(product(i, j), jacobian(row, f.columns[static_cast<std::size_t>(j)]), kLoopRounding);
       }
     }
     const double largest = std::abs(judge.matrixLU()(0, 0));
@@ -140,8 +140,8 @@ TEST(LoopSolve, DependentCoordinatesSatisfyEveryEquationOfACompatibleRedundantSe
     Eigen::VectorXd x = random_matrix(generator, columns, 1), given = x, work(rows);
     const double residual = solve_dependent(f.loop, right.data(), x.data(), work.data());
     const double scale = x.cwiseAbs().maxCoeff() + 1;
-    EXPECT_LT((jacobian * x - right).cwiseAbs().maxCoeff(), kRounding * scale);
-    EXPECT_LT(residual, kRounding * scale);
+    EXPECT_LT((jacobian * x - right).cwiseAbs().maxCoeff(), kLoopRounding * scale);
+    EXPECT_LT(residual, kLoopRounding * scale);
     for (int place = rank; place < columns; ++place) {
       const int c = f.columns[static_cast<std::size_t>(place)];
       EXPECT_EQ(x[c], given[c]) << "independent entries stay";
@@ -183,7 +183,7 @@ TEST(LoopFreeDirections, SpanTheNullSpaceWithUnitFreeEntriesInAscendingOrder) {
     Matrix rz = Matrix::Constant(columns, free, 99.0);
     Eigen::VectorXd work(rows);
     free_directions(f.loop, driven.data(), rz.data(), work.data());
-    EXPECT_LT((jacobian * rz).cwiseAbs().maxCoeff(), kRounding * (1 + rz.cwiseAbs().maxCoeff()));
+    EXPECT_LT((jacobian * rz).cwiseAbs().maxCoeff(), kLoopRounding * (1 + rz.cwiseAbs().maxCoeff()));
     int q = 0;
     for (int c = 0; c < columns; ++c) {
       const bool dependent = std::find(f.columns.begin(), f.columns.begin() + rank, c) != f.columns.begin() + rank;
@@ -207,7 +207,7 @@ TEST(LoopMultipliers, TakeTheForcesOfTheDependentCoordinates) {
     const Eigen::VectorXd force = random_matrix(generator, columns, 1);
     Eigen::VectorXd left = force, lambda(rows), work(rows);
     solve_transposed(f.loop, left.data(), lambda.data(), work.data());
-    EXPECT_LT((force - jacobian.transpose() * lambda - left).cwiseAbs().maxCoeff(), kRounding);
+    EXPECT_LT((force - jacobian.transpose() * lambda - left).cwiseAbs().maxCoeff(), kLoopRounding);
     for (int k = 0; k < f.loop.rank; ++k) EXPECT_EQ(left[f.columns[static_cast<std::size_t>(k)]], 0);
     for (int i = f.loop.rank; i < rows; ++i) EXPECT_EQ(lambda[f.rows[static_cast<std::size_t>(i)]], 0);
   }

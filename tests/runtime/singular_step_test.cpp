@@ -113,18 +113,18 @@ struct Journey {
   double drift = 0;
 };
 
-enum class Method { rk4, abm4 };
+enum class Scheme { rk4, abm4 };
 
 /// For names of tests.
-void PrintTo(Method method, std::ostream* out) { *out << (method == Method::rk4 ? "rk4" : "abm4"); }
+void PrintTo(Scheme method, std::ostream* out) { *out << (method == Scheme::rk4 ? "rk4" : "abm4"); }
 
-Journey follow(const Bead& bead, Bead::State state, double duration, int steps, Method method = Method::rk4) {
+Journey follow(const Bead& bead, Bead::State state, double duration, int steps, Scheme method = Scheme::rk4) {
   Journey journey{state, {}};
   AbmHistory<Bead> history{};
   const double h = duration / steps, energy = bead.energy(state);
   for (int i = 0; i < steps; ++i) {
     const Status status =
-        method == Method::rk4 ? step_rk4(bead, journey.state, h) : step_abm4(bead, journey.state, history, h);
+        method == Scheme::rk4 ? step_rk4(bead, journey.state, h) : step_abm4(bead, journey.state, history, h);
     if (!status.ok()) {
       journey.failure = status;
       return journey;
@@ -145,7 +145,7 @@ double x_on_curve(const OnCurve& curve, double x, double xd, double duration) {
 
 Bead::State start_at(double x, double speed_x) { return {{x, std::sin(x)}, {speed_x, speed_x * std::cos(x)}, {0}, 0}; }
 
-class SingularStep : public testing::TestWithParam<Method> {};
+class SingularStep : public testing::TestWithParam<Scheme> {};
 
 TEST_P(SingularStep, KeepsOrderFourThroughThreeCrossings) {
   const Bead bead{0, 1.5};
@@ -174,7 +174,7 @@ TEST_P(SingularStep, LosesNoEnergyHoweverCloseStepsComeToIt) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, SingularStep, testing::Values(Method::rk4, Method::abm4),
+INSTANTIATE_TEST_SUITE_P(Methods, SingularStep, testing::Values(Scheme::rk4, Scheme::abm4),
                          testing::PrintToStringParamName());
 
 TEST(Singular, VelocityTellsTheBranchOfAStartInTheCrossing) {
@@ -216,7 +216,7 @@ TEST_P(SingularStep, CurvesThatComeCloseAreNotTakenForACrossing) {
     const Bead::State start{{x, y}, {1, std::sin(x) * std::cos(x) / y}, {0}, 0};
     // Most of the long ones have no stage in the singular position, and only the side tells.
     for (const int steps : {8, 11, 20, 30, 80, 300, 1000}) {
-      if (steps == 8 && GetParam() == Method::abm4) continue;  // 0.1 a step, and no stage between: none is near
+      if (steps == 8 && GetParam() == Scheme::abm4) continue;  // 0.1 a step, and no stage between: none is near
       const Journey stopped = follow(bead, start, 0.8, steps, GetParam());
       EXPECT_EQ(stopped.failure.code, Code::loop_singular) << gap << " " << steps;
       EXPECT_NEAR(stopped.state.z[0], 0, std::max(0.02, 0.8 / steps)) << gap << " " << steps;
@@ -230,7 +230,7 @@ TEST_P(SingularStep, LongStepsPassACrossing) {
   for (const int steps : {8, 11, 20, 30, 80}) {
     const Journey through = follow({0, 0}, start_at(-0.4, 1), 0.8, steps, GetParam());
     ASSERT_TRUE(through.failure.ok()) << steps;
-    EXPECT_GE(through.passed, steps == 8 && GetParam() == Method::abm4 ? 0 : 1) << steps;
+    EXPECT_GE(through.passed, steps == 8 && GetParam() == Scheme::abm4 ? 0 : 1) << steps;
     EXPECT_NEAR(through.state.z[1], std::sin(through.state.z[0]), 1e-9) << steps;
     EXPECT_GT(through.state.z[0], 0.1) << steps;
   }

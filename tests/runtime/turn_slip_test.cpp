@@ -25,7 +25,7 @@ double limit_of(const Set& set, double load, double friction) {
 }
 
 /// The readings of the transcription that made the reference data, see its `source`.
-constexpr book::Readings kOfReference{false, false, false, true, true, true};
+constexpr book::Readings kOfTurnedReference{false, false, false, true, true, true};
 
 TEST(TurnSlip, EveryForceOfEveryRow) {
   const Set set = turning_car();
@@ -39,7 +39,7 @@ TEST(TurnSlip, EveryForceOfEveryRow) {
     const Mf61Forces<double> f = mf61_forces<double>(set, fz, {kappa, alpha, gamma}, pressure, 1, 1, turn);
     const double computed[4] = {f.forces.fx, f.forces.fy, f.forces.mz, f.turning};
     const book::Point point{kappa, alpha, fz, pressure, gamma, row[5], row[6], true};
-    const book::Forces read = book::forces(turning_numbers(), point, kOfReference);
+    const book::Forces read = book::forces(turning_numbers(), point, kOfTurnedReference);
     const book::Forces meant = book::forces(turning_numbers(), point);
     const double transcribed[4] = {read.fx, read.fy, read.mz, read.spin_moment};
     const double expected[4] = {meant.fx, meant.fy, meant.mz, meant.spin_moment};

@@ -10,14 +10,14 @@
 namespace mbgen {
 namespace {
 
-constexpr double kStep = 1e-3;
+constexpr double kTurnStep = 1e-3;
 
 TEST(Turns, AreToldOfTheFastestThatIsLookedAt) {
   // A vehicle at 40 m/s, a wheel that nothing depends on, and two shafts.
   const double turning[5] = {0, 0, 1, 1, 1};
   const auto of = [&](double wheel, double first, double second) {
     const double zd[5] = {40, wheel, first, second, 0};
-    return with_turns({}, zd, turning, kStep, kRk4Turn);
+    return with_turns({}, zd, turning, kTurnStep, kRk4Turn);
   };
   EXPECT_EQ(of(700, 10, -10).code, Code::ok) << "a wheel";
   EXPECT_EQ(of(0, 499, 499).code, Code::ok) << "each of them within the limit";
@@ -31,7 +31,7 @@ TEST(Turns, AreToldOfTheFastestThatIsLookedAt) {
 TEST(Turns, LeaveFailuresAndOtherNotices) {
   const double turning[1] = {1}, zd[1] = {1e4};
   for (const Code code : {Code::loop_singular, Code::chosen_again, Code::singular_met}) {
-    const Status status = with_turns({code, 7}, zd, turning, kStep, kRk4Turn);
+    const Status status = with_turns({code, 7}, zd, turning, kTurnStep, kRk4Turn);
     EXPECT_EQ(status.code, code);
     EXPECT_EQ(status.index, 7);
   }
@@ -44,7 +44,7 @@ void expect_every_place_is_seen() {
   for (std::size_t i = 0; i < N; ++i) {
     Real zd[N] = {};
     zd[i] = -1000;
-    const Status status = with_turns({}, zd, turning, kStep, kRk4Turn);
+    const Status status = with_turns({}, zd, turning, kTurnStep, kRk4Turn);
     EXPECT_EQ(status.code, Code::turned_far) << i << " of " << N;
     EXPECT_EQ(status.index, static_cast<int>(i)) << N;
   }

@@ -20,21 +20,21 @@ const double kDegree = std::acos(-1.0) / 180;
 // The formulas are deterministic; the reference values carry rounding only.
 constexpr double kReferenceTolerance = 1e-11;
 
-const nlohmann::json& reference() {
+const nlohmann::json& magic_formulas() {
   static const nlohmann::json data =
       nlohmann::json::parse(std::ifstream(MBGEN_SOURCE_DIR "/tests/data/tyre_magic_formula.json"));
   return data;
 }
 
 Pac2002<double> pac2002_set(const std::string& name) {
-  const nlohmann::json& parameters = reference()[name]["parameters"];
+  const nlohmann::json& parameters = magic_formulas()[name]["parameters"];
   std::vector<double> values;
   for (const TyreField& field : kPac2002Fields) values.push_back(parameters.value(field.name, field.default_value));
   return Pac2002<double>::from_fields(values.data());
 }
 
 Pac89<double> pac89_set() {
-  const nlohmann::json& entry = reference()["pac89_chrono_hmmwv_truck_characteristic"];
+  const nlohmann::json& entry = magic_formulas()["pac89_chrono_hmmwv_truck_characteristic"];
   std::vector<double> values;
   for (const char* group : {"a", "b", "c"}) {
     for (const double value : entry[group]) values.push_back(value);
@@ -68,7 +68,7 @@ class Pac2002Reference : public testing::TestWithParam<const char*> {};
 
 TEST_P(Pac2002Reference, EveryForceOfEveryRow) {
   const Pac2002<double> set = pac2002_set(GetParam());
-  const nlohmann::json& rows = reference()[GetParam()]["rows"];
+  const nlohmann::json& rows = magic_formulas()[GetParam()]["rows"];
   ASSERT_EQ(rows.size(), 588u);
   Comparison comparison;
   for (const std::vector<double> row : rows) {
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(Sets, Pac2002Reference,
 
 TEST(Pac89Reference, EveryForceOfEveryRow) {
   const Pac89<double> set = pac89_set();
-  const nlohmann::json& rows = reference()["pac89_chrono_hmmwv_truck_characteristic"]["rows"];
+  const nlohmann::json& rows = magic_formulas()["pac89_chrono_hmmwv_truck_characteristic"]["rows"];
   ASSERT_EQ(rows.size(), 392u);
   Comparison comparison;
   for (const std::vector<double> row : rows) {

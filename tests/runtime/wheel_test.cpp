@@ -204,14 +204,14 @@ struct QuarterBus {
   Status project_nearest(State&) const noexcept { return {}; }
 };
 
-constexpr double kStep = 5e-4;
+constexpr double kBusStep = 5e-4;
 
 /// Runs on and calls observe(state) after each step.
 template <class Observe>
 QuarterBus::State run(const QuarterBus& bus, QuarterBus::State state, double duration, const Observe& observe) {
-  const int steps = static_cast<int>(std::lround(duration / kStep));
+  const int steps = static_cast<int>(std::lround(duration / kBusStep));
   for (int i = 0; i < steps; ++i) {
-    EXPECT_TRUE(step_rk4(bus, state, kStep).ok());
+    EXPECT_TRUE(step_rk4(bus, state, kBusStep).ok());
     observe(state);
   }
   return state;

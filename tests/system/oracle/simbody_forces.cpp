@@ -10,8 +10,6 @@ using SimTK::SpatialVec;
 using SimTK::State;
 using SimTK::Vec3;
 
-Vec3 vec(const Vector3d& v) { return {v[0], v[1], v[2]}; }
-
 SimTK::Rotation rotation(const Eigen::Matrix3d& m) {
   return SimTK::Rotation(SimTK::Mat33(m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)));
 }

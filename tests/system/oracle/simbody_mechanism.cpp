@@ -14,7 +14,6 @@ using SimTK::Transform;
 using SimTK::UnitVec3;
 using SimTK::Vec3;
 
-Vec3 vec(const Vector3d& v) { return {v[0], v[1], v[2]}; }
 UnitVec3 unit(const Vector3d& v) { return UnitVec3(vec(v)); }
 
 SimTK::Body::Rigid rigid(const RigidMass& mass, const Vector3d& origin) {

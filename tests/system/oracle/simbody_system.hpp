@@ -10,6 +10,8 @@
 
 namespace mbgen::foreign {
 
+inline SimTK::Vec3 vec(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+
 /// Where Simbody keeps a coordinate of the mechanism.
 struct SimbodyCoordinate {
   int body = -1;    ///< mobilizer, in the order they were made

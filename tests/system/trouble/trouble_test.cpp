@@ -85,7 +85,7 @@ constexpr NamedCall kCalls[] = {{"accelerations", &Solver::accelerations},
                                 {"step_rk4", &Solver::rk4},
                                 {"step_abm4", &Solver::abm4}};
 
-class Trouble : public testing::TestWithParam<const char*> {
+class Trouble : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     if (!solver().project) GTEST_SKIP() << GetParam() << " is not installed";
@@ -376,7 +376,7 @@ TEST_P(Trouble, AnyNumbersAtAllEndInAStatus) {
   EXPECT_GT(ended_well, 300);
 }
 
-INSTANTIATE_TEST_SUITE_P(Solvers, Trouble, testing::Values("generic", "g++", "clang++"), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(Solvers, Trouble, ::testing::Values("generic", "g++", "clang++"), [](const auto& info) {
   const std::string name = info.param;
   return name == "generic" ? name : name == "g++" ? "gnu" : "clang";
 });
