@@ -18,8 +18,8 @@ constexpr double kFaster = 0.25;      // the largest share by which the speed ch
 constexpr double kFinest = 1.0 / 64;  // of the way to the next motion: there the search ends
 constexpr double kMoves = 1e-3;       // m/s
 
-/// Goals of a trim, in this order.
-enum Goal : Eigen::Index { kForward, kAcross, kTurn };
+/// Place of the yaw rate among the goals of a trim: speed along the path, speed across it, yaw rate.
+constexpr Eigen::Index kYawRateGoal = 2;
 
 int output_named(const Model& model, std::string_view name) {
   return static_cast<int>(std::ranges::find(model.outputs, name, &Output::name) - model.outputs.begin());
@@ -150,7 +150,7 @@ class PaceWay {
   }
 
   SteeringGains gains(const Trim& trim) const {
-    const Eigen::VectorXd by = trim.steady.by_goals.col(kTurn);
+    const Eigen::VectorXd by = trim.steady.by_goals.col(kYawRateGoal);
     const Eigen::Index states = trim.system.A.cols();
     const auto change = [&](std::string_view output) {
       const auto row = static_cast<Eigen::Index>(index(output));
