@@ -289,7 +289,11 @@ ComposedBars compose_bars(Reader& reader, const Entries& bars) {
   ComposedBars made;
   for (const Entry& bar : bars) {
     const InScope in_scope(reader, bar.scope);
+    const std::size_t problems = reader.problems.size();
     compose_bar(reader, bar, made);
+    if (reader.problems.size() == problems) continue;
+    // Expressions over the angles of its arms are no problems of their own.
+    for (const std::string& name : {bar.name, bar.written}) reader.names.unreadable_joints.push_back(name);
   }
   return made;
 }
