@@ -235,7 +235,11 @@ void compose_bar(Reader& reader, const Entry& bar, ComposedParts& made) {
 void compose_bars(Reader& reader, const Entries& bars, ComposedParts& made) {
   for (const Entry& bar : bars) {
     const InScope in_scope(reader, bar.scope);
+    const std::size_t problems = reader.problems.size();
     compose_bar(reader, bar, made);
+    if (reader.problems.size() == problems) continue;
+    // Expressions over the angles of its arms are no problems of their own.
+    for (const std::string& name : {bar.name, bar.written}) reader.names.unreadable_joints.push_back(name);
   }
 }
 
