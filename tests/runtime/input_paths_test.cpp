@@ -181,11 +181,15 @@ TEST(InputPaths, MakeALastRateThatTheModelDoesNotName) {
     const double t = k * kStep;
     Inputs given = wanted(t * t / 2, 0.5);
     given.rate = t;
-    if (k > 1) EXPECT_NEAR(paths.now(given).acceleration, 1, 1e-12) << "outputs at the end of the last step";
+    if (k > 1) {
+      EXPECT_NEAR(paths.now(given).acceleration, 1, 1e-12) << "outputs at the end of the last step";
+    }
     const Inputs at = paths.of_step(given, kStep);
     EXPECT_EQ(at.angle, given.angle);
     EXPECT_EQ(at.rate, given.rate);
-    if (k > 0) EXPECT_NEAR(at.acceleration, 1, 1e-12) << k;
+    if (k > 0) {
+      EXPECT_NEAR(at.acceleration, 1, 1e-12) << k;
+    }
     EXPECT_EQ(at.way, 0.5);
   }
   Inputs known = wanted(1, 0.5);
