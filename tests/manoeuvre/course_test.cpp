@@ -87,12 +87,12 @@ TEST(Tracks, FaultsOfTheTableHaveTheirLine) {
   EXPECT_EQ(read_track("y,x,speed [m/s]\r\n1,2,3\r\n2,2,3\r\n3,2,3\r\n4,2,3\r\n", "t.csv").speeds.size(), 4u);
   EXPECT_EQ(error_of("x [m],z [m]\n0,0\n"), "t.csv:1: the columns x and y are missing");
   EXPECT_EQ(error_of("x [km],y [m]\n0,0\n"), "t.csv:1: column \"x [km]\" must have the unit m");
-  EXPECT_EQ(error_of("x,y\n0,0\n1\n"), "t.csv:3: 1 fields where the header has 2");
+  EXPECT_EQ(error_of("x,y\n0,0\n1\n"), "t.csv:3: fields must be 2 as in the header, got 1");
   EXPECT_EQ(error_of("x,y\n0,0\n0,0\n"), "t.csv:3: the point is the one before");
   EXPECT_EQ(error_of("x,y,speed\n0,0,0\n"), "t.csv:2: speed must be above 0, got 0");
-  EXPECT_EQ(error_of("x,y\n0,0\n1,0\n"), "t.csv:4: 2 points; a track needs at least 4");
+  EXPECT_EQ(error_of("x,y\n0,0\n1,0\n"), "t.csv:4: a track needs at least 4 points, got 2");
   EXPECT_NE(error_of("x,y\n0,nan\n1,0\n"), "none");
-  EXPECT_EQ(error_of(""), "t.csv:1: 0 points; a track needs at least 4");
+  EXPECT_EQ(error_of(""), "t.csv:1: a track needs at least 4 points, got 0");
 }
 
 // At rest for a second, 0.1 m back within the next, then 2 m/s^2.

@@ -244,6 +244,7 @@ void require_compatible(const LinearizeOptions& options) {
   if (!state.steady.hold.empty() || !state.steady.solve.empty() || !state.states.empty() || !state.result.empty())
     throw UserError(
         "--speed: finds the steady motion of the vehicle itself; leave out --hold, --solve, --states and --result\n");
+  if (state.at == "equilibrium") throw UserError("--at equilibrium: a vehicle at --speed is in steady motion\n");
 }
 
 /// The table of a range of steady motions.

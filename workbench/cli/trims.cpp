@@ -14,6 +14,7 @@
 #include "workbench/drawing/drawing.hpp"
 #include "workbench/host/assignments.hpp"
 #include "workbench/host/files.hpp"
+#include "workbench/manoeuvre/manoeuvre_run.hpp"
 #include "workbench/operating/operating_point.hpp"
 #include "workbench/results/results.hpp"
 
@@ -200,6 +201,22 @@ std::string table_svg(const TrimStudy& study) {
   return plot_svg(abscissa, panels);
 }
 
+/// The start of a search: the model's initial state, without its static equilibrium where there is none, as of a
+/// vehicle on a hill. No rest is needed for a steady motion.
+OperatingPoint start_of(const Compilation& level, const std::vector<std::string>& inputs) {
+  StateArguments start;
+  start.at = "initial";
+  start.inputs = inputs;
+  if (!level.model.initial.equilibrium) return operating_point(level, start).point;
+  try {
+    return operating_point(level, start).point;
+  } catch (const UserError&) {
+    Compilation moving = level;
+    moving.model.initial.equilibrium = false;
+    return operating_point(moving, start).point;
+  }
+}
+
 }  // namespace
 
 TrimStudy trim_study(const std::string& file, const std::vector<std::string>& set,
@@ -208,10 +225,9 @@ TrimStudy trim_study(const std::string& file, const std::vector<std::string>& se
   const std::vector<TrimRequest> requests = requests_of(arguments, study.varied);
   Model model = model_at_speed(file, set, requests.front().speed);
   prepare_trims(model);
-  StateArguments start;
-  start.inputs = inputs;
+  require_others_inputs(model, "--input", inputs, "a steady motion finds");
   const Compilation level = expect(decide(model));
-  const OperatingPoint point = operating_point(level, start).point;
+  const OperatingPoint point = start_of(level, inputs);
   if (arguments.grade.value_or(0) != 0) incline(model, *arguments.grade, heading_at(level, point));
   study.compilation = compiled(std::move(model));
   TrimSeries series = trim_series(study.compilation, point, requests);

@@ -229,14 +229,13 @@ std::optional<VariedParameter> start_speed(const Manoeuvre& manoeuvre, const Mod
   return VariedParameter{parameter.name, *speed, parameter.tunable};
 }
 
-void require_others_inputs(const Model& model, const std::string& option, const std::vector<std::string>& inputs) {
+void require_others_inputs(const Model& model, const std::string& option, const std::vector<std::string>& inputs,
+                           const std::string& owner) {
   for (const std::string& assignment : inputs) {
     const std::string name = assignment.substr(0, assignment.find('='));
     for (const int own : {model.vehicle->steer, model.vehicle->drive, model.vehicle->brake}) {
       if (own < 0 || model.inputs[static_cast<std::size_t>(own)].name != name) continue;
-      throw UserError(fmt::format(
-          "{} {}: the manoeuvre moves this input itself\n  hint: change the manoeuvre's file, or leave out {}\n",
-          option, name, option));
+      throw UserError(fmt::format("{} {}: {} this input itself\n  hint: leave out {}\n", option, name, owner, option));
     }
   }
 }

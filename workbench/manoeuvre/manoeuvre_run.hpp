@@ -82,8 +82,9 @@ class ManoeuvreRun {
 std::optional<VariedParameter> start_speed(const Manoeuvre& manoeuvre, const Model& model);
 
 /// Fails: UserError for an input that the manoeuvre moves itself: steering, drive, brake. option: it was given by,
-/// "--input"; inputs: names or name=value.
-void require_others_inputs(const Model& model, const std::string& option, const std::vector<std::string>& inputs);
+/// "--input"; inputs: names or name=value; owner: of the inputs, for messages.
+void require_others_inputs(const Model& model, const std::string& option, const std::vector<std::string>& inputs,
+                           const std::string& owner = "the manoeuvre moves");
 
 /// Adds the outputs of the vehicle to a model, and lets it start with the brake that the manoeuvre begins with. Fails:
 /// UserError without a vehicle, or for an output of the same name.

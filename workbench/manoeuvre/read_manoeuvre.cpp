@@ -133,7 +133,7 @@ void check(Reader&, const Value&, Written<RideManoeuvre>&) {}
 void check(Reader& reader, const Value& value, Written<TrackManoeuvre>& written) {
   constexpr double kMostLaps = 1000;
   if (const Value* path = find(value, "path")) written.path_where = where_of(reader.documents, path->place);
-  if (written.laps != std::floor(written.laps) || written.laps > kMostLaps)
+  if (written.laps > 0 && (written.laps != std::floor(written.laps) || written.laps > kMostLaps))
     report(reader, *find(value, "laps"),
            fmt::format("must be a whole number up to {:g}, got {:g}", kMostLaps, written.laps));
   if (find(value, "laps") && !written.is_closed)
@@ -145,6 +145,9 @@ void check(Reader& reader, const Value& value, Written<TrackManoeuvre>& written)
 void check(Reader& reader, const Value& value, Written<StartManoeuvre>& written) {
   check_speed(reader, value, "last_speed", written.last_speed);
   written.speed = written.speed.value_or(0);
+  if (*written.speed >= written.last_speed)
+    report(reader, member_or_object(value, "last_speed"),
+           fmt::format("must be above the speed at the start, {:g} m/s, got {:g}", *written.speed, written.last_speed));
 }
 
 template <class Kind>

@@ -173,7 +173,7 @@ TrackPoints read_track(std::string_view text, const std::string& file) {
       continue;
     }
     if (fields.size() != header.size())
-      fail(file, line_number, fmt::format("{} fields where the header has {}", fields.size(), header.size()));
+      fail(file, line_number, fmt::format("fields must be {} as in the header, got {}", header.size(), fields.size()));
     double values[3] = {0, 0, 0};
     for (std::size_t k = 0; k < 3; ++k)
       if (columns[k] >= 0)
@@ -186,7 +186,8 @@ TrackPoints read_track(std::string_view text, const std::string& file) {
     if (!(values[2] > 0)) fail(file, line_number, fmt::format("speed must be above 0, got {:g}", values[2]));
     points.speeds.push_back(values[2]);
   }
-  if (points.x.size() < 4) fail(file, line_number, fmt::format("{} points; a track needs at least 4", points.x.size()));
+  if (points.x.size() < 4)
+    fail(file, line_number, fmt::format("a track needs at least 4 points, got {}", points.x.size()));
   return points;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kBend = 1;           // m/s^2, the largest change of lateral acceleration at once
 constexpr double kFaster = 0.25;      // the largest share by which the speed changes at once
-constexpr double kFinest = 1.0 / 64;  // of the way to the next motion: there the search ends
+constexpr double kFinest = 1.0 / 16;  // of the way to the next motion: there the search ends
 constexpr double kMoves = 1e-3;       // m/s
 
 /// Place of the yaw rate among the goals of a trim: speed along the path, speed across it, yaw rate.

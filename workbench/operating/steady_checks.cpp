@@ -69,6 +69,16 @@ bool is_weighed_out(const Compilation& compilation, const GenericSolver& solver,
   return row == left.size() || left.tail(left.size() - row).cwiseAbs().maxCoeff() < kSettled;
 }
 
+ScaledSystem::ScaledSystem(const Eigen::MatrixXd& matrix) : size_(column_sizes(matrix)) {
+  const Eigen::MatrixXd columns = matrix * size_.cwiseInverse().asDiagonal();
+  weight_ = column_sizes(columns.transpose()).cwiseInverse();
+  matrix_ = weight_.asDiagonal() * columns;
+}
+
+Eigen::VectorXd ScaledSystem::correction(const Eigen::VectorXd& wanted) const {
+  return least_squares(matrix_, weight_.cwiseProduct(wanted), kIndifferentShare);
+}
+
 void require_holding(const Model& model, const OperatingPoint& point, const std::vector<BristleEnd>& bristles) {
   constexpr double kRounding = 1e-9;
   for (std::size_t i = 0; i < bristles.size(); ++i) {

@@ -17,6 +17,20 @@ constexpr double kSteady = 1e-7;  ///< rad/s^2 or m/s^2; for auxiliary states 1/
 /// Norms of columns, at least 1e-12, as scales: inputs have different units.
 Eigen::VectorXd column_sizes(const Eigen::MatrixXd& matrix);
 
+/// Linear equations whose columns and rows have one size: accelerations of stiff parts, as of beams, would hide others.
+class ScaledSystem {
+ public:
+  explicit ScaledSystem(const Eigen::MatrixXd& matrix);
+  /// Of all scaled unknowns that meet the right-hand side best the smallest.
+  Eigen::VectorXd correction(const Eigen::VectorXd& wanted) const;
+  /// In their own units.
+  Eigen::VectorXd unknowns(const Eigen::VectorXd& scaled) const { return scaled.cwiseQuotient(size_); }
+
+ private:
+  Eigen::VectorXd size_, weight_;
+  Eigen::MatrixXd matrix_;
+};
+
 /// Whether the forces behind remaining accelerations are rounding errors: below 1e-8 of the model's weight, or of its
 /// mass times 1 m/s^2 without gravity, at a lever of 1 m. left: accelerations of the independent coordinates, then
 /// rates of auxiliary states relative to their magnitudes.

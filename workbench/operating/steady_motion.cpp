@@ -273,10 +273,9 @@ class Search {
   void change(const LinearSystem& system, const Eigen::VectorXd& left) {
     const std::vector<Eigen::Index> unknown = unknown_states(system);
     const Eigen::MatrixXd matrix = derivatives(system, unknown);
-    const Eigen::VectorXd size = column_sizes(matrix);
-    const Eigen::MatrixXd of_one_size = matrix * size.cwiseInverse().asDiagonal();
-    const Eigen::VectorXd scaled = least_squares(of_one_size, left, kIndifferentShare);
-    const Eigen::VectorXd by = -(size.cwiseInverse().asDiagonal() * scaled);
+    const ScaledSystem scaled_system(matrix);
+    const Eigen::VectorXd scaled = scaled_system.correction(left);
+    const Eigen::VectorXd by = -scaled_system.unknowns(scaled);
     double longest = 0;
     for (std::size_t k = 0; k < unknown.size(); ++k) {
       const bool is_position = system.states[static_cast<std::size_t>(unknown[k])].kind == StateKind::position;
@@ -287,8 +286,8 @@ class Search {
     for (double part = 1;; part /= 2) {
       const Status closed = apply(system, unknown, by * (part * whole));
       const Eigen::VectorXd next = closed.ok() ? residual_here() : Eigen::VectorXd::Constant(1, std::nan(""));
-      const bool leads_nearer = next.allFinite() && least_squares(of_one_size, next, kIndifferentShare).norm() <=
-                                                        (1 - part * whole / 4) * scaled.norm();
+      const bool leads_nearer =
+          next.allFinite() && scaled_system.correction(next).norm() <= (1 - part * whole / 4) * scaled.norm();
       if (leads_nearer || part <= kShortest) return require_closed(closed);
       motion_.point = before;
     }
@@ -352,14 +351,12 @@ class Search {
   /// d (states, inputs) / d goal, of the least change where some are undetermined.
   Eigen::MatrixXd by_goals(const LinearSystem& system, const std::vector<Eigen::Index>& unknown,
                            const Eigen::MatrixXd& matrix) const {
-    const Eigen::VectorXd size = column_sizes(matrix);
-    const Eigen::MatrixXd of_one_size = matrix * size.cwiseInverse().asDiagonal();
+    const ScaledSystem scaled(matrix);
     const Eigen::Index goals = static_cast<Eigen::Index>(goals_.size()), states = system.A.cols();
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(states + static_cast<Eigen::Index>(c_.model.inputs.size()), goals);
     for (Eigen::Index g = 0; g < goals; ++g) {
       const Eigen::VectorXd wanted = Eigen::VectorXd::Unit(matrix.rows(), matrix.rows() - goals + g);
-      const Eigen::VectorXd by =
-          size.cwiseInverse().asDiagonal() * least_squares(of_one_size, wanted, kIndifferentShare);
+      const Eigen::VectorXd by = scaled.unknowns(scaled.correction(wanted));
       for (std::size_t k = 0; k < unknown.size(); ++k) result(unknown[k], g) = by[static_cast<Eigen::Index>(k)];
       for (std::size_t k = 0; k < inputs_.size(); ++k)
         result(states + inputs_[k], g) = by[static_cast<Eigen::Index>(unknown.size() + k)];

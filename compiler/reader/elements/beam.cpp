@@ -132,9 +132,13 @@ void divide(BeamParts& beam) {
 bool turn_sections(Reader& reader, BeamParts& beam) {
   const Value& value = *beam.entry.value;
   const double size = norm(beam.fields.up);
+  if (size == 0) {
+    report(reader, member_or_object(value, "up"), "must not be zero");
+    return false;
+  }
   for (BeamSegment& segment : beam.segments) {
     const Vector3 across = sum(beam.fields.up, segment.x, -dot(beam.fields.up, segment.x));
-    if (!(norm(across) >= kLeastUp * size) || size == 0) {
+    if (!(norm(across) >= kLeastUp * size)) {
       report(reader, member_or_object(value, "up"), "a segment of the beam is along `up`, its section has no axis z",
              "give \"up\" another direction");
       return false;
@@ -291,7 +295,10 @@ void compose_beam(Reader& reader, const Entry& entry, ComposedParts& made) {
     add_beam_bushing(reader, beam, i, made);
     add_beam_shapes(reader, beam, i, made);
   }
-  reader.model.beams.push_back(checked_beam(reader, beam));
+  const auto is_hinged = [](const BeamPoint& point) {
+    return point.support && point.joined.type == BeamSupport::hinge;
+  };
+  if (std::ranges::none_of(beam.points, is_hinged)) reader.model.beams.push_back(checked_beam(reader, beam));
 }
 
 }  // namespace
