@@ -72,7 +72,7 @@ Eigen::VectorXd balancing_units(const LinearSystem& system) {
   Eigen::MatrixXd a = system.A;
   Eigen::VectorXd units = Eigen::VectorXd::Ones(a.rows());
   constexpr int kSweeps = 20;
-  const bool is_stiff = a.cwiseAbs().maxCoeff() > kStiffSystem;
+  const bool is_stiff = a.size() > 0 && a.cwiseAbs().maxCoeff() > kStiffSystem;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     bool changes = false;
     for (std::size_t s = 0; s < system.states.size(); ++s) {

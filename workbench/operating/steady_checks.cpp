@@ -69,9 +69,10 @@ bool is_weighed_out(const Compilation& compilation, const GenericSolver& solver,
   return row == left.size() || left.tail(left.size() - row).cwiseAbs().maxCoeff() < kSettled;
 }
 
-ScaledSystem::ScaledSystem(const Eigen::MatrixXd& matrix) : size_(column_sizes(matrix)) {
+ScaledSystem::ScaledSystem(const Eigen::MatrixXd& matrix, bool scales_rows) : size_(column_sizes(matrix)) {
   const Eigen::MatrixXd columns = matrix * size_.cwiseInverse().asDiagonal();
-  weight_ = column_sizes(columns.transpose()).cwiseInverse();
+  weight_ = Eigen::VectorXd::Ones(matrix.rows());
+  if (scales_rows) weight_ = column_sizes(columns.transpose()).cwiseInverse();
   matrix_ = weight_.asDiagonal() * columns;
 }
 

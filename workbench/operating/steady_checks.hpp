@@ -17,10 +17,11 @@ constexpr double kSteady = 1e-7;  ///< rad/s^2 or m/s^2; for auxiliary states 1/
 /// Norms of columns, at least 1e-12, as scales: inputs have different units.
 Eigen::VectorXd column_sizes(const Eigen::MatrixXd& matrix);
 
-/// Linear equations whose columns and rows have one size: accelerations of stiff parts, as of beams, would hide others.
+/// Linear equations whose columns have one size, and if asked their rows too: accelerations of stiff parts, as of
+/// beams, would hide others; rounding of light parts would count as much as all the rest.
 class ScaledSystem {
  public:
-  explicit ScaledSystem(const Eigen::MatrixXd& matrix);
+  ScaledSystem(const Eigen::MatrixXd& matrix, bool scales_rows);
   /// Of all scaled unknowns that meet the right-hand side best the smallest.
   Eigen::VectorXd correction(const Eigen::VectorXd& wanted) const;
   /// In their own units.

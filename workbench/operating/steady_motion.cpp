@@ -33,8 +33,10 @@ constexpr double kComesToRest = 0.05;   // of the initial speed: below it the se
 /// Search for a steady motion by Newton's method.
 class Search {
  public:
-  Search(const Compilation& compilation, OperatingPoint start, const SteadyRequest& request)
-      : c_(compilation), solver_(compilation.model, compilation.topology, compilation.analysis) {
+  Search(const Compilation& compilation, OperatingPoint start, const SteadyRequest& request, bool scales_rows)
+      : c_(compilation),
+        scales_rows_(scales_rows),
+        solver_(compilation.model, compilation.topology, compilation.analysis) {
     motion_.point = std::move(start);
     independent_ = free_coordinates(c_.topology, c_.analysis);
     take(request);
@@ -273,7 +275,7 @@ class Search {
   void change(const LinearSystem& system, const Eigen::VectorXd& left) {
     const std::vector<Eigen::Index> unknown = unknown_states(system);
     const Eigen::MatrixXd matrix = derivatives(system, unknown);
-    const ScaledSystem scaled_system(matrix);
+    const ScaledSystem scaled_system(matrix, scales_rows_);
     const Eigen::VectorXd scaled = scaled_system.correction(left);
     const Eigen::VectorXd by = -scaled_system.unknowns(scaled);
     double longest = 0;
@@ -351,7 +353,7 @@ class Search {
   /// d (states, inputs) / d goal, of the least change where some are undetermined.
   Eigen::MatrixXd by_goals(const LinearSystem& system, const std::vector<Eigen::Index>& unknown,
                            const Eigen::MatrixXd& matrix) const {
-    const ScaledSystem scaled(matrix);
+    const ScaledSystem scaled(matrix, true);
     const Eigen::Index goals = static_cast<Eigen::Index>(goals_.size()), states = system.A.cols();
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(states + static_cast<Eigen::Index>(c_.model.inputs.size()), goals);
     for (Eigen::Index g = 0; g < goals; ++g) {
@@ -373,6 +375,7 @@ class Search {
   }
 
   const Compilation& c_;
+  bool scales_rows_ = false;
   GenericSolver solver_;
   SteadyMotion motion_;
   std::vector<int> independent_, travelling_, held_;
@@ -387,7 +390,11 @@ class Search {
 }  // namespace
 
 SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyRequest& request) {
-  return Search(compilation, start, request).find();
+  try {
+    return Search(compilation, start, request, false).find();
+  } catch (const UserError&) {
+    return Search(compilation, start, request, true).find();
+  }
 }
 
 }  // namespace mbgen
