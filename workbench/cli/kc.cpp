@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -177,7 +178,18 @@ std::string printed(const std::vector<KcReport>& reports, bool is_one, const KcO
   return text;
 }
 
+/// Fails: UserError for an amplitude that is no number above 0.
+void check_amplitudes(const KcSettings& kc) {
+  const std::pair<const char*, std::optional<double>> amplitudes[] = {
+      {"--travel", kc.travel}, {"--steer", kc.steer}, {"--force", kc.force}, {"--moment", kc.moment}};
+  for (const auto& [option, amplitude] : amplitudes) {
+    if (amplitude && !(std::isfinite(*amplitude) && *amplitude > 0))
+      throw UserError(fmt::format("{}: must be a number above 0, got {:g}\n", option, *amplitude));
+  }
+}
+
 int run(const KcOptions& options) {
+  check_amplitudes(options.kc);
   KcRun rigs(options);
   const std::vector<KcReport> reports = rigs.reports();
   const std::string text = printed(reports, rigs.axles() == 1, options);

@@ -52,7 +52,8 @@ std::vector<TrimRequest> requests_of(const TrimArguments& arguments, std::string
     throw UserError("--speed, --lateral-acceleration: one of the two may be a range\n");
   if (const double least = std::ranges::min(speeds); !(least > 0))
     throw UserError(fmt::format("--speed: {:g} m/s; a steady motion needs a speed above 0\n", least));
-  if (arguments.radius && *arguments.radius == 0) throw UserError("--radius: 0 m; a bend needs another radius\n");
+  if (arguments.radius && !(std::isfinite(*arguments.radius) && *arguments.radius != 0))
+    throw UserError(fmt::format("--radius: {:g} m; a bend needs another radius\n", *arguments.radius));
   const double grade = arguments.grade.value_or(0);
   if (grade != 0 && (arguments.radius || !bends.empty()))
     throw UserError("--grade: a bend on a grade is not steady; leave out --radius and --lateral-acceleration\n");

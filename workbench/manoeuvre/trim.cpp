@@ -69,8 +69,14 @@ class PaceWay {
 
   /// The steady motion straight on, at the speed of the first request.
   void begin(double speed) {
-    last_ = steady({speed, 0});
-    reached_ = {speed, 0};
+    const Pace straight{speed, 0};
+    if (reach(straight)) return;
+    if (c_.model.vehicle->drive < 0)
+      throw UserError(
+          fmt::format("{}: no steady motion straight on, the vehicle has no drive against drag\n  hint: name "
+                      "its input as \"drive\" in \"vehicle\"\n",
+                      c_.model.file));
+    steady(straight);  // fails with its cause
   }
 
   /// Whether the motion was reached.
