@@ -88,7 +88,7 @@ TEST_F(Kc, SaysWhatItCannotCompare) {
   write("bytes.csv", std::string("travel\x01"));
   EXPECT_EQ(kc("front --measured bytes.csv").err,
             "bytes.csv:1:7: must be text, found a byte 0x01\n  hint: measured points are a table of numbers\n");
-  EXPECT_EQ(kc("front --travel nan").err, "--travel: must be a number above 0, got nan\n");
+  EXPECT_EQ(kc("front --steer nan").err, "--steer: must be a number above 0, got nan\n");
   EXPECT_EQ(kc("front --force -500").err, "--force: must be a number above 0, got -500\n");
   EXPECT_NE(kc("front --compliance contact").out.find("Compliance: loads at the contact centre, wheel centres free\n"),
             std::string::npos);

@@ -176,6 +176,23 @@ TEST_F(Trims, OutputsMayBeHeld) {
   EXPECT_EQ(error("out.turn"), "--hold: output \"turn\" needs a value: out.turn=VALUE\n");
 }
 
+// A damper with two slopes is at rest in steady motion: rounding chooses its side.
+TEST_F(Trims, CornersOfLawsAtRestAreNoted) {
+  const std::string words = "note: parts at rest are at corners of their force laws";
+  for (const char* law : {"\"damping\": 800", R"json("force": "select(rate, 1200*rate, 500*rate)")json"}) {
+    write("car.json", fmt::format(R"({{ "mbgen": 1, "name": "car", "include": ["{}"],
+        "bodies": {{ "seat": {{ "mass": 60, "inertia": [1, 1, 1] }} }},
+        "hardpoints": {{ "seat": [0, 0, 0.4], "floor": [0, 0, 0.02] }},
+        "joints": {{ "seat": {{ "type": "prismatic", "from": "car.seat", "to": "seat.seat", "axis": "z" }} }},
+        "springs": {{ "seat": {{ "from": "car.floor", "to": "seat.seat", "stiffness": 2e4, {} }} }} }})",
+                                  kTrimmedCar, law));
+    const bool has_corner = std::string(law).find("select") != std::string::npos;
+    const Outcome run = mbgen("linearize car.json --speed 20 --lateral-acceleration 1");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err.find(words) != std::string::npos, has_corner) << run.err;
+  }
+}
+
 TEST_F(Trims, ArgumentsThatExcludeEachOtherAreNamed) {
   const auto error = [&](const std::string& arguments) {
     return mbgen("linearize " + kTrimmedCar + " " + arguments).err;

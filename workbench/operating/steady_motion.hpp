@@ -35,6 +35,10 @@ SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint&
 /// A note if several motions have the prescribed rates; none otherwise.
 std::string free_directions_note(const Compilation& compilation, const SteadyMotion& steady);
 
+/// A note if forces are at corners of their laws, as dampers with two slopes whose ends are at rest to each other:
+/// their derivatives are then of the side that rounding has. None otherwise.
+std::string corners_note(const Compilation& compilation, const SteadyMotion& steady);
+
 /// Rates of a steady motion, and the inputs found, as text.
 std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyRequest& request);
 
