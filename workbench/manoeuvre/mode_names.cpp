@@ -43,11 +43,6 @@ struct Unit {
   Matrix3d inertia;    ///< kg m^2 about it, global axes
 };
 
-/// Two wheels of an axle.
-struct WheelPair {
-  std::array<int, 2> bodies{-1, -1};  ///< left, right
-};
-
 class ModeParts {
  public:
   ModeParts(const Compilation& compilation, const OperatingPoint& point) : c_(compilation) {
@@ -130,7 +125,7 @@ class ModeParts {
                             : count == 1 ? "axle"
                             : a == 0     ? "front"
                                          : "rear");
-    wheels_.resize(static_cast<std::size_t>(count));
+    wheels_.assign(static_cast<std::size_t>(count), {-1, -1});
     axle_of_.assign(c_.model.bodies.size(), -1);
     std::map<int, int> axle_of_tree;
     for (std::size_t i = 0; i < axles.size(); ++i) {
@@ -138,7 +133,7 @@ class ModeParts {
       const bool is_left =
           centre_in(poses_[static_cast<std::size_t>(wheel)], wheel).dot(left()) >=
           centre_in(poses_[static_cast<std::size_t>(units_.back().body)], units_.back().body).dot(left());
-      wheels_[static_cast<std::size_t>(axles[i])].bodies[is_left ? 0 : 1] = wheel;
+      wheels_[static_cast<std::size_t>(axles[i])][is_left ? 0 : 1] = wheel;
       const int end = tree_of(unit_of(wheel).body);
       for (int tree = tree_of(wheel); tree != kGround && tree != end; tree = parent_of(tree))
         axle_of_tree[tree] = axles[i];
@@ -226,7 +221,7 @@ class ModeParts {
     const Vector3d place = centre_in(poses_[static_cast<std::size_t>(unit.body)], unit.body);
     std::complex<double> heights[2] = {0, 0};
     for (std::size_t side = 0; side < 2; ++side) {
-      const int wheel = wheels_[static_cast<std::size_t>(axle)].bodies[side];
+      const int wheel = wheels_[static_cast<std::size_t>(axle)][side];
       if (wheel < 0) continue;
       const Vector3d arm = centre_in(poses_[static_cast<std::size_t>(wheel)], wheel) - place;
       heights[side] =
@@ -264,7 +259,7 @@ class ModeParts {
   std::vector<std::vector<Swing<double>>> slopes_;  ///< body, coordinate
   std::vector<int> axle_of_;                        ///< per body, -1: none
   std::vector<std::string> axle_names_;
-  std::vector<WheelPair> wheels_;  ///< per axle
+  std::vector<std::array<int, 2>> wheels_;  ///< per axle: left and right body; -1: none
 };
 
 }  // namespace

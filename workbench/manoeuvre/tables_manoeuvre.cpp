@@ -43,6 +43,14 @@ FieldInfo side_info() {
       .name = "side", .shape = Shape::word, .doc = "to which it turns first", .fallback_word = "left", .words = kSides};
 }
 
+FieldInfo straight_steering_info() {
+  return {.name = "steering",
+          .shape = Shape::word,
+          .doc = "held straight, or by the driver, who keeps to the straight course",
+          .fallback_word = "held",
+          .words = kSteerings};
+}
+
 FieldInfo required(FieldInfo info) {
   info.need = Need::required;
   return info;
@@ -241,11 +249,7 @@ std::span<const Field<Written<BrakingManoeuvre>>> fields<Written<BrakingManoeuvr
        field<F, &F::at>(number("at", "when it begins", "s", 1, Bound::not_negative)),
        field<F, &F::over>(number("over", "rise time of the torque", "s", 0.3)),
        field<F, &F::last_speed>(number("last_speed", "at which the manoeuvre ends", "m/s", 0.2)),
-       field<F, &F::has_driver>({.name = "steering",
-                                 .shape = Shape::word,
-                                 .doc = "held straight, or by the driver, who keeps to the straight course",
-                                 .fallback_word = "held",
-                                 .words = kSteerings})});
+       field<F, &F::has_driver>(straight_steering_info())});
   return table;
 }
 
@@ -293,20 +297,16 @@ std::span<const Field<Written<TrackManoeuvre>>> fields<Written<TrackManoeuvre>>(
 template <>
 std::span<const Field<Written<StartManoeuvre>>> fields<Written<StartManoeuvre>>() {
   using F = Written<StartManoeuvre>;
-  static const std::vector table = with_common<F>(
-      open_number("speed", "at the start; default: 0", "m/s", Bound::not_negative),
-      {field<F, &F::drive>(
-           open_number("drive", "torque of all driven wheels; default: the vehicle's `drive_limit`", "N m")),
-       field<F, &F::brake>(
-           number("brake", "torque of all wheels that holds the vehicle until `at`", "N m", 0, Bound::not_negative)),
-       field<F, &F::at>(number("at", "when the drive takes over", "s", 0.5, Bound::not_negative)),
-       field<F, &F::over>(number("over", "time in which it does", "s", 0.5)),
-       field<F, &F::last_speed>(number("last_speed", "at which the manoeuvre ends", "m/s", 100 / 3.6)),
-       field<F, &F::has_driver>({.name = "steering",
-                                 .shape = Shape::word,
-                                 .doc = "held straight, or by the driver, who keeps to the straight course",
-                                 .fallback_word = "held",
-                                 .words = kSteerings})});
+  static const std::vector table =
+      with_common<F>(open_number("speed", "at the start; default: 0", "m/s", Bound::not_negative),
+                     {field<F, &F::drive>(open_number(
+                          "drive", "torque of all driven wheels; default: the vehicle's `drive_limit`", "N m")),
+                      field<F, &F::brake>(number("brake", "torque of all wheels that holds the vehicle until `at`",
+                                                 "N m", 0, Bound::not_negative)),
+                      field<F, &F::at>(number("at", "when the drive takes over", "s", 0.5, Bound::not_negative)),
+                      field<F, &F::over>(number("over", "time in which it does", "s", 0.5)),
+                      field<F, &F::last_speed>(number("last_speed", "at which the manoeuvre ends", "m/s", 100 / 3.6)),
+                      field<F, &F::has_driver>(straight_steering_info())});
   return table;
 }
 
