@@ -1,7 +1,7 @@
 #pragma once
 // Motion of points and bodies relative to others, in the axes of any body: outputs of points, bodies and wheels.
 
-#include "compiler/formulation/elements/tyre_road.hpp"
+#include "compiler/formulation/elements/tyre.hpp"
 #include "compiler/formulation/orientation.hpp"
 #include "compiler/formulation/solved_state.hpp"
 

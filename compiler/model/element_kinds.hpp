@@ -9,12 +9,10 @@
 #include "compiler/model/elements/applied_force.hpp"
 #include "compiler/model/elements/bump_stop.hpp"
 #include "compiler/model/elements/bushing.hpp"
+#include "compiler/model/elements/friction.hpp"
 #include "compiler/model/elements/joint_force.hpp"
-#include "compiler/model/elements/joint_friction.hpp"
 #include "compiler/model/elements/joint_spring.hpp"
 #include "compiler/model/elements/point_spring.hpp"
-#include "compiler/model/elements/rod_friction.hpp"
-#include "compiler/model/elements/spring_friction.hpp"
 #include "compiler/model/elements/tyre.hpp"
 
 namespace mbgen {

@@ -13,8 +13,9 @@ namespace {
 /// Reports a force of an element that is not integrated. Result: whether it did.
 template <class Element>
 bool tells_trouble(Reader& reader, const Value& value, const Element& element, const std::string& hint) {
-  const std::string trouble = section_of<Element>().trouble(
-      reader.model, static_cast<std::size_t>(&element - KindOf<Element>::list(reader.model).data()));
+  const std::string trouble =
+      section_of(Leader<Element>())
+          .trouble(reader.model, static_cast<std::size_t>(&element - KindOf<Element>::list(reader.model).data()));
   if (trouble.empty()) return false;
   report(reader, value, fmt::format("{} {} has {}", KindOf<Element>::words, in_quotes(element.name), trouble), hint);
   return true;
@@ -97,8 +98,8 @@ Resolved element_output(Reader& reader, const Value& value, const OutputFields& 
       else
         report(reader, *find(value, "quantity"),
                fmt::format("{} has {}", with_article(kind.words),
-                           section_of<typename decltype(kind)::Element>().trouble(
-                               reader.model, static_cast<std::size_t>(element.element))));
+                           section_of(Leader<typename decltype(kind)::Element>())
+                               .trouble(reader.model, static_cast<std::size_t>(element.element))));
     }
   });
   element.quantity = std::max(element.quantity, 0);

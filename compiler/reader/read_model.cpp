@@ -184,7 +184,7 @@ void read_sections(Reader& reader) {
   read_states(reader, states);
   read_roads(reader, entries(&FileFields::roads));
   reader.tyre_data = entries(&FileFields::tyre_data);
-  each_section([&]<class Kind>(KindOf<Kind>) { section_of<Kind>().read(reader, elements[kKindIndex<Kind>]); });
+  each_section([&]<class Kind>(KindOf<Kind>) { section_of(Leader<Kind>()).read(reader, elements[kKindIndex<Kind>]); });
   check_state_names(reader, states);
   read_motions(reader, entries(&FileFields::motions));
   make_second_rates(reader);

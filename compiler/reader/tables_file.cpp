@@ -17,7 +17,7 @@ FieldInfo section(std::string_view name, std::string_view of, std::string_view d
 
 template <class Kind>
 Field<FileFields> section_row(KindOf<Kind> kind) {
-  return field<FileFields, &SectionOf<Kind>::section>(section(kind.section, kind.key, section_of<Kind>().doc));
+  return field<FileFields, &SectionOf<Kind>::section>(section(kind.section, kind.key, section_of(Leader<Kind>()).doc));
 }
 
 /// Sections before those of elements.

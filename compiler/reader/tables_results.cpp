@@ -215,7 +215,8 @@ std::vector<ObjectKind> object_kinds() {
       kind_of<DelayFields>("delay", "a value as it was some time ago"),
   };
   each_section([&](auto kind) {
-    for (ObjectKind& of : section_of<typename decltype(kind)::Element>().kinds()) kinds.push_back(std::move(of));
+    for (ObjectKind& of : section_of(Leader<typename decltype(kind)::Element>()).kinds())
+      kinds.push_back(std::move(of));
   });
   for (ObjectKind& other : other_kinds()) kinds.push_back(std::move(other));
   return kinds;

@@ -193,7 +193,7 @@ void note_unlikely(Reader& reader) {
   note_damping(reader);
   note_start(reader);
   each_section([&]<class Kind>(KindOf<Kind>) {
-    if (const auto note = section_of<Kind>().note) note(reader);
+    if (const auto note = section_of(Leader<Kind>()).note) note(reader);
   });
   note_ends(reader);
   note_motions(reader);

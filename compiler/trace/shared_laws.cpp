@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "compiler/formulation/elements/tyre_road.hpp"
+#include "compiler/formulation/elements/tyre.hpp"
 #include "compiler/trace/each_program.hpp"
 
 namespace mbgen {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/formulation/elements/tyre_road.hpp"
+#include "compiler/formulation/elements/tyre.hpp"
 #include "compiler/model/tyres.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/assignments.hpp"

@@ -3,7 +3,7 @@
 // its deflection states by the velocities of the slips and these states; of its moment against turning.
 
 #include "compiler/formulation/elements/element_tangents.hpp"
-#include "compiler/formulation/elements/tyre_road.hpp"
+#include "compiler/formulation/elements/tyre.hpp"
 
 namespace mbgen {
 namespace detail {

@@ -72,8 +72,7 @@ std::span<const Field<AirSpringFields>> fields<AirSpringFields>() {
   return table;
 }
 
-template <>
-ElementSection section_of<AirSpring>() {
+ElementSection section_of(Leader<AirSpring>) {
   return {"polytropic air springs between two points",
           [] {
             return std::vector<ObjectKind>{

@@ -37,8 +37,7 @@ std::span<const Field<AppliedForce>> fields<AppliedForce>() {
   return table;
 }
 
-template <>
-ElementSection section_of<AppliedForce>() {
+ElementSection section_of(Leader<AppliedForce>) {
   return {"forces and torques on bodies",
           [] { return std::vector<ObjectKind>{kind_of<AppliedForce>("force", "force and torque on a body")}; },
           read_forces};

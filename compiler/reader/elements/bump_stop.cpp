@@ -234,8 +234,7 @@ std::string trouble_of_bump_stop(const Model& model, std::size_t index) {
 
 }  // namespace
 
-template <>
-ElementSection section_of<BumpStop>() {
+ElementSection section_of(Leader<BumpStop>) {
   return {"stops beyond a clearance",
           [] {
             return std::vector<ObjectKind>{kind_of<BumpStopFields>(

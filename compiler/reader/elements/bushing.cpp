@@ -308,8 +308,7 @@ std::string trouble_of_bushing(const Model& model, std::size_t index) {
 
 }  // namespace
 
-template <>
-ElementSection section_of<Bushing>() {
+ElementSection section_of(Leader<Bushing>) {
   return {"rubber and mounts: six freedoms between two bodies",
           [] {
             return std::vector<ObjectKind>{

@@ -261,8 +261,7 @@ void finish_frictions(Reader& reader) {
     if (value.load && value.period == 0) value.period = period;
 }
 
-template <>
-ElementSection section_of<JointFriction>() {
+ElementSection section_of(Leader<JointFriction>) {
   return {"friction on coordinates and springs",
           [] {
             return std::vector<ObjectKind>{kind_of<FrictionFields>(

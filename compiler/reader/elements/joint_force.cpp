@@ -28,8 +28,7 @@ std::span<const Field<JointForce>> fields<JointForce>() {
   return table;
 }
 
-template <>
-ElementSection section_of<JointForce>() {
+ElementSection section_of(Leader<JointForce>) {
   return {
       "generalised forces on coordinates",
       [] { return std::vector<ObjectKind>{kind_of<JointForce>("joint_force", "generalised force on a coordinate")}; },

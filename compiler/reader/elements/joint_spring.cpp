@@ -105,8 +105,7 @@ std::span<const Field<JointSpring>> fields<JointSpring>() {
   return table;
 }
 
-template <>
-ElementSection section_of<JointSpring>() {
+ElementSection section_of(Leader<JointSpring>) {
   return {"springs and dampers on coordinates",
           [] {
             return std::vector<ObjectKind>{

@@ -94,8 +94,7 @@ std::span<const Field<PointSpring>> fields<PointSpring>() {
   return table;
 }
 
-template <>
-ElementSection section_of<PointSpring>() {
+ElementSection section_of(Leader<PointSpring>) {
   return {
       "springs and dampers between two points",
       [] { return std::vector<ObjectKind>{kind_of<PointSpring>("spring", "spring and damper between two points")}; },

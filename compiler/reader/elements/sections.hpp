@@ -16,27 +16,11 @@ struct ElementSection {
   void (*note)(Reader&) = nullptr;  ///< on values that are allowed but unlikely
 };
 
-/// The section of the first kind in it.
+/// Tag of the kind that leads a section. The source of the section defines section_of(Leader<Kind>).
 template <class Kind>
-ElementSection section_of();
-template <>
-ElementSection section_of<PointSpring>();
-template <>
-ElementSection section_of<AirSpring>();
-template <>
-ElementSection section_of<JointSpring>();
-template <>
-ElementSection section_of<JointFriction>();
-template <>
-ElementSection section_of<JointForce>();
-template <>
-ElementSection section_of<AppliedForce>();
-template <>
-ElementSection section_of<Tyre>();
-template <>
-ElementSection section_of<Bushing>();
-template <>
-ElementSection section_of<BumpStop>();
+struct Leader {
+  friend ElementSection section_of(Leader);
+};
 
 /// Whether a kind is the first in its section.
 template <class Kind>

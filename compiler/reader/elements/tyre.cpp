@@ -301,8 +301,7 @@ void read_tyres(Reader& reader, const Entries& tyres) {
 
 }  // namespace
 
-template <>
-ElementSection section_of<Tyre>() {
+ElementSection section_of(Leader<Tyre>) {
   return {"tyres on roads",
           [] {
             return std::vector<ObjectKind>{

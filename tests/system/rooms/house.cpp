@@ -125,4 +125,18 @@ std::vector<std::string> sources_below(const std::vector<std::string>& folders) 
   return found;
 }
 
+std::map<std::string, std::string> texts_below(const std::vector<std::string>& folders) {
+  std::map<std::string, std::string> texts;
+  for (const std::string& file : sources_below(folders)) texts[file] = text_of(fs::path(MBGEN_SOURCE_DIR) / file);
+  const std::string kinds = "compiler/model/elements/";
+  for (const char* floor : {"compiler/formulation/elements/", "runtime/judges/elements/"}) {
+    std::string includes;
+    for (const auto& [file, text] : texts)
+      if (file.starts_with(kinds) && texts.contains(floor + file.substr(kinds.size())))
+        includes += "#include \"" + (floor + file.substr(kinds.size())) + "\"\n";
+    if (!includes.empty()) texts[std::string(floor) + "every_kind.hpp"] = includes;
+  }
+  return texts;
+}
+
 }  // namespace mbgen::house

@@ -53,4 +53,7 @@ std::set<std::string> reached_from(const Graph& graph, const std::string& node);
 /// Sources (.cpp, .hpp) below some folders of the project, relative to it, in order.
 std::vector<std::string> sources_below(const std::vector<std::string>& folders);
 
+/// The sources of the product below some folders by their paths, with the headers that every_kind.cmake writes.
+std::map<std::string, std::string> texts_below(const std::vector<std::string>& folders);
+
 }  // namespace mbgen::house

@@ -13,8 +13,6 @@
 namespace mbgen::house {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Headers of the standard library, and names of theirs; of a name that stands in several rows one header is enough.
 const std::map<std::string, std::string> kStandard{
     {"algorithm",
@@ -239,8 +237,7 @@ std::vector<std::string> missing_includes(const Files& files, const Rooms& rooms
 
 TEST(Includes, SourcesIncludeWhatTheyUse) {
   Files files;
-  for (const std::string& path : sources_below({"compiler", "runtime", "workbench"}))
-    files[path] = file_of(text_of(fs::path(MBGEN_SOURCE_DIR) / path));
+  for (const auto& [path, text] : texts_below({"compiler", "runtime", "workbench"})) files[path] = file_of(text);
   for (const std::string& line : missing_includes(files, rooms_of_project())) ADD_FAILURE() << line;
 }
 

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files of the product that may name a kind: six of its own or with its place in a list, three with an include, and
-/// those about a matter that it has alone.
+/// Files of the product that may name a kind: six of its own or with its place in a list, and those about a matter that
+/// it has alone.
 constexpr std::size_t kMostFiles = 14;
 /// Files that may name three lists of a model or more.
 constexpr std::size_t kMostWalkers = 5;
@@ -27,17 +27,25 @@ struct NamedKind {
 
 std::string product_text(const std::string& file) { return text_of(fs::path(MBGEN_SOURCE_DIR) / file); }
 
-/// The kinds with a header in compiler/model/elements.
+/// First group of the first match behind a place.
+std::string word_after(const std::string& text, std::size_t at, const char* pattern) {
+  std::smatch match;
+  return std::regex_search(text.begin() + static_cast<long>(at), text.end(), match, std::regex(pattern))
+             ? match[1].str()
+             : std::string();
+}
+
+/// The kinds of the headers in compiler/model/elements.
 std::vector<NamedKind> kinds_of_project() {
   std::vector<NamedKind> kinds;
-  const std::regex type("struct KindOf<(\\w+)>"), key("\\*key = \"(\\w+)\""), list("return model\\.(\\w+);");
+  const std::string head = "struct KindOf<";
   for (const std::string& file : sources_below({"compiler/model/elements"})) {
     const std::string text = product_text(file);
-    const auto word = [&](const std::regex& pattern) {
-      std::smatch match;
-      return std::regex_search(text, match, pattern) ? match[1].str() : std::string();
-    };
-    if (!word(type).empty() && !word(key).empty()) kinds.push_back({word(type), word(key), word(list)});
+    for (std::size_t at = text.find(head); at != std::string::npos; at = text.find(head, at + head.size())) {
+      NamedKind kind{word_after(text, at, "KindOf<(\\w+)>"), word_after(text, at, "\\*key = \"(\\w+)\""),
+                     word_after(text, at, "return model\\.(\\w+);")};
+      if (!kind.type.empty()) kinds.push_back(std::move(kind));
+    }
   }
   return kinds;
 }
@@ -60,13 +68,6 @@ bool names_kind(const std::string& text, const NamedKind& kind) {
   return has_word(text, kind.type) || (kind.key.find('_') != std::string::npos && has_word(text, kind.key));
 }
 
-std::map<std::string, std::string> texts_of_product() {
-  std::map<std::string, std::string> texts;
-  for (const std::string& file : sources_below({"compiler", "runtime", "workbench", "bench"}))
-    texts[file] = product_text(file);
-  return texts;
-}
-
 std::string listed_files(const std::vector<std::string>& files) {
   std::string text;
   for (const std::string& file : files) text += "\n  " + file;
@@ -76,7 +77,7 @@ std::string listed_files(const std::vector<std::string>& files) {
 TEST(Kinds, AreNamedInFewFiles) {
   const std::vector<NamedKind> kinds = kinds_of_project();
   EXPECT_GE(kinds.size(), 11u);
-  const std::map<std::string, std::string> texts = texts_of_product();
+  const std::map<std::string, std::string> texts = texts_below({"compiler", "runtime", "workbench", "bench"});
   for (const NamedKind& kind : kinds) {
     if (kind.type == "Tyre") continue;  // wheels, roads, files of coefficients and rigs are about tyres alone
     std::vector<std::string> files;
@@ -91,7 +92,7 @@ TEST(Kinds, AreNamedInFewFiles) {
 TEST(Kinds, AreWalkedByTheirList) {
   const std::vector<NamedKind> kinds = kinds_of_project();
   std::vector<std::string> walkers;
-  for (const auto& [file, text] : texts_of_product()) {
+  for (const auto& [file, text] : texts_below({"compiler", "runtime", "workbench", "bench"})) {
     std::set<std::string> lists;
     for (const NamedKind& kind : kinds)
       for (const char* before : {"model.", "model_."})
