@@ -13,7 +13,8 @@ cd "$(dirname "$0")/.."
 .ci/install libclang-rt-14-dev locales python3-numpy python3-scipy dpkg-dev pkg-config libxml2-utils file \
   g++-aarch64-linux-gnu qemu-user openmpi-bin chromium &
 installation=$!
-cmake --preset release -DMBGEN_TESTS=ON -DMBGEN_BENCH=OFF
+# gold, of binutils, links in half the time.
+cmake --preset release -DMBGEN_TESTS=ON -DMBGEN_BENCH=OFF -DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=gold
 cmake --build --preset release
 wait "$installation"
 status=0

@@ -1,11 +1,12 @@
 // Axles at positions where a choice of coordinates made over many stands badly, and axles beside others: neither ends
 // a curve. Five links against their spheres, solved here alone.
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "compiler/algebra/dense.hpp"
 #include "compiler/reader/read_model.hpp"
 #include "tests/kc/kc_support.hpp"
 
@@ -57,7 +58,7 @@ class FiveLinks {
           behind[i] -= 1e-6;
           slope.col(i) = (open(ahead, travel * part / 20) - open(behind, travel * part / 20)) / 2e-6;
         }
-        at -= slope.partialPivLu().solve(open(at, travel * part / 20));
+        at -= solved(slope, open(at, travel * part / 20));
       }
     }
     EXPECT_LT(open(at, travel).norm(), 1e-13);

@@ -1,10 +1,11 @@
 // Corners of mbgen new against the velocities of their geometry, worked out by hand: a knuckle on five constraints has
 // one screw, and all gradients at the start follow from it.
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <utility>
 #include <vector>
 
+#include "compiler/algebra/dense.hpp"
 #include "tests/kc/kc_support.hpp"
 
 namespace mbgen::kc_test {
@@ -51,7 +52,7 @@ Screw screw_of(const Vector3d& hub, const std::vector<Held>& held) {
     rows.block<1, 3>(row, 3) = (held[i].point - hub).cross(held[i].direction).transpose();
   }
   rows(5, 2) = 1;
-  const Eigen::Matrix<double, 6, 1> twist = rows.fullPivLu().solve(Eigen::Matrix<double, 6, 1>::Unit(5));
+  const Eigen::Matrix<double, 6, 1> twist = solved(rows, Eigen::Matrix<double, 6, 1>::Unit(5));
   return {hub, twist.head<3>(), twist.tail<3>()};
 }
 

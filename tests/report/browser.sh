@@ -9,6 +9,7 @@ models=$here/../../models
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 pictures=${2:-$scratch}
+if [ -n "${2:-}" ]; then export MBGEN_SMOOTH_PICTURES=1; fi
 modules=${MBGEN_REPORT_MODULES:-$scratch}/modules
 
 for tool in chromium node npm; do

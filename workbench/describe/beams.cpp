@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "compiler/algebra/dense.hpp"
 #include "compiler/model/vectors.hpp"
 
 namespace mbgen {
@@ -78,8 +79,9 @@ std::array<double, 2> segmented(const PlaneBeam& beam, int n) {
     if (end == BeamEnd::free || (end == BeamEnd::pinned && i % 2 == 1)) free.push_back(i);
   }
   const Eigen::MatrixXd stiffness = k(free, free), mass = m(free, free);
-  const Eigen::VectorXd squares =
-      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness, mass, Eigen::EigenvaluesOnly).eigenvalues();
+  const SymmetricEigenVectors inertia = symmetric_eigenvectors(mass);
+  const Eigen::MatrixXd root = inertia.vectors * inertia.values.cwiseSqrt().cwiseInverse().asDiagonal();
+  const Eigen::VectorXd squares = symmetric_eigenvalues(root.transpose() * stiffness * root);
   const int rigid = (beam.first == BeamEnd::free) + (beam.last == BeamEnd::free) -
                     (beam.first == BeamEnd::welded || beam.last == BeamEnd::welded ? 1 : 0);
   std::array<double, 2> result{0, 0};

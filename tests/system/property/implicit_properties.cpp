@@ -95,7 +95,7 @@ Complaint implicit_equations_disagree(const RandomMechanism&, const Mechanism& g
 /// halving it tells, of order two (stiff elements that are driven), or one where forces have corners.
 Complaint implicit_steps_disagree(const RandomMechanism& random, const Mechanism& given) {
   const bool is_stiff = has_corners(random) || !random.bushings.empty();
-  const auto every = static_cast<unsigned>(from_environment("MBGEN_PROPERTY_COMPILED", 6));
+  const auto every = static_cast<unsigned>(from_environment("MBGEN_PROPERTY_COMPILED", 4));
   if (!is_stiff || random.seed % every != every / 2) return {};
   Compilation compilation{by_implicit_steps(given).model, given.topology, given.analysis};
   add_programs(compilation);

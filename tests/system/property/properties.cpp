@@ -109,7 +109,7 @@ Complaint engines_disagree(const RandomMechanism&, const Mechanism& m) {
 
 /// The emitted solver, compiled, gives the accelerations of the generic runtime and the same step.
 Complaint compiled_solver_disagrees(const RandomMechanism& random, const Mechanism& m) {
-  if (random.seed % static_cast<unsigned>(from_environment("MBGEN_PROPERTY_COMPILED", 6)) != 0) return {};
+  if (random.seed % static_cast<unsigned>(from_environment("MBGEN_PROPERTY_COMPILED", 4)) != 0) return {};
   const Compilation compilation = compiled(m);
   EngineChoice choice;
   choice.use_cache = false;

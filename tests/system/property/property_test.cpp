@@ -1,6 +1,6 @@
 // Properties of every mechanism, on random ones. A failure shrinks to a small model file, which is printed.
-// MBGEN_PROPERTY_CASES: mechanisms of each family, 6 by default; MBGEN_PROPERTY_SEED: the first seed;
-// MBGEN_PROPERTY_COMPILED: the solver of every so many is compiled, 6 by default.
+// MBGEN_PROPERTY_CASES: mechanisms of each family, 4 by default; MBGEN_PROPERTY_SEED: the first seed;
+// MBGEN_PROPERTY_COMPILED: the solver of every so many is compiled, 4 by default.
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ constexpr NamedFamily kFamilies[] = {
 class EveryFamily : public ::testing::TestWithParam<NamedFamily> {};
 
 TEST_P(EveryFamily, HasTheProperties) {
-  const int cases = from_environment("MBGEN_PROPERTY_CASES", 6), first = from_environment("MBGEN_PROPERTY_SEED", 1);
+  const int cases = from_environment("MBGEN_PROPERTY_CASES", 4), first = from_environment("MBGEN_PROPERTY_SEED", 1);
   Tally tally;
   for (int seed = first; seed < first + cases; ++seed) {
     const RandomMechanism random = random_mechanism(GetParam().family, seed);
@@ -102,7 +102,7 @@ TEST_P(EveryFamily, HasTheProperties) {
 
 /// Well-posed whatever is locked or overconstrained: none is refused, and two Cartesian judges say the same.
 TEST(Locked, IsAcceptedAndEqualToTheCartesianJudges) {
-  const int cases = from_environment("MBGEN_PROPERTY_CASES", 6), first = from_environment("MBGEN_PROPERTY_SEED", 1);
+  const int cases = from_environment("MBGEN_PROPERTY_CASES", 4), first = from_environment("MBGEN_PROPERTY_SEED", 1);
   int states = 0;
   for (int seed = first; seed < first + cases; ++seed) {
     const RandomMechanism random = random_mechanism(Family::locked, seed);
