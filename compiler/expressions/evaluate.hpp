@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/expressions/expression.hpp"
+#include "compiler/expressions/named_table.hpp"
 #include "mbgen/scalar.hpp"
 
 namespace mbgen {
@@ -87,6 +88,8 @@ T apply(Function function, const T& a, const T& b, const T& c) {
       return select(a, b, c);
     case Function::floor:
       return floor(a);
+    case Function::table:
+      break;  // needs its node
   }
   return a;
 }
@@ -122,6 +125,7 @@ T evaluate(const Expression& expression, const Environment& environment) {
       return power_by_constant(operand(node.first), exponent->number);
     }
     const T& first = operand(node.first);
+    if (node.table) return value_of(*node.table, first, node.second < 0 ? first : operand(node.second));
     return apply(node.function, first, node.second < 0 ? first : operand(node.second),
                  node.third < 0 ? first : operand(node.third));
   };

@@ -5,12 +5,15 @@
 //   product = unary { ("*" | "/") unary }              power  = atom [ "^" unary ]       so -x^2 = -(x^2), 2^-1 = 0.5
 //   atom    = number | "pi" | "t" | parameter | input | local | "z." name | "zd." name
 //           | state | "length." spring | "rate." spring | "out." output | function "(" sum { "," sum } ")" | "(" sum
-//           ")"
+//           ")" | "table(" quoted name { "," sum } ")"
 // The functions stand in the table of named_functions.cpp.
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "compiler/expressions/table.hpp"
 
 namespace mbgen {
 
@@ -45,7 +48,8 @@ enum class Function : std::uint8_t {
   sign,
   step,
   select,
-  floor
+  floor,
+  table
 };
 
 /// One postfix node. `first`, `second`, `third` are indices of earlier nodes.
@@ -72,6 +76,7 @@ struct ExpressionNode {
   int index = -1;
   CoordinateReference coordinate;  ///< for Kind::position and Kind::velocity
   int first = -1, second = -1, third = -1;
+  std::shared_ptr<const NamedTable> table = nullptr;  ///< of Function::table
 };
 
 /// Appends nodes with their operands. Result: the place of the last one.

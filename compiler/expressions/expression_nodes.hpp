@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,6 +73,22 @@ class ExpressionNodes {
     }
     nodes_.resize(nodes_.size() - static_cast<std::size_t>(1 + (second >= 0) + (third >= 0)));
     return push_number(value);
+  }
+
+  /// A call of a table, or its value for numbers.
+  int push_table(std::shared_ptr<const NamedTable> table, int first, int second) {
+    if (is_number(first) && is_number(second)) {
+      const double value = value_of(*table, number_at(first), number_at(second));
+      nodes_.resize(nodes_.size() - static_cast<std::size_t>(1 + (second >= 0)));
+      return push_number(value);
+    }
+    ExpressionNode node;
+    node.kind = Kind::call;
+    node.function = Function::table;
+    node.first = first;
+    node.second = second;
+    node.table = std::move(table);
+    return push(node);
   }
 
   std::size_t at_ = 0;  ///< byte of the text

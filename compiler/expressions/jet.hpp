@@ -39,6 +39,28 @@ Jet<T> operator/(const Jet<T>& a, const Jet<T>& b) {
   return {value, first, (a.second - T(2.0) * (first * b.first) - value * b.second) / b.value};
 }
 
+// Constants, as curves by points have them.
+template <class T>
+Jet<T> operator+(const Jet<T>& a, double b) {
+  return {a.value + b, a.first, a.second};
+}
+template <class T>
+Jet<T> operator+(double a, const Jet<T>& b) {
+  return b + a;
+}
+template <class T>
+Jet<T> operator-(const Jet<T>& a, double b) {
+  return {a.value - b, a.first, a.second};
+}
+template <class T>
+Jet<T> operator*(double a, const Jet<T>& b) {
+  return {a * b.value, a * b.first, a * b.second};
+}
+template <class T>
+Jet<T> operator*(const Jet<T>& a, double b) {
+  return b * a;
+}
+
 /// f(x(t)) from f, f' and f'' at x.
 template <class T>
 Jet<T> chain(const Jet<T>& x, const T& f, const T& df, const T& ddf) {

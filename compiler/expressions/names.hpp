@@ -2,6 +2,7 @@
 // Names of a model: which are allowed, which elements they refer to, and which name was probably meant.
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,7 +80,8 @@ struct Names {
   NameMap<int> later_parameters;  ///< defined, but below the parameter that is being read
   NameMap<int> values;            ///< states, then sampled values
   NameMap<int> outputs;
-  NameMap<int> named_values;  ///< expressions under a name: index into Model::expressions
+  NameMap<int> named_values;                          ///< expressions under a name: index into Model::expressions
+  NameMap<std::shared_ptr<const NamedTable>> tables;  ///< null: the table could not be read
   NameMap<int> parameters, inputs, bodies, joints, rods, couplings, tyre_data, motions, roads;
   std::vector<LengthNames> lengths;                       ///< kind by kind; rods follow them
   std::vector<NameMap<CoordinateReference>> coordinates;  ///< per Level::scope, as they are called there

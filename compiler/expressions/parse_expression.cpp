@@ -10,7 +10,7 @@
 
 #include "compiler/expressions/evaluate.hpp"
 #include "compiler/expressions/expression_names.hpp"
-#include "compiler/expressions/expression_nodes.hpp"
+#include "compiler/expressions/expression_text.hpp"
 #include "compiler/expressions/named_functions.hpp"
 #include "compiler/text/document.hpp"
 
@@ -18,9 +18,9 @@ namespace mbgen::reading {
 namespace {
 
 /// Recursive descent.
-class ExpressionParser : ExpressionNodes {
+class ExpressionParser : ExpressionText {
  public:
-  ExpressionParser(std::string_view text, const ExpressionScope& scope) : text_(text), scope_(scope) {}
+  ExpressionParser(std::string_view text, const ExpressionScope& scope) : ExpressionText(text), scope_(scope) {}
 
   ParsedExpression run() {
     skip_space();
@@ -53,17 +53,6 @@ class ExpressionParser : ExpressionNodes {
     if (!is_letter(text_[at_]) && !is_digit(text_[at_]) && text_[at_] != '(') return fail_unexpected();
     const std::string_view next = text_[at_] == '(' ? "(" : word();
     return fail(start, fmt::format("unexpected {} in expression", in_quotes(next)), hint_after_value(next));
-  }
-
-  void skip_space() {
-    while (at_ < text_.size() && std::string_view(" \t\r\n").find(text_[at_]) != std::string_view::npos) ++at_;
-  }
-
-  bool accept(char wanted) {
-    skip_space();
-    if (at_ == text_.size() || text_[at_] != wanted) return false;
-    ++at_;
-    return true;
   }
 
   int sum() {
@@ -135,7 +124,7 @@ class ExpressionParser : ExpressionNodes {
     if (is_digit(text_[at_]) || text_[at_] == '.') return number();
     if (!is_letter(text_[at_])) return fail_unexpected();
     const std::string_view name = word();
-    if (accept('(')) return call(name, start);
+    if (accept('(')) return name == "table" ? table(start) : call(name, start);
     if (at_ < text_.size() && text_[at_] == '.') {
       if (name == "z" || name == "zd") return coordinate(name, start);
       if (name == "length" || name == "rate") return length(name == "rate" ? Kind::rate : Kind::length, start);
@@ -148,12 +137,6 @@ class ExpressionParser : ExpressionNodes {
   int fail_closing(std::size_t opened) {
     skip_space();
     return fail(at_, fmt::format("')' is missing for the '(' at column {} of the expression", opened + 1));
-  }
-
-  std::string_view word() {
-    const std::size_t start = at_;
-    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
-    return text_.substr(start, at_ - start);
   }
 
   int number() {
@@ -199,6 +182,31 @@ class ExpressionParser : ExpressionNodes {
       return fail(start, fmt::format("{} takes {} argument{}, got {}", name, arity, arity == 1 ? "" : "s", count));
     }
     return push_call(entry->function, start, arguments[0], arguments[1], arguments[2]);
+  }
+
+  /// The value of a table or a map.
+  int table(std::size_t start) {
+    const std::string_view name = quoted_name();
+    if (!problems_.empty() && name.empty()) return -1;
+    const auto found = find_visible(scope_.names.tables, name, scope_.visible);
+    const bool is_known = found != scope_.names.tables.end();
+    if (!is_known)
+      fail(start, "unknown table " + in_quotes(name),
+           scope_.suggest ? did_you_mean(name, scope_.names.tables, scope_.visible) : "");
+    int arguments[2] = {-1, -1};
+    int count = 0;
+    while (accept(',')) {
+      const int value = sum();
+      if (value < 0) return -1;
+      if (count < 2) arguments[count] = value;
+      ++count;
+    }
+    if (!accept(')')) return fail_closing(start + 5);
+    if (!is_known || !found->second) return stand_in();
+    const int arity = found->second->arity();
+    if (count == arity) return push_table(found->second, arguments[0], arguments[1]);
+    return fail(start, fmt::format("table {} takes {}, got {}", in_quotes(name),
+                                   arity == 1 ? "one argument" : "two arguments", count));
   }
 
   /// Takes the nodes of the arguments, from `first_node` on, into a call of their own. first: node of the first one.
@@ -359,7 +367,6 @@ class ExpressionParser : ExpressionNodes {
     return stand_in();
   }
 
-  std::string_view text_;
   const ExpressionScope& scope_;
   int depth_ = 0;
   std::vector<ReductionCall> reductions_;

@@ -37,7 +37,8 @@ double spacing_of(const Table& table);
 /// The number that a scalar with derivatives has as its value.
 template <class A>
 auto base_of(const A& scalar) {
-  if constexpr (requires { scalar.slope; }) {
+  if constexpr (
+      requires { scalar.slope; } || requires { scalar.first; }) {
     return base_of(scalar.value);
   } else {
     return scalar;

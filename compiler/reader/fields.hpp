@@ -36,6 +36,8 @@ enum class Shape {
   law,              ///< quantity or table
   table,            ///< table
   table_points,     ///< [[x, y], ...]
+  numbers,          ///< [x, ...], at least two
+  rows,             ///< [[x, ...], ...], at least two by two
   object,           ///< of kind FieldInfo::of
   map,              ///< name -> object of kind FieldInfo::of
   points,           ///< name -> three quantities

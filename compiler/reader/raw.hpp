@@ -28,6 +28,7 @@ struct FileFields : About, SectionsOf<ElementKinds> {
   std::size_t document = 0;  ///< index into Documents
   const Value *format = nullptr, *name = nullptr, *gravity = nullptr, *include = nullptr;
   const Value *hardpoints = nullptr;
+  const Value *tables = nullptr, *maps = nullptr;
   const Value *parameters = nullptr, *inputs = nullptr, *bodies = nullptr, *joints = nullptr, *rods = nullptr;
   const Value *anti_roll_bars = nullptr, *beams = nullptr;
   const Value *tyre_data = nullptr, *motions = nullptr;
@@ -58,14 +59,6 @@ struct AxisFields {
 struct RotationFields {
   Vector3 axis{0, 0, 1};
   double angle = 0;
-};
-
-struct TableFields {
-  std::vector<std::array<double, 2>> points;
-  std::optional<std::string> csv;
-  std::string x, y;  ///< columns of the CSV file
-  Table::Interpolation interpolation = Table::Interpolation::linear;
-  bool periodic = false;
 };
 
 struct ParameterFields : Parameter, Presentation {
@@ -380,7 +373,5 @@ template <>
 std::span<const Field<OrientationFields>> fields<OrientationFields>();
 template <>
 std::span<const Field<SolverSettings>> fields<SolverSettings>();
-template <>
-std::span<const Field<TableFields>> fields<TableFields>();
 
 }  // namespace mbgen::reading

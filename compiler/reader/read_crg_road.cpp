@@ -6,7 +6,7 @@
 
 #include "compiler/formats/crg_road.hpp"
 #include "compiler/formats/crg_unsupported.hpp"
-#include "compiler/reader/csv_table.hpp"
+#include "compiler/reader/tables/csv_table.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
 

@@ -13,6 +13,7 @@
 #include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/positions.hpp"
 #include "compiler/reader/read_states.hpp"
+#include "compiler/reader/tables/read_tables.hpp"
 #include "compiler/reader/reader.hpp"
 #include "compiler/text/hash.hpp"
 #include "compiler/text/read_text.hpp"
@@ -157,6 +158,8 @@ void read_gravity(Reader& reader) {
 void read_sections(Reader& reader) {
   const auto entries = [&](const Value* FileFields::*section) { return collect(reader, section); };
   read_parameters(reader, entries(&FileFields::parameters));
+  read_tables(reader, entries(&FileFields::tables));
+  read_maps(reader, entries(&FileFields::maps));
   read_inputs(reader, entries(&FileFields::inputs));
   add_host_inputs(reader, entries(&FileFields::roads));
   read_gravity(reader);

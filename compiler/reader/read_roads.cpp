@@ -5,7 +5,7 @@
 
 #include "compiler/expressions/spline_coefficients.hpp"
 #include "compiler/formats/rough_road.hpp"
-#include "compiler/reader/csv_table.hpp"
+#include "compiler/reader/tables/csv_table.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
 

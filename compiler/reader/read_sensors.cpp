@@ -212,16 +212,6 @@ void define_delay(Reader& reader, const Entry& entry, const DelayFields& delay) 
   reader.names.named_values.emplace(entry.name, parts.quantity(through_four(place, stored), entry.written).expression);
 }
 
-void read_named_value(Reader& reader, const Entry& entry) {
-  Quantity value;
-  read_value(reader, *entry.value, {.name = "value", .angle = true, .sees_accelerations = true}, value);
-  if (value.expression < 0) {
-    value.expression = static_cast<int>(reader.model.expressions.size());
-    reader.model.expressions.push_back({entry.written, Formula(std::isnan(value.value) ? 1 : value.value).nodes});
-  }
-  reader.names.named_values.emplace(entry.name, value.expression);
-}
-
 /// Calls use(entry, fields) for every entry, in its scope.
 template <class Fields, class Use>
 void each_entry(Reader& reader, const Entries& entries, const std::vector<Fields>& fields, const Use& use) {
@@ -268,11 +258,7 @@ void read_sensors(Reader& reader, const Entries& values, const Entries& sensors,
       report(reader, e.place, in_quotes(e.name) + " is the name of another value, too", "rename one of them");
     define_delay(reader, e, f);
   });
-  for (const Entry& entry : values) {
-    const InScope in_scope(reader, entry.scope);
-    check_value_name(reader, entry);
-    read_named_value(reader, entry);
-  }
+  read_named_values(reader, values);
   each_entry(reader, sensors, measured, [&](const Entry& e, const SensorFields& f) { read_sensor(reader, e, f); });
   each_entry(reader, delays, delayed, [&](const Entry& e, const DelayFields& f) { read_delay(reader, e, f); });
 }

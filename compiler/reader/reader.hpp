@@ -143,6 +143,8 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& 
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Table& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Pose& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<std::array<double, 2>>& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<double>& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<std::vector<double>>& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, const Value*& target);
 
 /// constant + sum of factors * quantities, as an expression if one of them is an expression.

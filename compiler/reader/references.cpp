@@ -1,13 +1,9 @@
-// Readers of references to other elements and of structured values: attachments, coordinates, tables, poses.
+// Readers of references to other elements and of structured values: attachments, coordinates, laws, poses.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/expressions/curve.hpp"
-#include "compiler/expressions/overshoot.hpp"
-#include "compiler/expressions/table_pieces.hpp"
-#include "compiler/reader/csv_table.hpp"
 #include "compiler/reader/positions.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
@@ -25,42 +21,6 @@ Matrix3 rotation_about(const Vector3& axis, double angle) {
   return {c + x * x * d,     x * y * d - z * s, x * z * d + y * s,  //
           y * x * d + z * s, c + y * y * d,     y * z * d - x * s,  //
           z * x * d - y * s, z * y * d + x * s, c + z * z * d};
-}
-
-/// Checks that points come either from the model or from a file, and columns from a file.
-void check_table(Reader& reader, const Value& value) {
-  const Member *points = find_member(value, "table"), *csv = find_member(value, "csv");
-  if (!points && !csv) report(reader, value, "a table needs \"table\" or \"csv\"");
-  if (points && csv) report(reader, csv->place, "table has both \"table\" and \"csv\"");
-  for (const std::string_view key : {"x", "y"}) {
-    const Member* column = find_member(value, key);
-    if (column && !csv)
-      report(reader, column->place, fmt::format("a table without \"csv\" takes no {}", in_quotes(key)));
-  }
-}
-
-/// Moves the pieces of a table of many points to the samples. Equal tables, as of a part placed four times, share them.
-void keep_as_data(Reader& reader, const Value& value, Table& table) {
-  if (table.x.size() > kMostPointsAsData) {
-    const Member* csv = find_member(value, "csv");
-    report(reader, csv ? csv->value : member_or_object(value, "table"),
-           fmt::format("table has {} points, at most {} go into a solver", table.x.size(), kMostPointsAsData),
-           "leave out points that lie on the curve through their neighbours");
-    return;
-  }
-  const std::vector<double> pieces = pieces_of(table);
-  std::vector<double>& samples = *reader.samples;
-  const double spacing = spacing_of(table);
-  for (const TableData& known : reader.large_tables) {
-    const auto begin = samples.begin() + known.first;
-    const auto left = static_cast<std::size_t>(samples.end() - begin);
-    const bool is_equal = left >= pieces.size() && std::equal(pieces.begin(), pieces.end(), begin);
-    if (is_equal && known.spacing == spacing) table.data = known;
-  }
-  if (table.data) return;
-  table.data = {reader.samples, static_cast<int>(samples.size()), spacing};
-  reader.large_tables.push_back(*table.data);
-  samples.insert(samples.end(), pieces.begin(), pieces.end());
 }
 
 }  // namespace
@@ -205,26 +165,6 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Coordinate
   }
 }
 
-void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<std::array<double, 2>>& target) {
-  if (value.kind != Value::Kind::array || value.items.size() < 2) {
-    report(reader, value, fmt::format("must be an array of at least 2 points [x, y], got {}", describe(value)));
-    return;
-  }
-  for (const Value& item : value.items) {
-    std::array<double, 2> point{kUnreadable, kUnreadable};
-    if (item.kind != Value::Kind::array || item.items.size() != 2) {
-      report(reader, item, fmt::format("must be a point [x, y], got {}", describe(item)));
-    } else {
-      for (std::size_t i = 0; i < 2; ++i) read_value(reader, item.items[i], info, point[i]);
-      if (!target.empty() && point[0] <= target.back()[0]) {
-        report(reader, item.items[0],
-               fmt::format("x of a table must increase, {} comes after {}", point[0], target.back()[0]));
-      }
-    }
-    target.push_back(point);
-  }
-}
-
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& target) {
   if (value.kind != Value::Kind::object || find(value, "deg")) {
     Quantity quantity;
@@ -235,48 +175,6 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& 
   Table table;
   read_value(reader, value, info, table);
   target = std::move(table);
-}
-
-namespace {
-
-/// Notes a spline that overshoots its points by more than their range.
-void note_overshoot(Reader& reader, const Value& value, const Table& table) {
-  constexpr int kParts = 32;
-  constexpr double kTold =
-      0.5;  // of the range of the points; splines through smooth points overshoot by a few hundredths
-  if (table.interpolation != Table::Interpolation::spline || table.slopes.size() < 2) return;
-  const auto [least, most] = std::minmax_element(table.y.begin(), table.y.end());
-  const Overshoot farthest = farthest_overshoot(table.x, *least, *most, kParts, [&](std::size_t i, double x) {
-    return interpolate_monotone_cubic(table.x.data() + i, table.y.data() + i, table.slopes.data() + i, 2, x);
-  });
-  if (!(farthest.beyond > kTold * (*most - *least))) return;
-  note(reader, value.place,
-       fmt::format(
-           "the spline leaves its points, which are {:.4g} to {:.4g}, by {:.4g} at {:.4g}, between {:g} and {:g}",
-           *least, *most, farthest.beyond, farthest.at, table.x[farthest.piece], table.x[farthest.piece + 1]),
-       "\"interpolation\": \"monotone_cubic\" and \"linear\" stay within the points");
-}
-
-}  // namespace
-
-void read_value(Reader& reader, const Value& value, const FieldInfo&, Table& target) {
-  if (value.kind != Value::Kind::object) {
-    report(reader, value, fmt::format("must be a table, got {}", describe(value)));
-    return;
-  }
-  TableFields fields = with_defaults<TableFields>();
-  read_fields(reader, value, fields);
-  check_table(reader, value);
-  if (fields.csv && find(value, "csv")->kind == Value::Kind::text)
-    fields.points = read_csv_table(reader, value, {fields.x, fields.y});
-  target = {fields.interpolation, {}, {}, fields.periodic, {}, {}};
-  for (const auto& [x, y] : fields.points) {
-    target.x.push_back(x);
-    target.y.push_back(y);
-  }
-  target.slopes = slopes_of(target);
-  note_overshoot(reader, value, target);
-  if (target.x.size() > kMostPointsAsOperations) keep_as_data(reader, value, target);
 }
 
 }  // namespace mbgen::reading

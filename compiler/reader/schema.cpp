@@ -33,7 +33,7 @@ Json shared_definitions() {
   const Json expression = {{"type", "string"},
                            {"minLength", 1},
                            {"description", fmt::format("expression, for example \"2*k*sin(pi*t)\"; + - * / ^ ( ), pi, "
-                                                       "names of parameters, and functions: {}",
+                                                       "names of parameters, and functions: {}, table('NAME', x)",
                                                        signatures_of_functions())}};
   const Json degrees = {{"type", "object"},
                         {"properties", {{"deg", reference("quantity")}}},
@@ -74,6 +74,12 @@ Json shape_of_several(const FieldInfo& info) {
       return array_of(reference("attachment"), 2, static_cast<int>(info.most));
     case Shape::table_points:
       return {{"type", "array"}, {"items", array_of(reference("quantity"), 2, 2)}, {"minItems", 2}};
+    case Shape::numbers:
+      return {{"type", "array"}, {"items", reference("quantity")}, {"minItems", 2}};
+    case Shape::rows:
+      return {{"type", "array"},
+              {"items", {{"type", "array"}, {"items", reference("quantity")}, {"minItems", 2}}},
+              {"minItems", 2}};
     case Shape::object:
       return reference(info.of);
     case Shape::map:

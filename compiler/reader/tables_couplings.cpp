@@ -1,44 +1,10 @@
-// Tables of fields: tables by points, couplings.
+// Tables of fields: couplings.
 #include <array>
 
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
 
 namespace mbgen::reading {
-namespace {
-
-constexpr std::array<std::string_view, 3> kInterpolations = {"linear", "monotone_cubic", "spline"};
-
-}  // namespace
-
-template <>
-std::span<const Field<TableFields>> fields<TableFields>() {
-  using F = TableFields;
-  static const std::array table = {
-      field<F, &F::points>({.name = "table",
-                            .shape = Shape::table_points,
-                            .doc = "at least two points [x, y], x increasing",
-                            .depends = Depends::nothing}),
-      field<F, &F::csv>({.name = "csv",
-                         .shape = Shape::text,
-                         .doc = "file with the points, relative to this file: a line with the names of the columns, "
-                                "then numbers separated by commas"}),
-      field<F, &F::x>({.name = "x", .shape = Shape::text, .doc = "column of x in the CSV file; default: the first"}),
-      field<F, &F::y>({.name = "y", .shape = Shape::text, .doc = "column of y in the CSV file; default: the second"}),
-      field<F, &F::interpolation>({.name = "interpolation",
-                                   .shape = Shape::word,
-                                   .doc = "between the points; extrapolation is linear",
-                                   .fallback_word = "linear",
-                                   .words = kInterpolations}),
-      field<F, &F::periodic>({.name = "periodic",
-                              .shape = Shape::boolean,
-                              .doc = "true: the points are one period; the curve is continued periodically, each "
-                                     "period shifted by the last y minus the first",
-                              .fallback = 0}),
-  };
-  return table;
-}
-
 template <>
 std::span<const Field<Coupling>> fields<Coupling>() {
   static const std::array table = {

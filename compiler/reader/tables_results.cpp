@@ -10,6 +10,7 @@
 #include "compiler/reader/output_sources.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
+#include "compiler/reader/tables/table_fields.hpp"
 
 namespace mbgen::reading {
 namespace {
@@ -176,6 +177,9 @@ std::vector<ObjectKind> other_kinds() {
                                  "rotation_vector, without both the angles of positions are used"),
       kind_of<SolverSettings>("solver", "time integration"),
       kind_of<TableFields>("table", "a characteristic by points, exactly one of table and csv", {"table", "csv"}),
+      kind_of<NamedTableFields>("named_table", "a curve for expressions, exactly one of table and csv",
+                                {"table", "csv"}),
+      kind_of<MapFields>("map", "a table of two variables for expressions: either csv, or x, y and z"),
   };
 }
 

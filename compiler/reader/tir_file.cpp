@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "compiler/model/tyres.hpp"
-#include "compiler/reader/csv_table.hpp"
+#include "compiler/reader/tables/csv_table.hpp"
 #include "compiler/reader/tyre_notes.hpp"
 #include "compiler/text/characters.hpp"
 

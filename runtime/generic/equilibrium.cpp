@@ -13,7 +13,12 @@ namespace {
 constexpr double kIndifferent = 1e-7;    // kIndifferentShare for a stiffness, which differences give to seven digits
 constexpr double kBalanced = 1e-3;       // rad/s^2 or m/s^2: accelerations below it are left to Newton's steps alone
 constexpr double kSettledStates = 1e-8;  // of their magnitudes: states of the user's own that differences resolve
-constexpr double kOfSlips = 0.5;         // part of slips in a direction beyond which it is no place of the bodies
+constexpr double kStandStill = 1e-6;     // 1/s: rates of states over their magnitudes, below which they stand still
+constexpr double kFarthestState = 10;    // magnitudes: a state that its slope would send farther is led by its rate,
+constexpr double kStateStep = 0.3;       // by so much in a step
+constexpr double kGrowth = 2;            // of the rates of states in a step
+constexpr int kMostHalvings = 8;
+constexpr double kOfSlips = 0.5;        // part of slips in a direction beyond which it is no place of the bodies
 constexpr double kStiff = 1e8;          // 1/s^2: beams are stiffer, and would make springs look indifferent beside them
 constexpr double kCounted = 1e6;        // 1/s^2, as which they count
 constexpr double kLongestReturn = 0.3;  // rad or m: a step back to a start that the search left
@@ -64,6 +69,23 @@ WeightedBalance weighted(const Balance& b, const Eigen::MatrixXd& stiffness) {
   return w;
 }
 
+/// Largest rate of a state over its magnitude, 1/s.
+double fastest_state(const Balance& b) {
+  const Eigen::Index states = b.force.size() - b.rz.cols();
+  return states == 0 ? 0 : b.force.tail(states).cwiseAbs().maxCoeff();
+}
+
+/// A drag on states whose rates hardly change with any unknown, as where a law saturates: there they follow their
+/// rates. Source: as next_change.
+void lead_states(const Balance& b, Eigen::MatrixXd& stiffness) {
+  const Eigen::Index free = b.rz.cols(), states = b.force.size() - free;
+  for (Eigen::Index i = 0; i < states; ++i) {
+    const double rate = std::abs(b.force[free + i]);
+    if (rate > kStandStill && rate > kFarthestState * stiffness.row(free + i).cwiseAbs().maxCoeff())
+      stiffness(free + i, stiffness.cols() - states + i) -= rate / kStateStep;
+  }
+}
+
 /// The next change of the unknowns: of all that balance the linearised forces the smallest. Far from balance a drag on
 /// the inertias joins the stiffness: where nothing holds the bodies they sink no further than kLargestBalanceStep, and
 /// they go downhill. It fades with the unbalanced acceleration (1/s^2 or m/s^2), so that the end is Newton's. Source:
@@ -87,6 +109,18 @@ double longest_of_states(const Balance& b, const Eigen::VectorXd& change) {
   return states == 0 ? 0 : change.tail(states).cwiseAbs().maxCoeff();
 }
 
+/// As moved, with shorter steps of the states as long as their rates grow: laws that saturate send them back and forth.
+Status moved_states_guarded(const GenericSolver& solver, GenericEquations& equations, const GenericState& state,
+                            const Balance& here, Eigen::VectorXd change, GenericState& next) {
+  const Eigen::Index states = here.force.size() - here.rz.cols();
+  const double most = std::max(kGrowth * fastest_state(here), kStandStill);
+  for (int halvings = 0;; ++halvings) {
+    if (const Status status = moved(solver, equations, state, here, change, next); !status.ok()) return status;
+    if (states == 0 || halvings == kMostHalvings || fastest_state(balance(equations, next)) <= most) return {};
+    change.tail(states) /= 2;
+  }
+}
+
 /// Walks from a state at rest to a balance; `trial` is the last state that was tried.
 Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations, const Pinned& pinned, Search search,
                        int most_steps, GenericState& trial) {
@@ -97,6 +131,7 @@ Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations,
     Eigen::MatrixXd stiffness;
     if (const Status status = stiffness_at(solver, equations, trial, here, pinned, stiffness); !status.ok())
       return status;
+    lead_states(here, stiffness);
     Eigen::VectorXd change = next_change(here, stiffness, unbalanced, search);
     if (!change.allFinite()) return {Code::not_a_number, -1};
     const double longest = longest_move(here, change), of_states = longest_of_states(here, change);
@@ -106,7 +141,8 @@ Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations,
     if (is_stuck || step + 1 == most_steps) return {Code::no_equilibrium, -1};
     change *= shortening(longest, kLargestBalanceStep);
     GenericState next;
-    if (const Status status = moved(solver, equations, trial, here, change, next); !status.ok()) return status;
+    if (const Status status = moved_states_guarded(solver, equations, trial, here, change, next); !status.ok())
+      return status;
     trial = std::move(next);
   }
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/element_access.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/engines/engine.hpp"
@@ -16,20 +17,35 @@ namespace {
 
 constexpr std::size_t kMostMoved = 4;   // coordinates that are told
 constexpr double kWorthTelling = 1e-3;  // rad or m
+constexpr double kFastState = 1e-3;     // 1/s: a rate over the magnitude of its state
 
 std::string coordinate_text(const Compilation& compilation, std::size_t i, double value, const char* per) {
   const TreeBody& body = compilation.topology.bodies[i];
   return fmt::format("{} {:.4g} {}{}", body.coordinate, value, unit_of(body.kind), per);
 }
 
-/// Accelerations at a position, none if they cannot be computed.
-std::vector<double> accelerations_at(const Compilation& compilation, const std::vector<double>& inputs,
-                                     const GenericState& at) {
+/// Accelerations and rates at a position, none if they cannot be computed.
+GenericDerivative rates_at(const Compilation& compilation, const std::vector<double>& inputs, const GenericState& at) {
   GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
   solver.set_inputs(inputs);
   GenericDerivative rates;
   const Status status = solver.accelerations(at, std::vector<double>(at.z.size(), 0.0), rates);
-  return status.ok() ? rates.zdd : std::vector<double>();
+  return status.ok() ? rates : GenericDerivative();
+}
+
+/// The state of the user's own that changes fastest by its magnitude.
+std::string state_text(const Model& model, const GenericDerivative& rates) {
+  const std::vector<AuxiliaryState> states = auxiliary_states(model);
+  double fastest = kFastState;
+  std::string text;
+  const auto end = std::min(rates.xd.size(), static_cast<std::size_t>(first_sampled_value(model)));
+  for (auto i = static_cast<std::size_t>(first_user_state(model)); i < end; ++i) {
+    const double rate = std::abs(rates.xd[i]) / magnitude_of(states[i]);
+    if (!(rate > fastest)) continue;
+    fastest = rate;
+    text = fmt::format("; state {} changes by {:.4g} a second", states[i].name, rates.xd[i]);
+  }
+  return text;
 }
 
 std::string loads_text(const Model& model, const std::vector<double>& loads) {
@@ -74,7 +90,8 @@ std::vector<double> tyre_loads(const Compilation& compilation, const std::vector
 
 void fail_equilibrium(const Compilation& compilation, const std::vector<double>& inputs, const GenericState& start,
                       const GenericState& last, Status status) {
-  const std::vector<double> zdd = accelerations_at(compilation, inputs, last);
+  const GenericDerivative rates = rates_at(compilation, inputs, last);
+  const std::vector<double>& zdd = rates.zdd;
   const auto is_smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const auto largest = std::max_element(zdd.begin(), zdd.end(), is_smaller);
   const std::vector<double> loads = tyre_loads(compilation, inputs, last);
@@ -84,6 +101,7 @@ void fail_equilibrium(const Compilation& compilation, const std::vector<double>&
     const auto index = static_cast<std::size_t>(largest - zdd.begin());
     message += fmt::format(": {} is the largest acceleration", coordinate_text(compilation, index, *largest, "/s^2"));
   }
+  message += state_text(compilation.model, rates);
   message += moved_text(compilation, start, last) + loads_text(compilation.model, loads);
   const std::vector<std::string> causes = equilibrium_causes({compilation, inputs, start, last, zdd, loads});
   throw UserError(Diagnostics{

@@ -1,4 +1,4 @@
-#include "compiler/reader/csv_table.hpp"
+#include "compiler/reader/tables/csv_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -171,6 +171,29 @@ std::vector<std::array<double, 2>> read_csv_table(Reader& reader, const Value& t
   if (points.size() < 2)
     report(reader, *find(table, "csv"), fmt::format("table needs at least 2 rows of numbers, found {}", points.size()));
   return points;
+}
+
+std::vector<std::vector<CsvNumber>> read_csv_grid(Reader& reader, const Value& value) {
+  std::uint32_t file = 0;
+  const Document* document = open_beside(reader, value, "map", file);
+  if (!document) return {};
+  std::vector<std::uint32_t> starts = document->line_starts;
+  starts.push_back(static_cast<std::uint32_t>(document->text.size() + 1));
+  std::vector<std::vector<CsvNumber>> lines;
+  for (std::size_t line = 0; line + 1 < starts.size(); ++line) {
+    const std::string_view text =
+        without_blanks(std::string_view(document->text).substr(starts[line], starts[line + 1] - starts[line] - 1));
+    if (text.empty() || text.starts_with('#')) continue;
+    const std::vector<CsvField> fields = fields_of(*document, file, starts[line], starts[line + 1] - 1);
+    std::vector<CsvNumber> numbers;
+    for (std::size_t i = lines.empty() ? 1 : 0; i < fields.size(); ++i) {
+      const std::optional<double> number = number_in(reader, fields, i);
+      if (!number) return {};
+      numbers.push_back({*number, fields[i].place});
+    }
+    lines.push_back(std::move(numbers));
+  }
+  return lines;
 }
 
 }  // namespace mbgen::reading

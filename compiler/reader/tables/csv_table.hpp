@@ -29,4 +29,15 @@ const Document* open_beside(Reader& reader, const Value& value, std::string_view
 /// the CSV file.
 std::vector<std::array<double, 2>> read_csv_table(Reader& reader, const Value& table, const CsvColumns& columns);
 
+/// Numbers of a grid with the place of each.
+struct CsvNumber {
+  double number = 0;
+  Place place;
+};
+
+/// Lines of numbers; of the first one the first field is a heading and is left out. Empty lines and lines that start
+/// with # are skipped. value: the name of the file. Fails: empty, with a problem that names line and column of the
+/// file.
+std::vector<std::vector<CsvNumber>> read_csv_grid(Reader& reader, const Value& value);
+
 }  // namespace mbgen::reading
