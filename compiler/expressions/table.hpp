@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -40,8 +41,17 @@ struct CharacteristicMap {
 /// A table that expressions name.
 struct NamedTable {
   std::variant<Table, CharacteristicMap> table;
-  bool holds = false;  ///< beyond its points it keeps the value at their edge
+  bool holds = false;      ///< beyond its points it keeps the value at their edge
+  bool is_chosen = false;  ///< the model says how it goes on there
+  std::string name = {};
   int arity() const { return std::holds_alternative<Table>(table) ? 1 : 2; }
 };
+
+/// Whether the slope of a table jumps at its points.
+inline bool has_straight_pieces(const NamedTable& named) {
+  const auto* curve = std::get_if<Table>(&named.table);
+  return curve ? curve->interpolation == Table::Interpolation::linear
+               : std::get<CharacteristicMap>(named.table).degree == 1;
+}
 
 }  // namespace mbgen

@@ -11,6 +11,18 @@
 namespace mbgen::reading {
 namespace {
 
+/// Notes a motion by a curve with kinks.
+void note_kinks(Reader& reader, const Value& place, const Quantity& position) {
+  if (position.expression < 0) return;
+  const auto& nodes = reader.model.expressions[static_cast<std::size_t>(position.expression)].nodes;
+  const bool has_kinks = std::any_of(nodes.begin(), nodes.end(), [](const ExpressionNode& node) {
+    return node.table && has_straight_pieces(*node.table);
+  });
+  if (has_kinks)
+    note(reader, place.place, "a linear table has kinks: the velocity of the motion jumps at its points",
+         "\"interpolation\": \"monotone_cubic\" is smooth");
+}
+
 void resolve_motion(Reader& reader, const Value& value, MotionFields& motion) {
   const Value* angle = find(value, "angle");
   const Value* displacement = find(value, "position");
@@ -20,6 +32,7 @@ void resolve_motion(Reader& reader, const Value& value, MotionFields& motion) {
   }
   refuse_reversed(reader, member_or_object(value, "joint").place, motion.joint);
   motion.position = motion.angle ? *motion.angle : motion.displacement.value_or(Quantity());
+  if (angle || displacement) note_kinks(reader, angle ? *angle : *displacement, motion.position);
   if (motion.joint.joint < 0 || (angle && displacement)) return;
   const bool rotation = is_rotation(reader.model, motion.joint);
   const std::string name = in_quotes(coordinate_name(reader.model, motion.joint));

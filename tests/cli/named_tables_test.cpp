@@ -69,6 +69,35 @@ TEST_F(NamedTables, OfEveryKindAreThoseOfTheJudges) {
     expect_same_motion(motion(fmt::format("{} --step 1e-3 --engine {}", model, engine)), expected, 1e-7);
 }
 
+// The sled leaves -1 to 0.5 of the table: told once for its argument, and not where the model says how it goes on.
+TEST_F(NamedTables, AreToldWhereTheyAreReadBeyondTheirPoints) {
+  for (const char* outside : {"", R"(, "outside": "straight")", R"(, "outside": "hold")"}) {
+    write("left.json", sled(fmt::format(R"("tables": {{ "flow": {{ "table": [[-1, -3], [0.5, 1.5]]{} }} }},)", outside),
+                            "2*table('flow', z.slide) - table('flow', z.slide)", "0", "0", "0"));
+    const Outcome run = mbgen("simulate left.json --engine generic --step 1e-3 --duration 0.5 --out o.csv");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const std::string told = "table \"flow\" is read beyond its points, x = ";
+    const std::size_t at = run.err.find(told);
+    EXPECT_EQ(at != std::string::npos, outside[0] == 0) << outside << run.err;
+    if (at == std::string::npos) continue;
+    EXPECT_NE(run.err.find(" at t = 0.5 s, where they reach from -1 to 0.5: it goes on straight"), std::string::npos)
+        << run.err;
+    EXPECT_EQ(run.err.find(told, at + 1), std::string::npos) << run.err;
+  }
+}
+
+TEST_F(NamedTables, AreNotedWhereTheyMoveACoordinateWithKinks) {
+  for (const char* interpolation : {"linear", "monotone_cubic"}) {
+    write("kinks.json", sled(fmt::format(R"("tables": {{ "lift": {{ "table": [[0, 0], [1, 1], [2, 0]],
+      "interpolation": "{}" }} }},)",
+                                         interpolation),
+                             "0", "0", "table('lift', t)", "0"));
+    const Outcome run = mbgen("check kinks.json");
+    const bool is_noted = (run.out + run.err).find("a linear table has kinks") != std::string::npos;
+    EXPECT_EQ(is_noted, interpolation == std::string("linear")) << run.out << run.err;
+  }
+}
+
 TEST_F(NamedTables, OfPartsBelongToThePart) {
   write("part.json", R"json({ "mbgen": 1, "tables": { "law": { "table": [[0, 0], [1, 2]] } },
   "bodies": { "ground": { "points": { "A": [0, 0, 0] } },

@@ -122,6 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"tests/data/models/mf61_three_wheeler.json", "mf61_three_wheeler", kClang, 4, ""},
                     Case{"tests/data/models/parked_wheels.json", "parked_wheels", kClang, 4, "", true},
                     Case{"tests/data/models/wheel_outputs.json", "wheel_outputs", kClang, 4, ""},
+                    Case{"tests/data/models/mapped.json", "mapped", kClang, 4, ""},
                     Case{"tests/data/models/bushings.json", "bushings", kClang, 4, ""}),
     name_of_case);
 

@@ -8,6 +8,7 @@
 #include "workbench/motion/input_bounds.hpp"
 #include "workbench/motion/load_watch.hpp"
 #include "workbench/motion/road_watch.hpp"
+#include "workbench/motion/table_watch.hpp"
 
 namespace mbgen {
 namespace {
@@ -40,6 +41,7 @@ MotionJudge::MotionJudge(const MotionTask& task)
   watch_by(std::move(contacts));
   watch_by(LoadWatch(task.compilation.model));
   watch_by(RoadWatch(task.compilation, task.start));
+  watch_by(TableWatch(task.compilation, task.settings));
 }
 
 void MotionJudge::add(const Sample& sample) {

@@ -151,7 +151,7 @@ int place_of_coefficients(Reader& reader, const std::vector<double>& numbers) {
   return first;
 }
 
-std::shared_ptr<const NamedTable> named_map(Reader& reader, const Value& value, const MapFields& map) {
+std::shared_ptr<NamedTable> named_map(Reader& reader, const Value& value, const MapFields& map) {
   std::vector<double> z;
   for (const std::vector<double>& row : map.z) z.insert(z.end(), row.begin(), row.end());
   const int degree = map.interpolation == Table::Interpolation::linear ? 1 : 3;
@@ -167,7 +167,7 @@ std::shared_ptr<const NamedTable> named_map(Reader& reader, const Value& value, 
   for (Table* line : {&result.along_x, &result.along_y})
     if (line->x.size() > kMostPointsAsOperations) keep_as_data(reader, value, *line);
   result.first = place_of_coefficients(reader, map_coefficients(map.x, map.y, z, degree));
-  return std::make_shared<const NamedTable>(NamedTable{std::move(result), map.outside == Outside::hold});
+  return std::make_shared<NamedTable>(NamedTable{std::move(result), map.outside == Outside::hold});
 }
 
 void make_known(Reader& reader, const Entry& entry, std::shared_ptr<const NamedTable> table) {
@@ -183,9 +183,14 @@ void read_named(Reader& reader, const Entries& entries, const Read& read) {
     const InScope in_scope(reader, entry.scope);
     const std::size_t before = reader.problems.size();
     Fields fields = with_defaults<Fields>();
-    std::shared_ptr<const NamedTable> table;
+    std::shared_ptr<NamedTable> table;
     if (read_fields(reader, *entry.value, fields)) table = read(*entry.value, fields);
-    make_known(reader, entry, reader.problems.size() == before ? std::move(table) : nullptr);
+    if (reader.problems.size() != before) table = nullptr;
+    if (table) {
+      table->name = entry.name;
+      table->is_chosen = table->is_chosen || find(*entry.value, "outside") != nullptr;
+    }
+    make_known(reader, entry, std::move(table));
   }
 }
 
@@ -239,7 +244,7 @@ void read_tables(Reader& reader, const Entries& entries) {
     const bool holds = fields.outside == Outside::hold;
     if (holds && fields.periodic)
       report(reader, *find(value, "outside"), "a periodic table has no outside", "leave out \"outside\"");
-    return std::make_shared<const NamedTable>(NamedTable{table_of(reader, value, fields), holds});
+    return std::make_shared<NamedTable>(NamedTable{table_of(reader, value, fields), holds, fields.periodic});
   });
 }
 
