@@ -129,6 +129,15 @@ T points_output(const System<T>& system, const SolvedState<T>& s, const PointsOu
   return atan2(length(cross(a, b)), dot(a, b));
 }
 
+/// A body of the tree that holds the spin axis of an output's wheel: the wheel, or its carrier if it turns on ground.
+template <class T>
+int body_of_wheel(const System<T>& system, const WheelOutput& output) {
+  if (output.tyre >= 0) return tree_body(system, system.model.tyres[output.tyre].centre.body);
+  const Joint& joint = system.model.joints[output.joint];
+  const int body = tree_body(system, joint.to.body);
+  return body == kGround ? tree_body(system, joint.from.body) : body;
+}
+
 /// Angles of a wheel's axis, or of the axis that it is steered about, to the axes of a vehicle.
 template <class T>
 T wheel_output(const System<T>& system, const SolvedState<T>& s, const WheelOutput& output) {
@@ -141,10 +150,10 @@ T wheel_output(const System<T>& system, const SolvedState<T>& s, const WheelOutp
     const Vector<T> seen = in_axes_of_any(system, s.kinematics, frame, up, output.vehicle);
     return output.what == What::caster ? atan2(-seen.x, seen.z) : atan2(-side * seen.y, seen.z);
   }
-  const Tyre& tyre = system.model.tyres[output.tyre];
-  const int body = tree_body(system, tyre.centre.body);
+  const int body = body_of_wheel(system, output);
+  const Vector3& spin = output.tyre >= 0 ? system.model.tyres[output.tyre].axis : output.axis;
   const Vector<T> axis = in_axes_of_any(system, s.kinematics, system.layout.frame_of(body),
-                                        spin_axis(system, s.kinematics, tyre, body), output.vehicle);
+                                        spin_axis(system, s.kinematics, spin, body), output.vehicle);
   if (output.what == What::camber)
     return -side * atan2(axis.z, sqrt(axis.x * axis.x + axis.y * axis.y + T(kTiny * kTiny)));
   return output.what == What::toe ? side * atan2(axis.x, axis.y) : atan2(-axis.x, axis.y);

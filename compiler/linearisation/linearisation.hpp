@@ -46,6 +46,9 @@ struct Mode {
 /// decreasing frequency, then the others by decreasing rate.
 std::vector<Mode> modes(const LinearSystem& system);
 
+/// The other order: oscillations by increasing frequency, then the others by increasing rate, neutral ones last.
+void put_slowest_first(std::vector<Mode>& list);
+
 /// The coordinates with the largest amplitudes in a mode, with signs, or phases in degrees unless they are in phase or
 /// in antiphase; independent ones first. Rotations and translations are relative to the first of their kind; the kind
 /// with smaller amplitudes follows a semicolon, with the ratio of the two scales. For a mode without coordinates, the

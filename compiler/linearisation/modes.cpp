@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "compiler/algebra/dense.hpp"
 #include "compiler/linearisation/linearisation.hpp"
@@ -16,6 +17,9 @@ namespace {
 constexpr double kNeutral = 1e-6;
 /// Growth relative to the largest eigenvalue that is rounding: a mode without damping does not grow.
 constexpr double kGrowth = 1e-9;
+constexpr double kStiffSystem = 1e8;          // 1/s^2, largest entry of A
+constexpr double kFast = 1e4;                 // 1/s: faster modes do not raise what counts as zero
+constexpr double kRoundingOfEntries = 1e-13;  // s: growth that the largest entry of a stiff A makes by rounding
 /// Least amplitude named, relative to the largest of its kind.
 constexpr double kNamed = 0.1;
 constexpr std::size_t kMostNamed = 4, kMostOfOther = 2;
@@ -61,19 +65,21 @@ bool comes_before(const Mode& a, const Mode& b) {
 }
 
 /// Units of the states, powers of two, in which the column of A of an auxiliary state is as large as its row outside of
-/// the diagonal: a pressure of 1e6 Pa beside an angle would hide zeros. Positions and velocities keep their units.
-/// Source: E. E. Osborne, "On Pre-Conditioning of Matrices", Journal of the ACM 7(4), 1960.
+/// the diagonal: a pressure of 1e6 Pa beside an angle would hide zeros. Positions and velocities keep their units
+/// unless the system is stiff: beside beams that stretch springs would look like zeros. Source: E. E. Osborne, "On
+/// Pre-Conditioning of Matrices", Journal of the ACM 7(4), 1960.
 Eigen::VectorXd balancing_units(const LinearSystem& system) {
   Eigen::MatrixXd a = system.A;
   Eigen::VectorXd units = Eigen::VectorXd::Ones(a.rows());
   constexpr int kSweeps = 20;
+  const bool is_stiff = a.size() > 0 && a.cwiseAbs().maxCoeff() > kStiffSystem;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     bool changes = false;
     for (std::size_t s = 0; s < system.states.size(); ++s) {
       const auto i = static_cast<Eigen::Index>(s);
       const double own = std::abs(a(i, i)), column = a.col(i).cwiseAbs().sum() - own,
                    row = a.row(i).cwiseAbs().sum() - own;
-      if (system.states[s].kind != LinearState::Kind::auxiliary || !(column > 0) || !(row > 0)) continue;
+      if ((system.states[s].kind != LinearState::Kind::auxiliary && !is_stiff) || !(column > 0) || !(row > 0)) continue;
       const double unit = std::exp2(std::round(std::log2(row / column) / 2));
       a.col(i) *= unit;
       a.row(i) /= unit;
@@ -166,17 +172,27 @@ std::vector<Mode> modes(const LinearSystem& system) {
   if (system.A.rows() == 0) return result;
   const EigenVectors solutions = eigenvectors(system.A);
   const double largest = solutions.values.cwiseAbs().maxCoeff(), zero = largest_zero(system, solutions.values);
+  const double growth = std::max(kGrowth * largest, kRoundingOfEntries * system.A.cwiseAbs().maxCoeff());
   for (Eigen::Index i = 0; i < solutions.values.size(); ++i) {
     const std::complex<double> eigenvalue = solutions.values[i];
-    const bool is_neutral = std::abs(eigenvalue) <= std::max(zero, kNeutral * largest);
+    const bool is_neutral = std::abs(eigenvalue) <= std::max(zero, kNeutral * std::min(largest, kFast));
     if (eigenvalue.imag() < 0) continue;
     Mode mode = mode_of(system, eigenvalue, solutions.vectors.col(i));
     mode.is_neutral = is_neutral;
-    mode.is_unstable = !is_neutral && eigenvalue.real() > kGrowth * largest;
+    mode.is_unstable = !is_neutral && eigenvalue.real() > growth;
     result.push_back(std::move(mode));
   }
   std::stable_sort(result.begin(), result.end(), comes_before);
   return result;
+}
+
+void put_slowest_first(std::vector<Mode>& list) {
+  const auto key = [](const Mode& mode) {
+    const bool oscillates = mode.oscillates();
+    return std::tuple(mode.is_neutral, !oscillates,
+                      oscillates ? mode.eigenvalue.imag() : std::abs(mode.eigenvalue.real()));
+  };
+  std::ranges::stable_sort(list, {}, key);
 }
 
 std::string leading_coordinates(const Model& model, const Topology& topology, const Analysis& analysis,

@@ -29,7 +29,8 @@ struct Axle {
   Where where;
   int body = -1;  ///< index into Model::bodies of the body fixed by the rig
   AxleWheel left, right;
-  std::optional<CoordinateReference> steer;
+  std::optional<CoordinateReference> steer;  ///< the coordinate that steers, or
+  int steering_input = -1;                   ///< index into Model::inputs, which a driven coordinate follows
   End end = End::front;
   std::optional<double> wheelbase;                   ///< m
   std::optional<double> centre_of_gravity_height;    ///< m, of the vehicle above the road

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/expressions/parameter.hpp"
+#include "compiler/model/beams.hpp"
 #include "compiler/model/axles.hpp"
 #include "compiler/model/element_kinds.hpp"
 #include "compiler/model/outputs.hpp"
@@ -93,6 +94,7 @@ struct Model {
   std::vector<Body> bodies;
   std::vector<Joint> joints;
   std::vector<Rod> rods;
+  std::vector<Beam> beams;  ///< their bodies, joints and bushings are in the lists of these
   std::vector<Coupling> couplings;
   std::vector<PointSpring> springs;
   std::vector<JointSpring> joint_springs;

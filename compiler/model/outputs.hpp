@@ -74,7 +74,9 @@ struct ElementOutput {
 struct WheelOutput {
   enum class What { toe, camber, steer_angle, caster, kingpin_inclination };
   What what = What::toe;
-  int tyre = -1;            ///< index into Model::tyres
+  int tyre = -1;            ///< index into Model::tyres, or
+  int joint = -1;           ///< of Model::joints: the revolute joint that the wheel turns in
+  Vector3 axis{0, 1, 0};    ///< of the joint, unit, to the left, GLOBAL axes at the reference
   int vehicle = kNoBody;    ///< body with the vehicle's axes
   double side = 1;          ///< 1 for a wheel on the left of the vehicle or in its middle, -1 on its right
   Attachment lower, upper;  ///< points of the steering axis, for caster and kingpin inclination

@@ -116,6 +116,11 @@ Resolved body_output(Reader& reader, const Value& value, const OutputFields& out
 Resolved bodies_output(Reader& reader, const Value& value, const OutputFields& output);
 Resolved wheel_output(Reader& reader, const Value& value, const OutputFields& output, Quantities quantity);
 
+/// Whether a quantity is an angle of a wheel.
+inline bool is_of_wheel(const std::optional<Quantities>& quantity) {
+  return quantity >= Quantities::toe && quantity <= Quantities::kingpin_inclination;
+}
+
 /// A quantity of a source's element; fails for the energy of a force that is not integrated.
 Resolved element_output(Reader& reader, const Value& value, const OutputFields& output, std::string_view source);
 

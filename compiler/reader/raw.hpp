@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/model/model.hpp"
@@ -28,6 +29,7 @@ struct FileFields : About, SectionsOf<ElementKinds> {
   const Value *format = nullptr, *name = nullptr, *gravity = nullptr, *include = nullptr;
   const Value *hardpoints = nullptr;
   const Value *parameters = nullptr, *inputs = nullptr, *bodies = nullptr, *joints = nullptr, *rods = nullptr;
+  const Value *anti_roll_bars = nullptr, *beams = nullptr;
   const Value *tyre_data = nullptr, *motions = nullptr;
   const Value *axles = nullptr, *vehicle = nullptr;
   const Value *roads = nullptr;
@@ -38,6 +40,7 @@ struct FileFields : About, SectionsOf<ElementKinds> {
 
 /// Mirror planes of subsystems.
 enum class Mirror { xz, yz, xy };
+constexpr std::array<std::string_view, 3> kMirrors = {"xz", "yz", "xy"};
 
 /// A subsystem as placed by the model; entries with parameters are read after the parameters.
 struct InstanceFields {
@@ -130,6 +133,23 @@ struct DelayFields : Presentation {
   std::string unit;
 };
 
+/// An anti-roll bar: see compose_bars. Positions in the axes of its file.
+struct AntiRollBarFields {
+  std::string body, left, right;  ///< names of bodies
+  const Value *pivot = nullptr, *arm = nullptr, *link = nullptr;
+  const Value *right_pivot = nullptr, *right_arm = nullptr, *right_link = nullptr;
+  Mirror mirror = Mirror::xz;
+  const Value *stiffness = nullptr, *damping = nullptr, *section = nullptr;
+  std::optional<double> link_stiffness;
+  double mass = 0, link_mass = 0;
+};
+
+/// The round cross-section of an anti-roll bar.
+struct BarSectionFields {
+  double diameter = 0, inner_diameter = 0, shear_modulus = 0;
+  std::optional<double> length;
+};
+
 struct TyreDataFields {
   std::string name;
   Where where;
@@ -184,7 +204,7 @@ struct AxleWheelFields {
 /// An axle with its wheels as written.
 struct AxleFields : Axle {
   std::string written_body;
-  const Value *written_left = nullptr, *written_right = nullptr, *written_without = nullptr;
+  const Value *written_left = nullptr, *written_right = nullptr, *written_without = nullptr, *written_steer = nullptr;
 };
 
 /// The vehicle with names of inputs and of a parameter as written.
@@ -306,6 +326,10 @@ template <>
 std::span<const Field<JointFields>> fields<JointFields>();
 template <>
 std::span<const Field<RodFields>> fields<RodFields>();
+template <>
+std::span<const Field<AntiRollBarFields>> fields<AntiRollBarFields>();
+template <>
+std::span<const Field<BarSectionFields>> fields<BarSectionFields>();
 template <>
 std::span<const Field<Coupling>> fields<Coupling>();
 template <>

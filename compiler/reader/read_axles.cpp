@@ -40,6 +40,9 @@ AxleWheel read_wheel(Reader& reader, const Value& value) {
     Vector3 axis = fields.written_axis.value_or(Vector3{0, 1, 0});
     turn_axis_by_points(reader, find(value, "axis"), wheel.centre.body, axis);
     wheel.axis = wheel.centre.body < 0 ? axis : placed_axis(reader, wheel.centre.body, axis, FreedomKind::revolute);
+    // The default is y of the wheel's own frame, with static toe and camber, wherever the wheel was placed.
+    if (!fields.written_axis && wheel.centre.body >= 0)
+      wheel.axis = rotated(reader.model.bodies[static_cast<std::size_t>(wheel.centre.body)].pose.rotation, {0, 1, 0});
   }
   constexpr double kSmallestTilt = 1e-3;  // rad between the axis and the vertical
   if (std::hypot(wheel.axis[0], wheel.axis[1]) < kSmallestTilt)
@@ -113,6 +116,34 @@ void check_wheel_sides(Reader& reader, const AxleFields& axle) {
          "y is to the left: call it \"left\", or angles and scrub radius count the wrong way");
 }
 
+/// Whether a motion follows an input.
+bool moves_with(const Model& model, int input) {
+  const auto takes = [&](const ExpressionNode& node) {
+    return node.kind == ExpressionNode::Kind::input && node.index == input;
+  };
+  return std::ranges::any_of(model.motions, [&](const Motion& motion) {
+    const int expression = motion.position.expression;
+    return expression >= 0 && std::ranges::any_of(model.expressions[static_cast<std::size_t>(expression)].nodes, takes);
+  });
+}
+
+/// The coordinate that steers, or, where there is none of this name, an input.
+void read_steer(Reader& reader, const Value& value, Axle& axle) {
+  if (value.kind == Value::Kind::text && !find_coordinate(reader.names, value.text, current_scope(reader).visible)) {
+    const auto input = find_visible(reader.names.inputs, value.text, current_scope(reader).visible);
+    if (input != reader.names.inputs.end()) {
+      axle.steering_input = input->second;
+      if (!moves_with(reader.model, input->second))
+        report(reader, value, fmt::format("no motion follows input {}, it steers nothing", in_quotes(value.text)),
+               "drive the rack in \"motions\" by an expression of it, or name the coordinate that steers");
+      return;
+    }
+  }
+  axle.steer = CoordinateReference{};
+  read_value(reader, value, {}, *axle.steer);
+  refuse_reversed(reader, value.place, *axle.steer);
+}
+
 void check_share(Reader& reader, const Value& value, std::string_view key, const std::optional<double>& share) {
   if (share && *share > 1) report(reader, *find(value, key), fmt::format("must be at most 1, got {}", *share));
 }
@@ -130,7 +161,7 @@ void read_axle(Reader& reader, const Value& value, AxleFields& axle) {
   } else {
     check_wheel_sides(reader, axle);
   }
-  if (axle.steer) refuse_reversed(reader, find(value, "steer")->place, *axle.steer);
+  if (axle.written_steer) read_steer(reader, *axle.written_steer, axle);
   check_share(reader, value, "brake_share", axle.brake_share);
   check_share(reader, value, "drive_share", axle.drive_share);
   if (axle.written_without) read_without(reader, *axle.written_without, axle);

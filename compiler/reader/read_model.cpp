@@ -8,6 +8,8 @@
 #include <filesystem>
 
 #include "compiler/model/model.hpp"
+#include "compiler/reader/elements/anti_roll_bar.hpp"
+#include "compiler/reader/elements/beam.hpp"
 #include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/positions.hpp"
 #include "compiler/reader/read_states.hpp"
@@ -160,14 +162,20 @@ void read_sections(Reader& reader) {
   read_gravity(reader);
   read_hardpoints(reader, entries(&FileFields::hardpoints));
   place_instances(reader);
-  read_bodies(reader, entries(&FileFields::bodies));
+  ComposedParts made;
+  compose_bars(reader, entries(&FileFields::anti_roll_bars), made);
+  compose_beams(reader, entries(&FileFields::beams), made);
+  read_bodies(reader, with_composed(reader, entries(&FileFields::bodies), made.bodies));
   reader.has_bodies = true;
-  read_joints(reader, entries(&FileFields::joints));
+  read_joints(reader, with_composed(reader, entries(&FileFields::joints), made.joints));
   check_inertias(reader);
-  read_rods(reader, entries(&FileFields::rods));
+  read_rods(reader, with_composed(reader, entries(&FileFields::rods), made.rods));
   read_couplings(reader, entries(&FileFields::couplings));
   std::array<Entries, ElementKinds::count> elements;
   each_section([&]<class Kind>(KindOf<Kind>) { elements[kKindIndex<Kind>] = entries(&SectionOf<Kind>::section); });
+  Entries &springs = elements[kKindIndex<JointSpring>], &bushings = elements[kKindIndex<Bushing>];
+  springs = with_composed(reader, std::move(springs), made.joint_springs);
+  bushings = with_composed(reader, std::move(bushings), made.bushings);
   name_lines(reader, elements);
   const Entries outputs = entries(&FileFields::outputs);
   name_outputs(reader, outputs);
@@ -184,7 +192,7 @@ void read_sections(Reader& reader) {
   read_vehicle(reader, parts_of(reader, 0, &FileFields::vehicle));
   read_outputs(reader, outputs);
   observe_outputs(reader);
-  read_shapes(reader, entries(&FileFields::shapes));
+  read_shapes(reader, with_composed(reader, entries(&FileFields::shapes), made.shapes));
   read_initial(reader, initial_parts(reader));
   read_solver(reader, parts_of(reader, 0, &FileFields::solver));
   finish_frictions(reader);

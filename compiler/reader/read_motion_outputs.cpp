@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/reader/output_sources.hpp"
 
@@ -129,13 +130,45 @@ std::string_view taken_by(Quantities quantity) {
   }
 }
 
+/// Axes of a vehicle at the reference configuration, without a body the global ones.
+Pose pose_of_vehicle(const Model& model, int vehicle) {
+  return vehicle == kNoBody ? Pose{} : model.bodies[static_cast<std::size_t>(vehicle)].pose;
+}
+
 /// 1 for a wheel on the left of a vehicle or in its middle, -1 on its right: from the reference configuration.
-double side_of(const Model& model, const Tyre& tyre, int vehicle) {
+double side_of(const Model& model, const Attachment& at, int vehicle) {
   constexpr double kMiddle = 1e-6;  // m
-  const Pose pose = vehicle == kNoBody ? Pose{} : model.bodies[static_cast<std::size_t>(vehicle)].pose;
-  const Vector3 centre = reference_position(model, tyre.centre);
+  const Pose pose = pose_of_vehicle(model, vehicle);
+  const Vector3 centre = reference_position(model, at);
   const Vector3 from_origin{centre[0] - pose.origin[0], centre[1] - pose.origin[1], centre[2] - pose.origin[2]};
   return rotated(transposed(pose.rotation), from_origin)[1] < -kMiddle ? -1 : 1;
+}
+
+/// Takes the wheel that turns in a joint: its axis, pointing to the left, and its side.
+void take_joint(Reader& reader, const Value& value, int index, std::string_view quantity, WheelOutput& wheel) {
+  if (index < 0) return;
+  const Joint& joint = reader.model.joints[static_cast<std::size_t>(index)];
+  const Value& written = *find(value, "joint");
+  if (joint.type != JointType::revolute) {
+    report(reader, written,
+           fmt::format("{} needs the revolute joint of a wheel, {} is of type {}", quantity, in_quotes(joint.name),
+                       name_of(joint.type)));
+    return;
+  }
+  if (joint.to.body < 0 || std::isnan(joint.axis[0])) return;
+  const Vector3 seen = rotated(transposed(pose_of_vehicle(reader.model, wheel.vehicle).rotation), joint.axis);
+  constexpr double kUpright = 1e-3;  // rad between the axis and the vertical
+  if (quantity != "caster" && quantity != "kingpin_inclination" && std::hypot(seen[0], seen[1]) < kUpright) {
+    report(reader, written,
+           fmt::format("the axis of joint {} is vertical, a wheel in it has no {}", in_quotes(joint.name), quantity),
+           "name the joint that the wheel turns in");
+    return;
+  }
+  wheel.joint = index;
+  wheel.axis = joint.axis;
+  if (seen[1] < 0)
+    for (double& component : wheel.axis) component = component == 0 ? 0 : -component;
+  wheel.side = side_of(reader.model, joint.to, wheel.vehicle);
 }
 
 }  // namespace
@@ -217,11 +250,16 @@ Resolved bodies_output(Reader& reader, const Value& value, const OutputFields& o
 Resolved wheel_output(Reader& reader, const Value& value, const OutputFields& output, Quantities quantity) {
   WheelOutput wheel;
   wheel.what = offset<WheelOutput::What>(quantity, Quantities::toe);
-  wheel.tyre = find_element(reader, value, "tyre", names_of<Tyre>(reader));
   wheel.vehicle = body_of(reader, value, "relative_to");
-  if (wheel.tyre >= 0)
-    wheel.side = side_of(reader.model, reader.model.tyres[static_cast<std::size_t>(wheel.tyre)], wheel.vehicle);
   const std::string_view name = quantity_name(value, "toe");
+  if (output.joint) {
+    take_joint(reader, value, output.joint->joint, name, wheel);
+  } else {
+    wheel.tyre = find_element(reader, value, "tyre", names_of<Tyre>(reader));
+    if (wheel.tyre >= 0)
+      wheel.side =
+          side_of(reader.model, reader.model.tyres[static_cast<std::size_t>(wheel.tyre)].centre, wheel.vehicle);
+  }
   if (quantity < Quantities::caster) {
     refuse(reader, value, "steering_axis", name);
     return {wheel, "rad"};

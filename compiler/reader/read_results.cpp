@@ -60,6 +60,8 @@ int source_of(Reader& reader, const Value& value) {
 constexpr std::array kReactionQuantities = {Quantities::force, Quantities::moment};
 
 Resolved joint_output(Reader& reader, const Value& value, const OutputFields& output) {
+  if (is_of_wheel(output.quantity)) return wheel_output(reader, value, output, *output.quantity);
+  for (const std::string_view key : {"relative_to", "steering_axis"}) refuse(reader, value, key, "joint");
   const Quantities quantity = quantity_of(reader, value, output, kMotionQuantities, "coordinate");
   const bool rotation = output.joint->joint >= 0 && is_rotation(reader.model, *output.joint);
   return {CoordinateOutput{offset<CoordinateOutput::What>(quantity, Quantities::position), *output.joint},
@@ -67,8 +69,7 @@ Resolved joint_output(Reader& reader, const Value& value, const OutputFields& ou
 }
 
 Resolved tyre_output(Reader& reader, const Value& value, const OutputFields& output) {
-  if (output.quantity >= Quantities::toe && output.quantity <= Quantities::kingpin_inclination)
-    return wheel_output(reader, value, output, *output.quantity);
+  if (is_of_wheel(output.quantity)) return wheel_output(reader, value, output, *output.quantity);
   for (const std::string_view key : {"relative_to", "steering_axis"})
     refuse(reader, value, key, output.quantity ? find(value, "quantity")->text : "load");
   return element_output(reader, value, output, "tyre");
@@ -196,7 +197,7 @@ constexpr std::pair<std::string_view, std::string_view> kTaken[] = {
     {"points", "quantity"},
     {"body", "quantity axis frame axes_of relative_to observer sequence turn about"},
     {"bodies", "quantity axis axes_of about"},
-    {"joint", "quantity"},
+    {"joint", "quantity relative_to steering_axis"},
     {"tyre", "quantity relative_to steering_axis"},
     {"elements", "quantity"},
     {"motion", ""},

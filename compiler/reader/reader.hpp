@@ -51,6 +51,7 @@ struct WrittenOutputUse {
 struct Reader {
   Documents documents;
   std::deque<Value> changed_files = {};  ///< copies of included files with the changes of their includers
+  std::deque<Value> composed = {};       ///< elements that a composition stands for, as written in their sections
   Problems problems;
   Problems notes;  ///< nothing is wrong
   Model model;

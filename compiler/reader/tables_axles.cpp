@@ -66,9 +66,10 @@ std::span<const Field<AxleFields>> fields<AxleFields>() {
                                    .shape = Shape::object,
                                    .doc = "the right wheel; with one wheel the other side is its mirror",
                                    .of = "axle_wheel"}),
-      field<F, &F::steer>({.name = "steer",
-                           .shape = Shape::coordinate,
-                           .doc = "coordinate that steers: a rack, a pitman arm, a steering wheel"}),
+      field<F, &F::written_steer>({.name = "steer",
+                                   .shape = Shape::coordinate,
+                                   .doc = "coordinate that steers: a rack, a pitman arm, a steering wheel; or the "
+                                          "input that a driven one follows: the angle of a steering wheel"}),
       field<F, &F::end>({.name = "end",
                          .shape = Shape::word,
                          .doc = "end of the vehicle: the sign of anti-dive and its kin",

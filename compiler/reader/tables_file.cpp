@@ -56,6 +56,9 @@ std::vector<Field<FileFields>> first_sections() {
       field<F, &F::bodies>(section("bodies", "body", "rigid bodies; \"ground\" is the fixed one")),
       field<F, &F::joints>(section("joints", "joint", "joints between bodies, tree or loop closing")),
       field<F, &F::rods>(section("rods", "rod", "bars with a spherical joint at each end")),
+      field<F, &F::anti_roll_bars>(
+          section("anti_roll_bars", "anti_roll_bar", "anti-roll bars: two half bars, torsion between them, droplinks")),
+      field<F, &F::beams>(section("beams", "beam", "beams that bend and twist: bodies with elastic connections")),
       field<F, &F::states>(section("states", "state", "states of your own: their derivatives are expressions")),
       field<F, &F::sampled>(section("sampled", "sampled_value", "values set at instants: sampled controllers")),
       field<F, &F::values>({.name = "values",

@@ -17,8 +17,6 @@ constexpr std::array<std::string_view, 16> kJointTypes = {
     "free",        "fixed",        "point_on_line", "point_on_plane", "parallel_axes", "orientation",
     "homokinetic", "rolling_disc", "rolling_ball",  "knife_edge"};
 
-/// In the order of Mirror.
-constexpr std::array<std::string_view, 3> kMirrors = {"xz", "yz", "xy"};
 constexpr std::array<std::string_view, 2> kCoordinateSenses = {"mirrored", "parallel"};
 
 }  // namespace

@@ -63,7 +63,9 @@ std::vector<Field<OutputFields>> source_fields() {
                             .shape = Shape::word,
                             .doc = "energy or momentum of all bodies and rods together",
                             .words = kBodySets}),
-      field<F, &F::joint>({.name = "joint", .shape = Shape::coordinate, .doc = "motion of a coordinate"}),
+      field<F, &F::joint>({.name = "joint",
+                           .shape = Shape::coordinate,
+                           .doc = "motion of a coordinate, or angles of the wheel in a revolute joint"}),
   };
   const auto add = [&](const auto& is_asked) {
     each_element_source([&](auto kind) {
@@ -113,8 +115,9 @@ auto quantity_fields() {
       "quantity of the point or coordinate (position, velocity, acceleration), of the points (distance of two, angle "
       "of three), of the body (angle, rotation_vector, quaternion, angular_velocity, angular_acceleration, "
       "kinetic_energy, potential_energy, momentum, angular_momentum), of all bodies (kinetic_energy, potential_energy, "
-      "momentum, angular_momentum),{} of a tyre's wheel (toe, camber, steer_angle, caster, kingpin_inclination), of "
-      "all elements (potential_energy) or of the reaction (force, moment); default: the first of each",
+      "momentum, angular_momentum),{} of the wheel of a tyre or of a revolute joint "
+      "(toe, camber, steer_angle, caster, kingpin_inclination), of all elements (potential_energy) or of the reaction "
+      "(force, moment); default: the first of each",
       element_quantities());
   return std::array{
       field<F, &F::quantity>({.name = "quantity", .shape = Shape::word, .doc = doc, .words = kQuantityWords}),

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "compiler/reader/elements/beam.hpp"
 #include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/included.hpp"
 #include "compiler/reader/output_sources.hpp"
@@ -193,6 +194,15 @@ std::vector<ObjectKind> object_kinds() {
       kind_of<AxisFields>("axis_by_points", "an axis from one point to another"),
       kind_of<JointFields>("joint", "a joint"),
       kind_of<RodFields>("rod", "a bar with a spherical joint at each end"),
+      kind_of<AntiRollBarFields>("anti_roll_bar",
+                                 "an anti-roll bar by three points of its left side; exactly one of stiffness, "
+                                 "link_stiffness and section",
+                                 {"stiffness", "link_stiffness", "section"}),
+      kind_of<BarSectionFields>("bar_section", "round cross-section of an anti-roll bar"),
+      kind_of<BeamFields>("beam", "a beam through points, of segments that bend and twist"),
+      kind_of<BeamSectionFields>("beam_section", "cross-section of a beam"),
+      kind_of<BeamMaterial>("beam_material", "material of a beam"),
+      kind_of<BeamSupportFields>("beam_support", "joint of a beam's point with a body"),
       kind_of<Coupling>("coupling", "a relation between coordinates; exactly one of relation and curve",
                         {"relation", "curve"},
                         {{"curve", "joint"}, {"curve", "follows"}, {"joint", "curve"}, {"follows", "curve"}}),

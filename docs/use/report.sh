@@ -8,7 +8,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 "$here/../../tests/report/browser.sh" "$mbgen" "$scratch"
-mv "$scratch/report.png" "$scratch/report_suspension.png" "$scratch/modes.png" "$here"
+mv "$scratch/report.png" "$scratch/report_suspension.png" "$scratch/report_overlay.png" "$scratch/modes.png" "$here"
 "$mbgen" inspect "$here/../../models/coach.json" --svg "$here/coach_topology.svg"
 
 # The robot of README.md.

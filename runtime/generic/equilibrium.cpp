@@ -14,8 +14,10 @@ constexpr double kIndifferent = 1e-7;    // kIndifferentShare for a stiffness, w
 constexpr double kBalanced = 1e-3;       // rad/s^2 or m/s^2: accelerations below it are left to Newton's steps alone
 constexpr double kSettledStates = 1e-8;  // of their magnitudes: states of the user's own that differences resolve
 constexpr double kOfSlips = 0.5;         // part of slips in a direction beyond which it is no place of the bodies
-constexpr double kLongestReturn = 0.3;   // rad or m: a step back to a start that the search left
-constexpr double kSlipReach = 0.1;       // m: a slip deflection of this size counts as much as a unit of a coordinate
+constexpr double kStiff = 1e8;          // 1/s^2: beams are stiffer, and would make springs look indifferent beside them
+constexpr double kCounted = 1e6;        // 1/s^2, as which they count
+constexpr double kLongestReturn = 0.3;  // rad or m: a step back to a start that the search left
+constexpr double kSlipReach = 0.1;      // m: a slip deflection of this size counts as much as a unit of a coordinate
 
 /// Whether the search goes downhill, or straight to where the forces balance, which need not hold the bodies there.
 enum class Search { downhill, straight };
@@ -25,6 +27,7 @@ struct WeightedBalance {
   Eigen::MatrixXd matrix;
   Eigen::VectorXd wanted;
   Eigen::VectorXd reach;  ///< of the unknowns: a unit of the solution moves one so far
+  Eigen::VectorXd drag;   ///< of a drag on the inertias, in the matrix
   double unit = 1;
 };
 
@@ -47,6 +50,15 @@ WeightedBalance weighted(const Balance& b, const Eigen::MatrixXd& stiffness) {
   for (Eigen::Index i = 0; i < free; ++i) largest = std::max(largest, scale[i] * size_of_row(i));
   for (Eigen::Index i = free; i < free + states; ++i)
     weight[i] = (largest > 0 ? largest : 1) / std::max(size_of_row(i), 1e-300);
+  w.drag = Eigen::VectorXd::Ones(free);
+  for (Eigen::Index i = 0; i < free; ++i) {
+    const double square = std::abs(scale[i] * scale[i] * stiffness(i, i));
+    if (!(square > kStiff)) continue;
+    const double share = std::sqrt(kCounted / square);
+    weight[i] *= share;
+    w.reach[i] *= share;
+    w.drag[i] = share * share;
+  }
   w.matrix = weight.asDiagonal() * stiffness * w.reach.asDiagonal();
   w.wanted = -(weight.asDiagonal() * b.force);
   return w;
@@ -60,7 +72,7 @@ WeightedBalance weighted(const Balance& b, const Eigen::MatrixXd& stiffness) {
 Eigen::VectorXd next_change(const Balance& b, const Eigen::MatrixXd& stiffness, double unbalanced, Search search) {
   WeightedBalance w = weighted(b, stiffness);
   if (search == Search::downhill && unbalanced > kBalanced)
-    w.matrix.leftCols(b.rz.cols()).diagonal().array() -= unbalanced / (kLargestBalanceStep * w.unit);
+    w.matrix.leftCols(b.rz.cols()).diagonal() -= unbalanced / (kLargestBalanceStep * w.unit) * w.drag;
   return w.reach.asDiagonal() * least_squares(w.matrix, w.wanted, kIndifferent);
 }
 

@@ -204,8 +204,7 @@ class Instant {
       const Vector3d up = vehicle.transpose() * (path_of(output.upper).position - path_of(output.lower).position);
       return output.what == What::caster ? std::atan2(-up.x(), up.z()) : std::atan2(-output.side * up.y(), up.z());
     }
-    const PartTyre& tyre = c_.parts.tyres[output.tyre];
-    const Vector3d axis = vehicle.transpose() * bodies_[tyre.centre.body].axes * tyre.axis;
+    const Vector3d axis = vehicle.transpose() * spin_axis_of(output);
     const Vector3d forward = axis.cross(Vector3d::UnitZ()).normalized();
     if (output.what == What::camber) return -output.side * std::asin(axis.z());
     return (output.what == What::toe ? -output.side : 1) * std::atan2(forward.y(), forward.x());
@@ -227,6 +226,17 @@ class Instant {
     if (body == kNoBody) return Matrix3d::Identity();
     if (moves(body)) return bodies_[index(body)].axes;
     return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(c_.model.bodies[body].pose.rotation.data());
+  }
+  /// Axis that an output's wheel turns about, global.
+  Vector3d spin_axis_of(const WheelOutput& output) const {
+    if (output.tyre >= 0) {
+      const PartTyre& tyre = c_.parts.tyres[output.tyre];
+      return bodies_[tyre.centre.body].axes * tyre.axis;
+    }
+    const int wheel = c_.model.joints[output.joint].to.body;
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> home(
+        c_.model.bodies[wheel].pose.rotation.data());
+    return axes_of(wheel) * home.transpose() * Eigen::Map<const Vector3d>(output.axis.data());
   }
   Vector3d spin(int body) const { return bodies_[index(body)].spin; }
   Vector3d spin_rate(int body) const {

@@ -79,6 +79,33 @@ TEST_F(Courses, NumbersInOtherUnitsAreNoted) {
       << run.err;
 }
 
+// The track of ISO 3888-1 of a car 1.8 m wide, 50 m ahead: lanes of 15, 25 and 30 m with gaps of 30 and 25 m, the
+// second one 3.5 m beside the first.
+TEST_F(Courses, ALaneChangeHasItsLanesAndCourseInTheRun) {
+  const Outcome run = drive(kCar, R"({ "mbgen_manoeuvre": 1, "type": "lane_change", "speed": 20, "duration": 5 })");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json manoeuvre = Json::parse(read("m.csv.run.json"))["manoeuvre"];
+  const double begin[] = {50, 95, 145}, length[] = {15, 25, 30};
+  const double width[] = {1.1 * 1.8 + 0.25, 1.2 * 1.8 + 0.25, 1.3 * 1.8 + 0.25};
+  ASSERT_EQ(manoeuvre["lanes"].size(), 3u);
+  const double x = manoeuvre["course"][0][0], y = manoeuvre["course"][0][1];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Json &left = manoeuvre["lanes"][i]["left"], &right = manoeuvre["lanes"][i]["right"];
+    for (const Json* limit : {&left, &right}) {
+      EXPECT_NEAR((*limit)[0][0].get<double>() - x, begin[i], 1e-6);
+      EXPECT_NEAR((*limit)[1][0].get<double>() - x, begin[i] + length[i], 1e-6);
+    }
+    EXPECT_NEAR(left[0][1].get<double>() - right[0][1].get<double>(), width[i], 1e-9);
+    // The right limits are aligned, but for the offset.
+    EXPECT_NEAR(right[1][1].get<double>() - y, -width[0] / 2 + (i == 1 ? 3.5 : 0), 1e-6) << i;
+  }
+  // 100 m in 5 s, a metre apart.
+  const Json& course = manoeuvre["course"];
+  EXPECT_NEAR(course.back()[0].get<double>() - x, 100, 2);
+  EXPECT_NEAR(static_cast<double>(course.size()), 100, 3);
+  EXPECT_FALSE(Json::parse(read("m.csv.run.json"))["manoeuvre"].contains("sections"));
+}
+
 TEST_F(Courses, WhatHasNoEndIsRefusedByItsField) {
   const std::string circle = R"({ "mbgen_manoeuvre": 1, "type": "steady_circle", "speed": 20, "radius": 1e6)";
   EXPECT_EQ(drive(kCar, circle + " }").err,

@@ -155,5 +155,52 @@ TEST_F(Seeing, AReportKnowsItsModel) {
             "  hint: give --model, or simulate again\n");
 }
 
+TEST_F(Seeing, AReportOfSeveralResultsHasAllOfThem) {
+  ASSERT_EQ(swing("--out a.csv").exit_code, 0);
+  ASSERT_EQ(swing("--out b.csv").exit_code, 0);
+  const Outcome page = mbgen("report a.csv b.csv -o both.html");
+  if (page.err.find("built without reports") != std::string::npos) GTEST_SKIP() << page.err;
+  ASSERT_EQ(page.exit_code, 0) << page.err;
+  const std::string both = read("both.html");
+  EXPECT_NE(both.find(R"("label":"a.csv","others":[{"label":"b.csv","run":{"mbgen_run":1,)"), std::string::npos);
+  EXPECT_NE(both.find(R"x("name":"z.hinge (b.csv)")x"), std::string::npos);
+  EXPECT_EQ(refusal("report a.csv b.csv -o b.csv"), "b.csv: cannot write: it is read by this command\n");
+  EXPECT_EQ(refusal("report a.csv a.csv a.csv a.csv a.csv a.csv a.csv a.csv a.csv -o nine.html"),
+            "report: 9 results, a page shows at most 8; mbgen plot draws the curves of more\n");
+  write("other.csv", "t [s],z.wrist [rad]\n0,1\n");
+  EXPECT_EQ(refusal("report a.csv other.csv --model swing.json -o other.html"),
+            "other.csv: no column \"z.hinge\": not a result of model swing\n"
+            "  hint: give --model, or simulate again\n");
+}
+
+// 1 kg on 40 N/m: 1/40 m/N at rest, which the first point at 1 mHz has but for 1e-6 of it.
+TEST_F(Seeing, APageOfModesHasTheFrequencyResponses) {
+  write("mass.json", R"({ "mbgen": 1, "name": "mass", "gravity": [0, 0, 0], "inputs": { "force": { "unit": "N" } },
+    "bodies": { "ground": { "points": { "o": [0, 0, 0], "top": [0, 0, 1] } },
+      "mass": { "mass": 1, "inertia": [1, 1, 1], "points": { "o": [0, 0, 0] } } },
+    "joints": { "z": { "type": "prismatic", "from": "ground.o", "to": "mass.o", "axis": "z" } },
+    "springs": { "s": { "from": "ground.top", "to": "mass.o", "stiffness": 40, "damping": 0.4 } },
+    "forces": { "f": { "at": "mass.o", "force": [0, 0, "force"] } },
+    "outputs": { "z": { "joint": "z" }, "v": { "joint": "z", "quantity": "velocity" } } })");
+  const Outcome page =
+      mbgen("linearize mass.json --bode force:z --bode force:v --frequencies 0.001:10:50 --report m.html");
+  if (page.err.find("built without reports") != std::string::npos) GTEST_SKIP() << page.err;
+  ASSERT_EQ(page.exit_code, 0) << page.err;
+  const std::string text = read("m.html");
+  const std::size_t data = text.find('>', text.find("<script id=\"data\"")) + 1;
+  const Json diagrams = Json::parse(text.substr(data, text.find("</script>", data) - data))["responses"];
+  ASSERT_EQ(diagrams.size(), 3u) << "magnitudes by their units, then phases";
+  EXPECT_EQ(diagrams[0]["title"], "Magnitude of z/force");
+  EXPECT_EQ(diagrams[0]["y"]["unit"], "m/N");
+  EXPECT_EQ(diagrams[0]["logarithmic"], "xy");
+  EXPECT_NEAR(diagrams[0]["curves"][0]["y"][0].get<double>(), 1.0 / 40, 1e-7);
+  EXPECT_EQ(diagrams[1]["y"]["unit"], "(m/s)/N");
+  EXPECT_EQ(diagrams[2]["title"], "Phase");
+  EXPECT_EQ(diagrams[2]["logarithmic"], "x");
+  EXPECT_NEAR(diagrams[2]["curves"][1]["y"][0].get<double>(), 90, 0.1) << "the velocity leads by a quarter";
+  ASSERT_EQ(mbgen("linearize mass.json --report plain.html").exit_code, 0);
+  EXPECT_EQ(read("plain.html").find("\"responses\":["), std::string::npos);
+}
+
 }  // namespace
 }  // namespace mbgen::cli_test

@@ -1,6 +1,8 @@
 // Outputs of motions, energies and wheels: rates against differences along a motion, momenta against forces, wheels and
 // bodies by hand.
 
+#include <nlohmann/json.hpp>
+
 #include "mbgen/scalar.hpp"
 #include "tests/support/motion_outputs_support.hpp"
 
@@ -189,7 +191,22 @@ std::string wheel_model(double y, double toe, double lean) {
       "heading": { "tyre": "tyre", "quantity": "steer_angle" },
       "caster": { "tyre": "tyre", "quantity": "caster", "relative_to": "car", "steering_axis": ["knuckle.low", "knuckle.high"] },
       "kingpin": { "tyre": "tyre", "quantity": "kingpin_inclination", "relative_to": "car",
-                   "steering_axis": ["knuckle.low", "knuckle.high"] } } })";
+                   "steering_axis": ["knuckle.low", "knuckle.high"] },
+      "joint_toe": { "joint": "wheel", "quantity": "toe", "relative_to": "car" },
+      "joint_camber": { "joint": "wheel", "quantity": "camber", "relative_to": "car" },
+      "joint_steer": { "joint": "wheel", "quantity": "steer_angle", "relative_to": "car" },
+      "joint_heading": { "joint": "wheel", "quantity": "steer_angle" },
+      "joint_caster": { "joint": "wheel", "quantity": "caster", "relative_to": "car",
+                        "steering_axis": ["knuckle.low", "knuckle.high"] },
+      "joint_kingpin": { "joint": "wheel", "quantity": "kingpin_inclination", "relative_to": "car",
+                         "steering_axis": ["knuckle.low", "knuckle.high"] },
+      "twice": { "expression": "2*out.joint_toe" } } })";
+}
+
+/// The text with other words in place of some.
+std::string with_words(std::string text, const std::string& words, const std::string& others) {
+  text.replace(text.find(words), words.size(), others);
+  return text;
 }
 
 TEST(MotionOutputs, AnglesOfAWheelByHand) {
@@ -203,6 +220,33 @@ TEST(MotionOutputs, AnglesOfAWheelByHand) {
     EXPECT_NEAR(y["camber"], -side * lean, kTyped) << "a left wheel turned by -0.03 about x leans to the left";
     EXPECT_NEAR(y["caster"], std::atan(0.05 / 0.5), kTyped);
     EXPECT_NEAR(y["kingpin"], std::atan(0.08 / 0.5), kTyped);
+  }
+}
+
+// The wheel of a joint has the angles of the tyre's wheel, also where the joint goes from the wheel to its carrier,
+// where its axis points to the right, and without a tyre.
+TEST(MotionOutputs, AnglesOfAWheelByItsJoint) {
+  const auto expect_same = [](const std::string& text) {
+    std::map<std::string, double> y = values_of(text);
+    for (const std::string name : {"toe", "camber", "steer", "heading", "caster", "kingpin"})
+      EXPECT_NEAR(y["joint_" + name], y[name], 1e-14) << name;
+    EXPECT_EQ(y["twice"], 2 * y["joint_toe"]);
+    EXPECT_GT(std::abs(y["joint_toe"]), 0.04);
+  };
+  for (const double side : {1.0, -1.0}) {
+    const std::string text = wheel_model(0.8 * side, 0.05, -0.03);
+    expect_same(text);
+    expect_same(
+        with_words(text, R"("from": "knuckle.hub", "to": "wheel.hub")", R"("from": "wheel.hub", "to": "knuckle.hub")"));
+    const std::size_t axis = text.find("\"axis\": [", text.find("\"wheel\": { \"type\"")) + 8;
+    const std::string written = text.substr(axis, text.find(']', axis) + 1 - axis);
+    const auto negated = nlohmann::json::parse(written).get<std::vector<double>>();
+    const std::string turned = nlohmann::json({-negated[0], -negated[1], -negated[2]}).dump();
+    std::map<std::string, double> right = values_of(with_words(
+        with_words(text, "\"axis\": " + written, "\"axis\": " + turned), "\"wheel\": 1.3", "\"wheel\": -1.3"));
+    std::map<std::string, double> left = values_of(text);
+    for (const std::string name : {"toe", "camber", "steer", "heading"})
+      EXPECT_NEAR(right["joint_" + name], left["joint_" + name], 1e-14) << name;
   }
 }
 

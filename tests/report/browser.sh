@@ -40,6 +40,22 @@ node "$here/metrics.mjs" describe moved.csv.run.json circle.csv.run.json
 "$mbgen" simulate "$models/rides/coach_hump.json" --set speed=8.3333 --set steer_amplitude=0 --duration 1.4 \
   --engine generic --out hump.csv > /dev/null
 "$mbgen" report hump.csv -o hump.html
+# Two lane changes of a car, and the response of a mass on a spring.
+car=$here/../data/models/four_wheeler.json
+printf '{ "mbgen_manoeuvre": 1, "type": "lane_change", "speed": 12, "approach": 20, "duration": 9 }' > lane.json
+"$mbgen" sweep "$car" --manoeuvre lane.json --vary manoeuvre.speed=12,14 --keep lanes --every 20 --engine generic \
+  --out lanes.csv > /dev/null 2>&1
+"$mbgen" report lanes/case_1.csv lanes/case_2.csv -o overlay.html
+cat > mass.json << EOF
+{ "mbgen": 1, "name": "mass", "gravity": [0, 0, 0], "inputs": { "force": { "unit": "N" } },
+  "bodies": { "ground": { "points": { "o": [0, 0, 0], "top": [0, 0, 1] } },
+    "mass": { "mass": 1, "inertia": [1, 1, 1], "points": { "o": [0, 0, 0] } } },
+  "joints": { "z": { "type": "prismatic", "from": "ground.o", "to": "mass.o", "axis": "z" } },
+  "springs": { "s": { "from": "ground.top", "to": "mass.o", "stiffness": 40, "damping": 0.4 } },
+  "forces": { "f": { "at": "mass.o", "force": [0, 0, "force"] } },
+  "outputs": { "z": { "joint": "z" } } }
+EOF
+"$mbgen" linearize mass.json --bode force:z --frequencies 0.1:10:400 --report responses.html > /dev/null
 for page in coach modes hump; do
   size=$(wc -c < $page.html)
   [ "$size" -lt 3000000 ] || { echo "$page.html of the coach has $size bytes"; exit 1; }
@@ -57,6 +73,7 @@ if ! cmp -s "$here/package-lock.json" "$modules/installed"; then
 fi
 node "$here/browser.mjs" coach.html "$pictures" "$modules" moved.html rubber.html
 node "$here/metrics.mjs" check circle.html "$pictures" "$modules"
+node "$here/overlay.mjs" overlay.html responses.html "$pictures" "$modules"
 # The coach stands 22 mm deep in its tyres, and so does its road; the hump is 80 mm high.
 [ "$(node "$here/road.mjs" hump.html 1.4 "" "$pictures/report_road.png" "$modules")" = "-0.0220 0.0580" ]
 node "$here/modes.mjs" modes.html modes.json growing.html "$pictures" "$modules"

@@ -289,6 +289,55 @@ TEST(Page, ColumnsKnowTheirQuantity) {
   EXPECT_NE(quantities["load_1"], quantities["px"]);
 }
 
+/// The data of a page.
+Json data_of(const std::string& page) {
+  const std::size_t data = page.find('>', page.find("<script id=\"data\"")) + 1;
+  return Json::parse(page.substr(data, page.find("</script>", data) - data));
+}
+
+// A second result with other times: its values stand at the times of the first one, on the lines between its rows, and
+// nowhere after its end.
+TEST(Page, OtherResultsHaveTheirColumnsBesideTheFirst) {
+  Case first = a_case(model_of("double_pendulum.json"), 5), other = a_case(model_of("double_pendulum.json"), 3);
+  first.model.outputs.clear();
+  first.results.columns.push_back({{"force", "N"}, {1, 2, 3, 4, 5}});
+  other.results.columns.front().values = {0, 0.15, 0.3};
+  other.results.columns[1].values = {0, 0.15, 0.6};
+  other.results.columns.push_back({{"force", "kN"}, {0, 0, 0}});
+  const Json table = table_json(first.source(), {{other.source(), "b.csv", "stiffness = 2"}});
+  const std::string name = first.results.columns[1].heading.name;
+  const Json& columns = table["columns"];
+  ASSERT_EQ(columns.size(), 2 * first.topology.bodies.size() + 2) << "a force of another unit is left out";
+  EXPECT_EQ(columns[1]["name"], name);
+  EXPECT_FALSE(columns[1].contains("other"));
+  EXPECT_EQ(columns[2]["name"], name + " (stiffness = 2)");
+  EXPECT_EQ(columns[2]["other"], 1);
+  EXPECT_EQ(columns[2]["group"], columns[1]["group"]);
+  EXPECT_EQ(columns[2]["largest"], 0.6);
+  const std::vector<float> numbers = decoded(table["data"]);
+  const auto value = [&](std::size_t row) { return numbers[2 * 5 + row]; };
+  EXPECT_NEAR(value(1), 0.1, 1e-7);
+  EXPECT_NEAR(value(2), 0.15 + 0.45 / 3, 1e-7);
+  EXPECT_NEAR(value(3), 0.6, 1e-7);
+  EXPECT_TRUE(std::isnan(value(4))) << "at 0.4 s the other result has ended";
+  if (!has_report_page()) return;
+  const Json data =
+      data_of(*report_html(first.source(), "a.csv", "stiffness = 1", {{other.source(), "b.csv", "stiffness = 2"}}));
+  EXPECT_EQ(data["label"], "stiffness = 1");
+  ASSERT_EQ(data["others"].size(), 1u);
+  EXPECT_EQ(data["others"][0]["label"], "stiffness = 2");
+  EXPECT_EQ(data["others"][0]["animation"]["count"], 3);
+  EXPECT_TRUE(data["others"][0]["run"].is_null()) << "nothing describes it";
+  EXPECT_EQ(data["others"][0]["scene"]["bodies"].size(), first.model.bodies.size());
+  EXPECT_FALSE(data_of(*report_html(first.source(), "a.csv")).contains("others"));
+  // A result of another model is refused by its own name.
+  const Case wrong = a_case(model_of("four_bar.json"));
+  const ReportSource foreign{first.model, first.topology, first.analysis, wrong.results};
+  const Result<std::string> page = report_html(first.source(), "a.csv", "a", {{foreign, "wrong.csv", "b"}});
+  ASSERT_FALSE(static_cast<bool>(page));
+  EXPECT_EQ(page.problems().front().where.file, "wrong.csv");
+}
+
 TEST(Page, NamesCannotLeaveTheirPlace) {
   if (!has_report_page()) GTEST_SKIP() << "this build has no reports (MBGEN_REPORTS)";
   Case pendulum = a_case(model_of("double_pendulum.json"));

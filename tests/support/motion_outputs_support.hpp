@@ -35,6 +35,7 @@ class MotionOutputs {
     add_momenta();
     add_stored_energies();
     for (std::size_t t = 0; t < model_.tyres.size(); ++t) add_wheel(static_cast<int>(t));
+    for (std::size_t j = 0; j < model_.joints.size(); ++j) add_wheel_in(static_cast<int>(j));
   }
 
  private:
@@ -141,6 +142,22 @@ class MotionOutputs {
     for (const What what : {What::toe, What::camber, What::steer_angle, What::caster, What::kingpin_inclination}) {
       source.what = what;
       if (what < What::caster || upper) ask(source);
+    }
+  }
+
+  /// Of a joint whose axis is far from the vertical, where angles are noise.
+  void add_wheel_in(int joint) {
+    using What = WheelOutput::What;
+    constexpr double kFar = 0.3;
+    const Joint& of = model_.joints[static_cast<std::size_t>(joint)];
+    if (of.type != JointType::revolute || std::hypot(of.axis[0], of.axis[1]) < kFar) return;
+    WheelOutput source;
+    source.joint = joint;
+    source.axis = of.axis;
+    source.side = below(2) == 0 ? 1.0 : -1.0;
+    for (const What what : {What::toe, What::camber, What::steer_angle}) {
+      source.what = what;
+      ask(source);
     }
   }
 

@@ -10,6 +10,7 @@
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/options.hpp"
+#include "workbench/describe/beams.hpp"
 #include "workbench/describe/dump.hpp"
 #include "workbench/describe/notes.hpp"
 #include "workbench/host/assignments.hpp"
@@ -28,6 +29,8 @@ struct CheckOptions {
 struct Findings {
   Diagnostics problems, notes;
   int bodies = 0, freedoms = 0, driven = 0;  ///< moving; including driven ones; prescribed by motions
+  std::string beams = {};                    ///< their frequencies as text
+  nlohmann::ordered_json beams_json = nlohmann::ordered_json::array();
 };
 
 /// Faults of the model or of its initial state, or notes on them.
@@ -42,6 +45,9 @@ Findings findings_of(const CheckOptions& options) {
     findings.bodies = static_cast<int>(model.bodies.size()) - (model.ground >= 0 ? 1 : 0);
     findings.freedoms = compilation.analysis.degrees_of_freedom;
     findings.driven = static_cast<int>(model.motions.size());
+    const std::vector<BeamFrequencies> beams = beam_frequencies(model);
+    findings.beams = beams_text(beams);
+    findings.beams_json = beams_json(beams);
     const Initial& initial = model.initial;
     if (!initial.equilibrium && initial.positions.empty() && initial.velocities.empty()) return findings;
     const Start start = initial_start(compilation, input_values(model, {}));
@@ -58,16 +64,17 @@ int run(const CheckOptions& options) {
     print(dump_stage(read_set_model(options.model, options.set), options.dump, known_start));
     return kDone;
   }
-  const auto [problems, notes, bodies, freedoms, driven] = findings_of(options);
+  const auto [problems, notes, bodies, freedoms, driven, beams, beams_as_json] = findings_of(options);
   if (options.json) {
     nlohmann::ordered_json report = {{"model", options.model}, {"ok", problems.empty()}};
     if (problems.empty()) report.update({{"bodies", bodies}, {"freedoms", freedoms}, {"driven", driven}});
+    if (!beams_as_json.empty()) report["beams"] = beams_as_json;
     report["problems"] = diagnostics_json(problems);
     report["notes"] = diagnostics_json(notes);
     print(json_text(report));
   } else if (print_notes(notes); problems.empty()) {
-    print(fmt::format("{}: ok\n  bodies {}, freedoms {}, of them driven {}, notes {}\n", options.model, bodies,
-                      freedoms, driven, notes.size()));
+    print(fmt::format("{}: ok\n  bodies {}, freedoms {}, of them driven {}, notes {}\n{}", options.model, bodies,
+                      freedoms, driven, notes.size(), beams));
   } else {
     throw UserError(problems);
   }

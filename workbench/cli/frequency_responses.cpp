@@ -61,7 +61,7 @@ std::string unit_over(const std::string& output, const std::string& input) {
 
 FrequencyResponses frequency_responses(const BodeArguments& arguments, const Model& model, const LinearSystem& system) {
   FrequencyResponses result;
-  result.frequencies = frequencies_of(arguments.frequencies);
+  result.frequencies = frequencies_of(arguments.frequencies.empty() ? "0.1:20:200" : arguments.frequencies);
   for (const std::string& pair : arguments.pairs) {
     const std::size_t colon = pair.find(':');
     if (colon == std::string::npos) throw UserError(fmt::format("--bode: \"{}\" is no INPUT:OUTPUT\n", pair));
@@ -144,6 +144,27 @@ std::string responses_csv(const FrequencyResponses& responses) {
     text += "\n";
   }
   return text;
+}
+
+std::vector<PageDiagram> responses_diagrams(const FrequencyResponses& responses) {
+  const Heading frequency{"frequency", "Hz"};
+  std::vector<PageDiagram> diagrams;
+  PageDiagram phase{"Phase", frequency, {"phase", "deg"}, "x", {}};
+  for (const FrequencyResponse& response : responses.all) {
+    const std::string label = response.output + "/" + response.input;
+    const auto same = [&](const PageDiagram& diagram) { return diagram.y.unit == response.unit; };
+    auto diagram = std::find_if(diagrams.begin(), diagrams.end(), same);
+    if (diagram == diagrams.end())
+      diagram = diagrams.insert(diagrams.end(), {"Magnitude", frequency, {"magnitude", response.unit}, "xy", {}});
+    diagram->curves.push_back({label, responses.frequencies, magnitudes(response)});
+    phase.curves.push_back({label, responses.frequencies, phases(response)});
+  }
+  // One response is named by the title; several by their legend.
+  for (PageDiagram& diagram : diagrams)
+    if (diagram.curves.size() == 1) diagram.title += " of " + diagram.curves.front().name;
+  if (phase.curves.size() == 1) phase.title += " of " + phase.curves.front().name;
+  if (!phase.curves.empty()) diagrams.push_back(std::move(phase));
+  return diagrams;
 }
 
 std::string responses_svg(const FrequencyResponses& responses) {

@@ -7,14 +7,15 @@
 #include <vector>
 
 #include "compiler/linearisation/frequency_response.hpp"
+#include "workbench/report/report.hpp"
 
 namespace mbgen::cli {
 
 /// As typed.
 struct BodeArguments {
-  std::vector<std::string> pairs;          ///< IN:OUT
-  std::string frequencies = "0.1:20:200";  ///< FIRST:LAST[:COUNT], Hz
-  std::vector<std::string> files;          ///< to write, .csv or .svg
+  std::vector<std::string> pairs;  ///< IN:OUT
+  std::string frequencies;         ///< FIRST:LAST[:COUNT], Hz; "" for 0.1:20:200
+  std::vector<std::string> files;  ///< to write, .csv or .svg
 };
 
 /// The response of one output to one input.
@@ -41,6 +42,8 @@ std::vector<double> phases(const FrequencyResponse& response);
 std::string responses_text(const FrequencyResponses& responses);
 nlohmann::ordered_json responses_json(const FrequencyResponses& responses);
 std::string responses_csv(const FrequencyResponses& responses);
+/// For the page of modes: a diagram for the magnitudes of each unit, and one for all phases.
+std::vector<PageDiagram> responses_diagrams(const FrequencyResponses& responses);
 /// A panel for the magnitudes of each unit, and one for all phases.
 std::string responses_svg(const FrequencyResponses& responses);
 

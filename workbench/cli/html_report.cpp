@@ -11,6 +11,7 @@
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/options.hpp"
+#include "workbench/cli/result_labels.hpp"
 #include "workbench/host/assignments.hpp"
 #include "workbench/host/files.hpp"
 #include "workbench/motion/motion_table.hpp"
@@ -21,7 +22,8 @@ namespace mbgen::cli {
 namespace {
 
 struct HtmlReportOptions {
-  std::string result, model, file;
+  std::vector<std::string> results;
+  std::string model, file;
   std::vector<std::string> set;
 };
 
@@ -62,30 +64,57 @@ std::vector<std::string> set_of(const nlohmann::json& run) {
 
 /// The model of a result: the requested one, else the unchanged one named in the run, with the requested parameters,
 /// else those of the run. Fails: UserError.
-Model model_of(const Results& results, const HtmlReportOptions& options) {
+Model model_of(const Results& results, const std::string& path, const HtmlReportOptions& options) {
   if (!options.model.empty()) {
     const nlohmann::json run = nlohmann::json::parse(results.run, nullptr, false);
     return read_set_model(options.model, options.set.empty() ? set_of(run) : options.set);
   }
-  const nlohmann::json run = run_of(results, options.result);
-  const std::filesystem::path directory = std::filesystem::path(options.result).parent_path();
+  const nlohmann::json run = run_of(results, path);
+  const std::filesystem::path directory = std::filesystem::path(path).parent_path();
   const std::string file = (directory / run["model_file"].get<std::string>()).lexically_normal().string();
   Model model = read_set_model(file, set_of(run));
   if (model.hash == run["model_hash"]) return model;
   throw UserError(fmt::format("{}: changed since {} was written; simulate again, or give --model to take it as it is\n",
-                              model.file, options.result));
+                              model.file, path));
+}
+
+/// A result with its model.
+struct PageResult {
+  std::string file;  ///< without its directory
+  Results results;
+  Model model;
+  Topology topology;
+  Analysis analysis;
+  ReportSource source() const { return {model, topology, analysis, results}; }
+};
+
+PageResult page_result(const std::string& path, const HtmlReportOptions& options) {
+  PageResult result{std::filesystem::path(path).filename().string(), read_result_file(path), {}, {}, {}};
+  result.model = model_of(result.results, path, options);
+  require_other_file(options.file, result.model.files);
+  result.topology = expect(build_topology(result.model));
+  result.analysis = expect(analyse(result.model, result.topology));
+  return result;
 }
 
 int run(const HtmlReportOptions& options) {
+  constexpr std::size_t kMostResults = 8;  // as many colours as there are
   require_report_page("report");
-  require_other_file(options.file, {options.result, run_file(options.result)});
-  Results results = read_result_file(options.result);
-  const Model model = model_of(results, options);
-  require_other_file(options.file, model.files);
-  const Topology topology = expect(build_topology(model));
-  const Analysis analysis = expect(analyse(model, topology));
-  const std::string file = std::filesystem::path(options.result).filename().string();
-  write_file(options.file, expect(report_html({model, topology, analysis, results}, file)), model.files);
+  if (options.results.size() > kMostResults)
+    throw UserError(fmt::format("report: {} results, a page shows at most {}; mbgen plot draws the curves of more\n",
+                                options.results.size(), kMostResults));
+  for (const std::string& path : options.results) require_other_file(options.file, {path, run_file(path)});
+  std::vector<PageResult> all;
+  for (const std::string& path : options.results) all.push_back(page_result(path, options));
+  const std::vector<std::string> labels =
+      result_labels(options.results, [&](std::size_t i) { return all[i].results.run; });
+  std::vector<OtherResult> others;
+  std::vector<std::string> read;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i > 0) others.push_back({all[i].source(), all[i].file, labels[i]});
+    read.insert(read.end(), all[i].model.files.begin(), all[i].model.files.end());
+  }
+  write_file(options.file, expect(report_html(all[0].source(), all[0].file, labels[0], others)), read);
   return kDone;
 }
 
@@ -106,8 +135,9 @@ void add_report(NamedCommand application, int& exit_code) {
       "Example: mbgen simulate models/coach.json --duration 5 --out coach.csv\n"
       "         mbgen report coach.csv -o coach.html\n"
       "The page is one file that needs no network. A result says which model it is of, in FILE.run.json beside a CSV\n"
-      "table and inside a MAT file; --model names it where that is missing or the model has changed.");
-  command.add_option("RESULT", options->result, "table of mbgen simulate (CSV or MAT)").required();
+      "table and inside a MAT file; --model names it where that is missing or the model has changed. Further results\n"
+      "are drawn translucent beside the first one, their curves in its plots.");
+  command.add_option("RESULT", options->results, "tables of mbgen simulate (CSV or MAT)").required();
   const Option model =
       command.add_option("--model", options->model, "the model (default: the one that the result names)");
   add_set_option(command, options->set).needs(model);

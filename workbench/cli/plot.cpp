@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "compiler/text/number.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
+#include "workbench/cli/result_labels.hpp"
 #include "workbench/drawing/drawing.hpp"
 #include "workbench/host/files.hpp"
 #include "workbench/motion/motion_table.hpp"
@@ -254,33 +254,6 @@ void add_panels(const PlotSource& source, const std::string& names, const PlotOp
   }
 }
 
-/// The varied values of a kept case of a study; null for other results.
-nlohmann::ordered_json case_of(const PlotSource& source) {
-  const auto run = nlohmann::ordered_json::parse(source.results.run, nullptr, false);
-  return run.is_object() && run.contains("case") && run["case"].is_object() ? run["case"] : nlohmann::ordered_json();
-}
-
-/// Labels of several files: the varied values in which cases of a study differ, else their names.
-void set_labels(std::vector<PlotSource>& sources) {
-  for (PlotSource& source : sources) source.label = source.path;
-  std::vector<nlohmann::ordered_json> cases;
-  for (const PlotSource& source : sources) cases.push_back(case_of(source));
-  std::vector<std::string> labels(sources.size());
-  for (const auto& item : cases.front().items()) {
-    const std::string name = item.key();
-    const auto is_equal = [&](const nlohmann::ordered_json& one) {
-      return one.contains(name) && one[name] == cases.front()[name];
-    };
-    if (std::all_of(cases.begin(), cases.end(), is_equal)) continue;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-      if (!cases[i].contains(name) || !cases[i][name].is_number()) return;
-      labels[i] += fmt::format("{}{} = {:.6g}", labels[i].empty() ? "" : ", ", name, cases[i][name].get<double>());
-    }
-  }
-  for (std::size_t i = 0; i < sources.size(); ++i)
-    if (!labels[i].empty()) sources[i].label = labels[i];
-}
-
 /// The curves as a table over their common abscissa. Fails: UserError if they have none.
 std::string curves_csv(const Abscissa& abscissa, const std::vector<Panel>& panels) {
   const std::vector<double>& x = panels.front().curves.front().x;
@@ -331,7 +304,9 @@ int run(const PlotOptions& options) {
   std::vector<PlotSource> sources;
   for (const std::string& path : options.results) sources.push_back(read_source(path, options));
   require_same_axis(sources);
-  set_labels(sources);
+  const std::vector<std::string> labels =
+      result_labels(options.results, [&](std::size_t i) { return sources[i].results.run; });
+  for (std::size_t i = 0; i < sources.size(); ++i) sources[i].label = labels[i];
   std::vector<Panel> panels;
   for (const std::string& names : options.columns) {
     const std::size_t first = panels.size();

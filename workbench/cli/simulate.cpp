@@ -109,6 +109,7 @@ int run(SimulateOptions options) {
   choice.form = chosen_form(options.form);
   Model model = read_set_model(options.model, options.set);
   const auto manoeuvre = prepare_manoeuvre(options.manoeuvre, options.model, options.set, model, options.simulation);
+  if (manoeuvre) require_others_inputs(model, "--input", options.engine.inputs);
   const SimulationSettings settings = settings_of(options.simulation, model.solver);
   std::vector<VariedParameter> set = set_parameters(model, options.set);
   follow_step(settings, set, model);

@@ -63,9 +63,10 @@ struct OutputText : ModelWords {
   }
   std::string source(const WheelOutput& output) const {
     const char* quantities[] = {"toe", "camber", "steer angle", "caster", "kingpin inclination"};
-    std::string text =
-        fmt::format("{} of tyre {} relative to {}, {}", quantities[static_cast<int>(output.what)],
-                    model_.tyres[output.tyre].name, body_name(output.vehicle), output.side > 0 ? "left" : "right");
+    std::string text = fmt::format("{} of {} relative to {}, {}", quantities[static_cast<int>(output.what)],
+                                   output.tyre >= 0 ? "tyre " + model_.tyres[output.tyre].name
+                                                    : "the wheel in joint " + model_.joints[output.joint].name,
+                                   body_name(output.vehicle), output.side > 0 ? "left" : "right");
     if (output.what >= WheelOutput::What::caster)
       text += fmt::format(", steered about {} to {}", attachment(output.lower), attachment(output.upper));
     return text;

@@ -9,6 +9,13 @@
 namespace mbgen {
 namespace {
 
+/// "input", or "input less output" between two coordinates.
+std::string name_of(const Model& model, const CoordinateReference& joint,
+                    const std::optional<CoordinateReference>& relative_to) {
+  const std::string& name = freedom_of(model, joint).name;
+  return relative_to ? name + " less " + freedom_of(model, *relative_to).name : name;
+}
+
 std::string number_or_text(const Model& model, const Quantity& quantity) {
   return quantity.expression < 0 ? fmt::format("{:g}", quantity.value) : model.expressions[quantity.expression].text;
 }
@@ -39,7 +46,7 @@ std::string text_of(const Model& model, const BumpStop& stop) {
   const bool is_on_this_side = stop.side == BumpStop::Side::above || stop.side == BumpStop::Side::compression;
   if (stop.is_on_joint()) {
     const Freedom& freedom = freedom_of(model, stop.joint);
-    return fmt::format("{} pushes back where {} is {} {} {}.", stop.name, freedom.name,
+    return fmt::format("{} pushes back where {} is {} {} {}.", stop.name, name_of(model, stop.joint, stop.relative_to),
                        is_on_this_side ? "above" : "below minus", clearance, unit_of(freedom.kind));
   }
   return fmt::format("{} pushes {} and {} {} where their ends have come {} m {}{} than at the reference.", stop.name,
@@ -54,8 +61,9 @@ std::string friction_text(const std::string& name, const std::string& place, con
 }
 
 std::string text_of(const Model& model, const JointFriction& friction) {
-  return friction.has_bristle() ? friction_text(friction.name, "on " + freedom_of(model, friction.joint).name, friction)
-                                : "";
+  return friction.has_bristle()
+             ? friction_text(friction.name, "on " + name_of(model, friction.joint, friction.relative_to), friction)
+             : "";
 }
 
 std::string text_of(const Model& model, const SpringFriction& friction) {

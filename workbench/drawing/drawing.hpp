@@ -17,8 +17,11 @@ std::string topology_svg(const Model& model, const Topology& topology, const Ana
 
 /// One curve of a plot.
 struct Curve {
+  enum class Style { line, dashed, dotted, points };
   std::string label;
   std::vector<double> x, y;  ///< of one length; points that are not finite are left out
+  Style style = Style::line;
+  int colour = -1;  ///< number of its colour; -1: its place in the panel
 };
 
 /// The abscissa of a plot.
@@ -41,7 +44,8 @@ struct PlotSize {
   int panel_height = 200;
 };
 
-/// Curves over time or something else, panels below each other with one axis; ticks at 1, 2 or 5 times a power of ten.
+/// Curves over time or something else, panels below each other with one axis; ticks at 1, 2 or 5 times a power of ten;
+/// a legend that is too wide goes on in further lines.
 /// Curves of many points are drawn with the points that show at this size: curves whose x increases by the extremes of
 /// each column of pixels.
 std::string plot_svg(const Abscissa& abscissa, const std::vector<Panel>& panels, const PlotSize& size = {});

@@ -15,7 +15,7 @@
 namespace mbgen {
 namespace {
 
-constexpr double kLeft = 78, kRight = 18, kTop = 34, kGap = 44, kPlotFont = 12;
+constexpr double kLeft = 78, kRight = 18, kTop = 34, kGap = 44, kPlotFont = 12, kLegendStep = 16;
 /// Apart for people who see colours otherwise too (Okabe and Ito, darkened for thin lines on white).
 constexpr std::array<const char*, 8> kCurveColours = {"#0b63a5", "#c8501e", "#00805d", "#a0447f",
                                                       "#a87900", "#2b8fbf", "#4d4d4d", "#7a3fb0"};
@@ -57,9 +57,11 @@ Ticks decades_around(double low, double high, int most) {
   return ticks;
 }
 
+Curve empty_like(const Curve& curve) { return {curve.label, {}, {}, curve.style, curve.colour}; }
+
 /// Logarithms of a curve, of its abscissa alone for a linear one.
 Curve logarithmic(const Curve& curve, bool is_linear) {
-  Curve result{curve.label, {}, {}};
+  Curve result = empty_like(curve);
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     result.x.push_back(std::log10(curve.x[i]));
     result.y.push_back(is_linear ? curve.y[i] : std::log10(curve.y[i]));
@@ -84,7 +86,7 @@ Scale scale_of(const std::string& unit, double largest) {
 
 /// The curve's points that are numbers.
 Curve finite(const Curve& curve) {
-  Curve result{curve.label, {}, {}};
+  Curve result = empty_like(curve);
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     if (!std::isfinite(curve.x[i]) || !std::isfinite(curve.y[i])) continue;
     result.x.push_back(curve.x[i]);
@@ -232,18 +234,72 @@ std::string grid(const Frame& frame, const Ticks& vertical, const Axis& axis, bo
   return text;
 }
 
+const char* colour_of(const Panel& panel, std::size_t c) {
+  const int chosen = panel.curves[c].colour;
+  return kCurveColours[(chosen < 0 ? c : static_cast<std::size_t>(chosen)) % kCurveColours.size()];
+}
+
+/// Attributes of a line of this style, with a blank in front.
+const char* dashes_of(Curve::Style style) {
+  constexpr std::array<const char*, 4> kDashes = {"", " stroke-dasharray=\"7 4\"", " stroke-dasharray=\"2 3\"", ""};
+  return kDashes[static_cast<std::size_t>(style)];
+}
+
+/// A measured point.
+std::string dot_at(double x, double y, const char* colour) {
+  return fmt::format("<circle fill=\"{}\" cx=\"{}\" cy=\"{}\" r=\"2.5\"/>\n", colour, svg::number(x), svg::number(y));
+}
+
+/// Where the names of a panel's curves stand over its frame: px from its left, and lines of the legend.
+struct Legend {
+  std::vector<double> x;
+  std::vector<int> line;
+  int lines = 1;
+};
+
+Legend legend_of(const Panel& panel, double width) {
+  Legend legend;
+  double x = 0;
+  for (const Curve& curve : panel.curves) {
+    const double entry = 40 + svg::text_width(curve.label, kPlotFont);
+    if (x > 0 && x + entry > width) {
+      x = 0;
+      ++legend.lines;
+    }
+    legend.x.push_back(x);
+    legend.line.push_back(legend.lines - 1);
+    x += entry;
+  }
+  return legend;
+}
+
 /// The unit over the axis, then the names of the curves in their colours.
 std::string legend(const Frame& frame, const Panel& panel, const std::string& unit) {
   std::string text = svg::text_at(frame.left - 7, frame.top - 13, unit, " text-anchor=\"end\"");
-  double x = frame.left;
+  const Legend places = legend_of(panel, frame.width);
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
-    const char* colour = kCurveColours[c % kCurveColours.size()];
-    text += fmt::format("<path stroke=\"{}\" stroke-width=\"3\" d=\"M{} {}h16\"/>\n", colour, svg::number(x),
-                        svg::number(frame.top - 17));
-    text += svg::text_at(x + 21, frame.top - 13, panel.curves[c].label);
-    x += 40 + svg::text_width(panel.curves[c].label, kPlotFont);
+    const Curve& curve = panel.curves[c];
+    const double x = frame.left + places.x[c], up = kLegendStep * (places.lines - 1 - places.line[c]);
+    const double y = frame.top - 17 - up;
+    text += curve.style == Curve::Style::points
+                ? dot_at(x + 8, y, colour_of(panel, c))
+                : fmt::format("<path stroke=\"{}\" stroke-width=\"3\"{} d=\"M{} {}h16\"/>\n", colour_of(panel, c),
+                              dashes_of(curve.style), svg::number(x), svg::number(y));
+    text += svg::text_at(x + 21, frame.top - 13 - up, curve.label);
   }
   return text;
+}
+
+/// A curve by its places in the picture.
+std::string curve_text(const std::vector<Spot>& spots, Curve::Style style, const char* colour) {
+  std::string text;
+  if (style == Curve::Style::points) {
+    for (const Spot& spot : spots) text += dot_at(spot.x, spot.y, colour);
+    return text;
+  }
+  for (const Spot& spot : simplified(spots))
+    text += fmt::format("{}{:.1f} {:.1f}", text.empty() ? "M" : "L", spot.x, spot.y);
+  return fmt::format("<path class=\"curve\" stroke=\"{}\"{} d=\"{}\"/>\n", colour, dashes_of(style), text);
 }
 
 std::string panel_text(const Panel& panel, const Frame& frame, const Axis& axis, bool is_last) {
@@ -263,12 +319,7 @@ std::string panel_text(const Panel& panel, const Frame& frame, const Axis& axis,
       const double y = is_logarithmic ? std::max(part, 0.0) : part;
       spots.push_back({frame.left + axis.part(curve.x[i]) * frame.width, frame.top + (1 - y) * frame.height});
     }
-    std::string path;
-    for (const Spot& spot : simplified(spots)) {
-      path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", spot.x, spot.y);
-    }
-    text +=
-        fmt::format("<path class=\"curve\" stroke=\"{}\" d=\"{}\"/>\n", kCurveColours[c % kCurveColours.size()], path);
+    text += curve_text(spots, curve.style, colour_of(panel, c));
   }
   return text + fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n",
                             svg::number(frame.left), svg::number(frame.top), svg::number(frame.width),
@@ -283,7 +334,11 @@ std::string plot_svg(const Abscissa& abscissa, const std::vector<Panel>& asked, 
     for (Curve& curve : panel.curves)
       curve = finite(abscissa.is_logarithmic ? logarithmic(curve, panel.is_linear) : curve);
   }
-  const double height = kTop + static_cast<double>(panels.size()) * (size.panel_height + kGap);
+  const double width = size.width - kLeft - kRight;
+  // Lines of a legend beyond its first one stand over the panel.
+  const auto above = [&](const Panel& panel) { return kLegendStep * (legend_of(panel, width).lines - 1); };
+  double height = kTop + static_cast<double>(panels.size()) * (size.panel_height + kGap);
+  for (const Panel& panel : panels) height += above(panel);
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" font-family=\"sans-serif\" font-size=\"{}\" width=\"{}\" "
       "height=\"{}\" viewBox=\"0 0 {} {}\">\n<style>.grid{{stroke:#e2e2e2;fill:none}}.frame{{stroke:#888;fill:none}}"
@@ -295,8 +350,9 @@ std::string plot_svg(const Abscissa& abscissa, const std::vector<Panel>& asked, 
   constexpr int kMostDecades = 12;
   const Axis axis{abscissa.is_logarithmic ? decades_around(low, high, kMostDecades) : ticks_around(low, high, kTicks),
                   high};
-  Frame frame{kLeft, kTop, size.width - kLeft - kRight, static_cast<double>(size.panel_height)};
+  Frame frame{kLeft, kTop, width, static_cast<double>(size.panel_height)};
   for (std::size_t p = 0; p < panels.size(); ++p, frame.top += size.panel_height + kGap) {
+    frame.top += above(panels[p]);
     text += panel_text(panels[p], frame, axis, p + 1 == panels.size());
   }
   const double bottom = frame.top - kGap;

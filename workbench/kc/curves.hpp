@@ -61,6 +61,9 @@ bool follows_wheels(const RigElement& element, const RigPoint& start);
 KcTable curve_table(const Rig& rig, const PointOfCurve& start, const Sweep& sweep,
                     const std::vector<PointOfCurve>& points);
 
+/// Steering input or coordinate over the mean angle of the wheels, in the unit of the rig's steering per rad.
+double steering_rate(const AxleState& axle);
+
 /// Values at the start.
 std::vector<KcFigure> figures(const Rig& rig, const PointOfCurve& start, bool is_compliant);
 

@@ -94,13 +94,17 @@ WheelState mirrored(const WheelState& wheel) {
   return result;
 }
 
-Vector3 carried_patch_along(const WheelState& wheel, const RigInputs& direction) {
+Vector3 turn_along(const WheelState& wheel, const RigInputs& direction) {
   const Vector3 a = value_of(wheel.axis), b = value_of(wheel.rim), c = cross(a, b);
   const Vector3 rate_a = along(wheel.axis, direction), rate_b = along(wheel.rim, direction);
   // w = a x a' + (w.a) a, and w.a = b'.(a x b) for b across a.
   const Vector3 across = cross(a, rate_a);
   const double spin = dot(rate_b, c);
-  const Vector3 turn = {across[0] + spin * a[0], across[1] + spin * a[1], across[2] + spin * a[2]};
+  return {across[0] + spin * a[0], across[1] + spin * a[1], across[2] + spin * a[2]};
+}
+
+Vector3 carried_patch_along(const WheelState& wheel, const RigInputs& direction) {
+  const Vector3 turn = turn_along(wheel, direction);
   const Vector3 centre = value_of(wheel.centre), patch = value_of(geometry_of(wheel).patch);
   const Vector3 arm = {patch[0] - centre[0], patch[1] - centre[1], patch[2] - centre[2]};
   const Vector3 turned = cross(turn, arm), rate = along(wheel.centre, direction);

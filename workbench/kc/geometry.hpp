@@ -33,6 +33,9 @@ WheelState wheel_of(const Rig& rig, const RigPoint& point, int which);
 /// The wheel on the other side of a symmetric axle: its mirror about the plane y = 0, with mirrored inputs.
 WheelState mirrored(const WheelState& wheel);
 
+/// Angular velocity of the wheel body per unit of a direction, global axes.
+Vector3 turn_along(const WheelState& wheel, const RigInputs& direction);
+
 /// Velocity, per unit of a direction, of the wheel body's material at the patch; the wheel does not turn on its
 /// carrier.
 Vector3 carried_patch_along(const WheelState& wheel, const RigInputs& direction);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "compiler/text/user_error.hpp"
+#include "workbench/kc/compliance.hpp"
 #include "workbench/kc/curves.hpp"
 #include "workbench/kc/rig_freedom.hpp"
 
@@ -70,8 +71,12 @@ std::vector<Sweep> sweeps_of(const Rig& rig, const PointOfCurve& start, const Kc
   constexpr double kTravel = 0.05, kSteerAngle = 0.3, kSteerWay = 0.03, kLeastForce = 1000, kLever = 0.05;
   const double travel = options.travel.value_or(kTravel);
   std::vector<Sweep> sweeps = {{Kind::parallel_travel, travel}, {Kind::opposite_travel, travel}};
-  if (rig.inputs[kSteer] >= 0)
-    sweeps.push_back({Kind::steering, options.steer.value_or(rig.steer_unit == "rad" ? kSteerAngle : kSteerWay)});
+  if (rig.inputs[kSteer] >= 0) {
+    const double usual = rig.axle.steering_input >= 0 ? kSteerAngle * std::abs(steering_rate(start.axle))
+                         : rig.steer_unit == "rad"    ? kSteerAngle
+                                                      : kSteerWay;
+    sweeps.push_back({Kind::steering, options.steer.value_or(usual)});
+  }
   if (!with_loads) return sweeps;
   const double force = options.force.value_or(std::max(kLeastForce, 0.5 * mean_load(rig, start)));
   for (const Kind kind : {Kind::brake_force, Kind::drive_force, Kind::lateral_force}) sweeps.push_back({kind, force});
@@ -164,6 +169,18 @@ StandingRig standing_rig(const Compilation& user, const Axle& axle, const Operat
 
 }  // namespace
 
+std::vector<const Axle*> find_axles(const Model& model, const std::vector<std::string>& names) {
+  std::vector<const Axle*> axles;
+  for (const std::string& name : names) {
+    const Axle& axle = find_axle(model, name);
+    if (std::find(axles.begin(), axles.end(), &axle) == axles.end()) axles.push_back(&axle);
+  }
+  if (!names.empty()) return axles;
+  if (model.axles.empty()) find_axle(model, "");
+  for (const Axle& axle : model.axles) axles.push_back(&axle);
+  return axles;
+}
+
 const Axle& find_axle(const Model& model, const std::string& name) {
   std::string known;
   for (const Axle& axle : model.axles) {
@@ -182,10 +199,11 @@ const Axle& find_axle(const Model& model, const std::string& name) {
 KcReport kinematics_and_compliance(const Compilation& compilation, const Axle& axle, const OperatingPoint& at,
                                    const KcSettings& options, const KcWatch& watch) {
   const Axle whole = with_wheelbase(compilation.model, axle);
-  KcReport report{compilation.model.name, axle.name, {}, {}, {}};
+  KcReport report{.model = compilation.model.name, .axle = axle.name};
   const auto [rig, start] = standing_rig(compilation, whole, at, report.notes);
   const bool with_loads = is_compliant(rig, start);
   report.figures = figures(rig, start, with_loads);
+  report.matrices = compliance_matrices(rig, start);
   if (!with_loads) report.notes.emplace_back("nothing gives way between the wheels and the body: no curves of loads");
   const std::vector<Sweep> sweeps = sweeps_of(rig, start, options, with_loads);
   const long all = static_cast<long>(sweeps.size()) * 2 * (options.points / 2);

@@ -14,7 +14,9 @@ namespace mbgen {
 /// Requests to a rig. Values are amplitudes: the rig goes from minus to plus.
 struct KcSettings {
   std::optional<double> travel = {};  ///< m, of the wheels' centres; none: 0.05
-  std::optional<double> steer = {};   ///< rad or m, of the steering coordinate; none: 0.3 rad or 0.03 m
+  /// rad or m, of the steering coordinate; none: 0.3 rad or 0.03 m. Of a steering input: in its unit; none: as far as
+  /// its ratio turns the wheels by 0.3 rad.
+  std::optional<double> steer = {};
   std::optional<double> force = {};   ///< N, at each wheel; none: half the wheels' load at the start, at least 1000
   std::optional<double> moment = {};  ///< N m, about z at each wheel; none: 0.05 m times the force
   int points = 21;                    ///< of a curve; an even number takes one more
@@ -22,6 +24,9 @@ struct KcSettings {
 
 /// The axle of this name; without a name the only one of the model. Fails: UserError.
 const Axle& find_axle(const Model& model, const std::string& name);
+
+/// The axles of these names, each once; without names all of the model. Fails: UserError, also if there are none.
+std::vector<const Axle*> find_axles(const Model& model, const std::vector<std::string>& names);
 
 /// Receives the number of completed points of all curves. Result: false to stop there.
 using KcWatch = std::function<bool(long done, long of)>;

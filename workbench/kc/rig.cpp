@@ -120,8 +120,24 @@ class RigBuilder {
     model_.motions.push_back(std::move(motion));
   }
 
+  /// Stops all motions that do not follow the steering input.
   void freeze_motions() {
-    for (Motion& motion : model_.motions) motion.position = start_of(motion.joint);
+    for (Motion& motion : model_.motions)
+      if (!follows_steering(motion)) motion.position = start_of(motion.joint);
+    // The input stands still: so do its rates.
+    if (axle_.steering_input < 0) return;
+    for (int rate = input_of(axle_.steering_input).derivative; rate >= 0; rate = input_of(rate).derivative)
+      inputs_[static_cast<std::size_t>(rate)] = 0;
+  }
+
+  const Input& input_of(int index) const { return model_.inputs[static_cast<std::size_t>(index)]; }
+
+  bool follows_steering(const Motion& motion) const {
+    if (axle_.steering_input < 0 || motion.position.expression < 0) return false;
+    const Expression& expression = model_.expressions[static_cast<std::size_t>(motion.position.expression)];
+    return std::any_of(expression.nodes.begin(), expression.nodes.end(), [&](const ExpressionNode& node) {
+      return node.kind == ExpressionNode::Kind::input && node.index == axle_.steering_input;
+    });
   }
 
   void hold_body() {
@@ -287,6 +303,10 @@ class RigBuilder {
   }
 
   void add_steer() {
+    if (axle_.steering_input >= 0) {
+      rig_.inputs[kSteer] = axle_.steering_input;
+      rig_.steer_unit = input_of(axle_.steering_input).unit;
+    }
     if (!axle_.steer) return;
     drive("rig steer", *axle_.steer, add_imposed(kSteer, "rig steer", start_of(*axle_.steer)));
     rig_.steer_unit = unit_of(freedom_of(model_, *axle_.steer).kind);

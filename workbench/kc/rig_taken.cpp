@@ -19,7 +19,7 @@ void take_frictions_away(Model& model) {
 /// Quantities of tyres and frictions, which expressions may look at, are zero without them.
 void forget_observed(Model& model) {
   const auto is_gone = [&](const ObservedOutput& observed) {
-    if (std::holds_alternative<WheelOutput>(observed.output.source)) return true;
+    if (const auto* wheel = std::get_if<WheelOutput>(&observed.output.source)) return wheel->tyre >= 0;
     const auto* element = std::get_if<ElementOutput>(&observed.output.source);
     bool gone = false;
     if (element)

@@ -74,11 +74,15 @@ double wheelbase_change(const Axle& axle, const AxleState& now, const AxleState&
   return axle.end == Axle::End::front ? forward : -forward;
 }
 
-/// Steering input over the mean angle of the wheels.
-double steer_ratio(const AxleState& axle) {
-  const double rate = 0.5 * (along(geometry_of(axle.left).steer_angle, kSteering) +
-                             along(geometry_of(axle.right).steer_angle, kSteering));
-  return 1 / rate;
+/// Steering over the mean angle of the wheels: a number for angles, per rad for others.
+double steer_ratio(const Rig& rig, const AxleState& axle) {
+  constexpr double kDegree = 0.017453292519943295;  // rad
+  return steering_rate(axle) * (rig.steer_unit == "deg" ? kDegree : 1);
+}
+
+std::string unit_of_steer_ratio(const Rig& rig) {
+  if (rig.steer_unit == "rad" || rig.steer_unit == "deg") return "1";
+  return (rig.steer_unit.empty() ? "1" : rig.steer_unit) + "/rad";
 }
 
 /// Collects the columns of a table.
@@ -125,8 +129,8 @@ class TableBuilder {
   }
 
   void add_steering() {
-    add("steer_ratio", rig_.steer_unit == "rad" ? "1" : "m/rad",
-        [](const PointOfCurve& point) { return steer_ratio(point.axle); });
+    add("steer_ratio", unit_of_steer_ratio(rig_),
+        [this](const PointOfCurve& point) { return steer_ratio(rig_, point.axle); });
     if (!rig_.axle.wheelbase) return;
     add("ackermann", "1", [&](const PointOfCurve& point) {
       const auto steered = [](const WheelState& wheel, const WheelState& home) {
@@ -195,8 +199,8 @@ class FigureList {
     add("roll_centre_height", "m", "above the road, by the ways of the contact centres", roll_centre(axle_).height);
     for (const AntiShare& share : anti_shares(rig_.axle, axle_)) add(share.name, "1", share.meaning, share.value);
     if (rig_.inputs[kSteer] >= 0)
-      add("steer_ratio", rig_.steer_unit == "rad" ? "1" : "m/rad", "steering over the mean angle of the wheels",
-          steer_ratio(axle_));
+      add("steer_ratio", unit_of_steer_ratio(rig_), "steering over the mean angle of the wheels",
+          steer_ratio(rig_, axle_));
   }
 
   void add_elements(const RigPoint& start) {
@@ -244,6 +248,12 @@ class FigureList {
 };
 
 }  // namespace
+
+double steering_rate(const AxleState& axle) {
+  const double rate = 0.5 * (along(geometry_of(axle.left).steer_angle, kSteering) +
+                             along(geometry_of(axle.right).steer_angle, kSteering));
+  return 1 / rate;
+}
 
 Dual deflection_of(const RigElement& element, const RigPoint& point) {
   Dual result;

@@ -30,27 +30,6 @@ double heading_of(const Model& model, const std::vector<Pose>& poses, const Tyre
   return std::atan2(-axis[0], axis[1]);
 }
 
-/// Mean heading of the foremost wheels minus the mean heading of the rearmost, after a change of the steering input.
-std::optional<double> steered(const Compilation& c, GenericState state, std::vector<double> inputs, double change) {
-  GenericSolver solver(c.model, c.topology, c.analysis);
-  inputs[static_cast<std::size_t>(c.model.vehicle->steer)] += change;
-  solver.set_inputs(inputs);
-  if (!solver.project(state).ok()) return {};
-  const std::vector<Pose> poses = solver.poses(state);
-  const VehicleFacts facts = vehicle_facts(c.model);
-  const int last = static_cast<int>(facts.tracks.size()) - 1;
-  double sum[2] = {0, 0};
-  int count[2] = {0, 0};
-  for (std::size_t i = 0; i < c.model.tyres.size(); ++i) {
-    const int axle = facts.wheels[i].axle;
-    if (axle != 0 && axle != last) continue;
-    sum[axle == 0 ? 0 : 1] += heading_of(c.model, poses, c.model.tyres[i]);
-    ++count[axle == 0 ? 0 : 1];
-  }
-  if (count[0] == 0 || count[1] == 0) return {};
-  return sum[0] / count[0] - sum[1] / count[1];
-}
-
 }  // namespace
 
 void CourseWatch::add(double t, const PlaneMotion& motion, const std::optional<CoursePlace>& place, double most,
@@ -74,12 +53,38 @@ std::vector<std::string> CourseWatch::warnings(double most) const {
   return list;
 }
 
+std::optional<double> steer_angle(const Compilation& c, const GenericState& state, const std::vector<double>& inputs) {
+  GenericSolver solver(c.model, c.topology, c.analysis);
+  solver.set_inputs(inputs);
+  const std::vector<Pose> poses = solver.poses(state);
+  const VehicleFacts facts = vehicle_facts(c.model);
+  const int last = static_cast<int>(facts.tracks.size()) - 1;
+  double sum[2] = {0, 0};
+  int count[2] = {0, 0};
+  for (std::size_t i = 0; i < c.model.tyres.size(); ++i) {
+    const int axle = facts.wheels[i].axle;
+    if (axle != 0 && axle != last) continue;
+    sum[axle == 0 ? 0 : 1] += heading_of(c.model, poses, c.model.tyres[i]);
+    ++count[axle == 0 ? 0 : 1];
+  }
+  if (count[0] == 0 || count[1] == 0) return {};
+  return sum[0] / count[0] - sum[1] / count[1];
+}
+
 std::optional<double> steering_slope(const Compilation& compilation, const GenericState& start,
                                      const std::vector<double>& inputs) {
   constexpr double kTurn = 1e-3, kMoves = 1e-6;  // rad at the input; slope
   if (compilation.model.vehicle->steer < 0) return {};
-  const std::optional<double> ahead = steered(compilation, start, inputs, kTurn);
-  const std::optional<double> behind = steered(compilation, start, inputs, -kTurn);
+  const auto steered = [&](double change) -> std::optional<double> {
+    GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
+    std::vector<double> turned = inputs;
+    turned[static_cast<std::size_t>(compilation.model.vehicle->steer)] += change;
+    solver.set_inputs(turned);
+    GenericState state = start;
+    if (!solver.project(state).ok()) return {};
+    return steer_angle(compilation, state, turned);
+  };
+  const std::optional<double> ahead = steered(kTurn), behind = steered(-kTurn);
   if (!ahead || !behind) return {};
   const double slope = (*ahead - *behind) / (2 * kTurn);
   return std::abs(slope) > kMoves ? std::optional(slope) : std::nullopt;

@@ -26,6 +26,10 @@ struct CourseWatch {
   std::vector<std::string> warnings(double most) const;
 };
 
+/// Mean heading of the foremost wheels minus the rearmost ones', rad to the left; none for a vehicle of one axle.
+std::optional<double> steer_angle(const Compilation& compilation, const GenericState& state,
+                                  const std::vector<double>& inputs);
+
 /// Angle of the foremost wheels minus the angle of the rearmost, over the angle at the steering input, at a start;
 /// positive to the left. None if the input moves no wheels: it is not an angle, or a force steers the wheels.
 std::optional<double> steering_slope(const Compilation& compilation, const GenericState& start,

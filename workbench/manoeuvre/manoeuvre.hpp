@@ -20,6 +20,7 @@ struct DriverSettings {
   double understeer = 0;    ///< rad s^2/m: additional angle of the road wheels over lateral acceleration
   double largest_rate = 0;  ///< rad/s, of the road wheels
   double lag = 0;           ///< s, from the wanted angle to the angle
+  bool learns = false;      ///< `understeer` and the vehicle's steer_ratio come from the vehicle (learning.hpp)
 };
 
 /// Settings of the speed controller.
@@ -124,13 +125,34 @@ struct BrakingManoeuvre : ManoeuvreBase {
 /// Drive over a road at a speed.
 struct RideManoeuvre : ManoeuvreBase {};
 
-using Manoeuvre = std::variant<EventManoeuvre, CircleManoeuvre, StepManoeuvre, SweepManoeuvre, LaneManoeuvre,
-                               WeaveManoeuvre, BrakingManoeuvre, RideManoeuvre, DwellManoeuvre>;
+/// A drive along the course of a file, as fast as its bends allow.
+struct TrackManoeuvre : ManoeuvreBase {
+  std::string path;                                                     ///< of the table, from the manoeuvre's folder
+  Where path_where = {};                                                ///< where it is written
+  bool is_closed = false;                                               ///< the course leads back to its first point
+  double laps = 1;                                                      ///< of a closed course
+  double largest_speed = 0;                                             ///< m/s
+  double lateral_acceleration = 0, acceleration = 0, deceleration = 0;  ///< m/s^2, of the speed profile
+};
+
+/// A start from standstill, with the brake on until then.
+struct StartManoeuvre : ManoeuvreBase {
+  std::optional<double> drive;  ///< N m, of all driven wheels; default: the vehicle's drive_limit
+  double brake = 0;             ///< N m, of all wheels, until `at`
+  double at = 0, over = 0;      ///< s
+  double last_speed = 0;        ///< m/s: ends there
+  bool has_driver = false;      ///< else the steering is held
+};
+
+using Manoeuvre =
+    std::variant<EventManoeuvre, CircleManoeuvre, StepManoeuvre, SweepManoeuvre, LaneManoeuvre, WeaveManoeuvre,
+                 BrakingManoeuvre, RideManoeuvre, DwellManoeuvre, TrackManoeuvre, StartManoeuvre>;
 
 /// Name of the type in files.
 std::string type_of(const Manoeuvre& manoeuvre);
 
 const ManoeuvreBase& base_of(const Manoeuvre& manoeuvre);
+ManoeuvreBase& base_of(Manoeuvre& manoeuvre);
 
 /// A number in a manoeuvre other than written. name: path of its field, "speed", "driver.understeer", "events.0.steer"
 /// (items count from 0, as in messages); the field, and the object around it, may be absent.

@@ -62,6 +62,8 @@ struct Measures {
     return dwell_metrics(series, {.begin = dwell.at, .frequency = dwell.frequency, .dwell = dwell.dwell});
   }
   VehicleMetrics operator()(const BrakingManoeuvre& braking) const { return braking_metrics(series, {braking.at}); }
+  VehicleMetrics operator()(const TrackManoeuvre&) const { return track_metrics(series); }
+  VehicleMetrics operator()(const StartManoeuvre& start) const { return start_metrics(series, {start.at}); }
   VehicleMetrics operator()(const RideManoeuvre&) const { return ride_metrics(series, {plan.begin}); }
 };
 
@@ -74,8 +76,9 @@ VehicleMetrics metrics_of(const Manoeuvre& manoeuvre, const Plan& plan, const Ve
     return {.notes = {fmt::format("no numbers: the metrics begin at {:.4g} s, and the motion ends at {:.4g} s",
                                   plan.begin, end)}};
   VehicleMetrics metrics = std::visit(Measures{plan, facts, vehicle, start, series}, manoeuvre);
-  const bool turns =
-      !std::holds_alternative<BrakingManoeuvre>(manoeuvre) && !std::holds_alternative<RideManoeuvre>(manoeuvre);
+  const bool turns = !std::holds_alternative<BrakingManoeuvre>(manoeuvre) &&
+                     !std::holds_alternative<RideManoeuvre>(manoeuvre) &&
+                     !std::holds_alternative<StartManoeuvre>(manoeuvre);
   if (vehicle.towed.body < 0 || !turns) return metrics;
   const auto* circle = std::get_if<CircleManoeuvre>(&manoeuvre);
   VehicleMetrics towing =

@@ -8,6 +8,7 @@
 #include "compiler/text/user_error.hpp"
 #include "workbench/describe/notes.hpp"
 #include "workbench/host/assignments.hpp"
+#include "workbench/manoeuvre/learning.hpp"
 
 namespace mbgen {
 namespace {
@@ -117,10 +118,10 @@ bool ManoeuvreRun::take(const Sample& sample, InputsOverTime& inputs) {
 }
 
 void ManoeuvreRun::start(const InputsOverTime& inputs) {
-  constexpr double kSameSpeed = 0.02;
+  constexpr double kSameSpeed = 0.02, kStands = 0.01;  // of the speed; m/s
   const std::optional<double>& speed = base_of(manoeuvre_).speed;
   start_ = reading_.plane;
-  if (speed && std::abs(start_.forward - *speed) > kSameSpeed * *speed) {
+  if (speed && std::abs(start_.forward - *speed) > std::max(kStands, kSameSpeed * *speed)) {
     throw UserError(fmt::format(
         "{}: /speed: the vehicle starts at {:.4g} m/s instead of {:.4g} m/s\n  hint: name the parameter that sets its "
         "speed at the start as \"speed\" in the model's section \"vehicle\"\n",
@@ -142,12 +143,17 @@ void ManoeuvreRun::observe(double t) {
   if (plan_.has_driver) largest_offset_ = std::max(largest_offset_, std::abs(place_.offset));
   watch_.add(t, reading_.plane, place, widest_offset(), place ? path_.at(place_.way).heading : 0);
   if (plan_.torques[phase_].holds_speed)
-    largest_speed_error_ = std::max(largest_speed_error_, std::abs(reading_.plane.forward - plan_.speed.at(t).value));
+    largest_speed_error_ =
+        std::max(largest_speed_error_, std::abs(reading_.plane.forward - wanted_speed(plan_, t, place_.way)));
+  if (plan_.track &&
+      place_.way >= static_cast<double>(laps_.size() + 1) * plan_.track->length - plan_.track->path.spacing)
+    laps_.push_back(t);
 }
 
 std::string ManoeuvreRun::reason_to_end() const {
   const PlaneMotion& motion = reading_.plane;
   if (plan_.has_driver && place_.way > plan_.last_way) return "the track is passed";
+  if (motion.forward > plan_.above_speed) return fmt::format("the speed is above {:g} m/s", plan_.above_speed);
   if (motion.speed() < plan_.last_speed) return fmt::format("the speed is below {:g} m/s", plan_.last_speed);
   if (std::abs(motion.lateral_acceleration) > plan_.largest_lateral_acceleration)
     return fmt::format("the lateral acceleration is above {:g} m/s^2", plan_.largest_lateral_acceleration);
@@ -190,8 +196,11 @@ void ManoeuvreRun::drive(double t, double end, InputsOverTime& inputs) {
     const bool has_brake = vehicle_.brake >= 0;
     const double by_drive = has_brake ? std::min(most, kEngineBraking) : most;
     const double least = -by_drive - (has_brake ? vehicle_.brake_limit.value_or(kUnlimited) / torque : 0);
-    const double wanted = speed_controller_.acceleration(base_of(manoeuvre_).speed_control, plan_.speed.at(end).value,
-                                                         reading_.plane.forward, end - t, least, most);
+    const double held = wanted_speed(plan_, end, place_.way + (end - t) * reading_.plane.forward);
+    const double along = plan_.track ? (held - wanted_speed(plan_, t, place_.way)) / (end - t) : 0;  // of the profile
+    const double wanted =
+        along + speed_controller_.acceleration(base_of(manoeuvre_).speed_control, held, reading_.plane.forward, end - t,
+                                               least - along, most - along);
     drive = torque * std::max(wanted, -by_drive);
     brake = torque * std::max(0.0, -wanted - by_drive);
   }
@@ -220,14 +229,35 @@ std::optional<VariedParameter> start_speed(const Manoeuvre& manoeuvre, const Mod
   return VariedParameter{parameter.name, *speed, parameter.tunable};
 }
 
-void add_manoeuvre_outputs(Model& model) {
+void require_others_inputs(const Model& model, const std::string& option, const std::vector<std::string>& inputs,
+                           const std::string& owner) {
+  for (const std::string& assignment : inputs) {
+    const std::string name = assignment.substr(0, assignment.find('='));
+    for (const int own : {model.vehicle->steer, model.vehicle->drive, model.vehicle->brake}) {
+      if (own < 0 || model.inputs[static_cast<std::size_t>(own)].name != name) continue;
+      throw UserError(fmt::format("{} {}: {} this input itself\n  hint: leave out {}\n", option, name, owner, option));
+    }
+  }
+}
+
+void prepare_model(Model& model, const Manoeuvre& manoeuvre) {
   vehicle_facts(model);
   add_vehicle_outputs(model);
+  const auto* start = std::get_if<StartManoeuvre>(&manoeuvre);
+  if (start && start->brake > 0 && model.vehicle->brake >= 0)
+    model.inputs[static_cast<std::size_t>(model.vehicle->brake)].default_value = start->brake;
 }
 
 std::shared_ptr<ManoeuvreRun> run_of(const Manoeuvre& manoeuvre, const std::string& file, const Model& model,
                                      SimulationArguments& arguments) {
-  const auto run = std::make_shared<ManoeuvreRun>(model, manoeuvre, file);
+  Manoeuvre known = manoeuvre;
+  Model seen = model;
+  if (DriverSettings& driver = base_of(known).driver; driver.learns) {
+    const LearnedVehicle learned = learn_vehicle(model, file);
+    driver.understeer = learned.understeer;
+    seen.vehicle->steer_ratio = learned.steer_ratio;
+  }
+  const auto run = std::make_shared<ManoeuvreRun>(seen, known, file);
   const bool is_planned = !arguments.duration;
   run->complete(arguments, model.solver.step);
   const double step = arguments.step.value_or(model.solver.step);
@@ -246,7 +276,7 @@ std::shared_ptr<ManoeuvreRun> prepare_manoeuvre(const std::string& file, const s
     assignments.push_back(fmt::format("{}={}", speed->name, *speed->value));
     model = read_set_model(model_file, assignments);
   }
-  add_vehicle_outputs(model);
+  prepare_model(model, manoeuvre);
   return run_of(manoeuvre, file, model, arguments);
 }
 

@@ -72,6 +72,7 @@ class ManoeuvreRun {
   double largest_offset_ = 0, largest_speed_error_ = 0;  ///< m, m/s
   std::vector<double> lifted_;                           ///< s, per wheel, of its first lift-off; negative: never
   CourseWatch watch_;
+  std::vector<double> laps_;    ///< s, the end of each lap of a track
   std::string steering_fault_;  ///< fault of steer_ratio
   std::string ended_;           ///< why before its time
 };
@@ -80,8 +81,14 @@ class ManoeuvreRun {
 /// or the model no parameter for it. Fails: UserError for a model without a vehicle.
 std::optional<VariedParameter> start_speed(const Manoeuvre& manoeuvre, const Model& model);
 
-/// Adds the outputs of the vehicle to a model. Fails: UserError without a vehicle, or for an output of the same name.
-void add_manoeuvre_outputs(Model& model);
+/// Fails: UserError for an input that the manoeuvre moves itself: steering, drive, brake. option: it was given by,
+/// "--input"; inputs: names or name=value; owner: of the inputs, for messages.
+void require_others_inputs(const Model& model, const std::string& option, const std::vector<std::string>& inputs,
+                           const std::string& owner = "the manoeuvre moves");
+
+/// Adds the outputs of the vehicle to a model, and lets it start with the brake that the manoeuvre begins with. Fails:
+/// UserError without a vehicle, or for an output of the same name.
+void prepare_model(Model& model, const Manoeuvre& manoeuvre);
 
 /// A run of a manoeuvre with a model, which has the outputs of the vehicle. Completes the arguments: the duration is a
 /// whole number of steps. Fails: UserError.

@@ -103,6 +103,16 @@ struct Braking {
 };
 VehicleMetrics braking_metrics(const VehicleSeries& series, const Braking& braking);
 
+/// Speeds and accelerations of a drive along a course.
+VehicleMetrics track_metrics(const VehicleSeries& series);
+
+/// Start from standstill.
+struct StandingStart {
+  double at = 0;  ///< s: when the drive takes over
+};
+/// Times from there to round speeds, rollback, distance.
+VehicleMetrics start_metrics(const VehicleSeries& series, const StandingStart& start);
+
 /// Ride over a road, ISO 2631-1.
 struct Ride {
   double begin = 0;  ///< s: start of the evaluated time

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "compiler/text/read_text.hpp"
 #include "compiler/text/user_error.hpp"
 
 namespace mbgen {
@@ -120,6 +122,9 @@ struct Planner {
     plan.duration = dwell.end() + kAfter;
     return plan;
   }
+
+  Plan operator()(const TrackManoeuvre& track) const;
+  Plan operator()(const StartManoeuvre& start) const;
 
   Plan operator()(const RideManoeuvre& ride) const {
     Plan plan = at_speed(ride, false);
@@ -243,7 +248,47 @@ Plan Planner::operator()(const BrakingManoeuvre& braking) const {
   return plan;
 }
 
+Plan Planner::operator()(const TrackManoeuvre& manoeuvre) const {
+  constexpr double kLonger = 1.2;  // the vehicle is slower than the profile
+  Plan plan = at_speed(manoeuvre, true);
+  const std::string path = (std::filesystem::path(file).parent_path() / manoeuvre.path).string();
+  const reading::FileText content = reading::read_text(path);
+  if (!content.problem.empty())
+    throw UserError(
+        Diagnostics{{manoeuvre.path_where, fmt::format("{}: {}", path, content.problem), hint_of_missing(path), {}}});
+  Track track = track_through(read_track(content.text, path), manoeuvre.is_closed, static_cast<int>(manoeuvre.laps));
+  limit_speeds(track, manoeuvre, *manoeuvre.speed);
+  for (const double speed : track.speeds) plan.duration += track.path.spacing / speed;
+  plan.duration = kLonger * plan.duration + kSettles;
+  plan.length_of = "path";
+  plan.last_way = track.path.spacing * static_cast<double>(track.path.points.size() - 1);
+  drive_along(plan, track.path);
+  plan.track = std::move(track);
+  return plan;
+}
+
+Plan Planner::operator()(const StartManoeuvre& start) const {
+  constexpr double kSlow = 0.5;  // m/s^2: the least mean acceleration that the duration allows for
+  require(vehicle().drive >= 0, "drive");
+  if (start.brake > 0) require(vehicle().brake >= 0, "brake");
+  if (!start.drive) require(vehicle().drive_limit.has_value(), "drive_limit");
+  Plan plan;
+  plan.torques = {{.brake = start.brake},
+                  {start.at, start.over, false, start.drive.value_or(vehicle().drive_limit.value_or(0)), 0}};
+  plan.is_straight = !start.has_driver;
+  plan.path = straight_path();
+  plan.has_driver = start.has_driver;
+  plan.above_speed = start.last_speed;
+  plan.length_of = "last_speed";
+  plan.duration = start.at + start.over + start.last_speed / kSlow + kSettles;
+  return plan;
+}
+
 }  // namespace
+
+double wanted_speed(const Plan& plan, double t, double way) {
+  return plan.track ? speed_at(*plan.track, way) : plan.speed.at(t).value;
+}
 
 Plan plan_of(const Manoeuvre& manoeuvre, const Model& model, const VehicleFacts& facts, const std::string& file) {
   Plan plan = std::visit(Planner{model, facts, file}, manoeuvre);

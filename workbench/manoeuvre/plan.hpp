@@ -8,6 +8,7 @@
 #include "workbench/manoeuvre/manoeuvre.hpp"
 #include "workbench/manoeuvre/path.hpp"
 #include "workbench/manoeuvre/signal.hpp"
+#include "workbench/manoeuvre/track.hpp"
 #include "workbench/manoeuvre/vehicle_motion.hpp"
 
 namespace mbgen {
@@ -32,6 +33,7 @@ struct Plan {
   Path path;                           ///< in the frame of the start, of a driver
   Signal steer;                        ///< rad at the input, without a driver
   Signal speed;                        ///< m/s, to hold
+  std::optional<Track> track;          ///< of a file; its speeds are held instead
   std::vector<TorquePhase> torques;    ///< in order of time, the first at the start
   std::vector<InputChange> others;     ///< in order of time
   std::vector<LaneSection> sections;   ///< in the frame of the start
@@ -42,8 +44,12 @@ struct Plan {
   // Conditions of an earlier end.
   double last_way = std::numeric_limits<double>::infinity();                      ///< m of the path
   double last_speed = -1;                                                         ///< m/s, below which it is over
+  double above_speed = std::numeric_limits<double>::infinity();                   ///< m/s, likewise above
   double largest_lateral_acceleration = std::numeric_limits<double>::infinity();  ///< m/s^2
 };
+
+/// The speed to hold at an instant and a place of the course, m/s.
+double wanted_speed(const Plan& plan, double t, double way);
 
 /// Fails: UserError if the vehicle lacks data that the manoeuvre needs. file: of the manoeuvre, for messages.
 Plan plan_of(const Manoeuvre& manoeuvre, const Model& model, const VehicleFacts& facts, const std::string& file);

@@ -61,6 +61,12 @@ void check_understeer(Reader& reader, const Value& driver, double understeer) {
        fmt::format("angles are in rad: {:g} deg s^2/m are {:.4g}", understeer, understeer * kDegree));
 }
 
+void check_driver(Reader& reader, const Value& value, const DriverSettings& driver) {
+  check_understeer(reader, value, driver.understeer);
+  if (driver.learns && find(value, "understeer"))
+    report(reader, *find(value, "understeer"), "a driver who learns finds the understeer: leave out one of the two");
+}
+
 void check_version(Reader& reader, const Value& value) {
   if (value.kind != Value::Kind::number || value.number != 1)
     report(reader, value, "this mbgen reads version 1, got " + describe(value));
@@ -124,6 +130,26 @@ void check(Reader& reader, const Value& value, Written<BrakingManoeuvre>& writte
 void check(Reader&, const Value&, Written<LaneManoeuvre>&) {}
 void check(Reader&, const Value&, Written<RideManoeuvre>&) {}
 
+void check(Reader& reader, const Value& value, Written<TrackManoeuvre>& written) {
+  constexpr double kMostLaps = 1000;
+  if (const Value* path = find(value, "path")) written.path_where = where_of(reader.documents, path->place);
+  if (written.laps > 0 && (written.laps != std::floor(written.laps) || written.laps > kMostLaps))
+    report(reader, *find(value, "laps"),
+           fmt::format("must be a whole number up to {:g}, got {:g}", kMostLaps, written.laps));
+  if (find(value, "laps") && !written.is_closed)
+    report(reader, *find(value, "laps"), "goes with a closed course: \"closed\": true");
+  check_acceleration(reader, value, "lateral_acceleration", written.lateral_acceleration);
+  check_speed(reader, value, "largest_speed", written.largest_speed);
+}
+
+void check(Reader& reader, const Value& value, Written<StartManoeuvre>& written) {
+  check_speed(reader, value, "last_speed", written.last_speed);
+  written.speed = written.speed.value_or(0);
+  if (*written.speed >= written.last_speed)
+    report(reader, member_or_object(value, "last_speed"),
+           fmt::format("must be above the speed at the start, {:g} m/s, got {:g}", *written.speed, written.last_speed));
+}
+
 template <class Kind>
 Manoeuvre read_as(Reader& reader, const Value& value) {
   Written<Kind> written = with_defaults<Written<Kind>>();
@@ -132,7 +158,7 @@ Manoeuvre read_as(Reader& reader, const Value& value) {
   if (!read_fields(reader, value, written)) return Kind{};
   if (written.format) check_version(reader, *written.format);
   if (written.written_driver && read_fields(reader, *written.written_driver, written.driver))
-    check_understeer(reader, *written.written_driver, written.driver.understeer);
+    check_driver(reader, *written.written_driver, written.driver);
   if (written.written_speed_control) read_fields(reader, *written.written_speed_control, written.speed_control);
   check_speed(reader, value, "speed", written.speed);
   check(reader, value, written);
@@ -140,10 +166,10 @@ Manoeuvre read_as(Reader& reader, const Value& value) {
 }
 
 /// Readers in the order of manoeuvre_types().
-constexpr std::array<Manoeuvre (*)(Reader&, const Value&), 10> kReaders = {
+constexpr std::array<Manoeuvre (*)(Reader&, const Value&), 12> kReaders = {
     read_as<EventManoeuvre>, read_as<CircleManoeuvre>, read_as<StepManoeuvre>,    read_as<SweepManoeuvre>,
     read_as<LaneManoeuvre>,  read_as<WeaveManoeuvre>,  read_as<BrakingManoeuvre>, read_as<BrakingManoeuvre>,
-    read_as<RideManoeuvre>,  read_as<DwellManoeuvre>};
+    read_as<RideManoeuvre>,  read_as<DwellManoeuvre>,  read_as<TrackManoeuvre>,   read_as<StartManoeuvre>};
 
 Manoeuvre read(Reader& reader, const Value& value) {
   const Value* type = find(value, "type");
@@ -192,9 +218,13 @@ Result<Manoeuvre> read_manoeuvre_file(const std::string& path) {
 std::string type_of(const Manoeuvre& manoeuvre) {
   const std::size_t index = manoeuvre.index();
   const BrakingManoeuvre* braking = std::get_if<BrakingManoeuvre>(&manoeuvre);
-  const bool is_later = (braking && braking->is_split) || std::holds_alternative<RideManoeuvre>(manoeuvre) ||
-                        std::holds_alternative<DwellManoeuvre>(manoeuvre);
+  constexpr std::size_t kBraking = 6;
+  const bool is_later = (braking && braking->is_split) || index > kBraking;
   return std::string(reading::manoeuvre_types()[is_later ? index + 1 : index]);
+}
+
+ManoeuvreBase& base_of(Manoeuvre& manoeuvre) {
+  return std::visit([](auto& one) -> ManoeuvreBase& { return one; }, manoeuvre);
 }
 
 const ManoeuvreBase& base_of(const Manoeuvre& manoeuvre) {

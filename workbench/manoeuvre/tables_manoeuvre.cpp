@@ -6,9 +6,9 @@
 namespace mbgen::reading {
 namespace {
 
-constexpr std::array<std::string_view, 10> kTypes = {
-    "events", "steady_circle",    "step_steer",       "sine_sweep", "lane_change",
-    "weave",  "straight_braking", "mu_split_braking", "ride",       "sine_with_dwell"};
+constexpr std::array<std::string_view, 12> kTypes = {
+    "events",           "steady_circle",    "step_steer", "sine_sweep",      "lane_change", "weave",
+    "straight_braking", "mu_split_braking", "ride",       "sine_with_dwell", "track",       "standing_start"};
 /// In the order of Side.
 constexpr std::array<std::string_view, 2> kSides = {"left", "right"};
 /// In the order of CircleManoeuvre::Method.
@@ -41,6 +41,14 @@ FieldInfo switched(std::string_view name, std::string_view doc) {
 FieldInfo side_info() {
   return {
       .name = "side", .shape = Shape::word, .doc = "to which it turns first", .fallback_word = "left", .words = kSides};
+}
+
+FieldInfo straight_steering_info() {
+  return {.name = "steering",
+          .shape = Shape::word,
+          .doc = "held straight, or by the driver, who keeps to the straight course",
+          .fallback_word = "held",
+          .words = kSteerings};
 }
 
 FieldInfo required(FieldInfo info) {
@@ -101,6 +109,9 @@ std::span<const Field<DriverSettings>> fields<DriverSettings>() {
           number("understeer",
                  "the driver's knowledge of the vehicle: additional angle of the road wheels over lateral acceleration",
                  "rad s^2/m", 0, Bound::none)),
+      field<F, &F::learns>(
+          switched("learns",
+                   "true: `understeer` and the vehicle's `steer_ratio` are those of the vehicle at the start's speed")),
       field<F, &F::largest_rate>(number("largest_rate", "of the road wheels", "rad/s", 0.6)),
       field<F, &F::lag>(number("lag", "of the hands, from the wanted angle", "s", 0.1)),
   };
@@ -238,11 +249,7 @@ std::span<const Field<Written<BrakingManoeuvre>>> fields<Written<BrakingManoeuvr
        field<F, &F::at>(number("at", "when it begins", "s", 1, Bound::not_negative)),
        field<F, &F::over>(number("over", "rise time of the torque", "s", 0.3)),
        field<F, &F::last_speed>(number("last_speed", "at which the manoeuvre ends", "m/s", 0.2)),
-       field<F, &F::has_driver>({.name = "steering",
-                                 .shape = Shape::word,
-                                 .doc = "held straight, or by the driver, who keeps to the straight course",
-                                 .fallback_word = "held",
-                                 .words = kSteerings})});
+       field<F, &F::has_driver>(straight_steering_info())});
   return table;
 }
 
@@ -264,6 +271,42 @@ std::span<const Field<Written<DwellManoeuvre>>> fields<Written<DwellManoeuvre>>(
        field<F, &F::frequency>(number("frequency", "of the sine", "Hz", 0.7)),
        field<F, &F::dwell>(number("dwell", "rest at the second peak", "s", 0.5, Bound::not_negative)),
        field<F, &F::side>(side_info())});
+  return table;
+}
+
+template <>
+std::span<const Field<Written<TrackManoeuvre>>> fields<Written<TrackManoeuvre>>() {
+  using F = Written<TrackManoeuvre>;
+  static const std::vector table = with_common<F>(
+      speed_info(),
+      {field<F, &F::path>(
+           {.name = "path",
+            .shape = Shape::text,
+            .doc = "table (CSV) with the columns x [m], y [m] and perhaps speed [m/s], the highest there; its "
+                   "place is relative to this file",
+            .need = Need::required}),
+       field<F, &F::is_closed>(switched("closed", "true: the course leads back to its first point")),
+       field<F, &F::laps>(number("laps", "of a closed course, a whole number", "1", 1)),
+       field<F, &F::largest_speed>(number("largest_speed", "anywhere", "m/s", 40)),
+       field<F, &F::lateral_acceleration>(number("lateral_acceleration", "of the speed in bends", "m/s^2", 4)),
+       field<F, &F::acceleration>(number("acceleration", "with which the speed grows at most", "m/s^2", 1)),
+       field<F, &F::deceleration>(number("deceleration", "with which it falls at most", "m/s^2", 2))});
+  return table;
+}
+
+template <>
+std::span<const Field<Written<StartManoeuvre>>> fields<Written<StartManoeuvre>>() {
+  using F = Written<StartManoeuvre>;
+  static const std::vector table =
+      with_common<F>(open_number("speed", "at the start; default: 0", "m/s", Bound::not_negative),
+                     {field<F, &F::drive>(open_number(
+                          "drive", "torque of all driven wheels; default: the vehicle's `drive_limit`", "N m")),
+                      field<F, &F::brake>(number("brake", "torque of all wheels that holds the vehicle until `at`",
+                                                 "N m", 0, Bound::not_negative)),
+                      field<F, &F::at>(number("at", "when the drive takes over", "s", 0.5, Bound::not_negative)),
+                      field<F, &F::over>(number("over", "time in which it does", "s", 0.5)),
+                      field<F, &F::last_speed>(number("last_speed", "at which the manoeuvre ends", "m/s", 100 / 3.6)),
+                      field<F, &F::has_driver>(straight_steering_info())});
   return table;
 }
 
@@ -290,6 +333,8 @@ std::vector<ObjectKind> manoeuvre_kinds() {
       kind_of<Written<DwellManoeuvre>>(
           kTypes[9], "sine of steering that rests at its second peak, ISO 19365; one of steer and lateral_acceleration",
           amplitude),
+      kind_of<Written<TrackManoeuvre>>(kTypes[10], "drive along the course of a file, as fast as its bends allow"),
+      kind_of<Written<StartManoeuvre>>(kTypes[11], "start from standstill, perhaps on a hill with the brake on"),
       kind_of<Event>("event",
                      "change at an instant; exactly one of steer, steer_table, drive, brake, speed, free and input"),
       kind_of<DriverSettings>("driver", "a driver model with preview"),

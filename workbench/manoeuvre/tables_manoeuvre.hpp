@@ -42,6 +42,10 @@ template <>
 std::span<const Field<Written<BrakingManoeuvre>>> fields<Written<BrakingManoeuvre>>();
 template <>
 std::span<const Field<Written<RideManoeuvre>>> fields<Written<RideManoeuvre>>();
+template <>
+std::span<const Field<Written<TrackManoeuvre>>> fields<Written<TrackManoeuvre>>();
+template <>
+std::span<const Field<Written<StartManoeuvre>>> fields<Written<StartManoeuvre>>();
 
 /// Names of the types in files, in the order of the alternatives of Manoeuvre; BrakingManoeuvre has two.
 std::span<const std::string_view> manoeuvre_types();

@@ -70,6 +70,16 @@ PlaneMotion plane_motion(const double* y, double remainder, double last_heading)
 
 }  // namespace
 
+std::vector<int> axles_of_tyres(const Model& model) {
+  const std::vector<double> places = axle_places(model);
+  std::vector<int> axles;
+  for (const Tyre& tyre : model.tyres) {
+    const auto is_there = [&](double x) { return x - centre_of(model, tyre)[0] <= kSameAxle; };
+    axles.push_back(static_cast<int>(std::ranges::find_if(places, is_there) - places.begin()));
+  }
+  return axles;
+}
+
 VehicleFacts vehicle_facts(const Model& model) {
   if (!model.vehicle) {
     throw UserError(
@@ -84,11 +94,10 @@ VehicleFacts vehicle_facts(const Model& model) {
   for (const Rod& rod : model.rods) facts.mass += rod.mass.value;
   const std::vector<double> places = axle_places(model);
   const Vector3 reference = reference_position(model, vehicle.reference);
-  for (const Tyre& tyre : model.tyres) {
-    const Vector3 centre = centre_of(model, tyre);
-    const auto is_there = [&](double x) { return x - centre[0] <= kSameAxle; };
-    const auto axle = std::find_if(places.begin(), places.end(), is_there);
-    facts.wheels.push_back({tyre.name, static_cast<int>(axle - places.begin()), centre[1] >= reference[1]});
+  const std::vector<int> axles = axles_of_tyres(model);
+  for (std::size_t i = 0; i < model.tyres.size(); ++i) {
+    const Tyre& tyre = model.tyres[i];
+    facts.wheels.push_back({tyre.name, axles[i], centre_of(model, tyre)[1] >= reference[1]});
     facts.radius += tyre.radius.value / static_cast<double>(model.tyres.size());
   }
   for (std::size_t axle = 0; axle < places.size(); ++axle) {

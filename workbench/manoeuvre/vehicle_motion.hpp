@@ -23,6 +23,9 @@ struct VehicleFacts {
   std::vector<VehicleSeries::Wheel> wheels;  ///< per tyre of the model; axles from front to rear
 };
 
+/// Axle of each tyre, from front to rear: 0, 1, ...
+std::vector<int> axles_of_tyres(const Model& model);
+
 /// Tyres belong to one axle if their centres are within kSameAxle of each other along x. Fails: UserError without a
 /// vehicle or without tyres.
 VehicleFacts vehicle_facts(const Model& model);

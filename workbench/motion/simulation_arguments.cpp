@@ -80,7 +80,7 @@ void require_whole_periods(const SimulationSettings& settings, const Model& mode
     const double ratio = value.period / settings.step, whole = std::nearbyint(ratio);
     if (whole >= 1 && std::abs(ratio - whole) <= kSamePeriod * whole) continue;
     throw UserError(
-        fmt::format("--step: \"{}\" is set every {:g} s, which is no multiple of the step {:g} s\n  hint: --step {:g}, "
+        fmt::format("--step: \"{}\" is set every {:g} s, which is no multiple of the step {:g} s\n  hint: --step {}, "
                     "and a duration of whole periods\n",
                     value.name, value.period, settings.step, value.period / std::max(1.0, std::ceil(ratio))));
   }

@@ -8,6 +8,9 @@
 #include <numeric>
 
 #include "compiler/algebra/dense.hpp"
+#include "compiler/model/auxiliary_states.hpp"
+#include "compiler/text/user_error.hpp"
+#include "mbgen/solver/bristle.hpp"
 #include "mbgen/solver/newton.hpp"
 
 namespace mbgen {
@@ -64,6 +67,30 @@ bool is_weighed_out(const Compilation& compilation, const GenericSolver& solver,
     if (std::abs(left[row++]) > std::max(kSteady, std::abs(pushed.zdd[at] - free.zdd[at]))) return false;
   }
   return row == left.size() || left.tail(left.size() - row).cwiseAbs().maxCoeff() < kSettled;
+}
+
+ScaledSystem::ScaledSystem(const Eigen::MatrixXd& matrix, bool scales_rows) : size_(column_sizes(matrix)) {
+  const Eigen::MatrixXd columns = matrix * size_.cwiseInverse().asDiagonal();
+  weight_ = Eigen::VectorXd::Ones(matrix.rows());
+  if (scales_rows) weight_ = column_sizes(columns.transpose()).cwiseInverse();
+  matrix_ = weight_.asDiagonal() * columns;
+}
+
+Eigen::VectorXd ScaledSystem::correction(const Eigen::VectorXd& wanted) const {
+  return least_squares(matrix_, weight_.cwiseProduct(wanted), kIndifferentShare);
+}
+
+void require_holding(const Model& model, const OperatingPoint& point, const std::vector<BristleEnd>& bristles) {
+  constexpr double kRounding = 1e-9;
+  for (std::size_t i = 0; i < bristles.size(); ++i) {
+    const BristleEnd& bristle = bristles[i];
+    const double bent = std::abs(point.x[static_cast<std::size_t>(first_bristle(model)) + i]);
+    if (bristle.slides() || bent <= bristle.holds * (1 + kRounding)) continue;
+    throw UserError(
+        fmt::format("{}: no steady motion found: friction \"{}\" would have to hold {:.4g} times what it "
+                    "can\n  hint: let the coordinate move at the start, or hold it with --hold\n",
+                    model.file, bristle.name, bent / std::max(bristle.holds, kLeastBristle)));
+  }
 }
 
 std::vector<std::string> free_directions(const Eigen::MatrixXd& derivatives, const std::vector<SteadyChoice>& choices) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/compile.hpp"
+#include "compiler/linearisation/bristles.hpp"
 #include "runtime/generic/generic.hpp"
 
 namespace mbgen {
@@ -16,11 +17,29 @@ constexpr double kSteady = 1e-7;  ///< rad/s^2 or m/s^2; for auxiliary states 1/
 /// Norms of columns, at least 1e-12, as scales: inputs have different units.
 Eigen::VectorXd column_sizes(const Eigen::MatrixXd& matrix);
 
+/// Linear equations whose columns have one size, and if asked their rows too: accelerations of stiff parts, as of
+/// beams, would hide others; rounding of light parts would count as much as all the rest.
+class ScaledSystem {
+ public:
+  ScaledSystem(const Eigen::MatrixXd& matrix, bool scales_rows);
+  /// Of all scaled unknowns that meet the right-hand side best the smallest.
+  Eigen::VectorXd correction(const Eigen::VectorXd& wanted) const;
+  /// In their own units.
+  Eigen::VectorXd unknowns(const Eigen::VectorXd& scaled) const { return scaled.cwiseQuotient(size_); }
+
+ private:
+  Eigen::VectorXd size_, weight_;
+  Eigen::MatrixXd matrix_;
+};
+
 /// Whether the forces behind remaining accelerations are rounding errors: below 1e-8 of the model's weight, or of its
 /// mass times 1 m/s^2 without gravity, at a lever of 1 m. left: accelerations of the independent coordinates, then
 /// rates of auxiliary states relative to their magnitudes.
 bool is_weighed_out(const Compilation& compilation, const GenericSolver& solver, const OperatingPoint& point,
                     const Eigen::VectorXd& left);
+
+/// Requires that frictions of parts at rest hold. Fails: UserError that names the one beyond its limit.
+void require_holding(const Model& model, const OperatingPoint& point, const std::vector<BristleEnd>& bristles);
 
 /// An unknown of a steady motion that the user may prescribe: a rate or an input.
 struct SteadyChoice {

@@ -16,6 +16,8 @@
 #include "runtime/generic/generic.hpp"
 #include "workbench/engines/engine.hpp"
 #include "workbench/operating/steady_checks.hpp"
+#include "workbench/operating/steady_request.hpp"
+#include "workbench/operating/turning_frame.hpp"
 
 namespace mbgen {
 namespace {
@@ -31,13 +33,15 @@ constexpr double kComesToRest = 0.05;   // of the initial speed: below it the se
 /// Search for a steady motion by Newton's method.
 class Search {
  public:
-  Search(const Compilation& compilation, OperatingPoint start, const SteadyRequest& request)
-      : c_(compilation), solver_(compilation.model, compilation.topology, compilation.analysis) {
+  Search(const Compilation& compilation, OperatingPoint start, const SteadyRequest& request, bool scales_rows)
+      : c_(compilation),
+        scales_rows_(scales_rows),
+        solver_(compilation.model, compilation.topology, compilation.analysis) {
     motion_.point = std::move(start);
     independent_ = free_coordinates(c_.topology, c_.analysis);
-    take_rates(request);
-    take_inputs(request);
+    take(request);
     find_turning();
+    if (request.finds_heading) heading_ = yaw_;
     for (const int i : independent_) {
       if (!travels(i)) motion_.point.zd[i] = 0;
     }
@@ -53,7 +57,6 @@ class Search {
       const LinearSystem system = expect(linearise(c_, motion_.point));
       const Eigen::VectorXd left = residual(system);
       motion_.largest = left.size() > 0 ? left.cwiseAbs().maxCoeff() : 0.0;
-      leading_ = leading(system, left);
       if (std::abs(motion_.point.zd[leader_]) < kComesToRest * std::abs(rate_at_start_)) break;
       if (motion_.largest < best.largest) {
         best = motion_;
@@ -65,32 +68,39 @@ class Search {
     if (std::isfinite(best.largest)) motion_ = best;
     const LinearSystem system = expect(linearise(c_, motion_.point));
     const Eigen::VectorXd left = residual(system);
-    leading_ = leading(system, left);
-    if (is_weighed_out(c_, solver_, motion_.point, left) &&
+    if (missed(left) < 0 && is_weighed_out(c_, solver_, motion_.point, rates_of(left)) &&
         std::abs(motion_.point.zd[leader_]) >= kComesToRest * std::abs(rate_at_start_))
       return finished(system);
-    throw UserError(fmt::format("{}: no steady motion found: {} goes on to accelerate at {:.3g} {}/s^2\n  hint: {}\n",
-                                c_.model.file, c_.topology.bodies[leading_].coordinate, motion_.largest,
-                                unit_of(c_.topology.bodies[leading_].kind), hint()));
+    fail(system, left);
   }
 
  private:
   bool travels(int i) const { return std::find(travelling_.begin(), travelling_.end(), i) != travelling_.end(); }
   bool is_held(int i) const { return std::find(held_.begin(), held_.end(), i) != held_.end(); }
 
-  /// Finds the moving coordinates and their prescribed rates.
-  void take_rates(const SteadyRequest& request) {
-    for (const std::string& assignment : request.hold) {
-      const std::size_t sign = assignment.find('=');
-      const std::string name = assignment.substr(0, sign);
-      const int i = find_coordinate(c_.topology, name);
-      const bool is_independent = std::find(independent_.begin(), independent_.end(), i) != independent_.end();
-      if (!is_independent) {
-        throw UserError(
-            fmt::format("--hold: \"{}\" is no independent coordinate of the model; mbgen inspect lists them\n", name));
-      }
-      if (sign != std::string::npos) motion_.point.zd[i] = parse_number(assignment.substr(sign + 1), "--hold: " + name);
-      held_.push_back(i);
+  [[noreturn]] void fail(const LinearSystem& system, const Eigen::VectorXd& left) const {
+    const double rates = rates_of(left).cwiseAbs().maxCoeff();
+    if (const int place = missed(left); place >= 0 && rates < kSteady) {
+      const OutputGoal& goal = goals_[static_cast<std::size_t>(place)];
+      throw UserError(fmt::format(
+          "{}: no steady motion found: output \"{}\" is {:.6g} in place of {:.6g}\n  hint: --solve an input that "
+          "moves it\n",
+          c_.model.file, c_.model.outputs[static_cast<std::size_t>(goal.output)].name,
+          goal.value + left[left.size() - static_cast<Eigen::Index>(goals_.size()) + place], goal.value));
+    }
+    const TreeBody& leading_body = c_.topology.bodies[static_cast<std::size_t>(leading(system, left))];
+    throw UserError(fmt::format("{}: no steady motion found: {} goes on to accelerate at {:.3g} {}/s^2\n  hint: {}\n",
+                                c_.model.file, leading_body.coordinate, rates, unit_of(leading_body.kind), hint()));
+  }
+
+  /// Finds the moving coordinates, their prescribed rates, and the outputs with prescribed values.
+  void take(const SteadyRequest& request) {
+    const TypedRequest typed = typed_request(c_, independent_, request);
+    goals_ = typed.goals;
+    inputs_ = typed.inputs;
+    for (const auto& [coordinate, rate] : typed.rates) {
+      if (rate) motion_.point.zd[static_cast<std::size_t>(coordinate)] = *rate;
+      held_.push_back(coordinate);
     }
     for (const int i : independent_) {
       if (is_held(i) || std::abs(motion_.point.zd[i]) > kMoves) travelling_.push_back(i);
@@ -105,65 +115,21 @@ class Search {
     const auto first = std::find_if(travelling_.begin(), travelling_.end(), slides);
     leader_ = first != travelling_.end() ? *first : travelling_.front();
     rate_at_start_ = motion_.point.zd[leader_];
-    if (held_.empty() && !request.solve.empty()) held_.push_back(leader_);
+    if (held_.empty() && goals_.empty() && !request.solve.empty()) held_.push_back(leader_);
   }
 
-  void take_inputs(const SteadyRequest& request) {
-    for (const std::string& name : request.solve) {
-      const auto found = std::find_if(c_.model.inputs.begin(), c_.model.inputs.end(),
-                                      [&](const Input& input) { return input.name == name; });
-      if (found == c_.model.inputs.end()) {
-        std::vector<std::string_view> names;
-        for (const Input& input : c_.model.inputs) names.push_back(input.name);
-        const std::string near = did_you_mean(name, names);
-        throw UserError(
-            fmt::format("--solve: the model has no input \"{}\"{}{}\n", name, near.empty() ? "" : "; ", near));
-      }
-      inputs_.push_back(static_cast<int>(found - c_.model.inputs.begin()));
-    }
-  }
-
-  /// Finds the rotating coordinate supported by translations only; the translations across its axis rotate with it.
+  /// Finds the rotating coordinate; the translations across its axis rotate with it.
   void find_turning() {
-    for (const int i : independent_) {
-      const TreeBody& body = c_.topology.bodies[i];
-      if (body.kind != FreedomKind::revolute) continue;
-      std::vector<int> across;
-      bool is_carried = true;
-      for (int p = body.parent; p != kGround; p = c_.topology.bodies[p].parent) {
-        const TreeBody& carrier = c_.topology.bodies[p];
-        is_carried = is_carried && carrier.kind == FreedomKind::prismatic;
-        const double along =
-            carrier.axis[0] * body.axis[0] + carrier.axis[1] * body.axis[1] + carrier.axis[2] * body.axis[2];
-        if (std::abs(along) < 1e-9) across.push_back(p);
-      }
-      const auto is_free = [&](int p) { return row_of(p) < static_cast<Eigen::Index>(independent_.size()); };
-      if (!is_carried || across.size() != 2 || !std::all_of(across.begin(), across.end(), is_free)) continue;
-      if (!travels(i) && !travels(across[0]) && !travels(across[1])) continue;
-      if (!is_upright(body.axis) || !is_flat(across)) continue;
-      if (!travels(i)) travelling_.push_back(i);
-      yaw_ = i;
-      const Vector3 &a = c_.topology.bodies[across[0]].axis, &b = c_.topology.bodies[across[1]].axis;
-      const double triple = body.axis[0] * (a[1] * b[2] - a[2] * b[1]) + body.axis[1] * (a[2] * b[0] - a[0] * b[2]) +
-                            body.axis[2] * (a[0] * b[1] - a[1] * b[0]);
-      motion_.across[0] = across[triple > 0 ? 0 : 1];  // the second is a quarter turn ahead of the first
-      motion_.across[1] = across[triple > 0 ? 1 : 0];
-      for (const int p : across) {
-        if (!travels(p)) travelling_.push_back(p);
-      }
+    for (const TurningFrame& frame : turning_frames(c_.model, c_.topology, independent_)) {
+      const auto& [first, second] = frame.across;
+      if (!travels(frame.turning) && !travels(first) && !travels(second)) continue;
+      if (!is_flat({first, second})) continue;
+      yaw_ = frame.turning;
+      motion_.across[0] = first;
+      motion_.across[1] = second;
+      for (const int i : {yaw_, first, second})
+        if (!travels(i)) travelling_.push_back(i);
     }
-  }
-
-  /// Whether gravity and roads are invariant under rotation about an axis.
-  bool is_upright(const Vector3& axis) const {
-    const Model& m = c_.model;
-    const Vector3 g{m.gravity[0].value, m.gravity[1].value, m.gravity[2].value};
-    const auto is_along = [&](const Vector3& up) {
-      const double along = axis[0] * up[0] + axis[1] * up[1] + axis[2] * up[2];
-      const double size = std::hypot(up[0], up[1], up[2]);
-      return std::abs(along) >= (1 - kFlat) * size;
-    };
-    return is_along(g) && (m.tyres.empty() || is_along({0, 0, 1}));
   }
 
   /// Whether rates are independent of the position in a plane; otherwise they are not constant in the rotating frame.
@@ -176,9 +142,35 @@ class Search {
     });
   }
 
-  /// Residual: rates of velocities and auxiliary states.
+  /// Residual: rates of velocities and auxiliary states, then errors of the goals.
   Eigen::VectorXd residual(const LinearSystem& system) const {
-    return seen_turning(system.drift.tail(system.drift.size() - position_count(system)));
+    const Eigen::VectorXd rates = seen_turning(system.drift.tail(system.drift.size() - position_count(system)));
+    if (goals_.empty()) return rates;
+    const OperatingPoint& point = motion_.point;
+    const GenericState state{point.z, point.zd, point.x, point.t};
+    GenericDerivative derivative;
+    const Status status = solver_.accelerations(state, std::vector<double>(point.z.size(), 0.0), derivative);
+    return with_goals(rates, status, state, derivative);
+  }
+
+  /// Rates, then errors of the goals; not finite without accelerations.
+  Eigen::VectorXd with_goals(const Eigen::VectorXd& rates, Status status, const GenericState& state,
+                             const GenericDerivative& derivative) const {
+    Eigen::VectorXd left(rates.size() + static_cast<Eigen::Index>(goals_.size()));
+    left << rates, goal_errors(goals_, solver_, status, state, derivative);
+    return left;
+  }
+
+  Eigen::VectorXd rates_of(const Eigen::VectorXd& left) const {
+    return left.head(left.size() - static_cast<Eigen::Index>(goals_.size()));
+  }
+
+  /// The goal with the largest error, if that counts; -1: all are met.
+  int missed(const Eigen::VectorXd& left) const {
+    Eigen::Index worst = 0;
+    if (goals_.empty()) return -1;
+    const double error = left.tail(static_cast<Eigen::Index>(goals_.size())).cwiseAbs().maxCoeff(&worst);
+    return error < kSteady ? -1 : static_cast<int>(worst);
   }
 
   /// Residual by the generic solver, without derivatives. Not finite if it has no accelerations.
@@ -189,11 +181,12 @@ class Search {
     const auto moving = static_cast<Eigen::Index>(point.x.size()) - held_state_count(c_.model);
     const auto accelerations = static_cast<Eigen::Index>(independent_.size());
     Eigen::VectorXd left = Eigen::VectorXd::Constant(accelerations + moving, std::nan(""));
-    if (!solver_.accelerations(state, std::vector<double>(point.z.size(), 0.0), rates).ok()) return left;
+    const Status status = solver_.accelerations(state, std::vector<double>(point.z.size(), 0.0), rates);
+    if (!status.ok()) return with_goals(left, status, state, rates);
     for (Eigen::Index i = 0; i < accelerations; ++i)
       left[i] = rates.zdd[static_cast<std::size_t>(independent_[static_cast<std::size_t>(i)])];
     for (Eigen::Index i = 0; i < moving; ++i) left[accelerations + i] = rates.xd[static_cast<std::size_t>(i)];
-    return seen_turning(std::move(left));
+    return with_goals(seen_turning(std::move(left)), status, state, rates);
   }
 
   /// Rates in the rotating frame, for auxiliary states relative to their magnitudes.
@@ -226,11 +219,11 @@ class Search {
 
   /// Whether a state is unknown: positions of coordinates at rest, rates of moving ones, auxiliary states.
   bool is_unknown(const LinearState& state) const {
-    if (state.kind == StateKind::position) return !travels(state.index);
+    if (state.kind == StateKind::position) return !travels(state.index) || state.index == heading_;
     return state.kind == StateKind::auxiliary || (travels(state.index) && !is_held(state.index));
   }
 
-  /// d residual / d state, including the terms of the rotating frame.
+  /// d rates / d state, including the terms of the rotating frame.
   Eigen::VectorXd column(const LinearSystem& system, Eigen::Index j) const {
     Eigen::VectorXd result = share_of_magnitudes(system.A.col(j).tail(system.A.rows() - position_count(system)));
     const LinearState& state = system.states[static_cast<std::size_t>(j)];
@@ -258,11 +251,21 @@ class Search {
   /// d residual / d unknown: states, then inputs.
   Eigen::MatrixXd derivatives(const LinearSystem& system, const std::vector<Eigen::Index>& unknown) const {
     const auto states = static_cast<Eigen::Index>(unknown.size());
-    const Eigen::Index rows = system.A.rows() - position_count(system);
-    Eigen::MatrixXd matrix(rows, states + static_cast<Eigen::Index>(inputs_.size()));
-    for (Eigen::Index k = 0; k < states; ++k) matrix.col(k) = column(system, unknown[static_cast<std::size_t>(k)]);
+    const Eigen::Index rows = system.A.rows() - position_count(system),
+                       goals = static_cast<Eigen::Index>(goals_.size());
+    Eigen::MatrixXd matrix(rows + goals, states + static_cast<Eigen::Index>(inputs_.size()));
+    for (Eigen::Index k = 0; k < states; ++k)
+      matrix.col(k).head(rows) = column(system, unknown[static_cast<std::size_t>(k)]);
     for (std::size_t k = 0; k < inputs_.size(); ++k) {
-      matrix.col(states + static_cast<Eigen::Index>(k)) = share_of_magnitudes(system.B.col(inputs_[k]).tail(rows));
+      matrix.col(states + static_cast<Eigen::Index>(k)).head(rows) =
+          share_of_magnitudes(system.B.col(inputs_[k]).tail(rows));
+    }
+    for (Eigen::Index g = 0; g < goals; ++g) {
+      const int output = goals_[static_cast<std::size_t>(g)].output;
+      for (Eigen::Index k = 0; k < states; ++k)
+        matrix(rows + g, k) = system.C(output, unknown[static_cast<std::size_t>(k)]);
+      for (std::size_t k = 0; k < inputs_.size(); ++k)
+        matrix(rows + g, states + static_cast<Eigen::Index>(k)) = system.D(output, inputs_[k]);
     }
     return matrix;
   }
@@ -272,10 +275,9 @@ class Search {
   void change(const LinearSystem& system, const Eigen::VectorXd& left) {
     const std::vector<Eigen::Index> unknown = unknown_states(system);
     const Eigen::MatrixXd matrix = derivatives(system, unknown);
-    const Eigen::VectorXd size = column_sizes(matrix);
-    const Eigen::MatrixXd of_one_size = matrix * size.cwiseInverse().asDiagonal();
-    const Eigen::VectorXd scaled = least_squares(of_one_size, left, kIndifferentShare);
-    const Eigen::VectorXd by = -(size.cwiseInverse().asDiagonal() * scaled);
+    const ScaledSystem scaled_system(matrix, scales_rows_);
+    const Eigen::VectorXd scaled = scaled_system.correction(left);
+    const Eigen::VectorXd by = -scaled_system.unknowns(scaled);
     double longest = 0;
     for (std::size_t k = 0; k < unknown.size(); ++k) {
       const bool is_position = system.states[static_cast<std::size_t>(unknown[k])].kind == StateKind::position;
@@ -286,8 +288,8 @@ class Search {
     for (double part = 1;; part /= 2) {
       const Status closed = apply(system, unknown, by * (part * whole));
       const Eigen::VectorXd next = closed.ok() ? residual_here() : Eigen::VectorXd::Constant(1, std::nan(""));
-      const bool leads_nearer = next.allFinite() && least_squares(of_one_size, next, kIndifferentShare).norm() <=
-                                                        (1 - part * whole / 4) * scaled.norm();
+      const bool leads_nearer =
+          next.allFinite() && scaled_system.correction(next).norm() <= (1 - part * whole / 4) * scaled.norm();
       if (leads_nearer || part <= kShortest) return require_closed(closed);
       motion_.point = before;
     }
@@ -332,15 +334,7 @@ class Search {
 
   /// Result of the search. Fails: UserError if a friction would exceed its limit.
   SteadyMotion finished(const LinearSystem& system) {
-    for (std::size_t i = 0; i < bristles_.size(); ++i) {
-      const BristleEnd& bristle = bristles_[i];
-      const double bent = std::abs(motion_.point.x[static_cast<std::size_t>(first_bristle(c_.model)) + i]);
-      if (bristle.slides() || bent <= bristle.holds * (1 + kFlat)) continue;
-      throw UserError(
-          fmt::format("{}: no steady motion found: friction \"{}\" would have to hold {:.4g} times what it "
-                      "can\n  hint: let the coordinate move at the start, or hold it with --hold\n",
-                      c_.model.file, bristle.name, bent / std::max(bristle.holds, kLeastBristle)));
-    }
+    require_holding(c_.model, motion_.point, bristles_);
     const std::vector<Eigen::Index> unknown = unknown_states(system);
     std::vector<SteadyChoice> choices;
     for (std::size_t k = 0; k < unknown.size(); ++k) {
@@ -350,8 +344,26 @@ class Search {
     }
     for (std::size_t k = 0; k < inputs_.size(); ++k)
       choices.push_back({unknown.size() + k, c_.model.inputs[static_cast<std::size_t>(inputs_[k])].name, false});
-    motion_.free_directions = free_directions(derivatives(system, unknown), choices);
+    const Eigen::MatrixXd matrix = derivatives(system, unknown);
+    motion_.free_directions = free_directions(matrix, choices);
+    if (!goals_.empty()) motion_.by_goals = by_goals(system, unknown, matrix);
     return motion_;
+  }
+
+  /// d (states, inputs) / d goal, of the least change where some are undetermined.
+  Eigen::MatrixXd by_goals(const LinearSystem& system, const std::vector<Eigen::Index>& unknown,
+                           const Eigen::MatrixXd& matrix) const {
+    const ScaledSystem scaled(matrix, true);
+    const Eigen::Index goals = static_cast<Eigen::Index>(goals_.size()), states = system.A.cols();
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(states + static_cast<Eigen::Index>(c_.model.inputs.size()), goals);
+    for (Eigen::Index g = 0; g < goals; ++g) {
+      const Eigen::VectorXd wanted = Eigen::VectorXd::Unit(matrix.rows(), matrix.rows() - goals + g);
+      const Eigen::VectorXd by = scaled.unknowns(scaled.correction(wanted));
+      for (std::size_t k = 0; k < unknown.size(); ++k) result(unknown[k], g) = by[static_cast<Eigen::Index>(k)];
+      for (std::size_t k = 0; k < inputs_.size(); ++k)
+        result(states + inputs_[k], g) = by[static_cast<Eigen::Index>(unknown.size() + k)];
+    }
+    return result;
   }
 
   std::string hint() const {
@@ -363,20 +375,26 @@ class Search {
   }
 
   const Compilation& c_;
+  bool scales_rows_ = false;
   GenericSolver solver_;
   SteadyMotion motion_;
   std::vector<int> independent_, travelling_, held_;
   std::vector<int> inputs_;
   std::vector<BristleEnd> bristles_;  ///< at the point
-  int yaw_ = -1, leader_ = -1;        ///< rotating coordinate; coordinate whose rate is the speed
-  int leading_ = 0;                   ///< coordinate with the largest acceleration
+  std::vector<OutputGoal> goals_;
+  int yaw_ = -1, leader_ = -1;  ///< rotating coordinate; coordinate whose rate is the speed
+  int heading_ = -1;            ///< rotating coordinate whose position is unknown
   double rate_at_start_ = 0;
 };
 
 }  // namespace
 
 SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyRequest& request) {
-  return Search(compilation, start, request).find();
+  try {
+    return Search(compilation, start, request, false).find();
+  } catch (const UserError&) {
+    return Search(compilation, start, request, true).find();
+  }
 }
 
 }  // namespace mbgen

@@ -5,16 +5,9 @@
 #include <vector>
 
 #include "compiler/compile.hpp"
+#include "workbench/operating/steady_request.hpp"
 
 namespace mbgen {
-
-/// Request for a steady motion.
-struct SteadyRequest {
-  /// coordinate=rate; none: the first translation that moves at the start, if inputs are solved for; without such
-  /// inputs no rate is prescribed, and the rates follow from the balance of drive and drag
-  std::vector<std::string> hold;
-  std::vector<std::string> solve;  ///< unknown inputs: a drive, a steering angle
-};
 
 /// A motion without accelerations of the independent coordinates and with constant auxiliary states. Coordinates that
 /// move in `start` have constant rates, some of which are prescribed; the rates of all others are zero. If a
@@ -26,6 +19,7 @@ struct SteadyMotion {
   int across[2] = {-1, -1};  ///< tree coordinates of the rotating translations; -1 without rotation
   double largest = 0;        ///< remaining acceleration, rad/s^2 or m/s^2
   std::vector<std::string> free_directions = {};  ///< undetermined directions of rates and inputs, in words
+  Eigen::MatrixXd by_goals = {};  ///< change of the states of the linear system, then of all inputs, over each goal
 };
 
 /// Marks as neutral the modes of position in the rotating frame: their frequency is the rate of rotation.
@@ -35,11 +29,15 @@ void mark_places(const SteadyMotion& motion, std::vector<Mode>& list);
 /// below 1e-7, or when their forces are below 1e-8 of the model's weight and no step reduces them. Sticking frictions
 /// stay within their limits.
 /// Fails: UserError for unknown names, and if there is no steady motion near by; it names the coordinate that still
-/// accelerates, or the friction beyond its limit.
+/// accelerates, the output that misses its value, or the friction beyond its limit.
 SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyRequest& request);
 
 /// A note if several motions have the prescribed rates; none otherwise.
 std::string free_directions_note(const Compilation& compilation, const SteadyMotion& steady);
+
+/// A note if forces are at corners of their laws, as dampers with two slopes whose ends are at rest to each other:
+/// their derivatives are then of the side that rounding has. None otherwise.
+std::string corners_note(const Compilation& compilation, const SteadyMotion& steady);
 
 /// Rates of a steady motion, and the inputs found, as text.
 std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyRequest& request);

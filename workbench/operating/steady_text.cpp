@@ -12,6 +12,7 @@
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/text/user_error.hpp"
 #include "mbgen/solver/newton.hpp"
+#include "runtime/generic/generic.hpp"
 #include "workbench/engines/engine.hpp"
 #include "workbench/operating/steady_checks.hpp"
 #include "workbench/operating/steady_motion.hpp"
@@ -26,6 +27,36 @@ std::string free_directions_note(const Compilation& compilation, const SteadyMot
       "{}: note: too few rates are held for one steady motion; the one near the start is given, and one "
       "may go from it along\n  {}\n  hint: hold one more rate with --hold, or solve for one input less\n",
       compilation.model.file, fmt::join(steady.free_directions, "\n  "));
+}
+
+std::string corners_note(const Compilation& compilation, const SteadyMotion& steady) {
+  constexpr double kStill = 1e-9, kAside = 1e-9, kCorner = 1e-4;  // rad/s or m/s, likewise; of the largest derivative
+  GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
+  solver.set_inputs(steady.point.inputs);
+  std::vector<Eigen::MatrixXd> sides;
+  for (const double side : {-kAside, kAside}) {
+    OperatingPoint point = steady.point;
+    for (const int i : free_coordinates(compilation.topology, compilation.analysis)) {
+      double& rate = point.zd[static_cast<std::size_t>(i)];
+      if (std::abs(rate) < kStill) rate += side;
+    }
+    GenericState state{point.z, point.zd, point.x, point.t};
+    if (!solver.project(state).ok()) return "";
+    point.z = state.z;
+    point.zd = state.zd;
+    const Result<LinearSystem> system = linearise(compilation, point);
+    if (!system || system->A.size() == 0) return "";
+    sides.push_back(system->A);
+  }
+  const Eigen::Index velocities = sides[0].rows() / 2;  // rows of rates of velocities and states
+  const Eigen::MatrixXd apart = (sides[1] - sides[0]).bottomRows(velocities);
+  const Eigen::VectorXd largest = sides[0].bottomRows(velocities).cwiseAbs().rowwise().maxCoeff();
+  const bool is_at_corner = (apart.cwiseAbs().rowwise().maxCoeff().array() > kCorner * largest.array()).any();
+  if (!is_at_corner) return "";
+  return fmt::format(
+      "{}: note: parts at rest are at corners of their force laws, as dampers of two slopes: modes and gains "
+      "take the side that rounding has\n  hint: give these laws one slope about rest\n",
+      compilation.model.file);
 }
 
 std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyRequest& request) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -51,7 +52,8 @@ std::vector<std::size_t> kept_rows(const std::vector<double>& time, std::size_t 
   return kept;
 }
 
-Result<std::vector<GenericState>> motion_frames(const ReportSource& source, const std::string& file) {
+Result<std::vector<GenericState>> motion_frames(const ReportSource& source, const std::string& file,
+                                                std::size_t results) {
   for (const TreeBody& body : source.topology.bodies) {
     if (find_column(source.results, "z." + body.coordinate) >= 0) continue;
     Diagnostic problem;
@@ -60,7 +62,7 @@ Result<std::vector<GenericState>> motion_frames(const ReportSource& source, cons
     problem.hint = "give --model, or simulate again";
     return problem;
   }
-  const std::size_t most = kMostPoseNumbers / (kPoseNumbers * source.model.bodies.size());
+  const std::size_t most = kMostPoseNumbers / (kPoseNumbers * source.model.bodies.size() * results);
   return table_states(source, kept_rows(source.results.columns.front().values, std::max(kFewestRows, most)));
 }
 
@@ -108,10 +110,42 @@ std::string quantity_of(const Output& output) {
   return std::holds_alternative<DriveOutput>(output.source) ? "drive" : "multiplier";
 }
 
-Json table_json(const ReportSource& source) {
+namespace {
+
+/// A column of another result at times of the first one, on the straight line between its rows; NaN after its end.
+std::vector<float> values_at(const Results& results, const Column& column, const std::vector<double>& times) {
+  const std::vector<double>& own = results.columns.front().values;
+  std::vector<float> values;
+  std::size_t row = 0;
+  for (const double t : times) {
+    while (row + 2 < own.size() && own[row + 1] < t) ++row;
+    const std::size_t next = std::min(row + 1, own.size() - 1);
+    constexpr double kEnd = 1e-9;  // s
+    const double span = own[next] - own[row];
+    const double part = span > 0 ? std::clamp((t - own[row]) / span, 0.0, 1.0) : 0;
+    const bool is_there = t >= own.front() - kEnd && t <= own.back() + kEnd;
+    values.push_back(is_there
+                         ? static_cast<float>(column.values[row] + part * (column.values[next] - column.values[row]))
+                         : std::numeric_limits<float>::quiet_NaN());
+  }
+  return values;
+}
+
+/// The column of another result with the name and unit of a heading; none where it has no such.
+const Column* same_column(const OtherResult& other, const Heading& heading) {
+  for (const Column& column : other.source.results.columns)
+    if (column.heading.name == heading.name && column.heading.unit == heading.unit) return &column;
+  return nullptr;
+}
+
+}  // namespace
+
+Json table_json(const ReportSource& source, const std::vector<OtherResult>& others) {
   const std::vector<Column>& columns = source.results.columns;
-  const std::size_t most = std::max(kFewestRows, kMostTableNumbers / columns.size());
+  const std::size_t most = std::max(kFewestRows, kMostTableNumbers / (columns.size() * (1 + others.size())));
   const std::vector<std::size_t> rows = kept_rows(columns.front().values, most);
+  std::vector<double> times;
+  for (const std::size_t row : rows) times.push_back(columns.front().values[row]);
   std::vector<float> numbers;
   Json list = Json::array();
   const auto describe = [&](const Column& column, const char* group) {
@@ -133,6 +167,18 @@ Json table_json(const ReportSource& source) {
       list.back()["quantity"] = found->second;
     }
     for (const std::size_t row : rows) numbers.push_back(static_cast<float>(column.values[row]));
+    if (list.size() == 1) continue;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      const Column* other = same_column(others[i], column.heading);
+      if (other == nullptr) continue;
+      const Json beside = list.back();
+      describe(*other, group_of(column.heading.name));
+      list.back()["name"] = fmt::format("{} ({})", column.heading.name, others[i].label);
+      list.back()["other"] = i + 1;
+      if (beside.contains("quantity")) list.back()["quantity"] = beside["quantity"];
+      const std::vector<float> values = values_at(others[i].source.results, *other, times);
+      numbers.insert(numbers.end(), values.begin(), values.end());
+    }
   }
   for (const Column& column : element_forces(source, rows)) {
     describe(column, "force");

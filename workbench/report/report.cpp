@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "compiler/text/characters.hpp"
@@ -121,6 +122,28 @@ void add_ground(Json ground, Json& data) {
   if (!ground["tracks"].empty()) data["scene"]["ground"] = std::move(ground);
 }
 
+Json numbers_or_null(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
+  return list;
+}
+
+Json diagrams_json(const std::vector<PageDiagram>& diagrams) {
+  Json list = Json::array();
+  for (const PageDiagram& diagram : diagrams) {
+    Json curves = Json::array();
+    for (const PageDiagram::Line& line : diagram.curves)
+      curves.push_back({{"name", line.name}, {"x", numbers_or_null(line.x)}, {"y", numbers_or_null(line.y)}});
+    list.push_back({{"title", diagram.title},
+                    {"x", {{"name", diagram.x.name}, {"unit", diagram.x.unit}}},
+                    {"y", {{"name", diagram.y.name}, {"unit", diagram.y.unit}}},
+                    {"logarithmic", diagram.logarithmic},
+                    {"asIs", true},
+                    {"curves", std::move(curves)}});
+  }
+  return list;
+}
+
 std::string page_of(const Model& model, const Json& data) {
   return filled(page_file("index.html"), {{{"title", xml_text(model.name)},
                                            {"style", page_file("report.css")},
@@ -132,8 +155,9 @@ std::string page_of(const Model& model, const Json& data) {
 
 bool has_report_page() { return !report_page_files().empty(); }
 
-Result<std::string> report_html(const ReportSource& source, const std::string& file) {
-  const Result<std::vector<GenericState>> frames = motion_frames(source, file);
+Result<std::string> report_html(const ReportSource& source, const std::string& file, const std::string& label,
+                                const std::vector<OtherResult>& others) {
+  const Result<std::vector<GenericState>> frames = motion_frames(source, file, 1 + others.size());
   if (!frames) return frames.problems();
   const GenericSolver solver(source.model, source.topology, source.analysis);
   const Json run = Json::parse(source.results.run, nullptr, false);
@@ -142,7 +166,18 @@ Result<std::string> report_html(const ReportSource& source, const std::string& f
   data["scene"] = scene_json(source.model);
   data["animations"] = Json::array({motion_json(solver, *frames)});  // clang++ takes braces alone for a copy
   add_ground(ground_json(source.model, solver, *frames, false), data);
-  data["table"] = table_json(source);
+  data["table"] = table_json(source, others);
+  if (!others.empty()) data["label"] = label;
+  for (const OtherResult& other : others) {
+    const Result<std::vector<GenericState>> poses = motion_frames(other.source, other.file, 1 + others.size());
+    if (!poses) return poses.problems();
+    const GenericSolver of_other(other.source.model, other.source.topology, other.source.analysis);
+    const Json described = Json::parse(other.source.results.run, nullptr, false);
+    data["others"].push_back({{"label", other.label},
+                              {"run", described.is_object() ? described : Json(nullptr)},
+                              {"scene", scene_json(other.source.model)},
+                              {"animation", motion_json(of_other, *poses)}});
+  }
   data["topology"] = topology_svg(source.model, source.topology, source.analysis);
   return page_of(source.model, data);
 }
@@ -153,6 +188,7 @@ std::string modes_html(const ModesSource& source) {
   // The camera looks at the followed body, at its position in the frame.
   data["scene"]["centre"] = carried(source, data["scene"]["follow"], data["scene"]["centre"]);
   data.update(modes_json(source));
+  if (!source.responses.empty()) data["responses"] = diagrams_json(source.responses);
   add_ground(ground_at_point(source), data);
   data["topology"] = topology_svg(source.model, source.topology, source.analysis);
   return page_of(source.model, data);

@@ -40,9 +40,13 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 bool is_sweep(std::string_view bytes) { return bytes.starts_with("case,"); }
 
 Result<Results> read_sweep(std::string_view text, const std::string& file) {
-  if (std::optional<Diagnostic> fault = no_text(text, file, "a study is a table of mbgen sweep"))
-    return *std::move(fault);
+  return read_table(text, file, "a study is a table of mbgen sweep");
+}
+
+Result<Results> read_table(std::string_view text, const std::string& file, const char* expected) {
+  if (std::optional<Diagnostic> fault = no_text(text, file, expected)) return *std::move(fault);
   const std::vector<std::string_view> lines = lines_of(text);
+  if (lines.empty()) return table_fault(file, 0, "has no rows", expected);
   Results results;
   std::vector<std::string> fields = csv_fields(lines.front());
   for (const std::string& field : fields) results.columns.push_back({heading_of(field), {}});

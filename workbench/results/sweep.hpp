@@ -16,4 +16,8 @@ bool is_sweep(std::string_view bytes);
 /// Fails: no rows, a row of another length than the header, a field that is neither empty nor a finite number.
 Result<Results> read_sweep(std::string_view text, const std::string& file);
 
+/// Reads any table of numbers in comma separated values with a header. expected: the kind of file, for messages.
+/// Fails: as read_sweep.
+Result<Results> read_table(std::string_view text, const std::string& file, const char* expected);
+
 }  // namespace mbgen

@@ -223,8 +223,11 @@ void add_drives(const AtRest& rest, std::vector<std::string>& causes) {
 void add_holds(const AtRest& rest, std::vector<std::string>& causes) {
   const Model& model = rest.compilation.model;
   for (const JointFriction& friction : model.frictions) {
-    if (!friction.has_bristle() || tree_coordinate(rest.compilation.topology, friction.joint) != rest.fastest())
-      continue;
+    const auto is_fastest = [&](const CoordinateReference& joint) {
+      return tree_coordinate(rest.compilation.topology, joint) == rest.fastest();
+    };
+    const bool is_there = is_fastest(friction.joint) || (friction.relative_to && is_fastest(*friction.relative_to));
+    if (!friction.has_bristle() || !is_there) continue;
     const double holds = value_at(rest, friction.stiction);
     if (!(holds > 0)) continue;
     const char* unit = friction.normal >= 0 || friction.load >= 0 ? " per N that presses" : "";

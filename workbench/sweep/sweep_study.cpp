@@ -61,6 +61,12 @@ void check_given_once(const Study& study) {
   }
 }
 
+void require_others_inputs(const Study& study) {
+  mbgen::require_others_inputs(study.model, "--input", study.arguments.engine.inputs);
+  for (const SweepAxis& axis : study.grid.axes)
+    if (axis.of == SweepAxis::Of::input) mbgen::require_others_inputs(study.model, "--vary", {axis.name});
+}
+
 /// Lets the vehicle start at the speed of the manoeuvre, in all cases or in each at its own.
 void set_start_speed(Study& study, const Manoeuvre& manoeuvre, std::vector<std::string>& set) {
   const std::optional<VariedParameter> speed = start_speed(manoeuvre, study.model);
@@ -122,7 +128,8 @@ std::vector<VariedParameter> varied_parameters(const Study& study, const std::ve
 
 Result<Model> model_with(const Study& study, const std::vector<VariedParameter>& varied) {
   Result<Model> model = read_varied_model(study.arguments.model, varied);
-  if (model && !study.manoeuvre.empty()) add_manoeuvre_outputs(*model);
+  if (model && !study.manoeuvre.empty())
+    prepare_model(*model, expect(read_manoeuvre(study.manoeuvre, study.arguments.manoeuvre)));
   return model;
 }
 
@@ -156,6 +163,7 @@ Study read_study(const StudyArguments& arguments) {
   study.choice.integrator = study.model.solver.integrator =
       integrator_of(arguments.simulation.integrator, study.model.solver.integrator, study.choice.name);
   check_given_once(study);
+  if (!study.manoeuvre.empty()) require_others_inputs(study);
   study.warnings = inputs_of(study, study.model, study.grid.values_of(0)).warnings;
   choose_tuning(study);
   return study;

@@ -81,7 +81,7 @@ std::string description(const Study& study);
 std::vector<VariedParameter> varied_parameters(const Study& study, const std::vector<double>& values, bool tunable);
 
 /// The model of the study with these parameters, with the outputs of its vehicle for a manoeuvre. Fails: with the
-/// problems of the model; UserError, as add_manoeuvre_outputs.
+/// problems of the model; UserError, as prepare_model.
 Result<Model> model_with(const Study& study, const std::vector<VariedParameter>& varied);
 
 /// The inputs of a case, at the start of a manoeuvre. Fails: UserError.

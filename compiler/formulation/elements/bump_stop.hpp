@@ -61,7 +61,7 @@ template <class T, class Use>
 void connect(const ForceWork<T>& work, const BumpStop& stop, const Use& use) {
   const int outwards = stop.side == BumpStop::Side::compression ? -1 : 1;
   if (stop.is_on_joint())
-    use(AlongCoordinate<T>(work.system, stop.joint, stop.side == BumpStop::Side::below ? -1 : 1));
+    use(AlongCoordinate<T>(work.system, stop.joint, stop.relative_to, stop.side == BumpStop::Side::below ? -1 : 1));
   else if (stop.axis)
     use(AlongAxis<T>(work, stop.from, stop.to, T(outwards) * constant<T>(*stop.axis)));
   else

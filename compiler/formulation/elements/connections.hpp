@@ -31,15 +31,17 @@ struct AlongCoordinate {
     position = position - system.environment.position(*relative_to);
     rate = rate - system.environment.velocity(*relative_to);
   }
-  AlongCoordinate(const System<T>& system, const CoordinateReference& of, int counts)
-      : joint(of),
-        sign(counts),
-        position(T(sign) * system.environment.position(of)),
-        rate(T(sign) * system.environment.velocity(of)) {}
+  AlongCoordinate(const System<T>& system, const CoordinateReference& of,
+                  const std::optional<CoordinateReference>& less, int counts)
+      : AlongCoordinate(system, of, less) {
+    sign = counts;
+    position = T(sign) * position;
+    rate = T(sign) * rate;
+  }
 
   void resist(ForceWork<T>& work, const T& force) const {
     add_joint_force(work, joint, sign == 0 ? -force : T(-sign) * force);
-    if (relative_to) add_joint_force(work, *relative_to, force);
+    if (relative_to) add_joint_force(work, *relative_to, sign == 0 ? force : T(sign) * force);
   }
   LocalCoordinate<T> row(const ForceWork<T>& work) const {
     LocalCoordinate<T> along = tree_local(work.system, joint);
@@ -48,7 +50,7 @@ struct AlongCoordinate {
       for (T& entry : along.row) entry = Slope<T>::times(T(sign), entry);
     if (!relative_to) return along;
     if (const int other = tree_coordinate(work.system.topology, *relative_to); other >= 0)
-      along.row[other] = along.row[other] - T(1.0);
+      along.row[other] = along.row[other] - T(sign == 0 ? 1.0 : sign);
     return along;
   }
 };

@@ -65,7 +65,8 @@ BristleResult<A> friction_law(const ForceWork<T>& work, const FrictionLaw& frict
 /// Relative speed of the parts of a friction with possible bristles, rad/s or m/s.
 template <class T>
 T sliding_rate(const System<T>& system, const Kinematics<T>&, const Velocities<T>&, const JointFriction& friction) {
-  return system.environment.velocity(friction.joint);
+  const T rate = system.environment.velocity(friction.joint);
+  return friction.relative_to ? rate - system.environment.velocity(*friction.relative_to) : rate;
 }
 template <class T>
 T sliding_rate(const System<T>& system, const Kinematics<T>& k, const Velocities<T>& v,
@@ -120,10 +121,11 @@ T friction_force_at(ForceWork<T>& work, const FrictionLaw& friction, const std::
 
 template <class T>
 void apply(ForceWork<T>& work, const JointFriction& friction) {
-  const T rate = work.system.environment.velocity(friction.joint);
+  const T rate = sliding_rate(work.system, work.k, work.v, friction);
   const T force = friction_force_at(work, friction, friction.name, rate, bristle_state(work.system.model, friction));
   work.system.annotator.name(force, "force_", friction.name);
   add_joint_force(work, friction.joint, force);
+  if (friction.relative_to) add_joint_force(work, *friction.relative_to, -force);
 }
 
 template <class T>
@@ -211,8 +213,11 @@ ElementTangents<T> friction_element(ForceWork<T>& work, const FrictionLaw& frict
 template <class T>
 void add_tangents(ForceWork<T>& work, const JointFriction& friction, std::vector<ElementTangents<T>>& elements) {
   const System<T>& system = work.system;
-  elements.push_back(friction_element(work, friction, friction.name, tree_local(system, friction.joint),
-                                      system.environment.velocity(friction.joint),
+  LocalCoordinate<T> row = friction.relative_to
+                               ? AlongCoordinate<T>(system, friction.joint, friction.relative_to).row(work)
+                               : tree_local(system, friction.joint);
+  elements.push_back(friction_element(work, friction, friction.name, std::move(row),
+                                      sliding_rate(system, work.k, work.v, friction),
                                       static_cast<int>(bristle_state(system.model, friction))));
 }
 

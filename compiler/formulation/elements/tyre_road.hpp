@@ -22,18 +22,18 @@ struct StateOf<Tyre> {
 
 namespace detail {
 
-/// Spin axis of the wheel in its carrying frame; equal to the joint's own axis if possible, so that the spin angle
-/// cancels.
+/// Spin axis of a wheel in its carrying frame; equal to the joint's own axis if possible, so that the spin angle
+/// cancels. axis: GLOBAL at the reference. body: of the tree.
 template <class T>
-Vector<T> spin_axis(const System<T>& system, const Kinematics<T>& k, const Tyre& tyre, int body) {
-  if (body == kGround) return constant<T>(tyre.axis);
+Vector<T> spin_axis(const System<T>& system, const Kinematics<T>& k, const Vector3& axis, int body) {
+  if (body == kGround) return constant<T>(axis);
   const Vector3& joint = system.topology.bodies[body].axis;
-  const double along = joint[0] * tyre.axis[0] + joint[1] * tyre.axis[1] + joint[2] * tyre.axis[2];
+  const double along = joint[0] * axis[0] + joint[1] * axis[1] + joint[2] * axis[2];
   const int carrier = system.layout.frame_of(body);
   if (system.revolute(body) && std::abs(std::abs(along) - 1) < 1e-12 &&
       system.layout.bodies[body].joint_frame == carrier)
     return T(along > 0 ? 1.0 : -1.0) * k.axis[body];
-  return direction_in(system, k, body, constant<T>(tyre.axis), carrier);
+  return direction_in(system, k, body, constant<T>(axis), carrier);
 }
 
 /// Plane of the road under a wheel at rest, at the position of the wheel centre.
@@ -62,7 +62,8 @@ RoadPlane<T> road_plane(const ForceWork<T>& work, const Tyre& tyre) {
   const T cosine(std::cos(road.heading)), sine(std::sin(road.heading));
   RoadHeight<T> below;
   if (tyre.envelope) {
-    const Vector<T> axis = direction_in(system, work.k, carrier, spin_axis(system, work.k, tyre, centre.body), kGround);
+    const Vector<T> axis =
+        direction_in(system, work.k, carrier, spin_axis(system, work.k, tyre.axis, centre.body), kGround);
     const T level = T(1.0) / sqrt(axis.x * axis.x + axis.y * axis.y);
     const T forward_x = level * axis.y, forward_y = -(level * axis.x);
     below = height_of_envelope<T>(work, tyre, road,
@@ -89,7 +90,7 @@ WheelMotion<T> wheel_motion(const ForceWork<T>& work, const Tyre& tyre, std::siz
   const Place<T> centre = work.place(tyre.centre);
   WheelMotion<T> wheel;
   wheel.up = road.up;
-  wheel.axis = spin_axis(system, work.k, tyre, centre.body);
+  wheel.axis = spin_axis(system, work.k, tyre.axis, centre.body);
   wheel.height = road.distance;
   const Spatial<T> velocity = velocity_of(system, work.v, centre.body);
   wheel.velocity = velocity_at(velocity, arm_of(system, work.k, centre, work.v.about));

@@ -16,8 +16,8 @@ struct BumpStop {
   enum class Side {
     compression,  ///< s: reduction of the distance, or motion of `to` against `axis`
     extension,    ///< s: increase of the distance, or motion of `to` along `axis`
-    above,        ///< s: the coordinate
-    below         ///< s: minus the coordinate
+    above,        ///< s: the coordinate, less `relative_to`
+    below         ///< s: minus this
   };
   std::string name;
   Where where;
@@ -26,7 +26,8 @@ struct BumpStop {
   /// unit, GLOBAL axes at the reference, fixed to `from`; none: along the line between the points. With an axis, the
   /// forces on both bodies are at the point of `to`.
   std::optional<Vector3> axis;
-  CoordinateReference joint;  ///< joint -1: between points
+  CoordinateReference joint;                            ///< joint -1: between points
+  std::optional<CoordinateReference> relative_to = {};  ///< backlash: the force is opposite on this coordinate
   Side side = Side::compression;
   Quantity clearance;            ///< m or rad
   std::optional<Law> stiffness;  ///< N/m^exponent or N m/rad^exponent, or a table over the penetration
@@ -54,7 +55,7 @@ struct KindOf<BumpStop> : KindDefaults {
     return model.bump_stops;
   }
   static Connection connection(const BumpStop& element) {
-    if (element.is_on_joint()) return OnCoordinate{element.joint, {}};
+    if (element.is_on_joint()) return OnCoordinate{element.joint, element.relative_to};
     if (element.axis) return AlongDirection{element.from, element.to, *element.axis};
     return BetweenPoints{element.from, element.to};
   }

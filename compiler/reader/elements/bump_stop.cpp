@@ -44,6 +44,10 @@ auto stop_place_fields() {
       field<S, &S::written_joint>({.name = "joint",
                                    .shape = Shape::coordinate,
                                    .doc = "coordinate that the stop is on; zero at the reference"}),
+      field<S, &S::relative_to>({.name = "relative_to",
+                                 .shape = Shape::coordinate,
+                                 .doc = "coordinate that is subtracted, and that the opposite force acts on: backlash "
+                                        "between two shafts"}),
       field<S, &S::written_axis>({.name = "axis",
                                   .shape = Shape::axis,
                                   .doc = "direction of the displacement of `to`, in the frame of `from`; default: "
@@ -153,10 +157,13 @@ void place_stop(Reader& reader, const Value& value, BumpStopFields& stop) {
       report(reader, member_or_object(value, "side"), "a stop on a coordinate needs the side \"above\" or \"below\"",
              "above: where the coordinate is larger than at the reference");
     stop.side = stop.is_on_joint() ? stop.side : Side::above;
+    if (stop.relative_to) check_coordinate_pair(reader, value, "bump stop", stop.joint, *stop.relative_to);
     if (const Member* axis = find_member(value, "axis"))
       report(reader, axis->place, "a stop on a coordinate has no axis", "the coordinate has one");
     return;
   }
+  if (const Member* other = find_member(value, "relative_to"))
+    report(reader, other->place, "\"relative_to\" is of a stop on a coordinate", "leave it out, or give \"joint\"");
   stop.side = stop.written_side.value_or(Side::compression);
   if (stop.is_on_joint()) {
     report(reader, *find(value, "side"), "a stop between points has the side \"compression\" or \"extension\"");

@@ -16,7 +16,7 @@ namespace mbgen::reading {
 struct FrictionFields : FrictionLaw, ReactionFields {
   std::string name;
   Where where;
-  std::optional<CoordinateReference> joint;
+  std::optional<CoordinateReference> joint, relative_to;
   std::optional<std::string> spring, rod, pressing_spring;
   std::optional<ReactionOutput::End> end;
   std::optional<double> period;
@@ -35,6 +35,10 @@ auto friction_level_fields() {
   using S = FrictionFields;
   return std::array{
       field<S, &S::joint>({.name = "joint", .shape = Shape::coordinate, .doc = "coordinate it acts on"}),
+      field<S, &S::relative_to>({.name = "relative_to",
+                                 .shape = Shape::coordinate,
+                                 .doc = "coordinate whose rate is subtracted, and that the opposite force acts on: a "
+                                        "clutch between two shafts"}),
       field<S, &S::spring>({.name = "spring",
                             .shape = Shape::reference,
                             .doc = "spring with friction along its line, instead of a coordinate",
@@ -228,13 +232,17 @@ void read_frictions(Reader& reader, const Entries& entries) {
     if (!friction.rod)
       if (const Value* end = find(value, "end"))
         report(r, *end, "\"end\" is of friction in the end of a rod", "leave it out");
+    if (const Value* other = find(value, "relative_to"); other && !friction.joint)
+      report(r, *other, "\"relative_to\" is of friction on a coordinate", "leave it out, or give \"joint\"");
+    if (friction.joint && friction.relative_to)
+      check_coordinate_pair(r, value, "friction", *friction.joint, *friction.relative_to);
     if (friction.rod) {
       r.model.rod_frictions.push_back(rod_friction(r, value, friction));
     } else if (friction.spring) {
       const int spring = find_element(r, value, "spring", names_of<PointSpring>(r));
       r.model.spring_frictions.push_back({friction, friction.name, friction.where, spring});
     } else {
-      r.model.frictions.push_back({friction, friction.name, friction.where, *friction.joint});
+      r.model.frictions.push_back({friction, friction.name, friction.where, *friction.joint, friction.relative_to});
     }
   });
 }

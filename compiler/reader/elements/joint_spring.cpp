@@ -26,6 +26,24 @@ void check_degrees(Reader& reader, const Value& value, std::string_view key, con
                      in_quotes(coordinate_name(reader.model, coordinate))));
 }
 
+}  // namespace
+
+void check_coordinate_pair(Reader& reader, const Value& value, std::string_view element,
+                           const CoordinateReference& joint, const CoordinateReference& relative_to) {
+  refuse_reversed(reader, member_or_object(value, "relative_to").place, relative_to);
+  if (joint.joint < 0 || relative_to.joint < 0) return;
+  const std::string name = in_quotes(coordinate_name(reader.model, joint));
+  if (joint == relative_to) {
+    report(reader, *find(value, "relative_to"), fmt::format("{} is between coordinate {} and itself", element, name));
+  } else if (is_rotation(reader.model, joint) != is_rotation(reader.model, relative_to)) {
+    report(reader, *find(value, "relative_to"),
+           fmt::format("{} is between a rotation and a translation, {} and {}", element, name,
+                       in_quotes(coordinate_name(reader.model, relative_to))));
+  }
+}
+
+namespace {
+
 void read_joint_springs(Reader& reader, const Entries& entries) {
   for (const Entry& entry : entries)
     names_of<JointSpring>(reader).emplace(entry.name, static_cast<int>(names_of<JointSpring>(reader).size()));
@@ -35,16 +53,7 @@ void read_joint_springs(Reader& reader, const Entries& entries) {
     }
     check_degrees(r, value, "free", spring.joint);
     refuse_reversed(r, member_or_object(value, "joint").place, spring.joint);
-    if (spring.relative_to) refuse_reversed(r, member_or_object(value, "relative_to").place, *spring.relative_to);
-    if (spring.joint.joint < 0 || !spring.relative_to || spring.relative_to->joint < 0) return;
-    const std::string joint = in_quotes(coordinate_name(r.model, spring.joint));
-    if (spring.joint == *spring.relative_to) {
-      report(r, *find(value, "relative_to"), "spring is between coordinate " + joint + " and itself");
-    } else if (is_rotation(r.model, spring.joint) != is_rotation(r.model, *spring.relative_to)) {
-      report(r, *find(value, "relative_to"),
-             fmt::format("spring is between a rotation and a translation, {} and {}", joint,
-                         in_quotes(coordinate_name(r.model, *spring.relative_to))));
-    }
+    if (spring.relative_to) check_coordinate_pair(r, value, "spring", spring.joint, *spring.relative_to);
   });
 }
 

@@ -93,4 +93,9 @@ bool look_at_motion(const Model& model, const Fields&... fields) {
   return looks;
 }
 
+/// Reports an element between a coordinate and itself, or between a rotation and a translation; and coordinates whose
+/// sign the tree reverses. element: its words, for messages.
+void check_coordinate_pair(Reader& reader, const Value& value, std::string_view element,
+                           const CoordinateReference& joint, const CoordinateReference& relative_to);
+
 }  // namespace mbgen::reading

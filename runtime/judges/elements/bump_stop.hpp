@@ -45,6 +45,10 @@ inline StopAtWork stop_at_work(const BumpStop& stop, const ElementPart& part, co
     const double sign = stop.side == BumpStop::Side::below ? -1 : 1;
     travel.way = sign * value.position(stop.joint);
     travel.rate = sign * value.velocity(stop.joint);
+    if (stop.relative_to) {
+      travel.way -= sign * value.position(*stop.relative_to);
+      travel.rate -= sign * value.velocity(*stop.relative_to);
+    }
   } else {
     travel = travel_of(stop, part, bodies);
   }
@@ -60,7 +64,9 @@ inline StopAtWork stop_at_work(const AtWork& at, const BumpStop& stop) {
 inline void apply(const AtWork& at, const BumpStop& stop, Forces& forces) {
   const StopAtWork at_work = stop_at_work(at, stop);
   if (stop.is_on_joint()) {
-    add_on_coordinate(at, stop.joint, stop.side == BumpStop::Side::below ? at_work.force : -at_work.force, forces);
+    const double force = stop.side == BumpStop::Side::below ? at_work.force : -at_work.force;
+    add_on_coordinate(at, stop.joint, force, forces);
+    if (stop.relative_to) add_on_coordinate(at, *stop.relative_to, -force, forces);
     return;
   }
   const ElementPart& part = part_of(at, stop);

@@ -32,7 +32,11 @@ inline double friction_at(const AtWork& at, const FrictionLaw& f, double rate, F
 }
 
 inline void apply(const AtWork& at, const JointFriction& friction, Forces& forces) {
-  add_on_coordinate(at, friction.joint, friction_at(at, friction, at.value.velocity(friction.joint), forces), forces);
+  double rate = at.value.velocity(friction.joint);
+  if (friction.relative_to) rate -= at.value.velocity(*friction.relative_to);
+  const double force = friction_at(at, friction, rate, forces);
+  add_on_coordinate(at, friction.joint, force, forces);
+  if (friction.relative_to) add_on_coordinate(at, *friction.relative_to, -force, forces);
 }
 
 inline void apply(const AtWork& at, const SpringFriction& friction, Forces& forces) {

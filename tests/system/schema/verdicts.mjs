@@ -57,7 +57,9 @@ function fault(file, text) {
   ++faults;
 }
 
-const isManoeuvre = (file) => file.includes("/manoeuvres/");
+// Files that models include, and manoeuvres beside a vehicle, say so in their first line.
+const opensWith = (file, words) => readFileSync(file, "utf8").startsWith(words);
+const isManoeuvre = (file) => file.includes("/manoeuvres/") || opensWith(file, "// Manoeuvre");
 const good = [...modelsIn(join(source, "models")), ...modelsIn(join(source, "tests/data/models"))].filter((file) => !isManoeuvre(file));
 for (const file of modelsIn(join(source, "models")).filter(isManoeuvre)) {
   const why = complaint(file, validateManoeuvre);
@@ -73,7 +75,7 @@ for (const file of modelsIn(join(source, "tests/errors/manoeuvres"))) {
 for (const file of good) {
   const why = complaint(file);
   if (why) fault(file, `the schema refuses a good model: ${why}`);
-  const isPart = file.includes("/parts/") || file.includes("/tyres/");  // not models by themselves
+  const isPart = file.includes("/parts/") || file.includes("/tyres/") || opensWith(file, "// Part:");  // not models by themselves
   if (!isPart && !readerAccepts(file)) fault(file, "the reader refuses what should be a good model");
 }
 

@@ -7,6 +7,7 @@ import { colour, curveColour } from "./theme.js";
 
 export const kHeight = 168;
 const kLargeFrom = 2000;
+const kDashes = [[6, 3], [2, 2], [9, 3, 2, 3]]; // of the second result, the third, the fourth
 const kFont = "11px system-ui, sans-serif";
 
 /** Factor and unit as a column is shown: angles in degrees, large forces in kilo. */
@@ -19,6 +20,7 @@ export function shownUnit({ unit, smallest, largest }) {
 }
 
 function formatted(value, noise) {
+  if (Number.isNaN(value)) return ""; // another result has ended
   const size = Math.abs(value);
   if (size < noise) return "0";
   if (size !== 0 && (size < 1e-3 || size >= 1e6)) return value.toExponential(2);
@@ -56,7 +58,9 @@ export function chartOptions(columns, width, key, hooks) {
     legend: { show: false },
     scales: { x: { time: false }, y: { range: (u, low, high) => (low === null ? [0, 1] : limits(low, high, noise)) } },
     axes: axes(shownUnit(columns[0]).unit),
-    series: [{}, ...columns.map(({ name }, i) => ({ label: name, stroke: curveColour(i), width: 1.5, pxAlign: 0, points: { show: false } }))],
+    series: [{}, ...columns.map(({ name, other }, i) => ({
+      label: name, stroke: curveColour(i), width: 1.5, pxAlign: 0, points: { show: false }, dash: other ? kDashes[(other - 1) % kDashes.length] : undefined,
+    }))],
     cursor: { sync: { key, setSeries: false }, drag: { x: true, y: false, setScale: true }, points: { size: 6 } },
     hooks,
   };
@@ -66,6 +70,7 @@ export function chartOptions(columns, width, key, hooks) {
 export function chartData(times, columns) {
   return [times, ...columns.map((column) => {
     const { factor } = shownUnit(column);
+    if (column.other) return Array.from(column.values, (value) => (Number.isNaN(value) ? null : factor * value));
     return factor === 1 ? column.values : column.values.map((value) => factor * value);
   })];
 }

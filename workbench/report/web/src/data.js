@@ -1,5 +1,6 @@
 // The data of the page as mbgen wrote them (workbench/report): JSON, its long lists as 32-bit numbers in base64.
 
+import { courseOf } from "./course.js";
 import { kPose } from "./numbers.js";
 import { createSwing } from "./swing.js";
 
@@ -54,18 +55,22 @@ function decodeTable(table) {
   const columns = table.columns.map((column, c) => ({
     ...column,
     noise: noise(column),
-    values: data.subarray(c * table.rows, (c + 1) * table.rows),
+    values: data.subarray(c * table.rows, (c + 1) * table.rows), // NaN of another result that has ended
   }));
   return { ...table, columns, times: columns[0].values };
 }
 
-/** Reads the page's data: model, scene, animations, topology, and of a result run and table, of modes point and rest. */
+/** Reads the page's data: model, scene, animations, topology, and of a result run, table and other results, of modes point,
+ * rest and frequency responses. */
 export function readData() {
   const data = JSON.parse(document.getElementById("data").textContent);
   if (data.scene.ground) data.scene.ground = decodeGround(data.scene.ground);
   if (data.table) {
     data.animations = data.animations.map((animation) => decodeAnimation(animation, data.scene.bodies.length));
     data.table = decodeTable(data.table);
+    data.scene.course = courseOf(data.run);
+    data.others = (data.others ?? []).map((other) => (
+      { ...other, animation: decodeAnimation(other.animation, other.scene.bodies.length) }));
   } else {
     const rest = floats(data.rest);
     data.animations = data.animations.map((mode) => createSwing({ ...mode, poses: floats(mode.poses) }, rest));

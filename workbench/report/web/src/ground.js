@@ -72,6 +72,28 @@ function trackedWheels(scene) {
   });
 }
 
+/** Height of the road at a place [x, y]: below the nearest place of a wheel, where the road is not a plane. */
+export function roadHeights(scene, animation) {
+  if (!scene.ground) return () => scene.road ?? scene.floor ?? 0;
+  const stride = Math.max(1, Math.ceil(animation.times.length / kMostTrackPoints));
+  const known = [];
+  trackedWheels(scene).forEach(({ body, at, height }) => {
+    for (let frame = 0; frame < animation.times.length; frame += stride) {
+      const place = new Vector3(...originAt(animation, body, animation.times[frame])).add(wheelOffset(animation, body, frame, at));
+      known.push([place.x, place.y, height(frame)]);
+    }
+  });
+  return ([x, y]) => {
+    let nearest = Infinity;
+    let found = scene.ground.floor ?? 0;
+    known.forEach(([kx, ky, height]) => {
+      const far = (kx - x) ** 2 + (ky - y) ** 2;
+      if (far < nearest) [nearest, found] = [far, height];
+    });
+    return found;
+  };
+}
+
 /** Lines of the wheels' paths on the road. */
 export function createTracks(scene, animation) {
   const group = new Group();

@@ -6,6 +6,7 @@ import { createModes } from "./modes.js";
 import { createPicker } from "./picker.js";
 import { createPlayer } from "./player.js";
 import { createPlots, firstPlots } from "./plots.js";
+import { writeResponses } from "./responses.js";
 import { writeSummary } from "./summary.js";
 import { createView } from "./view.js";
 import { kLayers } from "./world.js";
@@ -24,7 +25,7 @@ function option(value, text) {
 /** The animation, or null with a word why there is none. */
 function tryView(data) {
   try {
-    return createView(data.scene, data.animations[0], at("view"), data.table);
+    return createView(data.scene, data.animations[0], at("view"), data.table, data.others);
   } catch (problem) {
     at("tip").hidden = false;
     at("tip").textContent = `No animation: this browser gives no WebGL (${problem.message}). All else is complete.`;
@@ -36,6 +37,8 @@ function writeHeader(data) {
   const { model } = data;
   at("name").textContent = model.name;
   at("facts").textContent = `${model.degrees_of_freedom - model.driven} free and ${model.driven} driven degrees of freedom, ${model.coordinates} coordinates, ${model.equations} loop equations`;
+  const others = data.others ?? [];
+  if (others.length > 0) at("facts").textContent += `; ${data.label}, translucent: ${others.map(({ label }) => label).join("; ")}`;
   if (data.point) at("facts").textContent += `; modes about its ${data.point.state}`;
 }
 
@@ -171,7 +174,7 @@ function connectKeys(player, view, data, speeds, others) {
 }
 
 function startPlots(data, player) {
-  writeMetrics(data.run, at("charts"));
+  writeMetrics(data.run, at("charts"), data.label, data.others);
   const pick = createPicker(data.table);
   const plots = createPlots(data.table, player, at("charts"), pick);
   firstPlots(data.table).forEach(plots.add);
@@ -207,6 +210,8 @@ function start() {
   const { modes, keys } = isResult ? { modes: null, keys: {} } : startModes(data, player, view);
   connectKeys(player, view, data, speeds, keys);
   returnKeys();
+  writeResponses(data.responses, at("responses"), at("response-diagrams"));
+  at("to-responses").hidden = at("responses").hidden;
   writeSummary(data, at("tables"));
   at("drawing").innerHTML = data.topology; // SVG that mbgen drew, names escaped
   function frame(now) {

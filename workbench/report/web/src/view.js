@@ -19,18 +19,19 @@ function createRenderer(element) {
 
 /** Colours of the page on everything that is not of a body. */
 function paint(world, size) {
-  const colours = { ground: colour("ground"), grid: colour("grid"), road: colour("road"), track: colour("track") };
+  const colours = { ground: colour("ground"), grid: colour("grid"), road: colour("road"), track: colour("track"), course: colour("course") };
   world.scene.background = new Color(colour("sky"));
   world.scene.fog = new Fog(colour("sky"), 3.2 * size, 9 * size);
   world.ground?.paint(colours);
   world.roads?.paint(colours);
   world.tracks?.paint(colours);
+  world.course?.paint(colours);
 }
 
-/** table: of a result; undefined of modes. */
-export function createView(scene, animation, element, table) {
+/** table and others: of a result; undefined of modes. */
+export function createView(scene, animation, element, table, others) {
   const renderer = createRenderer(element);
-  const world = createWorld(scene, animation, table);
+  const world = createWorld(scene, animation, table, others);
   const names = createNames(scene, world.bodies, element);
   const target = createTarget(scene, world.bodies);
   const viewer = createCamera(scene, renderer.domElement, target);
@@ -108,6 +109,8 @@ export function createView(scene, animation, element, table) {
     /** Where the camera stands, and where a link's ends are in the picture drawn last, for tests. */
     cameraPlace: () => viewer.camera.position.toArray(),
     drawnForces: () => world.drawnForces(),
+    drawnCourse: () => world.course?.drawn ?? null,
+    ghostPlace: (ghost, body) => world.ghosts.place(ghost, body),
     drawnRoads: () => world.roads?.drawn() ?? [],
     endPlaces: (link) => world.endPlaces(link).map((end) => end.toArray()),
   };

@@ -2,7 +2,9 @@
 
 import { Scene, Vector3 } from "three";
 import { createArrows } from "./arrows.js";
-import { createGround, createTracks } from "./ground.js";
+import { createCourse } from "./course.js";
+import { createGhosts } from "./ghosts.js";
+import { createGround, createTracks, roadHeights } from "./ground.js";
 import { createLights } from "./lights.js";
 import { linkObject } from "./links.js";
 import { poseBodies, poseForCamera } from "./poses.js";
@@ -10,7 +12,7 @@ import { createRoads } from "./road.js";
 import { bodyGroup, jointMark } from "./shapes.js";
 
 /** Layers that can be shown and hidden, and whether each is shown at first. */
-export const kLayers = { bodies: true, hulls: true, links: true, joints: true, forces: true, ground: true, tracks: true, names: false };
+export const kLayers = { bodies: true, hulls: true, links: true, joints: true, forces: true, ground: true, tracks: true, course: true, ghosts: true, names: false };
 
 /** Bodies with the marks of their joints, in layers. */
 function createBodies(scene) {
@@ -23,8 +25,8 @@ function createBodies(scene) {
   return bodies;
 }
 
-/** table: of a result, whose forces are drawn; undefined of modes. */
-export function createWorld(scene, animation, table) {
+/** table: of a result, whose forces are drawn; undefined of modes. others: further results, drawn as ghosts. */
+export function createWorld(scene, animation, table, others) {
   const world = new Scene();
   const bodies = createBodies(scene);
   world.add(...bodies);
@@ -50,8 +52,10 @@ export function createWorld(scene, animation, table) {
   const roads = scene.ground ? createRoads(scene) : null;
   const hasWheels = scene.road !== null || scene.ground;
   const tracks = hasWheels && animation.kind !== "mode" ? createTracks(scene, animation) : null;
+  const course = animation.kind === "mode" ? null : createCourse(scene, roadHeights(scene, animation));
+  const ghosts = createGhosts(others);
   const lights = createLights(scene);
-  world.add(...lights.objects, ...[ground, roads, tracks].flatMap((part) => (part ? [part.group] : [])));
+  world.add(...lights.objects, ...ghosts.objects, ...[ground, roads, tracks, course].flatMap((part) => (part ? [part.group] : [])));
 
   const inLayer = (name) => {
     const found = [];
@@ -66,6 +70,8 @@ export function createWorld(scene, animation, table) {
     forces: arrows.objects,
     ground: [ground, roads].flatMap((part) => (part ? [part.group] : [])),
     tracks: tracks ? [tracks.group] : [],
+    course: course ? [course.group] : [],
+    ghosts: ghosts.objects,
   };
 
   return {
@@ -74,6 +80,8 @@ export function createWorld(scene, animation, table) {
     ground,
     roads,
     tracks,
+    course,
+    ghosts,
     lights,
     layers,
     endPlaces,
@@ -82,6 +90,7 @@ export function createWorld(scene, animation, table) {
     pose(shown, time) {
       poseBodies(bodies, shown, time);
       arrows.show(time);
+      ghosts.pose(time);
       links.forEach(({ link, place }) => place(...endPlaces(link)));
     },
   };
