@@ -30,7 +30,7 @@ constexpr int kNodeClosures = 8;
 /// A correction that moves no coordinate of a node by more (rad or m), nor by its velocity, is the last: Newton squares
 /// it, and the terms before it give z* and Rz as near as the polynomials are.
 template <class Real>
-inline constexpr Real kLastOfNode = Real(1e-9);
+inline constexpr Real kLastOfNode = Real(1e-11);
 template <>
 inline constexpr float kLastOfNode<float> = 1e-7f;
 /// Largest share of the way to the first node that the term of degree four has in a motion that is followed: a
