@@ -57,7 +57,7 @@ void keep_decisions(const fs::path& cache, const fs::path& file, const Analysis&
 }
 
 Result<Compilation> decide_or_recall(Model model) {
-  const fs::path cache = own_cache();
+  const fs::path cache = own_cache(false);  // the search for a solver tells
   if (cache.empty()) return decide(std::move(model));
   const fs::path file = file_of_decisions(cache, model);
   if (std::optional<Compilation> kept = recalled(file, model)) {
