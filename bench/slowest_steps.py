@@ -133,7 +133,9 @@ def models(out):
         yield f"{vehicle}, hump", ROOT / "models" / "rides" / f"{vehicle}_hump.json", 1e-3, 4000
 
 
-LOOP_LINES = (("if (factor != 0) {\n", "2 * (loop.coordinates - k)"), ("int at = -1;\n", "loop.coordinates - first"))
+LOOP_LINES = (("const Real factor = row[k] / pivot_row[k];\n", "2 * (few < 0 ? loop.coordinates - k : few)"),
+              ("int at = -1;\n", "loop.coordinates - first"), ("loop.places[count] = j;\n", "1"),
+              ("const int j = loop.places[n];\n", "2"))
 FINE_LINES = (("const Real entry = entries[column];\n", "2 * stride"),
               ("if (r == i || factor == 0) continue;\n", "2 * e.width"),
               ("const Real* const row = e.row(r);\n", "size + others"),

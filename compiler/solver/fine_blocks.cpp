@@ -11,7 +11,7 @@ using Pattern = std::vector<std::vector<bool>>;
 
 /// Operations of the elimination of all of a block over those of its parts, from which these are taken: below, the
 /// tables and the exchanges are not worth it.
-constexpr double kWorthFine = 6;
+constexpr double kWorthFine = 2;
 
 /// Equations and coordinates of the parts, first those whose equations have entries in no later one; none where a
 /// pivot comes from elimination alone.

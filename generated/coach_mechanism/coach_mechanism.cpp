@@ -17223,6 +17223,13 @@ struct System {
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   static constexpr int kMultiplierPlace[] = {
       0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+  static constexpr mbgen::FineLayout kFineLayout[] = {{0, 5, 0, 0, 0, 4}, {5, 0, 11, 13, 3, 0}};
+  static constexpr mbgen::FineBlock kFineBlock[] = {
+      {1, 0, 0, 1}, {4, 1, 1, 2}, {1, 5, 3, 4}, {4, 6, 7, 2}, {1, 10, 9, 4}};
+  static constexpr int kFineRow[] = {8, 5, 10, 3, 4, 7, 2, 9, 1, 0, 6};
+  static constexpr int kFineColumn[] = {12, 7, 8, 9, 10, 11, 4, 1, 3, 2, 5};
+  static constexpr int kFineEarlier[] = {13, 6, 13, 6, 7, 8, 9, 0, 13, 0, 1, 2, 3};
+  static constexpr int kFineOther[] = {0, 6, 13};
   using Accelerations = coach_mechanism::Accelerations;
   static constexpr auto accelerations = &compute_accelerations;
   using Closure = coach_mechanism::Closure;

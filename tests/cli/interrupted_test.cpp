@@ -1,4 +1,4 @@
-// Runs that a signal ends keep what they have, say how to go on, and end by the signal; and files without end.
+// Runs that a signal ends keep what they have, say how to go on, and end as by Ctrl-C; and files without end.
 
 #include <sys/stat.h>
 
@@ -20,10 +20,10 @@ class Interruption : public CommandLine {
 
 TEST_F(Interruption, AMotionKeepsItsRows) {
   write("pendulum.json", kPendulum);
-  for (const auto& [signal, code] : {std::pair("INT", "130\n"), {"TERM", "143\n"}}) {
+  for (const char* signal : {"INT", "TERM"}) {
     const Outcome run = interrupted("simulate pendulum.json --engine generic --duration 1e6 --step 1e-3 --out q.csv",
                                     "[ -s .q.csv.* ]", signal);
-    EXPECT_EQ(run.out, code) << run.err;
+    EXPECT_EQ(run.out, "130\n") << signal << run.err;
     const Table motion = table("q.csv");
     ASSERT_GT(motion.rows.size(), 10u);
     for (std::size_t row = 0; row < motion.rows.size(); ++row) ASSERT_EQ(motion.rows[row].size(), motion.names.size());
@@ -42,19 +42,23 @@ TEST_F(Interruption, AMotionKeepsItsRows) {
 
 TEST_F(Interruption, AStudyKeepsItsCases) {
   write("pendulum.json", kPendulum);
-  const Outcome run = interrupted(
-      "sweep pendulum.json --vary torque=0:0.001:9 --metric 'max(height)' --engine generic --duration 2 --step 1e-3 "
-      "--jobs 2 --out s.csv",
-      "[ \\$(wc -l <s.csv.journal 2>/dev/null || echo 0) -ge 4 ]", "INT");
-  EXPECT_EQ(run.out, "130\n") << run.err;
-  const std::string journal = read("s.csv.journal");
-  const auto lines = std::count(journal.begin(), journal.end(), '\n');
-  EXPECT_NE(run.err.find(fmt::format("sweep: interrupted: {} of 9001 cases are done, s.csv.journal keeps them; run the "
-                                     "same command again to go on\n",
-                                     lines - 1)),
-            std::string::npos)
-      << run.err;
-  EXPECT_FALSE(std::filesystem::exists(path("s.csv")));
+  for (const char* signal : {"INT", "TERM"}) {
+    const Outcome run = interrupted(
+        "sweep pendulum.json --vary torque=0:0.001:9 --metric 'max(height)' --engine generic --duration 2 --step 1e-3 "
+        "--jobs 2 --out s.csv",
+        "[ \\$(wc -l <s.csv.journal 2>/dev/null || echo 0) -ge 4 ]", signal);
+    EXPECT_EQ(run.out, "130\n") << run.err;
+    const std::string journal = read("s.csv.journal");
+    const auto lines = std::count(journal.begin(), journal.end(), '\n');
+    EXPECT_NE(
+        run.err.find(fmt::format("sweep: interrupted: {} of 9001 cases are done, s.csv.journal keeps them; run the "
+                                 "same command again to go on\n",
+                                 lines - 1)),
+        std::string::npos)
+        << run.err;
+    EXPECT_FALSE(std::filesystem::exists(path("s.csv")));
+    std::filesystem::remove(path("s.csv.journal"));
+  }
 }
 
 TEST_F(Interruption, FilesWithoutEndAreRefusedBeforeMemoryIsGone) {

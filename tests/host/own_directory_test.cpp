@@ -113,6 +113,7 @@ TEST_F(OwnDirectory, SolversThatOthersCouldHaveWrittenAreNotLoaded) {
                                      path("cache").string())),
             std::string::npos)
       << run.err;
+  EXPECT_EQ(run.err.find("note:"), run.err.rfind("note:")) << "told once: " << run.err;
   EXPECT_NE(run.err.find("this compiler is broken"), std::string::npos) << run.err;
 }
 

@@ -60,7 +60,7 @@ struct Loop {
   }
   double& at(int equation, int column) { return jacobian[static_cast<std::size_t>(equation) * coordinates + column]; }
 
-  bool solve(double least) {
+  bool solve(double least, const std::vector<double>& told = {}) {
     const FineStructure structure = {blocks.data(), kParts,      rows.data(), columns.data(), earlier.data(),
                                      others.data(), other_count, coordinates, kLargest};
     solved.assign(static_cast<std::size_t>(coordinates) * (other_count + 2), 0.0);
@@ -70,8 +70,9 @@ struct Loop {
     movable.assign(other_count, 0);
     solution.rows = solved.data();
     solution.others = free.data();
-    return solve_finely(structure, jacobian.data(), open.data(), bias.data(), is_driven.data(), least, solution,
-                        work.data(), places.data(), movable.data());
+    return solve_finely(structure, jacobian.data(), open.data(), told.empty() ? bias.data() : nullptr, is_driven.data(),
+                        least, solution, work.data(), places.data(), movable.data(),
+                        told.empty() ? nullptr : told.data());
   }
   /// Largest part of an equation with a pivot that a column of the solution leaves.
   double left(int column, const std::vector<double>* right_hand_side, double sign) const {
@@ -123,6 +124,49 @@ TEST(FineBlocks, ExchangeAColumnThatIsBadInOne) {
       EXPECT_NE(std::find_first_of(loop.free.begin(), loop.free.end(), bad_columns.begin(), bad_columns.end()),
                 loop.free.end());
       EXPECT_EQ(loop.free.back(), loop.others.back()) << "the driven column";
+    }
+  }
+}
+
+/// Two equations of a fine block that say the same, as at a singular position: one of them is left out, and a
+/// coordinate stays and keeps its velocity; beside another fine block where coordinates are exchanged, or none.
+TEST(FineBlocks, AreSolvedAsFarAsTheirPivotsGo) {
+  std::mt19937 random(20251130);
+  std::uniform_real_distribution<double> entry(-1, 1);
+  for (const int singular : {1, 2, 4, 5}) {
+    for (const int exchanged : {-1, 0, 3}) {
+      Loop loop(random, 2);
+      const FineBlock& block = loop.blocks[singular];
+      for (int c = 0; c < loop.coordinates; ++c)
+        loop.at(loop.rows[block.first + 1], c) = loop.at(loop.rows[block.first], c);
+      if (exchanged >= 0) {
+        loop.at(loop.rows[loop.blocks[exchanged].first], loop.columns[loop.blocks[exchanged].first]) = 1e-14;
+        loop.at(loop.rows[loop.blocks[exchanged].first], loop.others[0]) = 1.5;
+      }
+      std::vector<double> told(loop.coordinates);
+      for (double& velocity : told) velocity = entry(random);
+      EXPECT_FALSE(loop.solve(1e-4));
+      ASSERT_TRUE(loop.solve(1e-4, told));
+      EXPECT_LT(loop.solution.smallest_pivot, 1e-10);
+      EXPECT_EQ(loop.free[0] == loop.others[0], exchanged < 0);
+      // Positions close all equations but one, at rest of the other columns; velocities hold with these as told.
+      int open = 0, held = 0;
+      for (const int e : loop.rows) {
+        double position = loop.open[e], velocity = 0;
+        for (int c = 0; c < loop.coordinates; ++c) {
+          const double* const row = loop.solution.row(c);
+          position += loop.at(e, c) * row[2];
+          velocity += loop.at(e, c) * (row[0] * told[loop.free[0]] + row[1] * told[loop.free[1]] + row[3]);
+        }
+        EXPECT_LT(std::abs(velocity), kRounding);
+        if (std::abs(position) > kRounding) ++open;
+      }
+      for (int i = 0; i < block.size; ++i) {
+        const double* const row = loop.solution.row(loop.columns[block.first + i]);
+        if (row[0] == 0 && row[1] == 0 && row[2] == 0 && row[3] == told[loop.columns[block.first + i]]) ++held;
+      }
+      EXPECT_EQ(open, 1);
+      EXPECT_EQ(held, 1);
     }
   }
 }

@@ -104,9 +104,10 @@ class Loaded {
                              return file.path == name + ".cpp";
                            })->rare_parts;
     if (rare_parts == 0) sources += " " + base + ".cpp";
-    for (int part = 0; rare_parts > 0 && part <= rare_parts; ++part) {
+    for (int part = 0; rare_parts > 0 && part <= std::min(rare_parts, 2); ++part) {  // from the second on together
       const std::string object = base + "." + std::to_string(part) + ".o";
       std::string words = command + "-c -DMBGEN_PART=" + std::to_string(part);
+      if (part == 2) words += " -DMBGEN_LAST_PART=" + std::to_string(rare_parts);
       if (part > 0) {
         for (const std::string& flag : rare_compile_flags(compiler.family)) words += " " + flag;
       }

@@ -6,7 +6,7 @@
 namespace mbgen::cli {
 
 /// Exit codes, the same for every command.
-enum ExitCode : int { kDone = 0, kUserFault = 1, kOurDefect = 2 };
+enum ExitCode : int { kDone = 0, kUserFault = 1, kOurDefect = 2, kInterrupted = 130 };
 
 // Each function adds its command to the application; the command sets the exit code when it is run. Fails: UserError.
 void add_check(NamedCommand application, int& exit_code);

@@ -8,6 +8,7 @@
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/options.hpp"
 #include "workbench/engines/engine_arguments.hpp"
+#include "workbench/engines/kept_decisions.hpp"
 #include "workbench/host/assignments.hpp"
 #include "workbench/host/files.hpp"
 #include "workbench/motion/reactions.hpp"
@@ -76,8 +77,7 @@ int run(const EvaluateOptions& options) {
   if (options.reactions) add_reaction_outputs(model);
   EngineChoice choice = chosen_engine(options.engine);
   choice.form = chosen_form(options.form);
-  const Compilation compilation =
-      expect(choice.name == "generated" ? decide_to_write(std::move(model), choice.form) : decide(std::move(model)));
+  const Compilation compilation = expect(decide_for(std::move(model), choice));
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   const StatesFile file = read_states(options.states, compilation, inputs);
   Engine engine = make_engine(compilation, choice);

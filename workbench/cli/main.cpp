@@ -63,7 +63,7 @@ int run(int argc, char** argv) {
   line.application().footer(
       "Each command explains itself: mbgen simulate --help\n"
       "--out - writes a result to standard output, and all messages to standard error.\n"
-      "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault.");
+      "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault, 130 interrupted.");
   for (const auto add : {add_new,   add_check,  add_explain,  add_inspect,     add_generate,   add_export, add_simulate,
                          add_plot,  add_report, add_evaluate, add_equilibrium, add_linearize,  add_kc,     add_sweep,
                          add_bench, add_cache,  add_import,   add_schema,      add_completion, add_manual}) {
@@ -87,6 +87,7 @@ int main(int argc, char** argv) {
     mbgen::print_styled(error.text(style_of_errors()));
     return kUserFault;
   } catch (const mbgen::Interrupted& interrupted) {
+    if (interrupted.signal == SIGTERM) return kInterrupted;  // as the shell has it after Ctrl-C
     std::raise(interrupted.signal);
   } catch (const std::bad_alloc&) {
     mbgen::print_message("mbgen: not enough memory\n  hint: simplify the model, or run it on a larger machine\n");

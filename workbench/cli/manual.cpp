@@ -61,7 +61,8 @@ std::string manual_text(const NamedCommand& application) {
                         options_text(command), footer_text(command));
   }
   return text +
-         ".SH EXIT STATUS\n.TP\n0\nDone.\n.TP\n1\nThe input is at fault.\n.TP\n2\nmbgen is at fault.\n"
+         ".SH EXIT STATUS\n.TP\n0\nDone.\n.TP\n1\nThe input is at fault.\n.TP\n2\nmbgen is at "
+         "fault.\n.TP\n130\nInterrupted.\n"
          ".SH ENVIRONMENT\n.TP\nCXX\nThe compiler of solvers; default c++.\n.TP\nNO_COLOR\nNo colours on terminals.\n";
 }
 

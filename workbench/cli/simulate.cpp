@@ -13,6 +13,7 @@
 #include "workbench/engines/auto_engine.hpp"
 #include "workbench/engines/compile_solver.hpp"
 #include "workbench/engines/engine_arguments.hpp"
+#include "workbench/engines/kept_decisions.hpp"
 #include "workbench/host/assignments.hpp"
 #include "workbench/host/blocked_signals.hpp"
 #include "workbench/host/files.hpp"
@@ -118,8 +119,7 @@ int run(SimulateOptions options) {
       options.simulation.integrator == "auto"
           ? chosen_integrator(model, options, settings, choice.name)
           : integrator_of(control ? "" : options.simulation.integrator, model.solver.integrator, choice.name);
-  const Compilation compilation =
-      expect(choice.name == "generated" ? decide_to_write(std::move(model), choice.form) : decide(std::move(model)));
+  const Compilation compilation = expect(decide_for(std::move(model), choice));
   std::shared_ptr<const SolverTable> kept;
   if (choice.name == kAutoEngine) {
     AutoEngine chosen = auto_engine(compilation, choice, settings.steps);

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 
 #include "compiler/emit/emit.hpp"
 #include "compiler/text/user_error.hpp"
@@ -66,6 +67,21 @@ void require_result(const Command& command) {
   if (!missing && size > 0) return;
   throw UserError(fmt::format("no C++ compiler: `{}` ended well and wrote no code; name another one in CXX\n",
                               command.arguments.front()));
+}
+
+/// Parts of a source that are compiled together.
+struct PartRange {
+  int first = 0, last = 0;
+};
+
+/// The part that runs at every step alone, and the others on as many further processors as there are: every compilation
+/// reads the headers and the whole file once more, half a second.
+std::vector<PartRange> ranges_of(int rare_parts) {
+  std::vector<PartRange> ranges = {{0, 0}};
+  const int others = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+  const int groups = std::min(rare_parts, others);
+  for (int g = 0; g < groups; ++g) ranges.push_back({1 + g * rare_parts / groups, (g + 1) * rare_parts / groups});
+  return ranges;
 }
 
 }  // namespace
@@ -146,16 +162,19 @@ std::vector<std::string> compile_sources(const HostCompiler& compiler,
   std::vector<Command> compilations, rare;
   std::vector<std::string> names;
   for (const Source& source : sources) {
-    for (int part = 0; part <= source.rare_parts; ++part) {
-      const std::string base = (objects / source.path.filename()).string() + (part > 0 ? fmt::format(".{}", part) : "");
+    for (const PartRange& parts : ranges_of(source.rare_parts)) {
+      const bool is_part = parts.first > 0;
+      const std::string base =
+          (objects / source.path.filename()).string() + (is_part ? fmt::format(".{}", parts.first) : "");
       names.push_back(base + ".o");
       Command compilation{compilation_of(compiler, directories), base + ".log", names.back()};
       std::vector<std::string>& words = compilation.arguments;
-      const std::vector<std::string>& further = source.is_rare || part > 0 ? compiler.rare_flags : compiler.hot_flags;
+      const std::vector<std::string>& further = source.is_rare || is_part ? compiler.rare_flags : compiler.hot_flags;
       words.insert(words.end(), further.begin(), further.end());
-      if (source.rare_parts > 0) words.push_back(fmt::format("-DMBGEN_PART={}", part));
+      if (source.rare_parts > 0) words.push_back(fmt::format("-DMBGEN_PART={}", parts.first));
+      if (parts.last > parts.first) words.push_back(fmt::format("-DMBGEN_LAST_PART={}", parts.last));
       words.insert(words.end(), {"-c", source.path.string(), "-o", names.back()});
-      (part > 0 ? rare : compilations).push_back(std::move(compilation));
+      (is_part ? rare : compilations).push_back(std::move(compilation));
     }
   }
   // The first part of a large file takes longest, so that it starts first.

@@ -53,7 +53,7 @@ struct Source {
   bool is_rare = false;  ///< all of it runs rarely
 };
 
-/// Compiles sources, large ones part by part; code that runs rarely with rare_flags, other code with hot_flags.
+/// Compiles sources, large ones in as many parts as there are processors; code that runs rarely with rare_flags, other code with hot_flags.
 /// directories: of headers; objects: the directory for the objects; product, advice: as for run_all.
 /// Result: the objects. Fails: as run_all.
 std::vector<std::string> compile_sources(const HostCompiler& compiler,

@@ -29,7 +29,7 @@ std::string seal_of(std::string_view object) {
   return fmt::format("{}{:016x}\n{}\n", kMark, object.size(), hash.text());
 }
 
-std::string bytes_of(const fs::path& path) {
+std::string bytes_of_file(const fs::path& path) {
   std::error_code missing;
   const std::uintmax_t size = fs::file_size(path, missing);
   std::string bytes(missing ? 0 : size, '\0');
@@ -46,7 +46,7 @@ std::string bytes_of(const fs::path& path) {
 }  // namespace
 
 void seal(const fs::path& object) {
-  const std::string text = seal_of(bytes_of(object));
+  const std::string text = seal_of(bytes_of_file(object));
   const int file = ::open(object.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (file < 0) fail(object);
   const bool is_written = ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
@@ -58,13 +58,22 @@ void seal(const fs::path& object) {
   if (::close(file) != 0) fail(object);
 }
 
-bool is_sealed(const fs::path& object) {
-  const std::string bytes = bytes_of(object);
-  const std::size_t length = seal_of({}).size();
-  if (bytes.size() < length) return false;
-  const std::string_view content = std::string_view(bytes).substr(0, bytes.size() - length);
-  return std::string_view(bytes).substr(content.size()) == seal_of(content);
+std::string sealed(std::string content) {
+  content += seal_of(content);
+  return content;
 }
+
+std::optional<std::string> content_of_sealed(const fs::path& file) {
+  std::string bytes = bytes_of_file(file);
+  const std::size_t length = seal_of({}).size();
+  if (bytes.size() < length) return std::nullopt;
+  const std::string_view content = std::string_view(bytes).substr(0, bytes.size() - length);
+  if (std::string_view(bytes).substr(content.size()) != seal_of(content)) return std::nullopt;
+  bytes.resize(content.size());
+  return bytes;
+}
+
+bool is_sealed(const fs::path& object) { return content_of_sealed(object).has_value(); }
 
 bool keep(const fs::path& object, const fs::path& kept) {
   std::error_code problem;

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "compiler/text/user_error.hpp"
+#include "workbench/engines/kept_decisions.hpp"
 #include "workbench/engines/kept_request.hpp"
 #include "workbench/host/message.hpp"
 #include "workbench/host/own_directory.hpp"
@@ -67,6 +68,7 @@ int make_room(const fs::path& cache, std::uintmax_t bytes) {
     if (together > bytes && fs::remove(object.file, ignored)) ++removed;
   }
   if (removed > 0) forget_requests(cache);
+  if (bytes == 0) keep_newest(cache, kEndingOfDecisions, 0);
   return removed;
 }
 

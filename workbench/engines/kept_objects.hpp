@@ -29,7 +29,8 @@ void mark_used(const std::filesystem::path& object);
 std::uintmax_t room_of(const std::filesystem::path& cache);
 void set_room(const std::filesystem::path& cache, std::uintmax_t bytes);
 
-/// Removes the least recently used ones until the others fit `bytes`, with their requests. Result: how many.
+/// Removes the least recently used ones until the others fit `bytes`, with their requests; for no bytes decisions
+/// about models, too. Result: how many.
 int make_room(const std::filesystem::path& cache, std::uintmax_t bytes);
 
 /// make_room for the limit of the cache; the first time that this removes solvers, a note on standard error says so.

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <fstream>
+#include <functional>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "compiler/text/hash.hpp"
@@ -18,13 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kEnding = ".request";
 constexpr std::size_t kLongestName = 255;
-
-/// This program, as long as nobody builds it anew.
-std::string this_program() {
-  struct stat facts {};
-  if (::stat("/proc/self/exe", &facts) != 0) return "";
-  return fmt::format("{} {}.{:09}", facts.st_size, facts.st_mtim.tv_sec, facts.st_mtim.tv_nsec);
-}
+constexpr std::size_t kMostRequests = 4096;  // of a block of the disk each: a long sweep has one for every case
 
 /// The object that a file of a request names, nothing where it names none of the cache.
 std::optional<fs::path> object_in(const fs::path& cache, const fs::path& file) {
@@ -41,6 +38,22 @@ std::optional<fs::path> object_in(const fs::path& cache, const fs::path& file) {
 fs::path file_of(const fs::path& cache, const std::string& request) { return cache / (request + std::string(kEnding)); }
 
 }  // namespace
+
+std::string this_program() {
+  struct stat facts {};
+  if (::stat("/proc/self/exe", &facts) != 0) return "";
+  return fmt::format("{} {}.{:09}", facts.st_size, facts.st_mtim.tv_sec, facts.st_mtim.tv_nsec);
+}
+
+void keep_newest(const fs::path& cache, std::string_view ending, std::size_t most) {
+  std::vector<std::pair<fs::file_time_type, fs::path>> files;
+  std::error_code problem;
+  for (const fs::directory_entry& entry : fs::directory_iterator(cache, problem))
+    if (entry.path().extension() == ending) files.emplace_back(entry.last_write_time(problem), entry.path());
+  if (files.size() <= most) return;
+  std::sort(files.begin(), files.end(), std::greater());
+  for (std::size_t i = most; i < files.size(); ++i) fs::remove(files[i].second, problem);
+}
 
 std::string request_of(const Compilation& decided, const EngineChoice& choice, const HostCompiler& compiler) {
   const Model& model = decided.model;
@@ -68,6 +81,7 @@ void remember_request(const fs::path& cache, const fs::path& scratch, const std:
   if (!stream) return;
   fs::permissions(written, fs::perms::owner_read | fs::perms::owner_write, problem);
   fs::rename(written, file_of(cache, request), problem);
+  keep_newest(cache, kEnding, kMostRequests);
 }
 
 void forget_requests(const fs::path& cache) {

@@ -4,12 +4,19 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "compiler/compile.hpp"
 #include "workbench/engines/engine.hpp"
 #include "workbench/engines/host_compiler.hpp"
 
 namespace mbgen {
+
+/// This program, as long as nobody builds it anew.
+std::string this_program();
+
+/// Removes all files of that ending but the `most` that were written last.
+void keep_newest(const std::filesystem::path& cache, std::string_view ending, std::size_t most);
 
 /// Hash of all that decides on the code of a solver, its name aside: this program, the texts of the model's files, its
 /// elements as they are now, the choices and the compiler. Equal requests give equal solvers.

@@ -131,11 +131,12 @@ std::string foreign_hand(const fs::path& directory, bool may_be_shared) {
   return "";
 }
 
-fs::path own_cache() {
+fs::path own_cache(bool tells) {
   const fs::path directory = cache_directory();
   if (directory.empty()) return {};
   const std::string fault = fault_of_cache(directory);
   if (fault.empty()) return directory;
+  if (!tells) return {};
   print_message(
       "{}: note: nothing is kept or loaded here: {}\n"
       "  hint: name a directory that only you can write in XDG_CACHE_HOME; mbgen loads its compiled solvers "

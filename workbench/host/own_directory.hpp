@@ -14,8 +14,8 @@ namespace mbgen {
 std::string foreign_hand(const std::filesystem::path& directory, bool may_be_shared);
 
 /// ${XDG_CACHE_HOME:-~/.cache}/mbgen, made with mode 0700: files that mbgen makes once and loads again. "" when it
-/// cannot be used; unless no such place is named, a line on standard error says why and what to do.
-std::filesystem::path own_cache();
+/// cannot be used; unless no such place is named, a line on standard error says why and what to do, if `tells`.
+std::filesystem::path own_cache(bool tells = true);
 
 /// Whether a file of the cache is a plain file of the user that nobody else can write.
 bool is_own_file(const std::filesystem::path& file);

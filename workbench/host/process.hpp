@@ -20,7 +20,7 @@ struct Command {
 constexpr int kNotStarted = 127;
 
 /// A termination signal during the wait for programs. Thrown through all functions, so that they clean up; main then
-/// ends the process by the signal.
+/// ends the process by the signal, and with the exit code of Ctrl-C after SIGTERM.
 struct Interrupted {
   int signal = 0;
 };

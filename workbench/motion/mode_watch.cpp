@@ -41,10 +41,11 @@ double kinetic_energy(const Compilation& compilation, GenericSolver& solver, Gen
 
 }  // namespace
 
-ModeWatch::ModeWatch(const Compilation& compilation, const GenericState& start, const std::vector<double>& inputs,
-                     SolverSettings::Integrator integrator, const SimulationSettings& settings)
+ModeWatch::ModeWatch(const Compilation& compilation, const Engine& engine, const GenericState& start,
+                     const std::vector<double>& inputs, SolverSettings::Integrator integrator,
+                     const SimulationSettings& settings)
     : compilation_(compilation), start_(start) {
-  const LinearSystem system = system_near(compilation, start, inputs);
+  const LinearSystem system = system_near(compilation, engine, start, inputs);
   modes_ = mbgen::modes(system);
   energies_.assign(modes_.size(), 0.0);
   const double duration = static_cast<double>(settings.steps) * settings.step;

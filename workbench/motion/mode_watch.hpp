@@ -13,9 +13,11 @@ namespace mbgen {
 /// method, or are turned by more than kTurnedPhase.
 class ModeWatch {
  public:
-  /// inputs: of the model, at the start; settings: of the motion.
-  ModeWatch(const Compilation& compilation, const GenericState& start, const std::vector<double>& inputs,
-            SolverSettings::Integrator integrator, const SimulationSettings& settings);
+  /// engine: of the motion, in relative coordinates, before its first step; inputs: of the model, at the start;
+  /// settings: of the motion.
+  ModeWatch(const Compilation& compilation, const Engine& engine, const GenericState& start,
+            const std::vector<double>& inputs, SolverSettings::Integrator integrator,
+            const SimulationSettings& settings);
 
   void add(const Sample& sample);
   const std::vector<Mode>& modes() const { return modes_; }

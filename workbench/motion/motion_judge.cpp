@@ -33,8 +33,9 @@ MotionJudge::MotionJudge(const MotionTask& task)
       inputs_(task.control ? nullptr : &task.inputs),
       exchanges_(task.compilation, task.settings.step),
       turns_(task.compilation, task.integrator, task.settings.step),
-      times_(task.compilation, task.integrator, task.settings, inputs_),
-      modes_(task.compilation, task.start, task.inputs.at(task.start.t), task.integrator, task.settings) {
+      relative_(is_cartesian(task.engine.name) ? make_generic_engine(task.compilation, {}) : task.engine),
+      times_(task.compilation, relative_, task.integrator, task.settings, inputs_),
+      modes_(task.compilation, relative_, task.start, task.inputs.at(task.start.t), task.integrator, task.settings) {
   settings_.is_error_controlled = task.is_error_controlled();
   ContactWatch contacts(task.compilation);
   needs_multipliers_ = contacts.needs_multipliers();

@@ -60,6 +60,7 @@ class MotionJudge {
   const InputsOverTime* inputs_;  ///< null in a manoeuvre, which moves them: they are not known before
   ExchangeMeter exchanges_;
   TurnWatch turns_;
+  Engine relative_;  ///< the motion's own, or the generic one in place of a judge
   TimeWatch times_;
   ModeWatch modes_;
   std::vector<Watcher> watchers_;  ///< of other things than the step

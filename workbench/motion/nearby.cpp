@@ -12,18 +12,12 @@ constexpr double kDifference = 1e-6;  // rad, m or per second
 
 /// Positions and rates near a state, along the free directions of the loops.
 struct Nearby {
-  const Compilation& compilation;
-  GenericSolver solver;
+  const Engine& engine;
   std::vector<int> free;
   std::vector<AuxiliaryState> auxiliary;  ///< counted in parts of their magnitudes
 
-  Nearby(const Compilation& c, const std::vector<double>& inputs)
-      : compilation(c),
-        solver(c.model, c.topology, c.analysis),
-        free(free_coordinates(c.topology, c.analysis)),
-        auxiliary(auxiliary_states(c.model)) {
-    solver.set_inputs(inputs);
-  }
+  Nearby(const Compilation& c, const Engine& of)
+      : engine(of), free(free_coordinates(c.topology, c.analysis)), auxiliary(auxiliary_states(c.model)) {}
 
   Eigen::Index states(const GenericState& state) const {
     return static_cast<Eigen::Index>(2 * free.size() + state.x.size());
@@ -31,18 +25,19 @@ struct Nearby {
 
   /// Rates of the states and all positions after a change of state j.
   bool moved(const GenericState& state, Eigen::Index j, double change, Eigen::VectorXd& rates,
-             Eigen::VectorXd& positions) {
+             Eigen::VectorXd& positions) const {
     const auto count = static_cast<Eigen::Index>(free.size());
-    GenericState at = state;
+    LoadedState loaded{state, std::vector<double>(state.z.size(), 0.0)};
+    GenericState& at = loaded.state;
     if (j < 2 * count) {
       (j < count ? at.z : at.zd)[free[static_cast<std::size_t>(j % count)]] += change;
     } else {
       const auto i = static_cast<std::size_t>(j - 2 * count);
       at.x[i] += change * magnitude_of(auxiliary[i]);
     }
-    if (!solver.project(at).ok()) return false;
+    if (!engine.project(at).ok()) return false;
     GenericDerivative derivative;
-    if (!solver.accelerations(at, std::vector<double>(at.z.size(), 0.0), derivative).ok()) return false;
+    if (!engine.accelerations(loaded, derivative).ok()) return false;
     rates.resize(states(state));
     for (Eigen::Index i = 0; i < count; ++i) {
       rates[i] = at.zd[free[static_cast<std::size_t>(i)]];
@@ -58,11 +53,13 @@ struct Nearby {
 
 }  // namespace
 
-LinearSystem system_near(const Compilation& compilation, const GenericState& state, const std::vector<double>& inputs) {
+LinearSystem system_near(const Compilation& compilation, const Engine& engine, const GenericState& state,
+                         const std::vector<double>& inputs) {
   if (rolling_loop(compilation.topology)) return {};  // more positions are free than these coordinates tell
   const std::size_t free = free_coordinates(compilation.topology, compilation.analysis).size();
   if (2 * free + state.x.size() > kMostStatesForModes) return {};
-  Nearby nearby(compilation, inputs);
+  const Nearby nearby(compilation, engine);
+  engine.set_inputs(inputs);
   LinearSystem system;
   const Eigen::Index size = nearby.states(state);
   system.A.resize(size, size);
@@ -82,7 +79,7 @@ LinearSystem system_near(const Compilation& compilation, const GenericState& sta
 
 std::vector<Mode> modes_near(const Compilation& compilation, const GenericState& state,
                              const std::vector<double>& inputs) {
-  return modes(system_near(compilation, state, inputs));
+  return modes(system_near(compilation, make_generic_engine(compilation, {}), state, inputs));
 }
 
 std::vector<double> deviations_from(const Compilation& compilation, const GenericState& from, const GenericState& to) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "compiler/model/model.hpp"
 #include "workbench/describe/names.hpp"
@@ -31,14 +32,14 @@ bool looks_at_time(const Model& model) {
 
 }  // namespace
 
-TimeWatch::TimeWatch(const Compilation& compilation, SolverSettings::Integrator integrator,
+TimeWatch::TimeWatch(const Compilation& compilation, Engine engine, SolverSettings::Integrator integrator,
                      const SimulationSettings& settings, const InputsOverTime* inputs)
     : compilation_(compilation),
       integrator_(integrator),
       settings_(settings),
       inputs_(inputs),
       every_(std::max(1L, settings.steps / kLooksPerMotion)),
-      solver_(compilation.model, compilation.topology, compilation.analysis),
+      engine_(std::move(engine)),
       smallest_(compilation.topology.bodies.size(), INFINITY),
       largest_(compilation.topology.bodies.size(), -INFINITY) {
   if (looks_at_time(compilation.model)) sources_.push_back({});
@@ -51,30 +52,29 @@ void TimeWatch::add(const Sample& sample) {
   for (Source& source : sources_) look(sample, source);
 }
 
-bool TimeWatch::look(const Sample& sample, Source& source) {
-  const double start = sample.state.t;
-  const std::vector<double> no_forces(sample.moving.z.size(), 0.0);
+void TimeWatch::look(const Sample& sample, Source& source) {
+  LoadedState at{sample.moving, std::vector<double>(sample.moving.z.size(), 0.0)};
   const auto accelerations = [&](double part, std::vector<double>& zdd) {
-    const double t = start + part * settings_.step;
-    GenericState state = sample.moving;
-    std::vector<double> values = sample.inputs;
+    const double t = sample.state.t + part * settings_.step;
     if (source.input < 0) {
-      state.t = t;
-    } else {
+      at.state.t = t;
+    } else {  // inputs that move are set anew for every step: no history of a method is lost
+      std::vector<double> values = sample.inputs;
       const auto i = static_cast<std::size_t>(source.input);
       values[i] = inputs_->courses[i].at(t);
+      engine_.set_inputs(values);
     }
-    solver_.set_inputs(values);
     GenericDerivative rates;
-    if (!solver_.accelerations(state, no_forces, rates).ok()) return false;
+    const bool is_ok = engine_.accelerations(at, rates).ok();
     zdd = std::move(rates.zdd);
-    return true;
+    return is_ok;
   };
   std::vector<double> seen[3], between[2];
-  for (int k = 0; k < 3; ++k)
-    if (!accelerations(kSeen[k], seen[k])) return false;
-  for (int k = 0; k < 2; ++k)
-    if (!accelerations(kBetween[k], between[k])) return false;
+  bool are_known = true;
+  for (int k = 0; k < 3; ++k) are_known = are_known && accelerations(kSeen[k], seen[k]);
+  for (int k = 0; k < 2; ++k) are_known = are_known && accelerations(kBetween[k], between[k]);
+  if (source.input >= 0) engine_.set_inputs(sample.inputs);
+  if (!are_known) return;
   std::vector<double> deviations;
   for (std::size_t i = 0; i < smallest_.size(); ++i) {
     for (const std::vector<double>* zdd : {&seen[0], &seen[1], &seen[2], &between[0], &between[1]}) {
@@ -86,7 +86,6 @@ bool TimeWatch::look(const Sample& sample, Source& source) {
     deviations.push_back(std::max(std::abs(between[0][i] - early), std::abs(between[1][i] - late)));
   }
   source.deviations.push_back(std::move(deviations));
-  return true;
 }
 
 std::vector<std::string> TimeWatch::warnings() const {

@@ -220,6 +220,7 @@ struct BlockFactors {
   Real work[System::kEquations > 0 ? System::kEquations : 1];
   Real largest[System::kEquations > 0 ? System::kEquations : 1];
   int largest_at[System::kEquations > 0 ? System::kEquations : 1];
+  int places[System::kBlockCoordinates > 0 ? System::kBlockCoordinates : 1];
 
   /// Factorises block b of `terms` in place.
   LoopFactorsOf<Real> factors_of(int b, typename System::ClosureTerms& terms) noexcept {
@@ -243,6 +244,7 @@ struct BlockFactors {
     loop.columns = columns + block.first_coordinate;
     loop.largest = largest + block.first_equation;
     loop.largest_at = largest_at + block.first_equation;
+    loop.places = places;
     factorise(loop, rank_limit, fixed, kRankTolerance<Real>, PivotOrder<System>::of(b));
     return loop;
   }

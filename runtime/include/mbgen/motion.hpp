@@ -123,6 +123,39 @@ int large_pivots(int b, const LoopFactorsOf<RealOf<System>>& loop) noexcept {
   return count;
 }
 
+/// Solution of a block by the pivots of its fine blocks that are not small.
+template <class System>
+struct ByLargeFinePivots {
+  const ByFineBlocks<System>& fine;
+
+  void directions(RealOf<System>* rz) const noexcept { fine.directions(rz); }
+  void closing(RealOf<System>* x) const noexcept { fine.closing(x); }
+  void moving(RealOf<System>* x) const noexcept { fine.accelerating(x); }
+};
+
+/// dz and zd of block b of `terms` by its pivots that are not small. Result: the smallest pivot, over its typical
+/// value.
+template <class System>
+double correct_by_large_pivots(int b, typename System::ClosureTerms& terms, const typename System::State& state,
+                               CorrectionWork<System>& work, typename System::Closure& closure) noexcept {
+  using Real = RealOf<System>;
+  const BlockLayout& block = System::kBlockLayout[b];
+  if constexpr (kHasFineBlocks<System>) {
+    for (int c = 0; c < block.coordinates; ++c)
+      work.told[c] = state.zd[System::kBlockCoordinate[block.first_coordinate + c]];
+    if (work.fine.solves(b, terms, kSingular<Real>, false, work.told)) {
+      correct_block<System, Correction::of_dependents>(b, ByLargeFinePivots<System>{work.fine}, state, work, closure);
+      return static_cast<double>(work.fine.smallest_pivot()) / block.pivot;
+    }
+  }
+  LoopFactorsOf<Real> loop = work.factors.factors_of(b, terms);
+  const double share = static_cast<double>(smallest_pivot(loop)) / block.pivot;
+  const bool has_rank = loop.rank == block.rank;
+  loop.rank = large_pivots<System>(b, loop);  // the first pivots are the same without the others
+  correct_block<System, Correction::of_dependents>(b, loop, terms, state, work, closure);
+  return has_rank ? share : 0;
+}
+
 /// Residuals of all blocks, and dz and zd by their pivots that are not small. Result: the smallest pivot of all, over
 /// its typical value.
 template <class System>
@@ -134,12 +167,8 @@ double correct_by_large_pivots(const typename System::Parameters& parameters, co
   CorrectionWork<System> work;
   double smallest = std::numeric_limits<double>::infinity();
   for (int b = 0; b < System::kBlocks; ++b) {
-    const BlockLayout& block = System::kBlockLayout[b];
-    LoopFactorsOf<RealOf<System>> loop = work.factors.factors_of(b, terms);
-    const double share = static_cast<double>(smallest_pivot(loop)) / block.pivot;
-    smallest = loop.rank < block.rank ? 0 : share < smallest ? share : smallest;
-    loop.rank = large_pivots<System>(b, loop);  // the first pivots are the same without the others
-    correct_block<System, Correction::of_dependents>(b, loop, terms, state, work, closure);
+    const double share = correct_by_large_pivots<System>(b, terms, state, work, closure);
+    smallest = share < smallest ? share : smallest;
   }
   return smallest;
 }
@@ -219,15 +248,15 @@ struct TwoSides {
     copy(terms.Jz + block.first_jacobian, factored.Jz + block.first_jacobian, block.equations * block.coordinates);
     return factors.factors_of(b, factored);
   }
-  /// The smallest pivot over a typical one, zero of a singular block.
-  double clearance(int b, const typename System::ClosureTerms& terms) noexcept {
+  /// Whether the smallest pivot over a typical one is as large as `reach`.
+  bool is_clear(int b, const typename System::ClosureTerms& terms, double reach) noexcept {
     if constexpr (kHasFineBlocks<System>) {
-      if (fine.solves(b, terms))
-        return static_cast<double>(fine.solution.smallest_pivot) / System::kBlockLayout[b].pivot;
+      const auto least = static_cast<Real>(reach);
+      if (fine.solves(b, terms, least > kRankTolerance<Real> ? least : kRankTolerance<Real>, false)) return true;
     }
     const LoopFactorsOf<Real> loop = factors_of(b, terms);
     const BlockLayout& block = System::kBlockLayout[b];
-    return loop.rank < block.rank ? 0 : static_cast<double>(smallest_pivot(loop)) / block.pivot;
+    return loop.rank == block.rank && reach <= static_cast<double>(smallest_pivot(loop)) / block.pivot;
   }
   bool differ(int b) noexcept {
     const BlockLayout& block = System::kBlockLayout[b];
@@ -317,7 +346,7 @@ template <class System>
   for (int b = 0; b < System::kBlocks; ++b) {
     const LoopWay way = way_of<System>(b, from, to);
     const double reach = h * way.fastest / limits.most;
-    if (reach <= sides.clearance(b, sides.end) && reach <= sides.clearance(b, sides.start)) continue;
+    if (sides.is_clear(b, sides.end, reach) && sides.is_clear(b, sides.start, reach)) continue;
     // Where motions drive all of it, nothing is integrated: the end of its reach is told by the closure.
     const bool is_free = System::kBlockLayout[b].free > 0 || limits.aside == 0;
     if (is_free && way.turns(limits)) return {Code::loop_singular, b};

@@ -60,6 +60,7 @@ struct ByFactors {
   void accelerating(Real* x) const noexcept {
     solve_dependent(loop, terms.c + System::kBlockLayout[b].first_equation, x, work);
   }
+  Real smallest_pivot() const noexcept { return mbgen::smallest_pivot(loop); }
 };
 
 /// Largest number over the loop blocks with fine blocks.
@@ -76,6 +77,15 @@ template <class System>
 constexpr int fine_others(int b) noexcept {
   return System::kBlockLayout[b].coordinates - System::kBlockLayout[b].rank;
 }
+
+/// A flag per column: no pivot is searched in it.
+template <int N>
+struct AllHeld {
+  unsigned char is[N] = {};
+  constexpr AllHeld() noexcept {
+    for (unsigned char& flag : is) flag = 1;
+  }
+};
 
 /// Solution fine block by fine block, of one loop block at a time.
 template <class System, class = void>
@@ -99,6 +109,13 @@ struct ByFineBlocks<System, std::enable_if_t<kHasFineBlocks<System>>> {
 
   /// Solves block `block` of `terms`. Result: false where the factors of all of it are needed.
   bool solves(int block, const typename System::ClosureTerms& terms) noexcept {
+    return solves(block, terms, kFinePivot<Real>, false);
+  }
+  /// The same with pivots from `least` on, over the typical one. holds: the free coordinates of the frozen partition
+  /// stay free. told: velocities, see solve_finely; then the block is solved as far as its pivots go.
+  bool solves(int block, const typename System::ClosureTerms& terms, Real least, bool holds,
+              const Real* told = nullptr) noexcept {
+    static constexpr AllHeld<System::kBlockCoordinates> kHeld;
     const FineLayout& fine = System::kFineLayout[block];
     if (fine.count == 0) return false;
     b = block;
@@ -115,8 +132,9 @@ struct ByFineBlocks<System, std::enable_if_t<kHasFineBlocks<System>>> {
     solution.rows = rows;
     solution.others = others;
     return solve_finely(structure, terms.Jz + of.first_jacobian, terms.Phi + of.first_equation,
-                        terms.c + of.first_equation, System::kBlockDriven + of.first_coordinate,
-                        kFinePivot<Real> * static_cast<Real>(of.pivot), solution, work, places, movable);
+                        told == nullptr ? terms.c + of.first_equation : nullptr,
+                        holds ? kHeld.is : System::kBlockDriven + of.first_coordinate,
+                        least * static_cast<Real>(of.pivot), solution, work, places, movable, told);
   }
 
   bool is_driven(int column) const noexcept {
@@ -135,6 +153,7 @@ struct ByFineBlocks<System, std::enable_if_t<kHasFineBlocks<System>>> {
   void closing(Real* x) const noexcept { put(solution.other_count, x); }
   void moving(Real* x) const noexcept { put(-1, x); }
   void accelerating(Real* x) const noexcept { put(solution.other_count + 1, x); }
+  Real smallest_pivot() const noexcept { return solution.smallest_pivot; }
   /// The columns of the block, dependent ones first.
   void order(int* columns) const noexcept {
     const int coordinates = System::kBlockLayout[b].coordinates;

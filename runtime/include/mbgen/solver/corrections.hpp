@@ -37,6 +37,7 @@ struct CorrectionWork {
   Real along[most_free<System>()];
   Real right_hand_side[System::kEquations];
   Real solution[System::kBlockCoordinates];
+  Real told[System::kBlockCoordinates];  ///< velocities of one block
 };
 
 /// dz and zd of block b by its solution (block_solution.hpp): of dependents, or else the shortest. Driven coordinates

@@ -79,7 +79,7 @@ void gather(const Elimination<Real>& e, const Real* jacobian, const Real* open, 
     Real* const rest = row + size;
     for (int t = 0; t < solution.other_count; ++t) rest[t] = 0;
     rest[solution.other_count] = open[equation];
-    rest[solution.other_count + 1] = -bias[equation];
+    rest[solution.other_count + 1] = bias == nullptr ? Real(0) : -bias[equation];
     for (int k = 0; k < e.block.earlier; ++k) {
       const int column = e.loop.earlier[e.block.first_earlier + k];
       const Real entry = entries[column];
@@ -89,11 +89,13 @@ void gather(const Elimination<Real>& e, const Real* jacobian, const Real* open, 
   }
 }
 
-/// Solves the equations for one coordinate each. Result: the smallest pivot, 0 without one.
+/// Solves the equations for one coordinate each, until a pivot is below `least`; e.taken is -1 from there on. Result:
+/// the smallest pivot, that one too, and 0 where there is none.
 template <class Real>
-Real reduce(const Elimination<Real>& e, int others, const unsigned char* is_movable) noexcept {
+Real reduce(const Elimination<Real>& e, int others, const unsigned char* is_movable, Real least) noexcept {
   const int size = e.block.size;
   Real smallest = std::numeric_limits<Real>::infinity();
+  for (int i = 0; i < size; ++i) e.taken[i] = -1;
   for (int i = 0; i < size; ++i) {
     Real largest = 0;
     int at_row = i, at = -1;
@@ -115,6 +117,7 @@ Real reduce(const Elimination<Real>& e, int others, const unsigned char* is_mova
     }
     const Real pivot = std::abs(pivot_row[at]), reciprocal = 1 / pivot_row[at];
     smallest = pivot < smallest ? pivot : smallest;
+    if (!(pivot >= least)) return smallest;
     for (int j = 0; j < e.width; ++j) pivot_row[j] *= reciprocal;
     pivot_row[at] = 1;
     for (int r = 0; r < size; ++r) {
@@ -135,7 +138,7 @@ int exchange(const Elimination<Real>& e) noexcept {
   const int size = e.block.size;
   for (int j = 0; j < size; ++j) e.place[j] = -2;
   for (int i = 0; i < size; ++i) {
-    if (e.taken[i] < size) e.place[e.taken[i]] = -1;
+    if (e.taken[i] >= 0 && e.taken[i] < size) e.place[e.taken[i]] = -1;
   }
   int count = 0, next = 0;
   for (int i = 0; i < size; ++i) {
@@ -176,15 +179,30 @@ void put_unit(const FineSolution<Real>& solution, int slot) noexcept {
   row[slot] = 1;
 }
 
+/// Columns without a pivot move as they are told, and the solved ones with them.
 template <class Real>
-void keep(const Elimination<Real>& e, const FineSolution<Real>& solution) noexcept {
-  const int size = e.block.size;
-  if (exchange(e) > 0) {
+void follow_told(const Elimination<Real>& e, const FineSolution<Real>& solution, const Real* told) noexcept {
+  const int size = e.block.size, last = solution.other_count + 1;
+  for (int j = 0; j < size; ++j) {
+    if (e.place[j] != -2) continue;
+    const int column = e.loop.columns[e.block.first + j];
+    for (int i = 0; i < size && e.taken[i] >= 0; ++i) e.row(i)[size + last] += e.row(i)[j] * told[column];
+    Real* const known = solution.row(column);
+    for (int q = 0; q < last; ++q) known[q] = 0;
+    known[last] = told[column];
+  }
+}
+
+template <class Real>
+void keep(const Elimination<Real>& e, const FineSolution<Real>& solution, const Real* told) noexcept {
+  const int size = e.block.size, exchanged = exchange(e);
+  if (told != nullptr) follow_told(e, solution, told);
+  if (exchanged > 0) {
     for (int k = 0; k < e.block.first; ++k) put_exchanged(e, solution, e.loop.columns[k]);
     for (int k = 0; k < e.loop.other_count; ++k) put_exchanged(e, solution, e.loop.others[k]);
   }
   for (int i = 0; i < size; ++i) {
-    if (e.taken[i] >= size) continue;
+    if (e.taken[i] < 0 || e.taken[i] >= size) continue;
     Real* const known = solution.row(e.loop.columns[e.block.first + e.taken[i]]);
     const Real* const row = e.row(i) + size;
     for (int q = 0; q < solution.stride(); ++q) known[q] = -row[q];
@@ -202,11 +220,13 @@ void keep(const Elimination<Real>& e, const FineSolution<Real>& solution) noexce
 /// the other ones that are not driven. jacobian: of the loop block, row by row; open, bias: per equation, right-hand
 /// sides -open for changes of positions and bias for accelerations; is_driven: per column. work: fine_work numbers;
 /// places: 2 * largest; movable: other_count. Result: false as soon as a pivot is below `least`, or there is none.
-/// Cost: as the sizes of the fine blocks; an exchange: as the rows before.
+/// told: velocities per column, with `bias` null: then equations without such a pivot are left out, the columns of
+/// their fine blocks without one stay where they are and keep these velocities, and the last entries of the solution
+/// are velocities at rest of the others. Cost: as the sizes of the fine blocks; an exchange: as the rows before.
 template <class Real>
 bool solve_finely(const FineStructure& loop, const Real* jacobian, const Real* open, const Real* bias,
                   const unsigned char* is_driven, Real least, FineSolution<Real>& solution, Real* work, int* places,
-                  unsigned char* movable) noexcept {
+                  unsigned char* movable, const Real* told = nullptr) noexcept {
   solution.other_count = loop.other_count;
   solution.smallest_pivot = std::numeric_limits<Real>::infinity();
   for (int t = 0; t < loop.other_count; ++t) {
@@ -219,10 +239,10 @@ bool solve_finely(const FineStructure& loop, const Real* jacobian, const Real* o
     const fine_detail::Elimination<Real> e{
         loop, block, work, block.size + solution.stride(), places, places + loop.largest};
     fine_detail::gather(e, jacobian, open, bias, solution);
-    const Real pivot = fine_detail::reduce(e, loop.other_count, movable);
-    if (!(pivot >= least)) return false;
+    const Real pivot = fine_detail::reduce(e, loop.other_count, movable, least);
     solution.smallest_pivot = pivot < solution.smallest_pivot ? pivot : solution.smallest_pivot;
-    fine_detail::keep(e, solution);
+    if (!(pivot >= least) && told == nullptr) return false;
+    fine_detail::keep(e, solution, told);
   }
   return true;
 }

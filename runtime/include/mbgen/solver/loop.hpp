@@ -23,6 +23,8 @@ struct LoopFactorsOf {
   Real* largest =
       nullptr;  ///< per row, memory for its largest entry and the place of that: then a pivot is searched only
   int* largest_at = nullptr;  ///< in rows that elimination changed. Null: in all of them; the pivots are the same
+  int* places = nullptr;      ///< per column, memory for the places of entries that are not zero: where they are few,
+                              ///< elimination touches them alone. Null: all of them; the factors are the same
 };
 
 using LoopFactors = LoopFactorsOf<double>;
@@ -59,30 +61,6 @@ struct Pivot {
   Real size = 0;
 };
 
-/// Moves rows of zeros behind the others, which keep their order. Result: false for a matrix that is not finite.
-template <class Real>
-inline bool move_empty_rows(LoopFactorsOf<Real>& loop) noexcept {
-  loop.filled = 0;
-  Real zero = 0;  // not a number once an entry is not finite
-  for (int i = 0; i < loop.equations; ++i) {
-    Real* const row = row_of(loop, i);
-    int first = 0;
-    while (first < loop.coordinates && row[first] == 0) ++first;
-    if (first == loop.coordinates) continue;
-    for (int j = first; j < loop.coordinates; ++j) zero += row[j] * 0;
-    Real* const to = row_of(loop, loop.filled);
-    for (int j = 0; to != row && j < loop.coordinates; ++j) to[j] = row[j], row[j] = 0;
-    swap(loop.rows[i], loop.rows[loop.filled]);
-    ++loop.filled;
-  }
-  return zero == 0;
-}
-
-/// Whether an equation waits for its pivot while place k is filled, or has none left by then.
-inline bool is_passed_over(const LatePivots& order, int equation, int k) noexcept {
-  return order.late != nullptr && (order.late[equation] != 0) != (k >= order.early_rank);
-}
-
 /// Keeps the first of the largest entries of a row from column `first` on, driven columns left out.
 template <class Real>
 inline void search_row(const LoopFactorsOf<Real>& loop, int i, int first, const unsigned char* driven) noexcept {
@@ -95,6 +73,32 @@ inline void search_row(const LoopFactorsOf<Real>& loop, int i, int first, const 
   }
   loop.largest[i] = largest;
   loop.largest_at[i] = at;
+}
+
+/// Moves rows of zeros behind the others, which keep their order, and keeps the largest entries of these. Result: false
+/// for a matrix that is not finite.
+template <class Real>
+inline bool move_empty_rows(LoopFactorsOf<Real>& loop, const unsigned char* driven) noexcept {
+  loop.filled = 0;
+  Real zero = 0;  // not a number once an entry is not finite
+  for (int i = 0; i < loop.equations; ++i) {
+    Real* const row = row_of(loop, i);
+    int first = 0;
+    while (first < loop.coordinates && row[first] == 0) ++first;
+    if (first == loop.coordinates) continue;
+    for (int j = first; j < loop.coordinates; ++j) zero += row[j] * 0;
+    Real* const to = row_of(loop, loop.filled);
+    for (int j = 0; to != row && j < loop.coordinates; ++j) to[j] = row[j], row[j] = 0;
+    swap(loop.rows[i], loop.rows[loop.filled]);
+    if (loop.largest != nullptr) search_row(loop, loop.filled, first, driven);
+    ++loop.filled;
+  }
+  return zero == 0;
+}
+
+/// Whether an equation waits for its pivot while place k is filled, or has none left by then.
+inline bool is_passed_over(const LatePivots& order, int equation, int k) noexcept {
+  return order.late != nullptr && (order.late[equation] != 0) != (k >= order.early_rank);
 }
 
 /// Largest entry among the rows and columns from place `first` on, driven columns left out.
@@ -134,21 +138,63 @@ inline void move_pivot(LoopFactorsOf<Real>& loop, int k, const Pivot<Real>& pivo
   }
 }
 
+/// Entries of a row behind the diagonal from which the others are looked for: below, whole rows are as fast.
+constexpr int kLeastSparse = 8;
+
+/// Places of the entries of row k behind the diagonal that are not zero, in loop.places. Result: how many; -1 where
+/// they are no small part, and whole rows are faster.
+template <class Real>
+inline int few_entries(const LoopFactorsOf<Real>& loop, int k) noexcept {
+  if (loop.places == nullptr || loop.coordinates - k <= kLeastSparse) return -1;
+  const Real* const row = row_of(loop, k);
+  int count = 0;
+  for (int j = k + 1; j < loop.coordinates; ++j) {
+    loop.places[count] = j;
+    count += row[j] != 0 ? 1 : 0;
+  }
+  return 3 * count <= loop.coordinates - k ? count : -1;
+}
+
+/// Keeps the largest entry of row i where entries in `count` places changed, and no other.
+template <class Real>
+inline void search_changed(const LoopFactorsOf<Real>& loop, int i, int k, int count,
+                           const unsigned char* driven) noexcept {
+  const Real* const row = row_of(loop, i);
+  for (int n = 0; n < count; ++n) {
+    if (loop.places[n] == loop.largest_at[i]) return search_row(loop, i, k + 1, driven);
+  }
+  for (int n = 0; n < count; ++n) {
+    const int j = loop.places[n];
+    const Real size = std::abs(row[j]);
+    const bool is_first = size > loop.largest[i] || (size == loop.largest[i] && j < loop.largest_at[i]);
+    if (is_first && !is_driven(driven, loop.columns[j])) loop.largest[i] = size, loop.largest_at[i] = j;
+  }
+}
+
 /// Eliminates column k below the diagonal and keeps the factors in its place. moved: the place that its pivot came
 /// from.
 template <class Real>
 inline void eliminate(LoopFactorsOf<Real>& loop, int k, int moved, const unsigned char* driven) noexcept {
-  const Real* pivot_row = row_of(loop, k);
+  const Real* const pivot_row = row_of(loop, k);
+  const int few = few_entries(loop, k);
   for (int i = k + 1; i < loop.filled; ++i) {
-    Real* row = row_of(loop, i);
-    const Real factor = row[k] == 0 ? Real(0) : row[k] / pivot_row[k];
-    row[k] = factor;
+    Real* const row = row_of(loop, i);
     // Of equal entries the first one counts: columns that changed places may have changed that.
     const bool is_changed = loop.largest != nullptr && (loop.largest_at[i] == k || loop.largest_at[i] == moved);
-    if (factor != 0) {
-      for (int j = k + 1; j < loop.coordinates; ++j) row[j] -= factor * pivot_row[j];
+    if (row[k] == 0) {
+      row[k] = 0;
+      if (is_changed) search_row(loop, i, k + 1, driven);
+      continue;
     }
-    if (is_changed || (loop.largest != nullptr && factor != 0)) search_row(loop, i, k + 1, driven);
+    const Real factor = row[k] / pivot_row[k];
+    row[k] = factor;
+    if (few < 0) {
+      for (int j = k + 1; j < loop.coordinates; ++j) row[j] -= factor * pivot_row[j];
+    } else {
+      for (int n = 0; n < few; ++n) row[loop.places[n]] -= factor * pivot_row[loop.places[n]];
+    }
+    if (loop.largest == nullptr) continue;
+    is_changed || few < 0 ? search_row(loop, i, k + 1, driven) : search_changed(loop, i, k, few, driven);
   }
 }
 
@@ -165,8 +211,7 @@ inline void factorise(LoopFactorsOf<Real>& loop, int rank_limit, const unsigned 
   for (int j = 0; j < loop.coordinates; ++j) loop.columns[j] = j;
   loop.rank = 0;
   loop.smallest_ratio = 0;
-  if (!loop_detail::move_empty_rows(loop)) return;
-  for (int i = 0; loop.largest != nullptr && i < loop.filled; ++i) loop_detail::search_row(loop, i, 0, driven);
+  if (!loop_detail::move_empty_rows(loop, driven)) return;
   Real first = 0, smallest = 0, largest = 0;
   while (loop.rank < rank_limit) {
     const int k = loop.rank;
@@ -302,13 +347,12 @@ bool changes_side(const LoopFactorsOf<Real>& loop, const Real* from, const Real*
                   const SideWork<Real>& work) noexcept {
   const int rank = loop.rank;
   for (int k = 0; k < rank; ++k) {
-    for (int m = 0; m < rank; ++m) {
-      Real sum = 0;
-      const Real* const left = to + std::ptrdiff_t{loop.rows[k]} * loop.coordinates;
-      const Real* const right = from + std::ptrdiff_t{loop.rows[m]} * loop.coordinates;
-      for (int c = 0; c < loop.coordinates; ++c)
-        sum += loop_detail::is_driven(driven, c) ? Real(0) : left[c] * right[c];
-      work.product[k * rank + m] = sum;
+    Real* const sums = work.product + k * rank;
+    for (int m = 0; m < rank; ++m) sums[m] = 0;
+    const Real* const left = to + std::ptrdiff_t{loop.rows[k]} * loop.coordinates;
+    for (int c = 0; c < loop.coordinates; ++c) {
+      if (left[c] == 0 || loop_detail::is_driven(driven, c)) continue;
+      for (int m = 0; m < rank; ++m) sums[m] += left[c] * from[std::ptrdiff_t{loop.rows[m]} * loop.coordinates + c];
     }
   }
   LoopFactorsOf<Real> square;

@@ -25,8 +25,14 @@ constexpr double passage_reach(double distance, double way) noexcept {
   const double reach = before < kPassageReach ? before : kPassageReach;
   return reach >= clear && reach >= way ? reach : distance + kPassageReach > way ? distance + kPassageReach : way;
 }
-/// Closures of one node: Newton from a guess that is off by the square of the spacing, the check, and z*.
+/// Closures of one node: Newton from a guess that is off by the square of the spacing, and the check.
 constexpr int kNodeClosures = 8;
+/// A correction that moves no coordinate of a node by more (rad or m), nor by its velocity, is the last: Newton squares
+/// it, and the terms before it give z* and Rz as near as the polynomials are.
+template <class Real>
+inline constexpr Real kLastOfNode = Real(1e-11);
+template <>
+inline constexpr float kLastOfNode<float> = 1e-7f;
 /// Largest share of the way to the first node that the term of degree four has in a motion that is followed: a
 /// thousandth of a thousandth where it is smooth, and the error of the middle over the way.
 template <class Real>
@@ -59,7 +65,10 @@ struct PassageWork {
   Real z[kPassageNodes][System::kCoordinates], zd[kPassageNodes][System::kCoordinates];
   Real zdd_star[kPassageNodes][System::kCoordinates];
   Real rz[kPassageNodes][projection_entries<System>()];
-  double clear[kPassageNodes];  ///< smallest pivot of the blocks that cross over a typical one
+  LoopFactorsOf<Real> loop[System::kBlocks];  ///< of `terms`, in their place
+  bool is_fine[System::kBlocks];              ///< or the block is solved fine block by fine block
+  ByFineBlocks<System> fine;                  ///< the block that was solved last
+  double clear[kPassageNodes];                ///< smallest pivot of the blocks that cross over a typical one
 };
 
 /// Whether block b has driven coordinates.
@@ -86,14 +95,31 @@ void hold_columns(int b, bool keeps_frozen, unsigned char* fixed) noexcept {
   }
 }
 
-/// Factors of a block of `terms` in place; its free coordinates are chosen at the first call. Result: false where it is
-/// not clear of the singular position.
+/// Solves a block of `terms` fine block by fine block. Result: false where it has none, or they are not clear of the
+/// singular position.
 template <class System>
-bool factorise_node(int b, PassageWork<System>& work, LoopFactorsOf<RealOf<System>>& loop) noexcept {
+bool solves_finely([[maybe_unused]] int b, [[maybe_unused]] PassageWork<System>& work) noexcept {
+  if constexpr (kHasFineBlocks<System>) {
+    return work.fine.solves(b, work.terms, kSingular<RealOf<System>>, true);
+  } else {
+    return false;
+  }
+}
+
+/// Factors of a block of `terms` in place, or its fine blocks; its free coordinates are chosen at the first call: those
+/// of the frozen partition where its fine blocks serve. Result: false where it is not clear of the singular position.
+template <class System>
+bool factorise_node(int b, PassageWork<System>& work) noexcept {
   using Real = RealOf<System>;
   const BlockLayout& block = System::kBlockLayout[b];
   unsigned char* const fixed = work.fixed + block.first_coordinate;
-  if (!work.is_chosen) hold_columns<System>(b, work.keeps_frozen, fixed);
+  if (!work.is_chosen) {
+    work.is_fine[b] = solves_finely<System>(b, work);
+    hold_columns<System>(b, work.keeps_frozen || work.is_fine[b], fixed);
+    if (work.is_fine[b]) return true;
+  }
+  if (work.is_fine[b]) return solves_finely<System>(b, work);
+  LoopFactorsOf<Real>& loop = work.loop[b];
   loop = work.factors.factors_of(b, work.terms, block.rank, fixed);
   if (!work.is_chosen) {
     for (int c = 0; c < block.coordinates; ++c) fixed[c] = 1;
@@ -102,26 +128,30 @@ bool factorise_node(int b, PassageWork<System>& work, LoopFactorsOf<RealOf<Syste
   return loop.rank == block.rank && smallest_pivot(loop) >= kSingular<Real> * static_cast<Real>(block.pivot);
 }
 
-/// Solves for the dependent coordinates of block b; the others are given in `solution`, per coordinate of all blocks.
-template <class System>
-void solve_node(int b, const LoopFactorsOf<RealOf<System>>& loop, PassageWork<System>& work) noexcept {
-  const BlockLayout& block = System::kBlockLayout[b];
-  solve_dependent(loop, work.right_hand_side, work.solution + block.first_coordinate, work.factors.work);
+/// Calls use(solution) with the solution of block b of `terms`, which factorise_node found.
+template <class System, class Use>
+void with_solution(int b, PassageWork<System>& work, const Use& use) noexcept {
+  if constexpr (kHasFineBlocks<System>) {
+    if (work.is_fine[b]) {
+      if (work.fine.b != b) solves_finely<System>(b, work);
+      return use(work.fine);
+    }
+  }
+  use(ByFactors<System>{b, work.loop[b], work.terms, work.factors.work, work.right_hand_side});
 }
 
-/// One Newton step of a block at a node, and its consistent velocities. Result: its largest residual, negative where
-/// the node is not clear.
+/// One Newton step of a block at a node, and its consistent velocities. time: from the middle. moved: raised to the
+/// largest change of a coordinate, and of a velocity times `time`. Result: its largest residual, negative where the
+/// node is not clear.
 template <class System>
-RealOf<System> close_node(int b, PassageWork<System>& work) noexcept {
+RealOf<System> close_node(int b, double time, PassageWork<System>& work, RealOf<System>& moved) noexcept {
   using Real = RealOf<System>;
   const BlockLayout& block = System::kBlockLayout[b];
   const int* coordinate = System::kBlockCoordinate + block.first_coordinate;
-  LoopFactorsOf<Real> loop;
-  if (!factorise_node<System>(b, work, loop)) return -1;
+  if (!factorise_node<System>(b, work)) return -1;
   Real size = 0;
   for (int e = 0; e < block.equations; ++e) {
     const Real open = work.terms.Phi[block.first_equation + e];
-    work.right_hand_side[e] = -open;
     if (System::kRedundant[block.first_equation + e] == 0 && !(std::abs(open) <= size)) size = std::abs(open);
   }
   Real* const solution = work.solution + block.first_coordinate;
@@ -130,43 +160,47 @@ RealOf<System> close_node(int b, PassageWork<System>& work) noexcept {
     solution[c] = System::kDriven[i] != 0 ? work.closure.dz[i] : Real(0);
     size = std::abs(solution[c]) > size ? std::abs(solution[c]) : size;
   }
-  solve_node<System>(b, loop, work);
-  for (int c = 0; c < block.coordinates; ++c) work.state.z[coordinate[c]] += solution[c];
-  for (int e = 0; e < block.equations; ++e) work.right_hand_side[e] = 0;
+  with_solution<System>(b, work, [&](const auto& of) { of.closing(solution); });
+  const auto raise = [&moved](Real way) { moved = std::abs(way) <= moved ? moved : std::abs(way); };
+  for (int c = 0; c < block.coordinates; ++c) {
+    work.state.z[coordinate[c]] += solution[c];
+    raise(solution[c]);
+  }
   for (int c = 0; c < block.coordinates; ++c) {
     const int i = coordinate[c];
     solution[c] = System::kDriven[i] != 0 ? work.closure.zd[i] : work.state.zd[i];
   }
-  solve_node<System>(b, loop, work);
-  for (int c = 0; c < block.coordinates; ++c) work.state.zd[coordinate[c]] = solution[c];
+  with_solution<System>(b, work, [&](const auto& of) { of.moving(solution); });
+  for (int c = 0; c < block.coordinates; ++c) {
+    raise(static_cast<Real>(time) * (solution[c] - work.state.zd[coordinate[c]]));
+    work.state.zd[coordinate[c]] = solution[c];
+  }
   return size;
 }
 
-/// z* and Rz of a block at a closed node.
+/// z* and Rz of a block at a closed node, by the solution of its terms.
 template <class System>
-bool keep_node(int b, int node, PassageWork<System>& work) noexcept {
+void keep_node(int b, int node, PassageWork<System>& work) noexcept {
   using Real = RealOf<System>;
   const BlockLayout& block = System::kBlockLayout[b];
-  LoopFactorsOf<Real> loop;
-  if (!factorise_node<System>(b, work, loop)) return false;
-  const double clear = static_cast<double>(smallest_pivot(loop)) / block.pivot;
-  work.clear[node] = clear < work.clear[node] ? clear : work.clear[node];
+  const int* coordinate = System::kBlockCoordinate + block.first_coordinate;
   Real* const solution = work.solution + block.first_coordinate;
+  for (int c = 0; c < block.coordinates; ++c)
+    solution[c] = System::kDriven[coordinate[c]] != 0 ? work.terms.driven_acceleration[coordinate[c]] : Real(0);
+  Real pivot = 0;
+  with_solution<System>(b, work, [&](const auto& of) {
+    of.accelerating(solution);
+    of.directions(work.rz[node] + block.first_projection);
+    pivot = of.smallest_pivot();
+  });
+  const double clear = static_cast<double>(pivot) / block.pivot;
+  work.clear[node] = clear < work.clear[node] ? clear : work.clear[node];
   for (int c = 0; c < block.coordinates; ++c) {
-    const int i = System::kBlockCoordinate[block.first_coordinate + c];
-    solution[c] = System::kDriven[i] != 0 ? work.terms.driven_acceleration[i] : Real(0);
-  }
-  for (int e = 0; e < block.equations; ++e) work.right_hand_side[e] = work.terms.c[block.first_equation + e];
-  solve_node<System>(b, loop, work);
-  for (int c = 0; c < block.coordinates; ++c) {
-    const int i = System::kBlockCoordinate[block.first_coordinate + c];
+    const int i = coordinate[c];
     work.z[node][i] = work.state.z[i];
     work.zd[node][i] = work.state.zd[i];
     work.zdd_star[node][i] = solution[c];
   }
-  free_directions(loop, System::kBlockDriven + block.first_coordinate, work.rz[node] + block.first_projection,
-                  work.factors.work);
-  return true;
 }
 
 /// Whether nodes could be had.
@@ -175,7 +209,8 @@ enum class Reached { all, not_clear, nowhere };
 /// Closes the guess in work.state for the blocks that cross, their free coordinates held, and keeps it as a node.
 template <class System, class InputsAt>
 Reached reach_node(const typename System::Parameters& parameters, const InputsAt& inputs_at,
-                   const unsigned char* crosses, int node, PassageWork<System>& work, int& closures) noexcept {
+                   const unsigned char* crosses, int node, double time, PassageWork<System>& work,
+                   int& closures) noexcept {
   using Real = RealOf<System>;
   const auto& inputs = inputs_at(work.state.t);
   Real previous = std::numeric_limits<Real>::infinity();
@@ -184,20 +219,20 @@ Reached reach_node(const typename System::Parameters& parameters, const InputsAt
   for (int k = 0; k < kNodeClosures && closures-- > 0; ++k) {
     if constexpr (System::kDrives > 0) System::closure(parameters, inputs, work.state, work.closure);
     System::closure_terms(parameters, inputs, work.state, work.terms);
-    if (is_closed) {
-      for (int b = 0; b < System::kBlocks; ++b) {
-        if (crosses[b] != 0 && !keep_node<System>(b, node, work)) return Reached::not_clear;
-      }
-      return Reached::all;
-    }
-    Real size = 0;
+    Real size = 0, moved = 0;
     for (int b = 0; b < System::kBlocks; ++b) {
       if (crosses[b] == 0) continue;
-      const Real of_block = close_node<System>(b, work);
+      const Real of_block = close_node<System>(b, time, work, moved);
       if (!(of_block >= 0)) return Reached::not_clear;
       size = of_block > size ? of_block : size;
     }
     work.is_chosen = true;
+    if (is_closed || moved <= kLastOfNode<Real>) {
+      for (int b = 0; b < System::kBlocks; ++b) {
+        if (crosses[b] != 0) keep_node<System>(b, node, work);
+      }
+      return Reached::all;
+    }
     is_closed = !(size > 0 && size < Real(0.5) * previous);
     if (is_closed && !(size <= kRoundingFloor<Real>)) return Reached::nowhere;
     previous = size;
@@ -233,10 +268,23 @@ bool guess_opposite(const typename System::State& middle, double time, PassageWo
     const Real second = 6 * way - 3 * rate + Real(0.5) * bend;  // of the powers of time / h
     const Real third = -8 * way + 5 * rate - bend, fourth = 3 * way - 2 * rate + Real(0.5) * bend;
     work.state.z[i] += second - third + fourth;
+    work.state.zd[i] = (start - 2 * second + 3 * third - 4 * fourth) / h;
     rough = std::abs(fourth) > rough ? std::abs(fourth) : rough;
     longest = std::abs(h * work.zd[0][i]) > longest ? std::abs(h * work.zd[0][i]) : longest;
   }
   return rough <= kPassageBend<Real> * longest;
+}
+
+/// Smallest pivot of block b of `terms`, 0 of one without its rank: of its fine blocks where it has them.
+template <class System>
+RealOf<System> pivot_of(int b, PassageWork<System>& work) noexcept {
+  using Real = RealOf<System>;
+  if constexpr (kHasFineBlocks<System>) {
+    if (System::kFineLayout[b].count > 0)
+      return work.fine.solves(b, work.terms, kRankTolerance<Real>, false) ? work.fine.smallest_pivot() : Real(0);
+  }
+  const LoopFactorsOf<Real> loop = work.factors.factors_of(b, work.terms);
+  return loop.rank == System::kBlockLayout[b].rank ? smallest_pivot(loop) : Real(0);
 }
 
 /// Blocks at or near a singular position at a state, whose frozen partition is bad there. Result: the first of them, or
@@ -253,9 +301,8 @@ int blocks_that_cross(const typename System::Parameters& parameters, const typen
   for (int b = 0; b < System::kBlocks; ++b) {
     crosses[b] = 0;
     if (work.closure.pivot[b] >= kPassagePivot<Real> && !in_other_chart(state)) continue;
-    const LoopFactorsOf<Real> loop = work.factors.factors_of(b, work.terms);
     const auto typical = static_cast<Real>(System::kBlockLayout[b].pivot);
-    const Real pivot = loop.rank == System::kBlockLayout[b].rank ? smallest_pivot(loop) : Real(0);
+    const Real pivot = pivot_of<System>(b, work);
     crosses[b] = pivot < kNearSingular<Real> * typical ? 1 : 0;
     const double here = static_cast<double>(pivot / typical);
     distance = here < distance ? here : distance;
@@ -271,9 +318,8 @@ bool is_clear_at(const typename System::Parameters& parameters, const InputsAt& 
                  PassageWork<System>& work) noexcept {
   guess_node<System>(middle, time, work);
   System::closure_terms(parameters, inputs_at(work.state.t), work.state, work.terms);
-  LoopFactorsOf<RealOf<System>> loop;
   bool clear = true;
-  for (int b = 0; b < System::kBlocks; ++b) clear = clear && (crosses[b] == 0 || factorise_node<System>(b, work, loop));
+  for (int b = 0; b < System::kBlocks; ++b) clear = clear && (crosses[b] == 0 || factorise_node<System>(b, work));
   return clear;
 }
 
@@ -306,7 +352,7 @@ Reached reach_nodes(const typename System::Parameters& parameters, const InputsA
     const bool goes_on = node != 1 || guess_opposite<System>(middle, spacing, work);
     if (!goes_on) return Reached::nowhere;
     if (node != 1) guess_node<System>(middle, kPlaces[node] * spacing, work);
-    const Reached reached = reach_node<System>(parameters, inputs_at, passage.crosses, node, work, closures);
+    const Reached reached = reach_node<System>(parameters, inputs_at, passage.crosses, node, spacing, work, closures);
     if (reached != Reached::all) return reached;
   }
   return Reached::all;
