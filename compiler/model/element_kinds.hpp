@@ -14,6 +14,7 @@
 #include "compiler/model/elements/joint_spring.hpp"
 #include "compiler/model/elements/point_spring.hpp"
 #include "compiler/model/elements/rod_friction.hpp"
+#include "compiler/model/elements/rope.hpp"
 #include "compiler/model/elements/spring_friction.hpp"
 #include "compiler/model/elements/tyre.hpp"
 
@@ -36,7 +37,7 @@ struct Kinds {
 };
 
 using ElementKinds = Kinds<PointSpring, AirSpring, JointSpring, JointFriction, SpringFriction, RodFriction, JointForce,
-                           AppliedForce, Tyre, Bushing, BumpStop>;
+                           AppliedForce, Tyre, Bushing, BumpStop, Rope>;
 
 /// Index of a kind in the list.
 template <class Element>

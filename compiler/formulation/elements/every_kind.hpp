@@ -10,4 +10,5 @@
 #include "compiler/formulation/elements/joint_force.hpp"
 #include "compiler/formulation/elements/joint_spring.hpp"
 #include "compiler/formulation/elements/point_spring.hpp"
+#include "compiler/formulation/elements/rope.hpp"
 #include "compiler/formulation/elements/tyre_road.hpp"

@@ -10,4 +10,5 @@
 #include "runtime/judges/elements/joint_force.hpp"
 #include "runtime/judges/elements/joint_spring.hpp"
 #include "runtime/judges/elements/point_spring.hpp"
+#include "runtime/judges/elements/rope.hpp"
 #include "runtime/judges/elements/tyre.hpp"
