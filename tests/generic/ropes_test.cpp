@@ -1,104 +1,19 @@
-// Ropes and belts against closed forms and motions of an independent integrator: tests/data/reference/ropes_belts.json.
-
-#include <fmt/format.h>
+// Ropes against closed forms and motions of an independent integrator.
 
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "compiler/model/element_access.hpp"
-#include "tests/support/dynamics.hpp"
-#include "tests/support/reaction_support.hpp"
+#include "tests/support/ropes_support.hpp"
 
 namespace mbgen {
 namespace {
 
 using namespace mbgen::testing;
-using Json = nlohmann::json;
-
-constexpr double kG = 9.81;
-
-const Json& reference() {
-  static const Json file = Json::parse(std::ifstream(source_path("tests/data/reference/ropes_belts.json")));
-  return file;
-}
-
-enum What { tension, length, stretch, rate, wrap };
-
-/// A mechanism with ropes whose quantities are its outputs.
-class Roped : public MechanismInState {
- public:
-  explicit Roped(const std::string& text) : MechanismInState(with_outputs(text)), dynamics_{solver_} {}
-
-  const Model& model() const { return m_.model; }
-  double shown(What what, std::size_t span = 0) {
-    accelerate();
-    return solver_.outputs(state_, std::vector<double>(state_.z.size()), derivative_)
-        .y[span * KindOf<Rope>::quantities.size() + what];
-  }
-  void accelerate() {
-    ASSERT_TRUE(solver_.accelerations(state_, std::vector<double>(state_.z.size()), derivative_).ok());
-  }
-  void run(double until, double h) {
-    const auto steps = static_cast<int>(std::lround((until - state_.t) / h));
-    for (int k = 0; k < steps; ++k) ASSERT_TRUE(step_rk4(dynamics_, state_, h).ok()) << state_.t;
-  }
-
- private:
-  static Mechanism with_outputs(const std::string& text) {
-    Model model = model_of(text);
-    for (std::size_t i = 0; i < model.ropes.size(); ++i)
-      for (const ElementQuantity& quantity : KindOf<Rope>::quantities)
-        model.outputs.push_back({fmt::format("{}{}", quantity.name, i), {}, "", output_of<Rope>(quantity.name, i)});
-    return analysed(std::move(model));
-  }
-  Dynamics dynamics_;
-};
-
-/// A body at a place, with a point O there, in a joint with ground.
-struct Part {
-  std::string name, joint;
-  double mass, x, z;
-  double inertia = 1;
-};
-
-/// Bodies in the plane x, z with ropes and elements: joint "z" or "x" slides, "plane" is free in the plane, "turn" a
-/// wheel about y; grounds: further points of ground.
-std::string plane_model(const std::vector<Part>& parts, const std::string& grounds, const std::string& sections,
-                        double gravity = kG) {
-  std::string points = grounds, bodies, joints;
-  for (const Part& part : parts) {
-    points += fmt::format(R"({}"{}": [{:.17g}, 0, {:.17g}])", points.empty() ? "" : ", ", part.name, part.x, part.z);
-    bodies += fmt::format(
-        R"(, "{}": {{ "mass": {:.17g}, "inertia": [1, {:.17g}, 1], "pose": {{ "origin": [{:.17g}, 0, {:.17g}] }},
-      "points": {{ "O": [0, 0, 0] }} }})",
-        part.name, part.mass, part.inertia, part.x, part.z);
-    const char* type = part.joint == "turn" ? "revolute" : part.joint == "plane" ? "planar" : "prismatic";
-    const char* axis = part.joint == "x" ? "x" : part.joint == "z" ? "z" : "y";
-    joints += fmt::format(R"({}"{}": {{ "type": "{}", "from": "ground.{}", "to": "{}.O", "axis": "{}" }})",
-                          joints.empty() ? "" : ", ", part.name, type, part.name, part.name, axis);
-  }
-  return fmt::format(R"({{ "mbgen": 1, "name": "plane", "gravity": [0, 0, {:.17g}],
-    "bodies": {{ "ground": {{ "points": {{ {} }} }}{} }}, "joints": {{ {} }}, {} }})",
-                     -gravity, points, bodies, joints, sections);
-}
-
-std::string point(const std::string& at) { return fmt::format(R"({{ "point": "{}" }})", at); }
-std::string circle(const std::string& at, double radius, bool positive, const std::string& rest = "",
-                   const char* kind = "pulley") {
-  return fmt::format(R"({{ "{}": "{}", "axis": "y", "radius": {:.17g}, "sense": "{}"{} }})", kind, at, radius,
-                     positive ? "positive" : "negative", rest);
-}
-std::string rope(const std::vector<std::string>& path, const std::string& law, const char* name = "rope") {
-  return fmt::format(R"("{}": {{ "path": [{}], {} }})", name, fmt::join(path, ", "), law);
-}
-std::string ropes(const std::string& list) { return R"("ropes": { )" + list + " }"; }
 
 // The smaller tension is held by ground; the end is drawn away along the rope, which then slides on the drum.
 TEST(Ropes, SlideOnADrumAtTheCapstanRatio) {
-  for (const Json& row : reference()["capstan"]) {
+  for (const Json& row : rope_reference()["capstan"]) {
     const double mu = row["mu"], degrees = row["wrap_deg"], r = 0.1;
     const int turns = degrees > 360 ? 1 : 0;
     const double angle = (degrees - 360 * turns) * std::numbers::pi / 180;
@@ -131,7 +46,7 @@ std::string atwood(double m1, double m2, const std::string& wheel, const std::st
 }
 
 TEST(Ropes, LetAtwoodsMassesFall) {
-  const Json& row = reference()["atwood"];
+  const Json& row = rope_reference()["atwood"];
   const double m1 = row["m1"], m2 = row["m2"], a = row["a_massless"];
   Roped m(atwood(m1, m2, "", fmt::format(R"("EA": 1e6, "pretension": {:.17g})", m1 * (kG - a))));
   m.run(0.5, 1e-3);
@@ -149,7 +64,7 @@ double error_of_fall(const std::string& text, double a, double h) {
 
 // A wheel with inertia needs two tensions; the error of an elastic rope falls with 1 / EA.
 TEST(Ropes, TurnAtwoodsWheel) {
-  const Json& row = reference()["atwood"];
+  const Json& row = rope_reference()["atwood"];
   const double a = row["a"];
   const auto text = [&](double ea) {
     return atwood(row["m1"], row["m2"], R"(, "contact": "grips")",
@@ -166,7 +81,7 @@ TEST(Ropes, TurnAtwoodsWheel) {
 }
 
 TEST(Ropes, SlideOverAtwoodsFixedDrumAboveTheLimit) {
-  const Json& row = reference()["atwood_on_a_fixed_drum"];
+  const Json& row = rope_reference()["atwood_on_a_fixed_drum"];
   const double m1 = row["m1"], m2 = row["m2"], a = row["a"];
   const auto text = [&](double mass, double ea) {
     return atwood(mass, m2, "fixed", fmt::format(R"("EA": {}, "pretension": 25, "damping": 1e-3)", ea));
@@ -193,7 +108,7 @@ TEST(Ropes, SlideOverAtwoodsFixedDrumAboveTheLimit) {
 
 TEST(Ropes, CarryLoadsInBlocks) {
   constexpr double r = 0.05;
-  for (const Json& row : reference()["block_and_tackle"]) {
+  for (const Json& row : rope_reference()["block_and_tackle"]) {
     const int falls = row["falls"];
     const double load = row["load"], counter = row["counter"], a = row["a_load"], force = row["tension"];
     // Falls are 2 r apart; a load's pulley is between two that it hangs on, ground's after it.
@@ -222,7 +137,7 @@ TEST(Ropes, CarryLoadsInBlocks) {
 
 // The hand chain runs on the large sprocket; the load chain runs off the small one onto the large one.
 TEST(Ropes, BalanceTheDifferentialPulley) {
-  const Json& row = reference()["differential_pulley"];
+  const Json& row = rope_reference()["differential_pulley"];
   const double R = row["R"], r = row["r"], W = row["W"], F = row["F"], middle = (R - r) / 2;
   const double block = (R + r) / 2;
   const auto text = [&](double hand) {
@@ -245,90 +160,9 @@ TEST(Ropes, BalanceTheDifferentialPulley) {
   EXPECT_GT(std::abs(heavier.zdd("shaft") / (F * R)), 9e-3);
 }
 
-/// A body A in free translation, and a rope from it over an obstacle at the origin to a point B of ground, 1 N taut.
-std::string over_obstacle(const std::array<double, 3>& a, const std::array<double, 3>& b, const std::string& obstacle) {
-  return fmt::format(R"({{ "mbgen": 1, "name": "over", "gravity": [0, 0, 0],
-    "bodies": {{ "ground": {{ "points": {{ "O": [0, 0, 0], "A": [{0:.17g}, {1:.17g}, {2:.17g}],
-                                           "B": [{3:.17g}, {4:.17g}, {5:.17g}] }} }},
-      "a": {{ "mass": 1, "inertia": [1, 1, 1], "pose": {{ "origin": [{0:.17g}, {1:.17g}, {2:.17g}] }},
-              "points": {{ "O": [0, 0, 0] }} }} }},
-    "joints": {{ "a": {{ "type": "free", "from": "ground.A", "to": "a.O" }} }},
-    "ropes": {{ "rope": {{ "path": [{{ "point": "a.O" }}, {6}, {{ "point": "ground.B" }}], "EA": 1e6, "pretension": 1 }} }} }})",
-                     a[0], a[1], a[2], b[0], b[1], b[2], obstacle);
-}
-
-// Its end is pulled along the line to the tangent point.
-TEST(Ropes, WrapOnACircle) {
-  for (const Json& row : reference()["wrap_on_a_circle"]["cases"]) {
-    const double radius = row["radius"], cx = row["centre"][0], cy = row["centre"][1];
-    for (const char* kind : {"pulley", "cylinder"}) {
-      Roped m(over_obstacle(
-          {double(row["A"][0]) - cx, double(row["A"][1]) - cy, 0},
-          {double(row["B"][0]) - cx, double(row["B"][1]) - cy, 0},
-          fmt::format(R"({{ "{}": "ground.O", "axis": "z", "radius": {:.17g}, "sense": "negative" }})", kind, radius)));
-      EXPECT_NEAR(m.shown(length), double(row["length"]), 1e-12) << kind;
-      EXPECT_NEAR(m.shown(wrap), double(row["wrap_angle"]), 1e-12) << kind;
-      EXPECT_NEAR(m.shown(tension), 1, 1e-8);
-      m.accelerate();
-      EXPECT_NEAR(-m.zdd("a_tx"), double(row["dL_dA"][0]), 1e-8) << kind;
-      EXPECT_NEAR(-m.zdd("a_ty"), double(row["dL_dA"][1]), 1e-8) << kind;
-      const auto& model_rope = m.model().ropes[0];
-      if (std::string(kind) == "cylinder") continue;
-      for (const auto& [at, key] : {std::pair{model_rope.path[1].meets, "tangent_point_A"},
-                                    std::pair{model_rope.path[1].parts, "tangent_point_B"}}) {
-        EXPECT_NEAR(at[0] + cx, double(row[key][0]), 1e-11);
-        EXPECT_NEAR(at[1] + cy, double(row[key][1]), 1e-11);
-      }
-    }
-  }
-}
-
-std::array<double, 3> three(const Json& values) { return {values[0], values[1], values[2]}; }
-
-/// The end's acceleration against the unit vector from a tangent point.
-void expect_pull(Roped& m, const std::array<double, 3>& a, const std::array<double, 3>& tangent) {
-  m.accelerate();
-  const double gap[] = {tangent[0] - a[0], tangent[1] - a[1], tangent[2] - a[2]};
-  const double distance = std::hypot(gap[0], gap[1], gap[2]);
-  const char* names[] = {"a_tx", "a_ty", "a_tz"};
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(m.zdd(names[i]), gap[i] / distance, 1e-8);
-}
-
-TEST(Ropes, WrapOnACylinder) {
-  for (const Json& row : reference()["wrap_on_a_cylinder"]["cases"]) {
-    const auto a = three(row["A"]), b = three(row["B"]);
-    Roped m(over_obstacle(a, b,
-                          fmt::format(R"({{ "cylinder": "ground.O", "axis": "z", "radius": {}, "sense": "negative" }})",
-                                      double(row["radius"]))));
-    EXPECT_NEAR(m.shown(length), double(row["length"]), 1e-12);
-    expect_pull(m, a, three(row["tangent_A"]));
-  }
-}
-
-// The sphere of the reference is not touched: its bracket is negative. A larger one is.
-TEST(Ropes, WrapOnASphere) {
-  const Json& row = reference()["wrap_on_a_sphere"];
-  const auto a = three(row["A"]), b = three(row["B"]);
-  const auto text = [&](double radius) {
-    return over_obstacle(a, b, fmt::format(R"({{ "sphere": "ground.O", "radius": {} }})", radius));
-  };
-  Roped beside(text(row["radius"]));
-  EXPECT_NEAR(beside.shown(length), double(row["length"]), 1e-12);
-  EXPECT_NEAR(beside.shown(length), double(row["straight"]), 1e-12);
-  EXPECT_EQ(beside.shown(wrap), 0);
-  expect_pull(beside, a, b);
-  const double r = 0.5, A = std::hypot(a[0], a[1], a[2]), B = std::hypot(b[0], b[1], b[2]);
-  const double between = std::acos((a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / (A * B));
-  const double arc = between - std::acos(r / A) - std::acos(r / B);
-  ASSERT_GT(arc, 0);
-  Roped over(text(r));
-  EXPECT_NEAR(over.shown(length), std::sqrt(A * A - r * r) + std::sqrt(B * B - r * r) + r * arc, 1e-12);
-  EXPECT_NEAR(over.shown(wrap), arc, 1e-12);
-}
-
 // A bob of 1 kg on a rope of stiffness EA: errors fall with 1 / EA.
 TEST(Ropes, HoistAPendulum) {
-  for (const Json& row : reference()["hoisted_pendulum"]["cases"]) {
+  for (const Json& row : rope_reference()["hoisted_pendulum"]["cases"]) {
     const double l0 = row["l0"], speed = row["rate"], theta0 = row["theta0"];
     const auto largest_error = [&](double ea) {
       const double pull = row["tension_per_kg"][0], start = l0 * (1 + pull / ea);
@@ -355,7 +189,7 @@ TEST(Ropes, HoistAPendulum) {
 }
 
 TEST(Ropes, SwingAtwoodsMass) {
-  const Json& row = reference()["swinging_atwood"];
+  const Json& row = rope_reference()["swinging_atwood"];
   const double mu = row["mu"], r0 = row["r0"], theta0 = row["theta0"];
   const auto largest_error = [&](double ea) {
     Roped m(
@@ -379,81 +213,8 @@ TEST(Ropes, SwingAtwoodsMass) {
   EXPECT_LT(stiff, 2e-3);
 }
 
-std::string belt(const std::string& first, const std::string& second, bool crossed, const std::string& law,
-                 double j1 = 1, double j2 = 1) {
-  const Json& row = reference()["belt"];
-  return plane_model({{"one", "turn", 1, 0, 0, j1}, {"two", "turn", 1, row["distance"], 0, j2}}, R"("A": [0, 0, 0])",
-                     ropes(rope({circle("one.O", row["R1"], true, first), circle("two.O", row["R2"], !crossed, second)},
-                                R"("closed": true, )" + law)),
-                     0);
-}
-
-TEST(Belts, AreAsLongAsTheirPulleysAsk) {
-  const Json& row = reference()["belt"];
-  for (const bool crossed : {false, true}) {
-    Roped slides(belt("", "", crossed, R"("EA": 1e5)"));
-    EXPECT_NEAR(slides.shown(length), double(row[crossed ? "crossed_length" : "open_length"]), 1e-12);
-    const double wraps =
-        crossed ? 2 * double(row["crossed_wrap"]) : double(row["open_wraps"][0]) + double(row["open_wraps"][1]);
-    EXPECT_NEAR(slides.shown(wrap), wraps, 1e-12);
-    const std::string grips = R"(, "contact": "grips")";
-    Roped spans(belt(grips, grips, crossed, R"("EA": 1e5)"));
-    EXPECT_NEAR(spans.shown(wrap, 0), crossed ? double(row["crossed_wrap"]) : double(row["open_wraps"][1]), 1e-12);
-    EXPECT_NEAR(spans.shown(wrap, 1), crossed ? double(row["crossed_wrap"]) : double(row["open_wraps"][0]), 1e-12);
-    // A belt that is 1 % too short has that strain; its spans share it.
-    const double whole = row[crossed ? "crossed_length" : "open_length"];
-    Roped tight(belt(grips, grips, crossed, fmt::format(R"("EA": 1e5, "free_length": {:.17g})", whole / 1.01)));
-    EXPECT_NEAR(tight.shown(tension, 0), 1e3, 1e-8);
-    EXPECT_NEAR(tight.shown(tension, 1), 1e3, 1e-8);
-  }
-}
-
-TEST(Belts, OscillateAtTheFrequencyOfTwoPulleys) {
-  const Json& row = reference()["belt"]["two_pulleys"];
-  const std::string grips = R"(, "contact": "grips")";
-  double trace = 0;
-  for (const char* wheel : {"one", "two"}) {
-    Roped m(belt(grips, grips, false, fmt::format(R"("stiffness": {}, "pretension": 400)", double(row["k"])), row["J1"],
-                 row["J2"]));
-    m.set(wheel, 1e-3, 0);
-    m.accelerate();
-    trace -= m.zdd(wheel) / 1e-3;
-  }
-  EXPECT_NEAR(std::sqrt(trace), double(row["omega"]), 1e-9 * double(row["omega"]));
-  Roped turned(belt(grips, grips, false, R"("stiffness": 4e4, "pretension": 400)"));
-  turned.set("one", 300, 0);  // many turns of both: the second frequency is zero
-  turned.set("two", 100, 0);
-  turned.accelerate();
-  EXPECT_NEAR(turned.zdd("one"), 0, 1e-6);
-}
-
-TEST(Belts, SlipAtTheLimitOfFriction) {
-  const Json& row = reference()["belt"]["friction_limit"];
-  const double mu = row["mu"], f0 = row["F0"], limit = row["M"];
-  const auto text = [&](const char* motion) {
-    std::string model = belt(fmt::format(R"(, "friction": {})", mu), R"(, "contact": "grips")", false,
-                             fmt::format(R"("stiffness": 2e4, "pretension": {}, "damping": 1e-3)", f0), 0.002, 0.05);
-    model.pop_back();
-    return model + fmt::format(R"(, "motions": {{ "two": {{ "joint": "two", "angle": 0 }}{} }} }})", motion);
-  };
-  Roped drawn(text(R"(, "one": { "joint": "one", "angle": "2*t" })"));
-  drawn.run(0.5, 1e-3);
-  const double difference = std::abs(drawn.shown(tension, 0) - drawn.shown(tension, 1));
-  EXPECT_NEAR(difference * double(reference()["belt"]["R1"]), limit, 1e-6 * limit);
-  EXPECT_NEAR(drawn.shown(tension, 0) + drawn.shown(tension, 1), 2 * f0, 1e-6);
-  for (const double share : {0.97, 1.03}) {
-    std::string model = text("");
-    model.pop_back();
-    Roped m(model + fmt::format(R"x(, "joint_forces": {{ "push": {{ "joint": "one",
-        "force": "{:.17g}*min(1, t/0.1)" }} }} }})x",
-                                share * limit));
-    m.run(0.3, 2e-4);
-    EXPECT_EQ(std::abs(m.zd("one")) > 1, share > 1) << share;
-  }
-}
-
 TEST(Ropes, StretchUnderALoad) {
-  const Json& row = reference()["elastic_rope"];
+  const Json& row = rope_reference()["elastic_rope"];
   const double ea = row["EA"], l = row["l"], mass = row["m"];
   Roped m(plane_model({{"load", "z", mass, 0, -l}}, R"("A": [0, 0, 0])",
                       ropes(rope({point("ground.A"), point("load.O")}, fmt::format(R"("EA": {})", ea)))));
@@ -475,7 +236,7 @@ TEST(Ropes, StretchUnderALoad) {
 
 // Masses on short ropes: the sag approaches that of the chain with the square of the number of pieces.
 TEST(Ropes, HangAsACatenary) {
-  const Json& row = reference()["catenary"];
+  const Json& row = rope_reference()["catenary"];
   const auto hung = [&](int pieces) {
     std::vector<Part> parts;
     std::string list;

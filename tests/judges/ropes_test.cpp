@@ -6,6 +6,7 @@
 #include <random>
 
 #include "compiler/model/element_access.hpp"
+#include "mbgen/solver/rosenbrock.hpp"
 #include "runtime/judges/cartesian.hpp"
 #include "tests/judges/cartesian_support.hpp"
 #include "tests/support/dynamics.hpp"
@@ -143,6 +144,91 @@ TEST(RopesInSpace, HaveTheForcesOfTheJudges) {
       for (std::size_t i = 0; i < y.y.size(); i += KindOf<Rope>::quantities.size()) taut += y.y[i] > 1 ? 1 : 0;
     }
     EXPECT_GT(taut, 0) << one.name;
+  }
+}
+
+/// Kinetic and potential energy, with the strain energy of the rope.
+double energy_of(const GenericSolver& solver, const GenericState& state) {
+  GenericDerivative rates;
+  const std::vector<double> tau(state.z.size());
+  EXPECT_TRUE(solver.accelerations(state, tau, rates).ok());
+  const GenericOutputs y = solver.outputs(state, tau, rates);
+  double energy = y.kinetic_energy + y.potential_energy;
+  for (std::size_t i = KindOf<Rope>::quantities.size(); i <= y.y.size(); i += KindOf<Rope>::quantities.size())
+    energy += y.y[i - 1];
+  return energy;
+}
+
+std::string without(std::string text, const std::string& part) {
+  if (const std::size_t at = text.find(part); at != std::string::npos) text.erase(at, part.size());
+  return text;
+}
+
+/// Largest rise and change of the energy of a motion of 0.2 s.
+std::pair<double, double> energy_of_motion(const std::string& ropes, int steps) {
+  const Mechanism m = mechanism_with(ropes);
+  GenericSolver solver(m.model, m.topology, m.analysis);
+  solver.set_inputs({0, 0});
+  const Dynamics dynamics{solver};
+  std::mt19937 random(9);
+  GenericState state = near_reference(m, random);
+  for (double& zd : state.zd) zd *= 0.3;
+  double before = energy_of(solver, state), rise = 0, change = 0;
+  const double first = before;
+  for (int k = 0; k < steps; ++k) {
+    EXPECT_TRUE(step_rk4(dynamics, state, 0.2 / steps).ok());
+    const double now = energy_of(solver, state);
+    rise = std::max(rise, now - before);
+    change = std::max(change, std::abs(now - first));
+    before = now;
+  }
+  return {rise, change};
+}
+
+// Motions with large swings in space, over pulleys that tilt against each other, onto drums.
+TEST(RopesInSpace, ConserveEnergyWithoutDampingAndFriction) {
+  for (const Case& one : cases()) {
+    const std::string name = one.name,
+                      ropes = without(without(one.ropes, R"(, "damping": 0.003)"), R"(, "damping": 0.002)");
+    if (name.starts_with("rub")) continue;
+    const double coarse = energy_of_motion(ropes, 400).second, fine = energy_of_motion(ropes, 800).second;
+    // Ropes that become taut within a step have no order; all are small of 100 J.
+    EXPECT_LT(fine, 1e-4) << name;
+    EXPECT_LT(fine, 0.5 * coarse + 1e-8) << name;
+  }
+}
+
+TEST(RopesInSpace, LoseEnergyByDampingAndFriction) {
+  for (const Case& one : cases()) {
+    const auto [rise, change] = energy_of_motion(one.ropes, 800);
+    EXPECT_LT(rise, 1e-5) << one.name;
+    if (std::string(one.name).starts_with("rubs")) {
+      EXPECT_GT(change, 1e-2) << one.name;
+    }
+  }
+}
+
+// The matrix of an implicit step has the derivatives of tensions over lengths, rates and slips. Turns of directions,
+// which it leaves out, are small beside the stiffness.
+TEST(RopesInSpace, HaveTheirStiffnessInImplicitSteps) {
+  for (const Case& one : cases()) {
+    const Mechanism m = mechanism_with(one.ropes);
+    GenericSolver solver(m.model, m.topology, m.analysis);
+    solver.set_inputs({0, 0});
+    const Dynamics dynamics{solver};
+    GenericState state = reference_state(m), exact = state;
+    for (int k = 0; k < 4000; ++k) ASSERT_TRUE(step_rk4(dynamics, exact, 2.5e-5).ok()) << one.name;
+    double errors[2];
+    for (int halving = 0; halving < 2; ++halving) {
+      GenericState rough = state;
+      const int steps = 50 << halving;
+      for (int k = 0; k < steps; ++k) ASSERT_TRUE(step_rosenbrock(dynamics, rough, 0.1 / steps).ok()) << one.name;
+      errors[halving] = 0;
+      for (std::size_t i = 0; i < rough.z.size(); ++i)
+        errors[halving] = std::max(errors[halving], std::abs(rough.z[i] - exact.z[i]));
+    }
+    EXPECT_LT(errors[1], 2e-3) << one.name;
+    EXPECT_LT(errors[1], errors[0]) << one.name;
   }
 }
 
