@@ -37,7 +37,7 @@ struct RopeAtWork {
   int frame = kGround;  ///< of all vectors
   std::vector<Place<T>> at;
   std::vector<RopePlace<T>> places;
-  std::vector<T> turned;  ///< rad, of each wheel about its axis
+  std::vector<T> turned, turns;  ///< of each wheel about its axis, rad, and its rate
   RopeShape<T> now, reference;
   std::vector<T> rates;  ///< of the reach of each span, m/s
 };
@@ -65,7 +65,10 @@ std::vector<RopePlace<T>> rope_places(const ForceWork<T>& work, RopeAtWork<T>& r
     place.axis = direction_in(system, work.k, tree(station.carrier), axis, rope.frame);
     place.centre = position_in(system, work.k, at, rope.frame);
     rope.places.push_back(place);
-    rope.turned.push_back(station.angle.expression >= 0 ? T(station.wheel_sense) * work.value(station.angle) : T(0.0));
+    const bool is_wheel = station.angle.expression >= 0;
+    const T way(station.wheel_sense);
+    rope.turned.push_back(is_wheel ? way * work.value(station.angle) : T(0.0));
+    rope.turns.push_back(is_wheel ? way * system.environment.velocity(station.wheel) : T(0.0));
   }
   return reference;
 }
@@ -91,7 +94,7 @@ std::vector<T> reach_rates(const ForceWork<T>& work, const RopeAtWork<T>& rope) 
 template <class T>
 RopeAtWork<T> rope_at_work(const ForceWork<T>& work, const Rope& rope) {
   const System<T>& system = work.system;
-  RopeAtWork<T> result{rope, kGround, {}, {}, {}, {}, {}, {}};
+  RopeAtWork<T> result{rope, kGround, {}, {}, {}, {}, {}, {}, {}};
   const std::vector<RopePlace<T>> reference = rope_places(work, result);
   result.reference = rope_shape<T>(rope, reference, [&](std::size_t s, const Vector<T>& now, const Vector3& then) {
     return reference[s].radius * rope_angle(reference[s].axis, constant<T>(then), now, 0, T(1.0));
@@ -143,19 +146,15 @@ std::vector<Jet<T>> natural_lengths(const ForceWork<T>& work, const RopeAtWork<T
   return natural;
 }
 
-/// Rope that wheels and slip have put into each span since the reference, m.
+/// Rope that wheels put into each span by their turns, m, or by their rates, m/s.
 template <class T>
-std::vector<T> paid_out(const RopeAtWork<T>& at, const std::vector<RopeGroove>& grooves, const T* slips) {
+std::vector<T> from_wheels(const RopeAtWork<T>& at, const std::vector<T>& turns) {
   const Rope& rope = at.rope;
   std::vector<T> paid(at.now.spans.size(), T(0.0));
   for (const RopeLeg& leg : legs_of(rope)) {
     T& own = paid[static_cast<std::size_t>(leg.span)];
-    if (rope.path[leg.from].separates()) own = own + at.places[leg.from].radius * at.turned[leg.from];
-    if (rope.path[leg.to].separates()) own = own - at.places[leg.to].radius * at.turned[leg.to];
-  }
-  for (std::size_t j = 0; j < grooves.size(); ++j) {
-    paid[grooves[j].before] = paid[grooves[j].before] - slips[j];
-    paid[grooves[j].behind] = paid[grooves[j].behind] + slips[j];
+    if (rope.path[leg.from].separates()) own = own + at.places[leg.from].radius * turns[leg.from];
+    if (rope.path[leg.to].separates()) own = own - at.places[leg.to].radius * turns[leg.to];
   }
   return paid;
 }
@@ -171,7 +170,12 @@ RopeNumbers<T> rope_numbers(const ForceWork<T>& work, const RopeAtWork<T>& at, c
   numbers.lag = T(rope.lag < 0 ? work.system.model.solver.step : rope.lag);
   numbers.grooves = grooves_of(rope);
   const std::vector<Jet<T>> natural = natural_lengths(work, at, numbers.ea);
-  const std::vector<T> paid = numbers.ea ? paid_out(at, numbers.grooves, slips) : std::vector<T>();
+  std::vector<T> paid = from_wheels(at, at.turned), paying = from_wheels(at, at.turns);
+  for (std::size_t j = 0; j < numbers.grooves.size(); ++j) {
+    T &before = paid[numbers.grooves[j].before], &behind = paid[numbers.grooves[j].behind];
+    before = before - slips[j];
+    behind = behind + slips[j];
+  }
   for (std::size_t g = 0; g < natural.size(); ++g) {
     const RopeSpan<T>& then = at.reference.spans[g];
     numbers.slack.push_back(then.reach - then.length + natural[g].value);
@@ -180,9 +184,11 @@ RopeNumbers<T> rope_numbers(const ForceWork<T>& work, const RopeAtWork<T>& at, c
       numbers.stiffness.push_back(work.value(*rope.stiffness, "k", rope.name));
       continue;
     }
-    // Not a number for a span that is wound up.
     const T length = natural[g].value + paid[g];
+    // Not a number for a span that is wound up.
     numbers.stiffness.push_back(*numbers.ea / select(length, length, T(sqrt(length))));
+    numbers.length.push_back(length);
+    numbers.lengthens.push_back(natural[g].first + paying[g]);
   }
   for (const RopeGroove& groove : numbers.grooves)
     numbers.grip.push_back(exp(work.value(rope.path[groove.station].friction, "mu", rope.name) *

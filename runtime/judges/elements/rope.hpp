@@ -187,6 +187,7 @@ struct GrooveInSpace {
 struct RopeNow {
   SpansInSpace spans;
   std::vector<double> stretch, rate, stiffness, elastic, tension;
+  std::vector<double> length, lengthens;  ///< free lengths now, m, and their rates without slip
   std::vector<GrooveInSpace> grooves;
   std::vector<double> slip_rates;
   Motions still;
@@ -196,7 +197,7 @@ inline double rope_lag(const AtWork& at, const Rope& rope) { return rope.lag < 0
 
 /// Speeds of slip: the fixed point of each groove's own speed at those of the others, without grooves that would slip
 /// against the larger tension.
-inline Eigen::VectorXd slip_speeds(const RopeNow& now, double lag) {
+inline Eigen::VectorXd slip_speeds(const RopeNow& now, double lag, bool has_ea) {
   const auto n = static_cast<Eigen::Index>(now.grooves.size());
   Eigen::VectorXd way(n), rest(n), part(n);
   Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(n, n);
@@ -206,12 +207,15 @@ inline Eigen::VectorXd slip_speeds(const RopeNow& now, double lag) {
     const double front = now.elastic[groove.behind], back = now.elastic[groove.before];
     const bool onwards = front >= back;
     way[j] = onwards ? 1 : -1;
+    const auto strain = [&](std::size_t g) { return has_ea ? std::max(now.stretch[g], 0.0) / now.length[g] : 0.0; };
     const auto weight = [&](std::size_t g, bool leads) {
-      return (leads ? 1 : groove.grip) * now.stiffness[g] * (now.stretch[g] >= 0 ? 1 : 1e-6);
+      return (leads ? 1 : groove.grip) * now.stiffness[g] * (now.stretch[g] >= 0 ? 1 + strain(g) : 1e-6);
     };
+    // Of the elastic tension, over that by a metre of slip.
+    const auto drift = [&](std::size_t g) { return (now.rate[g] - strain(g) * now.lengthens[g]) / (1 + strain(g)); };
     const double ahead = weight(groove.behind, onwards), after = weight(groove.before, !onwards), sum = ahead + after;
     const double excess = std::max(front, back) - groove.grip * std::min(front, back);
-    own[j] = (ahead * now.rate[groove.behind] - after * now.rate[groove.before]) / sum;
+    own[j] = (ahead * drift(groove.behind) - after * drift(groove.before)) / sum;
     const double width = 0.2 * (groove.grip - 1) * std::min(front, back) + sum * (lag * std::abs(own[j]) + 1e-12);
     const double s = std::clamp(1 + excess / width, 0.0, 1.0);
     part[j] = (1 - 1e-6) * s * s;
@@ -278,10 +282,13 @@ inline std::vector<double> stretch_spans(const AtWork& at, const Rope& rope, con
         (now.spans.reach[g] - reference.reach[g]).real() - (now.spans.length[g] - reference.length[g]).real();
     now.stretch.push_back(now.spans.length[g].real() + arcs - free[g].value);
     now.rate.push_back(now.spans.reach[g].imag() / kRopeStep - free[g].first);
+    now.lengthens.push_back(free[g].first);
   }
   std::vector<double> paid(count, 0.0);
   each_wheel_side(rope, [&](const RopeStation& station, std::size_t g, double way) {
-    paid[g] += way * station.sense * at.value(station.radius) * station.wheel_sense * at.value.position(station.wheel);
+    const double arm = way * station.sense * at.value(station.radius) * station.wheel_sense;
+    paid[g] += arm * at.value.position(station.wheel);
+    now.lengthens[g] += arm * at.value.velocity(station.wheel);
   });
   const double* slip = at.x.data() + first_slip(at.c.model, index_of(at, rope));
   for (std::size_t s = 0; s < rope.path.size(); ++s) {
@@ -316,11 +323,12 @@ inline RopeNow rope_now(const AtWork& at, const Rope& rope) {
   const std::vector<double> paid = stretch_spans(at, rope, reference, free, now);
   for (std::size_t g = 0; g < free.size(); ++g) {
     const double length = free[g].value + paid[g];
+    now.length.push_back(length);
     now.stiffness.push_back(!rope.ea ? at.value(*rope.stiffness) : length > 0 ? at.value(*rope.ea) / length : kNot);
     now.elastic.push_back(now.stiffness[g] * std::max(now.stretch[g], 0.0));
   }
   if (!now.grooves.empty()) {
-    const Eigen::VectorXd speeds = slip_speeds(now, rope_lag(at, rope));
+    const Eigen::VectorXd speeds = slip_speeds(now, rope_lag(at, rope), rope.ea.has_value());
     for (std::size_t j = 0; j < now.grooves.size(); ++j) {
       now.slip_rates.push_back(speeds[static_cast<Eigen::Index>(j)]);
       now.rate[now.grooves[j].before] += now.slip_rates[j];
