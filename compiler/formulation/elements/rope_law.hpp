@@ -162,6 +162,23 @@ void set_slips(const RopeNumbers<T>& numbers, RopeForces<A>& rope) {
   }
 }
 
+/// Rates of stretch that damping acts against, m/s: with EA those of the strain, times the free length, so that a rope
+/// of constant tension that is paid out has none.
+template <class T, class A>
+std::vector<A> damped_rates(const RopeNumbers<T>& numbers, const RopeForces<A>& rope) {
+  using mbgen::max;
+  if (!numbers.ea) return rope.rate;
+  std::vector<A> lengthens(numbers.lengthens.begin(), numbers.lengthens.end()), rates;
+  for (std::size_t j = 0; j < numbers.grooves.size(); ++j) {
+    A &before = lengthens[numbers.grooves[j].before], &behind = lengthens[numbers.grooves[j].behind];
+    before = before - rope.slip_rate[j];
+    behind = behind + rope.slip_rate[j];
+  }
+  for (std::size_t g = 0; g < lengthens.size(); ++g)
+    rates.push_back(rope.rate[g] - max(rope.stretch[g], A(0.0)) / A(numbers.length[g]) * lengthens[g]);
+  return rates;
+}
+
 /// The law of a rope. reach, rate: of its spans; slips: of its grooves.
 template <class T, class A>
 RopeForces<A> rope_law(const RopeNumbers<T>& numbers, const std::vector<A>& reach, const std::vector<A>& rate,
@@ -187,9 +204,10 @@ RopeForces<A> rope_law(const RopeNumbers<T>& numbers, const std::vector<A>& reac
     set_slips(numbers, rope);
     slip(rope.rate, rope.slip_rate);
   }
+  const std::vector<A> rates = damped_rates(numbers, rope);
   for (std::size_t g = 0; g < reach.size(); ++g) {
     const A& elastic = rope.elastic[g];
-    const A damped = A(numbers.stiffness[g] * numbers.damping) * rope.rate[g];
+    const A damped = A(numbers.stiffness[g] * numbers.damping) * rates[g];
     rope.tension.push_back(elastic + max(-elastic, min(elastic, damped)));
   }
   return rope;

@@ -333,10 +333,14 @@ inline RopeNow rope_now(const AtWork& at, const Rope& rope) {
       now.slip_rates.push_back(speeds[static_cast<Eigen::Index>(j)]);
       now.rate[now.grooves[j].before] += now.slip_rates[j];
       now.rate[now.grooves[j].behind] -= now.slip_rates[j];
+      now.lengthens[now.grooves[j].before] -= now.slip_rates[j];
+      now.lengthens[now.grooves[j].behind] += now.slip_rates[j];
     }
   }
   for (std::size_t g = 0; g < free.size(); ++g) {
-    const double damped = now.stiffness[g] * at.value(rope.damping) * now.rate[g];
+    // The rate of the strain, times the free length.
+    const double stretched = rope.ea ? std::max(now.stretch[g], 0.0) / now.length[g] * now.lengthens[g] : 0.0;
+    const double damped = now.stiffness[g] * at.value(rope.damping) * (now.rate[g] - stretched);
     const double tension = now.elastic[g] + std::clamp(damped, -now.elastic[g], now.elastic[g]);
     now.tension.push_back(now.spans.least[g] < 0 && tension > 0 ? kNot : tension);
   }
