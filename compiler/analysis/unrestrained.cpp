@@ -141,6 +141,12 @@ struct Participation {
     const Vector3d turn = scene.turning(moved, at.at);
     for (int i = 0; i < 3; ++i) list.push_back(at.turns ? turn[i] : 0);
   }
+  /// Lines between neighbours, and the turns of wheels that it takes along.
+  void add(const ThroughPoints& at, std::vector<double>& list) const {
+    for (std::size_t i = 0; i + 1 < at.points.size(); ++i) add(BetweenPoints{at.points[i], at.points[i + 1]}, list);
+    for (std::size_t i = 0; i < at.points.size(); ++i)
+      list.push_back(vector_of(at.turns[i]).dot(scene.turning(moved, at.points[i])));
+  }
   void add(const AlongSpring& at, std::vector<double>& list) const {
     const PointSpring& spring = scene.model.springs[at.spring];
     add(BetweenPoints{spring.from, spring.to}, list);

@@ -14,6 +14,7 @@ constexpr double kSlipOfRadius = 0.1;  // of a tyre's radius: typical size of it
 constexpr double kExtension = 1e-3;    // m or rad, of the spring of a Maxwell branch
 constexpr double kBristle = 1e-4;      // m or rad: typical deflection of bristles before sliding
 constexpr double kTurn = 0.01;         // rad: typical rotation of a contact patch before sliding
+constexpr double kRopeSlip = 1e-3;     // m: typical slip of a rope in a groove
 constexpr int kSlipsOfTyre = 2;
 
 AuxiliaryState hidden(const std::string& name, const std::string& unit, double size) {
@@ -49,6 +50,9 @@ std::vector<AuxiliaryState> auxiliary_states(const Model& model) {
   }
   for (const Tyre& tyre : model.tyres)
     if (tyre.parking) states.push_back(hidden(tyre.name + "_turn", "rad", kTurn));
+  for (const Rope& rope : model.ropes)
+    for (int i = 0; i < rubbing_grooves(rope); ++i)
+      states.push_back(hidden(rope.name + "_slip" + std::to_string(i + 1), "m", kRopeSlip));
   each_friction(model, [&](const auto& friction) {
     if (!friction.has_bristle()) return;
     const Connection connection = connection_of(friction);
@@ -82,7 +86,13 @@ int turn_state(const Model& model, std::size_t tyre) {
   return first_turn(model) + static_cast<int>(before);
 }
 
-int first_bristle(const Model& model) { return turn_state(model, model.tyres.size()); }
+int first_slip(const Model& model, std::size_t rope) {
+  int place = turn_state(model, model.tyres.size());
+  for (std::size_t i = 0; i < rope; ++i) place += rubbing_grooves(model.ropes[i]);
+  return place;
+}
+
+int first_bristle(const Model& model) { return first_slip(model, model.ropes.size()); }
 
 std::size_t bristle_state(const Model& model, const FrictionLaw& friction) {
   auto state = static_cast<std::size_t>(first_bristle(model));

@@ -1,9 +1,9 @@
 #pragma once
 // Auxiliary states of a model, in their order: two slip deflections per tyre (m), the rotation of each tyre with a
-// moment of its patch against turning (rad), the deflection of each bristle of a friction (rad or m, frictions on
-// coordinates first), the extension of the spring of each Maxwell branch of a six-freedom element (m or rad), the
-// user's states, the sampled values (the user's before loads of frictions), and the pending values of sampled values
-// with a delay.
+// moment of its patch against turning (rad), the slip of each rope in a groove with friction (m), the deflection of
+// each bristle of a friction (rad or m, frictions on coordinates first), the extension of the spring of each Maxwell
+// branch of a six-freedom element (m or rad), the user's states, the sampled values (the user's before loads of
+// frictions), and the pending values of sampled values with a delay.
 
 #include <optional>
 #include <string>
@@ -26,8 +26,8 @@ std::vector<AuxiliaryState> auxiliary_states(const Model& model);
 
 int auxiliary_state_count(const Model& model);
 
-/// Number of leading states that are slips and rotations of tyres or bristles of frictions. At rest these keep any
-/// value; the others then have the values at which their rates are zero.
+/// Number of leading states that are slips and rotations of tyres, slips of ropes or bristles of frictions. At rest
+/// these keep any value; the others then have the values at which their rates are zero.
 int slip_state_count(const Model& model);
 
 /// Position of the first extension of the Maxwell branches of a six-freedom element; the elements follow one another.
@@ -59,6 +59,9 @@ double magnitude_of(const AuxiliaryState& state);
 /// The first rotation state of the tyres, after their slips, and the one of a tyre. Requires: this tyre has one.
 int first_turn(const Model& model);
 int turn_state(const Model& model, std::size_t tyre);
+
+/// The first slip of a rope in a groove; its grooves with friction follow one another along its path.
+int first_slip(const Model& model, std::size_t rope);
 
 /// The first state of the bristles, and the state of a friction. Requires: a friction of the model; without bristles
 /// the result is the state of the next friction.

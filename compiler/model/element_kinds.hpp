@@ -13,6 +13,7 @@
 #include "compiler/model/elements/joint_force.hpp"
 #include "compiler/model/elements/joint_spring.hpp"
 #include "compiler/model/elements/point_spring.hpp"
+#include "compiler/model/elements/rope.hpp"
 #include "compiler/model/elements/tyre.hpp"
 
 namespace mbgen {
@@ -34,7 +35,7 @@ struct Kinds {
 };
 
 using ElementKinds = Kinds<PointSpring, AirSpring, JointSpring, JointFriction, SpringFriction, RodFriction, JointForce,
-                           AppliedForce, Tyre, Bushing, BumpStop>;
+                           AppliedForce, Tyre, Bushing, BumpStop, Rope>;
 
 /// Index of a kind in the list.
 template <class Element>

@@ -109,6 +109,12 @@ class ModelText : public ModelWords {
     return fmt::format("in rod {} at {}", model_.rods[at.rod].name, at.at_from ? "from" : "to");
   }
 
+  std::string place(const ThroughPoints& at) const {
+    std::vector<std::string> points;
+    for (const Attachment& point : at.points) points.push_back(attachment(point));
+    return points.empty() ? "of the rope before" : fmt::format("through {}", fmt::join(points, ", "));
+  }
+
   /// "  name: spring, from a.A to b.B, stiffness 1000, damping 20": fields that are there.
   template <class Element>
   std::string element(const Element& element) const {

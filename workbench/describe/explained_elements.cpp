@@ -54,6 +54,27 @@ std::string text_of(const Model& model, const BumpStop& stop) {
                      clearance, is_on_this_side ? "nearer" : "farther apart", stop.axis ? ", along its axis," : "");
 }
 
+/// Spans of one rope have one text.
+std::string text_of(const Model& model, const Rope& rope) {
+  if (rope.path.empty()) return "";
+  std::vector<std::string> stations, slips;
+  for (const RopeStation& station : rope.path) {
+    static constexpr const char* kKinds[] = {"", "a pulley on ", "a drum on ", "a cylinder on ", "a sphere on "};
+    static constexpr const char* kContacts[] = {"", " that grips", " with friction"};
+    stations.push_back(kKinds[static_cast<int>(station.kind)] + body_of(model, station.at) +
+                       kContacts[static_cast<int>(station.contact)]);
+    if (station.contact == RopeStation::Contact::rubs)
+      slips.push_back(fmt::format("x.{}_slip{}", rope.name, slips.size() + 1));
+  }
+  std::string words = fmt::format("{} is a {} over {}", rope.name, rope.closed ? "belt" : "rope", listed(stations));
+  if (rope.spans > 1) words += fmt::format(", with {} tensions", rope.spans);
+  words += ".";
+  if (!slips.empty())
+    words += fmt::format(" Its slip in grooves with friction {} the {} {}.", slips.size() == 1 ? "is" : "are",
+                         slips.size() == 1 ? "state" : "states", listed(slips));
+  return words;
+}
+
 std::string friction_text(const std::string& name, const std::string& place, const FrictionLaw& law) {
   return fmt::format(
       "{} sticks {}, by bristles ({}) whose deflection is the state x.{}_bristle.", name, place,

@@ -184,6 +184,36 @@ LinkLook look_of(const Element& element, double length, double size) {
   }
 }
 
+/// Links of a rope: straight between tangent points, and along its wraps, as they lie on the bodies that carry the
+/// wheels at the reference.
+void add_ropes(const Model& model, double size, Json& links) {
+  constexpr double kStep = 0.4;  // rad of a wrap by one link
+  for (const Rope& rope : model.ropes) {
+    const auto end = [&](const RopeStation& station, const Vector3& global) -> Json {
+      return {station.carrier, to_local(model.bodies[station.carrier].pose, global)};
+    };
+    const auto add = [&](const Json& from, const Json& to) {
+      links.push_back(
+          {{"name", rope.name}, {"kind", "rope"}, {"from", from}, {"to", to}, {"radius", kDamper / 3 * size}});
+    };
+    for (const RopeLeg& leg : rope.path.empty() ? std::vector<RopeLeg>() : legs_of(rope))
+      add(end(rope.path[leg.from], rope.path[leg.from].parts), end(rope.path[leg.to], rope.path[leg.to].meets));
+    for (const RopeStation& station : rope.path) {
+      if (station.kind != RopeStation::Kind::pulley) continue;
+      const Vector3 centre = reference_position(model, station.at);
+      const int steps = static_cast<int>(std::ceil(std::fmod(station.wrap, 2 * 3.14159265358979323846) / kStep));
+      const auto at = [&](int k) {
+        const double turn = station.sense * station.wrap * k / std::max(steps, 1);
+        Vector3 arm{station.meets[0] - centre[0], station.meets[1] - centre[1], station.meets[2] - centre[2]};
+        const Vector3 side = cross(station.axis, arm);
+        for (std::size_t i = 0; i < 3; ++i) arm[i] = centre[i] + std::cos(turn) * arm[i] + std::sin(turn) * side[i];
+        return end(station, arm);
+      };
+      for (int k = 0; k < steps; ++k) add(at(k), at(k + 1));
+    }
+  }
+}
+
 Json links_json(const Model& model, double size) {
   Json links = Json::array();
   std::set<std::array<int, 4>> taken;
@@ -208,6 +238,7 @@ Json links_json(const Model& model, double size) {
   for (const Rod& rod : model.rods) add(rod, {"rod", kRod});
   add_elements(true);
   add_elements(false);
+  add_ropes(model, size, links);
   return links;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "compiler/model/bodies.hpp"
 
@@ -40,20 +41,27 @@ struct OnBody {
 struct AlongSpring {
   int spring = -1;
 };
-/// in the ball at an end of a rod (index into Model::rods).
+/// in the ball at an end of a rod (index into Model::rods), or
 struct InRodEnd {
   int rod = -1;
   bool at_from = false;
 };
-using Connection =
-    std::variant<BetweenPoints, AlongDirection, BetweenFrames, OnCoordinate, OnBody, AlongSpring, InRodEnd>;
+/// along the lines through several points, in this order.
+struct ThroughPoints {
+  std::vector<Attachment> points;
+  std::vector<Vector3> turns;  ///< of each: the axis about which a turn of its body acts too, else zero
+};
+using Connection = std::variant<BetweenPoints, AlongDirection, BetweenFrames, OnCoordinate, OnBody, AlongSpring,
+                                InRodEnd, ThroughPoints>;
 
-/// Calls use(from, to) for an element between two points.
+/// Calls use(from, to) for an element between two points, and for each line of an element through several.
 template <class Use>
 void with_ends(const Connection& connection, const Use& use) {
   std::visit(
       [&](const auto& at) {
         if constexpr (requires { at.from, at.to; }) use(at.from, at.to);
+        if constexpr (requires { at.points; })
+          for (std::size_t i = 0; i + 1 < at.points.size(); ++i) use(at.points[i], at.points[i + 1]);
       },
       connection);
 }

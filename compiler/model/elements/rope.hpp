@@ -1,0 +1,152 @@
+#pragma once
+// Ropes and belts: elastic, without mass, through points and over pulleys, drums, cylinders and spheres.
+
+#include <string>
+#include <vector>
+
+#include "compiler/model/elements/kind.hpp"
+
+namespace mbgen {
+
+/// A place that a rope passes: a point (a fixed end, or between the ends an eyelet without friction), a pulley that it
+/// goes round, a drum that its end is wound on, or a cylinder or sphere that it may touch, without friction.
+struct RopeStation {
+  enum class Kind { point, pulley, drum, cylinder, sphere };
+  /// How the rope passes a pulley: without friction, without slip, or with friction in the groove.
+  enum class Contact { slides, grips, rubs };
+  Kind kind = Kind::point;
+  Contact contact = Contact::slides;  ///< of a pulley; a drum grips
+  Attachment at;                      ///< the point, or the centre
+  Vector3 axis{0, 0, 1};              ///< unit, GLOBAL axes at the reference; of pulleys, drums and cylinders
+  Quantity radius;                    ///< m
+  int sense = 1;                      ///< 1 where the rope runs round in the positive sense about the axis, else -1
+  Quantity friction;                  ///< of a groove that rubs
+  /// body whose axes directions are counted in: the one that carries the wheel, or the body of `at` itself
+  int carrier = -1;
+  /// rotation of the wheel about `axis` relative to the carrier: wheel_sense times a coordinate, an expression of it
+  CoordinateReference wheel;
+  Quantity angle;
+  int wheel_sense = 1;
+  // At the reference and default parameters, around which angles are counted.
+  double wrap = 0;  ///< rad, with whole turns
+  Vector3 arrives{0, 0, 0},
+      leaves{0, 0, 0};                     ///< unit, GLOBAL axes: along the rope where it meets and leaves the circle
+  Vector3 meets{0, 0, 0}, parts{0, 0, 0};  ///< m, GLOBAL axes: the tangent points
+
+  /// Whether the tensions on both sides differ.
+  bool separates() const { return kind == Kind::drum || contact != Contact::slides; }
+  bool is_circle() const { return kind == Kind::pulley || kind == Kind::drum; }
+  bool is_obstacle() const { return kind == Kind::cylinder || kind == Kind::sphere; }
+  bool has_wheel() const { return wheel.joint >= 0; }
+};
+
+/// One span of tension of a rope: from one station that separates tensions, or an end, to the next. With stretch
+/// e = length - free length, extended by the rope that comes from wheels, and k = EA / free length:
+///   tension = k (max(e, 0) + damping de/dt), the part of damping between minus and plus the elastic one.
+/// The first span of a rope has its path and acts for all; a rope of several spans is as many elements.
+struct Rope {
+  std::string name;
+  Where where;
+  int span = 0, spans = 1;        ///< index among the spans of its rope, their number
+  std::vector<RopeStation> path;  ///< of the first span
+  bool closed = false;            ///< a belt: after the last station comes the first, at which the first span begins
+  std::optional<Quantity> ea;     ///< N: stiffness times length, or
+  std::optional<Quantity> stiffness;  ///< N/m, of each span
+  Quantity damping;                   ///< s, over stiffness
+  /// m, of the whole rope off its drums at the reference, with its parts on pulleys; default: no tension there
+  std::optional<Quantity> free_length;
+  std::optional<Quantity> pretension;  ///< N, of all spans at the reference, in place of free_length
+  double lag = -1;                     ///< s, in which a groove with friction comes to its limit; -1: the solver's step
+
+  /// Number of neighbours among the stations.
+  std::size_t pieces() const { return closed ? path.size() : path.size() - 1; }
+};
+
+/// A piece of a rope from one station to the next, over an obstacle between both or straight.
+struct RopeLeg {
+  std::size_t from = 0, to = 0;  ///< indices into Rope::path
+  int over = -1;                 ///< likewise, of an obstacle; -1: none
+  int span = 0;
+};
+
+/// The pieces of a rope in its order. Requires: obstacles stand between points of an open rope.
+inline std::vector<RopeLeg> legs_of(const Rope& rope) {
+  std::vector<RopeLeg> legs;
+  for (std::size_t i = 0; i < rope.pieces(); ++i) {
+    RopeLeg leg{i, (i + 1) % rope.path.size(), -1, legs.empty() ? 0 : legs.back().span};
+    if (!legs.empty() && rope.path[i].separates()) ++leg.span;
+    if (rope.path[leg.to].is_obstacle()) {
+      leg.over = static_cast<int>(leg.to);
+      leg.to = ++i + 1;
+    }
+    legs.push_back(leg);
+  }
+  return legs;
+}
+
+/// Number of grooves of a rope with friction.
+inline int rubbing_grooves(const Rope& rope) {
+  int count = 0;
+  for (const RopeStation& station : rope.path) count += station.contact == RopeStation::Contact::rubs ? 1 : 0;
+  return count;
+}
+
+template <>
+struct KindOf<Rope> : KindDefaults {
+  using Element = Rope;
+  static constexpr const char *key = "rope", *section = "ropes", *words = "rope";
+  static constexpr bool is_elastic = true;
+  static constexpr std::array quantities = {ElementQuantity{"force", "N"},      ElementQuantity{"length", "m"},
+                                            ElementQuantity{"deflection", "m"}, ElementQuantity{"rate", "m/s"},
+                                            ElementQuantity{"angle", "rad"},    ElementQuantity{kPotentialEnergy, "J"}};
+  static constexpr const char* shows =
+      "rope, or span NAME_1, NAME_2, ... of a rope with several tensions: its tension, its length, its stretch, the "
+      "rate of that, the sum of its angles of wrap, or its potential energy";
+  template <class SomeModel>
+  static auto& list(SomeModel& model) {
+    return model.ropes;
+  }
+  static Connection connection(const Rope& element) {
+    ThroughPoints through;
+    for (std::size_t i = 0; !element.path.empty() && i <= element.pieces(); ++i) {
+      const RopeStation& station = element.path[i % element.path.size()];
+      through.points.push_back(station.at);
+      through.turns.push_back(station.separates() ? station.axis : Vector3{0, 0, 0});
+    }
+    return through;
+  }
+  static constexpr std::array bounds = {FieldBound{"EA", QuantityBound::positive},
+                                        FieldBound{"stiffness", QuantityBound::positive},
+                                        FieldBound{"damping", QuantityBound::not_negative},
+                                        FieldBound{"free_length", QuantityBound::positive},
+                                        FieldBound{"pretension", QuantityBound::not_negative},
+                                        FieldBound{"radius", QuantityBound::positive},
+                                        FieldBound{"friction", QuantityBound::not_negative}};
+  template <class Use>
+  static void fields(const Rope& element, const Use& use) {
+    use("EA", element.ea);
+    use("stiffness", element.stiffness);
+    use("damping", element.damping);
+    use("free_length", element.free_length);
+    use("pretension", element.pretension);
+    for (std::size_t i = 0; i < element.path.size(); ++i) {
+      const RopeStation& station = element.path[i];
+      if (station.kind == RopeStation::Kind::point) continue;
+      const std::string place = "path" + std::to_string(i + 1) + ".";
+      use(place + "radius", station.radius);
+      if (station.kind != RopeStation::Kind::sphere) {
+        use(place + "axis", station.axis);
+        use(place + "sense", static_cast<double>(station.sense));
+      }
+      if (station.contact == RopeStation::Contact::rubs) use(place + "friction", station.friction);
+      if (station.has_wheel()) use(place + "angle", station.angle);
+    }
+  }
+  /// Removal by a rig: a rope that is longer than its path.
+  static void silence(Rope& element) {
+    element.stiffness = 0.0;
+    element.ea.reset();
+  }
+};
+
+}  // namespace mbgen

@@ -1,0 +1,395 @@
+#pragma once
+// Ropes and belts. Lengths by angles of tangents; loads are their derivatives by the motions of the bodies, from
+// complex steps; slips of grooves from a general linear solver.
+
+#include <complex>
+#include <limits>
+
+#include "compiler/model/moving.hpp"
+#include "runtime/judges/elements/at_work.hpp"
+
+namespace mbgen::cartesian {
+
+using Complex = std::complex<double>;
+using Complex3 = Eigen::Matrix<Complex, 3, 1>;
+
+/// Imaginary part of a step: far below rounding, since no difference is taken.
+constexpr double kRopeStep = 1e-40;
+/// rad, see kLargestRopeTurn of the formulation.
+constexpr double kFarRopeTurn = 3;
+
+/// Without conjugation, unlike Eigen's.
+inline Complex product(const Complex3& a, const Complex3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
+inline Complex3 across(const Complex3& a, const Complex3& b) {
+  return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
+}
+inline Complex length_of(const Complex3& a) { return std::sqrt(product(a, a)); }
+
+/// The angle of a point of a plane, with the derivative of its real value.
+inline Complex angle_of(const Complex& y, const Complex& x) {
+  const double square = x.real() * x.real() + y.real() * y.real();
+  return {std::atan2(y.real(), x.real()), (x.real() * y.imag() - y.real() * x.imag()) / square};
+}
+
+/// An angle, less whole turns, near another one; not a number far from it.
+inline Complex near(const Complex& angle, double middle) {
+  const Complex result = angle - 2 * M_PI * std::round((angle.real() - middle) / (2 * M_PI));
+  return std::abs(result.real() - middle) > kFarRopeTurn ? Complex(std::numeric_limits<double>::quiet_NaN()) : result;
+}
+
+/// A station at an instant, moved by an imaginary motion of the bodies.
+struct MovedStation {
+  Complex3 centre, axis, first, second;  ///< two directions across the axis
+  Complex radius, turned;                ///< signed by the rope's sense; rad, of the wheel
+  Complex3 arrives, leaves;              ///< directions at the reference, as the carrier has them
+  Complex in = 0, out = 0;               ///< rad: the rope's direction where it meets and leaves the circle
+  bool is_circle = false;
+
+  Complex angle(const Complex3& direction) const {
+    return angle_of(product(direction, second), product(direction, first));
+  }
+  Complex3 touch(const Complex& at) const { return centre + radius * (std::sin(at) * first - std::cos(at) * second); }
+};
+
+/// Motion of each body: velocity of its centre of mass, and spin.
+using Motions = std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>;
+
+/// A rope in one configuration of the bodies.
+struct RopeInSpace {
+  const AtWork& at;
+  const Rope& rope;
+  const std::vector<Moving>& bodies;
+  bool is_reference = false;
+
+  int index(int model_body) const { return at.c.parts.index_of[static_cast<std::size_t>(model_body)]; }
+
+  std::vector<MovedStation> stations(const Motions& motions) const {
+    std::vector<MovedStation> list;
+    for (const RopeStation& station : rope.path) {
+      MovedStation moved;
+      const Place place = place_of(at.c.parts, station.at, at.value);
+      const auto own = static_cast<std::size_t>(place.body), on = static_cast<std::size_t>(index(station.carrier));
+      const Eigen::Vector3d arm = bodies[own].axes * place.arm;
+      moved.centre = moving(bodies[own].position + arm, motions[own].first + motions[own].second.cross(arm));
+      const auto carried = [&](const Vector3& global) {
+        const Eigen::Vector3d seen(global[0], global[1], global[2]);
+        const Eigen::Vector3d now = bodies[on].axes * at.c.parts.bodies[on].axes.transpose() * seen;
+        return moving(now, motions[on].second.cross(now));
+      };
+      moved.axis = carried(station.axis);
+      moved.arrives = carried(station.arrives);
+      moved.leaves = carried(station.leaves);
+      const Eigen::Vector3d axis = moved.axis.real();
+      int least = 0;
+      axis.cwiseAbs().minCoeff(&least);
+      moved.first = across(moved.axis, Complex3(Eigen::Vector3d::Unit(least).cast<Complex>()));
+      moved.first /= length_of(moved.first);
+      moved.second = across(moved.axis, moved.first);
+      moved.is_circle = station.is_circle();
+      moved.radius = station.kind == RopeStation::Kind::point ? 0.0 : station.sense * at.value(station.radius);
+      if (station.has_wheel() && station.separates())
+        moved.turned = {is_reference ? 0.0 : station.wheel_sense * at.value.position(station.wheel),
+                        kRopeStep * axis.dot(motions[own].second - motions[on].second)};
+      list.push_back(moved);
+    }
+    return list;
+  }
+
+  static Complex3 moving(const Eigen::Vector3d& value, const Eigen::Vector3d& rate) {
+    return value.cast<Complex>() + Complex(0, kRopeStep) * rate.cast<Complex>();
+  }
+};
+
+/// Angle of the rope on a circle whose neighbour lies along `line`, at a distance `offset` from the other tangent.
+inline Complex tangent_angle(const MovedStation& s, const Complex3& line, const Complex& offset) {
+  const Complex3 flat = line - product(line, s.axis) * s.axis;
+  return s.angle(flat) + std::asin(offset / length_of(flat));
+}
+
+inline Complex straight_length(MovedStation& a, MovedStation& b) {
+  const Complex3 line = b.centre - a.centre;
+  const Complex cosine = a.is_circle && b.is_circle ? product(a.axis, b.axis) : 1.0;
+  const Complex ra = a.is_circle ? a.radius : 0.0, rb = b.is_circle ? b.radius : 0.0;
+  if (a.is_circle) a.out = tangent_angle(a, line, ra - cosine * rb);
+  if (b.is_circle) b.in = tangent_angle(b, line, cosine * ra - rb);
+  return length_of((b.is_circle ? b.touch(b.in) : b.centre) - (a.is_circle ? a.touch(a.out) : a.centre));
+}
+
+/// Length over an obstacle; wrap: on it.
+inline Complex length_over(const RopeStation& station, const MovedStation& a, const MovedStation& c,
+                           const MovedStation& b, double& wrap) {
+  const Complex3 p = a.centre - c.centre, q = b.centre - c.centre, line = b.centre - a.centre;
+  const bool is_sphere = station.kind == RopeStation::Kind::sphere;
+  const auto flat = [&](const Complex3& v) { return is_sphere ? v : Complex3(v - product(v, c.axis) * c.axis); };
+  const Complex dp = length_of(flat(p)), dq = length_of(flat(q)),
+                radius = static_cast<double>(station.sense) * c.radius;
+  const Complex free = std::acos(radius / dp) + std::acos(radius / dq);
+  const Complex about =
+      is_sphere ? std::acos(product(p, q) / (dp * dq))
+                : near(static_cast<double>(station.sense) * (c.angle(flat(q)) - c.angle(flat(p))), station.wrap);
+  wrap = std::max(0.0, (about - free).real());
+  if (!(about.real() >= free.real()) && !std::isnan(about.real())) return length_of(line);
+  const Complex wound =
+      dp * std::sin(std::acos(radius / dp)) + dq * std::sin(std::acos(radius / dq)) + radius * (about - free);
+  const Complex height = is_sphere ? 0.0 : product(line, c.axis);
+  return std::sqrt(wound * wound + height * height);
+}
+
+/// Spans of a rope in space, per span; wraps per station.
+struct SpansInSpace {
+  std::vector<Complex> length, reach;
+  std::vector<double> wrap, least;
+  std::vector<double> wraps;
+};
+
+inline SpansInSpace spans_in_space(const RopeInSpace& space, const Motions& motions) {
+  const Rope& rope = space.rope;
+  std::vector<MovedStation> stations = space.stations(motions);
+  const auto count = static_cast<std::size_t>(rope.spans);
+  SpansInSpace spans{std::vector<Complex>(count), std::vector<Complex>(count), std::vector<double>(count),
+                     std::vector<double>(count, HUGE_VAL), std::vector<double>(rope.path.size())};
+  const std::vector<RopeLeg> legs = legs_of(rope);
+  for (const RopeLeg& leg : legs) {
+    const auto g = static_cast<std::size_t>(leg.span);
+    if (leg.over < 0) {
+      spans.length[g] += straight_length(stations[leg.from], stations[leg.to]);
+      continue;
+    }
+    const auto over = static_cast<std::size_t>(leg.over);
+    spans.length[g] +=
+        length_over(rope.path[over], stations[leg.from], stations[over], stations[leg.to], spans.wraps[over]);
+    spans.wrap[g] += spans.wraps[over];
+  }
+  for (const RopeLeg& leg : legs) {
+    const auto g = static_cast<std::size_t>(leg.span);
+    const RopeStation &from = rope.path[leg.from], &to = rope.path[leg.to];
+    const MovedStation &a = stations[leg.from], &b = stations[leg.to];
+    if (from.separates()) spans.reach[g] += a.radius * (near(a.out - a.angle(a.leaves), 0) - a.turned);
+    if (to.separates()) spans.reach[g] -= b.radius * (near(b.in - b.angle(b.arrives), 0) - b.turned);
+    if (to.kind != RopeStation::Kind::pulley) continue;
+    const Complex wrap = near(static_cast<double>(to.sense) * (b.out - b.in), to.wrap);
+    spans.wraps[leg.to] = wrap.real();
+    spans.wrap[g] += wrap.real();
+    spans.least[g] = std::min(spans.least[g], wrap.real());
+    if (!to.separates()) spans.length[g] += static_cast<double>(to.sense) * b.radius * wrap;
+  }
+  for (std::size_t g = 0; g < count; ++g) spans.reach[g] += spans.length[g];
+  return spans;
+}
+
+/// A groove with friction.
+struct GrooveInSpace {
+  std::size_t before = 0, behind = 0;  ///< spans
+  double grip = 1;                     ///< largest ratio of tensions
+};
+
+/// A rope at one instant.
+struct RopeNow {
+  SpansInSpace spans;
+  std::vector<double> stretch, rate, stiffness, elastic, tension;
+  std::vector<double> length, lengthens;  ///< free lengths now, m, and their rates without slip
+  std::vector<GrooveInSpace> grooves;
+  std::vector<double> slip_rates;
+  Motions still;
+};
+
+inline double rope_lag(const AtWork& at, const Rope& rope) { return rope.lag < 0 ? at.c.model.solver.step : rope.lag; }
+
+/// Speeds of slip: the fixed point of each groove's own speed at those of the others, without grooves that would slip
+/// against the larger tension.
+inline Eigen::VectorXd slip_speeds(const RopeNow& now, double lag, bool has_ea) {
+  const auto n = static_cast<Eigen::Index>(now.grooves.size());
+  Eigen::VectorXd way(n), rest(n), part(n);
+  Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd own = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const GrooveInSpace& groove = now.grooves[static_cast<std::size_t>(j)];
+    const double front = now.elastic[groove.behind], back = now.elastic[groove.before];
+    const bool onwards = front >= back;
+    way[j] = onwards ? 1 : -1;
+    const auto strain = [&](std::size_t g) { return has_ea ? std::max(now.stretch[g], 0.0) / now.length[g] : 0.0; };
+    const auto weight = [&](std::size_t g, bool leads) {
+      return (leads ? 1 : groove.grip) * now.stiffness[g] * (now.stretch[g] >= 0 ? 1 + strain(g) : 1e-6);
+    };
+    // Of the elastic tension, over that by a metre of slip.
+    const auto drift = [&](std::size_t g) { return (now.rate[g] - strain(g) * now.lengthens[g]) / (1 + strain(g)); };
+    const double ahead = weight(groove.behind, onwards), after = weight(groove.before, !onwards), sum = ahead + after;
+    const double excess = std::max(front, back) - groove.grip * std::min(front, back);
+    own[j] = (ahead * drift(groove.behind) - after * drift(groove.before)) / sum;
+    const double width = 0.2 * (groove.grip - 1) * std::min(front, back) + sum * (lag * std::abs(own[j]) + 1e-12);
+    const double s = std::clamp(1 + excess / width, 0.0, 1.0);
+    part[j] = (1 - 1e-6) * s * s;
+    rest[j] = std::max(excess, 0.0) / (sum * lag);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const GrooveInSpace& other = now.grooves[static_cast<std::size_t>(i)];
+      if (i != j && other.before == groove.behind) shares(j, i) += ahead / sum;
+      if (i != j && other.behind == groove.before) shares(j, i) += after / sum;
+    }
+  }
+  const auto solve = [&](const Eigen::VectorXd& slides) {
+    const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n) - slides.asDiagonal() * shares;
+    return Eigen::VectorXd(matrix.fullPivLu().solve(slides.cwiseProduct(own)));
+  };
+  Eigen::VectorXd speeds = solve(part);
+  if (n > 1) {
+    for (Eigen::Index j = 0; j < n; ++j) part[j] = way[j] * speeds[j] >= 0 ? part[j] : 0;
+    speeds = solve(part);
+  }
+  for (Eigen::Index j = 0; j < n; ++j) speeds[j] = way[j] * (std::max(way[j] * speeds[j], 0.0) + rest[j]);
+  return speeds;
+}
+
+/// Free lengths of the spans at the reference and their rates.
+inline std::vector<Jet<double>> free_lengths(const AtWork& at, const Rope& rope, const SpansInSpace& reference) {
+  double total = 0;
+  for (const Complex& length : reference.length) total += length.real();
+  for (std::size_t s = 0; s < rope.path.size(); ++s)
+    if (rope.path[s].kind == RopeStation::Kind::pulley && rope.path[s].separates())
+      total += at.value(rope.path[s].radius) * reference.wraps[s];
+  std::vector<Jet<double>> lengths;
+  for (const Complex& length : reference.length) {
+    const double geometric = length.real();
+    Jet<double> free(geometric);
+    if (rope.free_length) {
+      const Jet<double> whole = evaluate<Jet<double>>(*rope.free_length, at.c.model.expressions,
+                                                      MotionEnvironment<double, Values>{at.c.model.inputs, at.value});
+      free = Jet<double>(geometric / total) * whole;
+    } else if (rope.pretension) {
+      const double pull = at.value(*rope.pretension);
+      free = rope.ea ? geometric / (1 + pull / at.value(*rope.ea)) : geometric - pull / at.value(*rope.stiffness);
+    }
+    lengths.push_back(free);
+  }
+  return lengths;
+}
+
+/// Calls use(station, span, way) for each side of a wheel that takes rope in and out of a span: way 1 at its beginning,
+/// -1 at its end.
+template <class Use>
+void each_wheel_side(const Rope& rope, const Use& use) {
+  for (const RopeLeg& leg : legs_of(rope))
+    for (const auto& [s, way] : {std::pair{leg.from, 1.0}, std::pair{leg.to, -1.0}})
+      if (rope.path[s].separates() && rope.path[s].has_wheel())
+        use(rope.path[s], static_cast<std::size_t>(leg.span), way);
+}
+
+/// Sets stretches, their rates without slip and the grooves. Result: rope that came into each span.
+inline std::vector<double> stretch_spans(const AtWork& at, const Rope& rope, const SpansInSpace& reference,
+                                         const std::vector<Jet<double>>& free, RopeNow& now) {
+  const std::size_t count = free.size();
+  for (std::size_t g = 0; g < count; ++g) {
+    const double arcs =
+        (now.spans.reach[g] - reference.reach[g]).real() - (now.spans.length[g] - reference.length[g]).real();
+    now.stretch.push_back(now.spans.length[g].real() + arcs - free[g].value);
+    now.rate.push_back(now.spans.reach[g].imag() / kRopeStep - free[g].first);
+    now.lengthens.push_back(free[g].first);
+  }
+  std::vector<double> paid(count, 0.0);
+  each_wheel_side(rope, [&](const RopeStation& station, std::size_t g, double way) {
+    const double arm = way * station.sense * at.value(station.radius) * station.wheel_sense;
+    paid[g] += arm * at.value.position(station.wheel);
+    now.lengthens[g] += arm * at.value.velocity(station.wheel);
+  });
+  const double* slip = at.x.data() + first_slip(at.c.model, index_of(at, rope));
+  for (std::size_t s = 0; s < rope.path.size(); ++s) {
+    if (rope.path[s].contact != RopeStation::Contact::rubs) continue;
+    GrooveInSpace groove;
+    for (const RopeLeg& leg : legs_of(rope)) {
+      if (leg.to == s) groove.before = static_cast<std::size_t>(leg.span);
+      if (leg.from == s) groove.behind = static_cast<std::size_t>(leg.span);
+    }
+    groove.grip = std::exp(at.value(rope.path[s].friction) * std::max(now.spans.wraps[s], 0.0));
+    now.grooves.push_back(groove);
+    now.stretch[groove.before] += *slip;
+    now.stretch[groove.behind] -= *slip;
+    paid[groove.before] -= *slip;
+    paid[groove.behind] += *slip++;
+  }
+  return paid;
+}
+
+inline RopeNow rope_now(const AtWork& at, const Rope& rope) {
+  constexpr double kNot = std::numeric_limits<double>::quiet_NaN();
+  Motions motions;
+  for (const Moving& body : at.bodies) motions.push_back({body.velocity, body.spin});
+  std::vector<Moving> then;
+  for (const Part& part : at.c.parts.bodies)
+    then.push_back({part.axes, part.centre, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
+  RopeNow now;
+  now.still.assign(at.bodies.size(), {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
+  now.spans = spans_in_space({at, rope, at.bodies}, motions);
+  const SpansInSpace reference = spans_in_space({at, rope, then, true}, now.still);
+  const std::vector<Jet<double>> free = free_lengths(at, rope, reference);
+  const std::vector<double> paid = stretch_spans(at, rope, reference, free, now);
+  for (std::size_t g = 0; g < free.size(); ++g) {
+    const double length = free[g].value + paid[g];
+    now.length.push_back(length);
+    now.stiffness.push_back(!rope.ea ? at.value(*rope.stiffness) : length > 0 ? at.value(*rope.ea) / length : kNot);
+    now.elastic.push_back(now.stiffness[g] * std::max(now.stretch[g], 0.0));
+  }
+  if (!now.grooves.empty()) {
+    const Eigen::VectorXd speeds = slip_speeds(now, rope_lag(at, rope), rope.ea.has_value());
+    for (std::size_t j = 0; j < now.grooves.size(); ++j) {
+      now.slip_rates.push_back(speeds[static_cast<Eigen::Index>(j)]);
+      now.rate[now.grooves[j].before] += now.slip_rates[j];
+      now.rate[now.grooves[j].behind] -= now.slip_rates[j];
+      now.lengthens[now.grooves[j].before] -= now.slip_rates[j];
+      now.lengthens[now.grooves[j].behind] += now.slip_rates[j];
+    }
+  }
+  for (std::size_t g = 0; g < free.size(); ++g) {
+    // The rate of the strain, times the free length.
+    const double stretched = rope.ea ? std::max(now.stretch[g], 0.0) / now.length[g] * now.lengthens[g] : 0.0;
+    const double damped = now.stiffness[g] * at.value(rope.damping) * (now.rate[g] - stretched);
+    const double tension = now.elastic[g] + std::clamp(damped, -now.elastic[g], now.elastic[g]);
+    now.tension.push_back(now.spans.least[g] < 0 && tension > 0 ? kNot : tension);
+  }
+  return now;
+}
+
+inline void apply(const AtWork& at, const Rope& rope, Forces& forces) {
+  if (rope.path.empty()) return;  // its first span acts
+  const RopeNow now = rope_now(at, rope);
+  auto rates = forces.xd.begin() + first_slip(at.c.model, index_of(at, rope));
+  for (const double rate : now.slip_rates) *rates++ = rate;
+  const RopeInSpace space{at, rope, at.bodies};
+  std::vector<int> touched;
+  for (const RopeStation& station : rope.path)
+    for (const int body : {space.index(station.at.body), space.index(station.carrier)})
+      if (std::find(touched.begin(), touched.end(), body) == touched.end()) touched.push_back(body);
+  for (const int body : touched) {
+    Load load{body, Vector6d::Zero()};
+    for (int k = 0; k < 6; ++k) {
+      Motions motions = now.still;
+      auto& [velocity, spin] = motions[static_cast<std::size_t>(body)];
+      (k < 3 ? velocity : spin)[k % 3] = 1;
+      const SpansInSpace moved = spans_in_space(space, motions);
+      for (std::size_t g = 0; g < now.tension.size(); ++g)
+        load.wrench[k] -= now.tension[g] * moved.reach[g].imag() / kRopeStep;
+    }
+    forces.loads.push_back(load);
+  }
+  if (!rope.ea) return;
+  each_wheel_side(rope, [&](const RopeStation& station, std::size_t g, double way) {
+    const double density = now.elastic[g] * now.elastic[g] / (2 * at.value(*rope.ea));
+    add_on_coordinate(at, station.wheel, way * station.sense * station.wheel_sense * at.value(station.radius) * density,
+                      forces);
+  });
+}
+
+inline double energy_of(const AtWork& at, const Rope& rope) {
+  const auto span = static_cast<std::size_t>(rope.span);
+  const RopeNow now = rope_now(at, *(&rope - rope.span));
+  const double stretch = std::max(now.stretch[span], 0.0);
+  return now.stiffness[span] * stretch * stretch / 2;
+}
+
+inline double shown(const AtWork& at, const Forces&, const Rope& rope, int quantity, int) {
+  const auto span = static_cast<std::size_t>(rope.span);
+  const RopeNow now = rope_now(at, *(&rope - rope.span));
+  const double values[] = {now.tension[span], now.spans.length[span].real(), now.stretch[span], now.rate[span],
+                           now.spans.wrap[span]};
+  return values[quantity];
+}
+
+}  // namespace mbgen::cartesian
