@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mbgen/solver/shortest.hpp"
 #include "runtime/generic/equations.hpp"
 #include "runtime/generic/generic.hpp"
 

@@ -8,7 +8,7 @@
 namespace mbgen {
 namespace {
 
-constexpr long kLooksPerMotion = 200;
+constexpr long kReadingsPerMotion = 200;
 constexpr double kWorthTelling = 1e-6;  // of the width of the points
 
 /// The expression of one node. Fails: nothing, where it has variables of a law.
@@ -30,7 +30,7 @@ const Table& line_of(const NamedTable& named, bool is_first) {
 }  // namespace
 
 TableWatch::TableWatch(const Compilation& compilation, const SimulationSettings& settings)
-    : every_(std::max(1L, settings.steps / kLooksPerMotion)) {
+    : every_(std::max(1L, settings.steps / kReadingsPerMotion)) {
   Model model = compilation.model;
   model.outputs.clear();
   const auto watch = [&](const Expression& whole, const ExpressionNode& node, bool is_first) {

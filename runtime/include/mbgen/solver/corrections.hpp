@@ -4,6 +4,7 @@
 
 #include "mbgen/blocks.hpp"
 #include "mbgen/solver/block_solution.hpp"
+#include "mbgen/solver/shortest.hpp"
 
 namespace mbgen {
 
