@@ -347,12 +347,13 @@ bool changes_side(const LoopFactorsOf<Real>& loop, const Real* from, const Real*
                   const SideWork<Real>& work) noexcept {
   const int rank = loop.rank;
   for (int k = 0; k < rank; ++k) {
-    Real* const sums = work.product + k * rank;
-    for (int m = 0; m < rank; ++m) sums[m] = 0;
-    const Real* const left = to + std::ptrdiff_t{loop.rows[k]} * loop.coordinates;
-    for (int c = 0; c < loop.coordinates; ++c) {
-      if (left[c] == 0 || loop_detail::is_driven(driven, c)) continue;
-      for (int m = 0; m < rank; ++m) sums[m] += left[c] * from[std::ptrdiff_t{loop.rows[m]} * loop.coordinates + c];
+    for (int m = 0; m < rank; ++m) {
+      Real sum = 0;
+      const Real* const left = to + std::ptrdiff_t{loop.rows[k]} * loop.coordinates;
+      const Real* const right = from + std::ptrdiff_t{loop.rows[m]} * loop.coordinates;
+      for (int c = 0; c < loop.coordinates; ++c)
+        sum += loop_detail::is_driven(driven, c) ? Real(0) : left[c] * right[c];
+      work.product[k * rank + m] = sum;
     }
   }
   LoopFactorsOf<Real> square;
