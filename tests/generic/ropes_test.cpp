@@ -82,17 +82,22 @@ TEST(Ropes, TurnAtwoodsWheel) {
 
 TEST(Ropes, SlideOverAtwoodsFixedDrumAboveTheLimit) {
   const Json& row = rope_reference()["atwood_on_a_fixed_drum"];
-  const double m1 = row["m1"], m2 = row["m2"], a = row["a"];
-  const auto text = [&](double mass, double ea) {
-    return atwood(mass, m2, "fixed", fmt::format(R"("EA": {}, "pretension": 25, "damping": 1e-3)", ea));
+  const double m1 = row["m1"], m2 = row["m2"], a = row["a"], e = row["e"];
+  const auto text = [&](double mass, double ea, double lag = 1e-3) {
+    return atwood(mass, m2, "fixed", fmt::format(R"("EA": {}, "pretension": 25, "damping": 1e-3, "lag": {})", ea, lag));
   };
-  const double soft = error_of_fall(text(m1, 1e5), a, 1e-4), stiff = error_of_fall(text(m1, 4e5), a, 1e-4);
-  EXPECT_NEAR(soft / stiff, 4, 0.6);
-  EXPECT_LT(std::abs(stiff), 5e-5);
-  Roped slides(text(m1, 4e5));
-  slides.run(0.5, 1e-4);
-  EXPECT_NEAR(slides.shown(tension, 1), double(row["T2"]), 1e-3);
-  EXPECT_NEAR(slides.shown(tension, 0) / slides.shown(tension, 1), double(row["e"]), 1e-6);
+  double errors[2];
+  for (int k = 0; k < 2; ++k) {
+    Roped m(text(m1, 4e5, k == 0 ? 1e-3 : 2.5e-4));
+    m.run(0.3, 1e-4);
+    const double before = m.zd("one");  // the tensions have come to those of the slip
+    m.run(0.5, 1e-4);
+    EXPECT_NEAR((before - m.zd("one")) / 0.2, a, 1e-3 * a);
+    EXPECT_NEAR(m.shown(tension, 1), double(row["T2"]), 1e-3);
+    errors[k] = m.shown(tension, 0) / m.shown(tension, 1) / e - 1;
+    EXPECT_LT(std::abs(errors[k]), 3e-5);
+  }
+  EXPECT_NEAR(errors[0] / errors[1], 4, 0.5);  // an excess that fades with the lag
   const double limit = row["slides_above_m1"];
   for (const double share : {0.8, 1.05}) {
     Roped m(text(share * limit, 1e5));
@@ -101,7 +106,7 @@ TEST(Ropes, SlideOverAtwoodsFixedDrumAboveTheLimit) {
     m.run(1, 2e-4);
     EXPECT_EQ(m.z("one") - before<-1e-3, share> 1);
     if (share < 1) {
-      EXPECT_NEAR(m.z("one"), before, 1e-9);
+      EXPECT_NEAR(m.z("one"), before, 1e-6);
     }
   }
 }

@@ -49,8 +49,8 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  const auto wheel = [](const char* contact) {
-    return fmt::format(R"({{ "pulley": "wheel.O", "axis": "y", "radius": 0.12, "sense": "positive"{} }})", contact);
+  const auto wheel = [](const char* contact, const char* sense = "negative") {
+    return fmt::format(R"({{ "pulley": "wheel.O", "axis": "y", "radius": 0.12, "sense": "{}"{} }})", sense, contact);
   };
   const auto second = [](const char* kind, const char* sense, const char* contact) {
     return fmt::format(R"({{ "{}": "drum.O", "axis": [0.1, 1, 0.05], "radius": 0.15, "sense": "{}"{} }})", kind, sense,
@@ -71,11 +71,8 @@ std::vector<Case> cases() {
       {"two_pulleys", rope(b + ", " + second("pulley", "negative", "") + ", " + wheel("") + ", " + bob, law)},
       {"crossed",
        rope(R"({ "point": "ground.C" }, )" + second("pulley", "positive", "") + ", " + wheel("") + ", " + bob, law)},
-      {"drum", rope(second("drum", "negative", "") + ", " + wheel("") + ", " + bob, law)},
-      {"drum_at_the_end",
-       rope(bob + ", " + R"({ "pulley": "wheel.O", "axis": "y", "radius": 0.12, "sense": "negative" }, )" +
-                second("drum", "positive", ""),
-            law)},
+      {"drum", rope(second("drum", "positive", "") + ", " + wheel("") + ", " + bob, law)},
+      {"drum_at_the_end", rope(bob + ", " + wheel("", "positive") + ", " + second("drum", "negative", ""), law)},
       {"grips", rope(b + ", " + wheel(grips.c_str()) + ", " + bob, law)},
       {"grips_with_stiffness",
        rope(b + ", " + wheel(grips.c_str()) + ", " + bob, R"("stiffness": 1e3, "damping": 0.002, "pretension": 20)")},
@@ -83,13 +80,13 @@ std::vector<Case> cases() {
       {"rubs_twice",
        rope(b + ", " + second("pulley", "negative", rubs.c_str()) + ", " + wheel(rubs.c_str()) + ", " + bob, law)},
       {"belt", fmt::format(R"("rope": {{ "closed": true, "path": [{}, {}], "EA": 2e3, "pretension": 30 }})",
-                           wheel(grips.c_str()), second("pulley", "positive", grips.c_str()))},
+                           wheel(grips.c_str(), "positive"), second("pulley", "positive", grips.c_str()))},
       {"rubbing_belt", fmt::format(R"("rope": {{ "closed": true, "path": [{}, {}], "EA": 2e3, "pretension": 30 }})",
-                                   wheel(rubs.c_str()), second("pulley", "positive", rubs.c_str()))},
+                                   wheel(rubs.c_str(), "positive"), second("pulley", "positive", rubs.c_str()))},
       {"belt_with_idler",
        fmt::format(
            R"("rope": {{ "closed": true, "path": [{}, {}, {{ "point": "ground.B" }}], "EA": 2e3, "pretension": 30 }})",
-           wheel(""), second("pulley", "positive", grips.c_str()))},
+           wheel("", "positive"), second("pulley", "positive", grips.c_str()))},
       {"cylinder",
        rope(a + R"(, { "cylinder": "frame.S", "axis": [0.2, 1, 0.1], "radius": 0.25, "sense": "positive" }, )" + b,
             law)},
@@ -129,7 +126,7 @@ TEST(RopesInSpace, HaveTheForcesOfTheJudges) {
     judge.set_inputs(inputs);
     int taut = 0;
     for (int s = 0; s < 6; ++s) {
-      const GenericState state = near_reference(m, random, 0.15);
+      const GenericState state = near_reference(m, random, 0.08);
       const std::vector<double> tau(state.z.size());
       GenericDerivative expected, actual;
       ASSERT_TRUE(generic.accelerations(state, tau, actual).ok()) << one.name;
@@ -190,10 +187,7 @@ TEST(RopesInSpace, ConserveEnergyWithoutDampingAndFriction) {
     const std::string name = one.name,
                       ropes = without(without(one.ropes, R"(, "damping": 0.003)"), R"(, "damping": 0.002)");
     if (name.starts_with("rub")) continue;
-    const double coarse = energy_of_motion(ropes, 400).second, fine = energy_of_motion(ropes, 800).second;
-    // Ropes that become taut within a step have no order; all are small of 100 J.
-    EXPECT_LT(fine, 1e-4) << name;
-    EXPECT_LT(fine, 0.5 * coarse + 1e-8) << name;
+    EXPECT_LT(energy_of_motion(ropes, 800).second, 1e-5) << name;  // of some 20 J
   }
 }
 
@@ -226,8 +220,8 @@ TEST(RopesInSpace, HaveTheirStiffnessInImplicitSteps) {
       for (std::size_t i = 0; i < rough.z.size(); ++i)
         errors[halving] = std::max(errors[halving], std::abs(rough.z[i] - exact.z[i]));
     }
-    EXPECT_LT(errors[1], 2e-3) << one.name;
-    EXPECT_LT(errors[1], errors[0]) << one.name;
+    EXPECT_LT(errors[1], 1e-4) << one.name;
+    EXPECT_LT(errors[1], errors[0] + 2e-5) << one.name;
   }
 }
 
