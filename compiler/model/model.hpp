@@ -104,6 +104,7 @@ struct Model {
   std::vector<AirSpring> air_springs;
   std::vector<Bushing> bushings;
   std::vector<BumpStop> bump_stops;
+  std::vector<SurfaceContact> contacts;
   std::vector<AppliedForce> forces;
   std::vector<JointForce> joint_forces;
   std::vector<Road> roads;

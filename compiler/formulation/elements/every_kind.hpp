@@ -6,6 +6,7 @@
 #include "compiler/formulation/elements/applied_force.hpp"
 #include "compiler/formulation/elements/bump_stop.hpp"
 #include "compiler/formulation/elements/bushing.hpp"
+#include "compiler/formulation/elements/contact.hpp"
 #include "compiler/formulation/elements/friction.hpp"
 #include "compiler/formulation/elements/joint_force.hpp"
 #include "compiler/formulation/elements/joint_spring.hpp"

@@ -37,6 +37,8 @@ template <>
 ElementSection section_of<Bushing>();
 template <>
 ElementSection section_of<BumpStop>();
+template <>
+ElementSection section_of<SurfaceContact>();
 
 /// Whether a kind is the first in its section.
 template <class Kind>

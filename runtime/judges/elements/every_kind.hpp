@@ -6,6 +6,7 @@
 #include "runtime/judges/elements/applied_force.hpp"
 #include "runtime/judges/elements/bump_stop.hpp"
 #include "runtime/judges/elements/bushing.hpp"
+#include "runtime/judges/elements/contact.hpp"
 #include "runtime/judges/elements/friction.hpp"
 #include "runtime/judges/elements/joint_force.hpp"
 #include "runtime/judges/elements/joint_spring.hpp"
