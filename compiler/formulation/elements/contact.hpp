@@ -8,11 +8,11 @@
 
 namespace mbgen {
 
-/// A contact at work; forces on the body of `from`, global axes.
+/// A contact at work.
 template <class T>
 struct ContactState {
-  T normal{0.0}, penetration{0.0}, rate{0.0}, slip{0.0};  ///< N, m, m/s, m/s
-  Vector<T> force, friction;                              ///< N
+  T load{0.0}, lateral{0.0}, penetration{0.0}, rate{0.0}, slip{0.0};  ///< N, N, m, m/s, m/s
+  Vector<T> force;                                                    ///< N, on the body of `from`, global axes
 };
 template <>
 struct StateOf<SurfaceContact> {
@@ -23,17 +23,17 @@ struct StateOf<SurfaceContact> {
 /// Value of a quantity by its index.
 template <class T>
 T shown(const ContactState<T>& contact, int quantity, int axis) {
-  const T* values[] = {&contact.normal, &contact.penetration, &contact.rate, &contact.slip};
-  constexpr int kScalars = 4;
-  if (quantity < kScalars) return *values[quantity];
-  const Vector<T>& v = quantity == kScalars ? contact.force : contact.friction;
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+  const T* values[] = {&contact.load, &contact.lateral, &contact.penetration, &contact.rate, &contact.slip};
+  const Vector<T>& v = contact.force;
+  return quantity < 5 ? *values[quantity] : axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
 namespace detail {
 
 /// m/s and parts of a deflection: smallest speed and deflection whose direction counts.
 inline constexpr double kLeastSlip = 1e-9, kLeastBend = 1e-12;
+/// Time in lags by which bristles of an open contact straighten: within the reach of steps longer than the model's.
+inline constexpr double kReleaseInLags = 4;
 
 /// A contact and its motion, in the axes of the body of `to`, or global on a road.
 template <class T>
@@ -146,7 +146,7 @@ ContactForces<A> contact_law(const ForceWork<T>& work, const SurfaceContact& con
   if (!contact.has_friction()) return forces;
   const ContactFriction<A> friction = contact_friction(work, contact, slip, deflection);
   const double lag = contact.lag.value_or(work.system.model.solver.step);
-  const A released(-1 / (lag > 0 ? lag : kShortestBristleLag));
+  const A released(-1 / (kReleaseInLags * (lag > 0 ? lag : kShortestBristleLag)));
   for (int i = 0; i < 2; ++i) {
     forces.across[i] = A(factor) * forces.normal * friction.force[i];
     forces.rate[i] = select(-penetration, released * deflection[i], friction.rate[i]);
@@ -175,7 +175,6 @@ std::array<T, 2> bristles_of(const ForceWork<T>& work, const SurfaceContact& con
 
 template <class T>
 void apply(ForceWork<T>& work, const SurfaceContact& contact) {
-  using std::sqrt;
   const System<T>& system = work.system;
   const Model& model = system.model;
   const auto first = static_cast<std::size_t>(contact_state(model, index_in(model.contacts, contact)));
@@ -196,13 +195,12 @@ void apply(ForceWork<T>& work, const SurfaceContact& contact) {
     act(work, {contact.from.body, on_sphere(force), on_sphere(-moment),
                arm_of(system, work.k, m.seen.to, work.forces.about)});
   }
-  ContactState<T> state{law.normal, m.penetration, m.rate, T(0.0), {}, {}};
-  const auto global = [&](const Vector<T>& v) { return direction_in(system, work.k, m.seen.from.body, v, kGround); };
-  state.force = global(force);
+  ContactState<T> state{law.normal, T(0.0), m.penetration,
+                        m.rate,     T(0.0), direction_in(system, work.k, m.seen.from.body, force, kGround)};
   if (contact.has_friction()) {
     for (std::size_t i = 0; i < 2; ++i) work.forces.xd[first + i] = law.rate[i];
-    state.slip = sqrt(m.slip[0] * m.slip[0] + m.slip[1] * m.slip[1]);
-    state.friction = global(friction);
+    state.lateral = safe_length(law.across[0] * law.across[0] + law.across[1] * law.across[1]);
+    state.slip = safe_length(m.slip[0] * m.slip[0] + m.slip[1] * m.slip[1]);
   }
   state_for(work.system, work.forces, contact) = std::move(state);
 }

@@ -9,9 +9,9 @@
 
 namespace mbgen {
 
-/// A sphere of a body that presses on a surface of another body, or on a road. With the penetration p, the normal
-/// force on both is that of a bump stop without clearance over p; nothing pulls. Friction acts against the sliding of
-/// the contact point, in the middle between both surfaces, by two bristles: see mbgen::detail::contact_friction.
+/// A sphere of a body that presses on a surface of another body, or on a road. The normal force on both is the force of
+/// a bump stop without clearance over the penetration p; nothing pulls. Friction acts against the sliding of the
+/// contact point, in the middle between both surfaces, by two bristles: see mbgen::detail::contact_friction.
 struct SurfaceContact {
   enum class Shape { plane, road, sphere, cylinder, box };
   std::string name;
@@ -53,15 +53,18 @@ struct KindOf<SurfaceContact> : KindDefaults {
   static constexpr const char *key = "contact", *section = "contacts", *words = "contact";
   static constexpr bool is_elastic = true;
   static constexpr Drawing drawing = Drawing::pad;
-  /// penetration: negative before the contact; forces on the body of `from`, global axes
+  /// load: along the normal, lateral_force: across it; force: on the body of `from`, global axes; deflection:
+  /// penetration, negative before the contact; velocity: of sliding
   static constexpr std::array quantities = {
-      ElementQuantity{"normal_force", "N"},  ElementQuantity{"penetration", "m"},
-      ElementQuantity{"rate", "m/s"},        ElementQuantity{"slip", "m/s"},
-      ElementQuantity{"force", "N", 3},      ElementQuantity{"friction_force", "N", 3},
+      ElementQuantity{"load", "N"},          ElementQuantity{"lateral_force", "N"}, ElementQuantity{"deflection", "m"},
+      ElementQuantity{"rate", "m/s"},        ElementQuantity{"velocity", "m/s"},    ElementQuantity{"force", "N", 3},
       ElementQuantity{kPotentialEnergy, "J"}};
   static constexpr const char* shows =
-      "contact; the output is its normal force, its penetration, the rate of that, its speed of sliding, a component "
-      "(global axes) of its force or its friction force on the body of `from`, or its potential energy";
+      "contact; the output is its load along the normal, its lateral force by friction, its force on the body of "
+      "`from` "
+      "in global axes, its deflection (penetration, negative before contact), the rate of that, its velocity of "
+      "sliding "
+      "or its potential energy";
   template <class SomeModel>
   static auto& list(SomeModel& model) {
     return model.contacts;

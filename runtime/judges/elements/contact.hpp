@@ -147,7 +147,7 @@ inline ContactAtWork contact_at_work(const AtWork& at, const SurfaceContact& con
   const double lag = contact.lag.value_or(at.c.model.solver.step);
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
   rub(contact, at.value, slip, deflection, force, work.xd);
-  if (work.penetration <= 0) work.xd = -deflection / (lag > 0 ? lag : kShortestBristleLag);
+  if (work.penetration <= 0) work.xd = -deflection / (4 * (lag > 0 ? lag : kShortestBristleLag));
   work.friction = nearest.friction * work.force * (along * force);
   return work;
 }
@@ -169,10 +169,9 @@ inline void apply(const AtWork& at, const SurfaceContact& contact, Forces& force
 
 inline double shown(const AtWork& at, const Forces&, const SurfaceContact& contact, int quantity, int axis) {
   const ContactAtWork work = contact_at_work(at, contact);
-  const double scalars[] = {work.force, work.penetration, work.rate, work.slip};
-  constexpr int kScalars = 4;
-  if (quantity < kScalars) return scalars[quantity];
-  return (quantity == kScalars ? Eigen::Vector3d(work.force * work.normal + work.friction) : work.friction)[axis];
+  const double scalars[] = {work.force, work.friction.norm(), work.penetration, work.rate, work.slip};
+  constexpr int kScalars = 5;
+  return quantity < kScalars ? scalars[quantity] : (work.force * work.normal + work.friction)[axis];
 }
 
 inline double energy_of(const AtWork& at, const SurfaceContact& contact) {
