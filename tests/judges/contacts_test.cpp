@@ -59,7 +59,7 @@ void each_place(MechanismInState& m, int wanted, const Use& use) {
       m.set(std::string("ball_") + way, 0.45 * any(dice), any(dice));
       m.set(std::string("block_") + way, 0.1 * any(dice), any(dice));
     }
-    for (double& x : m.state().x) x = 1e-4 * any(dice);
+    for (double& x : m.state().x) x = 0.7e-4 * any(dice);  // both within their limit, 0.1 mm
     const std::vector<double> y = outputs_at(m.solver(), m.state(), std::vector<double>(12));
     if (y[kPenetration] < -0.1 || y[kPenetration] > 0.15) continue;
     met += y[kPenetration] > 0 ? 1 : 0;

@@ -86,8 +86,9 @@ struct ContactFriction {
 /// frictions in each direction (mbgen/solver/bristle.hpp). With the sliding velocity v, the deflections b, at most
 /// b_max = bristle g(v) / stiction, and g Stribeck's curve of the coefficients:
 ///   force = -c (b + damping db/dt),  db/dt = w - yield (w . r)+ r / |r|,  r = b / b_max,  c = stiction / bristle
-/// w = v or, where v is faster, b_max / lag in its direction; yield as there, of |r|; the force is at most g(v). So
-/// bristles bend towards the sliding without a preferred direction, and steady sliding has the force g(v) against v.
+/// w = v or, where v is faster, b_max / lag in its direction; yield as there, of |r|; damping leaves the force at most
+/// g(v), or at c |b| where this is more. So bristles bend towards the sliding without a preferred direction, and steady
+/// sliding has the force g(v) against v.
 template <class T, class A>
 ContactFriction<A> contact_friction(const ForceWork<T>& work, const SurfaceContact& contact, const A (&velocity)[2],
                                     const A (&deflection)[2]) {
@@ -124,7 +125,9 @@ ContactFriction<A> contact_friction(const ForceWork<T>& work, const SurfaceConta
     result.rate[i] = w[i] - yield * r[i];
     pull[i] = stiffness * (deflection[i] + damping * result.rate[i]);
   }
-  const A within = level / max(level, length(pull[0], pull[1], kLeastBend));
+  // Not the elastic part: a search for a rest then finds bristles that would have to bend too far.
+  const A most = max(level, stiffness * length(deflection[0], deflection[1], kLeastBristle));
+  const A within = most / max(most, length(pull[0], pull[1], kLeastBend));
   for (int i = 0; i < 2; ++i) result.force[i] = -(within * pull[i]);
   return result;
 }

@@ -117,7 +117,8 @@ inline void rub(const SurfaceContact& contact, const Values& value, const Eigen:
     rate -= s * s * (3 - 2 * s) * share * along.dot(rate) * along;
   }
   force = -mu_static / bristle * (deflection + value(contact.bristle_damping) * rate);
-  if (force.norm() > limit) force *= limit / force.norm();
+  const double most = std::max(limit, mu_static / bristle * deflection.norm());  // damping adds nothing beyond it
+  if (force.norm() > most) force *= most / force.norm();
 }
 
 inline ContactAtWork contact_at_work(const AtWork& at, const SurfaceContact& contact) {
