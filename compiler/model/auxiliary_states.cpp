@@ -16,6 +16,7 @@ constexpr double kBristle = 1e-4;      // m or rad: typical deflection of bristl
 constexpr double kTurn = 0.01;         // rad: typical rotation of a contact patch before sliding
 constexpr double kRopeSlip = 1e-3;     // m: typical slip of a rope in a groove
 constexpr int kSlipsOfTyre = 2;
+constexpr int kBristlesOfContact = 2;
 
 AuxiliaryState hidden(const std::string& name, const std::string& unit, double size) {
   return {name, unit, unit + "/s", "auxiliary state", 0, {}, size};
@@ -59,6 +60,9 @@ std::vector<AuxiliaryState> auxiliary_states(const Model& model) {
     const OnCoordinate* on = std::get_if<OnCoordinate>(&connection);
     states.push_back(hidden(friction.name + "_bristle", on ? unit_of_coordinate(model, on->joint) : "m", kBristle));
   });
+  for (const SurfaceContact& contact : model.contacts)
+    for (const char* suffix : {"_bristle1", "_bristle2"})
+      if (contact.has_friction()) states.push_back(hidden(contact.name + suffix, "m", kBristle));
   for (const Bushing& bushing : model.bushings) {
     for (int i = 0; i < kBushingFreedoms; ++i) {
       if (!has_maxwell_branch(bushing, i)) continue;
@@ -104,11 +108,15 @@ std::size_t bristle_state(const Model& model, const FrictionLaw& friction) {
   return state;
 }
 
-int slip_state_count(const Model& model) {
-  int count = first_bristle(model);
-  each_friction(model, [&](const FrictionLaw& friction) { count += friction.has_bristle() ? 1 : 0; });
-  return count;
+int contact_state(const Model& model, std::size_t contact) {
+  int state = first_bristle(model);
+  each_friction(model, [&](const FrictionLaw& friction) { state += friction.has_bristle() ? 1 : 0; });
+  const auto has_friction = [](const SurfaceContact& c) { return c.has_friction(); };
+  const auto before = std::ranges::count_if(std::span(model.contacts).first(contact), has_friction);
+  return state + kBristlesOfContact * static_cast<int>(before);
 }
+
+int slip_state_count(const Model& model) { return contact_state(model, model.contacts.size()); }
 
 std::vector<std::string> auxiliary_state_names(const Model& model) {
   std::vector<std::string> names;

@@ -1,9 +1,10 @@
 #pragma once
 // Auxiliary states of a model, in their order: two slip deflections per tyre (m), the rotation of each tyre with a
 // moment of its patch against turning (rad), the slip of each rope in a groove with friction (m), the deflection of
-// each bristle of a friction (rad or m, frictions on coordinates first), the extension of the spring of each Maxwell
-// branch of a six-freedom element (m or rad), the user's states, the sampled values (the user's before loads of
-// frictions), and the pending values of sampled values with a delay.
+// each bristle of a friction (rad or m, frictions on coordinates first), two deflections of bristles per contact with
+// friction (m), the extension of the spring of each Maxwell branch of a six-freedom element (m or rad), the user's
+// states, the sampled values (the user's before loads of frictions), and the pending values of sampled values with a
+// delay.
 
 #include <optional>
 #include <string>
@@ -26,8 +27,8 @@ std::vector<AuxiliaryState> auxiliary_states(const Model& model);
 
 int auxiliary_state_count(const Model& model);
 
-/// Number of leading states that are slips and rotations of tyres, slips of ropes or bristles of frictions. At rest
-/// these keep any value; the others then have the values at which their rates are zero.
+/// Number of leading states that are slips and rotations of tyres, slips of ropes or bristles of frictions and
+/// contacts. At rest these keep any value; the others then have the values at which their rates are zero.
 int slip_state_count(const Model& model);
 
 /// Position of the first extension of the Maxwell branches of a six-freedom element; the elements follow one another.
@@ -67,5 +68,9 @@ int first_slip(const Model& model, std::size_t rope);
 /// the result is the state of the next friction.
 int first_bristle(const Model& model);
 std::size_t bristle_state(const Model& model, const FrictionLaw& friction);
+
+/// The first of the two bristles of a contact (index into Model::contacts), after those of frictions. Requires: the
+/// contact has friction.
+int contact_state(const Model& model, std::size_t contact);
 
 }  // namespace mbgen

@@ -9,6 +9,7 @@
 #include "compiler/model/elements/applied_force.hpp"
 #include "compiler/model/elements/bump_stop.hpp"
 #include "compiler/model/elements/bushing.hpp"
+#include "compiler/model/elements/contact.hpp"
 #include "compiler/model/elements/friction.hpp"
 #include "compiler/model/elements/joint_force.hpp"
 #include "compiler/model/elements/joint_spring.hpp"
@@ -35,7 +36,7 @@ struct Kinds {
 };
 
 using ElementKinds = Kinds<PointSpring, AirSpring, JointSpring, JointFriction, SpringFriction, RodFriction, JointForce,
-                           AppliedForce, Tyre, Bushing, BumpStop, Rope>;
+                           AppliedForce, Tyre, Bushing, BumpStop, Rope, SurfaceContact>;
 
 /// Index of a kind in the list.
 template <class Element>

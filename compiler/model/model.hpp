@@ -105,6 +105,7 @@ struct Model {
   std::vector<Bushing> bushings;
   std::vector<BumpStop> bump_stops;
   std::vector<Rope> ropes;
+  std::vector<SurfaceContact> contacts;
   std::vector<AppliedForce> forces;
   std::vector<JointForce> joint_forces;
   std::vector<Road> roads;

@@ -154,6 +154,37 @@ Pinned straight_states(const Model& model) {
   return pinned;
 }
 
+/// Unpins the bristles of contacts that touch.
+void loosen_contacts(System<double>& system, Pinned& pinned) {
+  const Kinematics<double> k = kinematics(system);
+  const Velocities<double> v = velocities(system, k);
+  see_values(system, k, v);
+  AppliedForces<double> none;
+  const detail::ForceWork<double> work{system, k, v, none};
+  for (std::size_t i = 0; i < system.model.contacts.size(); ++i) {
+    const SurfaceContact& contact = system.model.contacts[i];
+    const auto state = static_cast<std::size_t>(contact_state(system.model, i));
+    if (contact.has_friction() && detail::contact_motion(work, contact).penetration > 0)
+      pinned[state] = pinned[state + 1] = false;
+  }
+}
+
+/// Holds the bristles of contacts that bend farther than they can at their end. Result: whether there were none.
+bool contacts_hold(const System<double>& system, Pinned& pinned, std::vector<double>& x) {
+  bool all_hold = true;
+  for (std::size_t i = 0; i < system.model.contacts.size(); ++i) {
+    const SurfaceContact& contact = system.model.contacts[i];
+    const auto state = static_cast<std::size_t>(contact_state(system.model, i));
+    if (!contact.has_friction() || pinned[state]) continue;
+    const double end = value_of(system.model, contact.bristle, system.environment);
+    const double bent = std::hypot(x[state], x[state + 1]);
+    if (bent <= end) continue;
+    for (const std::size_t bristle : {state, state + 1}) x[bristle] *= end / bent, pinned[bristle] = true;
+    all_hold = false;
+  }
+  return all_hold;
+}
+
 /// Walks to where frictions that stick hold the bodies near `trial`. A bristle that would have to bend farther than it
 /// can slides: it stays at its end, and the others go on.
 Status walk_to_hold(const GenericSolver& solver, GenericEquations& equations, GenericState& trial) {
@@ -166,7 +197,8 @@ Status walk_to_hold(const GenericSolver& solver, GenericEquations& equations, Ge
   Pinned pinned = straight_states(equations.model);
   std::vector<BristleEnd> ends = ends_at(trial);
   for (std::size_t i = 0; i < ends.size(); ++i) pinned[first + i] = !(ends[i].holds > 0);
-  for (std::size_t round = 0; round <= ends.size(); ++round) {
+  loosen_contacts(equations.system(trial), pinned);
+  for (std::size_t round = 0; round <= ends.size() + equations.model.contacts.size(); ++round) {
     if (std::all_of(pinned.begin() + first_bristle(equations.model), pinned.begin() + slip_state_count(equations.model),
                     [](bool is_pinned) { return is_pinned; }) &&
         round == 0)
@@ -174,7 +206,7 @@ Status walk_to_hold(const GenericSolver& solver, GenericEquations& equations, Ge
     const Status status = walk_to_balance(solver, equations, pinned, Search::straight, kStraightIterations, trial);
     if (!status.ok()) return status;
     ends = ends_at(trial);
-    bool all_hold = true;
+    bool all_hold = contacts_hold(equations.system(trial), pinned, trial.x);
     for (std::size_t i = 0; i < ends.size(); ++i) {
       double& bent = trial.x[first + i];
       if (pinned[first + i] || std::abs(bent) <= ends[i].holds) continue;

@@ -75,6 +75,25 @@ std::string text_of(const Model& model, const Rope& rope) {
   return words;
 }
 
+std::string text_of(const Model& model, const SurfaceContact& contact) {
+  const bool on_road = contact.shape == SurfaceContact::Shape::road;
+  const std::string surface = on_road
+                                  ? "the road " + model.roads[static_cast<std::size_t>(contact.road)].name
+                                  : fmt::format("a {} of {}", kContactShapes[static_cast<std::size_t>(contact.shape)],
+                                                body_of(model, contact.to));
+  std::string words = fmt::format("{} pushes {} away from {} where {} of it goes in; it never pulls.", contact.name,
+                                  body_of(model, contact.from), surface,
+                                  contact.radius.expression < 0 && contact.radius.value == 0
+                                      ? "a point"
+                                      : fmt::format("a sphere of radius {} m", number_or_text(model, contact.radius)));
+  if (contact.has_friction())
+    words += fmt::format(
+        " It sticks and slides with a friction of {}, by two bristles whose deflections are the states x.{}_bristle1 "
+        "and x.{}_bristle2.",
+        number_or_text(model, contact.friction), contact.name, contact.name);
+  return words;
+}
+
 std::string friction_text(const std::string& name, const std::string& place, const FrictionLaw& law) {
   return fmt::format(
       "{} sticks {}, by bristles ({}) whose deflection is the state x.{}_bristle.", name, place,

@@ -6,7 +6,7 @@
 namespace mbgen::kc {
 namespace {
 
-/// Removes frictions, and their pressing loads, which are the last sampled values.
+/// Removes frictions, with their pressing loads, which are the last sampled values, and the friction of contacts.
 void take_frictions_away(Model& model) {
   std::size_t loads = 0;
   each_friction(model, [&loads](const FrictionLaw& friction) { loads += friction.load >= 0 ? 1 : 0; });
@@ -14,6 +14,7 @@ void take_frictions_away(Model& model) {
     if constexpr (std::is_base_of_v<FrictionLaw, Kind>) kind.list(model).clear();
   });
   model.sampled.resize(model.sampled.size() - loads);
+  for (SurfaceContact& contact : model.contacts) contact.friction = contact.stiction = Quantity{};
 }
 
 /// Quantities of tyres and frictions, which expressions may look at, are zero without them.

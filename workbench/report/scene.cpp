@@ -129,24 +129,60 @@ void add_tubes(const Body& body, const std::set<Vector3>& points, double size, J
   if (points.size() < 2) shapes.push_back({{"kind", "sphere"}, {"at", middle}, {"radius", 2 * kThickest * size}});
 }
 
+/// Spheres of contacts, each once, and the surfaces that they touch. A point is drawn as a sphere of radius `point`, m;
+/// a box where its edges are along the axes of its body.
+void add_contacts(const Model& model, double point, std::vector<Json>& shapes) {
+  std::set<std::pair<int, Vector3>> drawn;
+  const auto is_new = [&](const Attachment& at) { return drawn.emplace(at.body, place_of(model, at)).second; };
+  for (const SurfaceContact& contact : model.contacts) {
+    using enum SurfaceContact::Shape;
+    const Attachment &at = contact.from, &to = contact.to;
+    if (is_new(at))
+      shapes[at.body].push_back({{"kind", "sphere"},
+                                 {"at", place_of(model, at)},
+                                 {"radius", contact.radius.value > 0 ? contact.radius.value : point}});
+    if (contact.shape == plane || contact.shape == road || !is_new(to)) continue;
+    const Vector3 centre = place_of(model, to);
+    const auto along = [&](std::size_t k) {
+      const Vector3 axis{contact.axes[k], contact.axes[3 + k], contact.axes[6 + k]};
+      return to_body_axes(model.bodies[to.body].pose, axis);
+    };
+    if (contact.shape == box) {
+      if (std::abs(along(0)[0]) < 1 || std::abs(along(2)[2]) < 1) continue;
+      shapes[to.body].push_back({{"kind", "box"}, {"at", centre}, {"size", values(contact.size)}});
+    } else if (contact.shape == sphere) {
+      shapes[to.body].push_back({{"kind", "sphere"}, {"at", centre}, {"radius", contact.other_radius.value}});
+    } else if (contact.length) {
+      Vector3 low = centre, high = centre;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double half = contact.length->value / 2 * along(2)[i];
+        low[i] -= half, high[i] += half;
+      }
+      shapes[to.body].push_back(
+          {{"kind", "tube"}, {"from", low}, {"to", high}, {"radius", contact.other_radius.value}});
+    }
+  }
+}
+
 Json bodies_json(const Model& model, double size) {
   std::vector<std::set<Vector3>> points(model.bodies.size());
   for (const Attachment& at : attachments(model)) points[at.body].insert(place_of(model, at));
   std::vector<Json> shapes(model.bodies.size(), Json::array());
   for (const DisplayShape& shape : model.shapes) shapes[shape.from.body].push_back(shape_json(model, shape));
   for (const Tyre& tyre : model.tyres) add_tyres(model, tyre, shapes[tyre.centre.body]);
-  Json bodies = Json::array();
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    if (shapes[b].empty() && static_cast<int>(b) != model.ground) {
-      const Vector3 hull = add_hull(model.bodies[b], shapes[b]);
-      if (!shapes[b].empty()) {
-        add_brackets(model.bodies[b], hull, points[b], kBracket * size, shapes[b]);
-      } else if (!points[b].empty()) {
-        add_tubes(model.bodies[b], points[b], size, shapes[b]);
-      }
+    if (!shapes[b].empty() || static_cast<int>(b) == model.ground) continue;
+    const Vector3 hull = add_hull(model.bodies[b], shapes[b]);
+    if (!shapes[b].empty()) {
+      add_brackets(model.bodies[b], hull, points[b], kBracket * size, shapes[b]);
+    } else if (!points[b].empty()) {
+      add_tubes(model.bodies[b], points[b], size, shapes[b]);
     }
-    bodies.push_back({{"name", model.bodies[b].name}, {"shapes", shapes[b]}});
   }
+  add_contacts(model, kThickest * size, shapes);
+  Json bodies = Json::array();
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    bodies.push_back({{"name", model.bodies[b].name}, {"shapes", shapes[b]}});
   return bodies;
 }
 

@@ -66,6 +66,30 @@ void add_stops(const RandomMechanism& mechanism, Json& model) {
                                                    {"stiffness", joint.stop}};
 }
 
+/// points: names of the points of both ends.
+Json contact_entry(const RandomContact& contact, const std::string& from, const std::string& to) {
+  static constexpr const char* kShapes[] = {"plane", "sphere", "cylinder", "cylinder", "box"};
+  const Point way = plus(contact.start, times(-1, contact.end));
+  const double length = std::hypot(way[0], way[1], way[2]);
+  Json entry{{"from", from},           {"to", to},        {"shape", kShapes[contact.shape]},
+             {"radius", 0.6 * length}, {"friction", 0.5}, {"stiction", 0.6},
+             {"bristle", 2e-3},        {"lag", 0.01},     {"stribeck_velocity", 0.5},
+             {"exponent", 1.5},        {"damping", 0.1},  {"stiffness", contact.stiffness}};
+  if (contact.shape == 0) {
+    entry["radius"] = 1.1 * length;
+    entry["axis"] = times(1 / length, way);
+  } else if (contact.shape < 4) {
+    entry["to_radius"] = 0.5 * length;
+  }
+  if (contact.shape >= 2) entry["axis"] = contact.axis;
+  if (contact.shape == 2) entry["length"] = 0.9 * length;
+  if (contact.shape == 4) {
+    entry["axis2"] = contact.axis2;
+    entry["size"] = {length, 0.9 * length, 1.1 * length};
+  }
+  return entry;
+}
+
 /// Frictions by bristles, which bend by up to the millimetres of random states.
 void add_grips(const RandomMechanism& mechanism, Json& model) {
   for (const RandomLink& link : mechanism.links)
@@ -125,7 +149,8 @@ void add_couplings(const RandomMechanism& mechanism, Json& model) {
 
 bool has_corners(const RandomMechanism& mechanism) {
   const auto has = [](const auto& one) { return one.stop > 0 || one.grip > 0; };
-  return std::ranges::any_of(mechanism.links, has) || std::ranges::any_of(mechanism.joints, has);
+  return !mechanism.contacts.empty() || std::ranges::any_of(mechanism.links, has) ||
+         std::ranges::any_of(mechanism.joints, has);
 }
 
 bool is_driven(const RandomMechanism& mechanism) {
@@ -177,6 +202,9 @@ std::string model_text(const RandomMechanism& mechanism) {
   for (const RandomBushing& bushing : mechanism.bushings)
     bushings[bushing.name] = bushing_entry(bushing, place(bushing.name, "_from", bushing.from, bushing.at),
                                            place(bushing.name, "_to", bushing.to, bushing.at));
+  for (const RandomContact& contact : mechanism.contacts)
+    model["contacts"][contact.name] = contact_entry(contact, place(contact.name, "_from", contact.from, contact.start),
+                                                    place(contact.name, "_to", contact.to, contact.end));
   model["bodies"] = bodies_of(mechanism, points);
   if (!joints.empty()) model["joints"] = joints;
   if (!rods.empty()) model["rods"] = rods;

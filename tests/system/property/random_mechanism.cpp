@@ -282,7 +282,8 @@ void add_locked_parts(Workshop& shop) {
   }
 }
 
-/// Every spring gets a state that pulls along, bump stops and bristles, and the first plain joint a stop and bristles.
+/// Every spring gets a state that pulls along, bump stops, bristles and a contact of its ends; the first plain joint a
+/// stop and bristles.
 void add_oil_and_rubber(RandomMechanism& made) {
   const auto is_plain = [](const RandomJoint& joint) {
     return (joint.type == "revolute" || joint.type == "prismatic") && !joint.cut && joint.swing == 0;
@@ -293,6 +294,13 @@ void add_oil_and_rubber(RandomMechanism& made) {
     link.oil = 5 * link.stiffness;
     link.stop = 20 * link.stiffness;
     link.grip = 0.2;
+    const Point way = plus(link.end, times(-1, link.start));
+    RandomContact contact{link.name + "_touch", link.from, link.to, link.start, link.end};
+    contact.axis = plus(across(way), times(0.5, way));
+    contact.axis2 = plus(across(contact.axis), times(0.3, way));
+    contact.shape = static_cast<int>((made.seed + made.contacts.size()) % 5);
+    contact.stiffness = link.stop;
+    made.contacts.push_back(contact);
     if (joint == made.joints.end()) continue;
     link.felt = joint->name;
     joint->stop = 30;

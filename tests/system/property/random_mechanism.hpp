@@ -76,6 +76,16 @@ struct RandomBushing {
   std::array<double, 6> stiffness{};
 };
 
+/// A sphere at `start` on a surface at `end` that stands across the way between them, which it enters by a tenth of its
+/// distance. Shapes: plane, sphere, cylinder, infinite cylinder, box.
+struct RandomContact {
+  std::string name;
+  int from = kOnGround, to = 0;
+  Point start{}, end{}, axis{0, 0, 1}, axis2{1, 0, 0};
+  int shape = 0;
+  double stiffness = 0;  ///< N/m
+};
+
 /// A relation between the coordinates of joints that holds at the reference: an expression, or the first one as a
 /// spline over the second.
 struct RandomRelation {
@@ -95,6 +105,7 @@ struct RandomMechanism {
   std::vector<RandomLink> links;
   std::vector<RandomRelation> relations = {};
   std::vector<RandomBushing> bushings = {};
+  std::vector<RandomContact> contacts = {};
 };
 
 /// Kinds of mechanisms that a seed may ask for.
@@ -135,7 +146,7 @@ std::string model_text(const RandomMechanism& mechanism);
 /// True where an actuator, a motion or a state does work, or a stop or bristles take it.
 bool is_driven(const RandomMechanism& mechanism);
 
-/// True where forces have corners: bump stops, bristles.
+/// True where forces have corners: bump stops, bristles, contacts.
 bool has_corners(const RandomMechanism& mechanism);
 
 /// Smaller or simpler mechanisms, the smallest first.

@@ -30,10 +30,12 @@ RandomMechanism without_body(RandomMechanism m, int body) {
   std::erase_if(m.joints, touches);
   std::erase_if(m.links, touches);
   std::erase_if(m.bushings, touches);
+  std::erase_if(m.contacts, touches);
   const auto renumber = [body](int& b) { b -= b > body; };
   for (RandomJoint& joint : m.joints) renumber(joint.from), renumber(joint.to);
   for (RandomLink& link : m.links) renumber(link.from), renumber(link.to);
   for (RandomBushing& bushing : m.bushings) renumber(bushing.from), renumber(bushing.to);
+  for (RandomContact& contact : m.contacts) renumber(contact.from), renumber(contact.to);
   return m;
 }
 
@@ -57,6 +59,8 @@ std::vector<RandomMechanism> simpler(const RandomMechanism& m) {
     change([l](RandomMechanism& c) { c.links.erase(c.links.begin() + static_cast<std::ptrdiff_t>(l)); });
   for (std::size_t b = 0; b < m.bushings.size(); ++b)
     change([b](RandomMechanism& c) { c.bushings.erase(c.bushings.begin() + static_cast<std::ptrdiff_t>(b)); });
+  for (std::size_t k = 0; k < m.contacts.size(); ++k)
+    change([k](RandomMechanism& c) { c.contacts.erase(c.contacts.begin() + static_cast<std::ptrdiff_t>(k)); });
   for (std::size_t j = 0; j < m.joints.size(); ++j)
     if (m.joints[j].cut)
       change([j](RandomMechanism& c) { c.joints.erase(c.joints.begin() + static_cast<std::ptrdiff_t>(j)); });
@@ -105,6 +109,11 @@ RandomMechanism moved(RandomMechanism m, const std::array<Point, 3>& rotation, c
     bushing.axis = times(rotation, bushing.axis);
     bushing.axis2 = times(rotation, bushing.axis2);
   }
+  for (RandomContact& contact : m.contacts) {
+    point(contact.start), point(contact.end);
+    contact.axis = times(rotation, contact.axis);
+    contact.axis2 = times(rotation, contact.axis2);
+  }
   return m;
 }
 
@@ -133,6 +142,7 @@ RandomMechanism renumbered(RandomMechanism m, std::uint64_t seed) {
   for (RandomJoint& joint : m.joints) renumber(joint.from), renumber(joint.to);
   for (RandomLink& link : m.links) renumber(link.from), renumber(link.to);
   for (RandomBushing& bushing : m.bushings) renumber(bushing.from), renumber(bushing.to);
+  for (RandomContact& contact : m.contacts) renumber(contact.from), renumber(contact.to);
   std::ranges::shuffle(m.joints, random);
   std::ranges::shuffle(m.links, random);
   return m;
