@@ -243,7 +243,7 @@ TEST(Ropes, StretchUnderALoad) {
 TEST(Ropes, HangAsACatenary) {
   const Json& row = rope_reference()["catenary"];
   const auto hung = [&](int pieces) {
-    std::vector<Part> parts;
+    std::vector<HungPart> parts;
     std::string list;
     const double piece = 12.0 / pieces, parameter = row["parameter"];
     for (int k = 1; k < pieces; ++k) {

@@ -45,7 +45,7 @@ TEST(UserStates, TankEmptiesThroughItsOrifice) {
 }
 
 /// A slide between two chambers of oil with closed valves: cylinders of the lengths 0.5 m to both sides.
-const char* const kOil = R"model("parameters": { "bulk": 1.4e9, "area": 1e-3 },
+const char* const kEnclosedOil = R"model("parameters": { "bulk": 1.4e9, "area": 1e-3 },
   "states": {
     "front": { "derivative": "-bulk*rate.front/length.front", "initial": 5e6, "unit": "Pa" },
     "back": { "derivative": "-bulk*rate.back/length.back", "initial": 5e6, "unit": "Pa" } },
@@ -56,7 +56,7 @@ const char* const kOil = R"model("parameters": { "bulk": 1.4e9, "area": 1e-3 },
 
 // Oil that is shut in keeps p + bulk log(length), so the stiffness at the middle is 2 bulk area / 0.5 m.
 TEST(UserStates, ShutOilIsASpring) {
-  Course course(slide(kOil));
+  Course course(slide(kEnclosedOil));
   course.state.zd[0] = 1e-3;
   const double omega = std::sqrt(2 * 1.4e9 * 1e-3 / 0.5 / 2);
   const double h = 2 * M_PI / omega / 400;

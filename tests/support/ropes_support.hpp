@@ -59,7 +59,7 @@ class Roped : public MechanismInState {
 };
 
 /// A body at a place, with a point O there, in a joint with ground.
-struct Part {
+struct HungPart {
   std::string name, joint;
   double mass, x, z;
   double inertia = 1;
@@ -67,10 +67,10 @@ struct Part {
 
 /// Bodies in the plane x, z with ropes and elements: joint "z" or "x" slides, "plane" is free in the plane, "turn" a
 /// wheel about y; grounds: further points of ground.
-inline std::string plane_model(const std::vector<Part>& parts, const std::string& grounds, const std::string& sections,
-                               double gravity = kG) {
+inline std::string plane_model(const std::vector<HungPart>& parts, const std::string& grounds,
+                               const std::string& sections, double gravity = kG) {
   std::string points = grounds, bodies, joints;
-  for (const Part& part : parts) {
+  for (const HungPart& part : parts) {
     points += fmt::format(R"({}"{}": [{:.17g}, 0, {:.17g}])", points.empty() ? "" : ", ", part.name, part.x, part.z);
     bodies += fmt::format(
         R"(, "{}": {{ "mass": {:.17g}, "inertia": [1, {:.17g}, 1], "pose": {{ "origin": [{:.17g}, 0, {:.17g}] }},
