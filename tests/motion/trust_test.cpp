@@ -255,6 +255,21 @@ TEST_F(Trust, StopForTheStepSaysSo) {
   EXPECT_EQ(mbgen(simulate + "1e-3").err, "");
 }
 
+// The coach's solver holds other coordinates than the generic engine: the modes of the start are the same.
+TEST_F(Trust, FastestModeIsThatOfTheModelWhateverTheEngine) {
+  std::string said[2];
+  for (int k = 0; k < 2; ++k) {
+    const Outcome run = mbgen(fmt::format(
+        "simulate '{}/models/coach.json' --integrator abm4 --duration 0.3 --step 1e-2 --out o.csv --engine {}", kSource,
+        kEngines[k]));
+    EXPECT_EQ(run.exit_code, 1);
+    const std::size_t at = run.err.find("the fastest mode at the start, "), end = run.err.find("needs steps", at);
+    ASSERT_NE(end, std::string::npos) << run.err;
+    said[k] = run.err.substr(at, end - at);
+  }
+  EXPECT_EQ(said[0], said[1]);
+}
+
 TEST_F(Trust, TimeIsTheStepsNumberTimesTheStep) {
   write("pendulum.json", kPendulum);
   for (const char* integrator : {"rk4", "abm4"}) {

@@ -10,14 +10,22 @@ namespace {
 
 constexpr double kDifference = 1e-6;  // rad, m or per second
 
-/// Positions and rates near a state, along the free directions of the loops.
+/// Positions and rates near a state, along the free directions of the loops. An engine closes loops by a choice of
+/// coordinates of its own: only accelerations are asked of it.
 struct Nearby {
   const Engine& engine;
+  GenericSolver closing;
   std::vector<int> free;
   std::vector<AuxiliaryState> auxiliary;  ///< counted in parts of their magnitudes
 
-  Nearby(const Compilation& c, const Engine& of)
-      : engine(of), free(free_coordinates(c.topology, c.analysis)), auxiliary(auxiliary_states(c.model)) {}
+  Nearby(const Compilation& c, const Engine& of, const std::vector<double>& inputs)
+      : engine(of),
+        closing(c.model, c.topology, c.analysis),
+        free(free_coordinates(c.topology, c.analysis)),
+        auxiliary(auxiliary_states(c.model)) {
+    closing.set_inputs(inputs);
+    engine.set_inputs(inputs);
+  }
 
   Eigen::Index states(const GenericState& state) const {
     return static_cast<Eigen::Index>(2 * free.size() + state.x.size());
@@ -35,7 +43,7 @@ struct Nearby {
       const auto i = static_cast<std::size_t>(j - 2 * count);
       at.x[i] += change * magnitude_of(auxiliary[i]);
     }
-    if (!engine.project(at).ok()) return false;
+    if (!closing.project(at).ok()) return false;
     GenericDerivative derivative;
     if (!engine.accelerations(loaded, derivative).ok()) return false;
     rates.resize(states(state));
@@ -58,8 +66,7 @@ LinearSystem system_near(const Compilation& compilation, const Engine& engine, c
   if (rolling_loop(compilation.topology)) return {};  // more positions are free than these coordinates tell
   const std::size_t free = free_coordinates(compilation.topology, compilation.analysis).size();
   if (2 * free + state.x.size() > kMostStatesForModes) return {};
-  const Nearby nearby(compilation, engine);
-  engine.set_inputs(inputs);
+  const Nearby nearby(compilation, engine, inputs);
   LinearSystem system;
   const Eigen::Index size = nearby.states(state);
   system.A.resize(size, size);
