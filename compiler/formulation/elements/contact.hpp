@@ -82,6 +82,20 @@ struct ContactFriction {
   A force[2], rate[2];
 };
 
+/// w . r. Its derivative by w is limited for bristles beyond their largest deflection, bent > 1: these spring back, and
+/// would add energy over a whole step.
+template <class T, class A>
+A onwards(const A (&w)[2], const A (&r)[2], const A& bent) {
+  using mbgen::max;
+  A along = w[0] * r[0] + w[1] * r[1];
+  if constexpr (!std::is_same_v<T, A>) {
+    const T by_deflection = A::times(w[0].value, r[0].slope) + A::times(w[1].value, r[1].slope);
+    const T by_speed = A::times(w[0].slope, r[0].value) + A::times(w[1].slope, r[1].value);
+    along.slope = by_deflection + by_speed / max(bent.value, T(1.0));
+  }
+  return along;
+}
+
 /// Two bristles, along perpendicular axes of the surface, that share one limit, as the elasto-plastic bristle of
 /// frictions in each direction (mbgen/solver/bristle.hpp). With the sliding velocity v, the deflections b, at most
 /// b_max = bristle g(v) / stiction, and g Stribeck's curve of the coefficients:
@@ -115,9 +129,7 @@ ContactFriction<A> contact_friction(const ForceWork<T>& work, const SurfaceConta
   }
   const A bent = length(r[0], r[1], kLeastBend);
   const A s = min(max((bent - elastic) / max(A(1.0) - elastic, A(kLeastBristleYield)), A(0.0)), A(1.0));
-  A yield = s * s * (A(3.0) - A(2.0) * s) * max(w[0] * r[0] + w[1] * r[1], A(0.0)) / bent;
-  // Bristles beyond their largest deflection spring back, and would add energy over a whole step.
-  if constexpr (!std::is_same_v<T, A>) yield = yield / max(bent, A(1.0));
+  const A yield = s * s * (A(3.0) - A(2.0) * s) * max(onwards<T>(w, r, bent), A(0.0)) / bent;
   const A stiffness = static_level / bristle, damping = value(contact.bristle_damping, "bristle_damping");
   ContactFriction<A> result;
   A pull[2];
