@@ -6,9 +6,6 @@
 
 namespace mbgen {
 
-/// Of the files of the cache with decisions.
-constexpr const char* kEndingOfDecisions = ".decisions";
-
 /// The decisions for an engine: of a solver that is to be compiled and kept those of an earlier run of this mbgen on
 /// the same model, where the cache has them. Fails: as decide, and for the generated engine as decide_to_write.
 Result<Compilation> decide_for(Model model, const EngineChoice& choice);

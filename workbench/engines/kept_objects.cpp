@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "compiler/text/user_error.hpp"
-#include "workbench/engines/kept_decisions.hpp"
 #include "workbench/engines/kept_request.hpp"
 #include "workbench/host/message.hpp"
 #include "workbench/host/own_directory.hpp"
