@@ -22,7 +22,7 @@ struct FineBlocks {
 
 /// Strongly connected parts of the equations with a pivot over the dependent coordinates, in the order in which they
 /// can be solved. pattern: equations x coordinates, true where an entry is not always zero. Empty where the parts do
-/// not save most of the elimination, and where equations of velocities alone are redundant, whose pivots wait.
+/// not save half of the elimination, and where equations of velocities alone are redundant, whose pivots wait.
 /// Source: Dulmage and Mendelsohn.
 FineBlocks fine_blocks(const BlockAnalysis& block, const std::vector<std::vector<bool>>& pattern);
 

@@ -12,6 +12,9 @@
 
 namespace mbgen {
 
+/// Of the files of the cache with decisions about models, see kept_decisions.hpp.
+constexpr const char* kEndingOfDecisions = ".decisions";
+
 /// This program, as long as nobody builds it anew.
 std::string this_program();
 

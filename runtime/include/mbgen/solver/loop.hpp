@@ -23,8 +23,7 @@ struct LoopFactorsOf {
   Real* largest =
       nullptr;  ///< per row, memory for its largest entry and the place of that: then a pivot is searched only
   int* largest_at = nullptr;  ///< in rows that elimination changed. Null: in all of them; the pivots are the same
-  int* places = nullptr;      ///< per column, memory for the places of entries that are not zero: where they are few,
-                              ///< elimination touches them alone. Null: all of them; the factors are the same
+  int* places = nullptr;  ///< per column, memory to eliminate few entries alone where they are few; the same factors
 };
 
 using LoopFactors = LoopFactorsOf<double>;
@@ -138,19 +137,15 @@ inline void move_pivot(LoopFactorsOf<Real>& loop, int k, const Pivot<Real>& pivo
   }
 }
 
-/// Entries of a row behind the diagonal from which the others are looked for: below, whole rows are as fast.
-constexpr int kLeastSparse = 8;
-
 /// Places of the entries of row k behind the diagonal that are not zero, in loop.places. Result: how many; -1 where
-/// they are no small part, and whole rows are faster.
+/// they are no small part, or the row is short (8), and whole rows are as fast.
 template <class Real>
 inline int few_entries(const LoopFactorsOf<Real>& loop, int k) noexcept {
-  if (loop.places == nullptr || loop.coordinates - k <= kLeastSparse) return -1;
-  const Real* const row = row_of(loop, k);
+  if (loop.places == nullptr || loop.coordinates - k <= 8) return -1;
   int count = 0;
   for (int j = k + 1; j < loop.coordinates; ++j) {
     loop.places[count] = j;
-    count += row[j] != 0 ? 1 : 0;
+    count += row_of(loop, k)[j] != 0 ? 1 : 0;
   }
   return 3 * count <= loop.coordinates - k ? count : -1;
 }
@@ -182,17 +177,13 @@ inline void eliminate(LoopFactorsOf<Real>& loop, int k, int moved, const unsigne
     // Of equal entries the first one counts: columns that changed places may have changed that.
     const bool is_changed = loop.largest != nullptr && (loop.largest_at[i] == k || loop.largest_at[i] == moved);
     if (row[k] == 0) {
-      row[k] = 0;
       if (is_changed) search_row(loop, i, k + 1, driven);
       continue;
     }
     const Real factor = row[k] / pivot_row[k];
     row[k] = factor;
-    if (few < 0) {
-      for (int j = k + 1; j < loop.coordinates; ++j) row[j] -= factor * pivot_row[j];
-    } else {
-      for (int n = 0; n < few; ++n) row[loop.places[n]] -= factor * pivot_row[loop.places[n]];
-    }
+    for (int j = k + 1; few < 0 && j < loop.coordinates; ++j) row[j] -= factor * pivot_row[j];
+    for (int n = 0; n < few; ++n) row[loop.places[n]] -= factor * pivot_row[loop.places[n]];
     if (loop.largest == nullptr) continue;
     is_changed || few < 0 ? search_row(loop, i, k + 1, driven) : search_changed(loop, i, k, few, driven);
   }
