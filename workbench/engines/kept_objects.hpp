@@ -12,9 +12,6 @@ namespace mbgen {
 /// Bytes that kept solvers may take together unless the user sets another limit.
 constexpr std::uintmax_t kUsualRoom = std::uintmax_t{1} << 30;
 
-/// Of the files of the cache with decisions about models.
-constexpr const char* kEndingOfDecisions = ".decisions";
-
 /// A compiled solver of the cache.
 struct KeptObject {
   std::filesystem::path file;

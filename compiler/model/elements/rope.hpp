@@ -142,10 +142,12 @@ struct KindOf<Rope> : KindDefaults {
       if (station.has_wheel()) use(place + "angle", station.angle);
     }
   }
-  /// Removal by a rig: a rope that is longer than its path.
+  /// Removal by a rig: almost no stiffness, since speeds of slip are ratios of stiffnesses, and no pretension.
   static void silence(Rope& element) {
-    element.stiffness = 0.0;
+    constexpr double kAlmostNone = 1e-9;  // N/m
+    element.stiffness = kAlmostNone;
     element.ea.reset();
+    element.pretension.reset();
   }
 };
 
