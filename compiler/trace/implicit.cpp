@@ -21,10 +21,12 @@ class EntryNumbers {
       if (is_new) tracing.output(Array::tangent, entry->second, value);
     });
   }
-  /// Puts inputs of another program in place of the values. from: their own program.
+  /// Puts inputs of another program in place of the values, and constants without the names that their own program
+  /// gave them. from: their own program.
   void take_as_inputs(Tracing& from, Tracing& to, ImplicitEquations<Expr>& equations) const {
     detail::each_entry(equations, [&](Expr& value) {
-      if (!value.is_constant()) value = to.input(Array::tangent, number_.at(value.value(from.builder)));
+      value = value.is_constant() ? value.named(-1, nullptr)
+                                  : to.input(Array::tangent, number_.at(value.value(from.builder)));
     });
   }
 
