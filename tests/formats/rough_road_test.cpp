@@ -99,7 +99,9 @@ void for_bands(const Spectra& s, const Check& check) {
 
 // The band of a class is its geometric mean, by two and times two. Source: ISO 8608, table C.1.
 TEST(RoughRoad, HasTheSpectrumOfItsClass) {
-  for (const auto& [mean, seed] : {std::pair(16e-6, 1), {256e-6, 2}, {16e-6 * 16384, 77}}) {
+  for (const auto& [mean_of_class, seed_of_road] : {std::pair(16e-6, 1), {256e-6, 2}, {16e-6 * 16384, 77}}) {
+    const double mean = mean_of_class;
+    const int seed = seed_of_road;
     int bands = 0;
     for_bands(welch(road_of(mean, static_cast<std::uint64_t>(seed), 0.5)),
               [&](double number, double right, double left, double) {

@@ -52,7 +52,8 @@ TEST(Mf61Reference, ATranscriptionOfItsOwnGivesEveryRow) {
 // Fx and the moments My and Mx of the reference have no reading of their own (Mx: with the square inside), Fy and Mz
 // are those of the book.
 TEST(Mf61Reference, EveryForceOfEveryRow) {
-  for (const auto& [name, value] : mf61_reference()["parameters"].items()) {
+  for (const auto& parameter : mf61_reference()["parameters"].items()) {
+    const std::string& name = parameter.key();
     EXPECT_TRUE(std::ranges::any_of(kMf61Fields, [&](const TyreField& f) { return name == f.name; })) << name;
   }
   const Set set = passenger_car();

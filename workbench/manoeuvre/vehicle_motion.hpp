@@ -38,17 +38,19 @@ void add_vehicle_outputs(Model& model);
 /// Index of the first vehicle output. Requires: the model has them, after its own outputs.
 std::size_t first_vehicle_output(const Model& model);
 
+/// Motion of a towed unit.
+struct TowedReading {
+  PlaneMotion plane;
+  double yaw_rate = 0;  ///< rad/s
+};
+
 /// A point of the vehicle's motion.
 struct VehicleReading {
   PlaneMotion plane;
   double longitudinal_acceleration = 0, vertical_acceleration = 0;  ///< m/s^2
   double yaw_rate = 0, roll = 0, pitch = 0;                         ///< rad/s, rad, rad
   std::vector<double> loads;                                        ///< N, per tyre
-  struct Towed {
-    PlaneMotion plane;
-    double yaw_rate = 0;  ///< rad/s
-  };
-  std::optional<Towed> towed;  ///< the last unit
+  std::optional<TowedReading> towed;                                ///< the last unit
 };
 
 /// Vehicle motion of a sample. first: first_vehicle_output. last: the reading before; headings are continued from it

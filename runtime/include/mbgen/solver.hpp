@@ -74,19 +74,11 @@ Status pivoted_accelerations(const typename System::Parameters& parameters, cons
   [[maybe_unused]] ByFineBlocks<System> fine;
   Status notice;
   for (int b = 0; b < System::kBlocks; ++b) {
-    const BlockLayout& block = System::kBlockLayout[b];
-    if constexpr (kHasFineBlocks<System>) {
-      if (fine.solves(b, terms)) {
-        notice = graver(notice, notice_of_fine(b, frozen_pivot[b]));
-        project_by<System>(b, fine, terms, projection);
-        fine.order(factors.columns + block.first_coordinate);
-        continue;
-      }
-    }
-    const LoopFactorsOf<RealOf<System>> loop = factors.factors_of(b, terms);
-    if (loop.rank < block.rank) return {Code::loop_singular, b};
-    notice = graver(notice, notice_of(b, block.pivot, smallest_pivot(loop), frozen_pivot[b]));
-    project_by<System>(b, ByFactors<System>{b, loop, terms, factors.work, nullptr}, terms, projection);
+    const Status of_block =
+        solve_block<System>(b, terms, frozen_pivot[b], factors, fine, nullptr,
+                            [&](const auto& solution) { project_by<System>(b, solution, terms, projection); });
+    if (!of_block.ok()) return of_block;
+    notice = graver(notice, of_block);
   }
   typename System::ChosenAccelerations values;
   System::chosen_accelerations(parameters, inputs, state, tau, projection, values);

@@ -58,7 +58,7 @@ void add_coupled_joints(Workshop& shop) {
     // The last coordinates are the relations' own.
     std::vector<int> places{last - k, dice.upto(last - wanted)};
     if (const int other = dice.upto(last - wanted); dice.chance(0.4) && other != places[1]) places.push_back(other);
-    std::ranges::rotate(places, places.begin() + dice.upto(1));
+    std::rotate(places.begin(), places.begin() + dice.upto(1), places.end());
     std::vector<std::string> joints, names;
     for (const int place : places) {
       joints.push_back(coordinates[static_cast<std::size_t>(place)].first);

@@ -19,10 +19,10 @@ struct FineLayout {
   int largest;
 };
 
-/// Smallest pivot of the fine blocks, over the typical one of the whole loop block, from which they serve: clear of
-/// kNearSingular. Below, pivots of the whole block say how near a singular position is.
+/// Smallest pivot of the fine blocks, over the typical one of the whole loop block, from which they serve. Below, the
+/// block takes pivots anywhere, since a small one of a fine block multiplies the rounding of the later ones.
 template <class Real>
-inline constexpr Real kFinePivot = Real(2.5) * kNearSingular<Real>;
+inline constexpr Real kFinePivot = Real(0.1) * kSingular<Real>;
 
 namespace solver_detail {
 
@@ -178,10 +178,25 @@ struct ByFineBlocks<System, std::enable_if_t<kHasFineBlocks<System>>> {
   }
 };
 
-/// Notice of a block whose fine blocks serve: it is clear of singular positions.
-template <class Real>
-inline Status notice_of_fine(int b, Real frozen_pivot) noexcept {
-  return frozen_pivot >= kPivotThreshold<Real> ? Status{} : Status{Code::chosen_again, b};
+/// Solves block b of `terms`, fine block by fine block where it has these, and calls use(solution). right_hand_side: a
+/// number per equation, see ByFactors. Result: the notice of the block, see notice_of; loop_singular, without a call,
+/// where it has lost its rank.
+template <class System, class Use>
+Status solve_block(int b, typename System::ClosureTerms& terms, RealOf<System> frozen_pivot,
+                   BlockFactors<System>& factors, [[maybe_unused]] ByFineBlocks<System>& fine,
+                   RealOf<System>* right_hand_side, const Use& use) noexcept {
+  const BlockLayout& block = System::kBlockLayout[b];
+  if constexpr (kHasFineBlocks<System>) {
+    if (fine.solves(b, terms)) {
+      fine.order(factors.columns + block.first_coordinate);
+      use(fine);
+      return notice_of(b, block.pivot, fine.smallest_pivot(), frozen_pivot);
+    }
+  }
+  const LoopFactorsOf<RealOf<System>> loop = factors.factors_of(b, terms);
+  if (loop.rank < block.rank) return {Code::loop_singular, b};
+  use(ByFactors<System>{b, loop, terms, factors.work, right_hand_side});
+  return notice_of(b, block.pivot, smallest_pivot(loop), frozen_pivot);
 }
 
 /// The most important notice about the blocks at a position. pivot: of the frozen partition, per block. Fails:
@@ -198,16 +213,9 @@ Status notice_at(const typename System::Parameters& parameters, const typename S
     [[maybe_unused]] ByFineBlocks<System> fine;
     for (int b = 0; b < System::kBlocks; ++b) {
       if (pivot[b] >= kNearSingular<RealOf<System>>) continue;
-      if constexpr (kHasFineBlocks<System>) {
-        if (fine.solves(b, terms)) {
-          notice = graver(notice, notice_of_fine(b, pivot[b]));
-          continue;
-        }
-      }
-      const BlockLayout& block = System::kBlockLayout[b];
-      const LoopFactorsOf<RealOf<System>> loop = factors.factors_of(b, terms);
-      if (loop.rank < block.rank) return {Code::loop_singular, b};
-      notice = graver(notice, notice_of(b, block.pivot, smallest_pivot(loop), pivot[b]));
+      const Status of_block = solve_block<System>(b, terms, pivot[b], factors, fine, nullptr, [](const auto&) {});
+      if (!of_block.ok()) return of_block;
+      notice = graver(notice, of_block);
     }
   } else {
     notice = frozen_status<System>(pivot);

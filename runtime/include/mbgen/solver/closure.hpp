@@ -84,18 +84,12 @@ Status correct_closure(const typename System::Parameters& parameters, const type
   for (int b = 0; b < System::kBlocks; ++b) {
     if (!is_watched<System, correction>(b, closure)) continue;
     const bool replaced = is_replaced<System, correction>(b, state, closure);
-    if constexpr (kHasFineBlocks<System>) {
-      if (work.fine.solves(b, terms)) {
-        notice = graver(notice, notice_of_fine(b, closure.pivot[b]));
-        if (replaced) correct_block<System, correction>(b, work.fine, state, work, closure);
-        continue;
-      }
-    }
-    const BlockLayout& block = System::kBlockLayout[b];
-    const LoopFactorsOf<RealOf<System>> loop = work.factors.factors_of(b, terms);
-    if (loop.rank < block.rank) return {Code::loop_singular, b};
-    notice = graver(notice, notice_of(b, block.pivot, smallest_pivot(loop), closure.pivot[b]));
-    if (replaced) correct_block<System, correction>(b, loop, terms, state, work, closure);
+    const Status of_block = solve_block<System>(
+        b, terms, closure.pivot[b], work.factors, work.fine, work.right_hand_side, [&](const auto& solution) {
+          if (replaced) correct_block<System, correction>(b, solution, state, work, closure);
+        });
+    if (!of_block.ok()) return of_block;
+    notice = graver(notice, of_block);
   }
   return notice;
 }
@@ -113,17 +107,11 @@ Status correct_other_chart(const typename System::Parameters& parameters, const 
     CorrectionWork<System> work;
     Status notice;
     for (int b = 0; b < System::kBlocks; ++b) {
-      if constexpr (kHasFineBlocks<System>) {
-        if (work.fine.solves(b, terms)) {
-          correct_block<System, correction>(b, work.fine, state, work, closure);
-          continue;
-        }
-      }
-      const BlockLayout& block = System::kBlockLayout[b];
-      const LoopFactorsOf<RealOf<System>> loop = work.factors.factors_of(b, terms);
-      if (loop.rank < block.rank) return {Code::loop_singular, b};
-      notice = graver(notice, notice_of(b, block.pivot, smallest_pivot(loop), RealOf<System>(1)));
-      correct_block<System, correction>(b, loop, terms, state, work, closure);
+      const Status of_block = solve_block<System>(
+          b, terms, RealOf<System>(1), work.factors, work.fine, work.right_hand_side,
+          [&](const auto& solution) { correct_block<System, correction>(b, solution, state, work, closure); });
+      if (!of_block.ok()) return of_block;
+      notice = graver(notice, of_block);
     }
     return notice;
   } else {

@@ -37,6 +37,7 @@ struct FineSolution {
   int* others = nullptr;  ///< columns that depend on none: of the structure, or exchanged for one of a fine block
   int other_count = 0;
   Real smallest_pivot = 0;
+  int sign = 1;  ///< of the determinant of the structure's columns, up to that of its order; 0 where one was exchanged
 
   int stride() const noexcept { return other_count + 2; }
   Real* row(int column) const noexcept { return rows + column * stride(); }
@@ -89,10 +90,21 @@ void gather(const Elimination<Real>& e, const Real* jacobian, const Real* open, 
   }
 }
 
-/// Solves the equations for one coordinate each, until a pivot is below `least`; e.taken is -1 from there on. Result:
-/// the smallest pivot, that one too, and 0 where there is none.
+/// Sign of the order of the pivots' columns, 0 where one is an other column.
 template <class Real>
-Real reduce(const Elimination<Real>& e, int others, const unsigned char* is_movable, Real least) noexcept {
+int sign_of_columns(const Elimination<Real>& e) noexcept {
+  int sign = 1;
+  for (int i = 0; i < e.block.size; ++i) {
+    if (e.taken[i] >= e.block.size) return 0;
+    for (int j = i + 1; j < e.block.size; ++j) sign = e.taken[j] < e.taken[i] ? -sign : sign;
+  }
+  return sign;
+}
+
+/// Solves the equations for one coordinate each, until a pivot is below `least`; e.taken is -1 from there on. Result:
+/// the smallest pivot, that one too, and 0 where there is none. sign: multiplied by that of the determinant.
+template <class Real>
+Real reduce(const Elimination<Real>& e, int others, const unsigned char* is_movable, Real least, int& sign) noexcept {
   const int size = e.block.size;
   Real smallest = std::numeric_limits<Real>::infinity();
   for (int i = 0; i < size; ++i) e.taken[i] = -1;
@@ -115,6 +127,7 @@ Real reduce(const Elimination<Real>& e, int others, const unsigned char* is_mova
       pivot_row[j] = chosen[j];
       chosen[j] = kept;
     }
+    if ((at_row != i) != (pivot_row[at] < 0)) sign = -sign;
     const Real pivot = std::abs(pivot_row[at]), reciprocal = 1 / pivot_row[at];
     smallest = pivot < smallest ? pivot : smallest;
     if (!(pivot >= least)) return smallest;
@@ -129,6 +142,7 @@ Real reduce(const Elimination<Real>& e, int others, const unsigned char* is_mova
     }
     e.taken[i] = at;
   }
+  sign *= sign_of_columns(e);
   return smallest;
 }
 
@@ -229,6 +243,7 @@ bool solve_finely(const FineStructure& loop, const Real* jacobian, const Real* o
                   unsigned char* movable, const Real* told = nullptr) noexcept {
   solution.other_count = loop.other_count;
   solution.smallest_pivot = std::numeric_limits<Real>::infinity();
+  solution.sign = 1;
   for (int t = 0; t < loop.other_count; ++t) {
     solution.others[t] = loop.others[t];
     movable[t] = is_driven[loop.others[t]] != 0 ? 0 : 1;
@@ -239,7 +254,7 @@ bool solve_finely(const FineStructure& loop, const Real* jacobian, const Real* o
     const fine_detail::Elimination<Real> e{
         loop, block, work, block.size + solution.stride(), places, places + loop.largest};
     fine_detail::gather(e, jacobian, open, bias, solution);
-    const Real pivot = fine_detail::reduce(e, loop.other_count, movable, least);
+    const Real pivot = fine_detail::reduce(e, loop.other_count, movable, least, solution.sign);
     solution.smallest_pivot = pivot < solution.smallest_pivot ? pivot : solution.smallest_pivot;
     if (!(pivot >= least) && told == nullptr) return false;
     fine_detail::keep(e, solution, told);

@@ -322,6 +322,22 @@ inline int parity(const int* places, int count) noexcept {
 
 }  // namespace loop_detail
 
+/// Sign of the determinant of a square matrix of `rank` rows, whose memory is overwritten; 0 where it has lost its
+/// rank.
+template <class Real>
+int sign_of_determinant(int rank, Real* matrix, int* rows, int* columns) noexcept {
+  LoopFactorsOf<Real> square;
+  square.equations = square.coordinates = rank;
+  square.matrix = matrix;
+  square.rows = rows;
+  square.columns = columns;
+  factorise(square, rank, nullptr, Real(0));
+  if (square.rank != rank) return 0;
+  int sign = loop_detail::parity(rows, rank) * loop_detail::parity(columns, rank);
+  for (int k = 0; k < rank; ++k) sign = loop_detail::row_of(square, k)[k] < 0 ? -sign : sign;
+  return sign;
+}
+
 /// Memory to compare the Jacobians of a block at two states: rank^2 numbers, and rank numbers twice.
 template <class Real>
 struct SideWork {
@@ -347,15 +363,7 @@ bool changes_side(const LoopFactorsOf<Real>& loop, const Real* from, const Real*
       work.product[k * rank + m] = sum;
     }
   }
-  LoopFactorsOf<Real> square;
-  square.equations = square.coordinates = rank;
-  square.matrix = work.product;
-  square.rows = work.rows;
-  square.columns = work.columns;
-  factorise(square, rank, nullptr, Real(0));
-  int sign = loop_detail::parity(work.rows, rank) * loop_detail::parity(work.columns, rank);
-  for (int k = 0; k < square.rank; ++k) sign = loop_detail::row_of(square, k)[k] < 0 ? -sign : sign;
-  return square.rank == rank && sign < 0;
+  return sign_of_determinant(rank, work.product, work.rows, work.columns) < 0;
 }
 
 }  // namespace mbgen

@@ -107,18 +107,17 @@ bool solves_finely([[maybe_unused]] int b, [[maybe_unused]] PassageWork<System>&
 }
 
 /// Factors of a block of `terms` in place, or its fine blocks; its free coordinates are chosen at the first call: those
-/// of the frozen partition where its fine blocks serve. Result: false where it is not clear of the singular position.
+/// of the frozen partition where its fine blocks serve. Where these served on the other side, they are to serve here.
+/// Result: false where it is not clear of the singular position.
 template <class System>
 bool factorise_node(int b, PassageWork<System>& work) noexcept {
   using Real = RealOf<System>;
   const BlockLayout& block = System::kBlockLayout[b];
   unsigned char* const fixed = work.fixed + block.first_coordinate;
-  if (!work.is_chosen) {
-    work.is_fine[b] = solves_finely<System>(b, work);
-    hold_columns<System>(b, work.keeps_frozen || work.is_fine[b], fixed);
-    if (work.is_fine[b]) return true;
-  }
-  if (work.is_fine[b]) return solves_finely<System>(b, work);
+  const bool was_fine = work.is_fine[b];
+  if (!work.is_chosen || was_fine) work.is_fine[b] = solves_finely<System>(b, work);
+  if (!work.is_chosen) hold_columns<System>(b, work.keeps_frozen || work.is_fine[b], fixed);
+  if (was_fine || work.is_fine[b]) return work.is_fine[b];
   LoopFactorsOf<Real>& loop = work.loop[b];
   loop = work.factors.factors_of(b, work.terms, block.rank, fixed);
   if (!work.is_chosen) {
@@ -334,6 +333,7 @@ Reached reach_nodes(const typename System::Parameters& parameters, const InputsA
     are_four = are_four || (passage.crosses[b] != 0 && free > 0 && (free > 1 || has_motion<System>(b)));
   }
   for (int c = 0; c < System::kBlockCoordinates; ++c) work.fixed[c] = 1;
+  for (bool& is_fine : work.is_fine) is_fine = false;
   work.is_chosen = false;
   // Before the node ahead is closed, which takes several evaluations.
   const auto is_clear = [&](bool keeps_frozen) {

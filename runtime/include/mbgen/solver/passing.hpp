@@ -325,15 +325,10 @@ Status rates_across(const typename System::Parameters& parameters, const typenam
       continue;
     }
     if constexpr (System::kBlocks > 1) {  // else the only block crosses
-      if constexpr (kHasFineBlocks<System>) {
-        if (fine.solves(b, terms)) {
-          project_by<System>(b, fine, terms, projection);
-          continue;
-        }
-      }
-      const LoopFactorsOf<RealOf<System>> loop = factors.factors_of(b, terms);
-      if (loop.rank < System::kBlockLayout[b].rank) return {Code::loop_singular, b};
-      project_by<System>(b, ByFactors<System>{b, loop, terms, factors.work, nullptr}, terms, projection);
+      const Status of_block =
+          solve_block<System>(b, terms, RealOf<System>(1), factors, fine, nullptr,
+                              [&](const auto& solution) { project_by<System>(b, solution, terms, projection); });
+      if (!of_block.ok()) return of_block;
     }
   }
   typename System::ChosenAccelerations values;
