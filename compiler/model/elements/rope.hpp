@@ -56,7 +56,8 @@ struct Rope {
   /// m, of the whole rope off its drums at the reference, with its parts on pulleys; default: no tension there
   std::optional<Quantity> free_length;
   std::optional<Quantity> pretension;  ///< N, of all spans at the reference, in place of free_length
-  double lag = -1;                     ///< s, in which a groove with friction comes to its limit; -1: the solver's step
+  std::optional<double>
+      lag;  ///< s, in which a groove with friction comes to its limit; the reader sets it to the step of the solver
 
   /// Number of neighbours among the stations.
   std::size_t pieces() const { return closed ? path.size() : path.size() - 1; }
@@ -82,6 +83,14 @@ inline std::vector<RopeLeg> legs_of(const Rope& rope) {
     legs.push_back(leg);
   }
   return legs;
+}
+
+/// Number of the places at which a rope by its first span is watched, see rope_place_names: legs, pulleys, spans.
+inline std::size_t places_of(const Rope& rope) {
+  if (rope.path.empty()) return 0;
+  std::size_t places = static_cast<std::size_t>(rope.spans);
+  for (const RopeLeg& leg : legs_of(rope)) places += rope.path[leg.to].kind == RopeStation::Kind::pulley ? 2 : 1;
+  return places;
 }
 
 /// Number of grooves of a rope with friction.
