@@ -20,6 +20,14 @@ void add_names(const Model& model, std::size_t first, std::vector<std::string>& 
   for (int g = 0; g < rope.spans; ++g) names.push_back(model.ropes[first + static_cast<std::size_t>(g)].name);
 }
 
+/// Number of the places of a rope by its first span, none for a further one.
+std::size_t places_of(const auto& rope) {
+  if (rope.path.empty()) return 0;
+  std::size_t places = static_cast<std::size_t>(rope.spans);
+  for (const RopeLeg& leg : legs_of(rope)) places += rope.path[leg.to].kind == RopeStation::Kind::pulley ? 2 : 1;
+  return places;
+}
+
 }  // namespace
 
 std::vector<std::string> rope_place_names(const Model& model) {

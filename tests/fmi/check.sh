@@ -7,7 +7,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 mbgen=$(realpath "$1")
 shift
-[ $# -gt 0 ] || set -- described:3 described:2 triple_rocker:3 driven_cart:3 tyre_rig:3 sampled_slide:3 hung_ball:3
+[ $# -gt 0 ] || set -- described:3 described:2 triple_rocker:3 driven_cart:3 tyre_rig:3 sampled_slide:3
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() { echo "fmi: $*"; exit 1; }

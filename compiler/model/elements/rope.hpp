@@ -85,14 +85,6 @@ inline std::vector<RopeLeg> legs_of(const Rope& rope) {
   return legs;
 }
 
-/// Number of the places at which a rope by its first span is watched, see rope_place_names: legs, pulleys, spans.
-inline std::size_t places_of(const Rope& rope) {
-  if (rope.path.empty()) return 0;
-  std::size_t places = static_cast<std::size_t>(rope.spans);
-  for (const RopeLeg& leg : legs_of(rope)) places += rope.path[leg.to].kind == RopeStation::Kind::pulley ? 2 : 1;
-  return places;
-}
-
 /// Number of grooves of a rope with friction.
 inline int rubbing_grooves(const Rope& rope) {
   int count = 0;
