@@ -111,11 +111,10 @@ int run(SimulateOptions options) {
   Model model = read_set_model(options.model, options.set);
   const auto manoeuvre = prepare_manoeuvre(options.manoeuvre, options.model, options.set, model, options.simulation);
   if (manoeuvre) require_others_inputs(model, "--input", options.engine.inputs);
-  const std::optional<ErrorControl> control = error_control_of(options.simulation.integrator, options.tolerance, model);
-  SimulationSettings settings = settings_of(options.simulation, model.solver);
-  settings.is_error_controlled = control.has_value();
+  const SimulationSettings settings = settings_of(options.simulation, model.solver);
   std::vector<VariedParameter> set = set_parameters(model, options.set);
   follow_step(settings, set, model);
+  const std::optional<ErrorControl> control = error_control_of(options.simulation.integrator, options.tolerance, model);
   choice.integrator = model.solver.integrator =
       options.simulation.integrator == "auto"
           ? chosen_integrator(model, options, settings, choice.name)

@@ -64,7 +64,9 @@ SimulationSettings settings_of(const SimulationArguments& arguments, const Solve
   if (!(steps < kMostSteps)) {
     throw UserError(fmt::format("--step: {} s is too small for a duration of {} s\n", step, duration));
   }
-  return {static_cast<long>(steps), duration / steps};
+  SimulationSettings settings{static_cast<long>(steps), duration / steps};
+  settings.is_error_controlled = arguments.integrator.starts_with("cvode");
+  return settings;
 }
 
 /// Whether elements have bristles or ropes in grooves.
