@@ -7,6 +7,7 @@
 #include "compiler/emit/texts.hpp"
 #include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/inputs.hpp"
+#include "compiler/model/rope_places.hpp"
 #include "compiler/topology/names.hpp"
 
 namespace mbgen {
@@ -23,7 +24,7 @@ FrameRows tables(const EmitContext& context) {
   const std::vector<Parameter> parameters = tunable_parameters(model);
   const auto& bodies = context.topology.bodies;
   const auto block_name = [&](const LoopBlock& block) { return joined(loop_names(context.topology, block), ", "); };
-  const std::pair<const char*, std::vector<std::string>> all[] = {
+  std::vector<std::pair<const char*, std::vector<std::string>>> all = {
       {"kCoordinateNames", coordinate_names(context.topology)},
       {"kCoordinateUnits", mapped(bodies, [](const TreeBody& body) { return std::string(unit_of(body.kind)); })},
       {"kAuxiliaryStateNames", auxiliary_state_names(model)},
@@ -35,6 +36,7 @@ FrameRows tables(const EmitContext& context) {
       {"kParameterNames", names_of(parameters)},
       {"kParameterUnits", mapped(parameters, &Parameter::unit)},
       {"kLoopBlockNames", mapped(context.topology.blocks, block_name)}};
+  if (context.layout.rope_places > 0) all.emplace_back("kRopePlaceNames", rope_place_names(model));
   return mapped(all, [](const auto& named) {
     std::vector<std::string> literals = mapped(named.second, string_literal);
     if (literals.empty()) literals.push_back("\"\"");

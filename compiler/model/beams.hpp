@@ -30,7 +30,6 @@ struct Beam {
   BeamMaterial material;
   std::vector<Vector3> nodes;     ///< m, global axes at the reference
   std::vector<BeamEnd> supports;  ///< per node
-  std::vector<int> point_nodes;   ///< nodes at the points of the file
 };
 
 }  // namespace mbgen

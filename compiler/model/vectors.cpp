@@ -24,6 +24,14 @@ Vector3 rotated(const Matrix3& rotation, const Vector3& vector) {
   return result;
 }
 
+Vector3 sum(const Vector3& a, const Vector3& b, double factor) {
+  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
+}
+
+Vector3 times(const Vector3& a, double factor) { return {factor * a[0], factor * a[1], factor * a[2]}; }
+
+Vector3 from_to(const Vector3& from, const Vector3& to) { return {to[0] - from[0], to[1] - from[1], to[2] - from[2]}; }
+
 Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

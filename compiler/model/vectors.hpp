@@ -11,6 +11,10 @@ namespace mbgen {
 Matrix3 product(const Matrix3& a, const Matrix3& b);
 Matrix3 transposed(const Matrix3& a);
 Vector3 rotated(const Matrix3& rotation, const Vector3& vector);
+/// a + factor b.
+Vector3 sum(const Vector3& a, const Vector3& b, double factor = 1);
+Vector3 times(const Vector3& a, double factor);
+Vector3 from_to(const Vector3& from, const Vector3& to);
 Vector3 cross(const Vector3& a, const Vector3& b);
 double dot(const Vector3& a, const Vector3& b);
 double norm(const Vector3& a);

@@ -20,6 +20,7 @@ enum class Array : std::uint8_t {
   dz,                   ///< Newton correction of the positions
   energy,               ///< kinetic, potential
   held,                 ///< auxiliary states that hold between instants
+  hold,                 ///< of places of ropes: negative, or NaN, where a taut rope lifts off or has no way
   in,                   ///< inputs of the model
   inertia,              ///< pivots of the final equations, one a free direction
   lambda,               ///< multipliers

@@ -41,4 +41,9 @@ void turn_axis_by_points(const Reader& reader, const Value* written, int body, V
 /// The same for an axis in a frame rotated by `rotation` from the axes of the current scope.
 void turn_axis_by_points(const Value& written, const Matrix3& rotation, Vector3& axis);
 
+/// Axes fixed to a body, columns, GLOBAL: z by "axis", default z, and x by the part of "axis2" across it, default the
+/// letter after z. owner: of the axes, in messages. Result: none with a problem.
+std::optional<Matrix3> placed_axes(Reader& reader, const Value& value, int body, std::optional<Vector3> axis,
+                                   std::optional<Vector3> axis2, const char* owner);
+
 }  // namespace mbgen::reading

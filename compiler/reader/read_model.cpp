@@ -13,8 +13,8 @@
 #include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/positions.hpp"
 #include "compiler/reader/read_states.hpp"
-#include "compiler/reader/tables/read_tables.hpp"
 #include "compiler/reader/reader.hpp"
+#include "compiler/reader/tables/read_tables.hpp"
 #include "compiler/text/hash.hpp"
 #include "compiler/text/read_text.hpp"
 
@@ -198,7 +198,7 @@ void read_sections(Reader& reader) {
   read_shapes(reader, with_composed(reader, entries(&FileFields::shapes), made.shapes));
   read_initial(reader, initial_parts(reader));
   read_solver(reader, parts_of(reader, 0, &FileFields::solver));
-  finish_frictions(reader);
+  finish_lags(reader);
   finish_hardpoints(reader);
 }
 

@@ -68,8 +68,8 @@ struct Reader {
   std::vector<VariedParameter> varied = {};
   /// Samples of roads and large tables, see Model::samples: finished tables point to it while others are still added.
   std::shared_ptr<std::vector<double>> samples = std::make_shared<std::vector<double>>();
-  std::vector<TableData> large_tables = {};
-  Entries tyre_data = {};  ///< coefficients of tyres
+  std::vector<std::pair<int, std::size_t>> stored_numbers = {};  ///< of tables: place among the samples, count
+  Entries tyre_data = {};                                        ///< coefficients of tyres
   std::vector<WrittenOutputUse> output_uses = {};
   std::size_t own_sampled = 0;  ///< sampled values before the loads of frictions
   bool folds_tunable = false;   ///< for the present value tunable parameters are replaced by their values
@@ -348,7 +348,7 @@ inline std::string with_article(std::string_view words) {
 /// Adds the names of elements with a length for expressions, before the elements are read. entries: of every kind.
 void name_lines(Reader& reader, const std::array<Entries, ElementKinds::count>& entries);
 /// Sets default lags. Requires: the solver's settings are read.
-void finish_frictions(Reader& reader);
+void finish_lags(Reader& reader);
 void read_roads(Reader& reader, const Entries& entries);
 /// Adds the inputs of roads given by a host. Requires: the model's own inputs are read.
 void add_host_inputs(Reader& reader, const Entries& roads);

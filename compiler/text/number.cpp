@@ -34,4 +34,9 @@ double on_decimals(double value, int decimals) {
   return std::abs(decimal - value) <= rounding ? decimal : value;
 }
 
+double round_number_below(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  return (value >= 5 * power ? 5 : value >= 2 * power ? 2 : 1) * power;
+}
+
 }  // namespace mbgen

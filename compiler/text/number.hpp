@@ -14,4 +14,7 @@ int decimals_of(double value);
 /// `value` rounded to so many decimals if the difference is rounding of a product; else `value`.
 double on_decimals(double value, int decimals);
 
+/// The largest of 1, 2 and 5 times a power of ten that is at most `value`. Requires: value > 0.
+double round_number_below(double value);
+
 }  // namespace mbgen

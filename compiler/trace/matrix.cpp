@@ -67,6 +67,7 @@ void trace_solution(Tracing& tracing, const Kinematics<Expr>& k, const Inertias<
   tracing.outputs(Array::inertia, solution.inertia);
   tracing.outputs(Array::zdd, joint_accelerations(system.topology, projections, reduced, solution.acceleration));
   tracing.outputs(Array::xd, forces.xd);
+  tracing.outputs(Array::hold, forces.hold);
 }
 
 /// Projection of a joint outside all blocks: free, or prescribed by a motion.

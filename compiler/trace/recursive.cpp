@@ -51,6 +51,7 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
   output_inertia(tracing, solution.inertia);
   tracing.outputs(Array::zdd, solution.zdd);
   tracing.outputs(Array::xd, forces.xd);
+  tracing.outputs(Array::hold, forces.hold);
   for (std::size_t b = 0; role == Role::accelerations && b < topology.blocks.size(); ++b)
     tracing.output_pivot(b, solution.quality[b]);
   return tracing.builder.finish_in_canonical_order();

@@ -109,14 +109,21 @@ double longest_of_states(const Balance& b, const Eigen::VectorXd& change) {
   return states == 0 ? 0 : change.tail(states).cwiseAbs().maxCoeff();
 }
 
-/// As moved, with shorter steps of the states as long as their rates grow: laws that saturate send them back and forth.
-Status moved_states_guarded(const GenericSolver& solver, GenericEquations& equations, const GenericState& state,
-                            const Balance& here, Eigen::VectorXd change, GenericState& next) {
+/// Moves a state and its balance as `moved`, with shorter steps of the states as long as their rates grow: laws that
+/// saturate send them back and forth.
+Status move_guarded(const GenericSolver& solver, GenericEquations& equations, Eigen::VectorXd change,
+                    GenericState& state, Balance& here) {
   const Eigen::Index states = here.force.size() - here.rz.cols();
   const double most = std::max(kGrowth * fastest_state(here), kStandStill);
   for (int halvings = 0;; ++halvings) {
+    GenericState next;
     if (const Status status = moved(solver, equations, state, here, change, next); !status.ok()) return status;
-    if (states == 0 || halvings == kMostHalvings || fastest_state(balance(equations, next)) <= most) return {};
+    Balance there = balance(equations, next);
+    if (states == 0 || halvings == kMostHalvings || fastest_state(there) <= most) {
+      state = std::move(next);
+      here = std::move(there);
+      return {};
+    }
     change.tail(states) /= 2;
   }
 }
@@ -124,9 +131,9 @@ Status moved_states_guarded(const GenericSolver& solver, GenericEquations& equat
 /// Walks from a state at rest to a balance; `trial` is the last state that was tried.
 Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations, const Pinned& pinned, Search search,
                        int most_steps, GenericState& trial) {
+  Balance here = balance(equations, trial);
+  if (here.force.size() == 0) return {};
   for (int step = 0;; ++step) {
-    const Balance here = balance(equations, trial);
-    if (here.force.size() == 0) return {};
     const double unbalanced = unbalanced_acceleration(here);
     Eigen::MatrixXd stiffness;
     if (const Status status = stiffness_at(solver, equations, trial, here, pinned, stiffness); !status.ok())
@@ -140,10 +147,8 @@ Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations,
     const bool is_stuck = is_still && change.tail(change.size() - here.rz.cols()).isZero(kRoundingStep);
     if (is_stuck || step + 1 == most_steps) return {Code::no_equilibrium, -1};
     change *= shortening(longest, kLargestBalanceStep);
-    GenericState next;
-    if (const Status status = moved_states_guarded(solver, equations, trial, here, change, next); !status.ok())
+    if (const Status status = move_guarded(solver, equations, std::move(change), trial, here); !status.ok())
       return status;
-    trial = std::move(next);
   }
 }
 
@@ -154,67 +159,39 @@ Pinned straight_states(const Model& model) {
   return pinned;
 }
 
-/// Unpins the bristles of contacts that touch.
-void loosen_contacts(System<double>& system, Pinned& pinned) {
-  const Kinematics<double> k = kinematics(system);
-  const Velocities<double> v = velocities(system, k);
-  see_values(system, k, v);
-  AppliedForces<double> none;
-  const detail::ForceWork<double> work{system, k, v, none};
-  for (std::size_t i = 0; i < system.model.contacts.size(); ++i) {
-    const SurfaceContact& contact = system.model.contacts[i];
-    const auto state = static_cast<std::size_t>(contact_state(system.model, i));
-    if (contact.has_friction() && detail::contact_motion(work, contact).penetration > 0)
-      pinned[state] = pinned[state + 1] = false;
+/// Pins bristles that bend farther than they can at their end. Result: whether there were none.
+bool all_hold(const std::vector<BristleHold>& holds, Pinned& pinned, std::vector<double>& x) {
+  bool hold_all = true;
+  for (const BristleHold& hold : holds) {
+    if (pinned[hold.first]) continue;
+    double square = 0;
+    for (std::size_t i = hold.first; i < hold.first + hold.count; ++i) square += x[i] * x[i];
+    const double bent = std::sqrt(square);
+    if (bent <= hold.limit) continue;
+    for (std::size_t i = hold.first; i < hold.first + hold.count; ++i) x[i] *= hold.limit / bent, pinned[i] = true;
+    hold_all = false;
   }
+  return hold_all;
 }
 
-/// Holds the bristles of contacts that bend farther than they can at their end. Result: whether there were none.
-bool contacts_hold(const System<double>& system, Pinned& pinned, std::vector<double>& x) {
-  bool all_hold = true;
-  for (std::size_t i = 0; i < system.model.contacts.size(); ++i) {
-    const SurfaceContact& contact = system.model.contacts[i];
-    const auto state = static_cast<std::size_t>(contact_state(system.model, i));
-    if (!contact.has_friction() || pinned[state]) continue;
-    const double end = value_of(system.model, contact.bristle, system.environment);
-    const double bent = std::hypot(x[state], x[state + 1]);
-    if (bent <= end) continue;
-    for (const std::size_t bristle : {state, state + 1}) x[bristle] *= end / bent, pinned[bristle] = true;
-    all_hold = false;
-  }
-  return all_hold;
-}
-
-/// Walks to where frictions that stick hold the bodies near `trial`. A bristle that would have to bend farther than it
+/// Walks to where bristles that stick hold the bodies near `trial`. A bristle that would have to bend farther than it
 /// can slides: it stays at its end, and the others go on.
 Status walk_to_hold(const GenericSolver& solver, GenericEquations& equations, GenericState& trial) {
-  const auto ends_at = [&](const GenericState& state) {
+  const auto holds_at = [&](const GenericState& state) {
     System<double>& system = equations.system(state);
     const Kinematics<double> k = kinematics(system);
-    return bristle_ends(system, k, velocities(system, k));
+    return bristle_holds(system, k, velocities(system, k));
   };
-  const auto first = static_cast<std::size_t>(first_bristle(equations.model));
   Pinned pinned = straight_states(equations.model);
-  std::vector<BristleEnd> ends = ends_at(trial);
-  for (std::size_t i = 0; i < ends.size(); ++i) pinned[first + i] = !(ends[i].holds > 0);
-  loosen_contacts(equations.system(trial), pinned);
-  for (std::size_t round = 0; round <= ends.size() + equations.model.contacts.size(); ++round) {
-    if (std::all_of(pinned.begin() + first_bristle(equations.model), pinned.begin() + slip_state_count(equations.model),
-                    [](bool is_pinned) { return is_pinned; }) &&
-        round == 0)
-      break;
+  std::vector<BristleHold> holds = holds_at(trial);
+  for (const BristleHold& hold : holds)
+    std::fill_n(pinned.begin() + static_cast<std::ptrdiff_t>(hold.first), hold.count, !hold.bears);
+  if (std::ranges::none_of(holds, &BristleHold::bears)) return {Code::no_equilibrium, -1};
+  for (std::size_t round = 0; round <= holds.size(); ++round) {
     const Status status = walk_to_balance(solver, equations, pinned, Search::straight, kStraightIterations, trial);
     if (!status.ok()) return status;
-    ends = ends_at(trial);
-    bool all_hold = contacts_hold(equations.system(trial), pinned, trial.x);
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      double& bent = trial.x[first + i];
-      if (pinned[first + i] || std::abs(bent) <= ends[i].holds) continue;
-      bent = std::copysign(ends[i].holds, bent);
-      pinned[first + i] = true;
-      all_hold = false;
-    }
-    if (all_hold) return {};
+    holds = holds_at(trial);
+    if (all_hold(holds, pinned, trial.x)) return {};
   }
   return {Code::no_equilibrium, -1};
 }

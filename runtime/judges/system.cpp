@@ -79,6 +79,7 @@ CartesianTerms CartesianSystem::terms(const CartesianState& state, const Generic
                        Eigen::VectorXd::Zero(m),
                        Eigen::VectorXd::Zero(m),
                        {},
+                       {},
                        {}};
   add_inertia(c.parts, bodies, terms);
   add_equations(c.parts, bodies, c.equations_at(bodies, values), terms);
@@ -94,6 +95,7 @@ CartesianTerms CartesianSystem::terms(const CartesianState& state, const Generic
       apply(coordinate.row.to, force * coordinate.row.on_to);
     }
   terms.xd = std::move(forces.xd);
+  terms.hold = std::move(forces.hold);
   return terms;
 }
 

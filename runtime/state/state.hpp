@@ -99,6 +99,13 @@ inline Status check_finite(const GenericState& state, const std::vector<double>&
   return {};
 }
 
+/// Names the first place at which a rope does not hold. hold: per place of a rope, negative or NaN there.
+inline Status check_ropes(const std::vector<double>& hold) {
+  for (std::size_t place = 0; place < hold.size(); ++place)
+    if (!(hold[place] >= 0)) return {Code::rope_lost, static_cast<int>(place)};
+  return {};
+}
+
 /// Names rates that are not finite.
 inline Status check_finite(const GenericDerivative& derivative) {
   if (const int i = first_not_finite(derivative.zdd); i >= 0) return {Code::not_a_number, i};

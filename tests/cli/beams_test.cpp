@@ -191,6 +191,18 @@ TEST_F(Beams, ALadderFrameTwistsAndSags) {
   EXPECT_NEAR(sagged["l"].get<double>(), -8.202469878686606e-05, 0.005 * 8.2e-5);
 }
 
+// Consistent masses and whole beams against nodes with half of their segments: the frame twists first, then bends.
+TEST_F(Beams, ALadderFrameVibratesFreely) {
+  write("beam.json",
+        fmt::format(R"({{ "mbgen": 1, "name": "frame", "gravity": [0, 0, 0], "bodies": {{ "ground": {{}} }},
+        "beams": {{ {} }} }})",
+                    ladder_frame()));
+  const std::vector<double> found = frequencies();
+  EXPECT_NEAR(found.at(0), 11.4841231384, 0.007 * 11.48);
+  EXPECT_NEAR(found.at(1), 24.6119187432, 0.007 * 24.6);
+  EXPECT_NEAR(found.at(2), 31.7008118091, 0.007 * 31.7);
+}
+
 TEST_F(Beams, CheckTellsTheirFrequencies) {
   write_beam(3, kWelded);
   const Outcome checked = mbgen("check beam.json");

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "compiler/model/element_access.hpp"
+#include "compiler/model/rope_places.hpp"
 #include "mbgen/solver/rosenbrock.hpp"
 #include "runtime/judges/cartesian.hpp"
 #include "tests/judges/cartesian_support.hpp"
@@ -141,6 +142,52 @@ TEST(RopesInSpace, HaveTheForcesOfTheJudges) {
     }
     EXPECT_GT(taut, 0) << one.name;
   }
+}
+
+/// The place at which the rope of a load at x, z is lost, by the generic runtime and by a judge; "" where it holds.
+std::string lost_place(const std::string& path, double x, double z, double pretension = 100) {
+  const Mechanism m = analysed(model_of(fmt::format(R"({{ "mbgen": 1, "name": "lost", "bodies": {{
+    "ground": {{ "points": {{ "A": [-1, 0, 0.1], "O": [0, 0, 0], "L": [1, 0, -1] }} }},
+    "wheel": {{ "mass": 1, "inertia": [0.1, 0.1, 0.1], "points": {{ "O": [0, 0, 0] }} }},
+    "load": {{ "mass": 1, "inertia": [1, 1, 1], "pose": {{ "origin": [1, 0, -1] }}, "points": {{ "O": [0, 0, 0] }} }} }},
+  "joints": {{ "wheel": {{ "type": "revolute", "from": "ground.O", "to": "wheel.O", "axis": "y" }},
+    "load": {{ "type": "planar", "from": "ground.L", "to": "load.O", "axis": "y" }} }},
+  "ropes": {{ "hoist": {{ "EA": 1e3, "pretension": {}, "path": [{}, {{ "point": "load.O" }}] }} }} }})",
+                                                    pretension, path)));
+  GenericState state = reference_state(m);
+  for (std::size_t i = 0; i < state.z.size(); ++i) {
+    const std::string& name = m.topology.bodies[i].coordinate;
+    if (name.ends_with("tx")) state.z[i] = x - 1;
+    if (name.ends_with("tz")) state.z[i] = z + 1;
+    if (name == "wheel") state.z[i] = x > 50 ? -30 : 0;
+  }
+  const std::vector<double> tau(state.z.size());
+  GenericDerivative rates;
+  const Status generic = GenericSolver(m.model, m.topology, m.analysis).accelerations(state, tau, rates);
+  const Status judged = CartesianSolver(m.model, m.topology, CartesianMethod::augmented, Stabilisation::projection)
+                            .accelerations(state, tau, rates);
+  EXPECT_EQ(generic.code, judged.code);
+  EXPECT_EQ(generic.index, judged.index);
+  if (generic.ok()) return "";
+  EXPECT_EQ(generic.code, Code::rope_lost) << text(generic.code);
+  return generic.index < 0 ? "?" : rope_place_names(m.model)[static_cast<std::size_t>(generic.index)];
+}
+
+TEST(RopesInSpace, NameThePlaceWhereTheyAreLost) {
+  const auto over = [](const char* kind, const char* at, const char* rest) {
+    return fmt::format(R"({{ "{}": "{}", "axis": "y", "radius": 0.1, "sense": "positive"{} }})", kind, at, rest);
+  };
+  const std::string a = R"({ "point": "ground.A" }, )", pulley = a + over("pulley", "wheel.O", "");
+  EXPECT_EQ(lost_place(pulley, 1, -1), "");
+  EXPECT_EQ(lost_place(pulley, 1, 1), "hoist at wheel.O");
+  EXPECT_EQ(lost_place(pulley, 0.2, 0.2, 0), "");  // slack
+  EXPECT_EQ(lost_place(pulley, 0.05, -0.05), "hoist from wheel.O to load.O");
+  EXPECT_EQ(lost_place(a + over("pulley", "wheel.O", R"(, "contact": "grips")"), 1, 1), "hoist at wheel.O");
+  EXPECT_EQ(lost_place(a + over("pulley", "wheel.O", R"(, "friction": 0.2)"), 1, 1), "hoist at wheel.O");
+  EXPECT_EQ(lost_place(over("drum", "wheel.O", ""), 0.05, -0.05), "hoist from wheel.O to load.O");
+  EXPECT_EQ(lost_place(over("drum", "wheel.O", ""), 60, -1), "hoist");  // wound up
+  EXPECT_EQ(lost_place(a + over("cylinder", "ground.O", ""), 0.05, -0.05), "hoist from ground.A to load.O");
+  EXPECT_EQ(lost_place(a + R"({ "point": "ground.O" })", 0, 0), "hoist from ground.O to load.O");
 }
 
 /// Kinetic and potential energy, with the strain energy of the rope.

@@ -58,7 +58,7 @@ int rod_rows(const Model& model) {
 }
 
 TEST_P(EveryModelsReactions, ReactionsMoveEveryBody) {
-  const Mechanism m = load(GetParam());
+  const Mechanism m = analysed(with_plain_ropes(load(GetParam()).model));
   const CartesianSystem system(m.model, m.topology);
   Model without_joint_forces = m.model;
   without_joint_forces.joint_springs.clear();

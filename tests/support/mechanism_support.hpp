@@ -115,6 +115,16 @@ inline double calm_share(const Model& model) {
   return kSoft / stiffest;
 }
 
+/// A model whose ropes have a constant stiffness: with EA they also act on the joints of their wheels, which balances
+/// of bodies and of joints do not see.
+inline Model with_plain_ropes(Model model) {
+  for (Rope& rope : model.ropes) {
+    if (rope.ea) rope.stiffness = *rope.ea;  // over 1 m
+    rope.ea.reset();
+  }
+  return model;
+}
+
 /// Random states near the reference that satisfy closures and motions; velocities of a few units. At most `wanted`.
 inline std::vector<GenericState> random_states(const Mechanism& mechanism, int wanted, double reach = 0.15) {
   const GenericSolver solver(mechanism.model, mechanism.topology, mechanism.analysis);

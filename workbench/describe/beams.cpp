@@ -40,8 +40,6 @@ const char* name_of(BeamEnd end) {
   return end == BeamEnd::welded ? "welded" : end == BeamEnd::pinned ? "pinned" : "free";
 }
 
-Vector3 from_to(const Vector3& from, const Vector3& to) { return {to[0] - from[0], to[1] - from[1], to[2] - from[2]}; }
-
 double length_of(const Beam& beam) {
   double length = 0;
   for (std::size_t i = 1; i < beam.nodes.size(); ++i) length += norm(from_to(beam.nodes[i - 1], beam.nodes[i]));

@@ -13,8 +13,6 @@
 namespace mbgen::kc {
 namespace {
 
-Vector3 sum(const Vector3& a, const Vector3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-
 /// A unit vector across an axis that is not vertical: the direction to the top of the wheel.
 Vector3 upwards_across(const Vector3& axis) {
   const double level = std::hypot(axis[0], axis[1]);

@@ -64,15 +64,33 @@ SimulationSettings settings_of(const SimulationArguments& arguments, const Solve
   if (!(steps < kMostSteps)) {
     throw UserError(fmt::format("--step: {} s is too small for a duration of {} s\n", step, duration));
   }
-  return {static_cast<long>(steps), duration / steps};
+  SimulationSettings settings{static_cast<long>(steps), duration / steps};
+  settings.is_error_controlled = arguments.integrator.starts_with("cvode");
+  return settings;
+}
+
+/// Whether elements have bristles or ropes in grooves.
+bool has_lags(const Model& model) {
+  bool has_some = false;
+  each_element(model, [&](const auto& element) {
+    if constexpr (requires { element.lag; }) has_some = true;
+  });
+  return has_some;
 }
 
 void follow_step(const SimulationSettings& settings, std::vector<VariedParameter>& set, Model& model) {
   const auto is_load = [](const SampledValue& value) { return value.load.has_value(); };
-  if (settings.step == model.solver.step || std::none_of(model.sampled.begin(), model.sampled.end(), is_load)) return;
+  const bool has_loads = std::any_of(model.sampled.begin(), model.sampled.end(), is_load);
+  const bool lengthens = settings.step > model.solver.step && !settings.is_error_controlled && has_lags(model);
+  if (settings.step == model.solver.step || !(has_loads || lengthens)) return;
   set.push_back({kStepOfMotion, settings.step});
   const Model again = expect(read_varied_model(model.file, set));
   for (std::size_t i = 0; i < model.sampled.size(); ++i) model.sampled[i].period = again.sampled[i].period;
+  if (!lengthens) return;
+  each_kind([&](auto kind) {
+    for (std::size_t i = 0; i < kind.list(model).size(); ++i)
+      if constexpr (requires { kind.list(model)[i].lag; }) kind.list(model)[i].lag = kind.list(again)[i].lag;
+  });
 }
 
 void require_whole_periods(const SimulationSettings& settings, const Model& model) {

@@ -22,7 +22,8 @@ InputsOverTime inputs_of(const Model& model, const std::vector<std::string>& ass
 /// The duration in equal steps, none longer than requested. Fails: UserError for impossible values.
 SimulationSettings settings_of(const SimulationArguments& arguments, const SolverSettings& by_default);
 
-/// Sets loads of frictions without a given period to the step of the motion. set: values with which the model was read;
+/// Sets loads of frictions without a given period to the step of the motion, and lags without a given time to a longer
+/// one than the model's. set: values with which the model was read;
 /// it receives the step if it matters.
 void follow_step(const SimulationSettings& settings, std::vector<VariedParameter>& set, Model& model);
 

@@ -8,6 +8,7 @@
 
 #include "compiler/algebra/dense.hpp"
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/text/number.hpp"
 #include "mbgen/solver/rosenbrock.hpp"
 #include "workbench/describe/names.hpp"
 #include "workbench/engines/engine.hpp"
@@ -54,13 +55,7 @@ bool fits(Integrator integrator, const Mode& mode, double h, double duration) {
 }
 
 /// The longest of 5, 2, 1 times a power of ten below `h`.
-double next_shorter(double h) {
-  const double power = std::pow(10.0, std::floor(std::log10(h)));
-  for (const double digit : {5.0, 2.0, 1.0}) {
-    if (digit * power < h * (1 - 1e-9)) return digit * power;
-  }
-  return power / 2;
-}
+double next_shorter(double h) { return round_number_below(h * (1 - 1e-9)); }
 
 /// A step below `h` that is acceptable for all modes.
 double fitting_step(Integrator integrator, const std::vector<Mode>& modes, double h, double duration) {

@@ -191,8 +191,7 @@ Json end_json(const Model& model, const Attachment& at) { return {at.body, place
 /// Between two places at the reference, m, GLOBAL axes.
 Vector3 way_between(const Model& model, const Attachment& from, const Attachment& to) {
   const auto global = [&](const Attachment& at) { return to_global(model.bodies[at.body].pose, place_of(model, at)); };
-  const Vector3 a = global(from), b = global(to);
-  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  return from_to(global(from), global(to));
 }
 
 /// A link as it is drawn; radius over the size of the model.

@@ -47,4 +47,19 @@ inline std::vector<BristleEnd> bristle_ends(System<double>& system, const Kinema
   return ends;
 }
 
+/// The bristles of all elements at rest, of every kind that has some. Requires, ensures: as bristle_ends.
+inline std::vector<BristleHold> bristle_holds(System<double>& system, const Kinematics<double>& k,
+                                              const Velocities<double>& v) {
+  std::vector<BristleHold> holds;
+  std::size_t state = static_cast<std::size_t>(first_bristle(system.model));
+  for (const BristleEnd& end : bristle_ends(system, k, v)) holds.push_back({state++, 1, end.holds, end.holds > 0});
+  AppliedForces<double> none;
+  const detail::ForceWork<double> work{system, k, v, none};
+  each_element(system.model, [&](const auto& element) {
+    if constexpr (requires { detail::bristle_hold(work, element); })
+      if (const std::optional<BristleHold> own = detail::bristle_hold(work, element)) holds.push_back(*own);
+  });
+  return holds;
+}
+
 }  // namespace mbgen

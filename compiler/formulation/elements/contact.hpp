@@ -28,6 +28,13 @@ T shown(const ContactState<T>& contact, int quantity, int axis) {
   return quantity < 5 ? *values[quantity] : axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
+/// Bristles that hold an element at rest: states that share a limit.
+struct BristleHold {
+  std::size_t first = 0, count = 1;  ///< auxiliary states
+  double limit = 0;                  ///< rad or m: deflection beyond which the element slides
+  bool bears = false;                ///< whether they may bend
+};
+
 namespace detail {
 
 /// m/s and parts of a deflection: smallest speed and deflection whose direction counts.
@@ -119,7 +126,7 @@ ContactFriction<A> contact_friction(const ForceWork<T>& work, const SurfaceConta
     level = sliding + (static_level - sliding) * exp(-(ratio * ratio));
     largest = bristle * (level / static_level);
   }
-  const A lag(contact.lag.value_or(work.system.model.solver.step));
+  const A lag(*contact.lag);
   const A limited = largest / max(largest, lag * speed);
   const A elastic = value(contact.elastic, "elastic");
   A w[2], r[2];
@@ -160,8 +167,7 @@ ContactForces<A> contact_law(const ForceWork<T>& work, const SurfaceContact& con
   forces.normal = bump_stop_law(work, contact.push, penetration, rate).force;
   if (!contact.has_friction()) return forces;
   const ContactFriction<A> friction = contact_friction(work, contact, slip, deflection);
-  const double lag = contact.lag.value_or(work.system.model.solver.step);
-  const A released(-1 / (kReleaseInLags * (lag > 0 ? lag : kShortestBristleLag)));
+  const A released(-1 / (kReleaseInLags * (*contact.lag > 0 ? *contact.lag : kShortestBristleLag)));
   for (int i = 0; i < 2; ++i) {
     forces.across[i] = A(factor) * forces.normal * friction.force[i];
     forces.rate[i] = select(-penetration, released * deflection[i], friction.rate[i]);
@@ -186,6 +192,14 @@ template <class T>
 std::array<T, 2> bristles_of(const ForceWork<T>& work, const SurfaceContact& contact, std::size_t first) {
   if (!contact.has_friction()) return {T(0.0), T(0.0)};
   return {work.system.x[first], work.system.x[first + 1]};
+}
+
+/// The bristles of a contact with friction: they bear while it touches.
+inline std::optional<BristleHold> bristle_hold(const ForceWork<double>& work, const SurfaceContact& contact) {
+  if (!contact.has_friction()) return {};
+  const Model& model = work.system.model;
+  return BristleHold{static_cast<std::size_t>(contact_state(model, index_in(model.contacts, contact))), 2,
+                     work.value(contact.bristle), contact_motion(work, contact).penetration > 0};
 }
 
 template <class T>

@@ -67,12 +67,16 @@ T rope_angle(const Vector<T>& axis, const Vector<T>& from, const Vector<T>& to, 
   return T(middle) + select(within, T(atan2(turned_sine, turned_cosine)), T(sqrt(within)));
 }
 
+/// m: a straight piece that is shorter has no direction.
+inline constexpr double kShortestRopePiece = 1e-12;
+
 /// A straight piece of a rope between two stations, or one over an obstacle.
 template <class T>
 struct RopePiece {
   T length{0.0};              ///< m
   Vector<T> leaves, arrives;  ///< unit, in the planes of the circles
   T wrap{0.0};                ///< rad, on an obstacle
+  T room{0.0};                ///< negative, or NaN, where there is no such piece
 };
 
 /// Whether a tangent of two circles lies in the plane of both by structure.
@@ -188,6 +192,7 @@ RopePiece<T> cylinder_piece(const RopePlace<T>& a, const RopePlace<T>& c, const 
   piece.leaves = either(wrap, wound_along(to.direction), direct);
   piece.arrives = either(wrap, wound_along(from.direction), direct);
   piece.wrap = max(wrap, T(0.0));
+  piece.room = wrap * wrap;
   pull_over(a, c, b, piece.leaves, piece.arrives, on_a, on_it, on_b);
   return piece;
 }
@@ -213,6 +218,7 @@ RopePiece<T> sphere_piece(const RopePlace<T>& a, const RopePlace<T>& c, const Ro
   piece.leaves = either(wrap, (T(1.0) / pp) * ((radius * reciprocal) * cross(normal, p) - to * p), direct);
   piece.arrives = either(wrap, (T(1.0) / qq) * (from * q + (radius * reciprocal) * cross(normal, q)), direct);
   piece.wrap = max(wrap, T(0.0));
+  piece.room = wrap * wrap;
   pull_over(a, c, b, piece.leaves, piece.arrives, on_a, on_it, on_b);
   return piece;
 }
@@ -231,6 +237,7 @@ template <class T>
 struct RopeShape {
   std::vector<RopeSpan<T>> spans;
   std::vector<T> wraps;  ///< per station, rad
+  std::vector<T> rooms;  ///< per leg, see RopePiece
 };
 
 /// The piece of a leg; adds its loads to those of its span.
@@ -238,7 +245,11 @@ template <class T>
 RopePiece<T> piece_of(const Rope& rope, const RopeLeg& leg, const std::vector<RopePlace<T>>& places,
                       std::vector<RopePull<T>>& pulls) {
   const RopePlace<T>&a = places[leg.from], &b = places[leg.to];
-  if (leg.over < 0) return straight_piece(a, b, pulls[leg.from], pulls[leg.to]);
+  if (leg.over < 0) {
+    RopePiece<T> piece = straight_piece(a, b, pulls[leg.from], pulls[leg.to]);
+    piece.room = piece.length - T(kShortestRopePiece);
+    return piece;
+  }
   const auto over = static_cast<std::size_t>(leg.over);
   const RopeStation& station = rope.path[over];
   return station.kind == RopeStation::Kind::sphere
@@ -271,6 +282,7 @@ RopeShape<T> rope_shape(const Rope& rope, const std::vector<RopePlace<T>>& place
   std::vector<RopePiece<T>> pieces;
   for (const RopeLeg& leg : legs) {
     pieces.push_back(piece_of(rope, leg, places, shape.spans[static_cast<std::size_t>(leg.span)].pulls));
+    shape.rooms.push_back(pieces.back().room);
     if (leg.over >= 0) shape.wraps[static_cast<std::size_t>(leg.over)] = pieces.back().wrap;
   }
   for (std::size_t k = 0; k < legs.size(); ++k) {

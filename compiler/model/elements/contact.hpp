@@ -34,7 +34,7 @@ struct SurfaceContact {
   Quantity bristle;                ///< m, > 0: deflection of the bristles under the largest friction
   Quantity bristle_damping;        ///< s: damping of the bristles over their stiffness
   Quantity elastic;                ///< share of this deflection up to which bristles bend without sliding
-  std::optional<double> lag;       ///< s: least time constant of the bristles; none: the step of the solver
+  std::optional<double> lag;  ///< s: least time constant of the bristles; the reader sets it to the step of the solver
 
   /// Whether it has friction, and the states of two bristles.
   bool has_friction() const {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/model/vectors.hpp"
 #include "compiler/reader/positions.hpp"
 #include "compiler/reader/raw.hpp"
 
@@ -25,8 +26,6 @@ using BarPoints = std::array<Vector3Quantity, 3>;
 Vector3 reference_of(const Vector3Quantity& position) {
   return {position[0].value, position[1].value, position[2].value};
 }
-
-Vector3 from_to(const Vector3& from, const Vector3& to) { return {to[0] - from[0], to[1] - from[1], to[2] - from[2]}; }
 
 Vector3 direction_of(const Vector3& vector) {
   const double length = norm(vector);

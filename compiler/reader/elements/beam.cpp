@@ -17,12 +17,6 @@ constexpr double kMostSegments = 1000;
 constexpr double kShortest = 1e-4;  ///< m, between two points
 constexpr double kLeastUp = 0.02;   ///< part of `up` across the beam
 
-Vector3 sum(const Vector3& a, const Vector3& b, double factor = 1) {
-  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
-}
-
-Vector3 times(const Vector3& a, double factor) { return {factor * a[0], factor * a[1], factor * a[2]}; }
-
 /// A named point of the file.
 struct BeamPoint {
   std::string name;
@@ -82,7 +76,7 @@ std::vector<BeamPoint> read_beam_points(Reader& reader, const Value& points) {
   }
   if (points.members.size() < 2) report(reader, points, "a beam has at least two points");
   for (std::size_t i = 1; i < list.size(); ++i)
-    if (norm(sum(list[i].at, list[i - 1].at, -1)) < kShortest)
+    if (norm(from_to(list[i - 1].at, list[i].at)) < kShortest)
       report(reader, list[i].place,
              fmt::format("point {} is at the place of {}", in_quotes(list[i].name), in_quotes(list[i - 1].name)));
   return list;
@@ -114,10 +108,10 @@ void read_supports(Reader& reader, const Value& supports, std::vector<BeamPoint>
 /// Nodes and segments of equal length between two points; segments go to where the beam is long.
 void divide(BeamParts& beam) {
   double whole = 0;
-  for (std::size_t i = 1; i < beam.points.size(); ++i) whole += norm(sum(beam.points[i].at, beam.points[i - 1].at, -1));
+  for (std::size_t i = 1; i < beam.points.size(); ++i) whole += norm(from_to(beam.points[i - 1].at, beam.points[i].at));
   for (std::size_t i = 0; i + 1 < beam.points.size(); ++i) {
     const BeamPoint &from = beam.points[i], &to = beam.points[i + 1];
-    const Vector3 along = sum(to.at, from.at, -1);
+    const Vector3 along = from_to(from.at, to.at);
     const double length = norm(along), count = std::max(1.0, std::round(beam.fields.segments * length / whole));
     for (double k = 0; k < count; ++k) {
       const std::string suffix = k == 0 ? "_" + from.name : fmt::format("_{}_{:g}", from.name, k);
@@ -255,13 +249,12 @@ Vector3Quantity constants_of(const Vector3& at) { return {Quantity(at[0]), Quant
 
 /// The beam as checks see it.
 Beam checked_beam(Reader& reader, const BeamParts& beam) {
-  Beam known{beam.entry.name, where_of(reader.documents, beam.entry.place), beam.section, beam.material, {}, {}, {}};
+  Beam known{beam.entry.name, where_of(reader.documents, beam.entry.place), beam.section, beam.material, {}, {}};
   for (std::size_t i = 0; i < beam.nodes.size(); ++i) {
     const BeamNode& node = beam.nodes[i];
     known.nodes.push_back(node.at);
     const bool is_welded = node.is_supported() && node.point->joined.type == BeamSupport::welded;
     known.supports.push_back(is_welded ? BeamEnd::welded : node.is_supported() ? BeamEnd::pinned : BeamEnd::free);
-    if (node.point) known.point_nodes.push_back(static_cast<int>(i));
   }
   return known;
 }

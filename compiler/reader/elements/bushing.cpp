@@ -124,62 +124,15 @@ std::span<const Field<BushingFreedom>> fields<BushingFreedom>() {
 }
 namespace {
 
-constexpr double kMeeting = 1e-6;     ///< m: rounding of a hardpoint table in micrometres
-constexpr double kLeastAngle = 1e-3;  ///< rad, between the two axes
-constexpr double kRounding = 1e-12;   ///< of the largest entry of a matrix
-
-Vector3 unit(std::size_t index) { return {index == 0 ? 1.0 : 0.0, index == 1 ? 1.0 : 0.0, index == 2 ? 1.0 : 0.0}; }
-
-Vector3 normalised(Vector3 vector) {
-  const double length = norm(vector);
-  for (double& component : vector) component /= length;
-  return vector;
-}
-
-/// A direction perpendicular to an axis: the letter after the axis's, or any for a skew axis.
-Vector3 across(const Vector3& axis) {
-  std::size_t least = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (std::abs(axis[i]) == 1) return unit((i + 1) % 3);
-    if (std::abs(axis[i]) < std::abs(axis[least])) least = i;
-  }
-  return normalised(cross(axis, unit(least)));
-}
-
-/// Perpendicular component of a direction, as a unit vector.
-Vector3 part_across(const Vector3& axis, const Vector3& direction) {
-  Vector3 part = direction;
-  const double along = dot(axis, direction);
-  for (std::size_t i = 0; i < 3; ++i) part[i] -= along * axis[i];
-  return normalised(part);
-}
+constexpr double kMeeting = 1e-6;    ///< m: rounding of a hardpoint table in micrometres
+constexpr double kRounding = 1e-12;  ///< of the largest entry of a matrix
 
 /// Sets the axes of a bushing and their mirroring.
 void place_axes(Reader& reader, const Value& value, BushingFields& bushing) {
-  const auto spoiled = [](const std::optional<Vector3>& axis) { return axis && std::isnan((*axis)[0]); };
-  if (bushing.from.body < 0 || spoiled(bushing.written_axis) || spoiled(bushing.axis2)) return;
-  if (bushing.written_axis) turn_axis_by_points(reader, find(value, "axis"), bushing.from.body, *bushing.written_axis);
-  if (bushing.axis2) turn_axis_by_points(reader, find(value, "axis2"), bushing.from.body, *bushing.axis2);
-  const Vector3 along = bushing.written_axis.value_or(Vector3{0, 0, 1});
-  if (bushing.axis2) {
-    const double angle = angle_between(along, *bushing.axis2);
-    if (std::sin(angle) < kLeastAngle) {
-      report(reader, *find(value, "axis2"), "\"axis2\" is along \"axis\", it must lie across it",
-             "\"axis\" is the bushing's axis z, \"axis2\" its axis x");
-      return;
-    }
-  }
-  const Vector3 first = bushing.axis2 ? part_across(along, *bushing.axis2) : across(along);
-  const Vector3 x = placed_direction(reader, bushing.from.body, first);
-  const Vector3 z = placed_direction(reader, bushing.from.body, along);
-  const Vector3 y = cross(z, x);
-  Matrix3 axes{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    axes[3 * i] = x[i];
-    axes[3 * i + 1] = y[i];
-    axes[3 * i + 2] = z[i];
-  }
-  bushing.axes = without_rest(axes);
+  const std::optional<Matrix3> axes =
+      placed_axes(reader, value, bushing.from.body, bushing.written_axis, bushing.axis2, "bushing");
+  if (!axes) return;
+  bushing.axes = *axes;
   bushing.is_mirrored = handedness(current_scope(reader).placement) < 0;
 }
 

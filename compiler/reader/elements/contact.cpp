@@ -12,6 +12,7 @@
 #include "compiler/reader/presentation.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
+#include "compiler/text/number.hpp"
 
 namespace mbgen::reading {
 
@@ -179,48 +180,10 @@ void check_field_of_shape(Reader& reader, const Value& value, const ContactField
   if (!member && has_it && needed) report(reader, value, fmt::format("a contact with a {} needs \"{}\"", own, key));
 }
 
-/// A direction across an axis: the letter after the axis's, or any for a skew axis.
-Vector3 direction_across(const Vector3& axis) {
-  std::size_t least = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (std::abs(axis[i]) == 1) {
-      Vector3 next{};
-      next[(i + 1) % 3] = 1;
-      return next;
-    }
-    if (std::abs(axis[i]) < std::abs(axis[least])) least = i;
-  }
-  Vector3 letter{};
-  letter[least] = 1;
-  return cross(axis, letter);
-}
-
 /// Sets the axes of the surface.
 void place_surface_axes(Reader& reader, const Value& value, ContactFields& contact) {
-  constexpr double kLeastSine = 1e-3;
-  const auto spoiled = [](const std::optional<Vector3>& axis) { return axis && std::isnan((*axis)[0]); };
-  const int body = contact.to.body;
-  if (body < 0 || spoiled(contact.written_axis) || spoiled(contact.axis2)) return;
-  if (contact.written_axis) turn_axis_by_points(reader, find(value, "axis"), body, *contact.written_axis);
-  if (contact.axis2) turn_axis_by_points(reader, find(value, "axis2"), body, *contact.axis2);
-  const Vector3 along = contact.written_axis.value_or(Vector3{0, 0, 1});
-  const Vector3 wanted = contact.axis2.value_or(direction_across(along));
-  Vector3 across = cross(cross(along, wanted), along);
-  const double sine = norm(across);
-  if (sine < kLeastSine) {
-    report(reader, *find(value, "axis2"), "\"axis2\" is along \"axis\", it must lie across it",
-           "\"axis\" is axis z of the box, \"axis2\" its axis x");
-    return;
-  }
-  for (double& component : across) component /= sine;
-  const Vector3 x = placed_direction(reader, body, across), z = placed_direction(reader, body, along), y = cross(z, x);
-  Matrix3 axes{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    axes[3 * i] = x[i];
-    axes[3 * i + 1] = y[i];
-    axes[3 * i + 2] = z[i];
-  }
-  contact.axes = without_rest(axes);
+  if (const auto axes = placed_axes(reader, value, contact.to.body, contact.written_axis, contact.axis2, "box"))
+    contact.axes = *axes;
 }
 
 /// The road that is touched: the named one, or the only one.
@@ -372,14 +335,13 @@ void note_contacts(Reader& reader) {
     const double force = mass * (weight > 0 ? weight : 1), depth = std::pow(force / stiffness.value, 1 / n);
     const double period = 2 * std::numbers::pi * std::sqrt(mass * depth / (n * force)), wanted = period / kStepsOfSwing;
     if (model.solver.step <= wanted) continue;
-    const double power = std::pow(10.0, std::floor(std::log10(wanted)));
-    const double digit = wanted >= 5 * power ? 5 : wanted >= 2 * power ? 2 : 1;
     note_at(
         reader, contact.where,
         fmt::format("contact {} swings at {:.4g} Hz under {:.4g} kg, a period of {:.3g} s, in which the solver makes "
                     "{:.2g} steps of {:g} s",
                     in_quotes(contact.name), 1 / period, mass, period, period / model.solver.step, model.solver.step),
-        fmt::format("give \"step\" of solver as {:g}, a softer contact, or integrator rosenbrock", digit * power));
+        fmt::format("give \"step\" of solver as {:g}, a softer contact, or integrator rosenbrock",
+                    round_number_below(wanted)));
   }
 }
 

@@ -213,7 +213,7 @@ int add_load(Reader& reader, const Value& value, const FrictionFields& friction)
   SampledValue load;
   load.name = friction.name + "_load";
   load.where = friction.where;
-  load.period = friction.period.value_or(0);  // set by finish_frictions, which knows the step
+  load.period = friction.period.value_or(0);  // set by finish_lags, which knows the step
   load.load = read_reaction(reader, value, friction);
   load.unit = unit_of(*load.load);
   load.shown.description = "reaction that presses " + friction.name;
@@ -249,14 +249,15 @@ void read_frictions(Reader& reader, const Entries& entries) {
 
 }  // namespace
 
-void finish_frictions(Reader& reader) {
+void finish_lags(Reader& reader) {
   const double step = reader.model.solver.step;
-  for (JointFriction& friction : reader.model.frictions) friction.lag = friction.lag.value_or(step);
-  for (SpringFriction& friction : reader.model.spring_frictions) friction.lag = friction.lag.value_or(step);
-  for (RodFriction& friction : reader.model.rod_frictions) friction.lag = friction.lag.value_or(step);
   double period = step;
   for (const VariedParameter& varied : reader.varied)
     if (varied.name == kStepOfMotion) period = varied.value.value_or(step);
+  const double lag = std::max(step, period);  // bristles of a lag below the step go past their end
+  each_element(reader.model, [lag](auto& element) {
+    if constexpr (requires { element.lag.value_or(lag); }) element.lag = element.lag.value_or(lag);
+  });
   for (SampledValue& value : reader.model.sampled)
     if (value.load && value.period == 0) value.period = period;
 }

@@ -113,7 +113,6 @@ void read_ropes(Reader& reader, const Entries& entries) {
       check_rope_law(reader, *entry.value, rope);
       check_free_length(reader, *entry.value, rope);
     }
-    rope.lag = rope.written_lag.value_or(-1);
     names.emplace(rope.spans > 1 ? entry.name + "_1" : entry.name, static_cast<int>(ropes.size()));
     Rope span = rope;
     if (rope.spans > 1) span.name = entry.name + "_1";
@@ -171,12 +170,12 @@ std::span<const Field<RopeFields>> fields<RopeFields>() {
                                 .unit = "N",
                                 .bound = Bound::not_negative,
                                 .depends = Depends::parameters}),
-      field<S, &S::written_lag>({.name = "lag",
-                                 .shape = Shape::number,
-                                 .doc = "time in which a rope in a groove with friction comes to its limit; default: "
-                                        "the step of solver",
-                                 .unit = "s",
-                                 .bound = Bound::positive}),
+      field<S, &S::lag>({.name = "lag",
+                         .shape = Shape::number,
+                         .doc = "time in which a rope in a groove with friction comes to its limit; default: "
+                                "the step of solver",
+                         .unit = "s",
+                         .bound = Bound::positive}),
   };
   return table;
 }

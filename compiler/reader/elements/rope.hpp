@@ -22,7 +22,6 @@ struct RopeStationFields : RopeStation {
 /// A rope with its stations as written.
 struct RopeFields : Rope {
   const Value* written_path = nullptr;
-  std::optional<double> written_lag;
 };
 
 template <>

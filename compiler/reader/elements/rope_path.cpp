@@ -73,7 +73,7 @@ bool turns_about(const Model& model, const Joint& joint, std::size_t component, 
   if (joint.type == JointType::planar) return true;
   if (joint.type != JointType::revolute && joint.type != JointType::cylindrical) return false;
   const Vector3 centre = reference_position(model, station.at), pin = reference_position(model, joint.from);
-  return norm(cross(freedom.axis, {centre[0] - pin[0], centre[1] - pin[1], centre[2] - pin[2]})) <= kRopeOnAxis;
+  return norm(cross(freedom.axis, from_to(pin, centre))) <= kRopeOnAxis;
 }
 
 /// The joint component of a wheel: the written one, or the one that is found; whether there is one.
@@ -151,10 +151,6 @@ bool read_station(Reader& reader, const Value& value, const std::vector<int>& gr
   return reader.problems.size() == problems;
 }
 
-Vector3 sum(const Vector3& a, double factor, const Vector3& b) {
-  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
-}
-
 /// Geometry of a rope at its reference: tangents of circles, see rope.hpp of the formulation.
 struct RopeAtReference {
   Reader& reader;
@@ -166,24 +162,24 @@ struct RopeAtReference {
 
   /// Direction of the rope at one of two circles, in its plane; zero if there is no tangent.
   static Vector3 direction(const Vector3& gap, const Vector3& axis, double offset) {
-    const Vector3 across = sum(gap, -dot(gap, axis), axis);
+    const Vector3 across = sum(gap, axis, -dot(gap, axis));
     const double square = dot(across, across), rest = square - offset * offset;
     if (!(rest > 0)) return {0, 0, 0};
-    const Vector3 along = sum({0, 0, 0}, std::sqrt(rest) / square, across);
-    return sum(along, offset / square, cross(axis, across));
+    const Vector3 along = times(across, std::sqrt(rest) / square);
+    return sum(along, cross(axis, across), offset / square);
   }
 
   /// Sets directions and tangent points of a piece. Result: whether there is a tangent.
   bool set_piece(std::size_t i) {
     Station &a = rope.path[i % rope.path.size()], &b = rope.path[(i + 1) % rope.path.size()];
-    const Vector3 gap = sum(centre(b), -1, centre(a));
+    const Vector3 gap = from_to(centre(a), centre(b));
     const double ra = signed_radius(a), rb = signed_radius(b), cosine = ra != 0 && rb != 0 ? dot(a.axis, b.axis) : 1;
     const double distance = norm(gap);
     a.parts = centre(a), b.meets = centre(b);
-    a.leaves = ra != 0 ? direction(gap, a.axis, ra - cosine * rb) : sum({0, 0, 0}, 1 / distance, gap);
-    b.arrives = rb != 0 ? direction(gap, b.axis, cosine * ra - rb) : sum({0, 0, 0}, 1 / distance, gap);
-    if (ra != 0) a.parts = sum(a.parts, ra, cross(a.leaves, a.axis));
-    if (rb != 0) b.meets = sum(b.meets, rb, cross(b.arrives, b.axis));
+    a.leaves = ra != 0 ? direction(gap, a.axis, ra - cosine * rb) : times(gap, 1 / distance);
+    b.arrives = rb != 0 ? direction(gap, b.axis, cosine * ra - rb) : times(gap, 1 / distance);
+    if (ra != 0) a.parts = sum(a.parts, cross(a.leaves, a.axis), ra);
+    if (rb != 0) b.meets = sum(b.meets, cross(b.arrives, b.axis), rb);
     return distance > kRopeOnAxis && norm(a.leaves) > 0 && norm(b.arrives) > 0;
   }
 
@@ -199,8 +195,8 @@ struct RopeAtReference {
     Station& s = rope.path[i];
     if (s.kind != Station::Kind::cylinder) return;
     const auto seen = [&](const Station& end) {
-      const Vector3 gap = sum(centre(end), -1, centre(s));
-      return sum(gap, -dot(gap, s.axis), s.axis);
+      const Vector3 gap = from_to(centre(s), centre(end));
+      return sum(gap, s.axis, -dot(gap, s.axis));
     };
     const Vector3 from = seen(rope.path[i - 1]), to = seen(rope.path[i + 1]);
     const double angle = std::atan2(s.sense * dot(s.axis, cross(from, to)), dot(from, to));

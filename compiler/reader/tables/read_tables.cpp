@@ -28,7 +28,18 @@ void check_table(Reader& reader, const Value& value) {
   }
 }
 
-/// Moves the pieces of a table of many points to the samples. Equal tables, as of a part placed four times, share them.
+/// Place of numbers among the samples; equal ones, as of a part placed four times, are stored once.
+int place_of_numbers(Reader& reader, const std::vector<double>& numbers) {
+  std::vector<double>& samples = *reader.samples;
+  for (const auto& [first, count] : reader.stored_numbers)
+    if (count == numbers.size() && std::equal(numbers.begin(), numbers.end(), samples.begin() + first)) return first;
+  const auto first = static_cast<int>(samples.size());
+  reader.stored_numbers.emplace_back(first, numbers.size());
+  samples.insert(samples.end(), numbers.begin(), numbers.end());
+  return first;
+}
+
+/// Moves the pieces of a table of many points to the samples.
 void keep_as_data(Reader& reader, const Value& value, Table& table) {
   if (table.x.size() > kMostPointsAsData) {
     const Member* csv = find_member(value, "csv");
@@ -37,19 +48,7 @@ void keep_as_data(Reader& reader, const Value& value, Table& table) {
            "leave out points that lie on the curve through their neighbours");
     return;
   }
-  const std::vector<double> pieces = pieces_of(table);
-  std::vector<double>& samples = *reader.samples;
-  const double spacing = spacing_of(table);
-  for (const TableData& known : reader.large_tables) {
-    const auto begin = samples.begin() + known.first;
-    const auto left = static_cast<std::size_t>(samples.end() - begin);
-    const bool is_equal = left >= pieces.size() && std::equal(pieces.begin(), pieces.end(), begin);
-    if (is_equal && known.spacing == spacing) table.data = known;
-  }
-  if (table.data) return;
-  table.data = {reader.samples, static_cast<int>(samples.size()), spacing};
-  reader.large_tables.push_back(*table.data);
-  samples.insert(samples.end(), pieces.begin(), pieces.end());
+  table.data = {reader.samples, place_of_numbers(reader, pieces_of(table)), spacing_of(table)};
 }
 
 /// Notes a spline that overshoots its points by more than their range.
@@ -142,15 +141,6 @@ void check_grid(Reader& reader, const Value& value, const MapFields& map) {
              fmt::format("row of z has {} numbers, must have one for each of the {} y", map.z[i].size(), map.y.size()));
 }
 
-/// Index of numbers among the samples; equal ones, as of a part placed four times, are stored once.
-int place_of_coefficients(Reader& reader, const std::vector<double>& numbers) {
-  std::vector<double>& samples = *reader.samples;
-  const auto known = std::search(samples.begin(), samples.end(), numbers.begin(), numbers.end());
-  const auto first = static_cast<int>(known - samples.begin());
-  if (known == samples.end()) samples.insert(samples.end(), numbers.begin(), numbers.end());
-  return first;
-}
-
 std::shared_ptr<NamedTable> named_map(Reader& reader, const Value& value, const MapFields& map) {
   std::vector<double> z;
   for (const std::vector<double>& row : map.z) z.insert(z.end(), row.begin(), row.end());
@@ -166,7 +156,7 @@ std::shared_ptr<NamedTable> named_map(Reader& reader, const Value& value, const 
   CharacteristicMap result{lines_before(map.x), lines_before(map.y), degree, reader.samples, 0};
   for (Table* line : {&result.along_x, &result.along_y})
     if (line->x.size() > kMostPointsAsOperations) keep_as_data(reader, value, *line);
-  result.first = place_of_coefficients(reader, map_coefficients(map.x, map.y, z, degree));
+  result.first = place_of_numbers(reader, map_coefficients(map.x, map.y, z, degree));
   return std::make_shared<NamedTable>(NamedTable{std::move(result), map.outside == Outside::hold});
 }
 

@@ -61,6 +61,12 @@ inline constexpr bool kChoosesAgain = System::kBlocks > 0;
 template <class System>
 inline constexpr bool kChoosesAgain<System, std::void_t<decltype(System::kFrozenOnly)>> = !System::kFrozenOnly;
 
+/// Number of the places of ropes, see rope_place_names of the compiler.
+template <class System, class = void>
+inline constexpr int kRopePlacesOf = 0;
+template <class System>
+inline constexpr int kRopePlacesOf<System, std::void_t<decltype(System::kRopePlaces)>> = System::kRopePlaces;
+
 /// Smallest pivot of a block, over its median in the analysed configurations, with which the frozen order is trusted.
 /// The analysis accepts ratios from 0.05; two digits of the answer are at stake here, where it is left. Accelerations
 /// lose with the square of the pivot, and floats have no two digits to spare.

@@ -27,9 +27,13 @@ int free_coordinate(const FreeDirection& direction, const BlockFactors<System>& 
   return direction.coordinate;
 }
 
-/// Copies zdd and xd of a program's result when they are finite.
+/// Copies zdd and xd of a program's result when they are finite and ropes hold.
 template <class System, class Values>
 Status deliver(const Values& values, typename System::Derivative& derivative) noexcept {
+  if constexpr (kRopePlacesOf < System >> 0) {
+    for (int place = 0; place < System::kRopePlaces; ++place)
+      if (!(values.hold[place] >= 0)) return {Code::rope_lost, place};
+  }
   Total<RealOf<System>> total(0);
   total.add(values.zdd, System::kCoordinates);
   total.add(values.xd, System::kAuxiliaryStates);
@@ -199,7 +203,7 @@ Status evaluate(const typename System::Parameters& parameters, const typename Sy
 }  // namespace solver_detail
 
 /// All accelerations at a state: the frozen program, and the pivoted one where the monitor of a loop block trips.
-/// Fails: not_a_number, no_inertia, loop_singular; the derivative is then unchanged. Gives no notices.
+/// Fails: not_a_number, no_inertia, loop_singular, rope_lost; the derivative is then unchanged. Gives no notices.
 template <class System>
 Status solve_accelerations(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                            const typename System::State& state, const RealOf<System>* tau,

@@ -6,6 +6,7 @@ namespace mbgen {
 /// Failures, and from kFirstNotice on notices, in increasing importance: the call succeeded, and the caller may want to
 /// know how. Only steps give notices. Functions that fail with not_a_number may also fail with the four codes after it.
 enum class Code : int {
+  rope_lost = -4,  ///< a taut rope lifts off a pulley, or has no way; index: place of a rope (-1 to -3: bounds.hpp)
   ok = 0,
   not_a_number,            ///< something of a coordinate is not finite; index: coordinate, or -1
   input_not_a_number,      ///< an input is not finite; index: input
@@ -39,6 +40,8 @@ struct Status {
 /// The meaning of a code, for messages.
 constexpr const char* text(Code code) noexcept {
   switch (code) {
+    case Code::rope_lost:
+      return "taut rope lifts off a pulley, or has no way";
     case Code::ok:
       return "ok";
     case Code::not_a_number:
@@ -80,7 +83,7 @@ constexpr const char* text(Code code) noexcept {
 }
 
 /// Kind of object that the index of a code counts.
-enum class Subject { coordinate, loop_block, input, parameter, auxiliary_state };
+enum class Subject { coordinate, loop_block, input, parameter, auxiliary_state, rope_place };
 
 constexpr Subject subject_of(Code code) noexcept {
   switch (code) {
@@ -90,6 +93,8 @@ constexpr Subject subject_of(Code code) noexcept {
     case Code::near_singular:
     case Code::singular_met:
       return Subject::loop_block;
+    case Code::rope_lost:
+      return Subject::rope_place;
     case Code::input_not_a_number:
       return Subject::input;
     case Code::parameter_not_a_number:
@@ -111,8 +116,8 @@ struct Names {
 
 /// Name of the object of a status, "" for none.
 constexpr const char* name_of(Status status, Names coordinates, Names loop_blocks, Names inputs, Names parameters,
-                              Names auxiliary_states) noexcept {
-  const Names tables[] = {coordinates, loop_blocks, inputs, parameters, auxiliary_states};
+                              Names auxiliary_states, Names rope_places = {nullptr, 0}) noexcept {
+  const Names tables[] = {coordinates, loop_blocks, inputs, parameters, auxiliary_states, rope_places};
   const Names table = tables[static_cast<int>(subject_of(status.code))];
   return status.index < 0 || status.index >= table.count ? "" : table.names[status.index];
 }

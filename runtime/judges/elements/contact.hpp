@@ -107,7 +107,7 @@ inline void rub(const SurfaceContact& contact, const Values& value, const Eigen:
   const double fading = std::exp(-std::pow(velocity.norm() / value(contact.stribeck_velocity), 2));
   const double limit = mu + (mu_static - mu) * fading;
   const double end = contact.has_stiction() ? bristle * limit / mu_static : bristle;
-  const double lag = contact.lag.value_or(value.model.solver.step), elastic = value(contact.elastic);
+  const double lag = *contact.lag, elastic = value(contact.elastic);
   rate = velocity;
   if (lag * velocity.norm() > end) rate *= end / (lag * velocity.norm());
   const double share = deflection.norm() / end;
@@ -145,7 +145,7 @@ inline ContactAtWork contact_at_work(const AtWork& at, const SurfaceContact& con
   const auto first = static_cast<std::size_t>(contact_state(at.c.model, index_of(at, contact)));
   const Eigen::Vector2d slip = along.transpose() * sliding, deflection(at.x[first], at.x[first + 1]);
   work.slip = slip.norm();
-  const double lag = contact.lag.value_or(at.c.model.solver.step);
+  const double lag = *contact.lag;
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
   rub(contact, at.value, slip, deflection, force, work.xd);
   if (work.penetration <= 0) work.xd = -deflection / (4 * (lag > 0 ? lag : kShortestBristleLag));

@@ -2,180 +2,10 @@
 // Ropes and belts. Lengths by angles of tangents; loads are their derivatives by the motions of the bodies, from
 // complex steps; slips of grooves from a general linear solver.
 
-#include <complex>
-#include <limits>
-
-#include "compiler/model/moving.hpp"
-#include "runtime/judges/elements/at_work.hpp"
+#include "compiler/model/rope_places.hpp"
+#include "runtime/judges/elements/rope_in_space.hpp"
 
 namespace mbgen::cartesian {
-
-using Complex = std::complex<double>;
-using Complex3 = Eigen::Matrix<Complex, 3, 1>;
-
-/// Imaginary part of a step: far below rounding, since no difference is taken.
-constexpr double kRopeStep = 1e-40;
-/// rad, see kLargestRopeTurn of the formulation.
-constexpr double kFarRopeTurn = 3;
-
-/// Without conjugation, unlike Eigen's.
-inline Complex product(const Complex3& a, const Complex3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
-inline Complex3 across(const Complex3& a, const Complex3& b) {
-  return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
-}
-inline Complex length_of(const Complex3& a) { return std::sqrt(product(a, a)); }
-
-/// The angle of a point of a plane, with the derivative of its real value.
-inline Complex angle_of(const Complex& y, const Complex& x) {
-  const double square = x.real() * x.real() + y.real() * y.real();
-  return {std::atan2(y.real(), x.real()), (x.real() * y.imag() - y.real() * x.imag()) / square};
-}
-
-/// An angle, less whole turns, near another one; not a number far from it.
-inline Complex near(const Complex& angle, double middle) {
-  const Complex result = angle - 2 * M_PI * std::round((angle.real() - middle) / (2 * M_PI));
-  return std::abs(result.real() - middle) > kFarRopeTurn ? Complex(std::numeric_limits<double>::quiet_NaN()) : result;
-}
-
-/// A station at an instant, moved by an imaginary motion of the bodies.
-struct MovedStation {
-  Complex3 centre, axis, first, second;  ///< two directions across the axis
-  Complex radius, turned;                ///< signed by the rope's sense; rad, of the wheel
-  Complex3 arrives, leaves;              ///< directions at the reference, as the carrier has them
-  Complex in = 0, out = 0;               ///< rad: the rope's direction where it meets and leaves the circle
-  bool is_circle = false;
-
-  Complex angle(const Complex3& direction) const {
-    return angle_of(product(direction, second), product(direction, first));
-  }
-  Complex3 touch(const Complex& at) const { return centre + radius * (std::sin(at) * first - std::cos(at) * second); }
-};
-
-/// Motion of each body: velocity of its centre of mass, and spin.
-using Motions = std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>;
-
-/// A rope in one configuration of the bodies.
-struct RopeInSpace {
-  const AtWork& at;
-  const Rope& rope;
-  const std::vector<Moving>& bodies;
-  bool is_reference = false;
-
-  int index(int model_body) const { return at.c.parts.index_of[static_cast<std::size_t>(model_body)]; }
-
-  std::vector<MovedStation> stations(const Motions& motions) const {
-    std::vector<MovedStation> list;
-    for (const RopeStation& station : rope.path) {
-      MovedStation moved;
-      const Place place = place_of(at.c.parts, station.at, at.value);
-      const auto own = static_cast<std::size_t>(place.body), on = static_cast<std::size_t>(index(station.carrier));
-      const Eigen::Vector3d arm = bodies[own].axes * place.arm;
-      moved.centre = moving(bodies[own].position + arm, motions[own].first + motions[own].second.cross(arm));
-      const auto carried = [&](const Vector3& global) {
-        const Eigen::Vector3d seen(global[0], global[1], global[2]);
-        const Eigen::Vector3d now = bodies[on].axes * at.c.parts.bodies[on].axes.transpose() * seen;
-        return moving(now, motions[on].second.cross(now));
-      };
-      moved.axis = carried(station.axis);
-      moved.arrives = carried(station.arrives);
-      moved.leaves = carried(station.leaves);
-      const Eigen::Vector3d axis = moved.axis.real();
-      int least = 0;
-      axis.cwiseAbs().minCoeff(&least);
-      moved.first = across(moved.axis, Complex3(Eigen::Vector3d::Unit(least).cast<Complex>()));
-      moved.first /= length_of(moved.first);
-      moved.second = across(moved.axis, moved.first);
-      moved.is_circle = station.is_circle();
-      moved.radius = station.kind == RopeStation::Kind::point ? 0.0 : station.sense * at.value(station.radius);
-      if (station.has_wheel() && station.separates())
-        moved.turned = {is_reference ? 0.0 : station.wheel_sense * at.value.position(station.wheel),
-                        kRopeStep * axis.dot(motions[own].second - motions[on].second)};
-      list.push_back(moved);
-    }
-    return list;
-  }
-
-  static Complex3 moving(const Eigen::Vector3d& value, const Eigen::Vector3d& rate) {
-    return value.cast<Complex>() + Complex(0, kRopeStep) * rate.cast<Complex>();
-  }
-};
-
-/// Angle of the rope on a circle whose neighbour lies along `line`, at a distance `offset` from the other tangent.
-inline Complex tangent_angle(const MovedStation& s, const Complex3& line, const Complex& offset) {
-  const Complex3 flat = line - product(line, s.axis) * s.axis;
-  return s.angle(flat) + std::asin(offset / length_of(flat));
-}
-
-inline Complex straight_length(MovedStation& a, MovedStation& b) {
-  const Complex3 line = b.centre - a.centre;
-  const Complex cosine = a.is_circle && b.is_circle ? product(a.axis, b.axis) : 1.0;
-  const Complex ra = a.is_circle ? a.radius : 0.0, rb = b.is_circle ? b.radius : 0.0;
-  if (a.is_circle) a.out = tangent_angle(a, line, ra - cosine * rb);
-  if (b.is_circle) b.in = tangent_angle(b, line, cosine * ra - rb);
-  return length_of((b.is_circle ? b.touch(b.in) : b.centre) - (a.is_circle ? a.touch(a.out) : a.centre));
-}
-
-/// Length over an obstacle; wrap: on it.
-inline Complex length_over(const RopeStation& station, const MovedStation& a, const MovedStation& c,
-                           const MovedStation& b, double& wrap) {
-  const Complex3 p = a.centre - c.centre, q = b.centre - c.centre, line = b.centre - a.centre;
-  const bool is_sphere = station.kind == RopeStation::Kind::sphere;
-  const auto flat = [&](const Complex3& v) { return is_sphere ? v : Complex3(v - product(v, c.axis) * c.axis); };
-  const Complex dp = length_of(flat(p)), dq = length_of(flat(q)),
-                radius = static_cast<double>(station.sense) * c.radius;
-  const Complex free = std::acos(radius / dp) + std::acos(radius / dq);
-  const Complex about =
-      is_sphere ? std::acos(product(p, q) / (dp * dq))
-                : near(static_cast<double>(station.sense) * (c.angle(flat(q)) - c.angle(flat(p))), station.wrap);
-  wrap = std::max(0.0, (about - free).real());
-  if (!(about.real() >= free.real()) && !std::isnan(about.real())) return length_of(line);
-  const Complex wound =
-      dp * std::sin(std::acos(radius / dp)) + dq * std::sin(std::acos(radius / dq)) + radius * (about - free);
-  const Complex height = is_sphere ? 0.0 : product(line, c.axis);
-  return std::sqrt(wound * wound + height * height);
-}
-
-/// Spans of a rope in space, per span; wraps per station.
-struct SpansInSpace {
-  std::vector<Complex> length, reach;
-  std::vector<double> wrap, least;
-  std::vector<double> wraps;
-};
-
-inline SpansInSpace spans_in_space(const RopeInSpace& space, const Motions& motions) {
-  const Rope& rope = space.rope;
-  std::vector<MovedStation> stations = space.stations(motions);
-  const auto count = static_cast<std::size_t>(rope.spans);
-  SpansInSpace spans{std::vector<Complex>(count), std::vector<Complex>(count), std::vector<double>(count),
-                     std::vector<double>(count, HUGE_VAL), std::vector<double>(rope.path.size())};
-  const std::vector<RopeLeg> legs = legs_of(rope);
-  for (const RopeLeg& leg : legs) {
-    const auto g = static_cast<std::size_t>(leg.span);
-    if (leg.over < 0) {
-      spans.length[g] += straight_length(stations[leg.from], stations[leg.to]);
-      continue;
-    }
-    const auto over = static_cast<std::size_t>(leg.over);
-    spans.length[g] +=
-        length_over(rope.path[over], stations[leg.from], stations[over], stations[leg.to], spans.wraps[over]);
-    spans.wrap[g] += spans.wraps[over];
-  }
-  for (const RopeLeg& leg : legs) {
-    const auto g = static_cast<std::size_t>(leg.span);
-    const RopeStation &from = rope.path[leg.from], &to = rope.path[leg.to];
-    const MovedStation &a = stations[leg.from], &b = stations[leg.to];
-    if (from.separates()) spans.reach[g] += a.radius * (near(a.out - a.angle(a.leaves), 0) - a.turned);
-    if (to.separates()) spans.reach[g] -= b.radius * (near(b.in - b.angle(b.arrives), 0) - b.turned);
-    if (to.kind != RopeStation::Kind::pulley) continue;
-    const Complex wrap = near(static_cast<double>(to.sense) * (b.out - b.in), to.wrap);
-    spans.wraps[leg.to] = wrap.real();
-    spans.wrap[g] += wrap.real();
-    spans.least[g] = std::min(spans.least[g], wrap.real());
-    if (!to.separates()) spans.length[g] += static_cast<double>(to.sense) * b.radius * wrap;
-  }
-  for (std::size_t g = 0; g < count; ++g) spans.reach[g] += spans.length[g];
-  return spans;
-}
 
 /// A groove with friction.
 struct GrooveInSpace {
@@ -190,10 +20,9 @@ struct RopeNow {
   std::vector<double> length, lengthens;  ///< free lengths now, m, and their rates without slip
   std::vector<GrooveInSpace> grooves;
   std::vector<double> slip_rates;
+  std::vector<double> holds;  ///< see holds_of
   Motions still;
 };
-
-inline double rope_lag(const AtWork& at, const Rope& rope) { return rope.lag < 0 ? at.c.model.solver.step : rope.lag; }
 
 /// Speeds of slip: the fixed point of each groove's own speed at those of the others, without grooves that would slip
 /// against the larger tension.
@@ -308,6 +137,19 @@ inline std::vector<double> stretch_spans(const AtWork& at, const Rope& rope, con
   return paid;
 }
 
+/// Where the rope has no way, lifts off taut, or is wound up: legs, pulleys, spans; negative or NaN there.
+inline std::vector<double> holds_of(const Rope& rope, const RopeNow& now) {
+  std::vector<double> holds = now.spans.rooms;
+  for (const RopeLeg& leg : legs_of(rope)) {
+    if (rope.path[leg.to].kind != RopeStation::Kind::pulley) continue;
+    const double wrap = now.spans.wraps[leg.to], tension = now.tension[static_cast<std::size_t>(leg.span)];
+    holds.push_back(wrap >= 0 || tension <= 0 ? 0 : -1);
+  }
+  for (std::size_t g = 0; g < now.stretch.size(); ++g)
+    holds.push_back(std::isfinite(now.stretch[g]) && (!rope.ea || now.length[g] >= 0) ? 0 : -1);
+  return holds;
+}
+
 inline RopeNow rope_now(const AtWork& at, const Rope& rope) {
   constexpr double kNot = std::numeric_limits<double>::quiet_NaN();
   Motions motions;
@@ -328,7 +170,7 @@ inline RopeNow rope_now(const AtWork& at, const Rope& rope) {
     now.elastic.push_back(now.stiffness[g] * std::max(now.stretch[g], 0.0));
   }
   if (!now.grooves.empty()) {
-    const Eigen::VectorXd speeds = slip_speeds(now, rope_lag(at, rope), rope.ea.has_value());
+    const Eigen::VectorXd speeds = slip_speeds(now, *rope.lag, rope.ea.has_value());
     for (std::size_t j = 0; j < now.grooves.size(); ++j) {
       now.slip_rates.push_back(speeds[static_cast<Eigen::Index>(j)]);
       now.rate[now.grooves[j].before] += now.slip_rates[j];
@@ -342,14 +184,20 @@ inline RopeNow rope_now(const AtWork& at, const Rope& rope) {
     const double stretched = rope.ea ? std::max(now.stretch[g], 0.0) / now.length[g] * now.lengthens[g] : 0.0;
     const double damped = now.stiffness[g] * at.value(rope.damping) * (now.rate[g] - stretched);
     const double tension = now.elastic[g] + std::clamp(damped, -now.elastic[g], now.elastic[g]);
-    now.tension.push_back(now.spans.least[g] < 0 && tension > 0 ? kNot : tension);
+    now.tension.push_back(tension);
   }
+  now.holds = holds_of(rope, now);
+  for (std::size_t g = 0; g < free.size(); ++g)
+    if (now.spans.least[g] < 0 && now.tension[g] > 0) now.tension[g] = kNot;
   return now;
 }
 
 inline void apply(const AtWork& at, const Rope& rope, Forces& forces) {
   if (rope.path.empty()) return;  // its first span acts
   const RopeNow now = rope_now(at, rope);
+  const std::size_t first = first_rope_place(at.c.model, index_of(at, rope));
+  forces.hold.resize(std::max(forces.hold.size(), first + now.holds.size()));
+  std::ranges::copy(now.holds, forces.hold.begin() + static_cast<std::ptrdiff_t>(first));
   auto rates = forces.xd.begin() + first_slip(at.c.model, index_of(at, rope));
   for (const double rate : now.slip_rates) *rates++ = rate;
   const RopeInSpace space{at, rope, at.bodies};

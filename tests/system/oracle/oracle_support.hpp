@@ -8,19 +8,23 @@
 
 namespace mbgen::testing {
 
-/// The model without what no foreign engine has: tyres, with the outputs that ask for them, and Maxwell branches.
+/// The model without what no foreign engine has: tyres, ropes and contacts, with the outputs that ask for them, and
+/// Maxwell branches.
 inline Model without_tyres(Model model) {
   std::erase_if(model.frictions,
                 [](const JointFriction& f) { return f.has_bristle() || f.normal >= 0 || f.load >= 0; });
   model.spring_frictions.clear();
   model.rod_frictions.clear();
   model.tyres.clear();
+  model.ropes.clear();
+  model.contacts.clear();
   for (Bushing& bushing : model.bushings)
     for (std::optional<BushingFreedom>& own : bushing.freedoms)
       if (own) own->maxwell_stiffness.reset();
   std::erase_if(model.outputs, [](const Output& output) {
     const auto* element = std::get_if<ElementOutput>(&output.source);
-    return element && element->kind == kKindIndex<Tyre>;
+    return element && (element->kind == kKindIndex<Tyre> || element->kind == kKindIndex<Rope> ||
+                       element->kind == kKindIndex<SurfaceContact>);
   });
   return model;
 }

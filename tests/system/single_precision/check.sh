@@ -4,7 +4,7 @@
 # tests/system/determinism/trajectories.sh.
 #   tests/system/single_precision/check.sh [-b MBGEN] [-f FORM] [-n STEPS] [MODEL.json[=MOMENT[,UNITS]]...]
 # default: build/mbgen, the form with fewer operations, 1000 steps of 1 ms; the four-bar, every element with constants that
-# follow from tunable parameters, the parallelogram that passes singular positions, and a disc that rolls
+# follow from tunable parameters, the parallelogram that passes singular positions, a disc that rolls, and a ball on ropes and a floor
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../../..
@@ -21,7 +21,8 @@ shift $((OPTIND - 1))
 # The four-bar's spring pulls with 69 N at 0.3 m. The wheels of all elements carry 5 kN, 1 m from the frame's origin, and its
 # frozen partition is used down to pivots of a tenth. The disc is pressed with 30 N on its rim, 0.3 m from its centre.
 [ $# -gt 0 ] || set -- "$root/models/four_bar.json=20" "$root/tests/data/models/all_elements.json=5e3,80" \
-  "$root/models/iftomm/a02_n_four_bar_2.json" "$root/models/rolling_disc.json=10"
+  "$root/models/iftomm/a02_n_four_bar_2.json" "$root/models/rolling_disc.json=10" \
+  "$root/tests/data/models/hung_ball.json=30"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 flags="-std=c++17 -O1 -fno-math-errno -ffp-contract=off -Wall -Wextra -Wno-psabi -Wdouble-promotion -Werror"
