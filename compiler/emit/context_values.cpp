@@ -70,6 +70,7 @@ FrameValues context_values(const EmitContext& context) {
           {"samples", layout.sampled > 0 ? std::to_string(layout.sampled) : ""},
           {"grounds", layout.grounds > 0 ? std::to_string(layout.grounds) : ""},
           {"ground_inputs", array_text("  static constexpr int kFirstInput", ground_inputs(context.model), "0")},
+          {"actuators", layout.actuators > 0 ? std::to_string(layout.actuators) : ""},
           {"held_count", layout.held},
           {"first_held", layout.auxiliary_states - layout.held},
           {"period_table", array_text("  static constexpr double kPeriods", period_items(context.model), "0")},

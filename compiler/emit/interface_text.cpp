@@ -35,7 +35,12 @@ FrameRows tables(const EmitContext& context) {
       {"kParameterNames", names_of(parameters)},
       {"kParameterUnits", mapped(parameters, &Parameter::unit)},
       {"kLoopBlockNames", mapped(context.topology.blocks, block_name)}};
-  return mapped(all, [](const auto& named) {
+  std::vector<std::pair<const char*, std::vector<std::string>>> wanted(std::begin(all), std::end(all));
+  if (context.layout.actuators > 0) {
+    wanted.emplace_back("kActuatorNames", names_of(model.actuators));
+    wanted.emplace_back("kActuatorDirections", actuated_directions(model, context.topology, context.analysis));
+  }
+  return mapped(wanted, [](const auto& named) {
     std::vector<std::string> literals = mapped(named.second, string_literal);
     if (literals.empty()) literals.push_back("\"\"");
     return FrameValues{{"table", named.first}, {"texts", wrapped_list(literals, 4)}};
@@ -75,6 +80,7 @@ std::string interface_text(const EmitContext& context) {
                         {"outputs", enumeration("Output", names.outputs)},
                         {"parameters", enumeration("Parameter", names.parameters)},
                         {"loop_blocks", enumeration("LoopBlock", names.loop_blocks)},
+                        {"actuator_list", enumeration("Actuator", names.actuators)},
                         {"tables", tables(context)},
                         {"parameter_members", default_rows(parameter_members(context))},
                         {"input_members", default_rows(input_members(context))},

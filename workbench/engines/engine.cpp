@@ -62,6 +62,8 @@ std::vector<std::string> names_of(const Compilation& compilation, Subject subjec
       return names;
     case Subject::auxiliary_state:
       return auxiliary_state_names(model);
+    case Subject::free_direction:
+      return actuated_directions(model, topology, compilation.analysis);
   }
   return names;
 }

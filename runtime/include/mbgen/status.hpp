@@ -20,6 +20,7 @@ enum class Code : int {
   sample_inside_step,      ///< a sampled value may be due within a step; index: auxiliary state
   implicit_singular,       ///< the equations of an implicit step do not determine a free direction; index: coordinate
   implicit_state_grows,    ///< a state of the user's own, by itself, within an implicit step; index: auxiliary state
+  actuators_singular,      ///< actuators hardly move a free direction at this position; index: direction
   chosen_again,            ///< the pivoting LU served a loop block with another choice of coordinates; index: block
   near_singular,           ///< a loop block came near a singular position; index: block
   singular_met,            ///< a loop block met a singular position, and passed it; index: block
@@ -67,6 +68,8 @@ constexpr const char* text(Code code) noexcept {
       return "implicit equations singular";
     case Code::implicit_state_grows:
       return "state grows too fast for an implicit step";
+    case Code::actuators_singular:
+      return "actuators near a singular position";
     case Code::chosen_again:
       return "coordinates chosen again";
     case Code::near_singular:
@@ -80,7 +83,7 @@ constexpr const char* text(Code code) noexcept {
 }
 
 /// Kind of object that the index of a code counts.
-enum class Subject { coordinate, loop_block, input, parameter, auxiliary_state };
+enum class Subject { coordinate, loop_block, input, parameter, auxiliary_state, free_direction };
 
 constexpr Subject subject_of(Code code) noexcept {
   switch (code) {
@@ -98,6 +101,8 @@ constexpr Subject subject_of(Code code) noexcept {
     case Code::sample_inside_step:
     case Code::implicit_state_grows:
       return Subject::auxiliary_state;
+    case Code::actuators_singular:
+      return Subject::free_direction;
     default:
       return Subject::coordinate;
   }
@@ -109,10 +114,10 @@ struct Names {
   int count;
 };
 
-/// Name of the object of a status, "" for none.
+/// Name of the object of a status, "" for none and for a free direction, which a solver with actuators names itself.
 constexpr const char* name_of(Status status, Names coordinates, Names loop_blocks, Names inputs, Names parameters,
                               Names auxiliary_states) noexcept {
-  const Names tables[] = {coordinates, loop_blocks, inputs, parameters, auxiliary_states};
+  const Names tables[] = {coordinates, loop_blocks, inputs, parameters, auxiliary_states, {nullptr, 0}};
   const Names table = tables[static_cast<int>(subject_of(status.code))];
   return status.index < 0 || status.index >= table.count ? "" : table.names[status.index];
 }
