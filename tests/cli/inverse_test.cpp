@@ -112,6 +112,101 @@ TEST_F(Inverse, TellsWhatIsMissing) {
   EXPECT_NE(mbgen("check wheel.json").err.find("inverse dynamics has no solution"), std::string::npos);
 }
 
+/// Runs an ankle through its workspace; exit status 0 where all holds.
+constexpr const char* kAnkle = R"(#include <cmath>
+#include <cstdio>
+
+#include "parallel_ankle.hpp"
+using namespace parallel_ankle;
+
+/// Crank angle by the intersection of the pin's circle with the sphere about the heel, near `last`.
+static double crank(double y, double pitch, double roll, double last) {
+  const double r = 0.045, h = 0.22, heel[3] = {-0.055, y, 0.01};
+  // The heel turned by roll about x, then by pitch about y.
+  const double ry = std::cos(roll) * heel[1] - std::sin(roll) * heel[2];
+  const double rz = std::sin(roll) * heel[1] + std::cos(roll) * heel[2];
+  const double px = std::cos(pitch) * heel[0] + std::sin(pitch) * rz;
+  const double pz = -std::sin(pitch) * heel[0] + std::cos(pitch) * rz;
+  const double length2 = (r - 0.055) * (r - 0.055) + (h - 0.01) * (h - 0.01);
+  const double a = 2 * r * px, b = 2 * r * (h - pz);
+  const double c = length2 - (r * r + px * px + (h - pz) * (h - pz) + (y - ry) * (y - ry));
+  const double at = std::atan2(b, a), off = std::acos(c / std::hypot(a, b));
+  double best = 10;
+  for (int turn = -1; turn <= 1; ++turn)
+    for (const double q : {at + off, at - off})
+      if (std::abs(q + turn * 2 * M_PI - last) < std::abs(best - last)) best = q + turn * 2 * M_PI;
+  return best;
+}
+
+int main() {
+  const Inputs inputs;
+  const Parameters parameters;
+  State state{};
+  if (!assemble(parameters, inputs, state).ok()) return 2;
+  double worst = 0, q[kActuators] = {};
+  // A spiral through the workspace: half a radian of pitch, a quarter of roll.
+  for (int i = 0; i <= 4000; ++i) {
+    const double share = i / 4000.0, pitch = 0.5 * share * std::sin(0.02 * i), roll = 0.25 * share * std::cos(0.02 * i);
+    q[0] = crank(0.045, pitch, roll, q[0]);
+    q[1] = crank(-0.045, pitch, roll, q[1]);
+    const double still[kActuators] = {};
+    if (!complete_joints(parameters, inputs, q, still, state).ok()) return 3;
+    worst = std::fmax(worst, std::abs(state.z[Coordinate::ankle_ry] - pitch));
+    worst = std::fmax(worst, std::abs(state.z[Coordinate::ankle_rx] - roll));
+  }
+  std::printf("position %.3g\n", worst);
+  if (!(worst < 1e-12)) return 4;
+  // Rates and accelerations at the end, by differences of positions.
+  const double speed[kActuators] = {2, -3}, acceleration[kActuators] = {5, 7};
+  const double h = 1e-4;
+  State moved[3];
+  for (int k = 0; k < 3; ++k) {
+    const double t = (k - 1) * h;
+    double at[kActuators], rate[kActuators];
+    for (int i = 0; i < kActuators; ++i) {
+      at[i] = q[i] + t * (speed[i] + t / 2 * acceleration[i]);
+      rate[i] = speed[i] + t * acceleration[i];
+    }
+    moved[k] = state;
+    if (!complete_joints(parameters, inputs, at, rate, moved[k]).ok()) return 5;
+  }
+  Derivative derivative{};
+  if (!complete_accelerations(parameters, inputs, moved[1], acceleration, derivative).ok()) return 6;
+  double jacobian[kCoordinates][kActuators];
+  if (!actuator_jacobian(parameters, inputs, moved[1], jacobian).ok()) return 7;
+  for (int c = 0; c < kCoordinates; ++c) {
+    const double rate = (moved[2].z[c] - moved[0].z[c]) / (2 * h), zd = moved[1].zd[c];
+    const double change = (moved[2].zd[c] - moved[0].zd[c]) / (2 * h), zdd = derivative.zdd[c];
+    const double by_jacobian = jacobian[c][0] * speed[0] + jacobian[c][1] * speed[1];
+    if (!(std::abs(rate - zd) < 1e-6 && std::abs(change - zdd) < 1e-5 && std::abs(by_jacobian - zd) < 1e-12)) {
+      std::printf("coordinate %d: %g %g, %g %g, %g\n", c, rate, zd, change, zdd, by_jacobian);
+      return 8;
+    }
+  }
+  // Beyond its reach the ankle does not close; its pose stays.
+  const double far[kActuators] = {3, 3}, still[kActuators] = {};
+  const State before = state;
+  if (complete_joints(parameters, inputs, far, still, state).ok()) return 9;
+  for (int c = 0; c < kCoordinates; ++c)
+    if (state.z[c] != before.z[c]) return 10;
+  return 0;
+}
+)";
+
+TEST_F(Inverse, PosesOfAnAnkleFollowFromItsMotors) {
+  std::ifstream file(kSource + "/models/robots/parallel_ankle.json");
+  std::string model((std::istreambuf_iterator<char>(file)), {});
+  const std::string step = "\"step\": 1e-3";
+  model.replace(model.find(step), step.size(), step + ", \"closure_tolerance\": 1e-15");
+  write("parallel_ankle.json", model);
+  ASSERT_EQ(mbgen("generate parallel_ankle.json --out made").exit_code, 0);
+  write("main.cpp", kAnkle);
+  const Outcome compiled = shell("c++ -std=c++17 -O1 -Imade main.cpp made/parallel_ankle.cpp -o main");
+  ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
+  const Outcome run = shell("./main");
+  EXPECT_EQ(run.exit_code, 0) << run.out;
+}
+
 class WholeInverse : public Inverse {};
 
 /// Long: solvers of every set, and lanes.
