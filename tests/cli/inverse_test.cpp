@@ -100,7 +100,7 @@ TEST_F(Inverse, TellsWhatIsMissing) {
   std::string text = kFourBar;
   text.insert(text.find("\"initial\""), "\"actuators\": { \"drive\": { \"joint\": \"rocker_pin\" } },\n  ");
   write("driven.json", text);
-  refused("driven.json", "the accelerations that \"zdd\" gives leave others open");
+  refused("driven.json", "the given accelerations leave others open");
   text.insert(text.find("\"tip\""),
               "\"wheel\": { \"type\": \"revolute\", \"from\": \"crank.B\", \"to\": \"wheel.B\" },\n  ");
   text.insert(text.find("\"coupler\""),
@@ -205,6 +205,63 @@ TEST_F(Inverse, PosesOfAnAnkleFollowFromItsMotors) {
   ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
   const Outcome run = shell("./main");
   EXPECT_EQ(run.exit_code, 0) << run.out;
+}
+
+/// A path of the ankle's pitch and roll, from rest in both: half a second in 5 ms.
+std::string path_of_ankle() {
+  std::string text = "t [s],ankle_ry [rad],ankle_rx\n";
+  for (int i = 0; i <= 100; ++i) {
+    const double t = 0.005 * i, share = 1 - std::cos(8 * t);
+    text += fmt::format("{},{},{}\n", t, 0.1 * share, -0.06 * share * share);
+  }
+  return text;
+}
+
+TEST_F(Inverse, ForcesAlongAPathMoveTheModelAlongIt) {
+  const std::string ankle = kSource + "/models/robots/parallel_ankle.json";
+  write("path.csv", path_of_ankle());
+  const Outcome run =
+      mbgen("simulate '" + ankle + "' --inverse --path path.csv --step 1e-3 --engine generic --out forces.csv");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("ankle_b.power [W]"), std::string::npos) << run.out;
+  const Table forces = table("forces.csv");
+  ASSERT_EQ(forces.rows.size(), 501u);
+  std::string inputs = "t,ankle_a,ankle_b\n";
+  for (std::size_t row = 0; row < forces.rows.size(); ++row) {
+    const double force = forces.at(row, "actuator.ankle_a.force [N m]");
+    inputs += fmt::format("{},{},{}\n", forces.at(row, "t [s]"), force, forces.at(row, "actuator.ankle_b.force [N m]"));
+    EXPECT_NEAR(forces.at(row, "actuator.ankle_a.power [W]"), force * forces.at(row, "actuator.ankle_a.speed [rad/s]"),
+                1e-12);
+  }
+  write("forces_in.csv", inputs);
+  const Outcome forward = mbgen("simulate '" + ankle +
+                                "' --engine generic --duration 0.5 --step 1e-3 --input-table forces_in.csv "
+                                "--interpolation spline --out motion.csv");
+  ASSERT_EQ(forward.exit_code, 0) << forward.err;
+  const Table motion = table("motion.csv");
+  // Curves between the rows of the path, and between those of the forces.
+  EXPECT_NEAR(motion.last("pitch [rad]"), forces.last("ankle_ry [rad]"), 1e-5);
+  EXPECT_NEAR(motion.last("roll [rad]"), forces.last("ankle_rx [rad]"), 1e-5);
+}
+
+TEST_F(Inverse, RefusesPathsThatAreNone) {
+  const auto refused = [&](const std::string& path, const std::string& options, const std::string& text) {
+    write("path.csv", path);
+    const Outcome run =
+        mbgen("simulate '" + kSource + "/models/robots/parallel_ankle.json' --engine generic --out f.csv " + options);
+    EXPECT_EQ(run.exit_code, 1) << text;
+    EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(this->path("f.csv")));
+  };
+  const std::string rows = "\n0,0\n1,0.1\n2,0.2\n";
+  refused("t,ankle_r" + rows, "--inverse --path path.csv", "the model has no coordinate \"ankle_r\"");
+  refused("t,ankle_rx [m]" + rows, "--inverse --path path.csv", "column \"ankle_rx\" is in m, the coordinate in rad");
+  refused("t,ankle_rx" + rows, "--inverse --path path.csv", "leave others open");
+  refused("t,ankle_rx\n0,0\n1,1\n", "--inverse --path path.csv", "a path has at least 3 rows, found 2");
+  refused("t,motor_a,motor_b\n0,0,0\n1,2,2\n2,4,4\n", "--inverse --path path.csv", "loop singular");
+  refused("t", "--inverse", "--path TABLE is required");
+  refused("t", "--path path.csv", "--path is of --inverse");
+  refused("t", "--inverse --path path.csv --every 2", "--every is of a motion");
 }
 
 class WholeInverse : public Inverse {};

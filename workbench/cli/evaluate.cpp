@@ -9,6 +9,7 @@
 
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
+#include "workbench/cli/inverse_path.hpp"
 #include "workbench/cli/options.hpp"
 #include "workbench/engines/engine_arguments.hpp"
 #include "workbench/engines/kept_decisions.hpp"
@@ -112,17 +113,6 @@ Json inverse_of_state(const Engine& engine, const Compilation& compilation, cons
   return result;
 }
 
-/// Fails: UserError for a model without inverse dynamics.
-void require_inverse_dynamics(const Compilation& compilation) {
-  if (compilation.model.actuators.empty())
-    throw UserError(
-        fmt::format("{}: evaluate --inverse: the model has no actuators\n"
-                    "  hint: \"actuators\": {{ \"motor\": {{ \"joint\": \"...\" }} }}\n",
-                    compilation.model.file));
-  Diagnostics problems = unactuated_directions(compilation.model, compilation.topology, compilation.analysis);
-  if (!problems.empty()) expect(Result<int>(std::move(problems)));
-}
-
 int run(const EvaluateOptions& options) {
   if (options.inverse && options.reactions)
     throw UserError("evaluate: --inverse prints no reactions: leave out --inverse or --reactions\n");
@@ -131,7 +121,7 @@ int run(const EvaluateOptions& options) {
   EngineChoice choice = chosen_engine(options.engine);
   choice.form = chosen_form(options.form);
   const Compilation compilation = expect(decide_for(std::move(model), choice));
-  if (options.inverse) require_inverse_dynamics(compilation);
+  if (options.inverse) require_inverse_dynamics(compilation, "evaluate");
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   const StatesFile file = read_states(options.states, compilation, inputs);
   Engine engine = make_engine(compilation, choice);

@@ -18,7 +18,7 @@ constexpr double kOpen = 1e-9;
   std::vector<std::string> names;
   for (const int i : free) names.push_back(compilation.topology.bodies[static_cast<std::size_t>(i)].coordinate);
   throw UserError(
-      fmt::format("the accelerations that \"zdd\" gives leave others open\n"
+      fmt::format("the given accelerations leave others open\n"
                   "  hint: give those of as many coordinates as determine the motion, for example {}\n",
                   fmt::join(names, ", ")));
 }
