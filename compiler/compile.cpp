@@ -165,7 +165,7 @@ std::vector<EmittedFile> emit_for_loading(const Compilation& c, bool clocked, in
   std::vector<EmittedFile> files =
       emit(c.emitted, model, c.topology, c.analysis, {.lanes = lanes, .spelling = c.spelling});
   files.push_back(clocked ? emit_clocked_driver(c.emitted, model, c.topology, c.analysis, lanes)
-                          : emit_driver(model, lanes));
+                          : emit_driver(model, lanes, has_inverse_dynamics(model, c.topology, c.analysis)));
   return files;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 
+#include "compiler/analysis/actuation.hpp"
 #include "compiler/analysis/block_structure.hpp"
 #include "compiler/analysis/branch.hpp"
 #include "compiler/analysis/certificate.hpp"
@@ -373,6 +374,7 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
                                "give a body above this joint mass and inertia, or drive or remove the joint"));
   }
   if (!problems.empty()) return problems;
+  set_actuation(numbers, configurations, free_coordinates(topology, analysis), analysis);
   return analysis;
 }
 

@@ -2,6 +2,7 @@
 // The door of the analysis room: decisions that need numbers, offline, over many closed configurations.
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "compiler/analysis/findings.hpp"
@@ -32,6 +33,16 @@ inline bool chooses_again(const Topology& topology) {
 
 /// Which coordinate names which free direction: the independent, undriven coordinates, group by group.
 std::vector<int> free_coordinates(const Topology& topology, const Analysis& analysis);
+
+/// Whether the actuators of a model move all of its free directions, so that inverse dynamics has a solution.
+bool has_inverse_dynamics(const Model& model, const Topology& topology, const Analysis& analysis);
+
+/// One diagnostic at the first actuator with the free directions that no actuator moves, none for a model without
+/// actuators or with inverse dynamics.
+Diagnostics unactuated_directions(const Model& model, const Topology& topology, const Analysis& analysis);
+
+/// Per free direction: the actuator that moves it, and the coordinate that names it. Requires: has_inverse_dynamics.
+std::vector<std::string> actuated_directions(const Model& model, const Topology& topology, const Analysis& analysis);
 
 /// Decides rank, redundant equations, dependent coordinates and elimination order of each loop block.
 /// Fails: a loop that cannot be closed near the reference, redundant equations that contradict (residual and joint

@@ -149,8 +149,10 @@ void each_field(Bytes& bytes, Of<Bytes, BlockAnalysis>& value) {
 
 template <class Bytes>
 void each_field(Bytes& bytes, Of<Bytes, Analysis>& value) {
-  auto& [closed, independent, ranks, freedoms, position_freedoms, blocks, driven, motion_of] = value;
-  take_all(bytes, closed, independent, ranks, freedoms, position_freedoms, blocks, driven, motion_of);
+  auto& [closed, independent, ranks, freedoms, position_freedoms, blocks, driven, motion_of, actuation, unactuated] =
+      value;
+  take_all(bytes, closed, independent, ranks, freedoms, position_freedoms, blocks, driven, motion_of, actuation,
+           unactuated);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "compiler/algebra/dense.hpp"
+#include "compiler/analysis/actuation.hpp"
+#include "compiler/analysis/analysis.hpp"
 #include "compiler/analysis/configuration.hpp"
 #include "compiler/analysis/large_block.hpp"
 #include "compiler/analysis/partition.hpp"
@@ -78,6 +80,7 @@ std::optional<Analysis> chosen_at(const Model& model, const Topology& topology, 
     block.first_alike = static_cast<int>(b);
   }
   set_quasi_partitions(numbers, here, result);
+  set_actuation(numbers, here, free_coordinates(topology, result), result);
   return result;
 }
 

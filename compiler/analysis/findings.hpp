@@ -97,6 +97,10 @@ struct Analysis {
   std::vector<BlockAnalysis> blocks;  ///< one per Topology::blocks
   std::vector<bool> driven;           ///< per tree coordinate
   std::vector<int> motion_of;         ///< per tree coordinate: index into Model::motions or -1
+  /// Pivots of Rz' B: equations are free directions (free_coordinates), coordinates actuators. Its independent columns
+  /// are actuators beyond the ones that move every direction.
+  LoopPartition actuation;
+  std::vector<int> unactuated;  ///< tree coordinates that name free directions which no actuator moves alone
 };
 
 }  // namespace mbgen

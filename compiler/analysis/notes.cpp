@@ -142,6 +142,7 @@ Diagnostics analysis_notes(const Model& model, const Topology& topology, const A
   }
   add_kept_partition(model, topology, notes);
   add_shared_loads(model, topology, analysis, notes);
+  for (Diagnostic& note : unactuated_directions(model, topology, analysis)) notes.push_back(std::move(note));
   return notes;
 }
 

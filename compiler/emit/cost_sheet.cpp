@@ -86,6 +86,10 @@ CostJson calls_json(const EmitContext& context, const CostJson& programs) {
   add_step("step_rk4", kRk4Calls, kRk4Evaluations);
   add("step_abm4", "starting", kAbm4Calls.starting, Hardness::regular);
   add_step("step_abm4", kAbm4Calls, kAbm4Evaluations);
+  if (context.layout.actuators > 0) {
+    calls.push_back(call_json(context, programs, "inverse_dynamics", "regular", {}, Hardness::regular));
+    calls.back()["operations"] = operations_of(programs, "inverse_dynamics");
+  }
   if (context.model.solver.is_implicit()) add_step("step_rosenbrock", kRosenbrockCalls, kRosenbrockEvaluations);
   return calls;
 }

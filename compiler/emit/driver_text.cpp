@@ -19,8 +19,9 @@ FrameRows numbered_rows(const std::vector<std::string>& names) {
   return rows;
 }
 
-/// clocked: the program that receives the end of each step, "" for a driver without. laws: whether it has shared laws.
-EmittedFile driver(const Model& model, int lanes, const std::string& clocked, bool laws) {
+/// clocked: the program that receives the end of each step, "" for a driver without. laws: whether it has shared laws;
+/// inverse: whether the solver has inverse dynamics.
+EmittedFile driver(const Model& model, int lanes, const std::string& clocked, bool laws, bool inverse) {
   const SolverNames names = model_names(model);
   const std::vector<double> parameters = mapped(tunable_parameters(model), &Parameter::value);
   const std::vector<double> inputs = mapped(model.inputs, &Input::default_value);
@@ -39,19 +40,23 @@ EmittedFile driver(const Model& model, int lanes, const std::string& clocked, bo
                          {"lanes", lanes > 0 ? std::to_string(lanes) : ""},
                          {"is_implicit", model.solver.is_implicit()},
                          {"laws", laws},
+                         {"inverse", inverse},
                          {"clocked", clocked}})};
 }
 
 }  // namespace
 
-EmittedFile emit_driver(const Model& model, int lanes) { return driver(model, lanes, "", false); }
+EmittedFile emit_driver(const Model& model, int lanes, bool inverse) {
+  return driver(model, lanes, "", false, inverse);
+}
 
 EmittedFile emit_clocked_driver(const WrittenPrograms& programs, const Model& model, const Topology& topology,
                                 const Analysis& analysis, int lanes) {
   const EmitContext context(programs, model, topology, analysis, {});
   const ShapedProgram clocked = clocked_accelerations(context);
   const std::string laws = law_texts(context, clocked.shape.scalar, nullptr);
-  return driver(model, lanes, laws + program_text(*clocked.program, clocked.schedule, clocked.shape), !laws.empty());
+  return driver(model, lanes, laws + program_text(*clocked.program, clocked.schedule, clocked.shape), !laws.empty(),
+                context.layout.actuators > 0);
 }
 
 }  // namespace mbgen

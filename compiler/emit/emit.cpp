@@ -90,7 +90,8 @@ std::vector<EmittedFile> emit(const WrittenPrograms& programs, const Model& mode
   }
   if (options.runtime_headers) {
     add_runtime_headers(files);
-    if (options.scalar == Scalar::doubles) add_included_headers(emit_driver(model, options.lanes).text, files);
+    if (options.scalar == Scalar::doubles)
+      add_included_headers(emit_driver(model, options.lanes, context.layout.actuators > 0).text, files);
   }
   files.push_back({name + ".json", manifest_text(manifest)});
   return files;

@@ -22,8 +22,8 @@ std::vector<EmittedFile> emit(const WrittenPrograms& programs, const Model& mode
                               const Analysis& analysis, const EmitOptions& options = {});
 
 /// `<model>_driver.cpp`: the table of mbgen/driver.hpp over plain arrays, for programs that load the compiled solver.
-/// lanes: of the solver.
-EmittedFile emit_driver(const Model& model, int lanes = 0);
+/// lanes: of the solver. inverse: whether it has inverse dynamics.
+EmittedFile emit_driver(const Model& model, int lanes = 0, bool inverse = false);
 
 /// The same with step_ticks: it holds the program of accelerations a second time, divided at its steps. Requires: as
 /// emit.

@@ -37,6 +37,10 @@ FrameRows tables(const EmitContext& context) {
       {"kParameterUnits", mapped(parameters, &Parameter::unit)},
       {"kLoopBlockNames", mapped(context.topology.blocks, block_name)}};
   if (context.layout.rope_places > 0) all.emplace_back("kRopePlaceNames", rope_place_names(model));
+  if (context.layout.actuators > 0) {
+    all.emplace_back("kActuatorNames", names_of(model.actuators));
+    all.emplace_back("kActuatorDirections", actuated_directions(model, context.topology, context.analysis));
+  }
   return mapped(all, [](const auto& named) {
     std::vector<std::string> literals = mapped(named.second, string_literal);
     if (literals.empty()) literals.push_back("\"\"");
@@ -77,6 +81,7 @@ std::string interface_text(const EmitContext& context) {
                         {"outputs", enumeration("Output", names.outputs)},
                         {"parameters", enumeration("Parameter", names.parameters)},
                         {"loop_blocks", enumeration("LoopBlock", names.loop_blocks)},
+                        {"actuator_list", enumeration("Actuator", names.actuators)},
                         {"tables", tables(context)},
                         {"parameter_members", default_rows(parameter_members(context))},
                         {"input_members", default_rows(input_members(context))},

@@ -93,6 +93,7 @@ Json manifest_json(const EmitContext& context, const std::vector<ShapedProgram>&
                    {"loop_blocks", blocks_json(context)},
                    {"programs", programs},
                    {"worst_case", worst_case}};
+  if (context.layout.actuators > 0) manifest["actuators"] = names.actuators;
   if (context.options.scalar != Scalar::doubles) manifest["scalar"] = name_of(context.options.scalar);
   return manifest;
 }

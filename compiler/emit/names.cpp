@@ -69,6 +69,7 @@ SolverNames model_names(const Model& model) {
   names.bodies = identifiers(names_of(model.bodies));
   names.inputs = identifiers(names_of(model.inputs));
   names.parameters = identifiers(names_of(tunable_parameters(model)), {"derived"});
+  names.actuators = identifiers(names_of(model.actuators));
   names.outputs = identifiers(names_of(model.outputs), {std::begin(kEnergyMembers), std::end(kEnergyMembers)});
   return names;
 }

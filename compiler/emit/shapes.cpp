@@ -25,6 +25,8 @@ constexpr std::pair<Array, const char*> kMembers[] = {
     {Array::place, "x and y below each wheel on ground of the host"},
     {Array::lambda, "multipliers, loop after loop"},
     {Array::drive, "generalised driving forces"},
+    {Array::force, "of each actuator"},
+    {Array::actuation, "pivots of the actuators over their references"},
     {Array::residual, "of every closure equation, block after block, then of every motion"},
     {Array::pivot, "smallest pivot of each block over its reference"},
     {Array::inertia, "pivots of the final equations"},
@@ -50,7 +52,9 @@ Texts around(const std::string& before, const std::vector<std::string>& names, c
 /// Value of an output that the program does not give. A block of rank zero has no pivot to monitor.
 std::string missing_value(Array array) {
   if (array == Array::driven_acceleration) return "";
-  return array == Array::pivot || array == Array::inertia || array == Array::state_pivot ? "1.0" : "0.0";
+  return array == Array::pivot || array == Array::inertia || array == Array::state_pivot || array == Array::actuation
+             ? "1.0"
+             : "0.0";
 }
 
 /// Size of an array, including arrays whose size depends on the programs.
@@ -116,13 +120,16 @@ constexpr ShapeRow kShapes[] = {
     {Role::outputs, "outputs", "Outputs", "Outputs, energies and power, at given accelerations."},
     {Role::sampled, "sampled_values", "SampledValues",
      "Values that hold between instants, after the values that are due."},
-    {Role::ground_places, "ground_places", "GroundPlaces", "Places below the wheels on ground of the host."}};
+    {Role::ground_places, "ground_places", "GroundPlaces", "Places below the wheels on ground of the host."},
+    {Role::inverse_dynamics, "inverse_dynamics", "InverseDynamics",
+     "Forces of the actuators for given accelerations of the independent coordinates."}};
 
 /// Whether a solver has the program: programs of closures are left out if there is nothing to close.
 bool is_written(Role role, const EmitContext& context) {
   const SolverLayout& layout = context.layout;
   if (role == Role::derived_constants) return derived_constant_count(context.programs) > 0;
-  if (role == Role::tangents || role == Role::changes) return !program_of(context.programs, role).outputs.empty();
+  if (role == Role::tangents || role == Role::changes || role == Role::inverse_dynamics)
+    return !program_of(context.programs, role).outputs.empty();
   if (role == Role::closure || role == Role::multipliers) return layout.has_closure;
   if (role == Role::sampled) return layout.sampled > 0;
   if (role == Role::ground_places) return layout.grounds > 0;

@@ -17,7 +17,7 @@ namespace {
 
 bool runs_rarely(Role role) {
   return role == Role::multipliers || role == Role::closure_terms || role == Role::accelerations_chosen ||
-         role == Role::outputs;
+         role == Role::outputs || role == Role::inverse_dynamics;
 }
 
 /// Assigns rarely used programs to the parts 1, 2, ... of the file, each with at least so many values; the rest of the

@@ -61,6 +61,17 @@ std::vector<int> drive_coordinates(const EmitContext& context) {
                 [&](const Motion& motion) { return tree_coordinate(context.topology, motion.joint); });
 }
 
+std::vector<int> actuated_coordinates(const EmitContext& context) {
+  return mapped(context.model.actuators, [&](const Actuator& actuator) {
+    return actuator.joint ? tree_coordinate(context.topology, *actuator.joint) : -1;
+  });
+}
+
+std::vector<std::string> gear_items(const EmitContext& context) {
+  return mapped(context.model.actuators,
+                [&](const Actuator& actuator) { return number_text(actuator.gear.value, context.options.scalar); });
+}
+
 /// Place of each parameter or input in its struct, for messages on values that are not finite.
 std::string member_table(Scalar scalar, const std::string& structure, const std::string& name, const Items& members) {
   return table(name_of(scalar), structure + "::*" + name, member_places(structure, members), "nullptr");
@@ -168,6 +179,8 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
            table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}")},
           {"parameter_members", member_table(scalar, "Parameters", "kParameterMember", names.parameters)},
           {"input_members", member_table(scalar, "Inputs", "kInputMember", names.inputs)},
+          {"actuated_coordinate", table("int", "kActuatedCoordinate", items_of(actuated_coordinates(context)))},
+          {"gear", table(name_of(context.options.scalar), "kGear", gear_items(context))},
           {"driven", table("unsigned char", "kDriven", items_of(context.analysis.driven))},
           {"redundant", table("unsigned char", "kRedundant", items_of(redundant))},
           {"late_equation", table("unsigned char", "kLateEquation", items_of(late))},

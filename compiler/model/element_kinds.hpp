@@ -5,6 +5,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "compiler/model/elements/actuator.hpp"
 #include "compiler/model/elements/air_spring.hpp"
 #include "compiler/model/elements/applied_force.hpp"
 #include "compiler/model/elements/bump_stop.hpp"
@@ -36,7 +37,7 @@ struct Kinds {
 };
 
 using ElementKinds = Kinds<PointSpring, AirSpring, JointSpring, JointFriction, SpringFriction, RodFriction, JointForce,
-                           AppliedForce, Tyre, Bushing, BumpStop, Rope, SurfaceContact>;
+                           AppliedForce, Tyre, Bushing, BumpStop, Rope, SurfaceContact, Actuator>;
 
 /// Index of a kind in the list.
 template <class Element>

@@ -106,6 +106,7 @@ struct Model {
   std::vector<BumpStop> bump_stops;
   std::vector<Rope> ropes;
   std::vector<SurfaceContact> contacts;
+  std::vector<Actuator> actuators;
   std::vector<AppliedForce> forces;
   std::vector<JointForce> joint_forces;
   std::vector<Road> roads;

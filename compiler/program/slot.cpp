@@ -5,12 +5,46 @@
 namespace mbgen {
 
 const char* name_of(Array array) {
-  constexpr const char* kNames[] = {
-      "Jz",           "Phi",        "Rz",      "c",           "charts", "derived", "drive",   "driven_acceleration",
-      "due",          "dz",         "energy",  "held",        "hold",   "in",      "inertia", "lambda",
-      "law_argument", "law_result", "missing", "par",         "pivot",  "place",   "power",   "rate",
-      "residual",     "seed",       "step",    "state_pivot", "t",      "tangent", "tau",     "x",
-      "xd",           "y",          "z",       "zd",          "zdd",    "zdd_star"};
+  constexpr const char* kNames[] = {"Jz",
+                                    "Phi",
+                                    "Rz",
+                                    "actuation",
+                                    "c",
+                                    "charts",
+                                    "derived",
+                                    "drive",
+                                    "driven_acceleration",
+                                    "due",
+                                    "dz",
+                                    "energy",
+                                    "force",
+                                    "held",
+                                    "hold",
+                                    "in",
+                                    "inertia",
+                                    "lambda",
+                                    "law_argument",
+                                    "law_result",
+                                    "missing",
+                                    "par",
+                                    "pivot",
+                                    "place",
+                                    "power",
+                                    "rate",
+                                    "residual",
+                                    "seed",
+                                    "step",
+                                    "state_pivot",
+                                    "t",
+                                    "tangent",
+                                    "tau",
+                                    "x",
+                                    "xd",
+                                    "y",
+                                    "z",
+                                    "zd",
+                                    "zdd",
+                                    "zdd_star"};
   static_assert(std::size(kNames) == static_cast<std::size_t>(Array::zdd_star) + 1);
   return kNames[static_cast<std::size_t>(array)];
 }

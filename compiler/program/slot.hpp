@@ -11,6 +11,7 @@ enum class Array : std::uint8_t {
   Jz,                   ///< Jacobian of a loop block, row by row
   Phi,                  ///< residuals of a block
   Rz,                   ///< projection of a block, row by row
+  actuation,            ///< pivots of the actuators over their references, one a free direction
   c,                    ///< right-hand side of a block's accelerations: Phi_z zdd = c
   charts,               ///< of balls, 0 or 1: mbgen/charts.hpp
   derived,              ///< constants that follow from tunable parameters
@@ -19,6 +20,7 @@ enum class Array : std::uint8_t {
   due,                  ///< of sampled values, 1 where its instant is now, else 0
   dz,                   ///< Newton correction of the positions
   energy,               ///< kinetic, potential
+  force,                ///< of actuators
   held,                 ///< auxiliary states that hold between instants
   hold,                 ///< of places of ropes: negative, or NaN, where a taut rope lifts off or has no way
   in,                   ///< inputs of the model

@@ -13,7 +13,7 @@
 namespace mbgen::reading {
 
 /// In the order of Quantities.
-inline constexpr std::array<std::string_view, 29> kQuantityWords = {"position",
+inline constexpr std::array<std::string_view, 31> kQuantityWords = {"position",
                                                                     "velocity",
                                                                     "acceleration",
                                                                     "load",
@@ -41,7 +41,9 @@ inline constexpr std::array<std::string_view, 29> kQuantityWords = {"position",
                                                                     "steer_angle",
                                                                     "caster",
                                                                     "kingpin_inclination",
-                                                                    "deflection"};
+                                                                    "deflection",
+                                                                    "speed",
+                                                                    "power"};
 
 /// Calls use(KindOf<Kind>{}) for the first kind of every source that is an element with quantities.
 template <class Use>

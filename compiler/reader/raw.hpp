@@ -238,7 +238,9 @@ enum class Quantities {
   steer_angle,
   caster,
   kingpin_inclination,
-  deflection
+  deflection,
+  speed,
+  power
 };
 
 enum class Letter { x, y, z, w };

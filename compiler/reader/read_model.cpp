@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "compiler/model/model.hpp"
+#include "compiler/reader/elements/actuator.hpp"
 #include "compiler/reader/elements/anti_roll_bar.hpp"
 #include "compiler/reader/elements/beam.hpp"
 #include "compiler/reader/elements/sections.hpp"
@@ -162,6 +163,8 @@ void read_sections(Reader& reader) {
   read_maps(reader, entries(&FileFields::maps));
   read_inputs(reader, entries(&FileFields::inputs));
   add_host_inputs(reader, entries(&FileFields::roads));
+  const Entries actuators = entries(&SectionOf<Actuator>::section);  // their inputs and rods are known before them
+  add_actuator_inputs(reader, actuators);
   read_gravity(reader);
   read_hardpoints(reader, entries(&FileFields::hardpoints));
   place_instances(reader);
@@ -172,10 +175,12 @@ void read_sections(Reader& reader) {
   reader.has_bodies = true;
   read_joints(reader, with_composed(reader, entries(&FileFields::joints), made.joints));
   check_inertias(reader);
-  read_rods(reader, with_composed(reader, entries(&FileFields::rods), made.rods));
+  read_rods(reader, with_composed(reader, entries(&FileFields::rods), made.rods), actuators);
   read_couplings(reader, entries(&FileFields::couplings));
   std::array<Entries, ElementKinds::count> elements;
-  each_section([&]<class Kind>(KindOf<Kind>) { elements[kKindIndex<Kind>] = entries(&SectionOf<Kind>::section); });
+  each_section([&]<class Kind>(KindOf<Kind>) {
+    elements[kKindIndex<Kind>] = std::is_same_v<Kind, Actuator> ? actuators : entries(&SectionOf<Kind>::section);
+  });
   Entries &springs = elements[kKindIndex<JointSpring>], &bushings = elements[kKindIndex<Bushing>];
   springs = with_composed(reader, std::move(springs), made.joint_springs);
   bushings = with_composed(reader, std::move(bushings), made.bushings);

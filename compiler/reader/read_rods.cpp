@@ -1,10 +1,11 @@
-// Rods, and driven coordinates of rods with a length that depends on time or inputs.
+// Rods, and coordinates of rods with a length that depends on time or inputs, or that an actuator moves.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "compiler/model/element_access.hpp"
 #include "compiler/reader/carried_body.hpp"
+#include "compiler/reader/elements/actuator.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
 
@@ -35,13 +36,13 @@ bool has_free_names(Reader& reader, const Entry& entry, const std::string& name)
 }
 
 /// Adds a massless slide at the rod's first end, along the rod at the reference; its coordinate is the difference to
-/// the reference length, and is driven by a motion.
-void add_drive(Reader& reader, const Entry& entry, const Quantity& length, double distance, Rod& rod) {
+/// the reference length. Result: the slide's name, "" where it is taken.
+std::string add_slide(Reader& reader, const Entry& entry, double distance, Rod& rod) {
   Model& model = reader.model;
   Entry named = entry;
   named.written += kDriveSuffix;
   named.name = full_name(current_scope(reader).visible.front(), named.written);
-  if (!has_free_names(reader, entry, named.name)) return;
+  if (!has_free_names(reader, entry, named.name)) return "";
   const Vector3 a = reference_position(model, rod.from), b = reference_position(model, rod.to);
   Joint joint;
   joint.name = named.name;
@@ -56,12 +57,18 @@ void add_drive(Reader& reader, const Entry& entry, const Quantity& length, doubl
   add_coordinates(reader, named, joint, rod.drive);
   reader.names.joints.emplace(named.name, rod.drive);
   model.joints.push_back(std::move(joint));
+  return named.name;
+}
+
+/// Drives the slide of a rod by a motion.
+void add_drive(Reader& reader, const Quantity& length, double distance, const std::string& slide, const Rod& rod) {
+  Model& model = reader.model;
   Motion motion;
-  motion.name = named.name;
+  motion.name = slide;
   motion.where = rod.where;
   motion.joint = {rod.drive, 0};
   motion.position = combination(reader, {1, 0, 0}, {length, 0.0, 0.0}, -distance);
-  reader.names.motions.emplace(named.name, static_cast<int>(model.motions.size()));
+  reader.names.motions.emplace(slide, static_cast<int>(model.motions.size()));
   model.motions.push_back(std::move(motion));
 }
 
@@ -69,10 +76,11 @@ bool is_massless(const Rod& rod) { return rod.mass.expression < 0 && rod.mass.va
 
 }  // namespace
 
-void read_rods(Reader& reader, const Entries& entries) {
+void read_rods(Reader& reader, const Entries& entries, const Entries& actuators) {
   for (const Entry& entry : entries) {
     reader.names.rods.emplace(entry.name, static_cast<int>(reader.names.rods.size()));
   }
+  const std::set<int> actuated = actuated_rods(reader, actuators);
   for (const Entry& entry : entries) {
     double distance = kUnreadable;
     std::vector<RodFields> one;
@@ -80,17 +88,26 @@ void read_rods(Reader& reader, const Entries& entries) {
       distance = check_ends(r, value, rod.from, rod.to);
       if (distance < kSmallestLength)
         report(r, *find(value, "to"), fmt::format("ends of a rod must be apart, the distance is {:.6g} m", distance));
-      if (rod.written_length && moves(r.model, *rod.written_length) && !is_massless(rod))
+      const bool is_actuated = actuated.contains(static_cast<int>(r.model.rods.size()));
+      if (is_actuated && rod.written_length)
+        report(r, *find(value, "length"), "an actuator moves this rod, and its length is given",
+               fmt::format(
+                   "leave out one of them; where it starts is \"initial\": {{ \"positions\": {{ \"{}{}\": ... }} }}",
+                   entry.written, kDriveSuffix));
+      const bool changes = is_actuated || (rod.written_length && moves(r.model, *rod.written_length));
+      if (changes && !is_massless(rod))
         report(r, *find(value, "mass"), "a rod whose length changes has no mass",
                "leave out \"mass\", or give it to the bodies at its ends");
     });
     Rod& rod = one.front();
     const std::optional<Quantity>& length = one.front().written_length;
-    if (!length || !moves(reader.model, *length)) {
+    const bool is_actuated = actuated.contains(static_cast<int>(reader.model.rods.size()));
+    if (!is_actuated && (!length || !moves(reader.model, *length))) {
       rod.length = length;
     } else if (distance >= kSmallestLength) {
       const InScope in_scope(reader, entry.scope);
-      add_drive(reader, entry, *length, distance, rod);
+      const std::string slide = add_slide(reader, entry, distance, rod);
+      if (!is_actuated && !slide.empty()) add_drive(reader, *length, distance, slide, rod);
     }
     reader.model.rods.push_back(rod);
   }

@@ -328,7 +328,7 @@ struct RigidGroup {
 RigidGroup rigid_group(const Model& model, const std::vector<int>& groups, int group);
 /// Gives a tyre without an axis the axis of its wheel's joint, and notes unlikely entries.
 void place_on_wheel(Reader& reader, const Value& value, const std::vector<int>& groups, TyreFields& tyre);
-void read_rods(Reader& reader, const Entries& entries);
+void read_rods(Reader& reader, const Entries& entries, const Entries& actuators);
 void read_couplings(Reader& reader, const Entries& entries);
 /// Adds the names of a joint's coordinates to its scope and the enclosing scopes; reports existing names.
 void add_coordinates(Reader& reader, const Entry& entry, const Joint& joint, int index);

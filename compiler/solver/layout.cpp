@@ -26,6 +26,7 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
   layout.parameters = static_cast<int>(std::ranges::count_if(model.parameters, &Parameter::tunable));
   layout.outputs = static_cast<int>(model.outputs.size());
   layout.free_directions = static_cast<int>(free_coordinates(topology, analysis).size());
+  if (has_inverse_dynamics(model, topology, analysis)) layout.actuators = static_cast<int>(model.actuators.size());
   layout.has_closure = !topology.loops.empty() || !model.motions.empty();
   layout.chooses_again = chooses_again(topology);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
@@ -62,7 +63,8 @@ int size_of(const SolverLayout& layout, Array array) {
       {{Jz}, layout.jacobian_entries},
       {{Rz}, layout.projection_entries},
       {{pivot}, static_cast<int>(layout.blocks.size())},
-      {{inertia}, layout.free_directions},
+      {{inertia, actuation}, layout.free_directions},
+      {{force}, layout.actuators},
       {{state_pivot}, layout.own_states},
       {{in}, layout.inputs},
       {{par}, layout.parameters},

@@ -13,7 +13,7 @@ namespace {
 constexpr Program Programs::*kMembers[] = {
     &Programs::accelerations, &Programs::closure, &Programs::closure_terms,    &Programs::accelerations_chosen,
     &Programs::multipliers,   &Programs::outputs, &Programs::sampled,          &Programs::ground_places,
-    &Programs::tangents,      &Programs::changes, &Programs::derived_constants};
+    &Programs::tangents,      &Programs::changes, &Programs::inverse_dynamics, &Programs::derived_constants};
 
 void verify_slot(const ProgramSpec& spec, const std::vector<Array>& allowed, const Slot& slot) {
   if (std::ranges::find(allowed, slot.group.array) == allowed.end())
@@ -59,6 +59,10 @@ const std::vector<ProgramSpec>& program_specs() {
        {z, zd, x, t, step, in, par, derived, charts},
        {tangent, pivot, inertia, state_pivot}},
       {Role::changes, "changes", {zd, zdd, xd, step, tangent}, {zdd, xd}},
+      {Role::inverse_dynamics,
+       "inverse_dynamics",
+       {z, zd, x, t, tau, in, par, derived, charts, zdd},
+       {zdd, force, pivot, actuation}},
       {Role::derived_constants, "derived_constants", {par}, {derived}}};
   return kSpecs;
 }
@@ -74,9 +78,9 @@ const Program& program_of(const Programs& programs, Role role) {
 }
 
 std::vector<Program*> solver_programs(Programs& programs) {
-  return {&programs.accelerations, &programs.closure, &programs.closure_terms, &programs.accelerations_chosen,
-          &programs.multipliers,   &programs.outputs, &programs.sampled,       &programs.ground_places,
-          &programs.tangents,      &programs.changes};
+  return {&programs.accelerations, &programs.closure, &programs.closure_terms,   &programs.accelerations_chosen,
+          &programs.multipliers,   &programs.outputs, &programs.sampled,         &programs.ground_places,
+          &programs.tangents,      &programs.changes, &programs.inverse_dynamics};
 }
 
 std::vector<Program*> solver_programs(WholePrograms& whole) {

@@ -32,6 +32,7 @@ enum class Role : std::uint8_t {
   ground_places,         ///< below the wheels on ground of a host; only with such wheels
   tangents,              ///< matrix of an implicit step, factorised; only for an implicit integrator
   changes,               ///< that solve the equations of an implicit step; only for an implicit integrator
+  inverse_dynamics,      ///< forces of actuators at given accelerations; only where actuators move every direction
   derived_constants      ///< constants of the others that depend on tunable parameters; only with such constants
 };
 
@@ -91,7 +92,7 @@ struct AlikeInputs {
 /// One program per role; a program that the model does not need is empty.
 struct Programs {
   Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, sampled, ground_places,
-      tangents, changes, derived_constants;
+      tangents, changes, inverse_dynamics, derived_constants;
   Form form = Form::recursive;  ///< of `accelerations` and `accelerations_chosen`
 };
 

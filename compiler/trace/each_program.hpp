@@ -61,6 +61,11 @@ Program trace_sampled(const Model& model, const Topology& topology, const Analys
 Program trace_ground_places(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
                             Spelling spelling = Spelling::fast);
 
+/// Forces of the actuators for the accelerations of the independent coordinates, and all accelerations. Requires:
+/// has_inverse_dynamics.
+Program trace_inverse_dynamics(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                               Spelling spelling = Spelling::fast);
+
 /// The equations of an implicit step, and the changes that solve them. Entries that are constants stay in the programs.
 struct ImplicitPrograms {
   Program tangents, changes;

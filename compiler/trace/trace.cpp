@@ -45,6 +45,7 @@ void add_other_traces(const Model& model, const Topology& topology, const Analys
   add(trace_multipliers, programs.multipliers);
   add(trace_outputs, programs.outputs);
   if (!model.sampled.empty()) add(trace_sampled, programs.sampled);
+  if (has_inverse_dynamics(model, topology, analysis)) add(trace_inverse_dynamics, programs.inverse_dynamics);
   if (!tyres_on_host(model).empty()) add(trace_ground_places, programs.ground_places);
 }
 

@@ -85,6 +85,11 @@ class GenericSolver {
   /// Generalised driving force of each motion, given accelerations: N or N m, along its coordinate.
   std::vector<double> driving_forces(const GenericState& state, const std::vector<double>& tau,
                                      const GenericDerivative& derivative) const;
+  /// Forces of the actuators for the accelerations of the independent coordinates in `derivative`, whose zdd become all
+  /// accelerations. Requires: has_inverse_dynamics, a consistent state. Fails: not_a_number, loop_singular,
+  /// actuators_singular; derivative and force are then unchanged.
+  Status inverse_dynamics(const GenericState& state, const std::vector<double>& tau, GenericDerivative& derivative,
+                          std::vector<double>& force) const;
   /// Closure residuals in the order of Topology::loops (positions), and Phi_z zd (velocities).
   std::vector<double> position_residuals(const GenericState& state) const;
   std::vector<double> velocity_residuals(const GenericState& state) const;

@@ -4,6 +4,7 @@
 
 #include "compiler/model/inputs.hpp"
 #include "runtime/judges/evaluation.hpp"
+#include "runtime/judges/inverse_dynamics.hpp"
 #include "runtime/judges/methods.hpp"
 #include "runtime/judges/runge_kutta.hpp"
 
@@ -27,6 +28,7 @@ struct Solved {
 }  // namespace
 
 struct CartesianSolver::Content {
+  Model model;
   Topology topology;
   CartesianSystem system;
   CartesianMethod method;
@@ -38,7 +40,8 @@ struct CartesianSolver::Content {
   PlacedState left;            ///< after the last step; its z is empty before the first one
 
   Content(const Model& model, const Topology& t, CartesianMethod m, Stabilisation s)
-      : topology(t),
+      : model(model),
+        topology(t),
         system(model, t),
         method(m),
         stabilisation(s),
@@ -190,6 +193,33 @@ Status CartesianSolver::driving_forces(const GenericState& state, const std::vec
   const Status status = content_->solve_at(at, tau, solved);
   if (status.ok()) drive = content_->system.driving_forces(solved.solution.lambda);
   return status;
+}
+
+Status CartesianSolver::inverse_dynamics(const GenericState& state, const std::vector<double>& tau,
+                                         const std::vector<int>& independent, GenericDerivative& derivative,
+                                         std::vector<double>& force) const {
+  Content& content = *content_;
+  Status status = check_finite(state, tau, content.inputs);
+  if (!status.ok()) return status;
+  if (const int bad = first_not_finite(derivative.zdd); bad >= 0) return {Code::not_a_number, bad};
+  const PlacedState at = content.configuration(state);
+  std::vector<double> inputs = content.inputs;
+  for (const Actuator& actuator : content.model.actuators)
+    if (actuator.input >= 0) inputs[static_cast<std::size_t>(actuator.input)] = 0;
+  content.system.set_inputs(inputs);
+  Evaluation evaluation;
+  status = evaluate(content.mechanics(), at, tau, {}, evaluation);
+  const Eigen::MatrixXd columns = actuator_columns(content.system, content.model, at, inputs);
+  content.system.set_inputs(content.inputs);
+  if (!status.ok()) return status;
+  const Eigen::VectorXd qdd = accelerations_of(content.system, at, evaluation, independent, derivative.zdd);
+  const Eigen::MatrixXd& basis = evaluation.factors->null_basis();
+  const Eigen::VectorXd required = basis.transpose() * (evaluation.terms.mass * qdd - evaluation.terms.force);
+  std::vector<double> found;
+  if (!least_forces(content.model, basis.transpose() * columns, required, found)) return {Code::actuators_singular, -1};
+  derivative.zdd = content.system.joint_accelerations(at.bodies, state, qdd);
+  force = std::move(found);
+  return {};
 }
 
 Status CartesianSolver::reactions(const GenericState& state, const std::vector<double>& tau,

@@ -42,6 +42,13 @@ class CartesianSolver {
   Status multipliers(const GenericState& state, const std::vector<double>& tau, std::vector<double>& lambda) const;
   /// Generalised driving force of each motion at a state, N or N m.
   Status driving_forces(const GenericState& state, const std::vector<double>& tau, std::vector<double>& drive) const;
+  /// Forces of the actuators, with the least weighted sum of squares, for the accelerations of `independent` tree
+  /// coordinates in `derivative`, whose zdd become all accelerations; the inputs of actuators do not act. Virtual work
+  /// along all motions that the constraints leave to the bodies.
+  /// Fails: as accelerations; actuators_singular where the actuators do not move every motion.
+  Status inverse_dynamics(const GenericState& state, const std::vector<double>& tau,
+                          const std::vector<int>& independent, GenericDerivative& derivative,
+                          std::vector<double>& force) const;
   /// Per joint of the model, then per rod: force (N) and moment (N m) on its `to` body, about the joint's point on that
   /// body, global axes.
   Status reactions(const GenericState& state, const std::vector<double>& tau,

@@ -1,16 +1,21 @@
 // mbgen evaluate: accelerations at given states; interface of all oracles.
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
+#include "workbench/cli/inverse_path.hpp"
 #include "workbench/cli/options.hpp"
 #include "workbench/engines/engine_arguments.hpp"
 #include "workbench/engines/kept_decisions.hpp"
 #include "workbench/host/assignments.hpp"
 #include "workbench/host/files.hpp"
+#include "workbench/motion/inverse_motion.hpp"
 #include "workbench/motion/reactions.hpp"
 #include "workbench/start/states_file.hpp"
 
@@ -24,6 +29,7 @@ struct EvaluateOptions {
   EngineArguments engine;
   bool project = false;
   bool reactions = false;
+  bool inverse = false;
   bool json = true;
   std::vector<std::string> set;
 };
@@ -72,12 +78,50 @@ Json evaluate_state(const Engine& engine, const Compilation& compilation, const 
   return result;
 }
 
+/// Largest difference of given accelerations from the ones under loops and motions.
+double acceleration_residual(const std::vector<double>& given, const std::vector<double>& zdd) {
+  double largest = 0;
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (!std::isnan(given[i])) largest = std::max(largest, std::abs(given[i] - zdd[i]));
+  return largest;
+}
+
+Json inverse_of_state(const Engine& engine, const Compilation& compilation, const StatesFile& file,
+                      const FileState& asked, const EvaluateOptions& options) {
+  LoadedState at = asked.at;
+  GenericDerivative derivative{{}, std::vector<double>(at.state.x.size(), 0.0)};
+  std::vector<double> force;
+  engine.set_inputs(asked.inputs);
+  Status status = options.project ? engine.project(at.state) : Status{};
+  if (status.ok()) status = actuator_forces(engine, compilation, at, asked.given_zdd, derivative, force);
+  Json result;
+  Json actuators = Json::object();
+  for (std::size_t i = 0; i < force.size(); ++i) actuators[compilation.model.actuators[i].name] = force[i];
+  result["actuators"] = status.ok() ? actuators : Json(nullptr);
+  result["zdd"] = status.ok() ? Json(in_file_order(file, derivative.zdd)) : Json(nullptr);
+  result["status"] = describe(compilation, status);
+  Residuals residuals;
+  const bool has_residuals = engine.residuals(at.state, residuals).ok();
+  result["position_residual"] = has_residuals ? number_or_null(residuals.position) : Json(nullptr);
+  result["velocity_residual"] = has_residuals ? number_or_null(residuals.velocity) : Json(nullptr);
+  result["acceleration_residual"] =
+      status.ok() ? Json(acceleration_residual(asked.given_zdd, derivative.zdd)) : Json(nullptr);
+  if (options.project && status.ok()) {
+    result["z"] = in_file_order(file, at.state.z);
+    result["zd"] = in_file_order(file, at.state.zd);
+  }
+  return result;
+}
+
 int run(const EvaluateOptions& options) {
+  if (options.inverse && options.reactions)
+    throw UserError("evaluate: --inverse prints no reactions: leave out --inverse or --reactions\n");
   Model model = read_set_model(options.model, options.set);
   if (options.reactions) add_reaction_outputs(model);
   EngineChoice choice = chosen_engine(options.engine);
   choice.form = chosen_form(options.form);
   const Compilation compilation = expect(decide_for(std::move(model), choice));
+  if (options.inverse) require_inverse_dynamics(compilation, "evaluate");
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   const StatesFile file = read_states(options.states, compilation, inputs);
   Engine engine = make_engine(compilation, choice);
@@ -85,9 +129,9 @@ int run(const EvaluateOptions& options) {
   Json result;
   result["joint_order"] = file.joint_order;
   result["states"] = Json::array();
-  for (const FileState& state : file.states) {
-    result["states"].push_back(evaluate_state(engine, compilation, file, state, options));
-  }
+  const auto evaluate = options.inverse ? inverse_of_state : evaluate_state;
+  for (const FileState& state : file.states)
+    result["states"].push_back(evaluate(engine, compilation, file, state, options));
   print(result.dump() + "\n");
   return kDone;
 }
@@ -111,6 +155,10 @@ void add_evaluate(NamedCommand application, int& exit_code) {
   command.add_flag("--reactions", options->reactions,
                    "print the reaction of every joint and rod on its \"to\" body: force, and moment about the joint's "
                    "point on that body, global axes");
+  command.add_flag(
+      "--inverse", options->inverse,
+      "print the forces of the actuators that give the independent coordinates the accelerations \"zdd\" of "
+      "each state, an array or {name: number}; the inputs of the actuators do not act");
   add_set_option(command, options->set);
   add_batch_option(command, options->engine.choice.lanes);
   add_json_option(command, options->json);

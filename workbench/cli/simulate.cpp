@@ -7,6 +7,7 @@
 
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
+#include "workbench/cli/inverse_path.hpp"
 #include "workbench/cli/options.hpp"
 #include "workbench/describe/names.hpp"
 #include "workbench/describe/notes.hpp"
@@ -33,7 +34,8 @@ namespace mbgen::cli {
 namespace {
 
 struct SimulateOptions {
-  std::string model, form, file, format, manoeuvre;
+  std::string model, form, file, format, manoeuvre, path;
+  bool inverse = false;
   std::vector<std::string> set;
   SimulationArguments simulation;
   std::optional<double> tolerance;  ///< of error control
@@ -105,7 +107,24 @@ SolverSettings::Integrator chosen_integrator(const Model& model, const SimulateO
   return chosen.integrator;
 }
 
+/// Forces along a path in place of a motion. Fails: UserError for options of a motion.
+int run_inverse(const SimulateOptions& options) {
+  const std::pair<const char*, bool> others[] = {{"--manoeuvre", !options.manoeuvre.empty()},
+                                                 {"--tolerance", options.tolerance.has_value()},
+                                                 {"--every", options.every != 1},
+                                                 {"--json", options.json},
+                                                 {"--format", !options.format.empty() && options.format != "csv"},
+                                                 {"--duration", options.simulation.duration.has_value()},
+                                                 {"--integrator", !options.simulation.integrator.empty()}};
+  for (const auto& [name, is_given] : others)
+    if (is_given) throw UserError(fmt::format("simulate --inverse: {} is of a motion: leave it out\n", name));
+  return run_inverse_path(
+      {options.model, options.path, options.form, options.file, options.set, options.engine, options.simulation});
+}
+
 int run(SimulateOptions options) {
+  if (options.inverse) return run_inverse(options);
+  if (!options.path.empty()) throw UserError("simulate: --path is of --inverse\n");
   EngineChoice choice = chosen_engine(options.engine);
   choice.form = chosen_form(options.form);
   Model model = read_set_model(options.model, options.set);
@@ -189,6 +208,10 @@ void add_simulate(NamedCommand application, int& exit_code) {
                      "file of a manoeuvre that moves the inputs (docs/use/manoeuvres.md)");
   command.add_option("--tolerance", options->tolerance,
                      "of cvode and cvode-adams: error of a step, relative, and absolute in SI units (default 1e-6)");
+  command.add_flag("--inverse", options->inverse,
+                   "the forces of the actuators along --path, in place of a motion (docs/use/actuators.md)");
+  command.add_option("--path", options->path,
+                     "of --inverse: table (CSV) of coordinates over time, splined; columns t and names of coordinates");
   command.add_option("-o,--out", options->file, "table of the motion; - for standard output").required();
   command.add_option("--format", options->format, "csv or mat (level 4) (default: by the ending of --out)");
   command.add_option("--every", options->every, "write every n-th step, and the last (default 1)");

@@ -50,6 +50,11 @@ Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice&
                              std::vector<std::array<double, 6>>& wrenches) {
     return judge->reactions(at.state, at.tau, wrenches);
   };
+  if (has_inverse_dynamics(compilation.model, compilation.topology, compilation.analysis))
+    engine.inverse_dynamics = [judge, independent = free_coordinates(compilation.topology, compilation.analysis)](
+                                  const LoadedState& at, GenericDerivative& derivative, std::vector<double>& force) {
+      return judge->inverse_dynamics(at.state, at.tau, independent, derivative, force);
+    };
   engine.residuals = [judge](const GenericState& state, Residuals& largest) {
     return judge->residuals(state, largest.position, largest.velocity);
   };

@@ -65,6 +65,8 @@ std::vector<std::string> names_of(const Compilation& compilation, Subject subjec
       return auxiliary_state_names(model);
     case Subject::rope_place:
       return rope_place_names(model);
+    case Subject::free_direction:
+      return actuated_directions(model, topology, compilation.analysis);
   }
   return names;
 }

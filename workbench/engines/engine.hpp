@@ -63,6 +63,9 @@ struct Engine {
   /// the drive puts into the system.
   std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<double>& drive)> driving_forces;
   std::function<Status(const LoadedState&, const GenericDerivative&, GenericOutputs&)> outputs;
+  /// Forces of the actuators for the accelerations of the independent coordinates in the derivative, whose zdd become
+  /// all accelerations; both are unchanged on failure. Empty function without has_inverse_dynamics.
+  std::function<Status(const LoadedState&, GenericDerivative&, std::vector<double>& force)> inverse_dynamics;
   /// Action of each joint of the model, then of each rod, on its `to` body: force (N) and moment (N m) about the
   /// joint's point on that body, global axes. Empty function where nobody asked.
   std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<std::array<double, 6>>& wrenches)>

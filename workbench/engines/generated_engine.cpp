@@ -137,6 +137,44 @@ Status outputs(LoadedSolver& solver, const LoadedState& at, const GenericDerivat
   return status;
 }
 
+Status actuator_forces(LoadedSolver& solver, const LoadedState& at, GenericDerivative& derivative,
+                       std::vector<double>& force) {
+  const SolverTable& table = *solver.table;
+  flatten(at.state, solver.state);
+  flatten(derivative, solver.derivative);
+  std::vector<double> values(static_cast<std::size_t>(table.actuators));
+  const Status status = table.actuator_forces(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
+                                              at.tau.data(), solver.derivative.data(), values.data());
+  if (!status.ok()) return status;
+  unflatten(solver, derivative);
+  force = std::move(values);
+  return status;
+}
+
+/// The same as one lane of a batch whose other lanes are the same state.
+Status actuator_forces_in_lanes(LoadedSolver& solver, const LoadedState& at, GenericDerivative& derivative,
+                                std::vector<double>& force) {
+  const SolverTable& table = *solver.table;
+  const auto lanes = static_cast<std::size_t>(table.lanes), actuators = static_cast<std::size_t>(table.actuators);
+  flatten(at.state, solver.state);
+  flatten(derivative, solver.derivative);
+  std::vector<double> states, taus, derivatives, values(lanes * actuators);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    states.insert(states.end(), solver.state.begin(), solver.state.end());
+    taus.insert(taus.end(), at.tau.begin(), at.tau.end());
+    derivatives.insert(derivatives.end(), solver.derivative.begin(), solver.derivative.end());
+  }
+  std::vector<Status> statuses(lanes);
+  table.batch_actuator_forces(solver.parameters.data(), solver.inputs.data(), states.data(), taus.data(),
+                              derivatives.data(), values.data(), statuses.data());
+  if (!statuses.back().ok()) return statuses.back();
+  std::copy(derivatives.end() - static_cast<std::ptrdiff_t>(solver.derivative.size()), derivatives.end(),
+            solver.derivative.begin());
+  unflatten(solver, derivative);
+  force.assign(values.end() - static_cast<std::ptrdiff_t>(actuators), values.end());
+  return statuses.back();
+}
+
 Status residuals(LoadedSolver& solver, const GenericState& state, Residuals& largest) {
   flatten(state, solver.state);
   std::vector<double> position(static_cast<std::size_t>(solver.table->closure_equations));
@@ -234,6 +272,11 @@ Engine make_generated_engine(const std::shared_ptr<const SolverTable>& table, co
   engine.outputs = [solver](const LoadedState& at, const GenericDerivative& derivative, GenericOutputs& values) {
     return outputs(*solver, at, derivative, values);
   };
+  if (table->actuators > 0)
+    engine.inverse_dynamics = [solver, find = choice.lanes > 0 ? actuator_forces_in_lanes : actuator_forces](
+                                  const LoadedState& at, GenericDerivative& derivative, std::vector<double>& force) {
+      return find(*solver, at, derivative, force);
+    };
   engine.residuals = [solver](const GenericState& state, Residuals& largest) {
     return residuals(*solver, state, largest);
   };

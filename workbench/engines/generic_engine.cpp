@@ -172,6 +172,11 @@ Engine make_generic_engine(const Compilation& compilation, const EngineChoice& c
     values = system->solver.outputs(at.state, at.tau, derivative);
     return Status{};
   };
+  if (has_inverse_dynamics(compilation.model, compilation.topology, compilation.analysis))
+    engine.inverse_dynamics = [system](const LoadedState& at, GenericDerivative& derivative,
+                                       std::vector<double>& force) {
+      return system->solver.inverse_dynamics(at.state, at.tau, derivative, force);
+    };
   engine.residuals = [system](const GenericState& state, Residuals& largest) {
     largest = {largest_absolute(system->solver.position_residuals(state)),
                largest_absolute(system->solver.velocity_residuals(state))};

@@ -137,6 +137,25 @@ std::vector<double> read_expected(const UnorderedJson& state, const StatesFile& 
   return read_coordinates({state, ""}, "zdd", file);
 }
 
+/// Accelerations of some coordinates, NaN of the others: an object of their names, or an array with null for none.
+std::vector<double> read_given(const Entry& state, const Topology& topology, const StatesFile& file) {
+  std::vector<double> given(file.coordinate.size(), std::numeric_limits<double>::quiet_NaN());
+  const auto found = state.value.find("zdd");
+  if (found == state.value.end()) return given;
+  const std::string path = state.path + "/zdd";
+  if (found->is_array() && found->size() == given.size()) {
+    for (std::size_t i = 0; i < given.size(); ++i)
+      if ((*found)[i].is_number()) given[file.coordinate[i]] = (*found)[i].get<double>();
+  }
+  if (!found->is_object()) return given;
+  for (const auto& [name, value] : found->items()) {
+    const int coordinate = find_coordinate(topology, name);
+    if (coordinate < 0) fail(path, unknown_name("coordinate", name, coordinate_names(topology)));
+    given[coordinate] = read_number({value, path + "/" + name});
+  }
+  return given;
+}
+
 }  // namespace
 
 StatesFile read_states(const std::string& path, const Compilation& compilation,
@@ -159,6 +178,8 @@ StatesFile parse_states(const std::string& text, const std::string& path, const 
     file.states.push_back(
         read_state({states[i], fmt::format("{}: /states/{}", path, i)}, compilation, file, default_inputs));
     file.states.back().zdd = read_expected(states[i], file);
+    file.states.back().given_zdd =
+        read_given({states[i], fmt::format("{}: /states/{}", path, i)}, compilation.topology, file);
   }
   return file;
 }

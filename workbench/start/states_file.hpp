@@ -13,6 +13,8 @@ struct FileState {
   LoadedState at;
   std::vector<double> inputs;
   std::vector<double> zdd;  ///< accelerations that the file expects, empty when it has none
+  /// per coordinate, for inverse dynamics: the same, or of the names under "zdd"; NaN where the file gives none
+  std::vector<double> given_zdd = {};
 };
 
 struct StatesFile {
@@ -23,7 +25,8 @@ struct StatesFile {
 
 /// Reads {"joint_order": [names], "states": [{"z", "zd", "tau", "x", "t", "inputs", "zdd"}]}. joint_order is any
 /// permutation of all coordinates, by default the order of the model; missing zd, tau, x and t are zero, missing inputs
-/// as in `default_inputs`; null represents a number that is not finite; other fields are ignored. Fails: UserError that
+/// as in `default_inputs`; "zdd" may be {name: number} of some coordinates, for inverse
+/// dynamics; null represents a number that is not finite; other fields are ignored. Fails: UserError that
 /// names the file, the place and the value.
 StatesFile read_states(const std::string& path, const Compilation& compilation,
                        const std::vector<double>& default_inputs);

@@ -7,7 +7,7 @@
 namespace mbgen {
 
 /// Layout of SolverTable; a loaded library with another number was made by another mbgen.
-constexpr int kSolverTableLayout = 6;
+constexpr int kSolverTableLayout = 7;
 
 /// Sizes and functions of one generated solver. Arrays, all in SI units and in the order of the model:
 ///   parameters  the tunable ones                 inputs   all of them
@@ -68,6 +68,13 @@ struct SolverTable {
   Status (*multiplier_values)(const double* parameters, const double* inputs, const double* state, const double* tau,
                               const double* derivative, double* lambda, double* drive) noexcept;
 
+  int actuators;  ///< with inverse dynamics, 0 for a solver without; the functions of it are null then
+
+  /// Forces force[actuators] for the accelerations of the independent coordinates in `derivative`, whose zdd become all
+  /// accelerations.
+  Status (*actuator_forces)(const double* parameters, const double* inputs, const double* state, const double* tau,
+                            double* derivative, double* force) noexcept;
+
   /// Position residuals Phi and velocity residuals Phi_z zd, closure_equations of each, block after block.
   Status (*residuals)(const double* parameters, const double* inputs, const double* state, double* position,
                       double* velocity) noexcept;
@@ -92,6 +99,10 @@ struct SolverTable {
   /// its status is ok.
   void (*batch_accelerations)(const double* parameters, const double* inputs, const double* states, const double* taus,
                               double* derivatives, Status* statuses) noexcept;
+
+  /// Forces of the actuators at `lanes` states, likewise: derivatives (in and out) and forces state after state.
+  void (*batch_actuator_forces)(const double* parameters, const double* inputs, const double* states,
+                                const double* taus, double* derivatives, double* forces, Status* statuses) noexcept;
 
   /// As time_accelerations, batch after batch; the last one is filled up with the last state.
   long long (*time_batch_accelerations)(const double* parameters, const double* inputs, const double* states,

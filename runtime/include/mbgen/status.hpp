@@ -6,6 +6,7 @@ namespace mbgen {
 /// Failures, and from kFirstNotice on notices, in increasing importance: the call succeeded, and the caller may want to
 /// know how. Only steps give notices. Functions that fail with not_a_number may also fail with the four codes after it.
 enum class Code : int {
+  actuators_singular = -5,  ///< actuators hardly move a free direction at this position; index: direction
   rope_lost = -4,  ///< a taut rope lifts off a pulley, or has no way; index: place of a rope (-1 to -3: bounds.hpp)
   ok = 0,
   not_a_number,            ///< something of a coordinate is not finite; index: coordinate, or -1
@@ -70,6 +71,8 @@ constexpr const char* text(Code code) noexcept {
       return "implicit equations singular";
     case Code::implicit_state_grows:
       return "state grows too fast for an implicit step";
+    case Code::actuators_singular:
+      return "actuators near a singular position";
     case Code::chosen_again:
       return "coordinates chosen again";
     case Code::near_singular:
@@ -83,7 +86,7 @@ constexpr const char* text(Code code) noexcept {
 }
 
 /// Kind of object that the index of a code counts.
-enum class Subject { coordinate, loop_block, input, parameter, auxiliary_state, rope_place };
+enum class Subject { coordinate, loop_block, input, parameter, auxiliary_state, rope_place, free_direction };
 
 constexpr Subject subject_of(Code code) noexcept {
   switch (code) {
@@ -103,6 +106,8 @@ constexpr Subject subject_of(Code code) noexcept {
     case Code::sample_inside_step:
     case Code::implicit_state_grows:
       return Subject::auxiliary_state;
+    case Code::actuators_singular:
+      return Subject::free_direction;
     default:
       return Subject::coordinate;
   }
@@ -114,10 +119,10 @@ struct Names {
   int count;
 };
 
-/// Name of the object of a status, "" for none.
+/// Name of the object of a status, "" for none and for a free direction, which a solver with actuators names itself.
 constexpr const char* name_of(Status status, Names coordinates, Names loop_blocks, Names inputs, Names parameters,
                               Names auxiliary_states, Names rope_places = {nullptr, 0}) noexcept {
-  const Names tables[] = {coordinates, loop_blocks, inputs, parameters, auxiliary_states, rope_places};
+  const Names tables[] = {coordinates, loop_blocks, inputs, parameters, auxiliary_states, rope_places, {nullptr, 0}};
   const Names table = tables[static_cast<int>(subject_of(status.code))];
   return status.index < 0 || status.index >= table.count ? "" : table.names[status.index];
 }

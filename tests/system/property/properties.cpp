@@ -290,6 +290,7 @@ constexpr Property kProperties[] = {
     {"implicit steps agree", implicit_steps_disagree},
     {"outputs of judges agree", outputs_of_judges_disagree},
     {"reactions change the momentum", reactions_do_not_move_bodies},
+    {"inverse dynamics agrees", inverse_dynamics_disagrees},
     {"translation changes nothing", translation_shows},
     {"rotation changes nothing", rotation_shows},
     {"a mirror changes nothing", mirror_shows},

@@ -1,0 +1,122 @@
+#include "compiler/analysis/actuation.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "compiler/algebra/dense.hpp"
+#include "compiler/analysis/elimination_order.hpp"
+
+namespace mbgen {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// Pivots below this share of the largest, of rows and columns of like size, are rounding.
+constexpr double kNoForce = 1e-9;
+
+/// Rz' B at a position: directions x actuators.
+MatrixXd actuation_at(NumericSystem& numbers, const Analysis& analysis, const std::vector<double>& z,
+                      std::size_t directions) {
+  System<double>& system = numbers.at(z);
+  const Kinematics<double> k = kinematics(system);
+  const std::vector<SparseRow<double>> rows =
+      actuation(system, k, velocities(system, k), frozen_directions(system, k, analysis.blocks, analysis.driven));
+  MatrixXd matrix = MatrixXd::Zero(static_cast<Index>(directions), static_cast<Index>(system.model.actuators.size()));
+  for (std::size_t q = 0; q < rows.size(); ++q)
+    for (std::size_t i = 0; i < rows[q].columns.size(); ++i)
+      matrix(static_cast<Index>(q), rows[q].columns[i]) = rows[q].values[i];
+  return matrix;
+}
+
+/// Columns, then rows, of largest entry 1; zeros stay.
+MatrixXd of_like_size(MatrixXd matrix) {
+  const auto divide = [](auto part) {
+    const double largest = part.cwiseAbs().maxCoeff();
+    if (largest > 0) part /= largest;
+  };
+  for (Index c = 0; c < matrix.cols(); ++c) divide(matrix.col(c));
+  for (Index r = 0; r < matrix.rows(); ++r) divide(matrix.row(r));
+  return matrix;
+}
+
+/// Smallest singular value over the largest, of chosen columns of like size; 0 for fewer columns than rows.
+double clearance_of(const MatrixXd& matrix, const std::vector<int>& columns) {
+  if (static_cast<Index>(columns.size()) < matrix.rows()) return 0;
+  const Eigen::VectorXd values = singular_values(of_like_size(matrix(Eigen::all, columns)));
+  return values[0] > 0 ? values[values.size() - 1] / values[0] : 0;
+}
+
+/// The actuators that move every direction best in the worst of the configurations in which any do.
+std::vector<int> chosen_actuators(const std::vector<MatrixXd>& matrices) {
+  std::set<std::vector<int>> candidates;
+  for (const MatrixXd& matrix : matrices) {
+    std::vector<int> columns = leading_columns(of_like_size(matrix), kNoForce);
+    std::sort(columns.begin(), columns.end());
+    candidates.insert(std::move(columns));
+  }
+  std::vector<int> best;
+  double most = -1;
+  for (const std::vector<int>& candidate : candidates) {
+    double worst = 1;
+    for (const MatrixXd& matrix : matrices) worst = std::min(worst, clearance_of(matrix, candidate));
+    if (worst <= most) continue;
+    most = worst;
+    best = candidate;
+  }
+  return best;
+}
+
+/// Directions beyond the rank of the best configuration.
+std::vector<int> directions_without_force(const std::vector<MatrixXd>& matrices, const std::vector<int>& names) {
+  std::vector<int> moved;
+  for (const MatrixXd& matrix : matrices) {
+    std::vector<int> rows = leading_columns(of_like_size(matrix).transpose(), kNoForce);
+    if (rows.size() > moved.size()) moved = std::move(rows);
+  }
+  std::vector<int> left;
+  for (std::size_t q = 0; q < names.size(); ++q)
+    if (std::find(moved.begin(), moved.end(), static_cast<int>(q)) == moved.end()) left.push_back(names[q]);
+  return left;
+}
+
+}  // namespace
+
+void set_actuation(NumericSystem& numbers, const std::vector<Configuration>& configurations,
+                   const std::vector<int>& names, Analysis& analysis) {
+  analysis.actuation = {};
+  analysis.unactuated.clear();
+  const Model& model = numbers.model();
+  if (model.actuators.empty()) return;
+  LoopPartition& partition = analysis.actuation;
+  if (names.empty()) {
+    partition.independent.resize(model.actuators.size());
+    std::iota(partition.independent.begin(), partition.independent.end(), 0);
+    return;
+  }
+  std::vector<MatrixXd> all, regular;
+  for (const Configuration& configuration : configurations) {
+    if (std::find(configuration.closed.begin(), configuration.closed.end(), false) != configuration.closed.end())
+      continue;
+    all.push_back(actuation_at(numbers, analysis, configuration.z, names.size()));
+    if (leading_columns(of_like_size(all.back()), kNoForce).size() == names.size()) regular.push_back(all.back());
+  }
+  if (regular.empty()) {
+    analysis.unactuated = directions_without_force(all, names);
+    return;
+  }
+  Candidate candidate;
+  candidate.rows.resize(names.size());
+  std::iota(candidate.rows.begin(), candidate.rows.end(), 0);
+  candidate.columns = chosen_actuators(regular);
+  partition.dependent = candidate.columns;
+  for (int i = 0; i < static_cast<int>(model.actuators.size()); ++i)
+    if (!std::binary_search(candidate.columns.begin(), candidate.columns.end(), i)) partition.independent.push_back(i);
+  std::vector<bool> used;
+  for (const MatrixXd& matrix : regular) used.push_back(clearance_of(matrix, candidate.columns) > kNoForce);
+  if (std::find(used.begin(), used.end(), true) == used.end()) used.assign(regular.size(), true);
+  partition.pivots = order_pivots(regular, used, candidate).pivots;
+}
+
+}  // namespace mbgen

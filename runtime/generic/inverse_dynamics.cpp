@@ -1,0 +1,26 @@
+#include "mbgen/actuation.hpp"
+#include "runtime/generic/equations.hpp"
+#include "runtime/generic/generic.hpp"
+
+namespace mbgen {
+
+Status GenericSolver::inverse_dynamics(const GenericState& state, const std::vector<double>& tau,
+                                       GenericDerivative& derivative, std::vector<double>& force) const {
+  GenericEquations& equations = *equations_;
+  if (const Status status = equations.check_arguments(state, tau); !status.ok()) return status;
+  if (const int bad = first_not_finite(derivative.zdd); bad >= 0) return {Code::not_a_number, bad};
+  const Analysis& analysis = equations.analysis;
+  InverseDynamics<double> inverse =
+      mbgen::inverse_dynamics(equations.system(state), analysis.blocks, analysis.actuation, derivative.zdd, tau);
+  for (std::size_t b = 0; b < inverse.quality.size(); ++b)
+    if (!(inverse.quality[b] >= kPivotThreshold<double>)) return {Code::loop_singular, static_cast<int>(b)};
+  for (std::size_t q = 0; q < inverse.clearance.size(); ++q)
+    if (!(inverse.clearance[q] >= kLeastActuation<double>)) return {Code::actuators_singular, static_cast<int>(q)};
+  if (const int bad = first_not_finite(inverse.zdd); bad >= 0) return {Code::not_a_number, bad};
+  if (first_not_finite(inverse.force) >= 0) return {Code::not_a_number, -1};
+  derivative.zdd = std::move(inverse.zdd);
+  force = std::move(inverse.force);
+  return {};
+}
+
+}  // namespace mbgen

@@ -1,0 +1,277 @@
+// `mbgen evaluate --inverse`: forces of the actuators by every engine.
+
+#include "tests/support/cli_support.hpp"
+
+namespace mbgen::cli_test {
+namespace {
+
+const Json& reference_of_inverse() {
+  static const auto file = Json::parse(std::ifstream(kSource + "/tests/data/reference/inverse_dynamics.json"));
+  return file;
+}
+
+class Inverse : public CommandLine {
+ protected:
+  Json forces(const std::string& model, const std::string& options) const {
+    return json_of("evaluate '" + model + "' --inverse --states states.json " + options);
+  }
+
+  /// Writes the mechanism of a vehicle with one of the sets of actuators of the reference, without the mass of rods,
+  /// and the states and accelerations of the set's cases. Result: the forces expected, per state.
+  std::vector<std::vector<double>> write_vehicle(const std::string& vehicle, const std::string& set) const {
+    Json model = {{"mbgen", 1}, {"name", vehicle + "_" + set}};
+    model["include"] = {kSource + "/models/" + vehicle + "_mechanism.json"};
+    const auto file = Json::parse(std::ifstream(kSource + "/tests/data/reference/" + vehicle + "_states.json"));
+    Json states = {{"joint_order", file["joint_order"]}};
+    std::vector<std::vector<double>> expected;
+    Json given;
+    for (const Json& one : reference_of_inverse()[vehicle]["cases"]) {
+      const Json& other = one["for_other_accelerations"];
+      if (other["zdd"].is_array()) given = other["zdd"];  // else "as in the case before"
+      if (one["set"] != set) continue;
+      for (const std::string name : one["actuators"]) model["actuators"]["m_" + name] = {{"joint", name}};
+      const Json& at = file["states"][one["state"].get<std::size_t>()];
+      states["states"].push_back({{"z", at["z"]}, {"zd", at["zd"]}, {"zdd", given}});
+      expected.push_back(other["tau"]);
+      order_ = one["actuators"].get<std::vector<std::string>>();
+    }
+    write("vehicle.json", model.dump());
+    write("states.json", states.dump());
+    return expected;
+  }
+
+  void expect_vehicle(const std::string& vehicle, const std::string& set, const std::string& options) const {
+    const std::vector<std::vector<double>> expected = write_vehicle(vehicle, set);
+    const Json answer = forces("vehicle.json", options);
+    for (std::size_t s = 0; s < expected.size(); ++s) {
+      ASSERT_EQ(answer["states"][s]["status"], "ok") << vehicle << set << options;
+      double error = 0, largest = 0;
+      for (std::size_t i = 0; i < order_.size(); ++i) {
+        const double force = answer["states"][s]["actuators"]["m_" + order_[i]];
+        error = std::max(error, std::abs(force - expected[s][i]));
+        largest = std::max(largest, std::abs(expected[s][i]));
+      }
+      EXPECT_LT(error / largest, 1e-9) << vehicle << set << options;
+      EXPECT_LT(answer["states"][s]["acceleration_residual"].get<double>(), 1e-8);
+    }
+  }
+
+ private:
+  mutable std::vector<std::string> order_;
+};
+
+TEST_F(Inverse, OfAnAnkleByEveryEngine) {
+  const std::string ankle = kSource + "/models/robots/parallel_ankle.json";
+  write("states.json", R"({ "joint_order": ["motor_a", "motor_b", "ankle_ry", "ankle_rx"], "states": [
+    { "z": [0, 0, 0.1, 0], "zd": [0, 0, 3, 0], "zdd": { "ankle_ry": 20, "ankle_rx": 0 } },
+    { "z": [0, 0, -0.3, 0.2], "zd": [0, 0, 1, -4], "zdd": { "motor_a": 50, "motor_b": -30 } }
+  ] })");
+  // Every engine closes loops in its own way: all take the states of one.
+  const Json closed = forces(ankle, "--project --engine generic");
+  auto states = Json::parse(read("states.json"));
+  for (std::size_t s = 0; s < 2; ++s)
+    for (const char* key : {"z", "zd"}) states["states"][s][key] = closed["states"][s][key];
+  write("states.json", states.dump());
+  const Json expected = forces(ankle, "--engine null-space");
+  for (const char* options : {"--engine generic", "--engine augmented", "", "--batch 4"}) {
+    const Json found = forces(ankle, options);
+    for (std::size_t s = 0; s < 2; ++s) {
+      ASSERT_EQ(found["states"][s]["status"], "ok");
+      for (const char* name : {"ankle_a", "ankle_b"}) {
+        const double force = expected["states"][s]["actuators"][name];
+        EXPECT_NEAR(found["states"][s]["actuators"][name], force, 1e-9 * std::abs(force)) << options;
+      }
+    }
+  }
+}
+
+TEST_F(Inverse, OfVehiclesInAGeneratedSolver) { expect_vehicle("coach", "alternative", ""); }
+
+TEST_F(Inverse, TellsWhatIsMissing) {
+  write("four_bar.json", kFourBar);
+  write("states.json", R"({ "states": [{ "z": [0.6, 0, 0], "zdd": {} }] })");
+  const auto refused = [&](const std::string& model, const std::string& text) {
+    const Outcome run = mbgen("evaluate " + model + " --inverse --engine generic --states states.json");
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.out, "");
+    EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
+  };
+  refused("four_bar.json", "the model has no actuators");
+  std::string text = kFourBar;
+  text.insert(text.find("\"initial\""), "\"actuators\": { \"drive\": { \"joint\": \"rocker_pin\" } },\n  ");
+  write("driven.json", text);
+  refused("driven.json", "the given accelerations leave others open");
+  text.insert(text.find("\"tip\""),
+              "\"wheel\": { \"type\": \"revolute\", \"from\": \"crank.B\", \"to\": \"wheel.B\" },\n  ");
+  text.insert(text.find("\"coupler\""),
+              "\"wheel\": { \"mass\": 1, \"com\": [0.1, 0, 0.05], \"inertia\": [1, 1, 1], \"points\": { \"B\": [0.1, "
+              "0, 0.05] } },\n  ");
+  text.replace(text.find("\"wheel.B\" }"), 11, "\"wheel.B\", \"axis\": \"y\" }");
+  write("wheel.json", text);
+  refused("wheel.json", "actuators do not move every free direction: wheel is left");
+  EXPECT_NE(mbgen("check wheel.json").err.find("inverse dynamics has no solution"), std::string::npos);
+}
+
+/// Runs an ankle through its workspace; exit status 0 where all holds.
+constexpr const char* kAnkle = R"(#include <cmath>
+#include <cstdio>
+
+#include "parallel_ankle.hpp"
+using namespace parallel_ankle;
+
+/// Crank angle by the intersection of the pin's circle with the sphere about the heel, near `last`.
+static double crank(double y, double pitch, double roll, double last) {
+  const double r = 0.045, h = 0.22, heel[3] = {-0.055, y, 0.01};
+  // The heel turned by roll about x, then by pitch about y.
+  const double ry = std::cos(roll) * heel[1] - std::sin(roll) * heel[2];
+  const double rz = std::sin(roll) * heel[1] + std::cos(roll) * heel[2];
+  const double px = std::cos(pitch) * heel[0] + std::sin(pitch) * rz;
+  const double pz = -std::sin(pitch) * heel[0] + std::cos(pitch) * rz;
+  const double length2 = (r - 0.055) * (r - 0.055) + (h - 0.01) * (h - 0.01);
+  const double a = 2 * r * px, b = 2 * r * (h - pz);
+  const double c = length2 - (r * r + px * px + (h - pz) * (h - pz) + (y - ry) * (y - ry));
+  const double at = std::atan2(b, a), off = std::acos(c / std::hypot(a, b));
+  double best = 10;
+  for (int turn = -1; turn <= 1; ++turn)
+    for (const double q : {at + off, at - off})
+      if (std::abs(q + turn * 2 * M_PI - last) < std::abs(best - last)) best = q + turn * 2 * M_PI;
+  return best;
+}
+
+int main() {
+  const Inputs inputs;
+  const Parameters parameters;
+  State state{};
+  if (!assemble(parameters, inputs, state).ok()) return 2;
+  double worst = 0, q[kActuators] = {};
+  // A spiral through the workspace: half a radian of pitch, a quarter of roll.
+  for (int i = 0; i <= 4000; ++i) {
+    const double share = i / 4000.0, pitch = 0.5 * share * std::sin(0.02 * i), roll = 0.25 * share * std::cos(0.02 * i);
+    q[0] = crank(0.045, pitch, roll, q[0]);
+    q[1] = crank(-0.045, pitch, roll, q[1]);
+    const double still[kActuators] = {};
+    if (!complete_joints(parameters, inputs, q, still, state).ok()) return 3;
+    worst = std::fmax(worst, std::abs(state.z[Coordinate::ankle_ry] - pitch));
+    worst = std::fmax(worst, std::abs(state.z[Coordinate::ankle_rx] - roll));
+  }
+  std::printf("position %.3g\n", worst);
+  if (!(worst < 1e-12)) return 4;
+  // Rates and accelerations at the end, by differences of positions.
+  const double speed[kActuators] = {2, -3}, acceleration[kActuators] = {5, 7};
+  const double h = 1e-4;
+  State moved[3];
+  for (int k = 0; k < 3; ++k) {
+    const double t = (k - 1) * h;
+    double at[kActuators], rate[kActuators];
+    for (int i = 0; i < kActuators; ++i) {
+      at[i] = q[i] + t * (speed[i] + t / 2 * acceleration[i]);
+      rate[i] = speed[i] + t * acceleration[i];
+    }
+    moved[k] = state;
+    if (!complete_joints(parameters, inputs, at, rate, moved[k]).ok()) return 5;
+  }
+  Derivative derivative{};
+  if (!complete_accelerations(parameters, inputs, moved[1], acceleration, derivative).ok()) return 6;
+  double jacobian[kCoordinates][kActuators];
+  if (!actuator_jacobian(parameters, inputs, moved[1], jacobian).ok()) return 7;
+  for (int c = 0; c < kCoordinates; ++c) {
+    const double rate = (moved[2].z[c] - moved[0].z[c]) / (2 * h), zd = moved[1].zd[c];
+    const double change = (moved[2].zd[c] - moved[0].zd[c]) / (2 * h), zdd = derivative.zdd[c];
+    const double by_jacobian = jacobian[c][0] * speed[0] + jacobian[c][1] * speed[1];
+    if (!(std::abs(rate - zd) < 1e-6 && std::abs(change - zdd) < 1e-5 && std::abs(by_jacobian - zd) < 1e-12)) {
+      std::printf("coordinate %d: %g %g, %g %g, %g\n", c, rate, zd, change, zdd, by_jacobian);
+      return 8;
+    }
+  }
+  // Beyond its reach the ankle does not close; its pose stays.
+  const double far[kActuators] = {3, 3}, still[kActuators] = {};
+  const State before = state;
+  if (complete_joints(parameters, inputs, far, still, state).ok()) return 9;
+  for (int c = 0; c < kCoordinates; ++c)
+    if (state.z[c] != before.z[c]) return 10;
+  return 0;
+}
+)";
+
+TEST_F(Inverse, PosesOfAnAnkleFollowFromItsMotors) {
+  std::ifstream file(kSource + "/models/robots/parallel_ankle.json");
+  std::string model((std::istreambuf_iterator<char>(file)), {});
+  const std::string step = "\"step\": 1e-3";
+  model.replace(model.find(step), step.size(), step + ", \"closure_tolerance\": 1e-15");
+  write("parallel_ankle.json", model);
+  ASSERT_EQ(mbgen("generate parallel_ankle.json --out made").exit_code, 0);
+  write("main.cpp", kAnkle);
+  const Outcome compiled = shell("c++ -std=c++17 -O1 -Imade main.cpp made/parallel_ankle.cpp -o main");
+  ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
+  const Outcome run = shell("./main");
+  EXPECT_EQ(run.exit_code, 0) << run.out;
+}
+
+/// A path of the ankle's pitch and roll, from rest in both: half a second in 5 ms.
+std::string path_of_ankle() {
+  std::string text = "t [s],ankle_ry [rad],ankle_rx\n";
+  for (int i = 0; i <= 100; ++i) {
+    const double t = 0.005 * i, share = 1 - std::cos(8 * t);
+    text += fmt::format("{},{},{}\n", t, 0.1 * share, -0.06 * share * share);
+  }
+  return text;
+}
+
+TEST_F(Inverse, ForcesAlongAPathMoveTheModelAlongIt) {
+  const std::string ankle = kSource + "/models/robots/parallel_ankle.json";
+  write("path.csv", path_of_ankle());
+  const Outcome run =
+      mbgen("simulate '" + ankle + "' --inverse --path path.csv --step 1e-3 --engine generic --out forces.csv");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("ankle_b.power [W]"), std::string::npos) << run.out;
+  const Table forces = table("forces.csv");
+  ASSERT_EQ(forces.rows.size(), 501u);
+  std::string inputs = "t,ankle_a,ankle_b\n";
+  for (std::size_t row = 0; row < forces.rows.size(); ++row) {
+    const double force = forces.at(row, "actuator.ankle_a.force [N m]");
+    inputs += fmt::format("{},{},{}\n", forces.at(row, "t [s]"), force, forces.at(row, "actuator.ankle_b.force [N m]"));
+    EXPECT_NEAR(forces.at(row, "actuator.ankle_a.power [W]"), force * forces.at(row, "actuator.ankle_a.speed [rad/s]"),
+                1e-12);
+  }
+  write("forces_in.csv", inputs);
+  const Outcome forward = mbgen("simulate '" + ankle +
+                                "' --engine generic --duration 0.5 --step 1e-3 --input-table forces_in.csv "
+                                "--interpolation spline --out motion.csv");
+  ASSERT_EQ(forward.exit_code, 0) << forward.err;
+  const Table motion = table("motion.csv");
+  // Curves between the rows of the path, and between those of the forces.
+  EXPECT_NEAR(motion.last("pitch [rad]"), forces.last("ankle_ry [rad]"), 1e-5);
+  EXPECT_NEAR(motion.last("roll [rad]"), forces.last("ankle_rx [rad]"), 1e-5);
+}
+
+TEST_F(Inverse, RefusesPathsThatAreNone) {
+  const auto refused = [&](const std::string& path, const std::string& options, const std::string& text) {
+    write("path.csv", path);
+    const Outcome run =
+        mbgen("simulate '" + kSource + "/models/robots/parallel_ankle.json' --engine generic --out f.csv " + options);
+    EXPECT_EQ(run.exit_code, 1) << text;
+    EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(this->path("f.csv")));
+  };
+  const std::string rows = "\n0,0\n1,0.1\n2,0.2\n";
+  refused("t,ankle_r" + rows, "--inverse --path path.csv", "the model has no coordinate \"ankle_r\"");
+  refused("t,ankle_rx [m]" + rows, "--inverse --path path.csv", "column \"ankle_rx\" is in m, the coordinate in rad");
+  refused("t,ankle_rx" + rows, "--inverse --path path.csv", "leave others open");
+  refused("t,ankle_rx\n0,0\n1,1\n", "--inverse --path path.csv", "a path has at least 3 rows, found 2");
+  refused("t,motor_a,motor_b\n0,0,0\n1,2,2\n2,4,4\n", "--inverse --path path.csv", "loop singular");
+  refused("t", "--inverse", "--path TABLE is required");
+  refused("t", "--path path.csv", "--path is of --inverse");
+  refused("t", "--inverse --path path.csv --every 2", "--every is of a motion");
+}
+
+class WholeInverse : public Inverse {};
+
+/// Long: solvers of every set, and lanes.
+TEST_F(WholeInverse, OfVehicles) {
+  for (const char* vehicle : {"coach", "truck"})
+    for (const char* set : {"independent", "alternative"})
+      for (const char* options : {"", "--batch 4"}) expect_vehicle(vehicle, set, options);
+}
+
+}  // namespace
+}  // namespace mbgen::cli_test
