@@ -18,8 +18,8 @@ struct SolverNames {
   std::vector<std::string> coordinates;  ///< per tree coordinate
   std::vector<std::string> bodies;       ///< per model body
   std::vector<std::string> inputs;
-  std::vector<std::string> parameters;   ///< tunable ones only
-  std::vector<std::string> outputs;      ///< beside kinetic_energy, potential_energy, applied_power
+  std::vector<std::string> parameters;  ///< tunable ones only
+  std::vector<std::string> outputs;     ///< beside kinetic_energy, potential_energy, applied_power
   std::vector<std::string> actuators;
   std::vector<std::string> loop_blocks;  ///< first loop of the block
 };

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "compiler/expressions/parameter.hpp"
-#include "compiler/model/beams.hpp"
 #include "compiler/model/axles.hpp"
+#include "compiler/model/beams.hpp"
 #include "compiler/model/element_kinds.hpp"
 #include "compiler/model/outputs.hpp"
 #include "compiler/model/relations.hpp"

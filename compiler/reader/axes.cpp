@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kLeastSine = 1e-3;  ///< between the two directions
 
-Vector3 letter_axis(std::size_t index) { return {index == 0 ? 1.0 : 0.0, index == 1 ? 1.0 : 0.0, index == 2 ? 1.0 : 0.0}; }
+Vector3 letter_axis(std::size_t index) {
+  return {index == 0 ? 1.0 : 0.0, index == 1 ? 1.0 : 0.0, index == 2 ? 1.0 : 0.0};
+}
 
 Vector3 normalised(Vector3 vector) {
   const double length = norm(vector);

@@ -128,7 +128,8 @@ class GenericSolver {
   Status notice(const GenericState& state) const;
   /// The same from the factors at hand, where they tell it. Requires: they are those of the state.
   Status notice_of_factors(const GenericState& state) const;
-  /// The reactions that sampled values take, see reaction_loads; sets everything that their expressions look at. Fails: as accelerations.
+  /// The reactions that sampled values take, see reaction_loads; sets everything that their expressions look at. Fails:
+  /// as accelerations.
   Status take_loads(const GenericState& state, std::vector<double>& loads) const;
   /// Takes over a projected state unless it is a jump. is_factorised: the factors at hand are its. Gives notices.
   Status without_jump(const GenericState& closed, GenericState& state, bool is_factorised) const;

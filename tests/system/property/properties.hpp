@@ -47,8 +47,8 @@ Complaint outputs_of_judges_disagree(const RandomMechanism& random, const Mechan
 /// out.
 Complaint reactions_do_not_move_bodies(const RandomMechanism& random, const Mechanism& m);
 
-/// Forces of motors for random accelerations: the judge and the optimised program find those of the generic runtime, and
-/// accelerations under them are the given ones.
+/// Forces of motors for random accelerations: the judge and the optimised program find those of the generic runtime,
+/// and accelerations under them are the given ones.
 Complaint inverse_dynamics_disagrees(const RandomMechanism& random, const Mechanism& m);
 
 int from_environment(const char* name, int otherwise);
