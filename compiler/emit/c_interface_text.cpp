@@ -117,6 +117,7 @@ std::string python_text(const EmitContext& context) {
                         {"parameters", member_rows(parameter_members(context))},
                         {"inputs", member_rows(input_members(context))},
                         {"outputs", member_rows(output_members(context))},
+                        {"actuator_names", python_list(names_of(context.model.actuators))},
                         {"coordinate_names", python_list(coordinate_names(context.topology))}});
 }
 

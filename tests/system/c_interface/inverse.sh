@@ -1,0 +1,18 @@
+#!/bin/sh
+# Inverse dynamics of a parallel ankle through the C interface and Python:
+#   tests/system/c_interface/inverse.sh MBGEN
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+mbgen=$(realpath "$1")
+model=$here/../../../models/robots/parallel_ankle.json
+for python in python3 /usr/bin/python3 none; do
+  "$python" -c 'import numpy' 2>/dev/null && break
+done
+[ "$python" != none ] || { echo "skipped, python3 with numpy is not installed (apt-get install python3-numpy)"; exit 77; }
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+"$mbgen" generate "$model" --c-api --out made >/dev/null
+c++ -std=c++17 -O1 -fPIC -shared -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -Imade made/parallel_ankle.cpp \
+  made/parallel_ankle_c.cpp -lm -o made/libparallel_ankle_c.so
+"$python" "$here/inverse.py" "$mbgen" "$model"
