@@ -264,7 +264,98 @@ TEST_F(Inverse, RefusesPathsThatAreNone) {
   refused("t", "--inverse --path path.csv --every 2", "--every is of a motion");
 }
 
+// The moments of weight about the foot of the boom, and about its tip, by the lever of each cylinder.
+TEST_F(Inverse, AnExcavatorHoldsItsWeight) {
+  write("states.json", R"({ "joint_order": ["boom", "stick", "rocker", "bucket"], "states": [
+    { "z": [0, 0, 0, 0], "zd": [0, 0, 0, 0], "zdd": { "boom": 0, "stick": 0, "bucket": 0 } }] })");
+  const Json state = forces(kSource + "/models/robots/excavator.json", "--engine generic")["states"][0];
+  ASSERT_EQ(state["status"], "ok");
+  struct Place {
+    double x, z;
+  };
+  const auto lever = [](Place from, Place to, Place pivot) {
+    const double x = to.x - from.x, z = to.z - from.z;
+    return (x * (to.z - pivot.z) - z * (to.x - pivot.x)) / std::hypot(x, z);
+  };
+  const double beyond_tip[4][2] = {{780, 5.5}, {45, 6}, {720, 5.9}, {40, 6.25}};  // kg, m
+  double about_foot = 1650 * 2.55, about_tip = 0;
+  for (const auto& [mass, x] : beyond_tip) {
+    about_foot += mass * x;
+    about_tip += mass * (x - 5.2);
+  }
+  const double boom = -9.81 * about_foot / lever({0.45, 1.35}, {2.4, 3.1}, {0, 1.8});
+  const double stick = -9.81 * about_tip / lever({2.7, 4.1}, {4.9, 4.2}, {5.2, 3.5});
+  EXPECT_NEAR(state["actuators"]["boom_cylinder"].get<double>() / boom, 1, 1e-12);
+  EXPECT_NEAR(state["actuators"]["stick_cylinder"].get<double>() / stick, 1, 1e-12);
+}
+
+/// Runs a delta through its workspace; exit status 0 where all holds.
+constexpr const char* kDelta = R"(#include <cmath>
+#include <cstdio>
+
+#include "delta_path.hpp"
+using namespace delta_path;
+
+struct Vector { double x, y, z; };
+static Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+static Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+static Vector operator*(double s, Vector a) { return {s * a.x, s * a.y, s * a.z}; }
+static double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static Vector cross(Vector a, Vector b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// The lower point at the forearm's length from three centres.
+static Vector tool_of(const double (&q)[3]) {
+  const double pi = std::acos(-1.0), arm = 0.112, forearm = 0.232;
+  const double offset = (0.4573 - 0.115) / (2 * std::sqrt(3.0));
+  Vector centre[3];
+  for (int i = 0; i < 3; ++i) {
+    const double down = pi / 6 + q[i], radius = offset + arm * std::cos(down), turn = 2 * pi / 3 * i;
+    centre[i] = {radius * std::cos(turn), radius * std::sin(turn), -arm * std::sin(down)};
+  }
+  const Vector a = centre[1] - centre[0], b = centre[2] - centre[0], normal = cross(a, b);
+  const Vector to_middle =
+      1 / (2 * dot(normal, normal)) * (dot(a, a) * cross(b, normal) + dot(b, b) * cross(normal, a));
+  const double above = std::sqrt((forearm * forearm - dot(to_middle, to_middle)) / dot(normal, normal));
+  return centre[0] + to_middle - above * normal;
+}
+
+int main() {
+  const Parameters parameters;
+  const Inputs inputs;
+  State state = initial_state();
+  const Vector start = tool_of({0, 0, 0});
+  double worst = 0;
+  int poses = 0;
+  for (int k = 0; k <= 20000; ++k) {
+    const double t = 1e-3 * k;
+    const double q[3] = {0.5 * std::sin(t), 0.45 * std::sin(1.7 * t), 0.4 * std::sin(2.3 * t)}, still[3] = {};
+    if (!complete_joints(parameters, inputs, q, still, state).ok()) return 3;
+    const Vector tool = tool_of(q) - start;
+    worst = std::fmax(worst, std::abs(state.z[Coordinate::tool_tx] - tool.x));
+    worst = std::fmax(worst, std::abs(state.z[Coordinate::tool_ty] - tool.y));
+    worst = std::fmax(worst, std::abs(state.z[Coordinate::tool_tz] - tool.z));
+    ++poses;
+  }
+  std::printf("%d poses, tool %.3g m\n", poses, worst);
+  return worst < 1e-12 ? 0 : 4;
+}
+)";
+
 class WholeInverse : public Inverse {};
+
+/// Long: its solver takes some seconds to compile.
+TEST_F(WholeInverse, PosesOfADeltaFollowFromItsMotors) {
+  write("delta_path.json", R"({ "mbgen": 1, "name": "delta_path", "include": [")" + kSource +
+                               R"(/models/robots/delta_path.json"], "solver": { "closure_tolerance": 1e-15 } })");
+  ASSERT_EQ(mbgen("generate delta_path.json --out made").exit_code, 0);
+  write("main.cpp", kDelta);
+  const Outcome compiled = shell("c++ -std=c++17 -O1 -Imade main.cpp made/delta_path.cpp -o main");
+  ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
+  const Outcome run = shell("./main");
+  EXPECT_EQ(run.exit_code, 0) << run.out;
+}
 
 /// Long: solvers of every set, and lanes.
 TEST_F(WholeInverse, OfVehicles) {

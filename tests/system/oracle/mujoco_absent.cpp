@@ -14,6 +14,7 @@ MujocoMechanism::MujocoMechanism(const ReferenceMechanism&) { throw std::logic_e
 MujocoMechanism::~MujocoMechanism() = default;
 MujocoMechanism::MujocoMechanism(MujocoMechanism&&) noexcept = default;
 std::vector<double> MujocoMechanism::accelerations(const ForeignState&) { return {}; }
+std::vector<double> MujocoMechanism::inverse_forces(const ForeignState&, const std::vector<double>&) { return {}; }
 void MujocoMechanism::load(const std::vector<ForeignState>&) {}
 void MujocoMechanism::run(int) {}
 

@@ -262,6 +262,16 @@ std::vector<double> MujocoMechanism::accelerations(const ForeignState& state) {
   return zdd;
 }
 
+std::vector<double> MujocoMechanism::inverse_forces(const ForeignState& state, const std::vector<double>& zdd) {
+  Content& c = *content_;
+  c.native(state);
+  for (std::size_t i = 0; i < zdd.size(); ++i) c.data->qacc[c.place[i]] = zdd[i];
+  mj_inverse(c.model.get(), c.data.get());
+  std::vector<double> force;
+  for (const int place : c.place) force.push_back(c.data->qfrc_inverse[place]);
+  return force;
+}
+
 void MujocoMechanism::load(const std::vector<ForeignState>& states) {
   content_->loaded.clear();
   for (const ForeignState& state : states) content_->loaded.push_back(content_->native(state));

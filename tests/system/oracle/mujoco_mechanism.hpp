@@ -29,6 +29,9 @@ class MujocoMechanism {
 
   /// All joint accelerations, in the order of the mechanism's bodies.
   std::vector<double> accelerations(const ForeignState& state);
+  /// Forces on all joints that give these accelerations, both in the order of the mechanism's bodies (mj_inverse).
+  /// state: its tau is left out. Requires: no closed loops.
+  std::vector<double> inverse_forces(const ForeignState& state, const std::vector<double>& zdd);
   /// Keeps states in MuJoCo's own coordinates, for `run`.
   void load(const std::vector<ForeignState>& states);
   /// mj_forward at every loaded state, for whoever holds a clock.
