@@ -30,8 +30,8 @@ int free_coordinate(const FreeDirection& direction, const BlockFactors<System>& 
 /// Copies zdd and xd of a program's result when they are finite and ropes hold.
 template <class System, class Values>
 Status deliver(const Values& values, typename System::Derivative& derivative) noexcept {
-  if constexpr (kRopePlacesOf < System >> 0) {
-    for (int place = 0; place < System::kRopePlaces; ++place)
+  if constexpr (constexpr int places = kRopePlacesOf<System>; places > 0) {
+    for (int place = 0; place < places; ++place)
       if (!(values.hold[place] >= 0)) return {Code::rope_lost, place};
   }
   Total<RealOf<System>> total(0);
