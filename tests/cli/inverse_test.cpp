@@ -259,6 +259,7 @@ TEST_F(Inverse, RefusesPathsThatAreNone) {
   refused("t,ankle_rx" + rows, "--inverse --path path.csv", "leave others open");
   refused("t,ankle_rx\n0,0\n1,1\n", "--inverse --path path.csv", "a path has at least 3 rows, found 2");
   refused("t,motor_a,motor_b\n0,0,0\n1,2,2\n2,4,4\n", "--inverse --path path.csv", "loop singular");
+  refused("t,motor_a,motor_b\n0,0,0\n1,2,2\n2,4,4\n", "--inverse --path path.csv --step 1e-12", "take a longer step");
   refused("t", "--inverse", "--path TABLE is required");
   refused("t", "--path path.csv", "--path is of --inverse");
   refused("t", "--inverse --path path.csv --every 2", "--every is of a motion");

@@ -18,6 +18,9 @@
 namespace mbgen {
 namespace {
 
+/// Rows of a table along a path, which are kept until the last one is known.
+constexpr double kMostRows = 5e6;
+
 constexpr const char* kActuatorColumn = "actuator.";
 /// Parts of the way from the start of the model to the start of a path.
 constexpr int kApproach = 64;
@@ -143,6 +146,12 @@ void add_actuator_outputs(Model& model) {
 
 Results forces_along(const PathOfCoordinates& path, const Engine& engine, const Compilation& compilation,
                      const InputsOverTime& inputs, GenericState start, double step) {
+  const double length = path.end - path.start, wanted = std::ceil(length / step - 1e-9);
+  if (!(wanted <= kMostRows))
+    throw UserError(
+        fmt::format("--step: {:g} s gives more rows along {:g} s than the {:g} that are kept in memory; take a "
+                    "longer step\n",
+                    step, length, kMostRows));
   Results table;
   table.columns.push_back({{"t", "s"}, {}});
   for (const TreeBody& body : compilation.topology.bodies)
@@ -150,8 +159,7 @@ Results forces_along(const PathOfCoordinates& path, const Engine& engine, const 
   for (const Output& output : compilation.model.outputs) table.columns.push_back({{output.name, output.unit}, {}});
   PathFollower follower(path, engine, compilation, inputs);
   follower.approach(start);
-  const double length = path.end - path.start;
-  const long steps = std::max(1L, std::lround(std::ceil(length / step - 1e-9)));
+  const long steps = std::max(1L, std::lround(wanted));
   for (long i = 0; i <= steps; ++i) {
     const double t = path.start + length * static_cast<double>(i) / static_cast<double>(steps);
     const std::vector<double> row = follower.row_at(t, start);
