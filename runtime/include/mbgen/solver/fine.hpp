@@ -37,7 +37,7 @@ struct FineSolution {
   int* others = nullptr;  ///< columns that depend on none: of the structure, or exchanged for one of a fine block
   int other_count = 0;
   Real smallest_pivot = 0;
-  int sign = 1;  ///< of the determinant of the structure's columns, up to that of its order; 0 where one was exchanged
+  int sign = 1;  ///< of the determinant of the structure's columns, but for its order; 0: one was exchanged
 
   int stride() const noexcept { return other_count + 2; }
   Real* row(int column) const noexcept { return rows + column * stride(); }
@@ -102,7 +102,7 @@ int sign_of_columns(const Elimination<Real>& e) noexcept {
 }
 
 /// Solves the equations for one coordinate each, until a pivot is below `least`; e.taken is -1 from there on. Result:
-/// the smallest pivot, that one too, and 0 where there is none. sign: multiplied by that of the determinant.
+/// the smallest pivot, that one too, and 0 where there is none. sign: multiplied by the sign of the determinant.
 template <class Real>
 Real reduce(const Elimination<Real>& e, int others, const unsigned char* is_movable, Real least, int& sign) noexcept {
   const int size = e.block.size;
