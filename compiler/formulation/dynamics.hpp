@@ -250,15 +250,18 @@ std::vector<T> starred_accelerations(const Topology& topology, const std::vector
 /// All joint accelerations from the accelerations of the free directions (62).
 template <class T>
 std::vector<T> joint_accelerations(const Topology& topology, const std::vector<GroupProjection<T>>& projections,
-                                   const ReducedSystem<T>& reduced, const std::vector<T>& free_acceleration) {
+                                   const std::vector<T>& free_acceleration) {
   std::vector<T> zdd(topology.bodies.size(), T(0.0));
-  for (std::size_t g = 0; g < topology.groups.size(); ++g)
+  std::size_t first = 0;
+  for (std::size_t g = 0; g < topology.groups.size(); ++g) {
     for (std::size_t c = 0; c < topology.groups[g].joints.size(); ++c) {
       T value = projections[g].zdd_star[c];
       for (std::size_t q = 0; q < projections[g].rz[c].size(); ++q)
-        value = value + projections[g].rz[c][q] * free_acceleration[reduced.first[g] + q];
+        value = value + projections[g].rz[c][q] * free_acceleration[first + q];
       zdd[topology.groups[g].joints[c]] = value;
     }
+    first += projections[g].rz[0].size();
+  }
   return zdd;
 }
 

@@ -52,24 +52,17 @@ std::vector<GroupProjection<T>> moving_projections(System<T>& system, const Kine
   return projections;
 }
 
-/// All accelerations from the independent coordinates in `given`, per coordinate (62).
+/// Accelerations of the free directions: of the independent coordinates in `given`, per coordinate.
 template <class T, class Partitions>
-std::vector<T> completed_accelerations(const Topology& topology, const Partitions& partitions,
-                                       const std::vector<GroupProjection<T>>& projections,
-                                       const std::vector<T>& given) {
-  std::vector<T> zdd(given.size(), T(0.0));
+std::vector<T> free_accelerations(const Topology& topology, const Partitions& partitions,
+                                  const std::vector<GroupProjection<T>>& projections, const std::vector<T>& given) {
+  std::vector<T> result;
   for (std::size_t g = 0; g < projections.size(); ++g) {
     const JointGroup& group = topology.groups[g];
-    for (std::size_t c = 0; c < group.joints.size(); ++c) {
-      T value = projections[g].zdd_star[c];
-      for (std::size_t q = 0; q < projections[g].rz[c].size(); ++q) {
-        const int independent = group.block < 0 ? 0 : partitions[group.block].independent[q];
-        value = value + projections[g].rz[c][q] * given[group.joints[independent]];
-      }
-      zdd[group.joints[c]] = value;
-    }
+    for (std::size_t q = 0; q < projections[g].rz[0].size(); ++q)
+      result.push_back(given[group.joints[group.block < 0 ? 0 : partitions[group.block].independent[q]]]);
   }
-  return zdd;
+  return result;
 }
 
 /// Rz' times generalised forces of the tree, per free direction.
@@ -169,8 +162,10 @@ InverseDynamics<T> inverse_dynamics(System<T>& system, const Partitions& partiti
   const AppliedForces<T> forces = in(Step::forces, [&] { return applied_forces(system, k, v); });
   const std::vector<GroupProjection<T>> projections =
       in(Step::closure_bias, [&] { return detail::moving_projections(system, k, partitions, result.quality); });
-  result.zdd = in(Step::closure_bias,
-                  [&] { return detail::completed_accelerations(system.topology, partitions, projections, given); });
+  result.zdd = in(Step::closure_bias, [&] {
+    return joint_accelerations(system.topology, projections,
+                               detail::free_accelerations(system.topology, partitions, projections, given));
+  });
   const std::vector<T> left = in(Step::accelerations, [&] {
     return tree_forces(system, k, m, v, accelerations(system, k, v, result.zdd), forces, tau);
   });

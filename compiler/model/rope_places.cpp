@@ -20,26 +20,12 @@ void add_names(const Model& model, std::size_t first, std::vector<std::string>& 
   for (int g = 0; g < rope.spans; ++g) names.push_back(model.ropes[first + static_cast<std::size_t>(g)].name);
 }
 
-/// Number of the places of a rope by its first span, none for a further one.
-std::size_t places_of(const auto& rope) {
-  if (rope.path.empty()) return 0;
-  std::size_t places = static_cast<std::size_t>(rope.spans);
-  for (const RopeLeg& leg : legs_of(rope)) places += rope.path[leg.to].kind == RopeStation::Kind::pulley ? 2 : 1;
-  return places;
-}
-
 }  // namespace
 
 std::vector<std::string> rope_place_names(const Model& model) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < model.ropes.size(); ++i) add_names(model, i, names);
   return names;
-}
-
-std::size_t first_rope_place(const Model& model, std::size_t rope) {
-  std::size_t places = 0;
-  for (std::size_t i = 0; i < rope; ++i) places += places_of(model.ropes[i]);
-  return places;
 }
 
 }  // namespace mbgen

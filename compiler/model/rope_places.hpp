@@ -12,7 +12,4 @@ namespace mbgen {
 /// "hoist at load.O", off which it may lift; its spans, which may be wound up.
 std::vector<std::string> rope_place_names(const Model& model);
 
-/// Number of the places of the ropes before this one (index into Model::ropes, of a first span).
-std::size_t first_rope_place(const Model& model, std::size_t rope);
-
 }  // namespace mbgen

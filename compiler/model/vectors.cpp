@@ -40,6 +40,11 @@ double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1
 
 double norm(const Vector3& a) { return std::hypot(a[0], a[1], a[2]); }
 
+Vector3 normalised(const Vector3& a) {
+  const double length = norm(a);
+  return {a[0] / length, a[1] / length, a[2] / length};
+}
+
 double angle_between(const Vector3& a, const Vector3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
 
 Vector3 to_global(const Pose& pose, const Vector3& local) {

@@ -18,6 +18,8 @@ Vector3 from_to(const Vector3& from, const Vector3& to);
 Vector3 cross(const Vector3& a, const Vector3& b);
 double dot(const Vector3& a, const Vector3& b);
 double norm(const Vector3& a);
+/// Of length 1. Requires: a is not zero.
+Vector3 normalised(const Vector3& a);
 /// Angle between two vectors, 0 to pi.
 double angle_between(const Vector3& a, const Vector3& b);
 

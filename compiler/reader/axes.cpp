@@ -17,12 +17,6 @@ Vector3 letter_axis(std::size_t index) {
   return {index == 0 ? 1.0 : 0.0, index == 1 ? 1.0 : 0.0, index == 2 ? 1.0 : 0.0};
 }
 
-Vector3 normalised(Vector3 vector) {
-  const double length = norm(vector);
-  for (double& component : vector) component /= length;
-  return vector;
-}
-
 /// A direction perpendicular to an axis: the letter after the axis's, or any for a skew axis.
 Vector3 direction_across(const Vector3& axis) {
   std::size_t least = 0;
@@ -35,10 +29,7 @@ Vector3 direction_across(const Vector3& axis) {
 
 /// Perpendicular component of a direction, as a unit vector.
 Vector3 part_across(const Vector3& axis, const Vector3& direction) {
-  Vector3 part = direction;
-  const double along = dot(axis, direction);
-  for (std::size_t i = 0; i < 3; ++i) part[i] -= along * axis[i];
-  return normalised(part);
+  return normalised(sum(direction, axis, -dot(axis, direction)));
 }
 
 }  // namespace

@@ -178,9 +178,7 @@ void read_sections(Reader& reader) {
   read_rods(reader, with_composed(reader, entries(&FileFields::rods), made.rods), actuators);
   read_couplings(reader, entries(&FileFields::couplings));
   std::array<Entries, ElementKinds::count> elements;
-  each_section([&]<class Kind>(KindOf<Kind>) {
-    elements[kKindIndex<Kind>] = std::is_same_v<Kind, Actuator> ? actuators : entries(&SectionOf<Kind>::section);
-  });
+  each_section([&]<class Kind>(KindOf<Kind>) { elements[kKindIndex<Kind>] = entries(&SectionOf<Kind>::section); });
   Entries &springs = elements[kKindIndex<JointSpring>], &bushings = elements[kKindIndex<Bushing>];
   springs = with_composed(reader, std::move(springs), made.joint_springs);
   bushings = with_composed(reader, std::move(bushings), made.bushings);

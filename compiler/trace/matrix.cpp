@@ -65,7 +65,7 @@ void trace_solution(Tracing& tracing, const Kinematics<Expr>& k, const Inertias<
   const auto step = tracing.annotator.step(Step::solution);
   const ReducedSolution<Expr> solution = solve_reduced(system, reduced);
   tracing.outputs(Array::inertia, solution.inertia);
-  tracing.outputs(Array::zdd, joint_accelerations(system.topology, projections, reduced, solution.acceleration));
+  tracing.outputs(Array::zdd, joint_accelerations(system.topology, projections, solution.acceleration));
   tracing.outputs(Array::xd, forces.xd);
   tracing.outputs(Array::hold, forces.hold);
 }

@@ -28,7 +28,6 @@ struct Solved {
 }  // namespace
 
 struct CartesianSolver::Content {
-  Model model;
   Topology topology;
   CartesianSystem system;
   CartesianMethod method;
@@ -40,8 +39,7 @@ struct CartesianSolver::Content {
   PlacedState left;            ///< after the last step; its z is empty before the first one
 
   Content(const Model& model, const Topology& t, CartesianMethod m, Stabilisation s)
-      : model(model),
-        topology(t),
+      : topology(t),
         system(model, t),
         method(m),
         stabilisation(s),
@@ -204,19 +202,20 @@ Status CartesianSolver::inverse_dynamics(const GenericState& state, const std::v
   if (const int bad = first_not_finite(derivative.zdd); bad >= 0) return {Code::not_a_number, bad};
   const PlacedState at = content.configuration(state);
   std::vector<double> inputs = content.inputs;
-  for (const Actuator& actuator : content.model.actuators)
+  for (const Actuator& actuator : content.system.model().actuators)
     if (actuator.input >= 0) inputs[static_cast<std::size_t>(actuator.input)] = 0;
   content.system.set_inputs(inputs);
   Evaluation evaluation;
   status = evaluate(content.mechanics(), at, tau, {}, evaluation);
-  const Eigen::MatrixXd columns = actuator_columns(content.system, content.model, at, inputs);
+  const Eigen::MatrixXd columns = actuator_columns(content.system, at, inputs);
   content.system.set_inputs(content.inputs);
   if (!status.ok()) return status;
   const Eigen::VectorXd qdd = accelerations_of(content.system, at, evaluation, independent, derivative.zdd);
   const Eigen::MatrixXd& basis = evaluation.factors->null_basis();
   const Eigen::VectorXd required = basis.transpose() * (evaluation.terms.mass * qdd - evaluation.terms.force);
   std::vector<double> found;
-  if (!least_forces(content.model, basis.transpose() * columns, required, found)) return {Code::actuators_singular, -1};
+  if (!least_forces(content.system.model(), basis.transpose() * columns, required, found))
+    return {Code::actuators_singular, -1};
   derivative.zdd = content.system.joint_accelerations(at.bodies, state, qdd);
   force = std::move(found);
   return {};

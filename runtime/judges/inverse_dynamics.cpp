@@ -40,8 +40,8 @@ VectorXd accelerations_of(const CartesianSystem& system, const PlacedState& at, 
   return qdd + basis * least_squares(matrix, coordinates_of(zdd, independent) - start, kNothing);
 }
 
-MatrixXd actuator_columns(CartesianSystem& system, const Model& model, const PlacedState& at,
-                          const std::vector<double>& inputs) {
+MatrixXd actuator_columns(CartesianSystem& system, const PlacedState& at, const std::vector<double>& inputs) {
+  const Model& model = system.model();
   const std::vector<double> none(at.z.z.size(), 0.0);
   MatrixXd columns(system.coordinates(), static_cast<Index>(model.actuators.size()));
   for (std::size_t i = 0; i < model.actuators.size(); ++i) {

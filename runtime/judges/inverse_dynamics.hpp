@@ -14,8 +14,7 @@ Eigen::VectorXd accelerations_of(const CartesianSystem& system, const PlacedStat
                                  const std::vector<int>& independent, const std::vector<double>& zdd);
 
 /// Forces on the bodies for a unit input of each actuator. inputs: that the system has, and has again afterwards.
-Eigen::MatrixXd actuator_columns(CartesianSystem& system, const Model& model, const PlacedState& at,
-                                 const std::vector<double>& inputs);
+Eigen::MatrixXd actuator_columns(CartesianSystem& system, const PlacedState& at, const std::vector<double>& inputs);
 
 /// Forces with the least weighted sum of squares. actuation: motions x actuators. Result: whether the
 /// actuators move every motion.

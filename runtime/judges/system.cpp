@@ -15,6 +15,7 @@ CartesianSystem::CartesianSystem(const Model& model, const Topology& topology)
 CartesianSystem::~CartesianSystem() = default;
 CartesianSystem::CartesianSystem(CartesianSystem&&) noexcept = default;
 
+const Model& CartesianSystem::model() const { return mechanism_->model; }
 int CartesianSystem::coordinates() const { return 6 * mechanism_->moving(); }
 int CartesianSystem::equations() const { return mechanism_->first.end; }
 int CartesianSystem::loop_of(int equation) const { return mechanism_->first.loop_of[equation]; }

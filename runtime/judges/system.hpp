@@ -42,6 +42,7 @@ class CartesianSystem {
   ~CartesianSystem();
   CartesianSystem(CartesianSystem&&) noexcept;
 
+  const Model& model() const;
   int coordinates() const;  ///< n
   int equations() const;    ///< m
   /// Index into Topology::loops of an equation's closure, -1 for joints of the tree and motions.

@@ -56,6 +56,16 @@ class Inverse : public CommandLine {
     }
   }
 
+  /// Compiles the solver of NAME.json with a program, which ends with 0 where all holds.
+  void expect_program(const std::string& name, const char* program) const {
+    ASSERT_EQ(mbgen("generate " + name + ".json --out made").exit_code, 0);
+    write("main.cpp", program);
+    const Outcome compiled = shell("c++ -std=c++17 -O1 -Imade main.cpp made/" + name + ".cpp -o main");
+    ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
+    const Outcome run = shell("./main");
+    EXPECT_EQ(run.exit_code, 0) << run.out;
+  }
+
  private:
   mutable std::vector<std::string> order_;
 };
@@ -199,12 +209,7 @@ TEST_F(Inverse, PosesOfAnAnkleFollowFromItsMotors) {
   const std::string step = "\"step\": 1e-3";
   model.replace(model.find(step), step.size(), step + ", \"closure_tolerance\": 1e-15");
   write("parallel_ankle.json", model);
-  ASSERT_EQ(mbgen("generate parallel_ankle.json --out made").exit_code, 0);
-  write("main.cpp", kAnkle);
-  const Outcome compiled = shell("c++ -std=c++17 -O1 -Imade main.cpp made/parallel_ankle.cpp -o main");
-  ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
-  const Outcome run = shell("./main");
-  EXPECT_EQ(run.exit_code, 0) << run.out;
+  expect_program("parallel_ankle", kAnkle);
 }
 
 /// A path of the ankle's pitch and roll, from rest in both: half a second in 5 ms.
@@ -350,12 +355,7 @@ class WholeInverse : public Inverse {};
 TEST_F(WholeInverse, PosesOfADeltaFollowFromItsMotors) {
   write("delta_path.json", R"({ "mbgen": 1, "name": "delta_path", "include": [")" + kSource +
                                R"(/models/robots/delta_path.json"], "solver": { "closure_tolerance": 1e-15 } })");
-  ASSERT_EQ(mbgen("generate delta_path.json --out made").exit_code, 0);
-  write("main.cpp", kDelta);
-  const Outcome compiled = shell("c++ -std=c++17 -O1 -Imade main.cpp made/delta_path.cpp -o main");
-  ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
-  const Outcome run = shell("./main");
-  EXPECT_EQ(run.exit_code, 0) << run.out;
+  expect_program("delta_path", kDelta);
 }
 
 /// Long: solvers of every set, and lanes.

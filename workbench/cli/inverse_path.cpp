@@ -42,7 +42,7 @@ int run_inverse_path(const InversePathOptions& options) {
       forces_along(path, engine, compilation, inputs, initial_state(compilation, inputs.at(path.start)), step);
   std::vector<std::string> read = compilation.model.files;
   read.push_back(options.path);
-  write_file(options.out, csv_text(table), read);
+  write_file(options.out, csv_text(table.columns), read);
   print_beside(options.out,
                fmt::format("{}: forces along {}, {} rows from {:g} s to {:g} s, engine {}\n{}", compilation.model.name,
                            options.path, table.rows(), path.start, path.end, choice.name, forces_text(table)));

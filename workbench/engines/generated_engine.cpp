@@ -56,16 +56,21 @@ Status accelerations(LoadedSolver& solver, const LoadedState& at, GenericDerivat
   return status;
 }
 
+void flatten(const std::vector<LoadedState>& at, LoadedSolver& solver, std::vector<double>& states,
+             std::vector<double>& taus) {
+  for (const LoadedState& one : at) {
+    flatten(one.state, solver.state);
+    states.insert(states.end(), solver.state.begin(), solver.state.end());
+    taus.insert(taus.end(), one.tau.begin(), one.tau.end());
+  }
+}
+
 /// The same as one lane of a batch whose other lanes are the same state.
 Status accelerations_in_lanes(LoadedSolver& solver, const LoadedState& at, GenericDerivative& derivative) {
   const SolverTable& table = *solver.table;
   const auto lanes = static_cast<std::size_t>(table.lanes);
-  flatten(at.state, solver.state);
   std::vector<double> states, taus, derivatives(lanes * solver.derivative.size());
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    states.insert(states.end(), solver.state.begin(), solver.state.end());
-    taus.insert(taus.end(), at.tau.begin(), at.tau.end());
-  }
+  flatten(std::vector<LoadedState>(lanes, at), solver, states, taus);
   std::vector<Status> statuses(lanes);
   table.batch_accelerations(solver.parameters.data(), solver.inputs.data(), states.data(), taus.data(),
                             derivatives.data(), statuses.data());
@@ -156,14 +161,11 @@ Status actuator_forces_in_lanes(LoadedSolver& solver, const LoadedState& at, Gen
                                 std::vector<double>& force) {
   const SolverTable& table = *solver.table;
   const auto lanes = static_cast<std::size_t>(table.lanes), actuators = static_cast<std::size_t>(table.actuators);
-  flatten(at.state, solver.state);
-  flatten(derivative, solver.derivative);
   std::vector<double> states, taus, derivatives, values(lanes * actuators);
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    states.insert(states.end(), solver.state.begin(), solver.state.end());
-    taus.insert(taus.end(), at.tau.begin(), at.tau.end());
+  flatten(std::vector<LoadedState>(lanes, at), solver, states, taus);
+  flatten(derivative, solver.derivative);
+  for (std::size_t lane = 0; lane < lanes; ++lane)
     derivatives.insert(derivatives.end(), solver.derivative.begin(), solver.derivative.end());
-  }
   std::vector<Status> statuses(lanes);
   table.batch_actuator_forces(solver.parameters.data(), solver.inputs.data(), states.data(), taus.data(),
                               derivatives.data(), values.data(), statuses.data());
@@ -186,15 +188,6 @@ Status residuals(LoadedSolver& solver, const GenericState& state, Residuals& lar
 }
 
 /// State after state, tau after tau.
-void flatten(const std::vector<LoadedState>& at, LoadedSolver& solver, std::vector<double>& states,
-             std::vector<double>& taus) {
-  for (const LoadedState& one : at) {
-    flatten(one.state, solver.state);
-    states.insert(states.end(), solver.state.begin(), solver.state.end());
-    taus.insert(taus.end(), one.tau.begin(), one.tau.end());
-  }
-}
-
 long long time_accelerations(LoadedSolver& solver, const std::vector<LoadedState>& at, int repetitions) {
   std::vector<double> states, taus;
   flatten(at, solver, states, taus);

@@ -85,22 +85,6 @@ std::string pictures(const KcReport& report, const KcTable& table) {
   return text;
 }
 
-/// SI values with all their digits.
-std::string csv(const KcTable& table) {
-  std::string text;
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    text += (c > 0 ? "," : "") + csv_field(heading_text(table.columns[c].heading));
-  text += '\n';
-  for (std::size_t row = 0; row < table.columns.front().values.size(); ++row) {
-    for (std::size_t c = 0; c < table.columns.size(); ++c) {
-      const double value = table.columns[c].values[row];
-      text += (c > 0 ? "," : "") + (std::isfinite(value) ? fmt::format("{}", value) : std::string());
-    }
-    text += '\n';
-  }
-  return text;
-}
-
 std::string figure_rows(const KcReport& report) {
   std::string text;
   for (const KcFigure& figure : report.figures) {
@@ -255,7 +239,7 @@ std::string overview(const std::vector<KcReport>& reports) {
 std::vector<NamedText> kc_files(const KcReport& report) {
   std::vector<NamedText> files;
   for (const KcTable& table : report.tables) {
-    files.push_back({fmt::format("{}_{}.csv", report.axle, table.name), csv(table)});
+    files.push_back({fmt::format("{}_{}.csv", report.axle, table.name), csv_text(table.columns)});
     files.push_back(
         {fmt::format("{}_{}.svg", report.axle, table.name), picture(table, panels_of(report, table), {760, 130})});
   }

@@ -169,18 +169,6 @@ Results forces_along(const PathOfCoordinates& path, const Engine& engine, const 
   return table;
 }
 
-std::string csv_text(const Results& table) {
-  std::vector<std::string> fields;
-  for (const Column& column : table.columns) fields.push_back(csv_field(heading_text(column.heading)));
-  std::string text = fmt::format("{}\n", fmt::join(fields, ","));
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    for (std::size_t c = 0; c < table.columns.size(); ++c)
-      fmt::format_to(std::back_inserter(text), "{}{}", c == 0 ? "" : ",", table.columns[c].values[row]);
-    text += "\n";
-  }
-  return text;
-}
-
 std::string forces_text(const Results& table) {
   std::string text = fmt::format("  {:<32} {:>13} {:>13} {:>13}\n", "actuators", "smallest", "largest", "r.m.s.");
   for (const Column& column : table.columns) {

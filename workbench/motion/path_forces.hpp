@@ -31,9 +31,6 @@ void add_actuator_outputs(Model& model);
 Results forces_along(const PathOfCoordinates& path, const Engine& engine, const Compilation& compilation,
                      const InputsOverTime& inputs, GenericState start, double step);
 
-/// The table as CSV.
-std::string csv_text(const Results& table);
-
 /// Smallest, largest and root mean square value of the columns of actuators, for people.
 std::string forces_text(const Results& table);
 

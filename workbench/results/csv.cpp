@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 #include "compiler/text/characters.hpp"
 #include "workbench/results/faults.hpp"
@@ -59,6 +60,22 @@ std::string csv_field(const std::string& text) {
     quoted += letter;
   }
   return quoted + "\"";
+}
+
+std::string csv_text(const std::vector<Column>& columns) {
+  std::string text;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    text += (c > 0 ? "," : "") + csv_field(heading_text(columns[c].heading));
+  text += '\n';
+  for (std::size_t row = 0; row < columns.front().values.size(); ++row) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const double value = columns[c].values[row];
+      if (c > 0) text += ',';
+      if (std::isfinite(value)) fmt::format_to(std::back_inserter(text), "{}", value);
+    }
+    text += '\n';
+  }
+  return text;
 }
 
 std::vector<std::string> csv_fields(std::string_view line) {

@@ -16,6 +16,9 @@ Heading heading_of(const std::string& field);
 /// A field of a CSV file, quoted where it has to be (RFC 4180).
 std::string csv_field(const std::string& text);
 
+/// Columns with their headings as a CSV file, all digits; a number that is not finite is an empty field.
+std::string csv_text(const std::vector<Column>& columns);
+
 /// Fields of a line of a CSV file, without the blanks around them and the quotes.
 std::vector<std::string> csv_fields(std::string_view line);
 

@@ -7,7 +7,6 @@
 #include "compiler/formulation/elements/rope_law.hpp"
 #include "compiler/formulation/elements/rope_path.hpp"
 #include "compiler/model/moving.hpp"
-#include "compiler/model/rope_places.hpp"
 
 namespace mbgen {
 
@@ -223,25 +222,20 @@ T on_its_pulleys(const RopeSpan<T>& span, const T& tension) {
   return select(*span.least, tension, select(-tension, tension, T(sqrt(*span.least))));
 }
 
-/// Sets how the places of a rope hold, see rope_place_names. tension: of its spans.
+/// Appends how the places of a rope hold, see rope_place_names. tension: of its spans.
 template <class T>
-void set_holds(ForceWork<T>& work, const RopeAtWork<T>& at, const RopeNumbers<T>& numbers,
+void add_holds(ForceWork<T>& work, const RopeAtWork<T>& at, const RopeNumbers<T>& numbers,
                const std::vector<T>& stretch, const std::vector<T>& tension) {
   using mbgen::select;
   const Rope& rope = at.rope;
   std::vector<T>& hold = work.forces.hold;
-  std::size_t place = first_rope_place(work.system.model, index_in(work.system.model.ropes, rope));
-  const auto set = [&](const T& value) {
-    if (hold.size() <= place) hold.resize(place + 1, T(0.0));
-    hold[place++] = value;
-  };
-  for (const T& room : at.now.rooms) set(room);
+  hold.insert(hold.end(), at.now.rooms.begin(), at.now.rooms.end());
   for (const RopeLeg& leg : legs_of(rope))
     if (rope.path[leg.to].kind == RopeStation::Kind::pulley)
-      set(select(at.now.wraps[leg.to], T(0.0), -tension[static_cast<std::size_t>(leg.span)]));
+      hold.push_back(select(at.now.wraps[leg.to], T(0.0), -tension[static_cast<std::size_t>(leg.span)]));
   for (std::size_t g = 0; g < stretch.size(); ++g) {
     const T is_number = stretch[g] * stretch[g];
-    set(numbers.length.empty() ? is_number : T(select(numbers.length[g], is_number, numbers.length[g])));
+    hold.push_back(numbers.length.empty() ? is_number : T(select(numbers.length[g], is_number, numbers.length[g])));
   }
 }
 
@@ -258,7 +252,7 @@ void apply(ForceWork<T>& work, const Rope& rope) {
   for (const RopeSpan<T>& span : at.now.spans) reach.push_back(span.reach);
   RopeForces<T> law = rope_law(numbers, reach, at.rates, slips);
   for (std::size_t j = 0; j < law.slip_rate.size(); ++j) work.forces.xd[state + j] = law.slip_rate[j];
-  set_holds(work, at, numbers, law.stretch, law.tension);
+  add_holds(work, at, numbers, law.stretch, law.tension);
   for (std::size_t g = 0; g < law.tension.size(); ++g) {
     law.tension[g] = on_its_pulleys(at.now.spans[g], law.tension[g]);
     work.system.annotator.name(law.tension[g], "tension_", list[index + g].name);

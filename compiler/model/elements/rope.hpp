@@ -56,8 +56,8 @@ struct Rope {
   /// m, of the whole rope off its drums at the reference, with its parts on pulleys; default: no tension there
   std::optional<Quantity> free_length;
   std::optional<Quantity> pretension;  ///< N, of all spans at the reference, in place of free_length
-  std::optional<double>
-      lag;  ///< s, in which a groove with friction comes to its limit; the reader sets it to the step of the solver
+  /// s, in which a groove with friction comes to its limit; the reader sets it to the step of the solver
+  std::optional<double> lag;
 
   /// Number of neighbours among the stations.
   std::size_t pieces() const { return closed ? path.size() : path.size() - 1; }

@@ -27,11 +27,6 @@ Vector3 reference_of(const Vector3Quantity& position) {
   return {position[0].value, position[1].value, position[2].value};
 }
 
-Vector3 direction_of(const Vector3& vector) {
-  const double length = norm(vector);
-  return {vector[0] / length, vector[1] / length, vector[2] / length};
-}
-
 std::string point_of_bar(const Entry& bar, std::size_t point, std::size_t side) {
   return fmt::format("{}_{}_{}", bar.written, kBarPoints[point], kBarSides[side]);
 }
@@ -68,7 +63,7 @@ double lever_of(Reader& reader, const Value& value, const std::array<BarPoints, 
   const std::string prefix = side == 0 ? "" : "right_";
   const Vector3 pivot = reference_of(points[side][0]), arm = reference_of(points[side][1]),
                 link = reference_of(points[side][2]);
-  const Vector3 axis = direction_of(from_to(reference_of(points[1][0]), reference_of(points[0][0])));
+  const Vector3 axis = normalised(from_to(reference_of(points[1][0]), reference_of(points[0][0])));
   const Vector3 to_arm = from_to(pivot, arm), rod = from_to(arm, link);
   if (norm(rod) < kNearestOfBar) {
     report(reader, member_or_object(value, prefix + "link"), "the droplink has no length, it ends at the arm");
@@ -79,7 +74,7 @@ double lever_of(Reader& reader, const Value& value, const std::array<BarPoints, 
     report(reader, member_or_object(value, prefix + "arm"), "the arm ends on the bar's axis, it cannot twist the bar");
     return 0;
   }
-  const double lever = std::abs(dot(axis, cross(to_arm, direction_of(rod))));
+  const double lever = std::abs(dot(axis, cross(to_arm, normalised(rod))));
   if (lever >= kSmallestLever * radius) return lever;
   report(reader, member_or_object(value, prefix + "link"),
          fmt::format("the droplink has a lever of {:.3g} m about the bar's axis, its arm has {:.3g} m: it cannot twist "

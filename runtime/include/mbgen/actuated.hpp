@@ -19,7 +19,8 @@ struct ActuatedCoordinates {
   }
 };
 
-/// Solves every block for its coordinates without actuators. use(b, solution): by the factors of block b.
+/// Solves every block for its coordinates without actuators. use(block, coordinate, solution): its coordinates, and
+/// its solution by factors.
 /// Fails: loop_singular where actuators do not determine a block.
 template <class System, class Use>
 Status each_actuated_block(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
@@ -36,7 +37,8 @@ Status each_actuated_block(const typename System::Parameters& parameters, const 
     const bool is_regular =
         loop.rank == block.rank && smallest_pivot(loop) >= kSingular<Real> * static_cast<Real>(block.pivot);
     if (block.rank > 0 && !is_regular) return {Code::loop_singular, b};
-    use(b, ByFactors<System>{b, loop, terms, factors.work, right_hand_side});
+    use(block, System::kBlockCoordinate + block.first_coordinate,
+        ByFactors<System>{b, loop, terms, factors.work, right_hand_side});
   }
   return {};
 }
@@ -74,10 +76,8 @@ Status complete_accelerations(const typename System::Parameters& parameters, con
   for (int i = 0; i < System::kActuators; ++i) all[System::kActuatedCoordinate[i]] = acceleration[i] / System::kGear[i];
   if constexpr (System::kBlocks > 0) {
     typename System::ClosureTerms terms;
-    const Status status =
-        each_actuated_block<System>(parameters, inputs, state, terms, [&](int b, const auto& solution) {
-          const BlockLayout& block = System::kBlockLayout[b];
-          const int* coordinate = System::kBlockCoordinate + block.first_coordinate;
+    const Status status = each_actuated_block<System>(
+        parameters, inputs, state, terms, [&](const BlockLayout& block, const int* coordinate, const auto& solution) {
           RealOf<System> x[System::kBlockCoordinates];
           for (int c = 0; c < block.coordinates; ++c)
             x[c] = System::kBlockDriven[block.first_coordinate + c] != 0 ? terms.driven_acceleration[coordinate[c]]
@@ -109,10 +109,8 @@ Status actuator_jacobian(const typename System::Parameters& parameters, const ty
   for (int i = 0; i < count; ++i) rates[System::kActuatedCoordinate[i] * count + i] = 1 / System::kGear[i];
   if constexpr (System::kBlocks > 0) {
     typename System::ClosureTerms terms;
-    const Status status =
-        each_actuated_block<System>(parameters, inputs, state, terms, [&](int b, const auto& solution) {
-          const BlockLayout& block = System::kBlockLayout[b];
-          const int* coordinate = System::kBlockCoordinate + block.first_coordinate;
+    const Status status = each_actuated_block<System>(
+        parameters, inputs, state, terms, [&](const BlockLayout& block, const int* coordinate, const auto& solution) {
           RealOf<System> x[System::kBlockCoordinates];
           for (int i = 0; i < count; ++i) {
             for (int c = 0; c < block.coordinates; ++c) x[c] = rates[coordinate[c] * count + i];

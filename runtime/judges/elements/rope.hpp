@@ -2,7 +2,6 @@
 // Ropes and belts. Lengths by angles of tangents; loads are their derivatives by the motions of the bodies, from
 // complex steps; slips of grooves from a general linear solver.
 
-#include "compiler/model/rope_places.hpp"
 #include "runtime/judges/elements/rope_in_space.hpp"
 
 namespace mbgen::cartesian {
@@ -195,9 +194,7 @@ inline RopeNow rope_now(const AtWork& at, const Rope& rope) {
 inline void apply(const AtWork& at, const Rope& rope, Forces& forces) {
   if (rope.path.empty()) return;  // its first span acts
   const RopeNow now = rope_now(at, rope);
-  const std::size_t first = first_rope_place(at.c.model, index_of(at, rope));
-  forces.hold.resize(std::max(forces.hold.size(), first + now.holds.size()));
-  std::ranges::copy(now.holds, forces.hold.begin() + static_cast<std::ptrdiff_t>(first));
+  forces.hold.insert(forces.hold.end(), now.holds.begin(), now.holds.end());
   auto rates = forces.xd.begin() + first_slip(at.c.model, index_of(at, rope));
   for (const double rate : now.slip_rates) *rates++ = rate;
   const RopeInSpace space{at, rope, at.bodies};

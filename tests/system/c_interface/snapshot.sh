@@ -6,10 +6,7 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mbgen=$(realpath "$1")
 data=$here/../../data
-for python in python3 /usr/bin/python3 none; do
-  "$python" -c 'import numpy' 2>/dev/null && break
-done
-[ "$python" != none ] || { echo "skipped, python3 with numpy is not installed (apt-get install python3-numpy)"; exit 77; }
+. "$here/python_with_numpy.sh"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"

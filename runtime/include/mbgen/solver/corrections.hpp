@@ -17,14 +17,20 @@ enum class Correction {
   shortest        ///< least sum of squares, which does not depend on a choice of coordinates
 };
 
+/// Largest of a number over the blocks, at least 1.
+template <class System>
+constexpr int most_of_blocks(int BlockLayout::*number) noexcept {
+  int most = 1;
+  for (int b = 0; b < System::kBlocks; ++b) {
+    most = System::kBlockLayout[b].*number > most ? System::kBlockLayout[b].*number : most;
+  }
+  return most;
+}
+
 /// Largest number of free directions of a block, at least 1.
 template <class System>
 constexpr int most_free() noexcept {
-  int most = 1;
-  for (int b = 0; b < System::kBlocks; ++b) {
-    most = System::kBlockLayout[b].free > most ? System::kBlockLayout[b].free : most;
-  }
-  return most;
+  return most_of_blocks<System>(&BlockLayout::free);
 }
 
 /// Memory for the corrections of one block.

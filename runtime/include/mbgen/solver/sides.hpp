@@ -9,16 +9,6 @@ namespace mbgen {
 
 namespace solver_detail {
 
-/// Largest rank of a block, at least 1.
-template <class System>
-constexpr int most_pivots() noexcept {
-  int most = 1;
-  for (int b = 0; b < System::kBlocks; ++b) {
-    most = System::kBlockLayout[b].rank > most ? System::kBlockLayout[b].rank : most;
-  }
-  return most;
-}
-
 /// Closure of one of two states that are compared, with the solution of one block at a time.
 template <class System>
 struct Side {
@@ -42,8 +32,8 @@ struct Side {
 template <class System>
 struct TwoSides {
   using Real = RealOf<System>;
-  static constexpr int kMost = most_pivots<System>() > most_free<System>() ? most_pivots<System>()
-                                                                           : most_free<System>();
+  static constexpr int kPivots = most_of_blocks<System>(&BlockLayout::rank), kFree = most_free<System>();
+  static constexpr int kMost = kPivots > kFree ? kPivots : kFree;
   Side<System> start, end;
   typename System::ClosureTerms factored;
   BlockFactors<System> factors;
