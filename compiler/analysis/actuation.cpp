@@ -16,17 +16,54 @@ using Eigen::MatrixXd;
 /// Pivots below this share of the largest, of rows and columns of like size, are rounding.
 constexpr double kNoForce = 1e-9;
 
-/// Rz' B at a position: directions x actuators.
+/// Entries of Rz' B below this share of those that an actuator could have are rounding: of a cylinder that pushes
+/// through the axis of a joint, of a motor whose coordinate stands still.
+constexpr double kNoLever = 1e-9;
+
+/// Entries of B as large as an actuator could have them, per tree coordinate: of a cylinder its length about each joint
+/// that it loads, of a motor its gear on all coordinates of the loops.
+std::vector<double> possible_levers(const detail::ForceWork<double>& work, const Actuator& actuator) {
+  const Topology& topology = work.system.topology;
+  const double gear = std::abs(work.value(actuator.gear));
+  std::vector<double> levers(topology.bodies.size(), 0.0);
+  const std::vector<double> force = detail::unit_force(work, actuator);
+  if (actuator.joint) {
+    for (std::size_t j = 0; j < levers.size(); ++j)
+      for (const int c : topology.groups[topology.group_of[j]].joints)
+        if (force[j] != 0) levers[c] = gear;
+    return levers;
+  }
+  const double length = detail::AlongLine<double>(work, actuator.from, actuator.to, -1).position;
+  for (std::size_t j = 0; j < levers.size(); ++j)
+    if (force[j] != 0) levers[j] = topology.bodies[j].kind == FreedomKind::revolute ? gear * length : gear;
+  return levers;
+}
+
+/// Rz' B at a position, without rounding of levers: directions x actuators.
 MatrixXd actuation_at(NumericSystem& numbers, const Analysis& analysis, const std::vector<double>& z,
                       std::size_t directions) {
   System<double>& system = numbers.at(z);
   const Kinematics<double> k = kinematics(system);
-  const std::vector<SparseRow<double>> rows =
-      actuation(system, k, velocities(system, k), frozen_directions(system, k, analysis.blocks, analysis.driven));
+  const Velocities<double> v = velocities(system, k);
+  std::vector<GroupProjection<double>> projections = frozen_directions(system, k, analysis.blocks, analysis.driven);
+  const std::vector<SparseRow<double>> rows = actuation(system, k, v, projections);
   MatrixXd matrix = MatrixXd::Zero(static_cast<Index>(directions), static_cast<Index>(system.model.actuators.size()));
   for (std::size_t q = 0; q < rows.size(); ++q)
     for (std::size_t i = 0; i < rows[q].columns.size(); ++i)
       matrix(static_cast<Index>(q), rows[q].columns[i]) = rows[q].values[i];
+  AppliedForces<double> none;
+  none.about = v.about;
+  const detail::ForceWork<double> work{system, k, v, none};
+  for (GroupProjection<double>& projection : projections)
+    for (std::vector<double>& row : projection.rz)
+      for (double& entry : row) entry = std::abs(entry);
+  for (Index a = 0; a < matrix.cols(); ++a) {
+    const Actuator& actuator = system.model.actuators[static_cast<std::size_t>(a)];
+    const std::vector<double> possible =
+        detail::along_directions(system.topology, projections, possible_levers(work, actuator));
+    for (Index q = 0; q < matrix.rows(); ++q)
+      if (std::abs(matrix(q, a)) <= kNoLever * possible[static_cast<std::size_t>(q)]) matrix(q, a) = 0;
+  }
   return matrix;
 }
 

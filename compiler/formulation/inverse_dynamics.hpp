@@ -111,6 +111,28 @@ std::vector<SparseRow<T>> actuation(System<T>& system, const Kinematics<T>& k, c
   return rows;
 }
 
+/// Sign of the determinant of Jacobian and actuators together, but for their orders, at a position: it changes where
+/// actuators pass a singular position, and not where a partition does, det(Phi_d) det(Rz' B). Requires: as many
+/// actuators as free directions.
+template <class Partitions>
+int side_of_actuators(System<double>& system, const Partitions& partitions, const std::vector<bool>& driven,
+                      const LoopPartition& actuators) {
+  const Kinematics<double> k = kinematics(system);
+  int side = 1;
+  const auto count_signs = [&](const FrozenFactors<double>& factors) {
+    for (const double pivot : factors.pivot) side = pivot < 0 ? -side : side;
+  };
+  const RelativeMotion<double> rest = at_rest<double>(system.topology);
+  for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
+    const LoopBlock& block = system.topology.blocks[b];
+    count_signs(factorise_frozen(sparse_closure(system, k, block, rest).jacobian, partitions[b], block.joints.size()));
+  }
+  count_signs(
+      factorise_frozen(actuation(system, k, velocities(system, k), frozen_directions(system, k, partitions, driven)),
+                       actuators, system.model.actuators.size()));
+  return side;
+}
+
 namespace detail {
 
 /// Least weighted forces with the same generalised forces: force less its part along the null

@@ -90,6 +90,9 @@ class GenericSolver {
   /// actuators_singular; derivative and force are then unchanged.
   Status inverse_dynamics(const GenericState& state, const std::vector<double>& tau, GenericDerivative& derivative,
                           std::vector<double>& force) const;
+  /// Side of the singular positions of the actuators on which a state is, 1 or -1; 0 of more actuators than directions.
+  /// Requires: has_inverse_dynamics.
+  int side_of_actuators(const GenericState& state) const;
   /// Closure residuals in the order of Topology::loops (positions), and Phi_z zd (velocities).
   std::vector<double> position_residuals(const GenericState& state) const;
   std::vector<double> velocity_residuals(const GenericState& state) const;

@@ -23,4 +23,10 @@ Status GenericSolver::inverse_dynamics(const GenericState& state, const std::vec
   return {};
 }
 
+int GenericSolver::side_of_actuators(const GenericState& state) const {
+  const Analysis& analysis = equations_->analysis;
+  if (!analysis.actuation.independent.empty()) return 0;
+  return mbgen::side_of_actuators(equations_->system(state), analysis.blocks, analysis.driven, analysis.actuation);
+}
+
 }  // namespace mbgen

@@ -212,62 +212,19 @@ TEST_F(Inverse, PosesOfAnAnkleFollowFromItsMotors) {
   expect_program("parallel_ankle", kAnkle);
 }
 
-/// A path of the ankle's pitch and roll, from rest in both: half a second in 5 ms.
-std::string path_of_ankle() {
-  std::string text = "t [s],ankle_ry [rad],ankle_rx\n";
-  for (int i = 0; i <= 100; ++i) {
-    const double t = 0.005 * i, share = 1 - std::cos(8 * t);
-    text += fmt::format("{},{},{}\n", t, 0.1 * share, -0.06 * share * share);
-  }
-  return text;
-}
-
-TEST_F(Inverse, ForcesAlongAPathMoveTheModelAlongIt) {
-  const std::string ankle = kSource + "/models/robots/parallel_ankle.json";
-  write("path.csv", path_of_ankle());
-  const Outcome run =
-      mbgen("simulate '" + ankle + "' --inverse --path path.csv --step 1e-3 --engine generic --out forces.csv");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.out.find("ankle_b.power [W]"), std::string::npos) << run.out;
-  const Table forces = table("forces.csv");
-  ASSERT_EQ(forces.rows.size(), 501u);
-  std::string inputs = "t,ankle_a,ankle_b\n";
-  for (std::size_t row = 0; row < forces.rows.size(); ++row) {
-    const double force = forces.at(row, "actuator.ankle_a.force [N m]");
-    inputs += fmt::format("{},{},{}\n", forces.at(row, "t [s]"), force, forces.at(row, "actuator.ankle_b.force [N m]"));
-    EXPECT_NEAR(forces.at(row, "actuator.ankle_a.power [W]"), force * forces.at(row, "actuator.ankle_a.speed [rad/s]"),
-                1e-12);
-  }
-  write("forces_in.csv", inputs);
-  const Outcome forward = mbgen("simulate '" + ankle +
-                                "' --engine generic --duration 0.5 --step 1e-3 --input-table forces_in.csv "
-                                "--interpolation spline --out motion.csv");
-  ASSERT_EQ(forward.exit_code, 0) << forward.err;
-  const Table motion = table("motion.csv");
-  // Curves between the rows of the path, and between those of the forces.
-  EXPECT_NEAR(motion.last("pitch [rad]"), forces.last("ankle_ry [rad]"), 1e-5);
-  EXPECT_NEAR(motion.last("roll [rad]"), forces.last("ankle_rx [rad]"), 1e-5);
-}
-
-TEST_F(Inverse, RefusesPathsThatAreNone) {
-  const auto refused = [&](const std::string& path, const std::string& options, const std::string& text) {
-    write("path.csv", path);
-    const Outcome run =
-        mbgen("simulate '" + kSource + "/models/robots/parallel_ankle.json' --engine generic --out f.csv " + options);
-    EXPECT_EQ(run.exit_code, 1) << text;
-    EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
-    EXPECT_FALSE(std::filesystem::exists(this->path("f.csv")));
-  };
-  const std::string rows = "\n0,0\n1,0.1\n2,0.2\n";
-  refused("t,ankle_r" + rows, "--inverse --path path.csv", "the model has no coordinate \"ankle_r\"");
-  refused("t,ankle_rx [m]" + rows, "--inverse --path path.csv", "column \"ankle_rx\" is in m, the coordinate in rad");
-  refused("t,ankle_rx" + rows, "--inverse --path path.csv", "leave others open");
-  refused("t,ankle_rx\n0,0\n1,1\n", "--inverse --path path.csv", "a path has at least 3 rows, found 2");
-  refused("t,motor_a,motor_b\n0,0,0\n1,2,2\n2,4,4\n", "--inverse --path path.csv", "loop singular");
-  refused("t,motor_a,motor_b\n0,0,0\n1,2,2\n2,4,4\n", "--inverse --path path.csv --step 1e-12", "take a longer step");
-  refused("t", "--inverse", "--path TABLE is required");
-  refused("t", "--path path.csv", "--path is of --inverse");
-  refused("t", "--inverse --path path.csv --every 2", "--every is of a motion");
+// The line of the cylinder always meets the axis of q1, whose rounding is no lever.
+TEST_F(Inverse, ACylinderThroughAnAxisDoesNotMoveIt) {
+  write("arm.json", R"({ "mbgen": 1, "name": "arm",
+    "bodies": { "ground": { "points": { "O": [0.31, 0.17, 0.53] } },
+      "a": { "mass": 2, "com": [0.7, 0.17, 0.5], "inertia": [0.1, 0.1, 0.1],
+             "points": { "O": [0.31, 0.17, 0.53], "A": [1.1, 0.17, 0.4] } },
+      "b": { "mass": 1, "com": [1.4, 0.17, 0.2], "inertia": [0.05, 0.05, 0.05],
+             "points": { "A": [1.1, 0.17, 0.4], "T": [1.7, 0.17, 0.1] } } },
+    "joints": { "q1": { "type": "revolute", "from": "ground.O", "to": "a.O", "axis": "y" },
+                "q2": { "type": "revolute", "from": "a.A", "to": "b.A", "axis": "y" } },
+    "actuators": { "m": { "from": "ground.O", "to": "b.T" }, "m2": { "joint": "q2" } } })");
+  EXPECT_NE(mbgen("check arm.json").err.find("actuators do not move every free direction: q1 is left"),
+            std::string::npos);
 }
 
 // The moments of weight about the foot of the boom, and about its tip, by the lever of each cylinder.

@@ -87,6 +87,10 @@ class PathFollower {
     GenericOutputs outputs;
     if (status.ok()) status = engine_.outputs(at, derivative, outputs);
     if (!status.ok()) stop(compilation_, status, t);
+    const int side = poses_.side_of_actuators(state);
+    if (side * side_ < 0)
+      throw UserError(fmt::format("--path: actuators pass a singular position shortly before t = {:.10g} s\n", t));
+    side_ = side;
     std::vector<double> row = state.z;
     row.insert(row.end(), outputs.y.begin(), outputs.y.end());
     return row;
@@ -98,12 +102,15 @@ class PathFollower {
   const Compilation& compilation_;
   const InputsOverTime& inputs_;
   GenericSolver poses_;
+  int side_ = 0;  ///< of the row before, see GenericSolver::side_of_actuators
 };
 
 }  // namespace
 
 PathOfCoordinates read_path(const std::string& path, const Compilation& compilation) {
   const Results table = expect(read_results(read_text(path), path));
+  if (const std::string& unit = table.columns[0].heading.unit; !unit.empty() && unit != "s")
+    throw UserError(fmt::format("{}: column \"t\" is in {}, must be in s\n", path, unit));
   constexpr std::size_t kLeastRows = 3;
   if (table.rows() < kLeastRows)
     throw UserError(fmt::format("{}: a path has at least {} rows, found {}\n", path, kLeastRows, table.rows()));
@@ -120,6 +127,11 @@ PathOfCoordinates read_path(const std::string& path, const Compilation& compilat
       throw UserError(fmt::format("{}: the model has no coordinate \"{}\"{}{}\n", path, heading.name,
                                   hint.empty() ? "" : "; ", hint));
     }
+    if (compilation.analysis.driven[static_cast<std::size_t>(coordinate)])
+      throw UserError(
+          fmt::format("{}: coordinate \"{}\" has a motion, which moves it\n  hint: leave out the column, or "
+                      "the motion\n",
+                      path, heading.name));
     const char* unit = unit_of(compilation.topology.bodies[static_cast<std::size_t>(coordinate)].kind);
     if (!heading.unit.empty() && heading.unit != unit)
       throw UserError(

@@ -1,0 +1,103 @@
+// `mbgen simulate --inverse --path`: forces of the actuators along a path.
+
+#include "tests/support/cli_support.hpp"
+
+namespace mbgen::cli_test {
+namespace {
+
+class InversePath : public CommandLine {};
+
+/// A path of the ankle's pitch and roll, from rest in both: half a second in 5 ms.
+std::string path_of_ankle() {
+  std::string text = "t [s],ankle_ry [rad],ankle_rx\n";
+  for (int i = 0; i <= 100; ++i) {
+    const double t = 0.005 * i, share = 1 - std::cos(8 * t);
+    text += fmt::format("{},{},{}\n", t, 0.1 * share, -0.06 * share * share);
+  }
+  return text;
+}
+
+TEST_F(InversePath, ForcesAlongAPathMoveTheModelAlongIt) {
+  const std::string ankle = kSource + "/models/robots/parallel_ankle.json";
+  write("path.csv", path_of_ankle());
+  const Outcome run =
+      mbgen("simulate '" + ankle + "' --inverse --path path.csv --step 1e-3 --engine generic --out forces.csv");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("ankle_b.power [W]"), std::string::npos) << run.out;
+  const Table forces = table("forces.csv");
+  ASSERT_EQ(forces.rows.size(), 501u);
+  std::string inputs = "t,ankle_a,ankle_b\n";
+  for (std::size_t row = 0; row < forces.rows.size(); ++row) {
+    const double force = forces.at(row, "actuator.ankle_a.force [N m]");
+    inputs += fmt::format("{},{},{}\n", forces.at(row, "t [s]"), force, forces.at(row, "actuator.ankle_b.force [N m]"));
+    EXPECT_NEAR(forces.at(row, "actuator.ankle_a.power [W]"), force * forces.at(row, "actuator.ankle_a.speed [rad/s]"),
+                1e-12);
+  }
+  write("forces_in.csv", inputs);
+  const Outcome forward = mbgen("simulate '" + ankle +
+                                "' --engine generic --duration 0.5 --step 1e-3 --input-table forces_in.csv "
+                                "--interpolation spline --out motion.csv");
+  ASSERT_EQ(forward.exit_code, 0) << forward.err;
+  const Table motion = table("motion.csv");
+  // Curves between the rows of the path, and between those of the forces.
+  EXPECT_NEAR(motion.last("pitch [rad]"), forces.last("ankle_ry [rad]"), 1e-5);
+  EXPECT_NEAR(motion.last("roll [rad]"), forces.last("ankle_rx [rad]"), 1e-5);
+}
+
+TEST_F(InversePath, RefusesPathsThatAreNone) {
+  const auto refused = [&](const std::string& path, const std::string& options, const std::string& text) {
+    write("path.csv", path);
+    const Outcome run =
+        mbgen("simulate '" + kSource + "/models/robots/parallel_ankle.json' --engine generic --out f.csv " + options);
+    EXPECT_EQ(run.exit_code, 1) << text;
+    EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(this->path("f.csv")));
+  };
+  const std::string rows = "\n0,0\n1,0.1\n2,0.2\n";
+  refused("t,ankle_r" + rows, "--inverse --path path.csv", "the model has no coordinate \"ankle_r\"");
+  refused("t,ankle_rx [m]" + rows, "--inverse --path path.csv", "column \"ankle_rx\" is in m, the coordinate in rad");
+  refused("t,ankle_rx" + rows, "--inverse --path path.csv", "leave others open");
+  refused("t,ankle_rx\n0,0\n1,1\n", "--inverse --path path.csv", "a path has at least 3 rows, found 2");
+  refused("t,motor_a,motor_b\n0,0,0\n1,2,2\n2,4,4\n", "--inverse --path path.csv", "loop singular");
+  refused("t,motor_a,motor_b\n0,0,0\n1,2,2\n2,4,4\n", "--inverse --path path.csv --step 1e-12", "take a longer step");
+  refused("t [ms],motor_a,motor_b\n0,0,0\n1,0.1,0.1\n2,0.2,0.2\n", "--inverse --path path.csv",
+          "column \"t\" is in ms");
+  refused("t", "--inverse", "--path TABLE is required");
+  refused("t", "--path path.csv", "--path is of --inverse");
+  refused("t", "--inverse --path path.csv --every 2", "--every is of a motion");
+}
+
+/// A crank whose slide is pushed, 1 rad before its dead centre.
+constexpr const char* kPushedSlide = R"json({ "mbgen": 1, "name": "pushed", "gravity": [0, 0, 0],
+  "bodies": { "ground": { "points": { "O": [0, 0, 0], "S": ["0.1*cos(1) + sqrt(0.16 - (0.1*sin(1))^2)", 0, 0] } },
+    "crank": { "mass": 1, "com": [0, 0, 0], "inertia": [0.01, 0.01, 0.01],
+               "points": { "O": [0, 0, 0], "A": ["0.1*cos(1)", 0, "-0.1*sin(1)"] } },
+    "slide": { "mass": 2, "com": [0.44, 0, 0], "inertia": [0.01, 0.01, 0.01],
+               "points": { "S": ["0.1*cos(1) + sqrt(0.16 - (0.1*sin(1))^2)", 0, 0] } } },
+  "joints": { "crank": { "type": "revolute", "from": "ground.O", "to": "crank.O", "axis": "y" },
+              "slide": { "type": "prismatic", "from": "ground.S", "to": "slide.S", "axis": "x" } },
+  "rods": { "rod": { "from": "crank.A", "to": "slide.S" } },
+  "actuators": { "motor": { "joint": "COORDINATE" } } })json";
+
+std::string pushed_slide(const std::string& coordinate) {
+  std::string text = kPushedSlide;
+  return text.replace(text.find("COORDINATE"), 10, coordinate);
+}
+
+// No row of the table is near the dead centre. A motor on the crank passes it.
+TEST_F(InversePath, ThroughADeadCentreIsRefusedBetweenItsRows) {
+  write("path.csv", "t,crank\n0,0\n0.05,-1\n0.1,-2\n");
+  write("short.csv", "t,crank\n0,0\n0.05,-0.4\n0.1,-0.8\n");
+  const std::string options = " --step 0.04 --engine generic --out forces.csv";
+  write("pushed.json", pushed_slide("slide"));
+  EXPECT_EQ(mbgen("simulate pushed.json --inverse --path short.csv" + options).exit_code, 0);
+  const Outcome run = mbgen("simulate pushed.json --inverse --path path.csv" + options);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("actuators pass a singular position shortly before t = 0.0666"), std::string::npos) << run.err;
+  write("turned.json", pushed_slide("crank"));
+  const Outcome turned = mbgen("simulate turned.json --inverse --path path.csv" + options);
+  EXPECT_EQ(turned.exit_code, 0) << turned.err;
+}
+
+}  // namespace
+}  // namespace mbgen::cli_test
