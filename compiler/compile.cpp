@@ -169,6 +169,10 @@ std::vector<EmittedFile> emit_for_loading(const Compilation& c, bool clocked, in
   return files;
 }
 
+std::vector<EmittedFile> emit_tangents_for_loading(const Compilation& c) {
+  return emit_tangents(c.emitted, without_defaults(c.model), c.topology, c.analysis);
+}
+
 namespace {
 
 /// The whole programs without spellings for a text.

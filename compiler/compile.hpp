@@ -88,6 +88,9 @@ std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions&
 /// models with equal equations differ in comments at most. clocked: the driver times the nine steps.
 std::vector<EmittedFile> emit_for_loading(const Compilation& compilation, bool clocked, int lanes = 0);
 
+/// The same of the solver with derivatives, see emit_tangents.
+std::vector<EmittedFile> emit_tangents_for_loading(const Compilation& compilation);
+
 /// The model with partitions of its loop blocks chosen for one position (analysis/choice_at.hpp) and its `whole`
 /// programs alone; none where no other choice helps. z: of every coordinate, loops closed.
 std::optional<Compilation> chosen_at(const Compilation& compilation, const std::vector<double>& z);

@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 /// Pivots below this share of the largest, of rows and columns of like size, are rounding.
 constexpr double kNoForce = 1e-9;
 
-/// Entries of Rz' B below this share of those that an actuator could have are rounding: of a cylinder that pushes
+/// Entries of Rz' B below this share of the entries that an actuator could have are rounding: of a cylinder that pushes
 /// through the axis of a joint, of a motor whose coordinate stands still.
 constexpr double kNoLever = 1e-9;
 

@@ -107,6 +107,30 @@ std::string c_source_text(const EmitContext& context) {
        {"inputs_used", context.layout.grounds > 0 ? "now" : inputs_now}});
 }
 
+std::vector<EmittedFile> tangents_c_files(const EmitContext& context) {
+  const SolverNames& names = context.names;
+  const std::string guard = guard_of(names.solver);
+  const auto table = [](const std::string& type, const std::string& name, const std::vector<std::string>& members) {
+    return array_text("constexpr Real " + type + "::*" + name, member_places(type, members), "nullptr");
+  };
+  const FrameRows outputs = name_rows(names_of(output_members(context)));
+  const FrameValues values = {{"banner", c_banner_text(context.model)},
+                              {"title", c_comment_text(context.model.name)},
+                              {"guard", guard},
+                              {"output_size", outputs.size()},
+                              {"parameters", name_rows(names.parameters)},
+                              {"inputs", name_rows(names.inputs)},
+                              {"outputs", outputs},
+                              {"parameter_table", table("Parameters", "kParameterMembers", names.parameters)},
+                              {"input_table", table("Inputs", "kInputMembers", names.inputs)},
+                              {"method", step_function(context.model.solver)}};
+  FrameValues module = values;
+  module.insert_or_assign("banner", banner_text(context.model, "#"));
+  return {{names.solver + "_tangents_c.h", fill_template(context, "tangents_c.h.in", values)},
+          {names.solver + "_tangents_c.cpp", fill_template(context, "tangents_c.cpp.in", values)},
+          {names.solver + "_tangents.py", fill_template(context, "tangents.py.in", module)}};
+}
+
 std::string python_text(const EmitContext& context) {
   const Model& model = context.model;
   return fill_template(context, "module.py.in",

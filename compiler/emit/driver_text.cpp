@@ -20,9 +20,12 @@ FrameRows numbered_rows(const std::vector<std::string>& names) {
 }
 
 /// clocked: the program that receives the end of each step, "" for a driver without. laws: whether it has shared laws;
-/// inverse: whether the solver has inverse dynamics.
-EmittedFile driver(const Model& model, int lanes, const std::string& clocked, bool laws, bool inverse) {
-  const SolverNames names = model_names(model);
+/// inverse: whether the solver has inverse dynamics. suffix: of the solver's name, "_tangents" for the one with
+/// derivatives.
+EmittedFile driver(const Model& model, int lanes, const std::string& clocked, bool laws, bool inverse,
+                   const std::string& suffix = "") {
+  SolverNames names = model_names(model);
+  names.solver += suffix;
   const std::vector<double> parameters = mapped(tunable_parameters(model), &Parameter::value);
   const std::vector<double> inputs = mapped(model.inputs, &Input::default_value);
   return {names.solver + "_driver.cpp",
@@ -41,6 +44,8 @@ EmittedFile driver(const Model& model, int lanes, const std::string& clocked, bo
                          {"is_implicit", model.solver.is_implicit()},
                          {"laws", laws},
                          {"inverse", inverse},
+                         {"tangents", !suffix.empty()},
+                         {"number", suffix.empty() ? "double" : names.solver + "::Real"},
                          {"clocked", clocked}})};
 }
 
@@ -48,6 +53,10 @@ EmittedFile driver(const Model& model, int lanes, const std::string& clocked, bo
 
 EmittedFile emit_driver(const Model& model, int lanes, bool inverse) {
   return driver(model, lanes, "", false, inverse);
+}
+
+EmittedFile emit_tangent_driver(const Model& model, bool inverse) {
+  return driver(model, 0, "", false, inverse, kTangentSuffix);
 }
 
 EmittedFile emit_clocked_driver(const WrittenPrograms& programs, const Model& model, const Topology& topology,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -57,6 +58,17 @@ std::string samples_text(const EmitContext& context) {
        {"samples", array_text("inline constexpr double kSamples", number_texts(*context.model.samples), "0")}});
 }
 
+/// `<model>_tangents.hpp` and `.cpp`: the whole solver over numbers with derivatives.
+void add_tangents(EmitContext context, std::vector<EmittedFile>& files) {
+  context.options.scalar = Scalar::tangents;
+  context.in_pairs = false;
+  context.names.solver += kTangentSuffix;
+  files.push_back({context.names.solver + ".hpp", interface_text(context)});
+  files.push_back(solver_file(context, shaped_programs(context), false));
+  add_samples(context, files);
+  add_quantities(context, files);
+}
+
 }  // namespace
 
 void add_samples(const EmitContext& context, std::vector<EmittedFile>& files) {
@@ -79,10 +91,12 @@ std::vector<EmittedFile> emit(const WrittenPrograms& programs, const Model& mode
     files.push_back({name + "_batch.hpp", batch_interface_text(context)});
     files.push_back({name + "_batch.cpp", batch_text(context, solver)});
   }
+  if (options.tangents) add_tangents(context, files);
   if (options.c_interface) {
     files.push_back({name + "_c.h", c_header_text(context)});
     files.push_back({name + "_c.cpp", c_source_text(context)});
     files.push_back({name + ".py", python_text(context)});
+    if (options.tangents) std::ranges::move(tangents_c_files(context), std::back_inserter(files));
     if (options.calibration) {
       files.push_back({name + ".a2l", calibration_text(context)});
       files.push_back({name + "_a2l.h", calibration_header_text(context)});
@@ -94,6 +108,16 @@ std::vector<EmittedFile> emit(const WrittenPrograms& programs, const Model& mode
       add_included_headers(emit_driver(model, options.lanes, context.layout.actuators > 0).text, files);
   }
   files.push_back({name + ".json", manifest_text(manifest)});
+  return files;
+}
+
+std::vector<EmittedFile> emit_tangents(const WrittenPrograms& programs, const Model& model, const Topology& topology,
+                                       const Analysis& analysis) {
+  std::vector<EmittedFile> files;
+  const EmitContext context(programs, model, topology, analysis, {});
+  add_tangents(context, files);
+  files.push_back(emit_tangent_driver(model, context.layout.actuators > 0));
+  add_runtime_headers(files);
   return files;
 }
 

@@ -30,6 +30,14 @@ EmittedFile emit_driver(const Model& model, int lanes = 0, bool inverse = false)
 EmittedFile emit_clocked_driver(const WrittenPrograms& programs, const Model& model, const Topology& topology,
                                 const Analysis& analysis, int lanes = 0);
 
+/// The driver of the solver with derivatives; its table has numbers with derivatives in place of doubles.
+EmittedFile emit_tangent_driver(const Model& model, bool inverse = false);
+
+/// The solver with derivatives alone, its driver and the runtime's headers, for programs that load it. Requires: as
+/// emit.
+std::vector<EmittedFile> emit_tangents(const WrittenPrograms& programs, const Model& model, const Topology& topology,
+                                       const Analysis& analysis);
+
 /// The first number, of the programs or a default of the model, that single precision cannot hold, if any.
 std::optional<double> beyond_single_precision(const WrittenPrograms& programs, const Model& model);
 

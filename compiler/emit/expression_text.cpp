@@ -125,7 +125,8 @@ Phrase operation_phrase(Scalar scalar, Op wanted, const Phrase& first, const Phr
   if (op == Op::select && is_number(scalar))
     return {fmt::format("({} >= {} ? {} : {})", a.text, number_text(0, scalar), b.text, c.text), Binding::primary};
   const NamedFunction& function = *std::ranges::find(kFunctions, op, &NamedFunction::op);
-  std::string text = is_number(scalar) ? function.of_numbers : function.of_vectors;
+  const bool is_plain = is_number(scalar) && scalar != Scalar::tangents;
+  std::string text = is_plain ? function.of_numbers : function.of_vectors;
   text += "(" + a.text;
   if (arity(op) > 1) text += ", " + b.text;
   if (arity(op) > 2) text += ", " + c.text;

@@ -17,6 +17,12 @@ constexpr const char* kMbgenVersion = "0.1.0";
 /// takes as long as some thousand values.
 constexpr std::size_t kFilePartValues = 4000;
 
+/// Derivatives that a number with tangents has: a vector of the widest processors.
+constexpr int kDirections = 8;
+
+/// Suffix of the name of a solver with derivatives.
+constexpr const char* kTangentSuffix = "_tangents";
+
 /// A file to write, path relative to the output directory.
 struct EmittedFile {
   std::string path;
@@ -46,6 +52,7 @@ struct EmitOptions {
   int lanes = 0;                    ///< instances that a call of the batch interface solves, 0 for no such interface
   Scalar scalar = Scalar::doubles;  ///< of the solver: doubles, or floats without the two interfaces
   std::optional<InitialState> initial = {};  ///< add initial_state() to the interfaces
+  bool tangents = false;                     ///< add <model>_tangents.hpp and .cpp, the solver with derivatives
   bool c_interface = false;                  ///< add <model>_c.h, <model>_c.cpp and <model>.py; needs `initial`
   bool calibration = false;                  ///< and <model>.a2l with <model>_a2l.h, which stand on them
   Spelling spelling = Spelling::fast;        ///< of the programs; for reading: each is one function

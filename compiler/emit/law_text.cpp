@@ -68,9 +68,9 @@ FrameRows known_rows(const SharedLaw& shared, const LawShape& law, Scalar scalar
 std::string law_text(const EmitContext& context, std::size_t k, Scalar scalar, ConstantNames* constants) {
   const SharedLaw& shared = context.written.laws[k];
   const LawShape law = law_shape(context, k);
-  const Elements seen = scalar == Scalar::doubles  ? Elements::in_lanes
-                        : scalar == Scalar::floats ? Elements::one_by_one
-                                                   : Elements::of_instances;
+  const Elements seen = scalar == Scalar::doubles ? Elements::in_lanes
+                        : is_number(scalar)       ? Elements::one_by_one
+                                                  : Elements::of_instances;
   ProgramShape shape =
       function_shape(context, shared, law, seen, seen == Elements::in_lanes ? Scalar::elements : scalar);
   shape.constants = constants;

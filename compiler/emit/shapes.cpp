@@ -208,6 +208,12 @@ void take_floats(ProgramShape& shape) {
   }
 }
 
+/// Changes the shape from doubles to numbers with derivatives. The time has none.
+void take_tangents(ProgramShape& shape) {
+  shape.scalar = Scalar::tangents;
+  shape.inputs[Array::t].texts = {"Real(state.t)"};
+}
+
 /// Order of the values: for speed in programs whose time matters, unless they are so short that registers and cache
 /// hold most values. All others, and the matrix form, keep the order of the method's steps, for people who read from
 /// top to bottom.
@@ -311,6 +317,7 @@ std::vector<ShapedProgram> shaped_programs(const EmitContext& context) {
     if (!is_written(row.role, context)) continue;
     ShapedProgram shaped{&program_of(context.programs, row.role), row.role, shape_of(row, context)};
     if (context.options.scalar == Scalar::floats) take_floats(shaped.shape);
+    if (context.options.scalar == Scalar::tangents) take_tangents(shaped.shape);
     if (row.role == Role::accelerations && context.in_pairs) shaped.program = &context.written.in_pairs->program;
     shaped.shape.order = order_of(context, shaped);
     if (shaped.shape.order == ValueOrder::reading) shaped.shape.longest_statement = 2 * kLineWidth;

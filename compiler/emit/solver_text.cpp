@@ -60,6 +60,25 @@ std::string start_charts(const InitialState& initial, Scalar scalar) {
   return fmt::format(", {{{}}}", fmt::join(number_texts(initial.charts, scalar), ", "));
 }
 
+/// Flags of the coordinates that a start gives, of all and of the locked ones.
+std::string given_items(const EmitContext& context, const std::vector<InitialValue>& given, bool locked) {
+  std::vector<std::string> flags(context.topology.bodies.size(), "0");
+  for (const InitialValue& value : given) {
+    const int i = tree_coordinate(context.topology, value.coordinate);
+    if (i >= 0 && (value.locked || !locked)) flags[static_cast<std::size_t>(i)] = "1";
+  }
+  return "{" + joined(flags, ", ") + "}";
+}
+
+/// The coordinates that `initial` gives, for mbgen/start.hpp.
+std::string given_table(const EmitContext& context) {
+  const Initial& initial = context.model.initial;
+  std::vector<std::string> items;
+  for (const std::vector<InitialValue>* given : {&initial.positions, &initial.velocities})
+    for (const bool locked : {false, true}) items.push_back(given_items(context, *given, locked));
+  return braced_list("  static constexpr mbgen::GivenCoordinates<kCoordinates> kGiven = ", items, ";");
+}
+
 }  // namespace
 
 std::string turning_table(const EmitContext& context, Scalar scalar) {
@@ -75,7 +94,7 @@ std::string turning_table(const EmitContext& context, Scalar scalar) {
     }
   }
   if (!any) return "";
-  const std::string head = fmt::format("constexpr {} kTurning", name_of(scalar));
+  const std::string head = fmt::format("constexpr {} kTurning", name_of(plain(scalar)));
   return array_text(head, number_texts(turning, scalar), "");
 }
 
@@ -99,7 +118,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
   const bool advances = inputs_have_derivatives(context.model.inputs);
   FrameValues values = {
       {"banner", banner_text(context.model, "//", is_for_reading ? " --reading" : "") + legend_text(context)},
-      {"constants", constants.declarations(context.options.scalar)},
+      {"constants", constants.declarations(plain(context.options.scalar))},
       {"rare_parts", rare_parts > 1   ? fmt::format("1 to {}", rare_parts)
                      : rare_parts > 0 ? "1"
                                       : ""},
@@ -117,6 +136,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
       {"since_start",
        context.options.scalar == Scalar::floats ? "static_cast<float>(state.t - start)" : "state.t - start"},
       {"start", context.options.initial ? start_rows(*context.options.initial, context.options.scalar) : FrameRows{}},
+      {"given", given_table(context)},
       {"start_charts", context.options.initial ? start_charts(*context.options.initial, context.options.scalar) : ""}};
   values.merge(system_values(context, members, context.options.scalar));
   return {solver + ".cpp", fill_template(context, "solver.cpp.in", values), rare_parts};

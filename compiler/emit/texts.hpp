@@ -51,6 +51,8 @@ std::string c_header_text(const EmitContext& context);
 std::string c_source_text(const EmitContext& context);
 
 /// `<model>.py`: ctypes and numpy over the shared library, without compilation.
+/// `<model>_tangents_c.h`, `.cpp` and `<model>_tangents.py`: the solver with derivatives in C and Python.
+std::vector<EmittedFile> tangents_c_files(const EmitContext& context);
 std::string python_text(const EmitContext& context);
 
 /// `<model>.a2l`: parameters as characteristics; inputs, outputs and state as measurements; each with its unit and its

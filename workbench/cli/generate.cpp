@@ -27,7 +27,7 @@ namespace {
 
 struct GenerateOptions {
   std::string model, form, directory, name, depfile, dump;
-  std::vector<std::string> set;
+  std::vector<std::string> set, sensitivities;
   EmitOptions emit;
   bool c_interface = false, reading = false, measure = false, json = false;
   std::optional<double> budget;  ///< microseconds of a step
@@ -35,7 +35,7 @@ struct GenerateOptions {
 
 /// The model, renamed if a name is given.
 Model read_named(const GenerateOptions& options) {
-  Model model = read_set_model(options.model, options.set);
+  Model model = read_set_model(options.model, options.set, options.sensitivities, "--sensitivities");
   if (options.name.empty()) return model;
   model.name = options.name;
   if (const std::string possible = solver_name(model); possible != options.name) {
@@ -82,6 +82,10 @@ void require_precision(const GenerateOptions& options) {
   if (options.emit.lanes > 0) {
     throw UserError("generate: --batch has lanes of doubles: leave out --batch or --scalar float\n");
   }
+  if (!options.sensitivities.empty()) {
+    throw UserError(
+        "generate: --sensitivities has derivatives of doubles: leave out --sensitivities or --scalar float\n");
+  }
   if (options.measure) {
     throw UserError("generate: --measure times a solver in double precision: leave out --measure or --scalar float\n");
   }
@@ -91,6 +95,8 @@ void require_precision(const GenerateOptions& options) {
 void require_fast_copy(const GenerateOptions& options) {
   if (!options.reading) return;
   if (options.emit.lanes > 0) throw UserError("generate: --reading writes no lanes: leave out --batch or --reading\n");
+  if (!options.sensitivities.empty())
+    throw UserError("generate: --reading writes no derivatives: leave out --sensitivities or --reading\n");
   if (options.measure) throw UserError("generate: --measure times the fast solver: leave out --measure or --reading\n");
 }
 
@@ -122,6 +128,7 @@ int run(const GenerateOptions& options) {
                {.form = chosen_form(options.form), .spelling = options.reading ? Spelling::reading : Spelling::fast});
   require_range(compilation, options.emit.scalar);
   EmitOptions emitted = options.emit;
+  emitted.tangents = !options.sensitivities.empty();
   emitted.c_interface = options.c_interface || options.emit.calibration;
   emitted.initial = emitted.c_interface ? default_initial_state(compilation) : known_start(compilation);
   std::vector<EmittedFile> files = emit(compilation, emitted);
@@ -170,6 +177,12 @@ void add_generate(NamedCommand application, int& exit_code) {
   add_form_option(command, options->form);
   add_batch_option(command, options->emit.lanes);
   add_scalar_option(command, options->emit.scalar);
+  command
+      .add_option("--sensitivities", options->sensitivities,
+                  "parameters, separated by commas: add the solver with derivatives (<model>_tangents.hpp, .cpp), with "
+                  "these parameters tunable (docs/use/sensitivities.md)")
+      .one_value_at_a_time()
+      .separated_by(',');
   command.add_flag("--measure", options->measure,
                    "compile the solver and time a step: adds <model>_measured.txt and .json to the cost sheet");
   command.add_option("--budget-us", options->budget,

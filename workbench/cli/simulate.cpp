@@ -28,6 +28,7 @@
 #include "workbench/motion/motion_table.hpp"
 #include "workbench/motion/simulation_arguments.hpp"
 #include "workbench/motion/simulation_text.hpp"
+#include "workbench/sensitivity/tangent_engine.hpp"
 #include "workbench/start/initial_state.hpp"
 
 namespace mbgen::cli {
@@ -36,7 +37,7 @@ namespace {
 struct SimulateOptions {
   std::string model, form, file, format, manoeuvre, path;
   bool inverse = false;
-  std::vector<std::string> set;
+  std::vector<std::string> set, sensitivities;
   SimulationArguments simulation;
   std::optional<double> tolerance;  ///< of error control
   long every = 1;
@@ -53,9 +54,10 @@ struct Run {
 
 Run compute(const Compilation& compilation, const EngineChoice& choice, const Engine& engine,
             const InputsOverTime& inputs, SimulationSettings settings, const std::optional<ErrorControl>& control,
-            MotionTable& table, ManoeuvreRun* manoeuvre) {
+            MotionTable& table, ManoeuvreRun* manoeuvre, TangentEngine* tangents) {
   Start start = initial_start(compilation, inputs.at(0));
   start.state = initial_state(start, engine);
+  if (tangents) start_motion(compilation, start.state, *tangents);
   print_notes(start_notes(compilation, start));
   if (manoeuvre) manoeuvre->look_at_steering(compilation, start.state, inputs.at(0));
   Progress progress("simulate");
@@ -71,7 +73,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const En
                         .control = manoeuvre ? manoeuvre->control(settings.step) : InputControl()};
   Run run{judged_motion(task,
                         [&](const Sample& sample) {
-                          table.add(sample);
+                          table.add(sample, tangents ? output_derivatives(*tangents) : std::vector<double>());
                           progress.show(sample.step, settings.steps);
                         }),
           start.moved};
@@ -122,30 +124,65 @@ int run_inverse(const SimulateOptions& options) {
       {options.model, options.path, options.form, options.file, options.set, options.engine, options.simulation});
 }
 
+/// Fails: UserError for options whose motion has no derivatives.
+void require_derivatives(const SimulateOptions& options, const std::string& engine,
+                         const std::optional<ErrorControl>& control) {
+  if (options.sensitivities.empty()) return;
+  if (!options.manoeuvre.empty())
+    throw UserError("simulate: --sensitivities needs inputs that no driver moves: leave out --manoeuvre\n");
+  if (control) throw UserError("simulate: --sensitivities needs a fixed step: rk4, abm4 or rosenbrock\n");
+  if (engine != "generated" && engine != kAutoEngine)
+    throw UserError(fmt::format("simulate: --sensitivities is of the generated solver, not of --engine {}\n", engine));
+}
+
+/// An engine, and its derivatives where they are asked for.
+struct Machine {
+  std::optional<TangentEngine> tangents;
+  Engine engine;
+};
+
+Machine machine_of(const Compilation& compilation, const EngineChoice& choice,
+                   const std::shared_ptr<const SolverTable>& kept, const std::vector<std::string>& sensitivities) {
+  Machine machine;
+  if (!sensitivities.empty()) {
+    machine.tangents = make_tangent_engine(compilation, choice, sensitivities);
+    machine.engine = machine.tangents->engine;
+  } else {
+    machine.engine = kept ? make_generated_engine(kept, compilation, choice) : make_engine(compilation, choice);
+  }
+  return machine;
+}
+
+/// Replaces --engine auto by the engine that suits the motion, which standard error names. Result: its solver, if it is
+/// kept.
+std::shared_ptr<const SolverTable> settle_engine(const Compilation& compilation, long steps, EngineChoice& choice) {
+  if (choice.name != kAutoEngine) return nullptr;
+  AutoEngine chosen = auto_engine(compilation, choice, steps);
+  print_message("simulate: engine {}: {}\n", chosen.name, chosen.reason);
+  choice.name = chosen.name;
+  return std::move(chosen.kept);
+}
+
 int run(SimulateOptions options) {
   if (options.inverse) return run_inverse(options);
   if (!options.path.empty()) throw UserError("simulate: --path is of --inverse\n");
   EngineChoice choice = chosen_engine(options.engine);
   choice.form = chosen_form(options.form);
-  Model model = read_set_model(options.model, options.set);
+  Model model = read_set_model(options.model, options.set, options.sensitivities, "--sensitivities");
   const auto manoeuvre = prepare_manoeuvre(options.manoeuvre, options.model, options.set, model, options.simulation);
   if (manoeuvre) require_others_inputs(model, "--input", options.engine.inputs);
   const SimulationSettings settings = settings_of(options.simulation, model.solver);
-  std::vector<VariedParameter> set = set_parameters(model, options.set);
+  std::vector<VariedParameter> set = set_parameters(model, options.set, options.sensitivities, "--sensitivities");
   follow_step(settings, set, model);
   const std::optional<ErrorControl> control = error_control_of(options.simulation.integrator, options.tolerance, model);
   choice.integrator = model.solver.integrator =
       options.simulation.integrator == "auto"
           ? chosen_integrator(model, options, settings, choice.name)
           : integrator_of(control ? "" : options.simulation.integrator, model.solver.integrator, choice.name);
+  require_derivatives(options, choice.name, control);
+  if (!options.sensitivities.empty()) choice.name = "generated";
   const Compilation compilation = expect(decide_for(std::move(model), choice));
-  std::shared_ptr<const SolverTable> kept;
-  if (choice.name == kAutoEngine) {
-    AutoEngine chosen = auto_engine(compilation, choice, settings.steps);
-    print_message("simulate: engine {}: {}\n", chosen.name, chosen.reason);
-    choice.name = chosen.name;
-    kept = std::move(chosen.kept);
-  }
+  const auto kept = settle_engine(compilation, settings.steps, choice);
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
   count_notes(compilation);
   require_whole_periods(settings, compilation.model);
@@ -154,9 +191,10 @@ int run(SimulateOptions options) {
   std::vector<std::string> read = compilation.model.files;
   read.insert(read.end(), {options.simulation.input_table, options.manoeuvre});
   MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step, options.every,
-                    std::move(read));
-  const Engine engine = kept ? make_generated_engine(kept, compilation, choice) : make_engine(compilation, choice);
-  const Run run = compute(compilation, choice, engine, inputs, settings, control, table, manoeuvre.get());
+                    std::move(read), derivative_headings(compilation.model, options.sensitivities));
+  Machine machine = machine_of(compilation, choice, kept, options.sensitivities);
+  const Run run = compute(compilation, choice, machine.engine, inputs, settings, control, table, manoeuvre.get(),
+                          machine.tangents ? &*machine.tangents : nullptr);
   const JudgedMotion& motion = run.motion;
   const SimulationRecord record{compilation,
                                 choice,
@@ -212,6 +250,12 @@ void add_simulate(NamedCommand application, int& exit_code) {
                    "the forces of the actuators along --path, in place of a motion (docs/use/actuators.md)");
   command.add_option("--path", options->path,
                      "of --inverse: table (CSV) of coordinates over time, splined; columns t and names of coordinates");
+  command
+      .add_option("--sensitivities", options->sensitivities,
+                  "parameters, separated by commas: columns with the exact derivatives of all outputs by them "
+                  "(docs/use/sensitivities.md)")
+      .one_value_at_a_time()
+      .separated_by(',');
   command.add_option("-o,--out", options->file, "table of the motion; - for standard output").required();
   command.add_option("--format", options->format, "csv or mat (level 4) (default: by the ending of --out)");
   command.add_option("--every", options->every, "write every n-th step, and the last (default 1)");

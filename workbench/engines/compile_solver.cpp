@@ -23,7 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kSymbol = "mbgen_solver_table";
+/// The symbol that a driver with this table exports.
+template <class Table>
+constexpr const char* kSymbol = std::is_same_v<Table, TangentTable> ? "mbgen_tangent_table" : "mbgen_solver_table";
 constexpr const char* kAdvice = "; simulate --engine auto does not wait for it";
 
 bool is_code(const EmittedFile& file) { return file.path.ends_with(".cpp") || file.path.ends_with(".hpp"); }
@@ -64,26 +66,29 @@ fs::path build(const fs::path& scratch, const std::string& solver, const std::ve
 }
 
 /// The table of a compiled solver, null when the file is none of this mbgen and a model of that name.
-std::shared_ptr<const SolverTable> open_solver(const fs::path& object, const std::string& model) {
+template <class Table>
+std::shared_ptr<const Table> open_solver(const fs::path& object, const std::string& model) {
   void* handle = ::dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) return nullptr;
   const std::shared_ptr<void> library(handle, ::dlclose);
-  const auto table_of = reinterpret_cast<const SolverTable* (*)()>(::dlsym(handle, kSymbol));
-  const SolverTable* table = table_of == nullptr ? nullptr : table_of();
+  const auto table_of = reinterpret_cast<const Table* (*)()>(::dlsym(handle, kSymbol<Table>));
+  const Table* table = table_of == nullptr ? nullptr : table_of();
   if (table == nullptr || table->layout != kSolverTableLayout || table->model != model) return nullptr;
   return {library, table};
 }
 
 /// The same of the cache, null when it has none that is whole.
-std::shared_ptr<const SolverTable> open_kept(const fs::path& object, const std::string& model) {
+template <class Table>
+std::shared_ptr<const Table> open_kept(const fs::path& object, const std::string& model) {
   if (!is_own_file(object) || !is_sealed(object)) return nullptr;
-  auto solver = open_solver(object, model);
+  auto solver = open_solver<Table>(object, model);
   if (solver) mark_used(object);
   return solver;
 }
 
 HostCompiler compiler_for(const fs::path& scratch, const EngineChoice& choice) {
-  HostCompiler compiler = find_compiler(scratch, "-march=native", choice.lanes);
+  const int lanes = choice.use == SolverUse::derivatives ? kDirections : choice.lanes;
+  HostCompiler compiler = find_compiler(scratch, "-march=native", lanes);
   if (choice.use == SolverUse::running && choice.lanes == 0) {
     compiler.hot_flags = quick_compile_flags(compiler.is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
   }
@@ -91,24 +96,20 @@ HostCompiler compiler_for(const fs::path& scratch, const EngineChoice& choice) {
 }
 
 std::vector<EmittedFile> files_of(const Compilation& decided, const EngineChoice& choice) {
-  const bool is_clocked = choice.use == SolverUse::timing_steps;
-  if (decided.has_programs()) return emit_for_loading(decided, is_clocked, choice.lanes);
+  const auto emitted = [&](const Compilation& compilation) {
+    return choice.use == SolverUse::derivatives
+               ? emit_tangents_for_loading(compilation)
+               : emit_for_loading(compilation, choice.use == SolverUse::timing_steps, choice.lanes);
+  };
+  if (decided.has_programs()) return emitted(decided);
   Compilation compilation = decided;
   add_programs(compilation, {choice.form});
-  return emit_for_loading(compilation, is_clocked, choice.lanes);
+  return emitted(compilation);
 }
 
-}  // namespace
-
-std::shared_ptr<const SolverTable> kept_solver(const Compilation& decided, const EngineChoice& choice) {
-  const fs::path cache = choice.use_cache ? own_cache() : fs::path();
-  const TemporaryDirectory scratch(temporary_parent());
-  const HostCompiler compiler = compiler_for(scratch.path(), choice);
-  const auto object = cache.empty() ? std::nullopt : object_of_request(cache, request_of(decided, choice, compiler));
-  return object ? open_kept(*object, decided.model.name) : nullptr;
-}
-
-std::shared_ptr<const SolverTable> load_solver(const Compilation& decided, const EngineChoice& choice) {
+/// See load_solver.
+template <class Table>
+std::shared_ptr<const Table> load(const Compilation& decided, const EngineChoice& choice) {
   const fs::path cache = choice.use_cache ? own_cache() : fs::path();
   const bool has_cache = !cache.empty();
   const TemporaryDirectory scratch(has_cache ? cache : temporary_parent());
@@ -116,13 +117,13 @@ std::shared_ptr<const SolverTable> load_solver(const Compilation& decided, const
   const std::string& model = decided.model.name;
   const std::string request = has_cache ? request_of(decided, choice, compiler) : "";
   if (const auto kept = has_cache ? object_of_request(cache, request) : std::nullopt) {
-    if (auto solver = open_kept(*kept, model)) return solver;
+    if (auto solver = open_kept<Table>(*kept, model)) return solver;
   }
   const std::vector<EmittedFile> files = files_of(decided, choice);
   const std::string name = solver_name(decided.model);
   const fs::path kept = cache / object_name(name, files, compiler);
   if (has_cache) {
-    if (auto solver = open_kept(kept, model)) {
+    if (auto solver = open_kept<Table>(kept, model)) {
       remember_request(cache, scratch.path(), request, kept);
       return solver;
     }
@@ -135,10 +136,30 @@ std::shared_ptr<const SolverTable> load_solver(const Compilation& decided, const
       remember_request(cache, scratch.path(), request, kept);
     }
   }
-  auto solver = open_solver(object, model);
+  auto solver = open_solver<Table>(object, model);
   if (!solver) throw std::runtime_error(fmt::format("the compiled solver {} does not load", object.string()));
   if (has_cache) keep_within_room(cache);
   return solver;
+}
+
+}  // namespace
+
+std::shared_ptr<const SolverTable> kept_solver(const Compilation& decided, const EngineChoice& choice) {
+  const fs::path cache = choice.use_cache ? own_cache() : fs::path();
+  const TemporaryDirectory scratch(temporary_parent());
+  const HostCompiler compiler = compiler_for(scratch.path(), choice);
+  const auto object = cache.empty() ? std::nullopt : object_of_request(cache, request_of(decided, choice, compiler));
+  return object ? open_kept<SolverTable>(*object, decided.model.name) : nullptr;
+}
+
+std::shared_ptr<const SolverTable> load_solver(const Compilation& decided, const EngineChoice& choice) {
+  return load<SolverTable>(decided, choice);
+}
+
+std::shared_ptr<const TangentTable> load_tangents(const Compilation& decided, EngineChoice choice) {
+  choice.use = SolverUse::derivatives;
+  choice.lanes = 0;
+  return load<TangentTable>(decided, choice);
 }
 
 }  // namespace mbgen

@@ -8,6 +8,7 @@
 
 #include "compiler/compile.hpp"
 #include "mbgen/driver.hpp"
+#include "mbgen/tangents.hpp"
 #include "workbench/engines/engine.hpp"
 #include "workbench/host/process.hpp"
 
@@ -22,6 +23,13 @@ namespace mbgen {
 /// Requires: not too_large. Fails: UserError when there is no compiler (the text names --engine generic),
 /// std::runtime_error with the end of the compiler's messages when it rejects the code.
 std::shared_ptr<const SolverTable> load_solver(const Compilation& decided, const EngineChoice& choice);
+
+/// The table of a solver with derivatives.
+using TangentNumber = Tangents<kDirections>;
+using TangentTable = SolverTableOf<TangentNumber>;
+
+/// The solver with derivatives, compiled and kept as load_solver does it. Fails: as load_solver.
+std::shared_ptr<const TangentTable> load_tangents(const Compilation& decided, EngineChoice choice);
 
 /// The solver of this request as the cache holds it, null where that has none. Fails: UserError when there is no
 /// compiler.

@@ -86,6 +86,7 @@ enum class SolverUse {
   running,       ///< everything but the purposes below: without lanes compiled in less time, a few percent slower
   timing,        ///< compiled as the emitted CMakeLists.txt compiles it
   timing_steps,  ///< likewise, and with Engine::step_shares
+  derivatives,   ///< the solver with derivatives, for load_tangents; no Engine has it
 };
 
 /// Which engine, and how.

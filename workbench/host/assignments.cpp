@@ -13,13 +13,21 @@
 namespace mbgen {
 namespace {
 
-[[noreturn]] void fail_unknown(const Model& model, const std::string& name) {
+[[noreturn]] void fail_unknown(const Model& model, const std::string& name, const std::string& option) {
   std::vector<std::string_view> names;
   for (const Parameter& parameter : model.parameters) names.push_back(parameter.name);
   const bool is_input =
       std::any_of(model.inputs.begin(), model.inputs.end(), [&](const Input& input) { return input.name == name; });
   const std::string hint = is_input ? fmt::format("it is an input: --input {}=VALUE", name) : did_you_mean(name, names);
-  throw UserError(fmt::format("--set: the model has no parameter \"{}\"{}{}\n", name, hint.empty() ? "" : "; ", hint));
+  throw UserError(
+      fmt::format("{}: the model has no parameter \"{}\"{}{}\n", option, name, hint.empty() ? "" : "; ", hint));
+}
+
+const Parameter& parameter_of(const Model& model, const std::string& name, const std::string& option) {
+  const auto found = std::find_if(model.parameters.begin(), model.parameters.end(),
+                                  [&](const Parameter& parameter) { return parameter.name == name; });
+  if (found == model.parameters.end()) fail_unknown(model, name, option);
+  return *found;
 }
 
 /// A parameter given on the command line; it keeps its tunability.
@@ -29,10 +37,8 @@ VariedParameter parameter_from(const Model& model, const std::string& assignment
     throw UserError(fmt::format("--set: \"{}\" is not of the form name=value\n", assignment));
   }
   const std::string name = assignment.substr(0, sign);
-  const auto found = std::find_if(model.parameters.begin(), model.parameters.end(),
-                                  [&](const Parameter& parameter) { return parameter.name == name; });
-  if (found == model.parameters.end()) fail_unknown(model, name);
-  return {name, parse_number(assignment.substr(sign + 1), "--set " + name), found->tunable};
+  const bool is_tunable = parameter_of(model, name, "--set").tunable;
+  return {name, parse_number(assignment.substr(sign + 1), "--set " + name), is_tunable};
 }
 
 }  // namespace
@@ -70,17 +76,22 @@ std::vector<double> input_values(const Model& model, const std::vector<std::stri
   return values;
 }
 
-std::vector<VariedParameter> set_parameters(const Model& model, const std::vector<std::string>& assignments) {
+std::vector<VariedParameter> set_parameters(const Model& model, const std::vector<std::string>& assignments,
+                                            const std::vector<std::string>& tuned, const std::string& option) {
   std::vector<VariedParameter> set;
+  const auto place_of = [&](const std::string& name) { return std::ranges::find(set, name, &VariedParameter::name); };
   for (const std::string& assignment : assignments) {
     const VariedParameter parameter = parameter_from(model, assignment);
-    const auto is_same = [&](const VariedParameter& other) { return other.name == parameter.name; };
-    if (std::any_of(set.begin(), set.end(), is_same)) {
+    if (place_of(parameter.name) != set.end())
       throw UserError(fmt::format("--set: \"{}\" stands twice\n", parameter.name));
-    }
     set.push_back(parameter);
   }
-  std::sort(set.begin(), set.end(), [](const VariedParameter& a, const VariedParameter& b) { return a.name < b.name; });
+  for (const std::string& name : tuned) {
+    if (parameter_of(model, name, option).tunable) continue;
+    if (place_of(name) == set.end()) set.push_back({name, {}, true});
+    place_of(name)->tunable = true;
+  }
+  std::ranges::sort(set, {}, &VariedParameter::name);
   return set;
 }
 
@@ -88,14 +99,20 @@ std::string hash_of_set(const std::string& hash, const std::vector<VariedParamet
   if (set.empty()) return hash;
   Hash of_all;
   of_all.add(hash);
-  for (const VariedParameter& parameter : set) of_all.add(fmt::format("{}={};", parameter.name, *parameter.value));
+  for (const VariedParameter& parameter : set) {
+    if (parameter.value)
+      of_all.add(fmt::format("{}={};", parameter.name, *parameter.value));
+    else
+      of_all.add(fmt::format("{} tuned;", parameter.name));
+  }
   return of_all.text();
 }
 
-Model read_set_model(const std::string& path, const std::vector<std::string>& assignments) {
+Model read_set_model(const std::string& path, const std::vector<std::string>& assignments,
+                     const std::vector<std::string>& tuned, const std::string& option) {
   Model model = expect(read_model_file(path));
-  if (assignments.empty()) return model;
-  const std::vector<VariedParameter> set = set_parameters(model, assignments);
+  const std::vector<VariedParameter> set = set_parameters(model, assignments, tuned, option);
+  if (set.empty()) return model;
   std::string hash = hash_of_set(model.hash, set);
   model = expect(read_varied_model(path, set));
   model.hash = std::move(hash);

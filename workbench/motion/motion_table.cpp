@@ -41,7 +41,7 @@ TableFormat table_format(const std::string& name, const std::string& file) {
 std::string run_file(const std::string& table) { return table + ".run.json"; }
 
 MotionTable::MotionTable(const std::string& path, TableFormat format, const Compilation& compilation, double step,
-                         long every, std::vector<std::string> read)
+                         long every, std::vector<std::string> read, const std::vector<Heading>& more)
     : path_(path),
       read_(std::move(read)),
       format_(format),
@@ -50,20 +50,22 @@ MotionTable::MotionTable(const std::string& path, TableFormat format, const Comp
       every_(every) {
   if (format_ == TableFormat::csv && !is_special(path_)) require_other_file(run_file(path_), read_);
   for (Heading& heading : headings(compilation)) results_.columns.push_back({std::move(heading), {}});
+  for (const Heading& heading : more) results_.columns.push_back({heading, {}});
   if (format_ == TableFormat::csv) file_.write(csv_header(results_.columns));
 }
 
-void MotionTable::add(const Sample& sample) {
+void MotionTable::add(const Sample& sample, const std::vector<double>& more) {
   is_written_ = sample.step % every_ == 0;
   if (is_written_) {
-    write(sample);
+    write(sample, more);
   } else {
     last_ = sample;
+    last_more_ = more;
   }
 }
 
 long MotionTable::finish() {
-  if (!is_written_) write(last_);
+  if (!is_written_) write(last_, last_more_);
   is_written_ = true;
   return rows_;
 }
@@ -79,8 +81,9 @@ void MotionTable::commit(const std::string& run) {
   write_file(run_file(path_), run, read_);
 }
 
-void MotionTable::write(const Sample& sample) {
-  const std::vector<double> row = table_row(sample, decimals_);
+void MotionTable::write(const Sample& sample, const std::vector<double>& more) {
+  std::vector<double> row = table_row(sample, decimals_);
+  row.insert(row.end(), more.begin(), more.end());
   if (format_ == TableFormat::csv) file_.write(csv_row(row));
   if (format_ == TableFormat::mat) {
     for (std::size_t c = 0; c < row.size(); ++c) results_.columns[c].values.push_back(row[c]);

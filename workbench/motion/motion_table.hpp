@@ -23,16 +23,18 @@ std::string run_file(const std::string& table);
 class MotionTable {
  public:
   /// step: of the motion, s; read: the files that the command reads. Fails: UserError, as AtomicFile.
+  /// more: further columns.
   MotionTable(const std::string& path, TableFormat format, const Compilation& compilation, double step, long every,
-              std::vector<std::string> read);
-  void add(const Sample& sample);
+              std::vector<std::string> read, const std::vector<Heading>& more = {});
+  /// more: of the further columns.
+  void add(const Sample& sample, const std::vector<double>& more = {});
   /// The last point is always written. Result: rows.
   long finish();
   /// Gives the file its name, and writes `run` into it (MAT) or beside it (CSV that is no device). Requires: finished.
   void commit(const std::string& run);
 
  private:
-  void write(const Sample& sample);
+  void write(const Sample& sample, const std::vector<double>& more);
   std::string path_;
   std::vector<std::string> read_;
   TableFormat format_;
@@ -43,6 +45,7 @@ class MotionTable {
   long rows_ = 0;
   bool is_written_ = true;
   Sample last_;
+  std::vector<double> last_more_;
 };
 
 }  // namespace mbgen

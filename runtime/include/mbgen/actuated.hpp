@@ -5,6 +5,7 @@
 
 #include "mbgen/actuation.hpp"
 #include "mbgen/independent.hpp"
+#include "mbgen/number.hpp"
 
 namespace mbgen {
 
@@ -120,7 +121,7 @@ Status actuator_jacobian(const typename System::Parameters& parameters, const ty
         });
     if (!status.ok()) return status;
   }
-  if (!std::isfinite(sum(rates, n * count))) return {Code::not_a_number, -1};
+  if (!is_finite(sum(rates, n * count))) return {Code::not_a_number, -1};
   copy(rates, jacobian, n * count);
   return {};
 }

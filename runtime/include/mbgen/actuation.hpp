@@ -4,6 +4,7 @@
 // inverse_dynamics.
 
 #include "mbgen/blocks.hpp"
+#include "mbgen/number.hpp"
 
 namespace mbgen {
 
@@ -23,8 +24,8 @@ Status actuation_status(const Values& values, const typename System::Derivative&
   }
   for (int k = 0; k < System::kFreeDirections; ++k)
     if (!(values.actuation[k] >= kLeastActuation<RealOf<System>>)) return {Code::actuators_singular, k};
-  const bool is_finite = std::isfinite(sum(values.zdd, System::kCoordinates) + sum(values.force, System::kActuators));
-  if (is_finite) return {};
+  const bool all_finite = is_finite(sum(values.zdd, System::kCoordinates) + sum(values.force, System::kActuators));
+  if (all_finite) return {};
   const int coordinate = first_not_finite(derivative.zdd, System::kCoordinates);
   return {Code::not_a_number, coordinate >= 0 ? coordinate : first_not_finite(values.zdd, System::kCoordinates)};
 }

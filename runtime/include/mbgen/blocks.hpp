@@ -22,13 +22,13 @@
 //              kFrozenOnly there are no chosen_accelerations, no Projection and no Rz, and closure_terms gives
 //              `rate` = Phi_z zd for Jz
 
-#include <cmath>
 #include <initializer_list>
 #include <type_traits>
 
 #include "mbgen/charts.hpp"
 #include "mbgen/lanes/array_lanes.hpp"
 #include "mbgen/math/precision.hpp"
+#include "mbgen/number.hpp"
 #include "mbgen/solver/loop.hpp"
 #include "mbgen/solver/states.hpp"
 #include "mbgen/status.hpp"
@@ -116,8 +116,8 @@ template <class Real>
 inline Real largest(const Real* values, int count) noexcept {
   Real result = 0;
   for (int i = 0; i < count; ++i) {
-    if (std::isnan(values[i])) return values[i];
-    result = std::abs(values[i]) > result ? std::abs(values[i]) : result;
+    if (is_nan(values[i])) return values[i];
+    result = magnitude(values[i]) > result ? magnitude(values[i]) : result;
   }
   return result;
 }
@@ -126,7 +126,7 @@ inline Real largest(const Real* values, int count) noexcept {
 template <class Real>
 inline int first_not_finite(const Real* values, int count) noexcept {
   for (int i = 0; i < count; ++i) {
-    if (!std::isfinite(values[i])) return i;
+    if (!is_finite(values[i])) return i;
   }
   return -1;
 }
@@ -135,7 +135,7 @@ inline int first_not_finite(const Real* values, int count) noexcept {
 template <class Struct, class Real, std::size_t N>
 int first_not_finite(const Struct& values, Real Struct::*const (&members)[N]) noexcept {
   for (std::size_t i = 0; i < N; ++i) {
-    if (members[i] != nullptr && !std::isfinite(values.*members[i])) return static_cast<int>(i);
+    if (members[i] != nullptr && !is_finite(values.*members[i])) return static_cast<int>(i);
   }
   return -1;
 }
@@ -149,7 +149,7 @@ Status find_not_finite(const typename System::Parameters& parameters, const type
     const int bad = values == nullptr ? -1 : first_not_finite(values, System::kCoordinates);
     if (bad >= 0) return {Code::not_a_number, bad};
   }
-  if (!std::isfinite(state.t)) return {Code::time_not_a_number, -1};
+  if (!is_finite(state.t)) return {Code::time_not_a_number, -1};
   const int auxiliary = first_not_finite(state.x, System::kAuxiliaryStates);
   if (auxiliary >= 0) return {Code::auxiliary_not_a_number, auxiliary};
   const int input = first_not_finite(inputs, System::kInputMember);
@@ -167,7 +167,7 @@ Status check_arguments(const typename System::Parameters& parameters, const type
   total.add(state.zd, System::kCoordinates);
   total.add(state.x, System::kAuxiliaryStates);
   if (tau != nullptr) total.add(tau, System::kCoordinates);
-  return std::isfinite(total.value()) ? Status{} : find_not_finite<System>(parameters, inputs, state, tau);
+  return is_finite(total.value()) ? Status{} : find_not_finite<System>(parameters, inputs, state, tau);
 }
 
 /// True when every monitor of the frozen partition is good; a NaN is not.

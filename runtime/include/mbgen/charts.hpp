@@ -6,10 +6,10 @@
 // At the pole of one chart the other one is as far from its own as can be. Each chart has its own rates and
 // accelerations; a change is exact but for rounding. Source: docs/method/theory.md, section 1.
 
-#include <cmath>
 #include <type_traits>
 
 #include "mbgen/elementary.hpp"
+#include "mbgen/number.hpp"
 #include "mbgen/solver/ball.hpp"
 
 namespace mbgen {
@@ -140,9 +140,9 @@ bool leaves_chart(const Ball& ball, Real chart, const Real* z) noexcept {
   const Real second = z[ball.coordinate[1]];
   Real s, c;
   if (!(chart > Real(0.5))) {
-    if (std::abs(second) < Real(ball_detail::kFarFromPole)) return false;
+    if (magnitude(second) < Real(ball_detail::kFarFromPole)) return false;
     sincos(second, s, c);
-    return std::abs(c) < Real(kLeavesUsersChart);
+    return magnitude(c) < Real(kLeavesUsersChart);
   }
   Real first_s, first_c;
   sincos(z[ball.coordinate[0]], first_s, first_c);
@@ -213,14 +213,14 @@ bool in_other_chart([[maybe_unused]] const State& state) noexcept {
 }
 
 /// Charts from and to numbers that follow each other; none of a state without.
-template <class State>
-void read_charts([[maybe_unused]] const double* values, [[maybe_unused]] State& state) noexcept {
+template <class Number, class State>
+void read_charts([[maybe_unused]] const Number* values, [[maybe_unused]] State& state) noexcept {
   if constexpr (kChartsOf < State >> 0) {
     for (int b = 0; b < kChartsOf<State>; ++b) state.charts[b] = values[b];
   }
 }
-template <class State>
-void write_charts([[maybe_unused]] const State& state, [[maybe_unused]] double* values) noexcept {
+template <class State, class Number>
+void write_charts([[maybe_unused]] const State& state, [[maybe_unused]] Number* values) noexcept {
   if constexpr (kChartsOf < State >> 0) {
     for (int b = 0; b < kChartsOf<State>; ++b) values[b] = state.charts[b];
   }

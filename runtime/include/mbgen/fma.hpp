@@ -28,6 +28,8 @@
 // Vectors wider than the processor's have no fixed calling convention; nothing here is called across files.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
+#include <type_traits>
+
 namespace mbgen {
 
 /// Whether the functions below round once. clang 14 does not define the macro that g++ has for this.
@@ -65,9 +67,13 @@ inline float fnma(float a, float b, float c) noexcept { return mbgen::fma(-a, b,
 template <class Lanes>
 inline constexpr int kLanesOf = static_cast<int>(sizeof(Lanes) / sizeof(double));
 
+/// Whether a type is a vector: numbers with derivatives (tangents.hpp) have functions of their own.
+template <class T>
+inline constexpr bool kIsVector = !std::is_arithmetic_v<T> && !std::is_class_v<T>;
+
 /// The vector among the types of arguments.
 template <class... Arguments>
-using WidestOf = decltype((Arguments() + ...));
+using WidestOf = std::enable_if_t<kIsVector<decltype((Arguments() + ...))>, decltype((Arguments() + ...))>;
 
 namespace lanes_detail {
 

@@ -3,6 +3,7 @@
 // its states, as an importer of an FMU does. `System` is described in blocks.hpp.
 
 #include "mbgen/motion.hpp"
+#include "mbgen/number.hpp"
 #include "mbgen/solver/independent_limits.hpp"
 
 namespace mbgen {
@@ -141,7 +142,7 @@ template <class System>
 double product_of_pivots(int b, const LoopFactorsOf<RealOf<System>>& loop) noexcept {
   if (loop.rank < System::kBlockLayout[b].rank) return 0;
   double product = 1;
-  for (int k = 0; k < loop.rank; ++k) product *= std::abs(static_cast<double>(loop_detail::row_of(loop, k)[k]));
+  for (int k = 0; k < loop.rank; ++k) product *= magnitude(static_cast<double>(loop_detail::row_of(loop, k)[k]));
   return product;
 }
 
@@ -184,7 +185,7 @@ void dead_point_times(const typename System::Parameters& parameters, const typen
     using namespace solver_detail;
     constexpr double kWay = 1e-4;  // rad or m: far above rounding, and short beside the curvature of a mechanism
     double fastest = 0;
-    for (const auto rate : state.zd) fastest = std::fmax(fastest, std::abs(static_cast<double>(rate)));
+    for (const auto rate : state.zd) fastest = std::fmax(fastest, magnitude(static_cast<double>(rate)));
     if (!(fastest > 0)) return;
     const double dt = kWay / fastest;
     double product[3][System::kBlocks];
@@ -243,7 +244,7 @@ struct DependentJacobians {
     for (int k = 0; k < count; ++k) {
       int best = k;
       for (int i = k + 1; i < count; ++i)
-        if (std::abs(product[i * count + k]) > std::abs(product[best * count + k])) best = i;
+        if (magnitude(product[i * count + k]) > magnitude(product[best * count + k])) best = i;
       for (int j = 0; j < count && best != k; ++j) loop_detail::swap(product[k * count + j], product[best * count + j]);
       const double pivot = product[k * count + k];
       is_negative = is_negative != ((best != k) != (pivot < 0));

@@ -33,9 +33,9 @@
 // Every step sets sampled values, settles charts, integrates all of z, zd and x, then projects. When anything fails the
 // state and the history stay as they were. Steps allocate only by copies of the System's own types.
 
-#include <cmath>
 #include <type_traits>
 
+#include "mbgen/number.hpp"
 #include "mbgen/solver/care.hpp"
 #include "mbgen/solver/states.hpp"
 #include "mbgen/turns.hpp"
@@ -87,7 +87,7 @@ template <class System>
 inline constexpr bool kHasSamples<System, std::void_t<decltype(&System::sample)>> = true;
 
 inline Status check_step(double h) noexcept {
-  return h > 0 && std::isfinite(h) ? Status{} : Status{Code::step_invalid, -1};
+  return h > 0 && is_finite(h) ? Status{} : Status{Code::step_invalid, -1};
 }
 
 template <class Care, class System>
@@ -278,7 +278,7 @@ namespace integrator_detail {
 template <class System>
 Status settled_abm4(const System& system, typename System::State& state, AbmHistory<System>& history,
                     double h) noexcept {
-  const bool goes_on = history.h == h && std::abs(history.t - state.t) <= kSameTime * h;
+  const bool goes_on = history.h == h && magnitude(history.t - state.t) <= kSameTime * h;
   const int known = goes_on ? history.count : 0;
   typename System::State result;
   StateRates<System> start;  // not in the ring: a step that fails leaves all of it

@@ -81,7 +81,7 @@ template <class Lanes, class Function>
 }  // namespace lanes_detail
 
 /// a where condition >= 0, else b (b for NaN).
-template <class Lanes, class A, class B, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
+template <class Lanes, class A, class B, class = std::enable_if_t<kIsVector<Lanes>>>
 [[gnu::always_inline]] inline Lanes select(const Lanes& condition, const A& a, const B& b) noexcept {
   using namespace lanes_detail;
   return condition >= 0.0 ? all<Lanes>(a) : all<Lanes>(b);
@@ -136,29 +136,29 @@ template <class Lanes>
 }
 
 /// Angles within 3 ulp, as arc_sine and arc_cosine of a double.
-template <class Lanes, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
+template <class Lanes, class = std::enable_if_t<kIsVector<Lanes>>>
 inline Lanes arc_sine(const Lanes& x) noexcept {
   return arc_sine<Lanes>(x, sqrt((1.0 - x) * (1.0 + x)));
 }
-template <class Lanes, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
+template <class Lanes, class = std::enable_if_t<kIsVector<Lanes>>>
 inline Lanes arc_cosine(const Lanes& x) noexcept {
   return arc_cosine<Lanes>(x, sqrt((1.0 - x) * (1.0 + x)));
 }
 
 /// Functions of two arguments, one of which is the same for all lanes.
-template <class Lanes, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
+template <class Lanes, class = std::enable_if_t<kIsVector<Lanes>>>
 inline Lanes power(const Lanes& base, double exponent) noexcept {
   return power<Lanes>(base, lanes_detail::all<Lanes>(exponent));
 }
-template <class Lanes, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
+template <class Lanes, class = std::enable_if_t<kIsVector<Lanes>>>
 inline Lanes power(double base, const Lanes& exponent) noexcept {
   return power<Lanes>(lanes_detail::all<Lanes>(base), exponent);
 }
-template <class Lanes, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
+template <class Lanes, class = std::enable_if_t<kIsVector<Lanes>>>
 inline Lanes arc_tangent(const Lanes& y, double x) noexcept {
   return arc_tangent<Lanes>(y, lanes_detail::all<Lanes>(x));
 }
-template <class Lanes, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
+template <class Lanes, class = std::enable_if_t<kIsVector<Lanes>>>
 inline Lanes arc_tangent(double y, const Lanes& x) noexcept {
   return arc_tangent<Lanes>(lanes_detail::all<Lanes>(y), x);
 }

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "mbgen/number.hpp"
 #include "mbgen/solver.hpp"
 #include "mbgen/solver/closure.hpp"
 #include "mbgen/solver/sides.hpp"
@@ -25,7 +26,7 @@ int moved_far(const typename System::State& from, const typename System::State& 
     const BlockLayout& block = System::kBlockLayout[b];
     for (int c = block.first_coordinate; c < block.first_coordinate + block.coordinates; ++c) {
       const int i = System::kBlockCoordinate[c];
-      if (System::kDriven[i] == 0 && !(std::abs(to.z[i] - from.z[i]) <= largest)) return b;
+      if (System::kDriven[i] == 0 && !(magnitude(to.z[i] - from.z[i]) <= largest)) return b;
     }
   }
   return -1;
@@ -119,7 +120,7 @@ int large_pivots(int b, const LoopFactorsOf<RealOf<System>>& loop) noexcept {
   using Real = RealOf<System>;
   const Real least = kSingular<Real> * static_cast<Real>(System::kBlockLayout[b].pivot);
   int count = 0;
-  while (count < loop.rank && std::abs(loop_detail::row_of(loop, count)[count]) >= least) ++count;
+  while (count < loop.rank && magnitude(loop_detail::row_of(loop, count)[count]) >= least) ++count;
   return count;
 }
 

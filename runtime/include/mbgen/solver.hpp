@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mbgen/blocks.hpp"
+#include "mbgen/number.hpp"
 #include "mbgen/solver/closure.hpp"
 
 namespace mbgen {
@@ -37,7 +38,7 @@ Status deliver(const Values& values, typename System::Derivative& derivative) no
   Total<RealOf<System>> total(0);
   total.add(values.zdd, System::kCoordinates);
   total.add(values.xd, System::kAuxiliaryStates);
-  if (!std::isfinite(total.value())) {
+  if (!is_finite(total.value())) {
     const int coordinate = first_not_finite(values.zdd, System::kCoordinates);
     if (coordinate >= 0) return {Code::not_a_number, coordinate};
     const int auxiliary = first_not_finite(values.xd, System::kAuxiliaryStates);
@@ -235,7 +236,7 @@ Status solve_multipliers(const typename System::Parameters& parameters, const ty
         if (!repaired.ok()) return repaired;
       }
     }
-    if (!std::isfinite(sum(values.lambda, System::kEquations) + sum(values.drive, System::kDrives))) {
+    if (!is_finite(sum(values.lambda, System::kEquations) + sum(values.drive, System::kDrives))) {
       return {Code::not_a_number, first_not_finite(derivative.zdd, System::kCoordinates)};
     }
     copy(values.lambda, multipliers.lambda, System::kEquations);

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "mbgen/lanes/array_lanes.hpp"
+#include "mbgen/number.hpp"
 #include "mbgen/status.hpp"
 
 namespace mbgen {
@@ -28,7 +29,7 @@ template <class Real, std::size_t N>
     lanes += rates * rates;
   }
   Real sum = 0;
-  for (int lane = 0; lane < width; ++lane) sum += lanes[lane];
+  for (int lane = 0; lane < width; ++lane) sum += lane_of(lanes, lane);
   for (int i = whole; i < static_cast<int>(N); ++i) sum += turning[i] * zd[i] * zd[i];
   return sum;
 }
@@ -44,9 +45,9 @@ template <class Real, std::size_t N>
   if (turns_detail::squares(zd, turning) <= rate * rate || stepped.code != Code::ok) return stepped;
   std::size_t fastest = 0;
   for (std::size_t i = 1; i < N; ++i) {
-    if (std::abs(turning[i] * zd[i]) > std::abs(turning[fastest] * zd[fastest])) fastest = i;
+    if (magnitude(turning[i] * zd[i]) > magnitude(turning[fastest] * zd[fastest])) fastest = i;
   }
-  if (!(std::abs(turning[fastest] * zd[fastest]) > rate)) return stepped;
+  if (!(magnitude(turning[fastest] * zd[fastest]) > rate)) return stepped;
   return {Code::turned_far, static_cast<int>(fastest)};
 }
 
@@ -59,11 +60,11 @@ constexpr double kTriedTurns[] = {0.7, 1.9, 3.3};
 inline bool differ_by_turn(const double* here, const double* there, int count, double rate) noexcept {
   constexpr double kMatters = 1e-4, kRounding = 1e-9;
   double largest = 0;
-  for (int i = 0; i < count; ++i) largest = std::fmax(largest, std::abs(here[i]));
+  for (int i = 0; i < count; ++i) largest = std::fmax(largest, magnitude(here[i]));
   const double rounding = kRounding * (rate * rate + largest);
   for (int i = 0; i < count; ++i) {
-    const double size = std::fmax(std::abs(here[i]), std::abs(there[i]));
-    if (std::abs(here[i] - there[i]) > kMatters * size + rounding) return true;
+    const double size = std::fmax(magnitude(here[i]), magnitude(there[i]));
+    if (magnitude(here[i] - there[i]) > kMatters * size + rounding) return true;
   }
   return false;
 }

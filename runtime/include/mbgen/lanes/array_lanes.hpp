@@ -1,8 +1,10 @@
 #pragma once
 // Arrays of doubles or floats several at a time: vectors as wide as the processor's (the vector_size extension of GCC
-// and clang). The result for an entry does not depend on the lanes that compute it, except in a Total.
+// and clang). The result for an entry does not depend on the lanes that compute it, except in a Total. Numbers that are
+// structs are taken one at a time.
 
 #include <cstddef>
+#include <type_traits>
 
 namespace mbgen {
 
@@ -18,9 +20,9 @@ constexpr int kVectorBytes = 16;
 
 /// Lanes of the processor's vectors.
 template <class Real = double>
-constexpr int kLanes = kVectorBytes / static_cast<int>(sizeof(Real));
+constexpr int kLanes = std::is_class_v<Real> ? 1 : kVectorBytes / static_cast<int>(sizeof(Real));
 
-template <int W, class Real = double>
+template <int W, class Real = double, class = void>
 struct Vector {
   using Lanes __attribute__((vector_size(8 * W))) = double;
   /// Lanes at the address of doubles, with their alignment.
@@ -30,6 +32,11 @@ template <int W>
 struct Vector<W, float> {
   using Lanes __attribute__((vector_size(4 * W))) = float;
   using InArray __attribute__((vector_size(4 * W), aligned(4), may_alias)) = float;
+};
+template <class Real>
+struct Vector<1, Real, std::enable_if_t<std::is_class_v<Real>>> {
+  using Lanes = Real;
+  using InArray = Real;
 };
 template <int W, class Real = double>
 using LanesOf = typename Vector<W, Real>::Lanes;
@@ -50,6 +57,14 @@ template <class L, class Real>
 [[gnu::always_inline]] inline void put_lanes(const L& lanes, Real* values) noexcept {
   constexpr int width = static_cast<int>(sizeof(L) / sizeof(Real));
   *reinterpret_cast<typename Vector<width, Real>::InArray*>(values) = lanes;
+}
+
+template <class L>
+[[gnu::always_inline]] inline auto lane_of(const L& lanes, [[maybe_unused]] int lane) noexcept {
+  if constexpr (std::is_class_v<L> || std::is_same_v<L, bool>)
+    return lanes;
+  else
+    return lanes[lane];
 }
 
 /// Calls `several` with the first index of W = width_for(N) entries until all N have been met; the last call ends with
@@ -89,7 +104,7 @@ class Total {
 
   [[gnu::always_inline]] Real value() const noexcept {
     Real total = rest_;
-    for (int lane = 0; lane < array_detail::kLanes<Real>; ++lane) total += lanes_[lane];
+    for (int lane = 0; lane < array_detail::kLanes<Real>; ++lane) total += array_detail::lane_of(lanes_, lane);
     return total;
   }
 
@@ -106,7 +121,7 @@ template <class Real>
   auto above = LanesOf<width, Real>{} == 0;
   for (int i = 0; i + width <= count; i += width) above &= lanes_at<width>(values + i) > 0;
   bool all = true;
-  for (int lane = 0; lane < width; ++lane) all = all && above[lane] != 0;
+  for (int lane = 0; lane < width; ++lane) all = all && lane_of(above, lane) != 0;
   for (int i = count - count % width; i < count; ++i) all = all && values[i] > 0;
   return all;
 }

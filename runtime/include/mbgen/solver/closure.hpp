@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mbgen/blocks.hpp"
+#include "mbgen/number.hpp"
 #include "mbgen/solver/corrections.hpp"
 #include "mbgen/solver/newton.hpp"
 
@@ -27,7 +28,7 @@ bool is_slight(int b, const typename System::State& state, const typename System
   bool slight = true;
   for (int c = block.first_coordinate; c < block.first_coordinate + block.coordinates; ++c) {
     const int i = System::kBlockCoordinate[c];
-    slight = slight && std::abs(closure.dz[i]) <= limit && std::abs(closure.zd[i] - state.zd[i]) <= limit;
+    slight = slight && magnitude(closure.dz[i]) <= limit && magnitude(closure.zd[i] - state.zd[i]) <= limit;
   }
   return slight;
 }
@@ -132,8 +133,8 @@ Misfit<RealOf<System>> largest_residual(const typename System::Closure& closure,
   Misfit<RealOf<System>> largest;
   for (int e = 0; e < System::kEquations; ++e) {
     if (System::kRedundant[e] != redundant) continue;
-    const RealOf<System> size = std::abs(closure.residual[e]);
-    if (std::isnan(size)) return {size, e};
+    const RealOf<System> size = magnitude(closure.residual[e]);
+    if (is_nan(size)) return {size, e};
     if (size > largest.size) largest = {size, e};
   }
   return largest;
@@ -144,8 +145,8 @@ template <class System>
 RealOf<System> largest_driven_step(const typename System::Closure& closure) noexcept {
   RealOf<System> largest = 0;
   for (int g = 0; g < System::kDrives; ++g) {
-    const RealOf<System> size = std::abs(closure.dz[System::kDriveCoordinate[g]]);
-    if (std::isnan(size)) return size;
+    const RealOf<System> size = magnitude(closure.dz[System::kDriveCoordinate[g]]);
+    if (is_nan(size)) return size;
     largest = size > largest ? size : largest;
   }
   return largest;
@@ -166,7 +167,7 @@ void apply_step(const typename System::Closure& closure, typename System::State&
   using Real = RealOf<System>;
   Real largest = 0;
   for (int i = 0; i < System::kCoordinates; ++i) {
-    if (System::kDriven[i] == 0) largest = std::abs(closure.dz[i]) > largest ? std::abs(closure.dz[i]) : largest;
+    if (System::kDriven[i] == 0) largest = magnitude(closure.dz[i]) > largest ? magnitude(closure.dz[i]) : largest;
   }
   const Real factor = shortening(largest, kLargestNewtonStep<Real>);
   for (int i = 0; i < System::kCoordinates; ++i) {
@@ -192,7 +193,7 @@ Status accept(const typename System::Closure& closure, typename System::State& t
   move_driven<System>(closure, trial);
   copy(closure.zd, trial.zd, System::kCoordinates);
   // A motion can have a velocity where it has no position: the square root of a constant input.
-  if (std::isfinite(sum(trial.zd, System::kCoordinates) + sum(trial.z, System::kCoordinates))) return {};
+  if (is_finite(sum(trial.zd, System::kCoordinates) + sum(trial.z, System::kCoordinates))) return {};
   int bad = first_not_finite(trial.zd, System::kCoordinates);
   if (bad < 0) bad = first_not_finite(trial.z, System::kCoordinates);
   return bad < 0 ? Status{} : Status{Code::not_a_number, bad};
@@ -211,6 +212,7 @@ Status close_loops(const typename System::Parameters& parameters, const typename
   typename System::Closure closure;
   Misfit<Real> misfit;
   Real previous = std::numeric_limits<Real>::infinity();
+  int derivatives = kDerivativeSteps;
   while (closures-- > 0) {
     System::closure(parameters, inputs, trial, closure);
     const Status notice = correct(closure);
@@ -220,13 +222,14 @@ Status close_loops(const typename System::Parameters& parameters, const typename
     const Real size = driven > misfit.size ? driven : misfit.size;
     const bool gains = size > 0 && size < Real(0.5) * previous && closures > 0;
     const bool is_enough = size <= tolerance && ends_at_tolerance;
-    if (is_enough || (!gains && size <= kRoundingFloor<Real>)) {
+    const bool is_closed = is_enough || (!gains && size <= kRoundingFloor<Real>);
+    if (is_closed && (derivatives-- == 0 || keeps_derivatives(closure.dz, trial.z, System::kCoordinates))) {
       const Status accepted = accept<System>(closure, trial);
       return accepted.ok() ? notice : accepted;
     }
     previous = size;
     apply_step<System>(closure, trial);
-    if (!std::isfinite(sum(trial.z, System::kCoordinates))) break;
+    if (!is_finite(sum(trial.z, System::kCoordinates))) break;
   }
   return {Code::loop_not_closed, block_of<System>(misfit.equation)};
 }

@@ -3,8 +3,9 @@
 // equations fall into small systems that are solved one after another, as the legs of a walking machine under its
 // crank. Source: (60)-(62); Dulmage and Mendelsohn.
 
-#include <cmath>
 #include <limits>
+
+#include "mbgen/number.hpp"
 
 namespace mbgen {
 
@@ -115,7 +116,7 @@ Real reduce(const Elimination<Real>& e, int others, const unsigned char* is_mova
       const Real* const row = e.row(r);
       for (int j = 0; j < size + others; ++j) {
         if (j >= size && is_movable[j - size] == 0) continue;
-        const Real entry = std::abs(row[j]) * (j < size ? Real(1) : kExchangeFactor<Real>);
+        const Real entry = magnitude(row[j]) * (j < size ? Real(1) : kExchangeFactor<Real>);
         if (entry > largest) largest = entry, at_row = r, at = j;
       }
     }
@@ -128,7 +129,7 @@ Real reduce(const Elimination<Real>& e, int others, const unsigned char* is_mova
       chosen[j] = kept;
     }
     if ((at_row != i) != (pivot_row[at] < 0)) sign = -sign;
-    const Real pivot = std::abs(pivot_row[at]), reciprocal = 1 / pivot_row[at];
+    const Real pivot = magnitude(pivot_row[at]), reciprocal = 1 / pivot_row[at];
     smallest = pivot < smallest ? pivot : smallest;
     if (!(pivot >= least)) return smallest;
     for (int j = 0; j < e.width; ++j) pivot_row[j] *= reciprocal;

@@ -1,9 +1,10 @@
 #pragma once
 // Loop closures at run time: LU with full pivoting of one block's Jacobian, and the systems solved with it.
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
+
+#include "mbgen/number.hpp"
 
 namespace mbgen {
 
@@ -67,7 +68,7 @@ inline void search_row(const LoopFactorsOf<Real>& loop, int i, int first, const 
   Real largest = 0;
   int at = -1;
   for (int j = first; j < loop.coordinates; ++j) {
-    const Real size = std::abs(row[j]);
+    const Real size = magnitude(row[j]);
     if (size > largest && !is_driven(driven, loop.columns[j])) largest = size, at = j;
   }
   loop.largest[i] = largest;
@@ -113,7 +114,7 @@ inline Pivot<Real> find_pivot(const LoopFactorsOf<Real>& loop, int first, const 
     }
     const Real* row = row_of(loop, i);
     for (int j = first; j < loop.coordinates; ++j) {
-      const Real size = std::abs(row[j]);
+      const Real size = magnitude(row[j]);
       if (size > pivot.size && !is_driven(driven, loop.columns[j])) pivot = {i, j, size};
     }
   }
@@ -160,7 +161,7 @@ inline void search_changed(const LoopFactorsOf<Real>& loop, int i, int k, int co
   }
   for (int n = 0; n < count; ++n) {
     const int j = loop.places[n];
-    const Real size = std::abs(row[j]);
+    const Real size = magnitude(row[j]);
     const bool is_first = size > loop.largest[i] || (size == loop.largest[i] && j < loop.largest_at[i]);
     if (is_first && !is_driven(driven, loop.columns[j])) loop.largest[i] = size, loop.largest_at[i] = j;
   }
@@ -223,7 +224,7 @@ template <class Real>
 inline Real smallest_pivot(const LoopFactorsOf<Real>& loop) noexcept {
   Real smallest = std::numeric_limits<Real>::infinity();
   for (int k = 0; k < loop.rank; ++k) {
-    const Real size = std::abs(loop_detail::row_of(loop, k)[k]);
+    const Real size = magnitude(loop_detail::row_of(loop, k)[k]);
     smallest = size < smallest ? size : smallest;
   }
   return smallest;
@@ -252,8 +253,8 @@ inline Real solve_dependent(const LoopFactorsOf<Real>& loop, const Real* right_h
     const Real* row = loop_detail::row_of(loop, i);
     Real residual = work[i];
     for (int j = loop.rank; j < loop.coordinates; ++j) residual -= row[j] * x[loop.columns[j]];
-    if (std::isnan(residual)) return residual;
-    largest = std::abs(residual) > largest ? std::abs(residual) : largest;
+    if (is_nan(residual)) return residual;
+    largest = magnitude(residual) > largest ? magnitude(residual) : largest;
   }
   return largest;
 }

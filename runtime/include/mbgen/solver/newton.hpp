@@ -8,6 +8,8 @@ namespace mbgen {
 
 /// Steps of a projection before a block counts as not closed; from a fair guess five are enough.
 constexpr int kNewtonIterations = 20;
+/// Steps of a projection for the derivatives of closed coordinates: one is exact, two more meet what rounding left.
+constexpr int kDerivativeSteps = 3;
 /// Closures of a state in the middle of a crossing: half as many, each factorises twice.
 constexpr int kCrossingClosures = kNewtonIterations / 2;
 /// Steps of a search: ten shortened ones make half a turn, and at a singular position a residual falls to a quarter

@@ -2,11 +2,11 @@
 // Nodes of a passage (passing.hpp): closed states of loop blocks on both sides of a singular position. `System` is
 // described in blocks.hpp.
 
-#include <cmath>
 #include <limits>
 #include <type_traits>
 
 #include "mbgen/motion.hpp"
+#include "mbgen/number.hpp"
 #include "mbgen/solver/passage.hpp"
 
 namespace mbgen {
@@ -151,16 +151,16 @@ RealOf<System> close_node(int b, double time, PassageWork<System>& work, RealOf<
   Real size = 0;
   for (int e = 0; e < block.equations; ++e) {
     const Real open = work.terms.Phi[block.first_equation + e];
-    if (System::kRedundant[block.first_equation + e] == 0 && !(std::abs(open) <= size)) size = std::abs(open);
+    if (System::kRedundant[block.first_equation + e] == 0 && !(magnitude(open) <= size)) size = magnitude(open);
   }
   Real* const solution = work.solution + block.first_coordinate;
   for (int c = 0; c < block.coordinates; ++c) {
     const int i = coordinate[c];
     solution[c] = System::kDriven[i] != 0 ? work.closure.dz[i] : Real(0);
-    size = std::abs(solution[c]) > size ? std::abs(solution[c]) : size;
+    size = magnitude(solution[c]) > size ? magnitude(solution[c]) : size;
   }
   with_solution<System>(b, work, [&](const auto& of) { of.closing(solution); });
-  const auto raise = [&moved](Real way) { moved = std::abs(way) <= moved ? moved : std::abs(way); };
+  const auto raise = [&moved](Real way) { moved = magnitude(way) <= moved ? moved : magnitude(way); };
   for (int c = 0; c < block.coordinates; ++c) {
     work.state.z[coordinate[c]] += solution[c];
     raise(solution[c]);
@@ -268,8 +268,8 @@ bool guess_opposite(const typename System::State& middle, double time, PassageWo
     const Real third = -8 * way + 5 * rate - bend, fourth = 3 * way - 2 * rate + Real(0.5) * bend;
     work.state.z[i] += second - third + fourth;
     work.state.zd[i] = (start - 2 * second + 3 * third - 4 * fourth) / h;
-    rough = std::abs(fourth) > rough ? std::abs(fourth) : rough;
-    longest = std::abs(h * work.zd[0][i]) > longest ? std::abs(h * work.zd[0][i]) : longest;
+    rough = magnitude(fourth) > rough ? magnitude(fourth) : rough;
+    longest = magnitude(h * work.zd[0][i]) > longest ? magnitude(h * work.zd[0][i]) : longest;
   }
   return rough <= kPassageBend<Real> * longest;
 }

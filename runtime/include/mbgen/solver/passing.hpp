@@ -8,6 +8,7 @@
 // determine a polynomial of degree five; its second derivative, z*, has an error of the fourth power of the spacing,
 // over 120.
 
+#include "mbgen/number.hpp"
 #include "mbgen/solver/passage_nodes.hpp"
 
 namespace mbgen {
@@ -41,8 +42,8 @@ bool interpolate_positions(const PassageWork<System>& work, OfPassage& passage) 
       const Real fifth = (odd_bend - 3 * (odd_rate - odd)) / 8, third = half * (odd_rate - odd - 4 * fifth);
       const Real terms[kPassageTerms] = {even - second - fourth, odd - third - fifth, second, third, fourth, fifth};
       for (int k = 0; k < kPassageTerms; ++k) passage.position[k][i] = terms[k];
-      rough = std::abs(fourth) > rough ? std::abs(fourth) : rough;
-      way = std::abs(odd) > way ? std::abs(odd) : way;
+      rough = magnitude(fourth) > rough ? magnitude(fourth) : rough;
+      way = magnitude(odd) > way ? magnitude(odd) : way;
     }
   }
   return rough <= kPassageSmoothness<Real> * way;
@@ -81,7 +82,7 @@ bool take_leads(const typename System::State& middle, const PassageWork<System>&
       if (System::kBlockDriven[c] != 0 || work.fixed[c] == 0) continue;
       passage.is_free[i] = 1;
       const double rate = static_cast<double>(middle.zd[i]);
-      if (passage.lead[b] >= 0 && std::abs(rate) <= std::abs(passage.lead_rate[b])) continue;
+      if (passage.lead[b] >= 0 && magnitude(rate) <= magnitude(passage.lead_rate[b])) continue;
       passage.lead[b] = i;
       passage.lead_start[b] = static_cast<double>(middle.z[i]);
       passage.lead_rate[b] = rate;
@@ -197,7 +198,7 @@ double fastest_across(const OfPassage& passage, const typename System::State& st
     const BlockLayout& block = System::kBlockLayout[b];
     for (int c = 0; passage.crosses[b] != 0 && c < block.coordinates; ++c) {
       const int i = System::kBlockCoordinate[block.first_coordinate + c];
-      const auto size = static_cast<double>(std::abs(state.zd[i]));
+      const auto size = static_cast<double>(magnitude(state.zd[i]));
       fastest = size > fastest ? size : fastest;
     }
   }
@@ -274,7 +275,7 @@ bool close_across(const typename System::Parameters& parameters, const typename 
   copy_state<System>(state, closed);
   for (int b = 0; b < System::kBlocks; ++b) {
     if (passage.crosses[b] == 0) continue;
-    if (!(std::abs(parameter_at(passage, b, state)) <= 1)) return false;
+    if (!(magnitude(parameter_at(passage, b, state)) <= 1)) return false;
     put_across<System>(passage, b, closed);
   }
   if constexpr (System::kBlocks > 1 || System::kDrives > 0) {

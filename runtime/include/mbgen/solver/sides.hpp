@@ -2,6 +2,7 @@
 // The way of the loops of a generated solver in a step: whether they reach another side of a singular position, where
 // branches of their motion cross. `System` is described in blocks.hpp.
 
+#include "mbgen/number.hpp"
 #include "mbgen/solver/corrections.hpp"
 #include "mbgen/solver/singular_step.hpp"
 
@@ -143,7 +144,7 @@ template <class System, class Real, std::size_t N>
     lanes += way * way;
   }
   Real sum = 0;
-  for (int lane = 0; lane < width; ++lane) sum += lanes[lane];
+  for (int lane = 0; lane < width; ++lane) sum += lane_of(lanes, lane);
   for (int i = whole; i < static_cast<int>(N); ++i) {
     const Real way = kInLoops.is[i] * (to[i] - from[i]);
     sum += way * way;
@@ -158,7 +159,7 @@ namespace solver_detail {
 template <class System>
 bool one_moves_far(const typename System::State& from, const typename System::State& to, double least) noexcept {
   for (const int i : System::kBlockCoordinate) {
-    if (!(std::abs(static_cast<double>(to.z[i] - from.z[i])) <= least)) return true;
+    if (!(magnitude(static_cast<double>(to.z[i] - from.z[i])) <= least)) return true;
   }
   return false;
 }

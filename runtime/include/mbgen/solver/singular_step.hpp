@@ -9,6 +9,7 @@
 // closures by the square of the step sees other Jacobians than those of the branch.
 
 #include "mbgen/math/precision.hpp"
+#include "mbgen/number.hpp"
 #include "mbgen/solver/passage.hpp"
 #include "mbgen/solver/states.hpp"
 
@@ -39,7 +40,7 @@ struct LoopWay {
   double fastest = 0, before = 0, after = 0, change = 0;
 
   void add(double from, double to) noexcept {
-    const double size = std::abs(from) > std::abs(to) ? std::abs(from) : std::abs(to);
+    const double size = magnitude(from) > magnitude(to) ? magnitude(from) : magnitude(to);
     fastest = size > fastest ? size : fastest;
     before += from * from;
     after += to * to;
@@ -126,7 +127,7 @@ bool add_node(const System& system, const typename System::State& middle, double
   add(weight, rates.derivative.zdd, sums.rates.derivative.zdd);
   add(weight, rates.derivative.xd, sums.rates.derivative.xd);
   for (std::size_t i = 0; i < size_of(node.z); ++i) {
-    const auto way = std::abs(node.z[i] - middle.z[i]);
+    const auto way = magnitude(node.z[i] - middle.z[i]);
     sums.way = way > sums.way ? way : sums.way;
   }
   return true;
@@ -154,7 +155,7 @@ bool pass_through(const System& system, const typename System::State& state, dou
   }
   using Real = WeightOf<decltype(System::State::z)>;
   for (std::size_t i = 0; i < size_of(sums.correction); ++i) {
-    if (!(std::abs(sums.correction[i]) <= kSmoothness<Real> * sums.way)) return false;
+    if (!(magnitude(sums.correction[i]) <= kSmoothness<Real> * sums.way)) return false;
   }
   if constexpr (kTellsCrossings<System>) {
     double clearance = 0;
@@ -171,7 +172,7 @@ template <class State>
 double fastest_rate(const State& state) noexcept {
   double fastest = 0;
   for (std::size_t i = 0; i < size_of(state.zd); ++i) {
-    const auto size = static_cast<double>(std::abs(state.zd[i]));
+    const auto size = static_cast<double>(magnitude(state.zd[i]));
     fastest = size > fastest ? size : fastest;
   }
   return fastest;

@@ -2,12 +2,12 @@
 // Operations of integrators on states and rates of any System: arrays of doubles or floats or of vectors, or containers
 // with size(), see integrators.hpp.
 
-#include <cmath>
 #include <cstddef>
 #include <type_traits>
 
 #include "mbgen/lanes/array_lanes.hpp"
 #include "mbgen/math/precision.hpp"
+#include "mbgen/number.hpp"
 #include "mbgen/status.hpp"
 
 namespace mbgen {
@@ -142,11 +142,11 @@ template <class Values>
 bool sum_is_finite(const Values&) noexcept {
   return false;
 }
-template <class Real, std::size_t N, class = std::enable_if_t<std::is_floating_point_v<Real>>>
+template <class Real, std::size_t N, class = std::enable_if_t<kIsNumber<Real>>>
 bool sum_is_finite(const Real (&values)[N]) noexcept {
   Total<Real> total(0);
   total.add(values, static_cast<int>(N));
-  return std::isfinite(total.value());
+  return is_finite(total.value());
 }
 
 /// Fails: not_a_number, auxiliary_not_a_number for values that are not finite.
@@ -154,10 +154,10 @@ template <class State>
 Status check_finite(const State& state) noexcept {
   if (sum_is_finite(state.z) && sum_is_finite(state.zd) && sum_is_finite(state.x)) return {};
   for (std::size_t i = 0; i < size_of(state.z); ++i) {
-    if (!std::isfinite(state.z[i]) || !std::isfinite(state.zd[i])) return {Code::not_a_number, static_cast<int>(i)};
+    if (!is_finite(state.z[i]) || !is_finite(state.zd[i])) return {Code::not_a_number, static_cast<int>(i)};
   }
   for (std::size_t i = 0; i < size_of(state.x); ++i) {
-    if (!std::isfinite(state.x[i])) return {Code::auxiliary_not_a_number, static_cast<int>(i)};
+    if (!is_finite(state.x[i])) return {Code::auxiliary_not_a_number, static_cast<int>(i)};
   }
   return {};
 }

@@ -1,0 +1,114 @@
+// Derivatives of motions against mechanisms that were computed in complex arithmetic with multipliers (reference),
+// closed forms and differences.
+
+#include "tests/support/cli_support.hpp"
+
+namespace mbgen::cli_test {
+namespace {
+
+class Sensitivities : public CommandLine {
+ protected:
+  static Json reference(const std::string& mechanism) {
+    return Json::parse(std::ifstream(kSource + "/tests/data/reference/sensitivities.json"))[mechanism];
+  }
+
+  /// Largest error of the derivatives of each reference column, over its largest value.
+  double worst_of(const std::string& mechanism, const std::vector<std::string>& columns, const std::string& options,
+                  const std::string& file) {
+    const Json data = reference(mechanism);
+    std::string names;
+    for (const std::string name : data["free"]) names += (names.empty() ? "" : ",") + name;
+    const Outcome run = mbgen("simulate '" + kSource + "/models/sensitivities/" + mechanism + ".json' --out " + file +
+                              " --sensitivities " + names + " " + options);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const Table table = this->table(file);
+    const std::size_t steps = (table.rows.size() - 1) / 20;
+    double worst = 0;
+    for (std::size_t p = 0; p < data["free"].size(); ++p) {
+      for (std::size_t c = 0; c < columns.size(); ++c) {
+        double error = 0, largest = 0;
+        const std::size_t column = column_of(table, columns[c], data["free"][p]);
+        for (std::size_t k = 0; k < 21; ++k) {
+          const double expected = data["derivatives"][p][k][c];
+          error = std::max(error, std::abs(table.rows[k * steps][column] - expected));
+          largest = std::max(largest, std::abs(expected));
+        }
+        EXPECT_GT(largest, 0) << columns[c];
+        worst = std::max(worst, error / largest);
+      }
+    }
+    return worst;
+  }
+
+  static std::size_t column_of(const Table& table, const std::string& output, const std::string& parameter) {
+    const std::string name = "d(" + output + ")/d(" + parameter + ") [";
+    for (std::size_t c = 0; c < table.names.size(); ++c)
+      if (table.names[c].starts_with(name)) return c;
+    ADD_FAILURE() << "no column " << name;
+    return 0;
+  }
+};
+
+const std::vector<std::string> kFourBarColumns = {"crank",   "crank_rate", "crank_acceleration",
+                                                  "coupler", "rocker",     "cost"};
+const std::vector<std::string> kFiveBarColumns = {"angle_1", "angle_4", "rate_1", "rate_4", "x_2", "y_2", "cost"};
+
+TEST_F(Sensitivities, FourBarByEightParameters) {
+  const double fine = worst_of("four_bar", kFourBarColumns, "--step 1e-3", "fine.csv");
+  EXPECT_LT(fine, 1e-7);
+  const double coarse = worst_of("four_bar", kFourBarColumns, "--step 4e-3", "coarse.csv");
+  EXPECT_GT(coarse / fine, 64);  // of order four: 256
+  EXPECT_LT(worst_of("four_bar", kFourBarColumns, "--step 5e-4 --integrator abm4", "abm4.csv"), 1e-7);
+}
+
+TEST_F(Sensitivities, FourBarByImplicitSteps) {
+  const double fine = worst_of("four_bar", kFourBarColumns, "--step 1e-3 --integrator rosenbrock", "fine.csv");
+  EXPECT_LT(fine, 1e-4);
+  EXPECT_GT(worst_of("four_bar", kFourBarColumns, "--step 4e-3 --integrator rosenbrock", "coarse.csv") / fine, 16);
+}
+
+TEST_F(Sensitivities, FiveBarByLengthsAndMasses) {
+  const double fine = worst_of("five_bar", kFiveBarColumns, "--step 1e-3", "fine.csv");
+  EXPECT_LT(fine, 1e-6);
+  EXPECT_GT(worst_of("five_bar", kFiveBarColumns, "--step 4e-3", "coarse.csv") / fine, 64);
+}
+
+/// A mass that hangs on two springs in a row of bodies, at rest: by the closed form.
+TEST_F(Sensitivities, AStaticEquilibriumMovesWithItsParameters) {
+  write("hung.json", R"json({
+    "mbgen": 1, "name": "hung", "gravity": [0, 0, "-g"],
+    "parameters": { "k": { "value": 500, "unit": "N/m" }, "m": { "value": 3, "unit": "kg", "tunable": true },
+                    "g": { "value": 9.81, "unit": "m/s^2" } },
+    "bodies": { "ground": { "points": { "O": [0, 0, 0], "S": [0, 0, 1] } },
+                "mass": { "mass": "m", "inertia": [1, 1, 1], "points": { "O": [0, 0, 0] } } },
+    "joints": { "slide": { "type": "prismatic", "from": "ground.O", "to": "mass.O", "axis": "z" } },
+    "springs": { "spring": { "from": "mass.O", "to": "ground.S", "stiffness": "k", "damping": 2, "free_length": 0.9 } },
+    "outputs": { "height": { "joint": "slide", "quantity": "position" } },
+    "initial": { "equilibrium": true },
+    "solver": { "integrator": "rk4", "step": 1e-3, "duration": 0.1 }
+  })json");
+  const Outcome run = mbgen("simulate hung.json --sensitivities k,m,g --out hung.csv");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Table table = this->table("hung.csv");
+  // k (1 - z - 0.9) = m g.
+  for (const std::size_t row : {std::size_t{0}, table.rows.size() - 1}) {
+    EXPECT_NEAR(table.rows[row][column_of(table, "height", "k")], 3 * 9.81 / (500.0 * 500), 1e-12);
+    EXPECT_NEAR(table.rows[row][column_of(table, "height", "m")], -9.81 / 500, 1e-11);
+    EXPECT_NEAR(table.rows[row][column_of(table, "height", "g")], -3.0 / 500, 1e-12);
+  }
+}
+
+TEST_F(Sensitivities, RefusesWhatHasNoDerivatives) {
+  const auto refused = [&](const std::string& options, const std::string& text) {
+    const Outcome run = mbgen("simulate '" + kSource + "/models/sensitivities/four_bar.json' --out f.csv " + options);
+    EXPECT_EQ(run.exit_code, 1) << options;
+    EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(path("f.csv")));
+  };
+  refused("--sensitivities l4", "--sensitivities: the model has no parameter \"l4\"; did you mean \"l2\"?");
+  refused("--sensitivities k --engine generic", "--sensitivities is of the generated solver");
+  refused("--sensitivities k --integrator cvode", "--sensitivities needs a fixed step");
+}
+
+}  // namespace
+}  // namespace mbgen::cli_test

@@ -1,0 +1,169 @@
+// The derivatives of a motion's start.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/algebra/dense.hpp"
+#include "compiler/text/user_error.hpp"
+#include "workbench/sensitivity/tangent_engine.hpp"
+
+namespace mbgen {
+namespace {
+
+using Memory = TangentEngine::Memory;
+using Numbers = std::vector<TangentNumber>;
+using Flags = std::vector<unsigned char>;
+
+/// Singular values below this share of the largest leave an equilibrium undetermined.
+constexpr double kUndetermined = 1e-10;
+/// Part of an imbalance that no motion of an equilibrium removes.
+constexpr double kUnbalanced = 1e-6;
+
+void require(const Compilation& compilation, Status status) {
+  if (!status.ok())
+    throw UserError(
+        fmt::format("sensitivities: the start cannot be differentiated: {}\n", describe(compilation, status)));
+}
+
+Flags given_flags(const Compilation& compilation, const std::vector<InitialValue>& given, bool locked_only) {
+  Flags flags(compilation.topology.bodies.size(), 0);
+  for (const InitialValue& value : given) {
+    const int i = tree_coordinate(compilation.topology, value.coordinate);
+    if (i >= 0 && (value.locked || !locked_only)) flags[static_cast<std::size_t>(i)] = 1;
+  }
+  return flags;
+}
+
+/// Whether more undriven coordinates of a loop block are held than it leaves free.
+bool are_too_many(const Compilation& compilation, const Flags& held) {
+  const std::vector<int> free = free_coordinates(compilation.topology, compilation.analysis);
+  return std::ranges::any_of(compilation.topology.blocks, [&](const LoopBlock& block) {
+    const auto in_block = [&](int i) { return std::ranges::count(block.joints, i) > 0; };
+    const auto is_held = [&](int i) {
+      return held[static_cast<std::size_t>(i)] != 0 && !compilation.analysis.driven[i];
+    };
+    return std::ranges::count_if(block.joints, is_held) > std::ranges::count_if(free, in_block);
+  });
+}
+
+/// Closes the loops of `state` while the given coordinates are held, or the locked ones where those are too many.
+void hold(const Compilation& compilation, const TangentTable& table, const TangentPass& pass,
+          const std::vector<InitialValue>& given, const char* what, Numbers& state) {
+  Flags held = given_flags(compilation, given, false);
+  if (are_too_many(compilation, held)) held = given_flags(compilation, given, true);
+  const auto locks = static_cast<std::size_t>(std::ranges::count(held, 1));
+  const bool are_guesses =
+      locks < given.size() && locks < free_coordinates(compilation.topology, compilation.analysis).size();
+  const Status status =
+      are_too_many(compilation, held) || are_guesses
+          ? Status{Code::loop_singular, -1}
+          : table.project_holding(pass.parameters.data(), pass.inputs.data(), held.data(), state.data());
+  if (status.code == Code::loop_singular)
+    throw UserError(fmt::format(
+        "sensitivities: the {} of \"initial\" are more than the loops leave free, their derivatives are not unique\n"
+        "  hint: \"locked\": true marks the ones that stay when a parameter changes\n",
+        what));
+  require(compilation, status);
+}
+
+/// The start without derivatives.
+Numbers plain_state(const GenericState& start, const TangentTable& table, bool at_rest) {
+  Numbers numbers(start.z.begin(), start.z.end());
+  for (const double rate : start.zd) numbers.emplace_back(at_rest ? 0.0 : rate);
+  numbers.insert(numbers.end(), start.x.begin(), start.x.end());
+  numbers.emplace_back(start.t);
+  numbers.insert(numbers.end(), start.charts.begin(), start.charts.end());
+  numbers.resize(static_cast<std::size_t>(table.state_size), 0.0);
+  return numbers;
+}
+
+/// A static equilibrium: its unknowns, places in a state, are the independent coordinates and the auxiliary states, its
+/// equations their accelerations and rates.
+struct Equilibrium {
+  const Compilation& compilation;
+  const TangentTable& table;
+  std::vector<std::size_t> unknowns;   ///< places in a state
+  std::vector<std::size_t> equations;  ///< places in a derivative
+
+  Equilibrium(const Compilation& of, const TangentTable& with) : compilation(of), table(with) {
+    const auto coordinates = static_cast<std::size_t>(table.coordinates);
+    for (const int i : free_coordinates(compilation.topology, compilation.analysis)) {
+      unknowns.push_back(static_cast<std::size_t>(i));
+      equations.push_back(static_cast<std::size_t>(i));
+    }
+    for (std::size_t k = 0; k < static_cast<std::size_t>(table.auxiliary_states); ++k) {
+      unknowns.push_back(2 * coordinates + k);
+      equations.push_back(coordinates + k);
+    }
+  }
+
+  /// The equations at a state whose loops are closed on the way.
+  Eigen::MatrixXd slopes(const Numbers& parameters, const Numbers& inputs, Numbers& state) const {
+    const Numbers tau(static_cast<std::size_t>(table.coordinates), 0.0);
+    Numbers rates(static_cast<std::size_t>(table.derivative_size), 0.0);
+    require(compilation, table.project(parameters.data(), inputs.data(), state.data()));
+    require(compilation, table.accelerations(parameters.data(), inputs.data(), state.data(), tau.data(), rates.data()));
+    Eigen::MatrixXd found(static_cast<Eigen::Index>(equations.size()), kDirections);
+    for (std::size_t e = 0; e < equations.size(); ++e)
+      for (int k = 0; k < kDirections; ++k) found(static_cast<Eigen::Index>(e), k) = rates[equations[e]].tangent[k];
+    return found;
+  }
+
+  /// Derivatives of the equations by the unknowns.
+  Eigen::MatrixXd jacobian(const Numbers& parameters, const Numbers& inputs, const Numbers& at) const {
+    const auto count = static_cast<Eigen::Index>(unknowns.size());
+    Eigen::MatrixXd matrix(count, count);
+    for (Eigen::Index first = 0; first < count; first += kDirections) {
+      const Eigen::Index together = std::min<Eigen::Index>(kDirections, count - first);
+      Numbers state = at;
+      for (Eigen::Index k = 0; k < together; ++k) state[unknowns[static_cast<std::size_t>(first + k)]].tangent[k] = 1;
+      matrix.middleCols(first, together) = slopes(parameters, inputs, state).leftCols(together);
+    }
+    return matrix;
+  }
+};
+
+/// Gives a state at a static equilibrium the derivatives of the equilibrium. Source: implicit function theorem.
+void follow_equilibrium(const Equilibrium& rest, const TangentPass& pass, Numbers& state) {
+  Numbers constants = pass.parameters;
+  for (TangentNumber& number : constants) number = number.value;
+  const Numbers at = state;
+  const Eigen::MatrixXd jacobian = rest.jacobian(constants, pass.inputs, at);
+  const Eigen::MatrixXd moved = rest.slopes(pass.parameters, pass.inputs, state);
+  state = at;
+  for (int k = 0; k < kDirections; ++k) {
+    const Eigen::VectorXd by = least_squares(jacobian, -moved.col(k), kUndetermined);
+    if (!((jacobian * by + moved.col(k)).norm() <= kUnbalanced * moved.col(k).norm()))
+      throw UserError(
+          "sensitivities: the static equilibrium of the start is not determined: a direction without stiffness moves "
+          "with a parameter\n");
+    for (std::size_t u = 0; u < rest.unknowns.size(); ++u)
+      state[rest.unknowns[u]].tangent[k] = by[static_cast<Eigen::Index>(u)];
+  }
+  require(rest.compilation, rest.table.project(pass.parameters.data(), pass.inputs.data(), state.data()));
+}
+
+}  // namespace
+
+void start_motion(const Compilation& compilation, const GenericState& start, TangentEngine& engine) {
+  const TangentTable& table = *engine.memory->table;
+  const Initial& initial = compilation.model.initial;
+  const Equilibrium rest(compilation, table);
+  for (TangentPass& pass : engine.memory->passes) {
+    Numbers state = plain_state(start, table, initial.equilibrium);
+    if (initial.equilibrium) {
+      follow_equilibrium(rest, pass, state);
+    } else {
+      hold(compilation, table, pass, initial.positions, "positions", state);
+    }
+    for (std::size_t i = 0; i < start.zd.size(); ++i) state[start.z.size() + i] = start.zd[i];
+    hold(compilation, table, pass, initial.velocities, "velocities", state);
+    std::size_t place = 0;
+    for (const std::vector<double>* part : {&start.z, &start.zd})
+      for (const double value : *part) state[place++].value = value;
+    pass.after = pass.before = state;
+  }
+}
+
+}  // namespace mbgen
