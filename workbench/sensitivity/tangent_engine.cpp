@@ -216,7 +216,7 @@ TangentPass prepared(const TangentTable& table, const Model& model, const std::v
   pass.derivative.assign(static_cast<std::size_t>(table.derivative_size), 0.0);
   pass.tau.assign(static_cast<std::size_t>(table.coordinates), 0.0);
   pass.y.assign(static_cast<std::size_t>(table.outputs), 0.0);
-  pass.history.resize(static_cast<std::size_t>(table.history_bytes) / sizeof(double) + 1);
+  pass.history.resize(static_cast<std::size_t>(table.history_bytes) / sizeof(TangentNumber) + 1);
   table.start_abm4(pass.history.data());
   return pass;
 }

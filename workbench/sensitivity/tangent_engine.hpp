@@ -17,7 +17,7 @@ struct TangentPass {
   std::vector<TangentNumber> parameters, inputs;
   std::vector<TangentNumber> before, after;  ///< states that the last step left and found
   std::vector<TangentNumber> scratch, derivative, tau, y;
-  std::vector<double> history;  ///< of the multistep method, in doubles for their alignment
+  std::vector<TangentNumber> history;  ///< memory of the multistep method, in numbers for their alignment
 };
 
 /// An Engine over the solver with derivatives, and what beside it remembers them. `engine` refers to the rest.

@@ -31,7 +31,7 @@ struct SolverTableOf {
   int drives;             ///< one per motion
   int closure_equations;  ///< position residuals
   int loop_blocks;
-  long history_bytes;  ///< size of the buffer that start_abm4 and step_abm4 work on, aligned as a double
+  long history_bytes;  ///< size of the buffer that start_abm4 and step_abm4 work on, aligned as a Number
 
   const double* default_parameters;
   const double* default_inputs;

@@ -12,17 +12,17 @@ template <class Real>
 inline constexpr bool kIsNumber = std::is_floating_point_v<Real>;
 
 /// Absolute value.
-template <class Real>
+template <class Real, class = std::enable_if_t<kIsNumber<Real>>>
 [[gnu::always_inline]] inline Real magnitude(const Real& x) noexcept {
   return std::abs(x);
 }
 
-template <class Real>
+template <class Real, class = std::enable_if_t<kIsNumber<Real>>>
 [[gnu::always_inline]] inline bool is_finite(const Real& x) noexcept {
   return std::isfinite(x);
 }
 
-template <class Real>
+template <class Real, class = std::enable_if_t<kIsNumber<Real>>>
 [[gnu::always_inline]] inline bool is_nan(const Real& x) noexcept {
   return std::isnan(x);
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "mbgen/number.hpp"
 #include "mbgen/status.hpp"
 
 namespace mbgen {
@@ -66,7 +67,7 @@ Status find_due(const double* periods, int count, int first, double t, double h,
 template <class Real>
 Status take_held(const Real* held, int count, int first, Real* x) noexcept {
   for (int i = 0; i < count; ++i) {
-    if (!std::isfinite(held[i])) return {Code::auxiliary_not_a_number, first + i};
+    if (!is_finite(held[i])) return {Code::auxiliary_not_a_number, first + i};
   }
   for (int i = 0; i < count; ++i) x[first + i] = held[i];
   return {};

@@ -13,10 +13,9 @@
 
 namespace mbgen {
 
-/// Vectors of N derivatives: in numbers, at the address of doubles, and in registers.
+/// Vector of N derivatives.
 template <int N>
 struct DirectionTypes {
-  typedef double InNumber __attribute__((vector_size(8 * N), aligned(8)));
   typedef double Vector __attribute__((vector_size(8 * N)));
 };
 
@@ -26,7 +25,7 @@ struct Tangents {
   using Vector = typename DirectionTypes<N>::Vector;
 
   double value;
-  typename DirectionTypes<N>::InNumber tangent;
+  Vector tangent;  ///< aligned as vectors are: a number takes twice their bytes, and no load meets two lines of a cache
 
   Tangents() = default;
   /// A constant.

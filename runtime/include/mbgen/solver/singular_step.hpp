@@ -127,7 +127,7 @@ bool add_node(const System& system, const typename System::State& middle, double
   add(weight, rates.derivative.zdd, sums.rates.derivative.zdd);
   add(weight, rates.derivative.xd, sums.rates.derivative.xd);
   for (std::size_t i = 0; i < size_of(node.z); ++i) {
-    const auto way = magnitude(node.z[i] - middle.z[i]);
+    const auto way = static_cast<decltype(sums.way)>(magnitude(node.z[i] - middle.z[i]));
     sums.way = way > sums.way ? way : sums.way;
   }
   return true;
