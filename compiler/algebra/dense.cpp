@@ -55,11 +55,6 @@ MatrixXd overdetermined_solution(const MatrixXd& a, const MatrixXd& b) {
   return Eigen::ColPivHouseholderQR<MatrixXd>(a).solve(b);
 }
 
-MatrixXd upper_factor(const MatrixXd& a) {
-  const Eigen::HouseholderQR<MatrixXd> factors(a);
-  return factors.matrixQR().topRows(std::min(a.rows(), a.cols())).triangularView<Eigen::Upper>();
-}
-
 MatrixXd solved(const MatrixXd& a, const MatrixXd& b) { return Eigen::PartialPivLU<MatrixXd>(a).solve(b); }
 
 VectorXd singular_values(const MatrixXd& a) { return Eigen::JacobiSVD<MatrixXd>(a).singularValues(); }

@@ -27,9 +27,6 @@ std::vector<int> leading_columns(const Eigen::MatrixXd& a, double threshold);
 /// The X with the least |a X - b|, column by column. Requires: a of full column rank.
 Eigen::MatrixXd overdetermined_solution(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// The upper triangular R of a = Q R, as many rows as `a` has of rows or columns, the fewer.
-Eigen::MatrixXd upper_factor(const Eigen::MatrixXd& a);
-
 /// a^-1 b by Gauss elimination with row pivoting. Requires: a square and regular.
 Eigen::MatrixXd solved(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 

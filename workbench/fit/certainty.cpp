@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "compiler/algebra/dense.hpp"
+#include "workbench/fit/reduction.hpp"
 
 namespace mbgen::fit {
 namespace {
@@ -85,7 +86,7 @@ Spectrum spectrum_of(const Eigen::MatrixXd& jacobian, const std::vector<Unknown>
     scaled.col(k) = unknowns[u].scale * jacobian.col(static_cast<Eigen::Index>(u));
   }
   Eigen::MatrixXd square = Eigen::MatrixXd::Zero(size, size);
-  const Eigen::MatrixXd factor = upper_factor(scaled);
+  const Eigen::MatrixXd factor = compressed(scaled);
   square.topRows(factor.rows()) = factor;
   SingularVectors vectors = right_singular_vectors(square);
   spectrum.values = std::move(vectors.values);

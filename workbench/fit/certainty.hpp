@@ -29,7 +29,7 @@ struct Certainty {
 /// An unknown is at its bound within this part of its scale.
 constexpr double kAtBound = 1e-7;
 
-/// Certainty at the optimum. jacobian: of residuals in standard deviations, or its R factor. The information J' J is
+/// Certainty at the optimum. jacobian: of residuals in standard deviations, or compressed. The information J' J is
 /// scaled by the unknowns' scales; a direction is not identified where its uncertainty exceeds one scale, or where its
 /// singular value is below 1e-7 of the largest, the accuracy of differences. The covariance is inv(J' J), with
 /// directions that are not identified left out. parameters: of the model at the optimum, whose names serve as

@@ -23,6 +23,11 @@ double doubled_loss(const Loss& loss, double residual) {
 
 }  // namespace
 
+Eigen::MatrixXd compressed(const Eigen::MatrixXd& rows) {
+  const SingularVectors factors = right_singular_vectors(rows);
+  return factors.values.asDiagonal() * factors.vectors.leftCols(factors.values.size()).transpose();
+}
+
 Loss loss_of(const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string name = text.substr(0, colon);
@@ -60,7 +65,7 @@ Reduced reduced(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& jacobia
   Eigen::MatrixXd all(residuals.size(), unknowns + 1);
   all.leftCols(unknowns) = roots.asDiagonal() * jacobian;
   all.col(unknowns) = roots.cwiseProduct(residuals);
-  const Eigen::MatrixXd factor = upper_factor(all);
+  const Eigen::MatrixXd factor = compressed(all);
   const Eigen::Index rows = factor.rows();
   result.jacobian.setZero(reduced_rows(unknowns), unknowns);
   result.jacobian.topRows(rows) = factor.leftCols(unknowns);
