@@ -58,7 +58,7 @@ TEST_F(RefusedData, GapsArePassedAndTold) {
     text += fmt::format("{},{}\n", 0.02 * k, k == 10 ? "" : k == 20 ? "NaN" : fmt::format("{}", 0.1 * std::cos(0.06 * k)));
   }
   write("gaps.csv", text);
-  const Outcome run = mbgen("fit block.json --data gaps.csv --match x:1e-3 --free stiffness --engine generic --json");
+  const Outcome run = mbgen("fit block.json --data gaps.csv --match x:1e-3 --free stiffness --engine generic --step 5e-3 --json");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err,
             "gaps.csv:43: note: a pause of 0.4 s before this row, rows are 0.02 s apart elsewhere\n"
@@ -85,7 +85,7 @@ TEST_F(RefusedData, OptionsHaveTheirMessages) {
       {"--match x --free mass --free-start z.slid=0:1",
        "--free-start: the model has no coordinate \"z.slid\"; write z.NAME or zd.NAME\n"
        "  hint: did you mean \"z.slide\"?\n"},
-      {"--match x --free mass -o run.csv", "run.csv: is read by this command, choose another name\n"},
+      {"--match x --free mass -o run.csv", "run.csv: cannot write: it is read by this command\n"},
   };
   for (const auto& [options, message] : cases) {
     const Outcome run = mbgen(words + options);

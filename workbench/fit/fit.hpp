@@ -64,7 +64,7 @@ std::string fit_json(const FitResult& result);
 /// A page with the same, and pictures of data and model.
 std::string fit_page(const FitResult& result);
 
-/// Where a model writes its parameters: JSON Pointers of their values, for those that an including file can replace.
+/// Where a model writes its parameters: JSON Pointers of the values that an including file can replace.
 std::map<std::string, std::string> parameter_places(const std::string& model_file);
 
 /// A model that includes the fitted one and has the found values, and those of --set; path: its own file. Fails:

@@ -7,6 +7,7 @@
 
 #include "workbench/fit/channels.hpp"
 #include "workbench/fit/measured_table.hpp"
+#include "workbench/motion/input_table.hpp"
 #include "workbench/motion/simulation_arguments.hpp"
 
 namespace mbgen::fit {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/compile.hpp"
 #include "compiler/reader/varied.hpp"
 #include "workbench/engines/compile_solver.hpp"
 #include "workbench/engines/engine_arguments.hpp"

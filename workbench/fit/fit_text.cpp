@@ -14,6 +14,10 @@ namespace {
 
 /// A correlation from here on is told.
 constexpr double kToldCorrelation = 0.9;
+/// Errors below this part of their standard deviation are not told to be no noise.
+constexpr double kFarBelowNoise = 0.3;
+/// Excess of the sum of squares, in its standard deviations, that is told.
+constexpr double kToldExcess = 5;
 /// Residuals are told to be no noise where white noise has such correlations less often.
 constexpr double kNoNoise = 0.01;
 
@@ -86,11 +90,17 @@ std::string doubt_lines(const FitResult& result) {
   for (const Indifference& one : result.certainty.indifferences)
     text += fmt::format("  not identified: {}\n", one.words);
   for (const ChannelFit& channel : result.channels)
-    if (!channel.is_held_out && channel.whiteness.probability < kNoNoise)
+    if (!channel.is_held_out && channel.rms > kFarBelowNoise * channel.sigma && channel.whiteness.probability < kNoNoise)
       text += fmt::format(
           "  {}: {}: the errors are no white noise (Ljung-Box, {} lags, p = {:.2g}): the model lacks something, or "
           "neighbours of the data depend on each other; standard errors are then too small\n",
           channel.file, channel.channel, channel.whiteness.lags, channel.whiteness.probability);
+  const double freedoms = std::max(1.0, result.residuals - static_cast<double>(result.unknowns.size()));
+  if (result.loss.empty() && result.squares > freedoms + kToldExcess * std::sqrt(2 * freedoms))
+    text += fmt::format(
+        "  errors are {:.3g} times as large as their standard deviations: these, or the model, are wrong, and standard "
+        "errors of parameters are too small\n",
+        std::sqrt(result.squares / freedoms));
   for (const std::string& warning : result.warnings) text += fmt::format("  warning: {}\n", warning);
   return text;
 }

@@ -20,7 +20,7 @@ struct Loss {
 /// "squares", "huber:1.5" or "cauchy:2". Fails: UserError.
 Loss loss_of(const std::string& text);
 
-/// Weight of a residual beside that of least squares: derivative of the loss by r^2 / 2.
+/// Weight of a residual, 1 for least squares: derivative of the loss by r^2 / 2.
 double weight_of(const Loss& loss, double residual);
 
 /// Rows of a reduced problem with so many unknowns.

@@ -33,7 +33,7 @@ const KcTable* table_named(const KcReport& report, const std::string& name) {
   return found == report.tables.end() ? nullptr : &*found;
 }
 
-/// A column by its name, or that of the left wheel.
+/// A column by its name, or of the left wheel.
 const Column* column_of(const KcTable& table, const std::string& name) {
   for (const std::string& wanted : {name, name + "_left", name + "_right"})
     for (const Column& column : table.columns)
