@@ -13,7 +13,8 @@ class RefusedData : public Fit {
  protected:
   std::string refusal(const std::string& data, const std::string& options) const {
     write("bad.csv", data);
-    const Outcome run = mbgen("fit block.json --data bad.csv --match x:1e-3 --free stiffness --engine generic " + options);
+    const Outcome run =
+        mbgen("fit block.json --data bad.csv --match x:1e-3 --free stiffness --engine generic " + options);
     EXPECT_EQ(run.exit_code, 1) << data << run.out;
     return run.err;
   }
@@ -29,7 +30,8 @@ TEST_F(RefusedData, EachHasItsMessage) {
       {"t [ms],x\n0,0\n100,1\n50,2\n", "", "bad.csv:4: t must increase, found 0.05 after 0.1\n"},
       {"t [m],x\n0,0\n1,1\n", "", "bad.csv:1: t is in \"s\", found \"m\"\n"},
       {"t,x [m/s]\n0,0\n1,1\n", "", "bad.csv:1: x is in \"m\", found \"m/s\"\n"},
-      {"t,x [furlong]\n0,0\n1,1\n", "", "bad.csv:1: x is in \"m\", found \"furlong\", a unit that mbgen does not know\n"},
+      {"t,x [furlong]\n0,0\n1,1\n", "",
+       "bad.csv:1: x is in \"m\", found \"furlong\", a unit that mbgen does not know\n"},
       {"t,x\n0,0.5\n1,0.5\n2,0.5\n", "",
        "bad.csv:2: x never moves: it is 0.5 in all 3 rows from here on\n"
        "  hint: a dead channel would pull the parameters: leave it out of --match\n"},
@@ -39,8 +41,7 @@ TEST_F(RefusedData, EachHasItsMessage) {
        "bad.csv:1: fields are separated by commas, found semicolons\n"
        "  hint: write the table with commas between fields, and points in numbers\n"},
       {"t,x,x\n0,0,0\n", "", "bad.csv:1: column \"x\" stands twice\n"},
-      {"t,x,force\n0,0,1\n1,1,\n", "",
-       "bad.csv:3: force has no value, and the motion needs its inputs in every row\n"},
+      {"t,x,force\n0,0,1\n1,1,\n", "", "bad.csv:3: force has no value, and the motion needs its inputs in every row\n"},
       {"t,x\n-1,0\n0,1\n", "",
        "bad.csv:2: t = -1 s: a motion starts at 0\n"
        "  hint: shift the times, so that 0 is the instant of the model's initial state\n"},
@@ -55,10 +56,14 @@ TEST_F(RefusedData, GapsArePassedAndTold) {
   std::string text = "t,x\n";
   for (int k = 0; k <= 100; ++k) {
     if (k > 40 && k < 60) continue;
-    text += fmt::format("{},{}\n", 0.02 * k, k == 10 ? "" : k == 20 ? "NaN" : fmt::format("{}", 0.1 * std::cos(0.06 * k)));
+    text += fmt::format("{},{}\n", 0.02 * k,
+                        k == 10   ? ""
+                        : k == 20 ? "NaN"
+                                  : fmt::format("{}", 0.1 * std::cos(0.06 * k)));
   }
   write("gaps.csv", text);
-  const Outcome run = mbgen("fit block.json --data gaps.csv --match x:1e-3 --free stiffness --engine generic --step 5e-3 --json");
+  const Outcome run =
+      mbgen("fit block.json --data gaps.csv --match x:1e-3 --free stiffness --engine generic --step 5e-3 --json");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err,
             "gaps.csv:43: note: a pause of 0.4 s before this row, rows are 0.02 s apart elsewhere\n"
@@ -99,6 +104,28 @@ TEST_F(RefusedData, AStartWithoutAMotionIsTold) {
   const Outcome run = mbgen("fit block.json --data run.csv --match x:1 --free mass=-2:-1:3 --engine generic");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("must not be negative, got -1"), std::string::npos) << run.err;
+}
+
+TEST_F(RefusedData, UnitsThatNobodyWroteAreDoubted) {
+  std::string text = "t,x\n";
+  for (int k = 0; k <= 200; ++k) text += fmt::format("{},{}\n", 0.02 * k, 100 * std::cos(4.9 * 0.02 * k));
+  write("mm.csv", text);
+  const Outcome run =
+      mbgen("fit block.json --data mm.csv --match x:1e-3 --free stiffness --engine generic --step 1e-2");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(run.err.starts_with("mm.csv:1: note: x is ")) << run.err;
+  EXPECT_NE(run.err.find("times the model's at the start values: are they in a thousandth of the unit, as mm?"),
+            std::string::npos)
+      << run.err;
+}
+
+TEST_F(RefusedData, AParameterOfAnInstanceIsToldBeforeTheWork) {
+  write("two.json", R"({ "mbgen": 1, "name": "two", "instances": { "a": { "file": "block.json" } } })");
+  write("run.csv", block_data(4, 0.1, 0.01));
+  const Outcome run = mbgen("fit two.json --data run.csv --match a_x=x --free a_mass -o out.json");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(run.err.starts_with("out.json: cannot hold \"a_mass\", which belongs to an instance in two.json\n"))
+      << run.err;
 }
 
 }  // namespace

@@ -50,7 +50,8 @@ class Fit : public CommandLine {
   }
 };
 
-inline const std::string kVehicle = kSource + "/models/fit/quarter_vehicle.json --step 5e-4 --data run.csv "
-                                              "--match body_acceleration:0.08,spring_length:2e-4 ";
+inline const std::string kVehicle = kSource +
+                                    "/models/fit/quarter_vehicle.json --step 5e-4 --data run.csv "
+                                    "--match body_acceleration:0.08,spring_length:2e-4 ";
 
 }  // namespace mbgen::cli_test

@@ -36,15 +36,15 @@ TEST_F(Fit, MeetsTheOptimumOfTheQuarterVehicleFromBothSides) {
   const Json reference = quarter_vehicle();
   // The model starts 31 % below and 56 %, 37 %, 23 % above the true values; the other start is 40 % off on other sides.
   expect_reference(json_of("fit " + kVehicle + "--free k,c,kt,ms --json"), reference);
-  expect_reference(json_of("fit " + kVehicle +
-                           "--free k=1e4:44800:1e5,c=100:960:1e4,kt=5e4:114000:1e6,ms=50:186:1000 --json"),
-                   reference);
+  expect_reference(
+      json_of("fit " + kVehicle + "--free k=1e4:44800:1e5,c=100:960:1e4,kt=5e4:114000:1e6,ms=50:186:1000 --json"),
+      reference);
 }
 
 TEST_F(Fit, NamesThePairThatTheDataCannotTell) {
   const Json reference = quarter_vehicle();
-  const Json result = json_of("fit " + kVehicle +
-                              "--set c=1600 --set kt=190000 --set ms=310 --free k,L0=0.6:0.9,pre=-2000:500:2000 --json");
+  const Json result = json_of(
+      "fit " + kVehicle + "--set c=1600 --set kt=190000 --set ms=310 --free k,L0=0.6:0.9,pre=-2000:500:2000 --json");
   ASSERT_EQ(result["not_identified"].size(), 1u);
   const std::string words = result["not_identified"][0]["words"];
   EXPECT_TRUE(words.starts_with("L0 and pre only as pre - k L0, with k = 3")) << words;
@@ -108,7 +108,8 @@ TEST_F(Fit, EstimatesNoiseThatNobodyGave) {
   for (int k = 0; k <= 400; ++k)
     text += fmt::format("{},{}\n", k * 0.01, 1e3 * (0.1 * std::cos(omega * k * 0.01) + (k % 2 == 0 ? 0.01 : -0.01)));
   write("noisy.csv", text);
-  const Json result = json_of("fit block.json --data noisy.csv --match x --free stiffness --engine generic --step 5e-3 --json");
+  const Json result =
+      json_of("fit block.json --data noisy.csv --match x --free stiffness --engine generic --step 5e-3 --json");
   EXPECT_NEAR(value_of(result, "stiffness"), 36, 0.1);
   EXPECT_NEAR(result["channels"][0]["sigma"].get<double>(), 0.01, 2e-4);
   EXPECT_TRUE(result["channels"][0]["sigma_estimated"]);
@@ -121,7 +122,9 @@ TEST_F(Fit, AnOutlierWeighsLittleUnderARobustLoss) {
   std::string text = block_data(std::sqrt(36.0 / 2), 0.1, 0.01);
   text += "4.01,3\n4.02,3\n4.03,3\n";
   write("outliers.csv", text);
-  const std::string words = "fit block.json --data outliers.csv --match x:1e-3 --free stiffness --engine generic --step 1e-2 --json ";
+  const std::string words =
+      "fit block.json --data outliers.csv --match x:1e-3 --free stiffness=25:40:60 --engine generic --step 1e-2 "
+      "--json ";
   EXPECT_GT(std::abs(value_of(json_of(words), "stiffness") - 36), 0.05);
   EXPECT_NEAR(value_of(json_of(words + "--loss cauchy:1"), "stiffness"), 36, 1e-3);
 }
@@ -133,16 +136,16 @@ TEST_F(Fit, InputsAreColumnsOfTheData) {
   for (int k = 0; k <= 200; ++k)
     text += fmt::format("{},{},{}\n", k * 0.02, 0.0054, 0.15 + (0.1 - 0.15) * std::cos(omega * k * 0.02));
   write("pushed.csv", text);
-  const Json result =
-      json_of("fit block.json --data pushed.csv --match x:1e-3 --free stiffness,mass --engine generic --step 5e-3 --json");
+  const Json result = json_of(
+      "fit block.json --data pushed.csv --match x:1e-3 --free stiffness,mass --engine generic --step 5e-3 --json");
   EXPECT_NEAR(value_of(result, "stiffness"), 36, 1e-5);
   EXPECT_NEAR(value_of(result, "mass"), 2, 1e-6);
 }
 
 TEST_F(Fit, SaysWhichBoundStoppedIt) {
   write("run.csv", block_data(std::sqrt(36.0 / 2), 0.1, 0.01));
-  const Outcome run =
-      mbgen("fit block.json --data run.csv --match x:1e-3 --free stiffness=40:60 --engine generic --step 5e-3 --jobs 1");
+  const Outcome run = mbgen(
+      "fit block.json --data run.csv --match x:1e-3 --free stiffness=40:60 --engine generic --step 5e-3 --jobs 1");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.out.find("at its lower bound"), std::string::npos) << run.out;
 }
@@ -150,12 +153,14 @@ TEST_F(Fit, SaysWhichBoundStoppedIt) {
 TEST_F(Fit, AKilledFitGoesOnToTheSameResult) {
   write("run.csv", block_data(std::sqrt(36.0 / 2), 0.1, 0.01, 1.1));
   const std::string words =
-      "fit block.json --data run.csv --match x --free stiffness,mass=2:2.5 --nuisance x:gain --engine generic --step 1e-2 --json ";
+      "fit block.json --data run.csv --match x --free stiffness,mass=2:2.5 --nuisance x:gain --engine generic --step "
+      "1e-2 --json ";
   const Outcome whole = mbgen(words + "-o whole.json");
   ASSERT_EQ(whole.exit_code, 0) << whole.err;
   const std::string journal = read("whole.json.journal");
   std::vector<std::size_t> ends;
-  for (std::size_t at = journal.find('\n'); at != std::string::npos; at = journal.find('\n', at + 1)) ends.push_back(at);
+  for (std::size_t at = journal.find('\n'); at != std::string::npos; at = journal.find('\n', at + 1))
+    ends.push_back(at);
   ASSERT_GT(ends.size(), 6u);
   for (const std::size_t cut : {ends[1] + 1, ends[ends.size() / 2] + 20, journal.size()}) {
     write("half.json.journal", journal.substr(0, cut));
@@ -171,6 +176,35 @@ TEST_F(Fit, AKilledFitGoesOnToTheSameResult) {
   EXPECT_EQ(other.exit_code, 1);
   EXPECT_NE(other.err.find("whole.json.journal: belongs to another fit"), std::string::npos) << other.err;
   EXPECT_EQ(mbgen(words + "--loss huber:2 --restart -o whole.json").exit_code, 0);
+}
+
+TEST_F(Fit, FindsAHardpointFromTheCurveOfARig) {
+  write("axle.json", fmt::format(R"({{ "mbgen": 1, "name": "measured_axle",
+    "include": [{{ "file": "{}/models/axles/double_wishbone.json", "replace": {{ "/hardpoints/rack/2": "rack_z" }} }}],
+    "parameters": {{ "rack_z": {{ "value": 0.3, "unit": "m" }} }} }})",
+                                 kSource));
+  ASSERT_EQ(mbgen("kc axle.json --set rack_z=0.265 --points 11 -o rig").exit_code, 0);
+  const Json result = json_of(
+      "fit axle.json --data rig/front_parallel_travel.csv --match kc:front:toe:1e-4 --free rack_z=0.2:0.3 --json");
+  EXPECT_NEAR(value_of(result, "rack_z"), 0.265, 1e-7);
+  EXPECT_EQ(result["values"], 11);
+}
+
+TEST_F(Fit, TakesSingleNumbersAndModesAsTargets) {
+  // Frequency 2 Hz and a start at 0.3 m: stiffness / mass = (4 pi)^2.
+  const std::string words = "fit block.json --target mode:1:frequency=2:0.01,start:x=0.3:1e-3 --json ";
+  const Json result = json_of(words + "--free stiffness=10:1000,start");
+  const double omega = 4 * std::acos(-1.0);
+  EXPECT_NEAR(value_of(result, "stiffness"), 2 * omega * omega, 1e-4);
+  EXPECT_NEAR(value_of(result, "start"), 0.3, 1e-9);
+  // Errors by hand: d frequency / frequency = d stiffness / (2 stiffness).
+  EXPECT_NEAR(value_of(result, "stiffness", "standard_error"), 2 * omega * omega * 2 * 0.01 / 2, 1e-2);
+  EXPECT_NEAR(value_of(result, "start", "standard_error"), 1e-3, 1e-9);
+  // Mass and stiffness only by their ratio, which is no linear combination: the direction at the result is told.
+  const Json pair = json_of(words + "--free stiffness=10:1000,mass=0.1:10,start");
+  ASSERT_EQ(pair["not_identified"].size(), 1u);
+  const Json& direction = pair["not_identified"][0]["direction"];
+  EXPECT_NEAR(direction["stiffness"].get<double>() / direction["mass"].get<double>(), omega * omega, 1e-3);
 }
 
 }  // namespace

@@ -29,12 +29,14 @@ int run_fit(FitOptions options) {
   options.fit.jobs = options.jobs > 0 ? options.jobs : processors();
   options.fit.restart = options.restart;
   if (is_special(options.out) && !options.out.empty())
-    throw UserError(fmt::format("{}: cannot write: a fit keeps a journal beside its result, name a file\n", options.out));
+    throw UserError(
+        fmt::format("{}: cannot write: a fit keeps a journal beside its result, name a file\n", options.out));
   std::vector<std::string> read{options.fit.model.path};
   for (const std::vector<std::string>* files : {&options.fit.data, &options.fit.held_out})
     read.insert(read.end(), files->begin(), files->end());
   if (!options.out.empty()) require_other_file(options.out, read);
   if (!options.page.empty()) require_other_file(options.page, read);
+  if (!options.out.empty()) fit::require_places(options.fit, options.out);
   options.fit.journal = journal_of_fit(options.out);
   try {
     const fit::FitResult result = fit::fit_model_to_data(options.fit);
@@ -52,17 +54,19 @@ int run_fit(FitOptions options) {
 
 void add_search_options(NamedCommand command, FitOptions& options) {
   fit::FitArguments& fit = options.fit;
-  command.add_option("--free-start", fit.free_start,
-                     "z.NAME=LOW:HIGH or zd.NAME=LOW:HIGH: a coordinate or velocity at the start, found for each run; "
-                     "separated by commas")
+  command
+      .add_option("--free-start", fit.free_start,
+                  "z.NAME=LOW:HIGH or zd.NAME=LOW:HIGH: a coordinate or velocity at the start, found for each run; "
+                  "separated by commas")
       .separated_by(',');
   command
       .add_option("--nuisance", fit.nuisance,
                   "OUTPUT:gain:bias:delay: faults of a channel that are found beside the parameters, any of the three; "
                   "* for all channels; separated by commas")
       .separated_by(',');
-  command.add_option("--loss", fit.loss, "squares (default), huber:LIMIT or cauchy:LIMIT: less weight for outliers "
-                                         "beyond so many standard deviations");
+  command.add_option("--loss", fit.loss,
+                     "squares (default), huber:LIMIT or cauchy:LIMIT: less weight for outliers "
+                     "beyond so many standard deviations");
   command.add_option("--iterations", fit.most_iterations, "at most").with_shown_default().between(1, 100000);
   command.add_option("--jobs", options.jobs, "evaluations at a time (default: one a processor)").between(0, 1024);
   command.add_flag("--restart", options.restart, "forget the evaluations of a fit that was killed");
@@ -76,19 +80,24 @@ void add_fit(NamedCommand application, int& exit_code) {
   command.footer(
       "Example: mbgen fit models/fit/quarter_vehicle.json --data run1.csv,run2.csv \\\n"
       "             --match body_acceleration:0.08,spring_length:2e-4 --free k=2e4:5e4,c,kt -o fitted.json\n"
-      "FILE.journal beside --out keeps the evaluations: a fit that was killed goes on from there. See docs/use/fit.md.");
+      "FILE.journal beside --out keeps the evaluations: a fit that was killed goes on from there. See "
+      "docs/use/fit.md.");
   fit::FitArguments& fit = options->fit;
   add_model_argument(command, fit.model.path);
   command
       .add_option("--data", fit.data,
                   "measured runs (CSV or MAT, first column t), or points of a rig's curve, separated by commas")
-      .required()
       .separated_by(',');
   command
       .add_option("--match", fit.match,
                   "OUTPUT[=COLUMN][:SIGMA] or kc:AXLE:COLUMN[=COLUMN][:SIGMA]: measured outputs, the column that holds "
                   "each, the standard deviation of its noise; separated by commas")
-      .required()
+      .separated_by(',');
+  command
+      .add_option(
+          "--target", fit.targets,
+          "start:OUTPUT=VALUE:SIGMA, mode:K:frequency=VALUE:SIGMA or mode:K:damping=VALUE:SIGMA: single numbers of "
+          "the model at its start; separated by commas")
       .separated_by(',');
   command
       .add_option("--free", fit.free,
@@ -102,7 +111,8 @@ void add_fit(NamedCommand application, int& exit_code) {
   add_search_options(command, *options);
   add_set_option(command, fit.model.set);
   command.add_option("--step", fit.model.simulation.step, "s, of the motion (default: of the model)");
-  command.add_option("--integrator", fit.model.simulation.integrator, "rk4, abm4 or rosenbrock (default: of the model)");
+  command.add_option("--integrator", fit.model.simulation.integrator,
+                     "rk4, abm4 or rosenbrock (default: of the model)");
   command.add_option("--interpolation", fit.model.simulation.interpolation,
                      "of the inputs in the data between rows: pchip (default), linear, spline, hold");
   add_engine_options(command, fit.model.engine);

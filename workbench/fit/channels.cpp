@@ -34,9 +34,9 @@ void find_output(const Model& model, Channel& channel) {
   for (const Output& output : model.outputs) names.push_back(output.name);
   const auto found = std::find(names.begin(), names.end(), channel.name);
   if (found == names.end())
-    throw UserError(fmt::format("--match: the model has no output \"{}\"\n{}", channel.name,
-                                names.empty() ? "  hint: list it in \"outputs\" of the model\n"
-                                              : nearest_hint(channel.name, names)));
+    throw UserError(fmt::format(
+        "--match: the model has no output \"{}\"\n{}", channel.name,
+        names.empty() ? "  hint: list it in \"outputs\" of the model\n" : nearest_hint(channel.name, names)));
   channel.output = static_cast<int>(found - names.begin());
   channel.unit = model.outputs[static_cast<std::size_t>(channel.output)].unit;
 }

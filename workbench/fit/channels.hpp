@@ -11,16 +11,18 @@ namespace mbgen::fit {
 
 /// A measured quantity.
 struct Channel {
-  std::string name;    ///< as typed: an output of the model, or "kc:AXLE:COLUMN"
-  std::string column;  ///< of the data, by default its name
-  std::string unit;    ///< of the model; of a rig's column unknown before the rig has run
-  int output = -1;     ///< index into Model::outputs; -1 of a rig
-  std::string axle, quantity;  ///< of a rig
-  double sigma = 1;            ///< standard deviation of its noise, in the unit
-  bool has_sigma = false;      ///< it was given; else it is estimated
+  std::string name;                      ///< as typed: an output of the model, or "kc:AXLE:COLUMN"
+  std::string column = {};               ///< of the data, by default its name
+  std::string unit = {};                 ///< of the model; of a rig's column unknown before the rig has run
+  int output = -1;                       ///< index into Model::outputs; -1 of a rig
+  std::string axle = {}, quantity = {};  ///< of a rig; quantity: of a mode too
+  int mode = 0;                          ///< its number, from 1; 0: none
+  double sigma = 1;                      ///< standard deviation of its noise, in the unit
+  bool has_sigma = false;                ///< it was given; else it is estimated
   int gain = -1, bias = -1, delay = -1;  ///< index of the unknown, -1: one, zero, zero
 
-  bool is_of_rig() const { return output < 0; }
+  bool is_of_rig() const { return !axle.empty(); }
+  bool is_of_point() const { return column.empty(); }
 };
 
 /// Channels of --match: OUTPUT[=COLUMN][:SIGMA] or kc:AXLE:COLUMN[=COLUMN][:SIGMA], separated by commas. Fails:

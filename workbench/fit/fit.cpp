@@ -14,7 +14,9 @@
 #include "compiler/text/user_error.hpp"
 #include "workbench/describe/names.hpp"
 #include "workbench/fit/fit_journal.hpp"
+#include "workbench/fit/point_targets.hpp"
 #include "workbench/fit/rig_curve.hpp"
+#include "workbench/fit/unit_doubts.hpp"
 #include "workbench/host/blocked_signals.hpp"
 #include "workbench/host/files.hpp"
 #include "workbench/host/message.hpp"
@@ -62,6 +64,7 @@ std::vector<MeasuredFile> read_files(const FitArguments& arguments, const FitMod
   read(arguments.data, false);
   read(arguments.held_out, true);
   for (const std::string& note : notes) print_message("{}", note);
+  if (!arguments.targets.empty()) files.push_back(point_targets(model.model, arguments.targets, channels));
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const auto has_it = [&](const MeasuredFile& file) {
       return !file.is_held_out && std::any_of(file.channels.begin(), file.channels.end(), [&](const auto& measured) {
@@ -69,8 +72,8 @@ std::vector<MeasuredFile> read_files(const FitArguments& arguments, const FitMod
       });
     };
     if (std::none_of(files.begin(), files.end(), has_it))
-      throw UserError(fmt::format("--match {}: no file of --data has a column \"{}\"\n", channels[c].name,
-                                  channels[c].column));
+      throw UserError(
+          fmt::format("--match {}: no file of --data has a column \"{}\"\n", channels[c].name, channels[c].column));
   }
   return files;
 }
@@ -100,8 +103,7 @@ class Search {
     std::vector<double> values;
     for (std::size_t u = 0; u < problem_.unknowns.size(); ++u) {
       const Unknown& unknown = problem_.unknowns[u];
-      values.push_back(
-          std::clamp(scaled[static_cast<Eigen::Index>(u)] * unknown.scale, unknown.lower, unknown.upper));
+      values.push_back(std::clamp(scaled[static_cast<Eigen::Index>(u)] * unknown.scale, unknown.lower, unknown.upper));
     }
     return values;
   }
@@ -122,7 +124,7 @@ class Search {
 
   LeastSquares problem(const Eigen::VectorXd& start, const std::function<bool(int, double)>& goes_on) {
     const auto size = static_cast<Eigen::Index>(problem_.unknowns.size());
-    LeastSquares task{start, Eigen::VectorXd(size), Eigen::VectorXd(size), reduced_rows(static_cast<int>(size)), {},
+    LeastSquares task{start,  Eigen::VectorXd(size), Eigen::VectorXd(size), reduced_rows(static_cast<int>(size)), {},
                       goes_on};
     for (Eigen::Index u = 0; u < size; ++u) {
       const Unknown& unknown = problem_.unknowns[static_cast<std::size_t>(u)];
@@ -227,9 +229,15 @@ void add_channels(const FitProblem& problem, FitResult& result) {
     for (std::size_t c = 0; c < file.channels.size(); ++c) {
       const MeasuredChannel& measured = file.channels[c];
       const Channel& channel = problem.channels[static_cast<std::size_t>(measured.channel)];
-      ChannelFit of{.file = file.path, .channel = channel.name, .unit = channel.unit, .is_held_out = file.is_held_out,
-                    .is_of_rig = file.is_of_rig(), .sigma = channel.sigma, .is_sigma_estimated = !channel.has_sigma,
-                    .at = measured.at, .data = measured.values};
+      ChannelFit of{.file = file.path,
+                    .channel = channel.name,
+                    .unit = channel.unit,
+                    .is_held_out = file.is_held_out,
+                    .is_of_rig = file.is_of_rig(),
+                    .sigma = channel.sigma,
+                    .is_sigma_estimated = !channel.has_sigma,
+                    .at = measured.at,
+                    .data = measured.values};
       of.model = predictions(problem, measured, outcome.series[c], result.values);
       std::vector<double> errors;
       double squares = 0;
@@ -258,13 +266,22 @@ std::string description_of(const FitArguments& arguments, const FitProblem& prob
     }
   for (const VariedParameter& parameter : problem.model.set) set[parameter.name] = *parameter.value;
   const ModelArguments& model = arguments.model;
-  const Json words = {{"mbgen", kMbgenVersion}, {"model", problem.model.model.hash}, {"set", set}, {"data", data},
-                      {"held", arguments.held_out.size()}, {"match", arguments.match}, {"free", arguments.free},
-                      {"free-start", arguments.free_start}, {"nuisance", arguments.nuisance},
-                      {"loss", arguments.loss}, {"engine", problem.model.choice.name},
+  const Json words = {{"mbgen", kMbgenVersion},
+                      {"model", problem.model.model.hash},
+                      {"set", set},
+                      {"data", data},
+                      {"held", arguments.held_out.size()},
+                      {"match", arguments.match},
+                      {"target", arguments.targets},
+                      {"free", arguments.free},
+                      {"free-start", arguments.free_start},
+                      {"nuisance", arguments.nuisance},
+                      {"loss", arguments.loss},
+                      {"engine", problem.model.choice.name},
                       {"integrator", name_of(problem.model.choice.integrator)},
                       {"step", model.simulation.step.value_or(problem.model.model.solver.step)},
-                      {"input", model.engine.inputs}, {"interpolation", model.simulation.interpolation}};
+                      {"input", model.engine.inputs},
+                      {"interpolation", model.simulation.interpolation}};
   return words.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -277,11 +294,13 @@ void search(FitProblem& problem, Search& search, const FitArguments& arguments, 
   Reduced first;
   if (!search.evaluate(search.unscaled(at), {}, first)) {
     if (signals.taken() != 0) throw Interrupted{signals.taken()};
-    throw UserError(fmt::format("fit: no result at the start values: {}\n  hint: other start values, --free "
-                                "NAME=LOW:START:HIGH, or a smaller --step\n",
-                                search.failure().empty() ? "numbers are not finite" : search.failure()));
+    throw UserError(
+        fmt::format("fit: no result at the start values: {}\n  hint: other start values, --free "
+                    "NAME=LOW:START:HIGH, or a smaller --step\n",
+                    search.failure().empty() ? "numbers are not finite" : search.failure()));
   }
   result.squares_at_start = first.residuals.squaredNorm();
+  for (const std::string& note : unit_doubts(problem, search.unscaled(at))) print_message("{}", note);
   StatusLine line;
   for (int round = 0; round < kMostRounds; ++round) {
     const LeastSquaresResult found = solve(
@@ -312,6 +331,8 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
   if (!has_ceres())
     throw UserError(
         "fit: this mbgen is built without Ceres: install it (Debian: apt-get install libceres-dev) and build again\n");
+  if (arguments.data.empty() != arguments.match.empty() || (arguments.data.empty() && arguments.targets.empty()))
+    throw UserError("fit: give --data with --match, or --target, or both\n");
   const Loss loss = loss_of(arguments.loss);
   FitModel model = read_fit_model(arguments.model);
   std::vector<Channel> channels = matched_channels(model.model, arguments.match);
@@ -320,18 +341,20 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
   for (Unknown& unknown : free_starts(model.model, arguments.free_start, runs)) unknowns.push_back(std::move(unknown));
   add_nuisances(arguments.nuisance, channels, unknowns);
   std::vector<MeasuredFile> files = read_files(arguments, model, channels);
-  prepare(model, unknowns);
+  prepare(model, unknowns, files, channels);
   if (!model.is_tuned) print_message("fit: the model is analysed anew for each value: {}\n", model.why_not_tuned);
-  FitProblem problem{.model = model, .channels = std::move(channels), .unknowns = std::move(unknowns),
-                     .files = std::move(files), .jobs = arguments.jobs};
+  FitProblem problem{.model = model,
+                     .channels = std::move(channels),
+                     .unknowns = std::move(unknowns),
+                     .files = std::move(files),
+                     .jobs = arguments.jobs};
   set_sizes(problem);
   BlockedSignals signals;
   problem.is_stopped = [&] { return signals.taken() != 0; };
   std::unique_ptr<FitJournal> journal;
   if (!arguments.journal.empty())
     journal = std::make_unique<FitJournal>(arguments.journal, description_of(arguments, problem), arguments.restart);
-  if (journal && journal->known() > 0)
-    print_message("fit: {} evaluations were done before\n", journal->known());
+  if (journal && journal->known() > 0) print_message("fit: {} evaluations were done before\n", journal->known());
   FitResult result{.model = model.model.name, .model_file = arguments.model.path, .engine = model.choice.name};
   Search steps(problem, loss, journal.get());
   search(problem, steps, arguments, signals, result);

@@ -51,7 +51,8 @@ std::optional<InputTable> inputs_in(const MeasuredTable& table, const Model& mod
     if (column < 0) continue;
     InputColumn of_input{static_cast<int>(i),
                          in_unit(table, table.columns[static_cast<std::size_t>(column)], model.inputs[i].unit)};
-    const auto gap = std::find_if(of_input.values.begin(), of_input.values.end(), [](double x) { return std::isnan(x); });
+    const auto gap =
+        std::find_if(of_input.values.begin(), of_input.values.end(), [](double x) { return std::isnan(x); });
     if (gap != of_input.values.end())
       throw UserError(fmt::format("{}: {} has no value, and the motion needs its inputs in every row\n",
                                   table.place(static_cast<std::size_t>(gap - of_input.values.begin())),
@@ -95,8 +96,7 @@ void take_channel(const MeasuredTable& table, const Column& column, const std::v
   require_motion(table, column, measured, first_row);
   if (gaps > 0)
     notes.push_back(fmt::format("{}: note: {} has no value here{}: left out\n", table.place(first_gap),
-                                column.heading.name,
-                                gaps == 1 ? "" : fmt::format(", nor in {} other rows", gaps - 1)));
+                                column.heading.name, gaps == 1 ? "" : fmt::format(", nor in {} other rows", gaps - 1)));
   file.channels.push_back(std::move(measured));
 }
 
@@ -108,13 +108,13 @@ MeasuredFile read_run(const MeasuredTable& table, const Model& model, const std:
   tell_pauses(table, times, notes);
   std::vector<std::string> missing;
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    if (channels[c].is_of_rig()) continue;
+    if (channels[c].is_of_rig() || channels[c].is_of_point()) continue;
     const int column = column_named(table, channels[c].column);
     if (column < 0) {
       missing.push_back(channels[c].column);
     } else {
-      take_channel(table, table.columns[static_cast<std::size_t>(column)], times, static_cast<int>(c), channels[c], file,
-                   notes);
+      take_channel(table, table.columns[static_cast<std::size_t>(column)], times, static_cast<int>(c), channels[c],
+                   file, notes);
     }
   }
   if (file.channels.empty())

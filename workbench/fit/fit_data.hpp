@@ -22,17 +22,20 @@ struct MeasuredChannel {
 struct MeasuredFile {
   std::string path;
   bool is_held_out = false;
-  std::string axle, curve;  ///< of a rig; "" of a run
+  bool is_of_points = false;          ///< single numbers at the start of the model
+  std::string axle = {}, curve = {};  ///< of a rig; "" of a run
+  int curve_number = 0;               ///< of the rig's curves, from 0
   std::vector<MeasuredChannel> channels = {};
   std::optional<InputTable> inputs = {};  ///< columns that are inputs of the model
   double end = 0;                         ///< s, of a run: its last row
 
   bool is_of_rig() const { return !axle.empty(); }
+  bool is_run() const { return !is_of_rig() && !is_of_points; }
 };
 
-/// Reads a run. notes: lines for standard error on gaps, and on channels that the file lacks. Fails: UserError with file
-/// and line: as read_measured_table, times_of, in_unit; no column of a channel, a channel without values or that never
-/// moves, an input with a gap.
+/// Reads a run. notes: lines for standard error on gaps, and on channels that the file lacks. Fails: UserError with
+/// file and line: as read_measured_table, times_of, in_unit; no column of a channel, a channel without values or that
+/// never moves, an input with a gap.
 MeasuredFile read_run(const MeasuredTable& table, const Model& model, const std::vector<Channel>& channels,
                       bool is_held_out, std::vector<std::string>& notes);
 

@@ -78,10 +78,11 @@ void FitJournal::read(const std::string& text, const std::string& description) {
   if (!first.starts_with(kAnyJournal))
     throw UserError(fmt::format("{}: is not a journal of mbgen fit; choose another --out\n", path_.string()));
   if (first != fmt::format("{}{}", kFirstLine, description))
-    throw UserError(fmt::format("{}: belongs to another fit: its model, data or options differ\n  hint: run with the "
-                                "words of before to go on with it, with --restart to begin anew, or with another "
-                                "--out\n",
-                                path_.string()));
+    throw UserError(
+        fmt::format("{}: belongs to another fit: its model, data or options differ\n  hint: run with the "
+                    "words of before to go on with it, with --restart to begin anew, or with another "
+                    "--out\n",
+                    path_.string()));
   for (const std::string& line : split_at(std::string_view(text).substr(end + 1), '\n')) {
     const std::size_t blank = line.find(' '), bar = line.find(" | ");
     if (blank == std::string::npos || bar == std::string::npos || bar <= blank) continue;

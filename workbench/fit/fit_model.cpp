@@ -20,8 +20,7 @@ std::vector<VariedParameter> varied_by(const FitModel& model, const std::vector<
                                        const std::vector<double>& values) {
   std::vector<VariedParameter> varied = model.set;
   for (std::size_t u = 0; u < unknowns.size(); ++u)
-    if (unknowns[u].kind == Unknown::Kind::parameter)
-      varied.push_back({unknowns[u].name, values[u], model.is_tuned});
+    if (unknowns[u].kind == Unknown::Kind::parameter) varied.push_back({unknowns[u].name, values[u], model.is_tuned});
   return varied;
 }
 
@@ -72,6 +71,26 @@ class SeriesRecorder {
   std::vector<Series> series_;
 };
 
+/// The points of a motion that the data need: those at their times, or three on each side for the cubic between two;
+/// all of them where a channel has a delay.
+std::vector<bool> needed_points(const MeasuredFile& file, const std::vector<Channel>& channels,
+                                const SimulationSettings& settings) {
+  std::vector<bool> needed(static_cast<std::size_t>(settings.steps) + 1, false);
+  for (const MeasuredChannel& measured : file.channels) {
+    if (channels[static_cast<std::size_t>(measured.channel)].delay >= 0) return {};
+    for (const double instant : measured.at) {
+      constexpr long kBeside = 3;
+      const double place = instant / settings.step;
+      const bool is_point = std::abs(place - std::round(place)) < kSamePoint;
+      const long first = is_point ? std::lround(place) : static_cast<long>(place) + 1 - kBeside;
+      const long last = is_point ? first : static_cast<long>(place) + kBeside;
+      for (long k = std::max(0L, first); k <= std::min(last, settings.steps); ++k)
+        needed[static_cast<std::size_t>(k)] = true;
+    }
+  }
+  return needed;
+}
+
 std::string one_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 Outcome moved(const FitModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,
@@ -101,6 +120,8 @@ Outcome moved(const FitModel& model, const MeasuredFile& file, const std::vector
     outcome.warnings = motion.verdict.warnings;
     if (!motion.verdict.failure.empty()) outcome.failure = one_line(motion.verdict.failure);
   } else {
+    const std::vector<bool> needed = needed_points(file, channels, settings);
+    if (!needed.empty()) settings.is_sample = [&](long step) { return needed[static_cast<std::size_t>(step)]; };
     motion.summary = simulate(engine, state, inputs, settings, record);
   }
   if (motion.summary.is_stopped) outcome.failure = "interrupted";
@@ -152,7 +173,8 @@ FitModel read_fit_model(const ModelArguments& arguments) {
   return model;
 }
 
-void prepare(FitModel& model, const std::vector<Unknown>& unknowns) {
+void prepare(FitModel& model, const std::vector<Unknown>& unknowns, const std::vector<MeasuredFile>& files,
+             const std::vector<Channel>& channels) {
   std::vector<double> starts;
   for (const Unknown& unknown : unknowns) {
     starts.push_back(unknown.start);
@@ -160,14 +182,15 @@ void prepare(FitModel& model, const std::vector<Unknown>& unknowns) {
       if (unknown.kind == Unknown::Kind::parameter && given.name == unknown.name)
         throw UserError(fmt::format("--set {0}: --free finds the value of \"{0}\"\n", given.name));
   }
+  const bool has_runs = std::any_of(files.begin(), files.end(), [](const MeasuredFile& file) { return file.is_run(); });
+  const bool has_modes = std::any_of(channels.begin(), channels.end(), [](const Channel& one) { return one.mode > 0; });
+  if (!has_runs && !model.arguments.has_engine) model.choice.name = "generic";
   choose_tuning(model, unknowns, starts);
   if (!model.is_tuned) return;
-  if (model.choice.name != "generated") {
-    model.compilation = expect(decide(model.model));
-    return;
-  }
-  model.compilation = expect(decide_to_write(model.model));
-  model.table = load_solver(model.compilation, model.choice);
+  const bool is_generated = model.choice.name == "generated";
+  model.compilation = expect(is_generated ? decide_to_write(model.model) : decide(model.model));
+  if (has_modes) add_programs(model.compilation);
+  if (is_generated) model.table = load_solver(model.compilation, model.choice);
 }
 
 Compilation compilation_at(const FitModel& model, const std::vector<Unknown>& unknowns,

@@ -28,11 +28,11 @@ struct ModelArguments {
 
 struct FitModel {
   ModelArguments arguments;
-  Model model;                       ///< with `set`; free parameters are tunable where `is_tuned`
-  std::vector<VariedParameter> set;  ///< values for all evaluations
-  EngineChoice choice;
-  bool is_tuned = true;       ///< one solver serves all values; else the model is analysed anew for each
-  std::string why_not_tuned;  ///< the first place that asks for a constant
+  Model model = {};                       ///< with `set`; free parameters are tunable where `is_tuned`
+  std::vector<VariedParameter> set = {};  ///< values for all evaluations
+  EngineChoice choice = {};
+  bool is_tuned = true;            ///< one solver serves all values; else the model is analysed anew for each
+  std::string why_not_tuned = {};  ///< the first place that asks for a constant
   Compilation compilation = {};
   std::shared_ptr<const SolverTable> table = nullptr;  ///< null for engines made of the model of each evaluation
 };
@@ -40,8 +40,9 @@ struct FitModel {
 /// Reads the model. Fails: UserError.
 FitModel read_fit_model(const ModelArguments& arguments);
 
-/// Makes the free parameters tunable, analyses and compiles. Fails: UserError.
-void prepare(FitModel& model, const std::vector<Unknown>& unknowns);
+/// Makes the free parameters tunable and analyses; compiles for runs, and adds programs for modes. Fails: UserError.
+void prepare(FitModel& model, const std::vector<Unknown>& unknowns, const std::vector<MeasuredFile>& files,
+             const std::vector<Channel>& channels);
 
 /// The model at values of the unknowns. Fails: UserError.
 Compilation compilation_at(const FitModel& model, const std::vector<Unknown>& unknowns,

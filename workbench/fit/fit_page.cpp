@@ -39,8 +39,7 @@ std::string correlation_table(const FitResult& result) {
   for (std::size_t u = 0; u < result.unknowns.size(); ++u) {
     text += fmt::format("<tr><th>{}</th>", xml_text(result.unknowns[u].name));
     for (std::size_t v = 0; v < result.unknowns.size(); ++v) {
-      const double value =
-          result.certainty.correlation(static_cast<Eigen::Index>(u), static_cast<Eigen::Index>(v));
+      const double value = result.certainty.correlation(static_cast<Eigen::Index>(u), static_cast<Eigen::Index>(v));
       text += std::isfinite(value) ? fmt::format("<td>{:.4f}</td>", value) : "<td>-</td>";
     }
     text += "</tr>\n";

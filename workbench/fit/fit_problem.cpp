@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "workbench/fit/point_targets.hpp"
 #include "workbench/fit/rig_curve.hpp"
 
 namespace mbgen::fit {
@@ -133,10 +134,10 @@ int residual_count(const FitProblem& problem, bool held) {
 
 Outcome outcome_of(const FitProblem& problem, std::size_t file, const std::vector<double>& values, Care care) {
   const MeasuredFile& of = problem.files[file];
-  Outcome outcome = of.is_of_rig()
-                        ? rig_curve(problem.model, of, problem.channels, problem.unknowns, values)
-                        : motion_of(problem.model, of, static_cast<int>(file), problem.channels, problem.unknowns,
-                                    values, care, problem.is_stopped);
+  Outcome outcome = of.is_of_rig()    ? rig_curve(problem.model, of, problem.channels, problem.unknowns, values)
+                    : of.is_of_points ? point_values(problem.model, of, problem.channels, problem.unknowns, values)
+                                      : motion_of(problem.model, of, static_cast<int>(file), problem.channels,
+                                                  problem.unknowns, values, care, problem.is_stopped);
   if (outcome.failure.empty() && outcome.series.size() != of.channels.size()) outcome.failure = "interrupted";
   return outcome;
 }

@@ -16,8 +16,8 @@ struct FitProblem {
   std::vector<Channel> channels;
   std::vector<Unknown> unknowns;
   std::vector<MeasuredFile> files;
-  int jobs = 1;                               ///< evaluations of the model at a time
-  std::function<bool()> is_stopped = {};      ///< thread-safe
+  int jobs = 1;                                   ///< evaluations of the model at a time
+  std::function<bool()> is_stopped = {};          ///< thread-safe
   std::function<void(long, long)> progress = {};  ///< evaluations done and to be done, from one thread at a time
 };
 

@@ -54,8 +54,8 @@ std::string unknown_rows(const FitResult& result) {
     const double error = result.certainty.standard_errors[u];
     rows.push_back({fmt::format("{} [{}]", unknown.name, unknown.unit.empty() ? "1" : unknown.unit),
                     fmt::format("{:.7g}", result.values[u]), std::isfinite(error) ? fmt::format("{:.3g}", error) : "-",
-                    fmt::format("{:.6g}", unknown.start),
-                    fmt::format("{:.4g} to {:.4g}", unknown.lower, unknown.upper), remark_of(result, u)});
+                    fmt::format("{:.6g}", unknown.start), fmt::format("{:.4g} to {:.4g}", unknown.lower, unknown.upper),
+                    remark_of(result, u)});
   }
   return aligned_rows(rows);
 }
@@ -64,8 +64,7 @@ std::string correlation_lines(const FitResult& result) {
   std::string text;
   for (std::size_t u = 0; u < result.unknowns.size(); ++u)
     for (std::size_t v = 0; v < u; ++v) {
-      const double value =
-          result.certainty.correlation(static_cast<Eigen::Index>(u), static_cast<Eigen::Index>(v));
+      const double value = result.certainty.correlation(static_cast<Eigen::Index>(u), static_cast<Eigen::Index>(v));
       if (std::abs(value) >= kToldCorrelation)
         text += fmt::format("  {} and {} are correlated by {:.4f}\n", result.unknowns[v].name, result.unknowns[u].name,
                             value);
@@ -79,8 +78,8 @@ std::string channel_rows(const FitResult& result) {
     rows.push_back({fmt::format("{} [{}]", channel.channel, channel.unit.empty() ? "1" : channel.unit),
                     fmt::format("{}", channel.data.size()), fmt::format("{:.4g}", channel.rms),
                     fmt::format("{:.4g}{}", channel.sigma, channel.is_sigma_estimated ? " (estimated)" : ""),
-                    fmt::format("{:.2f} %", 100 * channel.explained),
-                    fmt::format("{:.3f}", channel.whiteness.durbin_watson),
+                    channel.data.size() > 1 ? fmt::format("{:.2f} %", 100 * channel.explained) : "-",
+                    channel.whiteness.lags > 0 ? fmt::format("{:.3f}", channel.whiteness.durbin_watson) : "-",
                     channel.file + (channel.is_held_out ? " (held out)" : "")});
   return aligned_rows(rows);
 }
@@ -90,7 +89,8 @@ std::string doubt_lines(const FitResult& result) {
   for (const Indifference& one : result.certainty.indifferences)
     text += fmt::format("  not identified: {}\n", one.words);
   for (const ChannelFit& channel : result.channels)
-    if (!channel.is_held_out && channel.rms > kFarBelowNoise * channel.sigma && channel.whiteness.probability < kNoNoise)
+    if (!channel.is_held_out && channel.rms > kFarBelowNoise * channel.sigma &&
+        channel.whiteness.probability < kNoNoise)
       text += fmt::format(
           "  {}: {}: the errors are no white noise (Ljung-Box, {} lags, p = {:.2g}): the model lacks something, or "
           "neighbours of the data depend on each other; standard errors are then too small\n",
@@ -131,7 +131,9 @@ nlohmann::ordered_json unknowns_json(const FitResult& result) {
                     {"start", unknown.start},
                     {"lower", unknown.lower},
                     {"upper", unknown.upper},
-                    {"at_bound", certainty.at_bound[u] < 0 ? "lower" : certainty.at_bound[u] > 0 ? "upper" : ""},
+                    {"at_bound", certainty.at_bound[u] < 0   ? "lower"
+                                 : certainty.at_bound[u] > 0 ? "upper"
+                                                             : ""},
                     {"identified", static_cast<bool>(certainty.identified[u])}});
   }
   return list;
@@ -144,13 +146,13 @@ std::string fit_text(const FitResult& result) {
     return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
   };
   const long freedoms = result.residuals - static_cast<long>(result.unknowns.size());
-  std::string text = fmt::format(
-      "{}: {} from {}, engine {}, {}, derivatives by central differences\n", result.model,
-      count(result.unknowns.size(), "unknown"), count(result.residuals, "value"), result.engine,
-      result.converged ? count(result.iterations, "iteration") : fmt::format("not at its end after {}",
-                                                                             count(result.iterations, "iteration")));
-  text += fmt::format("  weighted sum of squares {:.7g}, at the start {:.5g}; {} if the standard deviations are right\n",
-                      result.squares, result.squares_at_start, freedoms);
+  std::string text =
+      fmt::format("{}: {} from {}, engine {}, {}, derivatives by central differences\n", result.model,
+                  count(result.unknowns.size(), "unknown"), count(result.residuals, "value"), result.engine,
+                  result.converged ? count(result.iterations, "iteration")
+                                   : fmt::format("not at its end after {}", count(result.iterations, "iteration")));
+  text += fmt::format("  weighted sum of squares {:.7g}, at the start {:.5g}", result.squares, result.squares_at_start);
+  text += freedoms > 0 ? fmt::format("; {} if the standard deviations are right\n", freedoms) : "\n";
   if (!result.loss.empty()) text += fmt::format("  loss {}\n", result.loss);
   return text + unknown_rows(result) + correlation_lines(result) + channel_rows(result) + doubt_lines(result);
 }

@@ -30,18 +30,41 @@ std::map<std::string, std::string> parameter_places(const std::string& model_fil
   return places;
 }
 
+namespace {
+
+/// The place of a parameter. Fails: UserError.
+const std::string& place_of(const std::map<std::string, std::string>& places, const std::string& name,
+                            const std::string& model, const std::string& path) {
+  const auto found = places.find(name);
+  if (found != places.end()) return found->second;
+  throw UserError(fmt::format(
+      "{}: cannot hold \"{}\", which belongs to an instance in {}\n  hint: give the model a parameter of its "
+      "own, which the instance uses, or leave out --out and take the value from the table\n",
+      path, name, model));
+}
+
+std::string before_sign(const std::string& text) { return text.substr(0, text.find('=')); }
+
+}  // namespace
+
+void require_places(const FitArguments& arguments, const std::string& path) {
+  const std::string& file = arguments.model.path;
+  const Model model = expect(read_model_file(file));
+  const std::map<std::string, std::string> places = parameter_places(file);
+  for (const std::vector<std::string>* texts : {&arguments.free, &arguments.model.set})
+    for (const std::string& text : *texts) {
+      const std::string name = before_sign(text);
+      for (const Parameter& parameter : model.parameters)
+        if (parameter.name == name) place_of(places, name, file, path);
+    }
+}
+
 std::string fitted_model(const FitResult& result, const std::string& path) {
   namespace fs = std::filesystem;
   const std::map<std::string, std::string> places = parameter_places(result.model_file);
   nlohmann::ordered_json replaced = nlohmann::ordered_json::object();
   const auto replace = [&](const std::string& name, double value) {
-    const auto found = places.find(name);
-    if (found == places.end())
-      throw UserError(fmt::format(
-          "{}: cannot hold \"{}\", which belongs to an instance of {}\n  hint: give the model a parameter of its own, "
-          "which the instance uses, or leave out --out and use --set {}={}\n",
-          path, name, result.model_file, name, value));
-    replaced[found->second] = value;
+    replaced[place_of(places, name, result.model_file, path)] = value;
   };
   for (const VariedParameter& parameter : result.set)
     if (parameter.name != kStepOfMotion) replace(parameter.name, *parameter.value);

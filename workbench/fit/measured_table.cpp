@@ -141,8 +141,8 @@ std::vector<double> times_of(const MeasuredTable& table) {
                       "model's initial state\n",
                       table.place(row), name, times[row]));
     if (row > 0 && !(times[row] > times[row - 1]))
-      throw UserError(fmt::format("{}: {} must increase, found {} after {}\n", table.place(row), name, times[row],
-                                  times[row - 1]));
+      throw UserError(
+          fmt::format("{}: {} must increase, found {} after {}\n", table.place(row), name, times[row], times[row - 1]));
   }
   return times;
 }

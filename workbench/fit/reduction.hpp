@@ -29,8 +29,8 @@ constexpr int reduced_rows(int unknowns) { return unknowns + 2; }
 /// As few rows as columns with the same products of columns: S V' of rows = U S V'.
 Eigen::MatrixXd compressed(const Eigen::MatrixXd& rows);
 
-/// [J r], each row with the root of its weight, compressed, in place of J and r, and one row without derivatives for the
-/// rest of the loss: the sum of squares, J' r and J' J stay. jacobian: without rows where only the sum is needed;
+/// [J r], each row with the root of its weight, compressed, in place of J and r, and one row without derivatives for
+/// the rest of the loss: the sum of squares, J' r and J' J stay. jacobian: without rows where only the sum is needed;
 /// its columns are by the method's unknowns.
 Reduced reduced(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& jacobian, const Loss& loss);
 

@@ -18,13 +18,13 @@ constexpr int kPoints = 41;
 
 /// Curves of the rig at values of the unknowns, out to the data.
 KcReport rig_report(const Compilation& compilation, const ModelArguments& arguments, const std::string& axle,
-                    KcSettings settings) {
+                    KcSettings settings, const KcWatch& watch = {}) {
   settings.points = kPoints;
   StateArguments at;
   at.at = "initial";
   at.inputs = arguments.engine.inputs;
   return kinematics_and_compliance(compilation, find_axle(compilation.model, axle),
-                                   operating_point(compilation, at).point, settings);
+                                   operating_point(compilation, at).point, settings, watch);
 }
 
 const KcTable* table_named(const KcReport& report, const std::string& name) {
@@ -87,7 +87,11 @@ MeasuredFile read_rig(const MeasuredTable& table, const FitModel& model, std::ve
   const Compilation compilation = expect(decide(model.model));
   const KcReport report = rig_report(compilation, model.arguments, first->axle, {});
   const KcTable& curve = curve_in(table, report);
-  MeasuredFile file{.path = table.path, .is_held_out = is_held_out, .axle = first->axle, .curve = curve.name};
+  MeasuredFile file{.path = table.path,
+                    .is_held_out = is_held_out,
+                    .axle = first->axle,
+                    .curve = curve.name,
+                    .curve_number = static_cast<int>(&curve - report.tables.data())};
   const std::vector<double> at = abscissas_of(table, curve.columns.front().heading);
   for (std::size_t c = 0; c < channels.size(); ++c) {
     Channel& channel = channels[c];
@@ -104,8 +108,8 @@ MeasuredFile read_rig(const MeasuredTable& table, const FitModel& model, std::ve
   if (!file.channels.empty()) return file;
   std::vector<std::string> known;
   for (const Column& column : curve.columns) known.push_back(column.heading.name);
-  throw UserError(fmt::format("{}: has no column of a matched quantity of {}, as \"{}\"\n{}", table.header(), curve.name,
-                              first->column, nearest_hint(first->quantity, known)));
+  throw UserError(fmt::format("{}: has no column of a matched quantity of {}, as \"{}\"\n{}", table.header(),
+                              curve.name, first->column, nearest_hint(first->quantity, known)));
 }
 
 Outcome rig_curve(const FitModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,
@@ -115,8 +119,10 @@ Outcome rig_curve(const FitModel& model, const MeasuredFile& file, const std::ve
     for (const double at : measured.at) amplitude = std::max(amplitude, std::abs(at));
   try {
     const Compilation compilation = compilation_at(model, unknowns, values);
+    // The curves behind the needed one are left out.
+    const KcWatch watch = [&](long done, long) { return done <= static_cast<long>(kPoints) * (file.curve_number + 1); };
     const KcReport report =
-        rig_report(compilation, model.arguments, file.axle, settings_out_to(file.curve, amplitude));
+        rig_report(compilation, model.arguments, file.axle, settings_out_to(file.curve, amplitude), watch);
     const KcTable* curve = table_named(report, file.curve);
     if (curve == nullptr) return {fmt::format("the rig has no curve {}", file.curve), {}, {}};
     const std::vector<double>& at = curve->columns.front().values;

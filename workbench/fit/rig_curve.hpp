@@ -8,8 +8,8 @@
 
 namespace mbgen::fit {
 
-/// Reads points of a rig's curve: the file's name or columns tell which curve. Units of the channels become those of the
-/// rig. Fails: UserError with file and line, as read_run; for an axle, curve or column that the rig lacks.
+/// Reads points of a rig's curve: the file's name or columns tell which curve. Units of the channels become those of
+/// the rig. Fails: UserError with file and line, as read_run; for an axle, curve or column that the rig lacks.
 MeasuredFile read_rig(const MeasuredTable& table, const FitModel& model, std::vector<Channel>& channels,
                       bool is_held_out, std::vector<std::string>& notes);
 

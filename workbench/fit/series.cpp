@@ -7,9 +7,6 @@
 namespace mbgen::fit {
 namespace {
 
-/// Distance to a point, in parts of the interval, that is rounding.
-constexpr double kSamePoint = 1e-6;
-
 /// Slope at point k by the parabola or quartic through its neighbours: of Lagrange's polynomial through all points from
 /// first to last.
 double slope_at(const Series& series, std::size_t k) {

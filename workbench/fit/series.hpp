@@ -15,6 +15,9 @@ struct SeriesPoint {
   double value = 0, slope = 0;
 };
 
+/// Distance to a point, in parts of the interval, that is rounding.
+constexpr double kSamePoint = 1e-6;
+
 /// The series at an abscissa: a point itself where the abscissa is one but for rounding, else the cubic between two
 /// points with slopes of fourth order (of second order next to the ends), so that the error falls with the fourth
 /// power of the distance of points. Outside, the value at the end, without slope. Requires: at least one point.

@@ -47,8 +47,8 @@ void check_bounds(const std::string& option, const Unknown& unknown) {
                                 unknown.lower, unknown.upper));
   if (unknown.start >= unknown.lower && unknown.start <= unknown.upper) return;
   throw UserError(
-      fmt::format("{} {}: it starts at {:g}, outside of its bounds {:g} to {:g}\n  hint: write LOW:START:HIGH\n", option,
-                  unknown.name, unknown.start, unknown.lower, unknown.upper));
+      fmt::format("{} {}: it starts at {:g}, outside of its bounds {:g} to {:g}\n  hint: write LOW:START:HIGH\n",
+                  option, unknown.name, unknown.start, unknown.lower, unknown.upper));
 }
 
 void set_scale(Unknown& unknown) {
@@ -113,8 +113,7 @@ std::vector<Unknown> free_starts(const Model& model, const std::vector<std::stri
   std::vector<Unknown> list;
   for (const std::string& text : texts) {
     const TypedBounds typed = typed_bounds("--free-start", text);
-    if (!typed.lower)
-      throw UserError(fmt::format("--free-start {0}: give its bounds, {0}=LOW:HIGH\n", typed.name));
+    if (!typed.lower) throw UserError(fmt::format("--free-start {0}: give its bounds, {0}=LOW:HIGH\n", typed.name));
     const std::string unit = unit_of_coordinate(model, typed.name);
     refuse_twice("--free-start", list, typed.name);
     for (int run = 0; run < runs; ++run) {

@@ -12,7 +12,7 @@ namespace mbgen::fit {
 struct Unknown {
   enum class Kind { parameter, start, gain, bias, delay };
   Kind kind = Kind::parameter;
-  std::string name, unit;  ///< of the model, "gain of ay"
+  std::string name = {}, unit = {};  ///< of the model, "gain of ay"
   double start = 0, lower = 0, upper = 0;
   double scale = 1;          ///< size of its changes: its value at the start, or a part of its range
   int run = -1;              ///< of a value at the start, -1: of all runs
