@@ -121,7 +121,7 @@ void add_nuisances(const std::vector<std::string>& texts, std::vector<Channel>& 
                                   in_quotes(text), nearest_hint(text.substr(0, text.find(':')), names)));
     const std::size_t length = is_all ? 1 : found->size();
     for (std::size_t c = 0; c < channels.size(); ++c) {
-      if (!is_all && names[c] != *found) continue;
+      if (is_all ? channels[c].is_of_point() : names[c] != *found) continue;
       for (const std::string& word : split_at(text.substr(length + 1), ':'))
         add_nuisance(word, channels[c], static_cast<int>(c), unknowns);
     }

@@ -7,7 +7,6 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "compiler/reader/read_model.hpp"
 #include "compiler/text/hash.hpp"
@@ -108,17 +107,20 @@ class Search {
     return values;
   }
 
-  /// Reduced residuals; their derivatives are by the scaled unknowns.
-  bool evaluate(const std::vector<double>& values, std::optional<Differences> differences, Reduced& result) {
-    const std::string arguments = arguments_of(values, differences);
-    if (journal_ != nullptr) {
-      if (const std::vector<double>* known = journal_->find(arguments)) {
-        result = unpacked(*known, differences.has_value());
-        return true;
-      }
+  /// Reduced residuals; their derivatives are by the scaled unknowns. Known results are not computed again.
+  bool evaluate(const std::vector<double>& values, bool with_jacobian, Reduced& result) {
+    const std::string arguments = arguments_of(values, with_jacobian);
+    const auto known = known_.find(arguments);
+    const std::vector<double>* numbers = known != known_.end() ? &known->second
+                                         : journal_ != nullptr ? journal_->find(arguments)
+                                                               : nullptr;
+    if (numbers != nullptr) {
+      result = unpacked(*numbers, with_jacobian);
+      return true;
     }
-    if (!compute(values, differences, result)) return false;
-    if (journal_ != nullptr) journal_->add(arguments, packed(result));
+    if (!compute(values, with_jacobian, result)) return false;
+    known_[arguments] = packed(result);
+    if (journal_ != nullptr) journal_->add(arguments, known_[arguments]);
     return true;
   }
 
@@ -132,7 +134,7 @@ class Search {
       task.upper[u] = unknown.upper / unknown.scale;
     }
     task.evaluate = [this](const Eigen::VectorXd& scaled, bool with_jacobian, Reduced& result) {
-      return evaluate(unscaled(scaled), with_jacobian ? std::optional(Differences::second) : std::nullopt, result);
+      return evaluate(unscaled(scaled), with_jacobian, result);
     };
     return task;
   }
@@ -140,21 +142,21 @@ class Search {
   const std::string& failure() const { return failure_; }
 
  private:
-  std::string arguments_of(const std::vector<double>& values, std::optional<Differences> differences) const {
-    std::string text = !differences ? "cost" : *differences == Differences::second ? "slope" : "final";
+  std::string arguments_of(const std::vector<double>& values, bool with_jacobian) const {
+    std::string text = with_jacobian ? "slope" : "cost";
     for (const Channel& channel : problem_.channels) text += fmt::format(" {}", channel.sigma);
     for (const double value : values) text += fmt::format(" {}", value);
     return text;
   }
 
-  bool compute(const std::vector<double>& values, std::optional<Differences> differences, Reduced& result) {
+  bool compute(const std::vector<double>& values, bool with_jacobian, Reduced& result) {
     const auto size = static_cast<Eigen::Index>(problem_.unknowns.size());
-    if (!differences) {
+    if (!with_jacobian) {
       const Residuals at = residuals(problem_, values);
       failure_ = at.failure;
       if (at.failure.empty()) result = reduced(at.values, Eigen::MatrixXd(0, size), loss_);
     } else {
-      Jacobian at = jacobian(problem_, values, *differences);
+      Jacobian at = jacobian(problem_, values);
       failure_ = at.failure;
       for (Eigen::Index u = 0; u < size && at.failure.empty(); ++u)
         at.values.col(u) *= problem_.unknowns[static_cast<std::size_t>(u)].scale;
@@ -184,6 +186,7 @@ class Search {
   FitProblem& problem_;
   Loss loss_;
   FitJournal* journal_;
+  std::map<std::string, std::vector<double>> known_;
   std::string failure_;
 };
 
@@ -292,7 +295,7 @@ void search(FitProblem& problem, Search& search, const FitArguments& arguments, 
   for (std::size_t u = 0; u < problem.unknowns.size(); ++u)
     at[static_cast<Eigen::Index>(u)] = problem.unknowns[u].start / problem.unknowns[u].scale;
   Reduced first;
-  if (!search.evaluate(search.unscaled(at), {}, first)) {
+  if (!search.evaluate(search.unscaled(at), false, first)) {
     if (signals.taken() != 0) throw Interrupted{signals.taken()};
     throw UserError(
         fmt::format("fit: no result at the start values: {}\n  hint: other start values, --free "
@@ -337,10 +340,12 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
   FitModel model = read_fit_model(arguments.model);
   std::vector<Channel> channels = matched_channels(model.model, arguments.match);
   std::vector<Unknown> unknowns = free_parameters(model.model, arguments.free);
-  const int runs = static_cast<int>(arguments.data.size());
+  std::vector<MeasuredFile> files = read_files(arguments, model, channels);
+  std::vector<int> runs;
+  for (std::size_t f = 0; f < files.size(); ++f)
+    if (files[f].is_run() && !files[f].is_held_out) runs.push_back(static_cast<int>(f));
   for (Unknown& unknown : free_starts(model.model, arguments.free_start, runs)) unknowns.push_back(std::move(unknown));
   add_nuisances(arguments.nuisance, channels, unknowns);
-  std::vector<MeasuredFile> files = read_files(arguments, model, channels);
   prepare(model, unknowns, files, channels);
   if (!model.is_tuned) print_message("fit: the model is analysed anew for each value: {}\n", model.why_not_tuned);
   FitProblem problem{.model = model,
@@ -359,7 +364,7 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
   Search steps(problem, loss, journal.get());
   search(problem, steps, arguments, signals, result);
   Reduced last;
-  if (!steps.evaluate(result.values, Differences::fourth, last)) {
+  if (!steps.evaluate(result.values, true, last)) {
     if (signals.taken() != 0) throw Interrupted{signals.taken()};
     throw UserError(fmt::format("fit: no derivatives at the result: {}\n", steps.failure()));
   }

@@ -13,8 +13,8 @@
 namespace mbgen::fit {
 namespace {
 
-/// Steps of differences, in parts of the scale of an unknown.
-constexpr double kStepOfSecond = 1e-4, kStepOfFourth = 1e-3;
+/// Step of differences, in parts of the scale of an unknown: the errors of truncation and rounding are near 1e-8.
+constexpr double kStep = 1e-4;
 
 /// One evaluation of the model: the values of a file at a distance from the point, for the derivative by an unknown.
 struct Evaluation {
@@ -29,14 +29,11 @@ struct Formula {
   std::vector<std::pair<double, double>> terms;
 };
 
-Formula formula_at(const Unknown& unknown, double value, Differences differences) {
-  const double fourth = kStepOfFourth * unknown.scale, second = kStepOfSecond * unknown.scale;
-  const auto fits = [&](double reach) { return value - reach >= unknown.lower && value + reach <= unknown.upper; };
-  if (differences == Differences::fourth && fits(2 * fourth))
-    return {fourth, {{-2, 1.0 / 12}, {-1, -2.0 / 3}, {1, 2.0 / 3}, {2, -1.0 / 12}}};
-  if (fits(second)) return {second, {{-1, -0.5}, {1, 0.5}}};
-  const double inside = value - second < unknown.lower ? 1 : -1;
-  return {second, {{0, -1.5 * inside}, {inside, 2 * inside}, {2 * inside, -0.5 * inside}}};
+Formula formula_at(const Unknown& unknown, double value) {
+  const double step = kStep * unknown.scale;
+  if (value - step >= unknown.lower && value + step <= unknown.upper) return {step, {{-1, -0.5}, {1, 0.5}}};
+  const double inside = value - step < unknown.lower ? 1 : -1;
+  return {step, {{0, -1.5 * inside}, {inside, 2 * inside}, {2 * inside, -0.5 * inside}}};
 }
 
 /// Runs tasks on some threads.
@@ -106,15 +103,14 @@ void add_nuisance_columns(const FitProblem& problem, const std::vector<double>& 
 }
 
 /// The evaluations that the derivatives need beside those at the point.
-std::vector<Evaluation> evaluations_at(const FitProblem& problem, const std::vector<double>& values,
-                                       Differences differences) {
+std::vector<Evaluation> evaluations_at(const FitProblem& problem, const std::vector<double>& values) {
   std::vector<Evaluation> list;
   for (std::size_t f = 0; f < problem.files.size(); ++f) {
     if (problem.files[f].is_held_out) continue;
     for (std::size_t u = 0; u < problem.unknowns.size(); ++u) {
       const Unknown& unknown = problem.unknowns[u];
       if (!unknown.moves_model() || (unknown.run >= 0 && unknown.run != static_cast<int>(f))) continue;
-      const Formula formula = formula_at(unknown, values[u], differences);
+      const Formula formula = formula_at(unknown, values[u]);
       for (const auto& [steps, weight] : formula.terms)
         list.push_back({f, u, steps * formula.step, weight / formula.step});
     }
@@ -191,12 +187,12 @@ Residuals residuals(const FitProblem& problem, const std::vector<double>& values
   return result;
 }
 
-Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values, Differences differences) {
+Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values) {
   Jacobian result;
   const std::vector<Outcome> outcomes = all_outcomes(problem, values, result.failure);
   if (!result.failure.empty()) return result;
   result.residuals = residuals_of(problem, outcomes, values);
-  std::vector<Evaluation> evaluations = evaluations_at(problem, values, differences);
+  std::vector<Evaluation> evaluations = evaluations_at(problem, values);
   run_tasks(problem, static_cast<long>(evaluations.size()), [&](std::size_t k) {
     Evaluation& one = evaluations[k];
     std::vector<double> moved = values;

@@ -34,12 +34,6 @@ struct Jacobian {
   std::string failure;
 };
 
-/// Accuracy of differences.
-enum class Differences {
-  second,  ///< two evaluations an unknown: of second order, for the search
-  fourth   ///< four evaluations an unknown, for standard errors
-};
-
 /// Number of residuals of the fitted files (held: of the held-out ones).
 int residual_count(const FitProblem& problem, bool held = false);
 
@@ -47,9 +41,9 @@ int residual_count(const FitProblem& problem, bool held = false);
 Residuals residuals(const FitProblem& problem, const std::vector<double>& values);
 
 /// Derivatives of the residuals of the fitted files: by gain, bias and delay exactly; by the unknowns that move the
-/// model by central differences, at a bound by differences to the inside, with steps of 1e-4 (second order) or 1e-3
-/// (fourth order) of the unknown's scale.
-Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values, Differences differences);
+/// model by central differences, at a bound by differences to the inside, both of second order, with steps of 1e-4 of
+/// the unknown's scale: errors near 1e-8.
+Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values);
 
 /// A file's series at values of the unknowns.
 Outcome outcome_of(const FitProblem& problem, std::size_t file, const std::vector<double>& values, Care care);

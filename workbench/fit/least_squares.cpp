@@ -12,7 +12,7 @@ namespace mbgen::fit {
 #ifdef MBGEN_CERES
 namespace {
 
-constexpr double kSmallStep = 1e-10, kSmallGradient = 1e-10, kSmallChange = 1e-13;
+constexpr double kSmallStep = 1e-10, kSmallGradient = 1e-10, kSmallChange = 1e-12;
 
 class ReducedCost : public ceres::CostFunction {
  public:

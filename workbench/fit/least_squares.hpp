@@ -33,7 +33,7 @@ struct LeastSquaresResult {
 bool has_ceres();
 
 /// Levenberg-Marquardt in a trust region, with bounds, until steps are below 1e-10 of the unknowns or lower the
-/// sum of squares by less than 1e-13 of it, the gradient vanishes, or `most` iterations. Requires: has_ceres(); the
+/// sum of squares by less than 1e-12 of it, the gradient vanishes, or `most` iterations. Requires: has_ceres(); the
 /// start lies between the bounds and evaluates.
 LeastSquaresResult solve(const LeastSquares& problem, int most);
 

@@ -109,14 +109,20 @@ std::vector<Unknown> free_parameters(const Model& model, const std::vector<std::
   return list;
 }
 
-std::vector<Unknown> free_starts(const Model& model, const std::vector<std::string>& texts, int runs) {
+std::vector<Unknown> free_starts(const Model& model, const std::vector<std::string>& texts,
+                                 const std::vector<int>& runs) {
   std::vector<Unknown> list;
   for (const std::string& text : texts) {
     const TypedBounds typed = typed_bounds("--free-start", text);
     if (!typed.lower) throw UserError(fmt::format("--free-start {0}: give its bounds, {0}=LOW:HIGH\n", typed.name));
     const std::string unit = unit_of_coordinate(model, typed.name);
     refuse_twice("--free-start", list, typed.name);
-    for (int run = 0; run < runs; ++run) {
+    if (model.initial.equilibrium && typed.name.starts_with("z."))
+      throw UserError(fmt::format(
+          "--free-start {}: the model starts in equilibrium, which gives all positions: free velocities alone, "
+          "zd.NAME\n",
+          typed.name));
+    for (const int run : runs) {
       Unknown unknown{.kind = Unknown::Kind::start,
                       .name = fmt::format("{} of run {}", typed.name, run + 1),
                       .unit = unit,

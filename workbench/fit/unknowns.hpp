@@ -28,8 +28,10 @@ struct Unknown {
 /// bounds that are no numbers, in the wrong order or around another range than the value; a value 0 without bounds.
 std::vector<Unknown> free_parameters(const Model& model, const std::vector<std::string>& texts);
 
-/// Values of --free-start in every run: z.NAME=LOW:HIGH or zd.NAME=LOW:HIGH of a coordinate. Fails: UserError for an
-/// unknown coordinate, and as free_parameters.
-std::vector<Unknown> free_starts(const Model& model, const std::vector<std::string>& texts, int runs);
+/// Values of --free-start in every run: z.NAME=LOW:HIGH or zd.NAME=LOW:HIGH of a coordinate. runs: numbers of their
+/// files. Fails: UserError for an unknown coordinate, a position where the model starts in equilibrium, and as
+/// free_parameters.
+std::vector<Unknown> free_starts(const Model& model, const std::vector<std::string>& texts,
+                                 const std::vector<int>& runs);
 
 }  // namespace mbgen::fit
