@@ -159,6 +159,19 @@ void check_rows(const Model& model, const InputTable& table) {
   }
 }
 
+/// Inputs that keep their value, or continue by their derivatives.
+InputsOverTime without_table(const Model& model, const std::vector<std::string>& assignments) {
+  const std::vector<double> values = input_values(model, assignments);
+  InputsOverTime result;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    result.courses.push_back(continued(model.inputs, values, static_cast<int>(i)));
+    const int rate = model.inputs[i].derivative;
+    result.advances.push_back(rate >= 0);
+    result.is_constant = result.is_constant && (rate < 0 || values[rate] == 0);
+  }
+  return result;
+}
+
 }  // namespace
 
 bool InputsOverTime::has_row(double start, double end) const {
@@ -181,16 +194,14 @@ std::vector<double> InputsOverTime::of_step(double t, double h) const {
 
 InputsOverTime inputs_over_time(const Model& model, const std::vector<std::string>& assignments,
                                 const std::string& table_path, Interpolation interpolation) {
-  const std::vector<double> values = input_values(model, assignments);
-  InputsOverTime result;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    result.courses.push_back(continued(model.inputs, values, static_cast<int>(i)));
-    const int rate = model.inputs[i].derivative;
-    result.advances.push_back(rate >= 0);
-    result.is_constant = result.is_constant && (rate < 0 || values[rate] == 0);
-  }
-  if (table_path.empty()) return result;
-  const InputTable table = read_input_table(table_path, model);
+  if (table_path.empty()) return without_table(model, assignments);
+  input_values(model, assignments);  // which are refused before a table is read
+  return inputs_over_time(model, assignments, read_input_table(table_path, model), interpolation);
+}
+
+InputsOverTime inputs_over_time(const Model& model, const std::vector<std::string>& assignments,
+                                const InputTable& table, Interpolation interpolation) {
+  InputsOverTime result = without_table(model, assignments);
   std::vector<Source> sources = assigned_inputs(model, assignments);
   check_rows(model, table);
   result.rows = table.t;

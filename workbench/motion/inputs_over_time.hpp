@@ -6,6 +6,7 @@
 
 #include "compiler/model/model.hpp"
 #include "workbench/motion/course.hpp"
+#include "workbench/motion/input_table.hpp"
 
 namespace mbgen {
 
@@ -43,5 +44,9 @@ struct InputsOverTime {
 /// file and line; columns of rates that contradict the values, see check_rates.
 InputsOverTime inputs_over_time(const Model& model, const std::vector<std::string>& assignments,
                                 const std::string& table, Interpolation interpolation);
+
+/// The same of a table that was read.
+InputsOverTime inputs_over_time(const Model& model, const std::vector<std::string>& assignments,
+                                const InputTable& table, Interpolation interpolation);
 
 }  // namespace mbgen

@@ -243,28 +243,38 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
   LoadedState at{state, std::vector<double>(state.z.size(), 0.0)};
   GenericDerivative derivative;
   engine.set_inputs(inputs.at(state.t));
+  const bool has_all = !settings.is_sample;
   for (sample.step = 0;; ++sample.step) {
-    summary.status = observe(engine, settings.step, moving, sample, at, derivative);
-    // At the pole itself the angles have no accelerations; elsewhere steps change charts by themselves.
-    if (!summary.status.ok() && sample.step == 0 && settle_charts(engine.balls, moving))
+    if (!has_all) {
+      summary.steps = sample.step;
+      summary.end_time = moving.t;
+    }
+    const bool is_sample = has_all || sample.step == 0 || settings.is_sample(sample.step);
+    if (is_sample) {
       summary.status = observe(engine, settings.step, moving, sample, at, derivative);
-    if (summary.status.ok() && settings.has_multipliers)
-      summary.status = engine.multipliers(at, derivative, sample.multipliers);
-    if (!summary.status.ok()) break;
-    sample.inputs = inputs.at(moving.t);
-    collector.add(sample, sample.inputs, summary);
-    summary.last = sample.state;
-    on_sample(sample);
+      // At the pole itself the angles have no accelerations; elsewhere steps change charts by themselves.
+      if (!summary.status.ok() && sample.step == 0 && settle_charts(engine.balls, moving))
+        summary.status = observe(engine, settings.step, moving, sample, at, derivative);
+      if (summary.status.ok() && settings.has_multipliers)
+        summary.status = engine.multipliers(at, derivative, sample.multipliers);
+      if (!summary.status.ok()) break;
+      sample.inputs = inputs.at(moving.t);
+      if (has_all) collector.add(sample, sample.inputs, summary);
+      summary.last = sample.state;
+      on_sample(sample);
+    }
     const bool goes_on = !control || control(sample, inputs);
     summary.is_stopped = sample.step < settings.steps && settings.is_stopped && settings.is_stopped();
     if (sample.step == settings.steps || !goes_on || summary.is_stopped) break;
-    if (const auto power = power_after_samples(engine, settings.step, moving)) collector.add_after_jump(*power);
+    if (const auto power = has_all ? power_after_samples(engine, settings.step, moving) : std::nullopt)
+      collector.add_after_jump(*power);
     const Clock::time_point before = Clock::now();
     const double end = time_after(state.t, static_cast<double>(sample.step + 1), settings.step);
     summary.status = step(engine, inputs, settings.step, end, moving);
     summary.solver_seconds += seconds_since(before);
     if (!summary.status.ok()) break;
     notices.add(summary.status, moving.t, summary.blocks);
+    if (!has_all) continue;
     const auto power = power_before_row(engine, inputs, settings.step, summary.end_time, moving);
     if (power) collector.add_before_jump(*power);
   }

@@ -14,6 +14,9 @@ struct SimulationSettings {
   double step = 0;                        ///< s
   bool has_multipliers = false;           ///< the samples are to have them
   bool is_error_controlled = false;       ///< the engine chooses its own steps inside of these
+  /// Whether a point is to be a sample; none: all are. Where some are not, they are stepped over, and the summary has no
+  /// energies. Requires: no control.
+  std::function<bool(long step)> is_sample = {};
   std::function<bool()> is_stopped = {};  ///< asked after every point: whether somebody wants the motion to end there
 };
 

@@ -51,6 +51,11 @@ InputsOverTime inputs_of(const Model& model, const std::vector<std::string>& ass
   return inputs_over_time(model, assignments, arguments.input_table, interpolation);
 }
 
+InputsOverTime inputs_of(const Model& model, const std::vector<std::string>& assignments, const InputTable& table,
+                         const std::string& interpolation) {
+  return inputs_over_time(model, assignments, table, interpolation_of(interpolation));
+}
+
 SimulationSettings settings_of(const SimulationArguments& arguments, const SolverSettings& by_default) {
   const double duration = arguments.duration.value_or(by_default.duration);
   const double step = arguments.step.value_or(by_default.step);

@@ -19,6 +19,10 @@ struct SimulationArguments {
 InputsOverTime inputs_of(const Model& model, const std::vector<std::string>& assignments,
                          const SimulationArguments& arguments);
 
+/// The same with a table of inputs that was read. Fails: UserError.
+InputsOverTime inputs_of(const Model& model, const std::vector<std::string>& assignments, const InputTable& table,
+                         const std::string& interpolation);
+
 /// The duration in equal steps, none longer than requested. Fails: UserError for impossible values.
 SimulationSettings settings_of(const SimulationArguments& arguments, const SolverSettings& by_default);
 

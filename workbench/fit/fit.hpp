@@ -1,0 +1,78 @@
+#pragma once
+// The door of the fit room: unknowns of a model from measurements, by bounded weighted least squares.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "workbench/fit/certainty.hpp"
+#include "workbench/fit/fit_problem.hpp"
+#include "workbench/fit/reduction.hpp"
+
+namespace mbgen::fit {
+
+/// A fit as typed.
+struct FitArguments {
+  ModelArguments model;
+  std::vector<std::string> data, held_out;  ///< files
+  std::vector<std::string> match, targets, free, free_start, nuisance;
+  std::string loss;
+  std::string journal;  ///< file, "" for none
+  int most_iterations = 100, jobs = 1;
+  bool restart = false;
+};
+
+/// Data and model of one channel in one file, at the result.
+struct ChannelFit {
+  std::string file = {}, channel = {}, unit = {};
+  bool is_held_out = false, is_of_rig = false;
+  double sigma = 0;
+  bool is_sigma_estimated = false;
+  std::vector<double> at = {}, data = {}, model = {};
+  double rms = 0;        ///< of model - data, in the unit
+  double explained = 0;  ///< 1 - (variance of model - data) / (variance of the data)
+  Whiteness whiteness = {};
+};
+
+struct FitResult {
+  std::string model, model_file, engine;
+  std::vector<VariedParameter> set = {};  ///< values that were given
+  std::vector<Unknown> unknowns = {};
+  std::vector<double> values = {};
+  Certainty certainty = {};
+  std::vector<ChannelFit> channels = {};
+  double squares = 0;  ///< weighted sum of squares
+  double squares_at_start = 0;
+  int residuals = 0, iterations = 0;
+  bool converged = false;
+  std::string message = {};                ///< of the method
+  std::string loss = {};                   ///< "" for squares
+  std::vector<std::string> warnings = {};  ///< for people, a line each
+  std::vector<std::string> files = {};     ///< read by the fit
+};
+
+/// Reads model and data, and finds the unknowns. Notes go to standard error. Fails: UserError, also where mbgen is
+/// built without Ceres, and where the model has no result at the start; Interrupted.
+FitResult fit_model_to_data(const FitArguments& arguments);
+
+/// Table of the unknowns, combinations that the data do not tell, channels, doubts.
+std::string fit_text(const FitResult& result);
+
+/// The same for programs.
+std::string fit_json(const FitResult& result);
+
+/// A page with the same, and pictures of data and model.
+std::string fit_page(const FitResult& result);
+
+/// Where a model writes its parameters: JSON Pointers of the values that an including file can replace.
+std::map<std::string, std::string> parameter_places(const std::string& model_file);
+
+/// Whether the result can be written as a model: all free and set parameters have places. Fails: UserError for a
+/// parameter that no file of the model writes in its own "parameters", as one of an instance.
+void require_places(const FitArguments& arguments, const std::string& path);
+
+/// A model that includes the fitted one and has the found values, and those of --set; path: its own file.
+/// Fails: UserError, as require_places.
+std::string fitted_model(const FitResult& result, const std::string& path);
+
+}  // namespace mbgen::fit

@@ -1,0 +1,216 @@
+#include "workbench/fit/fit_model.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/reader/read_model.hpp"
+#include "compiler/text/user_error.hpp"
+#include "workbench/host/assignments.hpp"
+#include "workbench/motion/motion_end.hpp"
+#include "workbench/motion/motion_judge.hpp"
+#include "workbench/start/initial_state.hpp"
+
+namespace mbgen::fit {
+namespace {
+
+std::vector<VariedParameter> varied_by(const FitModel& model, const std::vector<Unknown>& unknowns,
+                                       const std::vector<double>& values) {
+  std::vector<VariedParameter> varied = model.set;
+  for (std::size_t u = 0; u < unknowns.size(); ++u)
+    if (unknowns[u].kind == Unknown::Kind::parameter) varied.push_back({unknowns[u].name, values[u], model.is_tuned});
+  return varied;
+}
+
+/// Sets values at the start of a run into the model.
+void set_starts(const std::vector<Unknown>& unknowns, const std::vector<double>& values, int run, Model& model) {
+  for (std::size_t u = 0; u < unknowns.size(); ++u) {
+    const Unknown& unknown = unknowns[u];
+    if (unknown.kind != Unknown::Kind::start || unknown.run != run) continue;
+    const bool is_velocity = unknown.coordinate.starts_with("zd.");
+    const std::string name = unknown.coordinate.substr(is_velocity ? 3 : 2);
+    std::vector<InitialValue>& list = is_velocity ? model.initial.velocities : model.initial.positions;
+    for (std::size_t j = 0; j < model.joints.size(); ++j)
+      for (std::size_t f = 0; f < model.joints[j].freedoms.size(); ++f) {
+        if (model.joints[j].freedoms[f].name != name) continue;
+        const CoordinateReference coordinate{static_cast<int>(j), static_cast<int>(f)};
+        std::erase_if(list, [&](const InitialValue& one) { return one.coordinate == coordinate; });
+        list.push_back({coordinate, values[u], model.joints[j].where});
+      }
+  }
+}
+
+/// Whole steps up to the last row.
+SimulationSettings settings_to(const FitModel& model, double end) {
+  SimulationArguments arguments = model.arguments.simulation;
+  const double step = arguments.step.value_or(model.model.solver.step);
+  constexpr double kRounding = 1e-9;
+  arguments.duration = std::max(1.0, std::ceil(end / step - kRounding)) * step;
+  return settings_of(arguments, model.model.solver);
+}
+
+/// Takes the matched outputs at every point.
+class SeriesRecorder {
+ public:
+  SeriesRecorder(const MeasuredFile& file, const std::vector<Channel>& channels) : series_(file.channels.size()) {
+    for (const MeasuredChannel& one : file.channels)
+      outputs_.push_back(static_cast<std::size_t>(channels[static_cast<std::size_t>(one.channel)].output));
+  }
+  void add(const Sample& sample) {
+    for (std::size_t c = 0; c < outputs_.size(); ++c) {
+      series_[c].at.push_back(sample.state.t);
+      series_[c].values.push_back(sample.outputs.y[outputs_[c]]);
+    }
+  }
+  std::vector<Series> take() { return std::move(series_); }
+
+ private:
+  std::vector<std::size_t> outputs_;
+  std::vector<Series> series_;
+};
+
+/// The points of a motion that the data need: those at their times, or three on each side for the cubic between two;
+/// all of them where a channel has a delay.
+std::vector<bool> needed_points(const MeasuredFile& file, const std::vector<Channel>& channels,
+                                const SimulationSettings& settings) {
+  std::vector<bool> needed(static_cast<std::size_t>(settings.steps) + 1, false);
+  for (const MeasuredChannel& measured : file.channels) {
+    if (channels[static_cast<std::size_t>(measured.channel)].delay >= 0) return {};
+    for (const double instant : measured.at) {
+      constexpr long kBeside = 3;
+      const double place = instant / settings.step;
+      const bool is_point = std::abs(place - std::round(place)) < kSamePoint;
+      const long first = is_point ? std::lround(place) : static_cast<long>(place) + 1 - kBeside;
+      const long last = is_point ? first : static_cast<long>(place) + kBeside;
+      for (long k = std::max(0L, first); k <= std::min(last, settings.steps); ++k)
+        needed[static_cast<std::size_t>(k)] = true;
+    }
+  }
+  return needed;
+}
+
+std::string one_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+Outcome moved(const FitModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,
+              const Compilation& compilation, Care care, const std::function<bool()>& is_stopped) {
+  const Engine engine = model.table ? make_generated_engine(model.table, compilation, model.choice)
+                                    : make_engine(compilation, model.choice);
+  const std::vector<std::string>& assignments = model.arguments.engine.inputs;
+  const InputsOverTime inputs =
+      file.inputs ? inputs_of(compilation.model, assignments, *file.inputs, model.arguments.simulation.interpolation)
+                  : inputs_of(compilation.model, assignments, {});
+  SimulationSettings settings = settings_to(model, file.end);
+  settings.is_stopped = is_stopped;
+  const Start start = initial_start(compilation, inputs.at(0));
+  const GenericState state = initial_state(start, engine);
+  SeriesRecorder recorder(file, channels);
+  Outcome outcome;
+  JudgedMotion motion;
+  const auto record = [&](const Sample& sample) { recorder.add(sample); };
+  if (care == Care::judged) {
+    motion = judged_motion({.compilation = compilation,
+                            .engine = engine,
+                            .integrator = model.choice.integrator,
+                            .settings = settings,
+                            .start = state,
+                            .inputs = inputs},
+                           record);
+    outcome.warnings = motion.verdict.warnings;
+    if (!motion.verdict.failure.empty()) outcome.failure = one_line(motion.verdict.failure);
+  } else {
+    const std::vector<bool> needed = needed_points(file, channels, settings);
+    if (!needed.empty()) settings.is_sample = [&](long step) { return needed[static_cast<std::size_t>(step)]; };
+    motion.summary = simulate(engine, state, inputs, settings, record);
+  }
+  if (motion.summary.is_stopped) outcome.failure = "interrupted";
+  if (!motion.summary.status.ok()) outcome.failure = one_line(end_text(compilation, motion));
+  outcome.series = recorder.take();
+  return outcome;
+}
+
+/// Lets the free parameters be tunable, or finds out why they cannot.
+void choose_tuning(FitModel& model, const std::vector<Unknown>& unknowns, const std::vector<double>& starts) {
+  Result<Model> tuned = read_varied_model(model.arguments.path, varied_by(model, unknowns, starts));
+  if (tuned) {
+    model.model = std::move(*tuned);
+    model.model.solver.integrator = model.choice.integrator;
+    return;
+  }
+  const Diagnostic& first = tuned.problems().front();
+  model.is_tuned = false;
+  model.why_not_tuned =
+      fmt::format("{}:{}:{}: {}", first.where.file, first.where.line, first.where.column, first.message);
+  model.model = expect(read_varied_model(model.arguments.path, varied_by(model, unknowns, starts)));
+  model.model.solver.integrator = model.choice.integrator;
+  if (model.choice.name != "generated") return;
+  if (model.arguments.has_engine)
+    throw UserError(fmt::format(
+        "--engine generated: one solver cannot serve all values: {}\n  hint: leave out --engine: the model is then "
+        "analysed for each value and runs on the generic engine\n",
+        model.why_not_tuned));
+  model.choice.name = "generic";
+}
+
+}  // namespace
+
+FitModel read_fit_model(const ModelArguments& arguments) {
+  FitModel model{.arguments = arguments};
+  model.model = expect(read_model_file(arguments.path));
+  model.set = set_parameters(model.model, arguments.set);
+  model.model = expect(read_varied_model(arguments.path, model.set));
+  SimulationArguments simulation = arguments.simulation;
+  const SimulationSettings settings = settings_of(simulation, model.model.solver);
+  follow_step(settings, model.set, model.model);
+  require_whole_periods(settings, model.model);
+  model.choice = chosen_engine(arguments.engine);
+  const auto& engines = engine_names();
+  if (std::find(engines.begin(), engines.end(), model.choice.name) == engines.end())
+    make_engine({}, model.choice);  // whose refusal lists the engines
+  model.choice.integrator = model.model.solver.integrator =
+      integrator_of(simulation.integrator, model.model.solver.integrator, model.choice.name);
+  return model;
+}
+
+void prepare(FitModel& model, const std::vector<Unknown>& unknowns, const std::vector<MeasuredFile>& files,
+             const std::vector<Channel>& channels) {
+  std::vector<double> starts;
+  for (const Unknown& unknown : unknowns) {
+    starts.push_back(unknown.start);
+    for (const VariedParameter& given : model.set)
+      if (unknown.kind == Unknown::Kind::parameter && given.name == unknown.name)
+        throw UserError(fmt::format("--set {0}: --free finds the value of \"{0}\"\n", given.name));
+  }
+  const bool has_runs = std::any_of(files.begin(), files.end(), [](const MeasuredFile& file) { return file.is_run(); });
+  const bool has_modes = std::any_of(channels.begin(), channels.end(), [](const Channel& one) { return one.mode > 0; });
+  if (!has_runs && !model.arguments.has_engine) model.choice.name = "generic";
+  choose_tuning(model, unknowns, starts);
+  if (!model.is_tuned) return;
+  const bool is_generated = model.choice.name == "generated";
+  model.compilation = expect(is_generated ? decide_to_write(model.model) : decide(model.model));
+  if (has_modes) add_programs(model.compilation);
+  if (is_generated) model.table = load_solver(model.compilation, model.choice);
+}
+
+Compilation compilation_at(const FitModel& model, const std::vector<Unknown>& unknowns,
+                           const std::vector<double>& values) {
+  Model at = expect(read_varied_model(model.arguments.path, varied_by(model, unknowns, values)));
+  at.solver.integrator = model.choice.integrator;
+  if (!model.is_tuned) return expect(decide(std::move(at)));
+  return {std::move(at), model.compilation.topology, model.compilation.analysis, {}};
+}
+
+Outcome motion_of(const FitModel& model, const MeasuredFile& file, int run, const std::vector<Channel>& channels,
+                  const std::vector<Unknown>& unknowns, const std::vector<double>& values, Care care,
+                  const std::function<bool()>& is_stopped) {
+  try {
+    Compilation compilation = compilation_at(model, unknowns, values);
+    set_starts(unknowns, values, run, compilation.model);
+    return moved(model, file, channels, compilation, care, is_stopped);
+  } catch (const UserError& error) {
+    return {one_line(error.what()), {}, {}};
+  }
+}
+
+}  // namespace mbgen::fit

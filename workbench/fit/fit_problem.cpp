@@ -1,0 +1,215 @@
+#include "workbench/fit/fit_problem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include "workbench/fit/point_targets.hpp"
+#include "workbench/fit/rig_curve.hpp"
+
+namespace mbgen::fit {
+namespace {
+
+/// Step of differences, in parts of the scale of an unknown: the errors of truncation and rounding are near 1e-8.
+constexpr double kStep = 1e-4;
+
+/// One evaluation of the model: the values of a file at a distance from the point, for the derivative by an unknown.
+struct Evaluation {
+  std::size_t file = 0, unknown = 0;
+  double offset = 0, weight = 0;  ///< of the unknown; of this evaluation in the derivative
+  Outcome outcome = {};
+};
+
+/// Offsets in steps and weights of a difference formula.
+struct Formula {
+  double step = 0;
+  std::vector<std::pair<double, double>> terms;
+};
+
+Formula formula_at(const Unknown& unknown, double value) {
+  const double step = kStep * unknown.scale;
+  if (value - step >= unknown.lower && value + step <= unknown.upper) return {step, {{-1, -0.5}, {1, 0.5}}};
+  const double inside = value - step < unknown.lower ? 1 : -1;
+  return {step, {{0, -1.5 * inside}, {inside, 2 * inside}, {2 * inside, -0.5 * inside}}};
+}
+
+/// Runs tasks on some threads.
+void run_tasks(const FitProblem& problem, long count, const std::function<void(std::size_t)>& task) {
+  std::atomic<long> next{0};
+  std::mutex guard;
+  long done = 0;
+  const auto take_turns = [&] {
+    for (long k = next++; k < count; k = next++) {
+      if (!problem.is_stopped || !problem.is_stopped()) task(static_cast<std::size_t>(k));
+      const std::lock_guard<std::mutex> lock(guard);
+      if (problem.progress) problem.progress(++done, count);
+    }
+  };
+  std::vector<std::thread> threads;
+  for (long j = 1; j < std::min<long>(problem.jobs, count); ++j) threads.emplace_back(take_turns);
+  take_turns();
+  for (std::thread& thread : threads) thread.join();
+}
+
+double value_or(const std::vector<double>& values, int unknown, double without) {
+  return unknown < 0 ? without : values[static_cast<std::size_t>(unknown)];
+}
+
+const Channel& channel_of(const FitProblem& problem, const MeasuredChannel& measured) {
+  return problem.channels[static_cast<std::size_t>(measured.channel)];
+}
+
+/// Outcomes of the fitted files; failure: of the first that has none.
+std::vector<Outcome> all_outcomes(const FitProblem& problem, const std::vector<double>& values, std::string& failure) {
+  std::vector<Outcome> outcomes(problem.files.size());
+  run_tasks(problem, static_cast<long>(problem.files.size()), [&](std::size_t f) {
+    if (!problem.files[f].is_held_out) outcomes[f] = outcome_of(problem, f, values, Care::quick);
+  });
+  for (std::size_t f = 0; f < outcomes.size(); ++f)
+    if (failure.empty() && !outcomes[f].failure.empty())
+      failure = fmt::format("{}: {}", problem.files[f].path, outcomes[f].failure);
+  if (problem.is_stopped && problem.is_stopped()) failure = "interrupted";
+  return outcomes;
+}
+
+/// Calls visit(file, channel of the file, first row) for each block of residuals.
+template <class Visit>
+void each_block(const FitProblem& problem, bool held, Visit visit) {
+  int row = 0;
+  for (std::size_t f = 0; f < problem.files.size(); ++f) {
+    if (problem.files[f].is_held_out != held) continue;
+    for (std::size_t c = 0; c < problem.files[f].channels.size(); ++c) {
+      visit(f, c, row);
+      row += static_cast<int>(problem.files[f].channels[c].values.size());
+    }
+  }
+}
+
+/// Derivatives by gain, bias and delay.
+void add_nuisance_columns(const FitProblem& problem, const std::vector<double>& values, const Series& series,
+                          const MeasuredChannel& measured, int row, Eigen::MatrixXd& jacobian) {
+  const Channel& channel = channel_of(problem, measured);
+  const double gain = value_or(values, channel.gain, 1), delay = value_or(values, channel.delay, 0);
+  for (std::size_t k = 0; k < measured.at.size(); ++k) {
+    const SeriesPoint point = at(series, measured.at[k] - delay);
+    const auto place = row + static_cast<Eigen::Index>(k);
+    if (channel.gain >= 0) jacobian(place, channel.gain) = point.value / channel.sigma;
+    if (channel.bias >= 0) jacobian(place, channel.bias) = 1 / channel.sigma;
+    if (channel.delay >= 0) jacobian(place, channel.delay) = -gain * point.slope / channel.sigma;
+  }
+}
+
+/// The evaluations that the derivatives need beside those at the point.
+std::vector<Evaluation> evaluations_at(const FitProblem& problem, const std::vector<double>& values) {
+  std::vector<Evaluation> list;
+  for (std::size_t f = 0; f < problem.files.size(); ++f) {
+    if (problem.files[f].is_held_out) continue;
+    for (std::size_t u = 0; u < problem.unknowns.size(); ++u) {
+      const Unknown& unknown = problem.unknowns[u];
+      if (!unknown.moves_model() || (unknown.run >= 0 && unknown.run != static_cast<int>(f))) continue;
+      const Formula formula = formula_at(unknown, values[u]);
+      for (const auto& [steps, weight] : formula.terms)
+        list.push_back({f, u, steps * formula.step, weight / formula.step});
+    }
+  }
+  return list;
+}
+
+}  // namespace
+
+int residual_count(const FitProblem& problem, bool held) {
+  int count = 0;
+  each_block(problem, held, [&](std::size_t f, std::size_t c, int) {
+    count += static_cast<int>(problem.files[f].channels[c].values.size());
+  });
+  return count;
+}
+
+Outcome outcome_of(const FitProblem& problem, std::size_t file, const std::vector<double>& values, Care care) {
+  const MeasuredFile& of = problem.files[file];
+  Outcome outcome = of.is_of_rig()    ? rig_curve(problem.model, of, problem.channels, problem.unknowns, values)
+                    : of.is_of_points ? point_values(problem.model, of, problem.channels, problem.unknowns, values)
+                                      : motion_of(problem.model, of, static_cast<int>(file), problem.channels,
+                                                  problem.unknowns, values, care, problem.is_stopped);
+  if (outcome.failure.empty() && outcome.series.size() != of.channels.size()) outcome.failure = "interrupted";
+  return outcome;
+}
+
+std::vector<double> predictions(const FitProblem& problem, const MeasuredChannel& measured, const Series& series,
+                                const std::vector<double>& values) {
+  const Channel& channel = channel_of(problem, measured);
+  const double gain = value_or(values, channel.gain, 1), bias = value_or(values, channel.bias, 0),
+               delay = value_or(values, channel.delay, 0);
+  std::vector<double> result;
+  for (const double instant : measured.at) result.push_back(gain * at(series, instant - delay).value + bias);
+  return result;
+}
+
+namespace {
+
+Eigen::VectorXd residuals_of(const FitProblem& problem, const std::vector<Outcome>& outcomes,
+                             const std::vector<double>& values) {
+  Eigen::VectorXd result(residual_count(problem));
+  each_block(problem, false, [&](std::size_t f, std::size_t c, int row) {
+    const MeasuredChannel& measured = problem.files[f].channels[c];
+    const std::vector<double> predicted = predictions(problem, measured, outcomes[f].series[c], values);
+    const double sigma = channel_of(problem, measured).sigma;
+    for (std::size_t k = 0; k < predicted.size(); ++k)
+      result[row + static_cast<Eigen::Index>(k)] = (predicted[k] - measured.values[k]) / sigma;
+  });
+  return result;
+}
+
+/// Adds the derivatives of a block of residuals by the unknowns that move the model.
+void add_differences(const FitProblem& problem, const std::vector<Evaluation>& evaluations,
+                     const std::vector<double>& values, std::size_t file, std::size_t c, int row,
+                     Eigen::MatrixXd& jacobian) {
+  const MeasuredChannel& measured = problem.files[file].channels[c];
+  const Channel& channel = channel_of(problem, measured);
+  const double gain = value_or(values, channel.gain, 1), delay = value_or(values, channel.delay, 0);
+  for (const Evaluation& one : evaluations) {
+    if (one.file != file) continue;
+    for (std::size_t k = 0; k < measured.at.size(); ++k)
+      jacobian(row + static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(one.unknown)) +=
+          one.weight * gain * at(one.outcome.series[c], measured.at[k] - delay).value / channel.sigma;
+  }
+}
+
+}  // namespace
+
+Residuals residuals(const FitProblem& problem, const std::vector<double>& values) {
+  Residuals result;
+  const std::vector<Outcome> outcomes = all_outcomes(problem, values, result.failure);
+  if (result.failure.empty()) result.values = residuals_of(problem, outcomes, values);
+  return result;
+}
+
+Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values) {
+  Jacobian result;
+  const std::vector<Outcome> outcomes = all_outcomes(problem, values, result.failure);
+  if (!result.failure.empty()) return result;
+  result.residuals = residuals_of(problem, outcomes, values);
+  std::vector<Evaluation> evaluations = evaluations_at(problem, values);
+  run_tasks(problem, static_cast<long>(evaluations.size()), [&](std::size_t k) {
+    Evaluation& one = evaluations[k];
+    std::vector<double> moved = values;
+    moved[one.unknown] += one.offset;
+    one.outcome = one.offset == 0 ? outcomes[one.file] : outcome_of(problem, one.file, moved, Care::quick);
+  });
+  result.values.setZero(residual_count(problem), static_cast<Eigen::Index>(problem.unknowns.size()));
+  for (const Evaluation& one : evaluations)
+    if (result.failure.empty() && (!one.outcome.failure.empty() || one.outcome.series.empty()))
+      result.failure = fmt::format("{}: {} beside: {}", problem.files[one.file].path,
+                                   problem.unknowns[one.unknown].name, one.outcome.failure);
+  if (!result.failure.empty()) return result;
+  each_block(problem, false, [&](std::size_t f, std::size_t c, int row) {
+    add_nuisance_columns(problem, values, outcomes[f].series[c], problem.files[f].channels[c], row, result.values);
+    add_differences(problem, evaluations, values, f, c, row, result.values);
+  });
+  return result;
+}
+
+}  // namespace mbgen::fit

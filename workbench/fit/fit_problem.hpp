@@ -1,0 +1,55 @@
+#pragma once
+// Residuals of a fit and their derivatives by its unknowns: the narrow interface between the model and the method.
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "workbench/fit/fit_model.hpp"
+
+namespace mbgen::fit {
+
+/// A fit that was read and checked.
+struct FitProblem {
+  const FitModel& model;
+  std::vector<Channel> channels;
+  std::vector<Unknown> unknowns;
+  std::vector<MeasuredFile> files;
+  int jobs = 1;                                   ///< evaluations of the model at a time
+  std::function<bool()> is_stopped = {};          ///< thread-safe
+  std::function<void(long, long)> progress = {};  ///< evaluations done and to be done, from one thread at a time
+};
+
+/// Residuals (model - data) / sigma, file by file, channel by channel, row by row; or the reason why there are none.
+struct Residuals {
+  Eigen::VectorXd values;
+  std::string failure;
+};
+
+/// Their derivatives, a row a residual, a column an unknown, beside the residuals themselves.
+struct Jacobian {
+  Eigen::MatrixXd values;
+  Eigen::VectorXd residuals;
+  std::string failure;
+};
+
+/// Number of residuals of the fitted files (held: of the held-out ones).
+int residual_count(const FitProblem& problem, bool held = false);
+
+/// Residuals of the fitted files at values of the unknowns.
+Residuals residuals(const FitProblem& problem, const std::vector<double>& values);
+
+/// Derivatives of the residuals of the fitted files: by gain, bias and delay exactly; by the unknowns that move the
+/// model by central differences, at a bound by differences to the inside, both of second order, with steps of 1e-4 of
+/// the unknown's scale: errors near 1e-8.
+Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values);
+
+/// A file's series at values of the unknowns.
+Outcome outcome_of(const FitProblem& problem, std::size_t file, const std::vector<double>& values, Care care);
+
+/// Predictions of a channel of a file at its data, with gain, bias and delay.
+std::vector<double> predictions(const FitProblem& problem, const MeasuredChannel& measured, const Series& series,
+                                const std::vector<double>& values);
+
+}  // namespace mbgen::fit
