@@ -115,17 +115,18 @@ TEST_F(ActuatorOptions, AMotionBearsTheForceOfAnActuatorOnItsCoordinate) {
   std::string text = kGearedPendulum;
   text.insert(text.rfind(" }"), R"json(, "motions": { "swing": { "joint": "pin", "angle": "sin(t)" } })json");
   write("driven.json", text);
-EXPECT_NE(mbgen("check driven.json").err.find("acts on a coordinate that motion \"swing\" drives"), std::string::npos);
-const std::string place = "\"joint\": \"pin\", \"gear\": -20, \"rotor_inertia\": 1e-3";
-text.replace(text.find(place), place.size(), "\"motion\": \"swing\", \"gear\": -20");
-write("given.json", text);
-write("states.json",
-      R"({ "states": [{ "z": [0], "zd": [1], "t": 0 }, { "z": [1], "zd": [0], "t": 1.5707963267948966 }] })");
-for (const char* engine : {"generic", "null-space"}) {
-  const Json states = states_of(std::string("given.json --inverse --states states.json --engine ") + engine);
-  EXPECT_NEAR(states[0]["actuators"]["motor"].get<double>(), 0, 1e-14);
-  EXPECT_NEAR(states[1]["actuators"]["motor"].get<double>(), (-0.3 + 5 * std::sin(1.0)) / -20, 1e-13) << engine;
-}
+  EXPECT_NE(mbgen("check driven.json").err.find("acts on a coordinate that motion \"swing\" drives"),
+            std::string::npos);
+  const std::string place = "\"joint\": \"pin\", \"gear\": -20, \"rotor_inertia\": 1e-3";
+  text.replace(text.find(place), place.size(), "\"motion\": \"swing\", \"gear\": -20");
+  write("given.json", text);
+  write("states.json",
+        R"({ "states": [{ "z": [0], "zd": [1], "t": 0 }, { "z": [1], "zd": [0], "t": 1.5707963267948966 }] })");
+  for (const char* engine : {"generic", "null-space"}) {
+    const Json states = states_of(std::string("given.json --inverse --states states.json --engine ") + engine);
+    EXPECT_NEAR(states[0]["actuators"]["motor"].get<double>(), 0, 1e-14);
+    EXPECT_NEAR(states[1]["actuators"]["motor"].get<double>(), (-0.3 + 5 * std::sin(1.0)) / -20, 1e-13) << engine;
+  }
 }
 
 TEST_F(ActuatorOptions, AStateWithOpenAccelerationsIsNamed) {
@@ -139,6 +140,41 @@ TEST_F(ActuatorOptions, AStateWithOpenAccelerationsIsNamed) {
   EXPECT_TRUE(states[1]["actuators"].is_null());
   EXPECT_NE(run.err.find("states.json: /states/1: the given accelerations leave others open"), std::string::npos)
       << run.err;
+}
+
+/// A boom on a cylinder, whose motor has a rotor.
+constexpr const char* kLiftedBoom = R"json({ "mbgen": 1, "name": "lifted", "gravity": [0, 0, -10],
+  "bodies": { "ground": { "points": { "O": [0, 0, 0], "foot": [0.3, 0, -0.5] } },
+    "boom": { "mass": 10, "com": [1, 0, 0], "inertia": [1, 1, 1], "points": { "O": [0, 0, 0], "eye": [0.8, 0, 0] } } },
+  "joints": { "pin": { "type": "revolute", "from": "ground.O", "to": "boom.O", "axis": "y" } },
+  "rods": { "lift": { "from": "ground.foot", "to": "boom.eye" } },
+  "actuators": { "ram": { "rod": "lift", "gear": 50, "rotor_inertia": 1e-3 } } })json";
+
+// The judges know a rod that an actuator moves by an equation of their own: its length follows the slide.
+TEST_F(ActuatorOptions, ACylinderOfARodByEveryEngine) {
+  write("lifted.json", kLiftedBoom);
+  write("states.json", R"({ "joint_order": ["pin", "ram_rotor", "lift_length"], "states": [
+    { "z": [0, 0, 0], "zd": [0, 0, 0], "zdd": { "pin": 0 } },
+    { "z": [-0.4, 0, 0], "zd": [0.7, 0, 0], "zdd": { "pin": 2 } }] })");
+  const Json expected = states_of("lifted.json --inverse --project --engine generic --states states.json");
+  // At rest the lever of the cylinder about the pin bears 10 kg at 1 m.
+  EXPECT_NEAR(expected[0]["actuators"]["ram"].get<double>(), 100 / (0.8 * 0.5 / std::hypot(0.5, 0.5)) / 50, 1e-12);
+  auto states = Json::parse(read("states.json"));
+  for (std::size_t s = 0; s < 2; ++s) {
+    for (const char* key : {"z", "zd"}) states["states"][s][key] = expected[s][key];
+    states["states"][s]["inputs"] = expected[s]["actuators"];
+  }
+  write("states.json", states.dump());
+  for (const char* engine : {"generic", "null-space", "augmented"}) {
+    const std::string options = std::string("lifted.json --states states.json --engine ") + engine;
+    const Json forward = states_of(options), inverse = states_of(options + " --inverse");
+    for (std::size_t s = 0; s < 2; ++s) {
+      const double force = expected[s]["actuators"]["ram"];
+      EXPECT_NEAR(inverse[s]["actuators"]["ram"].get<double>(), force, 1e-11 * std::abs(force)) << engine;
+      for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(forward[s]["zdd"][i].get<double>(), expected[s]["zdd"][i].get<double>(), 1e-9) << engine << i;
+    }
+  }
 }
 
 // The node knows the motors in another order than the solver, and the joints by their names.
