@@ -24,12 +24,15 @@ TEST(ImportUrdf, TransmissionsBecomeActuators) {
     return imported_text(request_of("arm.urdf", "<robot name='arm'>" + links + rest + "</robot>"));
   };
   const ImportedModel model = with(
-      "<transmission name='t'><type>transmission_interface/SimpleTransmission</type><joint name='a'/>"
+      "<transmission name='t'><type>transmission_interface/SimpleTransmission</type><joint "
+      "name='a'><hardwareInterface/></joint>"
       "<actuator name='m1'><mechanicalReduction> -50 </mechanicalReduction></actuator></transmission>"
-      "<ros2_control name='s' type='system'><hardware/><joint name='a'><command_interface name='effort'/></joint>"
+      "<ros2_control name='s' type='system'><hardware><plugin/></hardware><joint name='a'><command_interface "
+      "name='effort'/></joint>"
       "<joint name='b'><command_interface name='position'/></joint><joint name='c'/></ros2_control>");
   const Result<Model> read = read_model(model.json, "arm.json");
   ASSERT_TRUE(read) << to_text(read.problems());
+  EXPECT_EQ(model.notes.size(), 1u);  // on limits
   ASSERT_EQ(read->actuators.size(), 2u) << model.json;
   EXPECT_EQ(read->actuators[0].name, "m1");
   EXPECT_EQ(read->actuators[0].gear.value, -50);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kFrame = "xyz rpy quat_xyzw";
 
-constexpr std::array<KnownElement, 59> kElementsOfUrdf = {{
+constexpr std::array<KnownElement, 67> kElementsOfUrdf = {{
     {"/robot", "name version"},
     {"robot/link", "name", "type"},
     {"robot/joint", "name type"},
@@ -30,6 +30,14 @@ constexpr std::array<KnownElement, 59> kElementsOfUrdf = {{
     {"robot/ros2_control", "name type rw_rate is_async"},
     {"ros2_control/joint", "name"},
     {"ros2_control/hardware", ""},
+    {"hardware/plugin", ""},
+    {"hardware/param", "name"},
+    {"joint/hardwareInterface", ""},
+    {"joint/command_interface", "name"},
+    {"joint/state_interface", "name"},
+    {"joint/param", "name"},
+    {"command_interface/param", "name"},
+    {"state_interface/param", "name"},
     {"ros2_control/sensor", "", "", "outputs are chosen in the model"},
     {"ros2_control/gpio", "", "", "it is not part of the mechanism"},
     {"ros2_control/transmission", "name type"},
