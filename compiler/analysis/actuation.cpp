@@ -5,6 +5,7 @@
 #include <set>
 
 #include "compiler/algebra/dense.hpp"
+#include "compiler/analysis/direction_names.hpp"
 #include "compiler/analysis/elimination_order.hpp"
 
 namespace mbgen {
@@ -16,7 +17,7 @@ using Eigen::MatrixXd;
 /// Pivots below this share of the largest, of rows and columns of like size, are rounding.
 constexpr double kNoForce = 1e-9;
 
-/// Entries of Rz' B below this share of the entries that an actuator could have are rounding: of a cylinder that pushes
+/// Entries of Rz' B below this share of the largest possible ones are rounding: of a cylinder that pushes
 /// through the axis of a joint, of a motor whose coordinate stands still.
 constexpr double kNoLever = 1e-9;
 
@@ -45,7 +46,8 @@ MatrixXd actuation_at(NumericSystem& numbers, const Analysis& analysis, const st
   System<double>& system = numbers.at(z);
   const Kinematics<double> k = kinematics(system);
   const Velocities<double> v = velocities(system, k);
-  std::vector<GroupProjection<double>> projections = frozen_directions(system, k, analysis.blocks, analysis.driven);
+  std::vector<GroupProjection<double>> projections =
+      frozen_directions(system, k, analysis.directions.partitions, analysis.directions.held);
   const std::vector<SparseRow<double>> rows = actuation(system, k, v, projections);
   MatrixXd matrix = MatrixXd::Zero(static_cast<Index>(directions), static_cast<Index>(system.model.actuators.size()));
   for (std::size_t q = 0; q < rows.size(); ++q)
@@ -118,14 +120,33 @@ std::vector<int> directions_without_force(const std::vector<MatrixXd>& matrices,
   return left;
 }
 
+/// The free directions and those of motions that actuators give.
+ActuatedDirections directions_of(const Model& model, const Topology& topology, const Analysis& analysis) {
+  ActuatedDirections directions{{analysis.blocks.begin(), analysis.blocks.end()}, analysis.driven};
+  for (const Motion& motion : model.motions) {
+    const int moved = motion.is_actuated ? tree_coordinate(topology, motion.joint) : -1;
+    if (moved < 0) continue;
+    directions.held[moved] = false;
+    const JointGroup& group = topology.groups[topology.group_of[moved]];
+    if (group.block < 0) continue;
+    LoopPartition& partition = directions.partitions[group.block];
+    const int column = static_cast<int>(std::ranges::find(group.joints, moved) - group.joints.begin());
+    std::erase(partition.driven, column);
+    partition.independent.insert(std::ranges::lower_bound(partition.independent, column), column);
+  }
+  return directions;
+}
+
 }  // namespace
 
-void set_actuation(NumericSystem& numbers, const std::vector<Configuration>& configurations,
-                   const std::vector<int>& names, Analysis& analysis) {
+void set_actuation(NumericSystem& numbers, const std::vector<Configuration>& configurations, Analysis& analysis) {
   analysis.actuation = {};
   analysis.unactuated.clear();
   const Model& model = numbers.model();
   if (model.actuators.empty()) return;
+  analysis.directions = directions_of(model, numbers.topology(), analysis);
+  const std::vector<int> names =
+      names_of_directions(numbers.topology(), analysis.directions.partitions, analysis.directions.held);
   LoopPartition& partition = analysis.actuation;
   if (names.empty()) {
     partition.independent.resize(model.actuators.size());

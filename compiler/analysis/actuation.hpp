@@ -6,10 +6,8 @@
 
 namespace mbgen {
 
-/// Sets Analysis::actuation and, where actuators leave free directions without a force, Analysis::unactuated. Pivots
-/// are good over all closed configurations in which actuators move every direction. names: coordinates of the free
-/// directions.
-void set_actuation(NumericSystem& numbers, const std::vector<Configuration>& configurations,
-                   const std::vector<int>& names, Analysis& analysis);
+/// Sets Analysis::directions, Analysis::actuation and, where actuators leave directions without a force,
+/// Analysis::unactuated. Pivots are good over all closed configurations in which actuators move every direction.
+void set_actuation(NumericSystem& numbers, const std::vector<Configuration>& configurations, Analysis& analysis);
 
 }  // namespace mbgen

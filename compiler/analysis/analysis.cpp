@@ -374,7 +374,7 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
                                "give a body above this joint mass and inertia, or drive or remove the joint"));
   }
   if (!problems.empty()) return problems;
-  set_actuation(numbers, configurations, free_coordinates(topology, analysis), analysis);
+  set_actuation(numbers, configurations, analysis);
   return analysis;
 }
 

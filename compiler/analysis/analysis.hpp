@@ -34,7 +34,11 @@ inline bool chooses_again(const Topology& topology) {
 /// Which coordinate names which free direction: the independent, undriven coordinates, group by group.
 std::vector<int> free_coordinates(const Topology& topology, const Analysis& analysis);
 
-/// Whether the actuators of a model move all of its free directions, so that inverse dynamics has a solution.
+/// The same for the directions that actuators move in inverse dynamics: with the coordinates of motions that actuators
+/// give. Requires: the model has actuators.
+std::vector<int> actuated_coordinates(const Topology& topology, const Analysis& analysis);
+
+/// Whether the actuators of a model move all of these directions, so that inverse dynamics has a solution.
 bool has_inverse_dynamics(const Model& model, const Topology& topology, const Analysis& analysis);
 
 /// One diagnostic at the first actuator with the free directions that no actuator moves, none for a model without

@@ -101,6 +101,12 @@ void each_field(Bytes& bytes, Of<Bytes, LoopPartition>& value) {
 }
 
 template <class Bytes>
+void each_field(Bytes& bytes, Of<Bytes, ActuatedDirections>& value) {
+  auto& [partitions, held] = value;
+  take_all(bytes, partitions, held);
+}
+
+template <class Bytes>
 void each_field(Bytes& bytes, Of<Bytes, RankCount>& value) {
   auto& [rank, configurations] = value;
   take_all(bytes, rank, configurations);
@@ -149,10 +155,10 @@ void each_field(Bytes& bytes, Of<Bytes, BlockAnalysis>& value) {
 
 template <class Bytes>
 void each_field(Bytes& bytes, Of<Bytes, Analysis>& value) {
-  auto& [closed, independent, ranks, freedoms, position_freedoms, blocks, driven, motion_of, actuation, unactuated] =
-      value;
-  take_all(bytes, closed, independent, ranks, freedoms, position_freedoms, blocks, driven, motion_of, actuation,
-           unactuated);
+  auto& [closed, independent, ranks, freedoms, position_freedoms, blocks, driven, motion_of, directions, actuation,
+         unactuated] = value;
+  take_all(bytes, closed, independent, ranks, freedoms, position_freedoms, blocks, driven, motion_of, directions,
+           actuation, unactuated);
 }
 
 }  // namespace

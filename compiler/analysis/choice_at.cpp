@@ -80,7 +80,7 @@ std::optional<Analysis> chosen_at(const Model& model, const Topology& topology, 
     block.first_alike = static_cast<int>(b);
   }
   set_quasi_partitions(numbers, here, result);
-  set_actuation(numbers, here, free_coordinates(topology, result), result);
+  set_actuation(numbers, here, result);
   return result;
 }
 

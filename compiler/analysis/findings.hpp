@@ -97,10 +97,11 @@ struct Analysis {
   std::vector<BlockAnalysis> blocks;  ///< one per Topology::blocks
   std::vector<bool> driven;           ///< per tree coordinate
   std::vector<int> motion_of;         ///< per tree coordinate: index into Model::motions or -1
-  /// Pivots of Rz' B: equations are free directions (free_coordinates), coordinates actuators. Its independent columns
+  ActuatedDirections directions;  ///< empty without actuators
+  /// Pivots of Rz' B: equations are directions (actuated_coordinates), coordinates actuators. Its independent columns
   /// are actuators beyond the ones that move every direction.
   LoopPartition actuation;
-  std::vector<int> unactuated;  ///< tree coordinates that name free directions which no actuator moves alone
+  std::vector<int> unactuated;  ///< tree coordinates that name directions which no actuator moves alone
 };
 
 }  // namespace mbgen

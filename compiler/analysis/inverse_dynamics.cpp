@@ -7,7 +7,7 @@ namespace mbgen {
 
 bool has_inverse_dynamics(const Model& model, const Topology& topology, const Analysis& analysis) {
   return !model.actuators.empty() && analysis.unactuated.empty() &&
-         analysis.actuation.pivots.size() == free_coordinates(topology, analysis).size();
+         analysis.actuation.pivots.size() == actuated_coordinates(topology, analysis).size();
 }
 
 Diagnostics unactuated_directions(const Model& model, const Topology& topology, const Analysis& analysis) {
@@ -27,7 +27,7 @@ Diagnostics unactuated_directions(const Model& model, const Topology& topology, 
 }
 
 std::vector<std::string> actuated_directions(const Model& model, const Topology& topology, const Analysis& analysis) {
-  const std::vector<int> directions = free_coordinates(topology, analysis);
+  const std::vector<int> directions = actuated_coordinates(topology, analysis);
   std::vector<std::string> names(directions.size());
   for (const Pivot& pivot : analysis.actuation.pivots)
     names[pivot.equation] =

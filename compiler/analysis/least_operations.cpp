@@ -1,6 +1,7 @@
 // Sizes of the forms before they are written.
 
 #include "compiler/analysis/analysis.hpp"
+#include "compiler/analysis/direction_names.hpp"
 
 namespace mbgen {
 namespace {
@@ -19,15 +20,11 @@ double operations_of_block(const Topology& topology, const Analysis& analysis, c
 }  // namespace
 
 std::vector<int> free_coordinates(const Topology& topology, const Analysis& analysis) {
-  std::vector<int> result;
-  for (const JointGroup& group : topology.groups) {
-    if (group.block < 0) {
-      if (!analysis.driven[group.joints[0]]) result.push_back(group.joints[0]);
-      continue;
-    }
-    for (int c : analysis.blocks[group.block].independent) result.push_back(group.joints[c]);
-  }
-  return result;
+  return names_of_directions(topology, analysis.blocks, analysis.driven);
+}
+
+std::vector<int> actuated_coordinates(const Topology& topology, const Analysis& analysis) {
+  return names_of_directions(topology, analysis.directions.partitions, analysis.directions.held);
 }
 
 LeastOperations least_operations(const Topology& topology, const Analysis& analysis) {

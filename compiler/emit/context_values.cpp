@@ -49,7 +49,8 @@ bool completes_joints(const EmitContext& context) {
   const bool are_on_coordinates = std::ranges::all_of(context.model.actuators, [](const Actuator& actuator) {
     return actuator.joint && !actuator.relative_to && actuator.gear.expression < 0;
   });
-  return layout.actuators > 0 && layout.actuators == layout.free_directions && are_on_coordinates &&
+  return layout.actuators > 0 && layout.actuators == layout.free_directions &&
+         layout.actuated_directions == layout.free_directions && are_on_coordinates &&
          (layout.blocks.empty() ? layout.drives == 0 : layout.chooses_again);
 }
 

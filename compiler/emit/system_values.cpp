@@ -167,6 +167,7 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
   // coordinates at run time to the solver of one instance.
   return {{"blocks", blocks.size()},
           {"free_directions", layout.free_directions},
+          {"actuated_directions", layout.actuated_directions},
           {"first_own_state", watches_states ? std::to_string(first_user_state(context.model)) : ""},
           {"number", name_of(plain(context.options.scalar))},
           {"tolerance", number_text(context.model.solver.closure_tolerance, context.options.scalar)},

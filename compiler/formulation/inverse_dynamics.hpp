@@ -12,44 +12,27 @@ template <class T>
 struct InverseDynamics {
   std::vector<T> zdd;        ///< all accelerations, dependent and driven ones as loops and motions have them
   std::vector<T> force;      ///< per actuator, at its motor: N or N m
-  std::vector<T> clearance;  ///< per free direction: pivot of the actuator that moves it, over its reference
+  std::vector<T> clearance;  ///< per direction: pivot of the actuator that moves it, over its reference
   std::vector<T> quality;    ///< per loop block: smallest pivot over its reference
 };
 
 namespace detail {
 
-/// Projections of all joint groups by the frozen orders, with the accelerations that velocities and motions leave (60)
-/// to (62). partitions: one LoopPartition per block.
-template <class T, class Partitions>
-std::vector<GroupProjection<T>> moving_projections(System<T>& system, const Kinematics<T>& k,
-                                                   const Partitions& partitions, std::vector<T>& quality) {
-  std::vector<GroupProjection<T>> projections;
-  quality.assign(system.topology.blocks.size(), T(1.0));
-  RelativeMotion<T> relative = at_rest<T>(system.topology);
-  std::vector<T> driven(system.topology.bodies.size(), T(0.0));
-  std::vector<bool> is_driven(driven.size(), false);
-  for (const Drive<T>& drive : drives(system)) {
-    driven[drive.coordinate] = drive.acceleration;
-    is_driven[drive.coordinate] = true;
-  }
-  for (const JointGroup& group : system.topology.groups) {
-    std::vector<T> prescribed;
-    for (const int j : group.joints) prescribed.push_back(driven[j]);
-    if (group.block < 0) {
-      projections.push_back({{is_driven[group.joints[0]] ? std::vector<T>{} : std::vector<T>{T(1.0)}}, prescribed});
-      continue;
-    }
-    const LoopBlock& block = system.topology.blocks[group.block];
-    const LoopPartition& partition = partitions[group.block];
-    set_relative_motion(system, k, block, relative);
-    const SparseClosure<T> closed = sparse_closure(system, k, block, relative);
-    const auto heading = within_block(system.annotator, group.block);
-    const FrozenFactors<T> factors = factorise_frozen(closed.jacobian, partition, group.joints.size());
-    quality[group.block] = factors.quality;
-    projections.push_back(
-        {frozen_rz(factors, partition, group.joints.size()), frozen_zdd_star(factors, partition, closed, prescribed)});
-  }
-  return projections;
+/// Accelerations with the prescribed ones of all motions in their places, of held coordinates and of coordinates with a
+/// motion that actuators give.
+template <class T>
+std::vector<T> with_motions(const System<T>& system, std::vector<T> given) {
+  for (const Drive<T>& drive : drives(system)) given[drive.coordinate] = drive.acceleration;
+  return given;
+}
+
+/// Accelerations of held coordinates, zero of the others.
+template <class T>
+std::vector<T> of_held(const std::vector<T>& accelerations, const std::vector<bool>& held) {
+  std::vector<T> result(accelerations.size(), T(0.0));
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i]) result[i] = accelerations[i];
+  return result;
 }
 
 /// Accelerations of the free directions: of the independent coordinates in `given`, per coordinate.
@@ -113,10 +96,9 @@ std::vector<SparseRow<T>> actuation(System<T>& system, const Kinematics<T>& k, c
 
 /// Sign of the determinant of Jacobian and actuators together, but for their orders, at a position: it changes where
 /// actuators pass a singular position, and not where a partition does, det(Phi_d) det(Rz' B). Requires: as many
-/// actuators as free directions.
-template <class Partitions>
-int side_of_actuators(System<double>& system, const Partitions& partitions, const std::vector<bool>& driven,
-                      const LoopPartition& actuators) {
+/// actuators as directions.
+inline int side_of_actuators(System<double>& system, const ActuatedDirections& directions,
+                             const LoopPartition& actuators) {
   const Kinematics<double> k = kinematics(system);
   int side = 1;
   const auto count_signs = [&](const FrozenFactors<double>& factors) {
@@ -125,11 +107,12 @@ int side_of_actuators(System<double>& system, const Partitions& partitions, cons
   const RelativeMotion<double> rest = at_rest<double>(system.topology);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
     const LoopBlock& block = system.topology.blocks[b];
-    count_signs(factorise_frozen(sparse_closure(system, k, block, rest).jacobian, partitions[b], block.joints.size()));
+    count_signs(factorise_frozen(sparse_closure(system, k, block, rest).jacobian, directions.partitions[b],
+                                 block.joints.size()));
   }
-  count_signs(
-      factorise_frozen(actuation(system, k, velocities(system, k), frozen_directions(system, k, partitions, driven)),
-                       actuators, system.model.actuators.size()));
+  count_signs(factorise_frozen(
+      actuation(system, k, velocities(system, k), frozen_directions(system, k, directions.partitions, directions.held)),
+      actuators, system.model.actuators.size()));
   return side;
 }
 
@@ -162,14 +145,15 @@ void make_least(const Model& model, const std::vector<std::vector<T>>& idle, std
 
 }  // namespace detail
 
-/// Forces of the actuators at a consistent state. The forces of actuators by their inputs do not act here. partitions:
-/// one LoopPartition per block; actuators: pivots of Rz' B, equations are free directions, coordinates actuators;
-/// given: accelerations, read at independent coordinates; tau: other generalised forces on the coordinates.
+/// Forces of the actuators at a consistent state. The forces of actuators by their inputs do not act here. directions:
+/// that actuators move; actuators: pivots of Rz' B, equations are directions, coordinates actuators; given:
+/// accelerations, read at independent coordinates without motions; tau: other generalised forces on the coordinates.
 /// Requires: every free direction has a pivot. Cost: as the forces and accelerations of the tree, the factors of the
 /// blocks and of Rz' B.
-template <class T, class Partitions>
-InverseDynamics<T> inverse_dynamics(System<T>& system, const Partitions& partitions, const LoopPartition& actuators,
-                                    const std::vector<T>& given, const std::vector<T>& tau) {
+template <class T>
+InverseDynamics<T> inverse_dynamics(System<T>& system, const ActuatedDirections& directions,
+                                    const LoopPartition& actuators, const std::vector<T>& given,
+                                    const std::vector<T>& tau) {
   const std::vector<T> inputs = system.environment.inputs;
   for (const Actuator& actuator : system.model.actuators)
     if (actuator.input >= 0) system.environment.inputs[actuator.input] = T(0.0);
@@ -182,11 +166,13 @@ InverseDynamics<T> inverse_dynamics(System<T>& system, const Partitions& partiti
   const Inertias<T> m = in(Step::inertias, [&] { return inertias(system, k); });
   const Velocities<T> v = in(Step::velocities, [&] { return velocities(system, k); });
   const AppliedForces<T> forces = in(Step::forces, [&] { return applied_forces(system, k, v); });
-  const std::vector<GroupProjection<T>> projections =
-      in(Step::closure_bias, [&] { return detail::moving_projections(system, k, partitions, result.quality); });
-  result.zdd = in(Step::closure_bias, [&] {
-    return joint_accelerations(system.topology, projections,
-                               detail::free_accelerations(system.topology, partitions, projections, given));
+  const std::vector<GroupProjection<T>> projections = in(Step::closure_bias, [&] {
+    const std::vector<T> moved = detail::with_motions(system, given), held = detail::of_held(moved, directions.held);
+    std::vector<GroupProjection<T>> found =
+        frozen_directions(system, k, directions.partitions, directions.held, &result.quality, &held);
+    result.zdd = joint_accelerations(system.topology, found,
+                                     detail::free_accelerations(system.topology, directions.partitions, found, moved));
+    return found;
   });
   const std::vector<T> left = in(Step::accelerations, [&] {
     return tree_forces(system, k, m, v, accelerations(system, k, v, result.zdd), forces, tau);

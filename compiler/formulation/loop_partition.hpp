@@ -20,4 +20,10 @@ struct LoopPartition {
   std::vector<Pivot> pivots;     ///< frozen elimination order, block-triangular then Markowitz
 };
 
+/// The directions that actuators move in inverse dynamics: the free ones, and those of motions that actuators give.
+struct ActuatedDirections {
+  std::vector<LoopPartition> partitions;  ///< one per block, coordinates of such motions independent
+  std::vector<bool> held;                 ///< per tree coordinate: by other motions
+};
+
 }  // namespace mbgen

@@ -255,33 +255,6 @@ std::vector<std::vector<T>> frozen_rz(const FrozenFactors<T>& factors, const Loo
   return frozen_rz(factors, partition, coordinates, partition.independent);
 }
 
-/// Rz of every joint group at a position by the frozen order, zdd_star zero. partitions: one LoopPartition per block;
-/// driven: per tree coordinate; quality: per block, of its factors, for monitors. Cost: as the closures.
-template <class T, class Partitions>
-std::vector<GroupProjection<T>> frozen_directions(System<T>& system, const Kinematics<T>& k,
-                                                  const Partitions& partitions, const std::vector<bool>& driven,
-                                                  std::vector<T>* quality = nullptr) {
-  std::vector<GroupProjection<T>> projections;
-  if (quality) quality->assign(system.topology.blocks.size(), T(1.0));
-  const RelativeMotion<T> rest = at_rest<T>(system.topology);
-  for (const JointGroup& group : system.topology.groups) {
-    GroupProjection<T> p;
-    if (group.block < 0) {
-      p.rz = {driven[group.joints[0]] ? std::vector<T>{} : std::vector<T>{T(1.0)}};
-    } else {
-      const LoopPartition& partition = partitions[group.block];
-      const SparseClosure<T> closed = sparse_closure(system, k, system.topology.blocks[group.block], rest);
-      const std::size_t coordinates = group.joints.size();
-      const FrozenFactors<T> factors = factorise_frozen(closed.jacobian, partition, coordinates);
-      if (quality) (*quality)[group.block] = factors.quality;
-      p.rz = frozen_rz(factors, partition, coordinates);
-    }
-    p.zdd_star.assign(group.joints.size(), T(0.0));
-    projections.push_back(std::move(p));
-  }
-  return projections;
-}
-
 /// zdd_star of a block by the frozen order: dependent accelerations for zero free and given driven ones (62).
 template <class T>
 std::vector<T> frozen_zdd_star(const FrozenFactors<T>& factors, const LoopPartition& partition,
@@ -292,6 +265,40 @@ std::vector<T> frozen_zdd_star(const FrozenFactors<T>& factors, const LoopPartit
       coordinates);
   for (int c : partition.driven) x[c] = driven_acceleration[c];
   return x;
+}
+
+/// Rz of every joint group at a position by the frozen order, zdd_star zero. partitions: one LoopPartition per block;
+/// driven: per tree coordinate; quality: per block, of its factors, for monitors; prescribed: accelerations of driven
+/// coordinates, per coordinate, which zdd_star then has. Cost: as the closures.
+template <class T, class Partitions>
+std::vector<GroupProjection<T>> frozen_directions(System<T>& system, const Kinematics<T>& k,
+                                                  const Partitions& partitions, const std::vector<bool>& driven,
+                                                  std::vector<T>* quality = nullptr,
+                                                  const std::vector<T>* prescribed = nullptr) {
+  std::vector<GroupProjection<T>> projections;
+  if (quality) quality->assign(system.topology.blocks.size(), T(1.0));
+  RelativeMotion<T> relative = at_rest<T>(system.topology);
+  for (const JointGroup& group : system.topology.groups) {
+    GroupProjection<T> p;
+    p.zdd_star.assign(group.joints.size(), T(0.0));
+    if (prescribed)
+      for (std::size_t c = 0; c < group.joints.size(); ++c) p.zdd_star[c] = (*prescribed)[group.joints[c]];
+    if (group.block < 0) {
+      p.rz = {driven[group.joints[0]] ? std::vector<T>{} : std::vector<T>{T(1.0)}};
+    } else {
+      const LoopPartition& partition = partitions[group.block];
+      const LoopBlock& block = system.topology.blocks[group.block];
+      if (prescribed) set_relative_motion(system, k, block, relative);
+      const SparseClosure<T> closed = sparse_closure(system, k, block, relative);
+      const std::size_t coordinates = group.joints.size();
+      const FrozenFactors<T> factors = factorise_frozen(closed.jacobian, partition, coordinates);
+      if (quality) (*quality)[group.block] = factors.quality;
+      p.rz = frozen_rz(factors, partition, coordinates);
+      if (prescribed) p.zdd_star = frozen_zdd_star(factors, partition, closed, p.zdd_star);
+    }
+    projections.push_back(std::move(p));
+  }
+  return projections;
 }
 
 }  // namespace mbgen

@@ -28,6 +28,7 @@ struct Motion {
   Where where;
   CoordinateReference joint;
   Quantity position;  ///< rad or m, of t, parameters, inputs
+  bool is_actuated = false;  ///< inverse dynamics finds forces of actuators in place of the driving force
 };
 
 }  // namespace mbgen

@@ -207,6 +207,7 @@ struct VehicleFields : Vehicle {
 
 struct MotionFields : Motion {
   std::optional<Quantity> angle, displacement;
+  const Value* actuated_by = nullptr;  ///< names of actuators
 };
 
 enum class Quantities {

@@ -171,12 +171,13 @@ void read_sections(Reader& reader) {
   ComposedParts made;
   compose_bars(reader, entries(&FileFields::anti_roll_bars), made);
   compose_beams(reader, entries(&FileFields::beams), made);
+  compose_rotors(reader, actuators, made);
   read_bodies(reader, with_composed(reader, entries(&FileFields::bodies), made.bodies));
   reader.has_bodies = true;
   read_joints(reader, with_composed(reader, entries(&FileFields::joints), made.joints));
   check_inertias(reader);
   read_rods(reader, with_composed(reader, entries(&FileFields::rods), made.rods), actuators);
-  read_couplings(reader, entries(&FileFields::couplings));
+  read_couplings(reader, with_composed(reader, entries(&FileFields::couplings), made.couplings));
   std::array<Entries, ElementKinds::count> elements;
   each_section([&]<class Kind>(KindOf<Kind>) { elements[kKindIndex<Kind>] = entries(&SectionOf<Kind>::section); });
   Entries &springs = elements[kKindIndex<JointSpring>], &bushings = elements[kKindIndex<Bushing>];
@@ -192,7 +193,9 @@ void read_sections(Reader& reader) {
   reader.tyre_data = entries(&FileFields::tyre_data);
   each_section([&]<class Kind>(KindOf<Kind>) { section_of(Leader<Kind>()).read(reader, elements[kKindIndex<Kind>]); });
   check_state_names(reader, states);
-  read_motions(reader, entries(&FileFields::motions));
+  const Entries motions = entries(&FileFields::motions);
+  read_motions(reader, motions);
+  act_on_motions(reader, actuators, motions);
   make_second_rates(reader);
   read_axles(reader, entries(&FileFields::axles));
   read_vehicle(reader, parts_of(reader, 0, &FileFields::vehicle));

@@ -34,6 +34,10 @@ std::span<const Field<MotionFields>> fields<MotionFields>() {
                                   .doc = "displacement over t, of a translation",
                                   .unit = "m",
                                   .depends = Depends::motion}),
+      field<F, &F::actuated_by>({.name = "actuated_by",
+                                 .shape = Shape::paths,
+                                 .doc = "actuators that give the motion: inverse dynamics finds their forces in place "
+                                        "of the driving force"}),
   };
   return table;
 }

@@ -26,7 +26,10 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
   layout.parameters = static_cast<int>(std::ranges::count_if(model.parameters, &Parameter::tunable));
   layout.outputs = static_cast<int>(model.outputs.size());
   layout.free_directions = static_cast<int>(free_coordinates(topology, analysis).size());
-  if (has_inverse_dynamics(model, topology, analysis)) layout.actuators = static_cast<int>(model.actuators.size());
+  if (has_inverse_dynamics(model, topology, analysis)) {
+    layout.actuators = static_cast<int>(model.actuators.size());
+    layout.actuated_directions = static_cast<int>(actuated_coordinates(topology, analysis).size());
+  }
   layout.has_closure = !topology.loops.empty() || !model.motions.empty();
   layout.chooses_again = chooses_again(topology);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
@@ -63,7 +66,8 @@ int size_of(const SolverLayout& layout, Array array) {
       {{Jz}, layout.jacobian_entries},
       {{Rz}, layout.projection_entries},
       {{pivot}, static_cast<int>(layout.blocks.size())},
-      {{inertia, actuation}, layout.free_directions},
+      {{inertia}, layout.free_directions},
+      {{actuation}, layout.actuated_directions},
       {{force}, layout.actuators},
       {{state_pivot}, layout.own_states},
       {{in}, layout.inputs},

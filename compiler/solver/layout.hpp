@@ -23,6 +23,7 @@ struct SolverLayout {
   int inputs = 0, parameters = 0, outputs = 0;  ///< of the model; the tunable parameters only
   int free_directions = 0;
   int actuators = 0;          ///< with inverse dynamics
+  int actuated_directions = 0;
   int balls = 0;              ///< with charts
   int own_states = 0;         ///< auxiliary states of the user's own
   int sampled = 0, held = 0;  ///< sampled values; the last auxiliary states, which these are and wait in

@@ -11,7 +11,7 @@ Program trace_inverse_dynamics(const Model& model, const Topology& topology, con
   const std::vector<Expr> given = tracing.inputs(Array::zdd, tracing.size());
   const std::vector<Expr> tau = tracing.inputs(Array::tau, tracing.size());
   const InverseDynamics<Expr> inverse =
-      inverse_dynamics(tracing.system, analysis.blocks, analysis.actuation, given, tau);
+      inverse_dynamics(tracing.system, analysis.directions, analysis.actuation, given, tau);
   tracing.outputs(Array::zdd, inverse.zdd);
   tracing.outputs(Array::force, inverse.force);
   tracing.outputs(Array::actuation, inverse.clearance);

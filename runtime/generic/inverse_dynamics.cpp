@@ -11,7 +11,7 @@ Status GenericSolver::inverse_dynamics(const GenericState& state, const std::vec
   if (const int bad = first_not_finite(derivative.zdd); bad >= 0) return {Code::not_a_number, bad};
   const Analysis& analysis = equations.analysis;
   InverseDynamics<double> inverse =
-      mbgen::inverse_dynamics(equations.system(state), analysis.blocks, analysis.actuation, derivative.zdd, tau);
+      mbgen::inverse_dynamics(equations.system(state), analysis.directions, analysis.actuation, derivative.zdd, tau);
   for (std::size_t b = 0; b < inverse.quality.size(); ++b)
     if (!(inverse.quality[b] >= kPivotThreshold<double>)) return {Code::loop_singular, static_cast<int>(b)};
   for (std::size_t q = 0; q < inverse.clearance.size(); ++q)
@@ -26,7 +26,7 @@ Status GenericSolver::inverse_dynamics(const GenericState& state, const std::vec
 int GenericSolver::side_of_actuators(const GenericState& state) const {
   const Analysis& analysis = equations_->analysis;
   if (!analysis.actuation.independent.empty()) return 0;
-  return mbgen::side_of_actuators(equations_->system(state), analysis.blocks, analysis.driven, analysis.actuation);
+  return mbgen::side_of_actuators(equations_->system(state), analysis.directions, analysis.actuation);
 }
 
 }  // namespace mbgen

@@ -70,6 +70,16 @@ Row driven_distance(const End& from, const End& to, const Jet<double>& length) {
   return row;
 }
 
+/// A rod that an actuator moves: its length is that at the reference and the coordinate of its slide.
+Row sliding_distance(const End& from, const End& to, double length, const JointCoordinate& slide) {
+  const double now = length + slide.row.residual;
+  Row row = distance(from, to, now);
+  row.further.emplace_back(slide.row.from, -slide.row.on_from);
+  row.further.emplace_back(slide.row.to, -slide.row.on_to);
+  row.bias += slide.zd * slide.zd / now - slide.row.bias;
+  return row;
+}
+
 /// A massless rod has constant length; a massive one is a body with a spherical joint at each end, without spin.
 void add_rod(const PartRod& rod, int ground, const std::vector<Moving>& bodies, std::vector<Row>& rows) {
   const End from = end_of(bodies, rod.from), to = end_of(bodies, rod.to);
@@ -166,7 +176,13 @@ using namespace cartesian;
 std::vector<Row> CartesianMechanism::equations_at(const std::vector<Moving>& bodies, const Values& values) const {
   std::vector<Row> rows;
   for (const PartJoint& joint : parts.joints) add_joint(joint, bodies, rows);
-  for (const PartRod& rod : parts.rods) {
+  for (std::size_t r = 0; r < parts.rods.size(); ++r) {
+    const PartRod& rod = parts.rods[r];
+    if (const int slide = model.rods[r].drive; rod.motion < 0 && slide >= 0) {
+      rows.push_back(sliding_distance(end_of(bodies, rod.from), end_of(bodies, rod.to), rod.length,
+                                      coordinates_of(slide, bodies, *values.z)[0]));
+      continue;
+    }
     if (rod.motion < 0) {
       add_rod(rod, parts.ground(), bodies, rows);
       continue;

@@ -65,4 +65,10 @@ inline double difference(const Mechanism& a, const Mechanism& b, const std::vect
   return error;
 }
 
+/// Whether a note of an import contains a text.
+inline bool has_note(const ImportedModel& model, const std::string& part) {
+  return std::any_of(model.notes.begin(), model.notes.end(),
+                     [&](const Diagnostic& note) { return note.message.find(part) != std::string::npos; });
+}
+
 }  // namespace mbgen::testing

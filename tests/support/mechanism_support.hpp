@@ -63,11 +63,11 @@ inline Result<Model> grown(const std::string& kind, int size, const std::string&
 inline Mechanism load(const std::string& relative) { return analysed(read_model_file(source_path(relative))); }
 inline Mechanism mechanism_of(const std::string& text) { return analysed(read_model(text, "test.json")); }
 
-/// Every model of models/, its iftomm/ and published/, and tests/data/models, relative to the source folder, in
-/// alphabetical order; parts that models include are in folders below.
+/// Every model of models/, its iftomm/, published/ and robots/, and tests/data/models, relative to the source folder,
+/// in alphabetical order; parts that models include are in folders below.
 inline std::vector<std::string> all_models() {
   std::vector<std::string> paths;
-  for (const char* folder : {"models", "models/iftomm", "models/published", "tests/data/models"}) {
+  for (const char* folder : {"models", "models/iftomm", "models/published", "models/robots", "tests/data/models"}) {
     if (!std::filesystem::exists(source_path(folder))) continue;
     for (const auto& entry : std::filesystem::directory_iterator(source_path(folder)))
       if (entry.path().extension() == ".json")

@@ -15,6 +15,7 @@
 #include "workbench/engines/kept_decisions.hpp"
 #include "workbench/host/assignments.hpp"
 #include "workbench/host/files.hpp"
+#include "workbench/host/message.hpp"
 #include "workbench/motion/inverse_motion.hpp"
 #include "workbench/motion/reactions.hpp"
 #include "workbench/start/states_file.hpp"
@@ -86,31 +87,64 @@ double acceleration_residual(const std::vector<double>& given, const std::vector
   return largest;
 }
 
+/// {actuator: value}.
+Json by_actuators(const Model& model, const std::vector<double>& values) {
+  Json result = Json::object();
+  for (std::size_t i = 0; i < values.size(); ++i) result[model.actuators[i].name] = values[i];
+  return result;
+}
+
+/// {actuator: how far its force is beyond its limit}, of those beyond.
+Json beyond_limits_json(const Model& model, const std::vector<double>& force) {
+  const std::vector<double> beyond = beyond_limits(model, force);
+  Json result = Json::object();
+  for (std::size_t i = 0; i < beyond.size(); ++i)
+    if (beyond[i] != 0) result[model.actuators[i].name] = beyond[i];
+  return result;
+}
+
 Json inverse_of_state(const Engine& engine, const Compilation& compilation, const StatesFile& file,
                       const FileState& asked, const EvaluateOptions& options) {
   LoadedState at = asked.at;
-  GenericDerivative derivative{{}, std::vector<double>(at.state.x.size(), 0.0)};
-  std::vector<double> force;
   engine.set_inputs(asked.inputs);
-  Status status = options.project ? engine.project(at.state) : Status{};
-  if (status.ok()) status = actuator_forces(engine, compilation, at, asked.given_zdd, derivative, force);
+  InverseMotion motion;
+  if (options.project) {
+    GenericSolver poses(compilation.model, compilation.topology, compilation.analysis);
+    poses.set_inputs(asked.inputs);
+    motion.status = close_around(poses, compilation, asked.given_zdd, at.state);
+  }
+  if (motion.ok()) motion = actuator_forces(engine, compilation, asked.inputs, at, asked.given_zdd);
+  const bool is_good = motion.ok();
   Json result;
-  Json actuators = Json::object();
-  for (std::size_t i = 0; i < force.size(); ++i) actuators[compilation.model.actuators[i].name] = force[i];
-  result["actuators"] = status.ok() ? actuators : Json(nullptr);
-  result["zdd"] = status.ok() ? Json(in_file_order(file, derivative.zdd)) : Json(nullptr);
-  result["status"] = describe(compilation, status);
+  result["actuators"] = is_good ? by_actuators(compilation.model, motion.force) : Json(nullptr);
+  if (std::ranges::any_of(compilation.model.actuators, [](const auto& one) { return one.limit.has_value(); }))
+    result["beyond_limit"] = is_good ? beyond_limits_json(compilation.model, motion.force) : Json(nullptr);
+  result["zdd"] = is_good ? Json(in_file_order(file, motion.derivative.zdd)) : Json(nullptr);
+  result["status"] = describe(compilation, motion);
+  if (const std::string hint = hint_of(motion); !hint.empty()) result["hint"] = hint;
   Residuals residuals;
   const bool has_residuals = engine.residuals(at.state, residuals).ok();
   result["position_residual"] = has_residuals ? number_or_null(residuals.position) : Json(nullptr);
   result["velocity_residual"] = has_residuals ? number_or_null(residuals.velocity) : Json(nullptr);
   result["acceleration_residual"] =
-      status.ok() ? Json(acceleration_residual(asked.given_zdd, derivative.zdd)) : Json(nullptr);
-  if (options.project && status.ok()) {
+      is_good ? Json(acceleration_residual(asked.given_zdd, motion.derivative.zdd)) : Json(nullptr);
+  if (options.project && is_good) {
     result["z"] = in_file_order(file, at.state.z);
     result["zd"] = in_file_order(file, at.state.zd);
   }
   return result;
+}
+
+/// Names the states whose given accelerations leave others open, on standard error. Result: the exit code.
+int told_open(const std::string& file, const Json& states) {
+  int exit_code = kDone;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (!states[i].contains("hint")) continue;
+    print_message("{}: /states/{}: {}\n  hint: {}\n", file, i, states[i]["status"].get<std::string>(),
+                  states[i]["hint"].get<std::string>());
+    exit_code = kUserFault;
+  }
+  return exit_code;
 }
 
 int run(const EvaluateOptions& options) {
@@ -133,7 +167,7 @@ int run(const EvaluateOptions& options) {
   for (const FileState& state : file.states)
     result["states"].push_back(evaluate(engine, compilation, file, state, options));
   print(result.dump() + "\n");
-  return kDone;
+  return options.inverse ? told_open(options.states, result["states"]) : kDone;
 }
 
 }  // namespace

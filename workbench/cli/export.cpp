@@ -26,6 +26,7 @@
 #include "workbench/host/process.hpp"
 #include "workbench/host/temporary_directory.hpp"
 #include "workbench/host/zip_archive.hpp"
+#include "workbench/motion/path_forces.hpp"
 #include "workbench/start/initial_state.hpp"
 
 namespace mbgen::cli {
@@ -103,8 +104,9 @@ void refuse_pole(const Compilation& compilation, const InitialState& initial) {
 int run(const ExportOptions& options) {
   if (is_standard_output(options.file))
     throw UserError("--out: an FMU is no text for standard output, name a file\n  hint: a file of this name is ./-\n");
-  const Compilation compilation =
-      compiled(read_set_model(options.model, options.set), {.form = chosen_form(options.form)});
+  Model model = read_set_model(options.model, options.set);
+  add_actuator_outputs(model);
+  const Compilation compilation = compiled(std::move(model), {.form = chosen_form(options.form)});
   print_notes(compilation.model.notes);
   print_notes(renamed_notes(compilation.model));
   note_rolling(compilation);

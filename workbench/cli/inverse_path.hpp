@@ -15,6 +15,8 @@ struct InversePathOptions {
   std::vector<std::string> set;
   EngineArguments engine;
   SimulationArguments simulation;
+  long every = 1;
+  bool json = false;
 };
 
 /// Fails: UserError for a model without inverse dynamics.

@@ -113,15 +113,12 @@ SolverSettings::Integrator chosen_integrator(const Model& model, const SimulateO
 int run_inverse(const SimulateOptions& options) {
   const std::pair<const char*, bool> others[] = {{"--manoeuvre", !options.manoeuvre.empty()},
                                                  {"--tolerance", options.tolerance.has_value()},
-                                                 {"--every", options.every != 1},
-                                                 {"--json", options.json},
                                                  {"--format", !options.format.empty() && options.format != "csv"},
-                                                 {"--duration", options.simulation.duration.has_value()},
                                                  {"--integrator", !options.simulation.integrator.empty()}};
   for (const auto& [name, is_given] : others)
     if (is_given) throw UserError(fmt::format("simulate --inverse: {} is of a motion: leave it out\n", name));
-  return run_inverse_path(
-      {options.model, options.path, options.form, options.file, options.set, options.engine, options.simulation});
+  return run_inverse_path({options.model, options.path, options.form, options.file, options.set, options.engine,
+                           options.simulation, options.every, options.json});
 }
 
 /// Fails: UserError for options whose motion has no derivatives.
@@ -248,8 +245,10 @@ void add_simulate(NamedCommand application, int& exit_code) {
                      "of cvode and cvode-adams: error of a step, relative, and absolute in SI units (default 1e-6)");
   command.add_flag("--inverse", options->inverse,
                    "the forces of the actuators along --path, in place of a motion (docs/use/actuators.md)");
-  command.add_option("--path", options->path,
-                     "of --inverse: table (CSV) of coordinates over time, splined; columns t and names of coordinates");
+  command.add_option(
+      "--path", options->path,
+      "of --inverse: table (CSV) of coordinates over time, splined; columns t and names of coordinates; not "
+      "needed where motions determine all");
   command
       .add_option("--sensitivities", options->sensitivities,
                   "parameters, separated by commas: columns with the exact derivatives of all outputs by them "

@@ -1,5 +1,6 @@
 // The Cartesian judges as engines. All that they give is their own: nothing of it comes from the recursive formulation.
 
+#include <algorithm>
 #include <memory>
 
 #include "workbench/engines/engine.hpp"
@@ -14,6 +15,38 @@ long long time_accelerations(const CartesianSolver& solver, const std::vector<Lo
     for (const LoadedState& one : at) failures += solver.accelerations(one.state, one.tau, derivative).ok() ? 0 : 1;
   }
   return failures;
+}
+
+/// The judge of inverse dynamics: without the motions that actuators give.
+std::shared_ptr<CartesianSolver> without_actuated_motions(const Compilation& compilation, CartesianMethod method,
+                                                          const std::shared_ptr<CartesianSolver>& judge) {
+  if (std::ranges::none_of(compilation.model.motions, &Motion::is_actuated)) return judge;
+  Model model = compilation.model;
+  std::erase_if(model.motions, [](const Motion& motion) { return motion.is_actuated; });
+  model.outputs.clear();
+  return std::make_shared<CartesianSolver>(model, compilation.topology, method, Stabilisation::projection);
+}
+
+/// Coordinates of motions get the accelerations that the whole judge finds for them.
+void add_inverse_dynamics(const Compilation& compilation, CartesianMethod method,
+                          const std::shared_ptr<CartesianSolver>& judge, Engine& engine) {
+  const auto freed = without_actuated_motions(compilation, method, judge);
+  engine.set_inputs = [judge, freed](const std::vector<double>& inputs) {
+    judge->set_inputs(inputs);
+    freed->set_inputs(inputs);
+  };
+  if (!has_inverse_dynamics(compilation.model, compilation.topology, compilation.analysis)) return;
+  engine.inverse_dynamics = [judge, freed, driven = compilation.analysis.driven,
+                             moved = actuated_coordinates(compilation.topology, compilation.analysis)](
+                                const LoadedState& at, GenericDerivative& derivative, std::vector<double>& force) {
+    GenericDerivative wanted = derivative, forward;
+    Status status = freed == judge ? Status{} : judge->accelerations(at.state, at.tau, forward);
+    for (std::size_t i = 0; i < forward.zdd.size() && status.ok(); ++i)
+      if (driven[i]) wanted.zdd[i] = forward.zdd[i];
+    if (status.ok()) status = freed->inverse_dynamics(at.state, at.tau, moved, wanted, force);
+    if (status.ok()) derivative = std::move(wanted);
+    return status;
+  };
 }
 
 }  // namespace
@@ -50,15 +83,10 @@ Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice&
                              std::vector<std::array<double, 6>>& wrenches) {
     return judge->reactions(at.state, at.tau, wrenches);
   };
-  if (has_inverse_dynamics(compilation.model, compilation.topology, compilation.analysis))
-    engine.inverse_dynamics = [judge, independent = free_coordinates(compilation.topology, compilation.analysis)](
-                                  const LoadedState& at, GenericDerivative& derivative, std::vector<double>& force) {
-      return judge->inverse_dynamics(at.state, at.tau, independent, derivative, force);
-    };
+  add_inverse_dynamics(compilation, method, judge, engine);
   engine.residuals = [judge](const GenericState& state, Residuals& largest) {
     return judge->residuals(state, largest.position, largest.velocity);
   };
-  engine.set_inputs = [judge](const std::vector<double>& inputs) { judge->set_inputs(inputs); };
   engine.time_accelerations = [judge](const std::vector<LoadedState>& at, int repetitions) {
     return time_accelerations(*judge, at, repetitions);
   };

@@ -3,6 +3,7 @@
 // global axes. Points written from it coincide at the reference for any frames of the format.
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -71,6 +72,13 @@ struct JointForceDraft {
   std::string name, coordinate, force;
 };
 
+/// A motor on a coordinate.
+struct ActuatorDraft {
+  std::string name, coordinate;
+  double gear = 1;
+  double limit = std::numeric_limits<double>::infinity();  ///< of the motor, N m or N
+};
+
 /// A constraint between coordinates: an expression equal to zero.
 struct CouplingDraft {
   std::string name, relation;
@@ -98,6 +106,7 @@ struct Assembly {
   std::vector<FrictionDraft> frictions;
   std::vector<InputDraft> inputs;
   std::vector<JointForceDraft> joint_forces;
+  std::vector<ActuatorDraft> actuators;
   std::vector<CouplingDraft> couplings;
   std::vector<StateDraft> states;
   std::vector<StopDraft> stops;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "workbench/import/mjcf.hpp"
 
@@ -180,6 +181,19 @@ std::optional<MjcfLength> pulled_by(Mjcf& mjcf, const Element& actuator) {
   return MjcfLength{{{1.0, found->second}}};
 }
 
+/// Limit of a motor by its ranges, whose larger end counts; infinite without one.
+double limit_of(Mjcf& mjcf, const Element& motor) {
+  double limit = std::numeric_limits<double>::infinity();
+  for (const char* name : {"ctrlrange", "forcerange"}) {
+    const Attribute* written = inherited(mjcf, motor, "", name);
+    const auto range = written ? numbers(mjcf.reading, *written, 2, 2) : std::nullopt;
+    if (!range) continue;
+    const double larger = std::max(std::abs((*range)[0]), std::abs((*range)[1]));
+    if (larger > 0) limit = std::min(limit, larger);
+  }
+  return limit;
+}
+
 void add_actuator(Mjcf& mjcf, const Element& actuator) {
   static constexpr std::array<std::string_view, 4> known = {"motor", "position", "velocity", "general"};
   require_class(mjcf, actuator, "class");
@@ -205,6 +219,11 @@ void add_actuator(Mjcf& mjcf, const Element& actuator) {
   const std::string written = text_of(actuator, "name"), unit = unit_of(actuator, *length, gear);
   const std::string name =
       unique_name(written.empty() ? length->parts.front().second.coordinate + "_motor" : written, assembly.input_names);
+  if (actuator.name == "motor" && length->parts.size() == 1 && gear != 0) {
+    const auto& [factor, joint] = length->parts.front();
+    assembly.actuators.push_back({name, joint.coordinate, gear * factor, limit_of(mjcf, actuator)});
+    return;
+  }
   assembly.inputs.push_back({name, unit});
   std::string acting = name;
   if (law->time_constant > 0) {

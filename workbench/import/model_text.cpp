@@ -150,11 +150,20 @@ std::string section(std::string_view name, const std::vector<std::string>& entri
   return fmt::format(",\n  \"{}\": {{\n{}\n  }}", name, fmt::join(entries, ",\n"));
 }
 
+std::string actuator_text(const ActuatorDraft& actuator) {
+  std::string text = fmt::format("    \"{}\": {{ \"joint\": \"{}\"", actuator.name, actuator.coordinate);
+  if (actuator.gear != 1) text += fmt::format(", \"gear\": {}", number_text(actuator.gear));
+  if (std::isfinite(actuator.limit)) text += fmt::format(", \"limit\": {}", number_text(actuator.limit));
+  return text + " }";
+}
+
 }  // namespace
 
 std::string model_text(const Assembly& assembly) {
   std::vector<BodyDraft> bodies = assembly.bodies;
-  std::vector<std::string> body_lines, joints, springs, frictions, inputs, forces, shapes, couplings, states, stops;
+  std::vector<std::string> body_lines, joints, springs, frictions, inputs, forces, shapes, couplings, states, stops,
+      actuators;
+  for (const ActuatorDraft& actuator : assembly.actuators) actuators.push_back(actuator_text(actuator));
   for (const JointDraft& joint : assembly.joints) joints.push_back(joint_text(joint, bodies));
   for (const ShapeDraft& shape : assembly.shapes) shapes.push_back(shape_text(shape, bodies));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -181,7 +190,7 @@ std::string model_text(const Assembly& assembly) {
   text += section("inputs", inputs) + section("bodies", body_lines) + section("joints", joints) +
           section("couplings", couplings) + section("states", states);
   text += section("joint_springs", springs) + section("frictions", frictions) + section("bump_stops", stops) +
-          section("joint_forces", forces) + section("shapes", shapes);
+          section("joint_forces", forces) + section("actuators", actuators) + section("shapes", shapes);
   if (assembly.step > 0) text += fmt::format(",\n  \"solver\": {{ \"step\": {} }}", number_text(assembly.step));
   return text + "\n}\n";
 }

@@ -73,6 +73,7 @@ void import_urdf(Reading& reading, const Element& root, Assembly& assembly) {
   assemble_robot(reading, robot, loops, assembly);
   if (!reading.problems.empty()) return;
   add_loops(reading, loops, robot, assembly);
+  add_transmissions(reading, root, robot, assembly);
   add_visuals(reading, root, robot, assembly);
   check_inertias(reading, assembly);
   if (!assembly.frictions.empty()) {

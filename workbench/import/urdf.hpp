@@ -30,6 +30,7 @@ struct UrdfJoint {
   double lower = -std::numeric_limits<double>::infinity(), upper = -lower;  ///< rad or m, by <limit>
   int leader = -1;                                                          ///< leader of <mimic>
   double multiplier = 1, offset = 0;  ///< position = multiplier * leader's + offset
+  std::string coordinate = {};        ///< in the assembly, "" of a joint that has not one or closes a loop
 };
 
 struct UrdfRobot {
@@ -103,6 +104,10 @@ void assemble_robot(Reading& reading, UrdfRobot& robot, const std::vector<UrdfLo
 
 /// Adds visuals of links as shapes. Requires: the robot is assembled.
 void add_visuals(Reading& reading, const Element& root, const UrdfRobot& robot, Assembly& assembly);
+
+/// Motors of <transmission> elements with one joint and one actuator, and of joints with a command in <ros2_control>.
+/// Requires: the robot is assembled.
+void add_transmissions(Reading& reading, const Element& root, const UrdfRobot& robot, Assembly& assembly);
 
 /// The whole translation. Problems and notes are added.
 void import_urdf(Reading& reading, const Element& root, Assembly& assembly);

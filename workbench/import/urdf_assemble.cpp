@@ -340,7 +340,10 @@ void assemble_robot(Reading& reading, UrdfRobot& robot, const std::vector<UrdfLo
   std::map<int, std::string> coordinate_of;
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     add_joint(reading, robot, static_cast<int>(i), assembly);
-    if (!assembly.joints.back().cut) coordinate_of[static_cast<int>(i)] = assembly.joints.back().name;
+    const JointDraft& made = assembly.joints.back();
+    if (made.cut) continue;
+    coordinate_of[static_cast<int>(i)] = made.name;
+    if (made.type == JointType::revolute || made.type == JointType::prismatic) robot.joints[i].coordinate = made.name;
   }
   add_mimics(reading, robot, coordinate_of, assembly);
   note_massless(reading, robot);

@@ -77,9 +77,17 @@ pugi::xml_node parse(Loader& loader, pugi::xml_document& document, int file) {
   return document.document_element();
 }
 
+std::string trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  return first == text.npos ? std::string()
+                            : std::string(text.substr(first, text.find_last_not_of(kBlanks) - first + 1));
+}
+
 Element element_of(const Loader& loader, const pugi::xml_node& node, int file) {
   Element element;
   element.name = node.name();
+  element.text = trimmed(node.child_value());
   element.spot = {file, static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0))};
   const std::string& text = loader.reading.sources[static_cast<std::size_t>(file)].text;
   const std::vector<std::size_t> offsets = attribute_offsets(text, element.spot.offset);

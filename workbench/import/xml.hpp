@@ -28,6 +28,7 @@ struct Element {
   Spot spot;
   std::vector<Attribute> attributes;
   std::vector<Element> children;
+  std::string text = {};  ///< between its tags, without blanks around it
 };
 
 /// A file with its text.

@@ -42,9 +42,23 @@ int find_input(const Line& line, const Model& model, const std::string& name) {
                         hint.starts_with("did") ? "; " + hint : ""));
 }
 
+/// The actuator of a column actuator.NAME.force, "" for others.
+std::string_view actuator_of(std::string_view name) {
+  constexpr std::string_view kBefore = "actuator.", kAfter = ".force";
+  if (!name.starts_with(kBefore) || !name.ends_with(kAfter) || name.size() <= kBefore.size() + kAfter.size()) return "";
+  return name.substr(kBefore.size(), name.size() - kBefore.size() - kAfter.size());
+}
+
+/// Whether a table is one of forces along a path: its other columns are no inputs.
+bool holds_forces(const std::vector<std::string>& fields) {
+  return std::ranges::any_of(fields,
+                             [](const std::string& field) { return !actuator_of(heading_of(field).name).empty(); });
+}
+
 void read_header(const Line& line, const std::vector<std::string>& fields, const Model& model, InputTable& table) {
   table.path = line.path;
   table.header = line.place();
+  table.width = fields.size();
   const Heading time = heading_of(fields[0]);
   if (time.name != "t") {
     line.fail(fmt::format("the first column must be \"t\", found {}{}", in_quotes(time.name),
@@ -52,8 +66,11 @@ void read_header(const Line& line, const std::vector<std::string>& fields, const
   }
   check_unit(line, time, "s");
   if (fields.size() == 1) line.fail("there is no column of an input");
+  const bool of_forces = holds_forces(fields);
   for (std::size_t c = 1; c < fields.size(); ++c) {
-    const Heading heading = heading_of(fields[c]);
+    Heading heading = heading_of(fields[c]);
+    if (of_forces) heading.name = actuator_of(heading.name);
+    if (heading.name.empty()) continue;
     const int input = find_input(line, model, heading.name);
     check_unit(line, heading, model.inputs[input].unit);
     const auto is_same = [input](const InputColumn& column) { return column.input == input; };
@@ -61,12 +78,13 @@ void read_header(const Line& line, const std::vector<std::string>& fields, const
       line.fail(fmt::format("column \"{}\" stands twice", heading.name));
     }
     table.columns.push_back({input, {}});
+    table.fields.push_back(c);
   }
 }
 
 void read_row(const Line& line, const std::vector<std::string>& fields, const Model& model, InputTable& table) {
-  if (fields.size() != table.columns.size() + 1) {
-    line.fail(fmt::format("must have {} fields like the header, found {}", table.columns.size() + 1, fields.size()));
+  if (fields.size() != table.width) {
+    line.fail(fmt::format("must have {} fields like the header, found {}", table.width, fields.size()));
   }
   const double t = parse_number(fields[0], line.place() + ": t");
   if (!table.t.empty() && !(t > table.t.back())) {
@@ -77,7 +95,7 @@ void read_row(const Line& line, const std::vector<std::string>& fields, const Mo
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     InputColumn& column = table.columns[c];
     column.values.push_back(
-        parse_number(fields[c + 1], fmt::format("{}: {}", line.place(), model.inputs[column.input].name)));
+        parse_number(fields[table.fields[c]], fmt::format("{}: {}", line.place(), model.inputs[column.input].name)));
   }
 }
 

@@ -19,6 +19,8 @@ struct InputTable {
   std::vector<double> t;   ///< s, strictly increasing, at least one
   std::vector<int> lines;  ///< of the file, per row
   std::vector<InputColumn> columns;
+  std::vector<std::size_t> fields;  ///< of a row, per column
+  std::size_t width = 0;            ///< fields of a row
 };
 
 /// The unit, "1" for none.
@@ -28,7 +30,8 @@ std::string unit_or_one(const std::string& unit);
 const InputColumn* column_of(const InputTable& table, int input);
 
 /// Reads a table whose header is `t` and names of inputs, each with an optional unit in brackets: `steer [rad]`. Fields
-/// may be in quotes (RFC 4180); blank lines are skipped. Fails: UserError with file and line for an unknown or repeated
+/// may be in quotes (RFC 4180); blank lines are skipped. Of a table of forces along a path, see forces_along, only the
+/// columns actuator.NAME.force are read. Fails: UserError with file and line for an unknown or repeated
 /// column, a unit that differs from the model's, a row of another length than the header, a field that is not a finite
 /// number, t that does not increase, no rows.
 InputTable read_input_table(const std::string& path, const Model& model);

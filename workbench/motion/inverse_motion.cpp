@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compiler/algebra/dense.hpp"
-#include "compiler/text/user_error.hpp"
+#include "compiler/analysis/choice_at.hpp"
 
 namespace mbgen {
 namespace {
@@ -14,18 +15,10 @@ namespace {
 /// Accelerations that others determine less than by this share are open.
 constexpr double kOpen = 1e-9;
 
-[[noreturn]] void tell_open(const Compilation& compilation, const std::vector<int>& free) {
-  std::vector<std::string> names;
-  for (const int i : free) names.push_back(compilation.topology.bodies[static_cast<std::size_t>(i)].coordinate);
-  throw UserError(
-      fmt::format("the given accelerations leave others open\n"
-                  "  hint: give those of as many coordinates as determine the motion, for example {}\n",
-                  fmt::join(names, ", ")));
-}
-
-/// Independent accelerations that meet the given ones: all accelerations are linear in them.
-Status complete(const Engine& engine, const Compilation& compilation, const LoadedState& at,
-                const std::vector<double>& given, const std::vector<int>& free, GenericDerivative& derivative) {
+/// Independent accelerations that meet the given ones: all accelerations are linear in them. is_open: whether these
+/// leave others open.
+Status complete(const Engine& engine, const LoadedState& at, const std::vector<double>& given,
+                const std::vector<int>& free, GenericDerivative& derivative, bool& is_open) {
   Status status;
   const auto all_with = [&](int moved) {
     GenericDerivative trial = derivative;
@@ -48,7 +41,8 @@ Status complete(const Engine& engine, const Compilation& compilation, const Load
       matrix(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(q)) = moved[rows[r]] - start[rows[r]];
   }
   if (!status.ok()) return status;
-  if (rows.size() < free.size() || leading_columns(matrix, kOpen).size() < free.size()) tell_open(compilation, free);
+  is_open = rows.size() < free.size() || leading_columns(matrix, kOpen).size() < free.size();
+  if (is_open) return {};
   const Eigen::VectorXd independent = overdetermined_solution(matrix, right);
   derivative.zdd.assign(given.size(), 0.0);
   for (std::size_t q = 0; q < free.size(); ++q)
@@ -56,18 +50,79 @@ Status complete(const Engine& engine, const Compilation& compilation, const Load
   return {};
 }
 
+bool are_given(const std::vector<double>& given, const std::vector<int>& coordinates) {
+  return std::ranges::none_of(coordinates, [&](int i) { return std::isnan(given[static_cast<std::size_t>(i)]); });
+}
+
+/// The forces by the independent coordinates of a compilation.
+InverseMotion forces_by(const Engine& engine, const Compilation& compilation, const LoadedState& at,
+                        const std::vector<double>& given) {
+  const std::vector<int> free = free_coordinates(compilation.topology, compilation.analysis);
+  InverseMotion motion;
+  motion.derivative = {given, std::vector<double>(at.state.x.size(), 0.0)};
+  for (double& value : motion.derivative.zdd) value = std::isnan(value) ? 0 : value;
+  bool is_open = false;
+  if (!are_given(given, free)) motion.status = complete(engine, at, given, free, motion.derivative, is_open);
+  if (is_open)
+    for (const int i : free) motion.open.push_back(compilation.topology.bodies[static_cast<std::size_t>(i)].coordinate);
+  if (motion.ok()) motion.status = engine.inverse_dynamics(at, motion.derivative, motion.force);
+  return motion;
+}
+
 }  // namespace
 
-Status actuator_forces(const Engine& engine, const Compilation& compilation, const LoadedState& at,
-                       const std::vector<double>& given, GenericDerivative& derivative, std::vector<double>& force) {
-  const std::vector<int> free = free_coordinates(compilation.topology, compilation.analysis);
-  bool is_complete = true;
-  for (const int i : free) is_complete = is_complete && !std::isnan(given[static_cast<std::size_t>(i)]);
-  derivative.zdd = given;
-  for (double& value : derivative.zdd) value = std::isnan(value) ? 0 : value;
-  Status status;
-  if (!is_complete) status = complete(engine, compilation, at, given, free, derivative);
-  return status.ok() ? engine.inverse_dynamics(at, derivative, force) : status;
+InverseMotion actuator_forces(const Engine& engine, const Compilation& compilation, const std::vector<double>& inputs,
+                              const LoadedState& at, const std::vector<double>& given) {
+  InverseMotion motion = forces_by(engine, compilation, at, given);
+  if (motion.status.code != Code::loop_singular) return motion;
+  Compilation here{compilation.model, compilation.topology};
+  std::optional<Analysis> chosen = chosen_at(compilation.model, compilation.topology, compilation.analysis, at.state.z);
+  if (!chosen || !has_inverse_dynamics(here.model, here.topology, *chosen)) return motion;
+  here.analysis = *std::move(chosen);
+  const Engine anew = make_generic_engine(here, {});
+  anew.set_inputs(inputs);
+  return forces_by(anew, here, at, given);
+}
+
+std::string describe(const Compilation& compilation, const InverseMotion& motion) {
+  return motion.open.empty() ? describe(compilation, motion.status) : "the given accelerations leave others open";
+}
+
+std::string hint_of(const InverseMotion& motion) {
+  if (motion.open.empty()) return "";
+  return fmt::format("give those of as many coordinates as determine the motion, for example {}",
+                     fmt::join(motion.open, ", "));
+}
+
+Status close_around(const GenericSolver& poses, const Compilation& compilation, const std::vector<double>& given,
+                    GenericState& state) {
+  std::vector<int> kept = free_coordinates(compilation.topology, compilation.analysis);
+  if (!are_given(given, kept)) {
+    kept.clear();
+    for (std::size_t i = 0; i < given.size(); ++i)
+      if (!std::isnan(given[i])) kept.push_back(static_cast<int>(i));
+  }
+  const auto targets = [&](const std::vector<double>& values) {
+    std::vector<CoordinateTarget> list;
+    for (const int i : kept) list.push_back({i, values[static_cast<std::size_t>(i)], 1, true});
+    return list;
+  };
+  const std::vector<CoordinateTarget> positions = targets(state.z), rates = targets(state.zd);
+  GenericState closed = state;
+  Status status = poses.project(closed);
+  std::ranges::fill(closed.zd, 0.0);
+  if (status.ok()) status = poses.assemble(closed, positions);
+  if (status.ok()) status = poses.assemble_velocities(closed, rates);
+  if (status.ok()) state = closed;
+  return status;
+}
+
+std::vector<double> beyond_limits(const Model& model, const std::vector<double>& force) {
+  std::vector<double> beyond(force.size(), 0.0);
+  for (std::size_t i = 0; i < force.size(); ++i)
+    if (const std::optional<double>& limit = model.actuators[i].limit; limit && !(std::abs(force[i]) <= *limit))
+      beyond[i] = std::abs(force[i]) - *limit;
+  return beyond;
 }
 
 }  // namespace mbgen

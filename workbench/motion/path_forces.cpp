@@ -22,12 +22,9 @@ namespace {
 constexpr double kMostRows = 5e6;
 
 constexpr const char* kActuatorColumn = "actuator.";
+constexpr const char* kBeyond = "beyond_limit";
 /// Parts of the way from the start of the model to the start of a path.
 constexpr int kApproach = 64;
-
-[[noreturn]] void stop(const Compilation& compilation, Status status, double t) {
-  throw UserError(fmt::format("--path: {} at t = {:.10g} s\n", describe(compilation, status), t));
-}
 
 std::vector<CoordinateTarget> targets_at(const std::vector<int>& coordinates, const std::vector<Course>& courses,
                                          double t) {
@@ -59,11 +56,13 @@ class PathFollower {
         const double begin = from.z[static_cast<std::size_t>(target.coordinate)];
         target.value = begin + (target.value - begin) * part / kApproach;
       }
-      if (const Status status = poses_.assemble(state, targets); !status.ok()) stop(compilation_, status, state.t);
+      if (const Status status = poses_.assemble(state, targets); !status.ok())
+        stop(describe(compilation_, status), state.t);
     }
   }
 
-  /// Coordinates, then all outputs at an instant; `state` belongs to an instant shortly before.
+  /// Coordinates, all outputs, and how far forces are beyond their limits, at an instant; `state` belongs to an instant
+  /// shortly before.
   std::vector<double> row_at(double t, GenericState& state) {
     std::vector<double> given_inputs = inputs_.at(t);
     poses_.set_inputs(given_inputs);
@@ -71,32 +70,38 @@ class PathFollower {
     std::fill(state.zd.begin(), state.zd.end(), 0.0);
     Status status = poses_.assemble(state, targets_at(path_.coordinates, path_.positions, t));
     if (status.ok()) status = poses_.assemble_velocities(state, targets_at(path_.coordinates, path_.rates, t));
-    if (!status.ok()) stop(compilation_, status, t);
+    if (!status.ok()) stop(describe(compilation_, status), t);
     std::vector<double> given(state.z.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < path_.coordinates.size(); ++i)
       given[static_cast<std::size_t>(path_.coordinates[i])] = path_.accelerations[i].at(t);
     const LoadedState at{state, std::vector<double>(state.z.size(), 0.0)};
-    GenericDerivative derivative{{}, std::vector<double>(state.x.size(), 0.0)};
-    std::vector<double> force;
     engine_.set_inputs(given_inputs);
-    status = actuator_forces(engine_, compilation_, at, given, derivative, force);
-    for (std::size_t i = 0; i < force.size(); ++i)
+    const InverseMotion motion = actuator_forces(engine_, compilation_, given_inputs, at, given);
+    if (!motion.ok()) stop(describe(compilation_, motion), t, hint_of(motion));
+    for (std::size_t i = 0; i < motion.force.size(); ++i)
       if (const int input = compilation_.model.actuators[i].input; input >= 0)
-        given_inputs[static_cast<std::size_t>(input)] = force[i];
+        given_inputs[static_cast<std::size_t>(input)] = motion.force[i];
     engine_.set_inputs(given_inputs);
     GenericOutputs outputs;
-    if (status.ok()) status = engine_.outputs(at, derivative, outputs);
-    if (!status.ok()) stop(compilation_, status, t);
+    status = engine_.outputs(at, motion.derivative, outputs);
+    if (!status.ok()) stop(describe(compilation_, status), t);
     const int side = poses_.side_of_actuators(state);
-    if (side * side_ < 0)
-      throw UserError(fmt::format("--path: actuators pass a singular position shortly before t = {:.10g} s\n", t));
+    if (side * side_ < 0) stop("actuators pass a singular position between the row before and the one", t);
     side_ = side;
     std::vector<double> row = state.z;
     row.insert(row.end(), outputs.y.begin(), outputs.y.end());
+    const std::vector<double> beyond = beyond_limits(compilation_.model, motion.force);
+    for (std::size_t i = 0; i < beyond.size(); ++i)
+      if (compilation_.model.actuators[i].limit) row.push_back(beyond[i]);
     return row;
   }
 
  private:
+  [[noreturn]] void stop(const std::string& what, double t, const std::string& hint = "") const {
+    throw UserError(fmt::format("{}: {} at t = {:.10g} s\n{}", path_.file.empty() ? "simulate --inverse" : path_.file,
+                                what, t, hint.empty() ? "" : fmt::format("  hint: {}\n", hint)));
+  }
+
   const PathOfCoordinates& path_;
   const Engine& engine_;
   const Compilation& compilation_;
@@ -106,44 +111,6 @@ class PathFollower {
 };
 
 }  // namespace
-
-PathOfCoordinates read_path(const std::string& path, const Compilation& compilation) {
-  const Results table = expect(read_results(read_text(path), path));
-  if (const std::string& unit = table.columns[0].heading.unit; !unit.empty() && unit != "s")
-    throw UserError(fmt::format("{}: column \"t\" is in {}, must be in s\n", path, unit));
-  constexpr std::size_t kLeastRows = 3;
-  if (table.rows() < kLeastRows)
-    throw UserError(fmt::format("{}: a path has at least {} rows, found {}\n", path, kLeastRows, table.rows()));
-  PathOfCoordinates result;
-  const std::vector<double>& t = table.columns[0].values;
-  result.start = t.front();
-  result.end = t.back();
-  for (std::size_t c = 1; c < table.columns.size(); ++c) {
-    const Heading& heading = table.columns[c].heading;
-    const int coordinate = find_coordinate(compilation.topology, heading.name);
-    if (coordinate < 0) {
-      const std::vector<std::string> known = coordinate_names(compilation.topology);
-      const std::string hint = did_you_mean(heading.name, {known.begin(), known.end()});
-      throw UserError(fmt::format("{}: the model has no coordinate \"{}\"{}{}\n", path, heading.name,
-                                  hint.empty() ? "" : "; ", hint));
-    }
-    if (compilation.analysis.driven[static_cast<std::size_t>(coordinate)])
-      throw UserError(
-          fmt::format("{}: coordinate \"{}\" has a motion, which moves it\n  hint: leave out the column, or "
-                      "the motion\n",
-                      path, heading.name));
-    const char* unit = unit_of(compilation.topology.bodies[static_cast<std::size_t>(coordinate)].kind);
-    if (!heading.unit.empty() && heading.unit != unit)
-      throw UserError(
-          fmt::format("{}: column \"{}\" is in {}, the coordinate in {}\n", path, heading.name, heading.unit, unit));
-    result.coordinates.push_back(coordinate);
-    result.positions.push_back(cubic_spline(t, table.columns[c].values));
-    result.rates.push_back(derivative(result.positions.back()));
-    result.accelerations.push_back(derivative(result.rates.back()));
-  }
-  if (result.coordinates.empty()) throw UserError(fmt::format("{}: a path has columns of coordinates\n", path));
-  return result;
-}
 
 void add_actuator_outputs(Model& model) {
   for (std::size_t i = 0; i < model.actuators.size(); ++i)
@@ -157,42 +124,77 @@ void add_actuator_outputs(Model& model) {
 }
 
 Results forces_along(const PathOfCoordinates& path, const Engine& engine, const Compilation& compilation,
-                     const InputsOverTime& inputs, GenericState start, double step) {
-  const double length = path.end - path.start, wanted = std::ceil(length / step - 1e-9);
+                     const InputsOverTime& inputs, GenericState start, const RowsOfPath& rows) {
+  const double length = path.end - path.start, wanted = std::ceil(length / rows.step - 1e-9);
   if (!(wanted <= kMostRows))
     throw UserError(
         fmt::format("--step: {:g} s gives more rows along {:g} s than the {:g} that are kept in memory; take a "
                     "longer step\n",
-                    step, length, kMostRows));
+                    rows.step, length, kMostRows));
   Results table;
   table.columns.push_back({{"t", "s"}, {}});
   for (const TreeBody& body : compilation.topology.bodies)
     table.columns.push_back({{body.coordinate, unit_of(body.kind)}, {}});
   for (const Output& output : compilation.model.outputs) table.columns.push_back({{output.name, output.unit}, {}});
+  for (const Actuator& actuator : compilation.model.actuators)
+    if (actuator.limit)
+      table.columns.push_back({{fmt::format("{}{}.{}", kActuatorColumn, actuator.name, kBeyond),
+                                compilation.model.inputs[static_cast<std::size_t>(actuator.input)].unit},
+                               {}});
   PathFollower follower(path, engine, compilation, inputs);
   follower.approach(start);
   const long steps = std::max(1L, std::lround(wanted));
   for (long i = 0; i <= steps; ++i) {
     const double t = path.start + length * static_cast<double>(i) / static_cast<double>(steps);
     const std::vector<double> row = follower.row_at(t, start);
+    if (i % rows.every != 0 && i != steps) continue;
     table.columns[0].values.push_back(t);
     for (std::size_t c = 0; c < row.size(); ++c) table.columns[c + 1].values.push_back(row[c]);
   }
   return table;
 }
 
-std::string forces_text(const Results& table) {
-  std::string text = fmt::format("  {:<32} {:>13} {:>13} {:>13}\n", "actuators", "smallest", "largest", "r.m.s.");
+std::vector<ColumnOfActuators> columns_of_actuators(const Results& table) {
+  std::vector<ColumnOfActuators> found;
   for (const Column& column : table.columns) {
     if (!column.heading.name.starts_with(kActuatorColumn)) continue;
     const auto [smallest, largest] = std::minmax_element(column.values.begin(), column.values.end());
     double squares = 0;
     for (const double value : column.values) squares += value * value;
-    text += fmt::format("  {:<32} {:>13.6g} {:>13.6g} {:>13.6g}\n",
-                        heading_text(column.heading).substr(std::string_view(kActuatorColumn).size()), *smallest,
-                        *largest, std::sqrt(squares / static_cast<double>(column.values.size())));
+    found.push_back({{column.heading.name.substr(std::string_view(kActuatorColumn).size()), column.heading.unit},
+                     *smallest,
+                     *largest,
+                     std::sqrt(squares / static_cast<double>(column.values.size()))});
   }
+  return found;
+}
+
+std::string forces_text(const Results& table) {
+  std::string text = fmt::format("  {:<32} {:>13} {:>13} {:>13}\n", "actuators", "smallest", "largest", "r.m.s.");
+  for (const ColumnOfActuators& column : columns_of_actuators(table))
+    text += fmt::format("  {:<32} {:>13.6g} {:>13.6g} {:>13.6g}\n", heading_text(column.heading), column.smallest,
+                        column.largest, column.root_mean_square);
   return text;
+}
+
+std::vector<std::string> limits_passed(const Model& model, const Results& table) {
+  std::vector<std::string> lines;
+  for (const Actuator& actuator : model.actuators) {
+    const std::string name = fmt::format("{}{}.{}", kActuatorColumn, actuator.name, kBeyond);
+    for (const Column& column : table.columns) {
+      if (column.heading.name != name) continue;
+      const auto rows = std::ranges::count_if(column.values, [](double value) { return value > 0; });
+      const auto first = std::ranges::find_if(column.values, [](double value) { return value > 0; });
+      if (rows == 0) continue;
+      lines.push_back(
+          fmt::format("actuator {}: its force is beyond the limit of {:g} {} by up to {:.6g} {}, in {} of {} "
+                      "rows, first at t = {:.10g} s",
+                      actuator.name, *actuator.limit, column.heading.unit, *std::ranges::max_element(column.values),
+                      column.heading.unit, rows, column.values.size(),
+                      table.columns[0].values[static_cast<std::size_t>(first - column.values.begin())]));
+    }
+  }
+  return lines;
 }
 
 }  // namespace mbgen

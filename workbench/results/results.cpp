@@ -6,18 +6,17 @@
 #include <set>
 
 namespace mbgen {
-Result<Results> read_results(std::string_view bytes, const std::string& file) {
-  constexpr const char* kHint = "a result is a table of mbgen simulate";
-  if (bytes.empty()) return table_fault(file, 0, "the file is empty", kHint);
+Result<Results> read_results(std::string_view bytes, const std::string& file, const char* hint) {
+  if (bytes.empty()) return table_fault(file, 0, "the file is empty", hint);
   if (!is_mat(bytes)) {
-    if (std::optional<Diagnostic> fault = no_text(bytes, file, kHint)) return *std::move(fault);
+    if (std::optional<Diagnostic> fault = no_text(bytes, file, hint)) return *std::move(fault);
   }
   Result<Results> results = is_mat(bytes) ? read_mat(bytes, file) : read_csv(bytes, file);
   if (!results) return results;
   const std::string& first = results->columns.front().heading.name;
   if (first != "t")
-    return table_fault(file, 1, fmt::format("the first column must be \"t\", found {}", in_quotes(first)), kHint);
-  if (results->rows() == 0) return table_fault(file, 0, "the table has no rows", kHint);
+    return table_fault(file, 1, fmt::format("the first column must be \"t\", found {}", in_quotes(first)), hint);
+  if (results->rows() == 0) return table_fault(file, 0, "the table has no rows", hint);
   std::set<std::string> names;
   for (const Column& column : results->columns) {
     if (names.insert(column.heading.name).second) continue;

@@ -12,9 +12,10 @@
 
 namespace mbgen::reading {
 
-/// An actuator on a coordinate, on the length of a rod, along a spring or between two points.
+/// An actuator on a coordinate, on the length of a rod, along a spring, between two points or in place of a motion.
 struct ActuatorFields : Actuator {
-  std::optional<std::string> rod, spring;
+  std::optional<std::string> rod, spring, motion;
+  std::optional<Quantity> rotor_inertia;  ///< a body of its own, see compose_rotors
   std::optional<Attachment> first, last;
 };
 
@@ -38,6 +39,12 @@ std::span<const Field<ActuatorFields>> fields<ActuatorFields>() {
                            .shape = Shape::attachment,
                            .doc = "one end of a cylinder; a positive force pushes its ends apart"}),
       field<S, &S::last>({.name = "to", .shape = Shape::attachment, .doc = "other end, on another body"}),
+      field<S, &S::motion>({.name = "motion",
+                            .shape = Shape::reference,
+                            .doc =
+                                "motion that it gives: it acts on the coordinate of the motion, and inverse dynamics "
+                                "finds its force in place of the driving force",
+                            .of = "motions"}),
       field<S, &S::gear>({.name = "gear",
                           .doc = "speed of the motor over the rate of the coordinate, or of the length; the motor's "
                                  "force times it acts there",
@@ -52,13 +59,26 @@ std::span<const Field<ActuatorFields>> fields<ActuatorFields>() {
                             .fallback = 1,
                             .bound = Bound::positive,
                             .depends = Depends::nothing}),
+      field<S, &S::limit>({.name = "limit",
+                           .shape = Shape::number,
+                           .doc = "of the motor's force, in both directions: forces of inverse dynamics beyond it are "
+                                  "told, not clipped",
+                           .unit = "N or N m",
+                           .bound = Bound::positive,
+                           .depends = Depends::nothing}),
+      field<S, &S::rotor_inertia>({.name = "rotor_inertia",
+                                   .doc = "inertia of the motor's rotor about its axis: a body NAME_rotor that turns "
+                                          "`gear` times as fast as the coordinate and acts on it alone",
+                                   .unit = "kg m^2, kg for a gear without unit on a length",
+                                   .bound = Bound::positive,
+                                   .depends = Depends::parameters}),
   };
   return table;
 }
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kActuatorPlaces = {"joint", "rod", "spring", "from"};
+constexpr std::array<std::string_view, 5> kActuatorPlaces = {"joint", "rod", "spring", "from", "motion"};
 
 /// Reports an actuator without exactly one place, and fields of another one. Result: its place, "" for none.
 std::string_view actuator_place(Reader& reader, const Value& value) {
@@ -74,7 +94,7 @@ std::string_view actuator_place(Reader& reader, const Value& value) {
   }
   if (place.empty())
     report(reader, value, "key \"joint\" is missing",
-           "or \"rod\", \"spring\", or \"from\" and \"to\": where the actuator acts");
+           "or \"rod\", \"spring\", \"motion\", or \"from\" and \"to\": where the actuator acts");
   const auto belongs = [&](std::string_view key, std::string_view to) {
     const Value* member = find(value, key);
     if (member && !place.empty() && place != to)
@@ -105,6 +125,32 @@ void act_along_spring(Reader& reader, const Value& value, Actuator& actuator) {
   actuator.to = reader.model.springs[static_cast<std::size_t>(spring)].to;
 }
 
+void set_unit_of_input(Model& model, const Actuator& actuator) {
+  const bool turns = actuator.joint && actuator.joint->joint >= 0 && is_rotation(model, *actuator.joint);
+  model.inputs[static_cast<std::size_t>(actuator.input)].unit = turns ? "N m" : "N";
+}
+
+/// Marks the motion that actuators give, by their names.
+void read_actuated_by(Reader& reader, const Value& list, Motion& motion) {
+  if (list.kind != Value::Kind::array || list.items.empty())
+    return report(reader, list, "must be an array of names of actuators, got " + describe(list));
+  for (const Value& item : list.items) {
+    if (item.kind != Value::Kind::text) report(reader, item, "must be the name of an actuator, got " + describe(item));
+    motion.is_actuated = find_named(reader, item, "actuator", names_of<Actuator>(reader)) >= 0 || motion.is_actuated;
+  }
+}
+
+/// Notes an actuator on a coordinate whose motion bears its force.
+void note_driven(Reader& reader, const Actuator& actuator) {
+  for (const Motion& motion : reader.model.motions)
+    if (actuator.joint && actuator.joint->joint >= 0 && motion.joint == *actuator.joint && !motion.is_actuated)
+      note_at(reader, actuator.where,
+              fmt::format("actuator {} acts on a coordinate that motion {} drives: the motion bears its force",
+                          in_quotes(actuator.name), in_quotes(motion.name)),
+              fmt::format("\"motion\": {} in place of \"joint\": inverse dynamics finds its force",
+                          in_quotes(motion.name)));
+}
+
 void read_actuators(Reader& reader, const Entries& entries) {
   for (const Entry& entry : entries)
     names_of<Actuator>(reader).emplace(entry.name, static_cast<int>(names_of<Actuator>(reader).size()));
@@ -116,6 +162,7 @@ void read_actuators(Reader& reader, const Entries& entries) {
         refuse_reversed(r, member_or_object(value, "joint").place, *actuator.joint);
         if (actuator.relative_to) check_coordinate_pair(r, value, "actuator", *actuator.joint, *actuator.relative_to);
       }
+      if (place == "motion") actuator.joint = CoordinateReference{};  // see act_on_motions
       if (place == "rod") act_on_rod(r, value, actuator);
       if (place == "spring") act_along_spring(r, value, actuator);
       if (place == "from" && actuator.first && actuator.last) {
@@ -128,8 +175,7 @@ void read_actuators(Reader& reader, const Entries& entries) {
     });
     Actuator& actuator = one.front();
     actuator.input = reader.names.inputs.at(entry.name);
-    const bool turns = actuator.joint && actuator.joint->joint >= 0 && is_rotation(reader.model, *actuator.joint);
-    reader.model.inputs[static_cast<std::size_t>(actuator.input)].unit = turns ? "N m" : "N";
+    set_unit_of_input(reader.model, actuator);
     reader.model.actuators.push_back(std::move(actuator));
   }
 }
@@ -155,6 +201,28 @@ void add_actuator_inputs(Reader& reader, const Entries& actuators) {
   }
 }
 
+void act_on_motions(Reader& reader, const Entries& actuators, const Entries& motions) {
+  Model& model = reader.model;
+  for (const Entry& entry : motions) {
+    const InScope in_scope(reader, entry.scope);
+    const auto motion = reader.names.motions.find(entry.name);
+    const Value* list = entry.value->kind == Value::Kind::object ? find(*entry.value, "actuated_by") : nullptr;
+    if (list && motion != reader.names.motions.end())
+      read_actuated_by(reader, *list, model.motions[static_cast<std::size_t>(motion->second)]);
+  }
+  for (std::size_t i = 0; i < actuators.size(); ++i) {
+    const Entry& entry = actuators[i];
+    const InScope in_scope(reader, entry.scope);
+    if (entry.value->kind != Value::Kind::object || !find(*entry.value, "motion")) continue;
+    const int motion = find_element(reader, *entry.value, "motion", reader.names.motions);
+    if (motion < 0 || i >= model.actuators.size() || !model.actuators[i].joint) continue;
+    model.actuators[i].joint = model.motions[static_cast<std::size_t>(motion)].joint;
+    model.motions[static_cast<std::size_t>(motion)].is_actuated = true;
+    set_unit_of_input(model, model.actuators[i]);
+  }
+  for (const Actuator& actuator : model.actuators) note_driven(reader, actuator);
+}
+
 std::set<int> actuated_rods(const Reader& reader, const Entries& actuators) {
   std::set<int> rods;
   for (const Entry& entry : actuators) {
@@ -167,14 +235,16 @@ std::set<int> actuated_rods(const Reader& reader, const Entries& actuators) {
 }
 
 ElementSection section_of(Leader<Actuator>) {
-  return {"motors on coordinates, and cylinders: forces by inputs, which inverse dynamics finds",
-          [] {
-            return std::vector<ObjectKind>{kind_of<ActuatorFields>(
-                "actuator",
-                "a motor or cylinder; its force is an input of its name; exactly one of joint, rod, spring and from",
-                {"joint", "rod", "spring", "from"}, {{"from", "to"}, {"to", "from"}, {"relative_to", "joint"}})};
-          },
-          read_actuators};
+  return {
+      "motors on coordinates, and cylinders: forces by inputs, which inverse dynamics finds",
+      [] {
+        return std::vector<ObjectKind>{kind_of<ActuatorFields>(
+            "actuator",
+            "a motor or cylinder; its force is an input of its name; exactly one of joint, rod, spring, from and "
+            "motion",
+            {"joint", "rod", "spring", "from", "motion"}, {{"from", "to"}, {"to", "from"}, {"relative_to", "joint"}})};
+      },
+      read_actuators};
 }
 
 }  // namespace mbgen::reading

@@ -11,7 +11,7 @@ namespace mbgen::reading {
 
 /// Entries of other sections, their values in Reader::composed.
 struct ComposedParts {
-  Entries bodies, joints, rods, joint_springs, bushings, shapes;
+  Entries bodies, joints, rods, couplings, joint_springs, bushings, shapes;
 };
 
 /// The object of an element, under construction. place: of the element that it is a part of.

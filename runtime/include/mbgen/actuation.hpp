@@ -1,6 +1,6 @@
 #pragma once
 // Inverse dynamics of a generated solver: its program at a consistent state, and what its monitors say. `System` is
-// described in blocks.hpp; of one with actuators it offers kActuators, the type ActuatorForces and the program
+// described in blocks.hpp; of one with actuators it offers kActuators, kActuatedDirections, the type ActuatorForces and the program
 // inverse_dynamics.
 
 #include "mbgen/blocks.hpp"
@@ -22,7 +22,7 @@ Status actuation_status(const Values& values, const typename System::Derivative&
     const Status frozen = frozen_status<System>(values.pivot);
     if (!frozen.ok()) return frozen;
   }
-  for (int k = 0; k < System::kFreeDirections; ++k)
+  for (int k = 0; k < System::kActuatedDirections; ++k)
     if (!(values.actuation[k] >= kLeastActuation<RealOf<System>>)) return {Code::actuators_singular, k};
   const bool all_finite = is_finite(sum(values.zdd, System::kCoordinates) + sum(values.force, System::kActuators));
   if (all_finite) return {};

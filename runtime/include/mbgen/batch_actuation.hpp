@@ -17,7 +17,7 @@ typename System::Mask actuate_lanes(const ParametersOf<System>& parameters, cons
   typename System::InverseDynamics values;
   run_groups(System::inverse_dynamics, values, parameters, inputs, state, *forces, derivative);
   good &= pivots_reach<System>(values.pivot, kPivotThreshold<double>);
-  for (int k = 0; k < System::kFreeDirections; ++k) good &= values.actuation[k] >= kLeastActuation<double>;
+  for (int k = 0; k < System::kActuatedDirections; ++k) good &= values.actuation[k] >= kLeastActuation<double>;
   for (int i = 0; i < System::kActuators; ++i) result.force[i] = values.force[i];
   for (int i = 0; i < System::kCoordinates; ++i) result.zdd[i] = values.zdd[i];
   return good & is_finite(sum(values.zdd, System::kCoordinates) + sum(values.force, System::kActuators));

@@ -24,6 +24,17 @@ answer = json.loads(subprocess.run([mbgen, "evaluate", model, "--inverse", "--en
 expected = [answer["actuators"][name] for name in parallel_ankle.ACTUATORS]
 assert np.allclose(force, expected, rtol=1e-9, atol=0), (force, expected)
 assert np.allclose(found, answer["zdd"], rtol=1e-9, atol=1e-9), (found, answer["zdd"])
+# The motors alone lead to the same pose, and their torques to the same work.
+motors = [parallel_ankle.COORDINATES.index(name) for name in ("motor_a", "motor_b")]
+other = parallel_ankle.Solver()
+other.complete_joints(np.array(at.z)[motors], np.array(at.zd)[motors])
+assert np.allclose(other.state.z, at.z, rtol=0, atol=1e-9), (other.state.z[:], at.z[:])
+assert np.allclose(other.state.zd, at.zd, rtol=0, atol=1e-8), (other.state.zd[:], at.zd[:])
+assert np.allclose(solver.complete_accelerations(found[motors]), found, rtol=1e-9, atol=1e-9)
+assert np.allclose(solver.actuator_jacobian() @ np.array(at.zd)[motors], at.zd, rtol=1e-9, atol=1e-9)
+tau = solver.forces_at_independent(force)
+assert abs(np.dot(tau, at.zd) - np.dot(force, np.array(at.zd)[motors])) < 1e-9
+assert np.allclose(solver.forces_at_actuators(tau), force, rtol=1e-9, atol=0)
 try:
     solver.inverse_dynamics([0, 0])
     raise SystemExit("two accelerations were taken for four")

@@ -13,3 +13,8 @@ cd "$scratch"
 c++ -std=c++17 -O1 -fPIC -shared -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -Imade made/parallel_ankle.cpp \
   made/parallel_ankle_c.cpp -lm -o made/libparallel_ankle_c.so
 "$python" "$here/inverse.py" "$mbgen" "$model"
+# The ten lines of the page, as a new user runs them, and what the page says they print.
+page=$here/../../../docs/use/actuators.md
+sed -n '/^```python ankle.py/,/^```$/p' "$page" | sed '1d;$d' > ankle.py
+sed -n '/^```python ankle.py/,/^## /p' "$page" | sed -n '/^```text/,/^```$/p' | sed '1d;$d' > expected.out
+PYTHONPATH=made "$python" ankle.py | diff expected.out -
