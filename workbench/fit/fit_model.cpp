@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "compiler/reader/read_model.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/assignments.hpp"
 #include "workbench/motion/motion_end.hpp"
 #include "workbench/motion/motion_judge.hpp"
+#include "workbench/sensitivity/tangent_engine.hpp"
 #include "workbench/start/initial_state.hpp"
 
 namespace mbgen::fit {
@@ -51,25 +53,64 @@ SimulationSettings settings_to(const FitModel& model, double end) {
   return settings_of(arguments, model.model.solver);
 }
 
-/// Takes the matched outputs at every point.
+/// Takes the matched outputs at every point, and their derivatives.
 class SeriesRecorder {
  public:
-  SeriesRecorder(const MeasuredFile& file, const std::vector<Channel>& channels) : series_(file.channels.size()) {
+  SeriesRecorder(const MeasuredFile& file, const std::vector<Channel>& channels, const TangentEngine* tangents)
+      : tangents_(tangents), series_(file.channels.size()) {
     for (const MeasuredChannel& one : file.channels)
       outputs_.push_back(static_cast<std::size_t>(channels[static_cast<std::size_t>(one.channel)].output));
+    if (tangents_ != nullptr) derivatives_.assign(static_cast<std::size_t>(tangents_->memory->parameters), series_);
   }
   void add(const Sample& sample) {
-    for (std::size_t c = 0; c < outputs_.size(); ++c) {
-      series_[c].at.push_back(sample.state.t);
-      series_[c].values.push_back(sample.outputs.y[outputs_[c]]);
-    }
+    add(sample.state.t, series_, [&](std::size_t output) { return sample.outputs.y[output]; });
+    if (tangents_ == nullptr) return;
+    const std::vector<double> derivatives = output_derivatives(*tangents_);
+    for (std::size_t p = 0; p < derivatives_.size(); ++p)
+      add(sample.state.t, derivatives_[p],
+          [&](std::size_t output) { return derivatives[output * derivatives_.size() + p]; });
   }
-  std::vector<Series> take() { return std::move(series_); }
+  void give(Outcome& outcome) {
+    outcome.series = std::move(series_);
+    outcome.derivatives = std::move(derivatives_);
+  }
 
  private:
+  template <class Value>
+  void add(double time, std::vector<Series>& series, const Value& value) {
+    for (std::size_t c = 0; c < outputs_.size(); ++c) {
+      series[c].at.push_back(time);
+      series[c].values.push_back(value(outputs_[c]));
+    }
+  }
+
+  const TangentEngine* tangents_;
   std::vector<std::size_t> outputs_;
   std::vector<Series> series_;
+  std::vector<std::vector<Series>> derivatives_;
 };
+
+/// An engine, and its derivatives where they are asked for.
+struct Machine {
+  std::optional<TangentEngine> tangents;
+  Engine engine;
+};
+
+Machine machine_of(const FitModel& model, const std::vector<Unknown>& unknowns, const Compilation& compilation,
+                   Care care) {
+  Machine machine;
+  if (care == Care::exact && model.tangents) {
+    std::vector<std::string> names;
+    for (const Unknown& unknown : unknowns)
+      if (unknown.kind == Unknown::Kind::parameter) names.push_back(unknown.name);
+    machine.tangents = make_tangent_engine(model.tangents, compilation, model.choice, names);
+    machine.engine = machine.tangents->engine;
+  } else {
+    machine.engine = model.table ? make_generated_engine(model.table, compilation, model.choice)
+                                 : make_engine(compilation, model.choice);
+  }
+  return machine;
+}
 
 /// The points of a motion that the data need: those at their times, or three on each side for the cubic between two;
 /// all of them where a channel has a delay.
@@ -94,9 +135,10 @@ std::vector<bool> needed_points(const MeasuredFile& file, const std::vector<Chan
 std::string one_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 Outcome moved(const FitModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,
-              const Compilation& compilation, Care care, const std::function<bool()>& is_stopped) {
-  const Engine engine = model.table ? make_generated_engine(model.table, compilation, model.choice)
-                                    : make_engine(compilation, model.choice);
+              const std::vector<Unknown>& unknowns, const Compilation& compilation, Care care,
+              const std::function<bool()>& is_stopped) {
+  Machine machine = machine_of(model, unknowns, compilation, care);
+  const Engine& engine = machine.engine;
   const std::vector<std::string>& assignments = model.arguments.engine.inputs;
   const InputsOverTime inputs =
       file.inputs ? inputs_of(compilation.model, assignments, *file.inputs, model.arguments.simulation.interpolation)
@@ -105,7 +147,8 @@ Outcome moved(const FitModel& model, const MeasuredFile& file, const std::vector
   settings.is_stopped = is_stopped;
   const Start start = initial_start(compilation, inputs.at(0));
   const GenericState state = initial_state(start, engine);
-  SeriesRecorder recorder(file, channels);
+  if (machine.tangents) start_motion(compilation, state, *machine.tangents);
+  SeriesRecorder recorder(file, channels, machine.tangents ? &*machine.tangents : nullptr);
   Outcome outcome;
   JudgedMotion motion;
   const auto record = [&](const Sample& sample) { recorder.add(sample); };
@@ -126,7 +169,7 @@ Outcome moved(const FitModel& model, const MeasuredFile& file, const std::vector
   }
   if (motion.summary.is_stopped) outcome.failure = "interrupted";
   if (!motion.summary.status.ok()) outcome.failure = one_line(end_text(compilation, motion));
-  outcome.series = recorder.take();
+  recorder.give(outcome);
   return outcome;
 }
 
@@ -151,6 +194,21 @@ void choose_tuning(FitModel& model, const std::vector<Unknown>& unknowns, const 
         "analysed for each value and runs on the generic engine\n",
         model.why_not_tuned));
   model.choice.name = "generic";
+}
+
+/// Loads the solver with derivatives, unless the start has none.
+void choose_derivatives(FitModel& model, const std::vector<Unknown>& unknowns, const std::vector<double>& starts) {
+  model.tangents = load_tangents(model.compilation, model.choice);
+  try {
+    const Compilation compilation = compilation_at(model, unknowns, starts);
+    std::vector<double> inputs;
+    for (const Input& input : compilation.model.inputs) inputs.push_back(input.default_value);
+    Machine machine = machine_of(model, unknowns, compilation, Care::exact);
+    start_motion(compilation, initial_start(compilation, inputs).state, *machine.tangents);
+  } catch (const UserError& error) {
+    model.tangents = nullptr;
+    model.why_differences = one_line(error.what());
+  }
 }
 
 }  // namespace
@@ -190,7 +248,9 @@ void prepare(FitModel& model, const std::vector<Unknown>& unknowns, const std::v
   const bool is_generated = model.choice.name == "generated";
   model.compilation = expect(is_generated ? decide_to_write(model.model) : decide(model.model));
   if (has_modes) add_programs(model.compilation);
-  if (is_generated) model.table = load_solver(model.compilation, model.choice);
+  if (!is_generated) return;
+  model.table = load_solver(model.compilation, model.choice);
+  if (has_runs) choose_derivatives(model, unknowns, starts);
 }
 
 Compilation compilation_at(const FitModel& model, const std::vector<Unknown>& unknowns,
@@ -207,7 +267,7 @@ Outcome motion_of(const FitModel& model, const MeasuredFile& file, int run, cons
   try {
     Compilation compilation = compilation_at(model, unknowns, values);
     set_starts(unknowns, values, run, compilation.model);
-    return moved(model, file, channels, compilation, care, is_stopped);
+    return moved(model, file, channels, unknowns, compilation, care, is_stopped);
   } catch (const UserError& error) {
     return {one_line(error.what()), {}, {}};
   }

@@ -35,6 +35,9 @@ struct FitModel {
   std::string why_not_tuned = {};  ///< the first place that asks for a constant
   Compilation compilation = {};
   std::shared_ptr<const SolverTable> table = nullptr;  ///< null for engines made of the model of each evaluation
+  /// The solver with derivatives by the free parameters; null where differences stand in for them.
+  std::shared_ptr<const TangentTable> tangents = nullptr;
+  std::string why_differences = {};  ///< the reason for that, of a start without derivatives
 };
 
 /// Reads the model. Fails: UserError.
@@ -53,11 +56,14 @@ struct Outcome {
   std::string failure;
   std::vector<Series> series;         ///< one for each channel of the file
   std::vector<std::string> warnings;  ///< of a judged motion
+  /// Of an exact evaluation: derivatives of the series by each free parameter, in the order of the unknowns.
+  std::vector<std::vector<Series>> derivatives = {};
 };
 
 /// How a motion is computed.
 enum class Care {
   quick,  ///< for the search
+  exact,  ///< likewise, with derivatives where the model has `tangents`
   judged  ///< with all watchers, whose doubts are warnings
 };
 

@@ -63,10 +63,11 @@ const Channel& channel_of(const FitProblem& problem, const MeasuredChannel& meas
 }
 
 /// Outcomes of the fitted files; failure: of the first that has none.
-std::vector<Outcome> all_outcomes(const FitProblem& problem, const std::vector<double>& values, std::string& failure) {
+std::vector<Outcome> all_outcomes(const FitProblem& problem, const std::vector<double>& values, Care care,
+                                  std::string& failure) {
   std::vector<Outcome> outcomes(problem.files.size());
   run_tasks(problem, static_cast<long>(problem.files.size()), [&](std::size_t f) {
-    if (!problem.files[f].is_held_out) outcomes[f] = outcome_of(problem, f, values, Care::quick);
+    if (!problem.files[f].is_held_out) outcomes[f] = outcome_of(problem, f, values, care);
   });
   for (std::size_t f = 0; f < outcomes.size(); ++f)
     if (failure.empty() && !outcomes[f].failure.empty())
@@ -103,12 +104,14 @@ void add_nuisance_columns(const FitProblem& problem, const std::vector<double>& 
 }
 
 /// The evaluations that the derivatives need beside those at the point.
-std::vector<Evaluation> evaluations_at(const FitProblem& problem, const std::vector<double>& values) {
+std::vector<Evaluation> evaluations_at(const FitProblem& problem, const std::vector<Outcome>& outcomes,
+                                       const std::vector<double>& values) {
   std::vector<Evaluation> list;
   for (std::size_t f = 0; f < problem.files.size(); ++f) {
     if (problem.files[f].is_held_out) continue;
     for (std::size_t u = 0; u < problem.unknowns.size(); ++u) {
       const Unknown& unknown = problem.unknowns[u];
+      if (!outcomes[f].derivatives.empty() && unknown.kind == Unknown::Kind::parameter) continue;
       if (!unknown.moves_model() || (unknown.run >= 0 && unknown.run != static_cast<int>(f))) continue;
       const Formula formula = formula_at(unknown, values[u]);
       for (const auto& [steps, weight] : formula.terms)
@@ -178,21 +181,37 @@ void add_differences(const FitProblem& problem, const std::vector<Evaluation>& e
   }
 }
 
+/// Adds the exact derivatives of a block of residuals by the free parameters.
+void add_derivatives(const FitProblem& problem, const Outcome& outcome, const std::vector<double>& values,
+                     std::size_t file, std::size_t c, int row, Eigen::MatrixXd& jacobian) {
+  if (outcome.derivatives.empty()) return;
+  const MeasuredChannel& measured = problem.files[file].channels[c];
+  const Channel& channel = channel_of(problem, measured);
+  const double gain = value_or(values, channel.gain, 1), delay = value_or(values, channel.delay, 0);
+  for (std::size_t u = 0, p = 0; u < problem.unknowns.size(); ++u) {
+    if (problem.unknowns[u].kind != Unknown::Kind::parameter) continue;
+    const Series& series = outcome.derivatives[p++][c];
+    for (std::size_t k = 0; k < measured.at.size(); ++k)
+      jacobian(row + static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(u)) =
+          gain * at(series, measured.at[k] - delay).value / channel.sigma;
+  }
+}
+
 }  // namespace
 
 Residuals residuals(const FitProblem& problem, const std::vector<double>& values) {
   Residuals result;
-  const std::vector<Outcome> outcomes = all_outcomes(problem, values, result.failure);
+  const std::vector<Outcome> outcomes = all_outcomes(problem, values, Care::quick, result.failure);
   if (result.failure.empty()) result.values = residuals_of(problem, outcomes, values);
   return result;
 }
 
 Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values) {
   Jacobian result;
-  const std::vector<Outcome> outcomes = all_outcomes(problem, values, result.failure);
+  const std::vector<Outcome> outcomes = all_outcomes(problem, values, Care::exact, result.failure);
   if (!result.failure.empty()) return result;
   result.residuals = residuals_of(problem, outcomes, values);
-  std::vector<Evaluation> evaluations = evaluations_at(problem, values);
+  std::vector<Evaluation> evaluations = evaluations_at(problem, outcomes, values);
   run_tasks(problem, static_cast<long>(evaluations.size()), [&](std::size_t k) {
     Evaluation& one = evaluations[k];
     std::vector<double> moved = values;
@@ -207,6 +226,7 @@ Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values) 
   if (!result.failure.empty()) return result;
   each_block(problem, false, [&](std::size_t f, std::size_t c, int row) {
     add_nuisance_columns(problem, values, outcomes[f].series[c], problem.files[f].channels[c], row, result.values);
+    add_derivatives(problem, outcomes[f], values, f, c, row, result.values);
     add_differences(problem, evaluations, values, f, c, row, result.values);
   });
   return result;

@@ -290,9 +290,14 @@ void add_results(const std::shared_ptr<Memory>& memory, Engine& engine) {
 
 TangentEngine make_tangent_engine(const Compilation& compilation, const EngineChoice& choice,
                                   const std::vector<std::string>& names) {
+  return make_tangent_engine(load_tangents(compilation, choice), compilation, choice, names);
+}
+
+TangentEngine make_tangent_engine(const std::shared_ptr<const TangentTable>& table, const Compilation& compilation,
+                                  const EngineChoice& choice, const std::vector<std::string>& names) {
   const std::vector<int> parameters = tunable_places(compilation.model, names);
   const auto memory = std::make_shared<Memory>();
-  memory->table = load_tangents(compilation, choice);
+  memory->table = table;
   memory->parameters = static_cast<int>(parameters.size());
   for (std::size_t first = 0; first == 0 || first < parameters.size(); first += kDirections)
     memory->passes.push_back(prepared(*memory->table, compilation.model, parameters, first));

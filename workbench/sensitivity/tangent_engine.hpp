@@ -36,6 +36,10 @@ struct TangentEngine {
 TangentEngine make_tangent_engine(const Compilation& compilation, const EngineChoice& choice,
                                   const std::vector<std::string>& parameters);
 
+/// The same of a solver that is loaded.
+TangentEngine make_tangent_engine(const std::shared_ptr<const TangentTable>& table, const Compilation& compilation,
+                                  const EngineChoice& choice, const std::vector<std::string>& parameters);
+
 /// Headings of the derivatives, in the order of output_derivatives: "d(OUTPUT)/d(PARAMETER)".
 std::vector<Heading> derivative_headings(const Model& model, const std::vector<std::string>& parameters);
 
