@@ -360,7 +360,11 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
   if (!arguments.journal.empty())
     journal = std::make_unique<FitJournal>(arguments.journal, description_of(arguments, problem), arguments.restart);
   if (journal && journal->known() > 0) print_message("fit: {} evaluations were done before\n", journal->known());
-  FitResult result{.model = model.model.name, .model_file = arguments.model.path, .engine = model.choice.name};
+  FitResult result{.model = model.model.name,
+                   .model_file = arguments.model.path,
+                   .engine = model.choice.name,
+                   .derivatives = kind_of_derivatives(problem)};
+  if (!model.why_differences.empty()) print_message("fit: derivatives by differences: {}\n", model.why_differences);
   Search steps(problem, loss, journal.get());
   search(problem, steps, arguments, signals, result);
   Reduced last;

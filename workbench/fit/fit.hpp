@@ -36,6 +36,7 @@ struct ChannelFit {
 
 struct FitResult {
   std::string model, model_file, engine;
+  std::string derivatives = {};           ///< kind of them: "exact", "central differences", or which are which
   std::vector<VariedParameter> set = {};  ///< values that were given
   std::vector<Unknown> unknowns = {};
   std::vector<double> values = {};

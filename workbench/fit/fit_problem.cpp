@@ -123,6 +123,14 @@ std::vector<Evaluation> evaluations_at(const FitProblem& problem, const std::vec
 
 }  // namespace
 
+std::string kind_of_derivatives(const FitProblem& problem) {
+  if (!problem.model.tangents) return "central differences";
+  const auto is_run = [](const MeasuredFile& file) { return file.is_run(); };
+  const auto is_start = [](const Unknown& unknown) { return unknown.kind == Unknown::Kind::start; };
+  const bool are_all = std::ranges::all_of(problem.files, is_run) && std::ranges::none_of(problem.unknowns, is_start);
+  return are_all ? "exact" : "exact of motions by parameters, else central differences";
+}
+
 int residual_count(const FitProblem& problem, bool held) {
   int count = 0;
   each_block(problem, held, [&](std::size_t f, std::size_t c, int) {

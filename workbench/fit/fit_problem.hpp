@@ -45,6 +45,9 @@ Residuals residuals(const FitProblem& problem, const std::vector<double>& values
 /// the unknown's scale: errors near 1e-8.
 Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values);
 
+/// Kind of the derivatives by the unknowns that move the model, in words.
+std::string kind_of_derivatives(const FitProblem& problem);
+
 /// A file's series at values of the unknowns.
 Outcome outcome_of(const FitProblem& problem, std::size_t file, const std::vector<double>& values, Care care);
 

@@ -147,10 +147,11 @@ std::string fit_text(const FitResult& result) {
   };
   const long freedoms = result.residuals - static_cast<long>(result.unknowns.size());
   std::string text =
-      fmt::format("{}: {} from {}, engine {}, {}, derivatives by central differences\n", result.model,
+      fmt::format("{}: {} from {}, engine {}, {}, derivatives: {}\n", result.model,
                   count(result.unknowns.size(), "unknown"), count(result.residuals, "value"), result.engine,
                   result.converged ? count(result.iterations, "iteration")
-                                   : fmt::format("not at its end after {}", count(result.iterations, "iteration")));
+                                   : fmt::format("not at its end after {}", count(result.iterations, "iteration")),
+                  result.derivatives);
   text += fmt::format("  weighted sum of squares {:.7g}, at the start {:.5g}", result.squares, result.squares_at_start);
   text += freedoms > 0 ? fmt::format("; {} if the standard deviations are right\n", freedoms) : "\n";
   if (!result.loss.empty()) text += fmt::format("  loss {}\n", result.loss);
@@ -180,7 +181,7 @@ std::string fit_json(const FitResult& result) {
   }
   return json_text({{"model", result.model},
                     {"engine", result.engine},
-                    {"derivatives", "central differences"},
+                    {"derivatives", result.derivatives},
                     {"converged", result.converged},
                     {"iterations", result.iterations},
                     {"values", result.residuals},
