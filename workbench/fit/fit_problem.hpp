@@ -40,9 +40,9 @@ int residual_count(const FitProblem& problem, bool held = false);
 /// Residuals of the fitted files at values of the unknowns.
 Residuals residuals(const FitProblem& problem, const std::vector<double>& values);
 
-/// Derivatives of the residuals of the fitted files: by gain, bias and delay exactly; by the unknowns that move the
-/// model by central differences, at a bound by differences to the inside, both of second order, with steps of 1e-4 of
-/// the unknown's scale: errors near 1e-8.
+/// Derivatives of the residuals of the fitted files: of motions by parameters exactly, where the model has `tangents`,
+/// and by gain, bias and delay; by the other unknowns that move the model by central differences, at a bound by
+/// differences to the inside, both of second order, with steps of 1e-4 of the unknown's scale: errors near 1e-8.
 Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values);
 
 /// Kind of the derivatives by the unknowns that move the model, in words.
