@@ -114,21 +114,20 @@ std::vector<EmittedFile> tangents_c_files(const EmitContext& context) {
     return array_text("constexpr Real " + type + "::*" + name, member_places(type, members), "nullptr");
   };
   const FrameRows outputs = name_rows(names_of(output_members(context)));
-  const FrameValues values = {{"banner", c_banner_text(context.model)},
+  const FrameValues header = {{"banner", c_banner_text(context.model)},
                               {"title", c_comment_text(context.model.name)},
                               {"guard", guard},
-                              {"output_size", outputs.size()},
-                              {"parameters", name_rows(names.parameters)},
+                              {"output_size", outputs.size()}};
+  const FrameValues source = {{"parameters", name_rows(names.parameters)},
                               {"inputs", name_rows(names.inputs)},
                               {"outputs", outputs},
                               {"parameter_table", table("Parameters", "kParameterMembers", names.parameters)},
                               {"input_table", table("Inputs", "kInputMembers", names.inputs)},
                               {"method", step_function(context.model.solver)}};
-  FrameValues module = values;
-  module.insert_or_assign("banner", banner_text(context.model, "#"));
-  return {{names.solver + "_tangents_c.h", fill_template(context, "tangents_c.h.in", values)},
-          {names.solver + "_tangents_c.cpp", fill_template(context, "tangents_c.cpp.in", values)},
-          {names.solver + "_tangents.py", fill_template(context, "tangents.py.in", module)}};
+  return {{names.solver + "_tangents_c.h", fill_template(context, "tangents_c.h.in", header)},
+          {names.solver + "_tangents_c.cpp", fill_template(context, "tangents_c.cpp.in", source)},
+          {names.solver + "_tangents.py",
+           fill_template(context, "tangents.py.in", {{"banner", banner_text(context.model, "#")}})}};
 }
 
 std::string python_text(const EmitContext& context) {

@@ -14,4 +14,4 @@ grep -q 'linkage_tangents.cpp' made/CMakeLists.txt
 c++ -std=c++17 -O1 -fPIC -shared -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -Wno-psabi -Imade made/linkage.cpp \
   made/linkage_c.cpp made/linkage_tangents.cpp made/linkage_tangents_c.cpp -lm -o made/liblinkage_c.so
 cd made
-"$python" "$here/tangents.py"
+PYTHONPATH=. "$python" "$here/tangents.py"
