@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/emit/emit.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"
@@ -67,6 +68,8 @@ FrameValues context_values(const EmitContext& context) {
           {"tangents", context.options.scalar == Scalar::tangents},
           {"with_tangents", context.options.tangents},
           {"directions", kDirections},
+          {"starts", context.options.initial.has_value() &&
+                         has_start_with_derivatives(context.model, context.topology, context.analysis)},
           {"lanes", context.options.lanes > 0 ? std::to_string(context.options.lanes) : ""},
           {"initial", context.options.initial.has_value()},
           {"advances", inputs_have_derivatives(context.model.inputs)},

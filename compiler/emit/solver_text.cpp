@@ -3,7 +3,9 @@
 
 #include <array>
 
+#include "compiler/analysis/held_start.hpp"
 #include "compiler/emit/context_values.hpp"
+#include "compiler/emit/emit.hpp"
 #include "compiler/emit/law_text.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/quantity_ranges.hpp"
@@ -60,23 +62,16 @@ std::string start_charts(const InitialState& initial, Scalar scalar) {
   return fmt::format(", {{{}}}", fmt::join(number_texts(initial.charts, scalar), ", "));
 }
 
-/// Flags of the coordinates that a start gives, of all and of the locked ones.
-std::string given_items(const EmitContext& context, const std::vector<InitialValue>& given, bool locked) {
-  std::vector<std::string> flags(context.topology.bodies.size(), "0");
-  for (const InitialValue& value : given) {
-    const int i = tree_coordinate(context.topology, value.coordinate);
-    if (i >= 0 && (value.locked || !locked)) flags[static_cast<std::size_t>(i)] = "1";
-  }
-  return "{" + joined(flags, ", ") + "}";
-}
-
-/// The coordinates that `initial` gives, for mbgen/start.hpp.
-std::string given_table(const EmitContext& context) {
+/// The coordinates that the start holds, for mbgen/start.hpp.
+std::string held_table(const EmitContext& context) {
+  if (!has_start_with_derivatives(context.model, context.topology, context.analysis)) return "";
   const Initial& initial = context.model.initial;
   std::vector<std::string> items;
-  for (const std::vector<InitialValue>* given : {&initial.positions, &initial.velocities})
-    for (const bool locked : {false, true}) items.push_back(given_items(context, *given, locked));
-  return braced_list("  static constexpr mbgen::GivenCoordinates<kCoordinates> kGiven = ", items, ";");
+  for (const std::vector<InitialValue>* given : {&initial.positions, &initial.velocities}) {
+    const auto held = held_at_start(context.topology, context.analysis, *given);
+    items.push_back("{" + joined(mapped(*held, [](unsigned char flag) { return std::to_string(flag); }), ", ") + "}");
+  }
+  return braced_list("  static constexpr mbgen::HeldCoordinates<kCoordinates> kHeld = ", items, ";");
 }
 
 }  // namespace
@@ -136,7 +131,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
       {"since_start",
        context.options.scalar == Scalar::floats ? "static_cast<float>(state.t - start)" : "state.t - start"},
       {"start", context.options.initial ? start_rows(*context.options.initial, context.options.scalar) : FrameRows{}},
-      {"given", given_table(context)},
+      {"held", held_table(context)},
       {"start_charts", context.options.initial ? start_charts(*context.options.initial, context.options.scalar) : ""}};
   values.merge(system_values(context, members, context.options.scalar));
   return {solver + ".cpp", fill_template(context, "solver.cpp.in", values), rare_parts};

@@ -109,6 +109,17 @@ void require_range(const Compilation& compilation, Scalar scalar) {
   }
 }
 
+/// Fails: UserError for a C interface of derivatives whose start has none.
+void require_start(const GenerateOptions& options, const Compilation& compilation) {
+  if (options.sensitivities.empty() || !(options.c_interface || options.emit.calibration)) return;
+  if (has_start_with_derivatives(compilation.model, compilation.topology, compilation.analysis)) return;
+  throw UserError(
+      "generate: --c-api with --sensitivities needs a start with derivatives: \"initial\" without a static "
+      "equilibrium, "
+      "and with \"locked\": true where it gives more than the loops leave free\n"
+      "  hint: leave out --c-api: in C++ assemble_holding holds what the caller wants\n");
+}
+
 int run(const GenerateOptions& options) {
   if (!options.dump.empty()) {
     print(dump_stage(read_named(options), options.dump, known_start, chosen_form(options.form), options.emit));
@@ -127,6 +138,7 @@ int run(const GenerateOptions& options) {
       compiled(read_named(options),
                {.form = chosen_form(options.form), .spelling = options.reading ? Spelling::reading : Spelling::fast});
   require_range(compilation, options.emit.scalar);
+  require_start(options, compilation);
   EmitOptions emitted = options.emit;
   emitted.tangents = !options.sensitivities.empty();
   emitted.c_interface = options.c_interface || options.emit.calibration;

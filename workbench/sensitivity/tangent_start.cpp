@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "compiler/algebra/dense.hpp"
+#include "compiler/analysis/held_start.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/sensitivity/tangent_engine.hpp"
 
@@ -13,7 +14,6 @@ namespace {
 
 using Memory = TangentEngine::Memory;
 using Numbers = std::vector<TangentNumber>;
-using Flags = std::vector<unsigned char>;
 
 /// Singular values below this share of the largest leave an equilibrium undetermined.
 constexpr double kUndetermined = 1e-10;
@@ -26,39 +26,13 @@ void require(const Compilation& compilation, Status status) {
         fmt::format("sensitivities: the start cannot be differentiated: {}\n", describe(compilation, status)));
 }
 
-Flags given_flags(const Compilation& compilation, const std::vector<InitialValue>& given, bool locked_only) {
-  Flags flags(compilation.topology.bodies.size(), 0);
-  for (const InitialValue& value : given) {
-    const int i = tree_coordinate(compilation.topology, value.coordinate);
-    if (i >= 0 && (value.locked || !locked_only)) flags[static_cast<std::size_t>(i)] = 1;
-  }
-  return flags;
-}
-
-/// Whether more undriven coordinates of a loop block are held than it leaves free.
-bool are_too_many(const Compilation& compilation, const Flags& held) {
-  const std::vector<int> free = free_coordinates(compilation.topology, compilation.analysis);
-  return std::ranges::any_of(compilation.topology.blocks, [&](const LoopBlock& block) {
-    const auto in_block = [&](int i) { return std::ranges::count(block.joints, i) > 0; };
-    const auto is_held = [&](int i) {
-      return held[static_cast<std::size_t>(i)] != 0 && !compilation.analysis.driven[i];
-    };
-    return std::ranges::count_if(block.joints, is_held) > std::ranges::count_if(free, in_block);
-  });
-}
-
-/// Closes the loops of `state` while the given coordinates are held, or the locked ones where those are too many.
+/// Closes the loops of `state` while the given coordinates are held, see held_at_start.
 void hold(const Compilation& compilation, const TangentTable& table, const TangentPass& pass,
           const std::vector<InitialValue>& given, const char* what, Numbers& state) {
-  Flags held = given_flags(compilation, given, false);
-  if (are_too_many(compilation, held)) held = given_flags(compilation, given, true);
-  const auto locks = static_cast<std::size_t>(std::ranges::count(held, 1));
-  const bool are_guesses =
-      locks < given.size() && locks < free_coordinates(compilation.topology, compilation.analysis).size();
+  const auto held = held_at_start(compilation.topology, compilation.analysis, given);
   const Status status =
-      are_too_many(compilation, held) || are_guesses
-          ? Status{Code::loop_singular, -1}
-          : table.project_holding(pass.parameters.data(), pass.inputs.data(), held.data(), state.data());
+      held ? table.project_holding(pass.parameters.data(), pass.inputs.data(), held->data(), state.data())
+           : Status{Code::loop_singular, -1};
   if (status.code == Code::loop_singular)
     throw UserError(fmt::format(
         "sensitivities: the {} of \"initial\" are more than the loops leave free, their derivatives are not unique\n"

@@ -5,39 +5,25 @@
 
 namespace mbgen {
 
-/// Per coordinate, 1 where the start of a model gives its position or velocity, and where that is locked.
+/// Per coordinate, 1 where the start holds its position or velocity.
 template <int N>
-struct GivenCoordinates {
-  unsigned char positions[N], locked_positions[N], velocities[N], locked_velocities[N];
+struct HeldCoordinates {
+  unsigned char positions[N], velocities[N];
 };
-
-namespace solver_detail {
-
-/// Closes the loops while the given coordinates are held, or the locked ones alone where the given ones are too many.
-template <class System>
-Status project_from_given(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                          const unsigned char* given, const unsigned char* locked,
-                          typename System::State& state) noexcept {
-  const Status status = project_from_independent<System>(parameters, inputs, given, state);
-  return status.code == Code::loop_singular ? project_from_independent<System>(parameters, inputs, locked, state)
-                                            : status;
-}
-
-}  // namespace solver_detail
 
 /// `initial`, whose values are closed, with the derivatives that parameters and inputs give it.
 /// Fails: as project_from_independent; the state is then unchanged.
 template <class System>
-Status start_with_given(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                        const typename System::State& initial, const GivenCoordinates<System::kCoordinates>& given,
-                        typename System::State& state) noexcept {
+Status start_with_held(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                       const typename System::State& initial, const HeldCoordinates<System::kCoordinates>& held,
+                       typename System::State& state) noexcept {
   using namespace solver_detail;
   typename System::State trial;
   copy_state<System>(initial, trial);
-  Status status = project_from_given<System>(parameters, inputs, given.positions, given.locked_positions, trial);
+  Status status = project_from_independent<System>(parameters, inputs, held.positions, trial);
   if (!status.ok()) return status;
   copy(initial.zd, trial.zd, System::kCoordinates);
-  status = project_from_given<System>(parameters, inputs, given.velocities, given.locked_velocities, trial);
+  status = project_from_independent<System>(parameters, inputs, held.velocities, trial);
   if (!status.ok()) return status;
   copy_state<System>(trial, state);
   return {};

@@ -1,0 +1,18 @@
+#pragma once
+// The coordinates that a start holds when parameters of the model change.
+
+#include <optional>
+#include <vector>
+
+#include "compiler/analysis/findings.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/topology/topology.hpp"
+
+namespace mbgen {
+
+/// A flag per tree coordinate: 1 for the given ones, or for the locked ones alone where the loops leave fewer free.
+/// None where the start does not follow from these alone: several guesses at what is free.
+std::optional<std::vector<unsigned char>> held_at_start(const Topology& topology, const Analysis& analysis,
+                                                        const std::vector<InitialValue>& given);
+
+}  // namespace mbgen
