@@ -55,6 +55,7 @@ TEST(EmittedFiles, areFiveAndTheHeadersTheyInclude) {
                                                  "mbgen/math/single_precision.hpp",
                                                  "mbgen/math/vector_instructions.hpp",
                                                  "mbgen/motion.hpp",
+                                                 "mbgen/number.hpp",
                                                  "mbgen/scalar.hpp",
                                                  "mbgen/solver.hpp",
                                                  "mbgen/solver/ball.hpp",
