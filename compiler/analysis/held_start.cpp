@@ -41,4 +41,11 @@ std::optional<std::vector<unsigned char>> held_at_start(const Topology& topology
   return locked;
 }
 
+bool has_start_with_derivatives(const Model& model, const Topology& topology, const Analysis& analysis) {
+  const auto is_held = [&](const std::vector<InitialValue>& given) {
+    return held_at_start(topology, analysis, given).has_value();
+  };
+  return !model.initial.equilibrium && is_held(model.initial.positions) && is_held(model.initial.velocities);
+}
+
 }  // namespace mbgen

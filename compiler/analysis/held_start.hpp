@@ -11,8 +11,12 @@
 namespace mbgen {
 
 /// A flag per tree coordinate: 1 for the given ones, or for the locked ones alone where the loops leave fewer free.
-/// None where the start does not follow from these alone: several guesses at what is free.
+/// None where the start does not follow from these alone, since other given values are guesses.
 std::optional<std::vector<unsigned char>> held_at_start(const Topology& topology, const Analysis& analysis,
                                                         const std::vector<InitialValue>& given);
+
+/// Whether a start has derivatives by held coordinates alone: it is no static equilibrium, and held_at_start gives
+/// them.
+bool has_start_with_derivatives(const Model& model, const Topology& topology, const Analysis& analysis);
 
 }  // namespace mbgen

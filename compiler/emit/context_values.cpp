@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "compiler/emit/emit.hpp"
+#include "compiler/analysis/held_start.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/shapes.hpp"
 #include "compiler/emit/text.hpp"

@@ -6,7 +6,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "compiler/analysis/held_start.hpp"
 #include "compiler/emit/context_values.hpp"
 #include "compiler/emit/cost_sheet.hpp"
 #include "compiler/emit/embedded.hpp"
@@ -110,13 +109,6 @@ std::vector<EmittedFile> emit(const WrittenPrograms& programs, const Model& mode
   }
   files.push_back({name + ".json", manifest_text(manifest)});
   return files;
-}
-
-bool has_start_with_derivatives(const Model& model, const Topology& topology, const Analysis& analysis) {
-  const auto is_held = [&](const std::vector<InitialValue>& given) {
-    return held_at_start(topology, analysis, given).has_value();
-  };
-  return !model.initial.equilibrium && is_held(model.initial.positions) && is_held(model.initial.velocities);
 }
 
 std::vector<EmittedFile> emit_tangents(const WrittenPrograms& programs, const Model& model, const Topology& topology,

@@ -30,9 +30,6 @@ EmittedFile emit_driver(const Model& model, int lanes = 0, bool inverse = false)
 EmittedFile emit_clocked_driver(const WrittenPrograms& programs, const Model& model, const Topology& topology,
                                 const Analysis& analysis, int lanes = 0);
 
-/// Whether emitted code can give the start derivatives by parameters: no static equilibrium, and held_at_start.
-bool has_start_with_derivatives(const Model& model, const Topology& topology, const Analysis& analysis);
-
 /// The driver of the solver with derivatives; its table has numbers with derivatives in place of doubles.
 EmittedFile emit_tangent_driver(const Model& model, bool inverse = false);
 

@@ -5,7 +5,6 @@
 
 #include "compiler/analysis/held_start.hpp"
 #include "compiler/emit/context_values.hpp"
-#include "compiler/emit/emit.hpp"
 #include "compiler/emit/law_text.hpp"
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/quantity_ranges.hpp"

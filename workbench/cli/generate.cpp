@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "compiler/analysis/held_start.hpp"
 #include "compiler/compile.hpp"
 #include "compiler/text/json_text.hpp"
 #include "compiler/text/user_error.hpp"
