@@ -14,10 +14,11 @@ namespace mbgen {
 /// More threads would hold more programs in memory at the same time.
 constexpr std::size_t kMostThreads = 4;
 
-/// Calls work(i) for every i below `count`, in order, each in the first thread that is free. Results do not depend on
-/// threads where work(i) changes nothing that another one looks at. Fails: with the first failure by i.
+/// Calls work(i) for every i below `count`, in order, each in the first thread that is free, of at most so many.
+/// Results do not depend on threads where work(i) changes nothing that another one looks at. Fails: with the first
+/// failure by i.
 template <class Work>
-void in_threads(std::size_t count, const Work& work) {
+void in_threads(std::size_t count, const Work& work, std::size_t most = kMostThreads) {
   std::atomic<std::size_t> next{0};
   std::vector<std::exception_ptr> failures(count);
   const auto run = [&] {
@@ -32,7 +33,7 @@ void in_threads(std::size_t count, const Work& work) {
   const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
   std::vector<std::thread> others;
   try {
-    for (std::size_t t = 1; t < std::min({count, processors, kMostThreads}); ++t) others.emplace_back(run);
+    for (std::size_t t = 1; t < std::min({count, processors, most}); ++t) others.emplace_back(run);
   } catch (const std::system_error&) {
     // No more threads are to be had: the others take all of the work.
   }

@@ -1,19 +1,12 @@
 #include "workbench/fit/fit_journal.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <string_view>
 
 #include "compiler/text/characters.hpp"
-#include "compiler/text/hash.hpp"
 #include "compiler/text/user_error.hpp"
-#include "workbench/host/files.hpp"
 
 namespace mbgen::fit {
 namespace {
@@ -21,16 +14,6 @@ namespace {
 // Format of a journal: this line with a description appended, then one line per evaluation: hash of the rest of the
 // line, arguments, a bar, numbers.
 constexpr std::string_view kFirstLine = "mbgen fit journal 1 ", kAnyJournal = "mbgen fit journal ";
-
-std::string hash_of_text(std::string_view text) {
-  Hash hash;
-  hash.add(text);
-  return hash.text();
-}
-
-[[noreturn]] void fail_to_write(const std::filesystem::path& path) {
-  throw UserError(fmt::format("{}: cannot write: {}\n", path.string(), std::strerror(errno)));
-}
 
 std::vector<double> numbers_in(std::string_view text) {
   std::vector<double> numbers;
@@ -45,31 +28,13 @@ std::vector<double> numbers_in(std::string_view text) {
   return numbers;
 }
 
-/// The text up to the last line end: a killed process leaves an incomplete line.
-std::string complete_lines(const std::string& text) {
-  const std::size_t end = text.rfind('\n');
-  return end == std::string::npos ? "" : text.substr(0, end + 1);
-}
-
 }  // namespace
 
-FitJournal::FitJournal(const std::filesystem::path& path, const std::string& description, bool restart) : path_(path) {
-  file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (file_ < 0) fail_to_write(path);
-  try {
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-      throw UserError(fmt::format("{}: another mbgen fit is at work on it\n", path.string()));
-    const std::string kept = restart ? "" : complete_lines(read_text(path));
-    read(kept, description);
-    if (::ftruncate(file_, static_cast<off_t>(kept.size())) != 0) fail_to_write(path);
-    if (kept.empty()) append(fmt::format("{}{}\n", kFirstLine, description));
-  } catch (...) {
-    ::close(file_);
-    throw;
-  }
+FitJournal::FitJournal(const std::filesystem::path& path, const std::string& description, bool restart)
+    : path_(path), file_(path, "fit", restart) {
+  read(file_.kept(), description);
+  file_.begin(fmt::format("{}{}", kFirstLine, description));
 }
-
-FitJournal::~FitJournal() { ::close(file_); }
 
 void FitJournal::read(const std::string& text, const std::string& description) {
   if (text.empty()) return;
@@ -84,10 +49,10 @@ void FitJournal::read(const std::string& text, const std::string& description) {
                     "--out\n",
                     path_.string()));
   for (const std::string& line : split_at(std::string_view(text).substr(end + 1), '\n')) {
-    const std::size_t blank = line.find(' '), bar = line.find(" | ");
-    if (blank == std::string::npos || bar == std::string::npos || bar <= blank) continue;
-    if (hash_of_text(std::string_view(line).substr(blank + 1)) != line.substr(0, blank)) continue;
-    lines_[line.substr(blank + 1, bar - blank - 1)] = numbers_in(std::string_view(line).substr(bar + 3));
+    const std::optional<std::string> content = content_of_line(line);
+    const std::size_t bar = content ? content->find(" | ") : std::string::npos;
+    if (bar != std::string::npos)
+      lines_[content->substr(0, bar)] = numbers_in(std::string_view(*content).substr(bar + 3));
   }
   known_ = static_cast<long>(lines_.size());
 }
@@ -97,21 +62,10 @@ const std::vector<double>* FitJournal::find(const std::string& arguments) const 
   return found == lines_.end() ? nullptr : &found->second;
 }
 
-void FitJournal::append(const std::string& line) {
-  std::size_t written = 0;
-  while (written < line.size()) {
-    const ssize_t count = ::write(file_, line.data() + written, line.size() - written);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail_to_write(path_);
-    written += static_cast<std::size_t>(count);
-  }
-  if (::fsync(file_) != 0 && errno != EINVAL) fail_to_write(path_);
-}
-
 void FitJournal::add(const std::string& arguments, const std::vector<double>& numbers) {
   std::string content = arguments + " |";
   for (const double number : numbers) content += fmt::format(" {}", number);
-  append(fmt::format("{} {}\n", hash_of_text(content), content));
+  file_.append(journal_line(content));
   lines_[arguments] = numbers;
 }
 

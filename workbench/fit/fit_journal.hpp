@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "workbench/fit/least_squares.hpp"
+#include "workbench/host/journal_file.hpp"
 
 namespace mbgen::fit {
 
@@ -17,9 +18,6 @@ class FitJournal {
   /// Opens or creates a journal; description: of the fit, one line. restart: discards its lines. Fails: UserError for a
   /// journal of another fit, one that another process holds, or that cannot be written.
   FitJournal(const std::filesystem::path& path, const std::string& description, bool restart);
-  FitJournal(const FitJournal&) = delete;
-  FitJournal& operator=(const FitJournal&) = delete;
-  ~FitJournal();
 
   /// Number of evaluations that it held when it was opened.
   long known() const { return known_; }
@@ -29,10 +27,9 @@ class FitJournal {
   void add(const std::string& arguments, const std::vector<double>& numbers);
 
  private:
-  void append(const std::string& line);
   void read(const std::string& text, const std::string& description);
   std::filesystem::path path_;
-  int file_ = -1;
+  JournalFile file_;
   long known_ = 0;
   std::map<std::string, std::vector<double>> lines_;
 };

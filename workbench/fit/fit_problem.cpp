@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
-#include <thread>
 
+#include "compiler/program/in_threads.hpp"
 #include "workbench/fit/point_targets.hpp"
 #include "workbench/fit/rig_curve.hpp"
 
@@ -36,22 +35,16 @@ Formula formula_at(const Unknown& unknown, double value) {
   return {step, {{0, -1.5 * inside}, {inside, 2 * inside}, {2 * inside, -0.5 * inside}}};
 }
 
-/// Runs tasks on some threads.
-void run_tasks(const FitProblem& problem, long count, const std::function<void(std::size_t)>& task) {
-  std::atomic<long> next{0};
+/// Runs tasks on some threads; those behind a stop are left out.
+void run_tasks(const FitProblem& problem, std::size_t count, const std::function<void(std::size_t)>& task) {
   std::mutex guard;
   long done = 0;
-  const auto take_turns = [&] {
-    for (long k = next++; k < count; k = next++) {
-      if (!problem.is_stopped || !problem.is_stopped()) task(static_cast<std::size_t>(k));
-      const std::lock_guard<std::mutex> lock(guard);
-      if (problem.progress) problem.progress(++done, count);
-    }
+  const auto run = [&](std::size_t k) {
+    if (!problem.is_stopped || !problem.is_stopped()) task(k);
+    const std::lock_guard<std::mutex> lock(guard);
+    if (problem.progress) problem.progress(++done, static_cast<long>(count));
   };
-  std::vector<std::thread> threads;
-  for (long j = 1; j < std::min<long>(problem.jobs, count); ++j) threads.emplace_back(take_turns);
-  take_turns();
-  for (std::thread& thread : threads) thread.join();
+  in_threads(count, run, static_cast<std::size_t>(problem.jobs));
 }
 
 double value_or(const std::vector<double>& values, int unknown, double without) {
@@ -66,7 +59,7 @@ const Channel& channel_of(const FitProblem& problem, const MeasuredChannel& meas
 std::vector<Outcome> all_outcomes(const FitProblem& problem, const std::vector<double>& values, Care care,
                                   std::string& failure) {
   std::vector<Outcome> outcomes(problem.files.size());
-  run_tasks(problem, static_cast<long>(problem.files.size()), [&](std::size_t f) {
+  run_tasks(problem, problem.files.size(), [&](std::size_t f) {
     if (!problem.files[f].is_held_out) outcomes[f] = outcome_of(problem, f, values, care);
   });
   for (std::size_t f = 0; f < outcomes.size(); ++f)
@@ -220,7 +213,7 @@ Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values) 
   if (!result.failure.empty()) return result;
   result.residuals = residuals_of(problem, outcomes, values);
   std::vector<Evaluation> evaluations = evaluations_at(problem, outcomes, values);
-  run_tasks(problem, static_cast<long>(evaluations.size()), [&](std::size_t k) {
+  run_tasks(problem, evaluations.size(), [&](std::size_t k) {
     Evaluation& one = evaluations[k];
     std::vector<double> moved = values;
     moved[one.unknown] += one.offset;

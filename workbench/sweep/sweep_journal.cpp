@@ -9,12 +9,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 
-#include "compiler/text/hash.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/files.hpp"
 
@@ -28,16 +26,6 @@ namespace fs = std::filesystem;
 // [name, unit, value], status.
 constexpr std::string_view kFirstLine = "mbgen sweep journal 3 ", kAnyJournal = "mbgen sweep journal ";
 
-[[noreturn]] void fail_to(const char* action, const fs::path& path) {
-  throw UserError(fmt::format("{}: cannot {}: {}\n", path.string(), action, std::strerror(errno)));
-}
-
-std::string hash_of_line(const std::string& content) {
-  Hash hash;
-  hash.add(content);
-  return hash.text();
-}
-
 std::string line_of(long index, const CaseResult& result) {
   std::string content = fmt::format("{} {}", index, result.metrics.size());
   for (const double value : result.metrics) content += fmt::format(" {}", value);
@@ -45,14 +33,14 @@ std::string line_of(long index, const CaseResult& result) {
   for (const ManoeuvreResult& number : result.of_manoeuvre)
     numbers.push_back(nlohmann::json::array({number.name, number.unit, number.value}));
   content += fmt::format(" {} {} {}", result.energy_error, numbers.dump(), result.status);
-  return hash_of_line(content) + " " + content + "\n";
+  return journal_line(content);
 }
 
 /// Adds the case of a line; ignores a damaged line.
 void read_line(const std::string& line, CaseResults& results) {
-  const std::size_t blank = line.find(' ');
-  if (blank == std::string::npos || hash_of_line(line.substr(blank + 1)) != line.substr(0, blank)) return;
-  std::istringstream words(line.substr(blank + 1));
+  const std::optional<std::string> content = content_of_line(line);
+  if (!content) return;
+  std::istringstream words(*content);
   long index = 0;
   std::size_t count = 0;
   words >> index >> count;
@@ -101,12 +89,6 @@ void check_first_line(const fs::path& path, const std::string& line, const std::
       is_of_this_format ? fmt::format("{}", fmt::join(differences(found, description), ", ")) : "mbgen"));
 }
 
-/// The text up to the last line end: a killed process leaves an incomplete line.
-std::string whole_lines(const std::string& text) {
-  const std::size_t end = text.rfind('\n');
-  return end == std::string::npos ? "" : text.substr(0, end + 1);
-}
-
 CaseResults parse(const fs::path& path, const std::string& text, const std::string& description) {
   CaseResults results;
   std::istringstream lines(whole_lines(text));
@@ -145,38 +127,12 @@ CaseResults read_journal(const fs::path& path, const std::string& description) {
   return parse(path, read_text(path), description);
 }
 
-Journal::Journal(const fs::path& path, const std::string& description, bool restart) : path_(path) {
-  file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (file_ < 0) fail_to("write", path);
-  try {
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      throw UserError(fmt::format("{}: another mbgen sweep is at work on it\n", path.string()));
-    }
-    const std::string text = restart ? "" : read_text(path);
-    parse(path, text, description);
-    const std::string kept = whole_lines(text);
-    if (::ftruncate(file_, static_cast<off_t>(kept.size())) != 0) fail_to("write", path);
-    if (kept.empty()) append(fmt::format("{}{}\n", kFirstLine, description));
-  } catch (...) {
-    ::close(file_);
-    throw;
-  }
+Journal::Journal(const fs::path& path, const std::string& description, bool restart) : file_(path, "sweep", restart) {
+  parse(path, file_.kept(), description);
+  file_.begin(fmt::format("{}{}", kFirstLine, description));
 }
 
-Journal::~Journal() { ::close(file_); }
-
-void Journal::append(const std::string& line) {
-  std::size_t written = 0;
-  while (written < line.size()) {
-    const ssize_t count = ::write(file_, line.data() + written, line.size() - written);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail_to("write", path_);
-    written += static_cast<std::size_t>(count);
-  }
-  if (::fsync(file_) != 0 && errno != EINVAL) fail_to("write", path_);
-}
-
-void Journal::add(long index, const CaseResult& result) { append(line_of(index, result)); }
+void Journal::add(long index, const CaseResult& result) { file_.append(line_of(index, result)); }
 
 bool is_held(const fs::path& journal) {
   const int file = ::open(journal.c_str(), O_RDONLY | O_CLOEXEC);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "workbench/host/journal_file.hpp"
 #include "workbench/sweep/sweep_study.hpp"
 
 namespace mbgen {
@@ -31,17 +32,12 @@ class Journal {
   /// Opens or creates it. restart: discard its lines; else an incomplete last line is cut off. Fails: UserError if it
   /// cannot be written or another process holds it, or as read_journal.
   Journal(const std::filesystem::path& path, const std::string& description, bool restart);
-  Journal(const Journal&) = delete;
-  Journal& operator=(const Journal&) = delete;
-  ~Journal();
 
   /// Writes a result and syncs it to disk, safe against power failure. Fails: UserError on a write error.
   void add(long index, const CaseResult& result);
 
  private:
-  void append(const std::string& line);
-  std::filesystem::path path_;
-  int file_ = -1;
+  JournalFile file_;
 };
 
 /// Whether a process holds this journal.
